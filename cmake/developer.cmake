@@ -1,0 +1,20 @@
+# What our own executables (tests, examples, benchmarks) are compiled with. Nothing here reaches a user of the library.
+add_library(arenite_warnings INTERFACE)
+target_compile_options(arenite_warnings INTERFACE -Wall -Wextra -Wpedantic -Wconversion -Wshadow
+                                                  $<$<BOOL:${ARENITE_WERROR}>:-Werror>)
+# g++ notes at every pack passed by value that GCC 4.6 changed the ABI; nothing here was ever compiled by an older one.
+target_compile_options(arenite_warnings INTERFACE $<$<CXX_COMPILER_ID:GNU>:-Wno-psabi>)
+if(NOT OpenMP_CXX_FOUND OR NOT ARENITE_OPENMP)
+  target_compile_options(arenite_warnings INTERFACE -Wno-unknown-pragmas)  # the loops' `#pragma omp`
+endif()
+
+add_library(arenite_developer INTERFACE)
+target_link_libraries(arenite_developer INTERFACE arenite::arenite arenite_warnings)
+target_compile_options(arenite_developer INTERFACE $<$<BOOL:${ARENITE_NATIVE}>:-march=native>)
+
+find_program(ARENITE_CCACHE ccache DOC "Compiler cache, used if found")
+if(ARENITE_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${ARENITE_CCACHE})
+endif()
+
+set(CMAKE_CXX_EXTENSIONS OFF)  # ISO C++20, without the compilers' own additions

@@ -1,0 +1,81 @@
+// history.csv: one row a step, written while the run goes on.
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <arenite/io/csv.hpp>
+
+namespace arenite::ffp {
+
+inline constexpr double standard_gravity =
+    9.81;  ///< m/s^2: gravity of the model, and the g of all decelerations
+
+/// One row of the history. Penetration and velocity are positive down; the acceleration is the net one,
+/// positive when it slows the device; mass x (acceleration + g) = reaction. Masses, forces and energies are
+/// those of the whole device and the whole chamber (the slice's times 18).
+struct HistoryRow {
+  double time_s = 0;
+  double penetration_m = 0;
+  double velocity_m_s = 0;
+  double acceleration_m_s2 = 0;  ///< over the step that ends at `time_s`
+  double reaction_N = 0;         ///< over the step that ends at `time_s`
+  double time_step_s = 0;
+  double kinetic_energy_J = 0;
+  double strain_energy_J = 0;
+  double plastic_work_J = 0;
+  double contact_dissipation_J = 0;
+  double external_work_J = 0;
+  double energy_residual_J = 0;
+  double lost_points = 0;
+  double contact_nodes = 0;
+  double fill_ratio = 0;         ///< of the elements at the device: points over points when filled
+  double mean_volume_ratio = 1;  ///< mean V/V0 of the sand
+};
+
+/// Columns of the history: names and members, in the order of the file.
+inline constexpr std::array<std::pair<const char*, double HistoryRow::*>, 16> history_columns{{
+    {"time_s", &HistoryRow::time_s},
+    {"penetration_m", &HistoryRow::penetration_m},
+    {"velocity_m_s", &HistoryRow::velocity_m_s},
+    {"acceleration_m_s2", &HistoryRow::acceleration_m_s2},
+    {"reaction_N", &HistoryRow::reaction_N},
+    {"time_step_s", &HistoryRow::time_step_s},
+    {"kinetic_energy_J", &HistoryRow::kinetic_energy_J},
+    {"strain_energy_J", &HistoryRow::strain_energy_J},
+    {"plastic_work_J", &HistoryRow::plastic_work_J},
+    {"contact_dissipation_J", &HistoryRow::contact_dissipation_J},
+    {"external_work_J", &HistoryRow::external_work_J},
+    {"energy_residual_J", &HistoryRow::energy_residual_J},
+    {"lost_points", &HistoryRow::lost_points},
+    {"contact_nodes", &HistoryRow::contact_nodes},
+    {"fill_ratio", &HistoryRow::fill_ratio},
+    {"mean_volume_ratio", &HistoryRow::mean_volume_ratio},
+}};
+
+/// history.csv as it grows.
+class HistoryFile {
+ public:
+  /// Throws `error` if the file cannot be written.
+  explicit HistoryFile(const std::filesystem::path& path) : csv_{path, names()} {}
+
+  void write(const HistoryRow& row) {
+    std::array<double, history_columns.size()> values{};
+    for (std::size_t i = 0; i < values.size(); ++i) values[i] = row.*history_columns[i].second;
+    csv_.row(values);
+  }
+
+ private:
+  static std::vector<std::string> names() {
+    std::vector<std::string> all;
+    for (const auto& column : history_columns) all.emplace_back(column.first);
+    return all;
+  }
+
+  CsvWriter csv_;
+};
+
+}  // namespace arenite::ffp

@@ -1,0 +1,200 @@
+// The half-section of the drop as triangles, fitted to the penetrometer: horizontal rows of nodes, joined by
+// strips. No external mesher: the domain is a chamber cut by one convex body, and rows keep the zone that the
+// moving mesh compresses in flat layers, which lose height without turning over.
+#pragma once
+
+#include <array>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <arenite/mesh/mesh_data.hpp>
+
+#include "geometry.hpp"
+#include "grading.hpp"
+
+namespace arenite::ffp {
+
+enum Region : int { soil = 0, air = 1, device = 2 };
+
+/// Lengths of the mesh. All follow `cell`, so that a finer mesh is the same mesh, refined.
+struct MeshSizes {
+  double cell = 0.01;          ///< edge of a cell around the cone and along its path, m
+  double moving_depth = 0.06;  ///< the mesh moves as one from this depth below the tip upward, m
+  double fine_radius = 0.07;   ///< cells are `cell` wide to this distance from the axis or the device, m
+  double outer_ratio = 1.8;    ///< width of a cell at the wall over `cell`
+  /// Height of a layer of the compressed zone over `cell`. A drop of 0.22 m leaves 0.35 of it, one of 0.28 m
+  /// 0.18.
+  double layer_ratio = 1.3;
+  double top_ratio = 3;  ///< height of a cell at the top of the model over `cell`
+};
+
+/// Triangles and the rows that they were made from.
+struct AxisymmetricMesh {
+  MeshData<2> data;  ///< regions soil, air, device; sets axis, wall, bottom, top, device_surface, device
+  std::vector<double> row_height;  ///< [rows] y of each row, m, ascending
+  std::vector<int> row_of;         ///< [nodes] row of each node
+  std::vector<int> place_in_row;   ///< [nodes] place of each node from the axis outward
+};
+
+namespace detail {
+
+/// Rows and strips, from the bottom up.
+class AxisymmetricMesher {
+ public:
+  AxisymmetricMesher(const Device& body, const Chamber& chamber, const MeshSizes& sizes)
+      : body_{body}, chamber_{chamber}, sizes_{sizes} {
+    const auto& s = sizes;
+    require(s.cell > 0 && s.cell <= chamber.radius / 4, "MeshSizes.cell", s.cell,
+            "must be positive and no more than a quarter of the chamber's radius");
+    require(s.moving_depth > 0 && s.moving_depth < chamber.soil_depth, "MeshSizes.moving_depth",
+            s.moving_depth, "must lie between 0 and the depth of the soil");
+    require(s.fine_radius >= 0 && s.fine_radius < chamber.radius, "MeshSizes.fine_radius", s.fine_radius,
+            "must lie between 0 and the chamber's radius");
+    require(s.outer_ratio >= 1, "MeshSizes.outer_ratio", s.outer_ratio, "must be at least 1");
+    require(s.layer_ratio > 0, "MeshSizes.layer_ratio", s.layer_ratio, "must be positive");
+    require(s.top_ratio >= 1, "MeshSizes.top_ratio", s.top_ratio, "must be at least 1");
+    require(chamber.headroom > body.length(), "Chamber.headroom", chamber.headroom,
+            "must be more than the device's length");
+  }
+
+  AxisymmetricMesh operator()() {
+    mesh_.data.region_names = {{"soil", soil}, {"air", air}, {"device", device}};
+    columns_ = graded(0, chamber_.radius, [&](double x) { return width(x); });
+    make_row_heights();
+    for (std::size_t j = 0; j < mesh_.row_height.size(); ++j) add_row(static_cast<int>(j));
+    for (std::size_t j = 0; j + 1 < rows_.size(); ++j) add_strip(j);
+    make_sets();
+    return std::move(mesh_);
+  }
+
+ private:
+  struct Row {
+    std::vector<Index>
+        inside;  ///< nodes from the axis to the device's surface, both included; empty below the tip
+    std::vector<Index> outside;  ///< nodes from the axis or the device's surface to the wall
+  };
+
+  double width(double x) const {
+    const double beyond = std::max(0.0, x - sizes_.fine_radius) / (chamber_.radius - sizes_.fine_radius);
+    return sizes_.cell * (1 + (sizes_.outer_ratio - 1) * beyond);
+  }
+
+  void append(const std::vector<double>& heights) {
+    auto& all = mesh_.row_height;
+    all.insert(all.end(), heights.begin() + (all.empty() ? 0 : 1), heights.end());
+  }
+
+  void make_row_heights() {
+    const double h = sizes_.cell, deep = -sizes_.moving_depth;
+    append(even(-chamber_.soil_depth, deep, sizes_.layer_ratio * h));
+    append(even(deep, 0, h));
+    const auto edge = body_.edge_heights(h / 2);
+    append(
+        even(0, edge.front(), h * std::cos(body_.half_angle())));  // edges along the cone are one cell long
+    append(edge);
+    const double from = chamber_.soil_depth / 2;  // the soil that rises around the cylinder stays below
+    const auto height = [&](double y) {
+      return h * (1 + (sizes_.top_ratio - 1) * std::max(0.0, y - from) / (chamber_.headroom - from));
+    };
+    append(graded(edge.back(), body_.length(), height));
+    append(graded(body_.length(), chamber_.headroom, height));
+  }
+
+  Index add_node(double r, double y, int row, int place) {
+    mesh_.data.nodes.emplace_back(r, y);
+    mesh_.row_of.push_back(row);
+    mesh_.place_in_row.push_back(place);
+    return static_cast<Index>(mesh_.data.nodes.size() - 1);
+  }
+
+  void add_row(int j) {
+    const double y = mesh_.row_height[static_cast<std::size_t>(j)];
+    const double surface = body_.profile(y);
+    Row row;
+    int place = 0;
+    if (surface > 0) {
+      const int pieces = std::max(1, static_cast<int>(std::lround(surface / sizes_.cell)));
+      for (int i = 0; i < pieces; ++i) row.inside.push_back(add_node(surface * i / pieces, y, j, place++));
+    }
+    for (const double s :
+         columns_) {  // columns start on the surface and fan back to their own radius at the wall
+      const bool wall = s == columns_.back();
+      row.outside.push_back(
+          add_node(wall ? s : surface + s * (1 - surface / chamber_.radius), y, j, place++));
+    }
+    if (y >= 0) row.inside.push_back(row.outside.front());
+    rows_.push_back(std::move(row));
+  }
+
+  void add_strip(std::size_t j) {
+    const double below = mesh_.row_height[j], above = mesh_.row_height[j + 1];
+    const Region around = above <= 0 ? soil : air;
+    join(rows_[j].outside, rows_[j + 1].outside, around, j);
+    if (below >= 0) join(rows_[j].inside, rows_[j + 1].inside, above <= body_.length() ? device : air, j);
+  }
+
+  double distance(Index a, Index b) const { return (mesh_.data.nodes[a] - mesh_.data.nodes[b]).norm(); }
+
+  /// Fills the strip between two rows. Of the two diagonals the much shorter one, which in the sheared cells
+  /// along the cone makes nearly equilateral triangles; where they are about equal they alternate (union
+  /// jack), without bias.
+  void join(const std::vector<Index>& low, const std::vector<Index>& high, Region region, std::size_t j) {
+    constexpr double about_equal = 1.1;
+    std::size_t a = 0, b = 0;
+    while (a + 1 < low.size() || b + 1 < high.size()) {
+      bool advance_low = b + 1 == high.size();
+      if (!advance_low && a + 1 < low.size()) {
+        const double falling = distance(low[a + 1], high[b]), rising = distance(low[a], high[b + 1]);
+        advance_low = falling < rising;
+        if (a == b && std::max(falling, rising) < about_equal * std::min(falling, rising))
+          advance_low = (a + j) % 2 == 0;
+      }
+      add_cell(
+          advance_low ? std::array{low[a], low[a + 1], high[b]} : std::array{low[a], high[b + 1], high[b]},
+          region);
+      ++(advance_low ? a : b);
+    }
+  }
+
+  void add_cell(const std::array<Index, 3>& nodes, Region region) {
+    mesh_.data.cells.push_back(nodes);
+    mesh_.data.region.push_back(region);
+  }
+
+  void make_sets() {
+    auto& sets = mesh_.data.node_sets;
+    for (std::size_t j = 0; j < rows_.size(); ++j) {
+      const Row& row = rows_[j];
+      const double y = mesh_.row_height[j];
+      sets["axis"].push_back(row.inside.empty() ? row.outside.front() : row.inside.front());
+      sets["wall"].push_back(row.outside.back());
+      if (y < 0 || y > body_.length()) continue;
+      sets["device_surface"].push_back(row.outside.front());
+      sets["device"].insert(sets["device"].end(), row.inside.begin(), row.inside.end());
+    }
+    sets["bottom"] = rows_.front().outside;
+    sets["top"] = rows_.back().inside;
+    sets["top"].insert(sets["top"].end(), rows_.back().outside.begin() + 1, rows_.back().outside.end());
+  }
+
+  Device body_;
+  Chamber chamber_;
+  MeshSizes sizes_;
+  std::vector<double> columns_;
+  std::vector<Row> rows_;
+  AxisymmetricMesh mesh_;
+};
+
+}  // namespace detail
+
+/// Triangles of the half-section r >= 0, counter-clockwise, fitted to the device with its tip at the origin.
+/// Regions: "soil" (y < 0), "device", "air" (the rest). Node sets: "axis", "wall", "bottom", "top", "device"
+/// (all nodes of device cells), "device_surface" (cone and cylinder; the flat top's inner nodes, which soil
+/// never meets, are left out). Throws `error` if the sizes do not fit the chamber.
+inline AxisymmetricMesh mesh_axisymmetric(const Device& body, const Chamber& chamber = {},
+                                          const MeshSizes& sizes = {}) {
+  return detail::AxisymmetricMesher{body, chamber, sizes}();
+}
+
+}  // namespace arenite::ffp

@@ -1,0 +1,245 @@
+#!/usr/bin/env python3
+"""Draws one or several drops: histories.png (depth, velocity, deceleration, reaction) and strain.png (deviatoric strain of
+the sand at the paper's times). Needs numpy and matplotlib.
+
+    plot.py out/ffp                              pictures of one drop, into its folder
+    plot.py out/delta20 out/delta40 --out docs   several drops in the same pictures
+"""
+
+import argparse
+import glob
+import json
+import os
+import sys
+
+import numpy
+
+try:
+    import matplotlib
+except ImportError:
+    sys.exit("plot.py: needs matplotlib; on Debian: apt install python3-matplotlib")
+
+matplotlib.use("Agg")
+import matplotlib.pyplot as pyplot  # noqa: E402
+
+from read_vtu import read_pvd, read_vtu  # noqa: E402
+
+GRAVITY = 9.81
+WINDOW = 2e-3  # s, of the moving average; as in summary.json
+COLOURS = ["#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#000000"]  # Okabe and Ito
+REFERENCE = "#6b6b6b"
+FIELD_TIMES = [0.0, 0.02, 0.04, 0.08]  # s, of the paper's figure 4
+STRAIN_TOP = 1.0
+
+
+class Drop:
+    """The results of one output folder."""
+
+    def __init__(self, folder):
+        self.folder = folder
+        try:
+            with open(os.path.join(folder, "summary.json")) as file:
+                self.summary = json.load(file)
+            table = numpy.genfromtxt(os.path.join(folder, "history.csv"), delimiter=",", names=True)
+        except (OSError, ValueError) as problem:
+            sys.exit(f"plot.py: {folder}: must hold summary.json and history.csv of a drop ({problem})")
+        table = numpy.atleast_1d(table)
+        if len(table) < 2:
+            sys.exit(f"plot.py: {folder}/history.csv: needs two rows at least")
+        self.time = table["time_s"]
+        self.depth = table["penetration_m"]
+        self.velocity = table["velocity_m_s"]
+        self.raw = table["acceleration_m_s2"] / GRAVITY
+        self.deceleration = moving_average(self.time, self.raw)
+        self.reaction = moving_average(self.time, table["reaction_N"])
+        self.inputs = self.summary["inputs"]
+
+    def label(self, others):
+        """What tells this drop from the others: contact first, then every input that differs."""
+        contact = "no slip" if self.inputs["no_slip"] else f"δ = {self.inputs['delta_deg']:g}°"
+        parts = [contact, self.inputs["kinematics"], f"{self.inputs['device']} FFP"]
+        named = {"no_slip", "delta_deg", "kinematics", "device", "end_s", "fields_every_s"}
+        if any(other.inputs["kinematics"] != self.inputs["kinematics"] for other in others):
+            named.add("points_per_element")  # its default goes with the kinematics
+        for key, value in self.inputs.items():
+            if key not in named and any(other.inputs.get(key) != value for other in others):
+                parts.append(f"{key} {value:g}" if isinstance(value, (int, float)) else f"{key} {value}")
+        return ", ".join(parts)
+
+    def fields(self):
+        """[(time, [files])] of all series in the folder, in the order of time."""
+        found = {}
+        for series in sorted(glob.glob(os.path.join(glob.escape(self.folder), "*.pvd"))):
+            for time, path in read_pvd(series):
+                found.setdefault(time, []).append(path)
+        return sorted(found.items())
+
+    def outline(self, time):
+        """Half-section of the device at a time: [r, y]."""
+        line = numpy.array(self.summary["device_outline_m"])
+        return line[:, 0], line[:, 1] - numpy.interp(time, self.time, self.depth)
+
+
+def moving_average(time, value):
+    """Centred mean over WINDOW of a history that is constant over each step; exact for uneven steps."""
+    integral = numpy.concatenate([[0.0], numpy.cumsum(value[1:] * numpy.diff(time))])
+    start = numpy.maximum(time - WINDOW / 2, time[0])
+    end = numpy.minimum(time + WINDOW / 2, time[-1])
+    return (numpy.interp(end, time, integral) - numpy.interp(start, time, integral)) / (end - start)
+
+
+def level(axes, value, text, vertical=False):
+    """A reference line with its text on it."""
+    if vertical:
+        axes.axvline(value, color=REFERENCE, linewidth=1, linestyle=(0, (5, 3)), zorder=1)
+        axes.text(value, 0.97, text + " ", color=REFERENCE, fontsize=8, ha="right", va="top", rotation=90,
+                  transform=axes.get_xaxis_transform())
+        return
+    axes.axhline(value, color=REFERENCE, linewidth=1, linestyle=(0, (5, 3)), zorder=1)
+    axes.text(0.985, value, text, color=REFERENCE, fontsize=8, ha="right", va="bottom",
+              transform=axes.get_yaxis_transform())
+
+
+def band(axes):
+    """The paper's range of peak decelerations and the experiment's peak."""
+    axes.axhspan(17, 23, color="#b9b9b9", alpha=0.35, linewidth=0, zorder=0)
+    axes.text(0.985, 22.8, "peaks in the paper, 17 to 23 g", color=REFERENCE, fontsize=8, ha="right", va="top",
+              transform=axes.get_yaxis_transform())
+    level(axes, 19.4, "experiment, 19.4 g")
+
+
+def draw_histories(drops, path):
+    figure, rows = pyplot.subplots(2, 3, figsize=(12, 7), constrained_layout=True)
+    depth, velocity, deceleration = rows[0]
+    reaction, velocity_down, deceleration_down = rows[1]
+    for drop, colour in zip(drops, COLOURS * len(drops)):
+        ms, cm = drop.time * 1e3, drop.depth * 1e2
+        style = {"color": colour, "linewidth": 1.8}
+        depth.plot(ms, cm, label=drop.label(drops), **style)
+        velocity.plot(ms, drop.velocity, **style)
+        if len(drops) == 1:
+            deceleration.plot(ms, drop.raw, color=colour, alpha=0.3, linewidth=0.6, zorder=1)
+            deceleration_down.plot(cm, drop.raw, color=colour, alpha=0.3, linewidth=0.6, zorder=1)
+        deceleration.plot(ms, drop.deceleration, **style)
+        reaction.plot(ms, drop.reaction / 1e3, **style)
+        velocity_down.plot(cm, drop.velocity, **style)
+        deceleration_down.plot(cm, drop.deceleration, **style)
+    top = 1.15 * max(23, max(numpy.max(drop.deceleration) for drop in drops))
+    for axes in (deceleration, deceleration_down):
+        band(axes)
+        axes.set_ylim(-3, top)
+    depth.set_ylim(1.12 * max(21, max(numpy.max(drop.depth) * 1e2 for drop in drops)), 0)
+    level(depth, 20, "paper, δ = 20°: 20 cm")
+    level(depth, 14, "paper, fully rough: 14 cm")
+    level(velocity_down, 20, "paper, δ = 20°", vertical=True)
+    level(velocity_down, 14, "paper, fully rough", vertical=True)
+    for axes in (velocity, velocity_down):
+        axes.axhline(0, color="#b9b9b9", linewidth=0.8, zorder=0)
+    weight = drops[0].inputs["mass_kg"] * GRAVITY / 1e3
+    level(reaction, weight, "weight")
+    for axes, x, y in (
+        (depth, "time [ms]", "depth [cm]"),
+        (velocity, "time [ms]", "velocity [m/s]"),
+        (deceleration, "time [ms]", "deceleration, 2 ms mean [g]"),
+        (reaction, "time [ms]", "reaction, 2 ms mean [kN]"),
+        (velocity_down, "depth [cm]", "velocity [m/s]"),
+        (deceleration_down, "depth [cm]", "deceleration, 2 ms mean [g]"),
+    ):
+        axes.set_xlabel(x)
+        axes.set_ylabel(y)
+        axes.set_xlim(left=0)
+        axes.spines[["top", "right"]].set_visible(False)
+    figure.legend(*depth.get_legend_handles_labels(), loc="outside upper center" if outside() else "upper center",
+                  ncol=2 if len(drops) > 1 else 1, frameon=False)
+    if not outside():
+        figure.get_layout_engine().set(rect=(0, 0, 1, 1 - 0.04 * ((len(drops) + 1) // 2)))
+    figure.savefig(path, dpi=130)
+    pyplot.close(figure)
+
+
+def outside():
+    """Whether this matplotlib places a legend outside of the axes by itself (3.7 and later)."""
+    return tuple(int(n) for n in matplotlib.__version__.split(".")[:2]) >= (3, 7)
+
+
+def nearest_fields(drop):
+    """The drop's fields at FIELD_TIMES: [(time, r, y, strain)], those that there are."""
+    series = drop.fields()
+    if not series:
+        return []
+    times = numpy.array([time for time, _ in series])
+    chosen = []
+    for wanted in FIELD_TIMES:
+        i = int(numpy.argmin(abs(times - wanted)))
+        if abs(times[i] - wanted) < 5e-3 and i not in chosen:
+            chosen.append(i)
+    shown = []
+    for i in chosen or range(min(4, len(series))):
+        for path in series[i][1]:
+            data = read_vtu(path)
+            if "deviatoric_strain" in data["point_data"]:
+                x = data["points"]
+                shown.append((times[i], numpy.hypot(x[:, 0], x[:, 2]), x[:, 1], data["point_data"]["deviatoric_strain"]))
+                break
+    return shown
+
+
+def draw_strain(drops, path):
+    """Panels of the deviatoric strain, a row a drop; returns whether there was anything to draw."""
+    rows = [(drop, shown) for drop in drops if (shown := nearest_fields(drop))]
+    if not rows:
+        return False
+    columns = max(len(shown) for _, shown in rows)
+    figure, grid = pyplot.subplots(len(rows), columns, figsize=(3.1 * columns + 0.9, 2.75 * len(rows) + 0.2), squeeze=False,
+                                   sharex=True, sharey=True, constrained_layout=True)
+    image = None
+    for line, (drop, shown) in zip(grid, rows):
+        for axes in line[len(shown):]:
+            axes.set_axis_off()
+        for axes, (time, r, y, strain) in zip(line, shown):
+            order = numpy.argsort(strain)  # the sheared points on top
+            r, y, strain = r[order], y[order], strain[order]
+            # The area of a marker: that of the points' share of the section, in points of 1/72 inch.
+            spacing = numpy.sqrt(0.8 * 0.4 / (2 * len(r))) * 72 * 3.0 / 0.8
+            for side in (-1, 1):
+                image = axes.scatter(side * r, y, c=strain, s=max(0.3, (1.5 * spacing) ** 2), marker="s", linewidths=0,
+                                     cmap="magma_r", vmin=0, vmax=STRAIN_TOP, rasterized=True)
+            x, height = drop.outline(time)
+            axes.fill(numpy.concatenate([-x[::-1], x]), numpy.concatenate([height[::-1], height]), facecolor="#d9dde1",
+                      edgecolor="#333333", linewidth=0.9, zorder=3)
+            axes.set_title(f"{time * 1e3:.0f} ms", fontsize=11)
+            axes.set_xlim(-0.4, 0.4)
+            axes.set_ylim(-0.4, 0.2)
+            axes.set_aspect("equal")
+            axes.set_facecolor("white")
+            axes.set_xticks([-0.4, -0.2, 0, 0.2, 0.4])
+            axes.spines[["top", "right"]].set_visible(False)
+        line[0].set_ylabel((drop.label(drops) + "\n" if len(rows) > 1 else "") + "height [m]", fontsize=9)
+    for axes in grid[-1]:
+        axes.set_xlabel("distance from the axis [m]", fontsize=9)
+    figure.colorbar(image, ax=grid, extend="max", shrink=0.9, pad=0.01, label="deviatoric strain [-]")
+    figure.savefig(path, dpi=130)
+    pyplot.close(figure)
+    return True
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("folders", nargs="+", metavar="DIR", help="output folder of arenite-ffp drop")
+    parser.add_argument("--out", metavar="DIR", help="where the pictures go [the first folder]")
+    arguments = parser.parse_args()
+    target = arguments.out or arguments.folders[0]
+    drops = [Drop(folder) for folder in arguments.folders]
+    os.makedirs(target, exist_ok=True)
+    histories = os.path.join(target, "histories.png")
+    draw_histories(drops, histories)
+    print(histories)
+    strain = os.path.join(target, "strain.png")
+    if draw_strain(drops, strain):
+        print(strain)
+    else:
+        print("plot.py: no field files with deviatoric_strain, so no picture of them (--fields-every)", file=sys.stderr)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,163 @@
+// What a drop comes to: its peaks and depths, drawn from the history, and summary.json, which holds them
+// beside all that the drop was told.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include <arenite/io/output_file.hpp>
+
+#include "history.hpp"
+#include "options.hpp"
+#include "peaks.hpp"
+
+namespace arenite::ffp {
+
+/// Numbers of the run itself, as the stepping loop counts them.
+struct RunNumbers {
+  long points = 0;  ///< material points of sand and device
+  long steps = 0;
+  double wall_s = 0;       ///< of the stepping loop, without output
+  double point_steps = 0;  ///< sum over steps of the points moved
+  int threads = 1;
+  long lost_points = 0;
+  long limited_velocities = 0;  ///< times that the velocity limit acted
+  std::string failure{};        ///< why the run ended early; empty: it did not
+};
+
+/// A peak of the deceleration.
+struct Peak {
+  double value_g = std::numeric_limits<double>::quiet_NaN();
+  double time_s = std::numeric_limits<double>::quiet_NaN();
+  double penetration_m = std::numeric_limits<double>::quiet_NaN();
+};
+
+/// Figures drawn from a history.
+struct DropFigures {
+  double final_penetration_m = 0, max_penetration_m = 0, max_penetration_time_s = 0;
+  Peak peak;      ///< of the filtered history
+  Peak second;    ///< of the filtered history; NaN: there is none
+  Peak raw_peak;  ///< of the history as computed
+  double dt_min_s = 0, dt_max_s = 0;
+  double energy_residual =
+      0;  ///< residual at the end over all energy put in: kinetic at the start and external work
+};
+
+inline constexpr double peak_window_s = 2e-3;
+
+/// Needs every step of the run, for the peaks; throws `error` without a row.
+inline DropFigures figures_of(const std::vector<HistoryRow>& history, double window = peak_window_s) {
+  require(!history.empty(), "figures_of.history", history.size(), "needs at least one row");
+  std::vector<double> time, deceleration;
+  for (const auto& row : history) {
+    time.push_back(row.time_s);
+    deceleration.push_back(row.acceleration_m_s2 / standard_gravity);
+  }
+  const auto filtered = moving_average(time, deceleration, window);
+  const auto peak_at = [&](const std::vector<double>& values, std::size_t i) {
+    return Peak{values[i], history[i].time_s, history[i].penetration_m};
+  };
+  DropFigures f;
+  const Peaks peaks = find_peaks(filtered);
+  f.peak = peak_at(filtered, peaks.first);
+  if (peaks.second) f.second = peak_at(filtered, *peaks.second);
+  f.raw_peak = peak_at(deceleration, find_peaks(deceleration).first);
+  f.final_penetration_m = history.back().penetration_m;
+  const auto deepest = std::max_element(
+      history.begin(), history.end(),
+      [](const HistoryRow& a, const HistoryRow& b) { return a.penetration_m < b.penetration_m; });
+  f.max_penetration_m = deepest->penetration_m;
+  f.max_penetration_time_s = deepest->time_s;
+  if (history.size() > 1) {
+    f.dt_min_s = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 1; i < history.size(); ++i) {
+      f.dt_min_s = std::min(f.dt_min_s, time[i] - time[i - 1]);
+      f.dt_max_s = std::max(f.dt_max_s, time[i] - time[i - 1]);
+    }
+  }
+  const double put_in = history.front().kinetic_energy_J + std::abs(history.back().external_work_J);
+  f.energy_residual = put_in > 0 ? history.back().energy_residual_J / put_in : 0;
+  return f;
+}
+
+/// All inputs of a drop, the derived ones too, by the names of their options.
+inline nlohmann::ordered_json inputs_of(const DropOptions& o) {
+  nlohmann::ordered_json j;
+  j["kinematics"] = word_of(kinematics_words, o.kinematics);
+  j["device"] = word_of(device_words, o.device);
+  j["velocity_m_s"] = o.velocity;
+  j["mass_kg"] = o.mass;
+  j["shoulder"] = word_of(shoulder_words, o.shoulder);
+  j["fillet_m"] = o.shoulder == Shoulder::fillet ? o.fillet : 0;
+  j["device_young_Pa"] = o.device_young;
+  j["device_poisson"] = o.device_poisson;
+  j["delta_deg"] = o.delta;
+  j["no_slip"] = o.no_slip;
+  j["friction_deg"] = o.friction;
+  j["dilatancy_deg"] = o.dilatancy;
+  j["cohesion_Pa"] = o.cohesion;
+  j["young_Pa"] = o.young;
+  j["poisson"] = o.poisson;
+  j["unit_weight_N_m3"] = o.unit_weight;
+  j["k0"] = o.earth_pressure();
+  j["gravity_m_s2"] = standard_gravity;
+  j["contact"] =
+      word_of(contact_words, o.device == DeviceKind::elastic ? ContactKind::centre_of_mass : o.contact);
+  j["cell_m"] = o.cell;
+  j["points_per_element"] = o.points_in_element();
+  j["moving_depth_m"] = o.moving_depth;
+  j["mesh"] = o.mesh.empty() ? "generated" : o.mesh;
+  j["anti_locking"] = word_of(switch_words, o.anti_locking);
+  j["flip"] = o.flip;
+  j["courant"] = o.courant;
+  j["end_s"] = o.end;
+  j["fields_every_s"] = o.fields_every;
+  return j;
+}
+
+/// summary.json as a value. What there is none of (a second peak) is null.
+inline nlohmann::ordered_json summary_of(const DropOptions& options, const DropFigures& f,
+                                         const RunNumbers& run) {
+  nlohmann::ordered_json j;
+  j["status"] = run.failure.empty() ? "done" : "failed";
+  if (!run.failure.empty()) j["failure"] = run.failure;
+  j["final_penetration_m"] = f.final_penetration_m;
+  j["max_penetration_m"] = f.max_penetration_m;
+  j["max_penetration_time_s"] = f.max_penetration_time_s;
+  j["peak_filter"] = "centred moving average over 2 ms";
+  j["peak_deceleration_g"] = f.peak.value_g;
+  j["peak_time_s"] = f.peak.time_s;
+  j["peak_penetration_m"] = f.peak.penetration_m;
+  j["second_peak_deceleration_g"] = f.second.value_g;
+  j["second_peak_time_s"] = f.second.time_s;
+  j["second_peak_penetration_m"] = f.second.penetration_m;
+  j["raw_peak_deceleration_g"] = f.raw_peak.value_g;
+  j["raw_peak_time_s"] = f.raw_peak.time_s;
+  j["raw_peak_penetration_m"] = f.raw_peak.penetration_m;
+  j["points"] = run.points;
+  j["steps"] = run.steps;
+  j["dt_min_s"] = f.dt_min_s;
+  j["dt_max_s"] = f.dt_max_s;
+  j["wall_s"] = run.wall_s;
+  j["point_steps_per_s"] = run.wall_s > 0 ? run.point_steps / run.wall_s : 0;
+  j["threads"] = run.threads;
+  j["lost_points"] = run.lost_points;
+  j["limited_velocities"] = run.limited_velocities;
+  j["energy_residual"] = f.energy_residual;
+  j["device_outline_m"] = nlohmann::ordered_json::array();  // (r, y) at t = 0, for pictures
+  for (const auto& x : options.body().outline()) j["device_outline_m"].push_back({x[0], x[1]});
+  j["inputs"] = inputs_of(options);
+  return j;
+}
+
+/// Throws `error` if the file cannot be written.
+inline void write_summary(const std::filesystem::path& path, const nlohmann::ordered_json& summary) {
+  arenite::detail::replace_file(path, [&](std::ostream& out) { out << summary.dump(2) << '\n'; });
+}
+
+}  // namespace arenite::ffp

@@ -1,0 +1,9 @@
+// Arenite: everything that needs only the standard library and Eigen, but for file formats (arenite/io).
+#pragma once
+
+#include <arenite/core/units.hpp>
+#include <arenite/law/drucker_prager.hpp>
+#include <arenite/law/linear_elastic.hpp>
+#include <arenite/law/mohr_coulomb.hpp>
+#include <arenite/rigid/cone_cylinder.hpp>
+#include <arenite/scene/run.hpp>

@@ -1,0 +1,138 @@
+// Contact of deformable bodies: one velocity field for all (they stick), or one for each with Coulomb's law
+// between them.
+#pragma once
+
+#include <array>
+#include <string>
+
+#include <arenite/contact/coulomb.hpp>
+#include <arenite/contact/region_surface.hpp>
+#include <arenite/transfer/node_field.hpp>
+
+namespace arenite {
+
+/// All bodies move in one velocity field: no slip, no parting, no cost. The default.
+struct OneField {
+  static constexpr bool separate = false;
+  static constexpr bool needs_mass_gradient = false;
+};
+
+/// Normals from the gradients of the bodies' masses: works everywhere, blurred over a cell.
+struct MassGradient {
+  static constexpr bool needs_mass_gradient = true;
+};
+
+/// Normals of the surface of a mesh region that one of two bodies fills and keeps filling (an elastic device
+/// in a mesh that moves with it).
+struct SurfaceOf {
+  static constexpr bool needs_mass_gradient = false;
+  std::string region;
+  std::size_t body = 1;  ///< which of the scene's bodies fills it
+};
+
+/// Coulomb friction between bodies, each with a velocity field of its own (Bardenhagen, Brackbill, Sulsky
+/// 2000).
+template <class Normals_ = MassGradient>
+struct Coulomb {
+  using Normals = Normals_;
+  static constexpr bool separate = true;
+  static constexpr bool needs_mass_gradient = Normals::needs_mass_gradient;
+  Friction friction;
+  Normals normals{};
+  /// Velocity limit of Bardenhagen et al. 2001: a velocity after contact above this share of (smallest cell
+  /// at the node) / dt, which would turn a cell inside out, is scaled down to it; 0: no limit. Momentum that
+  /// this takes is counted.
+  double velocity_limit = 0.75;
+
+  explicit Coulomb(Friction f, Normals n = {}, double limit = 0.75)
+      : friction{f}, normals{std::move(n)}, velocity_limit{limit} {
+    require(limit >= 0, "Coulomb.velocity_limit", limit, "must not be negative (0: no limit)");
+  }
+};
+
+template <class C>
+inline constexpr bool is_contact = false;
+template <>
+inline constexpr bool is_contact<OneField> = true;
+template <class N>
+inline constexpr bool is_contact<Coulomb<N>> = true;
+
+/// What contact did in a step.
+struct ContactTally {
+  double dissipation = 0;       ///< energy lost, J
+  std::size_t nodes = 0;        ///< node pairs that exchanged an impulse
+  std::size_t limited = 0;      ///< node velocities scaled down by the velocity limit
+  double limited_momentum = 0;  ///< sum of the magnitudes of momentum that the limit took, N s
+  ContactTally& operator+=(const ContactTally& o) {
+    dissipation += o.dissipation;
+    nodes += o.nodes;
+    limited += o.limited;
+    limited_momentum += o.limited_momentum;
+    return *this;
+  }
+};
+
+/// Normals out of a region's surface, for every node of the mesh; zero where there is none.
+template <class T, int D>
+struct NormalMap {
+  std::vector<Vec<T, D>> out;  ///< [nodes] unit, or zero
+  std::size_t body = 0;        ///< the body that fills the region
+};
+
+/// Lets the fields of each pair of bodies exchange impulses at the nodes that they share. An impulse is
+/// computed once and given with both signs, so that momentum is kept to round-off. `normals`: a NormalMap, or
+/// anything for mass gradients.
+template <class Normals, class Fields, class Map, class T, class Size>
+ContactTally exchange(const Coulomb<Normals>& contact, Fields& fields, const Map& normals, T dt,
+                      Size&& node_size) {
+  using V = std::remove_cvref_t<decltype(fields[0].velocity[0])>;
+  constexpr int D = V::RowsAtCompileTime;
+  ContactTally tally;
+  const std::size_t nodes = fields[0].size();
+  for (std::size_t i = 0; i < nodes; ++i) {
+    std::size_t present = 0;
+    for (const auto& f : fields) present += f.mass[i] > 0;
+    if (present < 2) continue;
+    bool touched = false;
+    for (std::size_t a = 0; a < fields.size(); ++a)
+      for (std::size_t b = a + 1; b < fields.size(); ++b) {
+        const T ma = fields[a].mass[i], mb = fields[b].mass[i];
+        if (!(ma > 0 && mb > 0)) continue;
+        V normal = V::Zero();  // out of b, towards a
+        if constexpr (Normals::needs_mass_gradient) {
+          const V &ga = fields[a].mass_gradient[i], &gb = fields[b].mass_gradient[i];
+          const T na = ga.norm(), nb = gb.norm();
+          if (nb > 0) normal += gb / nb;
+          if (na > 0) normal -= ga / na;
+        } else {
+          normal = (b == normals.body ? T(1) : T(-1)) * normals.out[i];
+        }
+        const T length = normal.norm();
+        V &va = fields[a].velocity[i], &vb = fields[b].velocity[i];
+        const V approach = va - vb;
+        const T reduced = ma * mb / (ma + mb);
+        // Without a normal one body lies inside the other: they stick.
+        const V impulse = length > std::numeric_limits<T>::epsilon()
+                              ? coulomb_impulse<T, D>(approach, normal / length, reduced, contact.friction)
+                              : V(-reduced * approach);
+        if (impulse.squaredNorm() == 0) continue;
+        va += impulse / ma;
+        vb -= impulse / mb;
+        tally.dissipation -= static_cast<double>(impulse.dot(approach + (va - vb)) / 2);
+        ++tally.nodes;
+        touched = true;
+      }
+    if (!touched || contact.velocity_limit == 0) continue;
+    const T most = static_cast<T>(contact.velocity_limit) * node_size(static_cast<Index>(i)) / dt;
+    for (auto& f : fields) {
+      const T speed = f.velocity[i].norm();
+      if (!(f.mass[i] > 0 && speed > most)) continue;
+      tally.limited_momentum += static_cast<double>(f.mass[i] * (speed - most));
+      ++tally.limited;
+      f.velocity[i] *= most / speed;
+    }
+  }
+  return tally;
+}
+
+}  // namespace arenite

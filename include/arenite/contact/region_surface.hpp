@@ -1,0 +1,81 @@
+// Surface of a region of a simplex mesh: the nodes where it meets other regions, with unit normals out of it,
+// and the nodes inside.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <arenite/boundary/walls.hpp>
+#include <arenite/kinematics/kinematics.hpp>
+#include <arenite/mesh/simplex_mesh.hpp>
+
+namespace arenite {
+
+/// Nodes of one region, split into surface and inside. Normals are those of the mesh at construction: right
+/// as long as the region moves without rotating or changing its shape much.
+template <class T, int D>
+struct RegionSurface {
+  std::vector<Index> nodes;  ///< on the surface, ascending
+  std::vector<Vec<T, D>>
+      normals;                ///< [nodes] unit normals out of the region, area-weighted means of the facets'
+  std::vector<Index> inside;  ///< nodes of the region that are not on its surface, ascending
+  std::vector<T> share;       ///< [nodes] share of the region's volume that belongs to each surface node
+};
+
+/// Facets on the hull of the mesh are no surface. Where walls constrain a node, its normal keeps to the
+/// allowed directions: on a symmetry plane or an axis it lies in it. Throws `error` if the region meets no
+/// other.
+template <class K, int D, class T>
+RegionSurface<T, D> surface_of(const SimplexMesh<D, T>& mesh, const std::string& region,
+                               const std::vector<Constraint<T, D>>& constraints) {
+  const int number = mesh.region_number(region);
+  std::vector<Vec<T, D>> sum(mesh.node_count(), Vec<T, D>::Zero());
+  std::vector<T> volume(mesh.node_count(), T(0));
+  T total = 0;
+  for (Index c = 0; c < mesh.cell_count(); ++c) {
+    if (mesh.region(c) != number) continue;
+    const auto& nodes = mesh.nodes(c);
+    typename SimplexMesh<D, T>::Point centre = Vec<T, D>::Zero();
+    for (const Index i : nodes) centre += mesh.position(i) / T(D + 1);
+    const T v = mesh.volume(c) * K::thickness(centre);
+    total += v;
+    const auto& inverse = mesh.frame(c).inverse;
+    for (int k = 0; k <= D; ++k) {
+      volume[nodes[static_cast<std::size_t>(k)]] += v / T(D + 1);
+      const Index other = mesh.neighbour(c, k);
+      if (other == none || mesh.region(other) == number) continue;
+      Vec<T, D> gradient;
+      if (k == 0)
+        gradient = -inverse.colwise().sum().transpose();
+      else
+        gradient = inverse.row(k - 1).transpose();
+      const Vec<T, D> area = -(T(D) * mesh.volume(c)) * gradient;  // out of the cell
+      T around = 0;
+      for (int j = 0; j <= D; ++j)
+        if (j != k) around += K::thickness(mesh.position(nodes[static_cast<std::size_t>(j)]));
+      for (int j = 0; j <= D; ++j) {
+        if (j == k) continue;
+        const Index i = nodes[static_cast<std::size_t>(j)];
+        // Integral of the shape function times the (linear) thickness over the facet, up to a common factor.
+        sum[i] += (around + K::thickness(mesh.position(i))) * area;
+      }
+    }
+  }
+  RegionSurface<T, D> surface;
+  std::vector<bool> on_surface(mesh.node_count());
+  for (Index i = 0; i < mesh.node_count(); ++i) on_surface[i] = sum[i].squaredNorm() > 0;
+  for (const auto& c : constraints) sum[c.node] = c.projector * sum[c.node];
+  for (Index i = 0; i < mesh.node_count(); ++i) {
+    if (on_surface[i] && sum[i].norm() > 0) {
+      surface.nodes.push_back(i);
+      surface.normals.push_back(sum[i].normalized());
+      surface.share.push_back(volume[i] / total);
+    } else if (volume[i] > 0) {
+      surface.inside.push_back(i);
+    }
+  }
+  require(!surface.nodes.empty(), "surface of region", region, "must meet another region of the mesh");
+  return surface;
+}
+
+}  // namespace arenite

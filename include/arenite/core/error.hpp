@@ -1,0 +1,39 @@
+// Errors: what a user's mistake and a failed run say. A programmer's mistake is an assert instead.
+#pragma once
+
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+namespace arenite {
+
+/// A value that breaks a rule. The message names the value and the rule.
+class error : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// A run that failed physically (NaN, inverted mesh, used-up compressing zone). Names time, place and cause.
+class run_error : public error {
+ public:
+  using error::error;
+};
+
+namespace detail {
+template <class... Parts>
+std::string join(const Parts&... parts) {
+  std::ostringstream text;
+  text.precision(10);
+  (text << ... << parts);
+  return text.str();
+}
+}  // namespace detail
+
+/// Throws `error("name = value: rule")` unless `holds`. Write the condition so that NaN fails it.
+template <class Value>
+void require(bool holds, std::string_view name, const Value& value, std::string_view rule) {
+  if (!holds) throw error(detail::join(name, " = ", value, ": ", rule));
+}
+
+}  // namespace arenite

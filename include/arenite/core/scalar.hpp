@@ -1,0 +1,40 @@
+// Scalars: the number types that the library computes with, and the branch-free choice that laws use.
+#pragma once
+
+#include <cmath>
+#include <concepts>
+#include <cstdint>
+#include <numbers>
+
+namespace arenite {
+
+/// Number of a node, a cell or a point. 32 bits: half the memory traffic of `std::size_t`.
+using Index = std::uint32_t;
+
+/// Marks "no cell", "no node".
+inline constexpr Index none = static_cast<Index>(-1);
+
+/// A scalar in which a scene can be computed.
+template <class T>
+concept real = std::floating_point<T>;
+
+inline constexpr double pi = std::numbers::pi;
+
+/// `mask ? a : b`, written as a function so that the same source serves a scalar and a pack of scalars.
+template <real T>
+constexpr T select(bool mask, T a, T b) {
+  return mask ? a : b;
+}
+
+/// Whether a mask holds anywhere: for a scalar the mask itself.
+constexpr bool any_of(bool mask) { return mask; }
+
+/// Whether a mask holds everywhere: for a scalar the mask itself.
+constexpr bool all_of(bool mask) { return mask; }
+
+template <class T>
+constexpr T square(T x) {
+  return x * x;
+}
+
+}  // namespace arenite

@@ -1,0 +1,242 @@
+// What the readers of all Gmsh formats have in common: node tags turned into indices,
+// physical groups turned into regions and node sets, and the checks of the mesh as a whole.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <cstdlib>
+#include <map>
+#include <numeric>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <arenite/core/scalar.hpp>
+#include <arenite/io/gmsh_input.hpp>
+#include <arenite/io/gmsh_kinds.hpp>
+#include <arenite/mesh/mesh_data.hpp>
+
+namespace arenite::detail {
+
+/// Takes nodes, then elements, in the order of a file; `finish` makes the mesh of them.
+template <int D>
+class GmshMesh {
+ public:
+  using Nodes = std::array<Index, 4>;  ///< of one element; the longest are tetrahedron and quadrangle
+
+  /// The physical group `tag` of dimension `dim` is called `name`.
+  void name_group(const GmshInput& in, int dim, int tag, const std::string& name) {
+    in.check(dim >= 0 && dim <= 3, "dimension of the group", dim, "must be 0, 1, 2 or 3");
+    in.check(tag >= 1, "tag of the group", tag, "must be at least 1");
+    in.check(names_.emplace(std::pair(dim, tag), name).second, "tag of the group", tag, "is named twice");
+    if (dim == D)
+      in.check(result_.region_names.emplace(name, tag).second, "name", GmshInput::quote(name),
+               "is the name of two regions");
+  }
+
+  void reserve_nodes(std::uint64_t count) {
+    tags_.reserve(count);
+    positions_.reserve(count);
+  }
+
+  void add_tag(const GmshInput& in, std::uint64_t tag) {
+    in.check(tag >= 1, "tag of the node", tag, "must be at least 1");
+    tags_.push_back(tag);
+  }
+
+  /// Reads the position of the next node that has none yet.
+  void read_position(GmshInput& in) {
+    std::array<double, 3> x{};
+    constexpr std::array<const char*, 3> axis{"x", "y", "z"};
+    for (std::size_t i = 0; i < 3; ++i) {
+      x[i] = in.real(axis[i]);
+      if (!std::isfinite(x[i]))
+        in.fail(join(axis[i], " of node ", tags_[positions_.size()]), x[i], "must be finite");
+    }
+    positions_.push_back(x);
+    in.end_row("position of the node");
+  }
+
+  /// Sorts the nodes by tag, so that a mesh is the same whatever format it was saved in.
+  void end_nodes(const GmshInput& in) {
+    in.check(tags_.size() < none, "number of nodes", tags_.size(), "must be less than 2^32 - 1");
+    if (!std::is_sorted(tags_.begin(), tags_.end())) sort_nodes();
+    const auto twice = std::adjacent_find(tags_.begin(), tags_.end());
+    if (twice != tags_.end()) in.fail("tag of the node", *twice, "is given twice");
+    if (tags_.empty() || tags_.back() - tags_.front() > 4 * tags_.size() + 1024)
+      return;  // too sparse for a table
+    index_.assign(tags_.back() - tags_.front() + 1, none);
+    for (std::size_t i = 0; i < tags_.size(); ++i) index_[tags_[i] - tags_.front()] = static_cast<Index>(i);
+  }
+
+  /// The kind of element under Gmsh's number, if this mesh can take it.
+  const GmshKind& kind(const GmshInput& in, int number) const {
+    const auto found = std::find_if(gmsh_kinds.begin(), gmsh_kinds.end(),
+                                    [&](const GmshKind& k) { return k.number == number; });
+    in.check(found != gmsh_kinds.end(), "type of element", number, "is no known type");
+    const char* rule = nullptr;
+    if (found->dim > D)
+      rule = "a plane mesh holds triangles (read_gmsh<3> reads solids)";
+    else if (found->nodes == 0)
+      rule = "must be of first order (Gmsh: Mesh.ElementOrder = 1)";
+    else if (found->dim == D && found->nodes != D + 1)
+      rule = D == 2 ? "the cells must be triangles" : "the cells must be tetrahedra";
+    if (rule != nullptr) in.fail("type of element", join(number, " (", found->name, ")"), rule);
+    return *found;
+  }
+
+  void reserve_cells(std::uint64_t count) {
+    result_.cells.reserve(count);
+    result_.region.reserve(count);
+  }
+
+  /// Index of the node with this tag.
+  Index node(const GmshInput& in, std::uint64_t tag) const {
+    Index i = none;
+    if (!index_.empty()) {
+      if (tag >= tags_.front() && tag <= tags_.back()) i = index_[tag - tags_.front()];
+    } else {
+      const auto found = std::lower_bound(tags_.begin(), tags_.end(), tag);
+      if (found != tags_.end() && *found == tag) i = static_cast<Index>(found - tags_.begin());
+    }
+    in.check(i != none, "node of the element", tag, "is not among $Nodes");
+    return i;
+  }
+
+  /// Adds an element of the physical groups `groups` (0: none). A cell may be in one group only: its region.
+  void add_element(const GmshInput& in, const GmshKind& kind, std::span<const int> groups,
+                   const Nodes& nodes) {
+    if (kind.dim < D) {
+      for (const int group : groups) {
+        if (group == 0) continue;
+        auto& set = sets_[{static_cast<int>(kind.dim), unsigned_tag(in, group)}];
+        set.insert(set.end(), nodes.begin(), nodes.begin() + std::ptrdiff_t(kind.nodes));
+      }
+      return;
+    }
+    in.check(groups.size() <= 1, "physical groups of the cell", groups.size(),
+             "a cell has one region at most");
+    std::array<Index, D + 1> cell;
+    std::copy_n(nodes.begin(), cell.size(), cell.begin());
+    for (std::size_t i = 0; i < cell.size(); ++i)
+      for (std::size_t j = 0; j < i; ++j)
+        in.check(cell[i] != cell[j], "node of the cell", tags_[cell[i]], "is named twice by one cell");
+    result_.cells.push_back(cell);
+    result_.region.push_back(groups.empty() ? 0 : unsigned_tag(in, groups.front()));
+  }
+
+  MeshData<D> finish(const GmshInput& in) && {
+    if (result_.cells.empty())
+      in.refuse("cells", 0, D == 2 ? "the mesh must hold triangles" : "the mesh must hold tetrahedra");
+    refuse_repeated_cells(in);
+    const std::vector<Index> number = number_used_nodes();
+    if constexpr (D == 2) refuse_curved(in, number);
+    for (std::size_t i = 0; i < number.size(); ++i)
+      if (number[i] != none) {
+        Vec<double, D> x;
+        for (std::size_t k = 0; k < D; ++k) x[static_cast<Eigen::Index>(k)] = positions_[i][k];
+        result_.nodes.push_back(x);
+      }
+    for (auto& cell : result_.cells)
+      for (Index& node : cell) node = number[node];
+    for (const auto& [group, nodes] : sets_) {
+      const auto name = names_.find(group);
+      const std::string key = name != names_.end() ? name->second : join(group.first, ":", group.second);
+      for (const Index node : nodes)
+        if (number[node] != none) result_.node_sets[key].push_back(number[node]);
+    }
+    for (auto& [name, nodes] : result_.node_sets) {
+      std::sort(nodes.begin(), nodes.end());
+      nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+    }
+    return std::move(result_);
+  }
+
+ private:
+  /// Gmsh gives a group a negative tag on an entity that the group holds reversed: the group is the same.
+  static int unsigned_tag(const GmshInput& in, int tag) {
+    in.check(tag > -2147483647, "physical tag", tag, "must fit an int without its sign");
+    return std::abs(tag);
+  }
+
+  void sort_nodes() {
+    std::vector<Index> order(tags_.size());
+    std::iota(order.begin(), order.end(), Index{0});
+    std::sort(order.begin(), order.end(),
+              [&](Index a, Index b) { return tags_[a] != tags_[b] ? tags_[a] < tags_[b] : a < b; });
+    auto tags = tags_;
+    auto positions = positions_;
+    for (std::size_t i = 0; i < order.size(); ++i) {
+      tags[i] = tags_[order[i]];
+      positions[i] = positions_[order[i]];
+    }
+    tags_.swap(tags);
+    positions_.swap(positions);
+  }
+
+  /// Index in the result of each node; none: no cell uses it.
+  std::vector<Index> number_used_nodes() const {
+    std::vector<Index> number(tags_.size(), none);
+    for (const auto& cell : result_.cells)
+      for (const Index node : cell) number[node] = 0;
+    Index next = 0;
+    for (Index& n : number)
+      if (n != none) n = next++;
+    return number;
+  }
+
+  /// Format 2.2 repeats an element for each of its physical groups; a mesh must not hold a cell twice.
+  void refuse_repeated_cells(const GmshInput& in) const {
+    std::vector<std::size_t> begin(tags_.size() + 1, 0);  // cells by their lowest node
+    for (const auto& cell : result_.cells) ++begin[*std::min_element(cell.begin(), cell.end()) + 1];
+    std::partial_sum(begin.begin(), begin.end(), begin.begin());
+    std::vector<std::array<Index, D + 1>> sorted(result_.cells.size());
+    auto next = begin;
+    for (auto cell : result_.cells) {
+      std::sort(cell.begin(), cell.end());
+      sorted[next[cell[0]]++] = cell;
+    }
+    for (std::size_t i = 0; i < tags_.size(); ++i) {
+      const auto first = sorted.begin() + std::ptrdiff_t(begin[i]);
+      const auto last = sorted.begin() + std::ptrdiff_t(begin[i + 1]);
+      std::sort(first, last);
+      const auto twice = std::adjacent_find(first, last);
+      if (twice == last) continue;
+      std::string nodes;
+      for (const Index node : *twice) nodes += join(nodes.empty() ? "" : " ", tags_[node]);
+      in.refuse("nodes of a cell", nodes,
+                "the cell is given twice (is it in two physical groups? It has one region)");
+    }
+  }
+
+  /// All nodes of a plane mesh share one z, to 1e-9 of the mesh's size.
+  void refuse_curved(const GmshInput& in, const std::vector<Index>& number) const {
+    std::array<double, 2> low{}, high{};
+    std::size_t first = number.size();
+    for (std::size_t i = 0; i < number.size(); ++i) {
+      if (number[i] == none) continue;
+      for (std::size_t k = 0; k < 2; ++k) {
+        low[k] = first == number.size() ? positions_[i][k] : std::min(low[k], positions_[i][k]);
+        high[k] = first == number.size() ? positions_[i][k] : std::max(high[k], positions_[i][k]);
+      }
+      first = std::min(first, i);
+    }
+    const double tolerance = 1e-9 * std::max(high[0] - low[0], high[1] - low[1]);
+    for (std::size_t i = 0; i < number.size(); ++i)
+      if (number[i] != none && !(std::abs(positions_[i][2] - positions_[first][2]) <= tolerance))
+        in.refuse(join("z of node ", tags_[i]), positions_[i][2],
+                  join("must be ", positions_[first][2], ", as all nodes of a plane mesh share one z"));
+  }
+
+  std::vector<std::uint64_t> tags_;                         // [nodes] ascending once `end_nodes` is done
+  std::vector<std::array<double, 3>> positions_;            // [nodes]
+  std::vector<Index> index_;                                // index by tag minus lowest tag; empty: search
+  std::map<std::pair<int, int>, std::string> names_;        // of a group: (dimension, tag)
+  std::map<std::pair<int, int>, std::vector<Index>> sets_;  // nodes of a group below dimension D
+  MeshData<D> result_;
+};
+
+}  // namespace arenite::detail

@@ -1,0 +1,182 @@
+// Unstructured VTK files (.vtu) out, for ParaView, VTK and meshio.
+// Data stand in raw appended form: no third more bytes and no encoding, as base64 would cost, and both
+// ParaView and meshio read it. Format: "VTK XML file formats", docs.vtk.org, version 1.0 with 64-bit sizes.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <concepts>
+#include <cstdint>
+#include <cstring>
+#include <filesystem>
+#include <functional>
+#include <ostream>
+#include <set>
+#include <span>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include <arenite/core/scalar.hpp>
+#include <arenite/io/output_file.hpp>
+#include <arenite/io/vtu_array.hpp>
+
+namespace arenite {
+
+/// Cells of one kind, by the points of each: 1 a vertex, 2 a line, 3 a triangle, 4 a tetrahedron.
+struct VtuCells {
+  std::size_t points = 1;  ///< of each cell
+  std::size_t items = 0;
+  std::function<Index(std::size_t cell, std::size_t corner)> point;
+};
+
+/// A view of `cells`, which must outlive it.
+template <std::size_t N>
+VtuCells vtu_cells(std::span<const std::array<Index, N>> cells) {
+  static_assert(N >= 1 && N <= 4,
+                "vtu_cells: a cell has 1 to 4 points (vertex, line, triangle, tetrahedron)");
+  return {N, cells.size(), [=](std::size_t cell, std::size_t corner) { return cells[cell][corner]; }};
+}
+template <std::size_t N>
+VtuCells vtu_cells(const std::vector<std::array<Index, N>>& cells) {
+  return vtu_cells(std::span<const std::array<Index, N>>(cells));
+}
+
+template <std::size_t N>
+VtuCells vtu_cells(const std::vector<std::array<Index, N>>&& cells) = delete;
+
+/// A vertex on each of `count` points: ParaView shows no point that is in no cell.
+inline VtuCells vtu_vertices(std::size_t count) {
+  return {1, count, [](std::size_t cell, std::size_t) { return static_cast<Index>(cell); }};
+}
+
+/// What a VTU file holds.
+struct VtuData {
+  VtuArray points;                   ///< [points x 3], m, double or float; its name is not used
+  std::vector<VtuCells> cells;       ///< in this order
+  std::vector<VtuArray> point_data;  ///< [points x components] each
+  std::vector<VtuArray> cell_data;   ///< [cells x components] each
+};
+
+namespace detail {
+
+/// The array is one that VTK knows and has `items` items.
+inline void check_vtu_arrays(const std::vector<VtuArray>& arrays, std::size_t items, std::string_view where) {
+  std::set<std::string_view> names;
+  for (const VtuArray& a : arrays) {
+    require(!a.name.empty() && names.insert(a.name).second, join("name of an array of ", where), a.name,
+            "must be given, and once");
+    require(a.components == 1 || a.components == 3 || a.components == 6 || a.components == 9,
+            join("components of array ", a.name), a.components, "must be 1, 3, 6 or 9");
+    require(a.items == items, join("items of array ", a.name), a.items,
+            join("must be ", items, ", as ", where, " are"));
+  }
+}
+
+/// Connectivity, offsets and types of all cells, as arrays.
+template <vtu_number T>
+std::vector<VtuArray> vtu_topology(const std::vector<VtuCells>& blocks, std::size_t points) {
+  std::vector<T> connectivity, offsets;
+  std::vector<std::uint8_t> types;
+  constexpr std::array<std::uint8_t, 5> vtk_type{0, 1, 3, 5, 10};
+  for (std::size_t b = 0; b < blocks.size(); ++b) {
+    const VtuCells& block = blocks[b];
+    require(block.points >= 1 && block.points <= 4, "points of a cell", block.points, "must be 1, 2, 3 or 4");
+    for (std::size_t i = 0; i < block.items; ++i) {
+      for (std::size_t k = 0; k < block.points; ++k) {
+        const Index point = block.point(i, k);
+        if (point >= points)
+          require(false, join("point of cell ", i, " of block ", b), point,
+                  join("must be less than ", points));
+        connectivity.push_back(static_cast<T>(point));
+      }
+      offsets.push_back(static_cast<T>(connectivity.size()));
+      types.push_back(vtk_type[block.points]);
+    }
+  }
+  const auto own = []<class V>(std::string name, std::vector<V> values) {
+    const std::size_t items = values.size();
+    return vtu_array(std::move(name), items, [v = std::move(values)](std::size_t i) { return v[i]; });
+  };
+  return {own("connectivity", std::move(connectivity)), own("offsets", std::move(offsets)),
+          own("types", std::move(types))};
+}
+
+/// Declares arrays in the XML part; `offset` is that of the next array in the appended data.
+inline void declare_vtu_arrays(std::ostream& out, std::string_view element, std::span<const VtuArray> arrays,
+                               std::uint64_t& offset) {
+  out << "<" << element << ">\n";
+  for (const VtuArray& a : arrays) {
+    out << "<DataArray type=\"" << a.type << "\" Name=\"" << xml_escape(a.name) << "\"";
+    if (a.components > 1) out << " NumberOfComponents=\"" << a.components << "\"";
+    out << " format=\"appended\" offset=\"" << offset << "\"/>\n";
+    offset += sizeof(std::uint64_t) + a.items * a.components * a.number_bytes;
+  }
+  out << "</" << element << ">\n";
+}
+
+/// Size in bytes, then the values, a piece at a time.
+inline void append_vtu_arrays(std::ostream& out, std::span<const VtuArray> arrays) {
+  std::vector<char> piece;
+  for (const VtuArray& a : arrays) {
+    const std::size_t item = a.components * a.number_bytes;
+    const std::uint64_t bytes = a.items * item;
+    std::array<char, sizeof bytes> size;
+    std::memcpy(size.data(), &bytes, sizeof bytes);
+    out.write(size.data(), size.size());
+    constexpr std::size_t step = 8192;
+    piece.resize(step * item);
+    for (std::size_t i = 0; i < a.items && out; i += step) {
+      const std::size_t end = std::min(a.items, i + step);
+      a.fetch(i, end, piece.data());
+      out.write(piece.data(), static_cast<std::streamsize>((end - i) * item));
+    }
+  }
+}
+
+}  // namespace detail
+
+/// Writes `data` to `path`, whose folder must exist. A file of that name stays as it was until the new one is
+/// complete. Throws `error`: shapes that do not fit, a cell's point that is not there, or a disk that does
+/// not take the file.
+inline void write_vtu(const std::filesystem::path& path, const VtuData& data) {
+  const std::size_t points = data.points.items;
+  require(data.points.components == 3 && data.points.type.starts_with("Float"), "components of the points",
+          data.points.components, "points must be [n x 3], double or float");
+  std::size_t cells = 0, corners = 0;
+  for (const VtuCells& block : data.cells) {
+    cells += block.items;
+    corners += block.items * block.points;
+  }
+  detail::check_vtu_arrays(data.point_data, points, "points");
+  detail::check_vtu_arrays(data.cell_data, cells, "cells");
+  constexpr std::size_t most = 2147483647;
+  const auto topology = std::max(points, corners) <= most
+                            ? detail::vtu_topology<std::int32_t>(data.cells, points)
+                            : detail::vtu_topology<std::int64_t>(data.cells, points);
+  VtuArray positions = data.points;
+  positions.name = "Points";
+  const std::span<const VtuArray> position(&positions, 1);
+
+  detail::replace_file(path, [&](std::ostream& out) {
+    std::uint64_t offset = 0;
+    out << "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\""
+        << detail::vtk_byte_order()
+        << "\" header_type=\"UInt64\">\n<UnstructuredGrid>\n<Piece NumberOfPoints=\"" << points
+        << "\" NumberOfCells=\"" << cells << "\">\n";
+    detail::declare_vtu_arrays(out, "Points", position, offset);
+    detail::declare_vtu_arrays(out, "Cells", topology, offset);
+    detail::declare_vtu_arrays(out, "PointData", data.point_data, offset);
+    detail::declare_vtu_arrays(out, "CellData", data.cell_data, offset);
+    out << "</Piece>\n</UnstructuredGrid>\n<AppendedData encoding=\"raw\">\n_";
+    detail::append_vtu_arrays(out, position);
+    detail::append_vtu_arrays(out, topology);
+    detail::append_vtu_arrays(out, data.point_data);
+    detail::append_vtu_arrays(out, data.cell_data);
+    out << "\n</AppendedData>\n</VTKFile>\n";
+  });
+}
+
+}  // namespace arenite

@@ -1,0 +1,51 @@
+// Kinematics: what the dimension of a scene means. A value of one of these types opens every scene.
+#pragma once
+
+#include <arenite/core/tensor.hpp>
+
+namespace arenite {
+
+/// Two dimensions, x and y, unit thickness (1 m) and no strain out of plane.
+struct PlaneStrain {
+  static constexpr int dimension = 2;
+  static constexpr bool hoop = false;
+  static constexpr const char* name = "plane strain";
+  /// Volume that a unit of area stands for, m.
+  template <class T>
+  static constexpr T thickness(const Vec<T, 2>&) {
+    return T(1);
+  }
+};
+
+/// Two dimensions, x = r >= 0 and y along the axis, the full circle: masses, volumes and forces are those of
+/// the whole body, not of a radian. The hoop strain is u_r / r.
+struct Axisymmetric {
+  static constexpr int dimension = 2;
+  static constexpr bool hoop = true;
+  static constexpr const char* name = "axisymmetric";
+  /// Circumference 2 pi r, m.
+  template <class T>
+  static constexpr T thickness(const Vec<T, 2>& x) {
+    return T(2 * pi) * x[0];
+  }
+};
+
+/// Three dimensions.
+struct Solid {
+  static constexpr int dimension = 3;
+  static constexpr bool hoop = false;
+  static constexpr const char* name = "solid";
+  template <class T>
+  static constexpr T thickness(const Vec<T, 3>&) {
+    return T(1);
+  }
+};
+
+template <class K>
+concept kinematics = requires {
+  { K::dimension } -> std::convertible_to<int>;
+  { K::hoop } -> std::convertible_to<bool>;
+}
+&&(K::dimension == 2 || K::dimension == 3);
+
+}  // namespace arenite

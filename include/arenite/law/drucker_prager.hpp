@@ -1,0 +1,155 @@
+// Drucker-Prager plasticity, perfectly plastic, with a constant dilatancy and a tension cut-off: a smooth
+// cone in place of Mohr-Coulomb's pyramid, returned to in closed form. Where it touches the pyramid is a
+// parameter.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <arenite/core/principal.hpp>
+#include <arenite/law/jaumann.hpp>
+#include <arenite/law/law.hpp>
+#include <arenite/law/separation.hpp>
+#include <arenite/law/strength.hpp>
+
+namespace arenite {
+
+/// Where the cone meets the Mohr-Coulomb pyramid of the same friction and cohesion.
+enum class Cone {
+  compression,   ///< at the edges of triaxial compression: the circumscribed cone
+  extension,     ///< at the edges of triaxial extension
+  plane_strain,  ///< in plastic flow in plane strain, for the given dilatancy
+};
+
+struct DruckerPragerParameters {
+  double density = detail::not_given;  ///< kg/m3; required, positive
+  double young = detail::not_given;    ///< Young's modulus, Pa; required, positive
+  double poisson = detail::not_given;  ///< Poisson's ratio, -; required, in (-1, 0.5)
+  double friction =
+      detail::not_given;  ///< angle of internal friction, rad; required, in [0, pi/2); 0: von Mises
+  double cohesion = 0;    ///< Pa; >= 0, positive where friction is 0
+  double dilatancy = 0;   ///< angle of dilatancy, rad; in [0, friction]
+  /// Greatest mean stress, Pa, >= 0. Acts where it lies below the apex, cohesion / tan(friction); default:
+  /// the apex.
+  double tension = std::numeric_limits<double>::infinity();
+  Cone cone = Cone::compression;  ///< which Mohr-Coulomb strength it reproduces
+};
+
+/// Drucker-Prager law. With mean stress p, tension positive, and q = sqrt(J2):
+///   yield      q + eta p <= kappa,   potential  q + eta' p,   cut-off  p <= tension (flow purely volumetric)
+/// Cones (de Souza Neto, Peric & Owen 2008, Computational Methods for Plasticity, section 6.4.4):
+///   compression  eta = 6 sin(phi)/(sqrt(3) (3 - sin phi)), kappa = 6 c cos(phi)/(sqrt(3) (3 - sin phi));
+///   extension  + for - plane strain: no plastic strain out of the plane puts s_zz at p - 2/3 eta' q, so that
+///   Mohr's circle in the plane has radius q sqrt(1 - eta'^2/3) and centre p + eta' q/3; hence eta =
+///   sin(phi)/m, kappa = c cos(phi)/m with m = sqrt(1 - eta'^2/3) + eta' sin(phi)/3, and eta' =
+///   sin(psi)/sqrt(1 + sin^2(psi)/3) makes psi the angle of dilatancy in the plane. With psi = phi this is
+///   the book's plane-strain cone.
+/// In the first two eta' is eta with psi for phi.
+///
+/// What opened: the volumetric plastic strain of a return to the apex, and that of the cut-off; see
+/// mohr_coulomb.hpp.
+///
+/// @tparam Memory  ForgetsOpening or RemembersOpening: what happens when separated matter is compressed
+/// again.
+template <class Memory = ForgetsOpening>
+class DruckerPrager {
+ public:
+  template <class T>
+  using History = typename Memory::template History<T>;
+
+  explicit DruckerPrager(const DruckerPragerParameters& p, const Memory& memory = Memory{})
+      : elasticity_("DruckerPrager", p.density, p.young, p.poisson), memory_(memory) {
+    detail::check_strength("DruckerPrager", p.friction, p.cohesion, p.dilatancy, p.tension);
+    apex_ = detail::apex(p.friction, p.cohesion);
+    detail::check_memory("DruckerPrager", Memory::remembers, p.tension, apex_);
+    const double sin = std::sin(p.friction), sin_flow = std::sin(p.dilatancy);
+    double per_sin = 0;  // eta / sin(phi)
+    if (p.cone == Cone::plane_strain) {
+      flow_ = sin_flow / std::sqrt(1 + sin_flow * sin_flow / 3);
+      per_sin = 1 / (std::sqrt(1 - flow_ * flow_ / 3) + flow_ * sin / 3);
+    } else {
+      const double sign = p.cone == Cone::compression ? -1 : 1;
+      flow_ = 6 * sin_flow / (std::sqrt(3.0) * (3 + sign * sin_flow));
+      per_sin = 6 / (std::sqrt(3.0) * (3 + sign * sin));
+    }
+    slope_ = per_sin * sin;
+    strength_ = per_sin * p.cohesion * std::cos(p.friction);
+    limit_ = std::min(p.tension, apex_);
+    cohesion_ = p.cohesion;
+    rate_ = 1 / (elasticity_.shear() + elasticity_.bulk() * slope_ * flow_);
+  }
+
+  double density() const { return elasticity_.density(); }            ///< kg/m3
+  double wave_modulus() const { return elasticity_.wave_modulus(); }  ///< Pa
+  const Elasticity& elasticity() const { return elasticity_; }
+  const Memory& memory() const { return memory_; }
+  double slope() const { return slope_; }        ///< eta, -
+  double flow_slope() const { return flow_; }    ///< eta', -
+  double strength() const { return strength_; }  ///< kappa, Pa
+
+  /// See law.hpp. With memory the returned opening is negative in a step that closes.
+  template <class T, int D>
+  T update(Sym<T, D>& stress, const Increment<T, D>& increment, History<T>& history) const {
+    const auto& felt = memory_.carried(increment, history);
+    stress = turned(stress, felt.spin) + elasticity_.stress(felt.strain);
+    const T opened = return_to_yield(stress);
+    memory_.open(opened, history);
+    if constexpr (Memory::remembers) return opened + trace(increment.strain) - trace(felt.strain);
+    return opened;
+  }
+
+  /// Takes a trial stress [Pa] back to the yield surface, in place; one within it stays bit for bit. Returns
+  /// what opened, -.
+  template <class T, int D>
+  T return_to_yield(Sym<T, D>& stress) const {
+    using std::max, std::sqrt;
+    const T p = trace(stress) * T(1.0 / 3);
+    const Sym<T, D> dev = add_isotropic(stress, T(-p));
+    const T j2 = contract(dev, dev) * T(0.5);
+    const T room = T(strength_) - T(slope_) * p;
+    const auto returns = !(room >= T(0) && j2 <= room * room && p <= T(limit_));
+    if (!any_of(returns)) return T(0);
+
+    const T q = sqrt(j2);
+    const T multiplier = max(T(q - room), T(0)) * T(rate_);
+    const T q_cone = q - multiplier * T(elasticity_.shear());
+    const auto at_apex = q_cone < T(0);
+    const T p_cone = select(at_apex, T(apex_), T(p - multiplier * T(elasticity_.bulk() * flow_)));
+    const T p_back = select(p_cone > T(limit_), T(limit_), p_cone);
+    const T scale = select(at_apex, T(0), T(q_cone / max(q, T(detail::smallest_divisor))));
+    for (std::size_t i = 0; i < stress.size; ++i) {
+      const T back = i < 3 ? scale * dev[i] + p_back : scale * dev[i];
+      stress[i] = select(returns, back, stress[i]);
+    }
+    const T relief = p_cone - p_back + select(at_apex, T(p - p_cone), T(0));
+    return select(returns, T(relief * T(1 / elasticity_.bulk())), T(0));
+  }
+
+  template <class T, int D>
+  T elastic_energy(const Sym<T, D>& stress) const {
+    return elasticity_.energy(stress);
+  }
+
+  /// How far a stress lies outside the yield surface (> 0) or within (< 0), -: the greater of q + eta p -
+  /// kappa and p - tension, over q + |p| + c. 0 at no stress.
+  template <class T, int D>
+  T yield(const Sym<T, D>& stress) const {
+    using std::abs, std::max, std::sqrt;
+    const T p = trace(stress) * T(1.0 / 3);
+    const Sym<T, D> dev = add_isotropic(stress, T(-p));
+    const T q = sqrt(contract(dev, dev) * T(0.5));
+    const T f = max(T(q + T(slope_) * p - T(strength_)), T(p - T(limit_)));
+    return f / max(T(q + abs(p) + T(cohesion_)), T(detail::smallest_divisor));
+  }
+
+ private:
+  Elasticity elasticity_;
+  [[no_unique_address]] Memory memory_;
+  double slope_, flow_, strength_;  // eta, eta', -; kappa, Pa
+  double rate_;                     // 1 / (G + K eta eta'), 1/Pa
+  double apex_, limit_;             // mean stress at the tip; the lower of it and the cut-off, Pa
+  double cohesion_;                 // Pa
+};
+
+}  // namespace arenite

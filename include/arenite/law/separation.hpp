@@ -1,0 +1,81 @@
+// What matter remembers of having separated. A law of granular matter opens without stress when it is pulled
+// beyond its tension limit; these policies say what happens when it is compressed again.
+#pragma once
+
+#include <algorithm>
+#include <limits>
+#include <tuple>
+
+#include <arenite/core/error.hpp>
+#include <arenite/law/law.hpp>
+
+namespace arenite {
+
+/// Separated matter carries stress as soon as it is compressed again, however far it had opened. Stores
+/// nothing.
+struct ForgetsOpening {
+  static constexpr bool remembers = false;
+
+  template <class T>
+  using History = NoHistory<T>;
+
+  /// The part of the increment that the matter feels: all of it.
+  template <class T, int D>
+  const Increment<T, D>& carried(const Increment<T, D>& increment, History<T>&) const {
+    return increment;
+  }
+
+  template <class T>
+  void open(const T&, History<T>&) const {}
+};
+
+/// Separated matter carries no stress until what it had opened is closed again.
+class RemembersOpening {
+ public:
+  static constexpr bool remembers = true;
+
+  template <class T>
+  struct History {
+    T opening{};  ///< volumetric strain that is still open, -, in [0, limit]
+    constexpr auto members() { return std::tie(opening); }
+    constexpr auto members() const { return std::tie(opening); }
+  };
+
+  struct Parameters {
+    /// Greatest opening that is remembered, -: volumetric strain. Grains that flew apart and meet again as a
+    /// new heap would otherwise pass through each other until all their flight is undone.
+    double limit = 1.0;
+  };
+
+  RemembersOpening() : RemembersOpening(Parameters{}) {}
+  explicit RemembersOpening(const Parameters& p) : limit_(p.limit) {
+    require(p.limit > 0, "RemembersOpening.limit", p.limit, "must be positive");
+  }
+
+  double limit() const { return limit_; }
+
+  /// The part of the increment that the matter feels: none while it is open; in the step that closes it the
+  /// share after the closure. It turns all the same. Takes what closes (or opens further) from the history.
+  template <class T, int D>
+  Increment<T, D> carried(const Increment<T, D>& increment, History<T>& history) const {
+    using std::max, std::min;
+    const T change = trace(increment.strain);
+    const T left = history.opening + change;
+    const auto open = history.opening > T(0);
+    const auto closes = open && left < T(0);  // then the change is negative
+    const T share = select(closes, T(left / select(closes, change, T(-1))), select(open, T(0), T(1)));
+    history.opening = select(open, T(min(max(left, T(0)), T(limit_))), T(0));
+    return {increment.strain * share, increment.spin};
+  }
+
+  template <class T>
+  void open(const T& opening, History<T>& history) const {
+    using std::min;
+    history.opening = min(T(history.opening + opening), T(limit_));
+  }
+
+ private:
+  double limit_;
+};
+
+}  // namespace arenite

@@ -1,0 +1,104 @@
+// Blocks of cells in colours: blocks of one colour share no node, so that threads scatter to nodes without
+// atomics and each node's order of summation is the same for any number of threads.
+#pragma once
+
+#include <algorithm>
+#include <span>
+#include <vector>
+
+#include <arenite/core/parallel.hpp>
+#include <arenite/core/scalar.hpp>
+
+namespace arenite {
+
+/// A partition of the cells [0, n) into runs of consecutive cells, and of the runs into colours.
+class Blocks {
+ public:
+  Blocks() = default;
+
+  /// Greedy colouring of blocks of `size` consecutive cells. `nodes_of(cell)` gives a range of node numbers
+  /// below `node_count`. Cost: one pass over cells x nodes.
+  template <class NodesOf>
+  Blocks(Index cell_count, Index node_count, Index size, NodesOf&& nodes_of)
+      : cells_{cell_count}, size_{std::max<Index>(size, 1)} {
+    const Index blocks = (cell_count + size_ - 1) / size_;
+    std::vector<Index> color_of(blocks, 0);
+    std::vector<std::vector<Index>> last;  // [color][node] the last block of that colour at that node
+    for (Index b = 0; b < blocks; ++b) {
+      Index color = 0;
+      for (;; ++color) {
+        if (color == last.size()) last.emplace_back(node_count, none);
+        if (is_free(b, last[color], nodes_of)) break;
+      }
+      for (Index c = begin(b); c < end(b); ++c)
+        for (const Index node : nodes_of(c)) last[color][node] = b;
+      color_of[b] = color;
+    }
+    color_start_.assign(last.size() + 1, 0);
+    for (const Index color : color_of) ++color_start_[color + 1];
+    for (std::size_t k = 1; k < color_start_.size(); ++k) color_start_[k] += color_start_[k - 1];
+    order_.resize(blocks);
+    std::vector<Index> next(color_start_.begin(), color_start_.end() - 1);
+    for (Index b = 0; b < blocks; ++b) order_[next[color_of[b]]++] = b;
+  }
+
+  std::size_t colors() const { return color_start_.empty() ? 0 : color_start_.size() - 1; }
+  std::size_t count() const { return order_.size(); }
+  /// Blocks of a colour, ascending.
+  std::span<const Index> of_color(std::size_t k) const {
+    return {order_.data() + color_start_[k], order_.data() + color_start_[k + 1]};
+  }
+  Index begin(Index block) const { return block * size_; }
+  Index end(Index block) const { return std::min(cells_, (block + 1) * size_); }
+
+  /// Calls `f(cell)` for all cells; cells whose blocks share a node never run at once, and those that meet at
+  /// a node run in the same order for any number of threads.
+  template <class F>
+  void for_each_colored(F&& f) const {
+    for (std::size_t k = 0; k < colors(); ++k) {
+      const auto blocks = of_color(k);
+      parallel_for(blocks.size(), [&](std::size_t i) {
+        for (Index c = begin(blocks[i]); c < end(blocks[i]); ++c) f(c);
+      });
+    }
+  }
+
+  /// Calls `f(cell)` for all cells, in any order: for work that writes to no node.
+  template <class F>
+  void for_each(F&& f) const {
+    parallel_for(count(), [&](std::size_t b) {
+      const auto block = static_cast<Index>(b);
+      for (Index c = begin(block); c < end(block); ++c) f(c);
+    });
+  }
+
+  /// Joins `f(cell)` over all cells: block by block, in order.
+  template <class R, class F, class Join>
+  R reduce(R start, F&& f, Join&& join) const {
+    std::vector<R> part(count(), start);
+    parallel_for(count(), [&](std::size_t b) {
+      const auto block = static_cast<Index>(b);
+      for (Index c = begin(block); c < end(block); ++c) part[b] = join(part[b], f(c));
+    });
+    for (const R& p : part) start = join(start, p);
+    return start;
+  }
+
+ private:
+  template <class NodesOf>
+  bool is_free(Index block, const std::vector<Index>& last, NodesOf& nodes_of) const {
+    for (Index c = begin(block); c < end(block); ++c)
+      for (const Index node : nodes_of(c))
+        if (last[node] != none) {
+          if (last[node] != block) return false;
+        }
+    return true;
+  }
+
+  Index cells_ = 0;
+  Index size_ = 1;
+  std::vector<Index> order_;        // [blocks] block numbers, colour by colour
+  std::vector<Index> color_start_;  // [colors + 1]
+};
+
+}  // namespace arenite

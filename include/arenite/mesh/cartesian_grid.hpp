@@ -1,0 +1,107 @@
+// Cartesian grid: equal square or cubic cells in a box. Which nodes it has is the business of the shape
+// function.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include <arenite/core/error.hpp>
+#include <arenite/core/tensor.hpp>
+
+namespace arenite {
+
+/// Cells are numbered with axis 0 running fastest.
+template <int D, real T = double>
+class CartesianGrid {
+ public:
+  static constexpr int dimension = D;
+  using scalar = T;
+  using Point = Vec<T, D>;
+
+  struct Parameters {
+    std::array<double, D> lower = [] {
+      std::array<double, D> a;
+      a.fill(std::numeric_limits<double>::quiet_NaN());
+      return a;
+    }();                                                     ///< lower corner, m
+    std::array<double, D> upper = lower;                     ///< upper corner, m
+    double cell = std::numeric_limits<double>::quiet_NaN();  ///< edge of a cell, m; must divide each extent
+  };
+
+  /// Throws `error` if the box is empty, if the cell does not divide it, or if there are more than 2^31
+  /// cells.
+  explicit CartesianGrid(const Parameters& p) : edge_{static_cast<T>(p.cell)} {
+    require(p.cell > 0 && std::isfinite(p.cell), "CartesianGrid.cell", p.cell, "must be positive");
+    double total = 1;
+    for (std::size_t k = 0; k < D; ++k) {
+      const double extent = p.upper[k] - p.lower[k];
+      require(extent > 0 && std::isfinite(extent), detail::join("CartesianGrid.upper[", k, "]"), p.upper[k],
+              detail::join("must be finite and exceed lower = ", p.lower[k]));
+      const double cells = std::round(extent / p.cell);
+      require(cells >= 1 && std::abs(cells * p.cell - extent) <= 1e-6 * p.cell, "CartesianGrid.cell", p.cell,
+              detail::join("must divide the extent ", extent, " along axis ", k));
+      lower_[static_cast<int>(k)] = static_cast<T>(p.lower[k]);
+      total *= cells;
+      require(total < 2147483648.0, "CartesianGrid.cell", p.cell, "gives more than 2^31 cells");
+      count_[k] = static_cast<Index>(cells);
+    }
+    inverse_edge_ = 1 / edge_;
+  }
+
+  Index cell_count() const {
+    Index n = 1;
+    for (const Index c : count_) n *= c;
+    return n;
+  }
+  /// Cells along axis k.
+  Index cells(int k) const { return count_[static_cast<std::size_t>(k)]; }
+  /// Edge of a cell, m.
+  T edge() const { return edge_; }
+  /// Size that the stable step is made from, m.
+  T size(Index) const { return edge_; }
+  /// Area or volume of a cell, m^D.
+  T volume(Index) const { return D == 2 ? edge_ * edge_ : edge_ * edge_ * edge_; }
+  const Point& lower() const { return lower_; }
+  T upper(int k) const { return lower_[k] + edge_ * static_cast<T>(cells(k)); }
+
+  /// Place of a cell along each axis.
+  std::array<Index, D> place(Index cell) const {
+    std::array<Index, D> at;
+    for (std::size_t k = 0; k < D; ++k) {
+      at[k] = cell % count_[k];
+      cell /= count_[k];
+    }
+    return at;
+  }
+
+  /// Lower corner of a cell, m.
+  Point corner(Index cell) const {
+    const auto at = place(cell);
+    Point x = lower_;
+    for (std::size_t k = 0; k < D; ++k) x[static_cast<int>(k)] += edge_ * static_cast<T>(at[k]);
+    return x;
+  }
+
+  /// The cell that holds x, or `none` outside of the box (or for NaN). The upper faces belong to the last
+  /// cells.
+  Index walk(const Point& x, Index = none) const {
+    Index cell = 0;
+    for (int k = D - 1; k >= 0; --k) {
+      const T s = (x[k] - lower_[k]) * inverse_edge_;
+      const auto n = static_cast<T>(cells(k));
+      if (!(s >= 0 && s <= n)) return none;
+      cell = cell * cells(k) + std::min(static_cast<Index>(s), cells(k) - 1);
+    }
+    return cell;
+  }
+  Index search(const Point& x) const { return walk(x); }
+
+ private:
+  std::array<Index, D> count_{};
+  Point lower_ = Point::Zero();
+  T edge_;
+  T inverse_edge_ = 0;
+};
+
+}  // namespace arenite

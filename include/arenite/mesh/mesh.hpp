@@ -1,0 +1,29 @@
+// The concept of a mesh: cells that hold points.
+#pragma once
+
+#include <concepts>
+
+#include <arenite/mesh/cartesian_grid.hpp>
+#include <arenite/mesh/simplex_mesh.hpp>
+
+namespace arenite {
+
+/// - `walk(x, hint)`: the cell of x, or `none`; `search(x)`: the same without a hint, slower, right
+/// everywhere.
+/// - `size(cell)`: length for the stable step, m; `volume(cell)`: area or volume, m^D.
+template <class M>
+concept mesh = requires(M m, const M cm, const typename M::Point x, Index cell) {
+  { M::dimension } -> std::convertible_to<int>;
+  { cm.cell_count() } -> std::same_as<Index>;
+  { cm.walk(x, cell) } -> std::same_as<Index>;
+  { m.search(x) } -> std::same_as<Index>;
+  { cm.size(cell) } -> std::convertible_to<typename M::scalar>;
+  { cm.volume(cell) } -> std::convertible_to<typename M::scalar>;
+};
+
+template <class M>
+inline constexpr bool is_simplex_mesh = false;
+template <int D, class T>
+inline constexpr bool is_simplex_mesh<SimplexMesh<D, T>> = true;
+
+}  // namespace arenite

@@ -1,0 +1,24 @@
+// A simplex mesh as a file or a generator hands it over: plain arrays, nothing derived.
+#pragma once
+
+#include <array>
+#include <map>
+#include <string>
+#include <vector>
+
+#include <arenite/core/tensor.hpp>
+
+namespace arenite {
+
+/// Raw triangles (D = 2) or tetrahedra (D = 3). Cells may be oriented either way; `SimplexMesh` turns and
+/// checks them.
+template <int D>
+struct MeshData {
+  std::vector<Vec<double, D>> nodes;                    ///< [nodes] position, m
+  std::vector<std::array<Index, D + 1>> cells;          ///< [cells] nodes of each cell
+  std::vector<int> region;                              ///< [cells] region of each cell; empty: all 0
+  std::map<std::string, int> region_names;              ///< name to region
+  std::map<std::string, std::vector<Index>> node_sets;  ///< name to nodes, ascending, each once
+};
+
+}  // namespace arenite

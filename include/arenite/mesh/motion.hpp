@@ -1,0 +1,124 @@
+// Motion of a mesh with a body: a zone that moves rigidly, a zone below it that is compressed and one above
+// that is stretched.
+#pragma once
+
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include <arenite/mesh/simplex_mesh.hpp>
+
+namespace arenite {
+
+/// The rigid body number I of the scene leads.
+template <std::size_t I>
+struct LedByRigid {
+  static constexpr std::size_t index = I;
+  static constexpr bool rigid = true;
+};
+/// The mean velocity of the deformable body number I leads.
+template <std::size_t I>
+struct LedByBody {
+  static constexpr std::size_t index = I;
+  static constexpr bool rigid = false;
+};
+
+/// Nodes move along one axis by a share of the leader's travel that depends on their initial place on the
+/// axis: 0 up to `fixed_below`, then linearly up to 1 at `moving_from`, 1 up to `moving_to`, then linearly
+/// down to 0 at `fixed_above`. Heights in m.
+template <class Leader_ = LedByRigid<0>>
+struct MovingMesh {
+  using Leader = Leader_;
+  Leader leader{};
+  double fixed_below = std::numeric_limits<double>::quiet_NaN();
+  double moving_from = std::numeric_limits<double>::quiet_NaN();
+  double moving_to = std::numeric_limits<double>::infinity();
+  double fixed_above = std::numeric_limits<double>::infinity();
+  int axis = 1;
+  double least = 0.05;  ///< a zone that is squeezed to less than this share of its height stops the run
+
+  void check(int dimension) const {
+    require(axis >= 0 && axis < dimension, "MovingMesh.axis", axis, "must be an axis of the mesh");
+    require(std::isfinite(fixed_below), "MovingMesh.fixed_below", fixed_below, "must be given");
+    require(moving_from > fixed_below, "MovingMesh.moving_from", moving_from,
+            "must be given, above fixed_below");
+    require(moving_to >= moving_from, "MovingMesh.moving_to", moving_to, "must not lie below moving_from");
+    require(fixed_above >= moving_to, "MovingMesh.fixed_above", fixed_above, "must not lie below moving_to");
+    require(least > 0 && least < 1, "MovingMesh.least", least, "must lie in (0, 1)");
+  }
+
+  /// Share of the leader's travel that a node at height y takes.
+  double share(double y) const {
+    if (y <= fixed_below || y >= fixed_above) return 0;
+    if (y < moving_from) return (y - fixed_below) / (moving_from - fixed_below);
+    if (y <= moving_to) return 1;
+    return (fixed_above - y) / (fixed_above - moving_to);
+  }
+};
+
+/// A moving mesh in its mesh: reference positions and shares of the nodes that move, and the cells that they
+/// touch.
+template <int D, class T, class Leader_>
+class BoundMotion {
+ public:
+  using Leader = Leader_;
+
+  BoundMotion(const MovingMesh<Leader>& motion, const SimplexMesh<D, T>& mesh) : motion_{motion} {
+    motion_.check(D);
+    std::vector<bool> touched(mesh.cell_count());
+    for (Index i = 0; i < mesh.node_count(); ++i) {
+      const double s = motion_.share(static_cast<double>(mesh.position(i)[motion_.axis]));
+      if (s == 0) continue;
+      nodes_.push_back(i);
+      for (const Index c : mesh.cells_at(i)) touched[c] = true;
+    }
+    share_.assign(mesh.node_count(), T(0));
+    reference_.assign(mesh.node_count(), T(0));
+    for (const Index i : nodes_) {
+      reference_[i] = mesh.position(i)[motion_.axis];
+      share_[i] = static_cast<T>(motion_.share(static_cast<double>(reference_[i])));
+    }
+    for (Index c = 0; c < mesh.cell_count(); ++c)
+      if (touched[c]) cells_.push_back(c);
+  }
+
+  int axis() const { return motion_.axis; }
+  /// Travel of the leader since the start along the axis, m.
+  T travel() const { return travel_; }
+
+  /// Moves the mesh to a travel of the leader. Throws `run_error` where a zone is used up or a cell loses its
+  /// volume.
+  void move(SimplexMesh<D, T>& mesh, T travel) {
+    travel_ = travel;
+    const double below = 1 + static_cast<double>(travel) / (motion_.moving_from - motion_.fixed_below);
+    if (!(below > motion_.least))
+      throw run_error(detail::join("the compressing zone below ", motion_.moving_from,
+                                   " m is used up after a travel of ", travel, " m: ", below * 100,
+                                   " % of its height is left, the limit is ", motion_.least * 100, " %"));
+    if (std::isfinite(motion_.fixed_above) && motion_.fixed_above > motion_.moving_to) {
+      const double above = 1 - static_cast<double>(travel) / (motion_.fixed_above - motion_.moving_to);
+      if (!(above > motion_.least))
+        throw run_error(detail::join("the zone above ", motion_.moving_to, " m is used up after a travel of ",
+                                     travel, " m"));
+    }
+    const Index bad = mesh.move(nodes_, cells_, [&](Index i) {
+      auto x = mesh.position(i);
+      x[motion_.axis] = reference_[i] + share_[i] * travel;
+      return x;
+    });
+    if (bad != none)
+      throw run_error(detail::join("cell ", bad, " at (", mesh.position(mesh.nodes(bad)[0]).transpose(),
+                                   ") m turned inside out after a travel of ", travel, " m"));
+  }
+
+ private:
+  MovingMesh<Leader> motion_;
+  std::vector<Index> nodes_, cells_;
+  std::vector<T> share_, reference_;  // [nodes of the mesh]
+  T travel_ = 0;
+};
+
+/// A mesh that stays where it is. The default.
+struct FixedMesh {};
+
+}  // namespace arenite

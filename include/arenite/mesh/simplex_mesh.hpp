@@ -1,0 +1,211 @@
+// Simplex mesh: triangles (D = 2) or tetrahedra (D = 3), unstructured and graded, with the barycentric frame
+// of each cell, its neighbours and a point search that walks from cell to cell.
+#pragma once
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <limits>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <arenite/core/error.hpp>
+#include <arenite/core/parallel.hpp>
+#include <arenite/mesh/adjacency.hpp>
+#include <arenite/mesh/cell_bins.hpp>
+#include <arenite/mesh/mesh_data.hpp>
+
+namespace arenite {
+
+/// Triangles or tetrahedra over scalar T. Node positions may change (`move`); the topology does not.
+template <int D, real T = double>
+class SimplexMesh {
+ public:
+  static constexpr int dimension = D;
+  static constexpr int nodes_per_cell = D + 1;
+  using scalar = T;
+  using Point = Vec<T, D>;
+  using CellNodes = std::array<Index, static_cast<std::size_t>(D + 1)>;
+
+  /// Affine frame of a cell: barycentric coordinate k + 1 of x is row k of `inverse` times (x - origin).
+  struct Frame {
+    Mat<T, D> inverse;  ///< rows: gradients of the shape functions of nodes 1 .. D, 1/m
+    Point origin;       ///< position of node 0, m
+    T volume;           ///< area (D = 2) or volume (D = 3), m^D
+  };
+
+  /// Throws `error` if a cell has a wrong node number, no volume, or if a face belongs to more than two
+  /// cells.
+  explicit SimplexMesh(const MeshData<D>& data)
+      : region_names_{data.region_names}, node_sets_{data.node_sets}, region_{data.region} {
+    require(!data.cells.empty(), "SimplexMesh.cells", data.cells.size(), "a mesh needs at least one cell");
+    if (region_.empty()) region_.assign(data.cells.size(), 0);
+    require(region_.size() == data.cells.size(), "SimplexMesh.region", region_.size(),
+            "must have one entry a cell");
+    position_.reserve(data.nodes.size());
+    for (const auto& x : data.nodes) {
+      require(x.allFinite(), "SimplexMesh.nodes", x.transpose(), "positions must be finite");
+      position_.push_back(x.template cast<T>());
+    }
+    cells_.reserve(data.cells.size());
+    for (std::size_t c = 0; c < data.cells.size(); ++c) add_cell(c, data.cells[c]);
+    for (const auto& [name, nodes] : node_sets_)
+      for (const Index i : nodes)
+        require(i < node_count(), "SimplexMesh.node_sets[" + name + "]", i, "must be a node of the mesh");
+    frames_.resize(cells_.size());
+    for (Index c = 0; c < cell_count(); ++c) refresh(c);
+    neighbours_ = simplex_neighbours<D>(cells_);
+    node_cells_ = Adjacency(node_count(), cells_);
+  }
+
+  Index node_count() const { return static_cast<Index>(position_.size()); }
+  Index cell_count() const { return static_cast<Index>(cells_.size()); }
+  const Point& position(Index node) const { return position_[node]; }
+  const std::vector<Point>& positions() const { return position_; }
+  const CellNodes& nodes(Index cell) const { return cells_[cell]; }
+  const Frame& frame(Index cell) const { return frames_[cell]; }
+  /// Area or volume of a cell, m^D.
+  T volume(Index cell) const { return frames_[cell].volume; }
+  int region(Index cell) const { return region_[cell]; }
+  /// Neighbour across the face opposite to local node k, or `none` on the hull.
+  Index neighbour(Index cell, int k) const { return neighbours_[cell][static_cast<std::size_t>(k)]; }
+  std::span<const Index> cells_at(Index node) const { return node_cells_[node]; }
+
+  /// Number of a named region. Throws `error` naming those that exist.
+  int region_number(const std::string& name) const { return find(region_names_, name, "region"); }
+  /// Nodes of a named set, ascending. Throws `error` naming those that exist.
+  const std::vector<Index>& node_set(const std::string& name) const {
+    return find(node_sets_, name, "node set");
+  }
+  bool has_node_set(const std::string& name) const { return node_sets_.contains(name); }
+
+  /// Smallest altitude of a cell, m: 1 / the largest gradient of its shape functions.
+  T size(Index cell) const {
+    const auto& inverse = frames_[cell].inverse;
+    T steepest = inverse.colwise().sum().squaredNorm();
+    for (int k = 0; k < D; ++k) steepest = std::max(steepest, inverse.row(k).squaredNorm());
+    return 1 / std::sqrt(steepest);
+  }
+
+  /// Smallest size of the cells at a node, m.
+  T node_size(Index node) const {
+    T smallest = std::numeric_limits<T>::infinity();
+    for (const Index c : cells_at(node)) smallest = std::min(smallest, size(c));
+    return smallest;
+  }
+
+  /// Barycentric coordinates of x in a cell; negative ones lie outside.
+  Eigen::Matrix<T, D + 1, 1> barycentric(Index cell, const Point& x) const {
+    const Frame& f = frames_[cell];
+    Eigen::Matrix<T, D + 1, 1> b;
+    b.template tail<D>().noalias() = f.inverse * (x - f.origin);
+    b[0] = 1 - b.template tail<D>().sum();
+    return b;
+  }
+
+  /// The cell that holds x, found by walking from `hint`, or `none` where the walk ends: at the hull, or
+  /// after `max_walk` cells. A point on a face stays in the first cell found. Costs one test for a point that
+  /// stayed.
+  Index walk(const Point& x, Index hint) const {
+    for (int step = 0; step < max_walk && hint != none; ++step) {
+      const auto b = barycentric(hint, x);
+      int k;
+      if (b.minCoeff(&k) >= -tolerance) return hint;
+      hint = neighbour(hint, k);
+    }
+    return none;
+  }
+
+  /// The cell that holds x, wherever it is, or `none` outside of the mesh. Right on non-convex meshes too,
+  /// where a walk may end at the hull. Not thread-safe: refreshes its bins after the mesh moved.
+  Index search(const Point& x) {
+    if (!x.allFinite()) return none;
+    if (!bins_fresh_) {
+      bins_.build(position_, cells_);
+      bins_fresh_ = true;
+    }
+    Index found = none;
+    T best = -tolerance;
+    for (const Index c : bins_.at(x)) {
+      const T inside = barycentric(c, x).minCoeff();
+      if (inside >= best) {
+        if (found == none || inside > best) found = c;
+        best = std::max(best, inside);
+      }
+    }
+    return found;
+  }
+
+  /// Moves node i to `position(i)` for all i and refreshes the cells in `cells`, which must hold every cell
+  /// with a moved node. Returns the first cell that lost its volume, or `none`.
+  template <class Position>
+  Index move(std::span<const Index> nodes, std::span<const Index> cells, Position&& position) {
+    for (const Index i : nodes) position_[i] = position(i);
+    bins_fresh_ = false;
+    parallel_chunks(cells.size(), [&](std::size_t begin, std::size_t end) {
+      for (std::size_t k = begin; k < end; ++k) refresh(cells[k]);
+    });
+    for (const Index c : cells)
+      if (!(frames_[c].volume > 0)) return c;
+    return none;
+  }
+
+  /// Bytes of all arrays.
+  std::size_t bytes() const {
+    return position_.size() * sizeof(Point) +
+           cells_.size() * (sizeof(CellNodes) * 2 + sizeof(Frame) + sizeof(int)) + node_cells_.bytes();
+  }
+
+ private:
+  static constexpr T tolerance = 64 * std::numeric_limits<T>::epsilon();
+  static constexpr int max_walk = 64;
+
+  void add_cell(std::size_t c, CellNodes nodes) {
+    for (const Index i : nodes)
+      require(i < node_count(), detail::join("SimplexMesh.cells[", c, "]"), i, "must be a node of the mesh");
+    const auto edges = edge_matrix(nodes);
+    const T volume = edges.determinant();
+    T longest = 0;
+    for (int k = 0; k < D; ++k) longest = std::max(longest, edges.col(k).norm());
+    require(std::abs(volume) > 1000 * std::numeric_limits<T>::epsilon() * std::pow(longest, D),
+            detail::join("SimplexMesh.cells[", c, "].volume"), volume, "a cell must not be flat");
+    if (volume < 0) std::swap(nodes[D - 1], nodes[D]);
+    cells_.push_back(nodes);
+  }
+
+  Mat<T, D> edge_matrix(const CellNodes& nodes) const {
+    Mat<T, D> edges;
+    for (int k = 0; k < D; ++k)
+      edges.col(k) = position_[nodes[static_cast<std::size_t>(k + 1)]] - position_[nodes[0]];
+    return edges;
+  }
+
+  void refresh(Index c) {
+    const Mat<T, D> edges = edge_matrix(cells_[c]);
+    frames_[c] = {edges.inverse(), position_[cells_[c][0]], edges.determinant() / (D == 2 ? 2 : 6)};
+  }
+
+  template <class Value>
+  static const Value& find(const std::map<std::string, Value>& map, const std::string& name,
+                           const char* kind) {
+    const auto found = map.find(name);
+    if (found != map.end()) return found->second;
+    std::string known;
+    for (const auto& [key, value] : map) known += (known.empty() ? "" : ", ") + key;
+    throw error(detail::join("SimplexMesh: ", kind, " = ", name, ": must be one of: ", known));
+  }
+
+  std::map<std::string, int> region_names_;
+  std::map<std::string, std::vector<Index>> node_sets_;
+  std::vector<int> region_;
+  std::vector<Point> position_;
+  std::vector<CellNodes> cells_;
+  std::vector<CellNodes> neighbours_;
+  std::vector<Frame> frames_;
+  Adjacency node_cells_;
+  CellBins<D, T> bins_;
+  bool bins_fresh_ = false;
+};
+
+}  // namespace arenite

@@ -1,0 +1,112 @@
+// Places of the initial points in a cell: equal weights, and as even as the cell's shape allows.
+#pragma once
+
+#include <cmath>
+#include <vector>
+
+#include <arenite/core/error.hpp>
+#include <arenite/mesh/mesh.hpp>
+
+namespace arenite {
+namespace detail {
+
+/// Barycentric lattice of order k: k (k + 1) / 2 points in a triangle, k (k + 1)(k + 2) / 6 in a tetrahedron.
+/// The inset of the outer points is such that equal weights integrate quadratics exactly (linear fields are
+/// exact by symmetry).
+template <int D>
+std::vector<Eigen::Matrix<double, D + 1, 1>> simplex_lattice(int k) {
+  std::vector<Eigen::Matrix<double, D + 1, 1>> points;
+  for (int a = 0; a < k; ++a)
+    for (int b = 0; a + b < k; ++b)
+      for (int c = 0; c <= (D == 3 ? k - 1 - a - b : 0); ++c) {
+        Eigen::Matrix<double, D + 1, 1> p;
+        p[0] = a;
+        p[1] = b;
+        if constexpr (D == 3) p[2] = c;
+        p[D] = k - 1 - a - b - c;
+        points.push_back(p);
+      }
+  // A coordinate b = centre + t (q - centre) with q = p / (k - 1) has mean 1/(D+1) for any t; the mean of b^2
+  // over a simplex is 2 / ((D+1)(D+2)). Choose t to match it.
+  const double centre = 1.0 / (D + 1);
+  double spread = 0;
+  for (auto& p : points) {
+    if (k > 1) p /= k - 1;
+    spread += (p[0] - centre) * (p[0] - centre);
+  }
+  spread /= static_cast<double>(points.size());
+  const double wanted = 2.0 / ((D + 1) * (D + 2)) - centre * centre;
+  const double t = k > 1 ? std::sqrt(wanted / spread) : 0;
+  for (auto& p : points)
+    for (int i = 0; i <= D; ++i) p[i] = centre + t * (p[i] - centre);
+  return points;
+}
+
+/// Centroids of the k x k equal triangles into which a triangle is cut.
+inline std::vector<Eigen::Vector3d> triangle_centroids(int k) {
+  std::vector<Eigen::Vector3d> points;
+  for (int a = 0; a < k; ++a)
+    for (int b = 0; a + b < k; ++b) {
+      const double u = (a + 1.0 / 3) / k, v = (b + 1.0 / 3) / k;
+      points.emplace_back(1 - u - v, u, v);
+      if (a + b + 1 < k) {
+        const double s = (a + 2.0 / 3) / k, w = (b + 2.0 / 3) / k;
+        points.emplace_back(1 - s - w, s, w);
+      }
+    }
+  return points;
+}
+
+}  // namespace detail
+
+/// Barycentric coordinates of n points of equal weight in a simplex. Triangles: n = 1, 3, 6, 10, 15, 21, 28
+/// or a square; tetrahedra: n = 1, 4, 10, 20, 35. Throws `error` for another n.
+template <int D>
+std::vector<Eigen::Matrix<double, D + 1, 1>> simplex_points(int n) {
+  for (int k = 1; k < 8; ++k) {
+    if (n == (D == 2 ? k * (k + 1) / 2 : k * (k + 1) * (k + 2) / 6)) return detail::simplex_lattice<D>(k);
+    if constexpr (D == 2)
+      if (n == k * k) return detail::triangle_centroids(k);
+  }
+  throw error(detail::join("per_cell = ", n,
+                           D == 2 ? ": must be 1, 3, 6, 10, 15, 21, 28 or the square of 1 to 7"
+                                  : ": must be 1, 4, 10, 20, 35, 56 or 84"));
+}
+
+/// Positions in the unit cell [0, 1]^D of n points on an even lattice; n must be a D-th power. Throws `error`
+/// otherwise.
+template <int D>
+std::vector<Vec<double, D>> lattice_points(int n) {
+  const int k = static_cast<int>(std::lround(std::pow(n, 1.0 / D)));
+  require(n >= 1 && (D == 2 ? k * k : k * k * k) == n, "per_cell", n,
+          D == 2 ? "must be a square (1, 4, 9, ..)" : "must be a cube (1, 8, 27, ..)");
+  std::vector<Vec<double, D>> points;
+  for (int i = 0; i < n; ++i) {
+    Vec<double, D> x;
+    for (int d = 0, rest = i; d < D; ++d, rest /= k) x[d] = (rest % k + 0.5) / k;
+    points.push_back(x);
+  }
+  return points;
+}
+
+/// Positions of the n initial points of a cell, m.
+template <class M>
+std::vector<typename M::Point> initial_points(const M& mesh, Index cell, int n) {
+  using T = typename M::scalar;
+  constexpr int D = M::dimension;
+  std::vector<typename M::Point> points;
+  if constexpr (is_simplex_mesh<M>) {
+    for (const auto& b : simplex_points<D>(n)) {
+      typename M::Point x = M::Point::Zero();
+      for (int k = 0; k <= D; ++k)
+        x += static_cast<T>(b[k]) * mesh.position(mesh.nodes(cell)[static_cast<std::size_t>(k)]);
+      points.push_back(x);
+    }
+  } else {
+    for (const auto& s : lattice_points<D>(n))
+      points.push_back(mesh.corner(cell) + mesh.edge() * s.template cast<T>());
+  }
+  return points;
+}
+
+}  // namespace arenite

@@ -1,0 +1,185 @@
+// Rigid body in a scene: its state, and its contact with the node fields. What the soil loses in a step the
+// body gains.
+#pragma once
+
+#include <vector>
+
+#include <arenite/contact/contact.hpp>
+#include <arenite/rigid/motion.hpp>
+#include <arenite/rigid/surface.hpp>
+
+namespace arenite {
+
+/// A rigid body that a scene owns. Read `displacement`, `velocity` and `force` after any step.
+template <class T, int D, class Surface, class Motion, class Coupling>
+struct RigidBody {
+  static constexpr bool is_free = Motion::free;
+  static constexpr bool coupling_through_centre = Coupling::through_centre_of_mass;
+  static_assert(!coupling_through_centre || (Surface::has_shares && is_free),
+                "Rigid: CentreOfMass needs a MeshSurface and a Guided motion, which give the body's nodes "
+                "their masses");
+  Surface surface;
+  Motion motion;
+  Friction friction;
+  Vec<T, D> axis = Vec<T, D>::Zero();          ///< unit vector of the guide; zero if prescribed
+  Vec<T, D> displacement = Vec<T, D>::Zero();  ///< since the start, m
+  Vec<T, D> velocity = Vec<T, D>::Zero();      ///< m/s
+  Vec<T, D> force = Vec<T, D>::Zero();         ///< mean contact force on the body during the last step, N
+  Vec<T, D> impulse = Vec<T, D>::Zero();       ///< contact impulse on the body since the start, N s
+  double driving_work = 0;                     ///< work of gravity, load or the prescribed motion's drive, J
+  std::size_t contact_nodes = 0;               ///< nodes that pushed on the body in the last step
+  std::size_t inside_nodes = 0;                ///< nodes inside the body that carried mass in the last step
+
+  /// One touched node of one field.
+  struct Touch {
+    std::size_t field;
+    Index node;
+    bool inside;
+    T mass;           ///< of the field at the node, kg
+    T share;          ///< what an impulse has to move, as a share of `mass`: 1, or m_rigid / (m_rigid + mass)
+    Vec<T, D> start;  ///< velocity of the field before contact, m/s
+    Vec<T, D> normal;  ///< out of the body
+  };
+  std::vector<Touch> touches;  ///< of the last step
+
+  double kinetic_energy() const {
+    if constexpr (Motion::free) return 0.5 * motion.mass * static_cast<double>(velocity.squaredNorm());
+    return 0;
+  }
+
+  /// Impulse on the field at a touched node if the body moves with velocity v.
+  Vec<T, D> impulse_at(const Touch& t, const Vec<T, D>& v) const {
+    const Vec<T, D> approach = t.start - v;
+    if (t.inside) return -(t.share * t.mass) * approach;
+    return coulomb_impulse<T, D>(approach, t.normal, t.share * t.mass, friction);
+  }
+};
+
+namespace detail {
+
+template <class Shape, class M, class R, class Fields>
+void find_touches(const M& mesh, R& body, const Fields& fields) {
+  using T = typename M::scalar;
+  body.touches.clear();
+  body.inside_nodes = 0;
+  body.surface.template visit<Shape>(
+      mesh, body.displacement, [&](Index node, const auto& normal, bool inside, [[maybe_unused]] T share) {
+        for (std::size_t f = 0; f < fields.size(); ++f) {
+          const T mass = fields[f].mass[node];
+          if (!(mass > 0)) continue;
+          T moved = 1;
+          if constexpr (R::coupling_through_centre) {
+            const T rigid_mass = share * static_cast<T>(body.motion.mass);
+            if (!inside) moved = rigid_mass / (rigid_mass + mass);
+          }
+          body.touches.push_back({f, node, inside, mass, moved, fields[f].velocity[node], normal});
+          body.inside_nodes += inside;
+        }
+      });
+}
+
+/// Speed along the guide that balances the impulses: M (s - s_trial) + axis . sum J(s) = 0. Bracketed between
+/// the trial speed and the explicit answer and closed in on by the Illinois rule; the last iterate is used
+/// with the impulses that belong to it.
+template <class R, class T>
+T balance_speed(const R& body, T trial, T mass) {
+  const auto pull = [&](T s) {
+    T sum = 0;
+    for (const auto& t : body.touches) sum += body.impulse_at(t, s * body.axis).dot(body.axis);
+    return sum;
+  };
+  T a = trial, fa = pull(a);
+  if (fa == 0) return trial;
+  T b = trial - fa / mass;
+  T fb = mass * (b - trial) + pull(b);
+  T s = b;
+  for (int k = 0; k < 50; ++k) {
+    if (fb == 0 || fb == fa) break;
+    const T next = b - fb * (b - a) / (fb - fa);
+    const T f = mass * (next - trial) + pull(next);
+    const T change = std::abs(next - s);
+    s = next;
+    if (f * fb < 0) {
+      a = b;
+      fa = fb;
+    } else {
+      fa /= 2;
+    }
+    b = next;
+    fb = f;
+    if (change <= 4 * std::numeric_limits<T>::epsilon() * std::abs(trial - s) || f == 0) break;
+  }
+  return s;
+}
+
+}  // namespace detail
+
+/// Advances the body by dt and lets it exchange impulses with all fields. Gravity and `load` act on a guided
+/// body first; then its new velocity is found with the impulses. Returns what contact dissipated.
+template <class Shape, class M, class R, class Fields, class T, int D>
+ContactTally collide(const M& mesh, R& body, Fields& fields, const Vec<T, D>& gravity, T time, T dt) {
+  detail::find_touches<Shape>(mesh, body, fields);
+  const Vec<T, D> before = body.velocity;
+  Vec<T, D> trial = before;
+  if constexpr (R::is_free) {
+    const T drive = gravity.dot(body.axis) + static_cast<T>(body.motion.load / body.motion.mass);
+    trial += dt * drive * body.axis;
+    const T mass = static_cast<T>(body.motion.mass);
+    const T s = trial.dot(body.axis);
+    if constexpr (R::coupling_through_centre) {
+      body.velocity = trial;  // impulses against the trial velocity; eq. (4) corrects it below
+    } else {
+      body.velocity = detail::balance_speed(body, s, mass) * body.axis;
+    }
+  } else {
+    const auto v = body.motion.velocity(static_cast<double>(time));
+    for (int k = 0; k < D; ++k) trial[k] = static_cast<T>(v[static_cast<std::size_t>(k)]);
+    body.velocity = trial;
+  }
+  ContactTally tally;
+  Vec<T, D> total = Vec<T, D>::Zero();  // on the fields
+  T kinetic_gain = 0;
+  body.contact_nodes = 0;
+  for (const auto& t : body.touches) {
+    const Vec<T, D> j = body.impulse_at(t, body.velocity);
+    if (j.squaredNorm() == 0) continue;
+    Vec<T, D>& v = fields[t.field].velocity[t.node];
+    v += j / t.mass;
+    total += j;
+    kinetic_gain += j.dot(t.start + v) / 2;
+    ++body.contact_nodes;
+  }
+  tally.nodes = body.contact_nodes;
+  body.force = -total / dt;
+  body.impulse -= total;
+  if constexpr (R::is_free) {
+    const T mass = static_cast<T>(body.motion.mass);
+    body.velocity = trial - (total.dot(body.axis) / mass) * body.axis;
+    const Vec<T, D> mean = (trial + body.velocity) / 2;
+    tally.dissipation = static_cast<double>(total.dot(mean) - kinetic_gain);
+    body.driving_work += static_cast<double>(mass * (trial.squaredNorm() - before.squaredNorm()) / 2);
+  } else {
+    tally.dissipation = static_cast<double>(total.dot(body.velocity) - kinetic_gain);
+    body.driving_work += static_cast<double>(total.dot(body.velocity));
+  }
+  body.displacement += dt * body.velocity;
+  return tally;
+}
+
+/// Takes what is left of motion into the body out of the velocities that strains are taken from (MUSL maps
+/// them anew). No impulse: these velocities live for one strain increment only.
+template <class R, class Fields>
+void keep_out(const R& body, Fields& fields) {
+  if constexpr (!R::coupling_through_centre)
+    for (const auto& t : body.touches) {
+      auto& v = fields[t.field].mapped[t.node];
+      if (t.inside) {
+        v = body.velocity;
+        continue;
+      }
+      const auto closing = (v - body.velocity).dot(t.normal);
+      if (closing < 0) v -= closing * t.normal;
+    }
+}
+
+}  // namespace arenite

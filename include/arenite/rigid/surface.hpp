@@ -1,0 +1,83 @@
+// Surface of a rigid body: which nodes it touches, and its normal there. Nodes of a mesh fitted to it, or a
+// signed distance.
+#pragma once
+
+#include <string>
+
+#include <arenite/contact/region_surface.hpp>
+#include <arenite/shape/shape.hpp>
+
+namespace arenite {
+
+/// The surface of a region of a simplex mesh that moves with the body; found when the scene is made.
+struct MeshSurface {
+  std::string region;
+};
+
+/// A signed distance, m, negative inside, in the body's own frame: callable with a position [D]. `reach`: a
+/// node counts as touched from this many cell sizes outside on; half a cell acts where the points do, zero
+/// acts late.
+template <class Distance>
+struct DistanceSurface {
+  Distance distance;
+  double reach = 0.5;
+};
+template <class Distance>
+DistanceSurface(Distance) -> DistanceSurface<Distance>;
+template <class Distance>
+DistanceSurface(Distance, double) -> DistanceSurface<Distance>;
+
+/// A mesh surface in its mesh. Visits each surface node with its normal and share of the body's mass, then
+/// those inside.
+template <class T, int D>
+class BoundMeshSurface {
+ public:
+  explicit BoundMeshSurface(RegionSurface<T, D> s) : surface_{std::move(s)} {}
+  static constexpr bool has_shares = true;
+
+  template <class Shape, class M, class F>
+  void visit(const M&, const Vec<T, D>&, F&& f) const {
+    for (std::size_t k = 0; k < surface_.nodes.size(); ++k)
+      f(surface_.nodes[k], surface_.normals[k], false, surface_.share[k]);
+    for (const Index i : surface_.inside) f(i, Vec<T, D>::Zero(), true, T(0));
+  }
+  const RegionSurface<T, D>& surface() const { return surface_; }
+
+ private:
+  RegionSurface<T, D> surface_;
+};
+
+/// A signed distance in a mesh. Visits the nodes within reach; the normal is the slope of the distance.
+template <class T, int D, class Distance>
+class BoundDistanceSurface {
+ public:
+  explicit BoundDistanceSurface(DistanceSurface<Distance> s) : surface_{std::move(s)} {
+    require(surface_.reach >= 0, "DistanceSurface.reach", surface_.reach, "must not be negative");
+  }
+  static constexpr bool has_shares = false;
+
+  template <class Shape, class M, class F>
+  void visit(const M& mesh, const Vec<T, D>& displacement, F&& f) const {
+    const T cell = mesh.size(0);
+    const Index nodes = Shape::node_count(mesh);
+    for (Index i = 0; i < nodes; ++i) {
+      const Vec<double, D> x = (Shape::node_position(mesh, i) - displacement).template cast<double>();
+      if (surface_.distance(x) > surface_.reach * static_cast<double>(cell)) continue;
+      f(i, Vec<T, D>(slope(x, 1e-4 * static_cast<double>(cell)).template cast<T>()), false, T(0));
+    }
+  }
+
+ private:
+  Vec<double, D> slope(const Vec<double, D>& x, double h) const {
+    Vec<double, D> g;
+    for (int k = 0; k < D; ++k) {
+      const Vec<double, D> step = h * Vec<double, D>::Unit(k);
+      g[k] = surface_.distance(Vec<double, D>(x + step)) - surface_.distance(Vec<double, D>(x - step));
+    }
+    return g.normalized();
+  }
+
+  DistanceSurface<Distance> surface_;
+};
+
+}  // namespace arenite

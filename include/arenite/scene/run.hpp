@@ -1,0 +1,43 @@
+// Run: steps a scene to an end time and shows it to observers.
+#pragma once
+
+#include <cmath>
+#include <utility>
+
+#include <arenite/scene/stable_step.hpp>
+#include <arenite/scene/step.hpp>
+
+namespace arenite {
+
+struct RunOptions {
+  double end = std::numeric_limits<double>::quiet_NaN();      ///< s, on the scene's clock
+  double courant = 0.5;                                       ///< share of the stable step, -
+  double max_step = std::numeric_limits<double>::infinity();  ///< s
+};
+
+/// Steps `scene` until `options.end`, which the last step hits exactly. Each observer is called with the
+/// scene (const) at the start and after every step. Throws `error` for a bad option, `run_error` if the run
+/// fails; observers have then seen everything up to the step before.
+template <class Scene, class... Observers>
+void run(Scene& scene, const RunOptions& options, Observers&&... observers) {
+  require(std::isfinite(options.end), "RunOptions.end", options.end, "must be given");
+  require(options.end >= scene.time, "RunOptions.end", options.end,
+          detail::join("must not lie before the scene's time ", scene.time));
+  require(options.courant > 0, "RunOptions.courant", options.courant, "must be positive");
+  require(options.max_step > 0, "RunOptions.max_step", options.max_step, "must be positive");
+  (observers(std::as_const(scene)), ...);
+  const double span = options.end - scene.time;
+  while (scene.time < options.end) {
+    double dt = std::min(options.courant * stable_step(scene), options.max_step);
+    if (!(dt > 1e-12 * span))
+      throw run_error(detail::join("t = ", scene.time, " s: the stable step has shrunk to ", dt, " s"));
+    const double left = options.end - scene.time;
+    const bool last = dt >= left * (1 - 1e-9);
+    if (last) dt = left;
+    step(scene, dt);
+    if (last) scene.time = options.end;
+    (observers(std::as_const(scene)), ...);
+  }
+}
+
+}  // namespace arenite

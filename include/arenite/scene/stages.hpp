@@ -1,0 +1,155 @@
+// Stages of a step: each of the method's loops applied to what a scene has. A stage that a scene does not
+// need compiles to nothing.
+#pragma once
+
+#include <cmath>
+
+#include <arenite/scene/scene.hpp>
+
+namespace arenite {
+
+template <class Scene>
+void relocate(Scene& scene) {
+  scene.for_each_body([&](auto& body, auto&) { relocate(body, scene.mesh); });
+}
+
+template <class Scene>
+void scatter(Scene& scene) {
+  for (auto& field : scene.fields) field.clear();
+  scene.for_each_body([&](const auto& body, auto& field) {
+    scatter<typename Scene::Kinematics>(scene.numerics, scene.mesh, scene.blocks, body, field);
+  });
+}
+
+template <class Scene>
+void advance(Scene& scene, double dt) {
+  using T = typename Scene::T;
+  // A mass whose inverse would overflow once multiplied with a force: points share out no less on purpose.
+  const T floor = std::sqrt(std::numeric_limits<T>::min());
+  for (auto& field : scene.fields) advance(field, scene.gravity, static_cast<T>(dt), floor);
+}
+
+template <class Scene>
+void constrain(Scene& scene) {
+  for (auto& field : scene.fields)
+    scene.wall_impulse += constrain(scene.constraints, field.mass, field.velocity);
+}
+
+template <class Scene>
+void collide(Scene& scene, double dt) {
+  using T = typename Scene::T;
+  using M = typename Scene::Mesh;
+  ContactTally tally;
+  if constexpr (Scene::Contact::separate)
+    tally += exchange(scene.contact, scene.fields, scene.normals, static_cast<T>(dt), [&](Index node) {
+      if constexpr (is_simplex_mesh<M>)
+        return scene.mesh.node_size(node);
+      else
+        return scene.mesh.edge();
+    });
+  scene.for_each_rigid([&](auto& body) {
+    tally += collide<typename Scene::Shape>(scene.mesh, body, scene.fields, scene.gravity,
+                                            static_cast<T>(scene.time + dt), static_cast<T>(dt));
+  });
+  if constexpr (Scene::Contact::separate || Scene::rigid_count > 0) constrain(scene);
+  scene.contact_tally = tally;
+  scene.limited += tally.limited;
+  scene.limited_momentum += tally.limited_momentum;
+  if constexpr (Scene::tracks_energy) {
+    scene.ledger.contact_dissipation += tally.dissipation;
+    for (const auto& field : scene.fields) {
+      scene.ledger.gravity_work += parallel_reduce(
+          field.size(), 0.0,
+          [&](std::size_t begin, std::size_t end) {
+            double work = 0;
+            for (std::size_t i = begin; i < end; ++i)
+              work += dt * static_cast<double>(field.mass[i] * scene.gravity.dot(field.velocity[i]));
+            return work;
+          },
+          std::plus<>{});
+    }
+  }
+}
+
+template <class Scene>
+void gather(Scene& scene) {
+  using N = typename Scene::NumericsType;
+  scene.for_each_body(
+      [&](auto& body, const auto& field) { gather(scene.numerics, scene.mesh, scene.blocks, body, field); });
+  if constexpr (N::Order::remaps) {
+    scene.for_each_body(
+        [&](const auto& body, auto& field) { remap<N>(scene.mesh, scene.blocks, body, field); });
+    for (auto& field : scene.fields) {
+      finish_remap(field);
+      constrain(scene.constraints, field.mass, field.mapped);
+    }
+    scene.for_each_rigid([&](const auto& body) { keep_out(body, scene.fields); });
+  }
+}
+
+template <class Scene>
+void deform(Scene& scene, double dt) {
+  scene.for_each_body([&](auto& body, const auto& field) {
+    const DeformSums sums =
+        deform<typename Scene::Kinematics>(scene.numerics, scene.mesh, scene.blocks, body, field,
+                                           static_cast<typename Scene::T>(dt), scene.average);
+    body.opened_volume += sums.opened_volume;
+    if constexpr (Scene::tracks_energy) scene.ledger.stress_work += sums.work;
+  });
+}
+
+template <class Scene>
+void move(Scene& scene, [[maybe_unused]] double dt) {
+  if constexpr (Scene::moves) {
+    using Leader = typename Scene::Motion::Leader;
+    using T = typename Scene::T;
+    auto& motion = scene.motion;
+    T travel;
+    if constexpr (Leader::rigid) {
+      travel = std::get<Leader::index>(scene.rigids).displacement[motion.axis()];
+    } else {
+      const auto& points = std::get<Leader::index>(scene.bodies).points;
+      double momentum = 0, mass = 0;
+      for (std::size_t p = 0; p < points.size(); ++p) {
+        momentum += static_cast<double>(points.mass[p] * points.velocity[p][motion.axis()]);
+        mass += static_cast<double>(points.mass[p]);
+      }
+      travel = motion.travel() + static_cast<T>(dt * momentum / mass);
+    }
+    try {
+      motion.move(scene.mesh, travel);
+    } catch (const run_error& e) {
+      throw run_error(detail::join("t = ", scene.time + dt, " s: ", e.what()));
+    }
+  }
+}
+
+template <class Scene>
+void finish(Scene& scene, double dt) {
+  scene.time += dt;
+  scene.time_step = dt;
+  ++scene.steps;
+  std::size_t number = 0;
+  scene.for_each_body([&](const auto& body, const auto&) {
+    const auto& points = body.points;
+    const std::size_t first_bad = parallel_reduce(
+        points.size(), points.size(),
+        [&](std::size_t begin, std::size_t end) {
+          for (std::size_t p = begin; p < end; ++p)
+            if (!std::isfinite(points.velocity[p].sum() + points.position[p].sum() + trace(points.stress[p]) +
+                               points.stress[p][3] + points.volume[p]))
+              return p;
+          return points.size();
+        },
+        [](std::size_t a, std::size_t b) { return std::min(a, b); });
+    if (first_bad < points.size())
+      throw run_error(detail::join("t = ", scene.time, " s, step ", scene.steps, ": point ", first_bad,
+                                   " of body ", number, " at (", points.position[first_bad].transpose(),
+                                   ") m has velocity (", points.velocity[first_bad].transpose(),
+                                   ") m/s, pressure ", -trace(points.stress[first_bad]) / 3, " Pa, volume ",
+                                   points.volume[first_bad], " m3: no longer finite"));
+    ++number;
+  });
+}
+
+}  // namespace arenite

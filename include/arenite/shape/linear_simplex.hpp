@@ -1,0 +1,67 @@
+// Linear shape functions on a simplex mesh: the barycentric coordinates. Their gradients are constant in a
+// cell.
+#pragma once
+
+#include <arenite/mesh/mesh.hpp>
+
+namespace arenite {
+
+/// Shape function of triangles (3 nodes a cell) and tetrahedra (4).
+struct LinearSimplex {
+  static constexpr bool constant_gradient = true;
+  static constexpr const char* name = "LinearSimplex";
+
+  template <class M>
+  static constexpr bool fits = is_simplex_mesh<M>;
+
+  template <class M>
+  static Index node_count(const M& mesh) {
+    return mesh.node_count();
+  }
+  template <class M>
+  static typename M::Point node_position(const M& mesh, Index node) {
+    return mesh.position(node);
+  }
+
+  /// The shape functions of one cell: made once a cell, evaluated for each of its points.
+  template <class M>
+  class Cell {
+   public:
+    using T = typename M::scalar;
+    static constexpr int D = M::dimension;
+    static constexpr int size = D + 1;
+    using Weights = Eigen::Matrix<T, size, 1>;
+    using Gradients = Eigen::Matrix<T, D, size>;
+
+    Cell(const M& mesh, Index cell) : nodes{mesh.nodes(cell)}, mesh_{&mesh}, frame_{mesh.frame(cell)} {
+      gradient.template rightCols<D>() = frame_.inverse.transpose();
+      gradient.col(0) = -gradient.template rightCols<D>().rowwise().sum();
+    }
+
+    /// [D + 1] values at x.
+    Weights weights(const Vec<T, D>& x) const {
+      Weights w;
+      w.template tail<D>().noalias() = frame_.inverse * (x - frame_.origin);
+      w[0] = 1 - w.template tail<D>().sum();
+      return w;
+    }
+    /// [D x (D + 1)] gradients, 1/m: the same everywhere in the cell.
+    const Gradients& gradients(const Vec<T, D>&) const { return gradient; }
+
+    /// [D x (D + 1)] positions of the nodes, m.
+    Gradients node_positions() const {
+      Gradients x;
+      for (int k = 0; k < size; ++k) x.col(k) = mesh_->position(nodes[static_cast<std::size_t>(k)]);
+      return x;
+    }
+
+    std::array<Index, size> nodes;
+    Gradients gradient;
+
+   private:
+    const M* mesh_;
+    typename M::Frame frame_;
+  };
+};
+
+}  // namespace arenite

@@ -1,0 +1,41 @@
+// Anti-locking: cures of volumetric locking, as a policy of the numerics.
+#pragma once
+
+#include <arenite/core/error.hpp>
+
+namespace arenite {
+
+/// The strain of each point as the shape functions give it.
+struct NoAntiLocking {
+  static constexpr bool averages_strain = false;
+  static constexpr bool averages_stress = false;
+  template <class Shape>
+  static constexpr bool fits = true;
+  void check() const {}
+};
+
+/// Volumetric strain of a cell averaged with its neighbours' through the nodes: a node takes the mean of its
+/// cells, weighted by the volume of their points, a cell the mean of its nodes (Detournay and Dzik 2006,
+/// nodal mixed discretization; in MPM: Al-Kafaji 2013, Formulation of a dynamic material point method,
+/// sec. 4.1.3). For linear simplices.
+struct NodalAveraging {
+  static constexpr bool averages_strain = true;
+  static constexpr bool averages_stress = false;
+  template <class Shape>
+  static constexpr bool fits = Shape::constant_gradient;
+  void check() const {}
+};
+
+/// In a cell that is filled, the points take the mean stress and bear it over the whole volume of the cell
+/// (Gauss integration in filled cells; Beuth, Wieckowski, Vermeer 2011, doi:10.1002/nag.961); a partly filled
+/// cell keeps its points' own.
+struct ElementAverage {
+  static constexpr bool averages_strain = false;
+  static constexpr bool averages_stress = true;
+  double fill = 0.9;  ///< a cell counts as filled from this share of its volume on, -
+  template <class Shape>
+  static constexpr bool fits = Shape::constant_gradient;
+  void check() const { require(fill > 0, "ElementAverage.fill", fill, "must be positive"); }
+};
+
+}  // namespace arenite

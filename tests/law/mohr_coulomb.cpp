@@ -1,0 +1,326 @@
+// Mohr-Coulomb: strengths and flow against closed forms; returns against an independent solution by trying
+// all sets of active planes.
+#include <Eigen/LU>
+#include <arenite/core/units.hpp>
+#include <arenite/law/mohr_coulomb.hpp>
+#include <bit>
+#include <string>
+#include <vector>
+
+#include "catch.hpp"
+#include "states.hpp"
+
+using namespace arenite;
+using namespace arenite::test;
+
+namespace {
+
+std::vector<MohrCoulombParameters> parameter_sets() {
+  return {{.density = 1540, .young = 5e6, .poisson = 0.33, .friction = 40_deg},
+          {.density = 1540, .young = 5e6, .poisson = 0.33, .friction = 40_deg, .dilatancy = 12_deg},
+          {.density = 1540,
+           .young = 5e6,
+           .poisson = 0.2,
+           .friction = 30_deg,
+           .cohesion = 3_kPa,
+           .dilatancy = 30_deg},
+          {.density = 1540,
+           .young = 5e6,
+           .poisson = 0.45,
+           .friction = 25_deg,
+           .cohesion = 10_kPa,
+           .dilatancy = 5_deg},
+          {.density = 1540, .young = 5e6, .poisson = 0.49, .friction = 0_deg, .cohesion = 5_kPa},
+          {.density = 1540,
+           .young = 5e6,
+           .poisson = -0.5,
+           .friction = 60_deg,
+           .cohesion = 1_kPa,
+           .dilatancy = 20_deg},
+          {.density = 1540, .young = 5e6, .poisson = 0, .friction = 35_deg, .dilatancy = 35_deg}};
+}
+
+/// The same with a tension cut-off where one can act.
+std::vector<MohrCoulombParameters> cut_sets() {
+  std::vector<MohrCoulombParameters> sets;
+  for (auto p : parameter_sets()) {
+    if (p.cohesion == 0) continue;
+    for (const double tension : {0.0, 0.5e3}) {
+      p.tension = tension;
+      sets.push_back(p);
+    }
+  }
+  return sets;
+}
+
+double apex_of(const MohrCoulombParameters& p) { return detail::apex(p.friction, p.cohesion); }
+
+/// Greatest violation, Pa, over the six planes and the cut-off, of principal values in any order.
+double violation(const MohrCoulombParameters& p, const Eigen::Vector3d& s) {
+  double worst = s.maxCoeff() - p.tension;
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j)
+      if (i != j)
+        worst = std::max(worst, (s(i) - s(j)) / 2 + (s(i) + s(j)) / 2 * std::sin(p.friction) -
+                                    p.cohesion * std::cos(p.friction));
+  return worst;
+}
+
+/// Return of principal values by Koiter's rule over the six planes: the set of active planes whose
+/// multipliers are all positive and whose result is admissible. `found` is false where none is: then the flow
+/// cannot reach the surface (apex).
+Eigen::Vector3d koiter_return(const MohrCoulombParameters& p, const Eigen::Vector3d& s, bool& found) {
+  using Small = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 3, 3>;
+  using SmallVector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 3, 1>;
+  struct Plane {
+    Eigen::Vector3d normal, flow;
+  };
+  std::vector<Plane> planes;
+  const double sin = std::sin(p.friction), sin_flow = std::sin(p.dilatancy);
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j)
+      if (i != j) {
+        Plane plane{Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()};
+        plane.normal(i) = 1 + sin;
+        plane.normal(j) = -(1 - sin);
+        plane.flow(i) = 1 + sin_flow;
+        plane.flow(j) = -(1 - sin_flow);
+        planes.push_back(plane);
+      }
+  const double strength = 2 * p.cohesion * std::cos(p.friction);
+  const Elasticity e("test", p.density, p.young, p.poisson);
+  const Eigen::Matrix3d stiffness =
+      Eigen::Matrix3d::Constant(e.lame()) + 2 * e.shear() * Eigen::Matrix3d::Identity();
+  const double size = s.cwiseAbs().maxCoeff() + p.cohesion, tolerance = 1e-11 * size;
+  for (int count = 0; count <= 3; ++count) {
+    for (int set = 0; set < 64; ++set) {
+      if (std::popcount(static_cast<unsigned>(set)) != count) continue;
+      Small a(count, 3), b(3, count);
+      for (int i = 0, row = 0; i < 6; ++i)
+        if ((set >> i) & 1) {
+          a.row(row) = planes[static_cast<std::size_t>(i)].normal.transpose();
+          b.col(row++) = planes[static_cast<std::size_t>(i)].flow;
+        }
+      Eigen::Vector3d y = s;
+      if (count > 0) {
+        const Small matrix = a * stiffness * b / e.shear();
+        const Eigen::FullPivLU<Small> lu(matrix);
+        if (!lu.isInvertible()) continue;
+        const SmallVector multiplier = lu.solve(a * s - SmallVector::Constant(count, strength)) / e.shear();
+        if (multiplier.minCoeff() * e.shear() < -tolerance) continue;
+        y = s - stiffness * b * multiplier;
+      }
+      if (violation(p, y) <= tolerance) {
+        found = true;
+        return y;
+      }
+    }
+  }
+  found = false;
+  return s;
+}
+
+template <int D>
+void check_returns(const MohrCoulombParameters& p, int states) {
+  const MohrCoulomb law{p};
+  std::mt19937 random(17);
+  for (int trial = 0; trial < states; ++trial) {
+    const auto before = trial_state<D>(random, apex_of(p));
+    auto after = before;
+    NoHistory<double> history;
+    const double opened = law.update(after, Increment<double, D>{}, history);
+    const Eigen::Vector3d y = principal_values(after);
+    const double size = y.cwiseAbs().maxCoeff() + p.cohesion, trial_size = full(before).norm();
+
+    REQUIRE(violation(p, y) <= 1e-10 * size + 1e-15 * trial_size);
+    REQUIRE(law.yield(after) <= 1e-10 + 1e-15 * trial_size / (size + 1e-300));
+    REQUIRE(opened >= -1e-15 * trial_size / p.young);
+    if (violation(p, principal_values(before)) < 0) {
+      REQUIRE(after.c == before.c);
+      REQUIRE(opened == 0);
+      REQUIRE(law.yield(before) < 0);
+    } else {
+      REQUIRE(law.yield(before) >= -1e-13);
+    }
+    const Eigen::Matrix3d plastic = strain_of(law.elasticity(), full(before) - full(after));
+    const double dissipation = (full(after) * plastic).trace();
+    REQUIRE(dissipation >= -1e-13 * trial_size * trial_size / p.young);
+    REQUIRE(opened <=
+            plastic.trace() + 1e-13 * trial_size / p.young);  // the rest is dilatancy: never negative
+    // The axes are those of the trial state.
+    REQUIRE((full(before) * full(after) - full(after) * full(before)).norm() <=
+            1e-12 * trial_size * trial_size);
+    // A second return changes nothing.
+    auto again = after;
+    REQUIRE(std::abs(law.return_to_yield(again)) <= 1e-14 * trial_size / p.young);
+    REQUIRE((full(again) - full(after)).norm() <= 1e-13 * size + 1e-15 * trial_size);
+  }
+}
+
+std::string message(const MohrCoulombParameters& p) {
+  try {
+    MohrCoulomb law(p);
+  } catch (const error& e) {
+    return e.what();
+  }
+  return "";
+}
+
+}  // namespace
+
+TEST_CASE("random states come back to the yield surface, and dissipate") {
+  for (const auto& p : parameter_sets()) {
+    check_returns<2>(p, 10000);
+    check_returns<3>(p, 10000);
+  }
+  for (const auto& p : cut_sets()) {
+    check_returns<2>(p, 3000);
+    check_returns<3>(p, 3000);
+  }
+}
+
+TEST_CASE("returns are those of Koiter's rule over all sets of planes") {
+  int apex = 0, edge = 0, plane = 0;
+  for (const auto& p : parameter_sets()) {
+    const MohrCoulomb law{p};
+    std::mt19937 random(23);
+    for (int trial = 0; trial < 1500; ++trial) {
+      const auto before = trial_state<3>(random, apex_of(p));
+      auto after = before;
+      const double opened = law.return_to_yield(after);
+      const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(full(before));
+      bool found = false;
+      Eigen::Vector3d y = koiter_return(p, axes.eigenvalues(), found);
+      if (!found) {
+        REQUIRE(p.dilatancy ==
+                0);  // only without dilatancy is there a trial state that no plane's flow brings back
+        y.setConstant(apex_of(p));
+      }
+      const Eigen::Matrix3d expected = axes.eigenvectors() * y.asDiagonal() * axes.eigenvectors().transpose();
+      const double size = full(before).norm();
+      REQUIRE((full(after) - expected).norm() <= 1e-9 * size + 1e-9 * p.cohesion);
+      const double gap = y.maxCoeff() - y.minCoeff(), fell = (axes.eigenvalues() - y).norm();
+      if (fell > 1e-6 * size) {
+        if (gap <= 1e-9 * size) {
+          ++apex;
+          const double volume = (axes.eigenvalues().sum() - 3 * apex_of(p)) / (3 * law.elasticity().bulk());
+          REQUIRE(std::abs(opened - volume) <= 1e-9 * size / p.young);
+        } else {
+          REQUIRE(std::abs(opened) <= 1e-12 * size / p.young);
+          const bool on_edge = std::min(y(1) - y(0), y(2) - y(1)) <= 1e-9 * size;
+          ++(on_edge ? edge : plane);
+        }
+      }
+    }
+  }
+  REQUIRE(apex > 500);
+  REQUIRE(edge > 500);
+  REQUIRE(plane > 500);
+}
+
+TEST_CASE("associated flow goes to the closest point in the energy norm") {
+  const MohrCoulombParameters p{
+      .density = 1, .young = 5e6, .poisson = 0.3, .friction = 33_deg, .cohesion = 2e3, .dilatancy = 33_deg};
+  const MohrCoulomb law{p};
+  std::mt19937 random(29);
+  std::normal_distribution<double> normal;
+  for (int trial = 0; trial < 500; ++trial) {
+    const auto before = trial_state<3>(random, apex_of(p));
+    auto after = before;
+    law.return_to_yield(after);
+    const auto distance = [&](const Sym<double, 3>& s) { return law.elastic_energy(s - before); };
+    const double best = distance(after);
+    for (int i = 0; i < 200; ++i) {  // no admissible state nearby or far is closer
+      Sym<double, 3> other = after;
+      const double size = full(before).norm() * std::pow(10, -double(i % 6));
+      for (double& c : other.c) c += size * normal(random);
+      if (violation(p, principal_values(other)) <= 0) REQUIRE(distance(other) >= best * (1 - 1e-9));
+    }
+  }
+}
+
+TEST_CASE("the cut-off relaxes sideways like a crack") {
+  // Stretched along x only, the plastic strain is an opening along x: what is left of the stress sideways is
+  // elastic.
+  const MohrCoulomb law{
+      {.density = 1, .young = 5e6, .poisson = 0.25, .friction = 30_deg, .cohesion = 50e3, .tension = 1e3}};
+  Sym<double, 3> stress{{0, -10e3, -12e3, 0, 0, 0}};
+  const auto start = stress;
+  Increment<double, 3> stretch;
+  stretch.strain[0] = 2e-3;
+  NoHistory<double> history;
+  const double opened = law.update(stress, stretch, history);
+  const double side = 0.25 * 1e3 / 0.75;  // lambda/(lambda + 2 G) of the stress that x did keep
+  REQUIRE(std::abs(stress[0] - 1e3) <= 1e-9);
+  REQUIRE(std::abs(stress[1] - (start[1] + side)) <= 1e-8);
+  REQUIRE(std::abs(stress[2] - (start[2] + side)) <= 1e-8);
+  REQUIRE(std::abs(opened - (2e-3 - 1e3 / law.wave_modulus())) <= 1e-15);
+}
+
+TEST_CASE("triaxial compression: strength, and dilatancy from the plastic strains") {
+  for (auto p : parameter_sets()) {
+    p.poisson = 0.3;
+    const MohrCoulomb law{p};
+    const double lateral = -10e3, k = std::tan(pi / 4 + p.friction / 2);
+    const auto end = triaxial_compression(law, lateral, 1e-3, 400);
+    REQUIRE(std::abs(end.axial_stress - (k * k * lateral - 2 * p.cohesion * k)) <=
+            1e-8 * std::abs(end.axial_stress));
+    const double volume = 2 * end.lateral_strain_rate + end.axial_strain_rate;
+    const double sum = 2 * std::abs(end.lateral_strain_rate) + std::abs(end.axial_strain_rate);
+    REQUIRE(std::abs(volume / sum - std::sin(p.dilatancy)) <= 1e-8);
+  }
+}
+
+TEST_CASE("simple shear in plane strain: tau/sigma = sin(phi) cos(psi)/(1 - sin(phi) sin(psi))") {
+  // Davis (1968): the plane of shear is one without stretch.
+  for (const double dilatancy : {0_deg, 10_deg, 35_deg}) {
+    const double friction = 35_deg;
+    const MohrCoulomb law{
+        {.density = 1, .young = 5e6, .poisson = 0.3, .friction = friction, .dilatancy = dilatancy}};
+    const auto end = simple_shear(law, -10e3, 2e-4, 1500);
+    const double expected =
+        std::sin(friction) * std::cos(dilatancy) / (1 - std::sin(friction) * std::sin(dilatancy));
+    REQUIRE(std::abs(end.shear_stress / -end.vertical_stress - expected) <= 1e-6);
+    REQUIRE(std::abs(end.dilation_rate - std::tan(dilatancy)) <= 1e-6);
+  }
+}
+
+TEST_CASE("oedometer: at rest until K0 meets the active limit") {
+  const auto ratio = [](double poisson, double friction) {
+    const MohrCoulomb law{{.density = 1, .young = 5e6, .poisson = poisson, .friction = friction}};
+    Sym<double, 2> stress;
+    Increment<double, 2> squeeze;
+    squeeze.strain[1] = -1e-4;
+    NoHistory<double> history;
+    for (int i = 0; i < 100; ++i) REQUIRE(law.update(stress, squeeze, history) == 0);
+    return stress[0] / stress[1];
+  };
+  REQUIRE(std::abs(ratio(0.33, 30_deg) - 0.33 / 0.67) <= 1e-13);
+  REQUIRE(std::abs(ratio(0.1, 30_deg) - 1.0 / 3) <= 1e-13);
+}
+
+TEST_CASE("bad constants are named with their rule") {
+  const MohrCoulombParameters good{.density = 1, .young = 1, .poisson = 0.3, .friction = 0.5};
+  auto p = good;
+  REQUIRE(message(p).empty());
+  p.poisson = 0.6;
+  REQUIRE(message(p) == "MohrCoulomb.poisson = 0.6: must lie in (-1, 0.5)");
+  p = good;
+  p.friction = 40;
+  REQUIRE(message(p) == "MohrCoulomb.friction = 40: must lie in [0, pi/2) rad");
+  p.friction = detail::not_given;
+  REQUIRE(message(p) == "MohrCoulomb.friction = nan: must be given");
+  p.friction = 0;
+  REQUIRE(
+      message(p) ==
+      "MohrCoulomb.cohesion = 0: must be positive where friction is 0: matter without both has no strength");
+  p = good;
+  p.dilatancy = 0.6;
+  REQUIRE(message(p) == "MohrCoulomb.dilatancy = 0.6: must lie in [0, friction]");
+  p = good;
+  p.cohesion = -1;
+  REQUIRE(message(p) == "MohrCoulomb.cohesion = -1: must not be negative (Pa)");
+  p = good;
+  p.tension = -2;
+  REQUIRE(message(p) == "MohrCoulomb.tension = -2: must not be negative (Pa)");
+}

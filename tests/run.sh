@@ -1,0 +1,120 @@
+#!/usr/bin/env bash
+# Builds and runs all tests: g++ Release, g++ under the address and undefined-behaviour sanitizers, clang++ Release, and the
+# format check. On a fresh Debian it installs what is missing. Safe to repeat; works from any folder.
+#
+#   tests/run.sh [--quick] [--asan] [--clang] [--format]
+#
+#   no option  everything        --quick  g++ Release only      --asan    sanitizers only
+#   --clang    clang++ only      --format clang-format only     (options add up)
+#
+# Environment: ARENITE_BUILD, where to build (default: build/tests in the checkout).
+set -euo pipefail
+
+script=tests/run.sh
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+. "$root/cmake/debian.sh"
+build=${ARENITE_BUILD:-$root/build/tests}
+jobs=$(processors)
+
+stages=()
+for option in "$@"; do
+  case $option in
+    --quick) stages+=(gcc) ;;
+    --asan) stages+=(asan) ;;
+    --clang) stages+=(clang) ;;
+    --format) stages+=(format) ;;
+    -h | --help) sed -n '2,/^set /{/^set /d;s/^# \{0,1\}//;p}' "${BASH_SOURCE[0]}" && exit ;;
+    *) fail "unknown option $option (known: --quick, --asan, --clang, --format)" ;;
+  esac
+done
+[ ${#stages[@]} -gt 0 ] || stages=(gcc clang asan format)
+chosen() { [[ " ${stages[*]} " == *" $1 "* ]]; }
+
+# --- what the machine must have
+if chosen gcc || chosen clang || chosen asan; then
+  need g++ "the compiler" g++
+  need cmake "configures the build" cmake
+  need ninja-build "builds" ninja
+  need libeigen3-dev "the library's only dependency"
+  need catch2 "the test framework"
+  need libcli11-dev "options of the driver arenite-ffp"
+  need nlohmann-json3-dev "the driver's summary.json"
+  need libbenchmark-dev "the benchmarks must compile"
+  need python3-venv "meshio, in a virtual environment, writes and reads the files that the readers and writers are tested on"
+fi
+if chosen clang; then
+  need clang "the second compiler" clang++
+  need libomp-dev "OpenMP for clang++"
+fi
+if chosen format; then need clang-format "the format check" clang-format; fi
+install_missing
+
+# --- Python packages, pinned, in the build folder. Debian's own Python by its path: another may come first.
+venv=$build/venv
+mkdir -p "$build"
+prepare_python() {
+  cmp -s "$root/tests/requirements.txt" "$venv/requirements.txt" && return
+  rm -rf "$venv"
+  /usr/bin/python3 -m venv "$venv" || fail "stage Python: /usr/bin/python3 -m venv $venv failed"
+  "$venv/bin/python" -m pip install --quiet --disable-pip-version-check -r "$root/tests/requirements.txt" < /dev/null ||
+    fail "stage Python: pip could not install tests/requirements.txt"
+  cp "$root/tests/requirements.txt" "$venv/requirements.txt"
+}
+
+summary=()
+
+# run_stage NAME FOLDER "CTEST OPTIONS" CMAKE-OPTIONS...
+run_stage() {
+  local name=$1 folder=$build/$2 ctest_options=$3
+  shift 3
+  local start=$SECONDS
+  printf '\n=== %s\n' "$name"
+  cmake -S "$root" -B "$folder" -G Ninja -DARENITE_TEST_PYTHON="$venv/bin/python" "$@" > "$folder.log" 2>&1 < /dev/null ||
+    { tail -n 30 "$folder.log" >&2 && fail "stage $name: configuring failed (log: $folder.log)"; }
+  # Errors and warnings of the compiler, not the list of commands that it ran.
+  cmake --build "$folder" -j "$jobs" -- --quiet -k 0 < /dev/null || fail "stage $name: building failed"
+  local built=$SECONDS
+  # shellcheck disable=SC2086  # the options are words
+  if ! ctest --test-dir "$folder" -j "$jobs" --output-on-failure --no-tests=error $ctest_options < /dev/null |
+    tee "$folder.ctest.log"; then
+    fail "stage $name: tests failed (log: $folder.ctest.log)"
+  fi
+  summary+=("$name: $(grep 'tests passed' "$folder.ctest.log") (build $((built - start)) s, tests $((SECONDS - built)) s)")
+}
+
+# Precompiled headers need these two for ccache to keep them.
+export CCACHE_SLOPPINESS=pch_defines,time_macros
+
+if chosen gcc; then
+  prepare_python
+  run_stage "g++ Release" gcc "" -DCMAKE_CXX_COMPILER=g++ -DCMAKE_BUILD_TYPE=Release -DARENITE_WERROR=ON
+fi
+if chosen clang; then
+  prepare_python
+  run_stage "clang++ Release" clang "" -DCMAKE_CXX_COMPILER=clang++ -DCMAKE_BUILD_TYPE=Release -DARENITE_WERROR=ON
+fi
+if chosen asan; then
+  prepare_python
+  # -O1, lest Eigen crawl. Warnings are not errors here, and one is off: under the sanitizers g++ 12 sees uninitialised
+  # values in libstdc++ itself (std::regex in Catch2).
+  sanitize="-fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer"
+  run_stage "g++ sanitizers" asan "--label-exclude heavy" -DCMAKE_CXX_COMPILER=g++ -DCMAKE_BUILD_TYPE=Debug \
+    -DCMAKE_CXX_FLAGS="$sanitize -D_GLIBCXX_ASSERTIONS -Wno-maybe-uninitialized" \
+    -DCMAKE_CXX_FLAGS_DEBUG="-O1 -g1" -DARENITE_WERROR=OFF \
+    -DARENITE_BENCHMARKS=OFF -DARENITE_TEST_HEADERS=OFF
+fi
+if chosen format; then
+  printf '\n=== format\n'
+  cd "$root"
+  unformatted=$(find include tests examples benchmarks \( -name '*.hpp' -o -name '*.cpp' \) | sort | while read -r file; do
+    clang-format --dry-run -Werror "$file" > /dev/null 2>&1 || echo "$file"
+  done)
+  if [ -n "$unformatted" ]; then
+    echo "$unformatted"
+    fail "stage format: run clang-format -i on the files above"
+  fi
+  summary+=("format: clean")
+fi
+
+printf '\n=== all stages passed in %d s\n' "$SECONDS"
+printf '%s\n' "${summary[@]}"

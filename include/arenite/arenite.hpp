@@ -5,5 +5,8 @@
 #include <arenite/law/drucker_prager.hpp>
 #include <arenite/law/linear_elastic.hpp>
 #include <arenite/law/mohr_coulomb.hpp>
+#include <arenite/law/traced.hpp>
+#include <arenite/observe/energy.hpp>
+#include <arenite/observe/every.hpp>
 #include <arenite/rigid/cone_cylinder.hpp>
 #include <arenite/scene/run.hpp>

@@ -70,8 +70,6 @@ double violation(const MohrCoulombParameters& p, const Eigen::Vector3d& s) {
 /// multipliers are all positive and whose result is admissible. `found` is false where none is: then the flow
 /// cannot reach the surface (apex).
 Eigen::Vector3d koiter_return(const MohrCoulombParameters& p, const Eigen::Vector3d& s, bool& found) {
-  using Small = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 3, 3>;
-  using SmallVector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 3, 1>;
   struct Plane {
     Eigen::Vector3d normal, flow;
   };
@@ -95,21 +93,21 @@ Eigen::Vector3d koiter_return(const MohrCoulombParameters& p, const Eigen::Vecto
   for (int count = 0; count <= 3; ++count) {
     for (int set = 0; set < 64; ++set) {
       if (std::popcount(static_cast<unsigned>(set)) != count) continue;
-      Small a(count, 3), b(3, count);
+      // Rows of planes that are not active stay empty; their multipliers are 0.
+      Eigen::Matrix3d a = Eigen::Matrix3d::Zero(), b = Eigen::Matrix3d::Zero();
       for (int i = 0, row = 0; i < 6; ++i)
         if ((set >> i) & 1) {
           a.row(row) = planes[static_cast<std::size_t>(i)].normal.transpose();
           b.col(row++) = planes[static_cast<std::size_t>(i)].flow;
         }
-      Eigen::Vector3d y = s;
-      if (count > 0) {
-        const Small matrix = a * stiffness * b / e.shear();
-        const Eigen::FullPivLU<Small> lu(matrix);
-        if (!lu.isInvertible()) continue;
-        const SmallVector multiplier = lu.solve(a * s - SmallVector::Constant(count, strength)) / e.shear();
-        if (multiplier.minCoeff() * e.shear() < -tolerance) continue;
-        y = s - stiffness * b * multiplier;
-      }
+      Eigen::Matrix3d matrix = a * stiffness * b / e.shear();
+      Eigen::Vector3d excess = a * s;
+      for (int i = 0; i < 3; ++i) i < count ? excess(i) -= strength : matrix(i, i) = 1;
+      const Eigen::FullPivLU<Eigen::Matrix3d> lu(matrix);
+      if (!lu.isInvertible()) continue;
+      const Eigen::Vector3d multiplier = lu.solve(excess) / e.shear();
+      if (multiplier.minCoeff() * e.shear() < -tolerance) continue;
+      const Eigen::Vector3d y = s - stiffness * b * multiplier;
       if (violation(p, y) <= tolerance) {
         found = true;
         return y;

@@ -26,7 +26,7 @@ constexpr Condition symmetry(std::array<double, 3> normal) { return {Condition::
 /// Motion along this axis alone.
 constexpr Condition free_along(std::size_t axis) {
   Condition c{Condition::Kind::all_but};
-  c.direction[axis] = 1;
+  if (axis < 3) c.direction[axis] = 1;  // an axis that the scene does not have is refused by `resolve`
   return c;
 }
 
@@ -84,10 +84,16 @@ struct Blocked {
 };
 
 template <int D>
+Vec<double, D> in_dimension(const std::array<double, 3>& a) {
+  Vec<double, D> v;
+  for (int k = 0; k < D; ++k) v[k] = a[static_cast<std::size_t>(k)];
+  return v;
+}
+
+template <int D>
 void block(Blocked<D>& at, const Condition& c, int face_axis) {
   using V = Eigen::Matrix<double, D, 1>;
-  V direction;
-  for (int k = 0; k < D; ++k) direction[k] = c.direction[static_cast<std::size_t>(k)];
+  const V direction = in_dimension<D>(c.direction);
   for (int k = 0; k < D; ++k) {
     const bool blocks = c.kind == Condition::Kind::all ||
                         (c.kind == Condition::Kind::face_normal && k == face_axis) ||
@@ -100,8 +106,8 @@ void block(Blocked<D>& at, const Condition& c, int face_axis) {
 }  // namespace detail
 
 /// Resolves walls to constrained nodes, ascending. `axis_nodes`: also block the radial motion of nodes at r =
-/// 0. Throws `error` for a wall that catches no node, a face beyond the dimension, or a roller that is no
-/// face.
+/// 0. Throws `error` for a wall that catches no node, a face beyond the dimension, a roller that is no
+/// face, or a direction that is none.
 template <class Shape, class M>
 std::vector<Constraint<typename M::scalar, M::dimension>> resolve(const Walls& walls, const M& mesh,
                                                                   bool axis_nodes) {
@@ -122,8 +128,14 @@ std::vector<Constraint<typename M::scalar, M::dimension>> resolve(const Walls& w
     const Condition& c = wall.condition;
     require(wall.axis >= 0 || c.kind != Condition::Kind::face_normal, "Wall.condition", "roller",
             "needs a face (left, right, ..); elsewhere name the plane: symmetry(normal)");
-    require(c.kind != Condition::Kind::normal || c.direction != std::array<double, 3>{}, "symmetry.normal",
-            "0", "must have a length");
+    if (c.kind == Condition::Kind::normal || c.kind == Condition::Kind::all_but) {
+      const Vec<double, D> direction = detail::in_dimension<D>(c.direction);
+      require(direction.allFinite() && direction.norm() > 0,
+              c.kind == Condition::Kind::normal ? "symmetry.normal" : "free_along.axis",
+              direction.transpose(), "must have a length in the scene's dimensions");
+    }
+    require(wall.axis >= 0 || !wall.set.empty() || wall.test, "Wall.set", wall.set,
+            "must name a node set (or the wall a face or a test)");
     Index caught = 0;
     const auto take = [&](Index i) {
       detail::block<D>(blocked[i], c, wall.axis);

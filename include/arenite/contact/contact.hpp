@@ -82,12 +82,14 @@ struct NormalMap {
 /// Lets the fields of each pair of bodies exchange impulses at the nodes that they share. An impulse is
 /// computed once and given with both signs, so that momentum is kept to round-off. `normals`: a NormalMap, or
 /// anything for mass gradients.
-template <class Normals, class Fields, class Map, class T, class Size>
-ContactTally exchange(const Coulomb<Normals>& contact, Fields& fields, const Map& normals, T dt,
-                      Size&& node_size) {
+/// `impulses` [fields] receives the sum of what each field was given, N s.
+template <class Normals, class Fields, class Map, class Impulses, class T, class Size>
+ContactTally exchange(const Coulomb<Normals>& contact, Fields& fields, const Map& normals, Impulses& impulses,
+                      T dt, Size&& node_size) {
   using V = std::remove_cvref_t<decltype(fields[0].velocity[0])>;
   constexpr int D = V::RowsAtCompileTime;
   ContactTally tally;
+  for (auto& sum : impulses) sum.setZero();
   const std::size_t nodes = fields[0].size();
   for (std::size_t i = 0; i < nodes; ++i) {
     std::size_t present = 0;
@@ -118,7 +120,11 @@ ContactTally exchange(const Coulomb<Normals>& contact, Fields& fields, const Map
         if (impulse.squaredNorm() == 0) continue;
         va += impulse / ma;
         vb -= impulse / mb;
-        tally.dissipation -= static_cast<double>(impulse.dot(approach + (va - vb)) / 2);
+        impulses[a] += impulse;
+        impulses[b] -= impulse;
+        // Mean velocities over the whole step, so that forces that contact holds in balance dissipate nothing.
+        const V at_start = fields[a].start[i] - fields[b].start[i];
+        tally.dissipation -= static_cast<double>(impulse.dot(at_start + (va - vb)) / 2);
         ++tally.nodes;
         touched = true;
       }

@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 #include <array>
 #include <cstddef>
+#include <utility>
 
 #include <arenite/core/scalar.hpp>
 
@@ -38,22 +39,25 @@ struct Sym {
     return T(0);
   }
 
-  constexpr Sym& operator+=(const Sym& o) {
-    for (std::size_t i = 0; i < size; ++i) c[i] = c[i] + o.c[i];
-    return *this;
+  /// Component by component; unrolled by the language, not left to an optimiser's level.
+  template <class F>
+  static constexpr Sym each(F&& f) {
+    return [&]<std::size_t... I>(std::index_sequence<I...>) { return Sym{{f(I)...}}; }
+    (std::make_index_sequence<size>{});
   }
-  constexpr Sym& operator-=(const Sym& o) {
-    for (std::size_t i = 0; i < size; ++i) c[i] = c[i] - o.c[i];
-    return *this;
+  constexpr Sym& operator+=(const Sym& o) { return *this = *this + o; }
+  constexpr Sym& operator-=(const Sym& o) { return *this = *this - o; }
+  constexpr Sym& operator*=(const T& s) { return *this = *this * s; }
+  friend constexpr Sym operator+(const Sym& a, const Sym& b) {
+    return each([&](std::size_t i) { return a.c[i] + b.c[i]; });
   }
-  constexpr Sym& operator*=(const T& s) {
-    for (std::size_t i = 0; i < size; ++i) c[i] = c[i] * s;
-    return *this;
+  friend constexpr Sym operator-(const Sym& a, const Sym& b) {
+    return each([&](std::size_t i) { return a.c[i] - b.c[i]; });
   }
-  friend constexpr Sym operator+(Sym a, const Sym& b) { return a += b; }
-  friend constexpr Sym operator-(Sym a, const Sym& b) { return a -= b; }
-  friend constexpr Sym operator*(Sym a, const T& s) { return a *= s; }
-  friend constexpr Sym operator*(const T& s, Sym a) { return a *= s; }
+  friend constexpr Sym operator*(const Sym& a, const T& s) {
+    return each([&](std::size_t i) { return a.c[i] * s; });
+  }
+  friend constexpr Sym operator*(const T& s, const Sym& a) { return a * s; }
 };
 
 template <class T, int D>
@@ -63,9 +67,12 @@ constexpr T trace(const Sym<T, D>& a) {
 
 /// a + s I
 template <class T, int D>
-constexpr Sym<T, D> add_isotropic(Sym<T, D> a, const T& s) {
-  for (std::size_t i = 0; i < 3; ++i) a[i] = a[i] + s;
-  return a;
+constexpr Sym<T, D> add_isotropic(const Sym<T, D>& a, const T& s) {
+  Sym<T, D> r = a;
+  r[0] = a[0] + s;
+  r[1] = a[1] + s;
+  r[2] = a[2] + s;
+  return r;
 }
 
 template <class T, int D>
@@ -77,7 +84,7 @@ constexpr Sym<T, D> deviator(const Sym<T, D>& a) {
 template <class T, int D>
 constexpr T contract(const Sym<T, D>& a, const Sym<T, D>& b) {
   T shear = a[3] * b[3];
-  for (std::size_t i = 4; i < a.size; ++i) shear = shear + a[i] * b[i];
+  if constexpr (D == 3) shear = shear + a[4] * b[4] + a[5] * b[5];
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + T(2) * shear;
 }
 

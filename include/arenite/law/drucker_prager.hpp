@@ -23,35 +23,34 @@ enum class Cone {
 };
 
 struct DruckerPragerParameters {
-  double density = detail::not_given;  ///< kg/m3; required, positive
-  double young = detail::not_given;    ///< Young's modulus, Pa; required, positive
-  double poisson = detail::not_given;  ///< Poisson's ratio, -; required, in (-1, 0.5)
-  double friction =
-      detail::not_given;  ///< angle of internal friction, rad; required, in [0, pi/2); 0: von Mises
-  double cohesion = 0;    ///< Pa; >= 0, positive where friction is 0
-  double dilatancy = 0;   ///< angle of dilatancy, rad; in [0, friction]
-  /// Greatest mean stress, Pa, >= 0. Acts where it lies below the apex, cohesion / tan(friction); default:
-  /// the apex.
+  double density = detail::not_given;   ///< kg/m3; required, positive
+  double young = detail::not_given;     ///< Young's modulus, Pa; required, positive
+  double poisson = detail::not_given;   ///< Poisson's ratio, -; required, in (-1, 0.5)
+  double friction = detail::not_given;  ///< angle of friction, rad; required, in [0, pi/2); 0: von Mises
+  double cohesion = 0;                  ///< Pa; >= 0, positive where friction is 0
+  double dilatancy = 0;                 ///< angle of dilatancy, rad; in [0, friction]
+  /// Greatest mean stress, Pa, >= 0. Acts below the apex, cohesion / tan(friction); default: the apex.
   double tension = std::numeric_limits<double>::infinity();
   Cone cone = Cone::compression;  ///< which Mohr-Coulomb strength it reproduces
 };
 
 /// Drucker-Prager law. With mean stress p, tension positive, and q = sqrt(J2):
-///   yield      q + eta p <= kappa,   potential  q + eta' p,   cut-off  p <= tension (flow purely volumetric)
-/// Cones (de Souza Neto, Peric & Owen 2008, Computational Methods for Plasticity, section 6.4.4):
-///   compression  eta = 6 sin(phi)/(sqrt(3) (3 - sin phi)), kappa = 6 c cos(phi)/(sqrt(3) (3 - sin phi));
-///   extension  + for - plane strain: no plastic strain out of the plane puts s_zz at p - 2/3 eta' q, so that
-///   Mohr's circle in the plane has radius q sqrt(1 - eta'^2/3) and centre p + eta' q/3; hence eta =
-///   sin(phi)/m, kappa = c cos(phi)/m with m = sqrt(1 - eta'^2/3) + eta' sin(phi)/3, and eta' =
-///   sin(psi)/sqrt(1 + sin^2(psi)/3) makes psi the angle of dilatancy in the plane. With psi = phi this is
-///   the book's plane-strain cone.
-/// In the first two eta' is eta with psi for phi.
+/// - yield: q + eta p <= kappa;
+/// - potential: q + eta' p;
+/// - cut-off: p <= tension, with purely volumetric flow.
 ///
-/// What opened: the volumetric plastic strain of a return to the apex, and that of the cut-off; see
-/// mohr_coulomb.hpp.
+/// Cones, after de Souza Neto, Peric & Owen (2008), Computational Methods for Plasticity, section 6.4.4:
+/// - compression: eta = 6 sin(phi)/(sqrt(3) (3 - sin phi)), kappa = 6 c cos(phi)/(sqrt(3) (3 - sin phi)), and
+///   eta' is eta with psi for phi; extension: the same with 3 + sin;
+/// - plane strain: no plastic strain out of the plane puts s_zz at p - 2/3 eta' q. Mohr's circle in the plane
+///   then has radius q sqrt(1 - eta'^2/3) and centre p + eta' q/3, so that eta = sin(phi)/m and
+///   kappa = c cos(phi)/m with m = sqrt(1 - eta'^2/3) + eta' sin(phi)/3. The angle of dilatancy in it is
+///   psi for eta' = sin(psi)/sqrt(1 + sin^2(psi)/3). With psi = phi it is the book's cone.
 ///
-/// @tparam Memory  ForgetsOpening or RemembersOpening: what happens when separated matter is compressed
-/// again.
+/// What opened: the volumetric plastic strain of a return to the apex, and that of the cut-off (as in
+/// mohr_coulomb.hpp).
+///
+/// @tparam Memory  ForgetsOpening or RemembersOpening: what separated matter does when compressed again.
 template <class Memory = ForgetsOpening>
 class DruckerPrager {
  public:

@@ -23,8 +23,7 @@ Sym<T, 2> turned(const Sym<T, 2>& a, const std::array<T, 1>& spin) {
 
 template <class T>
 Sym<T, 3> turned(const Sym<T, 3>& a, const std::array<T, 3>& spin) {
-  // R = I + k (W + W^2 / 2) = (1 - k w^2/2) I + k (W + w w^T / 2) with the axial vector w, k = 1 / (1 +
-  // w^2/4).
+  // R = I + k (W + W^2/2) = (1 - k w^2/2) I + k (W + w w^T/2), w the axial vector, k = 1/(1 + w^2/4).
   const T x = -spin[1], y = -spin[2], z = -spin[0];
   const T square = x * x + y * y + z * z;
   const T k = T(1) / (T(1) + T(0.25) * square);

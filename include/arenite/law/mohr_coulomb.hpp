@@ -16,22 +16,21 @@
 namespace arenite {
 
 struct MohrCoulombParameters {
-  double density = detail::not_given;  ///< kg/m3; required, positive
-  double young = detail::not_given;    ///< Young's modulus, Pa; required, positive
-  double poisson = detail::not_given;  ///< Poisson's ratio, -; required, in (-1, 0.5)
-  double friction =
-      detail::not_given;  ///< angle of internal friction, rad; required, in [0, pi/2); 0: Tresca
-  double cohesion = 0;    ///< Pa; >= 0, positive where friction is 0
-  double dilatancy = 0;   ///< angle of dilatancy, rad; in [0, friction]
-  /// Greatest principal stress, Pa, >= 0. Acts where it lies below the apex, cohesion / tan(friction);
-  /// default: the apex.
+  double density = detail::not_given;   ///< kg/m3; required, positive
+  double young = detail::not_given;     ///< Young's modulus, Pa; required, positive
+  double poisson = detail::not_given;   ///< Poisson's ratio, -; required, in (-1, 0.5)
+  double friction = detail::not_given;  ///< angle of friction, rad; required, in [0, pi/2); 0: Tresca
+  double cohesion = 0;                  ///< Pa; >= 0, positive where friction is 0
+  double dilatancy = 0;                 ///< angle of dilatancy, rad; in [0, friction]
+  /// Greatest principal stress, Pa, >= 0. Acts below the apex, cohesion / tan(friction); default: the apex.
   double tension = std::numeric_limits<double>::infinity();
 };
 
 /// Mohr-Coulomb law. With principal stresses s1 >= s2 >= s3, tension positive:
-///   yield      k s1 - s3 <= sc, k = (1 + sin phi)/(1 - sin phi), sc = 2 c cos(phi)/(1 - sin phi) (uniaxial
-///   strength) potential  k' s1 - s3, k' the same of the dilatancy cut-off    s1 <= tension, with flow along
-///   its normals (Rankine)
+/// - yield: k s1 - s3 <= sc, k = (1 + sin phi)/(1 - sin phi), sc = 2 c cos(phi)/(1 - sin phi);
+/// - potential: k' s1 - s3, where k' is the k of the dilatancy;
+/// - cut-off: s1 <= tension, with flow along its normals (Rankine).
+///
 /// The return follows Clausen, Damkilde & Andersen (2007), Computers & Structures 85, 1795-1807: the trial
 /// point goes back to the plane; where that breaks the order of the stresses, to the edge that they cross;
 /// where that lies beyond the apex, to the apex. The cut-off acts after it, on its result. That is admissible
@@ -43,8 +42,7 @@ struct MohrCoulombParameters {
 /// psi > 0 would ascribe a part to shear. Dilation on planes and edges is a property of the packing and
 /// swells the matter.
 ///
-/// @tparam Memory  ForgetsOpening or RemembersOpening: what happens when separated matter is compressed
-/// again.
+/// @tparam Memory  ForgetsOpening or RemembersOpening: what separated matter does when compressed again.
 template <class Memory = ForgetsOpening>
 class MohrCoulomb {
  public:

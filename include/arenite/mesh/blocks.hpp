@@ -72,7 +72,8 @@ class Blocks {
     });
   }
 
-  /// Joins `f(cell)` over all cells: block by block, in order.
+  /// Joins `f(cell)` over all cells: block by block, in order. `start` is used once a block: it must change
+  /// nothing (0 for a sum).
   template <class R, class F, class Join>
   R reduce(R start, F&& f, Join&& join) const {
     std::vector<R> part(count(), start);

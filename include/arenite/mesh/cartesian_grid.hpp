@@ -45,6 +45,9 @@ class CartesianGrid {
       total *= cells;
       require(total < 2147483648.0, "CartesianGrid.cell", p.cell, "gives more than 2^31 cells");
       count_[k] = static_cast<Index>(cells);
+      // A position on the upper face is known to the round-off of its coordinate.
+      const double size = cells + std::abs(p.lower[k]) / p.cell;
+      end_[k] = static_cast<T>(cells + 4 * static_cast<double>(std::numeric_limits<T>::epsilon()) * size);
     }
     inverse_edge_ = 1 / edge_;
   }
@@ -89,8 +92,7 @@ class CartesianGrid {
     Index cell = 0;
     for (int k = D - 1; k >= 0; --k) {
       const T s = (x[k] - lower_[k]) * inverse_edge_;
-      const auto n = static_cast<T>(cells(k));
-      if (!(s >= 0 && s <= n)) return none;
+      if (!(s >= 0 && s <= end_[static_cast<std::size_t>(k)])) return none;
       cell = cell * cells(k) + std::min(static_cast<Index>(s), cells(k) - 1);
     }
     return cell;
@@ -99,6 +101,7 @@ class CartesianGrid {
 
  private:
   std::array<Index, D> count_{};
+  std::array<T, D> end_{};  // cells along each axis, and the round-off of a position on the upper face
   Point lower_ = Point::Zero();
   T edge_;
   T inverse_edge_ = 0;

@@ -25,7 +25,7 @@ struct LedByBody {
 
 /// Nodes move along one axis by a share of the leader's travel that depends on their initial place on the
 /// axis: 0 up to `fixed_below`, then linearly up to 1 at `moving_from`, 1 up to `moving_to`, then linearly
-/// down to 0 at `fixed_above`. Heights in m.
+/// down to 0 at `fixed_above`; without the last two everything above `moving_from` moves. Heights in m.
 template <class Leader_ = LedByRigid<0>>
 struct MovingMesh {
   using Leader = Leader_;
@@ -40,10 +40,14 @@ struct MovingMesh {
   void check(int dimension) const {
     require(axis >= 0 && axis < dimension, "MovingMesh.axis", axis, "must be an axis of the mesh");
     require(std::isfinite(fixed_below), "MovingMesh.fixed_below", fixed_below, "must be given");
-    require(moving_from > fixed_below, "MovingMesh.moving_from", moving_from,
+    require(moving_from > fixed_below && std::isfinite(moving_from), "MovingMesh.moving_from", moving_from,
             "must be given, above fixed_below");
     require(moving_to >= moving_from, "MovingMesh.moving_to", moving_to, "must not lie below moving_from");
-    require(fixed_above >= moving_to, "MovingMesh.fixed_above", fixed_above, "must not lie below moving_to");
+    const bool open = std::isinf(moving_to) && std::isinf(fixed_above);
+    require(open || fixed_above > moving_to, "MovingMesh.fixed_above", fixed_above,
+            "must lie above moving_to");
+    require(open || std::isfinite(fixed_above), "MovingMesh.fixed_above", fixed_above,
+            "must be given with moving_to");
     require(least > 0 && least < 1, "MovingMesh.least", least, "must lie in (0, 1)");
   }
 
@@ -95,7 +99,7 @@ class BoundMotion {
       throw run_error(detail::join("the compressing zone below ", motion_.moving_from,
                                    " m is used up after a travel of ", travel, " m: ", below * 100,
                                    " % of its height is left, the limit is ", motion_.least * 100, " %"));
-    if (std::isfinite(motion_.fixed_above) && motion_.fixed_above > motion_.moving_to) {
+    if (std::isfinite(motion_.fixed_above)) {
       const double above = 1 - static_cast<double>(travel) / (motion_.fixed_above - motion_.moving_to);
       if (!(above > motion_.least))
         throw run_error(detail::join("the zone above ", motion_.moving_to, " m is used up after a travel of ",

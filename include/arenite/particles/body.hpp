@@ -72,8 +72,23 @@ auto make_body(const M& mesh, const Fill<Region, L>& recipe) {
                 "fill: the region must provide contains(position) in the scene's dimension, or be Cells");
   Body<L, T, D, Affine> body{recipe.law, {}, {}};
   const FillOptions& o = recipe.options;
+  if (o.stress) {
+    require(std::isfinite(o.stress->surface), "Geostatic.surface", o.stress->surface, "must be given");
+    require(o.stress->k0 >= 0 && std::isfinite(o.stress->k0), "Geostatic.k0", o.stress->k0,
+            "must be given, and not negative");
+    require(std::isfinite(o.stress->gravity), "Geostatic.gravity", o.stress->gravity, "must be finite");
+    require(o.stress->axis >= 0 && o.stress->axis < D, "Geostatic.axis", o.stress->axis,
+            "must be an axis of the scene");
+  }
   Vec<T, D> velocity;
-  for (int k = 0; k < D; ++k) velocity[k] = static_cast<T>(o.velocity[static_cast<std::size_t>(k)]);
+  for (std::size_t k = 0; k < 3; ++k) {
+    require(std::isfinite(o.velocity[k]), "FillOptions.velocity", o.velocity[k], "must be finite");
+    if (k < D)
+      velocity[static_cast<int>(k)] = static_cast<T>(o.velocity[k]);
+    else
+      require(o.velocity[k] == 0, "FillOptions.velocity", o.velocity[k],
+              "must be zero along an axis that the scene does not have");
+  }
   for (Index c = 0; c < mesh.cell_count(); ++c) {
     if constexpr (std::same_as<Region, Cells>) {
       static_assert(is_simplex_mesh<M>,
@@ -104,12 +119,6 @@ auto make_body(const M& mesh, const Fill<Region, L>& recipe) {
   require(body.points.size() > 0, "fill: points", body.points.size(),
           "the region holds no point of the mesh");
   require(body.points.size() < none, "fill: points", body.points.size(), "must be fewer than 2^32");
-  if (o.stress) {
-    require(std::isfinite(o.stress->surface), "Geostatic.surface", o.stress->surface, "must be given");
-    require(o.stress->k0 >= 0, "Geostatic.k0", o.stress->k0, "must be given, and not negative");
-    require(o.stress->axis >= 0 && o.stress->axis < D, "Geostatic.axis", o.stress->axis,
-            "must be an axis of the scene");
-  }
   body.cells.build(body.points.cell, mesh.cell_count());
   return body;
 }

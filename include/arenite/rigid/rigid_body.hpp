@@ -40,7 +40,7 @@ struct RigidBody {
     Vec<T, D> start;  ///< velocity of the field before contact, m/s
     Vec<T, D> normal;  ///< out of the body
   };
-  std::vector<Touch> touches;  ///< of the last step
+  std::vector<Touch> touches{};  ///< of the last step
 
   double kinetic_energy() const {
     if constexpr (Motion::free) return 0.5 * motion.mass * static_cast<double>(velocity.squaredNorm());
@@ -138,7 +138,7 @@ ContactTally collide(const M& mesh, R& body, Fields& fields, const Vec<T, D>& gr
   }
   ContactTally tally;
   Vec<T, D> total = Vec<T, D>::Zero();  // on the fields
-  T kinetic_gain = 0;
+  T gained = 0;                         // by the fields: impulses times their mean velocities over the step
   body.contact_nodes = 0;
   for (const auto& t : body.touches) {
     const Vec<T, D> j = body.impulse_at(t, body.velocity);
@@ -146,7 +146,7 @@ ContactTally collide(const M& mesh, R& body, Fields& fields, const Vec<T, D>& gr
     Vec<T, D>& v = fields[t.field].velocity[t.node];
     v += j / t.mass;
     total += j;
-    kinetic_gain += j.dot(t.start + v) / 2;
+    gained += j.dot(fields[t.field].start[t.node] + v) / 2;
     ++body.contact_nodes;
   }
   tally.nodes = body.contact_nodes;
@@ -155,11 +155,11 @@ ContactTally collide(const M& mesh, R& body, Fields& fields, const Vec<T, D>& gr
   if constexpr (R::is_free) {
     const T mass = static_cast<T>(body.motion.mass);
     body.velocity = trial - (total.dot(body.axis) / mass) * body.axis;
-    const Vec<T, D> mean = (trial + body.velocity) / 2;
-    tally.dissipation = static_cast<double>(total.dot(mean) - kinetic_gain);
-    body.driving_work += static_cast<double>(mass * (trial.squaredNorm() - before.squaredNorm()) / 2);
+    const Vec<T, D> mean = (before + body.velocity) / 2;
+    tally.dissipation = static_cast<double>(total.dot(mean) - gained);
+    body.driving_work += static_cast<double>(mass * (trial - before).dot(mean));
   } else {
-    tally.dissipation = static_cast<double>(total.dot(body.velocity) - kinetic_gain);
+    tally.dissipation = static_cast<double>(total.dot(body.velocity) - gained);
     body.driving_work += static_cast<double>(total.dot(body.velocity));
   }
   body.displacement += dt * body.velocity;

@@ -6,6 +6,7 @@
 #include <tuple>
 #include <type_traits>
 
+#include <arenite/particles/measures.hpp>
 #include <arenite/scene/parts.hpp>
 #include <arenite/transfer/deform.hpp>
 #include <arenite/transfer/gather.hpp>
@@ -154,6 +155,13 @@ struct Scene {
       else
         require(g[k] == 0, "gravity", g[k], "must be zero along an axis that the scene does not have");
     }
+    if constexpr (tracks_energy) {
+      for_each_body([&](const auto& body, const auto&) {
+        ledger.initial_kinetic += kinetic_energy(body);
+        ledger.initial_strain += strain_energy(body);
+      });
+      for_each_rigid([&](const auto& body) { ledger.initial_kinetic += body.kinetic_energy(); });
+    }
     if constexpr (std::same_as<Contact, Coulomb<SurfaceOf>>) {
       require(contact.normals.body < 2, "SurfaceOf.body", contact.normals.body, "must be 0 or 1");
       const auto surface = surface_of<K>(mesh, contact.normals.region, constraints);
@@ -184,6 +192,10 @@ struct Scene {
   double time = 0;       ///< s
   double time_step = 0;  ///< of the last step, s
   std::size_t steps = 0;
+  /// Impulse that contact with other bodies gave each deformable body in the last step, N s.
+  [[no_unique_address]] std::conditional_t<Contact::separate, std::array<Vec<T, D>, body_count>,
+                                           detail::Nothing>
+      contact_impulse{};
   ContactTally contact_tally;   ///< of the last step
   std::size_t limited = 0;      ///< node velocities scaled down by the velocity limit since the start
   double limited_momentum = 0;  ///< momentum that this took, N s

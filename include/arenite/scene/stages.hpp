@@ -41,12 +41,13 @@ void collide(Scene& scene, double dt) {
   using M = typename Scene::Mesh;
   ContactTally tally;
   if constexpr (Scene::Contact::separate)
-    tally += exchange(scene.contact, scene.fields, scene.normals, static_cast<T>(dt), [&](Index node) {
-      if constexpr (is_simplex_mesh<M>)
-        return scene.mesh.node_size(node);
-      else
-        return scene.mesh.edge();
-    });
+    tally += exchange(scene.contact, scene.fields, scene.normals, scene.contact_impulse, static_cast<T>(dt),
+                      [&](Index node) {
+                        if constexpr (is_simplex_mesh<M>)
+                          return scene.mesh.node_size(node);
+                        else
+                          return scene.mesh.edge();
+                      });
   scene.for_each_rigid([&](auto& body) {
     tally += collide<typename Scene::Shape>(scene.mesh, body, scene.fields, scene.gravity,
                                             static_cast<T>(scene.time + dt), static_cast<T>(dt));

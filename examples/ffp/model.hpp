@@ -1,0 +1,127 @@
+// The model of the drop, assembled from the library: which mesh, walls, bodies, contact and numerics make a
+// penetrometer that falls into sand. Nothing here computes; it only names.
+#pragma once
+
+#include <arenite/arenite.hpp>
+#include <arenite/io/gmsh.hpp>
+
+#include "history.hpp"
+#include "mesh_slice.hpp"
+#include "options.hpp"
+
+namespace arenite::ffp {
+
+/// The half-section: the full circle, so that its masses and forces are those of the experiment.
+struct AxisymmetricModel {
+  using Kinematics = Axisymmetric;
+  static constexpr int dimension = 2;
+  static constexpr double whole =
+      1;  ///< the experiment over the model: factor of masses, forces and energies
+
+  static MeshData<2> generate(const DropOptions& o) {
+    return mesh_axisymmetric(o.body(), {}, o.mesh_sizes()).data;
+  }
+  static Walls walls() { return arenite::walls(on("bottom", fixed), on("wall", free_along(1))); }
+};
+
+/// The slice of 20 degrees; its two faces are planes of symmetry.
+struct SliceModel {
+  using Kinematics = Solid;
+  static constexpr int dimension = 3;
+  static constexpr double whole = 18;
+
+  static MeshData<3> generate(const DropOptions& o) {
+    return mesh_slice(mesh_axisymmetric(o.body(), {}, o.mesh_sizes()), o.body(), {}, o.mesh_sizes());
+  }
+  static Walls walls() {
+    const double half = SliceShape{}.angle / 2;
+    return arenite::walls(on("bottom", fixed), on("wall", free_along(1)),
+                          on("side_minus", symmetry({std::sin(half), 0, std::cos(half)})),
+                          on("side_plus", symmetry({-std::sin(half), 0, std::cos(half)})));
+  }
+};
+
+/// The mesh of the drop: generated, or read. Throws `error` that names the file if it cannot be used.
+template <class Model>
+SimplexMesh<Model::dimension> mesh_of(const DropOptions& o) {
+  if (o.mesh.empty()) return SimplexMesh<Model::dimension>(Model::generate(o));
+  try {
+    SimplexMesh<Model::dimension> mesh(read_gmsh<Model::dimension>(o.mesh));
+    for (const char* region : {"soil", "device"}) mesh.region_number(region);
+    for (const char* set : {"bottom", "wall"}) mesh.node_set(set);
+    if constexpr (Model::dimension == 3)
+      for (const char* set : {"side_minus", "side_plus"}) mesh.node_set(set);
+    return mesh;
+  } catch (const error& e) {
+    throw error(arenite::detail::join("--mesh = ", o.mesh, ": ", e.what()));
+  }
+}
+
+inline Traced<MohrCoulomb<>> sand_of(const DropOptions& o) {
+  return Traced{MohrCoulomb{{.density = o.unit_weight / standard_gravity,
+                             .young = o.young,
+                             .poisson = o.poisson,
+                             .friction = o.friction * pi / 180,
+                             .cohesion = o.cohesion,
+                             .dilatancy = o.dilatancy * pi / 180}}};
+}
+
+inline auto soil_of(const DropOptions& o) {
+  return fill(Cells("soil"), sand_of(o),
+              {.per_cell = o.points_in_element(),
+               .stress = Geostatic{.surface = 0, .k0 = o.earth_pressure(), .gravity = standard_gravity}});
+}
+
+inline Friction friction_of(const DropOptions& o) {
+  return o.no_slip ? Friction::no_slip() : Friction(o.delta * pi / 180);
+}
+
+template <class Leader>
+MovingMesh<Leader> motion_of(const DropOptions& o) {
+  return {.leader = {}, .fixed_below = -Chamber{}.soil_depth, .moving_from = -o.moving_depth};
+}
+
+template <class AntiLocking>
+Numerics<LinearSimplex, Flip, Musl, AntiLocking> numerics_of(const DropOptions& o) {
+  return {.transfer = {.share = o.flip}, .anti_locking = {}};
+}
+
+/// A rigid penetrometer; `Coupling` tells how the sand meets it.
+template <class Model, class AntiLocking, class Coupling>
+auto rigid_scene(const DropOptions& o) {
+  return Scene{
+      typename Model::Kinematics{},
+      mesh_of<Model>(o),
+      numerics_of<AntiLocking>(o),
+      bodies(soil_of(o)),
+      Model::walls(),
+      gravity({0, -standard_gravity}),
+      rigids(rigid(MeshSurface{"device"}, Guided{.mass = o.mass / Model::whole, .velocity = -o.velocity},
+                   friction_of(o), Coupling{})),
+      motion_of<LedByRigid<0>>(o),
+      TrackEnergy{}};
+}
+
+/// A linear elastic penetrometer of one point an element, which the mesh follows.
+template <class Model, class AntiLocking>
+auto elastic_scene(const DropOptions& o) {
+  auto mesh = mesh_of<Model>(o);
+  double volume = 0;
+  for (Index c = 0; c < mesh.cell_count(); ++c)
+    if (mesh.region(c) == mesh.region_number("device"))
+      volume += arenite::detail::whole_volume<typename Model::Kinematics>(mesh, c);
+  const LinearElastic metal{
+      {.density = o.mass / Model::whole / volume, .young = o.device_young, .poisson = o.device_poisson}};
+  return Scene{
+      typename Model::Kinematics{},
+      std::move(mesh),
+      numerics_of<AntiLocking>(o),
+      bodies(soil_of(o), fill(Cells("device"), metal, {.per_cell = 1, .velocity = {0, -o.velocity, 0}})),
+      Model::walls(),
+      gravity({0, -standard_gravity}),
+      Coulomb{friction_of(o), SurfaceOf{"device", 1}},
+      motion_of<LedByBody<1>>(o),
+      TrackEnergy{}};
+}
+
+}  // namespace arenite::ffp

@@ -1,0 +1,34 @@
+// Fill ratio: how full of matter the cells at some nodes are. A body runs through cells that starve of
+// points, and nothing else tells.
+#pragma once
+
+#include <algorithm>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include <arenite/scene/scene.hpp>
+
+namespace arenite {
+
+/// Volume of a body's points over the volume of the cells around `nodes` that are not of region `except`, -.
+/// Needs a simplex mesh. NaN if there is no such cell: then nothing is asked.
+template <class Scene, class B>
+double fill_ratio(const Scene& scene, const B& body, std::span<const Index> nodes, int except) {
+  static_assert(is_simplex_mesh<typename Scene::Mesh>, "fill_ratio: works on a simplex mesh");
+  std::vector<Index> cells;
+  for (const Index i : nodes)
+    for (const Index c : scene.mesh.cells_at(i))
+      if (scene.mesh.region(c) != except) cells.push_back(c);
+  std::sort(cells.begin(), cells.end());
+  cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
+  if (cells.empty()) return std::numeric_limits<double>::quiet_NaN();
+  double matter = 0, whole = 0;
+  for (const Index c : cells) {
+    whole += static_cast<double>(detail::whole_volume<typename Scene::Kinematics>(scene.mesh, c));
+    for (const Index p : body.cells[c]) matter += static_cast<double>(body.points.volume[p]);
+  }
+  return matter / whole;
+}
+
+}  // namespace arenite

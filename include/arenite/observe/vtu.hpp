@@ -1,0 +1,138 @@
+// VTU files of a scene: points and mesh, for ParaView.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <arenite/io/pvd.hpp>
+#include <arenite/io/vtu.hpp>
+#include <arenite/law/traced.hpp>
+#include <arenite/scene/scene.hpp>
+
+namespace arenite {
+namespace detail {
+
+template <class T, int D>
+std::array<T, 3> three(const Vec<T, D>& v) {
+  if constexpr (D == 2)
+    return {v[0], v[1], T(0)};
+  else
+    return {v[0], v[1], v[2]};
+}
+
+template <class T, int D>
+std::array<T, 6> six(const Sym<T, D>& s) {
+  if constexpr (D == 2)
+    return {s[0], s[1], s[2], s[3], T(0), T(0)};
+  else
+    return {s[0], s[1], s[2], s[3], s[4], s[5]};
+}
+
+}  // namespace detail
+
+/// Points of a body: velocity, stress (xx, yy, zz, xy, yz, zx), mean pressure (compression positive), V/V0,
+/// and the deviatoric strain of a `Traced` law. The body must outlive what is returned.
+template <class L, class T, int D, bool A>
+VtuData points_vtu(const Body<L, T, D, A>& body) {
+  const auto& points = body.points;
+  const std::size_t n = points.size();
+  const T density = static_cast<T>(body.law.density());
+  VtuData data{
+      vtu_array("position", n, [&points](std::size_t p) { return detail::three<T, D>(points.position[p]); }),
+      {vtu_vertices(n)},
+      {vtu_array("velocity", n, [&points](std::size_t p) { return detail::three<T, D>(points.velocity[p]); }),
+       vtu_array("stress", n, [&points](std::size_t p) { return detail::six<T, D>(points.stress[p]); }),
+       vtu_array("pressure", n, [&points](std::size_t p) { return T(-trace(points.stress[p]) / 3); }),
+       vtu_array(
+           "volume_ratio", n,
+           [&points, density](std::size_t p) { return T(points.volume[p] * density / points.mass[p]); })},
+      {}};
+  if constexpr (is_traced<L>)
+    data.point_data.push_back(vtu_array("deviatoric_strain", 1, points.history.back()));
+  return data;
+}
+
+/// Cells of a simplex mesh with their region; only those of region `only` if it is not negative. The mesh
+/// must outlive what is returned.
+template <int D, class T>
+VtuData mesh_vtu(const SimplexMesh<D, T>& mesh, int only = -1) {
+  std::vector<Index> cells;
+  for (Index c = 0; c < mesh.cell_count(); ++c)
+    if (only < 0 || mesh.region(c) == only) cells.push_back(c);
+  const std::size_t n = cells.size();
+  return {
+      vtu_array("position", mesh.node_count(),
+                [&mesh](std::size_t i) { return detail::three<T, D>(mesh.position(static_cast<Index>(i))); }),
+      {VtuCells{D + 1, n, [&mesh, cells](std::size_t c, std::size_t k) { return mesh.nodes(cells[c])[k]; }}},
+      {},
+      {vtu_array("region", n,
+                 [&mesh, cells](std::size_t c) { return std::int32_t{mesh.region(cells[c])}; })}};
+}
+
+/// `body_names`: in the order of the bodies, for "body0", ..; `mesh`: write a simplex mesh too; `region`:
+/// and one of its regions apart.
+struct VtuOptions {
+  std::vector<std::string> body_names{};
+  bool mesh = false;
+  std::string region{};
+};
+
+/// Observer that writes the points of each body as PREFIX_body0_0000.vtu, .., the listed parts of the mesh,
+/// and PREFIX.pvd, which ParaView opens as one series. Creates the folder. Use with `every(period,
+/// vtu(prefix))`.
+class VtuSeries {
+ public:
+  explicit VtuSeries(std::filesystem::path prefix, VtuOptions options = {})
+      : prefix_{std::move(prefix)},
+        options_{std::move(options)},
+        pvd_{make_folder(prefix_).string() + ".pvd"} {}
+
+  template <class Scene>
+  void operator()(const Scene& scene) {
+    std::size_t number = 0;
+    int part = 0;
+    scene.for_each_body([&](const auto& body, const auto&) {
+      const std::string name =
+          number < options_.body_names.size() ? options_.body_names[number] : detail::join("body", number);
+      write(scene.time, name, part++, points_vtu(body));
+      ++number;
+    });
+    if constexpr (is_simplex_mesh<typename Scene::Mesh>) {
+      if (options_.mesh) write(scene.time, "mesh", part++, mesh_vtu(scene.mesh));
+      if (!options_.region.empty())
+        write(scene.time, options_.region, part++,
+              mesh_vtu(scene.mesh, scene.mesh.region_number(options_.region)));
+    }
+    ++frame_;
+  }
+
+ private:
+  static const std::filesystem::path& make_folder(const std::filesystem::path& prefix) {
+    std::error_code code;
+    if (prefix.has_parent_path()) std::filesystem::create_directories(prefix.parent_path(), code);
+    require(!code, "vtu: folder", prefix.parent_path().string(),
+            detail::join("cannot be made: ", code.message()));
+    return prefix;
+  }
+
+  void write(double time, const std::string& name, int part, const VtuData& data) {
+    std::string digits = std::to_string(frame_);
+    digits.insert(0, digits.size() < 4 ? 4 - digits.size() : 0, '0');
+    const std::filesystem::path file = prefix_.string() + "_" + name + "_" + digits + ".vtu";
+    write_vtu(file, data);
+    pvd_.add(time, file, part);
+  }
+
+  std::filesystem::path prefix_;
+  VtuOptions options_;
+  PvdWriter pvd_;
+  std::size_t frame_ = 0;
+};
+
+inline VtuSeries vtu(std::filesystem::path prefix, VtuOptions options) {
+  return VtuSeries(std::move(prefix), std::move(options));
+}
+inline VtuSeries vtu(std::filesystem::path prefix) { return VtuSeries(std::move(prefix)); }
+
+}  // namespace arenite

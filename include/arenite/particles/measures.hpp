@@ -1,0 +1,67 @@
+// Measures of a body: energies, momentum, volume. Each sums over the points in fixed chunks, the same on any
+// number of threads.
+#pragma once
+
+#include <functional>
+
+#include <arenite/particles/body.hpp>
+
+namespace arenite {
+
+namespace detail {
+template <class B, class Value, class F>
+Value sum_points(const B& body, Value zero, F&& f) {
+  return parallel_reduce(
+      body.points.size(), zero,
+      [&](std::size_t begin, std::size_t end) {
+        Value sum = zero;
+        for (std::size_t p = begin; p < end; ++p) sum += f(p);
+        return sum;
+      },
+      std::plus<>{});
+}
+}  // namespace detail
+
+/// J; of the points' own velocities (an affine part not counted).
+template <class B>
+double kinetic_energy(const B& body) {
+  return detail::sum_points(body, 0.0, [&](std::size_t p) {
+    return 0.5 * static_cast<double>(body.points.mass[p] * body.points.velocity[p].squaredNorm());
+  });
+}
+
+/// Recoverable energy, J.
+template <class B>
+double strain_energy(const B& body) {
+  return detail::sum_points(body, 0.0, [&](std::size_t p) {
+    return static_cast<double>(body.points.volume[p] * body.law.elastic_energy(body.points.stress[p]));
+  });
+}
+
+/// kg m/s, shape [D].
+template <class L, class T, int D, bool A>
+Vec<double, D> momentum(const Body<L, T, D, A>& body) {
+  return detail::sum_points(
+      body, Vec<double, D>(Vec<double, D>::Zero()), [&](std::size_t p) -> Vec<double, D> {
+        return static_cast<double>(body.points.mass[p]) * body.points.velocity[p].template cast<double>();
+      });
+}
+
+/// kg.
+template <class B>
+double mass(const B& body) {
+  return detail::sum_points(body, 0.0,
+                            [&](std::size_t p) { return static_cast<double>(body.points.mass[p]); });
+}
+
+/// Mean of V / V0, voids that opened included: how much the body has swollen, -. Slow swelling shows nowhere
+/// else.
+template <class B>
+double mean_volume_ratio(const B& body) {
+  const double volume = detail::sum_points(
+      body, 0.0, [&](std::size_t p) { return static_cast<double>(body.points.volume[p]); });
+  const double initial = body.initial_volume - body.lost_mass / body.law.density();
+  return initial > 0 ? (volume + body.opened_volume) / initial : 1.0;
+}
+
+}  // namespace arenite

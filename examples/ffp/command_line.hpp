@@ -30,7 +30,7 @@ Number parse_number(const std::string& option, const std::string& text) {
 /// Adds the options of a drop to a CLI11 application, one line an option.
 class DropOptionAdder {
  public:
-  DropOptionAdder(CLI::App& app, DropOptions& options) : app_{app}, o_{options} {}
+  explicit DropOptionAdder(CLI::App& app) : app_{app} {}
 
   template <class Number>
   void number(const std::string& name, Number& to, const char* unit, const std::string& text) {
@@ -81,11 +81,10 @@ class DropOptionAdder {
   }
 
   CLI::App& app_;
-  DropOptions& o_;
 };
 
 inline void add_drop_options(CLI::App& app, DropOptions& o) {
-  DropOptionAdder add{app, o};
+  DropOptionAdder add{app};
   add.group = "Model";
   add.choice("--kinematics", kinematics_words, o.kinematics,
              "Half-section of triangles, or the 20-degree slice of tetrahedra");
@@ -112,7 +111,7 @@ inline void add_drop_options(CLI::App& app, DropOptions& o) {
   add.group = "Numerics";
   add.number("--cell", o.cell, "M", "Edge of the cells around the cone, m");
   add.number("--points-per-element", o.points_per_element, "N",
-             "Material points in each element of sand [16 in triangles, 10 in tetrahedra]");
+             "Material points in each element of sand [28 in triangles, 10 in tetrahedra]");
   add.number("--moving-depth", o.moving_depth, "M",
              "The mesh moves as one from this depth below the tip upward, m");
   add.text("--mesh", o.mesh, "FILE.msh", "Gmsh mesh in the place of the generated one");
@@ -124,7 +123,7 @@ inline void add_drop_options(CLI::App& app, DropOptions& o) {
   add.number("--threads", o.threads, "N", "Threads, 0 for all");
   add.number("--fields-every", o.fields_every, "S", "Time between field files, s, 0 for none");
   add.text("--out", o.out, "DIR", "Folder of the results");
-  add.flag("--quiet", o.quiet, "No progress, no summary on the terminal");
+  add.flag("--quiet", o.quiet, "No progress on the terminal");
 }
 
 }  // namespace detail

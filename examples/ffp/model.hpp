@@ -2,6 +2,11 @@
 // penetrometer that falls into sand. Nothing here computes; it only names.
 #pragma once
 
+#include <algorithm>
+#include <limits>
+#include <string>
+#include <utility>
+
 #include <arenite/arenite.hpp>
 #include <arenite/io/gmsh.hpp>
 
@@ -41,13 +46,32 @@ struct SliceModel {
   }
 };
 
+/// Lowest and highest node of a region, m.
+template <class Mesh>
+std::pair<double, double> height_of(const Mesh& mesh, const std::string& region) {
+  const int number = mesh.region_number(region);
+  std::pair<double, double> y{std::numeric_limits<double>::infinity(),
+                              -std::numeric_limits<double>::infinity()};
+  for (Index c = 0; c < mesh.cell_count(); ++c)
+    if (mesh.region(c) == number)
+      for (const Index i : mesh.nodes(c))
+        y = {std::min(y.first, mesh.position(i)[1]), std::max(y.second, mesh.position(i)[1])};
+  return y;
+}
+
 /// The mesh of the drop: generated, or read. Throws `error` that names the file if it cannot be used.
 template <class Model>
 SimplexMesh<Model::dimension> mesh_of(const DropOptions& o) {
   if (o.mesh.empty()) return SimplexMesh<Model::dimension>(Model::generate(o));
   try {
     SimplexMesh<Model::dimension> mesh(read_gmsh<Model::dimension>(o.mesh));
-    for (const char* region : {"soil", "device"}) mesh.region_number(region);
+    constexpr double close = 1e-6;  // m
+    const auto [bottom, surface] = height_of(mesh, "soil");
+    const double tip = height_of(mesh, "device").first;
+    require(std::abs(tip) < close, "tip of the device, y", tip, "must be 0 m");
+    require(std::abs(surface) < close, "surface of the soil, y", surface, "must be 0 m, the tip's height");
+    require(bottom < -o.moving_depth - close, "bottom of the soil, y", bottom,
+            "must lie below the zone that moves as one (--moving-depth)");
     for (const char* set : {"bottom", "wall"}) mesh.node_set(set);
     if constexpr (Model::dimension == 3)
       for (const char* set : {"side_minus", "side_plus"}) mesh.node_set(set);
@@ -76,9 +100,9 @@ inline Friction friction_of(const DropOptions& o) {
   return o.no_slip ? Friction::no_slip() : Friction(o.delta * pi / 180);
 }
 
-template <class Leader>
-MovingMesh<Leader> motion_of(const DropOptions& o) {
-  return {.leader = {}, .fixed_below = -Chamber{}.soil_depth, .moving_from = -o.moving_depth};
+template <class Leader, class Mesh>
+MovingMesh<Leader> motion_of(const DropOptions& o, const Mesh& mesh) {
+  return {.leader = {}, .fixed_below = height_of(mesh, "soil").first, .moving_from = -o.moving_depth};
 }
 
 template <class AntiLocking>
@@ -89,16 +113,18 @@ Numerics<LinearSimplex, Flip, Musl, AntiLocking> numerics_of(const DropOptions& 
 /// A rigid penetrometer; `Coupling` tells how the sand meets it.
 template <class Model, class AntiLocking, class Coupling>
 auto rigid_scene(const DropOptions& o) {
+  auto mesh = mesh_of<Model>(o);
+  const auto motion = motion_of<LedByRigid<0>>(o, mesh);
   return Scene{
       typename Model::Kinematics{},
-      mesh_of<Model>(o),
+      std::move(mesh),
       numerics_of<AntiLocking>(o),
       bodies(soil_of(o)),
       Model::walls(),
       gravity({0, -standard_gravity}),
       rigids(rigid(MeshSurface{"device"}, Guided{.mass = o.mass / Model::whole, .velocity = -o.velocity},
                    friction_of(o), Coupling{})),
-      motion_of<LedByRigid<0>>(o),
+      motion,
       TrackEnergy{}};
 }
 
@@ -110,6 +136,7 @@ auto elastic_scene(const DropOptions& o) {
   for (Index c = 0; c < mesh.cell_count(); ++c)
     if (mesh.region(c) == mesh.region_number("device"))
       volume += arenite::detail::whole_volume<typename Model::Kinematics>(mesh, c);
+  const auto motion = motion_of<LedByBody<1>>(o, mesh);
   const LinearElastic metal{
       {.density = o.mass / Model::whole / volume, .young = o.device_young, .poisson = o.device_poisson}};
   return Scene{
@@ -120,7 +147,7 @@ auto elastic_scene(const DropOptions& o) {
       Model::walls(),
       gravity({0, -standard_gravity}),
       Coulomb{friction_of(o), SurfaceOf{"device", 1}},
-      motion_of<LedByBody<1>>(o),
+      motion,
       TrackEnergy{}};
 }
 

@@ -4,6 +4,7 @@ the sand at the paper's times). Needs numpy and matplotlib.
 
     plot.py out/ffp                              pictures of one drop, into its folder
     plot.py out/delta20 out/delta40 --out docs   several drops in the same pictures
+    plot.py out/ffp --cover drop.png             one drop at a glance, in one picture
 """
 
 import argparse
@@ -184,52 +185,113 @@ def nearest_fields(drop):
     return shown
 
 
+def paint(axes, drop, field):
+    """The sand and the device of one time on a pair of axes whose size is known; returns the image for a colour bar."""
+    time, r, y, strain = field
+    order = numpy.argsort(strain)  # the sheared points on top
+    r, y, strain = r[order], y[order], strain[order]
+    box = axes.get_window_extent()
+    scale = 72 / axes.figure.dpi * box.height / numpy.ptp(axes.get_ylim())  # points of 1/72 inch a metre
+    image = None
+    for side in (-1, 1):
+        image = axes.scatter(side * r, y, c=strain, s=(1.5 * scale * spacing(r, y)) ** 2, marker="s", linewidths=0, cmap="magma_r",
+                             vmin=0, vmax=STRAIN_TOP, rasterized=True)
+    x, height = drop.outline(time)
+    axes.fill(numpy.concatenate([-x[::-1], x]), numpy.concatenate([height[::-1], height]), facecolor="#d9dde1",
+              edgecolor="#333333", linewidth=0.9, zorder=3)
+    axes.set_aspect("equal")
+    axes.spines[["top", "right"]].set_visible(False)
+    return image
+
+
+def spacing(r, y):
+    """Distance between neighbours at each point, m, from the number of points in boxes of 2 cm."""
+    place = numpy.floor(numpy.column_stack([r, y]) / 0.02).astype(int)
+    _, box, count = numpy.unique(place, axis=0, return_inverse=True, return_counts=True)
+    distance = 0.02 / numpy.sqrt(count[box.ravel()])
+    return numpy.minimum(distance, 1.6 * numpy.median(distance))  # grains thrown out are no larger
+
+
 def draw_strain(drops, path):
     """Panels of the deviatoric strain, a row a drop; returns whether there was anything to draw."""
     rows = [(drop, shown) for drop in drops if (shown := nearest_fields(drop))]
     if not rows:
         return False
     columns = max(len(shown) for _, shown in rows)
-    figure, grid = pyplot.subplots(len(rows), columns, figsize=(3.1 * columns + 0.9, 2.75 * len(rows) + 0.2), squeeze=False,
-                                   sharex=True, sharey=True, constrained_layout=True)
-    image = None
+    figure, grid = pyplot.subplots(len(rows), columns, figsize=(3.3 * columns + 1, 2.6 * len(rows) + 0.5), squeeze=False,
+                                   sharex=True, sharey=True, constrained_layout=True, dpi=130)
     for line, (drop, shown) in zip(grid, rows):
         for axes in line[len(shown):]:
             axes.set_axis_off()
-        for axes, (time, r, y, strain) in zip(line, shown):
-            order = numpy.argsort(strain)  # the sheared points on top
-            r, y, strain = r[order], y[order], strain[order]
-            # The area of a marker: that of the points' share of the section, in points of 1/72 inch.
-            spacing = numpy.sqrt(0.8 * 0.4 / (2 * len(r))) * 72 * 3.0 / 0.8
-            for side in (-1, 1):
-                image = axes.scatter(side * r, y, c=strain, s=max(0.3, (1.5 * spacing) ** 2), marker="s", linewidths=0,
-                                     cmap="magma_r", vmin=0, vmax=STRAIN_TOP, rasterized=True)
-            x, height = drop.outline(time)
-            axes.fill(numpy.concatenate([-x[::-1], x]), numpy.concatenate([height[::-1], height]), facecolor="#d9dde1",
-                      edgecolor="#333333", linewidth=0.9, zorder=3)
+        for axes, (time, *_) in zip(line, shown):
+            axes.set(xlim=(-0.4, 0.4), ylim=(-0.4, 0.2), aspect="equal", xticks=[-0.4, -0.2, 0, 0.2, 0.4])
             axes.set_title(f"{time * 1e3:.0f} ms", fontsize=11)
-            axes.set_xlim(-0.4, 0.4)
-            axes.set_ylim(-0.4, 0.2)
-            axes.set_aspect("equal")
-            axes.set_facecolor("white")
-            axes.set_xticks([-0.4, -0.2, 0, 0.2, 0.4])
-            axes.spines[["top", "right"]].set_visible(False)
-        line[0].set_ylabel((drop.label(drops) + "\n" if len(rows) > 1 else "") + "height [m]", fontsize=9)
+        line[0].set_ylabel((drop.label(drops).replace(", ", "\n") + "\n" if len(rows) > 1 else "") + "height [m]", fontsize=9)
     for axes in grid[-1]:
         axes.set_xlabel("distance from the axis [m]", fontsize=9)
-    figure.colorbar(image, ax=grid, extend="max", shrink=0.9, pad=0.01, label="deviatoric strain [-]")
-    figure.savefig(path, dpi=130)
+    bar = figure.colorbar(matplotlib.cm.ScalarMappable(matplotlib.colors.Normalize(0, STRAIN_TOP), "magma_r"), ax=grid, extend="max",
+                          shrink=0.9 if len(rows) == 1 else 0.5, pad=0.01)
+    bar.set_label("deviatoric strain [-]")
+    figure.canvas.draw()  # fixes the sizes, which the markers follow
+    for line, (drop, shown) in zip(grid, rows):
+        for axes, field in zip(line, shown):
+            paint(axes, drop, field)
+    figure.savefig(path)
     pyplot.close(figure)
     return True
+
+
+def draw_cover(drop, path):
+    """One drop at a glance: the sand half-way, depth and deceleration. Needs fields."""
+    shown = nearest_fields(drop)
+    if not shown:
+        sys.exit(f"plot.py: {drop.folder}: a cover needs field files (--fields-every)")
+    figure = pyplot.figure(figsize=(10, 4.4), dpi=120)
+    sand = figure.add_axes([0.01, 0.02, 0.56, 0.96])
+    sand.set(xlim=(-0.3, 0.3), ylim=(-0.3, 0.15), aspect="equal")
+    sand.set_axis_off()
+    figure.canvas.draw()
+    field = min(shown, key=lambda one: abs(one[0] - 0.04))
+    image = paint(sand, drop, field)
+    inset = sand.inset_axes([0.72, 0.93, 0.26, 0.025])
+    bar = figure.colorbar(image, cax=inset, orientation="horizontal", extend="max", ticks=[0, STRAIN_TOP / 2, STRAIN_TOP])
+    bar.ax.tick_params(labelsize=8)
+    bar.set_label(f"deviatoric strain at {field[0] * 1e3:.0f} ms", fontsize=9)
+    for bottom, values, label, colour in ((0.57, drop.depth * 1e2, "depth [cm]", COLOURS[0]),
+                                          (0.11, drop.deceleration, "deceleration [g]", COLOURS[1])):
+        axes = figure.add_axes([0.64, bottom, 0.34, 0.39])
+        axes.plot(drop.time * 1e3, values, color=colour, linewidth=2)
+        axes.set_ylabel(label)
+        axes.set_xlim(0, drop.time[-1] * 1e3)
+        axes.spines[["top", "right"]].set_visible(False)
+        if bottom > 0.5:
+            axes.set_ylim(1.15 * numpy.max(values), 0)
+        else:
+            axes.set_xlabel("time [ms]")
+            axes.axhline(0, color="#b9b9b9", linewidth=0.8, zorder=0)
+    figure.savefig(path)
+    pyplot.close(figure)
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("folders", nargs="+", metavar="DIR", help="output folder of arenite-ffp drop")
     parser.add_argument("--out", metavar="DIR", help="where the pictures go [the first folder]")
+    parser.add_argument("--cover", metavar="FILE", help="one picture of the first drop instead")
     arguments = parser.parse_args()
     target = arguments.out or arguments.folders[0]
     drops = [Drop(folder) for folder in arguments.folders]
+    try:
+        draw(arguments, drops, target)
+    except OSError as problem:
+        sys.exit(f"plot.py: {problem.filename}: cannot be written or read: {problem.strerror}")
+
+
+def draw(arguments, drops, target):
+    if arguments.cover:
+        draw_cover(drops[0], arguments.cover)
+        print(arguments.cover)
+        return
     os.makedirs(target, exist_ok=True)
     histories = os.path.join(target, "histories.png")
     draw_histories(drops, histories)

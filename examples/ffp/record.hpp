@@ -29,7 +29,7 @@ DeviceState device_state(const Scene& scene) {
   DeviceState state{};
   if constexpr (Scene::rigid_count > 0) {
     const auto& body = std::get<0>(scene.rigids);
-    state.penetration = -body.displacement[1];
+    state.penetration = 0 - body.displacement[1];
     state.velocity = -body.velocity[1];
     state.reaction = body.force[1];
     state.contact_nodes = body.contact_nodes;
@@ -38,12 +38,13 @@ DeviceState device_state(const Scene& scene) {
         state.touched.push_back(touch.node);
   } else {
     const auto& device = std::get<1>(scene.bodies);
-    state.penetration = -scene.motion.travel();
+    state.penetration = 0 - scene.motion.travel();
     state.velocity = -momentum(device)[1] / mass(device);
     state.reaction = scene.time_step > 0 ? scene.contact_impulse[1][1] / scene.time_step : 0;
     state.contact_nodes = scene.contact_tally.nodes;
-    for (const Index i : scene.mesh.node_set("device_surface"))
-      if (scene.fields[0].mass[i] > 0) state.touched.push_back(i);
+    const auto& normals = scene.normals.out;
+    for (Index i = 0; i < normals.size(); ++i)
+      if (normals[i].squaredNorm() > 0 && scene.fields[0].mass[i] > 0) state.touched.push_back(i);
   }
   return state;
 }
@@ -63,8 +64,8 @@ class Recorder {
     row.time_s = scene.time;
     row.penetration_m = device.penetration;
     row.velocity_m_s = device.velocity;
-    row.acceleration_m_s2 =
-        rows_.empty() ? 0 : (rows_.back().velocity_m_s - device.velocity) / scene.time_step;
+    row.acceleration_m_s2 = rows_.empty() ? -standard_gravity  // it still falls freely
+                                          : (rows_.back().velocity_m_s - device.velocity) / scene.time_step;
     row.reaction_N = whole_ * device.reaction;
     row.time_step_s = scene.time_step;
     row.kinetic_energy_J = whole_ * e.kinetic;

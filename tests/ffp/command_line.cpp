@@ -49,7 +49,7 @@ TEST_CASE("without options: the paper's case") {
   REQUIRE(o.cell == 0.01);
   REQUIRE(o.end == 0.1);
   REQUIRE(std::abs(o.earth_pressure() - 0.33 / 0.67) < 1e-15);
-  REQUIRE(o.points_in_element() == 16);
+  REQUIRE(o.points_in_element() == 28);
   REQUIRE(read({"--kinematics", "slice"}).points_in_element() == 10);
 }
 

@@ -4,12 +4,16 @@
 
 #include "other.hpp"
 
-using namespace arenite;
-
 int main() {
-  // TODO(scene): run a small scene here and in other.cpp.
-  const double here = trace(Sym<double, 3>{{1_kPa, 2_kPa, 3_kPa, 0, 0, 0}});
-  const double there = mean_stress_elsewhere();
-  std::printf("mean stress %g Pa here, %g Pa in the other unit, on %d threads\n", here / 3, there, threads());
-  return std::abs(here / 3 - there) < 1e-9 ? 0 : 1;
+  auto scene = falling_block();
+  std::size_t shown = 0;
+  arenite::run(scene, {.end = 0.1}, [&shown](const auto&) { ++shown; });
+  const double here = mean_velocity(scene), there = fall_elsewhere();
+  std::printf("after %zu steps: %.12g m/s here, %.12g m/s in the other unit, on %d threads\n", scene.steps,
+              here, there, arenite::threads());
+  const double exact = -9.81 * 0.1;
+  return std::abs(here - exact) < 1e-12 && here == there && shown == scene.steps + 1 &&
+                 scene.lost_points() == 0
+             ? 0
+             : 1;
 }

@@ -40,17 +40,16 @@ auto channel(N numerics, double h, const LinearElastic& second = bar()) {
                TrackEnergy{}};
 }
 
-}  // namespace
-
-TEST_CASE("Collision: equal bars exchange their velocities") {
+template <class N>
+void exchange_velocities(N numerics, double courant) {
   const double h = 0.025;
-  auto scene = channel(Numerics<QuadraticBSpline, Flip>{}, h);
+  auto scene = channel(numerics, h);
   const double start = total_momentum(scene)[0];
   const double wave = std::sqrt(bar().wave_modulus() / bar().density());
   const double energy = scene.ledger.initial_kinetic;
   double first = -1, last = -1, worst = 0, residual = 0;
   const double end = 2 * h / speed + 4 * length / wave;
-  run(scene, {.end = end, .courant = 0.4}, [&](const auto& s) {
+  run(scene, {.end = end, .courant = courant}, [&](const auto& s) {
     if (s.contact_tally.nodes > 0) {
       if (first < 0) first = s.time;
       last = s.time;
@@ -61,13 +60,22 @@ TEST_CASE("Collision: equal bars exchange their velocities") {
   const auto v = velocities(scene);
   CAPTURE(v[0], v[1], (last - first) / (2 * length / wave));
   CHECK(worst <= 1e-13);
-  CHECK(residual <= 0.02);
-  CHECK(std::abs(v[0]) <= 0.05 * speed);
-  CHECK(std::abs(v[1] - speed) <= 0.05 * speed);
-  // A pair of fields touches while both bars have mass at a node: up to a cell early.
-  CHECK(std::abs((last - first) / (2 * length / wave) - 1) <= 0.2);
-  CHECK(energies(scene).contact <= 0.05 * energy);
-  CHECK(energies(scene).contact >= 0);
+  // The bars part in steps of a cell's crossing, not of a wave's: what transfers and nodes take shows in the rebound.
+  CHECK(residual <= 0.2);
+  CHECK(std::abs(v[0]) <= 0.1 * speed);
+  CHECK(std::abs(v[1] - speed) <= 0.1 * speed);
+  // While both bars have mass at a node their fields touch: from up to a cell's distance on.
+  CHECK(last - first >= 2 * length / wave);
+  CHECK(last - first <= 3 * length / wave + 2 * h / speed);
+  CHECK(std::abs(energies(scene).contact) <= 0.1 * energy);
+}
+
+}  // namespace
+
+TEST_CASE("Collision: equal bars exchange their velocities") {
+  exchange_velocities(Numerics<QuadraticBSpline, Flip, Usl>{}, 0.4);
+  exchange_velocities(Numerics<QuadraticBSpline, Apic, Usl>{}, 0.4);
+  exchange_velocities(Numerics<QuadraticBSpline, Flip, Musl>{}, 0.1);
 }
 
 TEST_CASE("Collision: momentum to round-off for unequal bars and all transfers") {
@@ -102,7 +110,10 @@ TEST_CASE("Collision: oblique, with friction, in free flight: linear momentum to
   run(scene, {.end = 0.3, .courant = 0.5});
   const Energies e = energies(scene);
   CAPTURE(e.kinetic, e.strain, e.contact, e.residual, scene.ledger.initial_kinetic);
-  CHECK((total_momentum(scene) - start).norm() <= 1e-12 * start.norm());
+  // What the velocity limit takes from nodes of next to no mass is counted.
+  CAPTURE(scene.limited, scene.limited_momentum);
+  CHECK((total_momentum(scene) - start).norm() <= 1e-12 * start.norm() + scene.limited_momentum);
+  CHECK(scene.limited_momentum <= 1e-6 * start.norm());
   CHECK(e.kinetic + e.strain < scene.ledger.initial_kinetic);
   CHECK(e.contact > 0);
   CHECK(std::abs(velocities(scene)[0] - 1) > 0.1);

@@ -116,8 +116,13 @@ std::vector<Constraint<typename M::scalar, M::dimension>> resolve(const Walls& w
   const Index n = Shape::node_count(mesh);
   std::vector<Vec<double, D>> x(n);
   Vec<double, D> lower = Vec<double, D>::Constant(std::numeric_limits<double>::infinity()), upper = -lower;
+  const auto used = [&mesh]([[maybe_unused]] Index i) {  // a mesher may leave nodes without cells behind
+    if constexpr (is_simplex_mesh<M>) return !mesh.cells_at(i).empty();
+    return true;
+  };
   for (Index i = 0; i < n; ++i) {
     x[i] = Shape::node_position(mesh, i).template cast<double>();
+    if (!used(i)) continue;
     lower = lower.cwiseMin(x[i]);
     upper = upper.cwiseMax(x[i]);
   }
@@ -150,6 +155,7 @@ std::vector<Constraint<typename M::scalar, M::dimension>> resolve(const Walls& w
       }
     } else {
       for (Index i = 0; i < n; ++i) {
+        if (!used(i)) continue;
         if (wall.axis >= 0) {
           const double face = wall.upper ? upper[wall.axis] : lower[wall.axis];
           if (std::abs(x[i][wall.axis] - face) <= near) take(i);
@@ -164,6 +170,7 @@ std::vector<Constraint<typename M::scalar, M::dimension>> resolve(const Walls& w
   }
   if (axis_nodes)
     for (Index i = 0; i < n; ++i) {
+      if (!used(i)) continue;
       require(x[i][0] >= -near, "Axisymmetric: r", x[i][0], "nodes must have r >= 0");
       if (x[i][0] <= near) blocked[i].add(Vec<double, D>::Unit(0));
     }

@@ -4,6 +4,8 @@
 
 #include <array>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include <arenite/contact/coulomb.hpp>
 #include <arenite/contact/region_surface.hpp>
@@ -79,56 +81,80 @@ struct NormalMap {
   std::size_t body = 0;        ///< the body that fills the region
 };
 
-/// Lets the fields of each pair of bodies exchange impulses at the nodes that they share. An impulse is
-/// computed once and given with both signs, so that momentum is kept to round-off. `normals`: a NormalMap, or
-/// anything for mass gradients.
-/// `impulses` [fields] receives the sum of what each field was given, N s.
-template <class Normals, class Fields, class Map, class Impulses, class T, class Size>
-ContactTally exchange(const Coulomb<Normals>& contact, Fields& fields, const Map& normals, Impulses& impulses,
-                      T dt, Size&& node_size) {
-  using V = std::remove_cvref_t<decltype(fields[0].velocity[0])>;
+namespace detail {
+
+/// Unit normal out of body b towards body a at node i, or zero if there is none.
+template <class Normals, class Fields, class Map>
+auto normal_between(const Coulomb<Normals>&, const Fields& fields, const Map& map, std::size_t a,
+                    std::size_t b, std::size_t i) {
+  using V = std::remove_cvref_t<decltype(fields[0].start[0])>;
+  if constexpr (Normals::needs_mass_gradient) {
+    V normal = V::Zero();
+    for (const auto& [f, sign] : {std::pair{b, 1}, std::pair{a, -1}}) {
+      const V& g = fields[f].mass_gradient[i];
+      const auto length = g.norm();
+      if (length > 0) normal += (static_cast<typename V::Scalar>(sign) / length) * g;
+    }
+    const auto length = normal.norm();
+    return V(length > std::numeric_limits<typename V::Scalar>::epsilon() ? V(normal / length) : V(V::Zero()));
+  } else {
+    return V(b == map.body ? map.out[i] : -map.out[i]);
+  }
+}
+
+/// Lets each pair of bodies meet at the nodes that they share. An impulse is computed once and given with
+/// both signs, so that momentum is kept to round-off. Calls `done(node, a, b, impulse on a)` for each.
+template <class Normals, class Fields, class Map, class Done>
+void meet(const Coulomb<Normals>& contact, Fields& fields, const Map& map, Done&& done) {
+  using V = std::remove_cvref_t<decltype(fields[0].start[0])>;
+  using T = typename V::Scalar;
   constexpr int D = V::RowsAtCompileTime;
-  ContactTally tally;
-  for (auto& sum : impulses) sum.setZero();
-  const std::size_t nodes = fields[0].size();
-  for (std::size_t i = 0; i < nodes; ++i) {
-    std::size_t present = 0;
-    for (const auto& f : fields) present += f.mass[i] > 0;
-    if (present < 2) continue;
-    bool touched = false;
-    for (std::size_t a = 0; a < fields.size(); ++a)
+  for (std::size_t i = 0; i < fields[0].size(); ++i)
+    for (std::size_t a = 0; a < fields.size(); ++a) {
+      if (!(fields[a].mass[i] > 0)) continue;
       for (std::size_t b = a + 1; b < fields.size(); ++b) {
+        if (!(fields[b].mass[i] > 0)) continue;
         const T ma = fields[a].mass[i], mb = fields[b].mass[i];
-        if (!(ma > 0 && mb > 0)) continue;
-        V normal = V::Zero();  // out of b, towards a
-        if constexpr (Normals::needs_mass_gradient) {
-          const V &ga = fields[a].mass_gradient[i], &gb = fields[b].mass_gradient[i];
-          const T na = ga.norm(), nb = gb.norm();
-          if (nb > 0) normal += gb / nb;
-          if (na > 0) normal -= ga / na;
-        } else {
-          normal = (b == normals.body ? T(1) : T(-1)) * normals.out[i];
-        }
-        const T length = normal.norm();
         V &va = fields[a].velocity[i], &vb = fields[b].velocity[i];
         const V approach = va - vb;
         const T reduced = ma * mb / (ma + mb);
+        const V normal = normal_between(contact, fields, map, a, b, i);
         // Without a normal one body lies inside the other: they stick.
-        const V impulse = length > std::numeric_limits<T>::epsilon()
-                              ? coulomb_impulse<T, D>(approach, normal / length, reduced, contact.friction)
+        const V impulse = normal.squaredNorm() > 0
+                              ? coulomb_impulse<T, D>(approach, normal, reduced, contact.friction)
                               : V(-reduced * approach);
         if (impulse.squaredNorm() == 0) continue;
         va += impulse / ma;
         vb -= impulse / mb;
-        impulses[a] += impulse;
-        impulses[b] -= impulse;
-        // Mean velocities over the whole step, so that forces that contact holds in balance dissipate nothing.
-        const V at_start = fields[a].start[i] - fields[b].start[i];
-        tally.dissipation -= static_cast<double>(impulse.dot(at_start + (va - vb)) / 2);
-        ++tally.nodes;
-        touched = true;
+        done(i, a, b, impulse);
       }
-    if (!touched || contact.velocity_limit == 0) continue;
+    }
+}
+
+}  // namespace detail
+
+/// Lets the fields of each pair of bodies exchange impulses at the nodes that they share, and limits the
+/// velocities there. `map`: a NormalMap, or anything for mass gradients. `impulses` [fields] receives the sum
+/// of what each field was given, N s.
+template <class Normals, class Fields, class Map, class Impulses, class T, class Size>
+ContactTally exchange(const Coulomb<Normals>& contact, Fields& fields, const Map& map, Impulses& impulses,
+                      T dt, Size&& node_size) {
+  ContactTally tally;
+  std::vector<std::size_t> touched;
+  for (auto& sum : impulses) sum.setZero();
+  detail::meet(contact, fields, map, [&](std::size_t i, std::size_t a, std::size_t b, const auto& impulse) {
+    impulses[a] += impulse;
+    impulses[b] -= impulse;
+    // Mean velocities over the whole step, so that forces that contact holds in balance
+    // dissipate nothing.
+    tally.dissipation -= static_cast<double>(
+        impulse.dot(fields[a].start[i] - fields[b].start[i] + fields[a].velocity[i] - fields[b].velocity[i]) /
+        2);
+    ++tally.nodes;
+    if (touched.empty() || touched.back() != i) touched.push_back(i);
+  });
+  if (contact.velocity_limit == 0) return tally;
+  for (const std::size_t i : touched) {
     const T most = static_cast<T>(contact.velocity_limit) * node_size(static_cast<Index>(i)) / dt;
     for (auto& f : fields) {
       const T speed = f.velocity[i].norm();

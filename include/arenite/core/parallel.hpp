@@ -27,22 +27,24 @@ inline int threads() {
 #endif
 }
 
-/// Calls `f(i)` for i in [0, n), in any order. `f` must not throw.
+/// Calls `f(i)` for i in [0, n), in any order; on one thread unless `worthwhile`: waking threads costs some
+/// microseconds, and far more where other programs want the cores too. `f` must not throw.
 template <class F>
-void parallel_for(std::size_t n, F&& f) {
+void parallel_for(std::size_t n, [[maybe_unused]] bool worthwhile, F&& f) {
   const auto count = static_cast<std::ptrdiff_t>(n);
 #ifdef _OPENMP
-#pragma omp parallel for schedule(static) if (count > 1)
+#pragma omp parallel for schedule(static) if (worthwhile && count > 1)
 #endif
   for (std::ptrdiff_t i = 0; i < count; ++i) f(static_cast<std::size_t>(i));
 }
 
 inline constexpr std::size_t chunk_size = 1024;
+inline constexpr std::size_t least_items = 4 * chunk_size;  ///< fewer do not pay for threads
 
 /// Calls `f(begin, end)` for consecutive chunks of [0, n).
 template <class F>
 void parallel_chunks(std::size_t n, F&& f) {
-  parallel_for((n + chunk_size - 1) / chunk_size,
+  parallel_for((n + chunk_size - 1) / chunk_size, n >= least_items,
                [&](std::size_t k) { f(k * chunk_size, std::min(n, (k + 1) * chunk_size)); });
 }
 
@@ -53,7 +55,7 @@ R parallel_reduce(std::size_t n, R start, F&& f, Join&& join) {
   if (chunks == 0) return start;
   if (chunks == 1) return join(start, f(std::size_t{0}, n));
   std::vector<R> part(chunks, start);
-  parallel_for(chunks,
+  parallel_for(chunks, n >= least_items,
                [&](std::size_t k) { part[k] = f(k * chunk_size, std::min(n, (k + 1) * chunk_size)); });
   for (const R& p : part) start = join(start, p);
   return start;

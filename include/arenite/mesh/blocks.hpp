@@ -57,7 +57,7 @@ class Blocks {
   void for_each_colored(F&& f) const {
     for (std::size_t k = 0; k < colors(); ++k) {
       const auto blocks = of_color(k);
-      parallel_for(blocks.size(), [&](std::size_t i) {
+      parallel_for(blocks.size(), worthwhile(), [&](std::size_t i) {
         for (Index c = begin(blocks[i]); c < end(blocks[i]); ++c) f(c);
       });
     }
@@ -66,7 +66,7 @@ class Blocks {
   /// Calls `f(cell)` for all cells, in any order: for work that writes to no node.
   template <class F>
   void for_each(F&& f) const {
-    parallel_for(count(), [&](std::size_t b) {
+    parallel_for(count(), worthwhile(), [&](std::size_t b) {
       const auto block = static_cast<Index>(b);
       for (Index c = begin(block); c < end(block); ++c) f(c);
     });
@@ -77,7 +77,7 @@ class Blocks {
   template <class R, class F, class Join>
   R reduce(R start, F&& f, Join&& join) const {
     std::vector<R> part(count(), start);
-    parallel_for(count(), [&](std::size_t b) {
+    parallel_for(count(), worthwhile(), [&](std::size_t b) {
       const auto block = static_cast<Index>(b);
       for (Index c = begin(block); c < end(block); ++c) part[b] = join(part[b], f(c));
     });
@@ -86,6 +86,9 @@ class Blocks {
   }
 
  private:
+  /// Fewer cells than this do not pay for threads.
+  bool worthwhile() const { return cells_ >= 1000; }
+
   template <class NodesOf>
   bool is_free(Index block, const std::vector<Index>& last, NodesOf& nodes_of) const {
     for (Index c = begin(block); c < end(block); ++c)

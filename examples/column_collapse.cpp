@@ -1,0 +1,20 @@
+// A column of dry sand collapses, plane strain: the smallest whole scene. SI units.
+#include <arenite/arenite.hpp>
+#include <arenite/observe/progress.hpp>
+#include <arenite/observe/vtu.hpp>
+using namespace arenite;
+
+int main() {
+  const MohrCoulomb sand{{.density = 1540, .young = 1_MPa, .poisson = 0.3, .friction = 35_deg}};
+  Scene scene{PlaneStrain{},
+              CartesianGrid<2>{{.lower = {0, 0}, .upper = {0.4, 0.2}, .cell = 0.01}},
+              Numerics<QuadraticBSpline, Apic>{},
+              bodies(fill(Box{{0, 0}, {0.1, 0.15}}, sand, {.per_cell = 4})),
+              walls(bottom(fixed), left(roller), right(roller)),
+              gravity({0, -9.81})};
+  run(scene, {.end = 0.4, .courant = 0.5}, Progress(0.4), every(0.1, vtu("out/column_collapse")));
+
+  double reach = 0;
+  for (const auto& x : std::get<0>(scene.bodies).points.position) reach = std::max(reach, x[0]);
+  std::printf("the toe of the heap lies at x = %.3f m after %zu steps\n", reach, scene.steps);
+}

@@ -1,0 +1,167 @@
+// Walls: which nodes they catch, what they block, what they refuse.
+#include "catch.hpp"
+
+#include <arenite/boundary/walls.hpp>
+
+#include "../mesh/sample_meshes.hpp"
+
+using namespace arenite;
+using namespace arenite::test;
+
+namespace {
+
+const CartesianGrid<2> grid({.lower = {0, 0}, .upper = {4, 3}, .cell = 1});
+
+template <int D>
+const Constraint<double, D>* constraint_at(const std::vector<Constraint<double, D>>& all, Index node) {
+  for (const auto& c : all)
+    if (c.node == node) return &c;
+  return nullptr;
+}
+
+std::vector<Constraint<double, 2>> on_grid(const Walls& w, bool axis = false) {
+  return resolve<QuadraticBSpline>(w, grid, axis);
+}
+
+template <int D>
+Mat<double, D> diagonal(const Vec<double, D>& d) {
+  return Mat<double, D>(d.asDiagonal());
+}
+
+SimplexMesh<2> named_mesh() {
+  BoxMesh<2> o{};
+  o.cells = {3, 3};
+  auto data = box_mesh(o);
+  for (Index i = 0; i < data.nodes.size(); ++i)
+    if (data.nodes[i][1] == 0) data.node_sets["base"].push_back(i);
+  return SimplexMesh<2>(data);
+}
+
+}  // namespace
+
+TEST_CASE("faces catch their nodes, and corners what both faces block") {
+  const auto all = on_grid(walls(bottom(roller), left(roller), top(fixed)));
+  REQUIRE(all.size() == 6 + 6 + 3);
+  REQUIRE(
+      std::is_sorted(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.node < b.node; }));
+  for (const auto& c : all) {
+    const auto x = QuadraticBSpline::node_position(grid, c.node);
+    const Vec<double, 2> free(x[0] > 0 && x[1]<3, x[1]> 0 && x[1] < 3);
+    REQUIRE((c.projector - diagonal<2>(free)).norm() < 1e-15);
+  }
+  REQUIRE(on_grid(walls(right(fixed))).size() == 5);
+  REQUIRE(on_grid(walls()).empty());
+}
+
+TEST_CASE("faces in three dimensions") {
+  const CartesianGrid<3, float> box({.lower = {0, 0, 0}, .upper = {0.3, 0.2, 0.1}, .cell = 0.1});
+  const auto front_back = resolve<QuadraticBSpline>(walls(front(roller), back(roller)), box, false);
+  REQUIRE(front_back.size() == 2 * 5 * 4);
+  for (const auto& c : front_back) REQUIRE(c.projector == Mat<float, 3>(Vec<float, 3>(1, 1, 0).asDiagonal()));
+}
+
+TEST_CASE("a symmetry plane that lies askew blocks its normal alone") {
+  const auto all = on_grid(walls(Wall{0, false, {}, {}, symmetry({3, 4, 0})}));
+  REQUIRE(all.size() == 5);
+  const Vec<double, 2> normal(0.6, 0.8), along(0.8, -0.6);
+  for (const auto& c : all) {
+    REQUIRE((c.projector * normal).norm() < 1e-15);
+    REQUIRE((c.projector * along - along).norm() < 1e-15);
+    REQUIRE((c.projector - c.projector.transpose()).norm() < 1e-16);
+  }
+}
+
+TEST_CASE("two planes of a slice leave its edge one direction, three leave none") {
+  // The faces of a 20-degree slice: z = 0 and the plane turned by 20 degrees about y.
+  const double a = 20 * pi / 180;
+  const auto everywhere = [](const std::array<double, 3>&) { return true; };
+  const auto mesh = sample_mesh<3>(1);
+  const auto two = resolve<LinearSimplex>(walls(where(everywhere, symmetry({0, 0, 1})),
+                                                where(everywhere, symmetry({std::sin(a), 0, -std::cos(a)}))),
+                                          mesh, false);
+  REQUIRE(two.size() == mesh.node_count());
+  for (const auto& c : two) REQUIRE((c.projector - diagonal<3>({0, 1, 0})).norm() < 1e-14);
+  const auto same = resolve<LinearSimplex>(
+      walls(where(everywhere, symmetry({0, 0, 1})), where(everywhere, symmetry({0, 0, -2}))), mesh, false);
+  for (const auto& c : same) REQUIRE((c.projector - diagonal<3>({1, 1, 0})).norm() < 1e-15);
+  const auto three = resolve<LinearSimplex>(
+      walls(where(everywhere, symmetry({0, 0, 1})), where(everywhere, symmetry({0, 1, 1})),
+            where(everywhere, symmetry({1, 1, 1}))),
+      mesh, false);
+  for (const auto& c : three) REQUIRE(c.projector == diagonal<3>({0, 0, 0}));
+}
+
+TEST_CASE("free_along leaves one axis") {
+  for (const auto& c : on_grid(walls(left(free_along(1)))))
+    REQUIRE((c.projector - diagonal<2>({0, 1})).norm() < 1e-15);
+}
+
+TEST_CASE("node sets and tests") {
+  const auto mesh = named_mesh();
+  const auto base = resolve<LinearSimplex>(walls(on("base", fixed)), mesh, false);
+  REQUIRE(base.size() == 4);
+  const auto tested = resolve<LinearSimplex>(
+      walls(where([](const auto& x) { return x[1] == 0 && x[2] == 0; }, fixed)), mesh, false);
+  REQUIRE(tested.size() == 4);
+  for (std::size_t k = 0; k < 4; ++k) REQUIRE(base[k].node == tested[k].node);
+  REQUIRE(resolve<LinearSimplex>(walls(bottom(fixed)), mesh, false).size() == 4);
+}
+
+TEST_CASE("on the axis of symmetry nothing moves radially") {
+  const auto all = on_grid(walls(bottom(fixed)), true);
+  REQUIRE(all.size() == 6 + 4);
+  REQUIRE((constraint_at(all, 0)->projector).norm() == 0);
+  REQUIRE((constraint_at(all, 6)->projector - diagonal<2>({0, 1})).norm() < 1e-15);
+  const CartesianGrid<2> beyond({.lower = {-1, 0}, .upper = {1, 1}, .cell = 1});
+  REQUIRE(throws([&] { resolve<QuadraticBSpline>(walls(), beyond, true); },
+                 "Axisymmetric: r = -1: nodes must have r >= 0"));
+  const CartesianGrid<2> off_axis({.lower = {1, 0}, .upper = {2, 1}, .cell = 1});
+  REQUIRE(resolve<QuadraticBSpline>(walls(), off_axis, true).empty());
+}
+
+TEST_CASE("walls that mean nothing are refused") {
+  const auto refuses = [](Wall w, const std::string& text) {
+    return throws([&] { on_grid(walls(w)); }, text);
+  };
+  const auto anywhere = [](const std::array<double, 3>&) { return true; };
+  REQUIRE(refuses(front(fixed), "Wall.axis = 2: must be an axis of the scene"));
+  REQUIRE(refuses(where(anywhere, roller), "Wall.condition = roller: needs a face"));
+  REQUIRE(refuses(on("base", fixed), "Wall.set = base: a Cartesian grid has no node sets"));
+  REQUIRE(refuses(on("", fixed), "Wall.set = : must name a node set"));
+  REQUIRE(refuses(where([](const auto&) { return false; }, fixed),
+                  "Wall.nodes = 0: the wall must catch at least one node"));
+  REQUIRE(refuses(left(symmetry({0, 0, 0})),
+                  "symmetry.normal = 0 0: must have a length in the scene's dimensions"));
+  REQUIRE(refuses(left(symmetry({0, 0, 1})),
+                  "symmetry.normal = 0 0: must have a length in the scene's dimensions"));
+  REQUIRE(refuses(left(symmetry({std::nan(""), 0, 0})), "symmetry.normal = nan   0: must have a length"));
+  REQUIRE(
+      refuses(left(free_along(2)), "free_along.axis = 0 0: must have a length in the scene's dimensions"));
+  REQUIRE(
+      refuses(left(free_along(7)), "free_along.axis = 0 0: must have a length in the scene's dimensions"));
+  const auto mesh = named_mesh();
+  REQUIRE(throws([&] { resolve<LinearSimplex>(walls(on("crown", fixed)), mesh, false); },
+                 "node set = crown: must be one of: base"));
+}
+
+TEST_CASE("constrained velocities lose what is blocked, and the wall gives the impulse") {
+  const auto all = on_grid(walls(left(roller), bottom(fixed)));
+  const std::size_t n = QuadraticBSpline::node_count(grid);
+  std::vector<double> mass(n, 2.0);
+  mass[0] = 0;
+  std::vector<Vec<double, 2>> velocity(n, Vec<double, 2>(3, -5));
+  const Vec<double, 2> impulse = constrain(all, mass, velocity);
+  REQUIRE(velocity[1].norm() == 0);
+  REQUIRE((velocity[6] - Vec<double, 2>(0, -5)).norm() < 1e-15);
+  REQUIRE((velocity[7] - Vec<double, 2>(3, -5)).norm() == 0);
+  REQUIRE((velocity[0] - Vec<double, 2>(3, -5)).norm() == 0);  // no mass: nothing there
+  // Five nodes of the bottom stop, four of the left side lose their x.
+  REQUIRE((impulse - Vec<double, 2>(-2 * 3 * 9, 2 * 5 * 5)).norm() < 1e-13);
+}
+
+TEST_CASE("nodes that no cell uses are no part of a face") {
+  auto data = box_mesh(BoxMesh<2>{.cells = {2, 2}});
+  data.nodes.push_back({-3, -3});  // as a mesher leaves the centre of an arc behind
+  const SimplexMesh<2> mesh(data);
+  REQUIRE(resolve<LinearSimplex>(walls(left(fixed)), mesh, true).size() == 3);
+}

@@ -1,0 +1,7 @@
+// must print: NodalAveraging and ElementAverage work on linear simplices; on B-splines use NoAntiLocking
+// Nodal averaging needs one volumetric strain a cell.
+#include <arenite/arenite.hpp>
+
+using namespace arenite;
+
+int main() { Numerics<QuadraticBSpline, Flip, Musl, NodalAveraging>{}.anti_locking.check(); }

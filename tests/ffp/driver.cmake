@@ -1,0 +1,17 @@
+# tests/ffp/driver.py runs the driver arenite-ffp from outside: one ctest test for each of its classes. It needs Python,
+# without packages, and the driver, which is built with the examples.
+find_package(Python3 3.8 COMPONENTS Interpreter QUIET)
+if(NOT ARENITE_EXAMPLES OR NOT CLI11_FOUND OR NOT nlohmann_json_FOUND OR NOT Python3_FOUND)
+  message(STATUS "The tests of the driver arenite-ffp are left out: they need the examples, CLI11, nlohmann-json and Python 3.8")
+  return()
+endif()
+
+foreach(class Drops SameBits Mistakes Words Meshes Failures)
+  set(scratch ${CMAKE_CURRENT_BINARY_DIR}/scratch/ffp.driver_${class})
+  file(MAKE_DIRECTORY ${scratch})
+  add_test(NAME ffp.driver_${class}
+           COMMAND ${Python3_EXECUTABLE} ${CMAKE_CURRENT_SOURCE_DIR}/ffp/driver.py $<TARGET_FILE:arenite-ffp> ${class}
+           WORKING_DIRECTORY ${scratch})
+  set_tests_properties(ffp.driver_${class} PROPERTIES LABELS ffp TIMEOUT 300 ENVIRONMENT
+                       "OMP_NUM_THREADS=${ARENITE_TEST_THREADS};OMP_WAIT_POLICY=passive")
+endforeach()

@@ -1,0 +1,130 @@
+// Filling: volumes, masses, initial stress, regions, and what is refused.
+#include "catch.hpp"
+
+#include <arenite/law/linear_elastic.hpp>
+#include <arenite/particles/body.hpp>
+
+#include "../mesh/sample_meshes.hpp"
+
+using namespace arenite;
+using namespace arenite::test;
+
+namespace {
+
+const LinearElastic law{{.density = 2000, .young = 1e6, .poisson = 0.3}};
+
+template <class K, class M, class Region>
+auto body_of(const M& mesh, Region region, FillOptions options = {}) {
+  return make_body<K, false>(mesh, fill(std::move(region), law, options));
+}
+
+template <class B>
+double volume(const B& body) {
+  double sum = 0;
+  for (const auto v : body.points.volume) sum += static_cast<double>(v);
+  return sum;
+}
+
+const CartesianGrid<2> grid({.lower = {0, 0}, .upper = {2, 1}, .cell = 0.25});
+
+/// Two regions of a mesh over r in [0.5, 1.5]: "low" below y = 0.5, "high" above.
+SimplexMesh<2> two_regions() {
+  BoxMesh<2> o{};
+  o.cells = {4, 4};
+  o.lower = {0.5, 0};
+  o.upper = {1.5, 1};
+  o.region = [](const auto& x) { return x[1] < 0.5 ? 3 : 5; };
+  auto data = box_mesh(o);
+  data.region_names = {{"low", 3}, {"high", 5}};
+  return SimplexMesh<2>(data);
+}
+
+}  // namespace
+
+TEST_CASE("volumes add up to that of the region") {
+  const auto mesh = two_regions();
+  for (const int n : {1, 3, 4, 16}) {
+    const auto plane = body_of<PlaneStrain>(mesh, Cells("low"), {.per_cell = n});
+    REQUIRE(std::abs(volume(plane) - 0.5) < 1e-14);
+    REQUIRE(std::abs(plane.initial_volume - 0.5) < 1e-14);
+    // Full circle: the integral of 2 pi r over r in [0.5, 1.5] and half a metre.
+    const auto round = body_of<Axisymmetric>(mesh, Cells("high"), {.per_cell = n});
+    REQUIRE(std::abs(volume(round) - pi * (1.5 * 1.5 - 0.5 * 0.5) / 2) < 1e-13);
+    const auto both =
+        body_of<Axisymmetric>(mesh, Cells(std::vector<std::string>{"low", "high"}), {.per_cell = n});
+    REQUIRE(std::abs(volume(both) - pi * 2) < 1e-13);
+    for (std::size_t p = 0; p < both.points.size(); ++p)
+      REQUIRE(std::abs(both.points.mass[p] - 2000 * both.points.volume[p]) < 1e-12);
+  }
+  const auto solid = sample_mesh<3>(2);
+  REQUIRE(std::abs(volume(body_of<Solid>(solid, Box{{-9., -9., -9.}, {9., 9., 9.}}, {.per_cell = 10})) - 1) <
+          1e-13);
+  REQUIRE(std::abs(volume(body_of<PlaneStrain>(grid, Box{{0., 0.}, {0.5, 0.75}})) - 0.375) < 1e-15);
+  REQUIRE(std::abs(volume(body_of<Axisymmetric>(grid, Box{{0., 0.}, {0.5, 1.}})) - pi * 0.25) < 1e-14);
+}
+
+TEST_CASE("a signed distance fills what lies inside") {
+  const auto disc = [](const auto& x) { return (x - Vec<double, 2>(1, 0.5)).norm() - 0.4; };
+  const CartesianGrid<2> fine({.lower = {0, 0}, .upper = {2, 1}, .cell = 0.02});
+  const auto body = body_of<PlaneStrain>(fine, Inside{disc}, {.per_cell = 16});
+  REQUIRE(std::abs(volume(body) / (pi * 0.16) - 1) < 2e-3);
+  for (const auto& x : body.points.position) REQUIRE(disc(x) < 0);
+}
+
+TEST_CASE("points know their cell, their velocity and their stress of level ground") {
+  const FillOptions options{
+      .per_cell = 4, .velocity = {1, -2, 0}, .stress = Geostatic{.surface = 0.5, .k0 = 0.4}};
+  const auto body = body_of<PlaneStrain>(grid, Box{{0., 0.}, {2., 1.}}, options);
+  for (std::size_t p = 0; p < body.points.size(); ++p) {
+    const auto& x = body.points.position[p];
+    REQUIRE(grid.walk(x) == body.points.cell[p]);
+    REQUIRE(body.points.velocity[p] == Vec<double, 2>(1, -2));
+    const double vertical = -2000 * 9.81 * std::max(0.0, 0.5 - x[1]);  // nothing above the surface
+    const Sym<double, 2> expected{{0.4 * vertical, vertical, 0.4 * vertical, 0}};
+    for (std::size_t k = 0; k < 4; ++k) REQUIRE(std::abs(body.points.stress[p][k] - expected[k]) < 1e-10);
+  }
+  const CartesianGrid<3> box({.lower = {0, 0, 0}, .upper = {1, 1, 1}, .cell = 1});
+  const auto solid =
+      body_of<Solid>(box, Box{{0., 0., 0.}, {1., 1., 1.}},
+                     {.per_cell = 1, .stress = Geostatic{.surface = 1, .k0 = 0.5, .gravity = 10, .axis = 2}});
+  REQUIRE(std::abs(solid.points.stress[0][2] + 2000 * 10 * 0.5) < 1e-10);
+  REQUIRE(std::abs(solid.points.stress[0][0] + 2000 * 5 * 0.5) < 1e-10);
+}
+
+TEST_CASE("a box holds its lower faces and not its upper ones: neighbours share no point") {
+  const CartesianGrid<2> odd({.lower = {0, 0}, .upper = {2, 1}, .cell = 1});
+  const auto low = body_of<PlaneStrain>(odd, Box{{0., 0.}, {1.5, 1.}}, {.per_cell = 1});
+  const auto high = body_of<PlaneStrain>(odd, Box{{1.5, 0.}, {2., 1.}}, {.per_cell = 1});
+  REQUIRE(low.points.size() == 1);
+  REQUIRE(high.points.size() == 1);
+}
+
+TEST_CASE("what cannot be filled is refused") {
+  const Box<2> all{{0, 0}, {2, 1}};
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const auto refuses = [&](FillOptions o, const std::string& text) {
+    return throws([&] { body_of<PlaneStrain>(grid, all, o); }, text);
+  };
+  REQUIRE(throws(
+      [] {
+        body_of<PlaneStrain>(grid, Box{{5., 5.}, {6., 6.}});
+      },
+      "fill: points = 0: the region holds no point of the mesh"));
+  REQUIRE(throws([] { body_of<PlaneStrain>(two_regions(), Cells("middle")); },
+                 "region = middle: must be one of: high, low"));
+  REQUIRE(refuses({.per_cell = 3}, "per_cell = 3: must be a square"));
+  REQUIRE(refuses({.stress = Geostatic{}}, "Geostatic.surface = nan: must be given"));
+  REQUIRE(
+      refuses({.stress = Geostatic{.surface = 0}}, "Geostatic.k0 = nan: must be given, and not negative"));
+  REQUIRE(refuses({.stress = Geostatic{.surface = 0, .k0 = -1}},
+                  "Geostatic.k0 = -1: must be given, and not negative"));
+  REQUIRE(refuses({.stress = Geostatic{.surface = 0, .k0 = 1, .gravity = nan}},
+                  "Geostatic.gravity = nan: must be finite"));
+  REQUIRE(refuses({.stress = Geostatic{.surface = 0, .k0 = 1, .axis = 2}},
+                  "Geostatic.axis = 2: must be an axis of the scene"));
+  REQUIRE(refuses({.stress = Geostatic{.surface = 0, .k0 = 1, .axis = -1}},
+                  "Geostatic.axis = -1: must be an axis of the scene"));
+  REQUIRE(refuses({.velocity = {nan, 0, 0}}, "FillOptions.velocity = nan: must be finite"));
+  REQUIRE(refuses({.velocity = {0, 0, 1}},
+                  "FillOptions.velocity = 1: must be zero along an axis that the scene does not have"));
+}

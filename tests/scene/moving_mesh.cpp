@@ -1,0 +1,98 @@
+// A mesh that moves against one that does not: material points carry the state, so that the mesh's motion must not show
+// beyond the error of the discretisation.
+#include <arenite/arenite.hpp>
+
+#include "catch.hpp"
+#include "meshes.hpp"
+
+using namespace arenite;
+
+namespace {
+
+constexpr double height = 0.5;
+
+/// A column of a law under gravity, dropped onto the ground; far above it a rigid body that touches nothing leads the
+/// mesh.
+template <class N, class L, class... Motion>
+auto scene(N numerics, L law, double speed, Motion... motion) {
+  auto data = test::triangles({0, 0}, {0.3, 1.2}, 6, 24);
+  test::name_region(data, "leader", [](const auto& x) { return x[1] > 1.0; });
+  const auto velocity = [speed](double) { return std::array<double, 3>{0, speed, 0}; };
+  return Scene{PlaneStrain{},
+               SimplexMesh<2>(data),
+               numerics,
+               bodies(fill(Box{{0., 0.}, {0.3, height}}, law, {.per_cell = 6})),
+               walls(left(roller), right(roller), on("bottom", fixed)),
+               gravity({0, -9.81}),
+               rigids(rigid(MeshSurface{"leader"}, Prescribed{velocity}, Friction::frictionless())),
+               motion...};
+}
+
+/// Mean height of the points over time.
+template <class Scene>
+std::vector<double> history(Scene s, double end) {
+  std::vector<double> mean;
+  run(s, {.end = end, .courant = 1, .max_step = 4e-4}, [&](const auto& now) {
+    const auto& x = std::get<0>(now.bodies).points.position;
+    double sum = 0;
+    for (const auto& at : x) sum += at[1] / static_cast<double>(x.size());
+    mean.push_back(sum);
+  });
+  CHECK(s.lost_points() == 0);
+  CHECK(std::get<0>(s.rigids).impulse.norm() == 0);
+  return mean;
+}
+
+/// Largest difference of two histories, over the largest travel.
+double apart(const std::vector<double>& a, const std::vector<double>& b) {
+  REQUIRE(a.size() == b.size());
+  double most = 0, travel = 0;
+  for (std::size_t k = 0; k < a.size(); ++k) {
+    most = std::max(most, std::abs(a[k] - b[k]));
+    travel = std::max(travel, std::abs(b[k] - b[0]));
+  }
+  return most / travel;
+}
+
+}  // namespace
+
+TEST_CASE("Moving mesh: an elastic column swings as on a fixed mesh") {
+  const LinearElastic law{{.density = 1500, .young = 1e6, .poisson = 0.3}};
+  const MovingMesh<> motion{.fixed_below = 0, .moving_from = 1.0};
+  const Numerics<LinearSimplex, Flip, Musl, ElementAverage> flip{};
+  const auto fixed_mesh = history(scene(flip, law, -1.5), 0.1);
+  CHECK(apart(history(scene(flip, law, -1.5, motion), 0.1), fixed_mesh) <= 0.05);
+  CHECK(apart(history(scene(flip, law, 1.5, motion), 0.1), fixed_mesh) <= 0.05);
+  // A mesh that is told to move by nothing is a fixed one, bit for bit.
+  CHECK(apart(history(scene(flip, law, 0, motion), 0.02), history(scene(flip, law, 0), 0.02)) == 0);
+}
+
+TEST_CASE("Moving mesh: a column of sand settles as on a fixed mesh") {
+  const MohrCoulomb law{{.density = 1500, .young = 1e6, .poisson = 0.2, .friction = 30_deg}};
+  const MovingMesh<> motion{.fixed_below = 0, .moving_from = 1.0};
+  const Numerics<LinearSimplex, Flip, Musl, ElementAverage> numerics{};
+  const auto fixed_mesh = history(scene(numerics, law, -1.5), 0.1);
+  CHECK(apart(history(scene(numerics, law, -1.5, motion), 0.1), fixed_mesh) <= 0.1);
+}
+
+TEST_CASE("Moving mesh: the zones move as they are told, and a used-up zone stops the run with its name") {
+  const LinearElastic law{{.density = 1500, .young = 1e6, .poisson = 0.3}};
+  auto s = scene(Numerics<LinearSimplex, Flip>{}, law, -2, MovingMesh<>{.fixed_below = 0.6, .moving_from = 1.0});
+  const auto before = s.mesh.positions();
+  run(s, {.end = 0.05});
+  const double travel = std::get<0>(s.rigids).displacement[1];
+  CHECK(std::abs(travel + 0.1) <= 1e-12);
+  for (Index i = 0; i < s.mesh.node_count(); ++i) {
+    const double y = before[i][1], share = y <= 0.6 ? 0 : y < 1 ? (y - 0.6) / 0.4 : 1;
+    REQUIRE(std::abs(s.mesh.position(i)[1] - y - share * travel) <= 1e-12);
+  }
+  std::string what;
+  try {
+    run(s, {.end = 1});
+  } catch (const run_error& e) {
+    what = e.what();
+  }
+  CAPTURE(what);
+  CHECK(what.find("t = 0.19") == 0);
+  CHECK(what.find("compressing zone") != std::string::npos);
+}

@@ -1,0 +1,102 @@
+// The same input gives the same bits on any number of threads, for each family of compositions.
+#include <arenite/arenite.hpp>
+
+#include "catch.hpp"
+#include "meshes.hpp"
+
+using namespace arenite;
+
+namespace {
+
+LinearElastic rubber() { return LinearElastic{{.density = 1000, .young = 1e6, .poisson = 0.3}}; }
+MohrCoulomb<> sand() { return MohrCoulomb<>{{.density = 1500, .young = 1e6, .poisson = 0.3, .friction = 35_deg}}; }
+
+template <class Column>
+void append(std::vector<unsigned char>& bytes, const Column& column) {
+  const auto* from = reinterpret_cast<const unsigned char*>(column.data());
+  bytes.insert(bytes.end(), from, from + column.size() * sizeof(column[0]));
+}
+
+/// All columns of all bodies, and the state of the rigid bodies, as bytes.
+template <class Make>
+std::vector<unsigned char> bytes_after(Make&& make, int threads) {
+  set_threads(threads);
+  auto scene = make();
+  for (int k = 0; k < 60; ++k) step(scene, 0.4 * stable_step(scene));
+  std::vector<unsigned char> bytes;
+  scene.for_each_body([&](const auto& body, const auto& field) {
+    body.points.for_each_column([&](const auto& column) { append(bytes, column); });
+    append(bytes, field.velocity);
+  });
+  scene.for_each_rigid([&](const auto& body) {
+    append(bytes, body.velocity);
+    append(bytes, body.impulse);
+  });
+  append(bytes, std::array<double, 3>{scene.time, scene.wall_impulse[0], scene.wall_impulse[1]});
+  if constexpr (decltype(scene)::tracks_energy) append(bytes, std::array<double, 1>{energies(scene).residual});
+  return bytes;
+}
+
+template <class Make>
+void check(Make&& make) {
+  const int before = threads();
+  const auto one = bytes_after(make, 1);
+  for (const int n : {2, 3, 7}) {
+    CAPTURE(n);
+    CHECK(bytes_after(make, n) == one);
+  }
+  set_threads(before);
+}
+
+constexpr FillOptions falls{.per_cell = 4, .velocity = {0.5, -3, 0}};
+CartesianGrid<2> grid() { return CartesianGrid<2>{{.lower = {0, 0}, .upper = {2, 1}, .cell = 0.05}}; }
+
+}  // namespace
+
+TEST_CASE("Same bits: B-splines, APIC, sand, energy") {
+  check([] {
+    return Scene{PlaneStrain{}, grid(), Numerics<QuadraticBSpline, Apic>{}, bodies(fill(Box{{0., 0.}, {1., 0.8}}, sand(), falls)),
+                 walls(bottom(fixed), left(roller)), gravity({0, -9.81}), TrackEnergy{}};
+  });
+}
+
+TEST_CASE("Same bits: B-splines, FLIP, two bodies in contact, a rigid body") {
+  check([] {
+    return Scene{PlaneStrain{},
+                 grid(),
+                 Numerics<QuadraticBSpline, Flip, Usl>{},
+                 bodies(fill(Box{{0.5, 0.5}, {1., 0.8}}, rubber(), falls), fill(Box{{0., 0.}, {2., 0.5}}, rubber())),
+                 walls(bottom(fixed)),
+                 gravity({0, -9.81}),
+                 Coulomb{Friction(10_deg)},
+                 rigids(rigid(DistanceSurface{[](const auto& x) { return std::hypot(x[0] - 1.5, x[1] - 0.7) - 0.2; }},
+                              Guided{.mass = 50, .velocity = -2}, Friction(20_deg)))};
+  });
+}
+
+TEST_CASE("Same bits: triangles, FLIP, MUSL, nodal averaging, a moving mesh, a rigid body") {
+  check([] {
+    auto data = test::triangles({0, 0}, {1, 1}, 30, 30);
+    test::name_region(data, "block", [](const auto& x) { return x[0] < 0.3 && x[1] > 0.5; });
+    test::name_region(data, "soil", [](const auto& x) { return x[1] < 0.5; });
+    return Scene{Axisymmetric{},
+                 SimplexMesh<2>(data),
+                 Numerics<LinearSimplex, Flip, Musl, NodalAveraging>{},
+                 bodies(fill(Cells("soil"), sand(), {.per_cell = 3, .stress = Geostatic{.surface = 0.5, .k0 = 0.5}})),
+                 walls(on("bottom", fixed), on("right", symmetry({1, 0, 0}))),
+                 gravity({0, -9.81}),
+                 rigids(rigid(MeshSurface{"block"}, Guided{.mass = 100, .velocity = -5}, Friction(20_deg))),
+                 MovingMesh<>{.fixed_below = 0.1, .moving_from = 0.5},
+                 TrackEnergy{}};
+  });
+}
+
+TEST_CASE("Same bits: tetrahedra, TPIC, element average") {
+  check([] {
+    return Scene{Solid{},
+                 SimplexMesh<3>(test::tetrahedra({0, 0, 0}, {1, 1, 1}, {6, 6, 6})),
+                 Numerics<LinearSimplex, Tpic, Usl, ElementAverage>{},
+                 bodies(fill(Box{{0., 0., 0.}, {1., 1., 0.5}}, rubber(), {.per_cell = 4, .velocity = {0, -0.5, 0.1}})),
+                 walls(bottom(fixed))};
+  });
+}

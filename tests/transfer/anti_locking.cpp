@@ -1,0 +1,87 @@
+// Cures of locking against hand values on two triangles.
+#include "catch.hpp"
+#include "setup.hpp"
+
+using namespace arenite;
+using namespace arenite::test;
+
+namespace {
+
+/// Unit square cut from corner 0 to corner 2: cells (0, 1, 2) and (0, 2, 3).
+SimplexMesh<2> square_of_two() {
+  return SimplexMesh<2>({{{0, 0}, {1, 0}, {1, 1}, {0, 1}}, {{{0, 1, 2}}, {{0, 2, 3}}}, {}, {}, {}});
+}
+
+/// The setup with two points in each cell, of given volumes.
+template <class A>
+auto two_cells(double first, double second) {
+  Setup<PlaneStrain, Numerics<LinearSimplex, Flip, Usl, A>, SimplexMesh<2>> s(square_of_two(), 2);
+  for (std::size_t p = 0; p < 4; ++p)
+    s.body.points.volume[p] = (s.body.points.cell[p] == 0 ? first : second) / 2;
+  return s;
+}
+
+Sym<double, 2> mean_stress(const Points<double, 2, LinearElastic, false>& points, Index cell) {
+  Sym<double, 2> sum{};
+  double volume = 0;
+  for (std::size_t p = 0; p < points.size(); ++p)
+    if (points.cell[p] == cell) {
+      sum += points.volume[p] * points.stress[p];
+      volume += points.volume[p];
+    }
+  return sum * (1 / volume);
+}
+
+}  // namespace
+
+TEST_CASE("nodal averaging: a node takes the mean of its cells by volume, a cell that of its nodes") {
+  const double v0 = 0.3, v1 = 0.5, dt = 0.01;
+  auto s = two_cells<NodalAveraging>(v0, v1);
+  for (auto& stress : s.body.points.stress) stress = {};
+  // Node 1 moves with (2, 0), node 3 with (0, 3): tr = 2 in cell 0 and 3 in cell 1.
+  s.nodes.velocity[1] = {2, 0};
+  s.nodes.velocity[3] = {0, 3};
+  s.deform(dt);
+  const double shared = (v0 * 2 + v1 * 3) / (v0 + v1);
+  const std::array<double, 2> rate{(2 * shared + 2) / 3, (2 * shared + 3) / 3};
+  for (std::size_t p = 0; p < 4; ++p) {
+    const Index c = s.body.points.cell[p];
+    REQUIRE(std::abs(trace(s.body.points.stress[p]) / 3 - s.body.law.elasticity().bulk() * rate[c] * dt) <
+            1e-9);
+    // The deviator is the cell's own: 2 G (e_xx - e_yy) and no mixing of shear.
+    const double difference = s.body.points.stress[p][0] - s.body.points.stress[p][1];
+    REQUIRE(std::abs(difference - 2 * s.body.law.elasticity().shear() * (c == 0 ? 2 : -3) * dt) < 1e-9);
+  }
+}
+
+TEST_CASE("element average: a filled cell bears the mean stress over its whole volume") {
+  auto s = two_cells<ElementAverage>(0.46, 0.40);  // 92 % and 80 % of half a square metre
+  const auto mean = mean_stress(s.body.points, 0), partly = mean_stress(s.body.points, 1);
+  s.scatter();
+  // Gradients: node 1 belongs to cell 0 alone, (1, -1); node 3 to cell 1 alone, (-1, 1).
+  const Vec<double, 2> at_1(-0.5 * (mean[0] - mean[3]), -0.5 * (mean[3] - mean[1]));
+  const Vec<double, 2> at_3(-0.40 * (-partly[0] + partly[3]), -0.40 * (-partly[3] + partly[1]));
+  REQUIRE((s.nodes.force[1] - at_1).norm() < 1e-15);
+  REQUIRE((s.nodes.force[3] - at_3).norm() < 1e-15);
+
+  const auto before = s.body.points.stress;
+  s.nodes.velocity.assign(4, Vec<double, 2>::Zero());
+  s.deform(0.01);
+  for (std::size_t p = 0; p < 4; ++p)
+    for (std::size_t k = 0; k < 4; ++k)
+      REQUIRE(std::abs(s.body.points.stress[p][k] - (s.body.points.cell[p] == 0 ? mean[k] : before[p][k])) <
+              1e-15);
+}
+
+TEST_CASE("element average in axisymmetry: the whole volume is the full circle's") {
+  // A ring of one triangle, evenly filled: full, and forces those of the plain integration.
+  const SimplexMesh<2> ring({{{1, 0}, {2, 0}, {1, 1}}, {{{0, 1, 2}}}, {}, {}, {}});
+  auto body = make_body<Axisymmetric, false>(ring, fill(Box{{0., 0.}, {9., 9.}}, elastic, {.per_cell = 3}));
+  for (auto& v : body.points.volume) v *= 0.95;
+  for (auto& stress : body.points.stress) stress = {{1, 2, 3, 4}};
+  const Blocks blocks(1, 3, 1, [&](Index c) { return ring.nodes(c); });
+  NodeField<double, 2, false, false> plain(3), average(3);
+  scatter<Axisymmetric>(Numerics<LinearSimplex, Flip, Usl>{}, ring, blocks, body, plain);
+  scatter<Axisymmetric>(Numerics<LinearSimplex, Flip, Usl, ElementAverage>{}, ring, blocks, body, average);
+  for (std::size_t i = 0; i < 3; ++i) REQUIRE((average.force[i] - plain.force[i] / 0.95).norm() < 1e-13);
+}

@@ -1,0 +1,127 @@
+// Internal force: its virtual work, its sums, and the patch of uniform stress.
+#include "catch.hpp"
+#include "setup.hpp"
+
+using namespace arenite;
+using namespace arenite::test;
+
+namespace {
+
+/// sum f . v against -sum V sigma : grad v for random nodal velocities v, with the hoop term v_r / r.
+template <class S>
+void check_virtual_work(S s) {
+  using T = typename S::T;
+  constexpr int D = S::D;
+  s.scatter();
+  for (int trial = 0; trial < 5; ++trial) {
+    std::vector<Vec<T, D>> v(s.nodes.size());
+    for (auto& value : v)
+      for (int k = 0; k < D; ++k) value[k] = s.number();
+    double work = 0, inner = 0, size = 0;
+    for (std::size_t i = 0; i < v.size(); ++i) work += static_cast<double>(s.nodes.force[i].dot(v[i]));
+    const auto& points = s.body.points;
+    for (std::size_t p = 0; p < points.size(); ++p) {
+      const typename S::Cell cell(s.mesh, points.cell[p]);
+      const auto g = cell.gradients(points.position[p]);
+      const auto w = cell.weights(points.position[p]);
+      double sum = 0;
+      for (int k = 0; k < w.size(); ++k) {
+        const auto& u = v[cell.nodes[static_cast<std::size_t>(k)]];
+        for (int i = 0; i < D; ++i)
+          for (int j = 0; j < D; ++j) sum += static_cast<double>(points.stress[p](i, j) * u[i] * g(j, k));
+        if constexpr (S::K::hoop)
+          sum += static_cast<double>(points.stress[p](2, 2) * w[k] * u[0] / points.position[p][0]);
+      }
+      inner -= static_cast<double>(points.volume[p]) * sum;
+      size += std::abs(static_cast<double>(points.volume[p]) * sum);
+    }
+    REQUIRE(size > 1);
+    REQUIRE(std::abs(work - inner) <= 1000 * static_cast<double>(std::numeric_limits<T>::epsilon()) * size);
+  }
+}
+
+/// Largest force at the nodes inside and at all nodes, under a uniform stress and an even filling.
+template <class K, class N, class M>
+std::pair<double, double> patch(const M& mesh, int per_cell, const Sym<double, M::dimension>& stress) {
+  constexpr int D = M::dimension;
+  using Shape = typename N::Shape;
+  std::array<double, D> lower, upper;
+  lower.fill(-10);
+  upper.fill(10);
+  auto body = make_body<K, false>(mesh, fill(Box<D>{lower, upper}, elastic, {.per_cell = per_cell}));
+  for (auto& s : body.points.stress) s = stress;
+  const Blocks blocks(mesh.cell_count(), Shape::node_count(mesh), 4,
+                      [&](Index c) { return typename Shape::template Cell<M>(mesh, c).nodes; });
+  NodeField<double, D, false, false> nodes(Shape::node_count(mesh));
+  scatter<K>(N{}, mesh, blocks, body, nodes);
+  Vec<double, D> low = Shape::node_position(mesh, 0), high = low;
+  for (Index i = 0; i < nodes.size(); ++i) {
+    low = low.cwiseMin(Shape::node_position(mesh, i));
+    high = high.cwiseMax(Shape::node_position(mesh, i));
+  }
+  double inside = 0, all = 0;
+  for (Index i = 0; i < nodes.size(); ++i) {
+    const auto x = Shape::node_position(mesh, i);
+    all = std::max(all, nodes.force[i].norm());
+    if (((x - low).array() > 1e-9).all() && ((high - x).array() > 1e-9).all())
+      inside = std::max(inside, nodes.force[i].norm());
+  }
+  return {inside, all};
+}
+
+using Simplex = Numerics<LinearSimplex, Flip, Usl>;
+using BSpline = Numerics<QuadraticBSpline, Flip, Usl>;
+
+}  // namespace
+
+TEST_CASE("the internal force does the virtual work of the stresses") {
+  check_virtual_work(Setup<PlaneStrain, Simplex, SimplexMesh<2>>(sample_mesh<2>(4)));
+  check_virtual_work(Setup<Axisymmetric, Simplex, SimplexMesh<2>>(sample_mesh<2>(4)));
+  check_virtual_work(Setup<Solid, Simplex, SimplexMesh<3, float>>(sample_mesh<3, float>(2)));
+  check_virtual_work(Setup<PlaneStrain, BSpline, CartesianGrid<2>>(flat_grid()));
+  check_virtual_work(Setup<Axisymmetric, BSpline, CartesianGrid<2>>(flat_grid()));
+  check_virtual_work(Setup<Solid, BSpline, CartesianGrid<3>>(solid_grid()));
+}
+
+TEST_CASE("a uniform stress loads no node inside") {
+  const auto check = [](std::pair<double, double> force) {
+    REQUIRE(force.first < 1e-13);
+    REQUIRE(force.second > 0.01);
+  };
+  const Sym<double, 2> flat{{-1, -2, -1.5, 0.7}},
+      round{{-1, -2, -1, 0}};  // equal in the cross plane: no radial force
+  const Sym<double, 3> solid{{-1, -2, -3, 0.5, 0.6, 0.7}};
+  for (const int n : {1, 3, 4, 10, 16}) {
+    check(patch<PlaneStrain, Simplex>(sample_mesh<2>(4), n, flat));
+    check(patch<Axisymmetric, Simplex>(sample_mesh<2>(4), n, round));
+  }
+  for (const int n : {1, 4, 10}) check(patch<Solid, Simplex>(sample_mesh<3>(3), n, solid));
+  for (const int n : {1, 4, 9}) check(patch<PlaneStrain, BSpline>(flat_grid(), n, flat));
+  for (const int n : {1, 8})
+    check(patch<Solid, BSpline>(CartesianGrid<3>({.lower = {0, 0, 0}, .upper = {1, 1, 1}, .cell = 0.25}), n,
+                                solid));
+}
+
+TEST_CASE("nodes of no mass stay at rest, and those below the floor count as none") {
+  Setup<PlaneStrain, Simplex, SimplexMesh<2>> s(sample_mesh<2>(4));
+  s.scatter();
+  s.nodes.mass[0] = 1e-200;
+  s.nodes.mass[1] = 0;
+  s.nodes.force[1] = {1, 1};
+  advance(s.nodes, Vec<double, 2>(0, -10), 0.1, 1e-150);
+  REQUIRE(s.nodes.mass[0] == 0);
+  for (const Index i : {0u, 1u}) REQUIRE((s.nodes.start[i].norm() == 0 && s.nodes.velocity[i].norm() == 0));
+  for (const auto& v : s.nodes.velocity) REQUIRE(v.allFinite());
+}
+
+TEST_CASE("gradients of mass point out of the body and sum to zero") {
+  Setup<PlaneStrain, Simplex, SimplexMesh<2>> s(sample_mesh<2>(6));
+  auto& points = s.body.points;
+  for (std::size_t p = 0; p < points.size(); ++p) points.mass[p] = points.position[p][1] < 0.5 ? 1 : 1e-30;
+  s.scatter();
+  Vec<double, 2> sum(0, 0);
+  for (const auto& g : s.nodes.mass_gradient) sum += g;
+  REQUIRE(sum.norm() < 1e-11);
+  for (Index i = 0; i < s.nodes.size(); ++i)
+    if (s.node(i)[1] > 0.5 && s.nodes.mass[i] > 0.1) REQUIRE(s.nodes.mass_gradient[i][1] > 0);
+}

@@ -1,0 +1,115 @@
+// A body of random points in a mesh with its node field: what the transfers work on, without a scene.
+#pragma once
+
+#include <arenite/law/linear_elastic.hpp>
+#include <arenite/transfer/deform.hpp>
+#include <arenite/transfer/gather.hpp>
+#include <arenite/transfer/scatter.hpp>
+
+#include "../mesh/sample_meshes.hpp"
+
+namespace arenite::test {
+
+inline const LinearElastic elastic{{.density = 1000, .young = 1e6, .poisson = 0.3}};
+
+/// Random points in all cells but every seventh: `per_cell` of random mass, volume, velocity, stress and (if
+/// the transfer is affine) motion.
+template <class K_, class N_, class M_>
+struct Setup {
+  using K = K_;
+  using N = N_;
+  using M = M_;
+  using T = typename M::scalar;
+  using Shape = typename N::Shape;
+  using Transfer = typename N::Transfer;
+  using Cell = typename Shape::template Cell<M>;
+  static constexpr int D = M::dimension;
+  using Field = NodeField<T, D, N::Order::remaps, true>;
+
+  M mesh;
+  N numerics{};
+  Blocks blocks;
+  Body<LinearElastic, T, D, Transfer::affine> body{elastic, {}, {}};
+  Field nodes;
+  std::mt19937 random;
+
+  explicit Setup(M m, int per_cell = 3, unsigned seed = 1)
+      : mesh{std::move(m)},
+        blocks{mesh.cell_count(), Shape::node_count(mesh), 5,
+               [this](Index c) { return Cell(mesh, c).nodes; }},
+        nodes{Shape::node_count(mesh)},
+        random{seed} {
+    for (Index c = 0; c < mesh.cell_count(); ++c)
+      for (int k = 0; c % 7 != 3 && k < per_cell; ++k) add(random_point(mesh, c, random), c);
+    index();
+  }
+
+  T number(double low = -1, double high = 1) {
+    return static_cast<T>(std::uniform_real_distribution<double>(low, high)(random));
+  }
+
+  void add(const Vec<T, D>& x, Index c) {
+    Sym<T, D> stress;
+    for (std::size_t k = 0; k < stress.size; ++k) stress[k] = number();
+    Vec<T, D> v;
+    for (int k = 0; k < D; ++k) v[k] = number();
+    body.points.push_back(x, v, number(0.5, 2), number(0.5, 2), stress, c);
+    if constexpr (Transfer::affine)
+      for (int k = 0; k < D * D; ++k) body.points.motion.back()(k / D, k % D) = number();
+  }
+
+  /// Renews the list of cells after `add`.
+  void index() { body.cells.build(body.points.cell, mesh.cell_count()); }
+
+  void scatter() {
+    nodes.clear();
+    arenite::scatter<K>(numerics, mesh, blocks, body, nodes);
+  }
+  /// Velocities of the nodes, without force or gravity unless given.
+  void advance(T dt = 0, const Vec<T, D>& gravity = Vec<T, D>::Zero()) {
+    arenite::advance(nodes, gravity, dt, T(0));
+  }
+  void gather() { arenite::gather(numerics, mesh, blocks, body, nodes); }
+  DeformSums deform(T dt) {
+    VolumetricAverage<T> average;
+    return arenite::deform<K>(numerics, mesh, blocks, body, nodes, dt, average);
+  }
+  Vec<T, D> node(Index i) const { return Shape::node_position(mesh, i); }
+
+  /// Gives all points the field v = a + A x, with the affine motion that belongs to it.
+  void set_affine(const Vec<T, D>& a, const Mat<T, D>& A) {
+    auto& points = body.points;
+    for (std::size_t p = 0; p < points.size(); ++p) {
+      points.velocity[p] = a + A * points.position[p];
+      if constexpr (std::same_as<Transfer, Tpic>) points.motion[p] = A;
+      if constexpr (std::same_as<Transfer, Apic>) {
+        const Cell cell(mesh, points.cell[p]);
+        const auto w = cell.weights(points.position[p]);
+        const auto x = (cell.node_positions().colwise() - points.position[p]).eval();
+        points.motion[p] = A * x * w.asDiagonal() * x.transpose();
+      }
+    }
+  }
+
+  Vec<T, D> point_momentum() const {
+    Vec<T, D> sum = Vec<T, D>::Zero();
+    for (std::size_t p = 0; p < body.points.size(); ++p) sum += body.points.mass[p] * body.points.velocity[p];
+    return sum;
+  }
+  Vec<T, D> node_momentum() const {
+    Vec<T, D> sum = Vec<T, D>::Zero();
+    for (std::size_t i = 0; i < nodes.size(); ++i) sum += nodes.mass[i] * nodes.velocity[i];
+    return sum;
+  }
+};
+
+template <class T = double>
+CartesianGrid<2, T> flat_grid() {
+  return CartesianGrid<2, T>({.lower = {0, 0}, .upper = {1.25, 1}, .cell = 0.25});
+}
+template <class T = double>
+CartesianGrid<3, T> solid_grid() {
+  return CartesianGrid<3, T>({.lower = {0, 0, 0}, .upper = {0.75, 0.5, 1}, .cell = 0.25});
+}
+
+}  // namespace arenite::test

@@ -55,17 +55,23 @@ class Drop:
         self.reaction = moving_average(self.time, table["reaction_N"])
         self.inputs = self.summary["inputs"]
 
-    def label(self, others):
+    def label(self, drops):
         """What tells this drop from the others: contact first, then every input that differs."""
-        contact = "no slip" if self.inputs["no_slip"] else f"δ = {self.inputs['delta_deg']:g}°"
-        parts = [contact, self.inputs["kinematics"], f"{self.inputs['device']} FFP"]
+        parts = self.parts()
+        differs = [i for i, part in enumerate(parts) if any(drop.parts()[i] != part for drop in drops)]
+        words = [parts[i] for i in sorted({0, *differs})]
         named = {"no_slip", "delta_deg", "kinematics", "device", "end_s", "fields_every_s"}
-        if any(other.inputs["kinematics"] != self.inputs["kinematics"] for other in others):
+        if any(drop.inputs["kinematics"] != self.inputs["kinematics"] for drop in drops):
             named.add("points_per_element")  # its default goes with the kinematics
         for key, value in self.inputs.items():
-            if key not in named and any(other.inputs.get(key) != value for other in others):
-                parts.append(f"{key} {value:g}" if isinstance(value, (int, float)) else f"{key} {value}")
-        return ", ".join(parts)
+            if key not in named and any(drop.inputs.get(key) != value for drop in drops):
+                words.append(f"{key} {value:g}" if isinstance(value, (int, float)) else f"{key} {value}")
+        return ", ".join(words)
+
+    def parts(self):
+        """The words that every label is made of."""
+        contact = "no slip" if self.inputs["no_slip"] else f"δ = {self.inputs['delta_deg']:g}°"
+        return [contact, self.inputs["kinematics"], f"{self.inputs['device']} FFP"]
 
     def fields(self):
         """[(time, [files])] of all series in the folder, in the order of time."""
@@ -150,10 +156,11 @@ def draw_histories(drops, path):
         axes.set_ylabel(y)
         axes.set_xlim(left=0)
         axes.spines[["top", "right"]].set_visible(False)
-    figure.legend(*depth.get_legend_handles_labels(), loc="outside upper center" if outside() else "upper center",
-                  ncol=2 if len(drops) > 1 else 1, frameon=False)
+    handles, labels = depth.get_legend_handles_labels()
+    columns = min(len(drops), max(1, int(150 / (8 + max(map(len, labels))))))
+    figure.legend(handles, labels, loc="outside upper center" if outside() else "upper center", ncol=columns, frameon=False)
     if not outside():
-        figure.get_layout_engine().set(rect=(0, 0, 1, 1 - 0.04 * ((len(drops) + 1) // 2)))
+        figure.get_layout_engine().set(rect=(0, 0, 1, 1 - 0.01 - 0.035 * -(-len(drops) // columns)))
     figure.savefig(path, dpi=130)
     pyplot.close(figure)
 
@@ -163,14 +170,14 @@ def outside():
     return tuple(int(n) for n in matplotlib.__version__.split(".")[:2]) >= (3, 7)
 
 
-def nearest_fields(drop):
-    """The drop's fields at FIELD_TIMES: [(time, r, y, strain)], those that there are."""
+def nearest_fields(drop, wanted_times=FIELD_TIMES):
+    """The drop's fields at these times: [(time, r, y, strain)], those that there are."""
     series = drop.fields()
     if not series:
         return []
     times = numpy.array([time for time, _ in series])
     chosen = []
-    for wanted in FIELD_TIMES:
+    for wanted in wanted_times:
         i = int(numpy.argmin(abs(times - wanted)))
         if abs(times[i] - wanted) < 5e-3 and i not in chosen:
             chosen.append(i)
@@ -214,23 +221,25 @@ def spacing(r, y):
 
 def draw_strain(drops, path):
     """Panels of the deviatoric strain, a row a drop; returns whether there was anything to draw."""
-    rows = [(drop, shown) for drop in drops if (shown := nearest_fields(drop))]
+    times = FIELD_TIMES if len(drops) == 1 else FIELD_TIMES[1:]  # at the start there is nothing to compare
+    rows = [(drop, shown) for drop in drops if (shown := nearest_fields(drop, times))]
     if not rows:
         return False
     columns = max(len(shown) for _, shown in rows)
-    figure, grid = pyplot.subplots(len(rows), columns, figsize=(3.3 * columns + 1, 2.6 * len(rows) + 0.5), squeeze=False,
+    figure, grid = pyplot.subplots(len(rows), columns, figsize=(3.3 * columns + 1, 2.45 * len(rows) + 0.5), squeeze=False,
                                    sharex=True, sharey=True, constrained_layout=True, dpi=130)
     for line, (drop, shown) in zip(grid, rows):
         for axes in line[len(shown):]:
             axes.set_axis_off()
         for axes, (time, *_) in zip(line, shown):
             axes.set(xlim=(-0.4, 0.4), ylim=(-0.4, 0.2), aspect="equal", xticks=[-0.4, -0.2, 0, 0.2, 0.4])
-            axes.set_title(f"{time * 1e3:.0f} ms", fontsize=11)
+            if line[0] is grid[0, 0]:
+                axes.set_title(f"{time * 1e3:.0f} ms", fontsize=11)
         line[0].set_ylabel((drop.label(drops).replace(", ", "\n") + "\n" if len(rows) > 1 else "") + "height [m]", fontsize=9)
     for axes in grid[-1]:
         axes.set_xlabel("distance from the axis [m]", fontsize=9)
     bar = figure.colorbar(matplotlib.cm.ScalarMappable(matplotlib.colors.Normalize(0, STRAIN_TOP), "magma_r"), ax=grid, extend="max",
-                          shrink=0.9 if len(rows) == 1 else 0.5, pad=0.01)
+                          shrink=0.9 if len(rows) == 1 else 0.5, aspect=20 if len(rows) == 1 else 40, pad=0.01)
     bar.set_label("deviatoric strain [-]")
     figure.canvas.draw()  # fixes the sizes, which the markers follow
     for line, (drop, shown) in zip(grid, rows):

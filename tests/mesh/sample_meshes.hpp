@@ -82,11 +82,12 @@ MeshData<D> box_mesh(const BoxMesh<D>& o) {
       data.region.push_back(region);
     } while (std::next_permutation(axes.begin(), axes.end()));
   }
-  for (const auto& [i, regions] : regions_at) {
+  for (const auto& entry : regions_at) {
+    const std::vector<int>& regions = entry.second;
     const bool inner = regions.size() == (1u << D) &&
                        std::all_of(regions.begin(), regions.end(), [&](int r) { return r == regions[0]; });
     if (!inner) continue;
-    for (int k = 0; k < D; ++k) data.nodes[i][k] += o.jitter * edge[k] * uniform(random);
+    for (int k = 0; k < D; ++k) data.nodes[entry.first][k] += o.jitter * edge[k] * uniform(random);
   }
   // Cells in random order: neighbours in space are none in number.
   std::vector<std::size_t> order(data.cells.size());

@@ -116,7 +116,7 @@ std::vector<Constraint<typename M::scalar, M::dimension>> resolve(const Walls& w
   const Index n = Shape::node_count(mesh);
   std::vector<Vec<double, D>> x(n);
   Vec<double, D> lower = Vec<double, D>::Constant(std::numeric_limits<double>::infinity()), upper = -lower;
-  const auto used = [&mesh]([[maybe_unused]] Index i) {  // a mesher may leave nodes without cells behind
+  const auto used = [&]([[maybe_unused]] Index i) {  // a mesher may leave nodes without cells behind
     if constexpr (is_simplex_mesh<M>) return !mesh.cells_at(i).empty();
     return true;
   };

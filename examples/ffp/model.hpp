@@ -67,7 +67,9 @@ SimplexMesh<Model::dimension> mesh_of(const DropOptions& o) {
     SimplexMesh<Model::dimension> mesh(read_gmsh<Model::dimension>(o.mesh));
     constexpr double close = 1e-6;  // m
     const auto [bottom, surface] = height_of(mesh, "soil");
-    const double tip = height_of(mesh, "device").first;
+    const auto [tip, top] = height_of(mesh, "device");
+    require(top - tip >= 0.1 && top - tip <= 2, "length of the device", top - tip,
+            "must lie in [0.1, 2] m; is the mesh in metres?");
     require(std::abs(tip) < close, "tip of the device, y", tip, "must be 0 m");
     require(std::abs(surface) < close, "surface of the soil, y", surface, "must be 0 m, the tip's height");
     require(bottom < -o.moving_depth - close, "bottom of the soil, y", bottom,

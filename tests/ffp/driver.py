@@ -392,9 +392,14 @@ class Meshes(DriverTest):
             broken = Mesh("mesh_solid")
             del broken.sets[name]
             refuse(broken.write(f"no_{name}.msh", "2.2"), name, "--kinematics", "slice")
-        inch = Mesh("mesh_good")
-        inch.nodes = [tuple(c / 0.0254 for c in node) for node in inch.nodes]
-        refuse(inch.write("inch.msh", "2.2"), "must")
+        for name, rule, change in (
+            ("inch", "must lie in [0.1, 2] m", lambda x, y, z: (x / 0.0254, y / 0.0254, z)),
+            ("raised", "tip of the device, y = 0.1: must be 0 m", lambda x, y, z: (x, y + 0.1, z)),
+            ("shallow", "bottom of the soil, y = -0.05: must lie below", lambda x, y, z: (x, max(y, y / 8), z)),
+        ):
+            broken = Mesh("mesh_good")
+            broken.nodes = [change(*node) for node in broken.nodes]
+            refuse(broken.write(f"{name}.msh", "2.2"), rule)
 
 
 class Failures(DriverTest):

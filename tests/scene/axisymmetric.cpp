@@ -1,8 +1,8 @@
-// Axisymmetry against three dimensions and against theory: a hollow cylinder, free at its bore and rim and between smooth
-// plates, breathes. Plane strain, u = A J1(k r) + B Y1(k r), no radial stress at both radii (Love, Mathematical Theory of
-// Elasticity, ch. XII; Graff, Wave Motion in Elastic Solids, sec. 8.2).
-#include <cmath>
+// Axisymmetry against three dimensions and against theory: a hollow cylinder, free at its bore and rim and
+// between smooth plates, breathes. Plane strain, u = A J1(k r) + B Y1(k r), no radial stress at both radii
+// (Love, Mathematical Theory of Elasticity, ch. XII; Graff, Wave Motion in Elastic Solids, sec. 8.2).
 #include <arenite/arenite.hpp>
+#include <cmath>
 
 #include "catch.hpp"
 #include "meshes.hpp"
@@ -49,7 +49,8 @@ double solid_period() {
   return 2 * pi / (k * std::sqrt(ring().wave_modulus() / ring().density()));
 }
 
-/// Mean radial displacement over time, and the time between its first two zeros after the start, twice: the period.
+/// Mean radial displacement over time, and the time between its first two zeros after the start, twice: the
+/// period.
 struct Breath {
   std::vector<double> displacement;
   double period;
@@ -99,27 +100,30 @@ template <class N>
 auto wedge(N numerics) {
   const double angle = 5 * pi / 180;
   const auto data = test::wedge(bore - 0.125, rim + 0.125, height, angle, {12, 2, 2});
-  return Scene{Solid{}, SimplexMesh<3>(data), numerics,
-               bodies(fill(Inside{[](const auto& x) {
-                             const double r = std::hypot(x[0], x[2]);
-                             return std::max(bore - r, r - rim);
-                           }},
-                           ring(), {.per_cell = 10})),
-               walls(bottom(roller), top(roller), on("front", symmetry({std::sin(angle), 0, std::cos(angle)})),
-                     on("back", symmetry({-std::sin(angle), 0, std::cos(angle)})))};
+  return Scene{
+      Solid{}, SimplexMesh<3>(data), numerics,
+      bodies(fill(Inside{[](const auto& x) {
+                    const double r = std::hypot(x[0], x[2]);
+                    return std::max(bore - r, r - rim);
+                  }},
+                  ring(), {.per_cell = 10})),
+      walls(bottom(roller), top(roller), on("front", symmetry({std::sin(angle), 0, std::cos(angle)})),
+            on("back", symmetry({-std::sin(angle), 0, std::cos(angle)})))};
 }
 
 template <class N>
 auto grid(N numerics, double inner) {
   const double h = 0.0625;
-  return Scene{Axisymmetric{}, CartesianGrid<2>{{.lower = {0, 0}, .upper = {1.125, 2 * h}, .cell = h}}, numerics,
-               bodies(fill(Box{{inner, 0.}, {rim, 2 * h}}, ring(), {.per_cell = 4})),
+  return Scene{Axisymmetric{}, CartesianGrid<2>{{.lower = {0, 0}, .upper = {1.125, 2 * h}, .cell = h}},
+               numerics, bodies(fill(Box{{inner, 0.}, {rim, 2 * h}}, ring(), {.per_cell = 4})),
                walls(bottom(roller), top(roller))};
 }
 
 }  // namespace
 
-TEST_CASE("Axisymmetry: a hollow cylinder breathes at the frequency of theory, and as a slice in three dimensions does") {
+TEST_CASE(
+    "Axisymmetry: a hollow cylinder breathes at the frequency of theory, and as a slice in three dimensions "
+    "does") {
   const double period = hollow_period(), end = 1.1 * period, step = period / 400;
   const Breath flat = breathe(triangles(Numerics<LinearSimplex, Flip>{}), end, step);
   const Breath solid = breathe(wedge(Numerics<LinearSimplex, Flip>{}), end, step);
@@ -133,15 +137,19 @@ TEST_CASE("Axisymmetry: a hollow cylinder breathes at the frequency of theory, a
   CHECK(std::abs(flat.period / period - 1) <= 0.01);
   CHECK(std::abs(solid.period / period - 1) <= 0.02);
   CHECK(apart <= 0.05 * largest);
-  const Breath averaged = breathe(triangles(Numerics<LinearSimplex, Flip, Musl, NodalAveraging>{}), end, step);
+  const Breath averaged =
+      breathe(triangles(Numerics<LinearSimplex, Flip, Musl, NodalAveraging>{}), end, step);
   CHECK(std::abs(averaged.period / period - 1) <= 0.01);
 }
 
 TEST_CASE("Axisymmetry: a solid cylinder breathes at the frequency of theory; the axis stays put") {
   const double period = solid_period(), end = 1.1 * period, step = period / 400;
-  CHECK(std::abs(breathe(grid(Numerics<QuadraticBSpline, Flip>{}, 0), end, step).period / period - 1) <= 0.015);
-  CHECK(std::abs(breathe(grid(Numerics<QuadraticBSpline, Apic, Usl>{}, 0), end, step).period / period - 1) <= 0.015);
-  const double hollow = hollow_period();
-  CHECK(std::abs(breathe(grid(Numerics<QuadraticBSpline, Apic>{}, bore), 1.1 * hollow, hollow / 400).period / hollow - 1) <=
+  CHECK(std::abs(breathe(grid(Numerics<QuadraticBSpline, Flip>{}, 0), end, step).period / period - 1) <=
         0.015);
+  CHECK(std::abs(breathe(grid(Numerics<QuadraticBSpline, Apic, Usl>{}, 0), end, step).period / period - 1) <=
+        0.015);
+  const double hollow = hollow_period();
+  CHECK(std::abs(breathe(grid(Numerics<QuadraticBSpline, Apic>{}, bore), 1.1 * hollow, hollow / 400).period /
+                     hollow -
+                 1) <= 0.015);
 }

@@ -1,5 +1,6 @@
-// Vibration of an elastic bar, fixed at one end and free at the other, against the Fourier solution: with rollers on
-// its sides nothing but the axial strain is left, and u = a sin(k x) sin(k c t) with k = pi / (2 L), c^2 = M / rho.
+// Vibration of an elastic bar, fixed at one end and free at the other, against the Fourier solution: with
+// rollers on its sides nothing but the axial strain is left, and u = a sin(k x) sin(k c t) with k = pi / (2
+// L), c^2 = M / rho.
 #include <arenite/arenite.hpp>
 
 #include "catch.hpp"
@@ -20,8 +21,8 @@ struct Result {
   std::size_t steps;
 };
 
-/// Starts the first mode, runs it through two periods, and follows its velocity (the mean over the points, weighted
-/// with mass and the mode's shape).
+/// Starts the first mode, runs it through two periods, and follows its velocity (the mean over the points,
+/// weighted with mass and the mode's shape).
 template <class Scene>
 Result vibrate(Scene scene, double courant) {
   auto& points = std::get<0>(scene.bodies).points;
@@ -43,8 +44,7 @@ Result vibrate(Scene scene, double courant) {
       bottom += shape[p] * shape[p];
     }
     const double now = top / bottom;
-    if (s.time > 0 && before * now < 0)
-      crossings.push_back(then + (s.time - then) * before / (before - now));
+    if (s.time > 0 && before * now < 0) crossings.push_back(then + (s.time - then) * before / (before - now));
     if (s.time > period) largest = std::max(largest, std::abs(travel / bottom));
     before = now;
     then = s.time;
@@ -57,10 +57,11 @@ Result vibrate(Scene scene, double courant) {
 template <class N>
 Result on_grid(N numerics, int cells, double courant = 0.2) {
   const double h = length / cells;
-  return vibrate(Scene{PlaneStrain{}, CartesianGrid<2>{{.lower = {0, 0}, .upper = {length + 4 * h, h}, .cell = h}},
-                       numerics, bodies(fill(Box{{0., 0.}, {length, 2 * h}}, steel(), {.per_cell = 4})),
-                       walls(left(roller), bottom(roller), top(roller))},
-                 courant);
+  return vibrate(
+      Scene{PlaneStrain{}, CartesianGrid<2>{{.lower = {0, 0}, .upper = {length + 4 * h, h}, .cell = h}},
+            numerics, bodies(fill(Box{{0., 0.}, {length, 2 * h}}, steel(), {.per_cell = 4})),
+            walls(left(roller), bottom(roller), top(roller))},
+      courant);
 }
 
 template <class N>
@@ -73,9 +74,9 @@ Result on_triangles(N numerics, int cells, double courant = 0.2) {
                  courant);
 }
 
-/// The lumped mass lengthens the period by a relative (k h)^2 / 24 with linear functions and (k h)^2 / 8 with quadratic
-/// splines (Taylor series of the mass matrix's symbol); mapping the velocities to and from the points costs up to as
-/// much again as the spline's. In all less than 0.3 (k h)^2.
+/// The lumped mass lengthens the period by a relative (k h)^2 / 24 with linear functions and (k h)^2 / 8 with
+/// quadratic splines (Taylor series of the mass matrix's symbol); mapping the velocities to and from the
+/// points costs up to as much again as the spline's. In all less than 0.3 (k h)^2.
 void check(const Result& r, int cells) {
   CAPTURE(r.period, r.amplitude, r.steps);
   CHECK(std::abs(r.period) <= 0.3 * square(wave * length / cells));

@@ -1,5 +1,6 @@
-// Two elastic bars collide in a smooth channel. Equal bars exchange their velocities after 2 L / c (one-dimensional wave
-// theory, e.g. Timoshenko and Goodier, Theory of Elasticity, sec. 172); momentum is kept whatever the bars.
+// Two elastic bars collide in a smooth channel. Equal bars exchange their velocities after 2 L / c
+// (one-dimensional wave theory, e.g. Timoshenko and Goodier, Theory of Elasticity, sec. 172); momentum is
+// kept whatever the bars.
 #include <arenite/arenite.hpp>
 
 #include "catch.hpp"
@@ -11,7 +12,9 @@ namespace {
 
 constexpr double speed = 0.5, length = 0.5;
 
-LinearElastic bar(double density = 1000) { return LinearElastic{{.density = density, .young = 1e6, .poisson = 0.2}}; }
+LinearElastic bar(double density = 1000) {
+  return LinearElastic{{.density = density, .young = 1e6, .poisson = 0.2}};
+}
 
 template <class Scene>
 Vec<double, 2> total_momentum(const Scene& scene) {
@@ -30,14 +33,15 @@ std::array<double, 2> velocities(const Scene& scene) {
 /// The bars lie one cell apart; the first moves towards the second.
 template <class N>
 auto channel(N numerics, double h, const LinearElastic& second = bar()) {
-  return Scene{PlaneStrain{},
-               CartesianGrid<2>{{.lower = {0, 0}, .upper = {1.5, h}, .cell = h}},
-               numerics,
-               bodies(fill(Box{{0.1, 0.}, {0.1 + length, h}}, bar(), {.per_cell = 4, .velocity = {speed, 0, 0}}),
-                      fill(Box{{0.1 + length + 2 * h, 0.}, {0.1 + 2 * length + 2 * h, h}}, second, {.per_cell = 4})),
-               walls(bottom(roller), top(roller)),
-               Coulomb{Friction::frictionless()},
-               TrackEnergy{}};
+  return Scene{
+      PlaneStrain{},
+      CartesianGrid<2>{{.lower = {0, 0}, .upper = {1.5, h}, .cell = h}},
+      numerics,
+      bodies(fill(Box{{0.1, 0.}, {0.1 + length, h}}, bar(), {.per_cell = 4, .velocity = {speed, 0, 0}}),
+             fill(Box{{0.1 + length + 2 * h, 0.}, {0.1 + 2 * length + 2 * h, h}}, second, {.per_cell = 4})),
+      walls(bottom(roller), top(roller)),
+      Coulomb{Friction::frictionless()},
+      TrackEnergy{}};
 }
 
 template <class N>
@@ -60,7 +64,8 @@ void exchange_velocities(N numerics, double courant) {
   const auto v = velocities(scene);
   CAPTURE(v[0], v[1], (last - first) / (2 * length / wave));
   CHECK(worst <= 1e-13);
-  // The bars part in steps of a cell's crossing, not of a wave's: what transfers and nodes take shows in the rebound.
+  // The bars part in steps of a cell's crossing, not of a wave's: what transfers and nodes take shows in the
+  // rebound.
   CHECK(residual <= 0.2);
   CHECK(std::abs(v[0]) <= 0.1 * speed);
   CHECK(std::abs(v[1] - speed) <= 0.1 * speed);
@@ -97,15 +102,16 @@ TEST_CASE("Collision: momentum to round-off for unequal bars and all transfers")
 }
 
 TEST_CASE("Collision: oblique, with friction, in free flight: linear momentum to round-off, energy falls") {
-  Scene scene{PlaneStrain{},
-              CartesianGrid<2>{{.lower = {-1, -1}, .upper = {1, 1}, .cell = 0.05}},
-              Numerics<QuadraticBSpline, Apic>{},
-              bodies(fill(Inside{[](const auto& x) { return (x - Vec<double, 2>(-0.3, -0.05)).norm() - 0.2; }}, bar(),
-                          {.per_cell = 4, .velocity = {1, 0.1, 0}}),
-                     fill(Inside{[](const auto& x) { return (x - Vec<double, 2>(0.2, 0.1)).norm() - 0.2; }}, bar(3000),
-                          {.per_cell = 4, .velocity = {-0.2, 0, 0}})),
-              Coulomb{Friction(20 * pi / 180)},
-              TrackEnergy{}};
+  Scene scene{
+      PlaneStrain{},
+      CartesianGrid<2>{{.lower = {-1, -1}, .upper = {1, 1}, .cell = 0.05}},
+      Numerics<QuadraticBSpline, Apic>{},
+      bodies(fill(Inside{[](const auto& x) { return (x - Vec<double, 2>(-0.3, -0.05)).norm() - 0.2; }}, bar(),
+                  {.per_cell = 4, .velocity = {1, 0.1, 0}}),
+             fill(Inside{[](const auto& x) { return (x - Vec<double, 2>(0.2, 0.1)).norm() - 0.2; }},
+                  bar(3000), {.per_cell = 4, .velocity = {-0.2, 0, 0}})),
+      Coulomb{Friction(20 * pi / 180)},
+      TrackEnergy{}};
   const Vec<double, 2> start = total_momentum(scene);
   run(scene, {.end = 0.3, .courant = 0.5});
   const Energies e = energies(scene);

@@ -1,5 +1,5 @@
-// A column under its own weight between smooth walls: the vertical stress is the weight above, the horizontal one
-// nu / (1 - nu) of it, however far the column has settled.
+// A column under its own weight between smooth walls: the vertical stress is the weight above, the horizontal
+// one nu / (1 - nu) of it, however far the column has settled.
 #include <arenite/arenite.hpp>
 
 #include "catch.hpp"
@@ -74,25 +74,27 @@ void check(const Deviation& d, double stress, double speed) {
 }  // namespace
 
 TEST_CASE("Column: gravity switched on swings about the analytic stress") {
-  // The mean over whole periods 4 H / c is the static stress. A cell's stress is one on triangles: points off its
-  // middle are wrong by up to half a cell's weight, 0.05.
+  // The mean over whole periods 4 H / c is the static stress. A cell's stress is one on triangles: points off
+  // its middle are wrong by up to half a cell's weight, 0.05.
   const double end = 8 * height / std::sqrt(soil().wave_modulus() / density);
   const double fall = 1;  // the speed g H / c is below sqrt(g H)
   check(mean_deviation(on_grid(Numerics<QuadraticBSpline, Flip>{}, {.per_cell = 4}), end), 0.03, fall);
   check(mean_deviation(on_grid(Numerics<QuadraticBSpline, Apic, Usl>{}, {.per_cell = 4}), end), 0.03, fall);
   check(mean_deviation(on_triangles(Numerics<LinearSimplex, Flip>{}, {.per_cell = 6}), end), 0.06, fall);
-  check(mean_deviation(on_triangles(Numerics<LinearSimplex, Flip, Musl, NodalAveraging>{}, {.per_cell = 6}), end), 0.06,
-        fall);
+  check(mean_deviation(on_triangles(Numerics<LinearSimplex, Flip, Musl, NodalAveraging>{}, {.per_cell = 6}),
+                       end),
+        0.06, fall);
 }
 
 TEST_CASE("Column: geostatic stress stays put") {
   const FillOptions grid{.per_cell = 4, .stress = Geostatic{.surface = height, .k0 = k0}};
   const FillOptions mesh{.per_cell = 6, .stress = Geostatic{.surface = height, .k0 = k0}};
-  // Points of equal weight integrate the linear stress against constant gradients, and the weight against linear
-  // functions, exactly: the column rests to round-off.
+  // Points of equal weight integrate the linear stress against constant gradients, and the weight against
+  // linear functions, exactly: the column rests to round-off.
   check(mean_deviation(on_triangles(Numerics<LinearSimplex, Flip>{}, mesh), 0.3), 1e-12, 1e-12);
   check(mean_deviation(on_triangles(Numerics<LinearSimplex, Tpic, Usl>{}, mesh), 0.3), 1e-12, 1e-12);
-  check(mean_deviation(on_triangles(Numerics<LinearSimplex, Flip, Musl, NodalAveraging>{}, mesh), 0.3), 1e-12, 1e-12);
+  check(mean_deviation(on_triangles(Numerics<LinearSimplex, Flip, Musl, NodalAveraging>{}, mesh), 0.3), 1e-12,
+        1e-12);
   // Splines are integrated with an error at the two ends of the column: a fraction of a cell's weight, 0.1.
   check(mean_deviation(on_grid(Numerics<QuadraticBSpline, Flip>{}, grid), 0.3), 0.02, 0.001);
   check(mean_deviation(on_grid(Numerics<QuadraticBSpline, Apic>{}, grid), 0.3), 0.02, 0.001);

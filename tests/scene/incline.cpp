@@ -10,7 +10,9 @@ namespace {
 
 constexpr double g = 9.81, friction = 15 * pi / 180, cell = 0.05;
 
-LinearElastic rubber(double young) { return LinearElastic{{.density = 1000, .young = young, .poisson = 0.3}}; }
+LinearElastic rubber(double young) {
+  return LinearElastic{{.density = 1000, .young = young, .poisson = 0.3}};
+}
 
 Gravity tilted(double slope) { return gravity({g * std::sin(slope), -g * std::cos(slope)}); }
 
@@ -43,8 +45,8 @@ auto ground(double height) {
   return [height](const auto& x) { return x[1] - height; };
 }
 
-/// The lower body fills a region of triangles and gives the normals: those of a mass gradient tilt at the block's
-/// leading edge, which then ploughs.
+/// The lower body fills a region of triangles and gives the normals: those of a mass gradient tilt at the
+/// block's leading edge, which then ploughs.
 template <class N>
 auto two_bodies(N numerics, double slope) {
   auto mesh = test::triangles({0, 0}, {1.6, 0.5}, 32, 10);
@@ -73,22 +75,16 @@ auto two_bodies_by_mass(N numerics, double slope) {
 
 template <class N>
 auto on_ground(N numerics, double slope) {
-  return Scene{PlaneStrain{},
-               CartesianGrid<2>{{.lower = {0, 0}, .upper = {1.6, 0.6}, .cell = cell}},
-               numerics,
-               bodies(fill(Box{{0.3, 0.2}, {0.7, 0.4}}, rubber(1e6), {.per_cell = 4})),
-               tilted(slope),
-               rigids(rigid(DistanceSurface{ground(0.2)}, still(), Friction(friction)))};
+  return Scene{PlaneStrain{}, CartesianGrid<2>{{.lower = {0, 0}, .upper = {1.6, 0.6}, .cell = cell}},
+               numerics,      bodies(fill(Box{{0.3, 0.2}, {0.7, 0.4}}, rubber(1e6), {.per_cell = 4})),
+               tilted(slope), rigids(rigid(DistanceSurface{ground(0.2)}, still(), Friction(friction)))};
 }
 
 template <class N>
 auto on_ground_of_triangles(N numerics, double slope) {
-  return Scene{PlaneStrain{},
-               SimplexMesh<2>(test::triangles({0, 0}, {1.6, 0.5}, 32, 10)),
-               numerics,
-               bodies(fill(Box{{0.3, 0.2}, {0.7, 0.4}}, rubber(1e6), {.per_cell = 6})),
-               tilted(slope),
-               rigids(rigid(DistanceSurface{ground(0.2), 0.01}, still(), Friction(friction)))};
+  return Scene{PlaneStrain{}, SimplexMesh<2>(test::triangles({0, 0}, {1.6, 0.5}, 32, 10)),
+               numerics,      bodies(fill(Box{{0.3, 0.2}, {0.7, 0.4}}, rubber(1e6), {.per_cell = 6})),
+               tilted(slope), rigids(rigid(DistanceSurface{ground(0.2), 0.01}, still(), Friction(friction)))};
 }
 
 constexpr double steep = 30 * pi / 180, flat = 10 * pi / 180;

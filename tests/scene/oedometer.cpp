@@ -1,6 +1,6 @@
-// Oedometer: a layer between smooth walls pressed from above. The strain is uniform and uniaxial, so that the stress is
-// M times the logarithmic strain (the Jaumann rate integrated at no spin), the lateral one nu / (1 - nu) of it, and
-// sand at failure rests at the active ratio (1 - sin phi) / (1 + sin phi).
+// Oedometer: a layer between smooth walls pressed from above. The strain is uniform and uniaxial, so that the
+// stress is M times the logarithmic strain (the Jaumann rate integrated at no spin), the lateral one nu / (1
+// - nu) of it, and sand at failure rests at the active ratio (1 - sin phi) / (1 + sin phi).
 #include <arenite/arenite.hpp>
 
 #include "catch.hpp"
@@ -18,7 +18,8 @@ auto pressing() {
   return Prescribed{[](double) { return std::array<double, 3>{0, -speed, 0}; }};
 }
 
-/// A mesh that follows the platen: its own strain is that of the soil, and the platen's nodes stay on its face.
+/// A mesh that follows the platen: its own strain is that of the soil, and the platen's nodes stay on its
+/// face.
 MovingMesh<> following() { return {.fixed_below = 0, .moving_from = height}; }
 
 /// A linear velocity from the start, so that no wave runs through the layer.
@@ -96,7 +97,9 @@ TEST_CASE("Oedometer on tetrahedra: elastic, and every cure of locking gives the
   check(on_tetrahedra(Numerics<LinearSimplex, Flip, Musl, NodalAveraging>{}, soil()), k0, 0.05);
 }
 
-TEST_CASE("Oedometer with sand: at rest it stays elastic, with a low Poisson's ratio it yields at the active ratio") {
+TEST_CASE(
+    "Oedometer with sand: at rest it stays elastic, with a low Poisson's ratio it yields at the active "
+    "ratio") {
   const MohrCoulomb rest{{.density = 1000, .young = 1e7, .poisson = 0.3, .friction = 40_deg}};
   const MohrCoulomb yields{{.density = 1000, .young = 1e7, .poisson = 0.1, .friction = 30_deg}};
   check(on_triangles(Numerics<LinearSimplex, Tpic, Usl>{}, rest), k0, 5e-4);
@@ -124,7 +127,8 @@ TEST_CASE("Oedometer on B-splines: a platen given as a signed distance feels wha
   const double exact = body.law.wave_modulus() * std::log((height - squeeze) / height);
   CAPTURE(mean / exact, lateral);
   CHECK(lateral <= 1e-6);
-  // Where the face acts is blurred: nodes within half a cell of it are stopped, so that it acts up to that much early.
+  // Where the face acts is blurred: nodes within half a cell of it are stopped, so that it acts up to that
+  // much early.
   CHECK(std::abs(mean / exact - 1) <= 0.1);
   CHECK(std::abs(std::get<0>(scene.rigids).force[1] / (-mean * 0.1) - 1) <= 0.1);
 }

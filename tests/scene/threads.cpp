@@ -9,7 +9,9 @@ using namespace arenite;
 namespace {
 
 LinearElastic rubber() { return LinearElastic{{.density = 1000, .young = 1e6, .poisson = 0.3}}; }
-MohrCoulomb<> sand() { return MohrCoulomb<>{{.density = 1500, .young = 1e6, .poisson = 0.3, .friction = 35_deg}}; }
+MohrCoulomb<> sand() {
+  return MohrCoulomb<>{{.density = 1500, .young = 1e6, .poisson = 0.3, .friction = 35_deg}};
+}
 
 template <class Column>
 void append(std::vector<unsigned char>& bytes, const Column& column) {
@@ -33,7 +35,8 @@ std::vector<unsigned char> bytes_after(Make&& make, int threads) {
     append(bytes, body.impulse);
   });
   append(bytes, std::array<double, 3>{scene.time, scene.wall_impulse[0], scene.wall_impulse[1]});
-  if constexpr (decltype(scene)::tracks_energy) append(bytes, std::array<double, 1>{energies(scene).residual});
+  if constexpr (decltype(scene)::tracks_energy)
+    append(bytes, std::array<double, 1>{energies(scene).residual});
   return bytes;
 }
 
@@ -55,22 +58,28 @@ CartesianGrid<2> grid() { return CartesianGrid<2>{{.lower = {0, 0}, .upper = {2,
 
 TEST_CASE("Same bits: B-splines, APIC, sand, energy") {
   check([] {
-    return Scene{PlaneStrain{}, grid(), Numerics<QuadraticBSpline, Apic>{}, bodies(fill(Box{{0., 0.}, {1., 0.8}}, sand(), falls)),
-                 walls(bottom(fixed), left(roller)), gravity({0, -9.81}), TrackEnergy{}};
+    return Scene{PlaneStrain{},
+                 grid(),
+                 Numerics<QuadraticBSpline, Apic>{},
+                 bodies(fill(Box{{0., 0.}, {1., 0.8}}, sand(), falls)),
+                 walls(bottom(fixed), left(roller)),
+                 gravity({0, -9.81}),
+                 TrackEnergy{}};
   });
 }
 
 TEST_CASE("Same bits: B-splines, FLIP, two bodies in contact, a rigid body") {
   check([] {
-    return Scene{PlaneStrain{},
-                 grid(),
-                 Numerics<QuadraticBSpline, Flip, Usl>{},
-                 bodies(fill(Box{{0.5, 0.5}, {1., 0.8}}, rubber(), falls), fill(Box{{0., 0.}, {2., 0.5}}, rubber())),
-                 walls(bottom(fixed)),
-                 gravity({0, -9.81}),
-                 Coulomb{Friction(10_deg)},
-                 rigids(rigid(DistanceSurface{[](const auto& x) { return std::hypot(x[0] - 1.5, x[1] - 0.7) - 0.2; }},
-                              Guided{.mass = 50, .velocity = -2}, Friction(20_deg)))};
+    return Scene{
+        PlaneStrain{},
+        grid(),
+        Numerics<QuadraticBSpline, Flip, Usl>{},
+        bodies(fill(Box{{0.5, 0.5}, {1., 0.8}}, rubber(), falls), fill(Box{{0., 0.}, {2., 0.5}}, rubber())),
+        walls(bottom(fixed)),
+        gravity({0, -9.81}),
+        Coulomb{Friction(10_deg)},
+        rigids(rigid(DistanceSurface{[](const auto& x) { return std::hypot(x[0] - 1.5, x[1] - 0.7) - 0.2; }},
+                     Guided{.mass = 50, .velocity = -2}, Friction(20_deg)))};
   });
 }
 
@@ -79,24 +88,25 @@ TEST_CASE("Same bits: triangles, FLIP, MUSL, nodal averaging, a moving mesh, a r
     auto data = test::triangles({0, 0}, {1, 1}, 30, 30);
     test::name_region(data, "block", [](const auto& x) { return x[0] < 0.3 && x[1] > 0.5; });
     test::name_region(data, "soil", [](const auto& x) { return x[1] < 0.5; });
-    return Scene{Axisymmetric{},
-                 SimplexMesh<2>(data),
-                 Numerics<LinearSimplex, Flip, Musl, NodalAveraging>{},
-                 bodies(fill(Cells("soil"), sand(), {.per_cell = 3, .stress = Geostatic{.surface = 0.5, .k0 = 0.5}})),
-                 walls(on("bottom", fixed), on("right", symmetry({1, 0, 0}))),
-                 gravity({0, -9.81}),
-                 rigids(rigid(MeshSurface{"block"}, Guided{.mass = 100, .velocity = -5}, Friction(20_deg))),
-                 MovingMesh<>{.fixed_below = 0.1, .moving_from = 0.5},
-                 TrackEnergy{}};
+    return Scene{
+        Axisymmetric{},
+        SimplexMesh<2>(data),
+        Numerics<LinearSimplex, Flip, Musl, NodalAveraging>{},
+        bodies(fill(Cells("soil"), sand(), {.per_cell = 3, .stress = Geostatic{.surface = 0.5, .k0 = 0.5}})),
+        walls(on("bottom", fixed), on("right", symmetry({1, 0, 0}))),
+        gravity({0, -9.81}),
+        rigids(rigid(MeshSurface{"block"}, Guided{.mass = 100, .velocity = -5}, Friction(20_deg))),
+        MovingMesh<>{.fixed_below = 0.1, .moving_from = 0.5},
+        TrackEnergy{}};
   });
 }
 
 TEST_CASE("Same bits: tetrahedra, TPIC, element average") {
   check([] {
-    return Scene{Solid{},
-                 SimplexMesh<3>(test::tetrahedra({0, 0, 0}, {1, 1, 1}, {6, 6, 6})),
-                 Numerics<LinearSimplex, Tpic, Usl, ElementAverage>{},
-                 bodies(fill(Box{{0., 0., 0.}, {1., 1., 0.5}}, rubber(), {.per_cell = 4, .velocity = {0, -0.5, 0.1}})),
-                 walls(bottom(fixed))};
+    return Scene{
+        Solid{}, SimplexMesh<3>(test::tetrahedra({0, 0, 0}, {1, 1, 1}, {6, 6, 6})),
+        Numerics<LinearSimplex, Tpic, Usl, ElementAverage>{},
+        bodies(fill(Box{{0., 0., 0.}, {1., 1., 0.5}}, rubber(), {.per_cell = 4, .velocity = {0, -0.5, 0.1}})),
+        walls(bottom(fixed))};
   });
 }

@@ -1,9 +1,10 @@
-// Small structured simplex meshes for tests: boxes of triangles and of tetrahedra, and boxes bent into something else.
+// Small structured simplex meshes for tests: boxes of triangles and of tetrahedra, and boxes bent into
+// something else.
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <arenite/mesh/mesh_data.hpp>
+#include <array>
 #include <cmath>
 #include <string>
 #include <utility>
@@ -32,7 +33,8 @@ inline MeshData<2> triangles(const std::array<double, 2>& lower, const std::arra
   MeshData<2> data;
   for (Index j = 0; j <= ny; ++j)
     for (Index i = 0; i <= nx; ++i)
-      data.nodes.push_back({lower[0] + (upper[0] - lower[0]) * i / nx, lower[1] + (upper[1] - lower[1]) * j / ny});
+      data.nodes.push_back(
+          {lower[0] + (upper[0] - lower[0]) * i / nx, lower[1] + (upper[1] - lower[1]) * j / ny});
   for (Index j = 0; j < ny; ++j)
     for (Index i = 0; i < nx; ++i) {
       const Index a = j * (nx + 1) + i, b = a + 1, c = b + nx + 1, d = a + nx + 1;
@@ -50,9 +52,9 @@ inline MeshData<2> triangles(const std::array<double, 2>& lower, const std::arra
   return data;
 }
 
-/// nx x ny x nz bricks of six tetrahedra each, one for each order of the three axes (Kuhn 1960, Some combinatorial
-/// lemmas in topology): all share the brick's diagonal, and neighbours fit. Region "all"; node sets left, right,
-/// bottom, top, front, back.
+/// nx x ny x nz bricks of six tetrahedra each, one for each order of the three axes (Kuhn 1960, Some
+/// combinatorial lemmas in topology): all share the brick's diagonal, and neighbours fit. Region "all"; node
+/// sets left, right, bottom, top, front, back.
 inline MeshData<3> tetrahedra(const std::array<double, 3>& lower, const std::array<double, 3>& upper,
                               const std::array<Index, 3>& n) {
   MeshData<3> data;
@@ -62,7 +64,8 @@ inline MeshData<3> tetrahedra(const std::array<double, 3>& lower, const std::arr
   for (Index k = 0; k <= n[2]; ++k)
     for (Index j = 0; j <= n[1]; ++j)
       for (Index i = 0; i <= n[0]; ++i)
-        data.nodes.push_back({lower[0] + (upper[0] - lower[0]) * i / n[0], lower[1] + (upper[1] - lower[1]) * j / n[1],
+        data.nodes.push_back({lower[0] + (upper[0] - lower[0]) * i / n[0],
+                              lower[1] + (upper[1] - lower[1]) * j / n[1],
                               lower[2] + (upper[2] - lower[2]) * k / n[2]});
   for (Index k = 0; k < n[2]; ++k)
     for (Index j = 0; j < n[1]; ++j)
@@ -84,9 +87,9 @@ inline MeshData<3> tetrahedra(const std::array<double, 3>& lower, const std::arr
   return data;
 }
 
-/// Slice of a hollow cylinder about the y axis: radius r0 to r1, height 0 to h, `angle` rad on both sides of the
-/// plane z = 0, of n = {radial, vertical, around} bricks. Node sets as for a box, in the coordinates (r, y, angle):
-/// left is the bore, front and back are the two cut faces.
+/// Slice of a hollow cylinder about the y axis: radius r0 to r1, height 0 to h, `angle` rad on both sides of
+/// the plane z = 0, of n = {radial, vertical, around} bricks. Node sets as for a box, in the coordinates (r,
+/// y, angle): left is the bore, front and back are the two cut faces.
 inline MeshData<3> wedge(double r0, double r1, double h, double angle, const std::array<Index, 3>& n) {
   MeshData<3> data = tetrahedra({r0, 0, -angle}, {r1, h, angle}, n);
   for (auto& x : data.nodes) x = {x[0] * std::cos(x[2]), x[1], x[0] * std::sin(x[2])};

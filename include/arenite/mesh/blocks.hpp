@@ -72,17 +72,29 @@ class Blocks {
     });
   }
 
-  /// Joins `f(cell)` over all cells: block by block, in order. `start` is used once a block: it must change
-  /// nothing (0 for a sum).
+  /// Joins `f(begin, end)` over all blocks of cells, in order.
   template <class R, class F, class Join>
-  R reduce(R start, F&& f, Join&& join) const {
+  R reduce_blocks(R start, F&& f, Join&& join) const {
     std::vector<R> part(count(), start);
     parallel_for(count(), worthwhile(), [&](std::size_t b) {
       const auto block = static_cast<Index>(b);
-      for (Index c = begin(block); c < end(block); ++c) part[b] = join(part[b], f(c));
+      part[b] = f(begin(block), end(block));
     });
     for (const R& p : part) start = join(start, p);
     return start;
+  }
+
+  /// Joins `f(cell)` over all cells: block by block, in order.
+  template <class R, class F, class Join>
+  R reduce(R start, F&& f, Join&& join) const {
+    return reduce_blocks(
+        start,
+        [&](Index first, Index last) {
+          R sum = start;
+          for (Index c = first; c < last; ++c) sum = join(sum, f(c));
+          return sum;
+        },
+        join);
   }
 
  private:

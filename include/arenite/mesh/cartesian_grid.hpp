@@ -86,6 +86,14 @@ class CartesianGrid {
     return x;
   }
 
+  /// Test for one cell, made once for many positions.
+  struct Holder {
+    const CartesianGrid* grid;
+    Index cell;
+    bool holds(const Point& x) const { return grid->walk(x) == cell; }
+  };
+  Holder holder(Index cell) const { return {this, cell}; }
+
   /// The cell that holds x, or `none` outside of the box (or for NaN). The upper faces belong to the last
   /// cells.
   Index walk(const Point& x, Index = none) const {

@@ -10,6 +10,7 @@ namespace arenite {
 
 /// - `walk(x, hint)`: the cell of x, or `none`; `search(x)`: the same without a hint, slower, right
 /// everywhere.
+/// - `holder(cell).holds(x)`: whether one cell holds x, for many x;
 /// - `size(cell)`: length for the stable step, m; `volume(cell)`: area or volume, m^D.
 template <class M>
 concept mesh = requires(M m, const M cm, const typename M::Point x, Index cell) {
@@ -17,6 +18,7 @@ concept mesh = requires(M m, const M cm, const typename M::Point x, Index cell) 
   { cm.cell_count() } -> std::same_as<Index>;
   { cm.walk(x, cell) } -> std::same_as<Index>;
   { m.search(x) } -> std::same_as<Index>;
+  { cm.holder(cell).holds(x) } -> std::same_as<bool>;
   { cm.size(cell) } -> std::convertible_to<typename M::scalar>;
   { cm.volume(cell) } -> std::convertible_to<typename M::scalar>;
 };

@@ -104,6 +104,19 @@ class SimplexMesh {
     return b;
   }
 
+  /// Test for one cell, made once for many positions.
+  struct Holder {
+    Frame frame;
+    /// Whether x lies in the cell, its faces included.
+    bool holds(const Point& x) const {
+      const Point b = frame.inverse * (x - frame.origin);
+      bool inside = b.sum() <= 1 + tolerance;
+      for (int k = 0; k < D; ++k) inside &= b[k] >= -tolerance;
+      return inside;
+    }
+  };
+  Holder holder(Index cell) const { return {frames_[cell]}; }
+
   /// The cell that holds x, found by walking from `hint`, or `none` where the walk ends: at the hull, or
   /// after `max_walk` cells. A point on a face stays in the first cell found. Costs one test for a point that
   /// stayed.

@@ -131,13 +131,18 @@ void relocate(B& body, M& mesh) {
   auto& points = body.points;
   const std::size_t n = points.size();
   const std::size_t moved = parallel_reduce(
-      n, std::size_t{0},
+      mesh.cell_count(), std::size_t{0},
       [&](std::size_t begin, std::size_t end) {
         std::size_t count = 0;
-        for (std::size_t p = begin; p < end; ++p) {
-          const Index cell = mesh.walk(points.position[p], points.cell[p]);
-          count += cell != points.cell[p];
-          points.cell[p] = cell;
+        for (auto c = static_cast<Index>(begin); c < end; ++c) {
+          if (body.cells.empty(c)) continue;
+          const auto here = mesh.holder(c);
+          for (const Index p : body.cells[c]) {
+            if (here.holds(points.position[p])) continue;
+            const Index cell = mesh.walk(points.position[p], c);
+            count += cell != c;
+            points.cell[p] = cell;
+          }
         }
         return count;
       },

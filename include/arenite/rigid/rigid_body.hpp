@@ -78,36 +78,34 @@ void find_touches(const M& mesh, R& body, const Fields& fields) {
       });
 }
 
-/// Speed along the guide that balances the impulses: M (s - s_trial) + axis . sum J(s) = 0. Bracketed between
-/// the trial speed and the explicit answer and closed in on by the Illinois rule; the last iterate is used
-/// with the impulses that belong to it.
+/// Speed along the guide that balances the impulses: f(s) = M (s - trial) + axis . sum J(s) = 0. f is made of
+/// pieces that are straight (or nearly so, with friction in three dimensions), whose slopes may differ by as
+/// much as soil and body: Newton steps on the pieces, inside a bracket that is halved where they leave it.
 template <class R, class T>
 T balance_speed(const R& body, T trial, T mass) {
+  T soil = 0;
+  for (const auto& t : body.touches) soil += t.share * t.mass;
   const auto pull = [&](T s) {
     T sum = 0;
     for (const auto& t : body.touches) sum += body.impulse_at(t, s * body.axis).dot(body.axis);
     return sum;
   };
-  T a = trial, fa = pull(a);
-  if (fa == 0) return trial;
-  T b = trial - fa / mass;
-  T fb = mass * (b - trial) + pull(b);
-  T s = b;
-  for (int k = 0; k < 50; ++k) {
-    if (fb == 0 || fb == fa) break;
-    const T next = b - fb * (b - a) / (fb - fa);
-    const T f = mass * (next - trial) + pull(next);
+  constexpr T round_off = std::numeric_limits<T>::epsilon();
+  T s = trial, f = pull(s);
+  if (f == 0) return trial;
+  const T sign = f > 0 ? T(1) : T(-1);
+  T near = trial;            // f has the sign of the start here, and the other one (or none) at `far`
+  T far = trial - f / mass;  // here the body alone would have taken the impulse of the trial speed
+  for (int k = 0; k < 100; ++k) {
+    const T h = -sign * std::sqrt(round_off) * std::max(std::abs(s - trial), std::abs(f) / (mass + soil));
+    const T slope = mass + (pull(s + h) - pull(s)) / h;
+    T next = s - f / slope;
+    if (!((next - near) * (next - far) < 0)) next = near + (far - near) / 2;
     const T change = std::abs(next - s);
     s = next;
-    if (f * fb < 0) {
-      a = b;
-      fa = fb;
-    } else {
-      fa /= 2;
-    }
-    b = next;
-    fb = f;
-    if (change <= 4 * std::numeric_limits<T>::epsilon() * std::abs(trial - s) || f == 0) break;
+    f = mass * (s - trial) + pull(s);
+    (f * sign > 0 ? near : far) = s;
+    if (f == 0 || change <= 4 * round_off * std::abs(s - trial)) break;
   }
   return s;
 }

@@ -58,12 +58,18 @@ class BoundDistanceSurface {
 
   template <class Shape, class M, class F>
   void visit(const M& mesh, const Vec<T, D>& displacement, F&& f) const {
-    const T cell = mesh.size(0);
     const Index nodes = Shape::node_count(mesh);
     for (Index i = 0; i < nodes; ++i) {
+      T cell;
+      if constexpr (is_simplex_mesh<M>)
+        cell = mesh.node_size(i);
+      else
+        cell = mesh.edge();
       const Vec<double, D> x = (Shape::node_position(mesh, i) - displacement).template cast<double>();
       if (surface_.distance(x) > surface_.reach * static_cast<double>(cell)) continue;
-      f(i, Vec<T, D>(slope(x, 1e-4 * static_cast<double>(cell)).template cast<T>()), false, T(0));
+      const Vec<double, D> normal = slope(x, 1e-4 * static_cast<double>(cell));
+      // Where the distance has no slope (deep on an axis) there is no way out: such a node is inside.
+      f(i, Vec<T, D>(normal.template cast<T>()), normal.squaredNorm() == 0, T(0));
     }
   }
 

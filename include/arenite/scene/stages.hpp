@@ -76,10 +76,8 @@ template <class Scene>
 void gather(Scene& scene) {
   using N = typename Scene::NumericsType;
   scene.for_each_body(
-      [&](auto& body, const auto& field) { gather(scene.numerics, scene.mesh, scene.blocks, body, field); });
+      [&](auto& body, auto& field) { gather(scene.numerics, scene.mesh, scene.blocks, body, field); });
   if constexpr (N::Order::remaps) {
-    scene.for_each_body(
-        [&](const auto& body, auto& field) { remap<N>(scene.mesh, scene.blocks, body, field); });
     for (auto& field : scene.fields) {
       finish_remap(field);
       constrain(scene.constraints, field.mass, field.mapped);
@@ -90,13 +88,16 @@ void gather(Scene& scene) {
 
 template <class Scene>
 void deform(Scene& scene, double dt) {
+  double check = 0;
   scene.for_each_body([&](auto& body, const auto& field) {
     const DeformSums sums =
         deform<typename Scene::Kinematics>(scene.numerics, scene.mesh, scene.blocks, body, field,
                                            static_cast<typename Scene::T>(dt), scene.average);
     body.opened_volume += sums.opened_volume;
+    check += sums.check;
     if constexpr (Scene::tracks_energy) scene.ledger.stress_work += sums.work;
   });
+  scene.finite = std::isfinite(check);
 }
 
 template <class Scene>
@@ -130,6 +131,7 @@ void finish(Scene& scene, double dt) {
   scene.time += dt;
   scene.time_step = dt;
   ++scene.steps;
+  if (scene.finite) return;
   std::size_t number = 0;
   scene.for_each_body([&](const auto& body, const auto&) {
     const auto& points = body.points;

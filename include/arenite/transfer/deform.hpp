@@ -2,15 +2,14 @@
 // cells, or two where the volumetric strain is averaged over nodes first.
 #pragma once
 
+#include <arenite/transfer/law_batch.hpp>
 #include <arenite/transfer/scatter.hpp>
 
 namespace arenite {
 
-/// Strain and spin of one step at a point: velocities [D x size], gradients [D x size], weights [size].
-template <class K, class T, int D, class Velocities, class Gradients, class Weights>
-Increment<T, D> increment_at(const Velocities& v, const Gradients& g, const Weights& w, const Vec<T, D>& x,
-                             T dt) {
-  const Mat<T, D> l = dt * (v * g.transpose());
+/// Strain and spin of one step from the velocity gradient times dt, [D x D]; no strain out of plane.
+template <class T, int D>
+Increment<T, D> in_plane_increment(const Mat<T, D>& l) {
   Increment<T, D> inc;
   auto& e = inc.strain;
   e[0] = l(0, 0);
@@ -23,8 +22,6 @@ Increment<T, D> increment_at(const Velocities& v, const Gradients& g, const Weig
     e[5] = (l(2, 0) + l(0, 2)) / 2;
     inc.spin[1] = (l(1, 2) - l(2, 1)) / 2;
     inc.spin[2] = (l(2, 0) - l(0, 2)) / 2;
-  } else if constexpr (K::hoop) {
-    e[2] = dt * v.row(0).dot(w.transpose()) / x[0];
   }
   return inc;
 }
@@ -80,14 +77,8 @@ struct VolumetricAverage {
   }
 };
 
-/// What a pass over the points adds up, each in the order of the blocks.
-struct DeformSums {
-  double work = 0;           ///< work of the stresses, J
-  double opened_volume = 0;  ///< voids that opened without stress, m3
-};
-
-/// Updates stress, history and volume of each point, and moves it with the node velocities. A volume follows
-/// the trace of the strain less what opened: V = V_0 exp(sum (tr de - opening)).
+/// Updates stress, history and volume of each point by the law of its body, and moves it with the node
+/// velocities.
 template <class K, class N, class M, class B, class Field, class Average>
 DeformSums deform(const N& numerics, const M& mesh, const Blocks& blocks, B& body, const Field& nodes,
                   typename M::scalar dt, Average& average) {
@@ -98,44 +89,54 @@ DeformSums deform(const N& numerics, const M& mesh, const Blocks& blocks, B& bod
   const auto& strain_velocity = nodes.strain_velocity();
   if constexpr (N::AntiLocking::averages_strain)
     average.template compute<K, N>(mesh, blocks, body, nodes, dt);
-  const auto law = body.law;  // a copy: its moduli stay in registers
-  return blocks.reduce(
+  return blocks.reduce_blocks(
       DeformSums{},
-      [&](Index c) {
+      [&](Index begin, Index end) {
+        const auto law = body.law;  // a copy: its moduli stay in registers
         DeformSums sums;
-        const auto in_cell = body.cells[c];
-        if (in_cell.empty()) return sums;
-        const Cell cell(mesh, c);
-        Eigen::Matrix<T, D, size> v, u;
-        for (int k = 0; k < size; ++k) {
-          const Index i = cell.nodes[static_cast<std::size_t>(k)];
-          v.col(k) = nodes.velocity[i];
-          u.col(k) = strain_velocity[i];
+        LawBatch<T, D, N::register_bytes> batch;
+        for (Index c = begin; c < end; ++c) {
+          const auto in_cell = body.cells[c];
+          if (in_cell.empty()) continue;
+          const Cell cell(mesh, c);
+          detail::Quads<T, size> v = detail::Quads<T, size>::Zero();
+          Eigen::Matrix<T, D, size> u;
+          for (int k = 0; k < size; ++k) {
+            const Index i = cell.nodes[static_cast<std::size_t>(k)];
+            v.col(k).template head<D>() = dt * nodes.velocity[i];
+            u.col(k) = dt * strain_velocity[i];
+          }
+          [[maybe_unused]] Increment<T, D> of_cell;
+          if constexpr (N::Shape::constant_gradient)
+            of_cell = in_plane_increment<T, D>(u * cell.gradient.transpose());
+          for (const Index p : in_cell) {
+            Vec<T, D>& x = points.position[p];
+            const auto w = cell.weights(x);
+            Increment<T, D> inc;
+            if constexpr (N::Shape::constant_gradient)
+              inc = of_cell;
+            else
+              inc = in_plane_increment<T, D>(u * cell.gradients(x).transpose());
+            if constexpr (K::hoop) inc.strain[2] = u.row(0).dot(w.transpose()) / x[0];
+            if constexpr (N::AntiLocking::averages_strain)
+              inc.strain =
+                  add_isotropic(inc.strain, T((average.cell_strain[c] - trace(inc.strain)) * T(1.0 / 3)));
+            const Eigen::Matrix<T, 4, 1> way = v * w;
+            x += way.template head<D>();
+            sums.check += static_cast<double>(x.sum() + points.velocity[p].sum());
+            if (batch.full()) batch.flush(law, points, sums);
+            batch.add(p, inc);
+          }
+          if constexpr (N::AntiLocking::averages_stress) {
+            batch.flush(law, points, sums);
+            average_stress<K>(numerics, mesh, c, in_cell, points);
+          }
         }
-        for (const Index p : in_cell) {
-          const Vec<T, D>& x = points.position[p];
-          const auto w = cell.weights(x);
-          auto inc = increment_at<K, T, D>(u, cell.gradients(x), w, x, dt);
-          if constexpr (N::AntiLocking::averages_strain)
-            inc.strain = add_isotropic(inc.strain, T((average.cell_strain[c] - trace(inc.strain)) / 3));
-          Sym<T, D> stress = points.stress[p];
-          auto history = points.load_history(p);
-          const T opening = law.update(stress, inc, history);
-          const T before = points.volume[p];
-          const T after = before * std::exp(trace(inc.strain) - opening);
-          sums.work +=
-              static_cast<double>((before + after) / 4 * contract(points.stress[p] + stress, inc.strain));
-          sums.opened_volume += static_cast<double>(after * opening);
-          points.store_history(p, history);
-          points.stress[p] = stress;
-          points.volume[p] = after;
-          points.position[p] += dt * (v * w);
-        }
-        if constexpr (N::AntiLocking::averages_stress) average_stress<K>(numerics, mesh, c, in_cell, points);
+        batch.flush(law, points, sums);
         return sums;
       },
       [](DeformSums a, const DeformSums& b) {
-        return DeformSums{a.work + b.work, a.opened_volume + b.opened_volume};
+        return DeformSums{a.work + b.work, a.opened_volume + b.opened_volume, a.check + b.check};
       });
 }
 

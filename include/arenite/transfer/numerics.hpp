@@ -2,13 +2,30 @@
 // anti-locking.
 #pragma once
 
+#include <cstddef>
+
 #include <arenite/stabilise/anti_locking.hpp>
 #include <arenite/transfer/transfer.hpp>
 
 namespace arenite {
 
-template <class Shape_, class Transfer_ = Flip, class Order_ = Musl, class AntiLocking_ = NoAntiLocking>
+/// Bytes of the widest register that this translation unit is compiled for. A constant of internal linkage,
+/// used as a template argument: units compiled with other flags make other types and never meet in one
+/// function.
+constexpr std::size_t native_register_bytes =
+#if defined(__AVX512F__)
+    64;
+#elif defined(__AVX__)
+    32;
+#else
+    16;
+#endif
+
+/// `RegisterBytes`: size of the packs in which laws are called; sizeof(T) for plain scalars.
+template <class Shape_, class Transfer_ = Flip, class Order_ = Musl, class AntiLocking_ = NoAntiLocking,
+          std::size_t RegisterBytes = native_register_bytes>
 struct Numerics {
+  static constexpr std::size_t register_bytes = RegisterBytes;
   using Shape = Shape_;
   using Transfer = Transfer_;
   using Order = Order_;

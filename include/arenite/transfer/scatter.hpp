@@ -10,14 +10,46 @@
 namespace arenite {
 namespace detail {
 
-/// Product of the in-plane part of a symmetric tensor with a vector.
-template <class T, int D, class V>
-Vec<T, D> times(const Sym<T, D>& s, const V& g) {
+/// Local sums of a cell's nodes have four rows whatever the dimension: a register holds a column, and the
+/// mass rides in the last.
+template <class T, int Size>
+using Quads = Eigen::Matrix<T, 4, Size>;
+
+/// In-plane part of a symmetric tensor as [4 x D], the rows beyond D zero.
+template <class T, int D>
+Eigen::Matrix<T, 4, D> padded(const Sym<T, D>& s) {
+  Eigen::Matrix<T, 4, D> m;
   if constexpr (D == 2)
-    return {s[0] * g[0] + s[3] * g[1], s[3] * g[0] + s[1] * g[1]};
+    m << s[0], s[3], s[3], s[1], 0, 0, 0, 0;
   else
-    return {s[0] * g[0] + s[3] * g[1] + s[5] * g[2], s[3] * g[0] + s[1] * g[1] + s[4] * g[2],
-            s[5] * g[0] + s[4] * g[1] + s[2] * g[2]};
+    m << s[0], s[3], s[5], s[3], s[1], s[4], s[5], s[4], s[2], 0, 0, 0;
+  return m;
+}
+
+/// Momentum and mass of a point: (m v, m), shape [4].
+template <class T, int D>
+Eigen::Matrix<T, 4, 1> momentum_and_mass(const Vec<T, D>& v, T m) {
+  if constexpr (D == 2)
+    return {m * v[0], m * v[1], T(0), m};
+  else
+    return {m * v[0], m * v[1], m * v[2], m};
+}
+
+/// Adds what a point hands to the nodes of its cell, its affine part too, to `sums` [4 x size].
+template <class Transfer, class T, int D, class Points, class Weights, class Positions, class Sums>
+void add_momentum(const Points& points, std::size_t p, const Weights& w,
+                  [[maybe_unused]] const Positions& x_nodes, Sums& sums) {
+  const T m = points.mass[p];
+  if constexpr (Transfer::affine) {
+    const Vec<T, D>& x = points.position[p];
+    const Mat<T, D> c = m * handed_gradient<Transfer, T, D>(points.motion[p], w, x_nodes, x);
+    auto own = momentum_and_mass<T, D>(points.velocity[p], m);
+    own.template head<D>() -= c * x;
+    sums.noalias() += own * w.transpose();
+    sums.template topRows<D>().noalias() += c * (x_nodes * w.asDiagonal());
+  } else {
+    sums.noalias() += momentum_and_mass<T, D>(points.velocity[p], m) * w.transpose();
+  }
 }
 
 /// Volume that a whole cell stands for, m3: exact for the linear thickness of axisymmetry.
@@ -51,9 +83,8 @@ void scatter(const N& numerics, const M& mesh, const Blocks& blocks, const B& bo
     const auto in_cell = body.cells[c];
     if (in_cell.empty()) return;
     const Cell cell(mesh, c);
-    Eigen::Matrix<T, size, 1> mass = Eigen::Matrix<T, size, 1>::Zero();
-    Eigen::Matrix<T, D, size> momentum = Eigen::Matrix<T, D, size>::Zero(), force = momentum;
-    [[maybe_unused]] Eigen::Matrix<T, D, size> mass_gradient = momentum, x_nodes;
+    detail::Quads<T, size> momentum = detail::Quads<T, size>::Zero(), force = momentum;
+    [[maybe_unused]] Eigen::Matrix<T, D, size> mass_gradient = Eigen::Matrix<T, D, size>::Zero(), x_nodes;
     if constexpr (Transfer::affine) x_nodes = cell.node_positions();
     [[maybe_unused]] Sym<T, D> stress_volume{};
     [[maybe_unused]] T volume = 0, cell_mass = 0;
@@ -61,26 +92,18 @@ void scatter(const N& numerics, const M& mesh, const Blocks& blocks, const B& bo
 
     for (const Index p : in_cell) {
       const Vec<T, D>& x = points.position[p];
-      const T m = points.mass[p], v = points.volume[p];
+      const T v = points.volume[p];
       const auto w = cell.weights(x);
-      mass += m * w;
-      if constexpr (Transfer::affine) {
-        const Mat<T, D> c_p = handed_gradient<Transfer, T, D>(points.motion[p], w, x_nodes, x);
-        for (int k = 0; k < size; ++k)
-          momentum.col(k) += (m * w[k]) * (points.velocity[p] + c_p * (x_nodes.col(k) - x));
-      } else {
-        momentum += (m * points.velocity[p]) * w.transpose();
-      }
+      detail::add_momentum<Transfer, T, D>(points, p, w, x_nodes, momentum);
       if constexpr (K::hoop) hoop += (v * points.stress[p][2] / x[0]) * w;
       if constexpr (Shape::constant_gradient) {
         stress_volume += v * points.stress[p];
         volume += v;
-        cell_mass += m;
+        cell_mass += points.mass[p];
       } else {
         const auto g = cell.gradients(x);
-        const Sym<T, D> s = v * points.stress[p];
-        for (int k = 0; k < size; ++k) force.col(k) -= detail::times<T, D>(s, g.col(k));
-        if constexpr (Field::has_gradient) mass_gradient += m * g;
+        force.noalias() -= detail::padded<T, D>(v * points.stress[p]) * g;
+        if constexpr (Field::has_gradient) mass_gradient += points.mass[p] * g;
       }
     }
     if constexpr (Shape::constant_gradient) {
@@ -91,15 +114,15 @@ void scatter(const N& numerics, const M& mesh, const Blocks& blocks, const B& bo
           hoop *= whole / volume;
         }
       }
-      for (int k = 0; k < size; ++k) force.col(k) = -detail::times<T, D>(stress_volume, cell.gradient.col(k));
+      force.noalias() = -detail::padded<T, D>(stress_volume) * cell.gradient;
       if constexpr (Field::has_gradient) mass_gradient = cell_mass * cell.gradient;
     }
     if constexpr (K::hoop) force.row(0) -= hoop.transpose();
     for (int k = 0; k < size; ++k) {
       const Index i = cell.nodes[static_cast<std::size_t>(k)];
-      nodes.mass[i] += mass[k];
-      nodes.start[i] += momentum.col(k);
-      nodes.force[i] += force.col(k);
+      nodes.mass[i] += momentum(3, k);
+      nodes.start[i] += momentum.col(k).template head<D>();
+      nodes.force[i] += force.col(k).template head<D>();
       if constexpr (Field::has_gradient) nodes.mass_gradient[i] += mass_gradient.col(k);
     }
   });

@@ -28,6 +28,10 @@ struct NoHistory {
 ///   is swollen when it is compressed again. An increment of zero is allowed: it takes an inadmissible
 ///   initial stress back.
 /// - `elastic_energy(stress)`: recoverable energy, J/m3.
+/// - optional `static constexpr int widest`: widest pack that a loop may call it with; 1 for a law with `if`s
+/// on its
+///   scalars. Without it laws are called with a register's worth of points at once: write branches as
+///   `select`.
 template <class L, class T = double, int D = 3>
 concept constitutive_law = requires(const L law, Sym<T, D> stress, const Increment<T, D> increment,
                                     typename L::template History<T> history) {

@@ -1,0 +1,85 @@
+// Scenes that the benchmarks step: one of each family of compositions, filled with moving, yielding points.
+#pragma once
+
+#include <arenite/arenite.hpp>
+#include <cmath>
+#include <random>
+
+namespace arenite::bench {
+
+/// Box of k x k x k cubes of edge h, each cut into six tetrahedra that share its diagonal (Kuhn).
+inline MeshData<3> tetrahedra(int k, double h) {
+  MeshData<3> mesh;
+  const auto node = [k](int x, int y, int z) { return static_cast<Index>((z * (k + 1) + y) * (k + 1) + x); };
+  for (int z = 0; z <= k; ++z)
+    for (int y = 0; y <= k; ++y)
+      for (int x = 0; x <= k; ++x) mesh.nodes.emplace_back(h * x, h * y, h * z);
+  constexpr int orders[6][3] = {{0, 1, 2}, {0, 2, 1}, {1, 0, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0}};
+  for (int z = 0; z < k; ++z)
+    for (int y = 0; y < k; ++y)
+      for (int x = 0; x < k; ++x)
+        for (const auto& order : orders) {
+          std::array<int, 3> at{x, y, z};
+          std::array<Index, 4> cell{node(x, y, z)};
+          for (std::size_t i = 0; i < 3; ++i) {
+            ++at[static_cast<std::size_t>(order[i])];
+            cell[i + 1] = node(at[0], at[1], at[2]);
+          }
+          mesh.cells.push_back(cell);
+        }
+  return mesh;
+}
+
+inline MohrCoulomb<> sand() {
+  return MohrCoulomb{{.density = 1540, .young = 5e6, .poisson = 0.33, .friction = 40_deg}};
+}
+inline DruckerPrager<> grains() {
+  return DruckerPrager{{.density = 1540, .young = 5e6, .poisson = 0.33, .friction = 40_deg}};
+}
+inline LinearElastic elastic() { return LinearElastic{{.density = 1540, .young = 5e6, .poisson = 0.33}}; }
+
+/// Velocities that shear and compress at random, so that most points of a plastic law yield (seed fixed).
+template <class Scene>
+void stir(Scene& scene, double speed) {
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> uniform(-speed, speed);
+  scene.for_each_body([&](auto& body, const auto&) {
+    for (auto& v : body.points.velocity)
+      for (auto& component : v) component = static_cast<typename Scene::T>(uniform(random));
+  });
+}
+
+/// About `points` points in tetrahedra, 10 in each, FLIP and MUSL.
+template <class T, class AntiLocking, class Law>
+auto tetrahedral_scene(const Law& law, double points) {
+  const int k = static_cast<int>(std::lround(std::cbrt(points / 60)));
+  const double h = 0.02;
+  Scene scene{Solid{},
+              SimplexMesh<3, T>(tetrahedra(k, h)),
+              Numerics<LinearSimplex, Flip, Musl, AntiLocking>{},
+              bodies(fill(Box{{-1, -1, -1}, {100, 100, 100}}, law, {.per_cell = 10})),
+              walls(left(roller), right(roller), bottom(fixed), front(roller), back(roller)),
+              gravity({0, -9.81, 0})};
+  stir(scene, 0.5);
+  return scene;
+}
+
+/// About `points` points on a grid of quadratic B-splines, APIC; 8 a cell in space, 4 in the plane.
+template <class T, int D, class Law>
+auto spline_scene(const Law& law, double points) {
+  constexpr int per_cell = D == 3 ? 8 : 4;
+  const double k = std::round(std::pow(points / per_cell, 1.0 / D)), h = 0.02;
+  std::array<double, D> upper;
+  upper.fill((k + 4) * h);
+  using Kinematics = std::conditional_t<D == 3, Solid, PlaneStrain>;
+  Box<D> box;
+  box.lower.fill(2 * h);
+  box.upper.fill((k + 2) * h);
+  Scene scene{Kinematics{}, CartesianGrid<D, T>{{.lower = {}, .upper = upper, .cell = h}},
+              Numerics<QuadraticBSpline, Apic, Usl>{}, bodies(fill(box, law, {.per_cell = per_cell})),
+              gravity({0, -9.81})};
+  stir(scene, 0.5);
+  return scene;
+}
+
+}  // namespace arenite::bench

@@ -1,0 +1,74 @@
+// Cost of each stage of a step, in points a second, for one scene of each family; one thread. The scenes step
+// on between measurements, so that points move, change cells and yield as they do in a run.
+#include <benchmark/benchmark.h>
+
+#include <chrono>
+
+#include "scenes.hpp"
+
+namespace arenite::bench {
+namespace {
+
+enum class Stage { relocate, scatter, nodes, gather, deform, whole };
+
+/// Steps a scene and times one stage of each step.
+template <class Make>
+void run_stage(benchmark::State& state, Stage stage, Make make) {
+  set_threads(1);
+  auto scene = make(100000.0);
+  for (int k = 0; k < 10; ++k) step(scene, 0.4 * stable_step(scene));
+  for (auto _ : state) {
+    const double dt = 0.4 * stable_step(scene);
+    double spent = 0;
+    const auto timed = [&](Stage which, auto&& f) {
+      const auto from = std::chrono::steady_clock::now();
+      f();
+      if (which == stage || stage == Stage::whole)
+        spent += std::chrono::duration<double>(std::chrono::steady_clock::now() - from).count();
+    };
+    timed(Stage::relocate, [&] { relocate(scene); });
+    timed(Stage::scatter, [&] { scatter(scene); });
+    timed(Stage::nodes, [&] {
+      advance(scene, dt);
+      constrain(scene);
+      collide(scene, dt);
+    });
+    timed(Stage::gather, [&] { gather(scene); });
+    timed(Stage::deform, [&] { deform(scene, dt); });
+    finish(scene, dt);
+    state.SetIterationTime(spent);
+  }
+  const auto points = static_cast<double>(scene.point_count());
+  state.counters["points/s"] = benchmark::Counter(points, benchmark::Counter::kIsIterationInvariantRate);
+  state.counters["points"] = points;
+}
+
+template <class Make>
+void add(const std::string& name, Make make) {
+  for (const auto& [word, stage] : {std::pair{"relocate", Stage::relocate}, std::pair{"p2g", Stage::scatter},
+                                    std::pair{"nodes", Stage::nodes}, std::pair{"g2p", Stage::gather},
+                                    std::pair{"deform", Stage::deform}, std::pair{"step", Stage::whole}})
+    benchmark::RegisterBenchmark((name + "/" + word).c_str(),
+                                 [=](benchmark::State& state) { run_stage(state, stage, make); })
+        ->UseManualTime()
+        ->Unit(benchmark::kMillisecond)
+        ->MinTime(0.2);
+}
+
+}  // namespace
+}  // namespace arenite::bench
+
+int main(int argc, char** argv) {
+  using namespace arenite;
+  using namespace arenite::bench;
+  add("tetrahedra_mohr_coulomb_averaged",
+      [](double n) { return tetrahedral_scene<double, NodalAveraging>(sand(), n); });
+  add("tetrahedra_mohr_coulomb_averaged_float",
+      [](double n) { return tetrahedral_scene<float, NodalAveraging>(sand(), n); });
+  add("tetrahedra_elastic", [](double n) { return tetrahedral_scene<double, NoAntiLocking>(elastic(), n); });
+  add("bspline_3d_apic_drucker_prager", [](double n) { return spline_scene<double, 3>(grains(), n); });
+  add("bspline_2d_apic_elastic", [](double n) { return spline_scene<double, 2>(elastic(), n); });
+  benchmark::Initialize(&argc, argv);
+  if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;
+  benchmark::RunSpecifiedBenchmarks();
+}

@@ -24,7 +24,7 @@ std::vector<Touched> touched(const M& mesh, DistanceSurface<Distance> surface, P
   const BoundDistanceSurface<double, 2, Distance> bound(surface);
   std::vector<Touched> all;
   bound.template visit<Shape>(mesh, displacement, [&](Index i, const P& n, bool inside, double share) {
-    REQUIRE_FALSE(inside);
+    REQUIRE(inside == (n.squaredNorm() == 0));  // no slope, no way out
     REQUIRE(share == 0);
     all.push_back({i, n});
   });

@@ -103,7 +103,7 @@ TEST_CASE("Rigid body on B-splines: light, middling and heavy, impulses balance"
   }
 }
 
-TEST_CASE("Rigid body with a prescribed motion, and through the centre-of-mass velocity: impulses balance") {
+TEST_CASE("Impulses balance with a prescribed motion, and through the centre-of-mass velocity") {
   auto prescribed = on_triangles(Prescribed{[](double t) { return std::array<double, 3>{0, -10 * t, 0}; }});
   balance(prescribed, 0.03);
   auto soft = on_triangles(dropped(10.0), CentreOfMass{});

@@ -17,11 +17,13 @@ struct DeformSums {
   double check = 0;          ///< finite as long as every position, velocity, stress and volume is
 };
 
-/// exp(x) for the small x of one step, by its Pade approximant (2, 2): relative error x^5 / 720, positive for
+/// exp(x) for the x of one step by its Pade approximant (4, 4): relative error x^9 / 25401600, positive for
 /// any x, and exact in exp(x) exp(-x) = 1.
 template <class T>
 T small_exp(const T& x) {
-  const T even = T(1) + x * x * T(1.0 / 12), odd = x * T(0.5);
+  const T x2 = x * x;
+  const T even = T(1) + x2 * (T(3.0 / 28) + x2 * T(1.0 / 1680));
+  const T odd = x * (T(0.5) + x2 * T(1.0 / 84));
   return (even + odd) / (even - odd);
 }
 

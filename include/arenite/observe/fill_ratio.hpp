@@ -1,5 +1,5 @@
-// Fill ratio: how full of matter the cells at some nodes are. A body runs through cells that starve of
-// points, and nothing else tells.
+// Fill ratio: how full of matter the cells at some nodes are. Cells that run empty bear no load,
+// and nothing else tells.
 #pragma once
 
 #include <algorithm>

@@ -1,0 +1,49 @@
+// The recorded deviatoric strain against simple shear, rigid turns and strains that are undone.
+#include <arenite/law/linear_elastic.hpp>
+#include <arenite/law/traced.hpp>
+#include <cmath>
+
+#include "catch.hpp"
+
+using namespace arenite;
+
+namespace {
+
+const Traced law{LinearElastic{{.density = 1000, .young = 1e6, .poisson = 0.25}}};
+
+template <int D>
+double after(Traced<LinearElastic>::History<double>& history, const Increment<double, D>& inc, int steps) {
+  Sym<double, D> stress{};
+  for (int k = 0; k < steps; ++k) law.update(stress, inc, history);
+  return history.deviatoric_strain;
+}
+
+}  // namespace
+
+TEST_CASE("uniaxial strain: two thirds of it is deviatoric") {
+  Traced<LinearElastic>::History<double> h{};
+  Increment<double, 2> inc{};
+  inc.strain = {{0, -0.01, 0, 0}};
+  REQUIRE(std::abs(after(h, inc, 10) - 0.1 * 2 / 3) < 1e-14);
+}
+
+TEST_CASE("a small simple shear gamma gives gamma / sqrt(3)") {
+  Traced<LinearElastic>::History<double> h{};
+  Increment<double, 3> inc{};
+  inc.strain[3] = 0.5e-6;
+  inc.spin[0] = 0.5e-6;
+  REQUIRE(std::abs(after(h, inc, 100) - 1e-4 / std::sqrt(3.0)) < 1e-12);
+}
+
+TEST_CASE("a turn adds nothing, and a strain that is undone leaves nothing") {
+  Traced<LinearElastic>::History<double> h{};
+  Increment<double, 2> there{}, turn{}, back{};
+  there.strain = {{0.02, -0.02, 0, 0.01}};
+  turn.spin[0] = 0.1;
+  back.strain = there.strain * -1.0;
+  const double strained = after(h, there, 1);
+  REQUIRE(std::abs(after(h, turn, 25) - strained) < 1e-15);
+  Traced<LinearElastic>::History<double> fresh{};
+  after(fresh, there, 1);
+  REQUIRE(after(fresh, back, 1) < 1e-16);
+}

@@ -12,7 +12,6 @@ using namespace arenite;
 namespace {
 
 constexpr double bore = 0.5, rim = 1.0, height = 0.1, rate = 0.5;
-constexpr Index cells = 8;
 
 LinearElastic ring() { return LinearElastic{{.density = 1000, .young = 1e6, .poisson = 0.25}}; }
 

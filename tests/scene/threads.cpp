@@ -16,7 +16,7 @@ MohrCoulomb<> sand() {
 template <class Column>
 void append(std::vector<unsigned char>& bytes, const Column& column) {
   const auto* from = reinterpret_cast<const unsigned char*>(column.data());
-  bytes.insert(bytes.end(), from, from + column.size() * sizeof(column[0]));
+  bytes.insert(bytes.end(), from, from + static_cast<std::size_t>(column.size()) * sizeof(column[0]));
 }
 
 /// All columns of all bodies, and the state of the rigid bodies, as bytes.
@@ -24,7 +24,7 @@ template <class Make>
 std::vector<unsigned char> bytes_after(Make&& make, int threads) {
   set_threads(threads);
   auto scene = make();
-  for (int k = 0; k < 60; ++k) step(scene, 0.4 * stable_step(scene));
+  for (int k = 0; k < 20; ++k) step(scene, 0.4 * stable_step(scene));
   std::vector<unsigned char> bytes;
   scene.for_each_body([&](const auto& body, const auto& field) {
     body.points.for_each_column([&](const auto& column) { append(bytes, column); });

@@ -45,11 +45,15 @@ void run_stage(benchmark::State& state, Stage stage, Make make) {
 
 template <class Make>
 void add(const std::string& name, Make make) {
-  for (const auto& [word, stage] : {std::pair{"relocate", Stage::relocate}, std::pair{"p2g", Stage::scatter},
-                                    std::pair{"nodes", Stage::nodes}, std::pair{"g2p", Stage::gather},
-                                    std::pair{"deform", Stage::deform}, std::pair{"step", Stage::whole}})
-    benchmark::RegisterBenchmark((name + "/" + word).c_str(),
-                                 [=](benchmark::State& state) { run_stage(state, stage, make); })
+  struct Named {
+    const char* word;
+    Stage stage;
+  };
+  for (const Named& named :
+       {Named{"relocate", Stage::relocate}, Named{"p2g", Stage::scatter}, Named{"nodes", Stage::nodes},
+        Named{"g2p", Stage::gather}, Named{"deform", Stage::deform}, Named{"step", Stage::whole}})
+    benchmark::RegisterBenchmark((name + "/" + named.word).c_str(),
+                                 [=](benchmark::State& state) { run_stage(state, named.stage, make); })
         ->UseManualTime()
         ->Unit(benchmark::kMillisecond)
         ->MinTime(0.2);

@@ -37,7 +37,7 @@ struct VolumetricAverage {
   template <class K, class N, class M, class B, class Field>
   void compute(const M& mesh, const Blocks& blocks, const B& body, const Field& nodes, T dt) {
     using Cell = typename N::Shape::template Cell<M>;
-    constexpr int D = M::dimension, size = Cell::size;
+    constexpr int size = Cell::size;
     const auto& u = nodes.strain_velocity();
     cell_strain.assign(mesh.cell_count(), T(0));
     cell_weight.assign(mesh.cell_count(), T(0));
@@ -60,7 +60,6 @@ struct VolumetricAverage {
           radial += body.points.volume[p] * v_r.dot(cell.weights(body.points.position[p]).transpose()) /
                     body.points.position[p][0];
       }
-      static_cast<void>(D);
       cell_weight[c] = volume;
       cell_strain[c] = dt * (divergence + radial / volume);
       for (const Index i : cell.nodes) {

@@ -314,7 +314,10 @@ class Words(DriverTest):
 
     def on_a_terminal(self, *options):
         """All that the driver writes to a terminal."""
-        main, terminal = pty.openpty()
+        try:
+            main, terminal = pty.openpty()
+        except OSError as reason:  # a container without /dev/pts
+            self.skipTest(f"no terminal can be opened here: {reason}")
         driver = subprocess.Popen([DRIVER, "drop", *options], stdin=subprocess.DEVNULL, stdout=terminal, stderr=terminal)
         os.close(terminal)
         said = b""

@@ -44,8 +44,11 @@ void stir(Scene& scene, double speed) {
   std::mt19937 random(1);
   std::uniform_real_distribution<double> uniform(-speed, speed);
   scene.for_each_body([&](auto& body, const auto&) {
-    for (auto& v : body.points.velocity)
+    for (std::size_t p = 0; p < body.points.size(); ++p) {
+      Vec<typename Scene::T, Scene::D> v;
       for (auto& component : v) component = static_cast<typename Scene::T>(uniform(random));
+      body.points.velocity.set(p, v);
+    }
   });
 }
 

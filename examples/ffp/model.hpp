@@ -83,17 +83,19 @@ SimplexMesh<Model::dimension> mesh_of(const DropOptions& o) {
   }
 }
 
-inline Traced<MohrCoulomb<>> sand_of(const DropOptions& o) {
-  return Traced{MohrCoulomb{{.density = o.unit_weight / standard_gravity,
-                             .young = o.young,
-                             .poisson = o.poisson,
-                             .friction = o.friction * pi / 180,
-                             .cohesion = o.cohesion,
-                             .dilatancy = o.dilatancy * pi / 180}}};
+template <int D>
+Traced<MohrCoulomb<>, D> sand_of(const DropOptions& o) {
+  return Traced<MohrCoulomb<>, D>{MohrCoulomb{{.density = o.unit_weight / standard_gravity,
+                                               .young = o.young,
+                                               .poisson = o.poisson,
+                                               .friction = o.friction * pi / 180,
+                                               .cohesion = o.cohesion,
+                                               .dilatancy = o.dilatancy * pi / 180}}};
 }
 
-inline auto soil_of(const DropOptions& o) {
-  return fill(Cells("soil"), sand_of(o),
+template <int D>
+auto soil_of(const DropOptions& o) {
+  return fill(Cells("soil"), sand_of<D>(o),
               {.per_cell = o.points_in_element(),
                .stress = Geostatic{.surface = 0, .k0 = o.earth_pressure(), .gravity = standard_gravity}});
 }
@@ -121,7 +123,7 @@ auto rigid_scene(const DropOptions& o) {
       typename Model::Kinematics{},
       std::move(mesh),
       numerics_of<AntiLocking>(o),
-      bodies(soil_of(o)),
+      bodies(soil_of<Model::Kinematics::dimension>(o)),
       Model::walls(),
       gravity({0, -standard_gravity}),
       rigids(rigid(MeshSurface{"device"}, Guided{.mass = o.mass / Model::whole, .velocity = -o.velocity},
@@ -141,16 +143,16 @@ auto elastic_scene(const DropOptions& o) {
   const auto motion = motion_of<LedByBody<1>>(o, mesh);
   const LinearElastic metal{
       {.density = o.mass / Model::whole / volume, .young = o.device_young, .poisson = o.device_poisson}};
-  return Scene{
-      typename Model::Kinematics{},
-      std::move(mesh),
-      numerics_of<AntiLocking>(o),
-      bodies(soil_of(o), fill(Cells("device"), metal, {.per_cell = 1, .velocity = {0, -o.velocity, 0}})),
-      Model::walls(),
-      gravity({0, -standard_gravity}),
-      Coulomb{friction_of(o), SurfaceOf{"device", 1}},
-      motion,
-      TrackEnergy{}};
+  return Scene{typename Model::Kinematics{},
+               std::move(mesh),
+               numerics_of<AntiLocking>(o),
+               bodies(soil_of<Model::Kinematics::dimension>(o),
+                      fill(Cells("device"), metal, {.per_cell = 1, .velocity = {0, -o.velocity, 0}})),
+               Model::walls(),
+               gravity({0, -standard_gravity}),
+               Coulomb{friction_of(o), SurfaceOf{"device", 1}},
+               motion,
+               TrackEnergy{}};
 }
 
 }  // namespace arenite::ffp

@@ -15,7 +15,7 @@ template <int D>
 double after(Traced<LinearElastic>::History<double>& history, const Increment<double, D>& inc, int steps) {
   Sym<double, D> stress{};
   for (int k = 0; k < steps; ++k) law.update(stress, inc, history);
-  return history.deviatoric_strain;
+  return law.deviatoric_strain(history);
 }
 
 }  // namespace
@@ -46,4 +46,18 @@ TEST_CASE("a turn adds nothing, and a strain that is undone leaves nothing") {
   Traced<LinearElastic>::History<double> fresh{};
   after(fresh, there, 1);
   REQUIRE(after(fresh, back, 1) < 1e-16);
+}
+
+TEST_CASE("a plane tracer stores three components and says the same") {
+  const Traced<LinearElastic, 2> plane{law.law()};
+  Traced<LinearElastic, 2>::History<double> narrow{};
+  Traced<LinearElastic>::History<double> wide{};
+  STATIC_REQUIRE(std::tuple_size_v<decltype(narrow.members())> == 3);
+  STATIC_REQUIRE(std::tuple_size_v<decltype(wide.members())> == 5);
+  Increment<double, 2> inc{};
+  inc.strain = {{0.02, -0.01, 0.005, 0.01}};
+  inc.spin[0] = 0.03;
+  Sym<double, 2> stress{};
+  for (int k = 0; k < 7; ++k) plane.update(stress, inc, narrow);
+  REQUIRE(plane.deviatoric_strain(narrow) == after(wide, inc, 7));
 }

@@ -2,7 +2,7 @@
 #include "catch.hpp"
 
 #include <arenite/law/linear_elastic.hpp>
-#include <arenite/particles/body.hpp>
+#include <arenite/particles/relocate.hpp>
 #include <numeric>
 
 #include "../mesh/sample_meshes.hpp"
@@ -23,22 +23,30 @@ auto numbered_body(const M& mesh) {
   auto body = make_body<std::conditional_t<M::dimension == 2, PlaneStrain, Solid>, true>(
       mesh, fill(Box<M::dimension>{lower, upper}, law, {.per_cell = 1}));
   for (std::size_t p = 0; p < body.points.size(); ++p) {
-    body.points.velocity[p][0] = static_cast<typename M::scalar>(p);
-    body.points.motion[p].setConstant(static_cast<typename M::scalar>(p));
+    body.points.velocity.column(0)[p] = static_cast<typename M::scalar>(p);
+    body.points.motion.set(
+        p, Mat<typename M::scalar, M::dimension>::Constant(static_cast<typename M::scalar>(p)));
   }
   return body;
+}
+
+/// Blocks of seven cells; nodes do not matter here.
+template <class M>
+Blocks blocks_of(const M& mesh) {
+  return Blocks(mesh.cell_count(), 1, 7, [](Index) { return std::array<Index, 1>{0}; });
 }
 
 template <class M>
 void check_relocation(M mesh, double spread) {
   auto body = numbered_body(mesh);
+  const auto blocks = blocks_of(mesh);
   std::mt19937 random(11);
   std::normal_distribution<double> normal(0, spread);
   std::size_t lost = 0;
   double lost_mass = 0;
   for (int round = 0; round < 20; ++round) {
-    for (auto& x : body.points.position)
-      for (int k = 0; k < M::dimension; ++k) x[k] += static_cast<typename M::scalar>(normal(random));
+    for (std::size_t k = 0; k < M::dimension; ++k)
+      for (auto& x : body.points.position.column(k)) x += static_cast<typename M::scalar>(normal(random));
     std::vector<double> stayed;
     const auto before = body.points;
     std::map<std::size_t, std::size_t> place;
@@ -51,7 +59,7 @@ void check_relocation(M mesh, double spread) {
         place[number] = p;
       }
     }
-    relocate(body, mesh);
+    relocate<4>(body, mesh, blocks);
     REQUIRE(body.lost == lost);
     REQUIRE(std::abs(body.lost_mass - lost_mass) <= 1e-12 * lost_mass);
     REQUIRE(body.points.size() == place.size());
@@ -66,13 +74,14 @@ void check_relocation(M mesh, double spread) {
     }
     REQUIRE(same);
     REQUIRE(there);
-    // The list of cells: every point once, in its cell, ascending.
+    // The list of cells: every point once, in its cell.
     std::vector<int> seen(body.points.size(), 0);
     bool listed = true;
     for (Index c = 0; c < mesh.cell_count(); ++c) {
       const auto in_cell = body.cells[c];
-      listed =
-          listed && std::is_sorted(in_cell.begin(), in_cell.end()) && in_cell.empty() == body.cells.empty(c);
+      std::size_t count = 0;
+      body.cells.template for_packs<4>(c, [&](Index, int n) { count += static_cast<std::size_t>(n); });
+      listed = listed && in_cell.size() == count && in_cell.empty() == body.cells.empty(c);
       for (const Index p : in_cell) {
         listed = listed && body.points.cell[p] == c;
         ++seen[p];
@@ -106,30 +115,74 @@ TEST_CASE("relocation on grids") {
 TEST_CASE("points that stay are not touched") {
   auto mesh = sample_mesh<2>(4);
   auto body = numbered_body(mesh);
-  const auto* column = body.points.position.data();
-  relocate(body, mesh);
-  REQUIRE(body.points.position.data() == column);
-  REQUIRE((body.lost == 0 && body.moved == 0));
+  const auto before = body.points.position;
+  relocate<4>(body, mesh, blocks_of(mesh));
+  REQUIRE(body.points.position == before);
+  REQUIRE((body.lost == 0 && body.cells.guests() == 0));
 }
 
 TEST_CASE("a body may lose all its points, and one that is no number is lost") {
   auto mesh = sample_mesh<2>(4);
   auto body = numbered_body(mesh);
-  for (auto& x : body.points.position) x[0] += 5;
-  body.points.position[0][1] = std::nan("");
-  relocate(body, mesh);
+  for (auto& x : body.points.position.column(0)) x += 5;
+  body.points.position.column(1)[0] = std::nan("");
+  relocate<4>(body, mesh, blocks_of(mesh));
   REQUIRE(body.points.size() == 0);
   REQUIRE(body.lost == 32);
   REQUIRE(std::abs(body.lost_mass - 1000) < 1e-10);
-  REQUIRE_NOTHROW(relocate(body, mesh));
+  REQUIRE_NOTHROW(relocate<4>(body, mesh, blocks_of(mesh)));
+}
+
+TEST_CASE("few movers become guests; many are sorted into the columns") {
+  auto mesh = sample_mesh<2>(8);
+  const auto blocks = blocks_of(mesh);
+  auto body = numbered_body(mesh);
+  const std::size_t n = body.points.size();
+  // A hop to the neighbour of every fortieth point, there and back.
+  for (int hop = 0; hop < 6; ++hop) {
+    for (std::size_t p = 0; p < n; p += 40) {
+      const Index to = mesh.neighbour(body.points.cell[p], hop % 3);
+      if (to == none) continue;
+      Vec<double, 2> centre = Vec<double, 2>::Zero();
+      for (const Index i : mesh.nodes(to)) centre += mesh.position(i) / 3;
+      body.points.position.set(p, centre);
+    }
+    relocate<8>(body, mesh, blocks);
+    REQUIRE(body.cells.guests() * 20 <= n);
+    for (std::size_t p = 0; p < n; ++p)
+      REQUIRE(mesh.walk(body.points.position[p], body.points.cell[p]) == body.points.cell[p]);
+  }
+  for (std::size_t p = 0; p < n; ++p) body.points.position.set(p, mesh.position(mesh.nodes(0)[0]));
+  relocate<8>(body, mesh, blocks);
+  REQUIRE(body.cells.guests() == 0);
+  REQUIRE(std::is_sorted(body.points.cell.begin(), body.points.cell.end()));
 }
 
 TEST_CASE("cell list by hand") {
   CellList list;
-  list.build({2, 0, 2, 2, 4}, 6);
-  REQUIRE(list.order() == std::vector<Index>{1, 0, 2, 3, 4});
-  REQUIRE(std::vector<Index>(list[2].begin(), list[2].end()) == std::vector<Index>{0, 2, 3});
+  std::vector<Index> cell{2, 0, 2, 2, 4, none};
+  REQUIRE(list.sorted(cell, 6) == std::vector<Index>{1, 0, 2, 3, 4});
+  cell = {0, 2, 2, 2, 4};
+  list.build(cell, 6);
+  const auto points = [&](Index c) {
+    std::vector<Index> in_cell;
+    for (const Index p : list[c]) in_cell.push_back(p);
+    return in_cell;
+  };
+  REQUIRE(points(2) == std::vector<Index>{1, 2, 3});
   REQUIRE((list.empty(1) && list.empty(5) && !list.empty(4)));
+  // Point 1 leaves cell 2 for cell 1: it changes places with the last of the run.
+  std::vector<std::pair<Index, Index>> swaps;
+  list.leave({1, 1}, cell, [&](Index a, Index b) { swaps.emplace_back(a, b); });
+  list.seat_guests(cell);
+  REQUIRE(swaps == std::vector<std::pair<Index, Index>>{{1, 3}});
+  REQUIRE(points(1) == std::vector<Index>{3});
+  REQUIRE(points(2) == std::vector<Index>{1, 2});
+  REQUIRE(list.guests() == 1);
+  // It moves on as a guest, and nothing changes places.
+  list.leave({3, 4}, cell, [&](Index, Index) { FAIL("a guest stays where it lies"); });
+  list.seat_guests(cell);
+  REQUIRE((list.empty(1) && points(4) == std::vector<Index>{4, 3}));
   list.build({}, 3);
   REQUIRE(list.empty(2));
 }

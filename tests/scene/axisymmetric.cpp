@@ -65,8 +65,8 @@ Breath breathe(Scene scene, double end, double step) {
   };
   double mass = 0, start = 0;
   for (std::size_t p = 0; p < points.size(); ++p) {
-    points.velocity[p] = rate * points.position[p];
-    points.velocity[p][1] = 0;
+    points.velocity.set(p, rate * points.position[p]);
+    points.velocity.column(1)[p] = 0;
     mass += points.mass[p];
     start += points.mass[p] * radius(points.position[p]);
   }

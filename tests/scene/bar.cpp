@@ -29,7 +29,7 @@ Result vibrate(Scene scene, double courant) {
   std::vector<double> shape;
   for (std::size_t p = 0; p < points.size(); ++p) {
     shape.push_back(std::sin(wave * points.position[p][0]));
-    points.velocity[p] = Vec<double, 2>(speed * shape[p], 0);
+    points.velocity.set(p, Vec<double, 2>(speed * shape[p], 0));
   }
   const auto start = points.position;
   const LinearElastic law = steel();

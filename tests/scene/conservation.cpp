@@ -22,7 +22,7 @@ auto flying(N numerics) {
   auto& points = std::get<0>(scene.bodies).points;
   for (std::size_t p = 0; p < points.size(); ++p) {
     const auto x = points.position[p];
-    points.velocity[p] = Vec<double, 2>(0.3 - spin * x[1], -0.2 + spin * x[0]);
+    points.velocity.set(p, Vec<double, 2>(0.3 - spin * x[1], -0.2 + spin * x[0]));
   }
   return scene;
 }

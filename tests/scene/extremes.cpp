@@ -77,7 +77,7 @@ TEST_CASE("A NaN stops the run at its step with time, body and point") {
               bodies(fill(Box{{0., 0.}, {1., 0.5}}, rubber()))};
   run(scene, {.end = 0.01});
   const std::size_t steps = scene.steps;
-  std::get<0>(scene.bodies).points.velocity[37][1] = std::numeric_limits<double>::quiet_NaN();
+  std::get<0>(scene.bodies).points.velocity.column(1)[37] = std::numeric_limits<double>::quiet_NaN();
   const std::string what = what_of(scene, {.end = 0.02});
   CAPTURE(what);
   CHECK(what.find("t = 0.01") == 0);
@@ -149,7 +149,7 @@ double throw_and_catch(const Law& law) {
               TrackEnergy{}};
   auto& body = std::get<0>(scene.bodies);
   for (std::size_t p = 0; p < body.points.size(); ++p)
-    body.points.velocity[p][1] = 10 * body.points.position[p][1];
+    body.points.velocity.column(1)[p] = 10 * body.points.position[p][1];
   double highest = 0;
   const double energy = kinetic_energy(body);
   run(scene, {.end = 1.5, .courant = 0.5}, [&](const auto& s) {

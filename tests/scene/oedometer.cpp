@@ -27,9 +27,15 @@ template <class Scene>
 void start_uniform(Scene& scene) {
   auto& points = std::get<0>(scene.bodies).points;
   for (std::size_t p = 0; p < points.size(); ++p) {
-    points.velocity[p].setZero();
-    points.velocity[p][1] = -speed * points.position[p][1] / height;
-    if constexpr (std::remove_cvref_t<decltype(points)>::affine) points.motion[p](1, 1) = -speed / height;
+    auto v = points.velocity[p];
+    v.setZero();
+    v[1] = -speed * points.position[p][1] / height;
+    points.velocity.set(p, v);
+    if constexpr (std::remove_cvref_t<decltype(points)>::affine) {
+      auto gradient = points.motion[p];
+      gradient(1, 1) = -speed / height;
+      points.motion.set(p, gradient);
+    }
   }
 }
 

@@ -72,8 +72,8 @@ TEST_CASE("Bytes a point: no history without memory, no affine motion with FLIP"
       PlaneStrain{}, grid(), Numerics<QuadraticBSpline, Flip>{},
       bodies(fill(lower_half, Traced{MohrCoulomb<RemembersOpening>{
                                   {.density = 1500, .young = 1e6, .poisson = 0.3, .friction = 35_deg}}}))};
-  // The opening; the deviator of the strain, six, and its measure.
-  CHECK(stored_bytes_per_point(remembers) == plain + 8 * sizeof(double));
+  // The opening, and the deviator of the strain.
+  CHECK(stored_bytes_per_point(remembers) == plain + 6 * sizeof(double));
   const Scene solid{Solid{}, SimplexMesh<3>(test::tetrahedra({0, 0, 0}, {1, 1, 1}, {1, 1, 1})),
                     Numerics<LinearSimplex, Flip>{}, bodies(fill(Cells("all"), rubber(), {.per_cell = 1}))};
   CHECK(stored_bytes_per_point(solid) == (3 + 3 + 1 + 1 + 6) * sizeof(double) + sizeof(Index));

@@ -28,7 +28,7 @@ std::vector<unsigned char> bytes_after(Make&& make, int threads) {
   std::vector<unsigned char> bytes;
   scene.for_each_body([&](const auto& body, const auto& field) {
     body.points.for_each_column([&](const auto& column) { append(bytes, column); });
-    append(bytes, field.velocity);
+    for (const auto& v : field.velocity) append(bytes, v);
   });
   scene.for_each_rigid([&](const auto& body) {
     append(bytes, body.velocity);

@@ -37,7 +37,7 @@ Sym<double, 2> mean_stress(const Points<double, 2, LinearElastic, false>& points
 TEST_CASE("nodal averaging: a node takes the mean of its cells by volume, a cell that of its nodes") {
   const double v0 = 0.3, v1 = 0.5, dt = 0.01;
   auto s = two_cells<NodalAveraging>(v0, v1);
-  for (auto& stress : s.body.points.stress) stress = {};
+  s.body.points.stress.fill({});
   // Node 1 moves with (2, 0), node 3 with (0, 3): tr = 2 in cell 0 and 3 in cell 1.
   s.nodes.velocity[1] = {2, 0};
   s.nodes.velocity[3] = {0, 3};
@@ -78,7 +78,7 @@ TEST_CASE("element average in axisymmetry: the whole volume is the full circle's
   const SimplexMesh<2> ring({{{1, 0}, {2, 0}, {1, 1}}, {{{0, 1, 2}}}, {}, {}, {}});
   auto body = make_body<Axisymmetric, false>(ring, fill(Box{{0., 0.}, {9., 9.}}, elastic, {.per_cell = 3}));
   for (auto& v : body.points.volume) v *= 0.95;
-  for (auto& stress : body.points.stress) stress = {{1, 2, 3, 4}};
+  body.points.stress.fill({{1, 2, 3, 4}});
   const Blocks blocks(1, 3, 1, [&](Index c) { return ring.nodes(c); });
   NodeField<double, 2, false, false> plain(3), average(3);
   scatter<Axisymmetric>(Numerics<LinearSimplex, Flip, Usl>{}, ring, blocks, body, plain);

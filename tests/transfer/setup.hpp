@@ -54,12 +54,18 @@ struct Setup {
     Vec<T, D> v;
     for (int k = 0; k < D; ++k) v[k] = number();
     body.points.push_back(x, v, number(0.5, 2), number(0.5, 2), stress, c);
-    if constexpr (Transfer::affine)
-      for (int k = 0; k < D * D; ++k) body.points.motion.back()(k / D, k % D) = number();
+    if constexpr (Transfer::affine) {
+      Mat<T, D> motion;
+      for (int k = 0; k < D * D; ++k) motion(k / D, k % D) = number();
+      body.points.motion.set(body.points.size() - 1, motion);
+    }
   }
 
   /// Renews the list of cells after `add`.
-  void index() { body.cells.build(body.points.cell, mesh.cell_count()); }
+  void index() {
+    body.points.reorder(body.cells.sorted(body.points.cell, mesh.cell_count()));
+    body.cells.build(body.points.cell, mesh.cell_count());
+  }
 
   void scatter() {
     nodes.clear();
@@ -72,7 +78,7 @@ struct Setup {
   void gather() { arenite::gather(numerics, mesh, blocks, body, nodes); }
   DeformSums deform(T dt) {
     VolumetricAverage<T> average;
-    return arenite::deform<K>(numerics, mesh, blocks, body, nodes, dt, average);
+    return arenite::deform<K, true>(numerics, mesh, blocks, body, nodes, dt, average);
   }
   Vec<T, D> node(Index i) const { return Shape::node_position(mesh, i); }
 
@@ -80,13 +86,13 @@ struct Setup {
   void set_affine(const Vec<T, D>& a, const Mat<T, D>& A) {
     auto& points = body.points;
     for (std::size_t p = 0; p < points.size(); ++p) {
-      points.velocity[p] = a + A * points.position[p];
-      if constexpr (std::same_as<Transfer, Tpic>) points.motion[p] = A;
+      points.velocity.set(p, a + A * points.position[p]);
+      if constexpr (std::same_as<Transfer, Tpic>) points.motion.set(p, A);
       if constexpr (std::same_as<Transfer, Apic>) {
         const Cell cell(mesh, points.cell[p]);
         const auto w = cell.weights(points.position[p]);
         const auto x = (cell.node_positions().colwise() - points.position[p]).eval();
-        points.motion[p] = A * x * w.asDiagonal() * x.transpose();
+        points.motion.set(p, A * x * w.asDiagonal() * x.transpose());
       }
     }
   }

@@ -189,9 +189,9 @@ std::vector<Constraint<typename M::scalar, M::dimension>> resolve(const Walls& w
 }
 
 /// Removes the blocked part of the velocities of a field. Returns the impulse that the walls gave, N s.
-template <class T, int D>
+template <class T, int D, class Velocities>
 Vec<T, D> constrain(const std::vector<Constraint<T, D>>& constraints, const std::vector<T>& mass,
-                    std::vector<Vec<T, D>>& velocity) {
+                    Velocities& velocity) {
   Vec<T, D> impulse = Vec<T, D>::Zero();
   for (const auto& c : constraints) {
     if (mass[c.node] == 0) continue;

@@ -20,6 +20,10 @@ namespace arenite {
 
 namespace detail {
 
+/// Bytes of the widest register of any processor that the library knows; wider packs are two side by side
+/// (twin_pack.hpp).
+inline constexpr std::size_t widest_register = 64;
+
 template <class T>
 using lane_integer = std::conditional_t<sizeof(T) == 8, std::int64_t, std::int32_t>;
 
@@ -95,6 +99,106 @@ struct Roots<float, 16> {
 };
 #endif
 
+/// 1 / x and 1 / sqrt(x) of N scalars. The divider takes 16 cycles and more for a register of doubles; an
+/// estimate and Newton's steps, which double its digits, take 5.
+template <class T, int W>
+struct Estimates {
+  static constexpr bool exist = false;
+};
+#ifdef __AVX512F__
+template <>
+struct Estimates<double, 8> {
+  static constexpr bool exist = true;
+  static constexpr int steps = 2;  // from 14 bits
+  static void reciprocal(const double* x, double* y) {
+    _mm512_storeu_pd(y, _mm512_maskz_rcp14_pd(0xff, _mm512_loadu_pd(x)));
+  }
+  static void reciprocal_root(const double* x, double* y) {
+    _mm512_storeu_pd(y, _mm512_maskz_rsqrt14_pd(0xff, _mm512_loadu_pd(x)));
+  }
+};
+template <>
+struct Estimates<float, 16> {
+  static constexpr bool exist = true;
+  static constexpr int steps = 1;
+  static void reciprocal(const float* x, float* y) {
+    _mm512_storeu_ps(y, _mm512_maskz_rcp14_ps(0xffff, _mm512_loadu_ps(x)));
+  }
+  static void reciprocal_root(const float* x, float* y) {
+    _mm512_storeu_ps(y, _mm512_maskz_rsqrt14_ps(0xffff, _mm512_loadu_ps(x)));
+  }
+};
+#endif
+
+/// The first `count` of W scalars between memory and a register: with the masks of the instruction set where
+/// it has them.
+template <class T, int W>
+struct Parts {
+  static void load(const T* from, int count, T* lanes) {
+    if (count == W)
+      std::memcpy(lanes, from, W * sizeof(T));
+    else
+      for (int i = 0; i < count; ++i) lanes[i] = from[i];
+  }
+  static void store(T* to, int count, const T* lanes) {
+    if (count == W)
+      std::memcpy(to, lanes, W * sizeof(T));
+    else
+      for (int i = 0; i < count; ++i) to[i] = lanes[i];
+  }
+};
+#ifdef __AVX__
+template <>
+struct Parts<double, 4> {
+  static __m256i first(int count) {
+    return _mm256_set_epi64x(count > 3 ? -1 : 0, count > 2 ? -1 : 0, count > 1 ? -1 : 0, count > 0 ? -1 : 0);
+  }
+  static void load(const double* from, int count, double* lanes) {
+    const __m256d mask = _mm256_castsi256_pd(first(count));
+    _mm256_storeu_pd(lanes,
+                     _mm256_blendv_pd(_mm256_loadu_pd(lanes), _mm256_maskload_pd(from, first(count)), mask));
+  }
+  static void store(double* to, int count, const double* lanes) {
+    _mm256_maskstore_pd(to, first(count), _mm256_loadu_pd(lanes));
+  }
+};
+template <>
+struct Parts<float, 4> {
+  static __m128i first(int count) {
+    return _mm_set_epi32(count > 3 ? -1 : 0, count > 2 ? -1 : 0, count > 1 ? -1 : 0, count > 0 ? -1 : 0);
+  }
+  static void load(const float* from, int count, float* lanes) {
+    const __m128 mask = _mm_castsi128_ps(first(count));
+    _mm_storeu_ps(lanes, _mm_blendv_ps(_mm_loadu_ps(lanes), _mm_maskload_ps(from, first(count)), mask));
+  }
+  static void store(float* to, int count, const float* lanes) {
+    _mm_maskstore_ps(to, first(count), _mm_loadu_ps(lanes));
+  }
+};
+#endif
+#ifdef __AVX512F__
+template <>
+struct Parts<double, 8> {
+  static __mmask8 first(int count) { return static_cast<__mmask8>((1u << count) - 1); }
+  static void load(const double* from, int count, double* lanes) {
+    _mm512_storeu_pd(lanes, _mm512_mask_loadu_pd(_mm512_loadu_pd(lanes), first(count), from));
+  }
+  static void store(double* to, int count, const double* lanes) {
+    _mm512_mask_storeu_pd(to, first(count), _mm512_loadu_pd(lanes));
+  }
+};
+template <>
+struct Parts<float, 16> {
+  static __mmask16 first(int count) { return static_cast<__mmask16>((1u << count) - 1); }
+  static void load(const float* from, int count, float* lanes) {
+    _mm512_storeu_ps(lanes, _mm512_mask_loadu_ps(_mm512_loadu_ps(lanes), first(count), from));
+  }
+  static void store(float* to, int count, const float* lanes) {
+    _mm512_mask_storeu_ps(to, first(count), _mm512_loadu_ps(lanes));
+  }
+};
+#endif
+
 }  // namespace detail
 
 /// The answer to a comparison of packs: true or false in each lane. `select`, `any_of` and `all_of` read it.
@@ -143,7 +247,7 @@ class Pack {
   Pack() = default;
   template <class S>
   requires std::is_arithmetic_v<S>
-  constexpr Pack(S value) : v_(vector{} + static_cast<T>(value)) {}
+  constexpr Pack(S value) : v_(static_cast<T>(value) - vector{}) {}  // x - 0 is x, which compilers know
 
   /// W scalars from memory that need not be aligned.
   static Pack load(const T* from) {
@@ -154,16 +258,18 @@ class Pack {
   /// `count` <= W scalars from memory; the lanes after them hold `fill`. Reads nothing behind them.
   static Pack load(const T* from, int count, T fill = T(0)) {
     Pack a(fill);
-    for (int i = 0; i < W && i < count; ++i) a.v_[i] = from[i];
+    detail::Parts<T, W>::load(from, count, reinterpret_cast<T*>(&a.v_));
     return a;
   }
   void store(T* to) const { std::memcpy(to, &v_, sizeof(vector)); }
   /// Writes the first `count` <= W lanes and nothing behind them.
   void store(T* to, int count) const {
-    for (int i = 0; i < W && i < count; ++i) to[i] = v_[i];
+    detail::Parts<T, W>::store(to, count, reinterpret_cast<const T*>(&v_));
   }
 
   T operator[](int lane) const { return v_[lane]; }
+  const vector& lanes() const { return v_; }
+  static Pack from(const vector& lanes) { return Pack(lanes); }
   void set(int lane, T value) { v_[lane] = value; }
 
   Pack& operator+=(const Pack& b) { return *this = *this + b; }
@@ -198,6 +304,33 @@ class Pack {
     a.store(x);
     detail::Roots<T, W>::of(x, root);
     return load(root);
+  }
+  /// 1 / a to a few units in the last place, for a from 1e-30 to 1e30.
+  friend Pack reciprocal(const Pack& a) {
+    if constexpr (detail::Estimates<T, W>::exist) {
+      T x[W], estimate[W];
+      a.store(x);
+      detail::Estimates<T, W>::reciprocal(x, estimate);
+      Pack y = load(estimate);
+      for (int k = 0; k < detail::Estimates<T, W>::steps; ++k) y = y + y * (Pack(1) - a * y);
+      return y;
+    } else {
+      return Pack(1) / a;
+    }
+  }
+  /// 1 / sqrt(a) to a few units in the last place, for a from 1e-30 to 1e30.
+  friend Pack reciprocal_root(const Pack& a) {
+    if constexpr (detail::Estimates<T, W>::exist) {
+      T x[W], estimate[W];
+      a.store(x);
+      detail::Estimates<T, W>::reciprocal_root(x, estimate);
+      Pack y = load(estimate);
+      const Pack half = a * Pack(0.5);
+      for (int k = 0; k < detail::Estimates<T, W>::steps; ++k) y = y + y * (Pack(0.5) - half * y * y);
+      return y;
+    } else {
+      return Pack(1) / sqrt(a);
+    }
   }
 
  private:

@@ -44,6 +44,9 @@ using scalar_of = typename ScalarOf<T>::type;
 /// Below this a difference counts as none: far below the round-off of any stress, far above the smallest
 /// float.
 inline constexpr double smallest_divisor = 1e-30;
+/// The same for a square.
+template <class T>
+inline constexpr double smallest_square = sizeof(scalar_of<T>) == 8 ? 1e-60 : 1e-30;
 
 /// sum of c[i] x^i for i in [First, First + Count), divided by x^First, by halves (Estrin): short chains of
 /// products. `power[k]` is x^(2^k).
@@ -96,12 +99,13 @@ class Principal<T, 2> {
   std::array<T, 3> value;  ///< l1 >= l2 >= l3
 
   explicit Principal(const Sym<T, 2>& s) : half_difference_((s[0] - s[1]) * T(0.5)), shear_(s[3]) {
-    using std::max, std::min, std::sqrt;
+    using std::max, std::min;
     const T centre = (s[0] + s[1]) * T(0.5);
-    const T radius = sqrt(half_difference_ * half_difference_ + shear_ * shear_);
+    const T square = half_difference_ * half_difference_ + shear_ * shear_;
+    inverse_radius_ = reciprocal_root(max(square, T(detail::smallest_square<T>)));
+    const T radius = square * inverse_radius_;
     const T a = centre + radius, b = centre - radius, z = s[2];
     value = {max(a, z), max(b, min(a, z)), min(b, z)};
-    diameter_ = radius + radius;
     z_ = z;
     a_ = a;
     b_ = b;
@@ -111,18 +115,17 @@ class Principal<T, 2> {
   /// are equal their axes are undefined, and y must be equal there too; near it the error vanishes with the
   /// difference of y.
   Sym<T, 2> with(const std::array<T, 3>& y) const {
-    using std::max;
     const auto z_first = z_ >= a_, z_last = b_ >= z_;
     const T ya = select(z_first, y[1], y[0]);
     const T yb = select(z_last && !z_first, y[1], y[2]);
     const T yz = select(z_first, y[0], select(z_last, y[2], y[1]));
     const T centre = (ya + yb) * T(0.5);
-    const T ratio = (ya - yb) / max(diameter_, T(detail::smallest_divisor));
+    const T ratio = (ya - yb) * T(0.5) * inverse_radius_;
     return {{centre + ratio * half_difference_, centre - ratio * half_difference_, yz, ratio * shear_}};
   }
 
  private:
-  T half_difference_, shear_, diameter_, z_, a_, b_;
+  T half_difference_, shear_, inverse_radius_, z_, a_, b_;
 };
 
 /// In 3-D the value that stands apart comes from the characteristic cubic in its trigonometric form, which
@@ -136,14 +139,14 @@ class Principal<T, 3> {
   std::array<T, 3> value;  ///< l1 >= l2 >= l3
 
   explicit Principal(const Sym<T, 3>& s) {
-    using std::abs, std::max, std::min, std::sqrt;
+    using std::abs, std::max, std::min;
     const T mean = trace(s) * T(1.0 / 3);
     Sym<T, 3> dev = add_isotropic(s, T(-mean));
     dev[2] = -(dev[0] + dev[1]);  // no trace, even where the mean is far larger than the deviator
     const T q2 = contract(dev, dev) * T(2.0 / 3);  // (2 sqrt(J2/3))^2
-    const T q = sqrt(q2);
-    const T inverse =
-        select(q > T(detail::smallest_divisor), T(1) / max(q, T(detail::smallest_divisor)), T(0));
+    const T least = T(detail::smallest_square<T>);
+    const T inverse = select(q2 > least, reciprocal_root(max(q2, least)), T(0));
+    const T q = q2 * inverse;
     const Sym<T, 3> n = dev * inverse;
 
     const T x = T(4) * determinant(n);  // cos of three times Lode's angle
@@ -152,11 +155,13 @@ class Principal<T, 3> {
     const T h = select(positive_, size, T(-size));
 
     const Sym<T, 3> adj = adjugate(add_isotropic(n, T(-h)));
-    apart_ = adj * T(T(1) / trace(adj));  // the trace is 3 h^2 - 3/4, at least 3/2
+    apart_ = adj * reciprocal(trace(adj));  // the trace is 3 h^2 - 3/4, at least 3/2
     rest_ = add_isotropic(n - apart_ * T(T(1.5) * h), T(T(0.5) * h));
-    gap_ = sqrt(T(2) * contract(rest_, rest_));
+    const T gap2 = T(2) * contract(rest_, rest_);
+    inverse_gap_ = reciprocal_root(max(gap2, least));
+    const T gap = gap2 * inverse_gap_;
 
-    const T upper = mean + q * (gap_ - h) * T(0.5), lower = mean - q * (gap_ + h) * T(0.5),
+    const T upper = mean + q * (gap - h) * T(0.5), lower = mean - q * (gap + h) * T(0.5),
             single = mean + q * h;
     value = {select(positive_, single, upper), select(positive_, upper, lower),
              select(positive_, lower, single)};
@@ -166,19 +171,18 @@ class Principal<T, 3> {
   /// are equal their axes are undefined, and y must be equal there too; near it the error vanishes with the
   /// difference of y.
   Sym<T, 3> with(const std::array<T, 3>& y) const {
-    using std::max;
     const T single = select(positive_, y[0], y[2]);
     const T upper = select(positive_, y[1], y[0]);
     const T lower = select(positive_, y[2], y[1]);
     const T mean = (upper + lower) * T(0.5);
-    const T ratio = (upper - lower) / max(gap_, T(detail::smallest_divisor));
+    const T ratio = (upper - lower) * inverse_gap_;
     return add_isotropic(apart_ * T(single - mean) + rest_ * ratio, mean);
   }
 
  private:
   decltype(T(0) < T(0)) positive_;  // the value that stands apart is the largest (else the smallest)
   Sym<T, 3> apart_, rest_;
-  T gap_;  // between the other two, over q
+  T inverse_gap_;  // q over the gap between the other two
 };
 
 }  // namespace arenite

@@ -32,6 +32,17 @@ constexpr bool any_of(bool mask) { return mask; }
 /// Whether a mask holds everywhere: for a scalar the mask itself.
 constexpr bool all_of(bool mask) { return mask; }
 
+/// 1 / x; for a pack to a few units in the last place where that spares the divider.
+template <real T>
+constexpr T reciprocal(T x) {
+  return 1 / x;
+}
+/// 1 / sqrt(x), x > 0; for a pack to a few units in the last place.
+template <real T>
+T reciprocal_root(T x) {
+  return 1 / std::sqrt(x);
+}
+
 template <class T>
 constexpr T square(T x) {
   return x * x;

@@ -31,6 +31,11 @@ struct Sym {
   constexpr T& operator[](std::size_t i) { return c[i]; }
   constexpr const T& operator[](std::size_t i) const { return c[i]; }
 
+  /// Place of the component (i, j), i, j < D.
+  static constexpr std::size_t index(std::size_t i, std::size_t j) {
+    return i == j ? i : i + j == 1 ? 3 : i + j == 3 ? 4 : 5;
+  }
+
   /// Component (i, j) of the full tensor, i, j < 3.
   constexpr T operator()(int i, int j) const {
     if (i == j) return c[static_cast<std::size_t>(i)];

@@ -102,7 +102,7 @@ class DruckerPrager {
   /// what opened, -.
   template <class T, int D>
   T return_to_yield(Sym<T, D>& stress) const {
-    using std::max, std::sqrt;
+    using std::max;
     const T p = trace(stress) * T(1.0 / 3);
     const Sym<T, D> dev = add_isotropic(stress, T(-p));
     const T j2 = contract(dev, dev) * T(0.5);
@@ -110,13 +110,14 @@ class DruckerPrager {
     const auto returns = !(room >= T(0) && j2 <= room * room && p <= T(limit_));
     if (!any_of(returns)) return T(0);
 
-    const T q = sqrt(j2);
+    const T inverse = reciprocal_root(max(j2, T(detail::smallest_square<T>)));
+    const T q = j2 * inverse;
     const T multiplier = max(T(q - room), T(0)) * T(rate_);
     const T q_cone = q - multiplier * T(elasticity_.shear());
     const auto at_apex = q_cone < T(0);
     const T p_cone = select(at_apex, T(apex_), T(p - multiplier * T(elasticity_.bulk() * flow_)));
     const T p_back = select(p_cone > T(limit_), T(limit_), p_cone);
-    const T scale = select(at_apex, T(0), T(q_cone / max(q, T(detail::smallest_divisor))));
+    const T scale = select(at_apex, T(0), T(q_cone * inverse));
     for (std::size_t i = 0; i < stress.size; ++i) {
       const T back = i < 3 ? scale * dev[i] + p_back : scale * dev[i];
       stress[i] = select(returns, back, stress[i]);

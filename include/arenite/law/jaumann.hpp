@@ -12,7 +12,7 @@ template <class T>
 Sym<T, 2> turned(const Sym<T, 2>& a, const std::array<T, 1>& spin) {
   // The rotation by 2 atan(w/2); k = sin, v = 1 - cos of it. Mohr's circle turns by twice the angle.
   const T w = spin[0];
-  const T scale = T(1) / (T(1) + T(0.25) * w * w);
+  const T scale = reciprocal(T(T(1) + T(0.25) * w * w));
   const T k = w * scale, v = T(0.5) * w * k;
   const T cos = T(1) - v;
   const T sin_double = T(2) * k * cos, versin_double = T(2) * k * k;
@@ -26,7 +26,7 @@ Sym<T, 3> turned(const Sym<T, 3>& a, const std::array<T, 3>& spin) {
   // R = I + k (W + W^2/2) = (1 - k w^2/2) I + k (W + w w^T/2), w the axial vector, k = 1/(1 + w^2/4).
   const T x = -spin[1], y = -spin[2], z = -spin[0];
   const T square = x * x + y * y + z * z;
-  const T k = T(1) / (T(1) + T(0.25) * square);
+  const T k = reciprocal(T(T(1) + T(0.25) * square));
   const T d = T(1) - T(0.5) * k * square, h = T(0.5) * k;
   const T hx = h * x, hy = h * y;
   const T kx = k * x, ky = k * y, kz = k * z;

@@ -46,6 +46,8 @@ struct MohrCoulombParameters {
 template <class Memory = ForgetsOpening>
 class MohrCoulomb {
  public:
+  static constexpr bool twins = true;
+
   template <class T>
   using History = typename Memory::template History<T>;
 

@@ -72,6 +72,15 @@ class Blocks {
     });
   }
 
+  /// Calls `f(block, begin, end)` for all blocks, with the cells [begin, end) of each, in any order.
+  template <class F>
+  void for_each_block(F&& f) const {
+    parallel_for(count(), worthwhile(), [&](std::size_t b) {
+      const auto block = static_cast<Index>(b);
+      f(b, begin(block), end(block));
+    });
+  }
+
   /// Joins `f(begin, end)` over all blocks of cells, in order.
   template <class R, class F, class Join>
   R reduce_blocks(R start, F&& f, Join&& join) const {

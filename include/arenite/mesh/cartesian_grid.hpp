@@ -86,13 +86,32 @@ class CartesianGrid {
     return x;
   }
 
-  /// Test for one cell, made once for many positions.
+  /// Test for one cell, made once for many positions: that of `walk`.
   struct Holder {
-    const CartesianGrid* grid;
-    Index cell;
-    bool holds(const Point& x) const { return grid->walk(x) == cell; }
+    Point lower;
+    T inverse_edge;
+    std::array<T, D> from, below;  // in cell edges
+    /// Whether positions lie in the cell; `P`: T, or a pack of positions.
+    template <class P>
+    auto holds(const std::array<P, D>& x) const {
+      decltype(x[0] < x[0]) inside(true);
+      for (std::size_t k = 0; k < D; ++k) {
+        const P s = (x[k] - P(lower[static_cast<int>(k)])) * P(inverse_edge);
+        inside = inside && s >= P(from[k]) && s < P(below[k]);
+      }
+      return inside;
+    }
   };
-  Holder holder(Index cell) const { return {this, cell}; }
+  Holder holder(Index cell) const {
+    Holder h{lower_, inverse_edge_, {}, {}};
+    const auto at = place(cell);
+    for (std::size_t k = 0; k < D; ++k) {
+      h.from[k] = static_cast<T>(at[k]);
+      h.below[k] = at[k] + 1 == count_[k] ? std::nextafter(end_[k], std::numeric_limits<T>::infinity())
+                                          : static_cast<T>(at[k] + 1);
+    }
+    return h;
+  }
 
   /// The cell that holds x, or `none` outside of the box (or for NaN). The upper faces belong to the last
   /// cells.

@@ -10,15 +10,16 @@ namespace arenite {
 
 /// - `walk(x, hint)`: the cell of x, or `none`; `search(x)`: the same without a hint, slower, right
 /// everywhere.
-/// - `holder(cell).holds(x)`: whether one cell holds x, for many x;
+/// - `holder(cell).holds(x)`: whether one cell holds x [D], a `std::array` of scalars or of packs;
 /// - `size(cell)`: length for the stable step, m; `volume(cell)`: area or volume, m^D.
 template <class M>
-concept mesh = requires(M m, const M cm, const typename M::Point x, Index cell) {
+concept mesh = requires(M m, const M cm, const typename M::Point x, Index cell,
+                        const std::array<typename M::scalar, static_cast<std::size_t>(M::dimension)> place) {
   { M::dimension } -> std::convertible_to<int>;
   { cm.cell_count() } -> std::same_as<Index>;
   { cm.walk(x, cell) } -> std::same_as<Index>;
   { m.search(x) } -> std::same_as<Index>;
-  { cm.holder(cell).holds(x) } -> std::same_as<bool>;
+  { cm.holder(cell).holds(place) } -> std::same_as<bool>;
   { cm.size(cell) } -> std::convertible_to<typename M::scalar>;
   { cm.volume(cell) } -> std::convertible_to<typename M::scalar>;
 };

@@ -107,11 +107,20 @@ class SimplexMesh {
   /// Test for one cell, made once for many positions.
   struct Holder {
     Frame frame;
-    /// Whether x lies in the cell, its faces included.
-    bool holds(const Point& x) const {
-      const Point b = frame.inverse * (x - frame.origin);
-      bool inside = b.sum() <= 1 + tolerance;
-      for (int k = 0; k < D; ++k) inside &= b[k] >= -tolerance;
+    /// Whether positions lie in the cell, its faces included; `P`: T, or a pack of positions.
+    template <class P>
+    auto holds(const std::array<P, static_cast<std::size_t>(D)>& x) const {
+      std::array<P, static_cast<std::size_t>(D)> b;
+      P sum(0);
+      for (int k = 0; k < D; ++k) {
+        P value(0);
+        for (int d = 0; d < D; ++d)
+          value += P(frame.inverse(k, d)) * (x[static_cast<std::size_t>(d)] - P(frame.origin[d]));
+        b[static_cast<std::size_t>(k)] = value;
+        sum += value;
+      }
+      auto inside = sum <= P(1 + tolerance);
+      for (const P& value : b) inside = inside && value >= P(-tolerance);
       return inside;
     }
   };

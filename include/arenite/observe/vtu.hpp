@@ -49,7 +49,9 @@ VtuData points_vtu(const Body<L, T, D, A>& body) {
            [&points, density](std::size_t p) { return T(points.volume[p] * density / points.mass[p]); })},
       {}};
   if constexpr (is_traced<L>)
-    data.point_data.push_back(vtu_array("deviatoric_strain", 1, points.history.back()));
+    data.point_data.push_back(vtu_array("deviatoric_strain", n, [&points](std::size_t p) {
+      return L::deviatoric_strain(points.load_history(p));
+    }));
   return data;
 }
 

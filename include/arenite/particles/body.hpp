@@ -2,12 +2,10 @@
 #pragma once
 
 #include <cmath>
-#include <functional>
 #include <limits>
 #include <optional>
 
 #include <arenite/kinematics/kinematics.hpp>
-#include <arenite/mesh/blocks.hpp>
 #include <arenite/mesh/mesh.hpp>
 #include <arenite/particles/cell_list.hpp>
 #include <arenite/particles/cell_points.hpp>
@@ -60,7 +58,7 @@ struct Body {
   double lost_mass = 0;       ///< their mass, kg
   double initial_volume = 0;  ///< m3
   double opened_volume = 0;   ///< voids that opened without stress, summed over all steps, m3
-  std::size_t moved = 0;      ///< changes of cell since the points were last put in order
+  std::vector<std::vector<CellList::Move>> moves{};  ///< [blocks of cells] scratch of `relocate`
 };
 
 /// Makes the body of a recipe. Throws `error` if the region holds no point.
@@ -121,55 +119,6 @@ auto make_body(const M& mesh, const Fill<Region, L>& recipe) {
   require(body.points.size() < none, "fill: points", body.points.size(), "must be fewer than 2^32");
   body.cells.build(body.points.cell, mesh.cell_count());
   return body;
-}
-
-/// Finds the cell of each point, removes those that left the mesh (and counts them), and renews the list of
-/// cells. Now and then the columns themselves are put in the order of the cells, so that a cell's points are
-/// neighbours in memory.
-template <class B, class M>
-void relocate(B& body, M& mesh) {
-  auto& points = body.points;
-  const std::size_t n = points.size();
-  const std::size_t moved = parallel_reduce(
-      mesh.cell_count(), std::size_t{0},
-      [&](std::size_t begin, std::size_t end) {
-        std::size_t count = 0;
-        for (auto c = static_cast<Index>(begin); c < end; ++c) {
-          if (body.cells.empty(c)) continue;
-          const auto here = mesh.holder(c);
-          for (const Index p : body.cells[c]) {
-            if (here.holds(points.position[p])) continue;
-            const Index cell = mesh.walk(points.position[p], c);
-            count += cell != c;
-            points.cell[p] = cell;
-          }
-        }
-        return count;
-      },
-      std::plus<>{});
-  if (moved == 0) return;
-  bool lost = false;
-  for (std::size_t p = 0; p < n; ++p) {
-    if (points.cell[p] != none) continue;
-    points.cell[p] = mesh.search(points.position[p]);
-    if (points.cell[p] != none) continue;
-    lost = true;
-    ++body.lost;
-    body.lost_mass += static_cast<double>(points.mass[p]);
-  }
-  if (lost) {
-    std::vector<Index> kept;
-    for (std::size_t p = 0; p < n; ++p)
-      if (points.cell[p] != none) kept.push_back(static_cast<Index>(p));
-    points.reorder(kept);
-  }
-  body.cells.build(points.cell, mesh.cell_count());
-  body.moved += moved;
-  if (body.moved * 10 > n) {
-    points.reorder(body.cells.order());
-    body.cells.build(points.cell, mesh.cell_count());
-    body.moved = 0;
-  }
 }
 
 }  // namespace arenite

@@ -1,39 +1,159 @@
-// Cell list: which points lie in which cell, as one array with offsets, in an order that depends on nothing
-// but the points.
+// Cell list: which points lie in which cell. After a sort the points of a cell are neighbours in memory; a
+// point that moves to another cell becomes a guest there until the next sort.
 #pragma once
 
-#include <span>
 #include <vector>
 
+#include <arenite/core/error.hpp>
 #include <arenite/core/scalar.hpp>
 
 namespace arenite {
 
-/// Points of each cell, each cell's in ascending order. Made anew (one counting sort of numbers) when points
-/// change cells.
+/// Points of each cell: a run of neighbours that it owns, and guests, whose columns lie where their old
+/// cell's run ended. A step moves few points (0.5 % is common), so that a list of guests costs far less than
+/// a sort.
 class CellList {
  public:
+  /// A change of cell.
+  struct Move {
+    Index point, to;
+  };
+
+  /// Takes points that are sorted by cell. Throws `error` if they are not.
   void build(const std::vector<Index>& cell, Index cell_count) {
+    for (std::size_t p = 1; p < cell.size(); ++p)
+      require(cell[p - 1] <= cell[p], "CellList: cell of point", p,
+              "must not lie below that of the point before");
     start_.assign(cell_count + 1, 0);
     for (const Index c : cell) ++start_[c + 1];
     for (std::size_t c = 1; c < start_.size(); ++c) start_[c] += start_[c - 1];
-    order_.resize(cell.size());
-    next_.assign(start_.begin(), start_.end() - 1);
-    for (std::size_t p = 0; p < cell.size(); ++p) order_[next_[cell[p]]++] = static_cast<Index>(p);
+    owned_.resize(cell_count);
+    for (Index c = 0; c < cell_count; ++c) owned_[c] = start_[c + 1] - start_[c];
+    guest_start_.assign(cell_count + 1, 0);
+    guests_.clear();
+    all_guests_.clear();
   }
 
-  std::span<const Index> operator[](Index cell) const {
-    return {order_.data() + start_[cell], order_.data() + start_[cell + 1]};
+  /// The order that sorts points by cell, stable; those of cell `none` are left out.
+  const std::vector<Index>& sorted(const std::vector<Index>& cell, Index cell_count) {
+    next_.assign(cell_count + 1, 0);
+    std::size_t kept = 0;
+    for (const Index c : cell) {
+      if (c == none) continue;
+      ++next_[c + 1];
+      ++kept;
+    }
+    for (std::size_t c = 1; c < next_.size(); ++c) next_[c] += next_[c - 1];
+    order_.resize(kept);
+    for (std::size_t p = 0; p < cell.size(); ++p)
+      if (cell[p] != none) order_[next_[cell[p]]++] = static_cast<Index>(p);
+    return order_;
   }
-  bool empty(Index cell) const { return start_[cell] == start_[cell + 1]; }
-  /// Points in the order of their cells.
-  const std::vector<Index>& order() const { return order_; }
-  std::size_t bytes() const { return (start_.size() + order_.size() + next_.size()) * sizeof(Index); }
+
+  /// Makes a point a guest of the cell `move.to`; `swap(a, b)` exchanges two points' columns. A point that
+  /// its cell owns changes places with the last of the run first. Moves of one cell must come with its last
+  /// point first; call `seat_guests` after the last move.
+  template <class Swap>
+  void leave(const Move& move, std::vector<Index>& cell, Swap&& swap) {
+    const Index from = cell[move.point];
+    Index at = move.point;
+    if (at - start_[from] < owned_[from]) {
+      const Index last = start_[from] + --owned_[from];
+      if (at != last) swap(at, last);
+      at = last;
+      all_guests_.push_back(at);
+    }
+    cell[at] = move.to;
+  }
+
+  /// Lists the guests by cell.
+  void seat_guests(const std::vector<Index>& cell) {
+    guest_start_.assign(guest_start_.size(), 0);
+    for (const Index p : all_guests_) ++guest_start_[cell[p] + 1];
+    for (std::size_t c = 1; c < guest_start_.size(); ++c) guest_start_[c] += guest_start_[c - 1];
+    guests_.resize(all_guests_.size());
+    next_.assign(guest_start_.begin(), guest_start_.end());
+    for (const Index p : all_guests_) guests_[next_[cell[p]]++] = p;
+  }
+
+  /// Where the run of neighbours ends that point p of a cell belongs to: a guest is alone.
+  Index run_end(Index p, Index cell) const {
+    return p - start_[cell] < owned_[cell] ? start_[cell] + owned_[cell] : p + 1;
+  }
+
+  std::size_t guests() const { return all_guests_.size(); }
+
+  /// Calls `f(point, count)` for the points of a cell, at most `Width` neighbours at a time.
+  template <int Width, class F>
+  void for_packs(Index cell, F&& f) const {
+    Index p = start_[cell], g = guest_start_[cell];
+    const Index end = p + owned_[cell], guest_end = guest_start_[cell + 1];
+    for (;;) {  // one call of f, so that it is compiled into the loop once
+      Index first, left;
+      if (p < end) {
+        first = p;
+        left = end - p;
+        p += Width;
+      } else if (g < guest_end) {
+        first = guests_[g++];
+        left = 1;
+      } else {
+        break;
+      }
+      f(first, static_cast<int>(left < Width ? left : Width));
+    }
+  }
+
+  /// The points of a cell, for a loop: `for (const Index p : cells[c])`.
+  class Range {
+   public:
+    class Iterator {
+     public:
+      Iterator(Index own, Index own_end, const Index* guest) : own_{own}, own_end_{own_end}, guest_{guest} {}
+      Index operator*() const { return own_ < own_end_ ? own_ : *guest_; }
+      Iterator& operator++() {
+        if (own_ < own_end_)
+          ++own_;
+        else
+          ++guest_;
+        return *this;
+      }
+      bool operator==(const Iterator& o) const { return own_ == o.own_ && guest_ == o.guest_; }
+
+     private:
+      Index own_, own_end_;
+      const Index* guest_;
+    };
+    Range(Index own, Index own_end, const Index* guest, const Index* guest_end)
+        : own_{own}, own_end_{own_end}, guest_{guest}, guest_end_{guest_end} {}
+    Iterator begin() const { return {own_, own_end_, guest_}; }
+    Iterator end() const { return {own_end_, own_end_, guest_end_}; }
+    std::size_t size() const { return own_end_ - own_ + static_cast<std::size_t>(guest_end_ - guest_); }
+    bool empty() const { return size() == 0; }
+
+   private:
+    Index own_, own_end_;
+    const Index *guest_, *guest_end_;
+  };
+  Range operator[](Index cell) const {
+    return {start_[cell], start_[cell] + owned_[cell], guests_.data() + guest_start_[cell],
+            guests_.data() + guest_start_[cell + 1]};
+  }
+  bool empty(Index cell) const { return owned_[cell] == 0 && guest_start_[cell] == guest_start_[cell + 1]; }
+
+  std::size_t bytes() const {
+    return (start_.size() + owned_.size() + guest_start_.size() + guests_.size() + all_guests_.size() +
+            next_.size() + order_.size()) *
+           sizeof(Index);
+  }
 
  private:
-  std::vector<Index> start_;  // [cells + 1]
-  std::vector<Index> order_;  // [points]
-  std::vector<Index> next_;   // [cells], scratch
+  std::vector<Index> start_;         // [cells + 1] first point of each cell's run
+  std::vector<Index> owned_;         // [cells] points of the run that are still in the cell
+  std::vector<Index> guest_start_;   // [cells + 1] into guests_
+  std::vector<Index> guests_;        // by cell
+  std::vector<Index> all_guests_;    // in the order of their moves
+  std::vector<Index> next_, order_;  // scratch
 };
 
 }  // namespace arenite

@@ -1,16 +1,20 @@
 // Points: the material points of one body as columns. Only what the composition needs is stored.
 #pragma once
 
+#include <algorithm>
 #include <tuple>
+#include <utility>
 #include <vector>
 
+#include <arenite/core/parallel.hpp>
 #include <arenite/law/law.hpp>
+#include <arenite/particles/columns.hpp>
 
 namespace arenite {
 
 /// Columns of material points: law L gives the history, `Affine` whether a point carries a velocity field
 /// (APIC, TPIC). Mass and volume are those of what the point stands for: a metre of thickness in plane
-/// strain, the full circle in axisymmetry.
+/// strain, the full circle in axisymmetry. The order of the points changes as they move from cell to cell.
 template <real T, int D, class L, bool Affine>
 class Points {
  public:
@@ -18,15 +22,15 @@ class Points {
   static constexpr std::size_t history_size = std::tuple_size_v<decltype(std::declval<History&>().members())>;
   static constexpr bool affine = Affine;
 
-  std::vector<Vec<T, D>> position;  ///< m
-  std::vector<Vec<T, D>> velocity;  ///< m/s
-  std::vector<T> mass;              ///< kg
-  std::vector<T> volume;            ///< volume that bears stress, m3: opened voids do not count
-  std::vector<Sym<T, D>> stress;    ///< Cauchy stress, Pa, tension positive
+  VectorColumns<T, D> position;  ///< m
+  VectorColumns<T, D> velocity;  ///< m/s
+  std::vector<T> mass;           ///< kg
+  std::vector<T> volume;         ///< volume that bears stress, m3: opened voids do not count
+  TensorColumns<T, D> stress;    ///< Cauchy stress, Pa, tension positive
   std::array<std::vector<T>, history_size>
-      history;                    ///< columns of the law's history, in the order of its `members()`
-  std::vector<Mat<T, D>> motion;  ///< [n if Affine] B of APIC (m2/s) or L of TPIC (1/s)
-  std::vector<Index> cell;        ///< cell that holds the point
+      history;                 ///< columns of the law's history, in the order of its `members()`
+  MatrixColumns<T, D> motion;  ///< [n if Affine] B of APIC (m2/s) or L of TPIC (1/s)
+  std::vector<Index> cell;     ///< cell that holds the point
 
   std::size_t size() const { return mass.size(); }
 
@@ -68,7 +72,7 @@ class Points {
         h.members());
   }
 
-  /// Calls `f(column)` for each stored column.
+  /// Calls `f(column)` for each stored column, a `std::vector`.
   template <class F>
   void for_each_column(F&& f) {
     visit(*this, f);
@@ -78,33 +82,47 @@ class Points {
     visit(*this, f);
   }
 
+  /// Exchanges two points.
+  void swap(Index a, Index b) {
+    for_each_column([&](auto& column) { std::swap(column[a], column[b]); });
+  }
+
   /// Puts the points into the order `order`: new point k was point order[k]. Points not named are dropped.
   void reorder(const std::vector<Index>& order) {
     for_each_column([&](auto& column) {
-      std::remove_reference_t<decltype(column)> next(order.size());
-      for (std::size_t k = 0; k < order.size(); ++k) next[k] = column[order[k]];
-      column = std::move(next);
+      auto& next = spare(column);
+      next.resize(order.size());
+      parallel_chunks(order.size(), [&](std::size_t begin, std::size_t end) {
+        for (std::size_t k = begin; k < end; ++k) next[k] = column[order[k]];
+      });
+      column.swap(next);
     });
   }
 
   /// Bytes of columns a point.
   static constexpr std::size_t bytes_per_point() {
-    return 2 * sizeof(Vec<T, D>) + (2 + history_size) * sizeof(T) + sizeof(Sym<T, D>) +
-           (Affine ? sizeof(Mat<T, D>) : 0) + sizeof(Index);
+    return (2 * D + 2 + Sym<T, D>::size + history_size + (Affine ? D * D : 0)) * sizeof(T) + sizeof(Index);
   }
 
  private:
   template <class Self, class F>
   static void visit(Self& self, F& f) {
-    f(self.position);
-    f(self.velocity);
+    for (std::size_t k = 0; k < D; ++k) f(self.position.column(k));
+    for (std::size_t k = 0; k < D; ++k) f(self.velocity.column(k));
     f(self.mass);
     f(self.volume);
-    f(self.stress);
+    for (std::size_t k = 0; k < Sym<T, D>::size; ++k) f(self.stress.column(k));
     for (auto& column : self.history) f(column);
-    if constexpr (Affine) f(self.motion);
+    if constexpr (Affine)
+      for (std::size_t k = 0; k < D * D; ++k) f(self.motion.column(k));
     f(self.cell);
   }
+
+  std::vector<T>& spare(const std::vector<T>&) { return spare_; }
+  std::vector<Index>& spare(const std::vector<Index>&) { return spare_cell_; }
+
+  std::vector<T> spare_;  // takes the next order of a column, then changes places with it
+  std::vector<Index> spare_cell_;
 };
 
 }  // namespace arenite

@@ -80,7 +80,8 @@ void find_touches(const M& mesh, R& body, const Fields& fields) {
 
 /// Speed along the guide that balances the impulses: f(s) = M (s - trial) + axis . sum J(s) = 0. f is made of
 /// pieces that are straight (or nearly so, with friction in three dimensions), whose slopes may differ by as
-/// much as soil and body: Newton steps on the pieces, inside a bracket that is halved where they leave it.
+/// much as soil and body: Newton steps on the pieces, inside a bracket that is halved where they leave it or
+/// do not get ahead.
 template <class R, class T>
 T balance_speed(const R& body, T trial, T mass) {
   T soil = 0;
@@ -96,11 +97,13 @@ T balance_speed(const R& body, T trial, T mass) {
   const T sign = f > 0 ? T(1) : T(-1);
   T near = trial;            // f has the sign of the start here, and the other one (or none) at `far`
   T far = trial - f / mass;  // here the body alone would have taken the impulse of the trial speed
-  for (int k = 0; k < 100; ++k) {
+  T before = std::numeric_limits<T>::infinity();
+  for (int k = 0; k < 200; ++k) {
     const T h = -sign * std::sqrt(round_off) * std::max(std::abs(s - trial), std::abs(f) / (mass + soil));
     const T slope = mass + (pull(s + h) - pull(s)) / h;
     T next = s - f / slope;
-    if (!((next - near) * (next - far) < 0)) next = near + (far - near) / 2;
+    if (!((next - near) * (next - far) < 0) || 2 * std::abs(f) > before) next = near + (far - near) / 2;
+    before = std::abs(f);
     const T change = std::abs(next - s);
     s = next;
     f = mass * (s - trial) + pull(s);

@@ -7,6 +7,7 @@
 #include <type_traits>
 
 #include <arenite/particles/measures.hpp>
+#include <arenite/particles/relocate.hpp>
 #include <arenite/scene/parts.hpp>
 #include <arenite/transfer/deform.hpp>
 #include <arenite/transfer/gather.hpp>

@@ -13,18 +13,24 @@ namespace arenite {
 template <class Scene>
 double stable_step(const Scene& scene) {
   using T = typename Scene::T;
+  using std::max;
+  constexpr int width = Scene::NumericsType::template width<T>;
+  using P = lanes_of<T, width>;
   T least = std::numeric_limits<T>::infinity();
   scene.for_each_body([&](const auto& body, const auto&) {
     const T wave = static_cast<T>(std::sqrt(body.law.wave_modulus() / body.law.density()));
-    const auto& velocity = body.points.velocity;
     least = scene.blocks.reduce(
         least,
         [&](Index c) {
-          const auto in_cell = body.cells[c];
-          if (in_cell.empty()) return std::numeric_limits<T>::infinity();
-          T fastest = 0;
-          for (const Index p : in_cell) fastest = std::max(fastest, velocity[p].squaredNorm());
-          return scene.mesh.size(c) / (wave + std::sqrt(fastest));
+          if (body.cells.empty(c)) return std::numeric_limits<T>::infinity();
+          P fastest(0);
+          body.cells.template for_packs<width>(c, [&](Index first, int count) {
+            const auto v = body.points.velocity.template load<P>(first, count);
+            P square = v[0] * v[0];
+            for (std::size_t k = 1; k < Scene::D; ++k) square += v[k] * v[k];
+            fastest = max(fastest, square);
+          });
+          return scene.mesh.size(c) / (wave + std::sqrt(greatest_lane(fastest)));
         },
         [](T a, T b) { return std::min(a, b); });
   });

@@ -10,7 +10,8 @@ namespace arenite {
 
 template <class Scene>
 void relocate(Scene& scene) {
-  scene.for_each_body([&](auto& body, auto&) { relocate(body, scene.mesh); });
+  constexpr int width = Scene::NumericsType::template width<typename Scene::T>;
+  scene.for_each_body([&](auto& body, auto&) { relocate<width>(body, scene.mesh, scene.blocks); });
 }
 
 template <class Scene>
@@ -90,9 +91,9 @@ template <class Scene>
 void deform(Scene& scene, double dt) {
   double check = 0;
   scene.for_each_body([&](auto& body, const auto& field) {
-    const DeformSums sums =
-        deform<typename Scene::Kinematics>(scene.numerics, scene.mesh, scene.blocks, body, field,
-                                           static_cast<typename Scene::T>(dt), scene.average);
+    const DeformSums sums = deform<typename Scene::Kinematics, Scene::tracks_energy>(
+        scene.numerics, scene.mesh, scene.blocks, body, field, static_cast<typename Scene::T>(dt),
+        scene.average);
     body.opened_volume += sums.opened_volume;
     check += sums.check;
     if constexpr (Scene::tracks_energy) scene.ledger.stress_work += sums.work;
@@ -110,13 +111,8 @@ void move(Scene& scene, [[maybe_unused]] double dt) {
     if constexpr (Leader::rigid) {
       travel = std::get<Leader::index>(scene.rigids).displacement[motion.axis()];
     } else {
-      const auto& points = std::get<Leader::index>(scene.bodies).points;
-      double momentum = 0, mass = 0;
-      for (std::size_t p = 0; p < points.size(); ++p) {
-        momentum += static_cast<double>(points.mass[p] * points.velocity[p][motion.axis()]);
-        mass += static_cast<double>(points.mass[p]);
-      }
-      travel = motion.travel() + static_cast<T>(dt * momentum / mass);
+      const auto& body = std::get<Leader::index>(scene.bodies);
+      travel = motion.travel() + static_cast<T>(dt * momentum(body)[motion.axis()] / mass(body));
     }
     try {
       motion.move(scene.mesh, travel);
@@ -124,6 +120,17 @@ void move(Scene& scene, [[maybe_unused]] double dt) {
       throw run_error(detail::join("t = ", scene.time + dt, " s: ", e.what()));
     }
   }
+}
+
+/// Whether all numbers of a point are finite.
+template <class Points>
+bool is_finite(const Points& points, std::size_t p) {
+  bool finite = true;
+  points.for_each_column([&](const auto& column) {
+    if constexpr (std::is_floating_point_v<typename std::remove_cvref_t<decltype(column)>::value_type>)
+      finite = finite && std::isfinite(column[p]);
+  });
+  return finite;
 }
 
 template <class Scene>
@@ -139,9 +146,7 @@ void finish(Scene& scene, double dt) {
         points.size(), points.size(),
         [&](std::size_t begin, std::size_t end) {
           for (std::size_t p = begin; p < end; ++p)
-            if (!std::isfinite(points.velocity[p].sum() + points.position[p].sum() + trace(points.stress[p]) +
-                               points.stress[p][3] + points.volume[p]))
-              return p;
+            if (!is_finite(points, p)) return p;
           return points.size();
         },
         [](std::size_t a, std::size_t b) { return std::min(a, b); });

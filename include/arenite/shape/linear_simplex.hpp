@@ -2,6 +2,7 @@
 // cell.
 #pragma once
 
+#include <arenite/core/lanes.hpp>
 #include <arenite/mesh/mesh.hpp>
 
 namespace arenite {
@@ -9,6 +10,7 @@ namespace arenite {
 /// Shape function of triangles (3 nodes a cell) and tetrahedra (4).
 struct LinearSimplex {
   static constexpr bool constant_gradient = true;
+  static constexpr bool tensor_product = false;
   static constexpr const char* name = "LinearSimplex";
 
   template <class M>
@@ -33,7 +35,7 @@ struct LinearSimplex {
     using Weights = Eigen::Matrix<T, size, 1>;
     using Gradients = Eigen::Matrix<T, D, size>;
 
-    Cell(const M& mesh, Index cell) : nodes{mesh.nodes(cell)}, mesh_{&mesh}, frame_{mesh.frame(cell)} {
+    Cell(const M& mesh, Index cell) : nodes{mesh.nodes(cell)}, mesh_{mesh}, frame_{mesh.frame(cell)} {
       gradient.template rightCols<D>() = frame_.inverse.transpose();
       gradient.col(0) = -gradient.template rightCols<D>().rowwise().sum();
     }
@@ -48,10 +50,39 @@ struct LinearSimplex {
     /// [D x (D + 1)] gradients, 1/m: the same everywhere in the cell.
     const Gradients& gradients(const Vec<T, D>&) const { return gradient; }
 
+    /// [D + 1] values at positions x [D] of a pack of points (or of one).
+    template <class P>
+    std::array<P, size> weights(const std::array<P, D>& x) const {
+      std::array<P, D> way;
+      repeat<D>([&](std::size_t d) { way[d] = x[d] - P(frame_.origin[static_cast<int>(d)]); });
+      std::array<P, size> w;
+      w[0] = P(1);
+      repeat<D>([&](std::size_t k) {
+        P value = P(frame_.inverse(static_cast<int>(k), 0)) * way[0];
+        repeat<D - 1>([&](std::size_t d) {
+          value += P(frame_.inverse(static_cast<int>(k), static_cast<int>(d + 1))) * way[d + 1];
+        });
+        w[k + 1] = value;
+        w[0] -= value;
+      });
+      return w;
+    }
+
+    /// [D][D + 1] ways along each axis from positions x to the nodes, m.
+    template <class P>
+    std::array<std::array<P, size>, D> ways(const std::array<P, D>& x) const {
+      std::array<std::array<P, size>, D> way;
+      for (std::size_t i = 0; i < size; ++i)
+        for (std::size_t k = 0; k < D; ++k)
+          way[k][i] = P(mesh_.position(nodes[i])[static_cast<int>(k)]) - x[k];
+      return way;
+    }
+    static constexpr std::size_t along(std::size_t i, std::size_t) { return i; }
+
     /// [D x (D + 1)] positions of the nodes, m.
     Gradients node_positions() const {
       Gradients x;
-      for (int k = 0; k < size; ++k) x.col(k) = mesh_->position(nodes[static_cast<std::size_t>(k)]);
+      for (int k = 0; k < size; ++k) x.col(k) = mesh_.position(nodes[static_cast<std::size_t>(k)]);
       return x;
     }
 
@@ -59,8 +90,8 @@ struct LinearSimplex {
     Gradients gradient;
 
    private:
-    const M* mesh_;
-    typename M::Frame frame_;
+    const M& mesh_;
+    const typename M::Frame& frame_;
   };
 };
 

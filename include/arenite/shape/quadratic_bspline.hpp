@@ -14,6 +14,7 @@ namespace arenite {
 /// doi:10.1002/nme.2360).
 struct QuadraticBSpline {
   static constexpr bool constant_gradient = false;
+  static constexpr bool tensor_product = true;
   static constexpr const char* name = "QuadraticBSpline";
 
   template <class M>
@@ -54,82 +55,163 @@ struct QuadraticBSpline {
     using Weights = Eigen::Matrix<T, size, 1>;
     using Gradients = Eigen::Matrix<T, D, size>;
 
-    Cell(const M& grid, Index cell) : grid_{&grid}, place_{grid.place(cell)}, per_metre_{1 / grid.edge()} {
-      corner_ = grid.corner(cell);
+    Cell(const M& grid, Index cell)
+        : lower_{grid.lower()}, corner_{lower_}, edge_{grid.edge()}, per_metre_{1 / edge_} {
+      const auto place = grid.place(cell);
+      std::array<Index, D> stride;
+      Index first = 0;
       for (std::size_t k = 0; k < D; ++k) {
-        first_[k] = place_[k] == 0 ? T(1) : T(2);
-        last_[k] = place_[k] + 1 == grid.cells(static_cast<int>(k)) ? T(1) : T(2);
+        const Index count = grid.cells(static_cast<int>(k));
+        stride[k] = k == 0 ? 1 : stride[k - 1] * (grid.cells(static_cast<int>(k - 1)) + 2);
+        first += place[k] * stride[k];
+        corner_[static_cast<int>(k)] += edge_ * static_cast<T>(place[k]);
+        before_[k] = place[k] == 0 ? T(0) : T(1);
+        after_[k] = place[k] + 1 == count ? T(0) : T(1);
+        first_[k] = 1 / (1 + before_[k]);
+        last_[k] = 1 / (1 + after_[k]);
+        for (Index i = 0; i < 3; ++i) along_[k][i] = edge_ * greville<T>(place[k] + i, count);
       }
-      for (int i = 0; i < size; ++i) {
-        Index node = 0;
-        for (std::size_t k = D; k-- > 0;)
-          node = node * (grid.cells(static_cast<int>(k)) + 2) + place_[k] + static_cast<Index>(digit(i, k));
-        nodes[static_cast<std::size_t>(i)] = node;
+      for (std::size_t i = 0; i < size; ++i) {
+        nodes[i] = first;
+        for (std::size_t k = 0; k < D; ++k) nodes[i] += static_cast<Index>(digit(i, k)) * stride[k];
       }
     }
 
     /// [3^D] values at x.
     Weights weights(const Vec<T, D>& x) const {
-      std::array<std::array<T, 3>, D> value, slope;
-      line(x, value, slope);
-      Weights w;
-      for (int i = 0; i < size; ++i) w[i] = product(value, i);
-      return w;
+      const auto value = weights(as_array(x));
+      return Eigen::Map<const Weights>(value.data());
     }
 
     /// [D x 3^D] gradients at x, 1/m.
     Gradients gradients(const Vec<T, D>& x) const {
-      std::array<std::array<T, 3>, D> value, slope;
-      line(x, value, slope);
+      const auto slope = gradients(as_array(x));
       Gradients g;
+      for (std::size_t k = 0; k < D; ++k)
+        g.row(static_cast<int>(k)) = Eigen::Map<const Weights>(slope[k].data());
+      return g;
+    }
+
+    /// [3^D] values at positions x [D] of a pack of points (or of one).
+    template <class P>
+    std::array<P, size> weights(const std::array<P, D>& x) const {
+      return products(line_values(x));
+    }
+
+    /// [D][3^D] gradients at positions x [D] of a pack of points (or of one), 1/m.
+    template <class P>
+    std::array<std::array<P, size>, D> gradients(const std::array<P, D>& x) const {
+      const auto value = line_values(x), slope = line_slopes(x);
+      std::array<std::array<P, size>, D> g;
       for (std::size_t k = 0; k < D; ++k) {
         auto factor = value;
         factor[k] = slope[k];
-        for (int i = 0; i < size; ++i) g(static_cast<int>(k), i) = product(factor, i);
+        g[k] = products(factor);
       }
       return g;
     }
 
+    /// Functions along each axis, whose products the functions of the cell are, at positions x of a pack:
+    /// values [D][3], slopes [D][3] in 1/m.
+    template <class P>
+    std::array<std::array<P, 3>, D> line_values(const std::array<P, D>& x) const {
+      std::array<std::array<P, 3>, D> value;
+      repeat<D>([&](std::size_t k) { value[k] = values(k, local(k, x)); });
+      return value;
+    }
+    template <class P>
+    std::array<std::array<P, 3>, D> line_slopes(const std::array<P, D>& x) const {
+      std::array<std::array<P, 3>, D> slope;
+      repeat<D>([&](std::size_t k) { slope[k] = slopes(k, local(k, x)); });
+      return slope;
+    }
+
+    /// 1 / sum w (x_i - x)^2 along each axis, 1/m2: the inverse inertia of APIC, which is diagonal on
+    /// open knots. It vanishes only for a point on a face, where there is no motion about the point along
+    /// that axis: 0 there.
+    template <class P>
+    std::array<P, D> inverse_inertia(const std::array<P, D>& x) const {
+      std::array<P, D> inverse;
+      for (std::size_t k = 0; k < D; ++k) {
+        const P way = x[k] - P(lower_[static_cast<int>(k)]);
+        const auto w = values(k, local(k, x));
+        P inertia(0);
+        for (std::size_t i = 0; i < 3; ++i) inertia += w[i] * square(P(P(along_[k][i]) - way));
+        const auto some = inertia > P(std::numeric_limits<T>::epsilon() * edge_ * edge_);
+        inverse[k] = select(some, P(P(1) / select(some, inertia, P(1))), P(0));
+      }
+      return inverse;
+    }
+
+    /// [D][3] ways along each axis from positions x to the nodes, m: to node i that number `along(i, axis)`.
+    template <class P>
+    std::array<std::array<P, 3>, D> ways(const std::array<P, D>& x) const {
+      std::array<std::array<P, 3>, D> way;
+      for (std::size_t k = 0; k < D; ++k)
+        for (std::size_t i = 0; i < 3; ++i)
+          way[k][i] = P(along_[k][i]) - (x[k] - P(lower_[static_cast<int>(k)]));
+      return way;
+    }
+    static constexpr std::size_t along(std::size_t i, std::size_t axis) { return digit(i, axis); }
+
     /// [D x 3^D] positions of the nodes, m.
     Gradients node_positions() const {
       Gradients x;
-      for (int i = 0; i < size; ++i)
+      for (std::size_t i = 0; i < size; ++i)
         for (std::size_t k = 0; k < D; ++k)
-          x(static_cast<int>(k), i) = grid_->lower()[static_cast<int>(k)] +
-                                      grid_->edge() * greville<T>(place_[k] + static_cast<Index>(digit(i, k)),
-                                                                  grid_->cells(static_cast<int>(k)));
+          x(static_cast<int>(k), static_cast<int>(i)) = lower_[static_cast<int>(k)] + along_[k][digit(i, k)];
       return x;
     }
 
     std::array<Index, size> nodes;
 
    private:
-    static constexpr int digit(int i, std::size_t k) { return (k == 0 ? i : k == 1 ? i / 3 : i / 9) % 3; }
+    static constexpr std::size_t digit(std::size_t i, std::size_t k) {
+      return (k == 0 ? i : k == 1 ? i / 3 : i / 9) % 3;
+    }
 
-    static T product(const std::array<std::array<T, 3>, D>& f, int i) {
-      T p = f[0][static_cast<std::size_t>(digit(i, 0))] * f[1][static_cast<std::size_t>(digit(i, 1))];
-      if constexpr (D == 3) p *= f[2][static_cast<std::size_t>(digit(i, 2))];
+    static std::array<T, D> as_array(const Vec<T, D>& x) {
+      std::array<T, D> a;
+      for (std::size_t k = 0; k < D; ++k) a[k] = x[static_cast<int>(k)];
+      return a;
+    }
+
+    // Place along axis k in the cell, 0 to 1.
+    template <class P>
+    P local(std::size_t k, const std::array<P, D>& x) const {
+      return (x[k] - P(corner_[static_cast<int>(k)])) * P(per_metre_);
+    }
+
+    template <class P>
+    static std::array<P, size> products(const std::array<std::array<P, 3>, D>& f) {
+      std::array<P, size> p;
+      for (std::size_t j = 0; j < size / 3; ++j) {
+        P rest = f[1][j % 3];
+        if constexpr (D == 3) rest = rest * f[2][j / 3];
+        for (std::size_t i = 0; i < 3; ++i) p[3 * j + i] = f[0][i] * rest;
+      }
       return p;
     }
 
-    // Values and slopes along each axis by the recurrence of Cox and de Boor, written out for a cell [0, 1]
-    // whose neighbouring spans `first - 1` and `last - 1` are 0 (at the boundary) or 1.
-    void line(const Vec<T, D>& x, std::array<std::array<T, 3>, D>& value,
-              std::array<std::array<T, 3>, D>& slope) const {
-      for (std::size_t k = 0; k < D; ++k) {
-        const T s = (x[static_cast<int>(k)] - corner_[static_cast<int>(k)]) * per_metre_;
-        const T a = first_[k], b = last_[k];
-        value[k] = {(1 - s) * (1 - s) / a, (s + a - 1) * (1 - s) / a + (b - s) * s / b, s * s / b};
-        slope[k] = {-2 * (1 - s) / a * per_metre_, T(0), 2 * s / b * per_metre_};
-        slope[k][1] = -(slope[k][0] + slope[k][2]);
-      }
+    // Values and slopes along axis k by the recurrence of Cox and de Boor, written out for a cell [0, 1]
+    // whose neighbouring spans `before_` and `after_` are 0 (at the boundary) or 1; `first_` and `last_` are
+    // 1 / (1 + span).
+    template <class P>
+    std::array<P, 3> values(std::size_t k, const P& s) const {
+      const P t = P(1) - s, low = t * P(first_[k]), high = s * P(last_[k]);
+      // The middle one as a sum of what is not negative: 1 - the others would leave round-off at a face.
+      return {t * low, (s + P(before_[k])) * low + (t + P(after_[k])) * high, s * high};
+    }
+    template <class P>
+    std::array<P, 3> slopes(std::size_t k, const P& s) const {
+      const P low = (s - P(1)) * P(2 * first_[k] * per_metre_), high = s * P(2 * last_[k] * per_metre_);
+      return {low, -(low + high), high};
     }
 
-    const M* grid_;
-    std::array<Index, D> place_;
-    T per_metre_;
-    Vec<T, D> corner_;
-    std::array<T, D> first_, last_;
+    Vec<T, D> lower_, corner_;
+    T edge_, per_metre_;
+    std::array<T, D> before_, after_, first_, last_;
+    std::array<std::array<T, 3>, D> along_;  // of the nodes from the grid's lower corner, m
   };
 };
 

@@ -9,17 +9,23 @@ namespace arenite {
 
 /// - `S::fits<M>`: whether the functions are made for mesh M;
 /// - `S::node_count(mesh)`, `S::node_position(mesh, node)`: the nodes that carry coefficients;
-/// - `S::Cell<M>(mesh, cell)`: `nodes` [size], `weights(x)` [size], `gradients(x)` [D x size] in 1/m;
-/// - `S::constant_gradient`: whether the gradients are the same everywhere in a cell.
+/// - `S::Cell<M>(mesh, cell)`: `nodes` [size]; `weights(x)` [size] and `gradients(x)` [D x size] in 1/m at
+///   a position x, as Eigen's; `weights(x)` [size] and `ways(x)` [D][..] at a `std::array` x [D] of packs or
+///   scalars, as arrays of them, for the kernels;
+/// - `S::constant_gradient`: whether the gradients are the same everywhere in a cell: then
+///   they are its member `gradient`, else `gradients(x)` [D][size] at an array x.
 template <class S, class M>
-concept shape_function = mesh<M> &&
-    S::template fits<M>&& requires(const M m, const typename M::Point x, Index i) {
+concept shape_function = mesh<M> && S::template fits<M>&& requires(
+    const M m, const typename M::Point x, Index i,
+    const std::array<typename M::scalar, static_cast<std::size_t>(M::dimension)> place) {
   { S::constant_gradient } -> std::convertible_to<bool>;
   { S::node_count(m) } -> std::same_as<Index>;
   { S::node_position(m, i) } -> std::convertible_to<typename M::Point>;
   typename S::template Cell<M>;
   {typename S::template Cell<M>(m, i).weights(x)};
   {typename S::template Cell<M>(m, i).gradients(x)};
+  {typename S::template Cell<M>(m, i).weights(place)};
+  {typename S::template Cell<M>(m, i).ways(place)};
 };
 
 }  // namespace arenite

@@ -38,4 +38,17 @@ struct ElementAverage {
   void check() const { require(fill > 0, "ElementAverage.fill", fill, "must be positive"); }
 };
 
+/// Both: volumetric strains averaged over nodes, stresses over filled cells. Averaged strains leave a cell no
+/// way to even out what the scatter of its points' number does to its pressure; the mean stress over the
+/// whole volume of the cell does, so that the answer depends far less on the number of points than with
+/// either alone.
+struct NodalAndElementAverage {
+  static constexpr bool averages_strain = true;
+  static constexpr bool averages_stress = true;
+  double fill = 0.9;  ///< a cell counts as filled from this share of its volume on, -
+  template <class Shape>
+  static constexpr bool fits = Shape::constant_gradient;
+  void check() const { require(fill > 0, "NodalAndElementAverage.fill", fill, "must be positive"); }
+};
+
 }  // namespace arenite

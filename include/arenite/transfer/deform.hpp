@@ -1,157 +1,174 @@
-// Deform: strains from the node velocities, stresses from the law, and the points moved; one pass over the
-// cells, or two where the volumetric strain is averaged over nodes first.
+// Deform: strains from the node velocities, the points moved, and stresses from the law; one pass over the
+// points as they lie in memory, after one over the cells where the volumetric strain is averaged.
 #pragma once
 
-#include <arenite/transfer/law_batch.hpp>
+#include <arenite/transfer/law_pass.hpp>
 #include <arenite/transfer/scatter.hpp>
+#include <arenite/transfer/tensor_product.hpp>
+#include <arenite/transfer/volumetric_average.hpp>
 
 namespace arenite {
 
-/// Strain and spin of one step from the velocity gradient times dt, [D x D]; no strain out of plane.
-template <class T, int D>
-Increment<T, D> in_plane_increment(const Mat<T, D>& l) {
-  Increment<T, D> inc;
+/// Strain and spin of one step from the velocity gradient times dt, whose columns are `along(j)`[i] =
+/// dv_i/dx_j dt; no strain out of plane.
+template <class P, std::size_t D, class Columns>
+Increment<P, static_cast<int>(D)> in_plane_increment(Columns&& along) {
+  Increment<P, static_cast<int>(D)> inc;
   auto& e = inc.strain;
-  e[0] = l(0, 0);
-  e[1] = l(1, 1);
-  e[3] = (l(0, 1) + l(1, 0)) / 2;
-  inc.spin[0] = (l(0, 1) - l(1, 0)) / 2;
+  const P half(0.5);
+  const auto x = along(0), y = along(1);
+  e[0] = x[0];
+  e[1] = y[1];
+  e[3] = (y[0] + x[1]) * half;
+  inc.spin[0] = (y[0] - x[1]) * half;
   if constexpr (D == 3) {
-    e[2] = l(2, 2);
-    e[4] = (l(1, 2) + l(2, 1)) / 2;
-    e[5] = (l(2, 0) + l(0, 2)) / 2;
-    inc.spin[1] = (l(1, 2) - l(2, 1)) / 2;
-    inc.spin[2] = (l(2, 0) - l(0, 2)) / 2;
+    const auto z = along(2);
+    e[2] = z[2];
+    e[4] = (z[1] + y[2]) * half;
+    e[5] = (x[2] + z[0]) * half;
+    inc.spin[1] = (z[1] - y[2]) * half;
+    inc.spin[2] = (x[2] - z[0]) * half;
+  } else {
+    e[2] = P(0);
   }
   return inc;
 }
 
-/// Volumetric strain of each cell after averaging over the nodes, for `NodalAveraging`.
-template <class T>
-struct VolumetricAverage {
-  std::vector<T> cell_strain;  ///< [cells] trace of the strain increment, mean over the cell's points
-  std::vector<T> cell_weight;  ///< [cells] volume of the cell's points, m3
-  std::vector<T> node_strain;  ///< [nodes] scratch
-  std::vector<T> node_weight;  ///< [nodes] scratch
+namespace detail {
 
-  template <class K, class N, class M, class B, class Field>
-  void compute(const M& mesh, const Blocks& blocks, const B& body, const Field& nodes, T dt) {
-    using Cell = typename N::Shape::template Cell<M>;
-    constexpr int size = Cell::size;
-    const auto& u = nodes.strain_velocity();
-    cell_strain.assign(mesh.cell_count(), T(0));
-    cell_weight.assign(mesh.cell_count(), T(0));
-    node_strain.assign(nodes.size(), T(0));
-    node_weight.assign(nodes.size(), T(0));
-    blocks.for_each_colored([&](Index c) {
-      const auto in_cell = body.cells[c];
-      if (in_cell.empty()) return;
-      const Cell cell(mesh, c);
-      T divergence = 0, radial = 0, volume = 0;
-      Eigen::Matrix<T, 1, size> v_r;
-      for (int k = 0; k < size; ++k) {
-        const auto& v = u[cell.nodes[static_cast<std::size_t>(k)]];
-        divergence += v.dot(cell.gradient.col(k));
-        v_r[k] = v[0];
-      }
-      for (const Index p : in_cell) {
-        volume += body.points.volume[p];
-        if constexpr (K::hoop)
-          radial += body.points.volume[p] * v_r.dot(cell.weights(body.points.position[p]).transpose()) /
-                    body.points.position[p][0];
-      }
-      cell_weight[c] = volume;
-      cell_strain[c] = dt * (divergence + radial / volume);
-      for (const Index i : cell.nodes) {
-        node_strain[i] += volume * cell_strain[c];
-        node_weight[i] += volume;
-      }
-    });
-    blocks.for_each([&](Index c) {
-      if (cell_weight[c] == 0) return;
-      T sum = 0;
-      for (const Index i : mesh.nodes(c)) sum += node_strain[i] / node_weight[i];
-      cell_strain[c] = sum / static_cast<T>(mesh.nodes(c).size());
-    });
-  }
-};
-
-/// Updates stress, history and volume of each point by the law of its body, and moves it with the node
-/// velocities.
-template <class K, class N, class M, class B, class Field, class Average>
-DeformSums deform(const N& numerics, const M& mesh, const Blocks& blocks, B& body, const Field& nodes,
-                  typename M::scalar dt, Average& average) {
-  using Cell = typename N::Shape::template Cell<M>;
+/// Moves the neighbours [begin, end) of one cell and writes their strain increments into `buffer`, from `at`
+/// on. Returns a sum of the positions.
+template <class K, class N, class M, class Points, class Field, class Average>
+[[gnu::flatten]] auto move_run(const M& mesh, Index c, Points& points, std::size_t begin, std::size_t end,
+                               const Field& nodes, typename M::scalar dt,
+                               [[maybe_unused]] const Average& average,
+                               IncrementBuffer<typename M::scalar, M::dimension>& buffer, std::size_t at) {
   using T = typename M::scalar;
-  constexpr int D = M::dimension, size = Cell::size;
-  auto& points = body.points;
+  using Shape = typename N::Shape;
+  using Cell = typename Shape::template Cell<M>;
+  constexpr std::size_t D = M::dimension, size = Cell::size;
+  constexpr int width = N::template width<T>;
+  using P = lanes_of<T, width>;
+  const Cell cell(mesh, c);
   const auto& strain_velocity = nodes.strain_velocity();
-  if constexpr (N::AntiLocking::averages_strain)
-    average.template compute<K, N>(mesh, blocks, body, nodes, dt);
-  return blocks.reduce_blocks(
-      DeformSums{},
-      [&](Index begin, Index end) {
-        const auto law = body.law;  // a copy: its moduli stay in registers
-        DeformSums sums;
-        LawBatch<T, D, N::register_bytes> batch;
-        for (Index c = begin; c < end; ++c) {
-          const auto in_cell = body.cells[c];
-          if (in_cell.empty()) continue;
-          const Cell cell(mesh, c);
-          detail::Quads<T, size> v = detail::Quads<T, size>::Zero();
-          Eigen::Matrix<T, D, size> u;
-          for (int k = 0; k < size; ++k) {
-            const Index i = cell.nodes[static_cast<std::size_t>(k)];
-            v.col(k).template head<D>() = dt * nodes.velocity[i];
-            u.col(k) = dt * strain_velocity[i];
-          }
-          [[maybe_unused]] Increment<T, D> of_cell;
-          if constexpr (N::Shape::constant_gradient)
-            of_cell = in_plane_increment<T, D>(u * cell.gradient.transpose());
-          for (const Index p : in_cell) {
-            Vec<T, D>& x = points.position[p];
-            const auto w = cell.weights(x);
-            Increment<T, D> inc;
-            if constexpr (N::Shape::constant_gradient)
-              inc = of_cell;
-            else
-              inc = in_plane_increment<T, D>(u * cell.gradients(x).transpose());
-            if constexpr (K::hoop) inc.strain[2] = u.row(0).dot(w.transpose()) / x[0];
-            if constexpr (N::AntiLocking::averages_strain)
-              inc.strain =
-                  add_isotropic(inc.strain, T((average.cell_strain[c] - trace(inc.strain)) * T(1.0 / 3)));
-            const Eigen::Matrix<T, 4, 1> way = v * w;
-            x += way.template head<D>();
-            sums.check += static_cast<double>(x.sum() + points.velocity[p].sum());
-            if (batch.full()) batch.flush(law, points, sums);
-            batch.add(p, inc);
-          }
-          if constexpr (N::AntiLocking::averages_stress) {
-            batch.flush(law, points, sums);
-            average_stress<K>(numerics, mesh, c, in_cell, points);
-          }
-        }
-        batch.flush(law, points, sums);
-        return sums;
-      },
-      [](DeformSums a, const DeformSums& b) {
-        return DeformSums{a.work + b.work, a.opened_volume + b.opened_volume, a.check + b.check};
+  using V = NodePack<T, static_cast<int>(D)>;
+  NodeRows<T, static_cast<int>(D), size> v, u;  // ways of the nodes in this step: for positions, for strains
+  repeat<size>([&](std::size_t i) {
+    v.set(i, V(dt) * nodes.velocity.pack(cell.nodes[i]));
+    u.set(i, V(dt) * strain_velocity.pack(cell.nodes[i]));
+  });
+  [[maybe_unused]] Increment<T, static_cast<int>(D)> of_cell;
+  if constexpr (Shape::constant_gradient) {
+    of_cell = in_plane_increment<T, D>([&](std::size_t b) {
+      V column(0);
+      repeat<size>([&](std::size_t i) {
+        column += u.pack(i) * V(cell.gradient(static_cast<int>(b), static_cast<int>(i)));
       });
+      std::array<T, V::width> lane;
+      column.store(lane.data());
+      return lane;
+    });
+    if constexpr (N::AntiLocking::averages_strain && !K::hoop)
+      of_cell.strain =
+          add_isotropic(of_cell.strain, T((average.cell_strain[c] - trace(of_cell.strain)) * T(1.0 / 3)));
+  }
+  P check(0);
+  for (std::size_t p = begin; p < end; p += width) {
+    const int count = static_cast<int>(std::min<std::size_t>(width, end - p));
+    auto x = points.position.template load_repeated<P>(p, count);
+    Increment<P, static_cast<int>(D)> inc;
+    std::array<P, D> way{};
+    [[maybe_unused]] P radial(0);
+    if constexpr (Shape::constant_gradient) {
+      const auto w = cell.weights(x);
+      repeat<size>([&](std::size_t i) { repeat<D>([&](std::size_t d) { way[d] += P(v[i][d]) * w[i]; }); });
+      if constexpr (K::hoop) repeat<size>([&](std::size_t i) { radial += P(u[i][0]) * w[i]; });
+      repeat<of_cell.strain.size>([&](std::size_t k) { inc.strain[k] = P(of_cell.strain[k]); });
+      repeat<of_cell.spin.size()>([&](std::size_t k) { inc.spin[k] = P(of_cell.spin[k]); });
+    } else {
+      const auto value = cell.line_values(x), slope = cell.line_slopes(x);
+      const auto sums = line_sums<P, D>(u, value, slope);
+      inc = in_plane_increment<P, D>([&](std::size_t b) { return sums.along[b]; });
+      way = N::Order::remaps ? line_sums<P, D>(v, value, slope).value : sums.value;
+      if constexpr (K::hoop) radial = sums.value[0];
+    }
+    if constexpr (K::hoop) {
+      inc.strain[2] = radial * reciprocal(x[0]);
+      if constexpr (N::AntiLocking::averages_strain)
+        inc.strain =
+            add_isotropic(inc.strain, P((P(average.cell_strain[c]) - trace(inc.strain)) * P(1.0 / 3)));
+    }
+    buffer.store(at + (p - begin), inc);
+    repeat<D>([&](std::size_t d) { x[d] += way[d]; });
+    points.position.template store<P>(p, count, x);
+    P sum = x[0] + x[1];
+    if constexpr (D == 3) sum += x[2];
+    check += select(lanes_from<P>(count), P(0), sum);
+  }
+  return lane_sums(std::array<P, 1>{check})[0];
 }
 
-/// Gives the points of a filled cell their mean stress, weighted by volume.
-template <class K, class N, class M, class P>
-void average_stress(const N& numerics, const M& mesh, Index c, std::span<const Index> in_cell, P& points) {
+/// Gives the points of filled cells their mean stress, weighted by volume.
+template <class K, class N, class M, class B>
+void average_stress(const N& numerics, const M& mesh, const Blocks& blocks, B& body) {
   using T = typename M::scalar;
-  Sym<T, M::dimension> mean{};
-  T volume = 0;
-  for (const Index p : in_cell) {
-    mean += points.volume[p] * points.stress[p];
-    volume += points.volume[p];
-  }
-  if (volume < static_cast<T>(numerics.anti_locking.fill) * detail::whole_volume<K>(mesh, c)) return;
-  mean *= 1 / volume;
-  for (const Index p : in_cell) points.stress[p] = mean;
+  constexpr int width = N::template width<T>;
+  using P = lanes_of<T, width>;
+  constexpr std::size_t size = Sym<T, M::dimension>::size;
+  auto& points = body.points;
+  blocks.for_each([&](Index c) {
+    if (body.cells.empty(c)) return;
+    std::array<P, size + 1> sums{};
+    body.cells.template for_packs<width>(c, [&](Index first, int count) {
+      const auto stress = points.stress.template load<P>(first, count);
+      const P volume = load_lanes<P>(points.volume.data() + first, count);
+      repeat<size>([&](std::size_t k) { sums[k] += volume * stress[k]; });
+      sums[size] += volume;
+    });
+    const auto total = lane_sums(sums);
+    if (total[size] < static_cast<T>(numerics.anti_locking.fill) * whole_volume<K>(mesh, c)) return;
+    std::array<P, size> mean;
+    for (std::size_t k = 0; k < size; ++k) mean[k] = P(total[k] / total[size]);
+    body.cells.template for_packs<width>(
+        c, [&](Index first, int count) { points.stress.template store<P>(first, count, mean); });
+  });
+}
+
+}  // namespace detail
+
+/// Updates stress, history and volume of each point by the law of its body, and moves it with the node
+/// velocities. `TracksWork`: whether the work of the stresses is summed.
+template <class K, bool TracksWork, class N, class M, class B, class Field, class Average>
+DeformSums deform(const N& numerics, const M& mesh, const Blocks& blocks, B& body, const Field& nodes,
+                  typename M::scalar dt, Average& average) {
+  using T = typename M::scalar;
+  using Buffer = IncrementBuffer<T, M::dimension>;
+  auto& points = body.points;
+  if constexpr (N::AntiLocking::averages_strain)
+    average.template compute<K, N>(mesh, blocks, body, nodes, dt);
+  const DeformSums sums = parallel_reduce(
+      points.size(), DeformSums{},
+      [&](std::size_t chunk_begin, std::size_t chunk_end) {
+        const auto law = body.law;  // a copy: its moduli stay in registers
+        DeformSums chunk;
+        Buffer buffer;
+        for (std::size_t begin = chunk_begin; begin < chunk_end; begin += Buffer::capacity) {
+          const std::size_t end = std::min(chunk_end, begin + Buffer::capacity);
+          for (std::size_t p = begin; p < end;) {
+            const Index c = points.cell[p];
+            const std::size_t next = std::min<std::size_t>(end, body.cells.run_end(static_cast<Index>(p), c));
+            chunk.check += static_cast<double>(
+                detail::move_run<K, N>(mesh, c, points, p, next, nodes, dt, average, buffer, p - begin));
+            p = next;
+          }
+          law_pass<TracksWork, N::template width<T>>(law, points, begin, end, buffer, chunk);
+        }
+        return chunk;
+      },
+      std::plus<>{});
+  if constexpr (N::AntiLocking::averages_stress) detail::average_stress<K>(numerics, mesh, blocks, body);
+  static_cast<void>(numerics);
+  return sums;
 }
 
 }  // namespace arenite

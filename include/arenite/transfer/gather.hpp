@@ -2,8 +2,74 @@
 #pragma once
 
 #include <arenite/transfer/scatter.hpp>
+#include <arenite/transfer/tensor_product.hpp>
 
 namespace arenite {
+
+namespace detail {
+
+/// Gathers the points of one cell.
+template <class N, class M, class B, class Field>
+[[gnu::flatten]] void gather_cell([[maybe_unused]] const N& numerics, const M& mesh, B& body, Index c,
+                                  Field& nodes) {
+  using Transfer = typename N::Transfer;
+  using Cell = typename N::Shape::template Cell<M>;
+  using T = typename M::scalar;
+  constexpr std::size_t D = M::dimension, size = Cell::size;
+  constexpr int width = N::template width<T>;
+  using P = lanes_of<T, width>;
+  constexpr bool remaps = N::Order::remaps;
+  auto& points = body.points;
+  const Cell cell(mesh, c);
+  // What a point keeps of its velocity, and what it adds to that: PIC and FLIP are both linear in the nodes.
+  T kept = 0;
+  if constexpr (!Transfer::affine) kept = static_cast<T>(numerics.transfer.share);
+  using V = NodePack<T, static_cast<int>(D)>;
+  NodeRows<T, static_cast<int>(D), size> taken;
+  repeat<size>([&](std::size_t i) {
+    V value = nodes.velocity.pack(cell.nodes[i]);
+    if constexpr (!Transfer::affine) value -= V(kept) * nodes.start.pack(cell.nodes[i]);
+    taken.set(i, value);
+  });
+  std::array<P, remaps ? size * D : 1> mapped;
+  repeat<mapped.size()>([&](std::size_t k) { mapped[k] = P(0); });
+  body.cells.template for_packs<width>(c, [&](Index first, int count) {
+    const auto x = points.position.template load_repeated<P>(first, count);
+    std::array<P, D> v{};
+    if constexpr (!Transfer::affine) {
+      v = points.velocity.template load<P>(first, count);
+      repeat<D>([&](std::size_t d) { v[d] = v[d] * P(kept); });
+    }
+    if constexpr (std::same_as<Transfer, Apic>) {
+      const auto value = cell.line_values(x);
+      auto arm = cell.ways(x);
+      repeat<D>([&](std::size_t a) { repeat<3>([&](std::size_t i) { arm[a][i] *= value[a][i]; }); });
+      const auto sums = line_sums<P, D>(taken, value, arm);
+      v = sums.value;
+      std::array<P, D * D> motion;
+      repeat<D * D>([&](std::size_t k) { motion[k] = sums.along[k / D][k % D]; });
+      points.motion.template store<P>(first, count, motion);
+    } else {
+      const auto w = cell.weights(x);
+      repeat<size>([&](std::size_t i) { repeat<D>([&](std::size_t d) { v[d] += w[i] * P(taken[i][d]); }); });
+      if constexpr (std::same_as<Transfer, Tpic>)
+        points.motion.template store<P>(first, count, taken_gradient<P, D>(cell, taken));
+    }
+    points.velocity.template store<P>(first, count, v);
+    if constexpr (remaps) {
+      const auto w = cell.weights(x);
+      const P m = load_lanes<P>(points.mass.data() + first, count);
+      add_momentum<Transfer, D>(cell, points, first, count, m, w, x, v, mapped);
+    }
+  });
+  if constexpr (remaps) {
+    const auto total = lane_sums(mapped);
+    for (std::size_t i = 0; i < size; ++i)
+      nodes.mapped.add(cell.nodes[i], NodePack<T, D>::load(&total[i * D]));
+  }
+}
+
+}  // namespace detail
 
 /// New point velocities (and affine motion) from the node velocities at the step's begin and end; for MUSL
 /// the momentum of the updated points goes back to the nodes, into `nodes.mapped`, in the same pass: call
@@ -11,47 +77,10 @@ namespace arenite {
 /// in `deform`, so that all of a step's weights are those of its begin.
 template <class N, class M, class B, class Field>
 void gather(const N& numerics, const M& mesh, const Blocks& blocks, B& body, Field& nodes) {
-  using Transfer = typename N::Transfer;
-  using Cell = typename N::Shape::template Cell<M>;
-  using T = typename M::scalar;
-  constexpr int D = M::dimension, size = Cell::size;
-  constexpr bool remaps = N::Order::remaps;
-  auto& points = body.points;
   const auto in_cell = [&](Index c) {
-    const auto list = body.cells[c];
-    if (list.empty()) return;
-    const Cell cell(mesh, c);
-    detail::Quads<T, size> end = detail::Quads<T, size>::Zero(), change = end, mapped = end;
-    [[maybe_unused]] Eigen::Matrix<T, D, size> x_nodes;
-    for (int k = 0; k < size; ++k) {
-      const Index i = cell.nodes[static_cast<std::size_t>(k)];
-      end.col(k).template head<D>() = nodes.velocity[i];
-      if constexpr (!Transfer::affine) change.col(k).template head<D>() = nodes.velocity[i] - nodes.start[i];
-    }
-    if constexpr (Transfer::affine) x_nodes = cell.node_positions();
-    for (const Index p : list) {
-      const Vec<T, D>& x = points.position[p];
-      const auto w = cell.weights(x);
-      const Eigen::Matrix<T, 4, 1> v_end = end * w;
-      if constexpr (Transfer::affine) {
-        points.velocity[p] = v_end.template head<D>();
-        if constexpr (std::same_as<Transfer, Tpic>)
-          points.motion[p] = end.template topRows<D>() * cell.gradients(x).transpose();
-        else
-          points.motion[p] = end.template topRows<D>() * w.asDiagonal() * (x_nodes.colwise() - x).transpose();
-      } else {
-        const T share = static_cast<T>(numerics.transfer.share);
-        const Eigen::Matrix<T, 4, 1> v_change = change * w;
-        points.velocity[p] = share * (points.velocity[p] + v_change.template head<D>()) +
-                             (1 - share) * v_end.template head<D>();
-      }
-      if constexpr (remaps) detail::add_momentum<Transfer, T, D>(points, p, w, x_nodes, mapped);
-    }
-    if constexpr (remaps)
-      for (int k = 0; k < size; ++k)
-        nodes.mapped[cell.nodes[static_cast<std::size_t>(k)]] += mapped.col(k).template head<D>();
+    if (!body.cells.empty(c)) detail::gather_cell(numerics, mesh, body, c, nodes);
   };
-  if constexpr (remaps)
+  if constexpr (N::Order::remaps)
     blocks.for_each_colored(in_cell);
   else
     blocks.for_each(in_cell);

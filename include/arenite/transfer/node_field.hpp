@@ -2,12 +2,95 @@
 // contact.
 #pragma once
 
+#include <algorithm>
+#include <array>
+#include <initializer_list>
 #include <vector>
 
+#include <arenite/core/pack.hpp>
 #include <arenite/core/parallel.hpp>
 #include <arenite/core/tensor.hpp>
 
 namespace arenite {
+
+/// A vector of a node as one pack: two lanes in the plane, four in space, of which the last is spare.
+template <class T, int D>
+using NodePack = Pack<T, D == 2 ? 2 : 4>;
+
+/// Vectors of a cell's nodes as rows of scalars, from which packs of points take them one by one.
+template <class T, int D, std::size_t Size>
+struct NodeRows {
+  static constexpr std::size_t lanes = static_cast<std::size_t>(NodePack<T, D>::width);
+  alignas(lanes * sizeof(T)) std::array<std::array<T, lanes>, Size> row;
+
+  void set(std::size_t i, const NodePack<T, D>& value) { value.store(row[i].data()); }
+  NodePack<T, D> pack(std::size_t i) const { return NodePack<T, D>::load(row[i].data()); }
+  const std::array<T, lanes>& operator[](std::size_t i) const { return row[i]; }
+};
+
+/// A vector a node, each at the place of a whole pack, so that one load takes it and one store adds to it.
+template <class T, int D>
+class NodeVectors {
+  struct Whole {
+    Vec<T, D> value;
+  };
+  struct Padded {
+    Vec<T, D> value;
+    T spare = 0;  // a number always: what is computed with it is thrown away, but has to cost no more
+  };
+  using Slot = std::conditional_t<D == 2, Whole, Padded>;
+  static_assert(sizeof(Slot) == sizeof(NodePack<T, D>));
+
+ public:
+  NodeVectors() = default;
+  NodeVectors(std::size_t n, const Vec<T, D>& value) { assign(n, value); }
+  NodeVectors(std::initializer_list<Vec<T, D>> values) {
+    for (const auto& value : values) slots_.push_back(Slot{value});
+  }
+  void assign(std::size_t n, const Vec<T, D>& value) { slots_.assign(n, Slot{value}); }
+
+  std::size_t size() const { return slots_.size(); }
+  bool empty() const { return slots_.empty(); }
+  std::size_t bytes() const { return slots_.size() * sizeof(Slot); }
+  Vec<T, D>& operator[](std::size_t i) { return slots_[i].value; }
+  const Vec<T, D>& operator[](std::size_t i) const { return slots_[i].value; }
+
+  /// The vector of node i as a pack; what the spare lane holds means nothing.
+  NodePack<T, D> pack(std::size_t i) const { return NodePack<T, D>::load(lanes_of_slot(i)); }
+  void set(std::size_t i, const NodePack<T, D>& a) { a.store(lanes_of_slot(i)); }
+  void add(std::size_t i, const NodePack<T, D>& a) { set(i, pack(i) + a); }
+
+  template <class S>
+  class Iterator {
+   public:
+    explicit Iterator(S* at) : at_{at} {}
+    auto& operator*() const { return at_->value; }
+    Iterator& operator++() {
+      ++at_;
+      return *this;
+    }
+    bool operator==(const Iterator& o) const { return at_ == o.at_; }
+
+   private:
+    S* at_;
+  };
+  auto begin() { return Iterator<Slot>(slots_.data()); }
+  auto end() { return Iterator<Slot>(slots_.data() + size()); }
+  auto begin() const { return Iterator<const Slot>(slots_.data()); }
+  auto end() const { return Iterator<const Slot>(slots_.data() + size()); }
+
+  friend bool operator==(const NodeVectors& a, const NodeVectors& b) {
+    return a.size() == b.size() &&
+           std::equal(a.slots_.begin(), a.slots_.end(), b.slots_.begin(),
+                      [](const Slot& s, const Slot& t) { return s.value == t.value; });
+  }
+
+ private:
+  const T* lanes_of_slot(std::size_t i) const { return reinterpret_cast<const T*>(&slots_[i]); }
+  T* lanes_of_slot(std::size_t i) { return reinterpret_cast<T*>(&slots_[i]); }
+
+  std::vector<Slot> slots_;
+};
 
 /// Columns over all nodes of the mesh. `Mapped`: a second velocity for the stress update (MUSL); `Gradient`:
 /// the gradient of mass, for contact normals. What is not asked for is not stored.
@@ -17,13 +100,12 @@ struct NodeField {
   static constexpr bool has_gradient = Gradient;
 
   std::vector<T> mass;  ///< [nodes] kg
-  std::vector<Vec<T, D>>
+  NodeVectors<T, D>
       start;  ///< [nodes] momentum (kg m/s) while points scatter, then velocity at the step's begin (m/s)
-  std::vector<Vec<T, D>> force;     ///< [nodes] internal force of the points, N
-  std::vector<Vec<T, D>> velocity;  ///< [nodes] velocity at the step's end, m/s
-  std::vector<Vec<T, D>> mapped;    ///< [nodes if Mapped] momentum, then velocity for the stress update, m/s
-  std::vector<Vec<T, D>>
-      mass_gradient;  ///< [nodes if Gradient] sum of m grad N, kg/m: points out of the body
+  NodeVectors<T, D> force;          ///< [nodes] internal force of the points, N
+  NodeVectors<T, D> velocity;       ///< [nodes] velocity at the step's end, m/s
+  NodeVectors<T, D> mapped;         ///< [nodes if Mapped] momentum, then velocity for the stress update, m/s
+  NodeVectors<T, D> mass_gradient;  ///< [nodes if Gradient] sum of m grad N, kg/m: points out of the body
 
   explicit NodeField(Index nodes)
       : mass(nodes, T(0)),
@@ -36,28 +118,27 @@ struct NodeField {
   std::size_t size() const { return mass.size(); }
 
   void clear() {
-    const Vec<T, D> zero = Vec<T, D>::Zero();
+    const NodePack<T, D> zero(0);
     parallel_chunks(size(), [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) {
         mass[i] = 0;
-        start[i] = zero;
-        force[i] = zero;
-        if constexpr (Mapped) mapped[i] = zero;
-        if constexpr (Gradient) mass_gradient[i] = zero;
+        start.set(i, zero);
+        force.set(i, zero);
+        if constexpr (Mapped) mapped.set(i, zero);
+        if constexpr (Gradient) mass_gradient.set(i, zero);
       }
     });
   }
 
   /// Velocity from which strains are taken.
-  const std::vector<Vec<T, D>>& strain_velocity() const {
+  const NodeVectors<T, D>& strain_velocity() const {
     if constexpr (Mapped) return mapped;
     return velocity;
   }
 
   std::size_t bytes() const {
-    return mass.size() * sizeof(T) +
-           (start.size() + force.size() + velocity.size() + mapped.size() + mass_gradient.size()) *
-               sizeof(Vec<T, D>);
+    return mass.size() * sizeof(T) + start.bytes() + force.bytes() + velocity.bytes() + mapped.bytes() +
+           mass_gradient.bytes();
   }
 };
 

@@ -21,11 +21,14 @@ constexpr std::size_t native_register_bytes =
     16;
 #endif
 
-/// `RegisterBytes`: size of the packs in which laws are called; sizeof(T) for plain scalars.
+/// `RegisterBytes`: size of the packs in which points are computed; sizeof(T) for plain scalars.
 template <class Shape_, class Transfer_ = Flip, class Order_ = Musl, class AntiLocking_ = NoAntiLocking,
           std::size_t RegisterBytes = native_register_bytes>
 struct Numerics {
   static constexpr std::size_t register_bytes = RegisterBytes;
+  /// Points computed at once in scalar T.
+  template <class T>
+  static constexpr int width = static_cast<int>(RegisterBytes / sizeof(T));
   using Shape = Shape_;
   using Transfer = Transfer_;
   using Order = Order_;

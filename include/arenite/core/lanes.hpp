@@ -1,0 +1,141 @@
+// Lanes: what a kernel over many points needs beside arithmetic, for packs and plain scalars alike: parts of
+// a column in and out, and sums over the lanes.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <utility>
+
+#include <arenite/core/twin_pack.hpp>
+
+namespace arenite {
+
+template <class P>
+inline constexpr bool is_pack = false;
+template <class T, int W>
+inline constexpr bool is_pack<Pack<T, W>> = true;
+
+/// W neighbours as one value: a pack, or the scalar itself for W = 1.
+template <class T, int W>
+using lanes_of = std::conditional_t<W == 1, T, Pack<T, W>>;
+
+template <class P>
+inline constexpr int lane_count = 1;
+template <class T, int W>
+inline constexpr int lane_count<Pack<T, W>> = W;
+
+/// `count` neighbours from memory; lanes behind them hold `fill`.
+template <class P, class T>
+P load_lanes(const T* from, int count, T fill = T(0)) {
+  if constexpr (is_pack<P>)
+    return P::load(from, count, fill);
+  else
+    return *from;
+}
+template <class P, class T>
+void store_lanes(T* to, int count, const P& value) {
+  if constexpr (is_pack<P>)
+    value.store(to, count);
+  else
+    *to = value;
+}
+
+/// Lanes from number `count` on: those that a load of `count` neighbours has filled.
+template <class P>
+auto lanes_from(int count) {
+  if constexpr (is_pack<P>) {
+    P lane;
+    for (int k = 0; k < lane_count<P>; ++k) lane.set(k, static_cast<typename P::scalar>(k));
+    return lane >= P(static_cast<typename P::scalar>(count));
+  } else {
+    return count < 1;
+  }
+}
+
+namespace detail {
+
+template <int W>
+struct LaneIndex {
+  // Where a fold finds the lower and the upper half of each group of `Group` lanes, first of a, then of b.
+  template <int Group, int Upper>
+  static constexpr int at(int lane) {
+    constexpr int half = Group / 2;
+    const int group = lane / half;  // group of the result: those of a, then those of b
+    return group * Group + Upper * half + lane % half;
+  }
+};
+
+/// One step of many sums at once: each group of `Group` lanes of a, then of b, becomes the half of it that is
+/// the sum of its halves.
+template <int Group, class T, int W, std::size_t... I>
+Pack<T, W> fold(const Pack<T, W>& a, const Pack<T, W>& b, std::index_sequence<I...>) {
+  using L = LaneIndex<W>;
+  return Pack<T, W>::from(__builtin_shufflevector(a.lanes(), b.lanes(), L::template at<Group, 0>(I)...) +
+                          __builtin_shufflevector(a.lanes(), b.lanes(), L::template at<Group, 1>(I)...));
+}
+
+/// Sums of `Count` packs, from number `First` on (zeros behind the last), in the lanes of one, by pairs.
+template <std::size_t First, int Count, class T, int W, std::size_t N>
+Pack<T, W> folded(const std::array<Pack<T, W>, N>& packs) {
+  if constexpr (First >= N) {
+    return Pack<T, W>(0);
+  } else if constexpr (Count == 1) {
+    return packs[First];
+  } else {
+    constexpr int half = Count / 2;
+    return fold<2 * W / Count>(folded<First, half>(packs), folded<First + half, half>(packs),
+                               std::make_index_sequence<static_cast<std::size_t>(W)>{});
+  }
+}
+
+}  // namespace detail
+
+/// Sums of the lanes of N packs, in the first N places of the array; W packs are summed with W - 1 additions,
+/// for their sums fill a register. At least three more places may be read.
+template <class P, std::size_t N>
+auto lane_sums(const std::array<P, N>& packs) {
+  constexpr std::size_t width = static_cast<std::size_t>(lane_count<P>), registers = (N + width - 1) / width;
+  if constexpr (requires { typename P::Half; }) {
+    std::array<typename P::Half, N> halves;
+    for (std::size_t k = 0; k < N; ++k) halves[k] = packs[k].low() + packs[k].high();
+    return lane_sums(halves);
+  } else if constexpr (is_pack<P>) {
+    std::array<typename P::scalar, registers * width + 3> sums;
+    [&]<std::size_t... R>(std::index_sequence<R...>) {
+      (detail::folded<R * width, lane_count<P>>(packs).store(sums.data() + R * width), ...);
+    }
+    (std::make_index_sequence<registers>{});
+    for (std::size_t k = N; k < sums.size(); ++k) sums[k] = 0;
+    return sums;
+  } else {
+    std::array<P, N + 3> sums{};
+    for (std::size_t k = 0; k < N; ++k) sums[k] = packs[k];
+    return sums;
+  }
+}
+
+/// The greatest of the lanes.
+template <class P>
+auto greatest_lane(const P& a) {
+  if constexpr (is_pack<P>) {
+    auto greatest = a[0];
+    for (int k = 1; k < lane_count<P>; ++k) greatest = a[k] > greatest ? a[k] : greatest;
+    return greatest;
+  } else {
+    return a;
+  }
+}
+
+/// Calls `f(k)` for k in [0, N): written out for few, whatever the optimiser's level, so that what k names
+/// stays in registers; a loop for many.
+template <std::size_t N, class F>
+constexpr void repeat(F&& f) {
+  if constexpr (N <= 32) {
+    [&]<std::size_t... K>(std::index_sequence<K...>) { (f(K), ...); }
+    (std::make_index_sequence<N>{});
+  } else {
+    for (std::size_t k = 0; k < N; ++k) f(k);
+  }
+}
+
+}  // namespace arenite

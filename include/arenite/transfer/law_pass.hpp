@@ -1,0 +1,123 @@
+// Law pass: takes the stresses of neighbouring points through their law, a pack at a time, from strain
+// increments that wait in a buffer.
+#pragma once
+
+#include <array>
+#include <cmath>
+
+#include <arenite/core/lanes.hpp>
+#include <arenite/law/law.hpp>
+
+namespace arenite {
+
+/// Sums of a pass over the points, each in a fixed order.
+struct DeformSums {
+  double work = 0;           ///< work of the stresses, J; 0 unless asked for
+  double opened_volume = 0;  ///< voids that opened without stress, m3
+  double check = 0;          ///< finite as long as every position, stress and volume is
+
+  friend DeformSums operator+(const DeformSums& a, const DeformSums& b) {
+    return {a.work + b.work, a.opened_volume + b.opened_volume, a.check + b.check};
+  }
+};
+
+/// exp(x) for the x of one step by its Pade approximant (4, 4): relative error x^9 / 25401600, positive for
+/// any x.
+template <class T>
+T small_exp(const T& x) {
+  const T x2 = x * x;
+  const T even = T(1) + x2 * (T(3.0 / 28) + x2 * T(1.0 / 1680));
+  const T odd = x * (T(0.5) + x2 * T(1.0 / 84));
+  return (even + odd) * reciprocal(T(even - odd));
+}
+
+/// Strain increments of a run of points, by column; kept small enough to stay in the nearest cache.
+template <class T, int D>
+struct IncrementBuffer {
+  static constexpr std::size_t capacity = 256, slack = 128 / sizeof(T);
+  static constexpr std::size_t strain_size = Sym<T, D>::size, spin_size = D == 2 ? 1 : 3;
+
+  /// Increments of points `at`, .. of the buffer. Lanes after the last point are overwritten by the next.
+  template <class P>
+  void store(std::size_t at, const Increment<P, D>& inc) {
+    repeat<strain_size>(
+        [&](std::size_t k) { store_lanes(column_[k].data() + at, lane_count<P>, inc.strain[k]); });
+    repeat<spin_size>([&](std::size_t k) {
+      store_lanes(column_[strain_size + k].data() + at, lane_count<P>, inc.spin[k]);
+    });
+  }
+  template <class P>
+  Increment<P, D> load(std::size_t at) const {
+    Increment<P, D> inc;
+    repeat<strain_size>(
+        [&](std::size_t k) { inc.strain[k] = load_lanes<P>(column_[k].data() + at, lane_count<P>); });
+    repeat<spin_size>([&](std::size_t k) {
+      inc.spin[k] = load_lanes<P>(column_[strain_size + k].data() + at, lane_count<P>);
+    });
+    return inc;
+  }
+
+ private:
+  std::array<std::array<T, capacity + slack>, strain_size + spin_size> column_{};
+};
+
+/// Points that a law takes at once where `Width` are computed at once: fewer if the law says so (`static
+/// constexpr int widest`), twice as many if it is long (`static constexpr bool twins = true`): two chains of
+/// dependent operations side by side.
+template <class L, int Width>
+inline constexpr int law_width = [] {
+  if constexpr (requires { L::widest; })
+    return L::widest < Width ? L::widest : Width;
+  else if constexpr (requires { L::twins; })
+    return L::twins && Width > 1 ? 2 * Width : Width;
+  else
+    return Width;
+}();
+
+/// Updates stress, history and volume of the points [begin, end) with the increments in `buffer`. A volume
+/// follows the trace of the strain less what opened: V = V_0 exp(sum (tr de - opening)). `TracksWork`:
+/// whether the work of the stresses is summed.
+template <bool TracksWork, int Width, class L, class Points, class T, int D>
+[[gnu::flatten]] void law_pass(const L& law, Points& points, std::size_t begin, std::size_t end,
+                               const IncrementBuffer<T, D>& buffer, DeformSums& sums) {
+  constexpr int width = law_width<L, Width>;
+  using P = lanes_of<T, width>;
+  using History = typename L::template History<P>;
+  const auto each_history = [&](auto& history, auto&& f) {
+    std::apply(
+        [&](auto&... member) {
+          [[maybe_unused]] std::size_t k = 0;
+          (f(member, points.history[k++]), ...);
+        },
+        history.members());
+  };
+  [[maybe_unused]] P work(0);
+  P opened(0), check(0);
+  for (std::size_t p = begin; p < end; p += width) {
+    const int count = static_cast<int>(std::min<std::size_t>(width, end - p));
+    const auto inc = buffer.template load<P>(p - begin);
+    Sym<P, D> stress{points.stress.template load<P>(p, count)};
+    const P before = load_lanes<P>(points.volume.data() + p, count);
+    History history{};
+    each_history(history, [&](P& value, auto& column) { value = load_lanes<P>(column.data() + p, count); });
+
+    [[maybe_unused]] const Sym<P, D> old = stress;
+    const P opening = law.update(stress, inc, history);
+    const P after = before * small_exp(P(trace(inc.strain) - opening));
+
+    each_history(history,
+                 [&](const P& value, auto& column) { store_lanes(column.data() + p, count, value); });
+    points.stress.template store<P>(p, count, stress.c);
+    store_lanes(points.volume.data() + p, count, after);
+    // Lanes without a point have no volume, and so no part in the sums.
+    if constexpr (TracksWork) work += (before + after) * contract(old + stress, inc.strain) * P(0.25);
+    opened += after * opening;
+    check += (trace(stress) + stress[3]) * after;
+  }
+  const auto total = lane_sums(std::array<P, 2>{opened, check});
+  sums.opened_volume += static_cast<double>(total[0]);
+  sums.check += static_cast<double>(total[1]);
+  if constexpr (TracksWork) sums.work += static_cast<double>(lane_sums(std::array<P, 1>{work})[0]);
+}
+
+}  // namespace arenite

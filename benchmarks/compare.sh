@@ -44,7 +44,6 @@ for folder in "${positional[0]}" "${positional[1]}"; do
   [ -x "$folder/benchmarks/benchmark.$name" ] || fail "$folder/benchmarks/benchmark.$name is missing: build it first"
 done
 
-export OMP_WAIT_POLICY=${OMP_WAIT_POLICY:-passive}
 raw=$(mktemp -d)
 trap 'rm -rf "$raw"' EXIT
 

@@ -63,7 +63,6 @@ def machine(raw, out):
         "system": first_line("/etc/os-release", "PRETTY_NAME").partition("=")[2].strip('"'),
         "compiler": output([compiler, "--version"]).partition("\n")[0],
         "flags": " ".join(flags),
-        "wait_policy": os.environ.get("OMP_WAIT_POLICY", ""),
         "load_before": first_line(raw / "load_before"),
         "load_after": first_line(raw / "load_after"),
     }

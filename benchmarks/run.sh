@@ -63,9 +63,6 @@ for _ in 1 2 3; do
   awk -v ns=$((end - begin)) 'BEGIN { printf "%.3f\n", ns / 1e9 }' >> "$raw/compile_seconds"
 done
 
-# Threads that wait for each other in a loop would stand in each other's way where another program holds a core.
-export OMP_WAIT_POLICY=${OMP_WAIT_POLICY:-passive}
-
 # measure NAME OUTPUT OPTIONS...: five repetitions, in random order, so that a disturbance hits all alike.
 measure() {
   local name=$1 output=$2

@@ -4,9 +4,6 @@ target_compile_options(arenite_warnings INTERFACE -Wall -Wextra -Wpedantic -Wcon
                                                   $<$<BOOL:${ARENITE_WERROR}>:-Werror>)
 # g++ notes at every pack passed by value that GCC 4.6 changed the ABI; nothing here was ever compiled by an older one.
 target_compile_options(arenite_warnings INTERFACE $<$<CXX_COMPILER_ID:GNU>:-Wno-psabi>)
-if(NOT OpenMP_CXX_FOUND OR NOT ARENITE_OPENMP)
-  target_compile_options(arenite_warnings INTERFACE -Wno-unknown-pragmas)  # the loops' `#pragma omp`
-endif()
 
 add_library(arenite_developer INTERFACE)
 target_link_libraries(arenite_developer INTERFACE arenite::arenite arenite_warnings)

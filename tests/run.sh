@@ -44,7 +44,6 @@ if chosen gcc || chosen clang || chosen asan; then
 fi
 if chosen clang; then
   need clang "the second compiler" clang++
-  need libomp-dev "OpenMP for clang++"
 fi
 if chosen format; then need clang-format "the format check" clang-format; fi
 install_missing

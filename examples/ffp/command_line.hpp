@@ -115,7 +115,8 @@ inline void add_drop_options(CLI::App& app, DropOptions& o) {
   add.number("--moving-depth", o.moving_depth, "M",
              "The mesh moves as one from this depth below the tip upward, m");
   add.text("--mesh", o.mesh, "FILE.msh", "Gmsh mesh in the place of the generated one");
-  add.choice("--anti-locking", switch_words, o.anti_locking, "Average the volumetric strain over nodes");
+  add.choice("--anti-locking", switch_words, o.anti_locking,
+             "Average volumetric strains over nodes and stresses over filled elements");
   add.number("--flip", o.flip, "SHARE", "Share of FLIP in the velocity update, the rest is PIC");
   add.number("--courant", o.courant, "X", "Time step over the stable one, h / c");
   add.group = "Run";

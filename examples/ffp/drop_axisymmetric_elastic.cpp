@@ -1,13 +1,5 @@
 // The drop of an elastic penetrometer, axisymmetric.
 #include "drop.hpp"
-#include "record.hpp"
+#include "drop_with.hpp"
 
-namespace arenite::ffp {
-
-void drop_axisymmetric_elastic(const DropOptions& o) {
-  using Model = AxisymmetricModel;
-  o.anti_locking ? record<Model>(elastic_scene<Model, NodalAveraging>(o), o)
-                 : record<Model>(elastic_scene<Model, NoAntiLocking>(o), o);
-}
-
-}  // namespace arenite::ffp
+void arenite::ffp::drop_axisymmetric_elastic(const DropOptions& o) { drop_elastic<AxisymmetricModel>(o); }

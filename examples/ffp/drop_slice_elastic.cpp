@@ -1,13 +1,5 @@
 // The drop of an elastic penetrometer, as a slice of tetrahedra.
 #include "drop.hpp"
-#include "record.hpp"
+#include "drop_with.hpp"
 
-namespace arenite::ffp {
-
-void drop_slice_elastic(const DropOptions& o) {
-  using Model = SliceModel;
-  o.anti_locking ? record<Model>(elastic_scene<Model, NodalAveraging>(o), o)
-                 : record<Model>(elastic_scene<Model, NoAntiLocking>(o), o);
-}
-
-}  // namespace arenite::ffp
+void arenite::ffp::drop_slice_elastic(const DropOptions& o) { drop_elastic<SliceModel>(o); }

@@ -1,23 +1,5 @@
 // The drop of a rigid penetrometer, as a slice of tetrahedra.
 #include "drop.hpp"
-#include "record.hpp"
+#include "drop_with.hpp"
 
-namespace arenite::ffp {
-namespace {
-
-template <class AntiLocking>
-void drop_with(const DropOptions& o) {
-  using Model = SliceModel;
-  if (o.contact == ContactKind::rigid)
-    record<Model>(rigid_scene<Model, AntiLocking, RigidVelocity>(o), o);
-  else
-    record<Model>(rigid_scene<Model, AntiLocking, CentreOfMass>(o), o);
-}
-
-}  // namespace
-
-void drop_slice_rigid(const DropOptions& o) {
-  o.anti_locking ? drop_with<NodalAveraging>(o) : drop_with<NoAntiLocking>(o);
-}
-
-}  // namespace arenite::ffp
+void arenite::ffp::drop_slice_rigid(const DropOptions& o) { drop_rigid<SliceModel>(o); }

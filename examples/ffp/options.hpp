@@ -66,11 +66,11 @@ struct DropOptions {
   std::optional<int> points_per_element;  ///< in the sand; default: see `points_in_element`
   ContactKind contact =
       ContactKind::rigid;    ///< of a rigid device; an elastic one meets the sand through the centre of mass
-  bool anti_locking = true;  ///< nodal averaging of the volumetric strain
+  bool anti_locking = true;  ///< strains averaged over nodes, stresses over filled elements
   double flip = 1;           ///< share of FLIP in the velocity update, the rest is PIC
   double courant = 0.5;      ///< time step over the stable estimate h / c
   double end = 0.1;          ///< s
-  int threads = 0;           ///< 0: as many as OpenMP offers
+  int threads = 0;           ///< 0: the environment's ARENITE_THREADS, else one for each processor
   double fields_every = 0.02;   ///< s; 0: no fields
   std::string out = "out/ffp";  ///< folder of the results
   bool quiet = false;

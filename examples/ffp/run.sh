@@ -45,8 +45,6 @@ if [ -z "$out" ]; then
   options+=(--out "$out")
 fi
 
-# Threads that wait for each other in a loop would stand in each other's way where another program holds a core.
-export OMP_WAIT_POLICY=${OMP_WAIT_POLICY:-passive}
 status=0
 "$driver" drop "${options[@]}" || status=$?
 [ $status -eq 0 ] || { echo "$script: arenite-ffp stopped with exit code $status" >&2 && exit $status; }

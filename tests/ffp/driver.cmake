@@ -13,5 +13,5 @@ foreach(class Drops SameBits Mistakes Words Meshes Failures)
            COMMAND ${Python3_EXECUTABLE} ${CMAKE_CURRENT_SOURCE_DIR}/ffp/driver.py $<TARGET_FILE:arenite-ffp> ${class}
            WORKING_DIRECTORY ${scratch})
   set_tests_properties(ffp.driver_${class} PROPERTIES LABELS ffp TIMEOUT 300 ENVIRONMENT
-                       "OMP_NUM_THREADS=${ARENITE_TEST_THREADS};OMP_WAIT_POLICY=passive")
+                       "ARENITE_THREADS=${ARENITE_TEST_THREADS}")
 endforeach()

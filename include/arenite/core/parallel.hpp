@@ -1,41 +1,30 @@
-// Parallel loops with OpenMP where it is found, plain loops where it is not. Every reduction works in chunks
-// of fixed size, joined in order, so that a result does not depend on the number of threads.
+// Parallel loops. Every reduction works in chunks of fixed size, joined in order, so that a result does not
+// depend on the number of threads.
 #pragma once
 
 #include <algorithm>
 #include <cstddef>
 #include <vector>
 
-#ifdef _OPENMP
-#include <omp.h>
-#endif
+#include <arenite/core/thread_pool.hpp>
 
 namespace arenite {
 
-/// Threads that loops may use from here on; `n` < 1 leaves the number as it is.
-inline void set_threads([[maybe_unused]] int n) {
-#ifdef _OPENMP
-  if (n >= 1) omp_set_num_threads(n);
-#endif
+/// Threads that loops may use from here on; `n` < 1 leaves the number as it is. The default is that of the
+/// environment's ARENITE_THREADS, else one for each processor.
+inline void set_threads(int n) {
+  if (n >= 1) detail::ThreadPool::instance().set_threads(n);
 }
 
-inline int threads() {
-#ifdef _OPENMP
-  return omp_get_max_threads();
-#else
-  return 1;
-#endif
-}
+inline int threads() { return detail::ThreadPool::instance().threads(); }
 
-/// Calls `f(i)` for i in [0, n), in any order; on one thread unless `worthwhile`: waking threads costs some
-/// microseconds, and far more where other programs want the cores too. `f` must not throw.
+/// Calls `f(i)` for i in [0, n), in any order; on one thread unless `worthwhile`. `f` must not throw.
 template <class F>
-void parallel_for(std::size_t n, [[maybe_unused]] bool worthwhile, F&& f) {
-  const auto count = static_cast<std::ptrdiff_t>(n);
-#ifdef _OPENMP
-#pragma omp parallel for schedule(static) if (worthwhile && count > 1)
-#endif
-  for (std::ptrdiff_t i = 0; i < count; ++i) f(static_cast<std::size_t>(i));
+void parallel_for(std::size_t n, bool worthwhile, F&& f) {
+  if (worthwhile && n > 1)
+    detail::ThreadPool::instance().run(n, f);
+  else
+    for (std::size_t i = 0; i < n; ++i) f(i);
 }
 
 inline constexpr std::size_t chunk_size = 1024;

@@ -31,7 +31,7 @@ void find_moves(const B& body, const M& mesh, Index begin, Index end, std::vecto
 }  // namespace detail
 
 /// Finds the cell of each point, removes those that left the mesh (and counts them), and renews the list of
-/// cells. Points that moved are guests of their cells until they are more than a twentieth: then the columns
+/// cells. Points that moved are guests of their cells until they are more than a sixteenth: then the columns
 /// are sorted. `Width`: points tested at a time.
 template <int Width, class B, class M>
 void relocate(B& body, M& mesh, const Blocks& blocks) {
@@ -54,7 +54,7 @@ void relocate(B& body, M& mesh, const Blocks& blocks) {
       body.cells.leave(move, points.cell, [&](Index a, Index b) { points.swap(a, b); });
     }
   if (!moved) return;
-  constexpr std::size_t crowd = 20;
+  constexpr std::size_t crowd = 16;
   if (lost || body.cells.guests() * crowd > points.size()) {
     points.reorder(body.cells.sorted(points.cell, mesh.cell_count()));
     body.cells.build(points.cell, mesh.cell_count());

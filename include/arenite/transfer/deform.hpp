@@ -108,30 +108,29 @@ template <class K, class N, class M, class Points, class Field, class Average>
   return lane_sums(std::array<P, 1>{check})[0];
 }
 
-/// Gives the points of filled cells their mean stress, weighted by volume.
+/// Gives the points of a cell, if it is filled, their mean stress, weighted by volume.
 template <class K, class N, class M, class B>
-void average_stress(const N& numerics, const M& mesh, const Blocks& blocks, B& body) {
+[[gnu::flatten]] void average_stress(const N& numerics, const M& mesh, B& body, Index c) {
   using T = typename M::scalar;
   constexpr int width = N::template width<T>;
   using P = lanes_of<T, width>;
   constexpr std::size_t size = Sym<T, M::dimension>::size;
   auto& points = body.points;
-  blocks.for_each([&](Index c) {
-    if (body.cells.empty(c)) return;
-    std::array<P, size + 1> sums{};
-    body.cells.template for_packs<width>(c, [&](Index first, int count) {
-      const auto stress = points.stress.template load<P>(first, count);
-      const P volume = load_lanes<P>(points.volume.data() + first, count);
-      repeat<size>([&](std::size_t k) { sums[k] += volume * stress[k]; });
-      sums[size] += volume;
-    });
-    const auto total = lane_sums(sums);
-    if (total[size] < static_cast<T>(numerics.anti_locking.fill) * whole_volume<K>(mesh, c)) return;
-    std::array<P, size> mean;
-    for (std::size_t k = 0; k < size; ++k) mean[k] = P(total[k] / total[size]);
-    body.cells.template for_packs<width>(
-        c, [&](Index first, int count) { points.stress.template store<P>(first, count, mean); });
+  std::array<P, size + 1> sums;
+  repeat<size + 1>([&](std::size_t k) { sums[k] = P(0); });
+  body.cells.template for_packs<width>(c, [&](Index first, int count) {
+    const auto stress = points.stress.template load<P>(first, count);
+    const P volume = load_lanes<P>(points.volume.data() + first, count);
+    repeat<size>([&](std::size_t k) { sums[k] += volume * stress[k]; });
+    sums[size] += volume;
   });
+  const auto total = lane_sums(sums);
+  if (total[size] < static_cast<T>(numerics.anti_locking.fill) * whole_volume<K>(mesh, c)) return;
+  std::array<P, size> mean;
+  const T share = 1 / total[size];
+  repeat<size>([&](std::size_t k) { mean[k] = P(total[k] * share); });
+  body.cells.template for_packs<width>(
+      c, [&](Index first, int count) { points.stress.template store<P>(first, count, mean); });
 }
 
 }  // namespace detail
@@ -166,7 +165,10 @@ DeformSums deform(const N& numerics, const M& mesh, const Blocks& blocks, B& bod
         return chunk;
       },
       std::plus<>{});
-  if constexpr (N::AntiLocking::averages_stress) detail::average_stress<K>(numerics, mesh, blocks, body);
+  if constexpr (N::AntiLocking::averages_stress)
+    blocks.for_each([&](Index c) {
+      if (!body.cells.empty(c)) detail::average_stress<K>(numerics, mesh, body, c);
+    });
   static_cast<void>(numerics);
   return sums;
 }

@@ -1,0 +1,173 @@
+// Thread pool: threads that share a loop whose items may run in any order. Each has a part of its own, the
+// same in every loop of the same length, so that what it touched is still in its cache; who is done takes
+// from the others' ends. The caller starts at once, and a helper that wakes late finds less to do: on a busy
+// machine the loop goes on with the threads that run. (A team that starts and ends each loop at a barrier, as
+// OpenMP's does, waits for all of them each time: ten times as long as one thread alone, when another program
+// held a core.)
+#pragma once
+
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <thread>
+#include <vector>
+
+#ifdef __SSE2__
+#include <immintrin.h>
+#endif
+
+namespace arenite::detail {
+
+/// Lets a waiting loop breathe.
+inline void relax() {
+#ifdef __SSE2__
+  _mm_pause();
+#endif
+}
+
+class ThreadPool {
+ public:
+  /// The pool of the process: its threads start with the first loop that wants them.
+  static ThreadPool& instance() {
+    static ThreadPool pool;
+    return pool;
+  }
+
+  ThreadPool(const ThreadPool&) = delete;
+  ThreadPool& operator=(const ThreadPool&) = delete;
+  ~ThreadPool() { stop(); }
+
+  int threads() const { return threads_; }
+
+  /// Threads that loops may use from here on, the caller's among them. Not to be called from within a loop.
+  void set_threads(int n) {
+    if (n == threads_) return;
+    stop();
+    threads_ = n;
+  }
+
+  /// Calls `f(i)` for i in [0, n), on as many threads as come in time. A loop within a loop runs on its own
+  /// thread alone.
+  template <class F>
+  void run(std::size_t n, F& f) {
+    if (threads_ < 2 || inside()) {
+      for (std::size_t i = 0; i < n; ++i) f(i);
+      return;
+    }
+    if (helpers_.empty()) start();
+    inside() = true;
+    call_ = [](void* context, std::size_t i) { (*static_cast<F*>(context))(i); };
+    context_ = &f;
+    const auto parts = static_cast<std::size_t>(threads_);
+    for (std::size_t t = 0; t < parts; ++t)
+      parts_[t].items.store(pack(n * t / parts, n * (t + 1) / parts), std::memory_order_relaxed);
+    state_.fetch_or(open, std::memory_order_seq_cst);
+    if (asleep_.load(std::memory_order_seq_cst) > 0) {
+      bell_.fetch_add(1, std::memory_order_seq_cst);
+      bell_.notify_all();
+    }
+    take_items(0);
+    state_.fetch_and(~open, std::memory_order_acq_rel);
+    // Who is still at an item finishes it; then nobody looks at this loop again.
+    for (int k = 0; state_.load(std::memory_order_acquire) != 0; ++k)
+      k < patience ? relax() : std::this_thread::yield();
+    inside() = false;
+  }
+
+ private:
+  static constexpr std::uint32_t open = 1u << 31;  // beside the number of helpers at work, in state_
+  static constexpr int patience = 2000;            // looks before a thread gives way: some 50 microseconds
+
+  ThreadPool() {
+    const char* const wanted = std::getenv("ARENITE_THREADS");
+    const int n = wanted ? std::atoi(wanted) : 0;
+    threads_ = n >= 1 ? n : static_cast<int>(std::thread::hardware_concurrency());
+    if (threads_ < 1) threads_ = 1;
+  }
+
+  static bool& inside() {
+    thread_local bool value = false;
+    return value;
+  }
+
+  /// Items [next, end) that are left of a part, in one word.
+  static std::uint64_t pack(std::size_t next, std::size_t end) {
+    return static_cast<std::uint64_t>(next) | static_cast<std::uint64_t>(end) << 32;
+  }
+  struct alignas(64) Part {
+    std::atomic<std::uint64_t> items{0};
+  };
+
+  /// Runs the own part from its begin, then those of the others from their ends.
+  void take_items(std::size_t own) {
+    const std::size_t parts = parts_.size();
+    for (std::size_t k = 0; k < parts; ++k) {
+      auto& items = parts_[(own + k) % parts].items;
+      std::uint64_t left = items.load(std::memory_order_relaxed);
+      for (;;) {
+        const std::size_t next = left & 0xffffffffu, end = left >> 32;
+        if (next >= end) break;
+        const std::uint64_t rest = k == 0 ? pack(next + 1, end) : pack(next, end - 1);
+        if (!items.compare_exchange_weak(left, rest, std::memory_order_relaxed)) continue;
+        call_(context_, k == 0 ? next : end - 1);
+        left = items.load(std::memory_order_relaxed);
+      }
+    }
+  }
+
+  void start() {
+    stopping_ = false;
+    parts_ = std::vector<Part>(static_cast<std::size_t>(threads_));
+    for (std::size_t k = 1; k < parts_.size(); ++k) helpers_.emplace_back([this, k] { help(k); });
+  }
+
+  void stop() {
+    stopping_ = true;
+    bell_.fetch_add(1);
+    bell_.notify_all();
+    for (auto& helper : helpers_) helper.join();
+    helpers_.clear();
+  }
+
+  void help(std::size_t own) {
+    inside() = true;
+    while (!stopping_.load(std::memory_order_relaxed)) {
+      if (!(state_.load(std::memory_order_relaxed) & open)) {
+        wait();
+        continue;
+      }
+      // Sign in, and only then look whether the loop is still open: whoever closes it waits for the
+      // signed-in.
+      if (state_.fetch_add(1, std::memory_order_acq_rel) & open) take_items(own);
+      state_.fetch_sub(1, std::memory_order_release);
+      for (int k = 0; k < patience && (state_.load(std::memory_order_relaxed) & open); ++k) relax();
+    }
+  }
+
+  /// Looks for an open loop for a while, then sleeps until the bell.
+  void wait() {
+    for (int k = 0; k < patience; ++k) {
+      if (state_.load(std::memory_order_relaxed) & open) return;
+      relax();
+    }
+    const std::uint32_t rung = bell_.load(std::memory_order_seq_cst);
+    asleep_.fetch_add(1, std::memory_order_seq_cst);
+    if (!(state_.load(std::memory_order_seq_cst) & open) && !stopping_)
+      bell_.wait(rung, std::memory_order_seq_cst);
+    asleep_.fetch_sub(1, std::memory_order_seq_cst);
+  }
+
+  int threads_ = 1;
+  std::vector<std::thread> helpers_;
+  std::atomic<bool> stopping_{false};
+  // The loop that is open.
+  void (*call_)(void*, std::size_t) = nullptr;
+  void* context_ = nullptr;
+  std::vector<Part> parts_;  // of its items, one a thread
+  alignas(64) std::atomic<std::uint32_t> state_{0};
+  alignas(64) std::atomic<std::uint32_t> bell_{0};
+  std::atomic<int> asleep_{0};
+};
+
+}  // namespace arenite::detail

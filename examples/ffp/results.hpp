@@ -11,6 +11,7 @@
 #include <vector>
 
 #include <arenite/io/output_file.hpp>
+#include <arenite/transfer/numerics.hpp>
 
 #include "history.hpp"
 #include "options.hpp"
@@ -146,6 +147,7 @@ inline nlohmann::ordered_json summary_of(const DropOptions& options, const DropF
   j["wall_s"] = run.wall_s;
   j["point_steps_per_s"] = run.wall_s > 0 ? run.point_steps / run.wall_s : 0;
   j["threads"] = run.threads;
+  j["register_bytes"] = native_register_bytes;
   j["lost_points"] = run.lost_points;
   j["limited_velocities"] = run.limited_velocities;
   j["energy_residual"] = f.energy_residual;

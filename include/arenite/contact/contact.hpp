@@ -140,21 +140,7 @@ template <class Normals, class Fields, class Map, class Impulses, class T, class
 ContactTally exchange(const Coulomb<Normals>& contact, Fields& fields, const Map& map, Impulses& impulses,
                       T dt, Size&& node_size) {
   ContactTally tally;
-  std::vector<std::size_t> touched;
-  for (auto& sum : impulses) sum.setZero();
-  detail::meet(contact, fields, map, [&](std::size_t i, std::size_t a, std::size_t b, const auto& impulse) {
-    impulses[a] += impulse;
-    impulses[b] -= impulse;
-    // Mean velocities over the whole step, so that forces that contact holds in balance
-    // dissipate nothing.
-    tally.dissipation -= static_cast<double>(
-        impulse.dot(fields[a].start[i] - fields[b].start[i] + fields[a].velocity[i] - fields[b].velocity[i]) /
-        2);
-    ++tally.nodes;
-    if (touched.empty() || touched.back() != i) touched.push_back(i);
-  });
-  if (contact.velocity_limit == 0) return tally;
-  for (const std::size_t i : touched) {
+  const auto limit = [&](std::size_t i) {
     const T most = static_cast<T>(contact.velocity_limit) * node_size(static_cast<Index>(i)) / dt;
     for (auto& f : fields) {
       const T speed = f.velocity[i].norm();
@@ -163,7 +149,23 @@ ContactTally exchange(const Coulomb<Normals>& contact, Fields& fields, const Map
       ++tally.limited;
       f.velocity[i] *= most / speed;
     }
-  }
+  };
+  for (auto& sum : impulses) sum.setZero();
+  constexpr auto nowhere = static_cast<std::size_t>(-1);
+  std::size_t last = nowhere;  // node whose impulses are being given; they come node by node
+  detail::meet(contact, fields, map, [&](std::size_t i, std::size_t a, std::size_t b, const auto& impulse) {
+    if (contact.velocity_limit > 0 && last != nowhere && last != i) limit(last);
+    last = i;
+    impulses[a] += impulse;
+    impulses[b] -= impulse;
+    // Mean velocities over the whole step, so that forces that contact holds in balance
+    // dissipate nothing.
+    tally.dissipation -= static_cast<double>(
+        impulse.dot(fields[a].start[i] - fields[b].start[i] + fields[a].velocity[i] - fields[b].velocity[i]) /
+        2);
+    ++tally.nodes;
+  });
+  if (contact.velocity_limit > 0 && last != nowhere) limit(last);
   return tally;
 }
 

@@ -84,7 +84,7 @@ class Blocks {
   /// Joins `f(begin, end)` over all blocks of cells, in order.
   template <class R, class F, class Join>
   R reduce_blocks(R start, F&& f, Join&& join) const {
-    std::vector<R> part(count(), start);
+    detail::ReductionParts<R> part(count(), start);
     parallel_for(count(), worthwhile(), [&](std::size_t b) {
       const auto block = static_cast<Index>(b);
       part[b] = f(begin(block), end(block));

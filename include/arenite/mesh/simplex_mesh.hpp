@@ -33,6 +33,7 @@ class SimplexMesh {
     Mat<T, D> inverse;  ///< rows: gradients of the shape functions of nodes 1 .. D, 1/m
     Point origin;       ///< position of node 0, m
     T volume;           ///< area (D = 2) or volume (D = 3), m^D
+    T size;             ///< smallest altitude, m
   };
 
   /// Throws `error` if a cell has a wrong node number, no volume, or if a face belongs to more than two
@@ -81,12 +82,7 @@ class SimplexMesh {
   bool has_node_set(const std::string& name) const { return node_sets_.contains(name); }
 
   /// Smallest altitude of a cell, m: 1 / the largest gradient of its shape functions.
-  T size(Index cell) const {
-    const auto& inverse = frames_[cell].inverse;
-    T steepest = inverse.colwise().sum().squaredNorm();
-    for (int k = 0; k < D; ++k) steepest = std::max(steepest, inverse.row(k).squaredNorm());
-    return 1 / std::sqrt(steepest);
-  }
+  T size(Index cell) const { return frames_[cell].size; }
 
   /// Smallest size of the cells at a node, m.
   T node_size(Index node) const {
@@ -159,12 +155,15 @@ class SimplexMesh {
     return found;
   }
 
-  /// Moves node i to `position(i)` for all i and refreshes the cells in `cells`, which must hold every cell
-  /// with a moved node. Returns the first cell that lost its volume, or `none`.
+  /// Moves node i to `position(i)` for all i and refreshes the cells in `cells`, whose shape changes, and in
+  /// `carried`, which only change their place; together they must hold every cell with a moved node. Returns
+  /// the first cell that lost its volume, or `none`.
   template <class Position>
-  Index move(std::span<const Index> nodes, std::span<const Index> cells, Position&& position) {
+  Index move(std::span<const Index> nodes, std::span<const Index> cells, std::span<const Index> carried,
+             Position&& position) {
     for (const Index i : nodes) position_[i] = position(i);
     bins_fresh_ = false;
+    for (const Index c : carried) frames_[c].origin = position_[cells_[c][0]];
     parallel_chunks(cells.size(), [&](std::size_t begin, std::size_t end) {
       for (std::size_t k = begin; k < end; ++k) refresh(cells[k]);
     });
@@ -205,7 +204,11 @@ class SimplexMesh {
 
   void refresh(Index c) {
     const Mat<T, D> edges = edge_matrix(cells_[c]);
-    frames_[c] = {edges.inverse(), position_[cells_[c][0]], edges.determinant() / (D == 2 ? 2 : 6)};
+    const Mat<T, D> inverse = edges.inverse();
+    T steepest = inverse.colwise().sum().squaredNorm();
+    for (int k = 0; k < D; ++k) steepest = std::max(steepest, inverse.row(k).squaredNorm());
+    frames_[c] = {inverse, position_[cells_[c][0]], edges.determinant() / (D == 2 ? 2 : 6),
+                  1 / std::sqrt(steepest)};
   }
 
   template <class Value>

@@ -54,11 +54,12 @@ struct Body {
   L law;
   Points<T, D, L, Affine> points;
   CellList cells;
-  std::size_t lost = 0;       ///< points that left the mesh and were removed
-  double lost_mass = 0;       ///< their mass, kg
-  double initial_volume = 0;  ///< m3
-  double opened_volume = 0;   ///< voids that opened without stress, summed over all steps, m3
-  std::vector<std::vector<CellList::Move>> moves{};  ///< [blocks of cells] scratch of `relocate`
+  std::size_t lost = 0;                 ///< points that left the mesh and were removed
+  double lost_mass = 0;                 ///< their mass, kg
+  double initial_volume = 0;            ///< m3
+  double opened_volume = 0;             ///< voids that opened without stress, summed over all steps, m3
+  std::vector<CellList::Move> moves{};  ///< [points and guests] scratch of `relocate`
+  std::vector<Index> move_count{};      ///< [blocks of cells] moves found in each
 };
 
 /// Makes the body of a recipe. Throws `error` if the region holds no point.
@@ -117,6 +118,7 @@ auto make_body(const M& mesh, const Fill<Region, L>& recipe) {
   require(body.points.size() > 0, "fill: points", body.points.size(),
           "the region holds no point of the mesh");
   require(body.points.size() < none, "fill: points", body.points.size(), "must be fewer than 2^32");
+  body.points.reserve_spare();
   body.cells.build(body.points.cell, mesh.cell_count());
   return body;
 }

@@ -32,6 +32,11 @@ class CellList {
     guest_start_.assign(cell_count + 1, 0);
     guests_.clear();
     all_guests_.clear();
+    // Room for what relocation lets come together before it sorts, so that a step allocates nothing.
+    guests_.reserve(cell.size() / 8 + 64);
+    all_guests_.reserve(cell.size() / 8 + 64);
+    order_.reserve(cell.size());
+    next_.reserve(cell_count + 1);
   }
 
   /// The order that sorts points by cell, stable; those of cell `none` are left out.
@@ -80,6 +85,9 @@ class CellList {
   Index run_end(Index p, Index cell) const {
     return p - start_[cell] < owned_[cell] ? start_[cell] + owned_[cell] : p + 1;
   }
+
+  /// Entries of the lists of all cells before this one: its own begin here when they stand in one row.
+  std::size_t offset(Index cell) const { return std::size_t{start_[cell]} + guest_start_[cell]; }
 
   std::size_t guests() const { return all_guests_.size(); }
 

@@ -87,6 +87,12 @@ class Points {
     for_each_column([&](auto& column) { std::swap(column[a], column[b]); });
   }
 
+  /// Takes the memory that `reorder` needs, so that a step does not.
+  void reserve_spare() {
+    spare_.reserve(size());
+    spare_cell_.reserve(size());
+  }
+
   /// Puts the points into the order `order`: new point k was point order[k]. Points not named are dropped.
   void reorder(const std::vector<Index>& order) {
     for_each_column([&](auto& column) {

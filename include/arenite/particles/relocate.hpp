@@ -7,25 +7,26 @@
 namespace arenite {
 namespace detail {
 
-/// Lists the points of a block's cells that have left their cells.
+/// Lists the points of a block's cells that have left their cells, from `moves` on; returns how many.
 template <int Width, class B, class M>
-void find_moves(const B& body, const M& mesh, Index begin, Index end, std::vector<CellList::Move>& moves) {
+Index find_moves(const B& body, const M& mesh, Index begin, Index end, CellList::Move* moves) {
   using T = typename M::scalar;
   using P = lanes_of<T, Width>;
   const auto& points = body.points;
-  moves.clear();
+  Index count = 0;
   for (Index c = begin; c < end; ++c) {
     if (body.cells.empty(c)) continue;
     const auto here = mesh.holder(c);
-    body.cells.template for_packs<Width>(c, [&](Index first, int count) {
-      const auto inside = here.holds(points.position.template load<P>(first, count)) || lanes_from<P>(count);
+    body.cells.template for_packs<Width>(c, [&](Index first, int n) {
+      const auto inside = here.holds(points.position.template load<P>(first, n)) || lanes_from<P>(n);
       if (all_of(inside)) return;
-      for (Index p = first; p < first + static_cast<Index>(count); ++p) {
+      for (Index p = first; p < first + static_cast<Index>(n); ++p) {
         const Index cell = mesh.walk(points.position[p], c);
-        if (cell != c) moves.push_back({p, cell});
+        if (cell != c) moves[count++] = {p, cell};
       }
     });
   }
+  return count;
 }
 
 }  // namespace detail
@@ -36,14 +37,16 @@ void find_moves(const B& body, const M& mesh, Index begin, Index end, std::vecto
 template <int Width, class B, class M>
 void relocate(B& body, M& mesh, const Blocks& blocks) {
   auto& points = body.points;
-  body.moves.resize(blocks.count());
+  body.moves.resize(points.size() + body.cells.guests());
+  body.move_count.resize(blocks.count());
   blocks.for_each_block([&](std::size_t b, Index begin, Index end) {
-    detail::find_moves<Width>(body, mesh, begin, end, body.moves[b]);
+    body.move_count[b] =
+        detail::find_moves<Width>(body, mesh, begin, end, body.moves.data() + body.cells.offset(begin));
   });
   bool moved = false, lost = false;
-  for (auto& moves : body.moves)
-    for (std::size_t k = moves.size(); k-- > 0;) {
-      auto move = moves[k];
+  for (std::size_t b = 0; b < blocks.count(); ++b)
+    for (std::size_t k = body.move_count[b]; k-- > 0;) {
+      auto move = body.moves[body.cells.offset(blocks.begin(static_cast<Index>(b))) + k];
       if (move.to == none) move.to = mesh.search(points.position[move.point]);
       moved = true;
       if (move.to == none) {
@@ -51,7 +54,7 @@ void relocate(B& body, M& mesh, const Blocks& blocks) {
         ++body.lost;
         body.lost_mass += static_cast<double>(points.mass[move.point]);
       }
-      body.cells.leave(move, points.cell, [&](Index a, Index b) { points.swap(a, b); });
+      body.cells.leave(move, points.cell, [&](Index p, Index q) { points.swap(p, q); });
     }
   if (!moved) return;
   constexpr std::size_t crowd = 16;

@@ -7,8 +7,8 @@
 
 namespace arenite::bench {
 
-/// A number of type T; every +, -, *, / and square root of any of them adds one to `operations`. Comparisons,
-/// negations and choices are not counted.
+/// A number of type T; every +, -, *, /, square root and reciprocal of any of them adds one to `operations`.
+/// Comparisons, negations and choices are not counted.
 template <class T>
 struct Counting {
   using scalar = T;
@@ -33,6 +33,8 @@ struct Counting {
   friend bool operator==(const Counting&, const Counting&) = default;
 
   friend Counting sqrt(Counting a) { return count(std::sqrt(a.v)); }
+  friend Counting reciprocal(Counting a) { return count(1 / a.v); }
+  friend Counting reciprocal_root(Counting a) { return count(1 / std::sqrt(a.v)); }
   friend Counting abs(Counting a) { return Counting(std::abs(a.v)); }
   friend Counting min(Counting a, Counting b) { return b.v < a.v ? b : a; }
   friend Counting max(Counting a, Counting b) { return a.v < b.v ? b : a; }

@@ -2,6 +2,7 @@
 // and adds.
 #pragma once
 
+#include <arenite/core/parallel.hpp>
 #include <array>
 #include <cstddef>
 #include <memory>
@@ -27,28 +28,27 @@ class Triad {
         a_(std::make_unique_for_overwrite<double[]>(n_ * static_cast<std::size_t>(threads))),
         b_(std::make_unique_for_overwrite<double[]>(n_ * static_cast<std::size_t>(threads))),
         c_(std::make_unique_for_overwrite<double[]>(n_ * static_cast<std::size_t>(threads))) {
-#pragma omp parallel for num_threads(threads_) schedule(static, 1)
-    for (int t = 0; t < threads_; ++t)
-      for (std::size_t i = 0; i < n_; ++i) {
-        const std::size_t k = static_cast<std::size_t>(t) * n_ + i;
+    set_threads(threads_);
+    parallel_for(static_cast<std::size_t>(threads_), true, [&](std::size_t t) {
+      for (std::size_t k = t * n_; k < (t + 1) * n_; ++k) {
         a_[k] = 0;
         b_[k] = 1;
         c_[k] = 2;
       }
+    });
   }
 
   /// Bytes that one pass reads and writes (what the write of `a` fetches first is not counted, as in STREAM).
   double bytes() const { return 24.0 * static_cast<double>(n_) * threads_; }
 
   void run(int passes) {
-#pragma omp parallel for num_threads(threads_) schedule(static, 1)
-    for (int t = 0; t < threads_; ++t) {
-      const std::size_t from = static_cast<std::size_t>(t) * n_;
+    parallel_for(static_cast<std::size_t>(threads_), true, [&](std::size_t t) {
+      const std::size_t from = t * n_;
       for (int pass = 0; pass < passes; ++pass) {
         part(&a_[from], &b_[from], &c_[from], n_);
         asm volatile("" : : "r"(a_.get()) : "memory");  // no pass may be left out
       }
-    }
+    });
   }
 
  private:

@@ -86,11 +86,13 @@ export CCACHE_SLOPPINESS=pch_defines,time_macros
 
 if chosen gcc; then
   prepare_python
-  run_stage "g++ Release" gcc "" -DCMAKE_CXX_COMPILER=g++ -DCMAKE_BUILD_TYPE=Release -DARENITE_WERROR=ON
+  run_stage "g++ Release" gcc "" -DCMAKE_CXX_COMPILER=g++ -DCMAKE_BUILD_TYPE=Release -DARENITE_WERROR=ON \
+    -DARENITE_FFP_WIDTHS=ON
 fi
 if chosen clang; then
   prepare_python
-  run_stage "clang++ Release" clang "" -DCMAKE_CXX_COMPILER=clang++ -DCMAKE_BUILD_TYPE=Release -DARENITE_WERROR=ON
+  run_stage "clang++ Release" clang "" -DCMAKE_CXX_COMPILER=clang++ -DCMAKE_BUILD_TYPE=Release -DARENITE_WERROR=ON \
+    -DARENITE_BENCHMARKS=OFF -DARENITE_TEST_HEADERS=OFF
 fi
 if chosen asan; then
   prepare_python

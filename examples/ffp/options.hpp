@@ -75,8 +75,8 @@ struct DropOptions {
   std::string out = "out/ffp";  ///< folder of the results
   bool quiet = false;
 
-  /// The paper's 10 in tetrahedra; 28 in triangles, from where on more change depth by 3 % and peak by 6 %:
-  /// 15, 21, 28, 36, 49 give 0.213, 0.205, 0.202, 0.200, 0.196 m and 12.5, 14.7, 15.3, 15.6, 16.2 g.
+  /// The paper's 10 in tetrahedra; 28 in triangles, from where on more change depth by 2 % and peak by 7 %:
+  /// 15, 21, 28, 36, 49 give 0.201, 0.196, 0.195, 0.194, 0.190 m and 15.1, 16.9, 16.8, 17.6, 17.9 g.
   int points_in_element() const {
     return points_per_element.value_or(kinematics == Kinematics::slice ? 10 : 28);
   }

@@ -12,6 +12,7 @@ import struct
 import subprocess
 import sys
 import unittest
+import unittest.mock
 import xml.etree.ElementTree as ElementTree
 
 DRIVER = ""
@@ -21,7 +22,7 @@ SLICE = ["--kinematics", "slice", "--cell", "0.04", "--points-per-element", "4",
 SHORT = [*COARSE, "--end", "0.01", "--fields-every", "0"]
 FIRST_COLUMNS = "time_s,penetration_m,velocity_m_s,acceleration_m_s2,reaction_N,"
 KEYS = """final_penetration_m max_penetration_m peak_deceleration_g peak_time_s peak_penetration_m raw_peak_deceleration_g
-    points steps dt_min_s dt_max_s wall_s point_steps_per_s threads lost_points energy_residual inputs status""".split()
+    points steps dt_min_s dt_max_s wall_s point_steps_per_s threads register_bytes lost_points energy_residual inputs status""".split()
 INPUTS = """kinematics device velocity_m_s mass_kg shoulder fillet_m device_young_Pa device_poisson delta_deg no_slip
     friction_deg dilatancy_deg cohesion_Pa young_Pa poisson unit_weight_N_m3 k0 contact cell_m points_per_element
     moving_depth_m mesh anti_locking flip courant end_s fields_every_s""".split()
@@ -301,6 +302,31 @@ class Mistakes(DriverTest):
             code, out, err = drop(*SHORT, "--out", folder)
             self.assertEqual((code, out, err.count("\n")), (2, "", 1), err)
             self.assertIn(f"--out = {folder}: ", err)
+
+
+class Widths(DriverTest):
+    """Where the driver is built for several widths of registers it gives the same drop in each, to round-off."""
+
+    def test_widths(self):
+        depths = {}
+        for width in ("16", "32", "64"):
+            with unittest.mock.patch.dict(os.environ, {"ARENITE_REGISTER_BYTES": width}):
+                code, _, err = drop(*COARSE, "--end", "0.003", "--fields-every", "0", "--out", "width" + width)
+            if code < 0:  # SIGILL: this processor has no such registers
+                continue
+            self.assertEqual((code, err), (0, ""))
+            found = summary("width" + width)
+            depths[found["register_bytes"]] = found["final_penetration_m"]
+        self.assertGreater(len(depths), 0)
+        for depth in depths.values():
+            self.assertAlmostEqual(depth, min(depths.values()), delta=1e-9)
+
+    def test_unknown_width(self):
+        with unittest.mock.patch.dict(os.environ, {"ARENITE_REGISTER_BYTES": "24"}):
+            code, _, err = drop("--help")
+        if code != 0:  # not where there is only one
+            self.assertEqual(code, 2)
+            self.assertIn("ARENITE_REGISTER_BYTES", err)
 
 
 class Words(DriverTest):

@@ -159,5 +159,6 @@ TEST_CASE("a mesh moves, and its frames and its search with it") {
   REQUIRE(mesh.barycentric(found, {4.9, 1.9}).minCoeff() >= 0);
   REQUIRE(mesh.walk({3.1, 0.1}, found) != none);
   // Mirrored: every cell is inside out, the first is named.
-  REQUIRE(mesh.move(nodes, cells, {}, [&](Index i) { return Vec<double, 2>(-before[i][0], before[i][1]); }) == 0);
+  REQUIRE(mesh.move(nodes, cells, {}, [&](Index i) { return Vec<double, 2>(-before[i][0], before[i][1]); }) ==
+          0);
 }

@@ -53,8 +53,6 @@ long allocated(Scene&& scene) {
   return allocations - before;
 }
 
-constexpr FillOptions falling{.per_cell = 6, .velocity = {0.1, -2, 0}};
-
 }  // namespace
 
 TEST_CASE("a step allocates nothing: triangles, averages, a rigid body that the mesh follows") {

@@ -14,6 +14,8 @@ template <class P>
 inline constexpr bool is_pack = false;
 template <class T, int W>
 inline constexpr bool is_pack<Pack<T, W>> = true;
+template <class Half>
+inline constexpr bool is_pack<Twin<Half>> = true;
 
 /// W neighbours as one value: a pack, or the scalar itself for W = 1.
 template <class T, int W>
@@ -23,6 +25,8 @@ template <class P>
 inline constexpr int lane_count = 1;
 template <class T, int W>
 inline constexpr int lane_count<Pack<T, W>> = W;
+template <class Half>
+inline constexpr int lane_count<Twin<Half>> = 2 * Half::width;
 
 /// `count` neighbours from memory; lanes behind them hold `fill`.
 template <class P, class T>

@@ -2,6 +2,7 @@
 // are a scalar's, so that one source serves both; a comparison gives a mask, which no `if` accepts.
 #pragma once
 
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstddef>
@@ -19,10 +20,6 @@
 namespace arenite {
 
 namespace detail {
-
-/// Bytes of the widest register of any processor that the library knows; wider packs are two side by side
-/// (twin_pack.hpp).
-inline constexpr std::size_t widest_register = 64;
 
 template <class T>
 using lane_integer = std::conditional_t<sizeof(T) == 8, std::int64_t, std::int32_t>;
@@ -148,31 +145,40 @@ struct Parts {
   }
 };
 #ifdef __AVX__
+/// The mask of the first `count` lanes, from the middle of a row of ones and zeros.
+template <class Lane, int W>
+__m256i first_lanes(int count) {
+  alignas(32) static constexpr auto row = [] {
+    std::array<Lane, 2 * W> lanes{};
+    for (std::size_t k = 0; k < W; ++k) lanes[k] = Lane(-1);
+    return lanes;
+  }();
+  return _mm256_loadu_si256(reinterpret_cast<const __m256i*>(row.data() + W - count));
+}
 template <>
 struct Parts<double, 4> {
-  static __m256i first(int count) {
-    return _mm256_set_epi64x(count > 3 ? -1 : 0, count > 2 ? -1 : 0, count > 1 ? -1 : 0, count > 0 ? -1 : 0);
-  }
   static void load(const double* from, int count, double* lanes) {
-    const __m256d mask = _mm256_castsi256_pd(first(count));
-    _mm256_storeu_pd(lanes,
-                     _mm256_blendv_pd(_mm256_loadu_pd(lanes), _mm256_maskload_pd(from, first(count)), mask));
+    if (count == 4) return _mm256_storeu_pd(lanes, _mm256_loadu_pd(from));
+    const __m256i mask = first_lanes<std::int64_t, 4>(count);
+    _mm256_storeu_pd(lanes, _mm256_blendv_pd(_mm256_loadu_pd(lanes), _mm256_maskload_pd(from, mask),
+                                             _mm256_castsi256_pd(mask)));
   }
   static void store(double* to, int count, const double* lanes) {
-    _mm256_maskstore_pd(to, first(count), _mm256_loadu_pd(lanes));
+    if (count == 4) return _mm256_storeu_pd(to, _mm256_loadu_pd(lanes));
+    _mm256_maskstore_pd(to, first_lanes<std::int64_t, 4>(count), _mm256_loadu_pd(lanes));
   }
 };
 template <>
-struct Parts<float, 4> {
-  static __m128i first(int count) {
-    return _mm_set_epi32(count > 3 ? -1 : 0, count > 2 ? -1 : 0, count > 1 ? -1 : 0, count > 0 ? -1 : 0);
-  }
+struct Parts<float, 8> {
   static void load(const float* from, int count, float* lanes) {
-    const __m128 mask = _mm_castsi128_ps(first(count));
-    _mm_storeu_ps(lanes, _mm_blendv_ps(_mm_loadu_ps(lanes), _mm_maskload_ps(from, first(count)), mask));
+    if (count == 8) return _mm256_storeu_ps(lanes, _mm256_loadu_ps(from));
+    const __m256i mask = first_lanes<std::int32_t, 8>(count);
+    _mm256_storeu_ps(lanes, _mm256_blendv_ps(_mm256_loadu_ps(lanes), _mm256_maskload_ps(from, mask),
+                                             _mm256_castsi256_ps(mask)));
   }
   static void store(float* to, int count, const float* lanes) {
-    _mm_maskstore_ps(to, first(count), _mm_loadu_ps(lanes));
+    if (count == 8) return _mm256_storeu_ps(to, _mm256_loadu_ps(lanes));
+    _mm256_maskstore_ps(to, first_lanes<std::int32_t, 8>(count), _mm256_loadu_ps(lanes));
   }
 };
 #endif
@@ -206,6 +212,7 @@ template <class T, int W>
 class Mask {
  public:
   using vector = typename detail::VectorOf<detail::lane_integer<T>, W>::type;
+  static constexpr int width = W;
 
   Mask() = default;
   constexpr Mask(bool all) : v_(vector{} - static_cast<detail::lane_integer<T>>(all)) {}

@@ -61,18 +61,25 @@ struct IncrementBuffer {
   std::array<std::array<T, capacity + slack>, strain_size + spin_size> column_{};
 };
 
-/// Points that a law takes at once where `Width` are computed at once: fewer if the law says so (`static
-/// constexpr int widest`), twice as many if it is long (`static constexpr bool twins = true`): two chains of
-/// dependent operations side by side.
-template <class L, int Width>
-inline constexpr int law_width = [] {
-  if constexpr (requires { L::widest; })
-    return L::widest < Width ? L::widest : Width;
-  else if constexpr (requires { L::twins; })
-    return L::twins && Width > 1 ? 2 * Width : Width;
-  else
-    return Width;
-}();
+/// What a law is called with where `Width` points are computed at once: a pack of them, a narrower one if the
+/// law says so (`static constexpr int widest`), or two packs side by side if it is a long chain of dependent
+/// operations (`static constexpr bool twins = true`).
+template <class L, class T, int Width>
+struct LawLanes {
+  static constexpr int width = [] {
+    if constexpr (requires { L::widest; })
+      return L::widest < Width ? L::widest : Width;
+    else
+      return Width;
+  }();
+  static constexpr bool twins = [] {
+    if constexpr (requires { L::twins; })
+      return L::twins && width > 1;
+    else
+      return false;
+  }();
+  using type = std::conditional_t<twins, Twin<Pack<T, width>>, lanes_of<T, width>>;
+};
 
 /// Updates stress, history and volume of the points [begin, end) with the increments in `buffer`. A volume
 /// follows the trace of the strain less what opened: V = V_0 exp(sum (tr de - opening)). `TracksWork`:
@@ -80,8 +87,8 @@ inline constexpr int law_width = [] {
 template <bool TracksWork, int Width, class L, class Points, class T, int D>
 [[gnu::flatten]] void law_pass(const L& law, Points& points, std::size_t begin, std::size_t end,
                                const IncrementBuffer<T, D>& buffer, DeformSums& sums) {
-  constexpr int width = law_width<L, Width>;
-  using P = lanes_of<T, width>;
+  using P = typename LawLanes<L, T, Width>::type;
+  constexpr int width = lane_count<P>;
   using History = typename L::template History<P>;
   const auto each_history = [&](auto& history, auto&& f) {
     std::apply(

@@ -11,13 +11,7 @@ namespace arenite {
 template <class Scene>
 void relocate(Scene& scene) {
   constexpr int width = Scene::NumericsType::template width<typename Scene::T>;
-  scene.for_each_body([&](auto& body, auto&) {
-    relocate<width>(body, scene.mesh, scene.blocks);
-    if (body.points.size() == 0)
-      throw run_error(detail::join("t = ", scene.time, " s, step ", scene.steps,
-                                   ": a body has lost all its points, ", body.lost,
-                                   " of them: they left the mesh"));
-  });
+  scene.for_each_body([&](auto& body, auto&) { relocate<width>(body, scene.mesh, scene.blocks); });
 }
 
 template <class Scene>

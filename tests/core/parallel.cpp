@@ -3,8 +3,11 @@
 #include "catch.hpp"
 
 #include <arenite/core/parallel.hpp>
+#include <array>
 #include <atomic>
+#include <chrono>
 #include <numeric>
+#include <thread>
 
 using namespace arenite;
 
@@ -53,6 +56,23 @@ TEST_CASE("a loop within a loop runs, and so does one after a rest") {
     std::this_thread::sleep_for(std::chrono::milliseconds(5));  // the helpers fall asleep
   }
   for (const auto& row : hits) REQUIRE(row == std::vector<int>(20, 3));
+  set_threads(before);
+}
+
+TEST_CASE("two threads of the program may run loops at once") {
+  const int before = threads();
+  set_threads(2);
+  std::array<std::vector<int>, 2> hits;
+  std::array<std::thread, 2> users;
+  for (std::size_t u = 0; u < 2; ++u) {
+    hits[u].assign(500, 0);
+    users[u] = std::thread([&, u] {
+      for (int loop = 0; loop < 500; ++loop)
+        parallel_for(hits[u].size(), true, [&](std::size_t i) { ++hits[u][i]; });
+    });
+  }
+  for (auto& user : users) user.join();
+  for (const auto& row : hits) REQUIRE(row == std::vector<int>(500, 500));
   set_threads(before);
 }
 

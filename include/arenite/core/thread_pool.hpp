@@ -47,11 +47,11 @@ class ThreadPool {
     threads_ = n;
   }
 
-  /// Calls `f(i)` for i in [0, n), on as many threads as come in time. A loop within a loop runs on its own
-  /// thread alone.
+  /// Calls `f(i)` for i in [0, n), on as many threads as come in time. A loop within a loop, and one that
+  /// starts while another of the program's threads has the pool, run on their own thread alone.
   template <class F>
   void run(std::size_t n, F& f) {
-    if (threads_ < 2 || inside()) {
+    if (threads_ < 2 || inside() || taken_.test_and_set(std::memory_order_acquire)) {
       for (std::size_t i = 0; i < n; ++i) f(i);
       return;
     }
@@ -73,6 +73,7 @@ class ThreadPool {
     for (int k = 0; state_.load(std::memory_order_acquire) != 0; ++k)
       k < patience ? relax() : std::this_thread::yield();
     inside() = false;
+    taken_.clear(std::memory_order_release);
   }
 
  private:
@@ -159,6 +160,7 @@ class ThreadPool {
   }
 
   int threads_ = 1;
+  std::atomic_flag taken_;  // whether a loop has the helpers
   std::vector<std::thread> helpers_;
   std::atomic<bool> stopping_{false};
   // The loop that is open.

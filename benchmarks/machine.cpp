@@ -27,7 +27,7 @@ void fma(benchmark::State& state) {
   for (auto _ : state) benchmark::DoNotOptimize(multiply_add<T>(rounds));
   state.counters["flop/s"] =
       benchmark::Counter(fma_operations<T> * rounds, benchmark::Counter::kIsIterationInvariantRate);
-  state.counters["register_bytes"] = register_bytes;
+  state.counters["register_bytes"] = native_register_bytes;
 }
 
 }  // namespace

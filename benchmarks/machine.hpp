@@ -2,20 +2,14 @@
 // and adds.
 #pragma once
 
+#include <arenite/core/pack.hpp>
 #include <arenite/core/parallel.hpp>
+#include <arenite/transfer/numerics.hpp>
 #include <array>
 #include <cstddef>
 #include <memory>
 
 namespace arenite::bench {
-
-#if defined(__AVX512F__)
-inline constexpr std::size_t register_bytes = 64;
-#elif defined(__AVX__)
-inline constexpr std::size_t register_bytes = 32;
-#else
-inline constexpr std::size_t register_bytes = 16;
-#endif
 
 /// a = b + s c (STREAM's triad) over three arrays. Each thread owns one part and touches it first.
 class Triad {
@@ -64,17 +58,13 @@ class Triad {
 
 /// Multiply-adds in enough independent chains to fill the pipelines: `rounds` times `fma_operations<T>`
 /// floating point operations on one core.
-template <class T>
-struct VectorOf {
-  typedef T type __attribute__((vector_size(register_bytes)));
-};
 inline constexpr std::size_t fma_chains = 12;
 template <class T>
-inline constexpr double fma_operations = 2.0 * fma_chains* register_bytes / sizeof(T);
+inline constexpr double fma_operations = 2.0 * fma_chains* native_register_bytes / sizeof(T);
 
 template <class T>
 T multiply_add(int rounds) {
-  using V = typename VectorOf<T>::type;
+  using V = typename Pack<T, static_cast<int>(native_register_bytes / sizeof(T))>::vector;
   V chain[fma_chains];
   for (std::size_t k = 0; k < fma_chains; ++k) chain[k] = V{} + static_cast<T>(k);
   V factor = V{} + static_cast<T>(0.999), term = V{} + static_cast<T>(0.001);

@@ -2,6 +2,7 @@
 // point that moves to another cell becomes a guest there until the next sort.
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include <arenite/core/error.hpp>
@@ -21,9 +22,8 @@ class CellList {
 
   /// Takes points that are sorted by cell. Throws `error` if they are not.
   void build(const std::vector<Index>& cell, Index cell_count) {
-    for (std::size_t p = 1; p < cell.size(); ++p)
-      require(cell[p - 1] <= cell[p], "CellList: cell of point", p,
-              "must not lie below that of the point before");
+    require(std::is_sorted(cell.begin(), cell.end()), "CellList: points", cell.size(),
+            "must be sorted by cell");
     start_.assign(cell_count + 1, 0);
     for (const Index c : cell) ++start_[c + 1];
     for (std::size_t c = 1; c < start_.size(); ++c) start_[c] += start_[c - 1];

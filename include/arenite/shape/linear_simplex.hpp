@@ -10,7 +10,6 @@ namespace arenite {
 /// Shape function of triangles (3 nodes a cell) and tetrahedra (4).
 struct LinearSimplex {
   static constexpr bool constant_gradient = true;
-  static constexpr bool tensor_product = false;
   static constexpr const char* name = "LinearSimplex";
 
   template <class M>

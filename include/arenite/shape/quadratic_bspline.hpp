@@ -14,7 +14,6 @@ namespace arenite {
 /// doi:10.1002/nme.2360).
 struct QuadraticBSpline {
   static constexpr bool constant_gradient = false;
-  static constexpr bool tensor_product = true;
   static constexpr const char* name = "QuadraticBSpline";
 
   template <class M>

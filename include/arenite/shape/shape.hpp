@@ -12,8 +12,10 @@ namespace arenite {
 /// - `S::Cell<M>(mesh, cell)`: `nodes` [size]; `weights(x)` [size] and `gradients(x)` [D x size] in 1/m at
 ///   a position x, as Eigen's; `weights(x)` [size] and `ways(x)` [D][..] at a `std::array` x [D] of packs or
 ///   scalars, as arrays of them, for the kernels;
-/// - `S::constant_gradient`: whether the gradients are the same everywhere in a cell: then
-///   they are its member `gradient`, else `gradients(x)` [D][size] at an array x.
+/// - `S::constant_gradient`: whether the gradients are the same everywhere in a cell: then they are its
+/// member
+///   `gradient`; else its functions must be products along the axes, and it has `line_values(x)`,
+///   `line_slopes(x)` [D][3], arrays too.
 template <class S, class M>
 concept shape_function = mesh<M> && S::template fits<M>&& requires(
     const M m, const typename M::Point x, Index i,
@@ -26,6 +28,12 @@ concept shape_function = mesh<M> && S::template fits<M>&& requires(
   {typename S::template Cell<M>(m, i).gradients(x)};
   {typename S::template Cell<M>(m, i).weights(place)};
   {typename S::template Cell<M>(m, i).ways(place)};
-};
+}
+&&(S::constant_gradient ||
+   requires(const typename S::template Cell<M> cell,
+            const std::array<typename M::scalar, static_cast<std::size_t>(M::dimension)> place) {
+     {cell.line_values(place)};
+     {cell.line_slopes(place)};
+   });
 
 }  // namespace arenite

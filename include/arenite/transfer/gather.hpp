@@ -35,6 +35,7 @@ template <class N, class M, class B, class Field>
   repeat<mapped.size()>([&](std::size_t k) { mapped[k] = P(0); });
   body.cells.template for_packs<width>(c, [&](Index first, int count) {
     const auto x = points.position.template load_repeated<P>(first, count);
+    [[maybe_unused]] const auto w = cell.weights(x);
     std::array<P, D> v{};
     if constexpr (!Transfer::affine) {
       v = points.velocity.template load<P>(first, count);
@@ -50,14 +51,12 @@ template <class N, class M, class B, class Field>
       repeat<D * D>([&](std::size_t k) { motion[k] = sums.along[k / D][k % D]; });
       points.motion.template store<P>(first, count, motion);
     } else {
-      const auto w = cell.weights(x);
       repeat<size>([&](std::size_t i) { repeat<D>([&](std::size_t d) { v[d] += w[i] * P(taken[i][d]); }); });
       if constexpr (std::same_as<Transfer, Tpic>)
         points.motion.template store<P>(first, count, taken_gradient<P, D>(cell, taken));
     }
     points.velocity.template store<P>(first, count, v);
     if constexpr (remaps) {
-      const auto w = cell.weights(x);
       const P m = load_lanes<P>(points.mass.data() + first, count);
       add_momentum<Transfer, D>(cell, points, first, count, m, w, x, v, mapped);
     }

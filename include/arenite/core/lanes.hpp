@@ -56,6 +56,18 @@ auto lanes_from(int count) {
   }
 }
 
+/// Calls `f(k)` for k in [0, N): written out for few, whatever the optimiser's level, so that what k names
+/// stays in registers; a loop for many.
+template <std::size_t N, class F>
+constexpr void repeat(F&& f) {
+  if constexpr (N <= 32) {
+    [&]<std::size_t... K>(std::index_sequence<K...>) { (f(K), ...); }
+    (std::make_index_sequence<N>{});
+  } else {
+    for (std::size_t k = 0; k < N; ++k) f(k);
+  }
+}
+
 namespace detail {
 
 template <int W>
@@ -76,6 +88,39 @@ Pack<T, W> fold(const Pack<T, W>& a, const Pack<T, W>& b, std::index_sequence<I.
   using L = LaneIndex<W>;
   return Pack<T, W>::from(__builtin_shufflevector(a.lanes(), b.lanes(), L::template at<Group, 0>(I)...) +
                           __builtin_shufflevector(a.lanes(), b.lanes(), L::template at<Group, 1>(I)...));
+}
+
+/// Exchanges the blocks of `Block` lanes off the diagonals of squares of two blocks by two, then larger ones,
+/// until rows have become columns.
+template <int Block, class T, int W>
+void transpose(std::array<Pack<T, W>, static_cast<std::size_t>(W)>& row) {
+  if constexpr (Block < W) {
+    [&]<std::size_t... I>(std::index_sequence<I...>) {
+      repeat<static_cast<std::size_t>(W)>([&](std::size_t r) {
+        if (r & Block) return;
+        const auto a = row[r].lanes(), b = row[r + Block].lanes();
+        row[r] = Pack<T, W>::from(__builtin_shufflevector(a, b, ((I & Block) ? I - Block + W : I)...));
+        row[r + Block] =
+            Pack<T, W>::from(__builtin_shufflevector(a, b, ((I & Block) ? I + W : I + Block)...));
+      });
+    }
+    (std::make_index_sequence<static_cast<std::size_t>(W)>{});
+    transpose<2 * Block>(row);
+  }
+}
+
+/// By halves: the greatest of each lane and the one half the lanes away.
+template <class T, int W>
+T greatest(const Pack<T, W>& a) {
+  if constexpr (W == 1) {
+    return a[0];
+  } else {
+    const auto half = [&]<std::size_t... I>(std::index_sequence<I...>) {
+      return max(Pack<T, W / 2>::from(__builtin_shufflevector(a.lanes(), a.lanes(), I...)),
+                 Pack<T, W / 2>::from(__builtin_shufflevector(a.lanes(), a.lanes(), (I + W / 2)...)));
+    };
+    return greatest(half(std::make_index_sequence<static_cast<std::size_t>(W / 2)>{}));
+  }
 }
 
 /// Sums of `Count` packs, from number `First` on (zeros behind the last), in the lanes of one, by pairs.
@@ -122,23 +167,9 @@ auto lane_sums(const std::array<P, N>& packs) {
 template <class P>
 auto greatest_lane(const P& a) {
   if constexpr (is_pack<P>) {
-    auto greatest = a[0];
-    for (int k = 1; k < lane_count<P>; ++k) greatest = a[k] > greatest ? a[k] : greatest;
-    return greatest;
+    return detail::greatest(a);
   } else {
     return a;
-  }
-}
-
-/// Calls `f(k)` for k in [0, N): written out for few, whatever the optimiser's level, so that what k names
-/// stays in registers; a loop for many.
-template <std::size_t N, class F>
-constexpr void repeat(F&& f) {
-  if constexpr (N <= 32) {
-    [&]<std::size_t... K>(std::index_sequence<K...>) { (f(K), ...); }
-    (std::make_index_sequence<N>{});
-  } else {
-    for (std::size_t k = 0; k < N; ++k) f(k);
   }
 }
 

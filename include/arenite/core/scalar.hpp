@@ -48,4 +48,12 @@ constexpr T square(T x) {
   return x * x;
 }
 
+namespace detail {
+/// In the place of what a composition does not need.
+struct Nothing {
+  template <class... Any>
+  constexpr explicit Nothing(const Any&...) {}
+};
+}  // namespace detail
+
 }  // namespace arenite

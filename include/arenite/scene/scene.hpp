@@ -79,8 +79,6 @@ struct normal_map<T, D, Coulomb<SurfaceOf>> {
   using type = NormalMap<T, D>;
 };
 
-struct Nothing {};
-
 }  // namespace detail
 
 /// A scene of kinematics K, mesh M, numerics N and parts: `bodies(..)` (required), `walls(..)`,

@@ -75,10 +75,10 @@ void collide(Scene& scene, double dt) {
 
 template <class Scene>
 void gather(Scene& scene) {
-  using N = typename Scene::NumericsType;
-  scene.for_each_body(
-      [&](auto& body, auto& field) { gather(scene.numerics, scene.mesh, scene.blocks, body, field); });
-  if constexpr (N::Order::remaps) {
+  if constexpr (Scene::NumericsType::Order::remaps) {  // else `deform` takes velocities and strains in one
+                                                       // pass
+    scene.for_each_body(
+        [&](auto& body, auto& field) { gather(scene.numerics, scene.mesh, scene.blocks, body, field); });
     for (auto& field : scene.fields) {
       finish_remap(field);
       constrain(scene.constraints, field.mass, field.mapped);
@@ -91,9 +91,10 @@ template <class Scene>
 void deform(Scene& scene, double dt) {
   double check = 0;
   scene.for_each_body([&](auto& body, const auto& field) {
-    const DeformSums sums = deform<typename Scene::Kinematics, Scene::tracks_energy>(
-        scene.numerics, scene.mesh, scene.blocks, body, field, static_cast<typename Scene::T>(dt),
-        scene.average);
+    const DeformSums sums =
+        deform<typename Scene::Kinematics, Scene::tracks_energy, !Scene::NumericsType::Order::remaps>(
+            scene.numerics, scene.mesh, scene.blocks, body, field, static_cast<typename Scene::T>(dt),
+            scene.average);
     body.opened_volume += sums.opened_volume;
     check += sums.check;
     if constexpr (Scene::tracks_energy) scene.ledger.stress_work += sums.work;

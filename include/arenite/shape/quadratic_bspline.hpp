@@ -64,16 +64,24 @@ struct QuadraticBSpline {
         stride[k] = k == 0 ? 1 : stride[k - 1] * (grid.cells(static_cast<int>(k - 1)) + 2);
         first += place[k] * stride[k];
         corner_[static_cast<int>(k)] += edge_ * static_cast<T>(place[k]);
-        before_[k] = place[k] == 0 ? T(0) : T(1);
-        after_[k] = place[k] + 1 == count ? T(0) : T(1);
-        first_[k] = 1 / (1 + before_[k]);
-        last_[k] = 1 / (1 + after_[k]);
-        for (Index i = 0; i < 3; ++i) along_[k][i] = edge_ * greville<T>(place[k] + i, count);
+        const bool inner = place[k] > 0 && place[k] + 1 < count;
+        if (inner) {
+          before_[k] = after_[k] = T(1);
+          first_[k] = last_[k] = T(0.5);
+          const T at = static_cast<T>(place[k]) + T(0.5);  // greville(place + 1, count)
+          along_[k] = {edge_ * (at - 1), edge_ * at, edge_ * (at + 1)};
+        } else {
+          before_[k] = place[k] == 0 ? T(0) : T(1);
+          after_[k] = place[k] + 1 == count ? T(0) : T(1);
+          first_[k] = 1 / (1 + before_[k]);
+          last_[k] = 1 / (1 + after_[k]);
+          for (Index i = 0; i < 3; ++i) along_[k][i] = edge_ * greville<T>(place[k] + i, count);
+        }
       }
-      for (std::size_t i = 0; i < size; ++i) {
+      repeat<size>([&](std::size_t i) {
         nodes[i] = first;
-        for (std::size_t k = 0; k < D; ++k) nodes[i] += static_cast<Index>(digit(i, k)) * stride[k];
-      }
+        repeat<D>([&](std::size_t k) { nodes[i] += static_cast<Index>(digit(i, k)) * stride[k]; });
+      });
     }
 
     /// [3^D] values at x.
@@ -132,6 +140,10 @@ struct QuadraticBSpline {
     std::array<P, D> inverse_inertia(const std::array<P, D>& x) const {
       std::array<P, D> inverse;
       for (std::size_t k = 0; k < D; ++k) {
+        if (before_[k] + after_[k] == 2) {  // away from the faces it is a fourth of the squared edge
+          inverse[k] = P(4 * per_metre_ * per_metre_);
+          continue;
+        }
         const P way = x[k] - P(lower_[static_cast<int>(k)]);
         const auto w = values(k, local(k, x));
         P inertia(0);

@@ -3,8 +3,8 @@
 #pragma once
 
 #include <arenite/transfer/law_pass.hpp>
+#include <arenite/transfer/point_velocities.hpp>
 #include <arenite/transfer/scatter.hpp>
-#include <arenite/transfer/tensor_product.hpp>
 #include <arenite/transfer/volumetric_average.hpp>
 
 namespace arenite {
@@ -37,10 +37,10 @@ Increment<P, static_cast<int>(D)> in_plane_increment(Columns&& along) {
 namespace detail {
 
 /// Moves the neighbours [begin, end) of one cell and writes their strain increments into `buffer`, from `at`
-/// on. Returns a sum of the positions.
-template <class K, class N, class M, class Points, class Field, class Average>
-[[gnu::flatten]] auto move_run(const M& mesh, Index c, Points& points, std::size_t begin, std::size_t end,
-                               const Field& nodes, typename M::scalar dt,
+/// on; takes their velocities too if `TakesVelocity`. Returns a sum of the positions.
+template <class K, bool TakesVelocity, class N, class M, class Points, class Field, class Average>
+[[gnu::flatten]] auto move_run(const N& numerics, const M& mesh, Index c, Points& points, std::size_t begin,
+                               std::size_t end, const Field& nodes, typename M::scalar dt,
                                [[maybe_unused]] const Average& average,
                                IncrementBuffer<typename M::scalar, M::dimension>& buffer, std::size_t at) {
   using T = typename M::scalar;
@@ -49,20 +49,21 @@ template <class K, class N, class M, class Points, class Field, class Average>
   constexpr std::size_t D = M::dimension, size = Cell::size;
   constexpr int width = N::template width<T>;
   using P = lanes_of<T, width>;
+  using V = NodePack<T, M::dimension>;
   const Cell cell(mesh, c);
-  const auto& strain_velocity = nodes.strain_velocity();
-  using V = NodePack<T, static_cast<int>(D)>;
-  NodeRows<T, static_cast<int>(D), size> v, u;  // ways of the nodes in this step: for positions, for strains
+  NodeRows<T, M::dimension, size> v, u;  // velocities of the nodes: for positions, for strains
   repeat<size>([&](std::size_t i) {
-    v.set(i, V(dt) * nodes.velocity.pack(cell.nodes[i]));
-    u.set(i, V(dt) * strain_velocity.pack(cell.nodes[i]));
+    v.set(i, nodes.velocity.pack(cell.nodes[i]));
+    u.set(i, nodes.strain_velocity().pack(cell.nodes[i]));
   });
-  [[maybe_unused]] Increment<T, static_cast<int>(D)> of_cell;
+  const std::conditional_t<TakesVelocity, PointVelocities<N, Cell>, Nothing> velocities(numerics, cell,
+                                                                                        nodes);
+  [[maybe_unused]] Increment<T, M::dimension> of_cell;
   if constexpr (Shape::constant_gradient) {
     of_cell = in_plane_increment<T, D>([&](std::size_t b) {
       V column(0);
       repeat<size>([&](std::size_t i) {
-        column += u.pack(i) * V(cell.gradient(static_cast<int>(b), static_cast<int>(i)));
+        column += u.pack(i) * V(dt * cell.gradient(static_cast<int>(b), static_cast<int>(i)));
       });
       std::array<T, V::width> lane;
       column.store(lane.data());
@@ -76,7 +77,7 @@ template <class K, class N, class M, class Points, class Field, class Average>
   for (std::size_t p = begin; p < end; p += width) {
     const int count = static_cast<int>(std::min<std::size_t>(width, end - p));
     auto x = points.position.template load_repeated<P>(p, count);
-    Increment<P, static_cast<int>(D)> inc;
+    Increment<P, M::dimension> inc;
     std::array<P, D> way{};
     [[maybe_unused]] P radial(0);
     if constexpr (Shape::constant_gradient) {
@@ -85,21 +86,40 @@ template <class K, class N, class M, class Points, class Field, class Average>
       if constexpr (K::hoop) repeat<size>([&](std::size_t i) { radial += P(u[i][0]) * w[i]; });
       repeat<of_cell.strain.size>([&](std::size_t k) { inc.strain[k] = P(of_cell.strain[k]); });
       repeat<of_cell.spin.size()>([&](std::size_t k) { inc.spin[k] = P(of_cell.spin[k]); });
+      if constexpr (TakesVelocity) velocities.take(cell, points, p, count, w);
     } else {
-      const auto value = cell.line_values(x), slope = cell.line_slopes(x);
-      const auto sums = line_sums<P, D>(u, value, slope);
-      inc = in_plane_increment<P, D>([&](std::size_t b) { return sums.along[b]; });
-      way = N::Order::remaps ? line_sums<P, D>(v, value, slope).value : sums.value;
-      if constexpr (K::hoop) radial = sums.value[0];
+      const LineSet<P, Cell> line(cell, x);
+      const auto increment = [&](const auto& along) {
+        return in_plane_increment<P, D>([&](std::size_t b) {
+          auto column = along[b];
+          for (P& component : column) component = component * P(dt);
+          return column;
+        });
+      };
+      if constexpr (TakesVelocity && N::Transfer::affine) {
+        // Points move with the velocity that they take: one set of sums serves all.
+        const auto sums = line_sums<P, D, 2>(v, line.value, {line.slope, line.arm});
+        inc = increment(sums.along[0]);
+        way = sums.value;
+        velocities.take(points, p, count, sums.value, sums.along[1]);
+      } else {
+        const auto sums = line_sums<P, D, 1>(u, line.value, {line.slope});
+        inc = increment(sums.along[0]);
+        way = N::Order::remaps ? line_sums<P, D, 0>(v, line.value, {}).value : sums.value;
+        if constexpr (TakesVelocity)
+          velocities.take(points, p, count, line_sums<P, D, 0>(velocities.taken, line.value, {}).value, {});
+      }
+      if constexpr (K::hoop)
+        radial = N::Order::remaps ? line_sums<P, D, 0>(u, line.value, {}).value[0] : way[0];
     }
     if constexpr (K::hoop) {
-      inc.strain[2] = radial * reciprocal(x[0]);
+      inc.strain[2] = P(dt) * radial * reciprocal(x[0]);
       if constexpr (N::AntiLocking::averages_strain)
         inc.strain =
             add_isotropic(inc.strain, P((P(average.cell_strain[c]) - trace(inc.strain)) * P(1.0 / 3)));
     }
     buffer.store(at + (p - begin), inc);
-    repeat<D>([&](std::size_t d) { x[d] += way[d]; });
+    repeat<D>([&](std::size_t d) { x[d] += P(dt) * way[d]; });
     points.position.template store<P>(p, count, x);
     P sum = x[0] + x[1];
     if constexpr (D == 3) sum += x[2];
@@ -136,10 +156,14 @@ template <class K, class N, class M, class B>
 }  // namespace detail
 
 /// Updates stress, history and volume of each point by the law of its body, and moves it with the node
-/// velocities. `TracksWork`: whether the work of the stresses is summed.
-template <class K, bool TracksWork, class N, class M, class B, class Field, class Average>
+/// velocities. `TracksWork`: whether the work of the stresses is summed. `TakesVelocity`: does what `gather`
+/// does, too, in the same pass: for orders that do not map velocities back.
+template <class K, bool TracksWork, bool TakesVelocity = false, class N, class M, class B, class Field,
+          class Average>
 DeformSums deform(const N& numerics, const M& mesh, const Blocks& blocks, B& body, const Field& nodes,
                   typename M::scalar dt, Average& average) {
+  static_assert(!(TakesVelocity && N::Order::remaps),
+                "deform: MUSL maps velocities back before the strains: call gather");
   using T = typename M::scalar;
   using Buffer = IncrementBuffer<T, M::dimension>;
   auto& points = body.points;
@@ -156,8 +180,8 @@ DeformSums deform(const N& numerics, const M& mesh, const Blocks& blocks, B& bod
           for (std::size_t p = begin; p < end;) {
             const Index c = points.cell[p];
             const std::size_t next = std::min<std::size_t>(end, body.cells.run_end(static_cast<Index>(p), c));
-            chunk.check += static_cast<double>(
-                detail::move_run<K, N>(mesh, c, points, p, next, nodes, dt, average, buffer, p - begin));
+            chunk.check += static_cast<double>(detail::move_run<K, TakesVelocity>(
+                numerics, mesh, c, points, p, next, nodes, dt, average, buffer, p - begin));
             p = next;
           }
           law_pass<TracksWork, N::template width<T>>(law, points, begin, end, buffer, chunk);
@@ -169,7 +193,6 @@ DeformSums deform(const N& numerics, const M& mesh, const Blocks& blocks, B& bod
     blocks.for_each([&](Index c) {
       if (!body.cells.empty(c)) detail::average_stress<K>(numerics, mesh, body, c);
     });
-  static_cast<void>(numerics);
   return sums;
 }
 

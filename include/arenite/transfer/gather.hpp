@@ -1,18 +1,16 @@
 // Gather (G2P): points take their velocities from the nodes; MUSL then maps them back once more.
 #pragma once
 
+#include <arenite/transfer/point_velocities.hpp>
 #include <arenite/transfer/scatter.hpp>
-#include <arenite/transfer/tensor_product.hpp>
 
 namespace arenite {
 
 namespace detail {
 
-/// Gathers the points of one cell.
+/// Gathers the points of a cell with constant gradients.
 template <class N, class M, class B, class Field>
-[[gnu::flatten]] void gather_cell([[maybe_unused]] const N& numerics, const M& mesh, B& body, Index c,
-                                  Field& nodes) {
-  using Transfer = typename N::Transfer;
+[[gnu::flatten]] void gather_simplex(const N& numerics, const M& mesh, B& body, Index c, Field& nodes) {
   using Cell = typename N::Shape::template Cell<M>;
   using T = typename M::scalar;
   constexpr std::size_t D = M::dimension, size = Cell::size;
@@ -21,44 +19,16 @@ template <class N, class M, class B, class Field>
   constexpr bool remaps = N::Order::remaps;
   auto& points = body.points;
   const Cell cell(mesh, c);
-  // What a point keeps of its velocity, and what it adds to that: PIC and FLIP are both linear in the nodes.
-  T kept = 0;
-  if constexpr (!Transfer::affine) kept = static_cast<T>(numerics.transfer.share);
-  using V = NodePack<T, static_cast<int>(D)>;
-  NodeRows<T, static_cast<int>(D), size> taken;
-  repeat<size>([&](std::size_t i) {
-    V value = nodes.velocity.pack(cell.nodes[i]);
-    if constexpr (!Transfer::affine) value -= V(kept) * nodes.start.pack(cell.nodes[i]);
-    taken.set(i, value);
-  });
+  const PointVelocities<N, Cell> velocities(numerics, cell, nodes);
   std::array<P, remaps ? size * D : 1> mapped;
   repeat<mapped.size()>([&](std::size_t k) { mapped[k] = P(0); });
   body.cells.template for_packs<width>(c, [&](Index first, int count) {
     const auto x = points.position.template load_repeated<P>(first, count);
-    [[maybe_unused]] const auto w = cell.weights(x);
-    std::array<P, D> v{};
-    if constexpr (!Transfer::affine) {
-      v = points.velocity.template load<P>(first, count);
-      repeat<D>([&](std::size_t d) { v[d] = v[d] * P(kept); });
-    }
-    if constexpr (std::same_as<Transfer, Apic>) {
-      const auto value = cell.line_values(x);
-      auto arm = cell.ways(x);
-      repeat<D>([&](std::size_t a) { repeat<3>([&](std::size_t i) { arm[a][i] *= value[a][i]; }); });
-      const auto sums = line_sums<P, D>(taken, value, arm);
-      v = sums.value;
-      std::array<P, D * D> motion;
-      repeat<D * D>([&](std::size_t k) { motion[k] = sums.along[k / D][k % D]; });
-      points.motion.template store<P>(first, count, motion);
-    } else {
-      repeat<size>([&](std::size_t i) { repeat<D>([&](std::size_t d) { v[d] += w[i] * P(taken[i][d]); }); });
-      if constexpr (std::same_as<Transfer, Tpic>)
-        points.motion.template store<P>(first, count, taken_gradient<P, D>(cell, taken));
-    }
-    points.velocity.template store<P>(first, count, v);
+    const auto w = cell.weights(x);
+    [[maybe_unused]] const auto v = velocities.take(cell, points, first, count, w);
     if constexpr (remaps) {
       const P m = load_lanes<P>(points.mass.data() + first, count);
-      add_momentum<Transfer, D>(cell, points, first, count, m, w, x, v, mapped);
+      add_momentum<typename N::Transfer, D>(cell, points, first, count, m, w, x, v, mapped);
     }
   });
   if constexpr (remaps) {
@@ -66,6 +36,40 @@ template <class N, class M, class B, class Field>
     for (std::size_t i = 0; i < size; ++i)
       nodes.mapped.add(cell.nodes[i], NodePack<T, D>::load(&total[i * D]));
   }
+}
+
+/// Gathers the points of a cell whose functions are products along the axes.
+template <class N, class M, class B, class Field>
+[[gnu::flatten]] void gather_product(const N& numerics, const M& mesh, B& body, Index c, Field& nodes) {
+  using Cell = typename N::Shape::template Cell<M>;
+  using T = typename M::scalar;
+  constexpr std::size_t D = M::dimension;
+  using Rows = PointRows<T, D, N::template width<T>>;
+  using P = typename Rows::P;
+  auto& points = body.points;
+  const Cell cell(mesh, c);
+  const PointVelocities<N, Cell> velocities(numerics, cell, nodes);
+  [[maybe_unused]] std::conditional_t<N::Order::remaps, Rows, int> rows{};
+  [[maybe_unused]] const auto spread = [&] {
+    rows.spread([&](std::size_t i, const typename Rows::Lanes& sum) {
+      std::array<T, 8> lane;
+      sum.store(lane.data());
+      nodes.mapped.add(cell.nodes[i], NodePack<T, M::dimension>::load(lane.data()));
+    });
+  };
+  body.cells.template for_packs<Rows::width>(c, [&](Index first, int count) {
+    const auto x = points.position.template load_repeated<P>(first, count);
+    const LineSet<P, Cell> line(cell, x);
+    const auto sums = line_sums<P, D, 1>(velocities.taken, line.value, {line.arm});
+    [[maybe_unused]] const auto v = velocities.take(points, first, count, sums.value, sums.along[0]);
+    if constexpr (N::Order::remaps) {
+      if (rows.full()) spread();
+      const P m = load_lanes<P>(points.mass.data() + first, count);
+      rows.push(count, handed_momentum<typename N::Transfer, Rows>(cell, points, first, count, m, x, v),
+                line.value, line.arm, line.slope);
+    }
+  });
+  if constexpr (N::Order::remaps) spread();
 }
 
 }  // namespace detail
@@ -77,7 +81,11 @@ template <class N, class M, class B, class Field>
 template <class N, class M, class B, class Field>
 void gather(const N& numerics, const M& mesh, const Blocks& blocks, B& body, Field& nodes) {
   const auto in_cell = [&](Index c) {
-    if (!body.cells.empty(c)) detail::gather_cell(numerics, mesh, body, c, nodes);
+    if (body.cells.empty(c)) return;
+    if constexpr (N::Shape::constant_gradient)
+      detail::gather_simplex(numerics, mesh, body, c, nodes);
+    else
+      detail::gather_product(numerics, mesh, body, c, nodes);
   };
   if constexpr (N::Order::remaps)
     blocks.for_each_colored(in_cell);

@@ -10,6 +10,7 @@
 #include <arenite/core/pack.hpp>
 #include <arenite/core/parallel.hpp>
 #include <arenite/core/tensor.hpp>
+#include <arenite/transfer/node_sums.hpp>
 
 namespace arenite {
 
@@ -99,31 +100,29 @@ struct NodeField {
   static constexpr bool has_mapped = Mapped;
   static constexpr bool has_gradient = Gradient;
 
-  std::vector<T> mass;  ///< [nodes] kg
-  NodeVectors<T, D>
-      start;  ///< [nodes] momentum (kg m/s) while points scatter, then velocity at the step's begin (m/s)
-  NodeVectors<T, D> force;          ///< [nodes] internal force of the points, N
-  NodeVectors<T, D> velocity;       ///< [nodes] velocity at the step's end, m/s
+  std::vector<NodeSums<T, D>> collected;  ///< [nodes] what `scatter` sums and `advance` reads
+  std::vector<T> mass;                    ///< [nodes] kg
+  NodeVectors<T, D> start;                ///< [nodes] velocity at the step's begin, m/s
+  NodeVectors<T, D> velocity;             ///< [nodes] velocity at the step's end, m/s
   NodeVectors<T, D> mapped;         ///< [nodes if Mapped] momentum, then velocity for the stress update, m/s
   NodeVectors<T, D> mass_gradient;  ///< [nodes if Gradient] sum of m grad N, kg/m: points out of the body
 
   explicit NodeField(Index nodes)
-      : mass(nodes, T(0)),
+      : collected(nodes),
+        mass(nodes, T(0)),
         start(nodes, Vec<T, D>::Zero()),
-        force(start),
         velocity(start),
         mapped(Mapped ? nodes : 0, Vec<T, D>::Zero()),
         mass_gradient(Gradient ? nodes : 0, Vec<T, D>::Zero()) {}
 
   std::size_t size() const { return mass.size(); }
 
+  /// Sets to zero what the points add to.
   void clear() {
-    const NodePack<T, D> zero(0);
+    [[maybe_unused]] const NodePack<T, D> zero(0);
     parallel_chunks(size(), [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) {
-        mass[i] = 0;
-        start.set(i, zero);
-        force.set(i, zero);
+        collected[i] = {};
         if constexpr (Mapped) mapped.set(i, zero);
         if constexpr (Gradient) mass_gradient.set(i, zero);
       }
@@ -137,7 +136,7 @@ struct NodeField {
   }
 
   std::size_t bytes() const {
-    return mass.size() * sizeof(T) + start.bytes() + force.bytes() + velocity.bytes() + mapped.bytes() +
+    return size() * (sizeof(NodeSums<T, D>) + sizeof(T)) + start.bytes() + velocity.bytes() + mapped.bytes() +
            mass_gradient.bytes();
   }
 };

@@ -6,6 +6,8 @@
 #include <arenite/transfer/affine.hpp>
 #include <arenite/transfer/node_field.hpp>
 #include <arenite/transfer/numerics.hpp>
+#include <arenite/transfer/point_rows.hpp>
+#include <arenite/transfer/point_velocities.hpp>
 
 namespace arenite {
 namespace detail {
@@ -99,113 +101,94 @@ template <class K, class N, class M, class B, class Field>
       for (std::size_t k = Row::stress; k < Row::volume; ++k) total[k] *= whole / total[Row::volume];
   }
   // Columns of the stress as packs: a node's force is their sum, each times a component of the gradient.
-  using V = NodePack<T, static_cast<int>(D)>;
-  std::array<V, D> column;
-  for (std::size_t a = 0; a < D; ++a) {
-    column[a] = V(0);
-    for (std::size_t d = 0; d < D; ++d)
-      column[a].set(static_cast<int>(d), total[Row::stress + Sym<T, D>::index(d, a)]);
-  }
+  using Quad = Pack<T, 4>;
+  std::array<Quad, D> column;
+  repeat<D>([&](std::size_t a) {
+    column[a] = Quad(0);
+    repeat<D>([&](std::size_t d) {
+      column[a].set(static_cast<int>(d), -total[Row::stress + Sym<T, D>::index(d, a)]);
+    });
+  });
   T mass = 0;
-  for (std::size_t i = 0; i < size; ++i) {
-    const Index node = cell.nodes[i];
-    const auto g = cell.gradient.col(static_cast<int>(i));
-    V force(0);
-    for (std::size_t a = 0; a < D; ++a) force -= column[a] * V(g[static_cast<int>(a)]);
+  repeat<size>([&](std::size_t i) {
+    auto& sums_of_node = nodes.collected[cell.nodes[i]];
+    Quad force(0);
+    repeat<D>([&](std::size_t a) {
+      force += column[a] * Quad(cell.gradient(static_cast<int>(a), static_cast<int>(i)));
+    });
     if constexpr (K::hoop) force.set(0, force[0] - total[Row::hoop + i]);
-    nodes.force.add(node, force);
-    nodes.start.add(node, V::load(&total[i * Row::per_node]));
-    nodes.mass[node] += total[i * Row::per_node + D];
+    sums_of_node.add_lower(Quad::load(&total[i * Row::per_node]));
+    sums_of_node.add_upper(force);
     mass += total[i * Row::per_node + D];
-  }
+  });
   if constexpr (Field::has_gradient)
     for (std::size_t i = 0; i < size; ++i)
       nodes.mass_gradient[cell.nodes[i]] += mass * cell.gradient.col(static_cast<int>(i));
 }
 
-/// Scatters a pack of points of a cell whose functions are products along the axes: what the nodes of one
-/// line along x share is computed once.
-template <class K, class N, class Cell, class Points, class Field>
-[[gnu::flatten]] void scatter_product(const Cell& cell, const Points& points, Index first, int count,
-                                      Field& nodes) {
-  using Transfer = typename N::Transfer;
-  using T = typename Cell::T;
-  constexpr std::size_t D = Cell::D, layers = D == 2 ? 1 : 3;
-  using P = lanes_of<T, N::template width<T>>;
-  const auto x = points.position.template load_repeated<P>(first, count);
-  const auto v = points.velocity.template load<P>(first, count);
-  auto pull = points.stress.template load<P>(first, count);
-  const P m = load_lanes<P>(points.mass.data() + first, count);
-  const P volume = load_lanes<P>(points.volume.data() + first, count);
-  for (P& s : pull) s = s * volume;
-  const auto value = cell.line_values(x), slope = cell.line_slopes(x);
-  [[maybe_unused]] const auto way = cell.ways(x);
-  [[maybe_unused]] std::array<P, D * D> c;
-  std::array<P, D> own;
-  repeat<D>([&](std::size_t d) { own[d] = m * v[d]; });
+/// Momentum and mass that a pack of points at x, of mass m and velocity v, hands to its nodes.
+template <class Transfer, class Rows, class Cell, class Points, class P, std::size_t D>
+typename Rows::Handed handed_momentum(const Cell& cell, const Points& points, Index first, int count,
+                                      const P& m, const std::array<P, D>& x, const std::array<P, D>& v) {
+  typename Rows::Handed handed;
+  handed.own[NodeSums<typename Cell::T, Cell::D>::mass_lane] = m;
+  repeat<D>([&](std::size_t d) { handed.own[d] = m * v[d]; });
   if constexpr (Transfer::affine) {
-    c = handed_gradient<Transfer>(cell, points.motion.template load<P>(first, count), x);
-    for (P& a : c) a = a * m;
+    const auto gradient = handed_gradient<Transfer>(cell, points.motion.template load<P>(first, count), x);
+    repeat<D * D>([&](std::size_t k) { handed.along[k / D][k % D] = m * gradient[k]; });
   }
-  // For each node momentum [D], mass, force [D], and the gradient of mass if it is wanted.
-  constexpr std::size_t force = D + 1, gradient = force + D,
-                        per_node = gradient + (Field::has_gradient ? D : 0);
-  for (std::size_t k = 0; k < layers; ++k) {
-    std::array<P, 9 * per_node> sums;
-    auto in_layer = own;
-    if constexpr (Transfer::affine && D == 3)
-      repeat<D>([&](std::size_t d) { in_layer[d] += c[2 * D + d] * way[2][k]; });
-    repeat<3>([&](std::size_t j) {
-      P w = value[1][j], w_y = slope[1][j];
-      [[maybe_unused]] P w_z;
-      if constexpr (D == 3) {
-        w_z = w * slope[2][k];
-        w = w * value[2][k];
-        w_y = w_y * value[2][k];
-      }
-      const P line_mass = w * m;
-      std::array<P, D> at_x, along_x, pull_x, pull_rest;
-      repeat<D>([&](std::size_t d) {
-        P handed = in_layer[d];
-        if constexpr (Transfer::affine) {
-          handed += c[D + d] * way[1][j];
-          along_x[d] = w * c[d];
-        }
-        at_x[d] = w * handed;
-        pull_x[d] = w * pull[Sym<P, D>::index(d, 0)];
-        pull_rest[d] = w_y * pull[Sym<P, D>::index(d, 1)];
-        if constexpr (D == 3) pull_rest[d] += w_z * pull[Sym<P, D>::index(d, 2)];
-        if constexpr (K::hoop)
-          if (d == 0) pull_rest[d] += w * pull[2] * reciprocal(x[0]);
-      });
-      repeat<3>([&](std::size_t i) {
-        P* const sum = &sums[(3 * j + i) * per_node];
-        const P f = value[0][i], f_x = slope[0][i];
-        sum[D] = f * line_mass;
-        repeat<D>([&](std::size_t d) {
-          P handed = at_x[d];
-          if constexpr (Transfer::affine) handed += along_x[d] * way[0][i];
-          sum[d] = f * handed;
-          sum[force + d] = -(f_x * pull_x[d] + f * pull_rest[d]);
-        });
-        if constexpr (Field::has_gradient) {
-          sum[gradient] = f_x * w * m;
-          sum[gradient + 1] = f * w_y * m;
-          if constexpr (D == 3) sum[gradient + 2] = f * w_z * m;
-        }
-      });
+  return handed;
+}
+
+/// Scatters the points of a cell whose functions are products along the axes.
+template <class K, class N, class M, class B, class Field>
+[[gnu::flatten]] void scatter_product(const M& mesh, const B& body, Index c, Field& nodes) {
+  using Cell = typename N::Shape::template Cell<M>;
+  using T = typename M::scalar;
+  constexpr std::size_t D = M::dimension;
+  using Rows = PointRows<T, D, N::template width<T>>;
+  using P = typename Rows::P;
+  using Sums = NodeSums<T, M::dimension>;
+  const auto& points = body.points;
+  const Cell cell(mesh, c);
+  Rows rows;
+  [[maybe_unused]] std::conditional_t<Field::has_gradient, Rows, int> masses{};  // for the gradient of mass
+  const auto spread = [&] {
+    rows.spread([&](std::size_t i, const typename Rows::Lanes& sum) {
+      T* const lane = nodes.collected[cell.nodes[i]].lane.data();
+      (Rows::Lanes::load(lane) + sum).store(lane);
     });
-    const auto total = lane_sums(sums);
-    using V = NodePack<T, static_cast<int>(D)>;
-    for (std::size_t i = 0; i < 9; ++i) {
-      const Index node = cell.nodes[9 * k + i];
-      const T* const sum = &total[i * per_node];
-      nodes.start.add(node, V::load(sum));
-      nodes.mass[node] += sum[D];
-      nodes.force.add(node, V::load(sum + force));
-      if constexpr (Field::has_gradient) nodes.mass_gradient.add(node, V::load(sum + gradient));
+    if constexpr (Field::has_gradient)
+      masses.spread([&](std::size_t i, const typename Rows::Lanes& sum) {
+        std::array<T, 8> lane;
+        sum.store(lane.data());
+        repeat<D>([&](std::size_t d) {
+          nodes.mass_gradient[cell.nodes[i]][static_cast<int>(d)] += lane[Sums::force_lane + d];
+        });
+      });
+  };
+  body.cells.template for_packs<Rows::width>(c, [&](Index first, int count) {
+    if (rows.full()) spread();
+    const auto x = points.position.template load_repeated<P>(first, count);
+    const auto v = points.velocity.template load<P>(first, count);
+    const auto stress = points.stress.template load<P>(first, count);
+    const P m = load_lanes<P>(points.mass.data() + first, count);
+    const P volume = -load_lanes<P>(points.volume.data() + first, count);
+    const LineSet<P, Cell> line(cell, x);
+    auto handed = handed_momentum<typename N::Transfer, Rows>(cell, points, first, count, m, x, v);
+    repeat<D * D>([&](std::size_t k) {
+      handed.along[k / D][Sums::force_lane + k % D] =
+          volume * stress[Sym<P, M::dimension>::index(k % D, k / D)];
+    });
+    if constexpr (K::hoop) handed.own[Sums::force_lane] = volume * stress[2] * reciprocal(x[0]);
+    rows.push(count, handed, line.value, line.arm, line.slope);
+    if constexpr (Field::has_gradient) {
+      typename Rows::Handed mass;
+      repeat<D>([&](std::size_t a) { mass.along[a][Sums::force_lane + a] = m; });
+      masses.push(count, mass, line.value, line.arm, line.slope);
     }
-  }
+  });
+  spread();
 }
 
 }  // namespace detail
@@ -217,14 +200,10 @@ template <class K, class N, class M, class B, class Field>
 void scatter(const N& numerics, const M& mesh, const Blocks& blocks, const B& body, Field& nodes) {
   blocks.for_each_colored([&](Index c) {
     if (body.cells.empty(c)) return;
-    if constexpr (N::Shape::constant_gradient) {
+    if constexpr (N::Shape::constant_gradient)
       detail::scatter_simplex<K>(numerics, mesh, body, c, nodes);
-    } else {
-      const typename N::Shape::template Cell<M> cell(mesh, c);
-      body.cells.template for_packs<N::template width<typename M::scalar>>(c, [&](Index first, int count) {
-        detail::scatter_product<K, N>(cell, body.points, first, count, nodes);
-      });
-    }
+    else
+      detail::scatter_product<K, N>(mesh, body, c, nodes);
   });
 }
 
@@ -235,15 +214,17 @@ template <class Field, class T, int D>
 void advance(Field& nodes, const Vec<T, D>& gravity, T dt, T mass_floor) {
   parallel_chunks(nodes.size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
-      if (nodes.mass[i] <= mass_floor) {
+      const auto& sums = nodes.collected[i];
+      if (sums.mass() <= mass_floor) {
         nodes.mass[i] = 0;
         nodes.start[i].setZero();
         nodes.velocity[i].setZero();
         continue;
       }
-      const T inverse = 1 / nodes.mass[i];
-      nodes.start[i] *= inverse;
-      nodes.velocity[i] = nodes.start[i] + dt * (inverse * nodes.force[i] + gravity);
+      const T inverse = 1 / sums.mass();
+      nodes.mass[i] = sums.mass();
+      nodes.start[i] = inverse * sums.momentum();
+      nodes.velocity[i] = nodes.start[i] + dt * (inverse * sums.force() + gravity);
     }
   });
 }

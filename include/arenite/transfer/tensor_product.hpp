@@ -9,43 +9,53 @@
 
 namespace arenite {
 
-/// Sums of node vectors v_i [D]: `value` = sum w_i v_i, and `along[a]` the same with the line functions of
-/// axis a replaced by a second kind: slopes give the gradient, arms w (x_i - x) the affine motion of APIC.
+/// Functions along each axis, whose products the functions of a cell are: [D][3].
 template <class P, std::size_t D>
+using LineFunctions = std::array<std::array<P, 3>, D>;
+
+/// Sums of node vectors v_i [D]: `value` = sum w_i v_i, and `along[k][a]` the same with the line functions of
+/// axis a replaced by those of kind k: slopes give the gradient, arms w (x_i - x) the affine motion of APIC.
+template <class P, std::size_t D, std::size_t Kinds>
 struct LineSums {
   std::array<P, D> value;
-  std::array<std::array<P, D>, D> along;
+  std::array<std::array<std::array<P, D>, D>, Kinds> along;
 };
 
-/// `row(i)`: vector of local node i as an array of scalars; `first`, `second`: [D][3] line functions of the
-/// points.
-template <class P, std::size_t D, class Rows>
-LineSums<P, D> line_sums(const Rows& row, const std::array<std::array<P, 3>, D>& first,
-                         const std::array<std::array<P, 3>, D>& second) {
-  using Sums = std::array<std::array<P, D>, D + 1>;  // the plain sum, then one with each axis' second kind
+/// `row[i]`: vector of local node i as an array of scalars; `value`: line functions at the points; `kind`:
+/// those that take their place along one axis.
+template <class P, std::size_t D, std::size_t Kinds, class Rows>
+LineSums<P, D, Kinds> line_sums(const Rows& row, const LineFunctions<P, D>& value,
+                                const std::array<LineFunctions<P, D>, Kinds>& kind) {
+  using Sums = LineSums<P, D, Kinds>;
   const auto clear = [](Sums& sums) {
-    repeat<D + 1>([&](std::size_t k) { repeat<D>([&](std::size_t d) { sums[k][d] = P(0); }); });
+    repeat<D>([&](std::size_t d) {
+      sums.value[d] = P(0);
+      repeat<Kinds>([&](std::size_t k) { repeat<D>([&](std::size_t a) { sums.along[k][a][d] = P(0); }); });
+    });
   };
-  // Along x: each line of three nodes.
+  // Along x: a line of three nodes.
   const auto line = [&](std::size_t begin) {
     Sums sums;
     clear(sums);
     repeat<3>([&](std::size_t i) {
       repeat<D>([&](std::size_t d) {
         const P v(row[begin + i][d]);
-        sums[0][d] += first[0][i] * v;
-        sums[1][d] += second[0][i] * v;
+        sums.value[d] += value[0][i] * v;
+        repeat<Kinds>([&](std::size_t k) { sums.along[k][0][d] += kind[k][0][i] * v; });
       });
     });
     return sums;
   };
-  // Across axis a: sums of the axes before it, and the new one.
+  // Across axis a: the sums of the axes before it, and the new one.
   const auto across = [&](std::size_t a, Sums& total, std::size_t j, const Sums& part) {
     repeat<D>([&](std::size_t d) {
-      total[0][d] += first[a][j] * part[0][d];
-      total[1][d] += first[a][j] * part[1][d];
-      if (a == 2) total[2][d] += first[a][j] * part[2][d];
-      total[a + 1][d] += second[a][j] * part[0][d];
+      total.value[d] += value[a][j] * part.value[d];
+      repeat<Kinds>([&](std::size_t k) {
+        repeat<D>([&](std::size_t b) {
+          if (b < a) total.along[k][b][d] += value[a][j] * part.along[k][b][d];
+        });
+        total.along[k][a][d] += kind[k][a][j] * part.value[d];
+      });
     });
   };
   const auto layer = [&](std::size_t begin) {
@@ -54,17 +64,14 @@ LineSums<P, D> line_sums(const Rows& row, const std::array<std::array<P, 3>, D>&
     repeat<3>([&](std::size_t j) { across(1, sums, j, line(begin + 3 * j)); });
     return sums;
   };
-  Sums all;
   if constexpr (D == 2) {
-    all = layer(0);
+    return layer(0);
   } else {
+    Sums all;
     clear(all);
     repeat<3>([&](std::size_t k) { across(2, all, k, layer(9 * k)); });
+    return all;
   }
-  LineSums<P, D> result;
-  result.value = all[0];
-  repeat<D>([&](std::size_t a) { result.along[a] = all[a + 1]; });
-  return result;
 }
 
 }  // namespace arenite

@@ -1,0 +1,96 @@
+// Node sums: what a node collects from the points in one pass, as eight lanes that fill one register where
+// registers are that wide.
+#pragma once
+
+#include <algorithm>
+#include <array>
+
+#include <arenite/core/lanes.hpp>
+#include <arenite/core/tensor.hpp>
+
+namespace arenite {
+
+/// Momentum, mass and internal force of a node in eight scalars: momentum [D] and mass in the lower four,
+/// force [D] in the upper four; the rest means nothing.
+template <class T, int D>
+struct alignas(8 * sizeof(T)) NodeSums {
+  static constexpr std::size_t mass_lane = D, force_lane = 4;
+  std::array<T, 8> lane{};
+
+  Vec<T, D> momentum() const { return Eigen::Map<const Vec<T, D>>(lane.data()); }            ///< kg m/s
+  T mass() const { return lane[mass_lane]; }                                                 ///< kg
+  Vec<T, D> force() const { return Eigen::Map<const Vec<T, D>>(lane.data() + force_lane); }  ///< N
+
+  /// Adds four lanes to the lower or to the upper half.
+  void add_lower(const Pack<T, 4>& a) { (Pack<T, 4>::load(lane.data()) + a).store(lane.data()); }
+  void add_upper(const Pack<T, 4>& a) { (Pack<T, 4>::load(lane.data() + 4) + a).store(lane.data() + 4); }
+
+  friend bool operator==(const NodeSums&, const NodeSums&) = default;
+};
+
+/// Eight scalars as packs of at most `Width` lanes.
+template <class T, int Width>
+struct EightLanes {
+  static constexpr std::size_t width = static_cast<std::size_t>(std::min(Width, 8)), parts = 8 / width;
+  using P = lanes_of<T, static_cast<int>(width)>;
+  std::array<P, parts> part;
+
+  EightLanes() = default;
+  explicit EightLanes(T value) {
+    repeat<parts>([&](std::size_t k) { part[k] = P(value); });
+  }
+  /// One value in the lower four lanes, another in the upper four.
+  static EightLanes halves(T lower, T upper) {
+    EightLanes a;
+    if constexpr (parts == 1)
+      a.part[0] = blend(P(lower), P(upper), std::make_index_sequence<8>{});
+    else
+      repeat<parts>([&](std::size_t k) { a.part[k] = P(k < parts / 2 ? lower : upper); });
+    return a;
+  }
+  static EightLanes load(const T* from) {
+    EightLanes a;
+    repeat<parts>(
+        [&](std::size_t k) { a.part[k] = load_lanes<P>(from + k * width, static_cast<int>(width)); });
+    return a;
+  }
+  void store(T* to) const {
+    repeat<parts>([&](std::size_t k) { store_lanes(to + k * width, static_cast<int>(width), part[k]); });
+  }
+
+  friend EightLanes operator*(EightLanes a, const EightLanes& b) {
+    repeat<parts>([&](std::size_t k) { a.part[k] = a.part[k] * b.part[k]; });
+    return a;
+  }
+  friend EightLanes operator+(EightLanes a, const EightLanes& b) {
+    repeat<parts>([&](std::size_t k) { a.part[k] = a.part[k] + b.part[k]; });
+    return a;
+  }
+  EightLanes& operator+=(const EightLanes& b) { return *this = *this + b; }
+
+ private:
+  template <std::size_t... I>
+  static P blend(const P& lower, const P& upper, std::index_sequence<I...>) {
+    return P::from(__builtin_shufflevector(lower.lanes(), upper.lanes(), (I < 4 ? I : I + 8)...));
+  }
+};
+
+/// Writes eight columns of `width` neighbouring points as rows of eight, one a point.
+template <class T, int Width>
+void store_rows(std::array<typename EightLanes<T, Width>::P, 8> column, T* to) {
+  using E = EightLanes<T, Width>;
+  constexpr std::size_t width = E::width;
+  // Squares of `width` columns are transposed by exchanging ever larger blocks off their diagonals.
+  repeat<E::parts>([&](std::size_t k) {
+    if constexpr (width == 1) {
+      to[k] = column[k];
+    } else {
+      std::array<typename E::P, width> row;
+      repeat<width>([&](std::size_t r) { row[r] = column[k * width + r]; });
+      detail::transpose<1>(row);
+      repeat<width>([&](std::size_t r) { row[r].store(to + r * 8 + k * width); });
+    }
+  });
+}
+
+}  // namespace arenite

@@ -1,0 +1,101 @@
+// Point rows: what the points of a cell hand to its nodes where the shape functions are products along the
+// axes. Each point is a row of eight lanes, its momentum, mass and force at once, so that no sum over points
+// has to be taken apart.
+#pragma once
+
+#include <arenite/transfer/node_sums.hpp>
+#include <arenite/transfer/tensor_product.hpp>
+
+namespace arenite {
+
+/// Rows of up to `capacity` points. A node at (i, j, k) of the cell's 3^D collects, with line functions N and
+/// a second kind G along each axis: N_i N_j N_k own + G_i N_j N_k along[0] + N_i G_j N_k along[1] + .., where
+/// G is N times the way to the node in the lower four lanes (for an affine velocity) and the slope of N in
+/// the upper four (for a force).
+template <class T, std::size_t D, int Width>
+class PointRows {
+ public:
+  using Lanes = EightLanes<T, Width>;
+  using P = typename Lanes::P;
+  using Lines = LineFunctions<P, D>;
+  static constexpr int width = static_cast<int>(Lanes::width);
+  static constexpr std::size_t nodes = D == 2 ? 9 : 27;
+
+  /// Columns of a pack of points that become rows.
+  struct Handed {
+    std::array<P, 8> own;
+    std::array<std::array<P, 8>, D> along;
+
+    Handed() {
+      repeat<8>([&](std::size_t k) {
+        own[k] = P(0);
+        repeat<D>([&](std::size_t a) { along[a][k] = P(0); });
+      });
+    }
+  };
+
+  bool full() const { return count_ + width > capacity; }
+
+  /// Takes the first `count` points of a pack.
+  void push(int count, const Handed& handed, const Lines& value, const Lines& lower, const Lines& upper) {
+    store_rows<T, Width>(handed.own, own_[count_].data());
+    repeat<D>([&](std::size_t a) {
+      store_rows<T, Width>(handed.along[a], along_[a][count_].data());
+      repeat<3>([&](std::size_t i) {
+        store_lanes(&value_[a][i][count_], width, value[a][i]);
+        store_lanes(&lower_[a][i][count_], width, lower[a][i]);
+        store_lanes(&upper_[a][i][count_], width, upper[a][i]);
+      });
+    });
+    count_ += static_cast<std::size_t>(count);
+  }
+
+  /// Calls `add(node, lanes)` with what each local node collects, and forgets the points.
+  template <class Add>
+  void spread(Add&& add) {
+    repeat<D == 2 ? 1 : 3>([&](std::size_t k) {
+      std::array<Lanes, 9> sum;
+      repeat<9>([&](std::size_t n) { sum[n] = Lanes(0); });
+      for (std::size_t p = 0; p < count_; ++p) {
+        Lanes rest = Lanes::load(own_[p].data()), x = Lanes::load(along_[0][p].data()),
+              y = Lanes::load(along_[1][p].data());
+        if constexpr (D == 3) {
+          const Lanes n(value_[2][k][p]);
+          rest = rest * n + Lanes::load(along_[2][p].data()) * second(2, k, p);
+          x = x * n;
+          y = y * n;
+        }
+        std::array<Lanes, 3> n_x, g_x;
+        repeat<3>([&](std::size_t i) {
+          n_x[i] = Lanes(value_[0][i][p]);
+          g_x[i] = second(0, i, p);
+        });
+        repeat<3>([&](std::size_t j) {
+          const Lanes n(value_[1][j][p]), line = rest * n + y * second(1, j, p), along_x = x * n;
+          repeat<3>([&](std::size_t i) {
+            sum[3 * j + i] += line * n_x[i];
+            sum[3 * j + i] += along_x * g_x[i];
+          });
+        });
+      }
+      repeat<9>([&](std::size_t n) { add(9 * k + n, sum[n]); });
+    });
+    count_ = 0;
+  }
+
+ private:
+  static constexpr std::size_t capacity = 32;
+  using Row = std::array<T, 8>;
+  using LineColumns = std::array<std::array<std::array<T, capacity>, 3>, D>;
+
+  Lanes second(std::size_t a, std::size_t i, std::size_t p) const {
+    return Lanes::halves(lower_[a][i][p], upper_[a][i][p]);
+  }
+
+  std::size_t count_ = 0;
+  alignas(64) std::array<Row, capacity> own_;
+  std::array<std::array<Row, capacity>, D> along_;
+  LineColumns value_, lower_, upper_;
+};
+
+}  // namespace arenite

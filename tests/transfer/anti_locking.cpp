@@ -61,8 +61,8 @@ TEST_CASE("element average: a filled cell bears the mean stress over its whole v
   // Gradients: node 1 belongs to cell 0 alone, (1, -1); node 3 to cell 1 alone, (-1, 1).
   const Vec<double, 2> at_1(-0.5 * (mean[0] - mean[3]), -0.5 * (mean[3] - mean[1]));
   const Vec<double, 2> at_3(-0.40 * (-partly[0] + partly[3]), -0.40 * (-partly[3] + partly[1]));
-  REQUIRE((s.nodes.force[1] - at_1).norm() < 1e-15);
-  REQUIRE((s.nodes.force[3] - at_3).norm() < 1e-15);
+  REQUIRE((s.nodes.collected[1].force() - at_1).norm() < 1e-15);
+  REQUIRE((s.nodes.collected[3].force() - at_3).norm() < 1e-15);
 
   const auto before = s.body.points.stress;
   s.nodes.velocity.assign(4, Vec<double, 2>::Zero());
@@ -83,5 +83,6 @@ TEST_CASE("element average in axisymmetry: the whole volume is the full circle's
   NodeField<double, 2, false, false> plain(3), average(3);
   scatter<Axisymmetric>(Numerics<LinearSimplex, Flip, Usl>{}, ring, blocks, body, plain);
   scatter<Axisymmetric>(Numerics<LinearSimplex, Flip, Usl, ElementAverage>{}, ring, blocks, body, average);
-  for (std::size_t i = 0; i < 3; ++i) REQUIRE((average.force[i] - plain.force[i] / 0.95).norm() < 1e-13);
+  for (std::size_t i = 0; i < 3; ++i)
+    REQUIRE((average.collected[i].force() - plain.collected[i].force() / 0.95).norm() < 1e-13);
 }

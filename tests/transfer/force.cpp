@@ -18,7 +18,8 @@ void check_virtual_work(S s) {
     for (auto& value : v)
       for (int k = 0; k < D; ++k) value[k] = s.number();
     double work = 0, inner = 0, size = 0;
-    for (std::size_t i = 0; i < v.size(); ++i) work += static_cast<double>(s.nodes.force[i].dot(v[i]));
+    for (std::size_t i = 0; i < v.size(); ++i)
+      work += static_cast<double>(s.nodes.collected[i].force().dot(v[i]));
     const auto& points = s.body.points;
     for (std::size_t p = 0; p < points.size(); ++p) {
       const typename S::Cell cell(s.mesh, points.cell[p]);
@@ -62,9 +63,9 @@ std::pair<double, double> patch(const M& mesh, int per_cell, const Sym<double, M
   double inside = 0, all = 0;
   for (Index i = 0; i < nodes.size(); ++i) {
     const auto x = Shape::node_position(mesh, i);
-    all = std::max(all, nodes.force[i].norm());
+    all = std::max(all, nodes.collected[i].force().norm());
     if (((x - low).array() > 1e-9).all() && ((high - x).array() > 1e-9).all())
-      inside = std::max(inside, nodes.force[i].norm());
+      inside = std::max(inside, nodes.collected[i].force().norm());
   }
   return {inside, all};
 }
@@ -105,13 +106,49 @@ TEST_CASE("a uniform stress loads no node inside") {
 TEST_CASE("nodes of no mass stay at rest, and those below the floor count as none") {
   Setup<PlaneStrain, Simplex, SimplexMesh<2>> s(sample_mesh<2>(4));
   s.scatter();
-  s.nodes.mass[0] = 1e-200;
-  s.nodes.mass[1] = 0;
-  s.nodes.force[1] = {1, 1};
+  auto& sums = s.nodes.collected;
+  sums[0].lane[sums[0].mass_lane] = 1e-200;
+  sums[1].lane[sums[1].mass_lane] = 0;
+  sums[1].lane[sums[1].force_lane] = 1;
   advance(s.nodes, Vec<double, 2>(0, -10), 0.1, 1e-150);
   REQUIRE(s.nodes.mass[0] == 0);
   for (const Index i : {0u, 1u}) REQUIRE((s.nodes.start[i].norm() == 0 && s.nodes.velocity[i].norm() == 0));
   for (const auto& v : s.nodes.velocity) REQUIRE(v.allFinite());
+}
+
+namespace {
+
+/// Gradients of mass against the sum of m grad N over all points.
+template <class S>
+void check_mass_gradient(S s) {
+  constexpr int D = S::D;
+  s.scatter();
+  std::vector<Vec<double, D>> sum(s.nodes.size(), Vec<double, D>::Zero());
+  const auto& points = s.body.points;
+  for (std::size_t p = 0; p < points.size(); ++p) {
+    const typename S::Cell cell(s.mesh, points.cell[p]);
+    const auto g = cell.gradients(points.position[p]);
+    for (int k = 0; k < g.cols(); ++k)
+      sum[cell.nodes[static_cast<std::size_t>(k)]] += points.mass[p] * g.col(k);
+  }
+  double off = 0, size = 0;
+  for (std::size_t i = 0; i < sum.size(); ++i) {
+    off = std::max(off, (s.nodes.mass_gradient[i] - sum[i]).norm());
+    size = std::max(size, sum[i].norm());
+  }
+  REQUIRE(size > 1);
+  REQUIRE(off <= 1e-13 * size);
+}
+
+}  // namespace
+
+TEST_CASE("gradients of mass are the sum of m grad N") {
+  check_mass_gradient(Setup<PlaneStrain, Simplex, SimplexMesh<2>>(sample_mesh<2>(6)));
+  check_mass_gradient(Setup<Solid, Simplex, SimplexMesh<3>>(sample_mesh<3>(3)));
+  check_mass_gradient(Setup<PlaneStrain, BSpline, CartesianGrid<2>>(flat_grid()));
+  check_mass_gradient(Setup<Solid, BSpline, CartesianGrid<3>>(solid_grid()));
+  // More points in a cell than the rows hold at once.
+  check_mass_gradient(Setup<PlaneStrain, BSpline, CartesianGrid<2>>(flat_grid(), 75));
 }
 
 TEST_CASE("gradients of mass point out of the body and sum to zero") {
@@ -123,5 +160,5 @@ TEST_CASE("gradients of mass point out of the body and sum to zero") {
   for (const auto& g : s.nodes.mass_gradient) sum += g;
   REQUIRE(sum.norm() < 1e-11);
   for (Index i = 0; i < s.nodes.size(); ++i)
-    if (s.node(i)[1] > 0.5 && s.nodes.mass[i] > 0.1) REQUIRE(s.nodes.mass_gradient[i][1] > 0);
+    if (s.node(i)[1] > 0.5 && s.nodes.collected[i].mass() > 0.1) REQUIRE(s.nodes.mass_gradient[i][1] > 0);
 }

@@ -76,9 +76,10 @@ struct Setup {
     arenite::advance(nodes, gravity, dt, T(0));
   }
   void gather() { arenite::gather(numerics, mesh, blocks, body, nodes); }
+  template <bool TakesVelocity = false>
   DeformSums deform(T dt) {
     VolumetricAverage<T> average;
-    return arenite::deform<K, true>(numerics, mesh, blocks, body, nodes, dt, average);
+    return arenite::deform<K, true, TakesVelocity>(numerics, mesh, blocks, body, nodes, dt, average);
   }
   Vec<T, D> node(Index i) const { return Shape::node_position(mesh, i); }
 

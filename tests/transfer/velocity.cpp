@@ -62,8 +62,8 @@ TEST_CASE("strains come from the nodal velocities (USL) or from those mapped bac
   REQUIRE(usl.mass_gradient.empty());
   REQUIRE(&usl.strain_velocity() == &usl.velocity);
   REQUIRE(&musl.strain_velocity() == &musl.mapped);
-  REQUIRE(usl.bytes() == 3 * (1 + 3 * 2) * sizeof(double));
-  REQUIRE(musl.bytes() == 3 * (1 + 4 * 2) * sizeof(double));
+  REQUIRE(usl.bytes() == 3 * (8 + 1 + 2 * 2) * sizeof(double));
+  REQUIRE(musl.bytes() == 3 * (8 + 1 + 3 * 2) * sizeof(double));
 }
 
 TEST_CASE("the same bits for any number of threads") {
@@ -77,7 +77,7 @@ TEST_CASE("the same bits for any number of threads") {
     finish_remap(s.nodes);
     const double work = s.deform(0.01).work;
     set_threads(before);
-    return std::make_tuple(work, s.nodes.mass, s.nodes.force, s.nodes.mapped, s.body.points.position);
+    return std::make_tuple(work, s.nodes.mass, s.nodes.collected, s.nodes.mapped, s.body.points.position);
   };
   const auto one = cycle(1);
   for (const int n : {2, 3, 7}) REQUIRE(cycle(n) == one);

@@ -90,13 +90,13 @@ Pack<T, W> fold(const Pack<T, W>& a, const Pack<T, W>& b, std::index_sequence<I.
                           __builtin_shufflevector(a.lanes(), b.lanes(), L::template at<Group, 1>(I)...));
 }
 
-/// Exchanges the blocks of `Block` lanes off the diagonals of squares of two blocks by two, then larger ones,
-/// until rows have become columns.
-template <int Block, class T, int W>
-void transpose(std::array<Pack<T, W>, static_cast<std::size_t>(W)>& row) {
-  if constexpr (Block < W) {
+/// Transposes the squares of `Size` rows by `Size` neighbouring lanes: exchanges the blocks of `Block` lanes
+/// off the diagonals of squares of two blocks by two, then larger ones.
+template <int Block, class T, int W, std::size_t Size>
+void transpose(std::array<Pack<T, W>, Size>& row) {
+  if constexpr (Block < static_cast<int>(Size)) {
     [&]<std::size_t... I>(std::index_sequence<I...>) {
-      repeat<static_cast<std::size_t>(W)>([&](std::size_t r) {
+      repeat<Size>([&](std::size_t r) {
         if (r & Block) return;
         const auto a = row[r].lanes(), b = row[r + Block].lanes();
         row[r] = Pack<T, W>::from(__builtin_shufflevector(a, b, ((I & Block) ? I - Block + W : I)...));
@@ -107,6 +107,15 @@ void transpose(std::array<Pack<T, W>, static_cast<std::size_t>(W)>& row) {
     (std::make_index_sequence<static_cast<std::size_t>(W)>{});
     transpose<2 * Block>(row);
   }
+}
+
+/// Two packs as one.
+template <class T, int W>
+Pack<T, 2 * W> joined(const Pack<T, W>& a, const Pack<T, W>& b) {
+  return [&]<std::size_t... I>(std::index_sequence<I...>) {
+    return Pack<T, 2 * W>::from(__builtin_shufflevector(a.lanes(), b.lanes(), I...));
+  }
+  (std::make_index_sequence<static_cast<std::size_t>(2 * W)>{});
 }
 
 /// By halves: the greatest of each lane and the one half the lanes away.

@@ -61,6 +61,8 @@ class CartesianGrid {
   Index cells(int k) const { return count_[static_cast<std::size_t>(k)]; }
   /// Edge of a cell, m.
   T edge() const { return edge_; }
+  /// 1 / edge, 1/m.
+  T inverse_edge() const { return inverse_edge_; }
   /// Size that the stable step is made from, m.
   T size(Index) const { return edge_; }
   /// Area or volume of a cell, m^D.

@@ -55,7 +55,7 @@ struct QuadraticBSpline {
     using Gradients = Eigen::Matrix<T, D, size>;
 
     Cell(const M& grid, Index cell)
-        : lower_{grid.lower()}, corner_{lower_}, edge_{grid.edge()}, per_metre_{1 / edge_} {
+        : lower_{grid.lower()}, corner_{lower_}, edge_{grid.edge()}, per_metre_{grid.inverse_edge()} {
       const auto place = grid.place(cell);
       std::array<Index, D> stride;
       Index first = 0;

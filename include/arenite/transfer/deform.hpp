@@ -47,7 +47,8 @@ template <class K, bool TakesVelocity, class N, class M, class Points, class Fie
   using Shape = typename N::Shape;
   using Cell = typename Shape::template Cell<M>;
   constexpr std::size_t D = M::dimension, size = Cell::size;
-  constexpr int width = N::template width<T>;
+  constexpr int width =
+      Shape::constant_gradient ? N::template width<T> : cell_width<M::dimension, N::template width<T>>;
   using P = lanes_of<T, width>;
   using V = NodePack<T, M::dimension>;
   const Cell cell(mesh, c);

@@ -49,13 +49,14 @@ template <class N, class M, class B, class Field>
   auto& points = body.points;
   const Cell cell(mesh, c);
   const PointVelocities<N, Cell> velocities(numerics, cell, nodes);
-  [[maybe_unused]] std::conditional_t<N::Order::remaps, Rows, int> rows{};
-  [[maybe_unused]] const auto spread = [&] {
-    rows.spread([&](std::size_t i, const typename Rows::Lanes& sum) {
-      std::array<T, 8> lane;
-      sum.store(lane.data());
-      nodes.mapped.add(cell.nodes[i], NodePack<T, M::dimension>::load(lane.data()));
-    });
+  [[maybe_unused]] std::conditional_t<N::Order::remaps, Rows, Nothing> rows{};
+  const auto spread = [&] {
+    if constexpr (N::Order::remaps)
+      rows.spread([&](std::size_t i, const typename Rows::Lanes& sum) {
+        std::array<T, 8> lane;
+        sum.store(lane.data());
+        nodes.mapped.add(cell.nodes[i], NodePack<T, M::dimension>::load(lane.data()));
+      });
   };
   body.cells.template for_packs<Rows::width>(c, [&](Index first, int count) {
     const auto x = points.position.template load_repeated<P>(first, count);
@@ -69,7 +70,7 @@ template <class N, class M, class B, class Field>
                 line.value, line.arm, line.slope);
     }
   });
-  if constexpr (N::Order::remaps) spread();
+  spread();
 }
 
 }  // namespace detail

@@ -75,22 +75,27 @@ struct EightLanes {
   }
 };
 
-/// Writes eight columns of `width` neighbouring points as rows of eight, one a point.
-template <class T, int Width>
-void store_rows(std::array<typename EightLanes<T, Width>::P, 8> column, T* to) {
-  using E = EightLanes<T, Width>;
-  constexpr std::size_t width = E::width;
-  // Squares of `width` columns are transposed by exchanging ever larger blocks off their diagonals.
-  repeat<E::parts>([&](std::size_t k) {
-    if constexpr (width == 1) {
-      to[k] = column[k];
-    } else {
-      std::array<typename E::P, width> row;
+/// Writes eight columns of neighbouring points as rows of eight, one a point. `P`: packs as wide as those of
+/// the rows, or of four lanes.
+template <class Lanes, class T, class P>
+void store_rows(const std::array<P, 8>& column, T* to) {
+  constexpr std::size_t width = static_cast<std::size_t>(lane_count<P>);
+  if constexpr (width == 1) {
+    for (std::size_t k = 0; k < 8; ++k) to[k] = column[k];
+  } else if constexpr (width < Lanes::width) {
+    static_assert(width == 4);
+    std::array<Pack<T, 8>, 4> row;
+    repeat<4>([&](std::size_t k) { row[k] = detail::joined(column[k], column[k + 4]); });
+    detail::transpose<1>(row);
+    repeat<4>([&](std::size_t r) { row[r].store(to + r * 8); });
+  } else {
+    repeat<Lanes::parts>([&](std::size_t k) {
+      std::array<P, width> row;
       repeat<width>([&](std::size_t r) { row[r] = column[k * width + r]; });
       detail::transpose<1>(row);
       repeat<width>([&](std::size_t r) { row[r].store(to + r * 8 + k * width); });
-    }
-  });
+    });
+  }
 }
 
 }  // namespace arenite

@@ -8,6 +8,10 @@
 
 namespace arenite {
 
+/// Points of one cell computed at once: more than it is likely to hold would be wasted.
+template <int D, int Width>
+inline constexpr int cell_width = std::min(Width, D == 2 ? 4 : 8);
+
 /// Rows of up to `capacity` points. A node at (i, j, k) of the cell's 3^D collects, with line functions N and
 /// a second kind G along each axis: N_i N_j N_k own + G_i N_j N_k along[0] + N_i G_j N_k along[1] + .., where
 /// G is N times the way to the node in the lower four lanes (for an affine velocity) and the slope of N in
@@ -16,9 +20,9 @@ template <class T, std::size_t D, int Width>
 class PointRows {
  public:
   using Lanes = EightLanes<T, Width>;
-  using P = typename Lanes::P;
+  static constexpr int width = cell_width<static_cast<int>(D), Width>;
+  using P = lanes_of<T, width>;
   using Lines = LineFunctions<P, D>;
-  static constexpr int width = static_cast<int>(Lanes::width);
   static constexpr std::size_t nodes = D == 2 ? 9 : 27;
 
   /// Columns of a pack of points that become rows.
@@ -38,9 +42,9 @@ class PointRows {
 
   /// Takes the first `count` points of a pack.
   void push(int count, const Handed& handed, const Lines& value, const Lines& lower, const Lines& upper) {
-    store_rows<T, Width>(handed.own, own_[count_].data());
+    store_rows<Lanes>(handed.own, own_[count_].data());
     repeat<D>([&](std::size_t a) {
-      store_rows<T, Width>(handed.along[a], along_[a][count_].data());
+      store_rows<Lanes>(handed.along[a], along_[a][count_].data());
       repeat<3>([&](std::size_t i) {
         store_lanes(&value_[a][i][count_], width, value[a][i]);
         store_lanes(&lower_[a][i][count_], width, lower[a][i]);

@@ -152,7 +152,8 @@ template <class K, class N, class M, class B, class Field>
   const auto& points = body.points;
   const Cell cell(mesh, c);
   Rows rows;
-  [[maybe_unused]] std::conditional_t<Field::has_gradient, Rows, int> masses{};  // for the gradient of mass
+  [[maybe_unused]] std::conditional_t<Field::has_gradient, Rows, Nothing>
+      masses{};  // for the gradient of mass
   const auto spread = [&] {
     rows.spread([&](std::size_t i, const typename Rows::Lanes& sum) {
       T* const lane = nodes.collected[cell.nodes[i]].lane.data();

@@ -173,14 +173,20 @@ TEST_CASE("cell list by hand") {
   REQUIRE((list.empty(1) && list.empty(5) && !list.empty(4)));
   // Point 1 leaves cell 2 for cell 1: it changes places with the last of the run.
   std::vector<std::pair<Index, Index>> swaps;
-  list.leave({1, 1}, cell, [&](Index a, Index b) { swaps.emplace_back(a, b); });
+  CellList::Move move{1, 1};
+  list.leave(move, cell, [&](Index a, Index b) { swaps.emplace_back(a, b); });
+  REQUIRE((move.point == 3 && move.from_run));
+  list.admit(move);
   list.seat_guests(cell);
   REQUIRE(swaps == std::vector<std::pair<Index, Index>>{{1, 3}});
   REQUIRE(points(1) == std::vector<Index>{3});
   REQUIRE(points(2) == std::vector<Index>{1, 2});
   REQUIRE(list.guests() == 1);
   // It moves on as a guest, and nothing changes places.
-  list.leave({3, 4}, cell, [&](Index, Index) { FAIL("a guest stays where it lies"); });
+  move = {3, 4};
+  list.leave(move, cell, [&](Index, Index) { FAIL("a guest stays where it lies"); });
+  REQUIRE(!move.from_run);
+  list.admit(move);
   list.seat_guests(cell);
   REQUIRE((list.empty(1) && points(4) == std::vector<Index>{4, 3}));
   list.build({}, 3);

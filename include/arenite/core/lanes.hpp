@@ -56,6 +56,13 @@ auto lanes_from(int count) {
   }
 }
 
+/// One lane of what a comparison gives.
+constexpr bool lane(bool mask, int) { return mask; }
+template <class M>
+bool lane(const M& mask, int k) {
+  return mask[k];
+}
+
 /// Calls `f(k)` for k in [0, N): written out for few, whatever the optimiser's level, so that what k names
 /// stays in registers; a loop for many.
 template <std::size_t N, class F>

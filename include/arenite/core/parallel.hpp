@@ -18,13 +18,19 @@ inline void set_threads(int n) {
 
 inline int threads() { return detail::ThreadPool::instance().threads(); }
 
-/// Calls `f(i)` for i in [0, n), in any order; on one thread unless `worthwhile`. `f` must not throw.
-template <class F>
-void parallel_for(std::size_t n, bool worthwhile, F&& f) {
+/// Calls `f(i)` for i in [0, n), in any order; on one thread unless `worthwhile`. Each thread begins with a
+/// part of its own, the first item of part t of `parts` being `cut(t, parts)`. `f` must not throw.
+template <class F, class Cut>
+void parallel_for(std::size_t n, bool worthwhile, F&& f, Cut&& cut) {
   if (worthwhile && n > 1)
-    detail::ThreadPool::instance().run(n, f);
+    detail::ThreadPool::instance().run(n, f, cut);
   else
     for (std::size_t i = 0; i < n; ++i) f(i);
+}
+/// The same with parts of equal length.
+template <class F>
+void parallel_for(std::size_t n, bool worthwhile, F&& f) {
+  parallel_for(n, worthwhile, f, [n](std::size_t t, std::size_t parts) { return n * t / parts; });
 }
 
 inline constexpr std::size_t chunk_size = 1024;

@@ -47,10 +47,11 @@ class ThreadPool {
     threads_ = n;
   }
 
-  /// Calls `f(i)` for i in [0, n), on as many threads as come in time. A loop within a loop, and one that
-  /// starts while another of the program's threads has the pool, run on their own thread alone.
-  template <class F>
-  void run(std::size_t n, F& f) {
+  /// Calls `f(i)` for i in [0, n), on as many threads as come in time; part t of `parts` begins at item
+  /// `cut(t, parts)`. A loop within a loop, and one that starts while another of the program's threads has
+  /// the pool, run on their own thread alone.
+  template <class F, class Cut>
+  void run(std::size_t n, F& f, Cut&& cut) {
     if (threads_ < 2 || inside() || taken_.test_and_set(std::memory_order_acquire)) {
       for (std::size_t i = 0; i < n; ++i) f(i);
       return;
@@ -60,8 +61,11 @@ class ThreadPool {
     call_ = [](void* context, std::size_t i) { (*static_cast<F*>(context))(i); };
     context_ = &f;
     const auto parts = static_cast<std::size_t>(threads_);
-    for (std::size_t t = 0; t < parts; ++t)
-      parts_[t].items.store(pack(n * t / parts, n * (t + 1) / parts), std::memory_order_relaxed);
+    for (std::size_t t = 0, begin = 0; t < parts; ++t) {
+      const std::size_t end = t + 1 == parts ? n : cut(t + 1, parts);
+      parts_[t].items.store(pack(begin, end), std::memory_order_relaxed);
+      begin = end;
+    }
     state_.fetch_or(open, std::memory_order_seq_cst);
     if (asleep_.load(std::memory_order_seq_cst) > 0) {
       bell_.fetch_add(1, std::memory_order_seq_cst);
@@ -146,11 +150,12 @@ class ThreadPool {
     }
   }
 
-  /// Looks for an open loop for a while, then sleeps until the bell.
+  /// Looks for an open loop for a while, then with others let ahead, then sleeps until the bell: to wake up takes
+  /// as long as a short loop, and between two loops of a step may lie half a millisecond of serial work.
   void wait() {
-    for (int k = 0; k < patience; ++k) {
+    for (int k = 0; k < 2 * patience; ++k) {
       if (state_.load(std::memory_order_relaxed) & open) return;
-      relax();
+      k < patience ? relax() : std::this_thread::yield();
     }
     const std::uint32_t rung = bell_.load(std::memory_order_seq_cst);
     asleep_.fetch_add(1, std::memory_order_seq_cst);

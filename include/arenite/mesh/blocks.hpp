@@ -42,6 +42,18 @@ class Blocks {
     for (Index b = 0; b < blocks; ++b) order_[next[color_of[b]]++] = b;
   }
 
+  /// Gives each thread a share of the blocks with an equal sum of `work(cell)`, a number of points, the same
+  /// in every loop: what it touched is still in its cache.
+  template <class Work>
+  void share_out(Work&& work) {
+    work_before_.resize(count() + 1);
+    for (Index b = 0; b < count(); ++b) {
+      std::size_t sum = 0;
+      for (Index c = begin(b); c < end(b); ++c) sum += work(c);
+      work_before_[b + 1] = work_before_[b] + sum;
+    }
+  }
+
   std::size_t colors() const { return color_start_.empty() ? 0 : color_start_.size() - 1; }
   std::size_t count() const { return order_.size(); }
   /// Blocks of a colour, ascending.
@@ -57,38 +69,43 @@ class Blocks {
   void for_each_colored(F&& f) const {
     for (std::size_t k = 0; k < colors(); ++k) {
       const auto blocks = of_color(k);
-      parallel_for(blocks.size(), worthwhile(), [&](std::size_t i) {
-        for (Index c = begin(blocks[i]); c < end(blocks[i]); ++c) f(c);
-      });
+      parallel_for(
+          blocks.size(), worthwhile(),
+          [&](std::size_t i) {
+            for (Index c = begin(blocks[i]); c < end(blocks[i]); ++c) f(c);
+          },
+          [&](std::size_t t, std::size_t parts) {
+            const auto at = std::lower_bound(blocks.begin(), blocks.end(), first_of_share(t, parts));
+            return static_cast<std::size_t>(at - blocks.begin());
+          });
     }
   }
 
   /// Calls `f(cell)` for all cells, in any order: for work that writes to no node.
   template <class F>
   void for_each(F&& f) const {
-    parallel_for(count(), worthwhile(), [&](std::size_t b) {
-      const auto block = static_cast<Index>(b);
-      for (Index c = begin(block); c < end(block); ++c) f(c);
+    for_each_block([&](std::size_t, Index first, Index last) {
+      for (Index c = first; c < last; ++c) f(c);
     });
   }
 
   /// Calls `f(block, begin, end)` for all blocks, with the cells [begin, end) of each, in any order.
   template <class F>
   void for_each_block(F&& f) const {
-    parallel_for(count(), worthwhile(), [&](std::size_t b) {
-      const auto block = static_cast<Index>(b);
-      f(b, begin(block), end(block));
-    });
+    parallel_for(
+        count(), worthwhile(),
+        [&](std::size_t b) {
+          const auto block = static_cast<Index>(b);
+          f(b, begin(block), end(block));
+        },
+        [&](std::size_t t, std::size_t parts) { return std::size_t{first_of_share(t, parts)}; });
   }
 
   /// Joins `f(begin, end)` over all blocks of cells, in order.
   template <class R, class F, class Join>
   R reduce_blocks(R start, F&& f, Join&& join) const {
     detail::ReductionParts<R> part(count(), start);
-    parallel_for(count(), worthwhile(), [&](std::size_t b) {
-      const auto block = static_cast<Index>(b);
-      part[b] = f(begin(block), end(block));
-    });
+    for_each_block([&](std::size_t b, Index first, Index last) { part[b] = f(first, last); });
     for (const R& p : part) start = join(start, p);
     return start;
   }
@@ -110,6 +127,14 @@ class Blocks {
   /// Fewer cells than this do not pay for threads.
   bool worthwhile() const { return cells_ >= 1000; }
 
+  /// The first block of share t of `parts`.
+  Index first_of_share(std::size_t t, std::size_t parts) const {
+    if (work_before_.empty()) return static_cast<Index>(count() * t / parts);
+    const std::size_t before = work_before_.back() * t / parts;
+    const auto at = std::lower_bound(work_before_.begin(), work_before_.end() - 1, before);
+    return static_cast<Index>(at - work_before_.begin());
+  }
+
   template <class NodesOf>
   bool is_free(Index block, const std::vector<Index>& last, NodesOf& nodes_of) const {
     for (Index c = begin(block); c < end(block); ++c)
@@ -122,8 +147,9 @@ class Blocks {
 
   Index cells_ = 0;
   Index size_ = 1;
-  std::vector<Index> order_;        // [blocks] block numbers, colour by colour
-  std::vector<Index> color_start_;  // [colors + 1]
+  std::vector<Index> order_;                // [blocks] block numbers, colour by colour
+  std::vector<Index> color_start_;          // [colors + 1]
+  std::vector<std::size_t> work_before_{};  // [blocks + 1] sum of the work of all blocks before
 };
 
 }  // namespace arenite

@@ -18,57 +18,66 @@ class CellList {
   /// A change of cell.
   struct Move {
     Index point, to;
+    bool from_run = false;  ///< whether its cell owned the point until now
   };
 
   /// Takes points that are sorted by cell. Throws `error` if they are not.
   void build(const std::vector<Index>& cell, Index cell_count) {
     require(std::is_sorted(cell.begin(), cell.end()), "CellList: points", cell.size(),
             "must be sorted by cell");
-    start_.assign(cell_count + 1, 0);
-    for (const Index c : cell) ++start_[c + 1];
-    for (std::size_t c = 1; c < start_.size(); ++c) start_[c] += start_[c - 1];
+    sorted(cell, cell_count);
     owned_.resize(cell_count);
-    for (Index c = 0; c < cell_count; ++c) owned_[c] = start_[c + 1] - start_[c];
-    guest_start_.assign(cell_count + 1, 0);
-    guests_.clear();
-    all_guests_.clear();
+    take_sorted();
     // Room for what relocation lets come together before it sorts, so that a step allocates nothing.
     guests_.reserve(cell.size() / 8 + 64);
     all_guests_.reserve(cell.size() / 8 + 64);
-    order_.reserve(cell.size());
     next_.reserve(cell_count + 1);
   }
 
   /// The order that sorts points by cell, stable; those of cell `none` are left out.
   const std::vector<Index>& sorted(const std::vector<Index>& cell, Index cell_count) {
-    next_.assign(cell_count + 1, 0);
+    start_.assign(cell_count + 1, 0);
     std::size_t kept = 0;
     for (const Index c : cell) {
       if (c == none) continue;
-      ++next_[c + 1];
+      ++start_[c + 1];
       ++kept;
     }
-    for (std::size_t c = 1; c < next_.size(); ++c) next_[c] += next_[c - 1];
+    for (std::size_t c = 1; c < start_.size(); ++c) start_[c] += start_[c - 1];
+    next_.assign(start_.begin(), start_.end());
     order_.resize(kept);
     for (std::size_t p = 0; p < cell.size(); ++p)
       if (cell[p] != none) order_[next_[cell[p]]++] = static_cast<Index>(p);
     return order_;
   }
 
-  /// Makes a point a guest of the cell `move.to`; `swap(a, b)` exchanges two points' columns. A point that
-  /// its cell owns changes places with the last of the run first. Moves of one cell must come with its last
-  /// point first; call `seat_guests` after the last move.
+  /// Lists the points as `sorted` has put them, once they stand in that order.
+  void take_sorted() {
+    for (std::size_t c = 0; c < owned_.size(); ++c) owned_[c] = start_[c + 1] - start_[c];
+    guest_start_.assign(start_.size(), 0);
+    guests_.clear();
+    all_guests_.clear();
+  }
+
+  /// Takes a point out of its cell; `swap(a, b)` exchanges two points' columns. A point that its cell owns
+  /// changes places with the last of the run first; `move.point` is its place from then on. Moves of one cell
+  /// must come with its last point first; those of different cells may be taken at the same time. Call
+  /// `admit` for each, then `seat_guests`.
   template <class Swap>
-  void leave(const Move& move, std::vector<Index>& cell, Swap&& swap) {
+  void leave(Move& move, std::vector<Index>& cell, Swap&& swap) {
     const Index from = cell[move.point];
-    Index at = move.point;
-    if (at - start_[from] < owned_[from]) {
+    move.from_run = move.point - start_[from] < owned_[from];
+    if (move.from_run) {
       const Index last = start_[from] + --owned_[from];
-      if (at != last) swap(at, last);
-      at = last;
-      all_guests_.push_back(at);
+      if (move.point != last) swap(move.point, last);
+      move.point = last;
     }
-    cell[at] = move.to;
+    cell[move.point] = move.to;
+  }
+
+  /// Makes a point that has left its cell a guest.
+  void admit(const Move& move) {
+    if (move.from_run) all_guests_.push_back(move.point);
   }
 
   /// Lists the guests by cell.

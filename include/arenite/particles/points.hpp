@@ -82,6 +82,11 @@ class Points {
     visit(*this, f);
   }
 
+  /// Asks the processor for the columns of a point.
+  void prefetch(Index p) const {
+    for_each_column([&](const auto& column) { __builtin_prefetch(column.data() + p); });
+  }
+
   /// Exchanges two points.
   void swap(Index a, Index b) {
     for_each_column([&](auto& column) { std::swap(column[a], column[b]); });

@@ -20,7 +20,9 @@ Index find_moves(const B& body, const M& mesh, Index begin, Index end, CellList:
     body.cells.template for_packs<Width>(c, [&](Index first, int n) {
       const auto inside = here.holds(points.position.template load<P>(first, n)) || lanes_from<P>(n);
       if (all_of(inside)) return;
-      for (Index p = first; p < first + static_cast<Index>(n); ++p) {
+      for (int k = 0; k < n; ++k) {
+        if (lane(inside, k)) continue;
+        const Index p = first + static_cast<Index>(k);
         const Index cell = mesh.walk(points.position[p], c);
         if (cell != c) moves[count++] = {p, cell};
       }
@@ -29,41 +31,60 @@ Index find_moves(const B& body, const M& mesh, Index begin, Index end, CellList:
   return count;
 }
 
+/// Takes the `count` points in `moves` out of their cells, the last one first; each entry then holds the
+/// place that its point has now.
+template <class B>
+void leave_cells(B& body, CellList::Move* moves, Index count) {
+  constexpr Index ahead = 4;
+  auto& points = body.points;
+  for (Index k = count; k-- > 0;) {
+    // What is exchanged lies far apart, a line of memory a column: asked for a few moves ahead.
+    if (k >= ahead) points.prefetch(moves[k - ahead].point);
+    body.cells.leave(moves[k], points.cell, [&](Index p, Index q) { points.swap(p, q); });
+  }
+}
+
 }  // namespace detail
 
 /// Finds the cell of each point, removes those that left the mesh (and counts them), and renews the list of
 /// cells. Points that moved are guests of their cells until they are more than a sixteenth: then the columns
-/// are sorted. `Width`: points tested at a time.
+/// are sorted. `Width`: points tested at a time. Returns whether it sorted.
 template <int Width, class B, class M>
-void relocate(B& body, M& mesh, const Blocks& blocks) {
+bool relocate(B& body, M& mesh, const Blocks& blocks) {
   auto& points = body.points;
-  body.moves.resize(points.size() + body.cells.guests());
+  auto& cells = body.cells;
+  body.moves.resize(points.size() + cells.guests());
   body.move_count.resize(blocks.count());
   blocks.for_each_block([&](std::size_t b, Index begin, Index end) {
-    body.move_count[b] =
-        detail::find_moves<Width>(body, mesh, begin, end, body.moves.data() + body.cells.offset(begin));
+    CellList::Move* const moves = body.moves.data() + cells.offset(begin);
+    body.move_count[b] = detail::find_moves<Width>(body, mesh, begin, end, moves);
+    detail::leave_cells(body, moves, body.move_count[b]);
   });
   bool moved = false, lost = false;
-  for (std::size_t b = 0; b < blocks.count(); ++b)
-    for (std::size_t k = body.move_count[b]; k-- > 0;) {
-      auto move = body.moves[body.cells.offset(blocks.begin(static_cast<Index>(b))) + k];
-      if (move.to == none) move.to = mesh.search(points.position[move.point]);
+  for (std::size_t b = 0; b < blocks.count(); ++b) {
+    const CellList::Move* const moves = body.moves.data() + cells.offset(blocks.begin(static_cast<Index>(b)));
+    for (Index k = body.move_count[b]; k-- > 0;) {
+      const auto& move = moves[k];
       moved = true;
-      if (move.to == none) {
-        lost = true;
-        ++body.lost;
-        body.lost_mass += static_cast<double>(points.mass[move.point]);
-      }
-      body.cells.leave(move, points.cell, [&](Index p, Index q) { points.swap(p, q); });
+      cells.admit(move);
+      if (move.to != none) continue;
+      // A walk may end at the hull of a mesh that is not convex.
+      points.cell[move.point] = mesh.search(points.position[move.point]);
+      if (points.cell[move.point] != none) continue;
+      lost = true;
+      ++body.lost;
+      body.lost_mass += static_cast<double>(points.mass[move.point]);
     }
-  if (!moved) return;
-  constexpr std::size_t crowd = 16;
-  if (lost || body.cells.guests() * crowd > points.size()) {
-    points.reorder(body.cells.sorted(points.cell, mesh.cell_count()));
-    body.cells.build(points.cell, mesh.cell_count());
-  } else {
-    body.cells.seat_guests(points.cell);
   }
+  if (!moved) return false;
+  constexpr std::size_t crowd = 16;
+  if (lost || cells.guests() * crowd > points.size()) {
+    points.reorder(cells.sorted(points.cell, mesh.cell_count()));
+    cells.take_sorted();
+    return true;
+  }
+  cells.seat_guests(points.cell);
+  return false;
 }
 
 }  // namespace arenite

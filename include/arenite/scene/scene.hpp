@@ -144,6 +144,7 @@ struct Scene {
         contact{detail::pick<detail::is_contact_part, OneField>(parts...)},
         rigids{make_rigids(detail::pick<detail::is_rigids, Rigids<>>(parts...))},
         motion{make_motion(detail::pick<detail::is_motion, FixedMesh>(parts...))} {
+    share_out();
     numerics.transfer.check();
     numerics.anti_locking.check();
     const auto g = detail::pick<detail::is_gravity, Gravity>(parts...).g;
@@ -219,6 +220,15 @@ struct Scene {
     std::apply([&](const auto&... r) { (f(r), ...); }, rigids);
   }
 
+  /// Gives each thread cells with as many points as the others'.
+  void share_out() {
+    blocks.share_out([&](Index c) {
+      std::size_t n = 0;
+      for_each_body([&](const auto& body, const auto&) { n += body.cells[c].size(); });
+      return n;
+    });
+  }
+
   std::size_t point_count() const {
     std::size_t n = 0;
     for_each_body([&](const auto& body, const auto&) { n += body.points.size(); });
@@ -231,7 +241,7 @@ struct Scene {
   }
 
  private:
-  static constexpr Index simplex_block = 64;  // cells
+  static constexpr Index simplex_block = 24;  // cells
 
   static Blocks make_blocks(const M& mesh) {
     Index size = simplex_block;

@@ -11,7 +11,10 @@ namespace arenite {
 template <class Scene>
 void relocate(Scene& scene) {
   constexpr int width = Scene::NumericsType::template width<typename Scene::T>;
-  scene.for_each_body([&](auto& body, auto&) { relocate<width>(body, scene.mesh, scene.blocks); });
+  bool sorted = false;
+  scene.for_each_body(
+      [&](auto& body, auto&) { sorted = relocate<width>(body, scene.mesh, scene.blocks) || sorted; });
+  if (sorted) scene.share_out();
 }
 
 template <class Scene>

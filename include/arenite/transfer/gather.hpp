@@ -20,7 +20,9 @@ template <class N, class M, class B, class Field>
   auto& points = body.points;
   const Cell cell(mesh, c);
   const PointVelocities<N, Cell> velocities(numerics, cell, nodes);
-  std::array<P, remaps ? size * D : 1> mapped;
+  // Whole packs of a node lie side by side in the sums, so that one load takes what one store wrote.
+  constexpr std::size_t stride = NodeRows<T, M::dimension, size>::lanes;
+  std::array<P, remaps ? size * stride : 1> mapped;
   repeat<mapped.size()>([&](std::size_t k) { mapped[k] = P(0); });
   body.cells.template for_packs<width>(c, [&](Index first, int count) {
     const auto x = points.position.template load_repeated<P>(first, count);
@@ -28,13 +30,13 @@ template <class N, class M, class B, class Field>
     [[maybe_unused]] const auto v = velocities.take(cell, points, first, count, w);
     if constexpr (remaps) {
       const P m = load_lanes<P>(points.mass.data() + first, count);
-      add_momentum<typename N::Transfer, D>(cell, points, first, count, m, w, x, v, mapped);
+      add_momentum<typename N::Transfer, stride>(cell, points, first, count, m, w, x, v, mapped);
     }
   });
   if constexpr (remaps) {
     const auto total = lane_sums(mapped);
     for (std::size_t i = 0; i < size; ++i)
-      nodes.mapped.add(cell.nodes[i], NodePack<T, D>::load(&total[i * D]));
+      nodes.mapped.add(cell.nodes[i], NodePack<T, M::dimension>::load(&total[i * stride]));
   }
 }
 

@@ -57,7 +57,8 @@ typename M::scalar whole_volume(const M& mesh, Index cell) {
 template <class K, class Cell>
 struct ScatterSums {
   static constexpr std::size_t D = Cell::D, nodes = Cell::size, stress_size = Sym<double, Cell::D>::size;
-  static constexpr std::size_t per_node = D + 1;
+  static constexpr std::size_t per_node =
+      4;  // as in the lower half of NodeSums: one load takes what one store wrote
   static constexpr std::size_t stress = nodes * per_node;
   static constexpr std::size_t hoop = stress + stress_size;
   static constexpr std::size_t volume = hoop + (K::hoop ? nodes : 0);

@@ -1,6 +1,7 @@
 // Volumetric average: the volumetric strain of each cell averaged with its neighbours' through the nodes.
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include <arenite/core/lanes.hpp>
@@ -13,26 +14,28 @@ template <class T>
 struct VolumetricAverage {
   std::vector<T> cell_strain;  ///< [cells] trace of the strain increment, mean over the cell's points
   std::vector<T> cell_weight;  ///< [cells] volume of the cell's points, m3
-  std::vector<T> node_strain;  ///< [nodes] scratch
-  std::vector<T> node_weight;  ///< [nodes] scratch
+  std::vector<std::array<T, 2>> node_sums;  ///< [nodes] strain times weight (then strain), and weight
 
   template <class K, class N, class M, class B, class Field>
   void compute(const M& mesh, const Blocks& blocks, const B& body, const Field& nodes, T dt) {
     const auto& u = nodes.strain_velocity();
     cell_strain.resize(mesh.cell_count());
     cell_weight.resize(mesh.cell_count());
-    node_strain.assign(nodes.size(), T(0));
-    node_weight.assign(nodes.size(), T(0));
+    node_sums.assign(nodes.size(), {});
     blocks.for_each_colored([&](Index c) {
       if (body.cells.empty(c))
         cell_weight[c] = 0;
       else
         add_cell<K, N>(mesh, body, u, dt, c);
     });
+    parallel_chunks(nodes.size(), [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i)
+        if (node_sums[i][1] != 0) node_sums[i][0] /= node_sums[i][1];
+    });
     blocks.for_each([&](Index c) {
       if (cell_weight[c] == 0) return;
       T sum = 0;
-      for (const Index i : mesh.nodes(c)) sum += node_strain[i] / node_weight[i];
+      for (const Index i : mesh.nodes(c)) sum += node_sums[i][0];
       cell_strain[c] = sum / static_cast<T>(mesh.nodes(c).size());
     });
   }
@@ -49,11 +52,13 @@ struct VolumetricAverage {
     const Cell cell(mesh, c);
     T divergence = 0;
     std::array<T, size> radial;
-    for (std::size_t k = 0; k < size; ++k) {
+    repeat<size>([&](std::size_t k) {
       const auto& v = u[cell.nodes[k]];
-      divergence += v.dot(cell.gradient.col(static_cast<int>(k)));
+      repeat<static_cast<std::size_t>(M::dimension)>([&](std::size_t d) {
+        divergence += v[static_cast<int>(d)] * cell.gradient(static_cast<int>(d), static_cast<int>(k));
+      });
       radial[k] = v[0];
-    }
+    });
     std::array<P, 2> sums{
         P(0), P(0)};  // of the volume, and of the volume times the rate of the hoop strain v_r / r
     body.cells.template for_packs<width>(c, [&](Index first, int count) {
@@ -70,9 +75,14 @@ struct VolumetricAverage {
     const auto total = lane_sums(sums);
     cell_weight[c] = total[0];
     cell_strain[c] = dt * (divergence + total[1] / total[0]);
+    const auto handed = [&] {
+      Pack<T, 2> a(total[0]);
+      a.set(0, total[0] * cell_strain[c]);
+      return a;
+    }();
     for (const Index i : cell.nodes) {
-      node_strain[i] += total[0] * cell_strain[c];
-      node_weight[i] += total[0];
+      T* const sums = node_sums[i].data();
+      (Pack<T, 2>::load(sums) + handed).store(sums);
     }
   }
 };

@@ -56,6 +56,14 @@ auto lanes_from(int count) {
   }
 }
 
+/// Makes the compiler read `value` from memory after this place. A loop over few points that takes many
+/// scalars out of a table is faster so than with all of them spread over registers before it, and those
+/// spilled again.
+template <class V>
+void keep_in_memory(const V& value) {
+  asm volatile("" : : "g"(&value) : "memory");
+}
+
 /// One lane of what a comparison gives.
 constexpr bool lane(bool mask, int) { return mask; }
 template <class M>

@@ -150,8 +150,9 @@ class ThreadPool {
     }
   }
 
-  /// Looks for an open loop for a while, then with others let ahead, then sleeps until the bell: to wake up takes
-  /// as long as a short loop, and between two loops of a step may lie half a millisecond of serial work.
+  /// Looks for an open loop for a while, then with others let ahead, then sleeps until the bell: to wake up
+  /// takes as long as a short loop, and between two loops of a step may lie half a millisecond of serial
+  /// work.
   void wait() {
     for (int k = 0; k < 2 * patience; ++k) {
       if (state_.load(std::memory_order_relaxed) & open) return;

@@ -90,6 +90,7 @@ template <class K, bool TakesVelocity, class N, class M, class Points, class Fie
       if constexpr (TakesVelocity) velocities.take(cell, points, p, count, w);
     } else {
       const LineSet<P, Cell> line(cell, x);
+      keep_in_memory(v), keep_in_memory(u);
       const auto increment = [&](const auto& along) {
         return in_plane_increment<P, D>([&](std::size_t b) {
           auto column = along[b];

@@ -54,15 +54,16 @@ template <class N, class M, class B, class Field>
   [[maybe_unused]] std::conditional_t<N::Order::remaps, Rows, Nothing> rows{};
   const auto spread = [&] {
     if constexpr (N::Order::remaps)
-      rows.spread([&](std::size_t i, const typename Rows::Lanes& sum) {
-        std::array<T, 8> lane;
-        sum.store(lane.data());
-        nodes.mapped.add(cell.nodes[i], NodePack<T, M::dimension>::load(lane.data()));
+      rows.spread([&](std::size_t i, std::size_t lane, const auto& sum) {
+        std::array<T, 8> sums{};
+        store_lanes(sums.data() + lane, lane_count<std::remove_cvref_t<decltype(sum)>>, sum);
+        nodes.mapped.add(cell.nodes[i], NodePack<T, M::dimension>::load(sums.data()));
       });
   };
   body.cells.template for_packs<Rows::width>(c, [&](Index first, int count) {
     const auto x = points.position.template load_repeated<P>(first, count);
     const LineSet<P, Cell> line(cell, x);
+    keep_in_memory(velocities.taken);
     const auto sums = line_sums<P, D, 1>(velocities.taken, line.value, {line.arm});
     [[maybe_unused]] const auto v = velocities.take(points, first, count, sums.value, sums.along[0]);
     if constexpr (N::Order::remaps) {

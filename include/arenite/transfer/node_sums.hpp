@@ -17,6 +17,14 @@ struct alignas(8 * sizeof(T)) NodeSums {
   static constexpr std::size_t mass_lane = D, force_lane = 4;
   std::array<T, 8> lane{};
 
+  /// Whether any of `count` lanes from `first` on means something.
+  static constexpr bool uses(std::size_t first, std::size_t count) {
+    bool used = false;
+    for (std::size_t k = first; k < first + count; ++k)
+      used = used || k <= mass_lane || (k >= force_lane && k < force_lane + D);
+    return used;
+  }
+
   Vec<T, D> momentum() const { return Eigen::Map<const Vec<T, D>>(lane.data()); }            ///< kg m/s
   T mass() const { return lane[mass_lane]; }                                                 ///< kg
   Vec<T, D> force() const { return Eigen::Map<const Vec<T, D>>(lane.data() + force_lane); }  ///< N
@@ -33,40 +41,14 @@ template <class T, int Width>
 struct EightLanes {
   static constexpr std::size_t width = static_cast<std::size_t>(std::min(Width, 8)), parts = 8 / width;
   using P = lanes_of<T, static_cast<int>(width)>;
-  std::array<P, parts> part;
 
-  EightLanes() = default;
-  explicit EightLanes(T value) {
-    repeat<parts>([&](std::size_t k) { part[k] = P(value); });
-  }
-  /// One value in the lower four lanes, another in the upper four.
-  static EightLanes halves(T lower, T upper) {
-    EightLanes a;
+  /// Part number `part` of eight lanes with one value in the lower four and another in the upper four.
+  static P half_part(std::size_t part, T lower, T upper) {
     if constexpr (parts == 1)
-      a.part[0] = blend(P(lower), P(upper), std::make_index_sequence<8>{});
+      return blend(P(lower), P(upper), std::make_index_sequence<8>{});
     else
-      repeat<parts>([&](std::size_t k) { a.part[k] = P(k < parts / 2 ? lower : upper); });
-    return a;
+      return P(part < parts / 2 ? lower : upper);
   }
-  static EightLanes load(const T* from) {
-    EightLanes a;
-    repeat<parts>(
-        [&](std::size_t k) { a.part[k] = load_lanes<P>(from + k * width, static_cast<int>(width)); });
-    return a;
-  }
-  void store(T* to) const {
-    repeat<parts>([&](std::size_t k) { store_lanes(to + k * width, static_cast<int>(width), part[k]); });
-  }
-
-  friend EightLanes operator*(EightLanes a, const EightLanes& b) {
-    repeat<parts>([&](std::size_t k) { a.part[k] = a.part[k] * b.part[k]; });
-    return a;
-  }
-  friend EightLanes operator+(EightLanes a, const EightLanes& b) {
-    repeat<parts>([&](std::size_t k) { a.part[k] = a.part[k] + b.part[k]; });
-    return a;
-  }
-  EightLanes& operator+=(const EightLanes& b) { return *this = *this + b; }
 
  private:
   template <std::size_t... I>

@@ -54,46 +54,60 @@ class PointRows {
     count_ += static_cast<std::size_t>(count);
   }
 
-  /// Calls `add(node, lanes)` with what each local node collects, and forgets the points.
+  /// Calls `add(node, lane, pack)` with what each local node collects in the lanes from number `lane` on, and
+  /// forgets the points. A pack of lanes after the other, so that the sums of a layer of nodes stay in
+  /// registers.
   template <class Add>
   void spread(Add&& add) {
-    repeat<D == 2 ? 1 : 3>([&](std::size_t k) {
-      std::array<Lanes, 9> sum;
-      repeat<9>([&](std::size_t n) { sum[n] = Lanes(0); });
-      for (std::size_t p = 0; p < count_; ++p) {
-        Lanes rest = Lanes::load(own_[p].data()), x = Lanes::load(along_[0][p].data()),
-              y = Lanes::load(along_[1][p].data());
-        if constexpr (D == 3) {
-          const Lanes n(value_[2][k][p]);
-          rest = rest * n + Lanes::load(along_[2][p].data()) * second(2, k, p);
-          x = x * n;
-          y = y * n;
-        }
-        std::array<Lanes, 3> n_x, g_x;
-        repeat<3>([&](std::size_t i) {
-          n_x[i] = Lanes(value_[0][i][p]);
-          g_x[i] = second(0, i, p);
-        });
-        repeat<3>([&](std::size_t j) {
-          const Lanes n(value_[1][j][p]), line = rest * n + y * second(1, j, p), along_x = x * n;
-          repeat<3>([&](std::size_t i) {
-            sum[3 * j + i] += line * n_x[i];
-            sum[3 * j + i] += along_x * g_x[i];
-          });
-        });
-      }
-      repeat<9>([&](std::size_t n) { add(9 * k + n, sum[n]); });
+    repeat<Lanes::parts>([&](std::size_t part) {
+      if (!Sums::uses(part * Lanes::width, Lanes::width)) return;
+      repeat<D == 2 ? 1 : 3>([&](std::size_t k) { spread_layer(part, k, add); });
     });
     count_ = 0;
   }
 
  private:
   static constexpr std::size_t capacity = 32;
+  using Sums = NodeSums<T, static_cast<int>(D)>;
+  using L = typename Lanes::P;
   using Row = std::array<T, 8>;
   using LineColumns = std::array<std::array<std::array<T, capacity>, 3>, D>;
 
-  Lanes second(std::size_t a, std::size_t i, std::size_t p) const {
-    return Lanes::halves(lower_[a][i][p], upper_[a][i][p]);
+  template <class Add>
+  void spread_layer(std::size_t part, std::size_t k, Add& add) const {
+    const auto lanes = [&](const Row& row) {
+      return load_lanes<L>(row.data() + part * Lanes::width, static_cast<int>(Lanes::width));
+    };
+    const auto second = [&](std::size_t a, std::size_t i, std::size_t p) {
+      return Lanes::half_part(part, lower_[a][i][p], upper_[a][i][p]);
+    };
+    std::array<L, 9> sum;
+    repeat<9>([&](std::size_t n) { sum[n] = L(0); });
+    for (std::size_t p = 0; p < count_; ++p) {
+      L rest = lanes(own_[p]), x = lanes(along_[0][p]), y = lanes(along_[1][p]);
+      if constexpr (D == 3) {
+        const L n(value_[2][k][p]);
+        rest = rest * n;
+        rest += lanes(along_[2][p]) * second(2, k, p);
+        x = x * n;
+        y = y * n;
+      }
+      std::array<L, 3> n_x, g_x;
+      repeat<3>([&](std::size_t i) {
+        n_x[i] = L(value_[0][i][p]);
+        g_x[i] = second(0, i, p);
+      });
+      repeat<3>([&](std::size_t j) {
+        const L n(value_[1][j][p]), along_x = x * n;
+        L line = rest * n;
+        line += y * second(1, j, p);
+        repeat<3>([&](std::size_t i) {
+          sum[3 * j + i] += line * n_x[i];
+          sum[3 * j + i] += along_x * g_x[i];
+        });
+      });
+    }
+    repeat<9>([&](std::size_t n) { add(9 * k + n, part * Lanes::width, sum[n]); });
   }
 
   std::size_t count_ = 0;

@@ -156,16 +156,17 @@ template <class K, class N, class M, class B, class Field>
   [[maybe_unused]] std::conditional_t<Field::has_gradient, Rows, Nothing>
       masses{};  // for the gradient of mass
   const auto spread = [&] {
-    rows.spread([&](std::size_t i, const typename Rows::Lanes& sum) {
-      T* const lane = nodes.collected[cell.nodes[i]].lane.data();
-      (Rows::Lanes::load(lane) + sum).store(lane);
+    rows.spread([&](std::size_t i, std::size_t lane, const auto& sum) {
+      T* const sums = nodes.collected[cell.nodes[i]].lane.data() + lane;
+      using L = std::remove_cvref_t<decltype(sum)>;
+      store_lanes(sums, lane_count<L>, L(load_lanes<L>(sums, lane_count<L>) + sum));
     });
     if constexpr (Field::has_gradient)
-      masses.spread([&](std::size_t i, const typename Rows::Lanes& sum) {
-        std::array<T, 8> lane;
-        sum.store(lane.data());
+      masses.spread([&](std::size_t i, std::size_t lane, const auto& sum) {
+        std::array<T, 8> sums{};
+        store_lanes(sums.data() + lane, lane_count<std::remove_cvref_t<decltype(sum)>>, sum);
         repeat<D>([&](std::size_t d) {
-          nodes.mass_gradient[cell.nodes[i]][static_cast<int>(d)] += lane[Sums::force_lane + d];
+          nodes.mass_gradient[cell.nodes[i]][static_cast<int>(d)] += sums[Sums::force_lane + d];
         });
       });
   };

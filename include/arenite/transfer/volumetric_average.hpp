@@ -81,8 +81,8 @@ struct VolumetricAverage {
       return a;
     }();
     for (const Index i : cell.nodes) {
-      T* const sums = node_sums[i].data();
-      (Pack<T, 2>::load(sums) + handed).store(sums);
+      T* const to = node_sums[i].data();
+      (Pack<T, 2>::load(to) + handed).store(to);
     }
   }
 };

@@ -121,3 +121,46 @@ TEST_CASE("a twin pack computes as its halves do") {
   REQUIRE((any_of(a < b) && !all_of(a < b) && all_of(a > 0 * a) && !any_of(a < 0 * a)));
   REQUIRE((all_of(!(a < 0 * a)) && all_of(a == a) && !any_of(a != a)));
 }
+
+TEMPLATE_TEST_CASE("the greatest lane, wherever it is", "", (Width<double, 1>), (Width<double, 2>),
+                   (Width<double, 8>), (Width<float, 16>)) {
+  using P = typename TestType::P;
+  for (int at = 0; at < TestType::width; ++at) {
+    P p(-3);
+    if constexpr (is_pack<P>)
+      p.set(at, 5);
+    else
+      p = 5;
+    REQUIRE(greatest_lane(p) == 5);
+    REQUIRE(in_lane(p > P(0), at));
+  }
+}
+
+namespace {
+
+/// Squares of `Size` rows by `Size` lanes: lane s Size + c of row r becomes lane s Size + r of row c.
+template <class T, int W, std::size_t Size>
+void check_transpose() {
+  std::array<Pack<T, W>, Size> rows;
+  for (std::size_t r = 0; r < Size; ++r)
+    for (int k = 0; k < W; ++k) rows[r].set(k, static_cast<T>(100 * r + static_cast<std::size_t>(k)));
+  detail::transpose<1>(rows);
+  for (std::size_t r = 0; r < Size; ++r)
+    for (std::size_t k = 0; k < W; ++k)
+      REQUIRE(rows[r][static_cast<int>(k)] == static_cast<T>(100 * (k % Size) + k / Size * Size + r));
+}
+
+}  // namespace
+
+TEST_CASE("squares of lanes are transposed, and packs joined") {
+  check_transpose<double, 2, 2>();
+  check_transpose<double, 4, 4>();
+  check_transpose<double, 8, 8>();
+  check_transpose<double, 8, 4>();
+  check_transpose<float, 8, 4>();
+  check_transpose<float, 16, 16>();
+  Pack<double, 4> a(1), b(2);
+  a.set(3, 7);
+  const auto both = detail::joined(a, b);
+  REQUIRE((both[0] == 1 && both[3] == 7 && both[4] == 2 && both[7] == 2));
+}

@@ -5,6 +5,7 @@
 #include <arenite/mesh/blocks.hpp>
 #include <arenite/shape/shape.hpp>
 #include <atomic>
+#include <functional>
 #include <set>
 
 using namespace arenite;
@@ -81,6 +82,33 @@ TEST_CASE("cells that meet at a node run in the same order for any number of thr
   };
   const auto one = orders(1);
   for (const int n : {2, 3, 8}) REQUIRE(orders(n) == one);
+}
+
+TEST_CASE("shares of uneven work leave no cell out and change no order") {
+  const auto mesh = sample_mesh<2>(30);
+  REQUIRE(mesh.cell_count() >= 1000);  // enough for threads
+  const auto orders = [&](const Blocks& blocks, int count) {
+    const int before = threads();
+    set_threads(count);
+    std::vector<std::vector<Index>> at(mesh.node_count());
+    blocks.for_each_colored([&](Index c) {
+      for (const Index i : mesh.nodes(c)) at[i].push_back(c);
+    });
+    std::vector<int> visits(mesh.cell_count());
+    blocks.for_each([&](Index c) { ++visits[c]; });
+    set_threads(before);
+    REQUIRE(std::all_of(visits.begin(), visits.end(), [](int n) { return n == 1; }));
+    return at;
+  };
+  Blocks blocks = blocks_of<LinearSimplex>(mesh, 24);
+  const auto plain = orders(blocks, 1);
+  const std::vector<std::function<std::size_t(Index)>> works{
+      [](Index) { return std::size_t{0}; }, [](Index c) { return std::size_t{c < 100 ? 50u : 0u}; },
+      [](Index c) { return std::size_t{c > 1500 ? 7u : 1u}; }};
+  for (const auto& work : works) {
+    blocks.share_out(work);
+    for (const int n : {1, 2, 3, 7}) REQUIRE(orders(blocks, n) == plain);
+  }
 }
 
 TEST_CASE("a reduction joins all cells, with the same bits for any number of threads") {

@@ -65,9 +65,9 @@ void keep_in_memory(const V& value) {
 }
 
 /// One lane of what a comparison gives.
-constexpr bool lane(bool mask, int) { return mask; }
+constexpr bool in_lane(bool mask, int) { return mask; }
 template <class M>
-bool lane(const M& mask, int k) {
+bool in_lane(const M& mask, int k) {
   return mask[k];
 }
 

@@ -21,7 +21,7 @@ Index find_moves(const B& body, const M& mesh, Index begin, Index end, CellList:
       const auto inside = here.holds(points.position.template load<P>(first, n)) || lanes_from<P>(n);
       if (all_of(inside)) return;
       for (int k = 0; k < n; ++k) {
-        if (lane(inside, k)) continue;
+        if (in_lane(inside, k)) continue;
         const Index p = first + static_cast<Index>(k);
         const Index cell = mesh.walk(points.position[p], c);
         if (cell != c) moves[count++] = {p, cell};

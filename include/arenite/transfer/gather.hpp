@@ -13,7 +13,7 @@ template <class N, class M, class B, class Field>
 [[gnu::flatten]] void gather_simplex(const N& numerics, const M& mesh, B& body, Index c, Field& nodes) {
   using Cell = typename N::Shape::template Cell<M>;
   using T = typename M::scalar;
-  constexpr std::size_t D = M::dimension, size = Cell::size;
+  constexpr std::size_t size = Cell::size;
   constexpr int width = N::template width<T>;
   using P = lanes_of<T, width>;
   constexpr bool remaps = N::Order::remaps;

@@ -82,8 +82,7 @@ measure whole_step whole_step ${short[@]+"${short[@]}"}
 measure drop drop ${short[@]+"${short[@]}"}
 measure scaling scaling ${short[@]+"${short[@]}"} ${scaling[@]+"${scaling[@]}"}
 measure laws laws --benchmark_min_time=$law_time
-# A stage of a few microseconds is timed over thousands of whole steps: not in a quick run, and once.
-$quick || measure stages stages --benchmark_repetitions=1
+$quick || measure stages stages
 measure machine machine_after
 cat /proc/loadavg > "$raw/load_after" 2> /dev/null || true
 

@@ -144,6 +144,38 @@ struct Parts {
       for (int i = 0; i < count; ++i) to[i] = lanes[i];
   }
 };
+#ifdef __SSE2__
+template <>
+struct Parts<double, 2> {
+  static void load(const double* from, int count, double* lanes) {
+    if (count == 2) return _mm_storeu_pd(lanes, _mm_loadu_pd(from));
+    if (count == 1) _mm_storeu_pd(lanes, _mm_loadl_pd(_mm_loadu_pd(lanes), from));
+  }
+  static void store(double* to, int count, const double* lanes) {
+    if (count == 2) return _mm_storeu_pd(to, _mm_loadu_pd(lanes));
+    if (count == 1) _mm_storel_pd(to, _mm_loadu_pd(lanes));
+  }
+};
+template <>
+struct Parts<float, 4> {
+  // One and two lanes in the lower half, the third in the upper.
+  static void load(const float* from, int count, float* lanes) {
+    if (count == 4) return _mm_storeu_ps(lanes, _mm_loadu_ps(from));
+    __m128 v = _mm_loadu_ps(lanes);
+    if (count == 1) v = _mm_move_ss(v, _mm_load_ss(from));
+    if (count >= 2) v = _mm_loadl_pi(v, reinterpret_cast<const __m64*>(from));
+    if (count == 3) v = _mm_movelh_ps(v, _mm_move_ss(_mm_movehl_ps(v, v), _mm_load_ss(from + 2)));
+    _mm_storeu_ps(lanes, v);
+  }
+  static void store(float* to, int count, const float* lanes) {
+    const __m128 v = _mm_loadu_ps(lanes);
+    if (count == 4) return _mm_storeu_ps(to, v);
+    if (count == 1) _mm_store_ss(to, v);
+    if (count >= 2) _mm_storel_pi(reinterpret_cast<__m64*>(to), v);
+    if (count == 3) _mm_store_ss(to + 2, _mm_movehl_ps(v, v));
+  }
+};
+#endif
 #ifdef __AVX__
 /// The mask of the first `count` lanes, from the middle of a row of ones and zeros.
 template <class Lane, int W>

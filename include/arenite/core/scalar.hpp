@@ -51,6 +51,7 @@ constexpr T square(T x) {
 namespace detail {
 /// In the place of what a composition does not need.
 struct Nothing {
+  Nothing() = default;
   template <class... Any>
   constexpr explicit Nothing(const Any&...) {}
 };

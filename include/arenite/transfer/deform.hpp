@@ -103,16 +103,16 @@ template <class K, bool TakesVelocity, class N, class M, class Points, class Fie
         const auto sums = line_sums<P, D, 2>(v, line.value, {line.slope, line.arm});
         inc = increment(sums.along[0]);
         way = sums.value;
+        if constexpr (K::hoop) radial = sums.value[0];
         velocities.take(points, p, count, sums.value, sums.along[1]);
       } else {
         const auto sums = line_sums<P, D, 1>(u, line.value, {line.slope});
         inc = increment(sums.along[0]);
         way = N::Order::remaps ? line_sums<P, D, 0>(v, line.value, {}).value : sums.value;
+        if constexpr (K::hoop) radial = sums.value[0];
         if constexpr (TakesVelocity)
           velocities.take(points, p, count, line_sums<P, D, 0>(velocities.taken, line.value, {}).value, {});
       }
-      if constexpr (K::hoop)
-        radial = N::Order::remaps ? line_sums<P, D, 0>(u, line.value, {}).value[0] : way[0];
     }
     if constexpr (K::hoop) {
       inc.strain[2] = P(dt) * radial * reciprocal(x[0]);

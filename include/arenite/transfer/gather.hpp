@@ -51,7 +51,7 @@ template <class N, class M, class B, class Field>
   auto& points = body.points;
   const Cell cell(mesh, c);
   const PointVelocities<N, Cell> velocities(numerics, cell, nodes);
-  [[maybe_unused]] std::conditional_t<N::Order::remaps, Rows, Nothing> rows{};
+  [[maybe_unused]] std::conditional_t<N::Order::remaps, Rows, Nothing> rows;
   const auto spread = [&] {
     if constexpr (N::Order::remaps)
       rows.spread([&](std::size_t i, std::size_t lane, const auto& sum) {

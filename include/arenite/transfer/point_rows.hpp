@@ -38,6 +38,8 @@ class PointRows {
     }
   };
 
+  PointRows() {}  // a row is written before it is read: nothing to clear for each cell
+
   bool full() const { return count_ + width > capacity; }
 
   /// Takes the first `count` points of a pack.

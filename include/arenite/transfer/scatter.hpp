@@ -57,8 +57,8 @@ typename M::scalar whole_volume(const M& mesh, Index cell) {
 template <class K, class Cell>
 struct ScatterSums {
   static constexpr std::size_t D = Cell::D, nodes = Cell::size, stress_size = Sym<double, Cell::D>::size;
-  static constexpr std::size_t per_node =
-      4;  // as in the lower half of NodeSums: one load takes what one store wrote
+  // Four, as in the lower half of NodeSums: a load then takes what one store wrote.
+  static constexpr std::size_t per_node = 4;
   static constexpr std::size_t stress = nodes * per_node;
   static constexpr std::size_t hoop = stress + stress_size;
   static constexpr std::size_t volume = hoop + (K::hoop ? nodes : 0);
@@ -153,8 +153,8 @@ template <class K, class N, class M, class B, class Field>
   const auto& points = body.points;
   const Cell cell(mesh, c);
   Rows rows;
-  [[maybe_unused]] std::conditional_t<Field::has_gradient, Rows, Nothing>
-      masses{};  // for the gradient of mass
+  // For the gradient of mass.
+  [[maybe_unused]] std::conditional_t<Field::has_gradient, Rows, Nothing> masses;
   const auto spread = [&] {
     rows.spread([&](std::size_t i, std::size_t lane, const auto& sum) {
       T* const sums = nodes.collected[cell.nodes[i]].lane.data() + lane;

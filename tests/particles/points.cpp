@@ -69,14 +69,14 @@ TEST_CASE("bytes a point: nothing that the composition does not need") {
 TEST_CASE("history starts as the law says, and is stored by column") {
   Points<double, 2, Counting, false> points;
   for (int i = 0; i < 3; ++i) points.push_back({0, 0}, {0, 0}, 1, 1, {}, 0);
-  REQUIRE(points.history[0] == std::vector<double>{7, 7, 7});
+  REQUIRE(points.history[0] == Column<double>{7, 7, 7});
   auto h = points.load_history(1);
   REQUIRE((h.updates == 7 && h.sum == 0));
   h.updates = 9;
   h.sum = -1;
   points.store_history(1, h);
-  REQUIRE(points.history[0] == std::vector<double>{7, 9, 7});
-  REQUIRE(points.history[1] == std::vector<double>{0, -1, 0});
+  REQUIRE(points.history[0] == Column<double>{7, 9, 7});
+  REQUIRE(points.history[1] == Column<double>{0, -1, 0});
   REQUIRE(points.load_history(1).sum == -1);
 }
 

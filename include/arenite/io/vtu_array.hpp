@@ -76,13 +76,14 @@ VtuArray vtu_array(std::string name, std::size_t components, std::span<const T> 
 }
 
 /// The same of a vector, which must outlive the array.
-template <vtu_number T>
-VtuArray vtu_array(std::string name, std::size_t components, const std::vector<T>& values) {
+template <vtu_number T, class Allocator>
+VtuArray vtu_array(std::string name, std::size_t components, const std::vector<T, Allocator>& values) {
   return vtu_array(std::move(name), components, std::span<const T>(values));
 }
 
-template <vtu_number T>
-VtuArray vtu_array(std::string name, std::size_t components, const std::vector<T>&& values) = delete;
+template <vtu_number T, class Allocator>
+VtuArray vtu_array(std::string name, std::size_t components,
+                   const std::vector<T, Allocator>&& values) = delete;
 
 /// `f(i)` for each item i: a number, or a std::array of 3, 6 or 9 numbers.
 template <class F>

@@ -6,10 +6,15 @@
 #include <cstddef>
 #include <vector>
 
+#include <arenite/core/array_memory.hpp>
 #include <arenite/core/lanes.hpp>
 #include <arenite/core/tensor.hpp>
 
 namespace arenite {
+
+/// One number of each point.
+template <class T>
+using Column = std::vector<T, ArrayMemory<T>>;
 
 /// n values of type Value, each of N components of scalar T, stored as N columns. Reading one gives a copy;
 /// `set` writes one.
@@ -37,8 +42,8 @@ class Columns {
   }
 
   /// Component k of all points.
-  std::vector<T>& column(std::size_t k) { return column_[k]; }
-  const std::vector<T>& column(std::size_t k) const { return column_[k]; }
+  Column<T>& column(std::size_t k) { return column_[k]; }
+  const Column<T>& column(std::size_t k) const { return column_[k]; }
 
   /// Component by component, `count` neighbours from point p on as packs P (or as one scalar); lanes behind
   /// them hold 0.
@@ -98,7 +103,7 @@ class Columns {
       return value[k];
   }
 
-  std::array<std::vector<T>, N> column_;
+  std::array<Column<T>, N> column_;
 };
 
 template <class T, int D>

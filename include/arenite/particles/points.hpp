@@ -24,10 +24,10 @@ class Points {
 
   VectorColumns<T, D> position;  ///< m
   VectorColumns<T, D> velocity;  ///< m/s
-  std::vector<T> mass;           ///< kg
-  std::vector<T> volume;         ///< volume that bears stress, m3: opened voids do not count
+  Column<T> mass;                ///< kg
+  Column<T> volume;              ///< volume that bears stress, m3: opened voids do not count
   TensorColumns<T, D> stress;    ///< Cauchy stress, Pa, tension positive
-  std::array<std::vector<T>, history_size>
+  std::array<Column<T>, history_size>
       history;                 ///< columns of the law's history, in the order of its `members()`
   MatrixColumns<T, D> motion;  ///< [n if Affine] B of APIC (m2/s) or L of TPIC (1/s)
   std::vector<Index> cell;     ///< cell that holds the point
@@ -72,7 +72,7 @@ class Points {
         h.members());
   }
 
-  /// Calls `f(column)` for each stored column, a `std::vector`.
+  /// Calls `f(column)` for each stored column, a `Column` or (the cells) a `std::vector`.
   template <class F>
   void for_each_column(F&& f) {
     visit(*this, f);
@@ -129,10 +129,10 @@ class Points {
     f(self.cell);
   }
 
-  std::vector<T>& spare(const std::vector<T>&) { return spare_; }
+  Column<T>& spare(const Column<T>&) { return spare_; }
   std::vector<Index>& spare(const std::vector<Index>&) { return spare_cell_; }
 
-  std::vector<T> spare_;  // takes the next order of a column, then changes places with it
+  Column<T> spare_;  // takes the next order of a column, then changes places with it
   std::vector<Index> spare_cell_;
 };
 

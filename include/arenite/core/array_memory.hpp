@@ -1,0 +1,66 @@
+// Array memory: where the long arrays of a scene lie. A step reads some twenty columns side by side. Where
+// all begin at the same place of a page, as those of `std::allocator` do, what they hold of one point falls
+// into one set of the nearest cache, which has room for less than that many (a fifth of the time of B-splines
+// in space). Very long ones lie in pages of 2 MB where the system has them: with pages of 4 KB an address is
+// looked up for every 512 numbers (a sixth of the time of a million points).
+#pragma once
+
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <new>
+
+#ifdef __linux__
+#include <sys/mman.h>
+#endif
+
+namespace arenite {
+
+/// Allocator for long arrays; short ones get what `std::allocator` gives.
+template <class T>
+struct ArrayMemory {
+  using value_type = T;
+  static constexpr std::size_t line = 64, page = 4096, large_page = std::size_t{1} << 21;  ///< bytes
+  static constexpr std::size_t least = 16 * page;  ///< a long array, bytes
+  static_assert(alignof(T) <= line);
+
+  ArrayMemory() = default;
+  template <class U>
+  ArrayMemory(const ArrayMemory<U>&) {}
+
+  T* allocate(std::size_t n) {
+    if (n > PTRDIFF_MAX / 2 / sizeof(T)) throw std::bad_array_new_length();
+    const std::size_t bytes = n * sizeof(T);
+    if (bytes < least) return std::allocator<T>().allocate(n);
+    if (bytes >= large_page) {
+      void* const memory = pages(bytes, large_page);
+#ifdef __linux__
+      madvise(memory, bytes, MADV_HUGEPAGE);  // a wish: where it is not granted, small pages do
+#endif
+      return static_cast<T*>(memory);
+    }
+    // Each begins some lines further into its first page than the one before.
+    static std::atomic<std::size_t> count{0};
+    constexpr std::size_t lines = page / line;
+    const std::size_t offset = line * (1 + count.fetch_add(5, std::memory_order_relaxed) % (lines - 1));
+    return reinterpret_cast<T*>(static_cast<char*>(pages(bytes + offset, page)) + offset);
+  }
+
+  void deallocate(T* memory, std::size_t n) {
+    if (n * sizeof(T) < least) return std::allocator<T>().deallocate(memory, n);
+    const std::size_t size = n * sizeof(T) >= large_page ? large_page : page;
+    // The page that it begins in is the first.
+    const auto address = reinterpret_cast<std::uintptr_t>(memory);
+    ::operator delete (reinterpret_cast<void*>(address - address % size), std::align_val_t{size});
+  }
+
+  friend bool operator==(const ArrayMemory&, const ArrayMemory&) { return true; }
+
+ private:
+  static void* pages(std::size_t bytes, std::size_t size) {
+    return ::operator new ((bytes + size - 1) / size * size, std::align_val_t{size});
+  }
+};
+
+}  // namespace arenite

@@ -1,0 +1,53 @@
+// Memory of long arrays: it holds what is written, and arrays of like length begin at unlike places of a
+// page.
+#include "catch.hpp"
+
+#include <arenite/core/array_memory.hpp>
+#include <cstdint>
+#include <numeric>
+#include <set>
+#include <vector>
+
+using namespace arenite;
+
+namespace {
+
+template <class T>
+using Array = std::vector<T, ArrayMemory<T>>;
+
+template <class T>
+std::uintptr_t begin_of(const Array<T>& a) {
+  return reinterpret_cast<std::uintptr_t>(a.data());
+}
+
+}  // namespace
+
+TEMPLATE_TEST_CASE("arrays of any length keep their numbers through copies, moves and growth", "", float,
+                   double, std::uint32_t) {
+  // Nothing, short, just long, long, just below a large page, above.
+  for (const std::size_t n : {0, 1, 100, 8192, 16384, 70000, 262143, 262144, 600000}) {
+    Array<TestType> a(n);
+    std::iota(a.begin(), a.end(), TestType(1));
+    Array<TestType> copy = a, spare;
+    spare.swap(a);
+    a = std::move(spare);
+    a.push_back(TestType(7));
+    REQUIRE(a.size() == n + 1);
+    REQUIRE(std::equal(copy.begin(), copy.end(), a.begin()));
+    REQUIRE((n == 0 || copy.back() == static_cast<TestType>(n)));
+  }
+}
+
+TEST_CASE("long arrays begin at different lines of a page, very long ones with a large page") {
+  constexpr std::size_t page = ArrayMemory<double>::page, line = ArrayMemory<double>::line;
+  std::vector<Array<double>> columns(20);
+  std::set<std::uintptr_t> lines;
+  for (auto& column : columns) {
+    column.resize(100000);
+    REQUIRE(begin_of(column) % line == 0);
+    lines.insert(begin_of(column) % page / line);
+  }
+  REQUIRE(lines.size() == columns.size());
+  const Array<double> large(1000000);
+  REQUIRE(begin_of(large) % ArrayMemory<double>::large_page == 0);
+}

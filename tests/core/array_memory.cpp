@@ -25,7 +25,7 @@ std::uintptr_t begin_of(const Array<T>& a) {
 TEMPLATE_TEST_CASE("arrays of any length keep their numbers through copies, moves and growth", "", float,
                    double, std::uint32_t) {
   // Nothing, short, just long, long, just below a large page, above.
-  for (const std::size_t n : {0, 1, 100, 8192, 16384, 70000, 262143, 262144, 600000}) {
+  for (const std::size_t n : {0u, 1u, 100u, 8192u, 16384u, 70000u, 262143u, 262144u, 600000u}) {
     Array<TestType> a(n);
     std::iota(a.begin(), a.end(), TestType(1));
     Array<TestType> copy = a, spare;

@@ -1,8 +1,8 @@
 // Array memory: where the long arrays of a scene lie. A step reads some twenty columns side by side. Where
 // all begin at the same place of a page, as those of `std::allocator` do, what they hold of one point falls
-// into one set of the nearest cache, which has room for less than that many (a fifth of the time of B-splines
-// in space). Very long ones lie in pages of 2 MB where the system has them: with pages of 4 KB an address is
-// looked up for every 512 numbers (a sixth of the time of a million points).
+// into one set of the nearest cache, which has room for less than that many (a seventh of the time of
+// B-splines in space). Very long ones lie in pages of 2 MB where the system has them: with pages of 4 KB an
+// address is looked up for every 512 numbers (up to a sixth of the time of a million points).
 #pragma once
 
 #include <atomic>

@@ -52,11 +52,20 @@ template <class K, bool TakesVelocity, class N, class M, class Points, class Fie
   using P = lanes_of<T, width>;
   using V = NodePack<T, M::dimension>;
   const Cell cell(mesh, c);
-  NodeRows<T, M::dimension, size> v, u;  // velocities of the nodes: for positions, for strains
+  // Velocities of the nodes: for positions, and for strains, which are the same unless mapped back.
+  using Rows = NodeRows<T, M::dimension, size>;
+  Rows v;
+  [[maybe_unused]] std::conditional_t<N::Order::remaps, Rows, Nothing> mapped;
   repeat<size>([&](std::size_t i) {
     v.set(i, nodes.velocity.pack(cell.nodes[i]));
-    u.set(i, nodes.strain_velocity().pack(cell.nodes[i]));
+    if constexpr (N::Order::remaps) mapped.set(i, nodes.mapped.pack(cell.nodes[i]));
   });
+  const Rows& u = [&]() -> const Rows& {
+    if constexpr (N::Order::remaps)
+      return mapped;
+    else
+      return v;
+  }();
   const std::conditional_t<TakesVelocity, PointVelocities<N, Cell>, Nothing> velocities(numerics, cell,
                                                                                         nodes);
   [[maybe_unused]] Increment<T, M::dimension> of_cell;

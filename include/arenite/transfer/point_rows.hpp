@@ -23,7 +23,6 @@ class PointRows {
   static constexpr int width = cell_width<static_cast<int>(D), Width>;
   using P = lanes_of<T, width>;
   using Lines = LineFunctions<P, D>;
-  static constexpr std::size_t nodes = D == 2 ? 9 : 27;
 
   /// Columns of a pack of points that become rows.
   struct Handed {

@@ -65,16 +65,4 @@ struct PointVelocities {
   }
 };
 
-/// Line functions of a pack at x: values, slopes (1/m) and arms, values times the way to the node (m).
-template <class P, class Cell>
-struct LineSet {
-  static constexpr std::size_t D = Cell::D;
-  LineFunctions<P, D> value, slope, arm;
-
-  LineSet(const Cell& cell, const std::array<P, D>& x)
-      : value{cell.line_values(x)}, slope{cell.line_slopes(x)}, arm{cell.ways(x)} {
-    repeat<D>([&](std::size_t a) { repeat<3>([&](std::size_t i) { arm[a][i] = arm[a][i] * value[a][i]; }); });
-  }
-};
-
 }  // namespace arenite

@@ -7,7 +7,6 @@
 #include <arenite/transfer/node_field.hpp>
 #include <arenite/transfer/numerics.hpp>
 #include <arenite/transfer/point_rows.hpp>
-#include <arenite/transfer/point_velocities.hpp>
 
 namespace arenite {
 namespace detail {

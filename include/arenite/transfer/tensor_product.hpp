@@ -13,6 +13,18 @@ namespace arenite {
 template <class P, std::size_t D>
 using LineFunctions = std::array<std::array<P, 3>, D>;
 
+/// Line functions of a pack at x: values, slopes (1/m) and arms, values times the way to the node (m).
+template <class P, class Cell>
+struct LineSet {
+  static constexpr std::size_t D = Cell::D;
+  LineFunctions<P, D> value, slope, arm;
+
+  LineSet(const Cell& cell, const std::array<P, D>& x)
+      : value{cell.line_values(x)}, slope{cell.line_slopes(x)}, arm{cell.ways(x)} {
+    repeat<D>([&](std::size_t a) { repeat<3>([&](std::size_t i) { arm[a][i] = arm[a][i] * value[a][i]; }); });
+  }
+};
+
 /// Sums of node vectors v_i [D]: `value` = sum w_i v_i, and `along[k][a]` the same with the line functions of
 /// axis a replaced by those of kind k: slopes give the gradient, arms w (x_i - x) the affine motion of APIC.
 template <class P, std::size_t D, std::size_t Kinds>

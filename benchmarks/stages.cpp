@@ -9,7 +9,7 @@
 namespace arenite::bench {
 namespace {
 
-enum class Stage { relocate, scatter, nodes, gather, deform, whole };
+enum class Stage { relocate, scatter, nodes, remap, deform, whole };
 
 /// Steps a scene and times one stage of each step.
 template <class Make>
@@ -33,7 +33,7 @@ void run_stage(benchmark::State& state, Stage stage, Make make) {
       constrain(scene);
       collide(scene, dt);
     });
-    timed(Stage::gather, [&] { gather(scene); });
+    timed(Stage::remap, [&] { remap(scene); });
     timed(Stage::deform, [&] { deform(scene, dt); });
     finish(scene, dt);
     state.SetIterationTime(spent);
@@ -43,17 +43,17 @@ void run_stage(benchmark::State& state, Stage stage, Make make) {
   state.counters["points"] = points;
 }
 
-/// `gathers`: whether velocities have a pass of their own, else `deform` takes them.
+/// `remaps`: whether the scene maps velocities back to the nodes.
 template <class Make>
-void add(const std::string& name, bool gathers, Make make) {
+void add(const std::string& name, bool remaps, Make make) {
   struct Named {
     const char* word;
     Stage stage;
   };
   for (const Named& named :
        {Named{"relocate", Stage::relocate}, Named{"p2g", Stage::scatter}, Named{"nodes", Stage::nodes},
-        Named{"g2p", Stage::gather}, Named{"deform", Stage::deform}, Named{"step", Stage::whole}}) {
-    if (named.stage == Stage::gather && !gathers) continue;
+        Named{"remap", Stage::remap}, Named{"deform", Stage::deform}, Named{"step", Stage::whole}}) {
+    if (named.stage == Stage::remap && !remaps) continue;
     benchmark::RegisterBenchmark((name + "/" + named.word).c_str(),
                                  [=](benchmark::State& state) { run_stage(state, named.stage, make); })
         ->UseManualTime()

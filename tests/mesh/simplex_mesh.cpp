@@ -150,7 +150,7 @@ TEST_CASE("a mesh moves, and its frames and its search with it") {
   std::iota(cells.begin(), cells.end(), 0u);
   REQUIRE(mesh.search({0.5, 0.3}) != none);
   const auto before = mesh.positions();
-  REQUIRE(mesh.move(nodes, cells, {},
+  REQUIRE(mesh.move(nodes, cells,
                     [&](Index i) { return Vec<double, 2>(before[i] * 2 + Vec<double, 2>(3, 0)); }) == none);
   REQUIRE(std::abs(total_volume(mesh) - 4) < 1e-13);
   REQUIRE(mesh.search({0.5, 0.3}) == none);
@@ -159,6 +159,5 @@ TEST_CASE("a mesh moves, and its frames and its search with it") {
   REQUIRE(mesh.barycentric(found, {4.9, 1.9}).minCoeff() >= 0);
   REQUIRE(mesh.walk({3.1, 0.1}, found) != none);
   // Mirrored: every cell is inside out, the first is named.
-  REQUIRE(mesh.move(nodes, cells, {}, [&](Index i) { return Vec<double, 2>(-before[i][0], before[i][1]); }) ==
-          0);
+  REQUIRE(mesh.move(nodes, cells, [&](Index i) { return Vec<double, 2>(-before[i][0], before[i][1]); }) == 0);
 }

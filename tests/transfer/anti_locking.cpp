@@ -38,6 +38,7 @@ TEST_CASE("nodal averaging: a node takes the mean of its cells by volume, a cell
   const double v0 = 0.3, v1 = 0.5, dt = 0.01;
   auto s = two_cells<NodalAveraging>(v0, v1);
   s.body.points.stress.fill({});
+  s.scatter();
   // Node 1 moves with (2, 0), node 3 with (0, 3): tr = 2 in cell 0 and 3 in cell 1.
   s.nodes.velocity[1] = {2, 0};
   s.nodes.velocity[3] = {0, 3};

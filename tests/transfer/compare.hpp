@@ -41,8 +41,7 @@ template <template <std::size_t> class N, class K, class M>
 void check_widths(const M& mesh, int per_cell) {
   const auto cycle = [&]<std::size_t Bytes>(std::integral_constant<std::size_t, Bytes>) {
     auto s = advanced(Setup<K, N<Bytes>, M>(mesh, per_cell));
-    s.gather();
-    if constexpr (N<Bytes>::Order::remaps) finish_remap(s.nodes);
+    s.remap();
     s.deform(0.01);
     return s.body.points;
   };

@@ -30,6 +30,7 @@ template <class S>
 void check_deform(S s) {
   constexpr int D = S::D;
   const double dt = 0.01;
+  s.scatter();
   Vec<double, D> a;
   Mat<double, D> A;
   for (int k = 0; k < D; ++k) {
@@ -42,7 +43,7 @@ void check_deform(S s) {
   }
   for (Index i = 0; i < s.nodes.size(); ++i) {
     s.nodes.velocity[i] = a + A * s.node(i);
-    if constexpr (S::N::Order::remaps) s.nodes.mapped[i] = s.nodes.velocity[i];
+    if constexpr (S::N::remaps) s.nodes.mapped[i] = s.nodes.velocity[i];
   }
   const auto before = s.body.points;
   const auto inc = exact<D>(A, dt, S::K::hoop);
@@ -71,6 +72,8 @@ void check_deform(S s) {
 template <class A>
 using Simplex = Numerics<LinearSimplex, Flip, Usl, A>;
 using BSpline = Numerics<QuadraticBSpline, Flip, Musl>;
+template <class Transfer>
+using UslSpline = Numerics<QuadraticBSpline, Transfer, Usl>;
 
 }  // namespace
 
@@ -81,6 +84,10 @@ TEST_CASE("a uniform velocity gradient gives its strain, spin and hoop strain ex
   check_deform(Setup<PlaneStrain, BSpline, CartesianGrid<2>>(flat_grid()));
   check_deform(Setup<Axisymmetric, BSpline, CartesianGrid<2>>(flat_grid()));
   check_deform(Setup<Solid, BSpline, CartesianGrid<3>>(solid_grid()));
+  check_deform(Setup<Axisymmetric, UslSpline<Flip>, CartesianGrid<2>>(flat_grid()));
+  check_deform(Setup<Axisymmetric, UslSpline<Apic>, CartesianGrid<2>>(flat_grid()));
+  check_deform(Setup<Solid, UslSpline<Flip>, CartesianGrid<3>>(solid_grid()));
+  check_deform(Setup<Solid, UslSpline<Apic>, CartesianGrid<3>>(solid_grid()));
 }
 
 TEST_CASE("averaging over the nodes changes nothing where the strain is uniform") {

@@ -3,7 +3,7 @@
 
 #include <arenite/law/linear_elastic.hpp>
 #include <arenite/transfer/deform.hpp>
-#include <arenite/transfer/gather.hpp>
+#include <arenite/transfer/remap.hpp>
 #include <arenite/transfer/scatter.hpp>
 
 #include "../mesh/sample_meshes.hpp"
@@ -24,7 +24,7 @@ struct Setup {
   using Transfer = typename N::Transfer;
   using Cell = typename Shape::template Cell<M>;
   static constexpr int D = M::dimension;
-  using Field = NodeField<T, D, N::Order::remaps, true>;
+  using Field = NodeField<T, D, N::remaps, true>;
 
   M mesh;
   N numerics{};
@@ -75,11 +75,20 @@ struct Setup {
   void advance(T dt = 0, const Vec<T, D>& gravity = Vec<T, D>::Zero()) {
     arenite::advance(nodes, gravity, dt, T(0));
   }
-  void gather() { arenite::gather(numerics, mesh, blocks, body, nodes); }
-  template <bool TakesVelocity = false>
+  void remap() {
+    if constexpr (N::remaps) {
+      arenite::remap(numerics, mesh, blocks, body, nodes);
+      finish_remap(numerics, nodes);
+    }
+  }
   DeformSums deform(T dt) {
     VolumetricAverage<T> average;
-    return arenite::deform<K, true, TakesVelocity>(numerics, mesh, blocks, body, nodes, dt, average);
+    return arenite::deform<K, true>(numerics, mesh, blocks, body, nodes, dt, average);
+  }
+  /// New velocities of the points, and nothing else: a step without length neither moves nor strains.
+  void gather() {
+    remap();
+    if constexpr (!N::remaps_by_points) deform(0);
   }
   Vec<T, D> node(Index i) const { return Shape::node_position(mesh, i); }
 

@@ -85,24 +85,15 @@ constexpr void repeat(F&& f) {
 
 namespace detail {
 
-template <int W>
-struct LaneIndex {
-  // Where a fold finds the lower and the upper half of each group of `Group` lanes, first of a, then of b.
-  template <int Group, int Upper>
-  static constexpr int at(int lane) {
-    constexpr int half = Group / 2;
-    const int group = lane / half;  // group of the result: those of a, then those of b
-    return group * Group + Upper * half + lane % half;
-  }
-};
-
-/// One step of many sums at once: each group of `Group` lanes of a, then of b, becomes the half of it that is
-/// the sum of its halves.
+/// One step of many sums at once: the lower half of each group of `Group` lanes becomes the sum of a's
+/// halves, the upper half that of b's. One operand is a blend, for which processors have more ports than for
+/// moves between lanes.
 template <int Group, class T, int W, std::size_t... I>
 Pack<T, W> fold(const Pack<T, W>& a, const Pack<T, W>& b, std::index_sequence<I...>) {
-  using L = LaneIndex<W>;
-  return Pack<T, W>::from(__builtin_shufflevector(a.lanes(), b.lanes(), L::template at<Group, 0>(I)...) +
-                          __builtin_shufflevector(a.lanes(), b.lanes(), L::template at<Group, 1>(I)...));
+  constexpr auto upper = [](std::size_t lane) { return (lane & (Group / 2)) != 0; };
+  return Pack<T, W>::from(
+      __builtin_shufflevector(a.lanes(), b.lanes(), (upper(I) ? I + W : I)...) +
+      __builtin_shufflevector(a.lanes(), b.lanes(), (upper(I) ? I + W - Group / 2 : I + Group / 2)...));
 }
 
 /// Transposes the squares of `Size` rows by `Size` neighbouring lanes: exchanges the blocks of `Block` lanes
@@ -147,16 +138,17 @@ T greatest(const Pack<T, W>& a) {
   }
 }
 
-/// Sums of `Count` packs, from number `First` on (zeros behind the last), in the lanes of one, by pairs.
-template <std::size_t First, int Count, class T, int W, std::size_t N>
+/// Sums of `Count` packs, number `First` and then every `Stride`th (zeros behind the last): as often as there
+/// are lanes in a group of W / Count, each sum is all that is left of its pack.
+template <std::size_t First, std::size_t Stride, int Count, class T, int W, std::size_t N>
 Pack<T, W> folded(const std::array<Pack<T, W>, N>& packs) {
   if constexpr (First >= N) {
     return Pack<T, W>(0);
   } else if constexpr (Count == 1) {
     return packs[First];
   } else {
-    constexpr int half = Count / 2;
-    return fold<2 * W / Count>(folded<First, half>(packs), folded<First + half, half>(packs),
+    return fold<2 * W / Count>(folded<First, 2 * Stride, Count / 2>(packs),
+                               folded<First + Stride, 2 * Stride, Count / 2>(packs),
                                std::make_index_sequence<static_cast<std::size_t>(W)>{});
   }
 }
@@ -175,7 +167,7 @@ auto lane_sums(const std::array<P, N>& packs) {
   } else if constexpr (is_pack<P>) {
     std::array<typename P::scalar, registers * width + 3> sums;
     [&]<std::size_t... R>(std::index_sequence<R...>) {
-      (detail::folded<R * width, lane_count<P>>(packs).store(sums.data() + R * width), ...);
+      (detail::folded<R * width, 1, lane_count<P>>(packs).store(sums.data() + R * width), ...);
     }
     (std::make_index_sequence<registers>{});
     for (std::size_t k = N; k < sums.size(); ++k) sums[k] = 0;

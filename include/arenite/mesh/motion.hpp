@@ -60,8 +60,8 @@ struct MovingMesh {
   }
 };
 
-/// A moving mesh in its mesh: reference positions and shares of the nodes that move, and the cells that they
-/// touch; those whose nodes all move alike only change their place.
+/// A moving mesh in its mesh: reference positions and shares of the nodes that move, and the cells that
+/// change their shape with them.
 template <int D, class T, class Leader_>
 class BoundMotion {
  public:
@@ -86,7 +86,7 @@ class BoundMotion {
       if (!touched[c]) continue;
       bool as_one = true;
       for (const Index i : mesh.nodes(c)) as_one = as_one && share_[i] == share_[mesh.nodes(c)[0]];
-      (as_one ? carried_ : cells_).push_back(c);
+      if (!as_one) cells_.push_back(c);
     }
   }
 
@@ -109,7 +109,7 @@ class BoundMotion {
         throw run_error(detail::join("the zone above ", motion_.moving_to, " m is used up after a travel of ",
                                      travel, " m"));
     }
-    const Index bad = mesh.move(nodes_, cells_, carried_, [&](Index i) {
+    const Index bad = mesh.move(nodes_, cells_, [&](Index i) {
       auto x = mesh.position(i);
       x[motion_.axis] = reference_[i] + share_[i] * travel;
       return x;
@@ -122,8 +122,8 @@ class BoundMotion {
  private:
   MovingMesh<Leader> motion_;
   std::vector<Index> nodes_;
-  std::vector<Index> cells_, carried_;  // cells whose shape changes; cells that move as they are
-  std::vector<T> share_, reference_;    // [nodes of the mesh]
+  std::vector<Index> cells_;          // those whose shape changes
+  std::vector<T> share_, reference_;  // [nodes of the mesh]
   T travel_ = 0;
 };
 

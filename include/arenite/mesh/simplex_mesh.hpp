@@ -28,10 +28,10 @@ class SimplexMesh {
   using Point = Vec<T, D>;
   using CellNodes = std::array<Index, static_cast<std::size_t>(D + 1)>;
 
-  /// Affine frame of a cell: barycentric coordinate k + 1 of x is row k of `inverse` times (x - origin).
+  /// Affine frame of a cell: barycentric coordinate k + 1 of x is row k of `inverse` times the way from the
+  /// cell's origin to x. It stays as it is when the cell moves as a whole.
   struct Frame {
     Mat<T, D> inverse;  ///< rows: gradients of the shape functions of nodes 1 .. D, 1/m
-    Point origin;       ///< position of node 0, m
     T volume;           ///< area (D = 2) or volume (D = 3), m^D
     T size;             ///< smallest altitude, m
   };
@@ -66,6 +66,8 @@ class SimplexMesh {
   const std::vector<Point>& positions() const { return position_; }
   const CellNodes& nodes(Index cell) const { return cells_[cell]; }
   const Frame& frame(Index cell) const { return frames_[cell]; }
+  /// Position of node 0 of a cell, m.
+  const Point& origin(Index cell) const { return position_[cells_[cell][0]]; }
   /// Area or volume of a cell, m^D.
   T volume(Index cell) const { return frames_[cell].volume; }
   int region(Index cell) const { return region_[cell]; }
@@ -93,16 +95,16 @@ class SimplexMesh {
 
   /// Barycentric coordinates of x in a cell; negative ones lie outside.
   Eigen::Matrix<T, D + 1, 1> barycentric(Index cell, const Point& x) const {
-    const Frame& f = frames_[cell];
     Eigen::Matrix<T, D + 1, 1> b;
-    b.template tail<D>().noalias() = f.inverse * (x - f.origin);
+    b.template tail<D>().noalias() = frames_[cell].inverse * (x - origin(cell));
     b[0] = 1 - b.template tail<D>().sum();
     return b;
   }
 
   /// Test for one cell, made once for many positions.
   struct Holder {
-    Frame frame;
+    Mat<T, D> inverse;
+    Point origin;
     /// Whether positions lie in the cell, its faces included; `P`: T, or a pack of positions.
     template <class P>
     auto holds(const std::array<P, static_cast<std::size_t>(D)>& x) const {
@@ -111,7 +113,7 @@ class SimplexMesh {
       for (int k = 0; k < D; ++k) {
         P value(0);
         for (int d = 0; d < D; ++d)
-          value += P(frame.inverse(k, d)) * (x[static_cast<std::size_t>(d)] - P(frame.origin[d]));
+          value += P(inverse(k, d)) * (x[static_cast<std::size_t>(d)] - P(origin[d]));
         b[static_cast<std::size_t>(k)] = value;
         sum += value;
       }
@@ -120,7 +122,7 @@ class SimplexMesh {
       return inside;
     }
   };
-  Holder holder(Index cell) const { return {frames_[cell]}; }
+  Holder holder(Index cell) const { return {frames_[cell].inverse, origin(cell)}; }
 
   /// The cell that holds x, found by walking from `hint`, or `none` where the walk ends: at the hull, or
   /// after `max_walk` cells. A point on a face stays in the first cell found. Costs one test for a point that
@@ -155,21 +157,24 @@ class SimplexMesh {
     return found;
   }
 
-  /// Moves node i to `position(i)` for all i and refreshes the cells in `cells`, whose shape changes, and in
-  /// `carried`, which only change their place; together they must hold every cell with a moved node. Returns
-  /// the first cell that lost its volume, or `none`.
+  /// Moves each node i in `nodes` to `position(i)` and refreshes the cells in `cells`: every cell must be
+  /// among them that has a moved node, unless all of its nodes move by the same way. Returns the first cell
+  /// that lost its volume, or `none`.
   template <class Position>
-  Index move(std::span<const Index> nodes, std::span<const Index> cells, std::span<const Index> carried,
-             Position&& position) {
-    for (const Index i : nodes) position_[i] = position(i);
+  Index move(std::span<const Index> nodes, std::span<const Index> cells, Position&& position) {
     bins_fresh_ = false;
-    for (const Index c : carried) frames_[c].origin = position_[cells_[c][0]];
-    parallel_chunks(cells.size(), [&](std::size_t begin, std::size_t end) {
-      for (std::size_t k = begin; k < end; ++k) refresh(cells[k]);
+    parallel_chunks(nodes.size(), [&](std::size_t begin, std::size_t end) {
+      for (std::size_t k = begin; k < end; ++k) position_[nodes[k]] = position(nodes[k]);
     });
-    for (const Index c : cells)
-      if (!(frames_[c].volume > 0)) return c;
-    return none;
+    return parallel_reduce(
+        cells.size(), none,
+        [&](std::size_t begin, std::size_t end) {
+          Index bad = none;
+          for (std::size_t k = begin; k < end; ++k)
+            if (!(refresh(cells[k]) > 0) && bad == none) bad = cells[k];
+          return bad;
+        },
+        [](Index a, Index b) { return a != none ? a : b; });
   }
 
   /// Bytes of all arrays.
@@ -202,13 +207,15 @@ class SimplexMesh {
     return edges;
   }
 
-  void refresh(Index c) {
+  /// Renews the frame of a cell and returns its volume.
+  T refresh(Index c) {
     const Mat<T, D> edges = edge_matrix(cells_[c]);
     const Mat<T, D> inverse = edges.inverse();
     T steepest = inverse.colwise().sum().squaredNorm();
     for (int k = 0; k < D; ++k) steepest = std::max(steepest, inverse.row(k).squaredNorm());
-    frames_[c] = {inverse, position_[cells_[c][0]], edges.determinant() / (D == 2 ? 2 : 6),
-                  1 / std::sqrt(steepest)};
+    const T volume = edges.determinant() / (D == 2 ? 2 : 6);
+    frames_[c] = {inverse, volume, 1 / std::sqrt(steepest)};
+    return volume;
   }
 
   template <class Value>

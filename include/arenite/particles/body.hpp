@@ -9,6 +9,7 @@
 #include <arenite/mesh/mesh.hpp>
 #include <arenite/particles/cell_list.hpp>
 #include <arenite/particles/cell_points.hpp>
+#include <arenite/particles/cell_sums.hpp>
 #include <arenite/particles/points.hpp>
 #include <arenite/particles/region.hpp>
 
@@ -54,12 +55,13 @@ struct Body {
   L law;
   Points<T, D, L, Affine> points;
   CellList cells;
-  std::size_t lost = 0;                 ///< points that left the mesh and were removed
-  double lost_mass = 0;                 ///< their mass, kg
-  double initial_volume = 0;            ///< m3
-  double opened_volume = 0;             ///< voids that opened without stress, summed over all steps, m3
-  std::vector<CellList::Move> moves{};  ///< [points and guests] scratch of `relocate`
-  std::vector<Index> move_count{};      ///< [blocks of cells] moves found in each
+  std::size_t lost = 0;                     ///< points that left the mesh and were removed
+  double lost_mass = 0;                     ///< their mass, kg
+  double initial_volume = 0;                ///< m3
+  double opened_volume = 0;                 ///< voids that opened without stress, summed over all steps, m3
+  std::vector<CellList::Move> moves{};      ///< [points and guests] scratch of `relocate`
+  std::vector<Index> move_count{};          ///< [blocks of cells] moves found in each
+  std::vector<CellSums<T, D>> cell_sums{};  ///< [cells] from `scatter`; empty if the numerics need none
 };
 
 /// Makes the body of a recipe. Throws `error` if the region holds no point.

@@ -10,8 +10,8 @@
 #include <arenite/particles/relocate.hpp>
 #include <arenite/scene/parts.hpp>
 #include <arenite/transfer/deform.hpp>
-#include <arenite/transfer/gather.hpp>
 #include <arenite/transfer/numerics.hpp>
+#include <arenite/transfer/remap.hpp>
 
 namespace arenite {
 
@@ -120,7 +120,7 @@ struct Scene {
       typename detail::rigids_of<M, detail::picked<detail::is_rigids, Rigids<>, Parts...>>::type;
   using Motion =
       typename detail::bound_motion<M, detail::picked<detail::is_motion, FixedMesh, Parts...>>::type;
-  using Field = NodeField<T, D, N::Order::remaps, Contact::needs_mass_gradient>;
+  using Field = NodeField<T, D, N::remaps, Contact::needs_mass_gradient>;
   static constexpr std::size_t body_count = std::tuple_size_v<BodyTuple>;
   static constexpr std::size_t rigid_count = std::tuple_size_v<RigidTuple>;
   static constexpr std::size_t field_count = Contact::separate ? body_count : 1;

@@ -20,7 +20,7 @@ void relocate(Scene& scene) {
 template <class Scene>
 void scatter(Scene& scene) {
   for (auto& field : scene.fields) field.clear();
-  scene.for_each_body([&](const auto& body, auto& field) {
+  scene.for_each_body([&](auto& body, auto& field) {
     scatter<typename Scene::Kinematics>(scene.numerics, scene.mesh, scene.blocks, body, field);
   });
 }
@@ -77,13 +77,12 @@ void collide(Scene& scene, double dt) {
 }
 
 template <class Scene>
-void gather(Scene& scene) {
-  if constexpr (Scene::NumericsType::Order::remaps) {  // else `deform` takes velocities and strains in one
-                                                       // pass
+void remap(Scene& scene) {
+  if constexpr (Scene::NumericsType::remaps) {
     scene.for_each_body(
-        [&](auto& body, auto& field) { gather(scene.numerics, scene.mesh, scene.blocks, body, field); });
+        [&](auto& body, auto& field) { remap(scene.numerics, scene.mesh, scene.blocks, body, field); });
     for (auto& field : scene.fields) {
-      finish_remap(field);
+      finish_remap(scene.numerics, field);
       constrain(scene.constraints, field.mass, field.mapped);
     }
     scene.for_each_rigid([&](const auto& body) { keep_out(body, scene.fields); });
@@ -94,10 +93,9 @@ template <class Scene>
 void deform(Scene& scene, double dt) {
   double check = 0;
   scene.for_each_body([&](auto& body, const auto& field) {
-    const DeformSums sums =
-        deform<typename Scene::Kinematics, Scene::tracks_energy, !Scene::NumericsType::Order::remaps>(
-            scene.numerics, scene.mesh, scene.blocks, body, field, static_cast<typename Scene::T>(dt),
-            scene.average);
+    const DeformSums sums = deform<typename Scene::Kinematics, Scene::tracks_energy>(
+        scene.numerics, scene.mesh, scene.blocks, body, field, static_cast<typename Scene::T>(dt),
+        scene.average);
     body.opened_volume += sums.opened_volume;
     check += sums.check;
     if constexpr (Scene::tracks_energy) scene.ledger.stress_work += sums.work;

@@ -34,7 +34,8 @@ struct LinearSimplex {
     using Weights = Eigen::Matrix<T, size, 1>;
     using Gradients = Eigen::Matrix<T, D, size>;
 
-    Cell(const M& mesh, Index cell) : nodes{mesh.nodes(cell)}, mesh_{mesh}, frame_{mesh.frame(cell)} {
+    Cell(const M& mesh, Index cell)
+        : nodes{mesh.nodes(cell)}, mesh_{mesh}, frame_{mesh.frame(cell)}, origin_{mesh.origin(cell)} {
       gradient.template rightCols<D>() = frame_.inverse.transpose();
       gradient.col(0) = -gradient.template rightCols<D>().rowwise().sum();
     }
@@ -42,7 +43,7 @@ struct LinearSimplex {
     /// [D + 1] values at x.
     Weights weights(const Vec<T, D>& x) const {
       Weights w;
-      w.template tail<D>().noalias() = frame_.inverse * (x - frame_.origin);
+      w.template tail<D>().noalias() = frame_.inverse * (x - origin_);
       w[0] = 1 - w.template tail<D>().sum();
       return w;
     }
@@ -53,7 +54,7 @@ struct LinearSimplex {
     template <class P>
     std::array<P, size> weights(const std::array<P, D>& x) const {
       std::array<P, D> way;
-      repeat<D>([&](std::size_t d) { way[d] = x[d] - P(frame_.origin[static_cast<int>(d)]); });
+      repeat<D>([&](std::size_t d) { way[d] = x[d] - P(origin_[static_cast<int>(d)]); });
       std::array<P, size> w;
       w[0] = P(1);
       repeat<D>([&](std::size_t k) {
@@ -91,6 +92,7 @@ struct LinearSimplex {
    private:
     const M& mesh_;
     const typename M::Frame& frame_;
+    const Vec<T, D>& origin_;
   };
 };
 

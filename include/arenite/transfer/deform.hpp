@@ -1,5 +1,5 @@
-// Deform: strains from the node velocities, the points moved, and stresses from the law; one pass over the
-// points as they lie in memory, after one over the cells where the volumetric strain is averaged.
+// Deform (G2P): velocities and strains from the nodes, the points moved, and stresses from the law; one pass
+// over the points as they lie in memory, after one over the cells where the volumetric strain is averaged.
 #pragma once
 
 #include <arenite/transfer/law_pass.hpp>
@@ -37,8 +37,8 @@ Increment<P, static_cast<int>(D)> in_plane_increment(Columns&& along) {
 namespace detail {
 
 /// Moves the neighbours [begin, end) of one cell and writes their strain increments into `buffer`, from `at`
-/// on; takes their velocities too if `TakesVelocity`. Returns a sum of the positions.
-template <class K, bool TakesVelocity, class N, class M, class Points, class Field, class Average>
+/// on; gives them their velocities too, unless they have them. Returns a sum of the positions.
+template <class K, class N, class M, class Points, class Field, class Average>
 [[gnu::flatten]] auto move_run(const N& numerics, const M& mesh, Index c, Points& points, std::size_t begin,
                                std::size_t end, const Field& nodes, typename M::scalar dt,
                                [[maybe_unused]] const Average& average,
@@ -51,23 +51,24 @@ template <class K, bool TakesVelocity, class N, class M, class Points, class Fie
       Shape::constant_gradient ? N::template width<T> : cell_width<M::dimension, N::template width<T>>;
   using P = lanes_of<T, width>;
   using V = NodePack<T, M::dimension>;
+  constexpr bool takes_velocity = !N::remaps_by_points;
   const Cell cell(mesh, c);
   // Velocities of the nodes: for positions, and for strains, which are the same unless mapped back.
   using Rows = NodeRows<T, M::dimension, size>;
   Rows v;
-  [[maybe_unused]] std::conditional_t<N::Order::remaps, Rows, Nothing> mapped;
+  [[maybe_unused]] std::conditional_t<N::remaps, Rows, Nothing> mapped;
   repeat<size>([&](std::size_t i) {
     v.set(i, nodes.velocity.pack(cell.nodes[i]));
-    if constexpr (N::Order::remaps) mapped.set(i, nodes.mapped.pack(cell.nodes[i]));
+    if constexpr (N::remaps) mapped.set(i, nodes.mapped.pack(cell.nodes[i]));
   });
   const Rows& u = [&]() -> const Rows& {
-    if constexpr (N::Order::remaps)
+    if constexpr (N::remaps)
       return mapped;
     else
       return v;
   }();
-  const std::conditional_t<TakesVelocity, PointVelocities<N, Cell>, Nothing> velocities(numerics, cell,
-                                                                                        nodes);
+  const std::conditional_t<takes_velocity, PointVelocities<N, Cell>, Nothing> velocities(numerics, cell,
+                                                                                         nodes);
   [[maybe_unused]] Increment<T, M::dimension> of_cell;
   if constexpr (Shape::constant_gradient) {
     of_cell = in_plane_increment<T, D>([&](std::size_t b) {
@@ -96,7 +97,7 @@ template <class K, bool TakesVelocity, class N, class M, class Points, class Fie
       if constexpr (K::hoop) repeat<size>([&](std::size_t i) { radial += P(u[i][0]) * w[i]; });
       repeat<of_cell.strain.size>([&](std::size_t k) { inc.strain[k] = P(of_cell.strain[k]); });
       repeat<of_cell.spin.size()>([&](std::size_t k) { inc.spin[k] = P(of_cell.spin[k]); });
-      if constexpr (TakesVelocity) velocities.take(cell, points, p, count, w);
+      if constexpr (takes_velocity) velocities.take(cell, points, p, count, w);
     } else {
       const LineSet<P, Cell> line(cell, x);
       keep_in_memory(v), keep_in_memory(u);
@@ -107,7 +108,7 @@ template <class K, bool TakesVelocity, class N, class M, class Points, class Fie
           return column;
         });
       };
-      if constexpr (TakesVelocity && N::Transfer::affine) {
+      if constexpr (takes_velocity && N::Transfer::affine) {
         // Points move with the velocity that they take: one set of sums serves all.
         const auto sums = line_sums<P, D, 2>(v, line.value, {line.slope, line.arm});
         inc = increment(sums.along[0]);
@@ -117,9 +118,9 @@ template <class K, bool TakesVelocity, class N, class M, class Points, class Fie
       } else {
         const auto sums = line_sums<P, D, 1>(u, line.value, {line.slope});
         inc = increment(sums.along[0]);
-        way = N::Order::remaps ? line_sums<P, D, 0>(v, line.value, {}).value : sums.value;
+        way = N::remaps ? line_sums<P, D, 0>(v, line.value, {}).value : sums.value;
         if constexpr (K::hoop) radial = sums.value[0];
-        if constexpr (TakesVelocity)
+        if constexpr (takes_velocity)
           velocities.take(points, p, count, line_sums<P, D, 0>(velocities.taken, line.value, {}).value, {});
       }
     }
@@ -147,15 +148,7 @@ template <class K, class N, class M, class B>
   using P = lanes_of<T, width>;
   constexpr std::size_t size = Sym<T, M::dimension>::size;
   auto& points = body.points;
-  std::array<P, size + 1> sums;
-  repeat<size + 1>([&](std::size_t k) { sums[k] = P(0); });
-  body.cells.template for_packs<width>(c, [&](Index first, int count) {
-    const auto stress = points.stress.template load<P>(first, count);
-    const P volume = load_lanes<P>(points.volume.data() + first, count);
-    repeat<size>([&](std::size_t k) { sums[k] += volume * stress[k]; });
-    sums[size] += volume;
-  });
-  const auto total = lane_sums(sums);
+  const auto total = stress_sums<width>(body, c);
   if (total[size] < static_cast<T>(numerics.anti_locking.fill) * whole_volume<K>(mesh, c)) return;
   std::array<P, size> mean;
   const T share = 1 / total[size];
@@ -166,15 +159,12 @@ template <class K, class N, class M, class B>
 
 }  // namespace detail
 
-/// Updates stress, history and volume of each point by the law of its body, and moves it with the node
-/// velocities. `TracksWork`: whether the work of the stresses is summed. `TakesVelocity`: does what `gather`
-/// does, too, in the same pass: for orders that do not map velocities back.
-template <class K, bool TracksWork, bool TakesVelocity = false, class N, class M, class B, class Field,
-          class Average>
+/// Gives each point its new velocity (unless `remap` did), updates its stress, history and volume by the law
+/// of its body, and moves it with the node velocities. `TracksWork`: whether the work of the stresses is
+/// summed.
+template <class K, bool TracksWork, class N, class M, class B, class Field, class Average>
 DeformSums deform(const N& numerics, const M& mesh, const Blocks& blocks, B& body, const Field& nodes,
                   typename M::scalar dt, Average& average) {
-  static_assert(!(TakesVelocity && N::Order::remaps),
-                "deform: MUSL maps velocities back before the strains: call gather");
   using T = typename M::scalar;
   using Buffer = IncrementBuffer<T, M::dimension>;
   auto& points = body.points;
@@ -191,8 +181,8 @@ DeformSums deform(const N& numerics, const M& mesh, const Blocks& blocks, B& bod
           for (std::size_t p = begin; p < end;) {
             const Index c = points.cell[p];
             const std::size_t next = std::min<std::size_t>(end, body.cells.run_end(static_cast<Index>(p), c));
-            chunk.check += static_cast<double>(detail::move_run<K, TakesVelocity>(
-                numerics, mesh, c, points, p, next, nodes, dt, average, buffer, p - begin));
+            chunk.check += static_cast<double>(detail::move_run<K>(numerics, mesh, c, points, p, next, nodes,
+                                                                   dt, average, buffer, p - begin));
             p = next;
           }
           law_pass<TracksWork, N::template width<T>>(law, points, begin, end, buffer, chunk);

@@ -33,6 +33,14 @@ struct Numerics {
   using Transfer = Transfer_;
   using Order = Order_;
   using AntiLocking = AntiLocking_;
+  /// Whether strains are taken from velocities that were mapped back to the nodes. What TPIC takes from the
+  /// nodes of a linear simplex it would hand back to each unchanged: there MUSL is USL.
+  static constexpr bool remaps = Order::remaps && !(Shape::constant_gradient && Transfer::affine);
+  /// Whether the points take their velocities where they are mapped back, in a pass before that of the
+  /// strains; linear simplices need no such pass (see `remap`).
+  static constexpr bool remaps_by_points = remaps && !Shape::constant_gradient;
+  static constexpr bool needs_edge_mass = remaps && Shape::constant_gradient;
+  static constexpr bool needs_cell_sums = needs_edge_mass || AntiLocking::averages_strain;
 
   static_assert(Transfer::template fits<Shape>,
                 "Numerics: APIC needs B-splines (its inertia tensor is singular at a node of a linear "

@@ -11,28 +11,25 @@
 namespace arenite {
 namespace detail {
 
-/// Adds what a pack of points at x, of mass m (0 in lanes without a point) and velocity v, hands to the nodes
-/// of its cell, the affine part too, to `sums`: `Stride` a node, the components of the momentum first.
+/// Adds the momentum that a pack of points at x hands to the nodes of its cell to `sums`, `Stride` a node,
+/// from the points' shares `mw` of the nodes' masses (0 in lanes without a point) and their velocities v.
 template <class Transfer, std::size_t Stride, class Cell, class P, std::size_t D, class Points, class Sums>
-void add_momentum(const Cell& cell, const Points& points, Index first, int count, const P& m,
-                  const std::array<P, Cell::size>& w, const std::array<P, D>& x, const std::array<P, D>& v,
+void add_momentum(const Cell& cell, const Points& points, Index first, int count,
+                  const std::array<P, Cell::size>& mw, const std::array<P, D>& x, const std::array<P, D>& v,
                   Sums& sums) {
-  std::array<P, D> own;
-  repeat<D>([&](std::size_t d) { own[d] = m * v[d]; });
   if constexpr (Transfer::affine) {
-    auto c = handed_gradient<Transfer>(cell, points.motion.template load<P>(first, count), x);
-    for (P& value : c) value = value * m;
+    const auto c = handed_gradient<Transfer>(cell, points.motion.template load<P>(first, count), x);
     const auto ways = cell.ways(x);
     repeat<Cell::size>([&](std::size_t i) {
       repeat<D>([&](std::size_t d) {
-        P handed = own[d];
+        P handed = v[d];
         repeat<D>([&](std::size_t a) { handed += c[a * D + d] * ways[a][Cell::along(i, a)]; });
-        sums[i * Stride + d] += w[i] * handed;
+        sums[i * Stride + d] += mw[i] * handed;
       });
     });
   } else {
     repeat<Cell::size>(
-        [&](std::size_t i) { repeat<D>([&](std::size_t d) { sums[i * Stride + d] += w[i] * own[d]; }); });
+        [&](std::size_t i) { repeat<D>([&](std::size_t d) { sums[i * Stride + d] += mw[i] * v[d]; }); });
   }
 }
 
@@ -50,64 +47,98 @@ typename M::scalar whole_volume(const M& mesh, Index cell) {
   }
 }
 
-/// Sums over the points of a cell whose functions have constant gradients, as one row of scalars or packs:
-/// for each node momentum [D] and mass; then the stress times volume, the hoop stress' share of each node and
-/// the volume.
-template <class K, class Cell>
+/// Sums over the points of a cell: stress times volume, N m by component, and behind them the volume, m3.
+template <int Width, class L, class T, int D, bool Affine>
+auto stress_sums(const Body<L, T, D, Affine>& body, Index c) {
+  using P = lanes_of<T, Width>;
+  constexpr std::size_t size = Sym<T, D>::size;
+  const auto& points = body.points;
+  std::array<P, size + 1> sums;
+  repeat<size + 1>([&](std::size_t k) { sums[k] = P(0); });
+  body.cells.template for_packs<Width>(c, [&](Index first, int count) {
+    const auto stress = points.stress.template load<P>(first, count);
+    const P volume = load_lanes<P>(points.volume.data() + first, count);
+    repeat<size>([&](std::size_t k) { sums[k] += volume * stress[k]; });
+    sums[size] += volume;
+  });
+  return lane_sums(sums);
+}
+
+/// What is summed over the points of a cell whose functions have constant gradients, beside the stress, as
+/// one row of scalars or packs: for each node momentum [D] and mass; then each node's share of the hoop
+/// stress and the parts of `CellSums`.
+template <class K, class N, class Cell>
 struct ScatterSums {
-  static constexpr std::size_t D = Cell::D, nodes = Cell::size, stress_size = Sym<double, Cell::D>::size;
+  static constexpr std::size_t nodes = Cell::size;
   // Four, as in the lower half of NodeSums: a load then takes what one store wrote.
   static constexpr std::size_t per_node = 4;
-  static constexpr std::size_t stress = nodes * per_node;
-  static constexpr std::size_t hoop = stress + stress_size;
-  static constexpr std::size_t volume = hoop + (K::hoop ? nodes : 0);
-  static constexpr std::size_t size = volume + 1;
+  static constexpr bool averages_hoop = K::hoop && N::AntiLocking::averages_strain;
+  static constexpr std::size_t edges = N::needs_edge_mass ? CellSums<double, Cell::D>::edges : 0;
+  static constexpr std::size_t pull = nodes * per_node;  // of the hoop stress
+  static constexpr std::size_t edge_mass = pull + (K::hoop ? nodes : 0);
+  static constexpr std::size_t hoop = edge_mass + edges;
+  static constexpr std::size_t size = hoop + (averages_hoop ? nodes : 0);
 };
 
-/// Scatters the points of a cell with constant gradients: one product of stress and gradient a node.
+/// Scatters the points of a cell with constant gradients: one product of stress and gradient a node. Stresses
+/// are summed in a loop of their own, so that the sums of each loop fit into the registers.
 template <class K, class N, class M, class B, class Field>
-[[gnu::flatten]] void scatter_simplex([[maybe_unused]] const N& numerics, const M& mesh, const B& body,
-                                      Index c, Field& nodes) {
+[[gnu::flatten]] void scatter_simplex([[maybe_unused]] const N& numerics, const M& mesh, B& body, Index c,
+                                      Field& nodes) {
   using Cell = typename N::Shape::template Cell<M>;
   using T = typename M::scalar;
   constexpr std::size_t D = M::dimension, size = Cell::size;
   constexpr int width = N::template width<T>;
   using P = lanes_of<T, width>;
-  using Row = ScatterSums<K, Cell>;
+  using Row = ScatterSums<K, N, Cell>;
+  constexpr std::size_t stress_size = Sym<T, M::dimension>::size;
   const auto& points = body.points;
   const Cell cell(mesh, c);
+  auto stress = stress_sums<width>(body, c);
   std::array<P, Row::size> sums;
   repeat<Row::size>([&](std::size_t k) { sums[k] = P(0); });
   body.cells.template for_packs<width>(c, [&](Index first, int count) {
     const auto x = points.position.template load_repeated<P>(first, count);
     const auto v = points.velocity.template load<P>(first, count);
-    const auto stress = points.stress.template load<P>(first, count);
     const P m = load_lanes<P>(points.mass.data() + first, count);
-    const P volume = load_lanes<P>(points.volume.data() + first, count);
     const auto w = cell.weights(x);
-    add_momentum<typename N::Transfer, Row::per_node>(cell, points, first, count, m, w, x, v, sums);
-    repeat<size>([&](std::size_t i) { sums[i * Row::per_node + D] += w[i] * m; });
-    repeat<Row::stress_size>([&](std::size_t k) { sums[Row::stress + k] += volume * stress[k]; });
-    sums[Row::volume] += volume;
+    std::array<P, size> mw;
+    repeat<size>([&](std::size_t i) { mw[i] = m * w[i]; });
+    add_momentum<typename N::Transfer, Row::per_node>(cell, points, first, count, mw, x, v, sums);
+    repeat<size>([&](std::size_t i) { sums[i * Row::per_node + D] += mw[i]; });
+    if constexpr (N::needs_edge_mass)
+      for_each_edge<size>(
+          [&](std::size_t e, std::size_t i, std::size_t j) { sums[Row::edge_mass + e] += mw[i] * w[j]; });
     if constexpr (K::hoop) {
-      const P pull = volume * stress[2] * reciprocal(x[0]);
-      repeat<size>([&](std::size_t i) { sums[Row::hoop + i] += pull * w[i]; });
+      const P around = load_lanes<P>(points.volume.data() + first, count) * reciprocal(x[0]);
+      const P pull = around * load_lanes<P>(points.stress.column(2).data() + first, count);
+      repeat<size>([&](std::size_t i) { sums[Row::pull + i] += pull * w[i]; });
+      if constexpr (Row::averages_hoop)
+        repeat<size>([&](std::size_t i) { sums[Row::hoop + i] += around * w[i]; });
     }
   });
   auto total = lane_sums(sums);
+  const T volume = stress[stress_size];
+  if constexpr (N::needs_cell_sums) {
+    auto& left = body.cell_sums[c];
+    left.volume = volume;
+    repeat<Row::edges>([&](std::size_t e) { left.edge_mass[e] = total[Row::edge_mass + e]; });
+    if constexpr (Row::averages_hoop)
+      repeat<size>([&](std::size_t i) { left.hoop[i] = total[Row::hoop + i]; });
+  }
   if constexpr (N::AntiLocking::averages_stress) {
     const T whole = whole_volume<K>(mesh, c);
-    if (total[Row::volume] >= static_cast<T>(numerics.anti_locking.fill) * whole)
-      for (std::size_t k = Row::stress; k < Row::volume; ++k) total[k] *= whole / total[Row::volume];
+    if (volume >= static_cast<T>(numerics.anti_locking.fill) * whole) {
+      for (T& s : stress) s *= whole / volume;
+      if constexpr (K::hoop) repeat<size>([&](std::size_t i) { total[Row::pull + i] *= whole / volume; });
+    }
   }
   // Columns of the stress as packs: a node's force is their sum, each times a component of the gradient.
   using Quad = Pack<T, 4>;
   std::array<Quad, D> column;
   repeat<D>([&](std::size_t a) {
     column[a] = Quad(0);
-    repeat<D>([&](std::size_t d) {
-      column[a].set(static_cast<int>(d), -total[Row::stress + Sym<T, D>::index(d, a)]);
-    });
+    repeat<D>([&](std::size_t d) { column[a].set(static_cast<int>(d), -stress[Sym<T, D>::index(d, a)]); });
   });
   T mass = 0;
   repeat<size>([&](std::size_t i) {
@@ -116,7 +147,7 @@ template <class K, class N, class M, class B, class Field>
     repeat<D>([&](std::size_t a) {
       force += column[a] * Quad(cell.gradient(static_cast<int>(a), static_cast<int>(i)));
     });
-    if constexpr (K::hoop) force.set(0, force[0] - total[Row::hoop + i]);
+    if constexpr (K::hoop) force.set(0, force[0] - total[Row::pull + i]);
     sums_of_node.add_lower(Quad::load(&total[i * Row::per_node]));
     sums_of_node.add_upper(force);
     mass += total[i * Row::per_node + D];
@@ -197,9 +228,10 @@ template <class K, class N, class M, class B, class Field>
 
 /// For each node: sum of w m, w m v (with the affine part), and the internal force -sum V sigma grad N (with
 /// the hoop stress in axisymmetry), as in Sulsky, Chen, Schreyer 1994 (doi:10.1016/0045-7825(94)90112-0). The
-/// field must have been cleared.
+/// field must have been cleared. Of the body, the cell sums are renewed, where there are points.
 template <class K, class N, class M, class B, class Field>
-void scatter(const N& numerics, const M& mesh, const Blocks& blocks, const B& body, Field& nodes) {
+void scatter(const N& numerics, const M& mesh, const Blocks& blocks, B& body, Field& nodes) {
+  if constexpr (N::needs_cell_sums) body.cell_sums.resize(mesh.cell_count());
   blocks.for_each_colored([&](Index c) {
     if (body.cells.empty(c)) return;
     if constexpr (N::Shape::constant_gradient)

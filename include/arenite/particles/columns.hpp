@@ -60,6 +60,10 @@ class Columns {
     for (std::size_t k = 0; k < N; ++k) value[k] = load_lanes<P>(column_[k].data() + p, count, column_[k][p]);
     return value;
   }
+  /// Asks the processor for what it holds of point p; p may lie behind the last.
+  void prefetch(std::size_t p) const {
+    for (std::size_t k = 0; k < N; ++k) __builtin_prefetch(column_[k].data() + p);
+  }
   template <class P>
   void store(std::size_t p, int count, const std::array<P, N>& value) {
     for (std::size_t k = 0; k < N; ++k) store_lanes(column_[k].data() + p, count, value[k]);

@@ -25,6 +25,13 @@ struct alignas(8 * sizeof(T)) NodeSums {
     return used;
   }
 
+  /// Whether any of them is more than the mass, which points hand over without a gradient.
+  static constexpr bool has_gradient(std::size_t first, std::size_t count) {
+    bool has = false;
+    for (std::size_t k = first; k < first + count; ++k) has = has || (uses(k, 1) && k != mass_lane);
+    return has;
+  }
+
   Vec<T, D> momentum() const { return Eigen::Map<const Vec<T, D>>(lane.data()); }            ///< kg m/s
   T mass() const { return lane[mass_lane]; }                                                 ///< kg
   Vec<T, D> force() const { return Eigen::Map<const Vec<T, D>>(lane.data() + force_lane); }  ///< N

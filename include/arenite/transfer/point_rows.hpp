@@ -82,6 +82,7 @@ class PointRows {
     const auto second = [&](std::size_t a, std::size_t i, std::size_t p) {
       return Lanes::half_part(part, lower_[a][i][p], upper_[a][i][p]);
     };
+    const bool has_gradient = Sums::has_gradient(part * Lanes::width, Lanes::width);
     std::array<L, 9> sum;
     repeat<9>([&](std::size_t n) { sum[n] = L(0); });
     for (std::size_t p = 0; p < count_; ++p) {
@@ -89,7 +90,7 @@ class PointRows {
       if constexpr (D == 3) {
         const L n(value_[2][k][p]);
         rest = rest * n;
-        rest += lanes(along_[2][p]) * second(2, k, p);
+        if (has_gradient) rest += lanes(along_[2][p]) * second(2, k, p);
         x = x * n;
         y = y * n;
       }
@@ -101,10 +102,10 @@ class PointRows {
       repeat<3>([&](std::size_t j) {
         const L n(value_[1][j][p]), along_x = x * n;
         L line = rest * n;
-        line += y * second(1, j, p);
+        if (has_gradient) line += y * second(1, j, p);
         repeat<3>([&](std::size_t i) {
           sum[3 * j + i] += line * n_x[i];
-          sum[3 * j + i] += along_x * g_x[i];
+          if (has_gradient) sum[3 * j + i] += along_x * g_x[i];
         });
       });
     }

@@ -4,9 +4,14 @@
 
 #include <arenite/core/array_memory.hpp>
 #include <cstdint>
+#include <fstream>
 #include <numeric>
 #include <set>
 #include <vector>
+
+#ifdef __linux__
+#include <unistd.h>
+#endif
 
 using namespace arenite;
 
@@ -51,3 +56,21 @@ TEST_CASE("long arrays begin at different lines of a page, very long ones with a
   const Array<double> large(1000000);
   REQUIRE(begin_of(large) % ArrayMemory<double>::large_page == 0);
 }
+
+#ifdef __linux__
+TEST_CASE("memory is taken page by page, when a number is first written") {
+  // Pages of this process that lie in memory.
+  const auto resident = [] {
+    std::ifstream status("/proc/self/statm");
+    std::size_t all = 0, in_memory = 0;
+    status >> all >> in_memory;
+    return in_memory * static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
+  };
+  const std::size_t n = 8000000, before = resident();
+  REQUIRE(before > 0);
+  Array<double> a(n);
+  REQUIRE(resident() - before < n * sizeof(double) / 4);
+  std::fill(a.begin(), a.end(), 1.0);
+  REQUIRE(resident() - before > n * sizeof(double) / 2);
+}
+#endif

@@ -55,6 +55,13 @@ struct ArrayMemory {
     ::operator delete (reinterpret_cast<void*>(address - address % size), std::align_val_t{size});
   }
 
+  /// Numbers that are given no value have none: a page lies near the processor that first writes to it, and
+  /// that is to be the one that works on it.
+  template <class U>
+  void construct(U* at) {
+    ::new (static_cast<void*>(at)) U;
+  }
+
   friend bool operator==(const ArrayMemory&, const ArrayMemory&) { return true; }
 
  private:

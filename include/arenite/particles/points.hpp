@@ -8,6 +8,8 @@
 
 #include <arenite/core/parallel.hpp>
 #include <arenite/law/law.hpp>
+#include <arenite/mesh/blocks.hpp>
+#include <arenite/particles/cell_list.hpp>
 #include <arenite/particles/columns.hpp>
 
 namespace arenite {
@@ -90,6 +92,19 @@ class Points {
   /// Exchanges two points.
   void swap(Index a, Index b) {
     for_each_column([&](auto& column) { std::swap(column[a], column[b]); });
+  }
+
+  /// Lays the columns anew, the points of each cell by the thread that has it in the loops over `blocks`: on
+  /// a machine with several memories they then lie in that thread's (first touch). There must be no guests.
+  void settle(const CellList& cells, const Blocks& blocks) {
+    for_each_column([&](auto& column) {
+      std::remove_cvref_t<decltype(column)> next(column.size());
+      blocks.for_each_block([&](std::size_t, Index begin, Index end) {
+        std::copy(column.data() + cells.offset(begin), column.data() + cells.offset(end),
+                  next.data() + cells.offset(begin));
+      });
+      column.swap(next);
+    });
   }
 
   /// Takes the memory that `reorder` needs, so that a step does not.

@@ -145,6 +145,7 @@ struct Scene {
         rigids{make_rigids(detail::pick<detail::is_rigids, Rigids<>>(parts...))},
         motion{make_motion(detail::pick<detail::is_motion, FixedMesh>(parts...))} {
     share_out();
+    for_each_body([&](auto& body, const auto&) { body.points.settle(body.cells, blocks); });
     numerics.transfer.check();
     numerics.anti_locking.check();
     const auto g = detail::pick<detail::is_gravity, Gravity>(parts...).g;

@@ -96,24 +96,21 @@ LawStates<T, D> law_states(const Law& law, double yielding) {
   return states;
 }
 
-/// Takes all points through one step in packs of W (plain scalars if W is 1).
+/// Takes all points through one step as a scene does whose packs hold W: one by one if W is 1, two packs side
+/// by side if the law asks for it.
 template <int W, class T, int D, class Law>
-void update_all(const Law& law, LawStates<T, D>& states) {
-  using Value = std::conditional_t<W == 1, T, Pack<T, W>>;
-  const auto take = [](const std::vector<T>& column, std::size_t p) -> Value {
-    if constexpr (W == 1)
-      return column[p];
-    else
-      return Value::load(&column[p]);
+[[gnu::flatten]] void update_all(const Law& law, LawStates<T, D>& states) {
+  using Value = typename LawLanes<Law, T, W>::type;
+  constexpr int count = lane_count<Value>;
+  static_assert(LawStates<T, D>::n % count == 0);
+  const auto take = [](const std::vector<T>& column, std::size_t p) {
+    return load_lanes<Value>(&column[p], count);
   };
   const auto give = [](std::vector<T>& column, std::size_t p, const Value& value) {
-    if constexpr (W == 1)
-      column[p] = value;
-    else
-      value.store(&column[p]);
+    store_lanes(&column[p], count, value);
   };
   const Law own = law;  // a copy: its constants stay in registers
-  for (std::size_t p = 0; p < states.n; p += W) {
+  for (std::size_t p = 0; p < states.n; p += count) {
     const auto all = [&](const auto& columns) {
       return Sym<Value, D>::each([&](std::size_t i) { return take(columns[i], p); });
     };

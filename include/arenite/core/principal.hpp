@@ -154,8 +154,8 @@ class Principal<T, 3> {
     const T size = detail::largest_root(T(min(abs(x), T(1))));
     const T h = select(positive_, size, T(-size));
 
-    const Sym<T, 3> adj = adjugate(add_isotropic(n, T(-h)));
-    apart_ = adj * reciprocal(trace(adj));  // the trace is 3 h^2 - 3/4, at least 3/2
+    // The trace of the adjugate is 3 h^2 - 3/4, at least 3/2, since n : n = 3/2.
+    apart_ = adjugate(add_isotropic(n, T(-h))) * reciprocal(T(T(3) * h * h - T(0.75)));
     rest_ = add_isotropic(n - apart_ * T(T(1.5) * h), T(T(0.5) * h));
     const T gap2 = T(2) * contract(rest_, rest_);
     inverse_gap_ = reciprocal_root(max(gap2, least));

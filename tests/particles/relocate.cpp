@@ -160,9 +160,7 @@ TEST_CASE("few movers become guests; many are sorted into the columns") {
 
 TEST_CASE("cell list by hand") {
   CellList list;
-  std::vector<Index> cell{2, 0, 2, 2, 4, none};
-  REQUIRE(list.sorted(cell, 6) == std::vector<Index>{1, 0, 2, 3, 4});
-  cell = {0, 2, 2, 2, 4};
+  std::vector<Index> cell{0, 2, 2, 2, 4};
   list.build(cell, 6);
   const auto points = [&](Index c) {
     std::vector<Index> in_cell;
@@ -177,7 +175,7 @@ TEST_CASE("cell list by hand") {
   list.leave(move, cell, [&](Index a, Index b) { swaps.emplace_back(a, b); });
   REQUIRE((move.point == 3 && move.from_run));
   list.admit(move);
-  list.seat_guests(cell);
+  list.list_guests(cell);
   REQUIRE(swaps == std::vector<std::pair<Index, Index>>{{1, 3}});
   REQUIRE(points(1) == std::vector<Index>{3});
   REQUIRE(points(2) == std::vector<Index>{1, 2});
@@ -187,8 +185,19 @@ TEST_CASE("cell list by hand") {
   list.leave(move, cell, [&](Index, Index) { FAIL("a guest stays where it lies"); });
   REQUIRE(!move.from_run);
   list.admit(move);
-  list.seat_guests(cell);
+  list.list_guests(cell);
   REQUIRE((list.empty(1) && points(4) == std::vector<Index>{4, 3}));
+  // Another leaves for nowhere: the new order does without it, and has guests behind the cell's own points.
+  move = {1, none};
+  list.leave(move, cell, [&](Index a, Index b) { swaps.emplace_back(a, b); });
+  list.admit(move);
+  list.list_guests(cell);
+  REQUIRE(swaps.back() == std::pair<Index, Index>{1, 2});
+  const Blocks blocks(6, 1, 2, [](Index) { return std::array<Index, 1>{0}; });
+  REQUIRE(list.order(blocks) == std::vector<Index>{0, 1, 4, 3});
+  list.take_order();
+  REQUIRE((points(0) == std::vector<Index>{0} && points(2) == std::vector<Index>{1}));
+  REQUIRE((points(4) == std::vector<Index>{2, 3} && list.guests() == 0));
   list.build({}, 3);
   REQUIRE(list.empty(2));
 }

@@ -5,6 +5,7 @@
 #include <arenite/transfer/deform.hpp>
 #include <arenite/transfer/remap.hpp>
 #include <arenite/transfer/scatter.hpp>
+#include <numeric>
 
 #include "../mesh/sample_meshes.hpp"
 
@@ -63,7 +64,11 @@ struct Setup {
 
   /// Renews the list of cells after `add`.
   void index() {
-    body.points.reorder(body.cells.sorted(body.points.cell, mesh.cell_count()));
+    auto& cell = body.points.cell;
+    std::vector<Index> order(cell.size());
+    std::iota(order.begin(), order.end(), 0u);
+    std::stable_sort(order.begin(), order.end(), [&](Index a, Index b) { return cell[a] < cell[b]; });
+    body.points.reorder(order);
     body.cells.build(body.points.cell, mesh.cell_count());
   }
 

@@ -1,18 +1,20 @@
-// Cell list: which points lie in which cell. After a sort the points of a cell are neighbours in memory; a
-// point that moves to another cell becomes a guest there until the next sort.
+// Cell list: which points lie in which cell. The points of a cell are neighbours in memory; one that moves to
+// another cell becomes a guest there until all are regrouped.
 #pragma once
 
 #include <algorithm>
+#include <numeric>
 #include <vector>
 
 #include <arenite/core/error.hpp>
 #include <arenite/core/scalar.hpp>
+#include <arenite/mesh/blocks.hpp>
 
 namespace arenite {
 
 /// Points of each cell: a run of neighbours that it owns, and guests, whose columns lie where their old
 /// cell's run ended. A step moves few points (0.5 % is common), so that a list of guests costs far less than
-/// a sort.
+/// a new order.
 class CellList {
  public:
   /// A change of cell.
@@ -25,44 +27,43 @@ class CellList {
   void build(const std::vector<Index>& cell, Index cell_count) {
     require(std::is_sorted(cell.begin(), cell.end()), "CellList: points", cell.size(),
             "must be sorted by cell");
-    sorted(cell, cell_count);
+    start_.assign(cell_count + 1, 0);
+    for (const Index c : cell) ++start_[c + 1];
+    for (std::size_t c = 1; c < start_.size(); ++c) start_[c] += start_[c - 1];
     owned_.resize(cell_count);
-    take_sorted();
-    // Room for what relocation lets come together before it sorts, so that a step allocates nothing.
+    own_all();
+    // Room for what relocation needs, so that a step allocates nothing.
     guests_.reserve(cell.size() / 8 + 64);
     all_guests_.reserve(cell.size() / 8 + 64);
     next_.reserve(cell_count + 1);
+    order_.reserve(cell.size());
   }
 
-  /// The order that sorts points by cell, stable; those of cell `none` are left out.
-  const std::vector<Index>& sorted(const std::vector<Index>& cell, Index cell_count) {
-    start_.assign(cell_count + 1, 0);
-    std::size_t kept = 0;
-    for (const Index c : cell) {
-      if (c == none) continue;
-      ++start_[c + 1];
-      ++kept;
-    }
-    for (std::size_t c = 1; c < start_.size(); ++c) start_[c] += start_[c - 1];
-    next_.assign(start_.begin(), start_.end());
-    order_.resize(kept);
-    for (std::size_t p = 0; p < cell.size(); ++p)
-      if (cell[p] != none) order_[next_[cell[p]]++] = static_cast<Index>(p);
+  /// The order of points that puts those of each cell side by side, its guests behind its own. Points of cell
+  /// `none` are left out. Call `take_order` once they stand so.
+  const std::vector<Index>& order(const Blocks& blocks) {
+    next_.assign(start_.size(), 0);
+    for (Index c = 0; c < owned_.size(); ++c)
+      next_[c + 1] = next_[c] + owned_[c] + guest_start_[c + 1] - guest_start_[c];
+    order_.resize(next_.back());
+    blocks.for_each_block([&](std::size_t, Index begin, Index end) {
+      for (Index c = begin; c < end; ++c) {
+        const auto own = order_.begin() + next_[c], guests = own + owned_[c];
+        std::iota(own, guests, start_[c]);
+        std::copy(guests_.begin() + guest_start_[c], guests_.begin() + guest_start_[c + 1], guests);
+      }
+    });
     return order_;
   }
-
-  /// Lists the points as `sorted` has put them, once they stand in that order.
-  void take_sorted() {
-    for (std::size_t c = 0; c < owned_.size(); ++c) owned_[c] = start_[c + 1] - start_[c];
-    guest_start_.assign(start_.size(), 0);
-    guests_.clear();
-    all_guests_.clear();
+  void take_order() {
+    start_.swap(next_);
+    own_all();
   }
 
   /// Takes a point out of its cell; `swap(a, b)` exchanges two points' columns. A point that its cell owns
   /// changes places with the last of the run first; `move.point` is its place from then on. Moves of one cell
   /// must come with its last point first; those of different cells may be taken at the same time. Call
-  /// `admit` for each, then `seat_guests`.
+  /// `admit` for each, then `list_guests`.
   template <class Swap>
   void leave(Move& move, std::vector<Index>& cell, Swap&& swap) {
     const Index from = cell[move.point];
@@ -80,14 +81,16 @@ class CellList {
     if (move.from_run) all_guests_.push_back(move.point);
   }
 
-  /// Lists the guests by cell.
-  void seat_guests(const std::vector<Index>& cell) {
+  /// Lists the guests by cell; those of cell `none` are left out.
+  void list_guests(const std::vector<Index>& cell) {
     guest_start_.assign(guest_start_.size(), 0);
-    for (const Index p : all_guests_) ++guest_start_[cell[p] + 1];
+    for (const Index p : all_guests_)
+      if (cell[p] != none) ++guest_start_[cell[p] + 1];
     for (std::size_t c = 1; c < guest_start_.size(); ++c) guest_start_[c] += guest_start_[c - 1];
-    guests_.resize(all_guests_.size());
+    guests_.resize(guest_start_.back());
     next_.assign(guest_start_.begin(), guest_start_.end());
-    for (const Index p : all_guests_) guests_[next_[cell[p]]++] = p;
+    for (const Index p : all_guests_)
+      if (cell[p] != none) guests_[next_[cell[p]]++] = p;
   }
 
   /// Where the run of neighbours ends that point p of a cell belongs to: a guest is alone.
@@ -165,6 +168,14 @@ class CellList {
   }
 
  private:
+  /// Lists the points as `start_` has them, without guests.
+  void own_all() {
+    for (std::size_t c = 0; c < owned_.size(); ++c) owned_[c] = start_[c + 1] - start_[c];
+    guest_start_.assign(start_.size(), 0);
+    guests_.clear();
+    all_guests_.clear();
+  }
+
   std::vector<Index> start_;         // [cells + 1] first point of each cell's run
   std::vector<Index> owned_;         // [cells] points of the run that are still in the cell
   std::vector<Index> guest_start_;   // [cells + 1] into guests_

@@ -47,8 +47,8 @@ void leave_cells(B& body, CellList::Move* moves, Index count) {
 }  // namespace detail
 
 /// Finds the cell of each point, removes those that left the mesh (and counts them), and renews the list of
-/// cells. Points that moved are guests of their cells until they are more than a sixteenth: then the columns
-/// are sorted. `Width`: points tested at a time. Returns whether it sorted.
+/// cells. Points that moved are guests of their cells until they are more than a sixteenth: then the
+/// columns take a new order. `Width`: points tested at a time. Returns whether they did.
 template <int Width, class B, class M>
 bool relocate(B& body, M& mesh, const Blocks& blocks) {
   auto& points = body.points;
@@ -77,14 +77,12 @@ bool relocate(B& body, M& mesh, const Blocks& blocks) {
     }
   }
   if (!moved) return false;
+  cells.list_guests(points.cell);
   constexpr std::size_t crowd = 16;
-  if (lost || cells.guests() * crowd > points.size()) {
-    points.reorder(cells.sorted(points.cell, mesh.cell_count()));
-    cells.take_sorted();
-    return true;
-  }
-  cells.seat_guests(points.cell);
-  return false;
+  if (!lost && cells.guests() * crowd <= points.size()) return false;
+  points.reorder(cells.order(blocks));
+  cells.take_order();
+  return true;
 }
 
 }  // namespace arenite

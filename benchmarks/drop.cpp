@@ -9,10 +9,11 @@ int main(int argc, char** argv) {
   using namespace arenite::bench;
   const bool brief = take_flag(argc, argv, "--short");
   for (const int threads : {1, 2})
-    add_steps(
-        "step/drop_axisymmetric/double/arenite",
-        {.warm_up = brief ? 20 : 300, .steps = brief ? 10 : 100, .threads = threads, .courant = 0.5}, [] {
-          return ffp::rigid_scene<ffp::AxisymmetricModel, NodalAveraging, RigidVelocity>(ffp::DropOptions{});
-        });
+    add_steps("step/drop_axisymmetric/double/arenite",
+              {.warm_up = brief ? 20 : 300, .steps = brief ? 10 : 100, .threads = threads, .courant = 0.5},
+              [] {
+                return ffp::rigid_scene<ffp::AxisymmetricModel, NodalAndElementAverage, RigidVelocity>(
+                    ffp::DropOptions{});
+              });
   return run_benchmarks(argc, argv);
 }

@@ -206,21 +206,25 @@ def laws_table(rows):
 
 
 def others(found):
-    """Whatever else was timed with a number of points (the stages of a step)."""
+    """Whatever else was timed with a number of points: the stages of a step, the search for cells."""
     known = re.compile(r"(machine|step|scaling|law)/")
     return [{"name": n, "points": round(s.counter("points")), "ns_per_point": s.per_point()}
             for n, s in found.items() if not known.match(n) and s.has("points")]
 
 
-def others_table(rows):
-    scenes, columns = {}, []
+STAGES = ["relocate", "p2g", "nodes", "contact", "remap", "deform", "step"]
+
+
+def others_table(rows, first, stages):
+    """The stages (else all the rest): a row for each scene, in the order of their names."""
+    scenes = {}
     for r in rows:
         scene, _, what = r["name"].rpartition("/")
-        scenes.setdefault(scene, {})[what] = r["ns_per_point"]
-        if what not in columns:
-            columns.append(what)
-    return table(["scene", *columns], [[s.replace("_", " "), *(number(v.get(c)) for c in columns)]
-                                       for s, v in scenes.items()])
+        if (what in STAGES) == stages:
+            scenes.setdefault(scene, {})[what] = r["ns_per_point"]
+    columns = STAGES if stages else sorted({what for v in scenes.values() for what in v})
+    return table([first, *(c.replace("_", " ") for c in columns)],
+                 [[s.replace("_", " "), *(number(v.get(c)) for c in columns)] for s, v in sorted(scenes.items())])
 
 
 def main(raw, out, quick):
@@ -256,7 +260,9 @@ def main(raw, out, quick):
         parts.append(laws_table(law_rows))
     if rest:
         parts.append("\n## Stages of a step, ns a point, one thread\n")
-        parts.append(others_table(rest))
+        parts.append(others_table(rest, "scene", stages=True))
+        parts.append("\n## Finding a point's cell, ns a point, from a cell so many faces away or from nothing\n")
+        parts.append(others_table(rest, "mesh", stages=False))
     parts.append(f"\n## Compile time\n\nThe README's scene, `g++ -O2`: {compile_seconds:.1f} s.\n")
     (out / "report.md").write_text("\n".join(parts))
     (out / "report.json").write_text(json.dumps({

@@ -82,7 +82,9 @@ measure whole_step whole_step ${short[@]+"${short[@]}"}
 measure drop drop ${short[@]+"${short[@]}"}
 measure scaling scaling ${short[@]+"${short[@]}"} ${scaling[@]+"${scaling[@]}"}
 measure laws laws --benchmark_min_time=$law_time
-$quick || measure stages stages
+if ! $quick; then
+  for kernels in simplex bspline contact; do measure stages_$kernels stages_$kernels; done
+fi
 measure machine machine_after
 cat /proc/loadavg > "$raw/load_after" 2> /dev/null || true
 

@@ -52,14 +52,14 @@ void stir(Scene& scene, double speed) {
   });
 }
 
-/// About `points` points in tetrahedra, 10 in each, FLIP and MUSL.
-template <class T, class AntiLocking, class Law>
+/// About `points` points in tetrahedra, 10 in each.
+template <class T, class AntiLocking, class Transfer = Flip, class Order = Musl, class Law>
 auto tetrahedral_scene(const Law& law, double points) {
   const int k = static_cast<int>(std::lround(std::cbrt(points / 60)));
   const double h = 0.02;
   Scene scene{Solid{},
               SimplexMesh<3, T>(tetrahedra(k, h)),
-              Numerics<LinearSimplex, Flip, Musl, AntiLocking>{},
+              Numerics<LinearSimplex, Transfer, Order, AntiLocking>{},
               bodies(fill(Box{{-1, -1, -1}, {100, 100, 100}}, law, {.per_cell = 10})),
               walls(left(roller), right(roller), bottom(fixed), front(roller), back(roller)),
               gravity({0, -9.81, 0})};
@@ -67,8 +67,36 @@ auto tetrahedral_scene(const Law& law, double points) {
   return scene;
 }
 
-/// About `points` points on a grid of quadratic B-splines, APIC; 8 a cell in space, 4 in the plane.
-template <class T, int D, class Law>
+/// Square of k x k squares of edge h, each cut into two triangles.
+inline MeshData<2> triangles(int k, double h) {
+  MeshData<2> mesh;
+  for (int y = 0; y <= k; ++y)
+    for (int x = 0; x <= k; ++x) mesh.nodes.emplace_back(h * x, h * y);
+  for (int y = 0; y < k; ++y)
+    for (int x = 0; x < k; ++x) {
+      const auto a = static_cast<Index>(y * (k + 1) + x), up = static_cast<Index>(k + 1);
+      mesh.cells.push_back({a, a + 1, a + up + 1});
+      mesh.cells.push_back({a, a + up + 1, a + up});
+    }
+  return mesh;
+}
+
+/// About `points` points in triangles, 10 in each.
+template <class Kinematics, class AntiLocking, class Transfer, class Order, class Law>
+auto triangular_scene(const Law& law, double points) {
+  const int k = static_cast<int>(std::lround(std::sqrt(points / 20)));
+  Scene scene{Kinematics{},
+              SimplexMesh<2>(triangles(k, 0.02)),
+              Numerics<LinearSimplex, Transfer, Order, AntiLocking>{},
+              bodies(fill(Box{{-1., -1.}, {100., 100.}}, law, {.per_cell = 10})),
+              walls(left(roller), right(roller), bottom(fixed)),
+              gravity({0, -9.81})};
+  stir(scene, 0.5);
+  return scene;
+}
+
+/// About `points` points on a grid of quadratic B-splines; 8 a cell in space, 4 in the plane.
+template <class T, int D, class Transfer = Apic, class Order = Usl, class Law>
 auto spline_scene(const Law& law, double points) {
   constexpr int per_cell = D == 3 ? 8 : 4;
   const double k = std::round(std::pow(points / per_cell, 1.0 / D)), h = 0.02;
@@ -79,7 +107,7 @@ auto spline_scene(const Law& law, double points) {
   box.lower.fill(2 * h);
   box.upper.fill((k + 2) * h);
   Scene scene{Kinematics{}, CartesianGrid<D, T>{{.lower = {}, .upper = upper, .cell = h}},
-              Numerics<QuadraticBSpline, Apic, Usl>{}, bodies(fill(box, law, {.per_cell = per_cell})),
+              Numerics<QuadraticBSpline, Transfer, Order>{}, bodies(fill(box, law, {.per_cell = per_cell})),
               gravity({0, -9.81})};
   stir(scene, 0.5);
   return scene;

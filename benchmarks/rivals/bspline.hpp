@@ -57,13 +57,23 @@ class BSpline {
 
   void step(double time_step) {
     const T dt = static_cast<T>(time_step);
+    scatter();
+    advance(dt);
+    deform(dt);
+  }
+
+  void scatter() {
     for (auto& node : nodes) node = {};
     for (const auto& p : points) scatter(p);
+  }
+  void advance(T dt) {
     for (auto& node : nodes) {
       if (node.mass <= 0) continue;
       for (std::size_t i = 0; i < 3; ++i)  // from here on a velocity
         node.momentum[i] = (node.momentum[i] + dt * node.force[i]) / node.mass + dt * gravity[i];
     }
+  }
+  void deform(T dt) {
     for (auto& p : points) gather(p, dt);
   }
 

@@ -65,7 +65,15 @@ class Mls {
   }
 
   void step(double time_step) {
-    const T dt = static_cast<T>(time_step), per_inertia = 4 / (h_ * h_);
+    const T dt = static_cast<T>(time_step);
+    scatter(dt);
+    advance(dt);
+    deform(dt);
+  }
+
+  /// Force and momentum in one: the affine part of both is a product with the way to the node.
+  void scatter(T dt) {
+    const T per_inertia = 4 / (h_ * h_);
     std::fill(nodes.begin(), nodes.end(), Node{});
     for (const auto& p : points) {
       std::size_t first[2];
@@ -84,6 +92,9 @@ class Mls {
           node.momentum[1] += weight * (p.mass * p.v[1] + a[1][0] * dx + a[1][1] * dy);
         }
     }
+  }
+
+  void advance(T dt) {
     for (std::size_t j = 0; j < across_; ++j)
       for (std::size_t i = 0; i < across_; ++i) {
         Node& node = nodes[j * across_ + i];
@@ -94,7 +105,10 @@ class Mls {
         if (j < 2) node.momentum[0] = node.momentum[1] = 0;
         if (i < 2 || i + 2 >= across_) node.momentum[0] = 0;
       }
-    for (auto& p : points) gather(p, dt, per_inertia);
+  }
+
+  void deform(T dt) {
+    for (auto& p : points) gather(p, dt, 4 / (h_ * h_));
   }
 
  private:

@@ -75,38 +75,15 @@ class Tetrahedra {
 
   void step(double time_step) {
     const T dt = static_cast<T>(time_step);
-    find_cells();
+    relocate();
     scatter();
-    for (auto& node : nodes) {
-      if (node.mass <= 0) continue;
-      for (std::size_t i = 0; i < 3; ++i) {
-        node.old_velocity[i] = node.momentum[i] / node.mass;
-        node.velocity[i] = node.old_velocity[i] + dt * (node.force[i] / node.mass + gravity[i]);
-        if (node.fixed_along[i]) node.velocity[i] = 0;
-        node.momentum[i] = 0;
-      }
-    }
-    update_velocities();
-    for (auto& node : nodes)
-      for (std::size_t i = 0; i < 3; ++i)
-        node.strain_velocity[i] = node.mass > 0 && !node.fixed_along[i] ? node.momentum[i] / node.mass : 0;
-    if (averages) average(dt);
+    advance(dt);
+    remap();
     deform(dt);
   }
 
- private:
-  void weights(const Cell& cell, const Vec3<T>& x, T (&w)[4]) const {
-    const Vec3<T>& origin = nodes[cell.node[0]].x;
-    w[0] = 1;
-    for (int k = 1; k < 4; ++k) {
-      const T* g = cell.gradient[k];
-      w[k] = g[0] * (x[0] - origin[0]) + g[1] * (x[1] - origin[1]) + g[2] * (x[2] - origin[2]);
-      w[0] -= w[k];
-    }
-  }
-
   /// Walks from cell to cell; a point that leaves the mesh is removed.
-  void find_cells() {
+  void relocate() {
     const T outside = -64 * std::numeric_limits<T>::epsilon();
     for (std::size_t p = 0; p < points.size();) {
       Point& point = points[p];
@@ -150,8 +127,20 @@ class Tetrahedra {
     }
   }
 
+  void advance(T dt) {
+    for (auto& node : nodes) {
+      if (node.mass <= 0) continue;
+      for (std::size_t i = 0; i < 3; ++i) {
+        node.old_velocity[i] = node.momentum[i] / node.mass;
+        node.velocity[i] = node.old_velocity[i] + dt * (node.force[i] / node.mass + gravity[i]);
+        if (node.fixed_along[i]) node.velocity[i] = 0;
+        node.momentum[i] = 0;
+      }
+    }
+  }
+
   /// FLIP, and the new momenta back to the nodes.
-  void update_velocities() {
+  void remap() {
     for (auto& p : points) {
       const Cell& cell = cells[p.cell];
       T w[4];
@@ -162,6 +151,46 @@ class Tetrahedra {
       }
       for (int k = 0; k < 4; ++k)
         for (std::size_t i = 0; i < 3; ++i) nodes[cell.node[k]].momentum[i] += w[k] * p.mass * p.v[i];
+    }
+    for (auto& node : nodes)
+      for (std::size_t i = 0; i < 3; ++i)
+        node.strain_velocity[i] = node.mass > 0 && !node.fixed_along[i] ? node.momentum[i] / node.mass : 0;
+  }
+
+  void deform(T dt) {
+    if (averages) average(dt);
+    for (auto& p : points) {
+      const Cell& cell = cells[p.cell];
+      T w[4];
+      weights(cell, p.x, w);
+      T l[3][3] = {};
+      for (int k = 0; k < 4; ++k) {
+        const Node& node = nodes[cell.node[k]];
+        for (std::size_t i = 0; i < 3; ++i) {
+          p.x[i] += dt * w[k] * node.velocity[i];
+          for (std::size_t j = 0; j < 3; ++j) l[i][j] += node.strain_velocity[i] * cell.gradient[k][j];
+        }
+      }
+      Sym3<T> e;
+      Vec3<T> spin;
+      increment(l, dt, e, spin);
+      if (averages) {
+        const T change = (cell.dilation - (e[0] + e[1] + e[2])) / 3;
+        for (std::size_t i = 0; i < 3; ++i) e[i] += change;
+      }
+      const T opened = law.update(p.stress, e, spin);
+      p.volume *= std::exp(e[0] + e[1] + e[2] - opened);
+    }
+  }
+
+ private:
+  void weights(const Cell& cell, const Vec3<T>& x, T (&w)[4]) const {
+    const Vec3<T>& origin = nodes[cell.node[0]].x;
+    w[0] = 1;
+    for (int k = 1; k < 4; ++k) {
+      const T* g = cell.gradient[k];
+      w[k] = g[0] * (x[0] - origin[0]) + g[1] * (x[1] - origin[1]) + g[2] * (x[2] - origin[2]);
+      w[0] -= w[k];
     }
   }
 
@@ -186,31 +215,6 @@ class Tetrahedra {
       if (cell.weight <= 0) continue;
       cell.dilation = 0;
       for (const auto n : cell.node) cell.dilation += nodes[n].dilation / nodes[n].weight / 4;
-    }
-  }
-
-  void deform(T dt) {
-    for (auto& p : points) {
-      const Cell& cell = cells[p.cell];
-      T w[4];
-      weights(cell, p.x, w);
-      T l[3][3] = {};
-      for (int k = 0; k < 4; ++k) {
-        const Node& node = nodes[cell.node[k]];
-        for (std::size_t i = 0; i < 3; ++i) {
-          p.x[i] += dt * w[k] * node.velocity[i];
-          for (std::size_t j = 0; j < 3; ++j) l[i][j] += node.strain_velocity[i] * cell.gradient[k][j];
-        }
-      }
-      Sym3<T> e;
-      Vec3<T> spin;
-      increment(l, dt, e, spin);
-      if (averages) {
-        const T change = (cell.dilation - (e[0] + e[1] + e[2])) / 3;
-        for (std::size_t i = 0; i < 3; ++i) e[i] += change;
-      }
-      const T opened = law.update(p.stress, e, spin);
-      p.volume *= std::exp(e[0] + e[1] + e[2] - opened);
     }
   }
 

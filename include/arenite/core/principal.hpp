@@ -154,7 +154,8 @@ class Principal<T, 3> {
     const T size = detail::largest_root(T(min(abs(x), T(1))));
     const T h = select(positive_, size, T(-size));
 
-    // The trace of the adjugate is 3 h^2 - 3/4, at least 3/2, since n : n = 3/2.
+    // The trace of the adjugate is 3 h^2 - 3/4, at least 3/2, since n : n = 3/2 (where n is zero, nothing
+    // comes of it).
     apart_ = adjugate(add_isotropic(n, T(-h))) * reciprocal(T(T(3) * h * h - T(0.75)));
     rest_ = add_isotropic(n - apart_ * T(T(1.5) * h), T(T(0.5) * h));
     const T gap2 = T(2) * contract(rest_, rest_);

@@ -11,10 +11,10 @@ namespace arenite {
 template <class Scene>
 void relocate(Scene& scene) {
   constexpr int width = Scene::NumericsType::template width<typename Scene::T>;
-  bool sorted = false;
+  bool regrouped = false;
   scene.for_each_body(
-      [&](auto& body, auto&) { sorted = relocate<width>(body, scene.mesh, scene.blocks) || sorted; });
-  if (sorted) scene.share_out();
+      [&](auto& body, auto&) { regrouped = relocate<width>(body, scene.mesh, scene.blocks) || regrouped; });
+  if (regrouped) scene.share_out();
 }
 
 template <class Scene>

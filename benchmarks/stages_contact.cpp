@@ -1,0 +1,62 @@
+// Cost of contact: of bodies with normals from the gradient of mass, and of the penetrometer's surface with
+// the sand; and of finding the cell of a point.
+#include "../examples/ffp/model.hpp"
+#include "stages.hpp"
+
+namespace arenite::bench {
+namespace {
+
+/// A column of elastic ground and a block that slides on it: Coulomb contact on B-splines.
+auto sliding_block(double points) {
+  const double k = std::round(std::sqrt(points / 4)), h = 0.02, top = (k / 2 + 2) * h;
+  const Box lower{{2 * h, 2 * h}, {(k + 2) * h, top}}, upper{{2 * h, top}, {(k + 2) * h, (k + 2) * h}};
+  return Scene{PlaneStrain{},
+               CartesianGrid<2>{{.lower = {0, 0}, .upper = {(k + 4) * h, (k + 4) * h}, .cell = h}},
+               Numerics<QuadraticBSpline, Apic, Usl>{},
+               bodies(fill(lower, elastic(), {.per_cell = 4}),
+                      fill(upper, elastic(), {.per_cell = 4, .velocity = {0.1, -0.1}})),
+               walls(bottom(fixed)),
+               Coulomb{Friction(20_deg)},
+               gravity({0, -9.81})};
+}
+
+/// Cells of random points: found from a cell nearby, as relocation does for those that left, and anywhere.
+void add_search(const std::string& name, int hops) {
+  benchmark::RegisterBenchmark(
+      (name + (hops < 0 ? "/search" : "/walk_" + std::to_string(hops))).c_str(),
+      [=](benchmark::State& state) {
+        SimplexMesh<3> mesh(tetrahedra(12, 0.02));
+        std::mt19937 random(3);
+        std::uniform_real_distribution<double> uniform(0, 12 * 0.02);
+        std::vector<Vec<double, 3>> x(10000);
+        std::vector<Index> from(x.size());
+        for (std::size_t p = 0; p < x.size(); ++p) {
+          x[p] = {uniform(random), uniform(random), uniform(random)};
+          from[p] = mesh.search(x[p]);
+          for (int hop = 0; hop < hops; ++hop) {
+            const Index to = mesh.neighbour(from[p], static_cast<int>(random() % 4));
+            if (to != none) from[p] = to;
+          }
+        }
+        for (auto _ : state)
+          for (std::size_t p = 0; p < x.size(); ++p)
+            benchmark::DoNotOptimize(hops < 0 ? mesh.search(x[p]) : mesh.walk(x[p], from[p]));
+        state.counters["points"] = static_cast<double>(x.size());
+      })
+      ->Unit(benchmark::kMillisecond);
+}
+
+}  // namespace
+}  // namespace arenite::bench
+
+int main(int argc, char** argv) {
+  using namespace arenite;
+  using namespace arenite::bench;
+  add_stages("bspline_2d_apic_usl_coulomb_two_bodies", [] { return sliding_block(1e5); });
+  add_stages("axisymmetric_rigid_penetrometer", [] {
+    return ffp::rigid_scene<ffp::AxisymmetricModel, NodalAndElementAverage, RigidVelocity>(
+        ffp::DropOptions{});
+  });
+  for (const int hops : {0, 1, 4, -1}) add_search("tetrahedra_12960", hops);
+  return run_benchmarks(argc, argv);
+}

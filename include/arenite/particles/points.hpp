@@ -94,16 +94,19 @@ class Points {
     for_each_column([&](auto& column) { std::swap(column[a], column[b]); });
   }
 
-  /// Lays the columns anew, the points of each cell by the thread that has it in the loops over `blocks`: on
-  /// a machine with several memories they then lie in that thread's (first touch). There must be no guests.
+  /// Lays the columns but the cells anew, the points of each cell by the thread that has it in the loops over
+  /// `blocks`: on a machine with several memories they then lie in that thread's (first touch). There must be
+  /// no guests.
   void settle(const CellList& cells, const Blocks& blocks) {
     for_each_column([&](auto& column) {
-      std::remove_cvref_t<decltype(column)> next(column.size());
-      blocks.for_each_block([&](std::size_t, Index begin, Index end) {
-        std::copy(column.data() + cells.offset(begin), column.data() + cells.offset(end),
-                  next.data() + cells.offset(begin));
-      });
-      column.swap(next);
+      if constexpr (std::same_as<std::remove_cvref_t<decltype(column)>, Column<T>>) {
+        Column<T> next(column.size());
+        blocks.for_each_block([&](std::size_t, Index begin, Index end) {
+          std::copy(column.data() + cells.offset(begin), column.data() + cells.offset(end),
+                    next.data() + cells.offset(begin));
+        });
+        column.swap(next);
+      }
     });
   }
 

@@ -44,8 +44,8 @@ struct VolumetricAverage {
     constexpr std::size_t size = Cell::size;
     const Cell cell(mesh, c);
     const auto& sums = body.cell_sums[c];
-    T divergence = 0,
-      ring = 0;  // ring: volume times the rate of the hoop strain v_r / r, summed over the points
+    T divergence = 0;
+    T ring = 0;  // volume times the rate of the hoop strain v_r / r, summed over the points, m3/s
     repeat<size>([&](std::size_t k) {
       const auto& v = u[cell.nodes[k]];
       repeat<static_cast<std::size_t>(M::dimension)>([&](std::size_t d) {

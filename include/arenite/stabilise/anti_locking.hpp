@@ -26,9 +26,10 @@ struct NodalAveraging {
   void check() const {}
 };
 
-/// In a cell that is filled, the points take the mean stress and bear it over the whole volume of the cell
-/// (Gauss integration in filled cells; Beuth, Wieckowski, Vermeer 2011, doi:10.1002/nag.961); a partly filled
-/// cell keeps its points' own.
+/// In a cell that is filled, the points take their mean stress, weighted by volume, once they are in their
+/// cells at the begin of a step, and bear it over the whole volume of the cell (Gauss integration in filled
+/// cells; Beuth, Wieckowski, Vermeer 2011, doi:10.1002/nag.961); those of a partly filled cell keep their
+/// own.
 struct ElementAverage {
   static constexpr bool averages_strain = false;
   static constexpr bool averages_stress = true;

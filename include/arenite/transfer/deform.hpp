@@ -140,23 +140,6 @@ template <class K, class N, class M, class Points, class Field, class Average>
   return lane_sums(std::array<P, 1>{check})[0];
 }
 
-/// Gives the points of a cell, if it is filled, their mean stress, weighted by volume.
-template <class K, class N, class M, class B>
-[[gnu::flatten]] void average_stress(const N& numerics, const M& mesh, B& body, Index c) {
-  using T = typename M::scalar;
-  constexpr int width = N::template width<T>;
-  using P = lanes_of<T, width>;
-  constexpr std::size_t size = Sym<T, M::dimension>::size;
-  auto& points = body.points;
-  const auto total = stress_sums<width>(body, c);
-  if (total[size] < static_cast<T>(numerics.anti_locking.fill) * whole_volume<K>(mesh, c)) return;
-  std::array<P, size> mean;
-  const T share = 1 / total[size];
-  repeat<size>([&](std::size_t k) { mean[k] = P(total[k] * share); });
-  body.cells.template for_packs<width>(
-      c, [&](Index first, int count) { points.stress.template store<P>(first, count, mean); });
-}
-
 }  // namespace detail
 
 /// Gives each point its new velocity (unless `remap` did), updates its stress, history and volume by the law
@@ -170,7 +153,7 @@ DeformSums deform(const N& numerics, const M& mesh, const Blocks& blocks, B& bod
   auto& points = body.points;
   if constexpr (N::AntiLocking::averages_strain)
     average.template compute<K, N>(mesh, blocks, body, nodes, dt);
-  const DeformSums sums = parallel_reduce(
+  return parallel_reduce(
       points.size(), DeformSums{},
       [&](std::size_t chunk_begin, std::size_t chunk_end) {
         const auto law = body.law;  // a copy: its moduli stay in registers
@@ -190,11 +173,6 @@ DeformSums deform(const N& numerics, const M& mesh, const Blocks& blocks, B& bod
         return chunk;
       },
       std::plus<>{});
-  if constexpr (N::AntiLocking::averages_stress)
-    blocks.for_each([&](Index c) {
-      if (!body.cells.empty(c)) detail::average_stress<K>(numerics, mesh, body, c);
-    });
-  return sums;
 }
 
 }  // namespace arenite

@@ -88,7 +88,8 @@ struct ScatterSums {
 };
 
 /// Scatters the points of a cell with constant gradients: one product of stress and gradient a node. Stresses
-/// are summed in a loop of their own, so that the sums of each loop fit into the registers.
+/// are summed in a loop of their own, so that the sums of each loop fit into the registers; their mean, where
+/// it is asked for, is known before the points are looked at again.
 template <class K, class N, class M, class B, class Field>
 [[gnu::flatten]] void scatter_simplex([[maybe_unused]] const N& numerics, const M& mesh, B& body, Index c,
                                       Field& nodes) {
@@ -99,9 +100,22 @@ template <class K, class N, class M, class B, class Field>
   using P = lanes_of<T, width>;
   using Row = ScatterSums<K, N, Cell>;
   constexpr std::size_t stress_size = Sym<T, M::dimension>::size;
-  const auto& points = body.points;
+  auto& points = body.points;
   const Cell cell(mesh, c);
   auto stress = stress_sums<width>(body, c);
+  const T volume = stress[stress_size];
+  [[maybe_unused]] T whole = volume;  // what the stress is borne by
+  if constexpr (N::AntiLocking::averages_stress) {
+    const T of_cell = whole_volume<K>(mesh, c);
+    if (volume >= static_cast<T>(numerics.anti_locking.fill) * of_cell) {
+      whole = of_cell;
+      std::array<P, stress_size> mean;
+      repeat<stress_size>([&](std::size_t k) { mean[k] = P(stress[k] / volume); });
+      body.cells.template for_packs<width>(
+          c, [&](Index first, int count) { points.stress.template store<P>(first, count, mean); });
+      for (T& s : stress) s *= whole / volume;
+    }
+  }
   std::array<P, Row::size> sums;
   repeat<Row::size>([&](std::size_t k) { sums[k] = P(0); });
   body.cells.template for_packs<width>(c, [&](Index first, int count) {
@@ -128,7 +142,6 @@ template <class K, class N, class M, class B, class Field>
     }
   });
   auto total = lane_sums(sums);
-  const T volume = stress[stress_size];
   if constexpr (N::needs_cell_sums) {
     auto& left = body.cell_sums[c];
     left.volume = volume;
@@ -136,13 +149,8 @@ template <class K, class N, class M, class B, class Field>
     if constexpr (Row::averages_hoop)
       repeat<size>([&](std::size_t i) { left.hoop[i] = total[Row::hoop + i]; });
   }
-  if constexpr (N::AntiLocking::averages_stress) {
-    const T whole = whole_volume<K>(mesh, c);
-    if (volume >= static_cast<T>(numerics.anti_locking.fill) * whole) {
-      for (T& s : stress) s *= whole / volume;
-      if constexpr (K::hoop) repeat<size>([&](std::size_t i) { total[Row::pull + i] *= whole / volume; });
-    }
-  }
+  if constexpr (N::AntiLocking::averages_stress && K::hoop)
+    repeat<size>([&](std::size_t i) { total[Row::pull + i] *= whole / volume; });
   // Columns of the stress as packs: a node's force is their sum, each times a component of the gradient.
   using Quad = Pack<T, 4>;
   std::array<Quad, D> column;
@@ -238,7 +246,8 @@ template <class K, class N, class M, class B, class Field>
 
 /// For each node: sum of w m, w m v (with the affine part), and the internal force -sum V sigma grad N (with
 /// the hoop stress in axisymmetry), as in Sulsky, Chen, Schreyer 1994 (doi:10.1016/0045-7825(94)90112-0). The
-/// field must have been cleared. Of the body, the cell sums are renewed, where there are points.
+/// field must have been cleared. Of the body, the cell sums are renewed, where there are points, and where the
+/// numerics average stresses, the points of filled cells take the mean.
 template <class K, class N, class M, class B, class Field>
 void scatter(const N& numerics, const M& mesh, const Blocks& blocks, B& body, Field& nodes) {
   if constexpr (N::needs_cell_sums) body.cell_sums.resize(mesh.cell_count());

@@ -242,11 +242,12 @@ struct Scene {
   }
 
  private:
-  static constexpr Index simplex_block = 24;  // cells
-
   static Blocks make_blocks(const M& mesh) {
-    Index size = simplex_block;
-    if constexpr (!is_simplex_mesh<M>) {
+    Index size;
+    if constexpr (is_simplex_mesh<M>) {
+      // Long runs of points, which memory serves best, but blocks enough to share out.
+      size = std::clamp<Index>(mesh.cell_count() / 128, 24, 800);
+    } else {
       // Two layers of cells: a block then shares nodes with its two neighbours alone, so that two colours are
       // enough.
       size = 2 * mesh.cell_count() / mesh.cells(D - 1);

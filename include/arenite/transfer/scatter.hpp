@@ -47,11 +47,6 @@ typename M::scalar whole_volume(const M& mesh, Index cell) {
   }
 }
 
-/// How many points ahead of those in work the columns are asked for: P2G reads fourteen of them, short of
-/// arithmetic, and waits for them else.
-template <int Width>
-constexpr std::size_t ahead = 2 * Width;
-
 /// Sums over the points of a cell: stress times volume, N m by component, and behind them the volume, m3.
 template <int Width, class L, class T, int D, bool Affine>
 auto stress_sums(const Body<L, T, D, Affine>& body, Index c) {

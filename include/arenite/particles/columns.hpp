@@ -12,8 +12,8 @@
 
 namespace arenite {
 
-/// How many points ahead of those in work a loop over the packs of cells asks for columns: such loops are short
-/// of arithmetic and would wait for them else.
+/// How many points ahead of those in work a loop over the packs of cells asks for columns: such loops are
+/// short of arithmetic and would wait for them else.
 template <int Width>
 constexpr std::size_t ahead = 8 * Width;
 

@@ -241,8 +241,8 @@ template <class K, class N, class M, class B, class Field>
 
 /// For each node: sum of w m, w m v (with the affine part), and the internal force -sum V sigma grad N (with
 /// the hoop stress in axisymmetry), as in Sulsky, Chen, Schreyer 1994 (doi:10.1016/0045-7825(94)90112-0). The
-/// field must have been cleared. Of the body, the cell sums are renewed, where there are points, and where the
-/// numerics average stresses, the points of filled cells take the mean.
+/// field must have been cleared. Of the body, the cell sums are renewed, where there are points, and where
+/// the numerics average stresses, the points of filled cells take the mean.
 template <class K, class N, class M, class B, class Field>
 void scatter(const N& numerics, const M& mesh, const Blocks& blocks, B& body, Field& nodes) {
   if constexpr (N::needs_cell_sums) body.cell_sums.resize(mesh.cell_count());

@@ -449,6 +449,49 @@ class Failures(DriverTest):
             self.assertTrue(vtu(path))
 
 
+class Study(DriverTest):
+    """The script that runs the documentation's tables."""
+
+    SCRIPT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "examples", "ffp", "study.py")
+    COMMON = " ".join([*COARSE, "--end", "0.03"])
+
+    def study(self, *options):
+        command = [sys.executable, self.SCRIPT, "--driver", DRIVER, "--out", "study", *options]
+        done = subprocess.run(command, capture_output=True, text=True, stdin=subprocess.DEVNULL)
+        return done.returncode, done.stdout, done.stderr
+
+    def test_table(self):
+        shutil.rmtree("study", ignore_errors=True)
+        code, out, err = self.study("--only", "delta", "--options", self.COMMON)
+        self.assertEqual((code, err.count("\n")), (0, 7), err)  # a line for each drop
+        rows = [[cell.strip() for cell in line.split("|")[1:-1]] for line in out.splitlines() if line.startswith("|")]
+        head, _, *rows = rows
+        self.assertEqual([row[0] for row in rows], ["20", "24", "28", "32", "36", "40", "no slip"])
+        self.assertEqual({len(row) for row in rows}, {len(head)})
+        for row, options in zip(rows, [*(f"delta-{row[0]}" for row in rows[:-1]), "no-slip"]):
+            found = summary(os.path.join("study", f"{options}-cell-0.04-points-per-element-10-end-0.03"))
+            self.assertEqual(float(row[1]), round(found["final_penetration_m"], 4))
+            self.assertEqual(row[3].split(",")[0], f"{found['peak_deceleration_g']:.1f}")
+        # What is there is not run again.
+        self.assertEqual(self.study("--only", "delta", "--options", self.COMMON), (0, out, ""))
+
+    def test_peaks(self):
+        with unittest.mock.patch.object(sys, "path", [os.path.dirname(self.SCRIPT), *sys.path]):
+            import study
+        runs = study.Runs(DRIVER, "peaks", self.COMMON, 0)
+        with open(os.devnull, "w") as nowhere, unittest.mock.patch.object(sys, "stderr", nowhere):
+            found = runs.drop("")
+        wide, narrow = runs.peaks("", [2e-3, 1e-9])
+        self.assertAlmostEqual(wide, found["peak_deceleration_g"], delta=1e-9 * wide)
+        self.assertAlmostEqual(narrow, found["raw_peak_deceleration_g"], delta=0.01 * narrow)
+
+    def test_mistakes(self):
+        code, _, err = self.study("--only", "delta", "--options", "--cell -1")
+        self.assertEqual(code, 1)
+        self.assertIn("--cell = -1: ", err)
+        self.assertTrue(err.splitlines()[-1].startswith("study.py: the drop stopped with exit code 2"), err)
+
+
 if __name__ == "__main__":
     DRIVER = os.path.abspath(sys.argv.pop(1))
     unittest.main()

@@ -1,0 +1,224 @@
+#!/usr/bin/env python3
+"""Runs the drops behind the tables of docs/ffp.md, one after the other, and prints the tables as Markdown: what each choice
+does to the answer, and what it costs. All of it takes half an hour on two processors; drops that are there are not run again.
+
+    study.py                              all tables; results in out/study
+    study.py --only delta cell            some of them; --list says which there are
+    study.py --only trade --picture trade.png --options "--friction 36"
+
+Build the driver first (examples/ffp/run.sh does). The picture needs matplotlib, the rest the standard library alone.
+"""
+
+import argparse
+import bisect
+import csv
+import itertools
+import json
+import os
+import re
+import subprocess
+import sys
+
+ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+GRAVITY = 9.81
+SLICE = "--kinematics slice"
+COARSE_SLICE = SLICE + " --cell 0.02"
+
+
+def each(option, values, *others):
+    """Rows that set one option to each of some values."""
+    return [(f"{value}", " ".join([*others, f"--{option} {value}"])) for value in values]
+
+
+# Each table: what it asks, and its rows: a label, and options of `arenite-ffp drop`.
+TABLES = {
+    "delta": ("Friction between sand and penetrometer, deg",
+              [*each("delta", [20, 24, 28, 32, 36, 40]), ("no slip", "--no-slip")]),
+    "open": ("What the paper leaves open", [
+        ("default", ""),
+        ("fillet of 1 cm", "--shoulder fillet"),
+        ("fillet of 1 cm, 40 deg", "--shoulder fillet --delta 40"),
+        *((f"FLIP {share}", f"--flip {share}") for share in (0.99, 0.9, 0)),
+        ("FLIP 0.99, Courant 0.2", "--flip 0.99 --courant 0.2"),
+        ("centre of mass", "--contact centre-of-mass"),
+        ("centre of mass, 40 deg", "--contact centre-of-mass --delta 40"),
+        ("centre of mass, no slip", "--contact centre-of-mass --no-slip"),
+        *((f"K0 {k0}", f"--k0 {k0}") for k0 in (0.357, 1)),
+        *((f"zone of {depth} m", f"--moving-depth {depth}") for depth in (0.03, 0.04, 0.08, 0.1)),
+        ("to 0.3 s", "--end 0.3"),
+    ]),
+    "points": ("Points a triangle", each("points-per-element", [4, 9, 10, 15, 16, 21, 25, 28, 36, 49])),
+    "cell": ("Cell size, m", each("cell", [0.02, 0.014, 0.01, 0.007, 0.005])),
+    "cell-rough": ("Cell size, m, 40 deg", each("cell", [0.02, 0.014, 0.01, 0.007, 0.005], "--delta 40")),
+    "courant": ("Courant number", each("courant", [0.1, 0.2, 0.5, 0.7, 0.9])),
+    "locking": ("No anti-locking", [
+        (label, f"--anti-locking off {options}".strip()) for label, options in [
+            ("1 cm, 28 points", ""),
+            *((f"{n} points", f"--points-per-element {n}") for n in (9, 10, 16, 49)),
+            *((f"cell {h}", f"--cell {h}") for h in (0.02, 0.014, 0.007, 0.005)),
+            ("40 deg", "--delta 40"),
+            *((f"slice, 2 cm, {n} points", f"{COARSE_SLICE} --points-per-element {n}") for n in (10, 20)),
+        ]
+    ]),
+    "elastic": ("Elastic penetrometer", [
+        (label, f"--device elastic {options}".strip()) for label, options in [
+            ("20 deg", ""), ("40 deg", "--delta 40"), ("no slip", "--no-slip"), ("2 cm", "--cell 0.02"),
+        ]
+    ]),
+    "coarse-slice": ("Slice, 2 cm", [
+        *((f"{n} points", f"{COARSE_SLICE} --points-per-element {n}") for n in (10, 20, 35)),
+        *((f"40 deg, {n} points", f"{COARSE_SLICE} --delta 40 --points-per-element {n}") for n in (10, 20)),
+        ("centre of mass, 20 points", f"{COARSE_SLICE} --contact centre-of-mass --points-per-element 20"),
+        *((f"elastic, {n} points", f"{COARSE_SLICE} --device elastic --points-per-element {n}") for n in (10, 20)),
+        ("axisymmetric, 28 points", "--cell 0.02"),
+        ("axisymmetric, 10 points", "--cell 0.02 --points-per-element 10"),
+        ("axisymmetric, 40 deg", "--cell 0.02 --delta 40"),
+        ("axisymmetric, centre of mass", "--cell 0.02 --contact centre-of-mass"),
+    ]),
+    "slice": ("Slice, 1 cm", [
+        ("10 points", SLICE),
+        ("10 points, Courant 0.9", SLICE + " --courant 0.9"),
+        ("20 points", SLICE + " --points-per-element 20"),
+        ("40 deg, 10 points", SLICE + " --delta 40"),
+        ("elastic, 10 points", SLICE + " --device elastic"),
+    ]),
+}
+# The lines of the picture: what a run costs, and what it answers.
+TRADE = {
+    "cells of 2 to 0.5 cm": TABLES["cell"][1],
+    "9 to 49 points a triangle": TABLES["points"][1][1:],
+    "Courant number 0.9 to 0.1": TABLES["courant"][1][::-1],
+    "slice, 2 cm, 10 to 35 points": TABLES["coarse-slice"][1][:3],
+    "slice, 1 cm, 10 (Courant 0.9, 0.5) and 20 points": [TABLES["slice"][1][k] for k in (1, 0, 2)],
+}
+TABLES["trade"] = ("Speed against accuracy: the drops of the picture",
+                   [(f"{line}: {label}", options) for line, rows in TRADE.items() for label, options in rows])
+
+
+class Runs:
+    """Drops by their options, each run once, in a folder of its own."""
+
+    def __init__(self, driver, folder, common, threads):
+        self.driver, self.folder, self.common, self.threads = driver, folder, common, threads
+
+    def place(self, options):
+        words = re.sub(r"[^a-z0-9.]+", "-", f"{options} {self.common}".lower()).strip("-")
+        return os.path.join(self.folder, words or "default")
+
+    def drop(self, options):
+        """The summary of a drop; None if it could not be run at all. One that stopped has its status and failure."""
+        place = self.place(options)
+        path = os.path.join(place, "summary.json")
+        if not os.path.exists(path):
+            command = [self.driver, "drop", *options.split(), *self.common.split(), "--threads", str(self.threads),
+                       "--fields-every", "0", "--quiet", "--out", place]
+            print(" ".join(command), file=sys.stderr, flush=True)
+            done = subprocess.run(command, stdin=subprocess.DEVNULL, stdout=sys.stderr)
+            if not os.path.exists(path):
+                sys.exit(f"study.py: the drop stopped with exit code {done.returncode} and left no {path}")
+        with open(path) as file:
+            return json.load(file)
+
+    def peaks(self, options, windows):
+        """Greatest mean of the deceleration, g, over each of some windows, s, of a drop that has been run."""
+        with open(os.path.join(self.place(options), "history.csv"), newline="") as file:
+            rows = list(csv.DictReader(file))
+        time = [float(row["time_s"]) for row in rows]
+        # The acceleration of a row holds since the row before.
+        parts = [float(row["acceleration_m_s2"]) * (b - a) for row, a, b in zip(rows[1:], time, time[1:])]
+        integral = [0.0, *itertools.accumulate(parts)]
+
+        def until(t):
+            k = min(max(bisect.bisect_right(time, t) - 1, 0), len(time) - 2)
+            return integral[k] + (integral[k + 1] - integral[k]) * (t - time[k]) / (time[k + 1] - time[k])
+
+        def mean(t, window):
+            a, b = max(t - window / 2, time[0]), min(t + window / 2, time[-1])
+            return (until(b) - until(a)) / (b - a)
+
+        return [max(mean(t, window) for t in time) / GRAVITY for window in windows]
+
+
+def row(label, found):
+    """One line of a table."""
+    if found["status"] != "done":
+        return f"| {label} | stopped: {found['failure']} | | | | | | | |"
+    second = "-"
+    if found["second_peak_deceleration_g"] is not None:
+        second = f"{found['second_peak_deceleration_g']:.1f}, {found['second_peak_time_s'] * 1e3:.0f}"
+    length = f"{found['dt_min_s'] * 1e6:.3g} to {found['dt_max_s'] * 1e6:.3g}"
+    return (f"| {label} | {found['final_penetration_m']:.4f} | {found['max_penetration_m']:.4f}, "
+            f"{found['max_penetration_time_s'] * 1e3:.0f} | {found['peak_deceleration_g']:.1f}, "
+            f"{found['peak_time_s'] * 1e3:.1f}, {found['peak_penetration_m']:.3f} | {second} | "
+            f"{found['energy_residual'] * 100:.1f} | {found['points']:,} | {found['steps']:,} of {length} | {found['wall_s']:.1f} |")
+
+
+def table(runs, name):
+    title, rows = TABLES[name]
+    print(f"\n**{title}**\n\n|  | final depth, m | greatest, m, at ms | peak, g, at ms, at m | second peak, g, at ms | "
+          "ledger, % | points | steps, us | s |\n" + "|---" * 9 + "|")
+    for label, options in rows:
+        print(row(label, runs.drop(options)), flush=True)
+    if name == "open":
+        windows = [0.5e-3, 1e-3, 2e-3, 4e-3]
+        found = zip(windows, runs.peaks("", windows))
+        print("\nPeak of the default drop by the window of its mean: " +
+              ", ".join(f"{window * 1e3:g} ms {peak:.1f} g" for window, peak in found))
+
+
+def draw(runs, path):
+    """The trade: seconds of each run against its depth and its peak."""
+    try:
+        import matplotlib
+    except ImportError:
+        sys.exit("study.py: --picture needs matplotlib; on Debian: apt install python3-matplotlib")
+    matplotlib.use("Agg")
+    import matplotlib.pyplot as pyplot
+
+    figure, panels = pyplot.subplots(1, 2, figsize=(11, 4.6), constrained_layout=True)
+    for (line, rows), colour, marker in zip(TRADE.items(), ["#0072B2", "#D55E00", "#009E73", "#CC79A7", "#000000"], "osD^v"):
+        drops = [found for found in (runs.drop(options) for _, options in rows) if found["status"] == "done"]
+        seconds = [found["wall_s"] for found in drops]
+        for axes, key, factor in zip(panels, ("final_penetration_m", "peak_deceleration_g"), (100, 1)):
+            axes.plot(seconds, [found[key] * factor for found in drops], color=colour, marker=marker, label=line, linewidth=1.4)
+    default = runs.drop("")
+    for axes, value, paper, text in ((panels[0], default["final_penetration_m"] * 100, 20, "final depth [cm]"),
+                                     (panels[1], default["peak_deceleration_g"], 17, "peak, 2 ms mean [g]")):
+        axes.plot([default["wall_s"]], [value], "*", color="#E69F00", markeredgecolor="#333333", markersize=15, zorder=5,
+                  label="the default drop")
+        axes.axhline(paper, color="#6b6b6b", linewidth=1, linestyle=(0, (5, 3)), zorder=0)
+        axes.text(0.99, paper, "the paper", color="#6b6b6b", fontsize=8, ha="right", va="bottom",
+                  transform=axes.get_yaxis_transform())
+        axes.set(xscale="log", xlabel=f"time of the steps [s], {default['threads']} threads", ylabel=text)
+        axes.spines[["top", "right"]].set_visible(False)
+    figure.legend(*panels[0].get_legend_handles_labels(), loc="lower center", ncol=3, frameon=False, fontsize=9)
+    figure.get_layout_engine().set(rect=(0, 0.12, 1, 0.88))
+    figure.savefig(path, dpi=120)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--driver", metavar="FILE", help="arenite-ffp [that which examples/ffp/run.sh builds]",
+                        default=os.path.join(ROOT, "build", "ffp", "examples", "ffp", "arenite-ffp"))
+    parser.add_argument("--out", metavar="DIR", default=os.path.join(ROOT, "out", "study"), help="folder of the results [out/study]")
+    parser.add_argument("--only", metavar="TABLE", nargs="+", choices=list(TABLES), help="these tables [all]")
+    parser.add_argument("--options", default="", help="options that every drop gets, in quotes")
+    parser.add_argument("--threads", type=int, default=0, help="threads, 0 for all [0]")
+    parser.add_argument("--picture", metavar="FILE", help="draw the trade of speed for accuracy")
+    parser.add_argument("--list", action="store_true", help="say which tables there are, and stop")
+    arguments = parser.parse_args()
+    if arguments.list:
+        for name, (title, rows) in TABLES.items():
+            print(f"{name:13} {len(rows):3} drops  {title}")
+        return
+    if not os.access(arguments.driver, os.X_OK):
+        sys.exit(f"study.py: {arguments.driver}: is no program; examples/ffp/run.sh builds it")
+    runs = Runs(arguments.driver, arguments.out, arguments.options, arguments.threads)
+    for name in arguments.only or TABLES:
+        table(runs, name)
+    if arguments.picture:
+        draw(runs, arguments.picture)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """Runs the drops behind the tables of docs/ffp.md, one after the other, and prints the tables as Markdown: what each choice
-does to the answer, and what it costs. All of it takes half an hour on two processors; drops that are there are not run again.
+does to the answer, and what it costs. All of it takes a quarter of an hour on two processors; drops that are there are not run again.
 
     study.py                              all tables; results in out/study
     study.py --only delta cell            some of them; --list says which there are
@@ -166,15 +166,20 @@ def table(runs, name):
               ", ".join(f"{window * 1e3:g} ms {peak:.1f} g" for window, peak in found))
 
 
-def draw(runs, path):
-    """The trade: seconds of each run against its depth and its peak."""
+def drawing():
+    """matplotlib's pyplot, or the end: asked for before the drops are run."""
     try:
         import matplotlib
     except ImportError:
-        sys.exit("study.py: --picture needs matplotlib; on Debian: apt install python3-matplotlib")
+        sys.exit("study.py: --picture needs matplotlib; on Debian: apt install python3-matplotlib, and /usr/bin/python3 finds it")
     matplotlib.use("Agg")
     import matplotlib.pyplot as pyplot
 
+    return pyplot
+
+
+def draw(runs, path, pyplot):
+    """The trade: seconds of each run against its depth and its peak."""
     figure, panels = pyplot.subplots(1, 2, figsize=(11, 4.6), constrained_layout=True)
     for (line, rows), colour, marker in zip(TRADE.items(), ["#0072B2", "#D55E00", "#009E73", "#CC79A7", "#000000"], "osD^v"):
         drops = [found for found in (runs.drop(options) for _, options in rows) if found["status"] == "done"]
@@ -190,6 +195,7 @@ def draw(runs, path):
         axes.text(0.99, paper, "the paper", color="#6b6b6b", fontsize=8, ha="right", va="bottom",
                   transform=axes.get_yaxis_transform())
         axes.set(xscale="log", xlabel=f"time of the steps [s], {default['threads']} threads", ylabel=text)
+        axes.xaxis.set_major_formatter("{x:g}")
         axes.spines[["top", "right"]].set_visible(False)
     figure.legend(*panels[0].get_legend_handles_labels(), loc="lower center", ncol=3, frameon=False, fontsize=9)
     figure.get_layout_engine().set(rect=(0, 0.12, 1, 0.88))
@@ -213,11 +219,12 @@ def main():
         return
     if not os.access(arguments.driver, os.X_OK):
         sys.exit(f"study.py: {arguments.driver}: is no program; examples/ffp/run.sh builds it")
+    pyplot = drawing() if arguments.picture else None
     runs = Runs(arguments.driver, arguments.out, arguments.options, arguments.threads)
     for name in arguments.only or TABLES:
         table(runs, name)
     if arguments.picture:
-        draw(runs, arguments.picture)
+        draw(runs, arguments.picture, pyplot)
 
 
 if __name__ == "__main__":

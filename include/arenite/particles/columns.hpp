@@ -15,7 +15,7 @@ namespace arenite {
 /// How many points ahead of those in work a loop over the packs of cells asks for columns: such loops are
 /// short of arithmetic and would wait for them else.
 template <int Width>
-constexpr std::size_t ahead = 8 * Width;
+constexpr std::size_t prefetch_distance = 8 * Width;
 
 /// One number of each point.
 template <class T>

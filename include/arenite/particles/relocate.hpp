@@ -18,7 +18,7 @@ Index find_moves(const B& body, const M& mesh, Index begin, Index end, CellList:
     if (body.cells.empty(c)) continue;
     const auto here = mesh.holder(c);
     body.cells.template for_packs<Width>(c, [&](Index first, int n) {
-      points.position.prefetch(first + ahead<Width>);
+      points.position.prefetch(first + prefetch_distance<Width>);
       const auto inside = here.holds(points.position.template load<P>(first, n)) || lanes_from<P>(n);
       if (all_of(inside)) return;
       for (int k = 0; k < n; ++k) {
@@ -36,11 +36,11 @@ Index find_moves(const B& body, const M& mesh, Index begin, Index end, CellList:
 /// place that its point has now.
 template <class B>
 void leave_cells(B& body, CellList::Move* moves, Index count) {
-  constexpr Index early = 4;
+  constexpr Index ahead = 4;
   auto& points = body.points;
   for (Index k = count; k-- > 0;) {
     // What is exchanged lies far apart, a line of memory a column: asked for a few moves ahead.
-    if (k >= early) points.prefetch(moves[k - early].point);
+    if (k >= ahead) points.prefetch(moves[k - ahead].point);
     body.cells.leave(moves[k], points.cell, [&](Index p, Index q) { points.swap(p, q); });
   }
 }

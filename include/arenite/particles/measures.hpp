@@ -10,8 +10,8 @@
 namespace arenite {
 
 namespace detail {
-/// Sum of `f(point)` over the points of a body: in each chunk eight sums side by side, for one sum alone would
-/// wait for itself.
+/// Sum of `f(point)` over the points of a body: in each chunk eight sums side by side, for one sum alone
+/// would wait for itself.
 template <class B, class Value, class F>
 Value sum_points(const B& body, Value zero, F&& f) {
   return parallel_reduce(

@@ -12,14 +12,17 @@
 
 namespace arenite {
 
-/// How many points ahead of those in work a loop over the packs of cells asks for columns: such loops are
-/// short of arithmetic and would wait for them else.
-template <int Width>
-constexpr std::size_t prefetch_distance = 8 * Width;
-
 /// One number of each point.
 template <class T>
 using Column = std::vector<T, ArrayMemory<T>>;
+
+/// Asks the processor for what a loop over packs of `Width` points will need of a column eight packs after
+/// point p: such loops are short of arithmetic and would wait for it else. Narrow packs do not ask, for each
+/// line of memory serves many of them.
+template <int Width, class T>
+void prefetch_ahead(const Column<T>& column, std::size_t p) {
+  if constexpr (Width * sizeof(T) >= 32) __builtin_prefetch(column.data() + p + 8 * Width);
+}
 
 /// n values of type Value, each of N components of scalar T, stored as N columns. Reading one gives a copy;
 /// `set` writes one.
@@ -65,9 +68,10 @@ class Columns {
     for (std::size_t k = 0; k < N; ++k) value[k] = load_lanes<P>(column_[k].data() + p, count, column_[k][p]);
     return value;
   }
-  /// Asks the processor for what it holds of point p; p may lie behind the last.
-  void prefetch(std::size_t p) const {
-    for (std::size_t k = 0; k < N; ++k) __builtin_prefetch(column_[k].data() + p);
+  /// `prefetch_ahead` of each component.
+  template <int Width>
+  void prefetch_ahead(std::size_t p) const {
+    for (const auto& column : column_) arenite::prefetch_ahead<Width>(column, p);
   }
   template <class P>
   void store(std::size_t p, int count, const std::array<P, N>& value) {

@@ -18,7 +18,7 @@ Index find_moves(const B& body, const M& mesh, Index begin, Index end, CellList:
     if (body.cells.empty(c)) continue;
     const auto here = mesh.holder(c);
     body.cells.template for_packs<Width>(c, [&](Index first, int n) {
-      points.position.prefetch(first + prefetch_distance<Width>);
+      points.position.template prefetch_ahead<Width>(first);
       const auto inside = here.holds(points.position.template load<P>(first, n)) || lanes_from<P>(n);
       if (all_of(inside)) return;
       for (int k = 0; k < n; ++k) {

@@ -25,7 +25,7 @@ double stable_step(const Scene& scene) {
           if (body.cells.empty(c)) return std::numeric_limits<T>::infinity();
           P fastest(0);
           body.cells.template for_packs<width>(c, [&](Index first, int count) {
-            body.points.velocity.prefetch(first + prefetch_distance<width>);
+            body.points.velocity.template prefetch_ahead<width>(first);
             const auto v = body.points.velocity.template load<P>(first, count);
             P square = v[0] * v[0];
             for (std::size_t k = 1; k < Scene::D; ++k) square += v[k] * v[k];

@@ -56,8 +56,8 @@ auto stress_sums(const Body<L, T, D, Affine>& body, Index c) {
   std::array<P, size + 1> sums;
   repeat<size + 1>([&](std::size_t k) { sums[k] = P(0); });
   body.cells.template for_packs<Width>(c, [&](Index first, int count) {
-    points.stress.prefetch(first + prefetch_distance<Width>);
-    __builtin_prefetch(points.volume.data() + first + prefetch_distance<Width>);
+    points.stress.template prefetch_ahead<Width>(first);
+    prefetch_ahead<Width>(points.volume, first);
     const auto stress = points.stress.template load<P>(first, count);
     const P volume = load_lanes<P>(points.volume.data() + first, count);
     repeat<size>([&](std::size_t k) { sums[k] += volume * stress[k]; });
@@ -114,9 +114,9 @@ template <class K, class N, class M, class B, class Field>
   std::array<P, Row::size> sums;
   repeat<Row::size>([&](std::size_t k) { sums[k] = P(0); });
   body.cells.template for_packs<width>(c, [&](Index first, int count) {
-    points.position.prefetch(first + prefetch_distance<width>);
-    points.velocity.prefetch(first + prefetch_distance<width>);
-    __builtin_prefetch(points.mass.data() + first + prefetch_distance<width>);
+    points.position.template prefetch_ahead<width>(first);
+    points.velocity.template prefetch_ahead<width>(first);
+    prefetch_ahead<width>(points.mass, first);
     const auto x = points.position.template load_repeated<P>(first, count);
     const auto v = points.velocity.template load<P>(first, count);
     const P m = load_lanes<P>(points.mass.data() + first, count);

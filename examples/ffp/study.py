@@ -106,7 +106,7 @@ class Runs:
         return os.path.join(self.folder, words or "default")
 
     def drop(self, options):
-        """The summary of a drop; None if it could not be run at all. One that stopped has its status and failure."""
+        """The summary of a drop; one that failed on its way says so in its status. Ends the study if there is none."""
         place = self.place(options)
         path = os.path.join(place, "summary.json")
         if not os.path.exists(path):

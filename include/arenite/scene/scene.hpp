@@ -2,6 +2,7 @@
 // name is empty.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <tuple>
 #include <type_traits>

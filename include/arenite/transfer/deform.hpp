@@ -4,7 +4,7 @@
 
 #include <arenite/transfer/law_pass.hpp>
 #include <arenite/transfer/point_velocities.hpp>
-#include <arenite/transfer/scatter.hpp>
+#include <arenite/transfer/tensor_product.hpp>
 #include <arenite/transfer/volumetric_average.hpp>
 
 namespace arenite {

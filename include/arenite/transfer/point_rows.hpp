@@ -8,10 +8,6 @@
 
 namespace arenite {
 
-/// Points of one cell computed at once: more than it is likely to hold would be wasted.
-template <int D, int Width>
-inline constexpr int cell_width = std::min(Width, D == 2 ? 4 : 8);
-
 /// Rows of up to `capacity` points. A node at (i, j, k) of the cell's 3^D collects, with line functions N and
 /// a second kind G along each axis: N_i N_j N_k own + G_i N_j N_k along[0] + N_i G_j N_k along[1] + .., where
 /// G is N times the way to the node in the lower four lanes (for an affine velocity) and the slope of N in

@@ -2,12 +2,17 @@
 // third of the arithmetic of a sum node by node.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 
 #include <arenite/core/lanes.hpp>
 
 namespace arenite {
+
+/// Points of one cell computed at once: more than it is likely to hold would be wasted.
+template <int D, int Width>
+inline constexpr int cell_width = std::min(Width, D == 2 ? 4 : 8);
 
 /// Functions along each axis, whose products the functions of a cell are: [D][3].
 template <class P, std::size_t D>

@@ -76,7 +76,7 @@ TEST_CASE("element average: a filled cell bears the mean stress over its whole v
 TEST_CASE("element average in axisymmetry: the whole volume is the full circle's") {
   // A ring of one triangle, evenly filled: full, and forces those of the plain integration.
   const SimplexMesh<2> ring({{{1, 0}, {2, 0}, {1, 1}}, {{{0, 1, 2}}}, {}, {}, {}});
-  auto body = make_body<Axisymmetric, false>(ring, fill(Box{{0., 0.}, {9., 9.}}, elastic, {.per_cell = 3}));
+  auto body = make_body<Axisymmetric>(ring, fill(Box{{0., 0.}, {9., 9.}}, elastic, {.per_cell = 3}));
   for (auto& v : body.points.volume) v *= 0.95;
   body.points.stress.fill({{1, 2, 3, 4}});
   const Blocks blocks(1, 3, 1, [&](Index c) { return ring.nodes(c); });

@@ -29,6 +29,10 @@ struct DruckerPragerParameters {
   double friction = detail::not_given;  ///< angle of friction, rad; required, in [0, pi/2); 0: von Mises
   double cohesion = 0;                  ///< Pa; >= 0, positive where friction is 0
   double dilatancy = 0;                 ///< angle of dilatancy, rad; in [0, friction]
+  /// V / V0 beyond which the matter dilates no further, -, >= 1. A bound that keeps single points from
+  /// growing without limit (up to 77 times at psi = 20 deg); the default lies beyond the loosest packing of
+  /// sand.
+  double greatest_volume_ratio = 1.5;
   /// Greatest mean stress, Pa, >= 0. Acts below the apex, cohesion / tan(friction); default: the apex.
   double tension = std::numeric_limits<double>::infinity();
   Cone cone = Cone::compression;  ///< which Mohr-Coulomb strength it reproduces
@@ -59,7 +63,8 @@ class DruckerPrager {
 
   explicit DruckerPrager(const DruckerPragerParameters& p, const Memory& memory = Memory{})
       : elasticity_("DruckerPrager", p.density, p.young, p.poisson), memory_(memory) {
-    detail::check_strength("DruckerPrager", p.friction, p.cohesion, p.dilatancy, p.tension);
+    detail::check_strength("DruckerPrager", p.friction, p.cohesion, p.dilatancy, p.tension,
+                           p.greatest_volume_ratio);
     apex_ = detail::apex(p.friction, p.cohesion);
     detail::check_memory("DruckerPrager", Memory::remembers, p.tension, apex_);
     const double sin = std::sin(p.friction), sin_flow = std::sin(p.dilatancy);
@@ -76,6 +81,7 @@ class DruckerPrager {
     strength_ = per_sin * p.cohesion * std::cos(p.friction);
     limit_ = std::min(p.tension, apex_);
     cohesion_ = p.cohesion;
+    greatest_volume_ratio_ = p.greatest_volume_ratio;
     rate_ = 1 / (elasticity_.shear() + elasticity_.bulk() * slope_ * flow_);
   }
 
@@ -83,32 +89,34 @@ class DruckerPrager {
   double wave_modulus() const { return elasticity_.wave_modulus(); }  ///< Pa
   const Elasticity& elasticity() const { return elasticity_; }
   const Memory& memory() const { return memory_; }
-  double slope() const { return slope_; }        ///< eta, -
-  double flow_slope() const { return flow_; }    ///< eta', -
-  double strength() const { return strength_; }  ///< kappa, Pa
+  double greatest_volume_ratio() const { return greatest_volume_ratio_; }  ///< V / V0, -
+  double slope() const { return slope_; }                                  ///< eta, -
+  double flow_slope() const { return flow_; }                              ///< eta', -
+  double strength() const { return strength_; }                            ///< kappa, Pa
 
   /// See law.hpp. With memory the returned opening is negative in a step that closes.
   template <class T, int D>
-  T update(Sym<T, D>& stress, const Increment<T, D>& increment, History<T>& history) const {
-    const auto& felt = memory_.carried(increment, history);
+  Inelastic<T> update(Sym<T, D>& stress, const Increment<T, D>& increment, History<T>& history) const {
+    const auto& felt = memory_.carried(stress, increment, history);
     stress = turned(stress, felt.spin) + elasticity_.stress(felt.strain);
-    const T opened = return_to_yield(stress);
-    memory_.open(opened, history);
-    if constexpr (Memory::remembers) return opened + trace(increment.strain) - trace(felt.strain);
-    return opened;
+    Inelastic<T> parts = return_to_yield(stress);
+    memory_.open(parts.opening, history);
+    if constexpr (Memory::remembers)
+      parts.opening = parts.opening + trace(increment.strain) - trace(felt.strain);
+    return parts;
   }
 
   /// Takes a trial stress [Pa] back to the yield surface, in place; one within it stays bit for bit. Returns
-  /// what opened, -.
+  /// what opened and what dilated, -.
   template <class T, int D>
-  T return_to_yield(Sym<T, D>& stress) const {
+  Inelastic<T> return_to_yield(Sym<T, D>& stress) const {
     using std::max;
     const T p = trace(stress) * T(1.0 / 3);
     const Sym<T, D> dev = add_isotropic(stress, T(-p));
     const T j2 = contract(dev, dev) * T(0.5);
     const T room = T(strength_) - T(slope_) * p;
     const auto returns = !(room >= T(0) && j2 <= room * room && p <= T(limit_));
-    if (!any_of(returns)) return T(0);
+    if (!any_of(returns)) return {T(0), T(0)};
 
     const T inverse = reciprocal_root(max(j2, T(detail::smallest_square<T>)));
     const T q = j2 * inverse;
@@ -123,7 +131,10 @@ class DruckerPrager {
       stress[i] = select(returns, back, stress[i]);
     }
     const T relief = p_cone - p_back + select(at_apex, T(p - p_cone), T(0));
-    return select(returns, T(relief * T(1 / elasticity_.bulk())), T(0));
+    const T per_stress(1 / elasticity_.bulk());
+    const T opening = select(returns, T(relief * per_stress), T(0));
+    if (flow_ == 0) return {opening, T(0)};
+    return {opening, select(returns, T((p - p_back - relief) * per_stress), T(0))};
   }
 
   template <class T, int D>
@@ -150,6 +161,7 @@ class DruckerPrager {
   double rate_;                     // 1 / (G + K eta eta'), 1/Pa
   double apex_, limit_;             // mean stress at the tip; the lower of it and the cut-off, Pa
   double cohesion_;                 // Pa
+  double greatest_volume_ratio_;    // -
 };
 
 }  // namespace arenite

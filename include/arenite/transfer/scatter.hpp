@@ -47,21 +47,28 @@ typename M::scalar whole_volume(const M& mesh, Index cell) {
   }
 }
 
-/// Sums over the points of a cell: stress times volume, N m by component, and behind them the volume, m3.
-template <int Width, class L, class T, int D, bool Affine>
-auto stress_sums(const Body<L, T, D, Affine>& body, Index c) {
+/// Sums over the points of a cell: stress times volume, N m by component, behind them the volume, m3, and,
+/// where the points have it, dilation times volume, m3.
+template <int Width, class L, class T, int D, ExtraColumns Extra>
+auto stress_sums(const Body<L, T, D, Extra>& body, Index c) {
   using P = lanes_of<T, Width>;
   constexpr std::size_t size = Sym<T, D>::size;
   const auto& points = body.points;
-  std::array<P, size + 1> sums;
-  repeat<size + 1>([&](std::size_t k) { sums[k] = P(0); });
-  body.cells.template for_packs<Width>(c, [&](Index first, int count) {
+  constexpr bool dilates = std::remove_cvref_t<decltype(points)>::has_dilation;
+  constexpr std::size_t count = size + 1 + dilates;
+  std::array<P, count> sums;
+  repeat<count>([&](std::size_t k) { sums[k] = P(0); });
+  body.cells.template for_packs<Width>(c, [&](Index first, int n) {
     points.stress.template prefetch_ahead<Width>(first);
     prefetch_ahead<Width>(points.volume, first);
-    const auto stress = points.stress.template load<P>(first, count);
-    const P volume = load_lanes<P>(points.volume.data() + first, count);
+    const auto stress = points.stress.template load<P>(first, n);
+    const P volume = load_lanes<P>(points.volume.data() + first, n);
     repeat<size>([&](std::size_t k) { sums[k] += volume * stress[k]; });
     sums[size] += volume;
+    if constexpr (dilates) {
+      prefetch_ahead<Width>(points.dilation, first);
+      sums[size + 1] += volume * load_lanes<P>(points.dilation.data() + first, n);
+    }
   });
   return lane_sums(sums);
 }
@@ -108,7 +115,7 @@ template <class K, class N, class M, class B, class Field>
       repeat<stress_size>([&](std::size_t k) { mean[k] = P(stress[k] / volume); });
       body.cells.template for_packs<width>(
           c, [&](Index first, int count) { points.stress.template store<P>(first, count, mean); });
-      for (T& s : stress) s *= whole / volume;
+      repeat<stress_size>([&](std::size_t k) { stress[k] *= whole / volume; });
     }
   }
   std::array<P, Row::size> sums;
@@ -140,6 +147,8 @@ template <class K, class N, class M, class B, class Field>
   if constexpr (N::needs_cell_sums) {
     auto& left = body.cell_sums[c];
     left.volume = volume;
+    if constexpr (N::AntiLocking::averages_stress) left.bearing = whole / volume;
+    if constexpr (B::has_dilation) left.dilation = stress[stress_size + 1] / volume;
     repeat<Row::edges>([&](std::size_t e) { left.edge_mass[e] = total[Row::edge_mass + e]; });
     if constexpr (Row::averages_hoop)
       repeat<size>([&](std::size_t i) { left.hoop[i] = total[Row::hoop + i]; });

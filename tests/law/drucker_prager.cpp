@@ -59,7 +59,7 @@ void check_returns(const DruckerPragerParameters& p) {
     const auto before = trial_state<D>(random, apex);
     auto after = before;
     NoHistory<double> history;
-    const double opened = law.update(after, Increment<double, D>{}, history);
+    const double opened = law.update(after, Increment<double, D>{}, history).opening;
     const auto [p0, q0] = invariants(before);
     const auto [p1, q1] = invariants(after);
     const double size = q1 + std::abs(p1) + p.cohesion, trial_size = full(before).norm();

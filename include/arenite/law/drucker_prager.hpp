@@ -90,9 +90,13 @@ class DruckerPrager {
   const Elasticity& elasticity() const { return elasticity_; }
   const Memory& memory() const { return memory_; }
   double greatest_volume_ratio() const { return greatest_volume_ratio_; }  ///< V / V0, -
-  double slope() const { return slope_; }                                  ///< eta, -
-  double flow_slope() const { return flow_; }                              ///< eta', -
-  double strength() const { return strength_; }                            ///< kappa, Pa
+  template <class T>
+  requires Memory::remembers auto is_open(const History<T>& history) const {
+    return memory_.is_open(history);
+  }
+  double slope() const { return slope_; }        ///< eta, -
+  double flow_slope() const { return flow_; }    ///< eta', -
+  double strength() const { return strength_; }  ///< kappa, Pa
 
   /// See law.hpp. With memory the returned opening is negative in a step that closes.
   template <class T, int D>

@@ -40,6 +40,9 @@ struct Inelastic {
 /// on its
 ///   scalars. Without it laws are called with a register's worth of points at once: write branches as
 ///   `select`.
+/// - optional `is_open(history)`: mask of matter that has separated and bears no stress; averages of strain
+/// and
+///   stress then leave it out.
 /// - `greatest_volume_ratio()`, needed of a law that returns `Inelastic<T>`: V / V0, -, beyond which the
 /// matter
 ///   dilates no further.
@@ -61,6 +64,12 @@ inline constexpr bool dilates =
                                                           std::declval<const Increment<T, D>&>(),
                                                           std::declval<typename L::template History<T>&>())),
                  Inelastic<T>>;
+
+/// Whether a law knows of its matter whether it has separated (`is_open`).
+template <class L, class T = double>
+inline constexpr bool knows_opening = requires(const L law, const typename L::template History<T> history) {
+  law.is_open(history);
+};
 
 /// What `update` returned as both parts; a law that returns its opening alone does not dilate.
 template <class T>

@@ -88,6 +88,10 @@ class MohrCoulomb {
   const Elasticity& elasticity() const { return elasticity_; }
   const Memory& memory() const { return memory_; }
   double greatest_volume_ratio() const { return greatest_volume_ratio_; }  ///< V / V0, -
+  template <class T>
+  requires Memory::remembers auto is_open(const History<T>& history) const {
+    return memory_.is_open(history);
+  }
 
   /// See law.hpp. With memory the returned opening is negative in a step that closes.
   template <class T, int D>

@@ -54,6 +54,12 @@ class RemembersOpening {
 
   double limit() const { return limit_; }
 
+  /// Whether matter is open, and so bears no stress.
+  template <class T>
+  auto is_open(const History<T>& history) const {
+    return history.opening > T(0);
+  }
+
   /// The part of the increment that the matter feels: none while it is open; in the step that closes it the
   /// share after the closure. It turns all the same. Takes what closes (or opens further) from the history,
   /// and the stress from matter that is open: an average over neighbours may have given it some since it

@@ -62,6 +62,9 @@ class Traced {
   const Law& law() const { return law_; }
   double density() const { return law_.density(); }
   double wave_modulus() const { return law_.wave_modulus(); }
+  template <class T>
+  requires knows_opening<Law, T>
+  auto is_open(const History<T>& history) const { return law_.is_open(history.law); }
   double greatest_volume_ratio() const requires requires(const Law law) { law.greatest_volume_ratio(); }
   { return law_.greatest_volume_ratio(); }
 

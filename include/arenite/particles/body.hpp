@@ -53,6 +53,7 @@ struct Body {
       "Body: the law must provide History, density(), wave_modulus(), update(stress, increment, history) and "
       "elastic_energy(stress); see arenite/law/law.hpp");
   static constexpr bool has_dilation = Points<T, D, L, Extra>::has_dilation;
+  static constexpr bool knows_opening = arenite::knows_opening<L, T>;
   L law;
   Points<T, D, L, Extra> points;
   CellList cells;

@@ -77,6 +77,19 @@ class Points {
     return h;
   }
 
+  /// Histories of `count` neighbours from point p on, as packs.
+  template <class P>
+  typename L::template History<P> load_history(std::size_t p, int count) const {
+    typename L::template History<P> h{};
+    std::apply(
+        [&](auto&... value) {
+          [[maybe_unused]] std::size_t k = 0;
+          ((value = load_lanes<P>(history[k++].data() + p, count)), ...);
+        },
+        h.members());
+    return h;
+  }
+
   void store_history(std::size_t p, const History& h) {
     std::apply(
         [&](const auto&... value) {

@@ -82,14 +82,15 @@ void remap(Scene& scene, [[maybe_unused]] double dt) {
     scene.for_each_body(
         [&](auto& body, auto& field) { remap(scene.numerics, scene.mesh, scene.blocks, body, field); });
     for (auto& field : scene.fields) finish_remap(scene.numerics, field);
-    if constexpr (Scene::Contact::separate) {
-      const double dissipation =
-          hold_together(scene.contact_pairs, scene.fields, static_cast<typename Scene::T>(dt));
-      scene.contact_tally.dissipation += dissipation;
-      if constexpr (Scene::tracks_energy) scene.ledger.contact_dissipation += dissipation;
-    }
+    using T = typename Scene::T;
+    double dissipation = 0;
+    if constexpr (Scene::Contact::separate)
+      dissipation += hold_together(scene.contact_pairs, scene.fields, static_cast<T>(dt));
     for (auto& field : scene.fields) constrain(scene.constraints, field.mass, field.mapped);
-    scene.for_each_rigid([&](const auto& body) { keep_out(body, scene.fields); });
+    scene.for_each_rigid(
+        [&](const auto& body) { dissipation += hold_to(body, scene.fields, static_cast<T>(dt)); });
+    scene.contact_tally.dissipation += dissipation;
+    if constexpr (Scene::tracks_energy) scene.ledger.contact_dissipation += dissipation;
   }
 }
 

@@ -1,5 +1,5 @@
-// Warnings: what is worth a line although nothing is forbidden. They go through one hook of the process, which
-// a program may replace.
+// Warnings: what is worth a line although nothing is forbidden. They go through one hook of the process,
+// which a program may replace.
 #pragma once
 
 #include <atomic>

@@ -89,7 +89,7 @@ TEST_CASE("Gravity with nothing that holds along it is told") {
   const Gravity down = gravity({0, -9.81});
   auto texts = on_grid(block, down);
   REQUIRE(texts.size() == 1);
-  CHECK(has(texts[0], "gravity (0 -9.81) m/s2 acts, but no wall and no rigid body holds along it"));
+  CHECK(has(texts[0], "gravity (0, -9.81) m/s2 acts, but no wall and no rigid body holds along it"));
   CHECK(on_grid(block, down, walls(left(roller), right(roller))).size() == 1);
   CHECK(on_grid(block, down, walls(left(free_along(1)))).size() == 1);
   const auto half_plane = DistanceSurface{[](const Vec<double, 2>& x) { return x[1] - 0.1; }};

@@ -323,7 +323,7 @@ class Watch {
   }
   template <class B>
   static std::string written(const B& body, std::size_t p) {
-    return detail::join("(", body.points.position[p].transpose(), ") m");
+    return detail::listed(body.points.position[p]) + " m";
   }
 
   static constexpr std::size_t never = std::numeric_limits<std::size_t>::max();

@@ -49,8 +49,8 @@ void doubt_bounds(const M& mesh, const Region& region, std::size_t number) {
     }
     if (beyond)
       warn(join("body ", number, ": ", std::round(1000 * (1 - within)) / 10,
-                " % of its region lies outside of the mesh, which reaches from (", lower.transpose(),
-                ") to (", upper.transpose(), ") m, and is not filled"));
+                " % of its region lies outside of the mesh, which reaches from ", listed(lower), " to ",
+                listed(upper), " m, and is not filled"));
   }
 }
 
@@ -96,8 +96,8 @@ void doubt_floor(const Scene& scene) {
   scene.for_each_rigid(
       [&](const auto& body) { held = held || !body.is_free || std::abs(body.axis.dot(g)) <= 1e-6 * pull; });
   if (!held)
-    warn(join("gravity (", g.transpose(),
-              ") m/s2 acts, but no wall and no rigid body holds along it: everything falls"));
+    warn(join("gravity ", listed(g),
+              " m/s2 acts, but no wall and no rigid body holds along it: everything falls"));
 }
 
 /// All doubts about a new scene and the recipes of its bodies.

@@ -9,7 +9,7 @@ using namespace arenite::test;
 
 namespace {
 
-/// Angular momentum about the origin of a mass with velocity v, and of a matrix B = sum v r^T.
+/// Angular momentum about the origin of a mass with velocity v, and of a matrix B = sum w v r^T.
 Eigen::Vector3d moment(const Vec<double, 2>& x, const Vec<double, 2>& v) {
   return {0, 0, x[0] * v[1] - x[1] * v[0]};
 }
@@ -25,8 +25,13 @@ template <class S>
 Eigen::Vector3d of_points(const S& s) {
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   const auto& points = s.body.points;
-  for (std::size_t p = 0; p < points.size(); ++p)
-    sum += points.mass[p] * (moment(points.position[p], points.velocity[p]) + moment(points.motion[p]));
+  for (std::size_t p = 0; p < points.size(); ++p) {
+    const typename S::Cell cell(s.mesh, points.cell[p]);
+    const auto w = cell.weights(points.position[p]);
+    const auto r = (cell.node_positions().colwise() - points.position[p]).eval();
+    const Mat<double, S::D> b = points.motion[p] * r * w.asDiagonal() * r.transpose();
+    sum += points.mass[p] * (moment(points.position[p], points.velocity[p]) + moment(b));
+  }
   return sum;
 }
 template <class S>

@@ -198,6 +198,35 @@ TEST_CASE("oedometer: the ratio of stresses on the cone is the closed form") {
   REQUIRE(std::abs(stress[0] / stress[1] - (1 - h) / (1 + 2 * h)) <= 1e-12);
 }
 
+TEST_CASE("without friction there is no apex: any history stays finite, and shear strength is all there is") {
+  const auto check = [](auto scalar, double friction) {
+    using T = decltype(scalar);
+    const DruckerPrager law{
+        {.density = 1, .young = 5e6, .poisson = 0.3, .friction = friction, .cohesion = 5e3}};
+    std::mt19937 random(41);
+    std::uniform_real_distribution<double> uniform(-1, 1);
+    Sym<T, 3> stress;
+    NoHistory<T> history;
+    for (int step = 0; step < 5000; ++step) {
+      Increment<T, 3> inc;
+      const double size = std::pow(10, 2 * uniform(random) - 2);
+      for (T& c : inc.strain.c) c = static_cast<T>(size * uniform(random));
+      const double mean =
+          static_cast<double>(trace(stress) / 3 + trace(law.elasticity().stress(inc.strain)) / 3);
+      REQUIRE(law.update(stress, inc, history) == 0);
+      for (const T c : stress.c) REQUIRE(std::isfinite(c));
+      const double p = static_cast<double>(trace(stress)) / 3, ulp = std::numeric_limits<T>::epsilon();
+      REQUIRE(std::abs(p - mean) <= 100 * ulp * (std::abs(mean) + size * law.elasticity().wave_modulus()));
+      REQUIRE(static_cast<double>(law.yield(stress)) * (std::abs(p) + 1e4) <=
+              100 * ulp * (std::abs(p) + size * law.elasticity().wave_modulus()));
+    }
+  };
+  check(0.0f, 0);
+  check(0.0, 0);
+  check(0.0f, 1e-9);
+  check(0.0, 1e-12);
+}
+
 TEST_CASE("bad constants are named with their rule") {
   const auto message = [](const DruckerPragerParameters& p) -> std::string {
     try {

@@ -61,3 +61,25 @@ TEST_CASE("a plane tracer stores three components and says the same") {
   for (int k = 0; k < 7; ++k) plane.update(stress, inc, narrow);
   REQUIRE(plane.deviatoric_strain(narrow) == after(wide, inc, 7));
 }
+
+namespace {
+struct Branching : LinearElastic {
+  using LinearElastic::LinearElastic;
+  static constexpr int widest = 1;
+  static constexpr bool twins = false;
+};
+struct Chain : LinearElastic {
+  using LinearElastic::LinearElastic;
+  static constexpr int widest = 4;
+  static constexpr bool twins = true;
+};
+}  // namespace
+
+TEST_CASE("a traced law is called with the packs that the law asks for") {
+  STATIC_REQUIRE(lane_wishes<Traced<Branching>>.widest == 1);
+  STATIC_REQUIRE_FALSE(lane_wishes<Traced<Branching>>.twins);
+  STATIC_REQUIRE(lane_wishes<Traced<Chain>>.widest == 4);
+  STATIC_REQUIRE(lane_wishes<Traced<Chain>>.twins);
+  STATIC_REQUIRE(lane_wishes<Traced<LinearElastic>>.widest == lane_wishes<LinearElastic>.widest);
+  STATIC_REQUIRE_FALSE(lane_wishes<Traced<LinearElastic>>.twins);
+}

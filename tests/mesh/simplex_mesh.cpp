@@ -143,6 +143,37 @@ TEST_CASE("a small and a large mesh are as good as one of 1 m") {
   }
 }
 
+TEMPLATE_TEST_CASE("cells whose volume or size is not a number in the scalar are refused", "",
+                   (std::integral_constant<int, 2>), (std::integral_constant<int, 3>)) {
+  constexpr int D = TestType::value;
+  const auto scaled = [](double scale) {
+    BoxMesh<D> o{};
+    o.cells.fill(2);
+    auto data = box_mesh(o);
+    for (auto& x : data.nodes) x *= scale;
+    return data;
+  };
+  const std::string rule = "m in the scalar of the mesh, or the cell's volume or size is not a number";
+  for (const double scale : {1e-30, 1e-20, 1e-14, 1e14, 1e20, 1e30}) {
+    REQUIRE(throws([&] { SimplexMesh<D, float> m(scaled(scale)); }, rule));
+    REQUIRE(throws([&] { SimplexMesh<D, float> m(scaled(scale)); }, "SimplexMesh.cells[0].edge = "));
+    REQUIRE_NOTHROW(SimplexMesh<D>(scaled(scale)));
+  }
+  for (const double scale : {1e-300, 1e-150, 1e150, 1e300})
+    REQUIRE(throws([&] { SimplexMesh<D> m(scaled(scale)); }, rule));
+  REQUIRE(throws([&] { SimplexMesh<D, float> m(scaled(1e300)); }, "finite in the scalar of the mesh"));
+  // What is taken has volumes, sizes and gradients.
+  const auto check = [](const auto& mesh) {
+    for (Index c = 0; c < mesh.cell_count(); ++c) {
+      REQUIRE(std::isnormal(mesh.volume(c)));
+      REQUIRE(std::isnormal(mesh.size(c)));
+      REQUIRE(mesh.frame(c).inverse.allFinite());
+    }
+  };
+  for (const double scale : {1e-11, 1e-6, 1e6, 1e12}) check(SimplexMesh<D, float>(scaled(scale)));
+  for (const double scale : {1e-98, 1e101}) check(SimplexMesh<D>(scaled(scale)));
+}
+
 TEST_CASE("a mesh moves, and its frames and its search with it") {
   auto mesh = sample_mesh<2>(4);
   std::vector<Index> nodes(mesh.node_count()), cells(mesh.cell_count());

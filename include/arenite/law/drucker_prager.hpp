@@ -77,6 +77,7 @@ class DruckerPrager {
     limit_ = std::min(p.tension, apex_);
     cohesion_ = p.cohesion;
     rate_ = 1 / (elasticity_.shear() + elasticity_.bulk() * slope_ * flow_);
+    kept_ = elasticity_.shear() * rate_;
   }
 
   double density() const { return elasticity_.density(); }            ///< kg/m3
@@ -113,7 +114,9 @@ class DruckerPrager {
     const T inverse = reciprocal_root(max(j2, T(detail::smallest_square<T>)));
     const T q = j2 * inverse;
     const T multiplier = max(T(q - room), T(0)) * T(rate_);
-    const T q_cone = q - multiplier * T(elasticity_.shear());
+    // q - G multiplier, as a mean of q and room: where there is room it is not negative, whatever the
+    // round-off, and the apex, which may be infinite, stays out of it.
+    const T q_cone = select(q > room, T(room * T(kept_) + q * T(1 - kept_)), q);
     const auto at_apex = q_cone < T(0);
     const T p_cone = select(at_apex, T(apex_), T(p - multiplier * T(elasticity_.bulk() * flow_)));
     const T p_back = select(p_cone > T(limit_), T(limit_), p_cone);
@@ -147,7 +150,7 @@ class DruckerPrager {
   Elasticity elasticity_;
   [[no_unique_address]] Memory memory_;
   double slope_, flow_, strength_;  // eta, eta', -; kappa, Pa
-  double rate_;                     // 1 / (G + K eta eta'), 1/Pa
+  double rate_, kept_;              // 1 / (G + K eta eta'), 1/Pa; G times that, -
   double apex_, limit_;             // mean stress at the tip; the lower of it and the cut-off, Pa
   double cohesion_;                 // Pa
 };

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <concepts>
+#include <limits>
 #include <tuple>
 
 #include <arenite/core/tensor.hpp>
@@ -29,9 +30,13 @@ struct NoHistory {
 ///   initial stress back.
 /// - `elastic_energy(stress)`: recoverable energy, J/m3.
 /// - optional `static constexpr int widest`: widest pack that a loop may call it with; 1 for a law with `if`s
-/// on its
-///   scalars. Without it laws are called with a register's worth of points at once: write branches as
+///   on its scalars. Without it laws are called with a register's worth of points at once: write branches as
 ///   `select`.
+/// - optional `static constexpr bool twins = true` for a long chain of dependent operations: the loop calls
+///   it with two packs side by side.
+///
+/// Where there are fewer points than a pack has lanes, the lanes left over repeat one of them: a law meets no
+/// state that no point has.
 template <class L, class T = double, int D = 3>
 concept constitutive_law = requires(const L law, Sym<T, D> stress, const Increment<T, D> increment,
                                     typename L::template History<T> history) {
@@ -41,5 +46,21 @@ concept constitutive_law = requires(const L law, Sym<T, D> stress, const Increme
   { law.elastic_energy(stress) } -> std::convertible_to<T>;
   history.members();
 };
+
+/// What a law asks of the loops that call it.
+struct LaneWishes {
+  int widest = std::numeric_limits<int>::max();  ///< most points at once
+  bool twins = false;                            ///< two packs side by side
+};
+
+/// The wishes of law L: its members `widest` and `twins`, where it has them. A law that wraps another repeats
+/// the other's.
+template <class L>
+inline constexpr LaneWishes lane_wishes = [] {
+  LaneWishes wishes;
+  if constexpr (requires { L::widest; }) wishes.widest = L::widest;
+  if constexpr (requires { L::twins; }) wishes.twins = L::twins;
+  return wishes;
+}();
 
 }  // namespace arenite

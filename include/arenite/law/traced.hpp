@@ -19,7 +19,8 @@ namespace arenite {
 template <class Law, int D = 3>
 class Traced {
  public:
-  static constexpr bool twins = requires { Law::twins; };
+  static constexpr int widest = lane_wishes<Law>.widest;
+  static constexpr bool twins = lane_wishes<Law>.twins;
 
   template <class T>
   struct History {

@@ -36,8 +36,8 @@ class SimplexMesh {
     T size;             ///< smallest altitude, m
   };
 
-  /// Throws `error` if a cell has a wrong node number, no volume, or if a face belongs to more than two
-  /// cells.
+  /// Throws `error` if a cell has a wrong node number, no volume or a size that T does not bear, or if a face
+  /// belongs to more than two cells.
   explicit SimplexMesh(const MeshData<D>& data)
       : region_names_{data.region_names}, node_sets_{data.node_sets}, region_{data.region} {
     require(!data.cells.empty(), "SimplexMesh.cells", data.cells.size(), "a mesh needs at least one cell");
@@ -46,7 +46,8 @@ class SimplexMesh {
             "must have one entry a cell");
     position_.reserve(data.nodes.size());
     for (const auto& x : data.nodes) {
-      require(x.allFinite(), "SimplexMesh.nodes", x.transpose(), "positions must be finite");
+      require((x.array().abs() <= static_cast<double>(std::numeric_limits<T>::max())).all(),
+              "SimplexMesh.nodes", x.transpose(), "positions must be finite in the scalar of the mesh");
       position_.push_back(x.template cast<T>());
     }
     cells_.reserve(data.cells.size());
@@ -191,10 +192,19 @@ class SimplexMesh {
     for (const Index i : nodes)
       require(i < node_count(), detail::join("SimplexMesh.cells[", c, "]"), i, "must be a node of the mesh");
     const auto edges = edge_matrix(nodes);
-    const T volume = edges.determinant();
     T longest = 0;
-    for (int k = 0; k < D; ++k) longest = std::max(longest, edges.col(k).norm());
-    require(std::abs(volume) > 1000 * std::numeric_limits<T>::epsilon() * std::pow(longest, D),
+    for (int k = 0; k < D; ++k) longest = std::max(longest, edges.col(k).stableNorm());
+    // Between them volumes, gradients and the squares of gradients of any cell that is not flat are normal
+    // numbers.
+    using Limits = std::numeric_limits<T>;
+    constexpr T flattest = 1000 * Limits::epsilon();
+    const T least = std::cbrt(Limits::min() / flattest), greatest = std::cbrt(Limits::max()) / 2;
+    require(longest == 0 || (longest >= least && longest <= greatest),
+            detail::join("SimplexMesh.cells[", c, "].edge"), longest,
+            detail::join("edges must lie between ", least, " and ", greatest,
+                         " m in the scalar of the mesh, or the cell's volume or size is not a number"));
+    const T volume = edges.determinant();
+    require(std::abs(volume) > flattest * std::pow(longest, D),
             detail::join("SimplexMesh.cells[", c, "].volume"), volume, "a cell must not be flat");
     if (volume < 0) std::swap(nodes[D - 1], nodes[D]);
     cells_.push_back(nodes);

@@ -59,6 +59,7 @@ struct Body {
   double lost_mass = 0;                     ///< their mass, kg
   double initial_volume = 0;                ///< m3
   double opened_volume = 0;                 ///< voids that opened without stress, summed over all steps, m3
+  bool finite = true;                       ///< sums over the points of the last step
   std::vector<CellList::Move> moves{};      ///< [points and guests] scratch of `relocate`
   std::vector<Index> move_count{};          ///< [blocks of cells] moves found in each
   std::vector<CellSums<T, D>> cell_sums{};  ///< [cells] from `scatter`; empty if the numerics need none

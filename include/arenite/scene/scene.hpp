@@ -194,7 +194,7 @@ struct Scene {
   double time = 0;       ///< s
   double time_step = 0;  ///< of the last step, s
   std::size_t steps = 0;
-  bool finite = true;  ///< no number of the points has become NaN or infinite
+  bool finite = true;  ///< no number of the points, nor their sums, have become NaN or infinite
   /// Impulse that contact with other bodies gave each deformable body in the last step, N s.
   [[no_unique_address]] std::conditional_t<Contact::separate, std::array<Vec<T, D>, body_count>,
                                            detail::Nothing>

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cmath>
+#include <string>
 
 #include <arenite/scene/scene.hpp>
 
@@ -91,16 +92,16 @@ void remap(Scene& scene) {
 
 template <class Scene>
 void deform(Scene& scene, double dt) {
-  double check = 0;
+  scene.finite = true;
   scene.for_each_body([&](auto& body, const auto& field) {
     const DeformSums sums = deform<typename Scene::Kinematics, Scene::tracks_energy>(
         scene.numerics, scene.mesh, scene.blocks, body, field, static_cast<typename Scene::T>(dt),
         scene.average);
     body.opened_volume += sums.opened_volume;
-    check += sums.check;
+    body.finite = std::isfinite(sums.check);
+    scene.finite = scene.finite && body.finite;
     if constexpr (Scene::tracks_energy) scene.ledger.stress_work += sums.work;
   });
-  scene.finite = std::isfinite(check);
 }
 
 template <class Scene>
@@ -142,6 +143,7 @@ void finish(Scene& scene, double dt) {
   ++scene.steps;
   if (scene.finite) return;
   std::size_t number = 0;
+  std::string bodies;  // whose sums are not finite
   scene.for_each_body([&](const auto& body, const auto&) {
     const auto& points = body.points;
     const std::size_t first_bad = parallel_reduce(
@@ -158,8 +160,12 @@ void finish(Scene& scene, double dt) {
                                    ") m has velocity (", points.velocity[first_bad].transpose(),
                                    ") m/s, pressure ", -trace(points.stress[first_bad]) / 3, " Pa, volume ",
                                    points.volume[first_bad], " m3: no longer finite"));
+    if (!body.finite) bodies += detail::join(bodies.empty() ? "" : ", ", number);
     ++number;
   });
+  throw run_error(detail::join("t = ", scene.time, " s, step ", scene.steps,
+                               ": the sums of stress and volume over the points of body ", bodies,
+                               " are not finite, though every number of every point is: they overflow"));
 }
 
 }  // namespace arenite

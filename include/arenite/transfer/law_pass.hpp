@@ -2,6 +2,7 @@
 // increments that wait in a buffer.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -46,38 +47,23 @@ struct IncrementBuffer {
       store_lanes(column_[strain_size + k].data() + at, lane_count<P>, inc.spin[k]);
     });
   }
-  template <class P>
-  Increment<P, D> load(std::size_t at) const {
-    Increment<P, D> inc;
-    repeat<strain_size>(
-        [&](std::size_t k) { inc.strain[k] = load_lanes<P>(column_[k].data() + at, lane_count<P>); });
-    repeat<spin_size>([&](std::size_t k) {
-      inc.spin[k] = load_lanes<P>(column_[strain_size + k].data() + at, lane_count<P>);
-    });
-    return inc;
+  /// Takes the increments from `at` on with `lanes(place of the first)`.
+  template <class P, class Lanes>
+  void load(std::size_t at, Increment<P, D>& inc, Lanes&& lanes) const {
+    repeat<strain_size>([&](std::size_t k) { inc.strain[k] = lanes(column_[k].data() + at); });
+    repeat<spin_size>([&](std::size_t k) { inc.spin[k] = lanes(column_[strain_size + k].data() + at); });
   }
 
  private:
   std::array<std::array<T, capacity + slack>, strain_size + spin_size> column_{};
 };
 
-/// What a law is called with where `Width` points are computed at once: a pack of them, a narrower one if the
-/// law says so (`static constexpr int widest`), or two packs side by side if it is a long chain of dependent
-/// operations (`static constexpr bool twins = true`).
+/// What a law is called with where `Width` points are computed at once: a pack of them, or what the law asks
+/// for (`lane_wishes`): a narrower one, or two packs side by side.
 template <class L, class T, int Width>
 struct LawLanes {
-  static constexpr int width = [] {
-    if constexpr (requires { L::widest; })
-      return L::widest < Width ? L::widest : Width;
-    else
-      return Width;
-  }();
-  static constexpr bool twins = [] {
-    if constexpr (requires { L::twins; })
-      return L::twins && width > 1;
-    else
-      return false;
-  }();
+  static constexpr int width = std::min(lane_wishes<L>.widest, Width);
+  static constexpr bool twins = lane_wishes<L>.twins && width > 1;
   using type = std::conditional_t<twins, Twin<Pack<T, width>>, lanes_of<T, width>>;
 };
 
@@ -102,11 +88,24 @@ template <bool TracksWork, int Width, class L, class Points, class T, int D>
   P opened(0), check(0);
   for (std::size_t p = begin; p < end; p += width) {
     const int count = static_cast<int>(std::min<std::size_t>(width, end - p));
-    const auto inc = buffer.template load<P>(p - begin);
-    Sym<P, D> stress{points.stress.template load<P>(p, count)};
-    const P before = load_lanes<P>(points.volume.data() + p, count);
+    Increment<P, D> inc;
+    Sym<P, D> stress;
+    P before;
     History history{};
-    each_history(history, [&](P& value, auto& column) { value = load_lanes<P>(column.data() + p, count); });
+    const auto load = [&](auto&& lanes) {
+      buffer.load(p - begin, inc, lanes);
+      repeat<stress.size>([&](std::size_t k) { stress[k] = lanes(points.stress.column(k).data() + p); });
+      each_history(history, [&](P& value, const auto& column) { value = lanes(column.data() + p); });
+    };
+    if (count == width) {
+      load([](const T* from) { return load_lanes<P>(from, width); });
+      before = load_lanes<P>(points.volume.data() + p, width);
+    } else {
+      // Lanes without a point repeat the first, so that the law meets no state that no point has. They have
+      // no volume, and so no part in the sums.
+      load([&](const T* from) { return load_lanes<P>(from, count, *from); });
+      before = load_lanes<P>(points.volume.data() + p, count);
+    }
 
     [[maybe_unused]] const Sym<P, D> old = stress;
     const P opening = law.update(stress, inc, history);
@@ -116,7 +115,6 @@ template <bool TracksWork, int Width, class L, class Points, class T, int D>
                  [&](const P& value, auto& column) { store_lanes(column.data() + p, count, value); });
     points.stress.template store<P>(p, count, stress.c);
     store_lanes(points.volume.data() + p, count, after);
-    // Lanes without a point have no volume, and so no part in the sums.
     if constexpr (TracksWork) work += (before + after) * contract(old + stress, inc.strain) * P(0.25);
     opened += after * opening;
     check += (trace(stress) + stress[3]) * after;

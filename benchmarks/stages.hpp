@@ -39,7 +39,7 @@ void take_stages(Scene& scene, Timed&& timed) {
       timed(Stage::contact, [&] { collide(scene, dt); });
     else
       collide(scene, dt);
-    if constexpr (Scene::NumericsType::remaps) timed(Stage::remap, [&] { remap(scene); });
+    if constexpr (Scene::NumericsType::remaps) timed(Stage::remap, [&] { remap(scene, dt); });
     timed(Stage::deform, [&] { deform(scene, dt); });
     move(scene, dt);
     finish(scene, dt);

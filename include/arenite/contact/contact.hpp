@@ -74,6 +74,16 @@ struct ContactTally {
   }
 };
 
+/// Two fields that exchanged an impulse at a node, and what it left of their motion against each other.
+template <class T, int D>
+struct ContactPair {
+  Index node;
+  std::size_t first, second;  ///< fields
+  Vec<T, D> normal;           ///< unit, out of the second; zero if there is none
+  Vec<T, D> impulse;          ///< on the first, N s
+  bool sticks;                ///< no relative motion at all, not just none along the normal
+};
+
 /// Normals out of a region's surface, for every node of the mesh; zero where there is none.
 template <class T, int D>
 struct NormalMap {
@@ -103,7 +113,7 @@ auto normal_between(const Coulomb<Normals>&, const Fields& fields, const Map& ma
 }
 
 /// Lets each pair of bodies meet at the nodes that they share. An impulse is computed once and given with
-/// both signs, so that momentum is kept to round-off. Calls `done(node, a, b, impulse on a)` for each.
+/// both signs, so that momentum is kept to round-off. Calls `done(pair)` for each.
 template <class Normals, class Fields, class Map, class Done>
 void meet(const Coulomb<Normals>& contact, Fields& fields, const Map& map, Done&& done) {
   using V = std::remove_cvref_t<decltype(fields[0].start[0])>;
@@ -120,13 +130,14 @@ void meet(const Coulomb<Normals>& contact, Fields& fields, const Map& map, Done&
         const T reduced = ma * mb / (ma + mb);
         const V normal = normal_between(contact, fields, map, a, b, i);
         // Without a normal one body lies inside the other: they stick.
-        const V impulse = normal.squaredNorm() > 0
-                              ? coulomb_impulse<T, D>(approach, normal, reduced, contact.friction)
-                              : V(-reduced * approach);
+        const bool has_normal = normal.squaredNorm() > 0;
+        const V impulse = has_normal ? coulomb_impulse<T, D>(approach, normal, reduced, contact.friction)
+                                     : V(-reduced * approach);
         if (impulse.squaredNorm() == 0) continue;
         va += impulse / ma;
         vb -= impulse / mb;
-        done(i, a, b, impulse);
+        done(ContactPair<T, D>{static_cast<Index>(i), a, b, normal, impulse,
+                               !has_normal || sticks<T, D>(approach, normal, contact.friction)});
       }
     }
 }
@@ -135,10 +146,10 @@ void meet(const Coulomb<Normals>& contact, Fields& fields, const Map& map, Done&
 
 /// Lets the fields of each pair of bodies exchange impulses at the nodes that they share, and limits the
 /// velocities there. `map`: a NormalMap, or anything for mass gradients. `impulses` [fields] receives the sum
-/// of what each field was given, N s.
-template <class Normals, class Fields, class Map, class Impulses, class T, class Size>
+/// of what each field was given, N s; `pairs` those who gave it, in the order of their nodes.
+template <class Normals, class Fields, class Map, class Impulses, class Pairs, class T, class Size>
 ContactTally exchange(const Coulomb<Normals>& contact, Fields& fields, const Map& map, Impulses& impulses,
-                      T dt, Size&& node_size) {
+                      Pairs& pairs, T dt, Size&& node_size) {
   ContactTally tally;
   const auto limit = [&](std::size_t i) {
     const T most = static_cast<T>(contact.velocity_limit) * node_size(static_cast<Index>(i)) / dt;
@@ -151,11 +162,15 @@ ContactTally exchange(const Coulomb<Normals>& contact, Fields& fields, const Map
     }
   };
   for (auto& sum : impulses) sum.setZero();
+  pairs.clear();
   constexpr auto nowhere = static_cast<std::size_t>(-1);
   std::size_t last = nowhere;  // node whose impulses are being given; they come node by node
-  detail::meet(contact, fields, map, [&](std::size_t i, std::size_t a, std::size_t b, const auto& impulse) {
+  detail::meet(contact, fields, map, [&](const auto& pair) {
+    const std::size_t i = pair.node, a = pair.first, b = pair.second;
+    const auto& impulse = pair.impulse;
     if (contact.velocity_limit > 0 && last != nowhere && last != i) limit(last);
     last = i;
+    pairs.push_back(pair);
     impulses[a] += impulse;
     impulses[b] -= impulse;
     // Mean velocities over the whole step, so that forces that contact holds in balance
@@ -167,6 +182,31 @@ ContactTally exchange(const Coulomb<Normals>& contact, Fields& fields, const Map
   });
   if (contact.velocity_limit > 0 && last != nowhere) limit(last);
   return tally;
+}
+
+/// Lets the velocities that strains are taken from (MUSL maps them anew) keep the bonds of contact: none of
+/// the relative velocity along the normal that an impulse stopped, nor across it where they stick, whether
+/// they would close or part. A body would otherwise give its stress's work to the other twice: by the
+/// impulse, which the full stress feeds, and by a strain as if nothing were in the way. Common velocities are
+/// those of the common momentum; no impulse, for these velocities live for one strain increment only.
+template <class Pairs, class Fields, class T>
+double hold_together(const Pairs& pairs, Fields& fields, T dt) {
+  double dissipation = 0;
+  for (const auto& pair : pairs) {
+    const std::size_t i = pair.node;
+    auto& a = fields[pair.first];
+    auto& b = fields[pair.second];
+    using V = std::remove_cvref_t<decltype(pair.normal)>;
+    const V apart = a.mapped[i] - b.mapped[i];
+    const V removed = pair.sticks ? apart : V(apart.dot(pair.normal) * pair.normal);
+    const T share_a = b.mass[i] / (a.mass[i] + b.mass[i]), share_b = 1 - share_a;
+    const V push = dt * (share_a * a.collected[i].force() - share_b * b.collected[i].force());
+    dissipation -=
+        static_cast<double>(pair.impulse.dot(apart - a.velocity[i] + b.velocity[i]) / 2 + push.dot(removed));
+    a.mapped[i] -= share_a * removed;
+    b.mapped[i] += share_b * removed;
+  }
+  return dissipation;
 }
 
 }  // namespace arenite

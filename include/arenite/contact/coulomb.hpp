@@ -31,6 +31,16 @@ class Friction {
   double coefficient_;
 };
 
+/// Whether friction holds two surfaces that meet with relative velocity `approach`, m/s: the impulse that
+/// stops the approach along `normal` (unit) allows one that stops all slip.
+template <class T, int D>
+bool sticks(const Vec<T, D>& approach, const Vec<T, D>& normal, const Friction& friction) {
+  const T closing = approach.dot(normal);
+  if (!(closing < 0) || friction.coefficient() == 0) return false;
+  return friction.is_no_slip() ||
+         (approach - closing * normal).norm() <= static_cast<T>(friction.coefficient()) * -closing;
+}
+
 /// Impulse, N s, on the first of two masses that meet with relative velocity `approach` (first less second),
 /// m/s. `normal` is the unit normal out of the second. `mass` is what an impulse has to move, kg: m1 m2 / (m1
 /// + m2), or m1 against a rigid wall. Zero if they part. The normal velocity is taken to zero, the tangential

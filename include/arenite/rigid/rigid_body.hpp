@@ -38,7 +38,9 @@ struct RigidBody {
     T mass;           ///< of the field at the node, kg
     T share;          ///< what an impulse has to move, as a share of `mass`: 1, or m_rigid / (m_rigid + mass)
     Vec<T, D> start;  ///< velocity of the field before contact, m/s
-    Vec<T, D> normal;  ///< out of the body
+    Vec<T, D> normal;                       ///< out of the body
+    bool sticks = false;                    ///< to the body: no relative motion at all
+    Vec<T, D> impulse = Vec<T, D>::Zero();  ///< on the field, N s
   };
   std::vector<Touch> touches{};  ///< of the last step
 
@@ -142,9 +144,11 @@ ContactTally collide(const M& mesh, R& body, Fields& fields, const Vec<T, D>& gr
   T gained = 0;                         // by the fields: impulses times their mean velocities over the step
   T exchanged = 0;                      // magnitudes of the impulses
   body.contact_nodes = 0;
-  for (const auto& t : body.touches) {
+  for (auto& t : body.touches) {
     const Vec<T, D> j = body.impulse_at(t, body.velocity);
     if (j.squaredNorm() == 0) continue;
+    t.impulse = j;
+    t.sticks = t.inside || sticks<T, D>(t.start - body.velocity, t.normal, body.friction);
     Vec<T, D>& v = fields[t.field].velocity[t.node];
     v += j / t.mass;
     total += j;
@@ -173,20 +177,22 @@ ContactTally collide(const M& mesh, R& body, Fields& fields, const Vec<T, D>& gr
   return tally;
 }
 
-/// Takes what is left of motion into the body out of the velocities that strains are taken from (MUSL maps
-/// them anew). No impulse: these velocities live for one strain increment only.
-template <class R, class Fields>
-void keep_out(const R& body, Fields& fields) {
+template <class R, class Fields, class T>
+double hold_to(const R& body, Fields& fields, T dt) {
+  double dissipation = 0;
   if constexpr (!R::coupling_through_centre)
     for (const auto& t : body.touches) {
-      auto& v = fields[t.field].mapped[t.node];
-      if (t.inside) {
-        v = body.velocity;
-        continue;
-      }
-      const auto closing = (v - body.velocity).dot(t.normal);
-      if (closing < 0) v -= closing * t.normal;
+      if (t.impulse.squaredNorm() == 0) continue;
+      using V = std::remove_cvref_t<decltype(t.normal)>;
+      auto& field = fields[t.field];
+      auto& v = field.mapped[t.node];
+      const V apart = v - body.velocity;
+      const V removed = t.sticks ? apart : V(apart.dot(t.normal) * t.normal);
+      dissipation -= static_cast<double>(t.impulse.dot(v - field.velocity[t.node]) / 2 +
+                                         dt * field.collected[t.node].force().dot(removed));
+      v -= removed;
     }
+  return dissipation;
 }
 
 }  // namespace arenite

@@ -60,8 +60,8 @@ void collide(Scene& scene, double dt) {
   using M = typename Scene::Mesh;
   ContactTally tally;
   if constexpr (Scene::Contact::separate)
-    tally += exchange(scene.contact, scene.fields, scene.normals, scene.contact_impulse, static_cast<T>(dt),
-                      [&](Index node) {
+    tally += exchange(scene.contact, scene.fields, scene.normals, scene.contact_impulse, scene.contact_pairs,
+                      static_cast<T>(dt), [&](Index node) {
                         if constexpr (is_simplex_mesh<M>)
                           return scene.mesh.node_size(node);
                         else
@@ -92,15 +92,20 @@ void collide(Scene& scene, double dt) {
 }
 
 template <class Scene>
-void remap(Scene& scene) {
+void remap(Scene& scene, [[maybe_unused]] double dt) {
   if constexpr (Scene::NumericsType::remaps) {
     scene.for_each_body(
         [&](auto& body, auto& field) { remap(scene.numerics, scene.mesh, scene.blocks, body, field); });
-    for (auto& field : scene.fields) {
-      finish_remap(scene.numerics, field);
-      constrain(scene.constraints, field.mass, field.mapped);
-    }
-    scene.for_each_rigid([&](const auto& body) { keep_out(body, scene.fields); });
+    for (auto& field : scene.fields) finish_remap(scene.numerics, field);
+    using T = typename Scene::T;
+    double dissipation = 0;
+    if constexpr (Scene::Contact::separate)
+      dissipation += hold_together(scene.contact_pairs, scene.fields, static_cast<T>(dt));
+    for (auto& field : scene.fields) constrain(scene.constraints, field.mass, field.mapped);
+    scene.for_each_rigid(
+        [&](const auto& body) { dissipation += hold_to(body, scene.fields, static_cast<T>(dt)); });
+    scene.contact_tally.dissipation += dissipation;
+    if constexpr (Scene::tracks_energy) scene.ledger.contact_dissipation += dissipation;
   }
 }
 

@@ -27,7 +27,8 @@ auto flying(N numerics) {
   return scene;
 }
 
-/// About the origin, kg m2/s, with the points' own part: m times the skew part of B for APIC.
+/// About the origin, kg m2/s, with the points' own part: m h^2 / 4 times the skew part of the gradient for
+/// APIC.
 template <class Scene>
 double angular_momentum(const Scene& scene) {
   const auto& points = std::get<0>(scene.bodies).points;
@@ -36,7 +37,8 @@ double angular_momentum(const Scene& scene) {
     const auto &x = points.position[p], &v = points.velocity[p];
     sum += points.mass[p] * (x[0] * v[1] - x[1] * v[0]);
     if constexpr (std::remove_cvref_t<decltype(points)>::affine)
-      sum += points.mass[p] * (points.motion[p](1, 0) - points.motion[p](0, 1));
+      sum +=
+          points.mass[p] * (points.motion[p](1, 0) - points.motion[p](0, 1)) * square(scene.mesh.edge()) / 4;
   }
   return sum;
 }

@@ -102,13 +102,7 @@ struct Setup {
     auto& points = body.points;
     for (std::size_t p = 0; p < points.size(); ++p) {
       points.velocity.set(p, a + A * points.position[p]);
-      if constexpr (std::same_as<Transfer, Tpic>) points.motion.set(p, A);
-      if constexpr (std::same_as<Transfer, Apic>) {
-        const Cell cell(mesh, points.cell[p]);
-        const auto w = cell.weights(points.position[p]);
-        const auto x = (cell.node_positions().colwise() - points.position[p]).eval();
-        points.motion.set(p, A * x * w.asDiagonal() * x.transpose());
-      }
+      if constexpr (Transfer::affine) points.motion.set(p, A);
     }
   }
 

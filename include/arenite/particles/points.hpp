@@ -41,7 +41,7 @@ class Points {
   TensorColumns<T, D> stress;    ///< Cauchy stress, Pa, tension positive
   std::array<Column<T>, history_size>
       history;                 ///< columns of the law's history, in the order of its `members()`
-  MatrixColumns<T, D> motion;  ///< [n if affine] B of APIC (m2/s) or L of TPIC (1/s)
+  MatrixColumns<T, D> motion;  ///< [n if affine] velocity gradient of APIC or TPIC, 1/s
   Column<T> dilation;          ///< [n if has_dilation] plastic volumetric strain of the last step, -
   std::vector<Index> cell;     ///< cell that holds the point
 

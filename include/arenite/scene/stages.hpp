@@ -43,8 +43,8 @@ void scatter(Scene& scene) {
 template <class Scene>
 void advance(Scene& scene, double dt) {
   using T = typename Scene::T;
-  // A mass whose inverse would overflow once multiplied with a force: points share out no less on purpose.
-  const T floor = std::sqrt(std::numeric_limits<T>::min());
+  // Below it mass and momentum are no longer known to round-off.
+  const T floor = std::numeric_limits<T>::min() / std::numeric_limits<T>::epsilon();
   for (auto& field : scene.fields) advance(field, scene.gravity, static_cast<T>(dt), floor);
 }
 

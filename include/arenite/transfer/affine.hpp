@@ -1,5 +1,5 @@
-// Affine part of a point's velocity field: what APIC and TPIC hand to the nodes beside the point's own
-// velocity, and the gradient that TPIC takes from them.
+// Affine part of a point's velocity field: the gradient that APIC and TPIC take from the nodes, and hand back
+// to them beside the point's own velocity.
 #pragma once
 
 #include <arenite/core/lanes.hpp>
@@ -7,16 +7,17 @@
 
 namespace arenite {
 
-/// Velocity gradient [D x D], column by column, 1/s, that a point at x hands to the nodes: B D^-1 for APIC, L
-/// for TPIC.
-template <class Transfer, class Cell, class P, std::size_t D>
-std::array<P, D * D> handed_gradient(const Cell& cell, std::array<P, D * D> motion,
-                                     const std::array<P, D>& x) {
-  if constexpr (std::same_as<Transfer, Apic>) {
-    const auto inverse = cell.inverse_inertia(x);
-    for (std::size_t a = 0; a < D; ++a)
-      for (std::size_t d = 0; d < D; ++d) motion[a * D + d] = motion[a * D + d] * inverse[a];
-  }
+/// Velocity gradient B D^-1 of APIC [D x D], column by column, 1/s, from the columns of B = sum w v (x_i -
+/// x)^T, m2/s, both taken at x. The point keeps the quotient, not B: near a face D falls to nothing, and the
+/// B of the place that it came from, over the D of the place where it is, would make of any velocity a huge
+/// one.
+template <class Cell, class P, std::size_t D>
+std::array<P, D * D> apic_gradient(const Cell& cell, const std::array<std::array<P, D>, D>& b,
+                                   const std::array<P, D>& x) {
+  const auto inverse = cell.inverse_inertia(x);
+  std::array<P, D * D> motion;
+  for (std::size_t a = 0; a < D; ++a)
+    for (std::size_t d = 0; d < D; ++d) motion[a * D + d] = b[a][d] * inverse[a];
   return motion;
 }
 

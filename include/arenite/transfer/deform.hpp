@@ -113,14 +113,15 @@ template <class K, class N, class M, class Points, class Field, class Average, c
         inc = increment(sums.along[0]);
         way = sums.value;
         if constexpr (K::hoop) radial = sums.value[0];
-        velocities.take(points, p, count, sums.value, sums.along[1]);
+        velocities.take(cell, points, p, count, x, sums.value, sums.along[1]);
       } else {
         const auto sums = line_sums<P, D, 1>(u, line.value, {line.slope});
         inc = increment(sums.along[0]);
         way = N::remaps ? line_sums<P, D, 0>(v, line.value, {}).value : sums.value;
         if constexpr (K::hoop) radial = sums.value[0];
         if constexpr (takes_velocity)
-          velocities.take(points, p, count, line_sums<P, D, 0>(velocities.taken, line.value, {}).value, {});
+          velocities.take(cell, points, p, count, x,
+                          line_sums<P, D, 0>(velocities.taken, line.value, {}).value, {});
       }
     }
     if constexpr (K::hoop) {

@@ -41,15 +41,14 @@ struct PointVelocities {
     return store(points, first, count, sum);
   }
 
-  /// The same where sums over the nodes are at hand: of the velocities, and (for APIC) with arms.
+  /// The same for points at x where sums over the nodes are at hand: of the velocities, and (for APIC) with
+  /// arms.
   template <class P, class Points>
-  std::array<P, D> take(Points& points, std::size_t first, int count, const std::array<P, D>& sum,
+  std::array<P, D> take([[maybe_unused]] const Cell& cell, Points& points, std::size_t first, int count,
+                        [[maybe_unused]] const std::array<P, D>& x, const std::array<P, D>& sum,
                         [[maybe_unused]] const std::array<std::array<P, D>, D>& arms) const {
-    if constexpr (Transfer::affine) {
-      std::array<P, D * D> motion;
-      repeat<D * D>([&](std::size_t k) { motion[k] = arms[k / D][k % D]; });
-      points.motion.template store<P>(first, count, motion);
-    }
+    if constexpr (Transfer::affine)
+      points.motion.template store<P>(first, count, apic_gradient(cell, arms, x));
     return store(points, first, count, sum);
   }
 

@@ -59,7 +59,7 @@ template <class N, class M, class B, class Field>
     const LineSet<P, Cell> line(cell, x);
     keep_in_memory(velocities.taken);
     const auto sums = line_sums<P, D, 1>(velocities.taken, line.value, {line.arm});
-    const auto v = velocities.take(points, first, count, sums.value, sums.along[0]);
+    const auto v = velocities.take(cell, points, first, count, x, sums.value, sums.along[0]);
     if (rows.full()) spread();
     const P m = load_lanes<P>(points.mass.data() + first, count);
     rows.push(count, handed_momentum<typename N::Transfer, Rows>(cell, points, first, count, m, x, v),

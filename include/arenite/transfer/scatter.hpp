@@ -18,7 +18,7 @@ void add_momentum(const Cell& cell, const Points& points, Index first, int count
                   const std::array<P, Cell::size>& mw, const std::array<P, D>& x, const std::array<P, D>& v,
                   Sums& sums) {
   if constexpr (Transfer::affine) {
-    const auto c = handed_gradient<Transfer>(cell, points.motion.template load<P>(first, count), x);
+    const auto c = points.motion.template load<P>(first, count);
     const auto ways = cell.ways(x);
     repeat<Cell::size>([&](std::size_t i) {
       repeat<D>([&](std::size_t d) {
@@ -210,7 +210,7 @@ typename Rows::Handed handed_momentum(const Cell& cell, const Points& points, In
   handed.own[NodeSums<typename Cell::T, Cell::D>::mass_lane] = m;
   repeat<D>([&](std::size_t d) { handed.own[d] = m * v[d]; });
   if constexpr (Transfer::affine) {
-    const auto gradient = handed_gradient<Transfer>(cell, points.motion.template load<P>(first, count), x);
+    const auto gradient = points.motion.template load<P>(first, count);
     repeat<D * D>([&](std::size_t k) { handed.along[k / D][k % D] = m * gradient[k]; });
   }
   return handed;

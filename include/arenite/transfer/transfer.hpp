@@ -18,9 +18,9 @@ struct Flip {
   static constexpr bool fits = true;
 };
 
-/// Affine particle-in-cell (Jiang et al. 2015, doi:10.1145/2766996): a point carries B = sum w v_i (x_i -
-/// x_p)^T and hands back w (v_p + B D^-1 (x_i - x_p)), D = sum w (x_i - x_p)(x_i - x_p)^T. Keeps angular
-/// momentum to round-off.
+/// Affine particle-in-cell (Jiang et al. 2015, doi:10.1145/2766996): a point takes B = sum w v_i (x_i -
+/// x_p)^T, carries C = B D^-1, D = sum w (x_i - x_p)(x_i - x_p)^T, and hands back w (v_p + C (x_i - x_p)).
+/// Keeps angular momentum to round-off where D is the same everywhere: not in the outermost cells of a grid.
 struct Apic {
   static constexpr bool affine = true;
   void check() const {}

@@ -1,0 +1,165 @@
+// How a random scene ended, and the laws of nature that say whether it may end so.
+#pragma once
+
+#include <arenite/observe/energy.hpp>
+
+#include "draw.hpp"
+
+namespace arenite::extremes {
+
+/// The first five are sound, the others are faults.
+enum class Ending {
+  sound,    ///< ran to its end, laws kept
+  damped,   ///< the same, but the transfer took more than a tenth of the energy
+  left,     ///< the same, but points left the mesh
+  stopped,  ///< run_error that names the time
+  refused,  ///< error when it was made
+  gained,   ///< ended with energy from nowhere
+  pushed,   ///< ended with momentum from nowhere
+  nan,      ///< ended with numbers that are not finite
+  empty,    ///< ended without any point, in silence
+  untyped   ///< an exception of another kind, or without the time
+};
+inline constexpr std::array<const char*, 10> ending_names{"sound",  "damped", "left", "stopped", "refused",
+                                                          "GAINED", "PUSHED", "NAN",  "EMPTY",   "UNTYPED"};
+inline bool is_fault(Ending e) { return e >= Ending::gained; }
+
+struct Outcome {
+  Ending ending = Ending::sound;
+  double energy = 0;    ///< residual over the energy put in, -
+  double drawn = 0;     ///< what the law gave beyond what it had stored, over the energy put in, -
+  double momentum = 0;  ///< error over its bound, -
+  double volume = 1;    ///< largest mean V / V0 of a body
+  std::size_t lost = 0;
+  std::size_t steps = 0;
+  std::string message{};
+  std::string text() const {
+    return detail::join(ending_names[static_cast<std::size_t>(ending)], " energy=", energy, " drawn=", drawn,
+                        " momentum=", momentum, " V/V0=", volume, " lost=", lost, " steps=", steps,
+                        message.empty() ? "" : " | ", message);
+  }
+};
+
+/// Observer that keeps the books of a scene, and ends the run after `steps`.
+template <class Scene>
+class Books {
+ public:
+  struct Enough {};
+
+  explicit Books(std::size_t steps) : steps_{steps} {}
+
+  void operator()(const Scene& scene) {
+    check_momentum(scene);
+    const Energies e = energies(scene);
+    external_ = std::max(external_, std::abs(e.external));
+    const double given = scene.ledger.initial_kinetic + scene.ledger.initial_strain + external_;
+    kinetic_ = std::max(kinetic_, e.kinetic);
+    // What the sums of energies are known to.
+    const double floor = static_cast<double>(scene.steps) * epsilon * (kinetic_ + e.strain + given);
+    const auto share = [&](double energy) { return energy > floor ? energy / std::max(given, floor) : 0.0; };
+    outcome.energy = share(e.residual) - share(-e.residual);
+    if (!std::isfinite(e.residual)) outcome.energy = e.residual;
+    outcome.drawn = share(-scene.ledger.stress_work - scene.ledger.initial_strain);
+    outcome.steps = scene.steps;
+    outcome.lost = scene.lost_points();
+    scene.for_each_body([&](const auto& body, const auto&) {
+      outcome.volume = std::max(outcome.volume, mean_volume_ratio(body));
+    });
+    if (scene.steps >= steps_) throw Enough{};
+  }
+
+  Outcome outcome{};
+
+ private:
+  using V = Vec<double, Scene::D>;
+  static constexpr double epsilon = std::numeric_limits<typename Scene::T>::epsilon();
+
+  /// Momentum that the points have must be what they had, and what gravity, walls and rigid bodies gave. The
+  /// books begin anew where points have left. Radial momentum is nobody's in axisymmetry.
+  void check_momentum(const Scene& scene) {
+    V now = V::Zero(), given = V::Zero();
+    double carried = 0, limited = 0, pushed = 0;
+    scene.for_each_body([&](const auto& body, const auto&) {
+      now += momentum(body);
+      given += mass(body) * scene.time_step * scene.gravity.template cast<double>();
+      for (std::size_t p = 0; p < body.points.size(); ++p) {
+        const auto& s = body.points.stress[p];
+        const double size = static_cast<double>(scene.mesh.size(body.points.cell[p]));
+        carried += static_cast<double>(body.points.mass[p] * body.points.velocity[p].norm());
+        pushed += static_cast<double>(body.points.volume[p]) *
+                  std::sqrt(static_cast<double>(contract(s, s))) / size * scene.time_step;
+      }
+    });
+    limited = scene.limited_momentum;
+    V outside = scene.wall_impulse.template cast<double>();
+    scene.for_each_rigid([&](const auto& body) { outside -= body.impulse.template cast<double>(); });
+    if (scene.steps == 0 || scene.lost_points() != lost_) {
+      lost_ = scene.lost_points();
+      expected_ = now;
+      scale_ = 0;
+      carried_ = carried;
+      limited_ = limited;
+      since_ = scene.steps;
+    } else {
+      const V from_outside = outside - outside_;
+      expected_ += given + from_outside;
+      scale_ += pushed + given.norm() + from_outside.norm();
+      carried_ = std::max(carried_, carried);
+      V error = now - expected_;
+      if constexpr (Scene::Kinematics::hoop) error[0] = 0;
+      const double bound = epsilon * (64 * scale_ + 16 * static_cast<double>(scene.steps - since_) *
+                                                        (carried_ + outside.norm())) +
+                           2 * (limited - limited_);
+      const double over = error.norm() / bound;
+      if (!(over <= outcome.momentum) && (bound > 0 || error.norm() > 0)) outcome.momentum = over;
+    }
+    outside_ = outside;
+  }
+
+  std::size_t steps_, lost_ = 0, since_ = 0;
+  double external_ = 0, kinetic_ = 0, scale_ = 0, carried_ = 0, limited_ = 0;
+  V expected_ = V::Zero(), outside_ = V::Zero();
+};
+
+/// Runs a scene for the steps of its draw and judges it. `make`: returns the scene.
+template <class Make>
+Outcome judge(Draw& d, Make&& make) {
+  using Scene = decltype(make());
+  Books<Scene> books(static_cast<std::size_t>(d.steps));
+  Outcome& o = books.outcome;
+  const auto end_with = [&](Ending ending, const std::string& message = "") {
+    o.ending = ending;
+    o.message = message;
+    return o;
+  };
+  bool running = false;
+  try {
+    Scene scene = make();
+    const double step = d.courant * stable_step(scene);
+    running = true;
+    try {
+      run(scene, {.end = d.steps * step, .courant = d.courant}, books);
+    } catch (const typename Books<Scene>::Enough&) {
+    }
+    bool finite = true;
+    scene.for_each_body([&](const auto& body, const auto&) {
+      for (std::size_t p = 0; p < body.points.size(); ++p) finite = finite && is_finite(body.points, p);
+    });
+    if (!finite || !std::isfinite(o.energy)) return end_with(Ending::nan);
+    if (scene.point_count() == 0) return end_with(Ending::empty);
+  } catch (const run_error& e) {
+    return end_with(
+        running && std::string_view(e.what()).starts_with("t = ") ? Ending::stopped : Ending::untyped,
+        e.what());
+  } catch (const error& e) {
+    return end_with(running ? Ending::untyped : Ending::refused, e.what());
+  } catch (const std::exception& e) {
+    return end_with(Ending::untyped, e.what());
+  }
+  if (!(o.momentum <= 1)) return end_with(Ending::pushed);
+  if (!(std::max(o.energy, o.drawn) <= 0.1)) return end_with(Ending::gained);
+  if (o.lost > 0) return end_with(Ending::left);
+  return end_with(o.energy < -0.1 ? Ending::damped : Ending::sound);
+}
+
+}  // namespace arenite::extremes

@@ -1,0 +1,180 @@
+// Parts of a random scene, made from a draw: meshes, laws, region, walls, velocities.
+#pragma once
+
+#include "../mesh/sample_meshes.hpp"
+#include "draw.hpp"
+
+namespace arenite::extremes {
+
+/// Cells along an axis of the mesh; the body takes the middle third to half of them.
+template <int D>
+constexpr int cells_along = D == 2 ? 10 : 6;
+
+template <int D, real T>
+CartesianGrid<D, T> grid(const Draw& d) {
+  typename CartesianGrid<D, T>::Parameters p;
+  p.lower.fill(0);
+  p.upper.fill(d.cell * cells_along<D>);
+  p.cell = d.cell;
+  return CartesianGrid<D, T>(p);
+}
+
+/// The same box of triangles or tetrahedra, at random places but on the hull; region 1 ("device") is the
+/// block in the middle of the upper third if there is to be one.
+template <int D, real T>
+SimplexMesh<D, T> simplices(const Draw& d, bool device = false) {
+  const int n = D == 2 ? cells_along<D> : 4;
+  const double size = d.cell * n;
+  test::BoxMesh<D> o{};
+  o.cells.fill(n);
+  o.upper = Vec<double, D>::Constant(size);
+  o.jitter = d.jitter;
+  o.seed = static_cast<unsigned>(d.seed);
+  if (device)
+    o.region = [size](const Vec<double, D>& x) {
+      bool in = x[1] > 0.6 * size && x[1] < 0.8 * size;
+      for (int k = 0; k < D; ++k)
+        if (k != 1) in = in && std::abs(x[k] - 0.5 * size) < 0.2 * size;
+      return in ? 1 : 0;
+    };
+  auto data = test::box_mesh(o);
+  data.region_names = {{"soil", 0}, {"device", 1}};
+  return SimplexMesh<D, T>(data);
+}
+
+/// Extent of a mesh, m.
+template <class M>
+double extent(const M& mesh) {
+  if constexpr (is_simplex_mesh<M>) {
+    double most = 0;
+    for (const auto& x : mesh.positions()) most = std::max(most, static_cast<double>(x[0]));
+    return most;
+  } else {
+    return static_cast<double>(mesh.upper(0));
+  }
+}
+
+/// A box, or the ellipsoid in it.
+struct Blob {
+  std::array<double, 3> lower, upper;
+  bool round;
+  template <int D>
+  bool contains(const Vec<double, D>& x) const {
+    double far = 0;
+    for (int k = 0; k < D; ++k) {
+      const auto i = static_cast<std::size_t>(k);
+      const double s = (2 * x[k] - lower[i] - upper[i]) / (upper[i] - lower[i]);
+      far = round ? far + s * s : std::max(far, std::abs(s));
+    }
+    return far < 1;
+  }
+};
+
+/// Part of the mesh that body `number` of `count` takes; two lie one above the other.
+template <int D>
+Blob blob(const Draw& d, double size, int number = 0, int count = 1, bool axisymmetric = false) {
+  Blob b{{0.29, 0.29, 0.29}, {0.71, 0.71, 0.71}, d.round};
+  if (d.layout == Layout::floor) {
+    b.lower = {0, 0, 0};
+    b.upper = {1, 0.6, 1};
+    b.round = false;
+  }
+  if (axisymmetric) {
+    b.lower[0] = 0;
+    b.upper[0] = d.layout == Layout::floor ? 1 : 0.5;
+    b.round = false;
+  }
+  const double low = b.lower[1], height = b.upper[1] - b.lower[1];
+  b.lower[1] = low + height * number / count;
+  b.upper[1] = low + height * (number + 1) / count;
+  for (auto* end : {&b.lower, &b.upper})
+    for (double& x : *end) x *= size;
+  return b;
+}
+
+template <class L>
+L law(const Draw& d, double contrast = 1) {
+  const double young = d.young * contrast;
+  if constexpr (std::same_as<L, LinearElastic>)
+    return L{{.density = d.density, .young = young, .poisson = d.poisson}};
+  else
+    return L{{.density = d.density,
+              .young = young,
+              .poisson = d.poisson,
+              .friction = d.friction,
+              .cohesion = d.cohesion,
+              .dilatancy = d.dilatancy}};
+}
+
+template <class M>
+FillOptions fill_options(const Draw& d, const M& mesh) {
+  FillOptions o;
+  if (is_simplex_mesh<M>)
+    o.per_cell = M::dimension == 2 ? (d.fine ? 10 : 3) : (d.fine ? 10 : 4);
+  else
+    o.per_cell = M::dimension == 2 ? (d.fine ? 9 : 4) : (d.fine ? 27 : 8);
+  if (d.k0 >= 0) o.stress = Geostatic{.surface = 0.6 * extent(mesh), .k0 = d.k0, .gravity = d.gravity};
+  return o;
+}
+
+template <int D>
+Walls walls_of(const Draw& d) {
+  Walls w;
+  if (d.layout == Layout::free) return w;
+  const Condition c = d.smooth ? roller : fixed;
+  w.list = {left(c), right(c), bottom(c), top(c)};
+  if (D == 3) {
+    w.list.push_back(front(c));
+    w.list.push_back(back(c));
+  }
+  return w;
+}
+
+inline Gravity gravity_of(const Draw& d) { return gravity({0, -d.gravity}); }
+
+/// Gives the points of all bodies their velocities, and the ledger their energy. A second body moves against
+/// the first. In free flight a mean motion that would leave the mesh is slowed down in most scenes.
+template <class Scene>
+void set_in_motion(Scene& scene, Draw& d) {
+  constexpr int D = Scene::D;
+  using V = Vec<double, D>;
+  const double size = extent(scene.mesh);
+  const V centre = V::Constant(size / 2), mean = d.random.direction<D>();
+  const double rate = 2 * d.speed / size;
+  double speed = d.speed;
+  if (d.layout == Layout::free && d.random.chance(0.8)) {
+    const double cells = d.steps * d.courant * speed / (speed + d.wave());  // of travel
+    if (cells > 2) speed *= 2 / cells;
+  }
+  double sign = 1;
+  scene.ledger.initial_kinetic = 0;
+  scene.for_each_body([&](auto& body, const auto&) {
+    for (std::size_t p = 0; p < body.points.size(); ++p) {
+      const V x = body.points.position[p].template cast<double>() - centre;
+      V v = V::Zero();
+      switch (d.motion) {
+        case Motion::uniform:
+          v = sign * speed * mean;
+          break;
+        case Motion::spin:
+          v[0] = -rate * x[1];
+          v[1] = rate * x[0];
+          break;
+        case Motion::stretch:
+          v = rate * mean.dot(x) * mean;
+          break;
+        case Motion::noise:
+          v = d.speed * d.random.direction<D>();
+          break;
+      }
+      if constexpr (Scene::Kinematics::hoop)
+        v[0] = d.motion == Motion::stretch ? rate * (x[0] + centre[0]) : 0;
+      body.points.velocity.set(p, v.template cast<typename Scene::T>());
+    }
+    scene.ledger.initial_kinetic += kinetic_energy(body);
+    sign = -sign;
+  });
+  scene.for_each_rigid([&](const auto& body) { scene.ledger.initial_kinetic += body.kinetic_energy(); });
+}
+
+}  // namespace arenite::extremes

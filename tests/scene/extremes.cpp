@@ -81,7 +81,7 @@ TEST_CASE("A NaN stops the run at its step with time, body and point") {
   const std::string what = what_of(scene, {.end = 0.02});
   CAPTURE(what);
   CHECK(what.find("t = 0.01") == 0);
-  CHECK(what.find(detail::join("step ", steps + 1)) != std::string::npos);
+  CHECK(what.find(shared_detail::join("step ", steps + 1)) != std::string::npos);
   CHECK(what.find("of body 0 at (") != std::string::npos);
   CHECK(scene.steps == steps + 1);
 }

@@ -11,7 +11,7 @@
 #include <arenite/contact/region_surface.hpp>
 #include <arenite/transfer/node_field.hpp>
 
-namespace arenite {
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 /// All bodies move in one velocity field: no slip, no parting, no cost. The default.
 struct OneField {
@@ -169,4 +169,4 @@ ContactTally exchange(const Coulomb<Normals>& contact, Fields& fields, const Map
   return tally;
 }
 
-}  // namespace arenite
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

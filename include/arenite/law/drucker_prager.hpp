@@ -13,7 +13,7 @@
 #include <arenite/law/separation.hpp>
 #include <arenite/law/strength.hpp>
 
-namespace arenite {
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 /// Where the cone meets the Mohr-Coulomb pyramid of the same friction and cohesion.
 enum class Cone {
@@ -152,4 +152,4 @@ class DruckerPrager {
   double cohesion_;                 // Pa
 };
 
-}  // namespace arenite
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

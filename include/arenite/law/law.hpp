@@ -7,7 +7,7 @@
 
 #include <arenite/core/tensor.hpp>
 
-namespace arenite {
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 /// History of a law that has none: it stores no columns.
 template <class T>
@@ -42,4 +42,4 @@ concept constitutive_law = requires(const L law, Sym<T, D> stress, const Increme
   history.members();
 };
 
-}  // namespace arenite
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -13,7 +13,7 @@
 #include <arenite/law/separation.hpp>
 #include <arenite/law/strength.hpp>
 
-namespace arenite {
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 struct MohrCoulombParameters {
   double density = detail::not_given;   ///< kg/m3; required, positive
@@ -222,4 +222,4 @@ class MohrCoulomb {
   Edge extension_, compression_;   // s1 = s2; s2 = s3
 };
 
-}  // namespace arenite
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -10,7 +10,7 @@
 #include <arenite/core/error.hpp>
 #include <arenite/law/elasticity.hpp>
 
-namespace arenite::detail {
+namespace arenite::inline ARENITE_INSTRUCTION_SET::detail {
 
 /// Throws `error` unless the constants make sense: friction in [0, pi/2), dilatancy in [0, friction],
 /// cohesion >= 0 and positive where there is no friction, tension >= 0.
@@ -36,4 +36,4 @@ inline void check_memory(std::string_view law, bool remembers, double tension, d
         "a law that remembers its opening needs the cut-off at the apex (leave tension out)");
 }
 
-}  // namespace arenite::detail
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET::detail

@@ -16,7 +16,7 @@
 #include <arenite/mesh/cell_bins.hpp>
 #include <arenite/mesh/mesh_data.hpp>
 
-namespace arenite {
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 /// Triangles or tetrahedra over scalar T. Node positions may change (`move`); the topology does not.
 template <int D, real T = double>
@@ -189,13 +189,14 @@ class SimplexMesh {
 
   void add_cell(std::size_t c, CellNodes nodes) {
     for (const Index i : nodes)
-      require(i < node_count(), detail::join("SimplexMesh.cells[", c, "]"), i, "must be a node of the mesh");
+      require(i < node_count(), shared_detail::join("SimplexMesh.cells[", c, "]"), i,
+              "must be a node of the mesh");
     const auto edges = edge_matrix(nodes);
     const T volume = edges.determinant();
     T longest = 0;
     for (int k = 0; k < D; ++k) longest = std::max(longest, edges.col(k).norm());
     require(std::abs(volume) > 1000 * std::numeric_limits<T>::epsilon() * std::pow(longest, D),
-            detail::join("SimplexMesh.cells[", c, "].volume"), volume, "a cell must not be flat");
+            shared_detail::join("SimplexMesh.cells[", c, "].volume"), volume, "a cell must not be flat");
     if (volume < 0) std::swap(nodes[D - 1], nodes[D]);
     cells_.push_back(nodes);
   }
@@ -225,7 +226,7 @@ class SimplexMesh {
     if (found != map.end()) return found->second;
     std::string known;
     for (const auto& [key, value] : map) known += (known.empty() ? "" : ", ") + key;
-    throw error(detail::join("SimplexMesh: ", kind, " = ", name, ": must be one of: ", known));
+    throw error(shared_detail::join("SimplexMesh: ", kind, " = ", name, ": must be one of: ", known));
   }
 
   std::map<std::string, int> region_names_;
@@ -240,4 +241,4 @@ class SimplexMesh {
   bool bins_fresh_ = false;
 };
 
-}  // namespace arenite
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -9,7 +9,9 @@
 #include <unistd.h>
 #endif
 
-namespace arenite {
+#include <arenite/core/instruction_set.hpp>
+
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 /// Observer that rewrites one line on standard error about twice a second until `end`, s. Shows nothing
 /// unless that is a terminal.
@@ -43,4 +45,4 @@ class Progress {
   bool visible_ = false;
 };
 
-}  // namespace arenite
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -12,7 +12,7 @@
 #include <arenite/particles/cell_list.hpp>
 #include <arenite/particles/columns.hpp>
 
-namespace arenite {
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 /// Columns of material points: law L gives the history, `Affine` whether a point carries a velocity field
 /// (APIC, TPIC). Mass and volume are those of what the point stands for: a metre of thickness in plane
@@ -154,4 +154,4 @@ class Points {
   std::vector<Index> spare_cell_;
 };
 
-}  // namespace arenite
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

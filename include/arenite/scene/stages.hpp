@@ -6,7 +6,7 @@
 
 #include <arenite/scene/scene.hpp>
 
-namespace arenite {
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 template <class Scene>
 void relocate(Scene& scene) {
@@ -119,7 +119,7 @@ void move(Scene& scene, [[maybe_unused]] double dt) {
     try {
       motion.move(scene.mesh, travel);
     } catch (const run_error& e) {
-      throw run_error(detail::join("t = ", scene.time + dt, " s: ", e.what()));
+      throw run_error(shared_detail::join("t = ", scene.time + dt, " s: ", e.what()));
     }
   }
 }
@@ -153,13 +153,13 @@ void finish(Scene& scene, double dt) {
         },
         [](std::size_t a, std::size_t b) { return std::min(a, b); });
     if (first_bad < points.size())
-      throw run_error(detail::join("t = ", scene.time, " s, step ", scene.steps, ": point ", first_bad,
-                                   " of body ", number, " at (", points.position[first_bad].transpose(),
-                                   ") m has velocity (", points.velocity[first_bad].transpose(),
-                                   ") m/s, pressure ", -trace(points.stress[first_bad]) / 3, " Pa, volume ",
-                                   points.volume[first_bad], " m3: no longer finite"));
+      throw run_error(shared_detail::join(
+          "t = ", scene.time, " s, step ", scene.steps, ": point ", first_bad, " of body ", number, " at (",
+          points.position[first_bad].transpose(), ") m has velocity (",
+          points.velocity[first_bad].transpose(), ") m/s, pressure ", -trace(points.stress[first_bad]) / 3,
+          " Pa, volume ", points.volume[first_bad], " m3: no longer finite"));
     ++number;
   });
 }
 
-}  // namespace arenite
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -5,7 +5,7 @@
 #include <arenite/core/lanes.hpp>
 #include <arenite/transfer/transfer.hpp>
 
-namespace arenite {
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 /// Velocity gradient [D x D], column by column, 1/s, that a point at x hands to the nodes: B D^-1 for APIC, L
 /// for TPIC.
@@ -34,4 +34,4 @@ std::array<P, D * D> taken_gradient(const Cell& cell, const Rows& velocity) {
   return motion;
 }
 
-}  // namespace arenite
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -6,7 +6,7 @@
 #include <arenite/transfer/node_sums.hpp>
 #include <arenite/transfer/tensor_product.hpp>
 
-namespace arenite {
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 /// Rows of up to `capacity` points. A node at (i, j, k) of the cell's 3^D collects, with line functions N and
 /// a second kind G along each axis: N_i N_j N_k own + G_i N_j N_k along[0] + N_i G_j N_k along[1] + .., where
@@ -114,4 +114,4 @@ class PointRows {
   LineColumns value_, lower_, upper_;
 };
 
-}  // namespace arenite
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -8,7 +8,7 @@
 #include <arenite/transfer/numerics.hpp>
 #include <arenite/transfer/point_rows.hpp>
 
-namespace arenite {
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
 namespace detail {
 
 /// Adds the momentum that a pack of points at x hands to the nodes of its cell to `sums`, `Stride` a node,
@@ -277,4 +277,4 @@ void advance(Field& nodes, const Vec<T, D>& gravity, T dt, T mass_floor) {
   });
 }
 
-}  // namespace arenite
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

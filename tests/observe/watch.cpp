@@ -120,7 +120,7 @@ TEST_CASE("A scene at rest is not judged by its round-off") {
 
 TEST_CASE("Energy that a law makes: first a warning, then the end, with and without a ledger") {
   const auto check = [](auto scene) {
-    Watch watch;
+    Watch watch{{.every = 20}};
     const Said s = said([&] { run(scene, {.end = 10}, watch); });
     CAPTURE(s.error);
     REQUIRE(s.warnings.size() == 1);
@@ -142,6 +142,27 @@ TEST_CASE("Energy that a law makes: first a warning, then the end, with and with
   Watch watch{{.energy_gain = inf}};
   CHECK(said([&] { run(off, {.end = 0.5}, watch); }).error == "");
   CHECK(of(watch, "energy_gain").worst != of(watch, "energy_gain").worst);
+}
+
+TEST_CASE("Energy that sways with the step is no gain: velocities are those of its middle") {
+  const auto check = [](auto scene) {
+    const double energy = kinetic_energy(std::get<0>(scene.bodies));
+    double sways = 0;
+    Watch watch{{.every = 1}};
+    const Said s = said([&] {
+      run(scene, {.end = 0.2, .courant = 0.25}, watch, [&](const auto& now) {
+        const auto& body = std::get<0>(now.bodies);
+        sways = std::max(sways, std::abs(kinetic_energy(body) + strain_energy(body) - energy) / energy);
+      });
+    });
+    CAPTURE(s.error, sways);
+    CHECK(s.error == "");
+    CHECK(s.warnings.empty());
+    CHECK(sways >= 0.02);
+    CHECK(of(watch, "energy_gain").worst <= 0.01);
+  };
+  check(swinging(0, TrackEnergy{}));
+  check(swinging(0));
 }
 
 TEST_CASE("Energy put in behind the scene's back, or taken away") {

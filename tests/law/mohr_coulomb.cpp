@@ -265,7 +265,7 @@ TEST_CASE("with a cut-off returns are those of Koiter's rule over the planes of 
     const MohrCoulomb law{p};
     std::mt19937 random(47);
     std::uniform_real_distribution<double> uniform(-1, 1);
-    for (int trial = 0; trial < 300; ++trial) {
+    for (int trial = 0; trial < 500; ++trial) {
       auto before = trial_state<3>(random, p.tension);
       if (trial % 2 == 0) {  // pulled and pressed at once
         const Eigen::Vector3d v(std::abs(uniform(random)), uniform(random), -std::abs(uniform(random)));
@@ -290,7 +290,7 @@ TEST_CASE("with a cut-off returns are those of Koiter's rule over the planes of 
     }
   }
   REQUIRE(cut > 500);
-  REQUIRE(both > 500);
+  REQUIRE(both > 300);
 }
 
 TEMPLATE_TEST_CASE("with a cut-off one large step ends near where many small ones end", "", double, float) {

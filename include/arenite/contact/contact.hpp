@@ -184,11 +184,14 @@ ContactTally exchange(const Coulomb<Normals>& contact, Fields& fields, const Map
   return tally;
 }
 
-/// Lets the velocities that strains are taken from (MUSL maps them anew) keep the bonds of contact: none of
-/// the relative velocity along the normal that an impulse stopped, nor across it where they stick, whether
-/// they would close or part. A body would otherwise give its stress's work to the other twice: by the
-/// impulse, which the full stress feeds, and by a strain as if nothing were in the way. Common velocities are
-/// those of the common momentum; no impulse, for these velocities live for one strain increment only.
+/// Holds the mapped velocities of MUSL, from which strains are taken, to what contact enforced: where a pair
+/// of fields exchanged an impulse, both take the velocity of their common momentum, along the normal, or
+/// altogether if they stick. In both directions: an impulse does no work only if the strain velocities agree
+/// where it acts. Left as they are mapped they part during a rebound at nodes where contact still pushes, and
+/// the impulse times that velocity is energy that nothing put in. No impulse: these velocities live for one
+/// strain increment. Returns the energy that this dissipates beside what `exchange` booked, J. The points of
+/// FLIP gain (impulse + dt force) (start + mapped) / 2 at each node, their strains take dt force times the
+/// held velocity: with both, contact's share of the balance is exact, up to the order of the time step.
 template <class Pairs, class Fields, class T>
 double hold_together(const Pairs& pairs, Fields& fields, T dt) {
   double dissipation = 0;
@@ -197,12 +200,11 @@ double hold_together(const Pairs& pairs, Fields& fields, T dt) {
     auto& a = fields[pair.first];
     auto& b = fields[pair.second];
     using V = std::remove_cvref_t<decltype(pair.normal)>;
-    const V apart = a.mapped[i] - b.mapped[i];
+    const V apart = a.mapped[i] - b.mapped[i], end = a.velocity[i] - b.velocity[i];
     const V removed = pair.sticks ? apart : V(apart.dot(pair.normal) * pair.normal);
     const T share_a = b.mass[i] / (a.mass[i] + b.mass[i]), share_b = 1 - share_a;
     const V push = dt * (share_a * a.collected[i].force() - share_b * b.collected[i].force());
-    dissipation -=
-        static_cast<double>(pair.impulse.dot(apart - a.velocity[i] + b.velocity[i]) / 2 + push.dot(removed));
+    dissipation -= static_cast<double>(pair.impulse.dot(apart - end) / 2 + push.dot(removed));
     a.mapped[i] -= share_a * removed;
     b.mapped[i] += share_b * removed;
   }

@@ -177,6 +177,9 @@ ContactTally collide(const M& mesh, R& body, Fields& fields, const Vec<T, D>& gr
   return tally;
 }
 
+/// Holds the mapped velocities of MUSL to the body where it gave an impulse, along the normal or altogether,
+/// in both directions: see `hold_together`, the same between fields. Returns the energy that this dissipates
+/// beside what `collide` booked, J.
 template <class R, class Fields, class T>
 double hold_to(const R& body, Fields& fields, T dt) {
   double dissipation = 0;

@@ -8,6 +8,8 @@
 // for ten times what was lost: see `Account`.
 #pragma once
 
+#include <arenite/core/requirements.hpp>
+
 #include <algorithm>
 #include <atomic>
 #include <chrono>

@@ -15,3 +15,11 @@ if(ARENITE_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
 endif()
 
 set(CMAKE_CXX_EXTENSIONS OFF)  # ISO C++20, without the compilers' own additions
+
+# arenite_left_out(WHAT PACKAGES): says that WHAT is not built for want of PACKAGES; an error with ARENITE_REQUIRE_ALL.
+function(arenite_left_out what packages)
+  if(ARENITE_REQUIRE_ALL)
+    message(FATAL_ERROR "${what} cannot be built: ${packages} not found")
+  endif()
+  message(STATUS "${what} left out: ${packages} not found")
+endfunction()

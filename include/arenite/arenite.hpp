@@ -1,6 +1,7 @@
 // Arenite: everything that needs only the standard library and Eigen, but for file formats (arenite/io).
 #pragma once
 
+#include <arenite/core/requirements.hpp>
 #include <arenite/core/units.hpp>
 #include <arenite/law/drucker_prager.hpp>
 #include <arenite/law/linear_elastic.hpp>

@@ -56,14 +56,6 @@ double blocks_on_grid(const std::string& file) {
       file);
 }
 
-double block_on_tetrahedra(const std::string& file) {
-  return stresses_after(Scene{Solid{}, SimplexMesh<3>(test::tetrahedra({0, 0, 0}, {1, 1, 1}, {5, 5, 5})),
-                              Numerics<LinearSimplex>{},
-                              bodies(fill(Box{{0.2, 0.1, 0.1}, {0.5, 0.9, 0.9}}, rubber, {.per_cell = 10})),
-                              walls(bottom(fixed)), gravity({0, -9.81, 0}), TrackEnergy{}},
-                        file);
-}
-
 std::size_t cells_of_a_file() {
   std::istringstream file(
       "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n3\n1 0 0 0\n2 1 0 0\n3 0 1 0\n$EndNodes\n$Elements\n1\n"
@@ -75,8 +67,7 @@ std::size_t cells_of_a_file() {
 
 Result UNIT(const std::string& prefix) {
   CsvWriter(prefix + ".csv", {"a", "b"}).row({1, 2});
-  return {{press_on_triangles(prefix + "press"), blocks_on_grid(prefix + "blocks"),
-           block_on_tetrahedra(prefix + "block")},
+  return {{press_on_triangles(prefix + "press"), blocks_on_grid(prefix + "blocks")},
           cells_of_a_file(),
           threads()};
 }

@@ -73,9 +73,9 @@ namespace detail {
 /// Blocked directions at a node as an orthonormal set; adding one keeps it orthonormal.
 template <int D>
 struct Blocked {
-  Eigen::Matrix<double, D, D> directions = Eigen::Matrix<double, D, D>::Zero();  // columns
+  Mat<double, D> directions = Mat<double, D>::Zero();  // columns
   int count = 0;
-  void add(Eigen::Matrix<double, D, 1> n) {
+  void add(Vec<double, D> n) {
     n.normalize();
     for (int pass = 0; pass < 2; ++pass)
       for (int k = 0; k < count; ++k) n -= directions.col(k).dot(n) * directions.col(k);
@@ -92,7 +92,7 @@ Vec<double, D> in_dimension(const std::array<double, 3>& a) {
 
 template <int D>
 void block(Blocked<D>& at, const Condition& c, int face_axis) {
-  using V = Eigen::Matrix<double, D, 1>;
+  using V = Vec<double, D>;
   const V direction = in_dimension<D>(c.direction);
   for (int k = 0; k < D; ++k) {
     const bool blocks = c.kind == Condition::Kind::all ||

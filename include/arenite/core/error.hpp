@@ -1,6 +1,8 @@
 // Errors: what a user's mistake and a failed run say. A programmer's mistake is an assert instead.
 #pragma once
 
+#include <arenite/core/requirements.hpp>
+
 #include <sstream>
 #include <stdexcept>
 #include <string>

@@ -5,6 +5,8 @@
 // Outside, once in a program: errors, the thread pool, meshes as data, files (helpers: `shared_detail`).
 #pragma once
 
+#include <arenite/core/requirements.hpp>
+
 #if defined(__AVX512F__) && defined(__FMA__)
 #define ARENITE_INSTRUCTION_SET avx512_fma
 #elif defined(__AVX512F__)

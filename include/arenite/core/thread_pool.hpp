@@ -3,13 +3,20 @@
 // from the others' ends. The caller starts at once, and a helper that wakes late finds less to do: on a busy
 // machine the loop goes on with the threads that run. (A team that starts and ends each loop at a barrier, as
 // OpenMP's does, waits for all of them each time: ten times as long as one thread alone, when another program
-// held a core.)
+// held a core.) What is left is a thread that the system stops inside an item, for whom all others wait. So
+// the pool keeps account of what its helpers bring and cost, and where they cost more, the caller works alone
+// for ten times what was lost: see `Account`.
 #pragma once
 
+#include <arenite/core/requirements.hpp>
+
+#include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
+#include <ctime>
 #include <thread>
 #include <vector>
 
@@ -25,6 +32,62 @@ inline void relax() {
   _mm_pause();
 #endif
 }
+
+/// What the helpers bring: the time that the caller's part of a loop, scaled up to all items, would have
+/// taken alone, less the time that the loop took. The processor's time of the caller counts, so that its own
+/// stops (in which helpers go on, then wait) are no gain. Asking the system for it takes longer than reading
+/// a clock; so loops are watched only for a while after one that lasted so long that a thread may have been
+/// stopped in it. On an idle machine two readings of the clock a loop are all that this costs.
+class Account {
+ public:
+  using Clock = std::chrono::steady_clock;
+  using Duration = std::chrono::nanoseconds;
+
+  /// Whether the helpers have brought less than they cost, a short while ago.
+  bool rests() { return Clock::now() < rests_until_; }
+
+  void begin_loop() {
+    begin_ = Clock::now();
+    watches_ = begin_ < watches_until_ || balance_ < most;
+    if (watches_) worked_ = processor_time();
+  }
+  /// The caller finds no items any more.
+  void end_own_part() {
+    if (watches_) worked_ = processor_time() - worked_;
+  }
+  /// All are done; the caller did `own` of `n` items, on `threads` threads.
+  void end_loop(std::size_t n, std::size_t own, int threads) {
+    const auto end = Clock::now();
+    if (end - begin_ >= suspicious) watches_until_ = end + watch;
+    if (!watches_) return;
+    const double share =
+        own > 0 ? std::min<double>(threads, static_cast<double>(n) / static_cast<double>(own)) : 1;
+    const auto alone = std::chrono::duration_cast<Duration>(worked_ * share);
+    balance_ = std::min(most, balance_ + alone - (end - begin_));
+    if (balance_ >= Duration::zero()) return;
+    rests_until_ = end - 10 * balance_;
+    balance_ = Duration::zero();
+  }
+
+ private:
+  static constexpr Duration suspicious = std::chrono::milliseconds(1);  // systems stop a thread for longer
+  static constexpr Duration watch = std::chrono::milliseconds(100);
+  static constexpr Duration most = std::chrono::milliseconds(10);  // gains that are kept for worse times
+
+  /// Of this thread; the clock's where the system does not tell.
+  static Duration processor_time() {
+#ifdef CLOCK_THREAD_CPUTIME_ID
+    std::timespec time;
+    if (clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time) == 0)
+      return std::chrono::seconds(time.tv_sec) + std::chrono::nanoseconds(time.tv_nsec);
+#endif
+    return Clock::now().time_since_epoch();
+  }
+
+  Duration balance_ = most, worked_{};
+  bool watches_ = false;
+  Clock::time_point begin_{}, watches_until_{}, rests_until_{};
+};
 
 class ThreadPool {
  public:
@@ -49,10 +112,15 @@ class ThreadPool {
 
   /// Calls `f(i)` for i in [0, n), on as many threads as come in time; part t of `parts` begins at item
   /// `cut(t, parts)`. A loop within a loop, and one that starts while another of the program's threads has
-  /// the pool, run on their own thread alone.
+  /// the pool, run on their own thread alone; so do all while helpers do not pay.
   template <class F, class Cut>
   void run(std::size_t n, F& f, Cut&& cut) {
     if (threads_ < 2 || inside() || taken_.test_and_set(std::memory_order_acquire)) {
+      for (std::size_t i = 0; i < n; ++i) f(i);
+      return;
+    }
+    if (account_.rests()) {
+      taken_.clear(std::memory_order_release);
       for (std::size_t i = 0; i < n; ++i) f(i);
       return;
     }
@@ -66,16 +134,19 @@ class ThreadPool {
       parts_[t].items.store(pack(begin, end), std::memory_order_relaxed);
       begin = end;
     }
+    account_.begin_loop();
     state_.fetch_or(open, std::memory_order_seq_cst);
     if (asleep_.load(std::memory_order_seq_cst) > 0) {
       bell_.fetch_add(1, std::memory_order_seq_cst);
       bell_.notify_all();
     }
-    take_items(0);
+    const std::size_t own = take_items(0);
+    account_.end_own_part();
     state_.fetch_and(~open, std::memory_order_acq_rel);
     // Who is still at an item finishes it; then nobody looks at this loop again.
     for (int k = 0; state_.load(std::memory_order_acquire) != 0; ++k)
       k < patience ? relax() : std::this_thread::yield();
+    account_.end_loop(n, own, threads_);
     inside() = false;
     taken_.clear(std::memory_order_release);
   }
@@ -104,9 +175,10 @@ class ThreadPool {
     std::atomic<std::uint64_t> items{0};
   };
 
-  /// Runs the own part from its begin, then those of the others from their ends.
-  void take_items(std::size_t own) {
+  /// Runs the own part from its begin, then those of the others from their ends; returns how many items.
+  std::size_t take_items(std::size_t own) {
     const std::size_t parts = parts_.size();
+    std::size_t taken = 0;
     for (std::size_t k = 0; k < parts; ++k) {
       auto& items = parts_[(own + k) % parts].items;
       std::uint64_t left = items.load(std::memory_order_relaxed);
@@ -116,9 +188,11 @@ class ThreadPool {
         const std::uint64_t rest = k == 0 ? pack(next + 1, end) : pack(next, end - 1);
         if (!items.compare_exchange_weak(left, rest, std::memory_order_relaxed)) continue;
         call_(context_, k == 0 ? next : end - 1);
+        ++taken;
         left = items.load(std::memory_order_relaxed);
       }
     }
+    return taken;
   }
 
   void start() {
@@ -167,6 +241,7 @@ class ThreadPool {
 
   int threads_ = 1;
   std::atomic_flag taken_;  // whether a loop has the helpers
+  Account account_;         // of who has the helpers
   std::vector<std::thread> helpers_;
   std::atomic<bool> stopping_{false};
   // The loop that is open.

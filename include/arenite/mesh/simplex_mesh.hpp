@@ -95,8 +95,8 @@ class SimplexMesh {
   }
 
   /// Barycentric coordinates of x in a cell; negative ones lie outside.
-  Eigen::Matrix<T, D + 1, 1> barycentric(Index cell, const Point& x) const {
-    Eigen::Matrix<T, D + 1, 1> b;
+  Vec<T, D + 1> barycentric(Index cell, const Point& x) const {
+    Vec<T, D + 1> b;
     b.template tail<D>().noalias() = frames_[cell].inverse * (x - origin(cell));
     b[0] = 1 - b.template tail<D>().sum();
     return b;

@@ -14,12 +14,12 @@ namespace detail {
 /// The inset of the outer points is such that equal weights integrate quadratics exactly (linear fields are
 /// exact by symmetry).
 template <int D>
-std::vector<Eigen::Matrix<double, D + 1, 1>> simplex_lattice(int k) {
-  std::vector<Eigen::Matrix<double, D + 1, 1>> points;
+std::vector<Vec<double, D + 1>> simplex_lattice(int k) {
+  std::vector<Vec<double, D + 1>> points;
   for (int a = 0; a < k; ++a)
     for (int b = 0; a + b < k; ++b)
       for (int c = 0; c <= (D == 3 ? k - 1 - a - b : 0); ++c) {
-        Eigen::Matrix<double, D + 1, 1> p;
+        Vec<double, D + 1> p;
         p[0] = a;
         p[1] = b;
         if constexpr (D == 3) p[2] = c;
@@ -43,8 +43,8 @@ std::vector<Eigen::Matrix<double, D + 1, 1>> simplex_lattice(int k) {
 }
 
 /// Centroids of the k x k equal triangles into which a triangle is cut.
-inline std::vector<Eigen::Vector3d> triangle_centroids(int k) {
-  std::vector<Eigen::Vector3d> points;
+inline std::vector<Vec<double, 3>> triangle_centroids(int k) {
+  std::vector<Vec<double, 3>> points;
   for (int a = 0; a < k; ++a)
     for (int b = 0; a + b < k; ++b) {
       const double u = (a + 1.0 / 3) / k, v = (b + 1.0 / 3) / k;
@@ -62,7 +62,7 @@ inline std::vector<Eigen::Vector3d> triangle_centroids(int k) {
 /// Barycentric coordinates of n points of equal weight in a simplex. Triangles: n = 1, 3, 6, 10, 15, 21, 28
 /// or a square; tetrahedra: n = 1, 4, 10, 20, 35. Throws `error` for another n.
 template <int D>
-std::vector<Eigen::Matrix<double, D + 1, 1>> simplex_points(int n) {
+std::vector<Vec<double, D + 1>> simplex_points(int n) {
   for (int k = 1; k < 8; ++k) {
     if (n == (D == 2 ? k * (k + 1) / 2 : k * (k + 1) * (k + 2) / 6)) return detail::simplex_lattice<D>(k);
     if constexpr (D == 2)

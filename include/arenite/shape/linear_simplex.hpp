@@ -31,8 +31,8 @@ struct LinearSimplex {
     using T = typename M::scalar;
     static constexpr int D = M::dimension;
     static constexpr int size = D + 1;
-    using Weights = Eigen::Matrix<T, size, 1>;
-    using Gradients = Eigen::Matrix<T, D, size>;
+    using Weights = Vec<T, size>;
+    using Gradients = Eigen::Matrix<T, D, size, Eigen::DontAlign>;
 
     Cell(const M& mesh, Index cell)
         : nodes{mesh.nodes(cell)}, mesh_{mesh}, frame_{mesh.frame(cell)}, origin_{mesh.origin(cell)} {

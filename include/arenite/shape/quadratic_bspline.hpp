@@ -51,8 +51,8 @@ struct QuadraticBSpline {
     using T = typename M::scalar;
     static constexpr int D = M::dimension;
     static constexpr int size = D == 2 ? 9 : 27;
-    using Weights = Eigen::Matrix<T, size, 1>;
-    using Gradients = Eigen::Matrix<T, D, size>;
+    using Weights = Vec<T, size>;
+    using Gradients = Eigen::Matrix<T, D, size, Eigen::DontAlign>;
 
     Cell(const M& grid, Index cell)
         : lower_{grid.lower()}, corner_{lower_}, edge_{grid.edge()}, per_metre_{grid.inverse_edge()} {

@@ -1,0 +1,3 @@
+// must print: Arenite must see NaN: compile without -ffast-math
+// compile with: -ffast-math
+#include <arenite/arenite.hpp>

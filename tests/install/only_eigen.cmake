@@ -1,0 +1,17 @@
+# Configures `source` without Catch2, CLI11, nlohmann-json and Google Benchmark, installs it unbuilt, and checks that the
+# headers are there; then that ARENITE_REQUIRE_ALL refuses the same.
+set(without)
+foreach(package Catch2 CLI11 nlohmann_json benchmark)
+  list(APPEND without -DCMAKE_DISABLE_FIND_PACKAGE_${package}=ON)
+endforeach()
+file(REMOVE_RECURSE ${build} ${build}_strict)
+set(configure ${CMAKE_COMMAND} -S ${source} -G ${generator} -DCMAKE_CXX_COMPILER=${compiler} -DEigen3_DIR=${Eigen3_DIR} ${without})
+execute_process(COMMAND ${configure} -B ${build} COMMAND_ERROR_IS_FATAL ANY)
+execute_process(COMMAND ${CMAKE_COMMAND} --install ${build} --prefix ${build}/prefix OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
+if(NOT EXISTS ${build}/prefix/include/arenite/arenite.hpp)
+  message(FATAL_ERROR "no headers in ${build}/prefix")
+endif()
+execute_process(COMMAND ${configure} -B ${build}_strict -DARENITE_REQUIRE_ALL=ON RESULT_VARIABLE result OUTPUT_QUIET ERROR_QUIET)
+if(result EQUAL 0)
+  message(FATAL_ERROR "with ARENITE_REQUIRE_ALL a missing package must be an error")
+endif()

@@ -23,6 +23,7 @@ inline void run_scenes(const char* unit, const std::vector<Composition>& composi
   const char* const wanted = std::getenv("ARENITE_EXTREMES");
   unsigned long long first = 0, count = static_cast<unsigned long long>(in_tests);
   if (wanted) REQUIRE(std::sscanf(wanted, "%llu %llu", &first, &count) == 2);
+  on_warning({});
   for (auto seed = first; seed < first + count; ++seed) {
     const Composition& composition = compositions[seed % compositions.size()];
     Draw draw(seed);

@@ -62,8 +62,8 @@ template <class N, class M, class B, class Field>
     const auto v = velocities.take(cell, points, first, count, x, sums.value, sums.along[0]);
     if (rows.full()) spread();
     const P m = load_lanes<P>(points.mass.data() + first, count);
-    rows.push(count, handed_momentum<typename N::Transfer, Rows>(cell, points, first, count, m, x, v),
-              line.value, line.arm, line.slope);
+    rows.push(count, handed_momentum<typename N::Transfer, Rows>(points, first, count, m, v), line.value,
+              line.arm, line.slope);
   });
   spread();
 }

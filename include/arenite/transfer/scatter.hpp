@@ -170,12 +170,12 @@ template <class K, class N, class M, class B, class Field>
       nodes.mass_gradient[cell.nodes[i]] += mass * cell.gradient.col(static_cast<int>(i));
 }
 
-/// Momentum and mass that a pack of points at x, of mass m and velocity v, hands to its nodes.
-template <class Transfer, class Rows, class Cell, class Points, class P, std::size_t D>
-typename Rows::Handed handed_momentum(const Cell& cell, const Points& points, Index first, int count,
-                                      const P& m, const std::array<P, D>& x, const std::array<P, D>& v) {
+/// Momentum and mass that a pack of points of mass m and velocity v hands to its nodes.
+template <class Transfer, class Rows, class Points, class P, std::size_t D>
+typename Rows::Handed handed_momentum(const Points& points, Index first, int count, const P& m,
+                                      const std::array<P, D>& v) {
   typename Rows::Handed handed;
-  handed.own[NodeSums<typename Cell::T, Cell::D>::mass_lane] = m;
+  handed.own[D] = m;  // the lane of the mass, see NodeSums
   repeat<D>([&](std::size_t d) { handed.own[d] = m * v[d]; });
   if constexpr (Transfer::affine) {
     const auto gradient = points.motion.template load<P>(first, count);
@@ -221,7 +221,7 @@ template <class K, class N, class M, class B, class Field>
     const P m = load_lanes<P>(points.mass.data() + first, count);
     const P volume = -load_lanes<P>(points.volume.data() + first, count);
     const LineSet<P, Cell> line(cell, x);
-    auto handed = handed_momentum<typename N::Transfer, Rows>(cell, points, first, count, m, x, v);
+    auto handed = handed_momentum<typename N::Transfer, Rows>(points, first, count, m, v);
     repeat<D * D>([&](std::size_t k) {
       handed.along[k / D][Sums::force_lane + k % D] =
           volume * stress[Sym<P, M::dimension>::index(k % D, k / D)];

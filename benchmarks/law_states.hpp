@@ -123,7 +123,7 @@ template <int W, class T, int D, class Law>
       std::apply([&](auto&... m) { (f(m), ...); }, history.members());
     };
     each_memory([&](Value& m) { m = take(states.memory, p); });
-    const Value opened = own.update(stress, inc, history);
+    const Value opened = inelastic(own.update(stress, inc, history)).opening;
     for (std::size_t i = 0; i < states.stresses; ++i) give(states.result[i], p, stress[i]);
     give(states.opened, p, opened);
     each_memory([&](const Value& m) { give(states.result[0], p, m + stress[0]); });  // stored, but not kept

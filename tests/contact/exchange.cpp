@@ -10,7 +10,8 @@ using namespace arenite::test;
 
 namespace {
 
-using Field = NodeField<double, 2, false, true>;
+using Field = NodeField<double, 2, true, true>;
+using Pairs = std::vector<ContactPair<double, 2>>;
 
 /// Fields of N bodies at some nodes, with random masses, velocities and mass gradients.
 template <std::size_t N>
@@ -35,7 +36,9 @@ template <std::size_t N, class C, class Map>
 std::pair<ContactTally, std::array<Vec<double, 2>, N>> meet(const C& contact, std::array<Field, N>& fields,
                                                             const Map& map, double dt = 1e-3) {
   std::array<Vec<double, 2>, N> impulses;
-  const auto tally = exchange(contact, fields, map, impulses, dt, [](Index) { return 0.1; });
+  Pairs pairs;
+  const auto tally = exchange(contact, fields, map, impulses, pairs, dt, [](Index) { return 0.1; });
+  REQUIRE(pairs.size() == tally.nodes);
   return {tally, impulses};
 }
 
@@ -173,4 +176,60 @@ TEST_CASE("the velocity limit scales down what would turn a cell inside out, and
   REQUIRE((free[0].velocity[0] - unlimited).norm() < 1e-14);
   REQUIRE(throws([] { Coulomb<> c(Friction(0.1), {}, -1); },
                  "Coulomb.velocity_limit = -1: must not be negative"));
+}
+
+TEST_CASE("the velocity limit holds at each node that contact touches, the last one too") {
+  const double dt = 0.01, most = 0.5 * 0.1 / dt;
+  auto fields = random_fields<2>(3);
+  for (auto& f : fields)
+    for (Index i = 0; i < 3; ++i) {
+      f.mass[i] = 1;
+      f.mass_gradient[i] = {0, &f == &fields[0] ? -1.0 : 1.0};
+      f.velocity[i] = &f == &fields[0] ? Vec<double, 2>(30, -4) : Vec<double, 2>(0, 0);
+    }
+  const auto [tally, impulses] = meet(Coulomb<>(Friction::frictionless(), {}, 0.5), fields, 0, dt);
+  REQUIRE(tally.nodes == 3);
+  REQUIRE(tally.limited == 3);
+  for (Index i = 0; i < 3; ++i) REQUIRE(std::abs(fields[0].velocity[i].norm() - most) < 1e-14);
+}
+
+TEST_CASE(
+    "mapped velocities keep what contact stopped: the normal part where bodies slide, all where they stick") {
+  for (const Friction& friction : {Friction::frictionless(), Friction(0.3), Friction::no_slip()}) {
+    auto fields = random_fields<2>(200);
+    std::mt19937 random(5);
+    std::uniform_real_distribution<double> uniform(-1, 1);
+    for (auto& f : fields)
+      for (Index i = 0; i < 200; ++i) f.mapped[i] = {uniform(random), uniform(random)};
+    std::array<Vec<double, 2>, 2> impulses;
+    Pairs pairs;
+    exchange(Coulomb<>(friction), fields, 0, impulses, pairs, 1e-3, [](Index) { return 0.1; });
+    REQUIRE(pairs.size() > 20);
+    const auto before = fields;
+    const double dissipation = hold_together(pairs, fields, 1e-3);
+    std::vector<bool> met(200, false);
+    double closed = 0, opened = 0, booked = 0;
+    for (const auto& pair : pairs) {
+      const Index i = pair.node;
+      met[i] = true;
+      const Vec<double, 2> relative = fields[0].mapped[i] - fields[1].mapped[i],
+                           was = before[0].mapped[i] - before[1].mapped[i];
+      (was.dot(pair.normal) < 0 ? closed : opened) += 1;
+      REQUIRE(std::abs(relative.dot(pair.normal)) < 1e-15);
+      const Vec<double, 2> slip = was - was.dot(pair.normal) * pair.normal;
+      const Vec<double, 2> end = before[0].velocity[i] - before[1].velocity[i];
+      REQUIRE(pair.sticks == (friction.coefficient() > 0 && end.norm() < 1e-12));
+      REQUIRE((relative - (pair.sticks ? Vec<double, 2>(0, 0) : slip)).norm() < 1e-14);
+      const auto momentum = [&](const auto& f) {
+        return Vec<double, 2>(f[0].mass[i] * f[0].mapped[i] + f[1].mass[i] * f[1].mapped[i]);
+      };
+      REQUIRE((momentum(fields) - momentum(before)).norm() < 1e-14 * (fields[0].mass[i] + fields[1].mass[i]));
+      booked -= pair.impulse.dot(was - end) / 2;  // without forces
+    }
+    REQUIRE((closed > 5 && opened > 5));
+    REQUIRE(std::abs(dissipation - booked) < 1e-12 * (1 + std::abs(booked)));
+    for (Index i = 0; i < 200; ++i)
+      for (std::size_t b = 0; b < 2; ++b)
+        if (!met[i]) REQUIRE(fields[b].mapped[i] == before[b].mapped[i]);
+  }
 }

@@ -28,8 +28,8 @@ std::pair<double, double> angles(const M& mesh, double a, int per_cell) {
   std::array<NodeField<double, 2, false, true>, 2> fields{
       NodeField<double, 2, false, true>(Shape::node_count(mesh)),
       NodeField<double, 2, false, true>(Shape::node_count(mesh))};
-  auto lower = make_body<PlaneStrain, false>(mesh, fill(Inside{below}, light, {.per_cell = per_cell}));
-  auto upper = make_body<PlaneStrain, false>(mesh, fill(Inside{above}, heavy, {.per_cell = per_cell}));
+  auto lower = make_body<PlaneStrain>(mesh, fill(Inside{below}, light, {.per_cell = per_cell}));
+  auto upper = make_body<PlaneStrain>(mesh, fill(Inside{above}, heavy, {.per_cell = per_cell}));
   scatter<PlaneStrain>(N{}, mesh, blocks, lower, fields[0]);
   scatter<PlaneStrain>(N{}, mesh, blocks, upper, fields[1]);
   for (auto& field : fields) advance(field, Vec<double, 2>(0, 0), 0.0, 0.0);
@@ -39,8 +39,9 @@ std::pair<double, double> angles(const M& mesh, double a, int per_cell) {
   }
   const auto before = fields;
   std::array<Vec<double, 2>, 2> impulses;
-  const auto tally =
-      exchange(Coulomb<>(Friction::frictionless()), fields, 0, impulses, 1e-9, [](Index) { return 1.0; });
+  std::vector<ContactPair<double, 2>> pairs;
+  const auto tally = exchange(Coulomb<>(Friction::frictionless()), fields, 0, impulses, pairs, 1e-9,
+                              [](Index) { return 1.0; });
   REQUIRE(tally.nodes > 10);
   double worst = 0, sum = 0, all = 0;
   for (Index i = 0; i < Shape::node_count(mesh); ++i) {

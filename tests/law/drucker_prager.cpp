@@ -59,7 +59,7 @@ void check_returns(const DruckerPragerParameters& p) {
     const auto before = trial_state<D>(random, apex);
     auto after = before;
     NoHistory<double> history;
-    const double opened = law.update(after, Increment<double, D>{}, history);
+    const double opened = law.update(after, Increment<double, D>{}, history).opening;
     const auto [p0, q0] = invariants(before);
     const auto [p1, q1] = invariants(after);
     const double size = q1 + std::abs(p1) + p.cohesion, trial_size = full(before).norm();
@@ -97,25 +97,52 @@ TEST_CASE("random states come back to the cone, its tip or the cut-off, and diss
   }
 }
 
-TEST_CASE("associated flow goes to the closest point in the energy norm") {
-  const DruckerPrager law{
-      {.density = 1, .young = 5e6, .poisson = 0.3, .friction = 33_deg, .cohesion = 2e3, .dilatancy = 33_deg}};
-  std::mt19937 random(37);
-  std::normal_distribution<double> normal;
-  for (int trial = 0; trial < 500; ++trial) {
-    const auto before = trial_state<3>(random, 2e3 / std::tan(33_deg));
-    auto after = before;
-    law.return_to_yield(after);
-    const double best = law.elastic_energy(after - before);
-    for (int i = 0; i < 200; ++i) {
-      Sym<double, 3> other = after;
-      const double size = full(before).norm() * std::pow(10, -double(i % 6));
-      for (double& c : other.c) c += size * normal(random);
-      const auto [p, q] = invariants(other);
-      if (q + law.slope() * p <= law.strength())
-        REQUIRE(law.elastic_energy(other - before) >= best * (1 - 1e-9));
+TEST_CASE("associated flow goes to the closest point in the energy norm, with a cut-off too") {
+  const double apex = 2e3 / std::tan(33_deg);
+  for (const double tension : {1.0, 0.4, 0.0}) {
+    const DruckerPrager law{{.density = 1,
+                             .young = 5e6,
+                             .poisson = 0.3,
+                             .friction = 33_deg,
+                             .cohesion = 2e3,
+                             .dilatancy = 33_deg,
+                             .tension = tension * apex}};
+    std::mt19937 random(37);
+    std::normal_distribution<double> normal;
+    for (int trial = 0; trial < 500; ++trial) {
+      const auto before = trial_state<3>(random, tension * apex);
+      auto after = before;
+      law.return_to_yield(after);
+      const double best = law.elastic_energy(after - before);
+      for (int i = 0; i < 200; ++i) {
+        Sym<double, 3> other = after;
+        const double size = full(before).norm() * std::pow(10, -double(i % 6));
+        for (double& c : other.c) c += size * normal(random);
+        const auto [p, q] = invariants(other);
+        if (q + law.slope() * p <= law.strength() && p <= tension * apex)
+          REQUIRE(law.elastic_energy(other - before) >= best * (1 - 1e-9));
+      }
     }
   }
+}
+
+TEST_CASE("where both the cone and the cut-off act, their flows add up, and the cut-off's alone opens") {
+  const DruckerPrager law{{.density = 1,
+                           .young = 5e6,
+                           .poisson = 0.3,
+                           .friction = 30_deg,
+                           .cohesion = 5e3,
+                           .dilatancy = 10_deg,
+                           .tension = 1e3}};
+  const double rim = law.strength() - law.slope() * 1e3;
+  Sym<double, 3> stress{{20e3, 20e3, 20e3, 15e3, 0, 0}};
+  const auto before = stress;
+  const double opened = law.return_to_yield(stress);
+  REQUIRE(std::abs(stress[0] - 1e3) <= 1e-9);
+  REQUIRE(std::abs(stress[3] - rim) <= 1e-9);
+  const double volume = strain_of(law.elasticity(), full(before) - full(stress)).trace();
+  const double multiplier = (15e3 - rim) / law.elasticity().shear();
+  REQUIRE(std::abs(opened - (volume - law.flow_slope() * multiplier)) <= 1e-15);
 }
 
 TEST_CASE("triaxial compression: the compression cone has Mohr-Coulomb's strength") {

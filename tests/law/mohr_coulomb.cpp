@@ -66,43 +66,53 @@ double violation(const MohrCoulombParameters& p, const Eigen::Vector3d& s) {
   return worst;
 }
 
-/// Return of principal values by Koiter's rule over the six planes: the set of active planes whose
-/// multipliers are all positive and whose result is admissible. `found` is false where none is: then the flow
-/// cannot reach the surface (apex).
-Eigen::Vector3d koiter_return(const MohrCoulombParameters& p, const Eigen::Vector3d& s, bool& found) {
+/// Return of principal values by Koiter's rule over the six planes and the three of the cut-off: the set of
+/// active planes whose multipliers are all positive and whose result is admissible. `opening`: the volumetric
+/// strain of the cut-off's flow. `found` is false where there is no such set: then no flow leads to the
+/// surface (apex).
+Eigen::Vector3d koiter_return(const MohrCoulombParameters& p, const Eigen::Vector3d& s, double& opening,
+                              bool& found) {
   struct Plane {
     Eigen::Vector3d normal, flow;
+    double strength;
   };
   std::vector<Plane> planes;
   const double sin = std::sin(p.friction), sin_flow = std::sin(p.dilatancy);
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j)
       if (i != j) {
-        Plane plane{Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()};
+        Plane plane{Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero(), 2 * p.cohesion * std::cos(p.friction)};
         plane.normal(i) = 1 + sin;
         plane.normal(j) = -(1 - sin);
         plane.flow(i) = 1 + sin_flow;
         plane.flow(j) = -(1 - sin_flow);
         planes.push_back(plane);
       }
-  const double strength = 2 * p.cohesion * std::cos(p.friction);
+  if (p.tension < apex_of(p))
+    for (int i = 0; i < 3; ++i)
+      planes.push_back({Eigen::Vector3d::Unit(i), Eigen::Vector3d::Unit(i), p.tension});
+  const int all = static_cast<int>(planes.size());
   const Elasticity e("test", p.density, p.young, p.poisson);
   const Eigen::Matrix3d stiffness =
       Eigen::Matrix3d::Constant(e.lame()) + 2 * e.shear() * Eigen::Matrix3d::Identity();
   const double size = s.cwiseAbs().maxCoeff() + p.cohesion, tolerance = 1e-11 * size;
   for (int count = 0; count <= 3; ++count) {
-    for (int set = 0; set < 64; ++set) {
+    for (int set = 0; set < 1 << all; ++set) {
       if (std::popcount(static_cast<unsigned>(set)) != count) continue;
       // Rows of planes that are not active stay empty; their multipliers are 0.
       Eigen::Matrix3d a = Eigen::Matrix3d::Zero(), b = Eigen::Matrix3d::Zero();
-      for (int i = 0, row = 0; i < 6; ++i)
+      Eigen::Vector3d limit = Eigen::Vector3d::Zero(), opens = Eigen::Vector3d::Zero();
+      for (int i = 0, row = 0; i < all; ++i)
         if ((set >> i) & 1) {
-          a.row(row) = planes[static_cast<std::size_t>(i)].normal.transpose();
-          b.col(row++) = planes[static_cast<std::size_t>(i)].flow;
+          const auto& plane = planes[static_cast<std::size_t>(i)];
+          a.row(row) = plane.normal.transpose();
+          b.col(row) = plane.flow;
+          opens(row) = i < 6 ? 0 : 1;
+          limit(row++) = plane.strength;
         }
       Eigen::Matrix3d matrix = a * stiffness * b / e.shear();
-      Eigen::Vector3d excess = a * s;
-      for (int i = 0; i < 3; ++i) i < count ? excess(i) -= strength : matrix(i, i) = 1;
+      const Eigen::Vector3d excess = a * s - limit;
+      for (int i = count; i < 3; ++i) matrix(i, i) = 1;
       const Eigen::FullPivLU<Eigen::Matrix3d> lu(matrix);
       if (!lu.isInvertible()) continue;
       const Eigen::Vector3d multiplier = lu.solve(excess) / e.shear();
@@ -110,6 +120,7 @@ Eigen::Vector3d koiter_return(const MohrCoulombParameters& p, const Eigen::Vecto
       const Eigen::Vector3d y = s - stiffness * b * multiplier;
       if (violation(p, y) <= tolerance) {
         found = true;
+        opening = opens.dot(multiplier);
         return y;
       }
     }
@@ -126,7 +137,7 @@ void check_returns(const MohrCoulombParameters& p, int states) {
     const auto before = trial_state<D>(random, apex_of(p));
     auto after = before;
     NoHistory<double> history;
-    const double opened = law.update(after, Increment<double, D>{}, history);
+    const double opened = law.update(after, Increment<double, D>{}, history).opening;
     const Eigen::Vector3d y = principal_values(after);
     const double size = y.cwiseAbs().maxCoeff() + p.cohesion, trial_size = full(before).norm();
 
@@ -150,7 +161,7 @@ void check_returns(const MohrCoulombParameters& p, int states) {
             1e-12 * trial_size * trial_size);
     // A second return changes nothing.
     auto again = after;
-    REQUIRE(std::abs(law.return_to_yield(again)) <= 1e-14 * trial_size / p.young);
+    REQUIRE(std::abs(law.return_to_yield(again).opening) <= 1e-14 * trial_size / p.young);
     REQUIRE((full(again) - full(after)).norm() <= 1e-13 * size + 1e-15 * trial_size);
   }
 }
@@ -185,10 +196,11 @@ TEST_CASE("returns are those of Koiter's rule over all sets of planes") {
     for (int trial = 0; trial < 1500; ++trial) {
       const auto before = trial_state<3>(random, apex_of(p));
       auto after = before;
-      const double opened = law.return_to_yield(after);
+      const double opened = law.return_to_yield(after).opening;
       const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(full(before));
       bool found = false;
-      Eigen::Vector3d y = koiter_return(p, axes.eigenvalues(), found);
+      double opening = 0;
+      Eigen::Vector3d y = koiter_return(p, axes.eigenvalues(), opening, found);
       if (!found) {
         REQUIRE(p.dilatancy ==
                 0);  // only without dilatancy is there a trial state that no plane's flow brings back
@@ -237,6 +249,50 @@ TEST_CASE("associated flow goes to the closest point in the energy norm") {
   }
 }
 
+TEST_CASE("with a cut-off returns are those of Koiter's rule over the planes of both") {
+  int cut = 0, both = 0;
+  auto sets = cut_sets();
+  for (const double friction : {20_deg, 70_deg})
+    for (const double poisson : {-0.8, 0.499})
+      sets.push_back({.density = 1,
+                      .young = 5e6,
+                      .poisson = poisson,
+                      .friction = friction,
+                      .cohesion = 2e3,
+                      .dilatancy = friction / 3,
+                      .tension = 0.3e3});
+  for (const auto& p : sets) {
+    const MohrCoulomb law{p};
+    std::mt19937 random(47);
+    std::uniform_real_distribution<double> uniform(-1, 1);
+    for (int trial = 0; trial < 300; ++trial) {
+      auto before = trial_state<3>(random, p.tension);
+      if (trial % 2 == 0) {  // pulled and pressed at once
+        const Eigen::Vector3d v(std::abs(uniform(random)), uniform(random), -std::abs(uniform(random)));
+        const Eigen::Matrix3d r = rotation<3>(random);
+        before = symmetric<3>(r * (v * std::pow(10, 4 + uniform(random))).asDiagonal() * r.transpose());
+      }
+      auto after = before;
+      const double opened = law.return_to_yield(after);
+      const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(full(before));
+      bool found = false;
+      double opening = 0;
+      const Eigen::Vector3d y = koiter_return(p, axes.eigenvalues(), opening, found);
+      REQUIRE(found);
+      const Eigen::Matrix3d expected = axes.eigenvectors() * y.asDiagonal() * axes.eigenvectors().transpose();
+      const double size = full(before).norm() + p.cohesion;
+      REQUIRE((full(after) - expected).norm() <= 1e-9 * size);
+      REQUIRE(std::abs(opened - opening) <= 1e-9 * size / p.young);
+      REQUIRE(opened >= 0);
+      const double slope = (1 + std::sin(p.friction)) / (1 - std::sin(p.friction));
+      const double corner = slope * p.tension - 2 * p.cohesion * std::sqrt(slope);
+      if (opening > 1e-9 * size / p.young) ++(std::abs(y(0) - corner) <= 1e-9 * size ? both : cut);
+    }
+  }
+  REQUIRE(cut > 500);
+  REQUIRE(both > 500);
+}
+
 TEST_CASE("the cut-off relaxes sideways like a crack") {
   // Stretched along x only, the plastic strain is an opening along x: what is left of the stress sideways is
   // elastic.
@@ -247,7 +303,7 @@ TEST_CASE("the cut-off relaxes sideways like a crack") {
   Increment<double, 3> stretch;
   stretch.strain[0] = 2e-3;
   NoHistory<double> history;
-  const double opened = law.update(stress, stretch, history);
+  const double opened = law.update(stress, stretch, history).opening;
   const double side = 0.25 * 1e3 / 0.75;  // lambda/(lambda + 2 G) of the stress that x did keep
   REQUIRE(std::abs(stress[0] - 1e3) <= 1e-9);
   REQUIRE(std::abs(stress[1] - (start[1] + side)) <= 1e-8);
@@ -290,7 +346,7 @@ TEST_CASE("oedometer: at rest until K0 meets the active limit") {
     Increment<double, 2> squeeze;
     squeeze.strain[1] = -1e-4;
     NoHistory<double> history;
-    for (int i = 0; i < 100; ++i) REQUIRE(law.update(stress, squeeze, history) == 0);
+    for (int i = 0; i < 100; ++i) REQUIRE(law.update(stress, squeeze, history).opening == 0);
     return stress[0] / stress[1];
   };
   REQUIRE(std::abs(ratio(0.33, 30_deg) - 0.33 / 0.67) <= 1e-13);
@@ -305,7 +361,7 @@ TEST_CASE("bad constants are named with their rule") {
   REQUIRE(message(p) == "MohrCoulomb.poisson = 0.6: must lie in (-1, 0.5)");
   p = good;
   p.friction = 40;
-  REQUIRE(message(p) == "MohrCoulomb.friction = 40: must lie in [0, pi/2) rad");
+  REQUIRE(message(p) == "MohrCoulomb.friction = 40: must lie in [0, 1.55] rad (88.8 deg)");
   p.friction = detail::not_given;
   REQUIRE(message(p) == "MohrCoulomb.friction = nan: must be given");
   p.friction = 0;

@@ -23,7 +23,7 @@ struct Point {
   double step(const Law& law, double volume, double shear = 0) {
     Increment<double, 3> increment;
     increment.strain = {{volume / 3, volume / 3, volume / 3, shear, 0, 0}};
-    const double opened = law.update(stress, increment, history);
+    const double opened = law.update(stress, increment, history).opening;
     strain += volume;
     opening += opened;
     return opened;

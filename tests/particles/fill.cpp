@@ -15,7 +15,7 @@ const LinearElastic law{{.density = 2000, .young = 1e6, .poisson = 0.3}};
 
 template <class K, class M, class Region>
 auto body_of(const M& mesh, Region region, FillOptions options = {}) {
-  return make_body<K, false>(mesh, fill(std::move(region), law, options));
+  return make_body<K>(mesh, fill(std::move(region), law, options));
 }
 
 template <class B>

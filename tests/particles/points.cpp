@@ -42,13 +42,13 @@ std::size_t bytes(const P& points) {
 TEST_CASE("bytes a point: nothing that the composition does not need") {
   // Position and velocity 2 x 2, mass, volume, 4 of stress in double, and the cell: no history, no affine
   // part.
-  using Plain = Points<double, 2, LinearElastic, false>;
+  using Plain = Points<double, 2, LinearElastic>;
   static_assert(Plain::bytes_per_point() == (4 + 2 + 4) * 8 + 4);
   // In three dimensions with APIC: 6 + 2 + 6 + 9.
-  using Apic3 = Points<double, 3, LinearElastic, true>;
+  using Apic3 = Points<double, 3, LinearElastic, ExtraColumns{.affine = true}>;
   static_assert(Apic3::bytes_per_point() == (6 + 2 + 6 + 9) * 8 + 4);
   // In float with a history of two.
-  using Single = Points<float, 2, Counting, false>;
+  using Single = Points<float, 2, Counting>;
   static_assert(Single::bytes_per_point() == (4 + 2 + 4 + 2) * 4 + 4);
   static_assert(Plain::history_size == 0 && Single::history_size == 2);
 
@@ -67,7 +67,7 @@ TEST_CASE("bytes a point: nothing that the composition does not need") {
 }
 
 TEST_CASE("history starts as the law says, and is stored by column") {
-  Points<double, 2, Counting, false> points;
+  Points<double, 2, Counting> points;
   for (int i = 0; i < 3; ++i) points.push_back({0, 0}, {0, 0}, 1, 1, {}, 0);
   REQUIRE(points.history[0] == Column<double>{7, 7, 7});
   auto h = points.load_history(1);
@@ -81,7 +81,7 @@ TEST_CASE("history starts as the law says, and is stored by column") {
 }
 
 TEST_CASE("a new order keeps each point together and drops those not named") {
-  Points<double, 3, Counting, true> points;
+  Points<double, 3, Counting, ExtraColumns{.affine = true}> points;
   for (Index i = 0; i < 6; ++i) {
     const double v = i;
     points.push_back(Vec<double, 3>::Constant(v), Vec<double, 3>::Constant(10 + v), 20 + v, 30 + v,

@@ -20,8 +20,9 @@ auto numbered_body(const M& mesh) {
   std::array<double, M::dimension> lower, upper;
   lower.fill(-10);
   upper.fill(10);
-  auto body = make_body<std::conditional_t<M::dimension == 2, PlaneStrain, Solid>, true>(
-      mesh, fill(Box<M::dimension>{lower, upper}, law, {.per_cell = 1}));
+  auto body =
+      make_body<std::conditional_t<M::dimension == 2, PlaneStrain, Solid>, ExtraColumns{.affine = true}>(
+          mesh, fill(Box<M::dimension>{lower, upper}, law, {.per_cell = 1}));
   for (std::size_t p = 0; p < body.points.size(); ++p) {
     body.points.velocity.column(0)[p] = static_cast<typename M::scalar>(p);
     body.points.motion.set(

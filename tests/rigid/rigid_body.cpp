@@ -185,20 +185,29 @@ TEST_CASE("through the centre of mass: the node gets the mean velocity of soil a
   REQUIRE((fields[0].velocity[7] - P(1.5 * 0.3 / 3.5, centre)).norm() < 1e-15);
 }
 
-TEST_CASE("mapped velocities are kept out of the body") {
+TEST_CASE("mapped velocities keep what a rigid body stopped, whether they would close or part") {
   std::array<Field, 1> fields{Field(36)};
-  for (const Index i : {3u, 4u, 5u}) fields[0].mass[i] = 1;
-  auto body = make_rigid({{3, 4}, {P(0, -1), P(0, -1)}, {0.5, 0.5}, {5}}, Guided{.mass = 1, .velocity = -2},
-                         Friction(0.1));
+  for (const Index i : {2u, 3u, 4u, 5u, 6u}) fields[0].mass[i] = 1;
+  fields[0].velocity[2] = {9, 0};   // slides
+  fields[0].velocity[6] = {0, -9};  // parts
+  auto body =
+      make_rigid({{2, 3, 4, 6}, {P(0, -1), P(0, -1), P(0, -1), P(0, -1)}, {}, {5}}, Prescribed{[](double) {
+                   return std::array<double, 3>{0, -2, 0};
+                 }},
+                 Friction(0.1));
+  body.surface.share.assign(4, 0.25);
   meet(body, fields);
-  body.velocity = {0, -2};
+  fields[0].mapped[2] = {1, 3};
   fields[0].mapped[3] = {1, 3};
   fields[0].mapped[4] = {1, -3};
   fields[0].mapped[5] = {1, 3};
-  keep_out(body, fields);
-  REQUIRE((fields[0].mapped[3] - P(1, -2)).norm() < 1e-15);
-  REQUIRE(fields[0].mapped[4] == P(1, -3));
+  fields[0].mapped[6] = {1, 3};
+  hold_to(body, fields, 0.01);
+  REQUIRE((fields[0].mapped[2] - P(1, -2)).norm() < 1e-15);
+  REQUIRE(fields[0].mapped[3] == P(0, -2));
+  REQUIRE(fields[0].mapped[4] == P(0, -2));
   REQUIRE(fields[0].mapped[5] == P(0, -2));
+  REQUIRE(fields[0].mapped[6] == P(1, 3));
 }
 
 TEST_CASE("bad motions are refused") {

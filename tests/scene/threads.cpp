@@ -9,8 +9,9 @@ using namespace arenite;
 namespace {
 
 LinearElastic rubber() { return LinearElastic{{.density = 1000, .young = 1e6, .poisson = 0.3}}; }
-MohrCoulomb<> sand() {
-  return MohrCoulomb<>{{.density = 1500, .young = 1e6, .poisson = 0.3, .friction = 35_deg}};
+MohrCoulomb<> sand(double dilatancy = 0) {
+  return MohrCoulomb<>{
+      {.density = 1500, .young = 1e6, .poisson = 0.3, .friction = 35_deg, .dilatancy = dilatancy}};
 }
 
 template <class Column>
@@ -83,21 +84,21 @@ TEST_CASE("Same bits: B-splines, FLIP, two bodies in contact, a rigid body") {
   });
 }
 
-TEST_CASE("Same bits: triangles, FLIP, MUSL, nodal averaging, a moving mesh, a rigid body") {
+TEST_CASE("Same bits: triangles, FLIP, MUSL, both averages, dilatancy, a moving mesh, a rigid body") {
   check([] {
     auto data = test::triangles({0, 0}, {1, 1}, 30, 30);
     test::name_region(data, "block", [](const auto& x) { return x[0] < 0.3 && x[1] > 0.5; });
     test::name_region(data, "soil", [](const auto& x) { return x[1] < 0.5; });
-    return Scene{
-        Axisymmetric{},
-        SimplexMesh<2>(data),
-        Numerics<LinearSimplex, Flip, Musl, NodalAveraging>{},
-        bodies(fill(Cells("soil"), sand(), {.per_cell = 3, .stress = Geostatic{.surface = 0.5, .k0 = 0.5}})),
-        walls(on("bottom", fixed), on("right", symmetry({1, 0, 0}))),
-        gravity({0, -9.81}),
-        rigids(rigid(MeshSurface{"block"}, Guided{.mass = 100, .velocity = -5}, Friction(20_deg))),
-        MovingMesh<>{.fixed_below = 0.1, .moving_from = 0.5},
-        TrackEnergy{}};
+    return Scene{Axisymmetric{},
+                 SimplexMesh<2>(data),
+                 Numerics<LinearSimplex, Flip, Musl, NodalAndElementAverage>{},
+                 bodies(fill(Cells("soil"), sand(15_deg),
+                             {.per_cell = 3, .stress = Geostatic{.surface = 0.5, .k0 = 0.5}})),
+                 walls(on("bottom", fixed), on("right", symmetry({1, 0, 0}))),
+                 gravity({0, -9.81}),
+                 rigids(rigid(MeshSurface{"block"}, Guided{.mass = 100, .velocity = -5}, Friction(20_deg))),
+                 MovingMesh<>{.fixed_below = 0.1, .moving_from = 0.5},
+                 TrackEnergy{}};
   });
 }
 

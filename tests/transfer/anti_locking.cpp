@@ -1,4 +1,6 @@
 // Cures of locking against hand values on two triangles.
+#include <arenite/law/mohr_coulomb.hpp>
+
 #include "catch.hpp"
 #include "setup.hpp"
 
@@ -56,6 +58,32 @@ TEST_CASE("nodal averaging: a node takes the mean of its cells by volume, a cell
   }
 }
 
+TEST_CASE("nodal averaging: the dilation of the last step stays in its cell, by volume of its points") {
+  const MohrCoulomb dense{{.density = 1000, .young = 1e6, .poisson = 0.3, .friction = 0.7, .dilatancy = 0.2}};
+  using N = Numerics<LinearSimplex, Flip, Usl, NodalAveraging>;
+  const auto mesh = square_of_two();
+  auto body =
+      make_body<PlaneStrain, N::extra_columns>(mesh, fill(Box{{0., 0.}, {1., 1.}}, dense, {.per_cell = 3}));
+  const Blocks blocks(2, 4, 1, [&](Index c) { return mesh.nodes(c); });
+  NodeField<double, 2, false, false> nodes(4);
+  const double v0 = 0.3, v1 = 0.5, dt = 0.01;
+  std::array<double, 2> mean{};
+  for (std::size_t p = 0; p < 6; ++p) {
+    const Index c = body.points.cell[p];
+    body.points.volume[p] = (c == 0 ? v0 : v1) * (p % 3 == 0 ? 0.5 : 0.25);
+    body.points.dilation[p] = 1e-3 * static_cast<double>(p);
+    mean[c] += body.points.dilation[p] * (p % 3 == 0 ? 0.5 : 0.25);
+  }
+  scatter<PlaneStrain>(N{}, mesh, blocks, body, nodes);
+  nodes.velocity[1] = {2, 0};
+  nodes.velocity[3] = {0, 3};
+  VolumetricAverage<double> average;
+  average.compute<PlaneStrain, N>(mesh, blocks, body, nodes, dt);
+  const double e0 = 2 * dt - mean[0], e1 = 3 * dt - mean[1], shared = (v0 * e0 + v1 * e1) / (v0 + v1);
+  CHECK(std::abs(average.cell_strain[0] - ((2 * shared + e0) / 3 + mean[0])) <= 1e-16);
+  CHECK(std::abs(average.cell_strain[1] - ((2 * shared + e1) / 3 + mean[1])) <= 1e-16);
+}
+
 TEST_CASE("element average: a filled cell bears the mean stress over its whole volume") {
   auto s = two_cells<ElementAverage>(0.46, 0.40);  // 92 % and 80 % of half a square metre
   const auto mean = mean_stress(s.body.points, 0), partly = mean_stress(s.body.points, 1);
@@ -73,10 +101,21 @@ TEST_CASE("element average: a filled cell bears the mean stress over its whole v
               1e-15);
 }
 
+TEST_CASE("element average: the work of the stress is that of the force, over the volume that bears it") {
+  auto s = two_cells<ElementAverage>(0.46, 0.40);
+  s.scatter();
+  const double dt = 1e-9;  // the stress hardly changes
+  s.nodes.velocity[1] = {2, 1};
+  s.nodes.velocity[3] = {-1, 3};
+  double power = 0;  // of the internal force, W
+  for (std::size_t i = 0; i < 4; ++i) power -= s.nodes.collected[i].force().dot(s.nodes.velocity[i]);
+  CHECK(std::abs(s.deform(dt).work / dt - power) <= 1e-2 * std::abs(power));
+}
+
 TEST_CASE("element average in axisymmetry: the whole volume is the full circle's") {
   // A ring of one triangle, evenly filled: full, and forces those of the plain integration.
   const SimplexMesh<2> ring({{{1, 0}, {2, 0}, {1, 1}}, {{{0, 1, 2}}}, {}, {}, {}});
-  auto body = make_body<Axisymmetric, false>(ring, fill(Box{{0., 0.}, {9., 9.}}, elastic, {.per_cell = 3}));
+  auto body = make_body<Axisymmetric>(ring, fill(Box{{0., 0.}, {9., 9.}}, elastic, {.per_cell = 3}));
   for (auto& v : body.points.volume) v *= 0.95;
   body.points.stress.fill({{1, 2, 3, 4}});
   const Blocks blocks(1, 3, 1, [&](Index c) { return ring.nodes(c); });

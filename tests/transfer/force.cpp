@@ -49,7 +49,7 @@ std::pair<double, double> patch(const M& mesh, int per_cell, const Sym<double, M
   std::array<double, D> lower, upper;
   lower.fill(-10);
   upper.fill(10);
-  auto body = make_body<K, false>(mesh, fill(Box<D>{lower, upper}, elastic, {.per_cell = per_cell}));
+  auto body = make_body<K>(mesh, fill(Box<D>{lower, upper}, elastic, {.per_cell = per_cell}));
   body.points.stress.fill(stress);
   const Blocks blocks(mesh.cell_count(), Shape::node_count(mesh), 4,
                       [&](Index c) { return typename Shape::template Cell<M>(mesh, c).nodes; });

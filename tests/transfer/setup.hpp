@@ -30,7 +30,7 @@ struct Setup {
   M mesh;
   N numerics{};
   Blocks blocks;
-  Body<LinearElastic, T, D, Transfer::affine> body{elastic, {}, {}};
+  Body<LinearElastic, T, D, N::extra_columns> body{elastic, {}, {}};
   Field nodes;
   std::mt19937 random;
 

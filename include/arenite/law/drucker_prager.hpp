@@ -26,9 +26,13 @@ struct DruckerPragerParameters {
   double density = detail::not_given;   ///< kg/m3; required, positive
   double young = detail::not_given;     ///< Young's modulus, Pa; required, positive
   double poisson = detail::not_given;   ///< Poisson's ratio, -; required, in (-1, 0.5)
-  double friction = detail::not_given;  ///< angle of friction, rad; required, in [0, pi/2); 0: von Mises
+  double friction = detail::not_given;  ///< angle of friction, rad; required, in [0, 1.55]; 0: von Mises
   double cohesion = 0;                  ///< Pa; >= 0, positive where friction is 0
   double dilatancy = 0;                 ///< angle of dilatancy, rad; in [0, friction]
+  /// V / V0 beyond which the matter dilates no further, -, >= 1. A bound that keeps single points from
+  /// growing without limit (up to 77 times at psi = 20 deg); the default lies beyond the loosest packing of
+  /// sand.
+  double greatest_volume_ratio = 1.5;
   /// Greatest mean stress, Pa, >= 0. Acts below the apex, cohesion / tan(friction); default: the apex.
   double tension = std::numeric_limits<double>::infinity();
   Cone cone = Cone::compression;  ///< which Mohr-Coulomb strength it reproduces
@@ -38,6 +42,7 @@ struct DruckerPragerParameters {
 /// - yield: q + eta p <= kappa;
 /// - potential: q + eta' p;
 /// - cut-off: p <= tension, with purely volumetric flow.
+/// A trial stress returns to all of them at once (Koiter's rule).
 ///
 /// Cones, after de Souza Neto, Peric & Owen (2008), Computational Methods for Plasticity, section 6.4.4:
 /// - compression: eta = 6 sin(phi)/(sqrt(3) (3 - sin phi)), kappa = 6 c cos(phi)/(sqrt(3) (3 - sin phi)), and
@@ -59,7 +64,8 @@ class DruckerPrager {
 
   explicit DruckerPrager(const DruckerPragerParameters& p, const Memory& memory = Memory{})
       : elasticity_("DruckerPrager", p.density, p.young, p.poisson), memory_(memory) {
-    detail::check_strength("DruckerPrager", p.friction, p.cohesion, p.dilatancy, p.tension);
+    detail::check_strength("DruckerPrager", p.friction, p.cohesion, p.dilatancy, p.tension,
+                           p.greatest_volume_ratio);
     apex_ = detail::apex(p.friction, p.cohesion);
     detail::check_memory("DruckerPrager", Memory::remembers, p.tension, apex_);
     const double sin = std::sin(p.friction), sin_flow = std::sin(p.dilatancy);
@@ -75,58 +81,75 @@ class DruckerPrager {
     slope_ = per_sin * sin;
     strength_ = per_sin * p.cohesion * std::cos(p.friction);
     limit_ = std::min(p.tension, apex_);
+    cuts_ = limit_ < apex_;
+    rim_ = strength_ - slope_ * limit_;
+    cut_dilation_ = elasticity_.bulk() * flow_ / elasticity_.shear();
     cohesion_ = p.cohesion;
-    rate_ = 1 / (elasticity_.shear() + elasticity_.bulk() * slope_ * flow_);
-    kept_ = elasticity_.shear() * rate_;
+    greatest_volume_ratio_ = p.greatest_volume_ratio;
+    const double rate = 1 / (elasticity_.shear() + elasticity_.bulk() * slope_ * flow_);
+    fall_ = rate * elasticity_.bulk() * flow_;
+    kept_ = fall_ * slope_;
   }
 
   double density() const { return elasticity_.density(); }            ///< kg/m3
   double wave_modulus() const { return elasticity_.wave_modulus(); }  ///< Pa
   const Elasticity& elasticity() const { return elasticity_; }
   const Memory& memory() const { return memory_; }
+  double greatest_volume_ratio() const { return greatest_volume_ratio_; }  ///< V / V0, -
+  template <class T>
+  requires Memory::remembers auto is_open(const History<T>& history) const {
+    return memory_.is_open(history);
+  }
   double slope() const { return slope_; }        ///< eta, -
   double flow_slope() const { return flow_; }    ///< eta', -
   double strength() const { return strength_; }  ///< kappa, Pa
 
   /// See law.hpp. With memory the returned opening is negative in a step that closes.
   template <class T, int D>
-  T update(Sym<T, D>& stress, const Increment<T, D>& increment, History<T>& history) const {
-    const auto& felt = memory_.carried(increment, history);
+  Inelastic<T> update(Sym<T, D>& stress, const Increment<T, D>& increment, History<T>& history) const {
+    const auto& felt = memory_.carried(stress, increment, history);
     stress = turned(stress, felt.spin) + elasticity_.stress(felt.strain);
-    const T opened = return_to_yield(stress);
-    memory_.open(opened, history);
-    if constexpr (Memory::remembers) return opened + trace(increment.strain) - trace(felt.strain);
-    return opened;
+    Inelastic<T> parts = return_to_yield(stress);
+    memory_.open(parts.opening, history);
+    if constexpr (Memory::remembers)
+      parts.opening = parts.opening + trace(increment.strain) - trace(felt.strain);
+    return parts;
   }
 
   /// Takes a trial stress [Pa] back to the yield surface, in place; one within it stays bit for bit. Returns
-  /// what opened, -.
+  /// what opened and what dilated, -.
   template <class T, int D>
-  T return_to_yield(Sym<T, D>& stress) const {
-    using std::max;
+  Inelastic<T> return_to_yield(Sym<T, D>& stress) const {
+    using std::max, std::min;
     const T p = trace(stress) * T(1.0 / 3);
     const Sym<T, D> dev = add_isotropic(stress, T(-p));
     const T j2 = contract(dev, dev) * T(0.5);
     const T room = T(strength_) - T(slope_) * p;
     const auto returns = !(room >= T(0) && j2 <= room * room && p <= T(limit_));
-    if (!any_of(returns)) return T(0);
+    if (!any_of(returns)) return {T(0), T(0)};
 
     const T inverse = reciprocal_root(max(j2, T(detail::smallest_square<T>)));
     const T q = j2 * inverse;
-    const T multiplier = max(T(q - room), T(0)) * T(rate_);
-    // q - G multiplier, as a mean of q and room: where there is room it is not negative, whatever the
-    // round-off, and the apex, which may be infinite, stays out of it.
-    const T q_cone = select(q > room, T(room * T(kept_) + q * T(1 - kept_)), q);
-    const auto at_apex = q_cone < T(0);
-    const T p_cone = select(at_apex, T(apex_), T(p - multiplier * T(elasticity_.bulk() * flow_)));
-    const T p_back = select(p_cone > T(limit_), T(limit_), p_cone);
-    const T scale = select(at_apex, T(0), T(q_cone * inverse));
+    const T excess = max(T(q - room), T(0));
+    // As a sum without a difference: where there is room q is not negative, whatever the round-off, and the
+    // apex, which may be infinite, stays out of it.
+    const T q_cone = min(q, room) + excess * T(kept_);
+    const T p_cone = p - excess * T(fall_);
+    // Beyond the cut-off, or the tip: to the cut-off alone, or to the circle where it meets the cone.
+    const auto beyond = q_cone < T(0) || p_cone > T(limit_);
+    const T q_beyond = cuts_ ? T(min(q, T(rim_))) : T(0);
+    const T p_back = select(beyond, T(limit_), p_cone);
+    const T scale = select(beyond, q_beyond, q_cone) * inverse;
     for (std::size_t i = 0; i < stress.size; ++i) {
       const T back = i < 3 ? scale * dev[i] + p_back : scale * dev[i];
       stress[i] = select(returns, back, stress[i]);
     }
-    const T relief = p_cone - p_back + select(at_apex, T(p - p_cone), T(0));
-    return select(returns, T(relief * T(1 / elasticity_.bulk())), T(0));
+    T relief = p - T(limit_);
+    if (cuts_) relief = max(T(relief - max(T(q - T(rim_)), T(0)) * T(cut_dilation_)), T(0));
+    const T per_stress(1 / elasticity_.bulk());
+    const T opening = select(returns && beyond, T(relief * per_stress), T(0));
+    if (flow_ == 0) return {opening, T(0)};
+    return {opening, select(returns, T((p - p_back) * per_stress - opening), T(0))};
   }
 
   template <class T, int D>
@@ -150,9 +173,12 @@ class DruckerPrager {
   Elasticity elasticity_;
   [[no_unique_address]] Memory memory_;
   double slope_, flow_, strength_;  // eta, eta', -; kappa, Pa
-  double rate_, kept_;              // 1 / (G + K eta eta'), 1/Pa; G times that, -
+  double fall_, kept_;              // of p to the cone, and what q keeps, per unit of yield function, -
   double apex_, limit_;             // mean stress at the tip; the lower of it and the cut-off, Pa
+  bool cuts_;                       // whether the cut-off lies below the apex
+  double rim_, cut_dilation_;       // q where the cut-off meets the cone, Pa; K eta' / G, -
   double cohesion_;                 // Pa
+  double greatest_volume_ratio_;    // -
 };
 
 }  // namespace arenite

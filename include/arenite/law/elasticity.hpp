@@ -35,6 +35,7 @@ class Elasticity {
     shear_ = young / (2 * (1 + poisson));
     bulk_ = young / (3 * (1 - 2 * poisson));
     lame_ = bulk_ - shear_ * 2 / 3;
+    detail::check(std::isfinite(wave_modulus()), law, "young", young, "must give finite moduli (Pa)");
   }
 
   double density() const { return density_; }

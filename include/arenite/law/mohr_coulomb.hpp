@@ -19,9 +19,13 @@ struct MohrCoulombParameters {
   double density = detail::not_given;   ///< kg/m3; required, positive
   double young = detail::not_given;     ///< Young's modulus, Pa; required, positive
   double poisson = detail::not_given;   ///< Poisson's ratio, -; required, in (-1, 0.5)
-  double friction = detail::not_given;  ///< angle of friction, rad; required, in [0, pi/2); 0: Tresca
+  double friction = detail::not_given;  ///< angle of friction, rad; required, in [0, 1.55]; 0: Tresca
   double cohesion = 0;                  ///< Pa; >= 0, positive where friction is 0
   double dilatancy = 0;                 ///< angle of dilatancy, rad; in [0, friction]
+  /// V / V0 beyond which the matter dilates no further, -, >= 1. A bound that keeps single points from
+  /// growing without limit (up to 77 times at psi = 20 deg); the default lies beyond the loosest packing of
+  /// sand.
+  double greatest_volume_ratio = 1.5;
   /// Greatest principal stress, Pa, >= 0. Acts below the apex, cohesion / tan(friction); default: the apex.
   double tension = std::numeric_limits<double>::infinity();
 };
@@ -33,14 +37,14 @@ struct MohrCoulombParameters {
 ///
 /// The return follows Clausen, Damkilde & Andersen (2007), Computers & Structures 85, 1795-1807: the trial
 /// point goes back to the plane; where that breaks the order of the stresses, to the edge that they cross;
-/// where that lies beyond the apex, to the apex. The cut-off acts after it, on its result. That is admissible
-/// whatever the constants: its flow lowers s3 by at most as much as it lowers s1 (nu/(1 - nu) < 1 <= k).
-/// Where both act in one step the two flows follow one another instead of mixing.
+/// where that lies beyond the apex, to the apex. Where that lies beyond the cut-off, the trial point goes
+/// back to the cut-off alone, or to the lines and corners where it meets the pyramid: all surfaces at once
+/// (Koiter's rule); with associated flow that is the closest point in the energy norm.
 ///
-/// What opened: the volumetric plastic strain of a return to the apex, and that of the cut-off. At the apex
-/// grains have lost contact and nothing tells dilatancy from separation; all of it counts as opening, though
-/// psi > 0 would ascribe a part to shear. Dilation on planes and edges is a property of the packing and
-/// swells the matter.
+/// What opened: the volumetric plastic strain of a return to the apex, and that of the cut-off's flow. At the
+/// apex grains have lost contact and nothing tells dilatancy from separation; all of it counts as opening,
+/// though psi > 0 would ascribe a part to shear. Dilation on planes and edges is a property of the packing
+/// and swells the matter.
 ///
 /// @tparam Memory  ForgetsOpening or RemembersOpening: what separated matter does when compressed again.
 template <class Memory = ForgetsOpening>
@@ -53,12 +57,15 @@ class MohrCoulomb {
 
   explicit MohrCoulomb(const MohrCoulombParameters& p, const Memory& memory = Memory{})
       : elasticity_("MohrCoulomb", p.density, p.young, p.poisson), memory_(memory) {
-    detail::check_strength("MohrCoulomb", p.friction, p.cohesion, p.dilatancy, p.tension);
+    detail::check_strength("MohrCoulomb", p.friction, p.cohesion, p.dilatancy, p.tension,
+                           p.greatest_volume_ratio);
     const double sin = std::sin(p.friction);
     apex_ = detail::apex(p.friction, p.cohesion);
     detail::check_memory("MohrCoulomb", Memory::remembers, p.tension, apex_);
     cuts_ = p.tension < apex_;
     tension_ = p.tension;
+    dilates_ = p.dilatancy > 0;
+    greatest_volume_ratio_ = p.greatest_volume_ratio;
     cohesion_ = p.cohesion;
     sin_ = sin;
     cohesive_ = p.cohesion * std::cos(p.friction);
@@ -67,6 +74,8 @@ class MohrCoulomb {
     strength_ = 2 * cohesive_ / (1 - sin);
 
     const double flow = (1 + std::sin(p.dilatancy)) / (1 - std::sin(p.dilatancy));
+    corner_ = slope_ * tension_ - strength_;
+    dilation_ = (flow - 1) * (1 + p.poisson) / (1 - 2 * p.poisson);
     const double lame = elasticity_.lame(), shear2 = 2 * elasticity_.shear();
     const double iso = lame * (flow - 1);
     const std::array<double, 3> r{iso + shear2 * flow, iso, iso - shear2};
@@ -80,30 +89,36 @@ class MohrCoulomb {
   double wave_modulus() const { return elasticity_.wave_modulus(); }  ///< Pa
   const Elasticity& elasticity() const { return elasticity_; }
   const Memory& memory() const { return memory_; }
+  double greatest_volume_ratio() const { return greatest_volume_ratio_; }  ///< V / V0, -
+  template <class T>
+  requires Memory::remembers auto is_open(const History<T>& history) const {
+    return memory_.is_open(history);
+  }
 
   /// See law.hpp. With memory the returned opening is negative in a step that closes.
   template <class T, int D>
-  T update(Sym<T, D>& stress, const Increment<T, D>& increment, History<T>& history) const {
-    const auto& felt = memory_.carried(increment, history);
+  Inelastic<T> update(Sym<T, D>& stress, const Increment<T, D>& increment, History<T>& history) const {
+    const auto& felt = memory_.carried(stress, increment, history);
     stress = turned(stress, felt.spin) + elasticity_.stress(felt.strain);
-    const T opened = return_to_yield(stress);
-    memory_.open(opened, history);
-    if constexpr (Memory::remembers) return opened + trace(increment.strain) - trace(felt.strain);
-    return opened;
+    Inelastic<T> parts = return_to_yield(stress);
+    memory_.open(parts.opening, history);
+    if constexpr (Memory::remembers)
+      parts.opening = parts.opening + trace(increment.strain) - trace(felt.strain);
+    return parts;
   }
 
   /// Takes a trial stress [Pa] back to the yield surface, in place; one within it stays bit for bit. Returns
-  /// what opened, -.
+  /// what opened and what dilated, -.
   template <class T, int D>
-  T return_to_yield(Sym<T, D>& stress) const {
-    if (!any_of(outside_inscribed_cone(stress))) return T(0);
+  Inelastic<T> return_to_yield(Sym<T, D>& stress) const {
+    if (!any_of(outside_inscribed_cone(stress))) return {T(0), T(0)};
 
     const Principal<T, D> trial(stress);
     const auto& s = trial.value;
     const T excess = T(slope_) * s[0] - s[2] - T(strength_);
     auto returns = excess > T(0);
     if (cuts_) returns = returns || s[0] > T(tension_);
-    if (!any_of(returns)) return T(0);
+    if (!any_of(returns)) return {T(0), T(0)};
 
     std::array<T, 3> y = s;
     const T fall = select(excess > T(0), excess, T(0));
@@ -121,11 +136,14 @@ class MohrCoulomb {
     const auto at_apex = on_edge && t > T(apex_);
     for (T& value : y) value = select(at_apex, T(apex_), value);
     T relief = select(at_apex, T(s[0] + s[1] + s[2] - T(3 * apex_)), T(0));
-    if (cuts_) relief = relief + cut_off(y);
+    if (cuts_) cut_off(s, y, relief);
 
     const Sym<T, D> back = trial.with(y);
     for (std::size_t i = 0; i < stress.size; ++i) stress[i] = select(returns, back[i], stress[i]);
-    return relief * T(1 / (3 * elasticity_.bulk()));
+    const T per_stress(1 / (3 * elasticity_.bulk()));
+    if (!dilates_) return {relief * per_stress, T(0)};
+    const T fallen = s[0] + s[1] + s[2] - (y[0] + y[1] + y[2]);
+    return {relief * per_stress, select(returns, T((fallen - relief) * per_stress), T(0))};
   }
 
   template <class T, int D>
@@ -192,23 +210,41 @@ class MohrCoulomb {
     return !inside;
   }
 
-  /// Brings sorted principal stresses below the cut-off: to its face, its edge or its corner, whose normals
-  /// are the axes of s1, s2, s3. Returns the fall of the sum of the stresses, Pa.
+  /// Where the return y of the trial stresses s to the pyramid lies beyond the cut-off: takes s back to the
+  /// cut-off alone or, where that lies outside the pyramid, to both. Sets y, and the relief: the volumetric
+  /// strain of the cut-off's flow times 3 K, Pa.
   template <class T>
-  T cut_off(std::array<T, 3>& y) const {
-    using std::max;
+  void cut_off(const std::array<T, 3>& s, std::array<T, 3>& y, T& relief) const {
+    using std::max, std::min;
     const T limit = T(tension_);
     const double nu = elasticity_.poisson();
-    const T first = max(T(y[0] - limit), T(0));
-    const T side = first * T(nu / (1 - nu));
-    const auto two = y[1] - side > limit;
-    const T third = y[2] - (y[0] + y[1] - limit - limit) * T(nu);
+    const auto beyond = y[0] > limit;
+    if (!any_of(beyond)) return;
+
+    // The cut-off alone: its face, edge or corner, whose normals are the axes of s1, s2, s3.
+    const T side = (s[0] - limit) * T(nu / (1 - nu));
+    const auto two = s[1] - side > limit;
+    const T third = s[2] - (s[0] + s[1] - limit - limit) * T(nu);
     const auto three = two && third > limit;
-    const T before = y[0] + y[1] + y[2];
-    y[0] = y[0] - first;
-    y[1] = select(two, limit, T(y[1] - side));
-    y[2] = select(three, limit, select(two, third, T(y[2] - side)));
-    return before - (y[0] + y[1] + y[2]);
+    std::array<T, 3> cut{limit, select(two, limit, T(s[1] - side)),
+                         select(three, limit, select(two, third, T(s[2] - side)))};
+
+    // Both: the line s1 = tension, s3 = corner_ between the edges of the pyramid, or one of its ends. Any
+    // flow in the plane of s1 and s3 leads there, whatever the dilatancy.
+    const T corner = T(corner_);
+    const auto both = cut[2] < corner;
+    const T middle = s[1] - ((s[0] - limit) + (s[2] - corner)) * T(nu);
+    cut[1] = select(both, T(min(max(middle, corner), limit)), cut[1]);
+    cut[2] = select(both, corner, cut[2]);
+
+    // Shear alone shortens the axes of s2 and s3, k' - 1 times less than it dilates.
+    const std::array<T, 3> fall{s[0] - cut[0], s[1] - cut[1], s[2] - cut[2]};
+    const T sum = fall[0] + fall[1] + fall[2];
+    const T lateral = sum * T(nu / (1 + nu));
+    const T shortened = min(T(fall[1] - lateral), T(0)) + min(T(fall[2] - lateral), T(0));
+    const T opened = max(T(sum + shortened * T(dilation_)), T(0));
+    for (std::size_t i = 0; i < 3; ++i) y[i] = select(beyond, cut[i], y[i]);
+    relief = select(beyond, opened, relief);
   }
 
   Elasticity elasticity_;
@@ -216,6 +252,9 @@ class MohrCoulomb {
   double slope_, strength_;        // k; sc, Pa
   double apex_, tension_;          // Pa
   bool cuts_;                      // whether the cut-off lies below the apex
+  double corner_, dilation_;       // s3 where it meets the pyramid, Pa; (k' - 1) 3 K / (2 G)
+  bool dilates_;                   // whether the angle of dilatancy is positive
+  double greatest_volume_ratio_;   // -
   double sin_, cohesive_;          // sin(phi); c cos(phi), Pa
   double inscribed_, cohesion_;    // 1 + sin^2(phi)/3; Pa
   std::array<double, 3> plane_{};  // fall of the stresses on the way to the plane, per unit of yield function

@@ -21,7 +21,7 @@ struct ForgetsOpening {
 
   /// The part of the increment that the matter feels: all of it.
   template <class T, int D>
-  const Increment<T, D>& carried(const Increment<T, D>& increment, History<T>&) const {
+  const Increment<T, D>& carried(Sym<T, D>&, const Increment<T, D>& increment, History<T>&) const {
     return increment;
   }
 
@@ -54,10 +54,18 @@ class RemembersOpening {
 
   double limit() const { return limit_; }
 
+  /// Whether matter is open, and so bears no stress.
+  template <class T>
+  auto is_open(const History<T>& history) const {
+    return history.opening > T(0);
+  }
+
   /// The part of the increment that the matter feels: none while it is open; in the step that closes it the
-  /// share after the closure. It turns all the same. Takes what closes (or opens further) from the history.
+  /// share after the closure. It turns all the same. Takes what closes (or opens further) from the history,
+  /// and the stress from matter that is open: an average over neighbours may have given it some since it
+  /// opened.
   template <class T, int D>
-  Increment<T, D> carried(const Increment<T, D>& increment, History<T>& history) const {
+  Increment<T, D> carried(Sym<T, D>& stress, const Increment<T, D>& increment, History<T>& history) const {
     using std::max, std::min;
     const T change = trace(increment.strain);
     const T left = history.opening + change;
@@ -65,6 +73,7 @@ class RemembersOpening {
     const auto closes = open && left < T(0);  // then the change is negative
     const T share = select(closes, T(left / select(closes, change, T(-1))), select(open, T(0), T(1)));
     history.opening = select(open, T(min(max(left, T(0)), T(limit_))), T(0));
+    stress = Sym<T, D>::each([&](std::size_t i) { return select(open, T(0), stress[i]); });
     return {increment.strain * share, increment.spin};
   }
 

@@ -63,9 +63,14 @@ class Traced {
   const Law& law() const { return law_; }
   double density() const { return law_.density(); }
   double wave_modulus() const { return law_.wave_modulus(); }
+  template <class T>
+  requires knows_opening<Law, T>
+  auto is_open(const History<T>& history) const { return law_.is_open(history.law); }
+  double greatest_volume_ratio() const requires requires(const Law law) { law.greatest_volume_ratio(); }
+  { return law_.greatest_volume_ratio(); }
 
   template <class T, int Plane>
-  T update(Sym<T, Plane>& stress, const Increment<T, Plane>& increment, History<T>& history) const {
+  auto update(Sym<T, Plane>& stress, const Increment<T, Plane>& increment, History<T>& history) const {
     static_assert(Plane <= D, "Traced: made for plane scenes; in space leave its second argument out");
     history.take(turned(history.template tensor<Plane>(), increment.spin) + deviator(increment.strain));
     return law_.update(stress, increment, history.law);

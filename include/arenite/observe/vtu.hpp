@@ -33,8 +33,8 @@ std::array<T, 6> six(const Sym<T, D>& s) {
 
 /// Points of a body: velocity, stress (xx, yy, zz, xy, yz, zx), mean pressure (compression positive), V/V0,
 /// and the deviatoric strain of a `Traced` law. The body must outlive what is returned.
-template <class L, class T, int D, bool A>
-VtuData points_vtu(const Body<L, T, D, A>& body) {
+template <class L, class T, int D, ExtraColumns E>
+VtuData points_vtu(const Body<L, T, D, E>& body) {
   const auto& points = body.points;
   const std::size_t n = points.size();
   const T density = static_cast<T>(body.law.density());

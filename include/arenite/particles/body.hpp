@@ -46,14 +46,16 @@ Fill<Region, L> fill(Region region, L law, FillOptions options = {}) {
 }
 
 /// Points of one law in a mesh over scalar T.
-template <class L, real T, int D, bool Affine>
+template <class L, real T, int D, ExtraColumns Extra = ExtraColumns{}>
 struct Body {
   static_assert(
       constitutive_law<L, T, D>,
       "Body: the law must provide History, density(), wave_modulus(), update(stress, increment, history) and "
       "elastic_energy(stress); see arenite/law/law.hpp");
+  static constexpr bool has_dilation = Points<T, D, L, Extra>::has_dilation;
+  static constexpr bool knows_opening = arenite::knows_opening<L, T>;
   L law;
-  Points<T, D, L, Affine> points;
+  Points<T, D, L, Extra> points;
   CellList cells;
   std::size_t lost = 0;                     ///< points that left the mesh and were removed
   double lost_mass = 0;                     ///< their mass, kg
@@ -66,13 +68,13 @@ struct Body {
 };
 
 /// Makes the body of a recipe. Throws `error` if the region holds no point.
-template <class K, bool Affine, class M, class Region, class L>
+template <class K, ExtraColumns Extra = ExtraColumns{}, class M, class Region, class L>
 auto make_body(const M& mesh, const Fill<Region, L>& recipe) {
   using T = typename M::scalar;
   constexpr int D = M::dimension;
   static_assert(region<Region, D>,
                 "fill: the region must provide contains(position) in the scene's dimension, or be Cells");
-  Body<L, T, D, Affine> body{recipe.law, {}, {}};
+  Body<L, T, D, Extra> body{recipe.law, {}, {}};
   const FillOptions& o = recipe.options;
   if (o.stress) {
     require(std::isfinite(o.stress->surface), "Geostatic.surface", o.stress->surface, "must be given");

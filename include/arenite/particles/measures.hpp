@@ -49,8 +49,8 @@ double strain_energy(const B& body) {
 }
 
 /// kg m/s, shape [D].
-template <class L, class T, int D, bool A>
-Vec<double, D> momentum(const Body<L, T, D, A>& body) {
+template <class L, class T, int D, ExtraColumns E>
+Vec<double, D> momentum(const Body<L, T, D, E>& body) {
   return detail::sum_points(
       body, Vec<double, D>(Vec<double, D>::Zero()), [&](std::size_t p) -> Vec<double, D> {
         return static_cast<double>(body.points.mass[p]) * body.points.velocity[p].template cast<double>();

@@ -14,15 +14,25 @@
 
 namespace arenite {
 
-/// Columns of material points: law L gives the history, `Affine` whether a point carries a velocity field
-/// (APIC, TPIC). Mass and volume are those of what the point stands for: a metre of thickness in plane
-/// strain, the full circle in axisymmetry. The order of the points changes as they move from cell to cell.
-template <real T, int D, class L, bool Affine>
+/// Columns that not every composition needs.
+struct ExtraColumns {
+  bool affine = false;    ///< a point carries a velocity field (APIC, TPIC)
+  bool dilation = false;  ///< a strain average needs the dilation, where the law has one
+};
+
+/// Columns of material points: law L gives the history, `Extra` what else the composition needs. Mass and
+/// volume are those of what the point stands for: a metre of thickness in plane strain, the full circle in
+/// axisymmetry. The order of the points changes as they move from cell to cell.
+template <real T, int D, class L, ExtraColumns Extra = ExtraColumns{}>
 class Points {
  public:
   using History = typename L::template History<T>;
   static constexpr std::size_t history_size = std::tuple_size_v<decltype(std::declval<History&>().members())>;
-  static constexpr bool affine = Affine;
+  static constexpr bool affine = Extra.affine;
+  static constexpr bool has_dilation = [] {
+    if constexpr (Extra.dilation) return dilates<L, T, D>;
+    return false;
+  }();
 
   VectorColumns<T, D> position;  ///< m
   VectorColumns<T, D> velocity;  ///< m/s
@@ -31,7 +41,8 @@ class Points {
   TensorColumns<T, D> stress;    ///< Cauchy stress, Pa, tension positive
   std::array<Column<T>, history_size>
       history;                 ///< columns of the law's history, in the order of its `members()`
-  MatrixColumns<T, D> motion;  ///< [n if Affine] velocity gradient of APIC or TPIC, 1/s
+  MatrixColumns<T, D> motion;  ///< [n if affine] velocity gradient of APIC or TPIC, 1/s
+  Column<T> dilation;          ///< [n if has_dilation] plastic volumetric strain of the last step, -
   std::vector<Index> cell;     ///< cell that holds the point
 
   std::size_t size() const { return mass.size(); }
@@ -49,7 +60,8 @@ class Points {
           (history[k++].push_back(value), ...);
         },
         start.members());
-    if constexpr (Affine) motion.push_back(Mat<T, D>::Zero());
+    if constexpr (affine) motion.push_back(Mat<T, D>::Zero());
+    if constexpr (has_dilation) dilation.push_back(T(0));
     cell.push_back(c);
   }
 
@@ -60,6 +72,19 @@ class Points {
         [&](auto&... value) {
           std::size_t k = 0;
           ((value = history[k++][p]), ...);
+        },
+        h.members());
+    return h;
+  }
+
+  /// Histories of `count` neighbours from point p on, as packs.
+  template <class P>
+  typename L::template History<P> load_history(std::size_t p, int count) const {
+    typename L::template History<P> h{};
+    std::apply(
+        [&](auto&... value) {
+          [[maybe_unused]] std::size_t k = 0;
+          ((value = load_lanes<P>(history[k++].data() + p, count)), ...);
         },
         h.members());
     return h;
@@ -130,7 +155,8 @@ class Points {
 
   /// Bytes of columns a point.
   static constexpr std::size_t bytes_per_point() {
-    return (2 * D + 2 + Sym<T, D>::size + history_size + (Affine ? D * D : 0)) * sizeof(T) + sizeof(Index);
+    return (2 * D + 2 + Sym<T, D>::size + history_size + (affine ? D * D : 0) + has_dilation) * sizeof(T) +
+           sizeof(Index);
   }
 
  private:
@@ -142,8 +168,9 @@ class Points {
     f(self.volume);
     for (std::size_t k = 0; k < Sym<T, D>::size; ++k) f(self.stress.column(k));
     for (auto& column : self.history) f(column);
-    if constexpr (Affine)
+    if constexpr (affine)
       for (std::size_t k = 0; k < D * D; ++k) f(self.motion.column(k));
+    if constexpr (has_dilation) f(self.dilation);
     f(self.cell);
   }
 

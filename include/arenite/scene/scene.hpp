@@ -28,17 +28,17 @@ struct Ledger {
 
 namespace detail {
 
-template <class M, bool Affine, class F>
+template <class M, ExtraColumns Extra, class F>
 struct body_of;
-template <class M, bool Affine, class R, class L>
-struct body_of<M, Affine, Fill<R, L>> {
-  using type = Body<L, typename M::scalar, M::dimension, Affine>;
+template <class M, ExtraColumns Extra, class R, class L>
+struct body_of<M, Extra, Fill<R, L>> {
+  using type = Body<L, typename M::scalar, M::dimension, Extra>;
 };
-template <class M, bool Affine, class B>
+template <class M, ExtraColumns Extra, class B>
 struct bodies_of;
-template <class M, bool Affine, class... F>
-struct bodies_of<M, Affine, Bodies<F...>> {
-  using type = std::tuple<typename body_of<M, Affine, F>::type...>;
+template <class M, ExtraColumns Extra, class... F>
+struct bodies_of<M, Extra, Bodies<F...>> {
+  using type = std::tuple<typename body_of<M, Extra, F>::type...>;
 };
 
 template <class M, class S>
@@ -117,7 +117,7 @@ struct Scene {
   static constexpr int D = M::dimension;
   using Shape = typename N::Shape;
   using Contact = detail::picked<detail::is_contact_part, OneField, Parts...>;
-  using BodyTuple = typename detail::bodies_of<M, N::Transfer::affine,
+  using BodyTuple = typename detail::bodies_of<M, N::extra_columns,
                                                detail::picked<detail::is_bodies, Bodies<>, Parts...>>::type;
   using RigidTuple =
       typename detail::rigids_of<M, detail::picked<detail::is_rigids, Rigids<>, Parts...>>::type;
@@ -270,7 +270,7 @@ struct Scene {
   template <class... F>
   BodyTuple make_bodies(const Bodies<F...>& recipe) const {
     return std::apply(
-        [&](const auto&... fill) { return BodyTuple{make_body<K, N::Transfer::affine>(mesh, fill)...}; },
+        [&](const auto&... fill) { return BodyTuple{make_body<K, N::extra_columns>(mesh, fill)...}; },
         recipe.fills);
   }
 

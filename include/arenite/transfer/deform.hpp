@@ -38,11 +38,10 @@ namespace detail {
 
 /// Moves the neighbours [begin, end) of one cell and writes their strain increments into `buffer`, from `at`
 /// on; gives them their velocities too, unless they have them. Returns a sum of the positions.
-template <class K, class N, class M, class Points, class Field, class Average>
+template <class K, class N, class M, class Points, class Field, class Average, class Buffer>
 [[gnu::flatten]] auto move_run(const N& numerics, const M& mesh, Index c, Points& points, std::size_t begin,
                                std::size_t end, const Field& nodes, typename M::scalar dt,
-                               [[maybe_unused]] const Average& average,
-                               IncrementBuffer<typename M::scalar, M::dimension>& buffer, std::size_t at) {
+                               [[maybe_unused]] const Average& average, Buffer& buffer, std::size_t at) {
   using T = typename M::scalar;
   using Shape = typename N::Shape;
   using Cell = typename Shape::template Cell<M>;
@@ -150,7 +149,8 @@ template <class K, bool TracksWork, class N, class M, class B, class Field, clas
 DeformSums deform(const N& numerics, const M& mesh, const Blocks& blocks, B& body, const Field& nodes,
                   typename M::scalar dt, Average& average) {
   using T = typename M::scalar;
-  using Buffer = IncrementBuffer<T, M::dimension>;
+  constexpr bool weighs = TracksWork && N::AntiLocking::averages_stress;
+  using Buffer = IncrementBuffer<T, M::dimension, weighs>;
   auto& points = body.points;
   if constexpr (N::AntiLocking::averages_strain)
     average.template compute<K, N>(mesh, blocks, body, nodes, dt);
@@ -167,6 +167,7 @@ DeformSums deform(const N& numerics, const M& mesh, const Blocks& blocks, B& bod
             const std::size_t next = std::min<std::size_t>(end, body.cells.run_end(static_cast<Index>(p), c));
             chunk.check += static_cast<double>(detail::move_run<K>(numerics, mesh, c, points, p, next, nodes,
                                                                    dt, average, buffer, p - begin));
+            if constexpr (weighs) buffer.store_bearing(p - begin, next - p, body.cell_sums[c].bearing);
             p = next;
           }
           law_pass<TracksWork, N::template width<T>>(law, points, begin, end, buffer, chunk);

@@ -32,9 +32,12 @@ T small_exp(const T& x) {
   return (even + odd) * reciprocal(T(even - odd));
 }
 
-/// Strain increments of a run of points, by column; kept small enough to stay in the nearest cache.
-template <class T, int D>
+/// Strain increments of a run of points, by column; kept small enough to stay in the nearest cache. `Weighs`:
+/// whether the volume that bears a point's stress may differ from its own, which the work of the stress then
+/// follows.
+template <class T, int D, bool Weighs = false>
 struct IncrementBuffer {
+  static constexpr bool weighs = Weighs;
   static constexpr std::size_t capacity = 256, slack = 128 / sizeof(T);
   static constexpr std::size_t strain_size = Sym<T, D>::size, spin_size = D == 2 ? 1 : 3;
 
@@ -54,8 +57,18 @@ struct IncrementBuffer {
     repeat<spin_size>([&](std::size_t k) { inc.spin[k] = lanes(column_[strain_size + k].data() + at); });
   }
 
+  /// Volume that bears the stress of points `at`, .. over their own, -.
+  void store_bearing(std::size_t at, std::size_t count, T bearing) {
+    std::fill_n(bearing_.begin() + static_cast<std::ptrdiff_t>(at), count, bearing);
+  }
+  template <class P>
+  P load_bearing(std::size_t at) const {
+    return load_lanes<P>(bearing_.data() + at, lane_count<P>);
+  }
+
  private:
   std::array<std::array<T, capacity + slack>, strain_size + spin_size> column_{};
+  std::array<T, Weighs ? capacity + slack : 0> bearing_{};
 };
 
 /// What a law is called with where `Width` points are computed at once: a pack of them, or what the law asks
@@ -68,14 +81,16 @@ struct LawLanes {
 };
 
 /// Updates stress, history and volume of the points [begin, end) with the increments in `buffer`. A volume
-/// follows the trace of the strain less what opened: V = V_0 exp(sum (tr de - opening)). `TracksWork`:
-/// whether the work of the stresses is summed.
-template <bool TracksWork, int Width, class L, class Points, class T, int D>
+/// follows the trace of the strain less what opened: V = V_0 exp(sum (tr de - opening)). Matter that dilates
+/// stops at its greatest V / V_0: what it would dilate beyond that counts as opened. `TracksWork`: whether
+/// the work of the stresses is summed.
+template <bool TracksWork, int Width, class L, class Points, class T, int D, bool Weighs>
 [[gnu::flatten]] void law_pass(const L& law, Points& points, std::size_t begin, std::size_t end,
-                               const IncrementBuffer<T, D>& buffer, DeformSums& sums) {
+                               const IncrementBuffer<T, D, Weighs>& buffer, DeformSums& sums) {
   using P = typename LawLanes<L, T, Width>::type;
   constexpr int width = lane_count<P>;
   using History = typename L::template History<P>;
+  using std::max;
   const auto each_history = [&](auto& history, auto&& f) {
     std::apply(
         [&](auto&... member) {
@@ -108,14 +123,28 @@ template <bool TracksWork, int Width, class L, class Points, class T, int D>
     }
 
     [[maybe_unused]] const Sym<P, D> old = stress;
-    const P opening = law.update(stress, inc, history);
-    const P after = before * small_exp(P(trace(inc.strain) - opening));
+    const auto [opening, dilation] = inelastic(law.update(stress, inc, history));
+    P after = before * small_exp(P(trace(inc.strain) - opening));
+    if constexpr (dilates<L, T, D>) {
+      if (any_of(dilation > P(0))) {
+        const T loosest = static_cast<T>(law.greatest_volume_ratio() / law.density());  // m3/kg
+        const P limit = max(before, P(P(loosest) * load_lanes<P>(points.mass.data() + p, count)));
+        const P beyond = max(P(after - limit), P(0));
+        after -= beyond;
+        opened += beyond;
+      }
+      if constexpr (Points::has_dilation) store_lanes(points.dilation.data() + p, count, dilation);
+    }
 
     each_history(history,
                  [&](const P& value, auto& column) { store_lanes(column.data() + p, count, value); });
     points.stress.template store<P>(p, count, stress.c);
     store_lanes(points.volume.data() + p, count, after);
-    if constexpr (TracksWork) work += (before + after) * contract(old + stress, inc.strain) * P(0.25);
+    if constexpr (TracksWork) {
+      P done = (before + after) * contract(old + stress, inc.strain) * P(0.25);
+      if constexpr (Weighs) done = done * buffer.template load_bearing<P>(p - begin);
+      work += done;
+    }
     opened += after * opening;
     check += (trace(stress) + stress[3]) * after;
   }

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 
+#include <arenite/particles/points.hpp>
 #include <arenite/stabilise/anti_locking.hpp>
 #include <arenite/transfer/transfer.hpp>
 
@@ -40,7 +41,10 @@ struct Numerics {
   /// strains; linear simplices need no such pass (see `remap`).
   static constexpr bool remaps_by_points = remaps && !Shape::constant_gradient;
   static constexpr bool needs_edge_mass = remaps && Shape::constant_gradient;
-  static constexpr bool needs_cell_sums = needs_edge_mass || AntiLocking::averages_strain;
+  static constexpr bool needs_cell_sums =
+      needs_edge_mass || AntiLocking::averages_strain || AntiLocking::averages_stress;
+  static constexpr ExtraColumns extra_columns{.affine = Transfer::affine,
+                                              .dilation = AntiLocking::averages_strain};
 
   static_assert(Transfer::template fits<Shape>,
                 "Numerics: APIC needs B-splines (its inertia tensor is singular at a node of a linear "

@@ -47,23 +47,44 @@ typename M::scalar whole_volume(const M& mesh, Index cell) {
   }
 }
 
-/// Sums over the points of a cell: stress times volume, N m by component, and behind them the volume, m3.
-template <int Width, class L, class T, int D, bool Affine>
-auto stress_sums(const Body<L, T, D, Affine>& body, Index c) {
+/// Sums over the points of a cell that belong to its stress.
+template <class T, int D>
+struct StressSums {
+  std::array<T, Sym<T, D>::size> stress;  ///< V times stress by component, N m
+  T volume;                               ///< V, m3
+  T bearing;                              ///< V of the points that are not open, m3
+  T dilation;                             ///< V times dilation, m3; 0 if the points have none
+};
+
+template <int Width, class L, class T, int D, ExtraColumns Extra>
+StressSums<T, D> stress_sums(const Body<L, T, D, Extra>& body, Index c) {
   using P = lanes_of<T, Width>;
-  constexpr std::size_t size = Sym<T, D>::size;
+  using B = Body<L, T, D, Extra>;
+  constexpr std::size_t size = Sym<T, D>::size, open = size + 1, dilation = open + B::knows_opening;
+  constexpr std::size_t count = dilation + B::has_dilation;
   const auto& points = body.points;
-  std::array<P, size + 1> sums;
-  repeat<size + 1>([&](std::size_t k) { sums[k] = P(0); });
-  body.cells.template for_packs<Width>(c, [&](Index first, int count) {
+  std::array<P, count> sums;
+  repeat<count>([&](std::size_t k) { sums[k] = P(0); });
+  body.cells.template for_packs<Width>(c, [&](Index first, int n) {
     points.stress.template prefetch_ahead<Width>(first);
     prefetch_ahead<Width>(points.volume, first);
-    const auto stress = points.stress.template load<P>(first, count);
-    const P volume = load_lanes<P>(points.volume.data() + first, count);
+    const auto stress = points.stress.template load<P>(first, n);
+    const P volume = load_lanes<P>(points.volume.data() + first, n);
     repeat<size>([&](std::size_t k) { sums[k] += volume * stress[k]; });
     sums[size] += volume;
+    if constexpr (B::knows_opening)
+      sums[open] += select(body.law.is_open(points.template load_history<P>(first, n)), volume, P(0));
+    if constexpr (B::has_dilation) {
+      prefetch_ahead<Width>(points.dilation, first);
+      sums[dilation] += volume * load_lanes<P>(points.dilation.data() + first, n);
+    }
   });
-  return lane_sums(sums);
+  const auto total = lane_sums(sums);
+  StressSums<T, D> of_cell{{}, total[size], total[size], 0};
+  repeat<size>([&](std::size_t k) { of_cell.stress[k] = total[k]; });
+  if constexpr (B::knows_opening) of_cell.bearing -= total[open];
+  if constexpr (B::has_dilation) of_cell.dilation = total[dilation];
+  return of_cell;
 }
 
 /// What is summed over the points of a cell whose functions have constant gradients, beside the stress, as
@@ -97,18 +118,26 @@ template <class K, class N, class M, class B, class Field>
   constexpr std::size_t stress_size = Sym<T, M::dimension>::size;
   auto& points = body.points;
   const Cell cell(mesh, c);
-  auto stress = stress_sums<width>(body, c);
-  const T volume = stress[stress_size];
+  auto of_stress = stress_sums<width>(body, c);
+  auto& stress = of_stress.stress;
+  const T volume = of_stress.volume;
   [[maybe_unused]] T whole = volume;  // what the stress is borne by
   if constexpr (N::AntiLocking::averages_stress) {
     const T of_cell = whole_volume<K>(mesh, c);
     if (volume >= static_cast<T>(numerics.anti_locking.fill) * of_cell) {
       whole = of_cell;
       std::array<P, stress_size> mean;
-      repeat<stress_size>([&](std::size_t k) { mean[k] = P(stress[k] / volume); });
-      body.cells.template for_packs<width>(
-          c, [&](Index first, int count) { points.stress.template store<P>(first, count, mean); });
-      for (T& s : stress) s *= whole / volume;
+      const T bearing = of_stress.bearing > 0 ? of_stress.bearing : volume;
+      repeat<stress_size>([&](std::size_t k) { mean[k] = P(stress[k] / bearing); });
+      body.cells.template for_packs<width>(c, [&](Index first, int count) {
+        auto given = mean;
+        if constexpr (B::knows_opening) {
+          const auto open = body.law.is_open(points.template load_history<P>(first, count));
+          repeat<stress_size>([&](std::size_t k) { given[k] = select(open, P(0), mean[k]); });
+        }
+        points.stress.template store<P>(first, count, given);
+      });
+      repeat<stress_size>([&](std::size_t k) { stress[k] *= whole / volume; });
     }
   }
   std::array<P, Row::size> sums;
@@ -140,6 +169,9 @@ template <class K, class N, class M, class B, class Field>
   if constexpr (N::needs_cell_sums) {
     auto& left = body.cell_sums[c];
     left.volume = volume;
+    if constexpr (N::AntiLocking::averages_stress) left.bearing = whole / volume;
+    if constexpr (B::has_dilation) left.dilation = of_stress.dilation / volume;
+    if constexpr (B::knows_opening) left.open = of_stress.bearing < volume;
     repeat<Row::edges>([&](std::size_t e) { left.edge_mass[e] = total[Row::edge_mass + e]; });
     if constexpr (Row::averages_hoop)
       repeat<size>([&](std::size_t i) { left.hoop[i] = total[Row::hoop + i]; });

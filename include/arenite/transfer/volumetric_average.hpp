@@ -11,6 +11,14 @@ namespace arenite {
 
 /// Volumetric strain of each cell after averaging over the nodes, for policies with `averages_strain`. Reads
 /// the points' sums that `scatter` left, not the points.
+///
+/// Only the elastic part is averaged. With theta the strain of a cell, A the average and K the bulk modulus,
+/// the mean stress K A theta is conjugate to theta, for V A is symmetric and positive semidefinite: the
+/// scheme makes no energy. A dilation d is local. In K (A theta - d) it is not in the range of A; the
+/// pressure of a cell then drives an expansion that does not lower it, and the flow rule feeds the loop. The
+/// dilation of the step before is therefore kept out: the strain is A(theta - d) + d. Matter that has
+/// separated is not averaged: a cell that holds an open point keeps its own strain and gives none to its
+/// neighbours.
 template <class T>
 struct VolumetricAverage {
   std::vector<T> cell_strain;  ///< [cells] trace of the strain increment, mean over the cell's points
@@ -30,9 +38,12 @@ struct VolumetricAverage {
     });
     blocks.for_each([&](Index c) {
       if (body.cells.empty(c)) return;
-      T sum = 0;
-      for (const Index i : mesh.nodes(c)) sum += node_sums[i][0];
-      cell_strain[c] = sum / static_cast<T>(mesh.nodes(c).size());
+      if (!body.cell_sums[c].open) {
+        T sum = 0;
+        for (const Index i : mesh.nodes(c)) sum += node_sums[i][0];
+        cell_strain[c] = sum / static_cast<T>(mesh.nodes(c).size());
+      }
+      if constexpr (B::has_dilation) cell_strain[c] += body.cell_sums[c].dilation;
     });
   }
 
@@ -54,6 +65,8 @@ struct VolumetricAverage {
       if constexpr (K::hoop) ring += v[0] * sums.hoop[k];
     });
     cell_strain[c] = dt * (divergence + ring / sums.volume);
+    if constexpr (B::has_dilation) cell_strain[c] -= sums.dilation;
+    if (sums.open) return;
     Pack<T, 2> handed(sums.volume);
     handed.set(0, sums.volume * cell_strain[c]);
     for (const Index i : cell.nodes) {

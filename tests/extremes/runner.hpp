@@ -31,10 +31,12 @@ inline void run_scenes(const char* unit, const std::vector<Composition>& composi
     const Outcome outcome = composition.run(draw);
     const std::string replay = detail::join("replay: ARENITE_EXTREMES=\"", seed, " 1\" test.extremes.", unit);
     CAPTURE(composition.name, outcome.text(), text, replay);
-    if (wanted)
-      std::printf("%s\t%s\t%llu\t%s\t%s\n", composition.name,
+    if (wanted) {
+      std::printf("scene\t%s\t%s\t%llu\t%s\t%s\n", composition.name,
                   ending_names[static_cast<std::size_t>(outcome.ending)], seed, outcome.text().c_str(),
                   text.c_str());
+      std::fflush(stdout);
+    }
     CHECK(!is_fault(outcome.ending));
   }
 }

@@ -79,7 +79,7 @@ SimplexMesh<Model::dimension> mesh_of(const DropOptions& o) {
       for (const char* set : {"side_minus", "side_plus"}) mesh.node_set(set);
     return mesh;
   } catch (const error& e) {
-    throw error(arenite::detail::join("--mesh = ", o.mesh, ": ", e.what()));
+    throw error(arenite::shared_detail::join("--mesh = ", o.mesh, ": ", e.what()));
   }
 }
 

@@ -87,7 +87,7 @@ struct DropOptions {
 
 namespace detail {
 
-using arenite::detail::join;
+using arenite::shared_detail::join;
 
 template <class T, std::size_t N>
 bool one_of(const T& value, const std::array<T, N>& allowed) {

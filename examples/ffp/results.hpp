@@ -159,7 +159,7 @@ inline nlohmann::ordered_json summary_of(const DropOptions& options, const DropF
 
 /// Throws `error` if the file cannot be written.
 inline void write_summary(const std::filesystem::path& path, const nlohmann::ordered_json& summary) {
-  arenite::detail::replace_file(path, [&](std::ostream& out) { out << summary.dump(2) << '\n'; });
+  arenite::shared_detail::replace_file(path, [&](std::ostream& out) { out << summary.dump(2) << '\n'; });
 }
 
 }  // namespace arenite::ffp

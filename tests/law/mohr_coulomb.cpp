@@ -273,7 +273,7 @@ TEST_CASE("with a cut-off returns are those of Koiter's rule over the planes of 
         before = symmetric<3>(r * (v * std::pow(10, 4 + uniform(random))).asDiagonal() * r.transpose());
       }
       auto after = before;
-      const double opened = law.return_to_yield(after);
+      const double opened = law.return_to_yield(after).opening;
       const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(full(before));
       bool found = false;
       double opening = 0;

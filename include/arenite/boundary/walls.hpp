@@ -11,7 +11,7 @@
 #include <arenite/mesh/mesh.hpp>
 #include <arenite/shape/shape.hpp>
 
-namespace arenite {
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 /// What a wall blocks.
 struct Condition {
@@ -150,8 +150,8 @@ std::vector<Constraint<typename M::scalar, M::dimension>> resolve(const Walls& w
       if constexpr (is_simplex_mesh<M>) {
         for (const Index i : mesh.node_set(wall.set)) take(i);
       } else {
-        throw error(detail::join("Wall.set = ", wall.set,
-                                 ": a Cartesian grid has no node sets; use faces or where(test)"));
+        throw error(shared_detail::join("Wall.set = ", wall.set,
+                                        ": a Cartesian grid has no node sets; use faces or where(test)"));
       }
     } else {
       for (Index i = 0; i < n; ++i) {
@@ -202,4 +202,4 @@ Vec<T, D> constrain(const std::vector<Constraint<T, D>>& constraints, const std:
   return impulse;
 }
 
-}  // namespace arenite
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

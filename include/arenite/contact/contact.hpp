@@ -11,7 +11,7 @@
 #include <arenite/contact/region_surface.hpp>
 #include <arenite/transfer/node_field.hpp>
 
-namespace arenite {
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 /// All bodies move in one velocity field: no slip, no parting, no cost. The default.
 struct OneField {
@@ -209,4 +209,4 @@ double hold_together(const Pairs& pairs, Fields& fields, T dt) {
   return dissipation;
 }
 
-}  // namespace arenite
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -8,7 +8,7 @@
 #include <arenite/core/error.hpp>
 #include <arenite/core/tensor.hpp>
 
-namespace arenite {
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 /// Friction between two surfaces as an angle, rad, or none at all or unlimited.
 class Friction {
@@ -58,4 +58,4 @@ Vec<T, D> coulomb_impulse(const Vec<T, D>& approach, const Vec<T, D>& normal, T 
   return -mass * (closing * normal + (static_cast<T>(friction.coefficient()) * -closing / speed) * slip);
 }
 
-}  // namespace arenite
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -9,7 +9,7 @@
 #include <arenite/kinematics/kinematics.hpp>
 #include <arenite/mesh/simplex_mesh.hpp>
 
-namespace arenite {
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 /// Nodes of one region, split into surface and inside. Normals are those of the mesh at construction: right
 /// as long as the region moves without rotating or changing its shape much.
@@ -78,4 +78,4 @@ RegionSurface<T, D> surface_of(const SimplexMesh<D, T>& mesh, const std::string&
   return surface;
 }
 
-}  // namespace arenite
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -15,7 +15,9 @@
 #include <sys/mman.h>
 #endif
 
-namespace arenite {
+#include <arenite/core/instruction_set.hpp>
+
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 /// Allocator for long arrays; short ones get what `std::allocator` gives.
 template <class T>
@@ -70,4 +72,4 @@ struct ArrayMemory {
   }
 };
 
-}  // namespace arenite
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

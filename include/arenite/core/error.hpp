@@ -20,7 +20,7 @@ class run_error : public error {
   using error::error;
 };
 
-namespace detail {
+namespace shared_detail {
 template <class... Parts>
 std::string join(const Parts&... parts) {
   std::ostringstream text;
@@ -36,12 +36,12 @@ std::string listed(const Vector& v) {
   for (int k = 0; k < static_cast<int>(v.size()); ++k) text += join(k > 0 ? ", " : "", v[k]);
   return text + ")";
 }
-}  // namespace detail
+}  // namespace shared_detail
 
 /// Throws `error("name = value: rule")` unless `holds`. Write the condition so that NaN fails it.
 template <class Value>
 void require(bool holds, std::string_view name, const Value& value, std::string_view rule) {
-  if (!holds) throw error(detail::join(name, " = ", value, ": ", rule));
+  if (!holds) throw error(shared_detail::join(name, " = ", value, ": ", rule));
 }
 
 }  // namespace arenite

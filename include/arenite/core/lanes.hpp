@@ -8,7 +8,7 @@
 
 #include <arenite/core/twin_pack.hpp>
 
-namespace arenite {
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 template <class P>
 inline constexpr bool is_pack = false;
@@ -189,4 +189,4 @@ auto greatest_lane(const P& a) {
   }
 }
 
-}  // namespace arenite
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -17,7 +17,7 @@
 #include <immintrin.h>
 #endif
 
-namespace arenite {
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 namespace detail {
 
@@ -378,4 +378,4 @@ class Pack {
   vector v_;
 };
 
-}  // namespace arenite
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

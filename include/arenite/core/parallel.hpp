@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <vector>
 
+#include <arenite/core/instruction_set.hpp>
 #include <arenite/core/thread_pool.hpp>
 
 namespace arenite {
@@ -13,17 +14,21 @@ namespace arenite {
 /// Threads that loops may use from here on; `n` < 1 leaves the number as it is. The default is that of the
 /// environment's ARENITE_THREADS, else one for each processor.
 inline void set_threads(int n) {
-  if (n >= 1) detail::ThreadPool::instance().set_threads(n);
+  if (n >= 1) shared_detail::ThreadPool::instance().set_threads(n);
 }
 
-inline int threads() { return detail::ThreadPool::instance().threads(); }
+inline int threads() { return shared_detail::ThreadPool::instance().threads(); }
+
+}  // namespace arenite
+
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 /// Calls `f(i)` for i in [0, n), in any order; on one thread unless `worthwhile`. Each thread begins with a
 /// part of its own, the first item of part t of `parts` being `cut(t, parts)`. `f` must not throw.
 template <class F, class Cut>
 void parallel_for(std::size_t n, bool worthwhile, F&& f, Cut&& cut) {
   if (worthwhile && n > 1)
-    detail::ThreadPool::instance().run(n, f, cut);
+    shared_detail::ThreadPool::instance().run(n, f, cut);
   else
     for (std::size_t i = 0; i < n; ++i) f(i);
 }
@@ -96,4 +101,4 @@ R parallel_reduce(std::size_t n, R start, F&& f, Join&& join) {
   return start;
 }
 
-}  // namespace arenite
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

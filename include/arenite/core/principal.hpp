@@ -10,7 +10,7 @@
 
 #include <arenite/core/tensor.hpp>
 
-namespace arenite {
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 /// Determinant of the full 3 x 3 tensor.
 template <class T>
@@ -186,4 +186,4 @@ class Principal<T, 3> {
   T inverse_gap_;  // q over the gap between the other two
 };
 
-}  // namespace arenite
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <numbers>
 
+#include <arenite/core/instruction_set.hpp>
+
 namespace arenite {
 
 /// Number of a node, a cell or a point. 32 bits: half the memory traffic of `std::size_t`.
@@ -13,6 +15,10 @@ using Index = std::uint32_t;
 
 /// Marks "no cell", "no node".
 inline constexpr Index none = static_cast<Index>(-1);
+
+}  // namespace arenite
+
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 /// A scalar in which a scene can be computed.
 template <class T>
@@ -57,4 +63,4 @@ struct Nothing {
 };
 }  // namespace detail
 
-}  // namespace arenite
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

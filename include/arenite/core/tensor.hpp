@@ -19,6 +19,10 @@ using Vec = Eigen::Matrix<T, D, 1, Eigen::DontAlign>;
 template <class T, int D>
 using Mat = Eigen::Matrix<T, D, D, Eigen::DontAlign>;
 
+}  // namespace arenite
+
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
+
 /// Symmetric second-order tensor in 3-D space, as its independent components.
 /// D = 2: (xx, yy, zz, xy), with z out of plane (plane strain) or hoop (axisymmetric; x = r, y = axial).
 /// D = 3: (xx, yy, zz, xy, yz, zx). Shear components are those of the tensor, not engineering strains.
@@ -102,4 +106,4 @@ struct Increment {
   std::array<T, D == 2 ? 1 : 3> spin{};
 };
 
-}  // namespace arenite
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -17,7 +17,7 @@
 #include <immintrin.h>
 #endif
 
-namespace arenite::detail {
+namespace arenite::shared_detail {
 
 /// Lets a waiting loop breathe.
 inline void relax() {
@@ -178,4 +178,4 @@ class ThreadPool {
   std::atomic<int> asleep_{0};
 };
 
-}  // namespace arenite::detail
+}  // namespace arenite::shared_detail

@@ -4,7 +4,7 @@
 
 #include <arenite/core/pack.hpp>
 
-namespace arenite {
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 /// Mask of a twin pack.
 template <class Half>
@@ -105,4 +105,4 @@ class Twin {
   Half low_, high_;
 };
 
-}  // namespace arenite
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -3,7 +3,7 @@
 
 #include <arenite/core/scalar.hpp>
 
-namespace arenite {
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
 inline namespace literals {
 
 // Angle, rad.
@@ -27,4 +27,4 @@ constexpr double operator""_mm(long double x) { return static_cast<double>(x) * 
 constexpr double operator""_mm(unsigned long long x) { return static_cast<double>(x) * 1e-3; }
 
 }  // namespace literals
-}  // namespace arenite
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -16,7 +16,7 @@ namespace arenite {
 /// fails with that exception.
 using WarningHook = std::function<void(const std::string&)>;
 
-namespace detail {
+namespace shared_detail {
 
 /// The one place of the process that warnings pass through.
 struct WarningOutlet {
@@ -32,22 +32,22 @@ struct WarningOutlet {
   }
 };
 
-}  // namespace detail
+}  // namespace shared_detail
 
 /// Replaces the hook and returns the old one. The first hook writes a line to standard error; an empty one
 /// keeps silent. Any thread may call it at any time.
 inline WarningHook on_warning(WarningHook hook) {
-  auto& outlet = detail::WarningOutlet::instance();
+  auto& outlet = shared_detail::WarningOutlet::instance();
   const std::lock_guard lock(outlet.mutex);
   return std::exchange(outlet.hook, std::move(hook));
 }
 
 /// Warnings of the process so far, whatever the hook did with them.
-inline std::size_t warning_count() { return detail::WarningOutlet::instance().count; }
+inline std::size_t warning_count() { return shared_detail::WarningOutlet::instance().count; }
 
 /// Gives a warning: counts it and calls the hook.
 inline void warn(const std::string& text) {
-  auto& outlet = detail::WarningOutlet::instance();
+  auto& outlet = shared_detail::WarningOutlet::instance();
   ++outlet.count;
   WarningHook hook;
   {

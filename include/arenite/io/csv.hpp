@@ -34,7 +34,7 @@ class CsvWriter {
     errno = 0;
     file_.open(path_, std::ios::binary | std::ios::trunc);
     if (!file_)
-      detail::fail_output(
+      shared_detail::fail_output(
           path_, "cannot be opened for writing; does the folder exist, and may you write there?", errno);
     put_line();
   }
@@ -43,11 +43,11 @@ class CsvWriter {
   void row(std::span<const double> values) {
     if (values.size() != columns_)
       require(false, "values in a row", values.size(),
-              detail::join("must be ", columns_, ", the number of columns of ", path_.string()));
+              shared_detail::join("must be ", columns_, ", the number of columns of ", path_.string()));
     line_.clear();
     for (std::size_t i = 0; i < values.size(); ++i) {
       if (i > 0) line_ += ',';
-      detail::append_number(line_, values[i]);
+      shared_detail::append_number(line_, values[i]);
     }
     put_line();
   }
@@ -60,7 +60,7 @@ class CsvWriter {
     line_ += '\n';
     errno = 0;
     file_.write(line_.data(), static_cast<std::streamsize>(line_.size())).flush();
-    if (!file_) detail::fail_output(path_, "cannot be written; is the disk full?", errno);
+    if (!file_) shared_detail::fail_output(path_, "cannot be written; is the disk full?", errno);
   }
 
   std::filesystem::path path_;

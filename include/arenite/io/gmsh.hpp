@@ -14,7 +14,7 @@
 #include <arenite/io/gmsh_v4.hpp>
 
 namespace arenite {
-namespace detail {
+namespace shared_detail {
 
 enum class GmshFormat { v2_2, v4_1 };
 
@@ -115,7 +115,7 @@ inline std::string read_all(std::istream& in, const std::string& name) {
   return bytes;
 }
 
-}  // namespace detail
+}  // namespace shared_detail
 
 /// Reads a Gmsh mesh of triangles (D = 2) or tetrahedra (D = 3) from format 2.2 or 4.1, text or binary.
 ///
@@ -138,8 +138,8 @@ inline std::string read_all(std::istream& in, const std::string& name) {
 template <int D>
 MeshData<D> read_gmsh(std::istream& in, std::string name = "Gmsh stream") {
   static_assert(D == 2 || D == 3, "read_gmsh<D>: D must be 2 (triangles) or 3 (tetrahedra)");
-  const std::string bytes = detail::read_all(in, name);
-  return detail::read_gmsh_bytes<D>(bytes, std::move(name));
+  const std::string bytes = shared_detail::read_all(in, name);
+  return shared_detail::read_gmsh_bytes<D>(bytes, std::move(name));
 }
 
 /// The same from a file.

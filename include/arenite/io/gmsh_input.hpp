@@ -15,7 +15,7 @@
 
 #include <arenite/core/error.hpp>
 
-namespace arenite::detail {
+namespace arenite::shared_detail {
 
 class GmshInput {
  public:
@@ -197,4 +197,4 @@ class GmshInput {
   bool binary_ = false;
 };
 
-}  // namespace arenite::detail
+}  // namespace arenite::shared_detail

@@ -4,7 +4,7 @@
 #include <array>
 #include <cstddef>
 
-namespace arenite::detail {
+namespace arenite::shared_detail {
 
 /// A kind of element of the Gmsh reference manual's list "elementType" (chapter "MSH file format").
 struct GmshKind {
@@ -50,4 +50,4 @@ inline constexpr std::array<GmshKind, 33> gmsh_kinds{{
     {93, 3, 0, "125-node hexahedron"},
 }};
 
-}  // namespace arenite::detail
+}  // namespace arenite::shared_detail

@@ -19,7 +19,7 @@
 #include <arenite/io/gmsh_kinds.hpp>
 #include <arenite/mesh/mesh_data.hpp>
 
-namespace arenite::detail {
+namespace arenite::shared_detail {
 
 /// Takes nodes, then elements, in the order of a file; `finish` makes the mesh of them.
 template <int D>
@@ -239,4 +239,4 @@ class GmshMesh {
   MeshData<D> result_;
 };
 
-}  // namespace arenite::detail
+}  // namespace arenite::shared_detail

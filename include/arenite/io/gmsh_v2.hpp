@@ -7,7 +7,7 @@
 
 #include <arenite/io/gmsh_mesh.hpp>
 
-namespace arenite::detail {
+namespace arenite::shared_detail {
 
 template <int D>
 void read_v2_nodes(GmshInput& in, GmshMesh<D>& mesh) {
@@ -66,4 +66,4 @@ void read_v2_elements(GmshInput& in, GmshMesh<D>& mesh) {
   }
 }
 
-}  // namespace arenite::detail
+}  // namespace arenite::shared_detail

@@ -10,7 +10,7 @@
 
 #include <arenite/io/gmsh_mesh.hpp>
 
-namespace arenite::detail {
+namespace arenite::shared_detail {
 
 /// Physical groups of each model entity, by (dimension, tag); nothing in a file without $Entities.
 using GmshEntities = std::optional<std::map<std::pair<int, int>, std::vector<int>>>;
@@ -114,4 +114,4 @@ void read_v4_elements(GmshInput& in, GmshMesh<D>& mesh, const GmshEntities& enti
   in.check(left == 0, "number of elements", header.items, join("is ", left, " more than the blocks hold"));
 }
 
-}  // namespace arenite::detail
+}  // namespace arenite::shared_detail

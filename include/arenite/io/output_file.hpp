@@ -16,7 +16,7 @@
 
 #include <arenite/core/error.hpp>
 
-namespace arenite::detail {
+namespace arenite::shared_detail {
 
 /// Throws "output = path: what (reason of the operating system)".
 [[noreturn]] inline void fail_output(const std::filesystem::path& path, std::string_view what, int reason) {
@@ -98,4 +98,4 @@ inline constexpr const char* vtk_byte_order() {
   return std::endian::native == std::endian::little ? "LittleEndian" : "BigEndian";
 }
 
-}  // namespace arenite::detail
+}  // namespace arenite::shared_detail

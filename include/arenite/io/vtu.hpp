@@ -60,7 +60,7 @@ struct VtuData {
   std::vector<VtuArray> cell_data;   ///< [cells x components] each
 };
 
-namespace detail {
+namespace shared_detail {
 
 /// The array is one that VTK knows and has `items` items.
 inline void check_vtu_arrays(const std::vector<VtuArray>& arrays, std::size_t items, std::string_view where) {
@@ -136,7 +136,7 @@ inline void append_vtu_arrays(std::ostream& out, std::span<const VtuArray> array
   }
 }
 
-}  // namespace detail
+}  // namespace shared_detail
 
 /// Writes `data` to `path`, whose folder must exist. A file of that name stays as it was until the new one is
 /// complete. Throws `error`: shapes that do not fit, a cell's point that is not there, or a disk that does
@@ -150,31 +150,31 @@ inline void write_vtu(const std::filesystem::path& path, const VtuData& data) {
     cells += block.items;
     corners += block.items * block.points;
   }
-  detail::check_vtu_arrays(data.point_data, points, "points");
-  detail::check_vtu_arrays(data.cell_data, cells, "cells");
+  shared_detail::check_vtu_arrays(data.point_data, points, "points");
+  shared_detail::check_vtu_arrays(data.cell_data, cells, "cells");
   constexpr std::size_t most = 2147483647;
   const auto topology = std::max(points, corners) <= most
-                            ? detail::vtu_topology<std::int32_t>(data.cells, points)
-                            : detail::vtu_topology<std::int64_t>(data.cells, points);
+                            ? shared_detail::vtu_topology<std::int32_t>(data.cells, points)
+                            : shared_detail::vtu_topology<std::int64_t>(data.cells, points);
   VtuArray positions = data.points;
   positions.name = "Points";
   const std::span<const VtuArray> position(&positions, 1);
 
-  detail::replace_file(path, [&](std::ostream& out) {
+  shared_detail::replace_file(path, [&](std::ostream& out) {
     std::uint64_t offset = 0;
     out << "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\""
-        << detail::vtk_byte_order()
+        << shared_detail::vtk_byte_order()
         << "\" header_type=\"UInt64\">\n<UnstructuredGrid>\n<Piece NumberOfPoints=\"" << points
         << "\" NumberOfCells=\"" << cells << "\">\n";
-    detail::declare_vtu_arrays(out, "Points", position, offset);
-    detail::declare_vtu_arrays(out, "Cells", topology, offset);
-    detail::declare_vtu_arrays(out, "PointData", data.point_data, offset);
-    detail::declare_vtu_arrays(out, "CellData", data.cell_data, offset);
+    shared_detail::declare_vtu_arrays(out, "Points", position, offset);
+    shared_detail::declare_vtu_arrays(out, "Cells", topology, offset);
+    shared_detail::declare_vtu_arrays(out, "PointData", data.point_data, offset);
+    shared_detail::declare_vtu_arrays(out, "CellData", data.cell_data, offset);
     out << "</Piece>\n</UnstructuredGrid>\n<AppendedData encoding=\"raw\">\n_";
-    detail::append_vtu_arrays(out, position);
-    detail::append_vtu_arrays(out, topology);
-    detail::append_vtu_arrays(out, data.point_data);
-    detail::append_vtu_arrays(out, data.cell_data);
+    shared_detail::append_vtu_arrays(out, position);
+    shared_detail::append_vtu_arrays(out, topology);
+    shared_detail::append_vtu_arrays(out, data.point_data);
+    shared_detail::append_vtu_arrays(out, data.cell_data);
     out << "\n</AppendedData>\n</VTKFile>\n";
   });
 }

@@ -23,7 +23,7 @@ template <class T>
 concept vtu_number = std::same_as<T, double> || std::same_as<T, float> || std::same_as<T, std::int32_t> ||
     std::same_as<T, std::uint32_t> || std::same_as<T, std::int64_t> || std::same_as<T, std::uint8_t>;
 
-namespace detail {
+namespace shared_detail {
 
 template <vtu_number T>
 constexpr const char* vtu_type() {
@@ -45,7 +45,7 @@ struct VtuItem<std::array<V, N>> {
   static constexpr std::size_t components = N;
 };
 
-}  // namespace detail
+}  // namespace shared_detail
 
 /// A named array, shape [items x components], as a recipe: values are fetched while the file is written, so
 /// that no column has to be copied or padded first. What the recipe refers to must live until then.
@@ -65,13 +65,13 @@ struct VtuArray {
 /// `components`.
 template <vtu_number T>
 VtuArray vtu_array(std::string name, std::size_t components, std::span<const T> values) {
-  require(components > 0 && values.size() % components == 0, detail::join("length of array ", name),
-          values.size(), detail::join("must be a multiple of its components, ", components));
+  require(components > 0 && values.size() % components == 0, shared_detail::join("length of array ", name),
+          values.size(), shared_detail::join("must be a multiple of its components, ", components));
   auto fetch = [=](std::size_t begin, std::size_t end, char* out) {
     if (end > begin)
       std::memcpy(out, values.data() + begin * components, (end - begin) * components * sizeof(T));
   };
-  return {std::move(name), values.size() / components, components, detail::vtu_type<T>(), sizeof(T),
+  return {std::move(name), values.size() / components, components, shared_detail::vtu_type<T>(), sizeof(T),
           std::move(fetch)};
 }
 
@@ -88,7 +88,7 @@ VtuArray vtu_array(std::string name, std::size_t components,
 /// `f(i)` for each item i: a number, or a std::array of 3, 6 or 9 numbers.
 template <class F>
 requires std::invocable<const F&, std::size_t> VtuArray vtu_array(std::string name, std::size_t items, F f) {
-  using Item = detail::VtuItem<std::remove_cvref_t<std::invoke_result_t<const F&, std::size_t>>>;
+  using Item = shared_detail::VtuItem<std::remove_cvref_t<std::invoke_result_t<const F&, std::size_t>>>;
   using T = typename Item::type;
   static_assert(vtu_number<T>,
                 "vtu_array: f(i) must return a number (double, float, 32- or 64-bit integer) or an array");
@@ -98,7 +98,8 @@ requires std::invocable<const F&, std::size_t> VtuArray vtu_array(std::string na
       std::memcpy(out, &value, Item::components * sizeof(T));
     }
   };
-  return {std::move(name), items, Item::components, detail::vtu_type<T>(), sizeof(T), std::move(fetch)};
+  return {std::move(name), items,           Item::components, shared_detail::vtu_type<T>(),
+          sizeof(T),       std::move(fetch)};
 }
 
 }  // namespace arenite

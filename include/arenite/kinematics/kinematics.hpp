@@ -3,7 +3,7 @@
 
 #include <arenite/core/tensor.hpp>
 
-namespace arenite {
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 /// Two dimensions, x and y, unit thickness (1 m) and no strain out of plane.
 struct PlaneStrain {
@@ -48,4 +48,4 @@ concept kinematics = requires {
 }
 &&(K::dimension == 2 || K::dimension == 3);
 
-}  // namespace arenite
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

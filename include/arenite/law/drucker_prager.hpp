@@ -13,7 +13,7 @@
 #include <arenite/law/separation.hpp>
 #include <arenite/law/strength.hpp>
 
-namespace arenite {
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 /// Where the cone meets the Mohr-Coulomb pyramid of the same friction and cohesion.
 enum class Cone {
@@ -146,7 +146,7 @@ class DruckerPrager {
     }
     T relief = p - T(limit_);
     if (cuts_) relief = max(T(relief - max(T(q - T(rim_)), T(0)) * T(cut_dilation_)), T(0));
-    const T per_stress(1 / elasticity_.bulk());
+    const T per_stress = T(1 / elasticity_.bulk());
     const T opening = select(returns && beyond, T(relief * per_stress), T(0));
     if (flow_ == 0) return {opening, T(0)};
     return {opening, select(returns, T((p - p_back) * per_stress - opening), T(0))};
@@ -181,4 +181,4 @@ class DruckerPrager {
   double greatest_volume_ratio_;    // -
 };
 
-}  // namespace arenite
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -9,7 +9,7 @@
 #include <arenite/core/error.hpp>
 #include <arenite/core/tensor.hpp>
 
-namespace arenite {
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
 namespace detail {
 
 /// A constant that the user must give: NaN until given.
@@ -18,7 +18,8 @@ inline constexpr double not_given = std::numeric_limits<double>::quiet_NaN();
 /// Throws `error("Law.name = value: rule")` unless `holds`, or says that the constant was forgotten.
 inline void check(bool holds, std::string_view law, std::string_view name, double value,
                   std::string_view rule) {
-  require(holds, join(law, ".", name), value, std::isnan(value) ? std::string_view("must be given") : rule);
+  require(holds, shared_detail::join(law, ".", name), value,
+          std::isnan(value) ? std::string_view("must be given") : rule);
 }
 
 }  // namespace detail
@@ -64,4 +65,4 @@ class Elasticity {
   double density_, poisson_, shear_, bulk_, lame_;
 };
 
-}  // namespace arenite
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

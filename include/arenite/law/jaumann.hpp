@@ -3,7 +3,7 @@
 
 #include <arenite/core/tensor.hpp>
 
-namespace arenite {
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 /// R a R^T for the rotation R of a step with spin W dt (Increment::spin) in the midpoint form
 /// R = (I - W/2)^-1 (I + W/2): orthogonal for a step of any size, so that eigenvalues and energy keep to
@@ -47,4 +47,4 @@ Sym<T, 3> turned(const Sym<T, 3>& a, const std::array<T, 3>& spin) {
            qx * rzx + qy * zy + qz * zz, px * rzx + py * zy + pz * zz}};
 }
 
-}  // namespace arenite
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

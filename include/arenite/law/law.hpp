@@ -8,7 +8,7 @@
 
 #include <arenite/core/tensor.hpp>
 
-namespace arenite {
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 /// History of a law that has none: it stores no columns.
 template <class T>
@@ -102,4 +102,4 @@ inline constexpr LaneWishes lane_wishes = [] {
   return wishes;
 }();
 
-}  // namespace arenite
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

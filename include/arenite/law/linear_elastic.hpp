@@ -5,7 +5,7 @@
 #include <arenite/law/jaumann.hpp>
 #include <arenite/law/law.hpp>
 
-namespace arenite {
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 struct LinearElasticParameters {
   double density = detail::not_given;  ///< kg/m3; required, positive
@@ -43,4 +43,4 @@ class LinearElastic {
   Elasticity elasticity_;
 };
 
-}  // namespace arenite
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

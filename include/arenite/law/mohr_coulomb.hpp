@@ -13,7 +13,7 @@
 #include <arenite/law/separation.hpp>
 #include <arenite/law/strength.hpp>
 
-namespace arenite {
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 struct MohrCoulombParameters {
   double density = detail::not_given;   ///< kg/m3; required, positive
@@ -140,7 +140,7 @@ class MohrCoulomb {
 
     const Sym<T, D> back = trial.with(y);
     for (std::size_t i = 0; i < stress.size; ++i) stress[i] = select(returns, back[i], stress[i]);
-    const T per_stress(1 / (3 * elasticity_.bulk()));
+    const T per_stress = T(1 / (3 * elasticity_.bulk()));
     if (!dilates_) return {relief * per_stress, T(0)};
     const T fallen = s[0] + s[1] + s[2] - (y[0] + y[1] + y[2]);
     return {relief * per_stress, select(returns, T((fallen - relief) * per_stress), T(0))};
@@ -261,4 +261,4 @@ class MohrCoulomb {
   Edge extension_, compression_;   // s1 = s2; s2 = s3
 };
 
-}  // namespace arenite
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

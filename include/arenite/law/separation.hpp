@@ -9,7 +9,7 @@
 #include <arenite/core/error.hpp>
 #include <arenite/law/law.hpp>
 
-namespace arenite {
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 /// Separated matter carries stress as soon as it is compressed again, however far it had opened. Stores
 /// nothing.
@@ -87,4 +87,4 @@ class RemembersOpening {
   double limit_;
 };
 
-}  // namespace arenite
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -10,7 +10,7 @@
 #include <arenite/core/error.hpp>
 #include <arenite/law/elasticity.hpp>
 
-namespace arenite::detail {
+namespace arenite::inline ARENITE_INSTRUCTION_SET::detail {
 
 /// Greatest angle of friction, rad: 88.8 deg. The round-off of a return grows with 1 / (pi/2 - friction); in
 /// float it is here 3e-5 of the trial stress.
@@ -44,4 +44,4 @@ inline void check_memory(std::string_view law, bool remembers, double tension, d
         "a law that remembers its opening needs the cut-off at the apex (leave tension out)");
 }
 
-}  // namespace arenite::detail
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET::detail

@@ -10,7 +10,7 @@
 #include <arenite/law/jaumann.hpp>
 #include <arenite/law/law.hpp>
 
-namespace arenite {
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 /// Adds the strain deviator e to the history: the sum of the increments' deviators, turned with the matter as
 /// a Jaumann stress is. Oscillations cancel, where a sum of lengths would pile them up (the far sand of a
@@ -105,4 +105,4 @@ inline constexpr bool is_traced = false;
 template <class L, int D>
 inline constexpr bool is_traced<Traced<L, D>> = true;
 
-}  // namespace arenite
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -9,7 +9,7 @@
 #include <arenite/core/error.hpp>
 #include <arenite/core/scalar.hpp>
 
-namespace arenite {
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 /// Cells at each node, in ascending order, as one array with offsets.
 class Adjacency {
@@ -73,4 +73,4 @@ std::vector<std::array<Index, D + 1>> simplex_neighbours(const std::vector<std::
   return neighbours;
 }
 
-}  // namespace arenite
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

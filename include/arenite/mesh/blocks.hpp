@@ -9,7 +9,7 @@
 #include <arenite/core/parallel.hpp>
 #include <arenite/core/scalar.hpp>
 
-namespace arenite {
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 /// A partition of the cells [0, n) into runs of consecutive cells, and of the runs into colours.
 class Blocks {
@@ -152,4 +152,4 @@ class Blocks {
   std::vector<std::size_t> work_before_{};  // [blocks + 1] sum of the work of all blocks before
 };
 
-}  // namespace arenite
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -9,7 +9,7 @@
 #include <arenite/core/error.hpp>
 #include <arenite/core/tensor.hpp>
 
-namespace arenite {
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 /// Cells are numbered with axis 0 running fastest.
 template <int D, real T = double>
@@ -36,11 +36,11 @@ class CartesianGrid {
     double total = 1;
     for (std::size_t k = 0; k < D; ++k) {
       const double extent = p.upper[k] - p.lower[k];
-      require(extent > 0 && std::isfinite(extent), detail::join("CartesianGrid.upper[", k, "]"), p.upper[k],
-              detail::join("must be finite and exceed lower = ", p.lower[k]));
+      require(extent > 0 && std::isfinite(extent), shared_detail::join("CartesianGrid.upper[", k, "]"),
+              p.upper[k], shared_detail::join("must be finite and exceed lower = ", p.lower[k]));
       const double cells = std::round(extent / p.cell);
       require(cells >= 1 && std::abs(cells * p.cell - extent) <= 1e-6 * p.cell, "CartesianGrid.cell", p.cell,
-              detail::join("must divide the extent ", extent, " along axis ", k));
+              shared_detail::join("must divide the extent ", extent, " along axis ", k));
       lower_[static_cast<int>(k)] = static_cast<T>(p.lower[k]);
       total *= cells;
       require(total < 2147483648.0, "CartesianGrid.cell", p.cell, "gives more than 2^31 cells");
@@ -136,4 +136,4 @@ class CartesianGrid {
   T inverse_edge_ = 0;
 };
 
-}  // namespace arenite
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

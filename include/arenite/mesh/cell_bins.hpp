@@ -10,7 +10,7 @@
 
 #include <arenite/core/tensor.hpp>
 
-namespace arenite {
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 /// About one bucket a cell; a cell is listed in each bucket that its bounding box touches.
 template <int D, real T>
@@ -84,4 +84,4 @@ class CellBins {
   std::vector<Index> start_, cells_;
 };
 
-}  // namespace arenite
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -6,7 +6,7 @@
 #include <arenite/mesh/cartesian_grid.hpp>
 #include <arenite/mesh/simplex_mesh.hpp>
 
-namespace arenite {
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 /// - `walk(x, hint)`: the cell of x, or `none`; `search(x)`: the same without a hint, slower, right
 /// everywhere.
@@ -29,4 +29,4 @@ inline constexpr bool is_simplex_mesh = false;
 template <int D, class T>
 inline constexpr bool is_simplex_mesh<SimplexMesh<D, T>> = true;
 
-}  // namespace arenite
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -8,7 +8,7 @@
 
 #include <arenite/mesh/simplex_mesh.hpp>
 
-namespace arenite {
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 /// The rigid body number I of the scene leads.
 template <std::size_t I>
@@ -100,14 +100,14 @@ class BoundMotion {
     travel_ = travel;
     const double below = 1 + static_cast<double>(travel) / (motion_.moving_from - motion_.fixed_below);
     if (!(below > motion_.least))
-      throw run_error(detail::join("the compressing zone below ", motion_.moving_from,
-                                   " m is used up after a travel of ", travel, " m: ", below * 100,
-                                   " % of its height is left, the limit is ", motion_.least * 100, " %"));
+      throw run_error(shared_detail::join(
+          "the compressing zone below ", motion_.moving_from, " m is used up after a travel of ", travel,
+          " m: ", below * 100, " % of its height is left, the limit is ", motion_.least * 100, " %"));
     if (std::isfinite(motion_.fixed_above)) {
       const double above = 1 - static_cast<double>(travel) / (motion_.fixed_above - motion_.moving_to);
       if (!(above > motion_.least))
-        throw run_error(detail::join("the zone above ", motion_.moving_to, " m is used up after a travel of ",
-                                     travel, " m"));
+        throw run_error(shared_detail::join("the zone above ", motion_.moving_to,
+                                            " m is used up after a travel of ", travel, " m"));
     }
     const Index bad = mesh.move(nodes_, cells_, [&](Index i) {
       auto x = mesh.position(i);
@@ -115,8 +115,9 @@ class BoundMotion {
       return x;
     });
     if (bad != none)
-      throw run_error(detail::join("cell ", bad, " at (", mesh.position(mesh.nodes(bad)[0]).transpose(),
-                                   ") m turned inside out after a travel of ", travel, " m"));
+      throw run_error(shared_detail::join("cell ", bad, " at (",
+                                          mesh.position(mesh.nodes(bad)[0]).transpose(),
+                                          ") m turned inside out after a travel of ", travel, " m"));
   }
 
  private:
@@ -130,4 +131,4 @@ class BoundMotion {
 /// A mesh that stays where it is. The default.
 struct FixedMesh {};
 
-}  // namespace arenite
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

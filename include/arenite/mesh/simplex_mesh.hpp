@@ -16,7 +16,7 @@
 #include <arenite/mesh/cell_bins.hpp>
 #include <arenite/mesh/mesh_data.hpp>
 
-namespace arenite {
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 /// Triangles or tetrahedra over scalar T. Node positions may change (`move`); the topology does not.
 template <int D, real T = double>
@@ -190,7 +190,8 @@ class SimplexMesh {
 
   void add_cell(std::size_t c, CellNodes nodes) {
     for (const Index i : nodes)
-      require(i < node_count(), detail::join("SimplexMesh.cells[", c, "]"), i, "must be a node of the mesh");
+      require(i < node_count(), shared_detail::join("SimplexMesh.cells[", c, "]"), i,
+              "must be a node of the mesh");
     const auto edges = edge_matrix(nodes);
     T longest = 0;
     for (int k = 0; k < D; ++k) longest = std::max(longest, edges.col(k).stableNorm());
@@ -199,13 +200,14 @@ class SimplexMesh {
     using Limits = std::numeric_limits<T>;
     constexpr T flattest = 1000 * Limits::epsilon();
     const T least = std::cbrt(Limits::min() / flattest), greatest = std::cbrt(Limits::max()) / 2;
-    require(longest == 0 || (longest >= least && longest <= greatest),
-            detail::join("SimplexMesh.cells[", c, "].edge"), longest,
-            detail::join("edges must lie between ", least, " and ", greatest,
-                         " m in the scalar of the mesh, or the cell's volume or size is not a number"));
+    require(
+        longest == 0 || (longest >= least && longest <= greatest),
+        shared_detail::join("SimplexMesh.cells[", c, "].edge"), longest,
+        shared_detail::join("edges must lie between ", least, " and ", greatest,
+                            " m in the scalar of the mesh, or the cell's volume or size is not a number"));
     const T volume = edges.determinant();
     require(std::abs(volume) > flattest * std::pow(longest, D),
-            detail::join("SimplexMesh.cells[", c, "].volume"), volume, "a cell must not be flat");
+            shared_detail::join("SimplexMesh.cells[", c, "].volume"), volume, "a cell must not be flat");
     if (volume < 0) std::swap(nodes[D - 1], nodes[D]);
     cells_.push_back(nodes);
   }
@@ -235,7 +237,7 @@ class SimplexMesh {
     if (found != map.end()) return found->second;
     std::string known;
     for (const auto& [key, value] : map) known += (known.empty() ? "" : ", ") + key;
-    throw error(detail::join("SimplexMesh: ", kind, " = ", name, ": must be one of: ", known));
+    throw error(shared_detail::join("SimplexMesh: ", kind, " = ", name, ": must be one of: ", known));
   }
 
   std::map<std::string, int> region_names_;
@@ -250,4 +252,4 @@ class SimplexMesh {
   bool bins_fresh_ = false;
 };
 
-}  // namespace arenite
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

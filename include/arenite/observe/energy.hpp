@@ -3,7 +3,7 @@
 
 #include <arenite/scene/scene.hpp>
 
-namespace arenite {
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 /// J. `residual` = kinetic + strain + plastic + contact - (initial + external): what transfers, walls and
 /// time steps took (negative) or added. Lost points take their energy with them.
@@ -38,4 +38,4 @@ Energies energies(const Scene& scene) {
   return e;
 }
 
-}  // namespace arenite
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -7,7 +7,7 @@
 
 #include <arenite/core/error.hpp>
 
-namespace arenite {
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 /// Calls `f(scene)` at the first step at or after each multiple of `period`, s; the start counts as one. A
 /// step that passes several multiples is one call. Throws `error` unless period > 0.
@@ -28,4 +28,4 @@ auto every(double period, F f) {
       };
 }
 
-}  // namespace arenite
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -9,7 +9,7 @@
 
 #include <arenite/scene/scene.hpp>
 
-namespace arenite {
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 /// Volume of a body's points over the volume of the cells around `nodes` that are not of region `except`, -.
 /// Needs a simplex mesh. NaN if there is no such cell: then nothing is asked.
@@ -31,4 +31,4 @@ double fill_ratio(const Scene& scene, const B& body, std::span<const Index> node
   return matter / whole;
 }
 
-}  // namespace arenite
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -10,7 +10,9 @@
 #include <unistd.h>
 #endif
 
-namespace arenite {
+#include <arenite/core/instruction_set.hpp>
+
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 struct ProgressOptions {
   std::FILE* stream = stderr;  ///< must stay open
@@ -59,4 +61,4 @@ class Progress {
   int tenth_ = 0;  // the last one told
 };
 
-}  // namespace arenite
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

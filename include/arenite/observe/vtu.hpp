@@ -10,7 +10,7 @@
 #include <arenite/law/traced.hpp>
 #include <arenite/scene/scene.hpp>
 
-namespace arenite {
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
 namespace detail {
 
 template <class T, int D>
@@ -95,8 +95,8 @@ class VtuSeries {
     std::size_t number = 0;
     int part = 0;
     scene.for_each_body([&](const auto& body, const auto&) {
-      const std::string name =
-          number < options_.body_names.size() ? options_.body_names[number] : detail::join("body", number);
+      const std::string name = number < options_.body_names.size() ? options_.body_names[number]
+                                                                   : shared_detail::join("body", number);
       write(scene.time, name, part++, points_vtu(body));
       ++number;
     });
@@ -114,7 +114,7 @@ class VtuSeries {
     std::error_code code;
     if (prefix.has_parent_path()) std::filesystem::create_directories(prefix.parent_path(), code);
     require(!code, "vtu: folder", prefix.parent_path().string(),
-            detail::join("cannot be made: ", code.message()));
+            shared_detail::join("cannot be made: ", code.message()));
     return prefix;
   }
 
@@ -137,4 +137,4 @@ inline VtuSeries vtu(std::filesystem::path prefix, VtuOptions options) {
 }
 inline VtuSeries vtu(std::filesystem::path prefix) { return VtuSeries(std::move(prefix)); }
 
-}  // namespace arenite
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

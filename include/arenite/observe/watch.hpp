@@ -15,7 +15,7 @@
 #include <arenite/observe/energy.hpp>
 #include <arenite/transfer/law_pass.hpp>
 
-namespace arenite {
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 /// Limits of a `Watch`. Past a limit the run stops, past a tenth of it comes one warning. Infinity switches a
 /// quantity off: it is not computed.
@@ -72,7 +72,7 @@ class Watch {
                {"lost", "share of a body's points that left the mesh", limits.lost}}},
         every_{limits.every} {
     for (const Watched& w : seen_)
-      require(w.limit > 0, detail::join("WatchLimits.", w.name), w.limit,
+      require(w.limit > 0, shared_detail::join("WatchLimits.", w.name), w.limit,
               "must be positive; infinity switches it off");
     require(every_ > 0, "WatchLimits.every", every_, "must be positive");
   }
@@ -137,8 +137,8 @@ class Watch {
     const Spot at = spot();
     w.place = at.place;
     if (!stops && w.warned) return;
-    const std::string text = detail::join("t = ", time, " s: ", w.name, " = ", value, " (", w.meaning,
-                                          "): the limit is ", w.limit, "; ", at.text);
+    const std::string text = shared_detail::join("t = ", time, " s: ", w.name, " = ", value, " (", w.meaning,
+                                                 "): the limit is ", w.limit, "; ", at.text);
     if (stops) throw run_error(text);
     w.warned = true;
     warnings_.push_back(text);
@@ -264,8 +264,8 @@ class Watch {
       };
       const std::size_t p = extreme(body, [&](std::size_t k) { return std::abs(local(k) - 1); });
       Spot s = at(body, p);
-      s.text = detail::join("body ", number, ": mean V/V0 = ", ratio);
-      if (p < body.points.size()) s.text += detail::join(", ", local(p), " at ", written(body, p));
+      s.text = shared_detail::join("body ", number, ": mean V/V0 = ", ratio);
+      if (p < body.points.size()) s.text += shared_detail::join(", ", local(p), " at ", written(body, p));
       return s;
     });
   }
@@ -274,12 +274,13 @@ class Watch {
   void look_at_lost(double time, const B& body, int number) {
     const std::size_t all = body.lost + body.points.size();
     judge(lost, time, static_cast<double>(body.lost) / static_cast<double>(all), number, [&] {
-      return Spot{Watched::nowhere, detail::join("body ", number, ": ", body.lost, " of ", all, " points")};
+      return Spot{Watched::nowhere,
+                  shared_detail::join("body ", number, ": ", body.lost, " of ", all, " points")};
     });
   }
 
-  template <int Width, class L, class T, int D, bool A>
-  void look_at_strength(double time, const Body<L, T, D, A>& body, int number) {
+  template <int Width, class L, class T, int D, ExtraColumns E>
+  void look_at_strength(double time, const Body<L, T, D, E>& body, int number) {
     using P = typename LawLanes<L, T, Width>::type;
     if constexpr (requires(const L law, const Sym<P, D> s) { law.yield(s); }) {
       // Stresses much smaller than those of a strain of 1e-6 are round-off of larger ones.
@@ -314,7 +315,7 @@ class Watch {
           [](const Worst& a, const Worst& b) { return b.value > a.value ? b : a; });
       judge(strength, time, worst.value, number, [&] {
         Spot s = at(body, worst.point);
-        s.text = detail::join("body ", number, " at ", written(body, worst.point));
+        s.text = shared_detail::join("body ", number, " at ", written(body, worst.point));
         return s;
       });
     }
@@ -331,8 +332,8 @@ class Watch {
       if (p < body.points.size() && speed(p) > most) {
         most = speed(p);
         s = at(body, p);
-        s.text =
-            detail::join("the fastest point: body ", number, " at ", written(body, p), ", ", most, " m/s");
+        s.text = shared_detail::join("the fastest point: body ", number, " at ", written(body, p), ", ", most,
+                                     " m/s");
       }
       ++number;
     });
@@ -364,7 +365,7 @@ class Watch {
   }
   template <class B>
   static std::string written(const B& body, std::size_t p) {
-    return detail::listed(body.points.position[p]) + " m";
+    return shared_detail::listed(body.points.position[p]) + " m";
   }
 
   static constexpr std::size_t never = std::numeric_limits<std::size_t>::max() / 2;
@@ -385,4 +386,4 @@ class Watch {
   std::size_t lost_ = 0;  // points, at the last look
 };
 
-}  // namespace arenite
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

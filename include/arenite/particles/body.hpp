@@ -13,7 +13,7 @@
 #include <arenite/particles/points.hpp>
 #include <arenite/particles/region.hpp>
 
-namespace arenite {
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 /// Initial stress of level ground at rest: vertical stress from the weight above, horizontal stress k0 times
 /// that.
@@ -128,4 +128,4 @@ auto make_body(const M& mesh, const Fill<Region, L>& recipe) {
   return body;
 }
 
-}  // namespace arenite
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -10,7 +10,7 @@
 #include <arenite/core/scalar.hpp>
 #include <arenite/mesh/blocks.hpp>
 
-namespace arenite {
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 /// Points of each cell: a run of neighbours that it owns, and guests, whose columns lie where their old
 /// cell's run ended. A step moves few points (0.5 % is common), so that a list of guests costs far less than
@@ -184,4 +184,4 @@ class CellList {
   std::vector<Index> next_, order_;  // scratch
 };
 
-}  // namespace arenite
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -7,7 +7,7 @@
 #include <arenite/core/error.hpp>
 #include <arenite/mesh/mesh.hpp>
 
-namespace arenite {
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
 namespace detail {
 
 /// Barycentric lattice of order k: k (k + 1) / 2 points in a triangle, k (k + 1)(k + 2) / 6 in a tetrahedron.
@@ -68,9 +68,9 @@ std::vector<Eigen::Matrix<double, D + 1, 1>> simplex_points(int n) {
     if constexpr (D == 2)
       if (n == k * k) return detail::triangle_centroids(k);
   }
-  throw error(detail::join("per_cell = ", n,
-                           D == 2 ? ": must be 1, 3, 6, 10, 15, 21, 28 or the square of 1 to 7"
-                                  : ": must be 1, 4, 10, 20, 35, 56 or 84"));
+  throw error(shared_detail::join("per_cell = ", n,
+                                  D == 2 ? ": must be 1, 3, 6, 10, 15, 21, 28 or the square of 1 to 7"
+                                         : ": must be 1, 4, 10, 20, 35, 56 or 84"));
 }
 
 /// Positions in the unit cell [0, 1]^D of n points on an even lattice; n must be a D-th power. Throws `error`
@@ -109,4 +109,4 @@ std::vector<typename M::Point> initial_points(const M& mesh, Index cell, int n) 
   return points;
 }
 
-}  // namespace arenite
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -7,7 +7,7 @@
 
 #include <arenite/core/lanes.hpp>
 
-namespace arenite {
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 /// Sums over the points of one body in one cell of a simplex mesh, each kept only if the scene's numerics use
 /// it: a body keeps none if they use no sum at all.
@@ -32,4 +32,4 @@ constexpr void for_each_edge(F&& f) {
   });
 }
 
-}  // namespace arenite
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -10,7 +10,7 @@
 #include <arenite/core/lanes.hpp>
 #include <arenite/core/tensor.hpp>
 
-namespace arenite {
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 /// One number of each point.
 template <class T>
@@ -126,4 +126,4 @@ using MatrixColumns = Columns<Mat<T, D>, T, static_cast<std::size_t>(D* D)>;
 template <class T, int D>
 using TensorColumns = Columns<Sym<T, D>, T, Sym<T, D>::size>;
 
-}  // namespace arenite
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -7,7 +7,7 @@
 
 #include <arenite/particles/body.hpp>
 
-namespace arenite {
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 namespace detail {
 /// Sum of `f(point)` over the points of a body: in each chunk eight sums side by side, for one sum alone
@@ -74,4 +74,4 @@ double mean_volume_ratio(const B& body) {
   return initial > 0 ? (volume + body.opened_volume) / initial : 1.0;
 }
 
-}  // namespace arenite
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -12,7 +12,7 @@
 #include <arenite/particles/cell_list.hpp>
 #include <arenite/particles/columns.hpp>
 
-namespace arenite {
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 /// Columns that not every composition needs.
 struct ExtraColumns {
@@ -181,4 +181,4 @@ class Points {
   std::vector<Index> spare_cell_;
 };
 
-}  // namespace arenite
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

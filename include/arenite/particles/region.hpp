@@ -10,7 +10,7 @@
 #include <arenite/core/error.hpp>
 #include <arenite/core/tensor.hpp>
 
-namespace arenite {
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 /// Axis-aligned box: lower <= x < upper, m.
 template <std::size_t D>
@@ -50,4 +50,4 @@ concept region = std::same_as<R, Cells> || requires(const R r, const Vec<double,
   { r.contains(x) } -> std::convertible_to<bool>;
 };
 
-}  // namespace arenite
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -4,7 +4,7 @@
 #include <arenite/mesh/blocks.hpp>
 #include <arenite/particles/body.hpp>
 
-namespace arenite {
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
 namespace detail {
 
 /// Lists the points of a block's cells that have left their cells, from `moves` on; returns how many.
@@ -86,4 +86,4 @@ bool relocate(B& body, M& mesh, const Blocks& blocks) {
   return true;
 }
 
-}  // namespace arenite
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

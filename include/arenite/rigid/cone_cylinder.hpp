@@ -9,7 +9,7 @@
 #include <arenite/core/error.hpp>
 #include <arenite/core/tensor.hpp>
 
-namespace arenite {
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 /// Cylinder about the y axis with a conical tip that points down, its apex at `tip` on the axis. In two
 /// dimensions the radius is |x|: a cone in axisymmetry, a wedge in plane strain.
@@ -27,7 +27,7 @@ class ConeCylinder {
     require(p.apex > 0 && p.apex < pi, "ConeCylinder.apex", p.apex, "must lie in (0, pi) rad");
     const double cone = p.radius / std::tan(p.apex / 2);
     require(p.length >= cone && std::isfinite(p.length), "ConeCylinder.length", p.length,
-            detail::join("must reach the cone's height ", cone));
+            shared_detail::join("must reach the cone's height ", cone));
     require(std::isfinite(p.tip), "ConeCylinder.tip", p.tip, "must be finite");
     outline_ = {{{0, 0}, {p.radius, cone}, {p.radius, p.length}, {0, p.length}}};
   }
@@ -57,4 +57,4 @@ class ConeCylinder {
       outline_;  // (r, z) from the apex outwards and up, then to the axis; convex
 };
 
-}  // namespace arenite
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -9,7 +9,7 @@
 #include <arenite/core/error.hpp>
 #include <arenite/core/tensor.hpp>
 
-namespace arenite {
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 /// A mass that slides along one axis without friction, under gravity, a load and the contact forces (the
 /// paper's eqs. 1 to 4).
@@ -69,4 +69,4 @@ Rigid<Surface, Motion, Coupling> rigid(Surface surface, Motion motion, Friction 
   return {std::move(surface), std::move(motion), friction, coupling};
 }
 
-}  // namespace arenite
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

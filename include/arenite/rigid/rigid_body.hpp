@@ -8,7 +8,7 @@
 #include <arenite/rigid/motion.hpp>
 #include <arenite/rigid/surface.hpp>
 
-namespace arenite {
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 /// A rigid body that a scene owns. Read `displacement`, `velocity` and `force` after any step.
 template <class T, int D, class Surface, class Motion, class Coupling>
@@ -195,4 +195,4 @@ double hold_to(const R& body, Fields& fields, T dt) {
   return dissipation;
 }
 
-}  // namespace arenite
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

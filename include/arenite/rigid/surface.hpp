@@ -7,7 +7,7 @@
 #include <arenite/contact/region_surface.hpp>
 #include <arenite/shape/shape.hpp>
 
-namespace arenite {
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 /// The surface of a region of a simplex mesh that moves with the body; found when the scene is made.
 struct MeshSurface {
@@ -86,4 +86,4 @@ class BoundDistanceSurface {
   DistanceSurface<Distance> surface_;
 };
 
-}  // namespace arenite
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -12,7 +12,7 @@
 #include <arenite/core/warning.hpp>
 #include <arenite/particles/body.hpp>
 
-namespace arenite::detail {
+namespace arenite::inline ARENITE_INSTRUCTION_SET::detail {
 
 /// Warns if a region with bounds (members `lower` and `upper`, m) reaches beyond the box around the mesh by
 /// more than a hundredth of a cell: no points are made there. An infinite bound means all that there is.
@@ -48,9 +48,10 @@ void doubt_bounds(const M& mesh, const Region& region, std::size_t number) {
       within *= (std::min(to, upper[k]) - std::max(from, lower[k])) / (to - from);
     }
     if (beyond)
-      warn(join("body ", number, ": ", std::round(1000 * (1 - within)) / 10,
-                " % of its region lies outside of the mesh, which reaches from ", listed(lower), " to ",
-                listed(upper), " m, and is not filled"));
+      warn(shared_detail::join("body ", number, ": ", std::round(1000 * (1 - within)) / 10,
+                               " % of its region lies outside of the mesh, which reaches from ",
+                               shared_detail::listed(lower), " to ", shared_detail::listed(upper),
+                               " m, and is not filled"));
   }
 }
 
@@ -78,9 +79,9 @@ void doubt_overlap(const M& mesh, std::size_t b, const B& body, const FillB& fil
   const std::size_t in_other = points_within(mesh, body, other_fill.region),
                     in_this = points_within(mesh, other, fill.region);
   if (in_other + in_this == 0) return;
-  warn(join("bodies ", b, " and ", c, " lie in one place: ", in_other, " of the ", body.points.size(),
-            " points of body ", b, " are in the region of body ", c, ", and ", in_this, " of ",
-            other.points.size(), " the other way"));
+  warn(shared_detail::join("bodies ", b, " and ", c, " lie in one place: ", in_other, " of the ",
+                           body.points.size(), " points of body ", b, " are in the region of body ", c,
+                           ", and ", in_this, " of ", other.points.size(), " the other way"));
 }
 
 /// Warns if gravity pulls and nothing can hold: no wall blocks a part of it, and no rigid body does but those
@@ -96,8 +97,8 @@ void doubt_floor(const Scene& scene) {
   scene.for_each_rigid(
       [&](const auto& body) { held = held || !body.is_free || std::abs(body.axis.dot(g)) <= 1e-6 * pull; });
   if (!held)
-    warn(join("gravity ", listed(g),
-              " m/s2 acts, but no wall and no rigid body holds along it: everything falls"));
+    warn(shared_detail::join("gravity ", shared_detail::listed(g),
+                             " m/s2 acts, but no wall and no rigid body holds along it: everything falls"));
 }
 
 /// All doubts about a new scene and the recipes of its bodies.
@@ -117,4 +118,4 @@ void doubt(const Scene& scene, const std::tuple<Fills...>& fills) {
   doubt_floor(scene);
 }
 
-}  // namespace arenite::detail
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET::detail

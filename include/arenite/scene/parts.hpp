@@ -12,7 +12,7 @@
 #include <arenite/particles/body.hpp>
 #include <arenite/rigid/rigid_body.hpp>
 
-namespace arenite {
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 /// Acceleration on everything, m/s2.
 struct Gravity {
@@ -98,4 +98,4 @@ template <template <class> class Is, class Default, class... P>
 using picked = decltype(pick<Is, Default>(std::declval<const P&>()...));
 
 }  // namespace detail
-}  // namespace arenite
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -7,7 +7,7 @@
 #include <arenite/scene/stable_step.hpp>
 #include <arenite/scene/step.hpp>
 
-namespace arenite {
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 namespace detail {
 /// Tells an observer that wants to know it that a run has reached its end.
@@ -31,7 +31,7 @@ template <class Scene, class... Observers>
 void run(Scene& scene, const RunOptions& options, Observers&&... observers) {
   require(std::isfinite(options.end), "RunOptions.end", options.end, "must be given");
   require(options.end >= scene.time, "RunOptions.end", options.end,
-          detail::join("must not lie before the scene's time ", scene.time));
+          shared_detail::join("must not lie before the scene's time ", scene.time));
   require(options.courant > 0, "RunOptions.courant", options.courant, "must be positive");
   require(options.max_step > 0, "RunOptions.max_step", options.max_step, "must be positive");
   (observers(std::as_const(scene)), ...);
@@ -39,7 +39,8 @@ void run(Scene& scene, const RunOptions& options, Observers&&... observers) {
   while (scene.time < options.end) {
     double dt = std::min(options.courant * stable_step(scene), options.max_step);
     if (!(dt > 1e-12 * span))
-      throw run_error(detail::join("t = ", scene.time, " s: the stable step has shrunk to ", dt, " s"));
+      throw run_error(
+          shared_detail::join("t = ", scene.time, " s: the stable step has shrunk to ", dt, " s"));
     const double left = options.end - scene.time;
     const bool last = dt >= left * (1 - 1e-9);
     if (last)
@@ -54,4 +55,4 @@ void run(Scene& scene, const RunOptions& options, Observers&&... observers) {
   (detail::tell_end(std::as_const(scene), observers), ...);
 }
 
-}  // namespace arenite
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -15,7 +15,7 @@
 #include <arenite/transfer/numerics.hpp>
 #include <arenite/transfer/remap.hpp>
 
-namespace arenite {
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 /// Sums over all steps; energies in J. Computed only in a scene with `TrackEnergy`.
 struct Ledger {
@@ -321,4 +321,4 @@ struct Scene {
   }
 };
 
-}  // namespace arenite
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -6,7 +6,7 @@
 
 #include <arenite/scene/scene.hpp>
 
-namespace arenite {
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 /// Smallest size / (wave speed + point speed) of the cells that hold points, s (Courant, Friedrichs, Lewy
 /// 1928). Follows the mesh as it moves; rigid bodies do not limit it. Multiply by a Courant number.
@@ -38,4 +38,4 @@ double stable_step(const Scene& scene) {
   return static_cast<double>(least);
 }
 
-}  // namespace arenite
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

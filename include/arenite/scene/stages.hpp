@@ -8,7 +8,7 @@
 
 #include <arenite/scene/scene.hpp>
 
-namespace arenite {
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 /// Throws `run_error` if no point is left in the mesh; warns when one body of several has lost its last.
 template <class Scene>
@@ -24,12 +24,12 @@ void relocate(Scene& scene) {
   });
   if (regrouped) scene.share_out();
   if (scene.point_count() == 0)
-    throw run_error(detail::join("t = ", scene.time, " s: all ", scene.lost_points(),
-                                 " points of the scene have left the mesh"));
+    throw run_error(shared_detail::join("t = ", scene.time, " s: all ", scene.lost_points(),
+                                        " points of the scene have left the mesh"));
   for (std::size_t b = 0; b < emptied.size(); ++b)
     if (emptied[b])
-      warn(detail::join("t = ", scene.time, " s: all points of body ", b,
-                        " have left the mesh; the run goes on without it"));
+      warn(shared_detail::join("t = ", scene.time, " s: all points of body ", b,
+                               " have left the mesh; the run goes on without it"));
 }
 
 template <class Scene>
@@ -135,14 +135,14 @@ void move(Scene& scene, [[maybe_unused]] double dt) {
     } else {
       const auto& body = std::get<Leader::index>(scene.bodies);
       if (body.points.size() == 0)
-        throw run_error(detail::join("t = ", scene.time, " s: body ", Leader::index,
-                                     ", which leads the mesh, has lost all of its points"));
+        throw run_error(shared_detail::join("t = ", scene.time, " s: body ", Leader::index,
+                                            ", which leads the mesh, has lost all of its points"));
       travel = motion.travel() + static_cast<T>(dt * momentum(body)[motion.axis()] / mass(body));
     }
     try {
       motion.move(scene.mesh, travel);
     } catch (const run_error& e) {
-      throw run_error(detail::join("t = ", scene.time + dt, " s: ", e.what()));
+      throw run_error(shared_detail::join("t = ", scene.time + dt, " s: ", e.what()));
     }
   }
 }
@@ -177,17 +177,18 @@ void finish(Scene& scene, double dt) {
         },
         [](std::size_t a, std::size_t b) { return std::min(a, b); });
     if (first_bad < points.size())
-      throw run_error(detail::join("t = ", scene.time, " s, step ", scene.steps, ": point ", first_bad,
-                                   " of body ", number, " at (", points.position[first_bad].transpose(),
-                                   ") m has velocity (", points.velocity[first_bad].transpose(),
-                                   ") m/s, pressure ", -trace(points.stress[first_bad]) / 3, " Pa, volume ",
-                                   points.volume[first_bad], " m3: no longer finite"));
-    if (!body.finite) bodies += detail::join(bodies.empty() ? "" : ", ", number);
+      throw run_error(shared_detail::join(
+          "t = ", scene.time, " s, step ", scene.steps, ": point ", first_bad, " of body ", number, " at (",
+          points.position[first_bad].transpose(), ") m has velocity (",
+          points.velocity[first_bad].transpose(), ") m/s, pressure ", -trace(points.stress[first_bad]) / 3,
+          " Pa, volume ", points.volume[first_bad], " m3: no longer finite"));
+    if (!body.finite) bodies += shared_detail::join(bodies.empty() ? "" : ", ", number);
     ++number;
   });
-  throw run_error(detail::join("t = ", scene.time, " s, step ", scene.steps,
-                               ": the sums of stress and volume over the points of body ", bodies,
-                               " are not finite, though every number of every point is: they overflow"));
+  throw run_error(
+      shared_detail::join("t = ", scene.time, " s, step ", scene.steps,
+                          ": the sums of stress and volume over the points of body ", bodies,
+                          " are not finite, though every number of every point is: they overflow"));
 }
 
-}  // namespace arenite
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -3,7 +3,7 @@
 
 #include <arenite/scene/stages.hpp>
 
-namespace arenite {
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 /// Takes a scene through one step of length dt, s. Throws `run_error` if the state turns into NaN or the mesh
 /// inside out, naming time, place and cause.
@@ -20,4 +20,4 @@ void step(Scene& scene, double dt) {
   finish(scene, dt);   // time, and the check that nothing has become NaN
 }
 
-}  // namespace arenite
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -5,7 +5,7 @@
 #include <arenite/core/lanes.hpp>
 #include <arenite/mesh/mesh.hpp>
 
-namespace arenite {
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 /// Shape function of triangles (3 nodes a cell) and tetrahedra (4).
 struct LinearSimplex {
@@ -96,4 +96,4 @@ struct LinearSimplex {
   };
 };
 
-}  // namespace arenite
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -5,7 +5,7 @@
 
 #include <arenite/mesh/mesh.hpp>
 
-namespace arenite {
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 /// Along an axis of n cells lie n + 2 functions on the knots 0, 0, 0, 1, 2, .., n, n, n (in cell edges); cell
 /// c carries functions c, c + 1, c + 2. A node is placed at its Greville abscissa, the mean of its function's
@@ -226,4 +226,4 @@ struct QuadraticBSpline {
   };
 };
 
-}  // namespace arenite
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

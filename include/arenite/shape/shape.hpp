@@ -5,7 +5,7 @@
 #include <arenite/shape/linear_simplex.hpp>
 #include <arenite/shape/quadratic_bspline.hpp>
 
-namespace arenite {
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 /// - `S::fits<M>`: whether the functions are made for mesh M;
 /// - `S::node_count(mesh)`, `S::node_position(mesh, node)`: the nodes that carry coefficients;
@@ -36,4 +36,4 @@ concept shape_function = mesh<M> && S::template fits<M>&& requires(
      {cell.line_slopes(place)};
    });
 
-}  // namespace arenite
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -3,7 +3,7 @@
 
 #include <arenite/core/error.hpp>
 
-namespace arenite {
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 /// The strain of each point as the shape functions give it.
 struct NoAntiLocking {
@@ -52,4 +52,4 @@ struct NodalAndElementAverage {
   void check() const { require(fill > 0, "NodalAndElementAverage.fill", fill, "must be positive"); }
 };
 
-}  // namespace arenite
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -5,7 +5,7 @@
 #include <arenite/core/lanes.hpp>
 #include <arenite/transfer/transfer.hpp>
 
-namespace arenite {
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 /// Velocity gradient B D^-1 of APIC [D x D], column by column, 1/s, from the columns of B = sum w v (x_i -
 /// x)^T, m2/s, both taken at x. The point keeps the quotient, not B: near a face D falls to nothing, and the
@@ -35,4 +35,4 @@ std::array<P, D * D> taken_gradient(const Cell& cell, const Rows& velocity) {
   return motion;
 }
 
-}  // namespace arenite
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -7,7 +7,7 @@
 #include <arenite/transfer/tensor_product.hpp>
 #include <arenite/transfer/volumetric_average.hpp>
 
-namespace arenite {
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 /// Strain and spin of one step from the velocity gradient times dt, whose columns are `along(j)`[i] =
 /// dv_i/dx_j dt; no strain out of plane.
@@ -177,4 +177,4 @@ DeformSums deform(const N& numerics, const M& mesh, const Blocks& blocks, B& bod
       std::plus<>{});
 }
 
-}  // namespace arenite
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

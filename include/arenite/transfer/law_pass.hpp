@@ -9,7 +9,7 @@
 #include <arenite/core/lanes.hpp>
 #include <arenite/law/law.hpp>
 
-namespace arenite {
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 /// Sums of a pass over the points, each in a fixed order.
 struct DeformSums {
@@ -154,4 +154,4 @@ template <bool TracksWork, int Width, class L, class Points, class T, int D, boo
   if constexpr (TracksWork) sums.work += static_cast<double>(lane_sums(std::array<P, 1>{work})[0]);
 }
 
-}  // namespace arenite
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

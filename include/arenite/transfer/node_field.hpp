@@ -12,7 +12,7 @@
 #include <arenite/core/tensor.hpp>
 #include <arenite/transfer/node_sums.hpp>
 
-namespace arenite {
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 /// A vector of a node as one pack: two lanes in the plane, four in space, of which the last is spare.
 template <class T, int D>
@@ -141,4 +141,4 @@ struct NodeField {
   }
 };
 
-}  // namespace arenite
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -8,7 +8,7 @@
 #include <arenite/core/lanes.hpp>
 #include <arenite/core/tensor.hpp>
 
-namespace arenite {
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 /// Momentum, mass and internal force of a node in eight scalars: momentum [D] and mass in the lower four,
 /// force [D] in the upper four; the rest means nothing.
@@ -87,4 +87,4 @@ void store_rows(const std::array<P, 8>& column, T* to) {
   }
 }
 
-}  // namespace arenite
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -8,7 +8,7 @@
 #include <arenite/stabilise/anti_locking.hpp>
 #include <arenite/transfer/transfer.hpp>
 
-namespace arenite {
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 /// Bytes of the widest register that this translation unit is compiled for. A constant of internal linkage,
 /// used as a template argument: units compiled with other flags make other types and never meet in one
@@ -58,4 +58,4 @@ struct Numerics {
   AntiLocking anti_locking{};
 };
 
-}  // namespace arenite
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

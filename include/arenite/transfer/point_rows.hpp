@@ -6,7 +6,7 @@
 #include <arenite/transfer/node_sums.hpp>
 #include <arenite/transfer/tensor_product.hpp>
 
-namespace arenite {
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 /// Rows of up to `capacity` points. A node at (i, j, k) of the cell's 3^D collects, with line functions N and
 /// a second kind G along each axis: N_i N_j N_k own + G_i N_j N_k along[0] + N_i G_j N_k along[1] + .., where
@@ -16,6 +16,7 @@ template <class T, std::size_t D, int Width>
 class PointRows {
  public:
   using Lanes = EightLanes<T, Width>;
+  using Sums = NodeSums<T, static_cast<int>(D)>;
   static constexpr int width = cell_width<static_cast<int>(D), Width>;
   using P = lanes_of<T, width>;
   using Lines = LineFunctions<P, D>;
@@ -65,7 +66,6 @@ class PointRows {
 
  private:
   static constexpr std::size_t capacity = 32;
-  using Sums = NodeSums<T, static_cast<int>(D)>;
   using L = typename Lanes::P;
   using Row = std::array<T, 8>;
   using LineColumns = std::array<std::array<std::array<T, capacity>, 3>, D>;
@@ -114,4 +114,4 @@ class PointRows {
   LineColumns value_, lower_, upper_;
 };
 
-}  // namespace arenite
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -6,7 +6,7 @@
 #include <arenite/transfer/numerics.hpp>
 #include <arenite/transfer/tensor_product.hpp>
 
-namespace arenite {
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 /// The node velocities of one cell as its points take them: PIC and FLIP are both linear in them, so that a
 /// blend needs one sum over the nodes, and a share of the point's own.
@@ -64,4 +64,4 @@ struct PointVelocities {
   }
 };
 
-}  // namespace arenite
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -4,7 +4,7 @@
 #include <arenite/transfer/point_velocities.hpp>
 #include <arenite/transfer/scatter.hpp>
 
-namespace arenite {
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 namespace detail {
 
@@ -101,4 +101,4 @@ void finish_remap(const N&, Field& nodes) {
   });
 }
 
-}  // namespace arenite
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

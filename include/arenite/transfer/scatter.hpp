@@ -8,7 +8,7 @@
 #include <arenite/transfer/numerics.hpp>
 #include <arenite/transfer/point_rows.hpp>
 
-namespace arenite {
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
 namespace detail {
 
 /// Adds the momentum that a pack of points at x hands to the nodes of its cell to `sums`, `Stride` a node,
@@ -207,7 +207,7 @@ template <class Transfer, class Rows, class Points, class P, std::size_t D>
 typename Rows::Handed handed_momentum(const Points& points, Index first, int count, const P& m,
                                       const std::array<P, D>& v) {
   typename Rows::Handed handed;
-  handed.own[D] = m;  // the lane of the mass, see NodeSums
+  handed.own[Rows::Sums::mass_lane] = m;
   repeat<D>([&](std::size_t d) { handed.own[d] = m * v[d]; });
   if constexpr (Transfer::affine) {
     const auto gradient = points.motion.template load<P>(first, count);
@@ -309,4 +309,4 @@ void advance(Field& nodes, const Vec<T, D>& gravity, T dt, T mass_floor) {
   });
 }
 
-}  // namespace arenite
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -8,7 +8,7 @@
 
 #include <arenite/core/lanes.hpp>
 
-namespace arenite {
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 /// Points of one cell computed at once: more than it is likely to hold would be wasted.
 template <int D, int Width>
@@ -91,4 +91,4 @@ LineSums<P, D, Kinds> line_sums(const Rows& row, const LineFunctions<P, D>& valu
   }
 }
 
-}  // namespace arenite
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

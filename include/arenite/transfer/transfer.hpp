@@ -5,7 +5,7 @@
 #include <arenite/core/scalar.hpp>
 #include <arenite/shape/shape.hpp>
 
-namespace arenite {
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 /// PIC and FLIP in any blend: v_p = share (v_p + sum w (v_i^new - v_i^old)) + (1 - share) sum w v_i^new.
 /// FLIP (share 1; Brackbill and Ruppel 1986, doi:10.1016/0021-9991(86)90211-1) keeps energy and noise, PIC
@@ -50,4 +50,4 @@ struct Musl {
   static constexpr bool remaps = true;
 };
 
-}  // namespace arenite
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

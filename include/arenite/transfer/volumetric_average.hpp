@@ -7,7 +7,7 @@
 #include <arenite/core/lanes.hpp>
 #include <arenite/mesh/blocks.hpp>
 
-namespace arenite {
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 /// Volumetric strain of each cell after averaging over the nodes, for policies with `averages_strain`. Reads
 /// the points' sums that `scatter` left, not the points.
@@ -76,4 +76,4 @@ struct VolumetricAverage {
   }
 };
 
-}  // namespace arenite
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -12,7 +12,7 @@ namespace {
 template <int D>
 void read(std::string_view bytes) {
   try {
-    const MeshData<D> data = detail::read_gmsh_bytes<D>(bytes, "bytes");
+    const MeshData<D> data = shared_detail::read_gmsh_bytes<D>(bytes, "bytes");
     must(!data.cells.empty() && data.region.size() == data.cells.size());
     for (const auto& cell : data.cells)
       for (const Index i : cell) must(i < data.nodes.size());

@@ -102,7 +102,7 @@ if chosen asan; then
   sanitize="-fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer"
   run_stage "clang++ sanitizers" asan "--label-exclude heavy" -DCMAKE_CXX_COMPILER=clang++ -DCMAKE_BUILD_TYPE=Debug \
     -DCMAKE_CXX_FLAGS="$sanitize -D_GLIBCXX_ASSERTIONS" -DCMAKE_CXX_FLAGS_DEBUG="-O1 -g1" -DARENITE_WERROR=OFF \
-    -DARENITE_BENCHMARKS=OFF -DARENITE_TEST_HEADERS=OFF -DARENITE_EXAMPLES=OFF
+    -DARENITE_BENCHMARKS=OFF -DARENITE_TEST_HEADERS=OFF -DARENITE_EXAMPLES=OFF -DARENITE_FUZZ=ON
 fi
 if chosen format; then
   printf '\n=== format\n'

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <arenite/observe/energy.hpp>
+#include <arenite/observe/watch.hpp>
 
 #include "draw.hpp"
 
@@ -26,8 +27,8 @@ inline bool is_fault(Ending e) { return e >= Ending::gained; }
 
 struct Outcome {
   Ending ending = Ending::sound;
-  double energy = 0;    ///< residual over the energy put in, -
-  double drawn = 0;     ///< what the law gave beyond what it had stored, over the energy put in, -
+  /// Residual, and what the law gave beyond what it had stored, over the energy put in, -.
+  double energy = 0;
   double momentum = 0;  ///< error over its bound, -
   double volume = 1;    ///< largest mean V / V0 of a body
   std::size_t lost = 0;
@@ -35,8 +36,8 @@ struct Outcome {
   std::string message{};
   std::string text() const {
     return shared_detail::join(ending_names[static_cast<std::size_t>(ending)], " energy=", energy,
-                               " drawn=", drawn, " momentum=", momentum, " V/V0=", volume, " lost=", lost,
-                               " steps=", steps, message.empty() ? "" : " | ", message);
+                               " momentum=", momentum, " V/V0=", volume, " lost=", lost, " steps=", steps,
+                               message.empty() ? "" : " | ", message);
   }
 };
 
@@ -46,20 +47,24 @@ class Books {
  public:
   struct Enough {};
 
-  explicit Books(std::size_t steps) : steps_{steps} {}
+  Books(std::size_t steps, double cell) : steps_{steps}, cell_{cell} {}
 
   void operator()(const Scene& scene) {
     check_momentum(scene);
     const Energies e = energies(scene);
     external_ = std::max(external_, std::abs(e.external));
-    const double given = scene.ledger.initial_kinetic + scene.ledger.initial_strain + external_;
+    // What a fall by a hundredth of a cell gives is nothing: the scene is at rest.
+    double creep = 0;
+    scene.for_each_body([&](const auto& body, const auto&) { creep += 0.01 * cell_ * mass(body); });
+    creep *= static_cast<double>(scene.gravity.norm());
+    const double given =
+        std::max(scene.ledger.initial_kinetic + scene.ledger.initial_strain + external_, creep);
     kinetic_ = std::max(kinetic_, e.kinetic);
     // What the sums of energies are known to.
     const double floor = static_cast<double>(scene.steps) * epsilon * (kinetic_ + e.strain + given);
-    const auto share = [&](double energy) { return energy > floor ? energy / std::max(given, floor) : 0.0; };
-    outcome.energy = share(e.residual) - share(-e.residual);
-    if (!std::isfinite(e.residual)) outcome.energy = e.residual;
-    outcome.drawn = share(-scene.ledger.stress_work - scene.ledger.initial_strain);
+    // The law cannot give back more than it had stored.
+    const double gain = e.residual + std::max(0.0, -scene.ledger.stress_work - scene.ledger.initial_strain);
+    outcome.energy = std::abs(gain) <= floor ? 0 : gain / std::max(given, floor);
     outcome.steps = scene.steps;
     outcome.lost = scene.lost_points();
     scene.for_each_body([&](const auto& body, const auto&) {
@@ -117,15 +122,16 @@ class Books {
   }
 
   std::size_t steps_, lost_ = 0, since_ = 0;
-  double external_ = 0, kinetic_ = 0, scale_ = 0, carried_ = 0, limited_ = 0;
+  double cell_, external_ = 0, kinetic_ = 0, scale_ = 0, carried_ = 0, limited_ = 0;
   V expected_ = V::Zero(), outside_ = V::Zero();
 };
 
-/// Runs a scene for the steps of its draw and judges it. `make`: returns the scene.
+/// Runs a scene for the steps of its draw, with the watch that a user would have on, and judges it. Sand may
+/// fly apart and points may leave the mesh: the watch has no limits there. `make`: returns the scene.
 template <class Make>
 Outcome judge(Draw& d, Make&& make) {
   using Scene = decltype(make());
-  Books<Scene> books(static_cast<std::size_t>(d.steps));
+  Books<Scene> books(static_cast<std::size_t>(d.steps), d.cell);
   Outcome& o = books.outcome;
   const auto end_with = [&](Ending ending, const std::string& message = "") {
     o.ending = ending;
@@ -137,9 +143,12 @@ Outcome judge(Draw& d, Make&& make) {
     Scene scene = make();
     const double step = d.courant * stable_step(scene);
     running = true;
+    constexpr double any = std::numeric_limits<double>::infinity();
+    Watch watch({.volume = any, .lost = any, .every = 8});
     try {
-      run(scene, {.end = d.steps * step, .courant = d.courant}, books);
+      run(scene, {.end = d.steps * step, .courant = d.courant}, books, watch);
     } catch (const typename Books<Scene>::Enough&) {
+      watch.look(scene);
     }
     bool finite = true;
     scene.for_each_body([&](const auto& body, const auto&) {
@@ -157,7 +166,7 @@ Outcome judge(Draw& d, Make&& make) {
     return end_with(Ending::untyped, e.what());
   }
   if (!(o.momentum <= 1)) return end_with(Ending::pushed);
-  if (!(std::max(o.energy, o.drawn) <= 0.1)) return end_with(Ending::gained);
+  if (!(o.energy <= 0.1)) return end_with(Ending::gained);
   if (o.lost > 0) return end_with(Ending::left);
   return end_with(o.energy < -0.1 ? Ending::damped : Ending::sound);
 }

@@ -133,19 +133,19 @@ Walls walls_of(const Draw& d) {
 inline Gravity gravity_of(const Draw& d) { return gravity({0, -d.gravity}); }
 
 /// Gives the points of all bodies their velocities, and the ledger their energy. A second body moves against
-/// the first. In free flight a mean motion that would leave the mesh is slowed down in most scenes.
+/// the first. In most scenes without walls a motion that would leave the mesh is slowed down.
 template <class Scene>
 void set_in_motion(Scene& scene, Draw& d) {
   constexpr int D = Scene::D;
   using V = Vec<double, D>;
   const double size = extent(scene.mesh);
   const V centre = V::Constant(size / 2), mean = d.random.direction<D>();
-  const double rate = 2 * d.speed / size;
   double speed = d.speed;
   if (d.layout == Layout::free && d.random.chance(0.8)) {
     const double cells = d.steps * d.courant * speed / (speed + d.wave());  // of travel
     if (cells > 2) speed *= 2 / cells;
   }
+  const double rate = 2 * speed / size;
   double sign = 1;
   scene.ledger.initial_kinetic = 0;
   scene.for_each_body([&](auto& body, const auto&) {
@@ -164,7 +164,7 @@ void set_in_motion(Scene& scene, Draw& d) {
           v = rate * mean.dot(x) * mean;
           break;
         case Motion::noise:
-          v = d.speed * d.random.direction<D>();
+          v = speed * d.random.direction<D>();
           break;
       }
       if constexpr (Scene::Kinematics::hoop)

@@ -23,6 +23,7 @@ inline void run_scenes(const char* unit, const std::vector<Composition>& composi
   const char* const wanted = std::getenv("ARENITE_EXTREMES");
   unsigned long long first = 0, count = static_cast<unsigned long long>(in_tests);
   if (wanted) REQUIRE(std::sscanf(wanted, "%llu %llu", &first, &count) == 2);
+  on_warning({});
   for (auto seed = first; seed < first + count; ++seed) {
     const Composition& composition = compositions[seed % compositions.size()];
     Draw draw(seed);
@@ -31,10 +32,12 @@ inline void run_scenes(const char* unit, const std::vector<Composition>& composi
     const std::string replay =
         shared_detail::join("replay: ARENITE_EXTREMES=\"", seed, " 1\" test.extremes.", unit);
     CAPTURE(composition.name, outcome.text(), text, replay);
-    if (wanted)
-      std::printf("%s\t%s\t%llu\t%s\t%s\n", composition.name,
+    if (wanted) {
+      std::printf("scene\t%s\t%s\t%llu\t%s\t%s\n", composition.name,
                   ending_names[static_cast<std::size_t>(outcome.ending)], seed, outcome.text().c_str(),
                   text.c_str());
+      std::fflush(stdout);
+    }
     CHECK(!is_fault(outcome.ending));
   }
 }

@@ -236,6 +236,8 @@ TEST_CASE("a mistake is told with file, place, value and rule") {
   };
   CHECK(says(complaint<2>(""), {"box.msh", "$MeshFormat", "missing"}));
   CHECK(says(complaint<2>("solid cube\n"), {"box.msh", "line 1", "solid cube"}));
+  CHECK(says(complaint<2>(std::string("$Nod\0es\n", 8)),
+             {"box.msh", "line 1", "$Nod?es", "the $Name of a section"}));
   CHECK(says(complaint<2>("$Nodes\n0\n$EndNodes\n"), {"$Nodes", "behind $MeshFormat"}));
   CHECK(says(on_2("2.2 0 8", "4.0 0 8"), {"line 5", "version = 4", "2.2 or 4.1"}));
   CHECK(says(on_2("2.2 0 8", "2.2 2 8"), {"file type = 2", "0 (text) or 1 (binary)"}));

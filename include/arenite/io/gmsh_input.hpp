@@ -59,7 +59,9 @@ class GmshInput {
     skip_blanks();
     if (at_ == bytes_.size()) return {};
     const std::string_view line = rest_of_line();
-    check(line.size() > 1 && line.front() == '$', "line", quote(line), "must be the $Name of a section");
+    const auto shows = [](char c) { return c > ' ' && c <= '~'; };  // in messages, too
+    check(line.size() > 1 && line.front() == '$' && std::all_of(line.begin(), line.end(), shows), "line",
+          quote(line), "must be the $Name of a section");
     section_ = line.substr(1);
     return section_;
   }

@@ -11,7 +11,7 @@ namespace arenite {
 
 struct RunOptions {
   double end = std::numeric_limits<double>::quiet_NaN();      ///< s, on the scene's clock
-  double courant = 0.5;                                       ///< share of the stable step, -
+  double courant = 0.5;                                       ///< share of the stable step, above 0 to 1, -
   double max_step = std::numeric_limits<double>::infinity();  ///< s
 };
 
@@ -24,6 +24,8 @@ void run(Scene& scene, const RunOptions& options, Observers&&... observers) {
   require(options.end >= scene.time, "RunOptions.end", options.end,
           detail::join("must not lie before the scene's time ", scene.time));
   require(options.courant > 0, "RunOptions.courant", options.courant, "must be positive");
+  require(options.courant <= 1, "RunOptions.courant", options.courant,
+          "must be at most 1: larger steps are unstable");
   require(options.max_step > 0, "RunOptions.max_step", options.max_step, "must be positive");
   (observers(std::as_const(scene)), ...);
   const double span = options.end - scene.time;

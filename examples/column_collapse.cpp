@@ -12,7 +12,7 @@ int main() {
               bodies(fill(Box{{0, 0}, {0.1, 0.15}}, sand, {.per_cell = 4})),
               walls(bottom(fixed), left(roller), right(roller)),
               gravity({0, -9.81})};
-  run(scene, {.end = 0.4, .courant = 0.5}, Progress(0.4), every(0.1, vtu("out/column_collapse")));
+  run(scene, {.end = 0.4, .courant = 0.8}, Progress(0.4), every(0.1, vtu("out/column_collapse")));
 
   double reach = 0;
   for (const auto& x : std::get<0>(scene.bodies).points.position) reach = std::max(reach, x[0]);

@@ -4,6 +4,7 @@
 #include <arenite/arenite.hpp>
 
 #include "catch.hpp"
+#include "courant.hpp"
 #include "meshes.hpp"
 
 using namespace arenite;
@@ -36,7 +37,7 @@ Result vibrate(Scene scene, double courant) {
   const double period = 2 * pi / (wave * std::sqrt(law.wave_modulus() / law.density()));
   std::vector<double> crossings;
   double before = 0, then = 0, largest = 0;
-  run(scene, {.end = 1.8 * period, .courant = courant}, [&](const auto& s) {
+  run(scene, {.end = 1.8 * period, .courant = test::courant(scene, courant)}, [&](const auto& s) {
     double top = 0, travel = 0, bottom = 0;
     for (std::size_t p = 0; p < points.size(); ++p) {
       top += shape[p] * points.velocity[p][0];

@@ -4,6 +4,7 @@
 #include <arenite/arenite.hpp>
 
 #include "catch.hpp"
+#include "courant.hpp"
 #include "meshes.hpp"
 
 using namespace arenite;
@@ -53,7 +54,7 @@ void exchange_velocities(N numerics, double courant) {
   const double energy = scene.ledger.initial_kinetic;
   double first = -1, last = -1, worst = 0, residual = 0;
   const double end = 2 * h / speed + 4 * length / wave;
-  run(scene, {.end = end, .courant = courant}, [&](const auto& s) {
+  run(scene, {.end = end, .courant = test::courant(scene, courant)}, [&](const auto& s) {
     if (s.contact_tally.nodes > 0) {
       if (first < 0) first = s.time;
       last = s.time;
@@ -87,7 +88,7 @@ TEST_CASE("Collision: momentum to round-off for unequal bars and all transfers")
   const auto check = [](auto scene) {
     const double start = total_momentum(scene)[0];
     bool met = false;
-    run(scene, {.end = 0.25, .courant = 0.4}, [&](const auto& s) {
+    run(scene, {.end = 0.25, .courant = test::courant(scene, 0.4)}, [&](const auto& s) {
       const auto& given = s.contact_impulse;
       met = met || given[0].norm() > 0;
       if (s.contact_tally.nodes > 0) REQUIRE((given[0] + given[1]).norm() <= 1e-13 * start);
@@ -113,7 +114,7 @@ TEST_CASE("Collision: oblique, with friction, in free flight: linear momentum to
       Coulomb{Friction(20 * pi / 180)},
       TrackEnergy{}};
   const Vec<double, 2> start = total_momentum(scene);
-  run(scene, {.end = 0.3, .courant = 0.5});
+  run(scene, {.end = 0.3, .courant = test::courant(scene, 0.5)});
   const Energies e = energies(scene);
   CAPTURE(e.kinetic, e.strain, e.contact, e.residual, scene.ledger.initial_kinetic);
   // What the velocity limit takes from nodes of next to no mass is counted.

@@ -3,6 +3,7 @@
 #include <arenite/arenite.hpp>
 
 #include "catch.hpp"
+#include "courant.hpp"
 #include "meshes.hpp"
 
 using namespace arenite;
@@ -27,7 +28,7 @@ Deviation mean_deviation(Scene scene, double end) {
   const auto initial = points.position;
   std::vector<Sym<double, 2>> mean(points.size());
   Deviation d;
-  run(scene, {.end = end, .courant = 0.5}, [&](const auto& s) {
+  run(scene, {.end = end, .courant = test::courant(scene, 0.5)}, [&](const auto& s) {
     for (std::size_t p = 0; p < points.size(); ++p) {
       mean[p] += points.stress[p] * (s.time_step / end);
       d.speed = std::max(d.speed, points.velocity[p].norm() / std::sqrt(g * height));

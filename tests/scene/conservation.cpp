@@ -3,6 +3,7 @@
 #include <arenite/arenite.hpp>
 
 #include "catch.hpp"
+#include "courant.hpp"
 #include "meshes.hpp"
 
 using namespace arenite;
@@ -49,7 +50,7 @@ TEST_CASE("A free spinning body keeps its momentum to round-off, and its angular
   const auto check = [](auto scene, double angular) {
     const Vec<double, 2> start = momentum(std::get<0>(scene.bodies));
     const double turn = angular_momentum(scene), weight = mass(std::get<0>(scene.bodies));
-    run(scene, {.end = 0.3, .courant = 0.5});
+    run(scene, {.end = 0.3, .courant = test::courant(scene, 0.5)});
     CHECK((momentum(std::get<0>(scene.bodies)) - start).norm() <= 1e-12 * start.norm());
     CHECK(mass(std::get<0>(scene.bodies)) == weight);
     CHECK(std::abs(angular_momentum(scene) / turn - 1) <= angular);
@@ -71,7 +72,7 @@ TEST_CASE("The energy ledger of a vibrating body closes, the better the smaller 
                 gravity({0, -1}),
                 TrackEnergy{}};
     double largest = 0, moved = 0;
-    run(scene, {.end = 0.3, .courant = courant}, [&](const auto& s) {
+    run(scene, {.end = 0.3, .courant = test::courant(scene, courant)}, [&](const auto& s) {
       const Energies e = energies(s);
       largest = std::max(largest, std::abs(e.residual));
       moved = std::max(moved, e.kinetic + e.strain);

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "catch.hpp"
+#include "courant.hpp"
 #include "meshes.hpp"
 
 using namespace arenite;
@@ -83,6 +84,7 @@ TEST_CASE("Bad options of a run name the option and the rule") {
   CHECK(what_of(scene, {.end = -1}).find("RunOptions.end = -1: must not lie before") == 0);
   CHECK(what_of(scene, {.end = 1, .courant = 0}).find("RunOptions.courant = 0: must be positive") == 0);
   CHECK(what_of(scene, {.end = 1, .courant = std::nan("")}).find("RunOptions.courant") == 0);
+  CHECK(what_of(scene, {.end = 1, .courant = 5}).find("RunOptions.courant = 5: must be at most 1") == 0);
   CHECK(what_of(scene, {.end = 1, .max_step = -1}).find("RunOptions.max_step = -1") == 0);
   CHECK(scene.steps == 0);
   CHECK(what_of(scene, {.end = 0}).empty());
@@ -182,7 +184,7 @@ TEST_CASE("A stiff body on one a million times softer, at once") {
       bodies(fill(Box{{0., 0.}, {1., 0.5}}, rubber(1e4)), fill(Box{{0.3, 0.5}, {0.7, 0.7}}, rubber(1e10))),
       walls(bottom(fixed), left(roller), right(roller)),
       gravity({0, -10})};
-  run(scene, {.end = 5e-4, .courant = 0.5});
+  run(scene, {.end = 5e-4, .courant = test::courant(scene, 0.5)});
   CHECK(scene.lost_points() == 0);
   for (const auto& v : std::get<1>(scene.bodies).points.velocity) {
     REQUIRE(v.norm() <= 10 * 5e-4 * 1.01);
@@ -221,7 +223,7 @@ double throw_and_catch(const Law& law) {
     body.points.velocity.column(1)[p] = 10 * body.points.position[p][1];
   double highest = 0;
   const double energy = kinetic_energy(body);
-  run(scene, {.end = 1.5, .courant = 0.5}, [&](const auto& s) {
+  run(scene, {.end = 1.5, .courant = test::courant(scene, 0.5)}, [&](const auto& s) {
     for (const auto& x : body.points.position) highest = std::max(highest, x[1]);
     REQUIRE(kinetic_energy(body) + strain_energy(body) <= energy * 1.01 + s.ledger.gravity_work);
   });

@@ -2,6 +2,7 @@
 #include <arenite/arenite.hpp>
 
 #include "catch.hpp"
+#include "courant.hpp"
 #include "meshes.hpp"
 
 using namespace arenite;
@@ -30,7 +31,7 @@ double centre(const Body& body) {
 template <class Scene>
 double travel(Scene& scene, double slope, double end) {
   const double start = centre(std::get<0>(scene.bodies));
-  run(scene, {.end = end, .courant = 0.5});
+  run(scene, {.end = end, .courant = test::courant(scene, 0.5)});
   const double moved = centre(std::get<0>(scene.bodies)) - start;
   const double drive = std::sin(slope) - std::tan(friction) * std::cos(slope);
   return drive > 0 ? moved / (g * square(end) * drive / 2) : moved;

@@ -4,6 +4,7 @@
 #include <arenite/arenite.hpp>
 
 #include "catch.hpp"
+#include "courant.hpp"
 #include "meshes.hpp"
 
 using namespace arenite;
@@ -43,7 +44,7 @@ void start_uniform(Scene& scene) {
 template <class Scene>
 void check(Scene scene, double ratio, double tolerance) {
   start_uniform(scene);
-  run(scene, {.end = squeeze / speed, .courant = 0.5});
+  run(scene, {.end = squeeze / speed, .courant = test::courant(scene, 0.5)});
   const auto& body = std::get<0>(scene.bodies);
   const double strain = std::log((height - squeeze) / height);
   double axial = 0, lateral = 0;
@@ -123,7 +124,7 @@ TEST_CASE("Oedometer on B-splines: a platen given as a signed distance feels wha
               rigids(rigid(DistanceSurface{[](const auto& x) { return height - x[1]; }}, pressing(),
                            Friction::frictionless()))};
   start_uniform(scene);
-  run(scene, {.end = squeeze / speed, .courant = 0.5});
+  run(scene, {.end = squeeze / speed, .courant = test::courant(scene, 0.5)});
   const auto& body = std::get<0>(scene.bodies);
   double mean = 0, lateral = 0;
   for (const auto& s : body.points.stress) {

@@ -3,6 +3,7 @@
 #include <arenite/arenite.hpp>
 
 #include "catch.hpp"
+#include "courant.hpp"
 #include "meshes.hpp"
 
 using namespace arenite;
@@ -26,7 +27,7 @@ double balance(Scene& scene, double end) {
   const double weight = mass(std::get<0>(scene.bodies)) * g;
   const Vec<double, 2> start = soil_momentum(scene);
   double deepest = 0, summed = 0;
-  run(scene, {.end = end, .courant = 0.5}, [&](const auto& s) {
+  run(scene, {.end = end, .courant = test::courant(scene, 0.5)}, [&](const auto& s) {
     const double scale = weight * s.time + body.impulse.norm() + s.wall_impulse.norm();
     const Vec<double, 2> rest =
         soil_momentum(s) - start - Vec<double, 2>(0, -weight * s.time) - s.wall_impulse + body.impulse;

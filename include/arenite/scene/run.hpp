@@ -19,7 +19,7 @@ void tell_end(const Scene& scene, Observer& observer) {
 
 struct RunOptions {
   double end = std::numeric_limits<double>::quiet_NaN();      ///< s, on the scene's clock
-  double courant = 0.5;                                       ///< share of the stable step, -
+  double courant = 0.5;                                       ///< share of the stable step, above 0 to 1, -
   double max_step = std::numeric_limits<double>::infinity();  ///< s
 };
 
@@ -33,6 +33,8 @@ void run(Scene& scene, const RunOptions& options, Observers&&... observers) {
   require(options.end >= scene.time, "RunOptions.end", options.end,
           shared_detail::join("must not lie before the scene's time ", scene.time));
   require(options.courant > 0, "RunOptions.courant", options.courant, "must be positive");
+  require(options.courant <= 1, "RunOptions.courant", options.courant,
+          "must be at most 1: larger steps are unstable");
   require(options.max_step > 0, "RunOptions.max_step", options.max_step, "must be positive");
   (observers(std::as_const(scene)), ...);
   const double span = options.end - scene.time;

@@ -12,6 +12,7 @@
 #include <arenite/scene/doubts.hpp>
 #include <arenite/scene/parts.hpp>
 #include <arenite/transfer/deform.hpp>
+#include <arenite/transfer/light_nodes.hpp>
 #include <arenite/transfer/numerics.hpp>
 #include <arenite/transfer/remap.hpp>
 
@@ -192,6 +193,8 @@ struct Scene {
   [[no_unique_address]] std::conditional_t<N::AntiLocking::averages_strain, VolumetricAverage<T>,
                                            detail::Nothing>
       average{};
+  [[no_unique_address]] std::conditional_t<N::relieves_light_nodes, LightNodes<T, D>, detail::Nothing>
+      light_nodes{};
   [[no_unique_address]] std::conditional_t<tracks_energy, Ledger, NoLedger> ledger{};
 
   double time = 0;       ///< s

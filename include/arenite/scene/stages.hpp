@@ -92,6 +92,14 @@ void collide(Scene& scene, double dt) {
 }
 
 template <class Scene>
+void relieve(Scene& scene) {
+  if constexpr (Scene::NumericsType::relieves_light_nodes) {
+    for (auto& field : scene.fields) scene.light_nodes.exchange(scene.mesh, field);
+    constrain(scene);
+  }
+}
+
+template <class Scene>
 void remap(Scene& scene, [[maybe_unused]] double dt) {
   if constexpr (Scene::NumericsType::remaps) {
     scene.for_each_body(

@@ -15,6 +15,9 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 struct QuadraticBSpline {
   static constexpr bool constant_gradient = false;
   static constexpr const char* name = "QuadraticBSpline";
+  /// Largest sum of (slope^2 / value) over the three functions along an axis, in cell edges, away from the
+  /// grid's faces: 4 + (1 - 2 s)^2 / (1/2 + s - s^2) at the place s of a cell.
+  static constexpr double steepness = 6;
 
   template <class M>
   static constexpr bool fits = !is_simplex_mesh<M>;

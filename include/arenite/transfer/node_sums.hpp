@@ -11,10 +11,11 @@
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 /// Momentum, mass and internal force of a node in eight scalars: momentum [D] and mass in the lower four,
-/// force [D] in the upper four; the rest means nothing.
+/// force [D] in the upper four, whose last holds the mass within reach where the numerics ask for it; the
+/// rest means nothing.
 template <class T, int D>
 struct alignas(8 * sizeof(T)) NodeSums {
-  static constexpr std::size_t mass_lane = D, force_lane = 4;
+  static constexpr std::size_t mass_lane = D, force_lane = 4, reach_lane = 7;
   std::array<T, 8> lane{};
 
   /// Whether any of `count` lanes from `first` on means something.
@@ -35,6 +36,7 @@ struct alignas(8 * sizeof(T)) NodeSums {
   Vec<T, D> momentum() const { return Eigen::Map<const Vec<T, D>>(lane.data()); }            ///< kg m/s
   T mass() const { return lane[mass_lane]; }                                                 ///< kg
   Vec<T, D> force() const { return Eigen::Map<const Vec<T, D>>(lane.data() + force_lane); }  ///< N
+  T reach() const { return lane[reach_lane]; }  ///< sum of m_c (h_c |grad N|)^2, kg: see `LightNodes`
 
   /// Adds four lanes to the lower or to the upper half.
   void add_lower(const Pack<T, 4>& a) { (Pack<T, 4>::load(lane.data()) + a).store(lane.data()); }

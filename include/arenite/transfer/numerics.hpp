@@ -2,6 +2,7 @@
 // anti-locking.
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 
 #include <arenite/particles/points.hpp>
@@ -40,6 +41,9 @@ struct Numerics {
   /// Whether the points take their velocities where they are mapped back, in a pass before that of the
   /// strains; linear simplices need no such pass (see `remap`).
   static constexpr bool remaps_by_points = remaps && !Shape::constant_gradient;
+  /// Whether the light nodes at a body's edge exchange momentum with their neighbours (see `LightNodes`).
+  /// MUSL's light nodes take their strains from what their neighbours move.
+  static constexpr bool relieves_light_nodes = Shape::constant_gradient && !remaps;
   static constexpr bool needs_edge_mass = remaps && Shape::constant_gradient;
   static constexpr bool needs_cell_sums =
       needs_edge_mass || AntiLocking::averages_strain || AntiLocking::averages_stress;
@@ -53,6 +57,25 @@ struct Numerics {
   static_assert(
       AntiLocking::template fits<Shape>,
       "Numerics: NodalAveraging and ElementAverage work on linear simplices; on B-splines use NoAntiLocking");
+
+  /// Largest step that the composition bears in D dimensions, in cell sizes over the wave speed: where
+  /// `stable_step` is.
+  ///
+  /// Grid velocities v and displacements u of points that stay in their cells follow, with the lumped mass,
+  /// the stiffness K / m and the map S / m of velocities to points and back (symmetric, 0 <= S <= m): USL
+  /// u' = u + v - K u, v' = v - S K u (FLIP) or v' = S (v - K u) (PIC, APIC), in units of the step. Taken
+  /// along an eigenvector these are quadratic equations with s in [0, 1] for S, and stable for all s if
+  /// omega^2 dt^2 <= 2; MUSL, and TPIC with S = m, if <= 4. On splines omega^2 <= 6 D M / rho / h^2 for any
+  /// points, filled or few: a point adds V (C : grad u)^2 to K u^2 and m sum w u^2 to the mass, sum (w')^2 / w
+  /// along each axis is at most 6 / h^2 (at a cell's face), and the stiffest strain, the volumetric one, at
+  /// most D M. On simplices light nodes set the limit; it is measured (docs/design.md).
+  template <int D>
+  static double courant_limit() {
+    if constexpr (Shape::constant_gradient)
+      return relieves_light_nodes ? 0.35 : 1.0;
+    else
+      return std::sqrt((remaps ? 4.0 : 2.0) / (Shape::steepness * D));
+  }
 
   Transfer transfer{};
   AntiLocking anti_locking{};

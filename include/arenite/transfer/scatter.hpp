@@ -186,6 +186,8 @@ template <class K, class N, class M, class B, class Field>
     repeat<D>([&](std::size_t d) { column[a].set(static_cast<int>(d), -stress[Sym<T, D>::index(d, a)]); });
   });
   T mass = 0;
+  repeat<size>([&](std::size_t i) { mass += total[i * Row::per_node + D]; });
+  [[maybe_unused]] const T reach = mass * square(mesh.size(c));
   repeat<size>([&](std::size_t i) {
     auto& sums_of_node = nodes.collected[cell.nodes[i]];
     Quad force(0);
@@ -193,9 +195,10 @@ template <class K, class N, class M, class B, class Field>
       force += column[a] * Quad(cell.gradient(static_cast<int>(a), static_cast<int>(i)));
     });
     if constexpr (K::hoop) force.set(0, force[0] - total[Row::pull + i]);
+    if constexpr (N::relieves_light_nodes)
+      force.set(3, reach * cell.gradient.col(static_cast<int>(i)).squaredNorm());
     sums_of_node.add_lower(Quad::load(&total[i * Row::per_node]));
     sums_of_node.add_upper(force);
-    mass += total[i * Row::per_node + D];
   });
   if constexpr (Field::has_gradient)
     for (std::size_t i = 0; i < size; ++i)

@@ -1,0 +1,71 @@
+// Light nodes: nodes at the edge of a body that get the force of its points and next to none of their mass.
+// They exchange momentum with the nodes around them.
+#pragma once
+
+#include <vector>
+
+#include <arenite/core/scalar.hpp>
+#include <arenite/transfer/node_field.hpp>
+
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
+
+/// A linear function falls to zero at a face with a slope that does not fall. The node behind the face thus
+/// gets the full stress of points close to it, and a share of their mass as small as you like: its frequency
+/// has no bound, while the stable step follows the cells. (A quadratic spline's slope falls with it.)
+///
+/// A node is light if its mass m is below m_e = `least_share` sum m_c (h_c |grad N|)^2, over its cells, with
+/// the mass m_c of their points and their smallest altitude h_c: as `scatter` leaves it in
+/// `NodeSums::reach`; equilateral cells filled evenly give m = 4 m_e (3 in space). A light node goes the share
+/// 1 - m / m_e of the way to the mean velocity of its neighbours, weighted by their masses, so that its own
+/// force moves it as if it had the mass m_e. Each neighbour gives what the node gets: linear momentum is kept
+/// to round-off, and the kinetic energy of the relative motion falls. A rotation is damped at light nodes, in
+/// proportion to their mass. It is selective mass scaling (Olovsson, Simonsson, Unosson 2005,
+/// doi:10.1002/nme.1293) by an exchange in place of a mass matrix. One thread: few nodes are light.
+template <class T, int D>
+class LightNodes {
+ public:
+  static constexpr double least_share = 1.0 / 12;
+
+  /// Exchanges momentum at the light nodes of a field, all with the velocities of before. Returns how many
+  /// nodes are light.
+  template <class M, class Field>
+  std::size_t exchange(const M& mesh, Field& nodes) {
+    given_.clear();
+    std::size_t count = 0;
+    for (Index i = 0; i < nodes.size(); ++i) {
+      const T m = nodes.mass[i], enough = static_cast<T>(least_share) * nodes.collected[i].reach();
+      if (!(m > 0 && m < enough)) continue;
+      T around = 0;  // mass of the neighbours, once for each cell that they share
+      for_each_neighbour(mesh, i, [&](Index j) { around += nodes.mass[j]; });
+      if (!(around > 0)) continue;
+      ++count;
+      const T share = (1 - m / enough) / around;
+      const Vec<T, D> own = nodes.velocity[i];
+      for_each_neighbour(mesh, i, [&](Index j) {
+        if (nodes.mass[j] > 0) given_.push_back({i, j, share * (nodes.velocity[j] - own)});
+      });
+    }
+    for (const Given& g : given_) {
+      nodes.velocity[g.to] += nodes.mass[g.from] * g.change;
+      nodes.velocity[g.from] -= nodes.mass[g.to] * g.change;
+    }
+    return count;
+  }
+
+ private:
+  struct Given {
+    Index to, from;
+    Vec<T, D> change;  // momentum over the masses of both, m/(s kg)
+  };
+
+  template <class M, class F>
+  static void for_each_neighbour(const M& mesh, Index i, F&& f) {
+    for (const Index c : mesh.cells_at(i))
+      for (const Index j : mesh.nodes(c))
+        if (j != i) f(j);
+  }
+
+  std::vector<Given> given_;
+};
+
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -8,5 +8,6 @@
 #include <arenite/law/traced.hpp>
 #include <arenite/observe/energy.hpp>
 #include <arenite/observe/every.hpp>
+#include <arenite/observe/watch.hpp>
 #include <arenite/rigid/cone_cylinder.hpp>
 #include <arenite/scene/run.hpp>

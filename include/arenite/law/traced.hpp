@@ -83,6 +83,13 @@ class Traced {
     return law_.elastic_energy(stress);
   }
 
+  /// That of the law, if it has one.
+  template <class T, int Plane>
+  T yield(const Sym<T, Plane>& stress) const requires requires(const Law law) {
+    law.yield(stress);
+  }
+  { return law_.yield(stress); }
+
  private:
   Law law_;
 };

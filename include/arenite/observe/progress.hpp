@@ -1,4 +1,5 @@
-// Progress: a line on a terminal that tells how far a run is and how long it will take. Silent in a pipe.
+// Progress: tells how far a run is and how long it will take. A line that is rewritten on a terminal;
+// elsewhere silent, or a line each tenth of the run.
 #pragma once
 
 #include <chrono>
@@ -11,36 +12,51 @@
 
 namespace arenite {
 
-/// Observer that rewrites one line on standard error about twice a second until `end`, s. Shows nothing
-/// unless that is a terminal.
+struct ProgressOptions {
+  std::FILE* stream = stderr;  ///< must stay open
+  bool tenths = false;         ///< where that is no terminal: a line each tenth of the run
+};
+
+/// Observer that tells of a run until `end`, s. On a terminal it rewrites one line about twice a second.
 class Progress {
  public:
-  explicit Progress(double end) : end_{end}, begin_{Clock::now()}, shown_{begin_} {
+  explicit Progress(double end, const ProgressOptions& options = {})
+      : end_{end}, stream_{options.stream}, tenths_{options.tenths}, begin_{Clock::now()}, shown_{begin_} {
 #if defined(__unix__) || defined(__APPLE__)
-    visible_ = isatty(STDERR_FILENO) != 0;
+    terminal_ = isatty(fileno(stream_)) != 0;
 #endif
   }
 
   template <class Scene>
   void operator()(const Scene& scene) {
-    if (!visible_) return;
+    if (!terminal_ && !tenths_) return;
     const auto now = Clock::now();
+    const double share = end_ > 0 ? scene.time / end_ : 1;
     const bool done = scene.time >= end_;
-    if (!done && now - shown_ < std::chrono::milliseconds(500)) return;
+    if (terminal_) {
+      if (!done && now - shown_ < std::chrono::milliseconds(500)) return;
+    } else {
+      const int tenth = done ? 10 : static_cast<int>(10 * share);
+      if (tenth <= tenth_) return;
+      tenth_ = tenth;
+    }
     shown_ = now;
     const double spent = std::chrono::duration<double>(now - begin_).count();
-    const double share = end_ > 0 ? scene.time / end_ : 1;
     const double left = share > 0 ? spent * (1 - share) / share : 0;
-    std::fprintf(stderr, "\r%5.1f %%  t = %.5f s  step %zu  dt = %.2e s  %.0f s left   %s", 100 * share,
-                 scene.time, scene.steps, scene.time_step, std::ceil(left), done ? "\n" : "");
-    std::fflush(stderr);
+    std::fprintf(stream_, "%s%5.1f %%  t = %.5f s  step %zu  dt = %.2e s  %.0f s left%s%s",
+                 terminal_ ? "\r" : "", 100 * share, scene.time, scene.steps, scene.time_step,
+                 std::ceil(left), terminal_ ? "   " : "", done || !terminal_ ? "\n" : "");
+    std::fflush(stream_);
   }
 
  private:
   using Clock = std::chrono::steady_clock;
   double end_;
+  std::FILE* stream_;
+  bool tenths_;
   Clock::time_point begin_, shown_;
-  bool visible_ = false;
+  bool terminal_ = false;
+  int tenth_ = 0;  // the last one told
 };
 
 }  // namespace arenite

@@ -9,6 +9,14 @@
 
 namespace arenite {
 
+namespace detail {
+/// Tells an observer that wants to know it that a run has reached its end.
+template <class Scene, class Observer>
+void tell_end(const Scene& scene, Observer& observer) {
+  if constexpr (requires { observer.finish(scene); }) observer.finish(scene);
+}
+}  // namespace detail
+
 struct RunOptions {
   double end = std::numeric_limits<double>::quiet_NaN();      ///< s, on the scene's clock
   double courant = 0.5;                                       ///< share of the stable step, -
@@ -16,8 +24,9 @@ struct RunOptions {
 };
 
 /// Steps `scene` until `options.end`, which the last step hits exactly. Each observer is called with the
-/// scene (const) at the start and after every step. Throws `error` for a bad option, `run_error` if the run
-/// fails; observers have then seen everything up to the step before.
+/// scene (const) at the start and after every step; one with a member `finish(scene)` is told the end. Throws
+/// `error` for a bad option, `run_error` if the run fails; observers have then seen everything up to the step
+/// before.
 template <class Scene, class... Observers>
 void run(Scene& scene, const RunOptions& options, Observers&&... observers) {
   require(std::isfinite(options.end), "RunOptions.end", options.end, "must be given");
@@ -42,6 +51,7 @@ void run(Scene& scene, const RunOptions& options, Observers&&... observers) {
     if (last) scene.time = options.end;
     (observers(std::as_const(scene)), ...);
   }
+  (detail::tell_end(std::as_const(scene), observers), ...);
 }
 
 }  // namespace arenite

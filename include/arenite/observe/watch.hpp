@@ -1,0 +1,341 @@
+// Watch: an observer that looks at a run for what cannot be right, warns, and stops it at limits that the
+// user sets.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <arenite/core/warning.hpp>
+#include <arenite/observe/energy.hpp>
+#include <arenite/transfer/law_pass.hpp>
+
+namespace arenite {
+
+/// Limits of a `Watch`. Past a limit the run stops, past a tenth of it comes one warning. Infinity switches a
+/// quantity off: it is not computed.
+struct WatchLimits {
+  /// Energy that nothing put in, over all that was put in (initial energy, and the work of gravity, loads and
+  /// prescribed motions), -. Without `TrackEnergy` what was dissipated is not known: then only a gain beyond
+  /// it shows.
+  double energy_gain = 0.1;
+  /// Energy that transfers and time steps took, over all that was put in, -. Needs `TrackEnergy`. More than 1
+  /// cannot be; APIC takes 0.17 in a column of sand that collapses, so that the warning comes at a half.
+  double energy_loss = 5;
+  /// Change of a body's mean volume, |V/V0 - 1|, voids that opened included, -.
+  double volume = 0.5;
+  /// How far the stress of a point lies outside the yield surface, as `yield(stress)` of its law has it, -:
+  /// for laws with that member. A law that returns to its surface stays within round-off.
+  double strength = 0.1;
+  /// Share of a body's points that left the mesh, -.
+  double lost = 0.1;
+  /// Steps from one look to the next.
+  std::size_t every = 64;
+};
+
+/// What a `Watch` saw of one quantity: its greatest value so far.
+struct Watched {
+  static constexpr std::array<double, 3> nowhere{std::numeric_limits<double>::quiet_NaN(),
+                                                 std::numeric_limits<double>::quiet_NaN(),
+                                                 std::numeric_limits<double>::quiet_NaN()};
+
+  std::string_view name;     ///< the limit's name in `WatchLimits`
+  std::string_view meaning;  ///< in words
+  double limit = 0;
+  double worst = std::numeric_limits<double>::quiet_NaN();  ///< -; NaN: not looked at
+  double time = std::numeric_limits<double>::quiet_NaN();   ///< of the worst value, s
+  int body = -1;                                            ///< of the worst value; -1: the whole scene
+  /// Position of the point that shows it most, m; NaN below a tenth of the limit, and where no point does.
+  std::array<double, 3> place = nowhere;
+  bool warned = false;
+};
+
+/// Observer that looks at a scene at its first call, then at every `limits.every`th step, and at the end of
+/// `run`. Past a limit it throws `run_error` with time, quantity, value, limit and place; past a tenth it
+/// warns once (`on_warning`). What it saw can be read from it afterwards. Observers behind it do not see the
+/// step at which it throws: name it last. For one scene; it may be given to several runs of it.
+class Watch {
+ public:
+  /// Throws `error` unless all limits are positive.
+  explicit Watch(const WatchLimits& limits = {})
+      : seen_{{{"energy_gain", "energy that nothing put in, over the energy put in", limits.energy_gain},
+               {"energy_loss", "energy that the numerics took, over the energy put in", limits.energy_loss},
+               {"volume", "change of a body's mean volume, |V/V0 - 1|", limits.volume},
+               {"strength", "stress beyond the yield surface, relative", limits.strength},
+               {"lost", "share of a body's points that left the mesh", limits.lost}}},
+        every_{limits.every} {
+    for (const Watched& w : seen_)
+      require(w.limit > 0, detail::join("WatchLimits.", w.name), w.limit,
+              "must be positive; infinity switches it off");
+    require(every_ > 0, "WatchLimits.every", every_, "must be positive");
+  }
+
+  template <class Scene>
+  void operator()(const Scene& scene) {
+    if (scene.steps >= next_) look(scene);
+  }
+  /// Looks at the end of a run, which may lie between two looks; `run` calls it.
+  template <class Scene>
+  void finish(const Scene& scene) {
+    if (scene.steps != last_) look(scene);
+  }
+
+  /// Looks now.
+  template <class Scene>
+  void look(const Scene& scene) {
+    if (wants(energy_gain) || (Scene::tracks_energy && wants(energy_loss))) look_at_energy(scene);
+    int number = 0;
+    scene.for_each_body([&](const auto& body, const auto&) {
+      if (wants(volume)) look_at_volume(scene.time, body, number);
+      if (wants(lost)) look_at_lost(scene.time, body, number);
+      // Initial stresses may lie outside: the first step takes them back.
+      if (wants(strength) && scene.steps > 0)
+        look_at_strength<Scene::NumericsType::template width<typename Scene::T>>(scene.time, body, number);
+      ++number;
+    });
+    last_ = scene.steps;
+    next_ = scene.steps + every_;
+  }
+
+  /// Each quantity with its greatest value so far, in the order of `WatchLimits`.
+  const std::array<Watched, 5>& seen() const { return seen_; }
+  /// The warnings given, in order: at most one a quantity.
+  const std::vector<std::string>& warnings() const { return warnings_; }
+
+ private:
+  enum Quantity : std::size_t { energy_gain, energy_loss, volume, strength, lost };
+
+  /// A point that shows a quantity most, and what to say of it.
+  struct Spot {
+    std::array<double, 3> place = Watched::nowhere;
+    std::string text;
+  };
+
+  bool wants(Quantity q) const { return std::isfinite(seen_[q].limit); }
+
+  /// Takes a value of a quantity; `spot()` gives the `Spot`, once there is something to say.
+  template <class F>
+  void judge(Quantity q, double time, double value, int body, F&& spot) {
+    Watched& w = seen_[q];
+    const bool stops = !(value <= w.limit), worse = !(value <= w.worst);
+    if (!stops && !worse) return;
+    w.worst = value;
+    w.time = time;
+    w.body = body;
+    w.place = Watched::nowhere;
+    if (value <= w.limit / 10) return;
+    const Spot at = spot();
+    w.place = at.place;
+    if (!stops && w.warned) return;
+    const std::string text = detail::join("t = ", time, " s: ", w.name, " = ", value, " (", w.meaning,
+                                          "): the limit is ", w.limit, "; ", at.text);
+    if (stops) throw run_error(text);
+    w.warned = true;
+    warnings_.push_back(text);
+    warn(text);
+  }
+
+  template <class Scene>
+  void look_at_energy(const Scene& scene) {
+    if (last_ == never) {
+      floor_ = creep(scene);
+      if constexpr (!Scene::tracks_energy) {
+        start_ = mechanical(scene);
+        put_in_ = start_.stored;
+        lost_ = scene.lost_points();
+      }
+    }
+    double gain = 0;
+    if constexpr (Scene::tracks_energy) {
+      const Energies e = energies(scene);
+      gain = e.residual;
+      moved_ = std::max(moved_, std::abs(e.external));
+      put_in_ = scene.ledger.initial_kinetic + scene.ledger.initial_strain;
+    } else {
+      const Mechanical now = mechanical(scene);
+      if (lost_ != scene.lost_points()) {  // what they took is not known: start anew
+        lost_ = scene.lost_points();
+        before_ = gain_;
+        start_ = now;
+      }
+      gain = gain_ = before_ + (now.stored - start_.stored) + (now.potential - start_.potential);
+      moved_ = std::max(moved_, std::abs(now.potential - start_.potential));
+    }
+    const double scale = std::max(put_in_ + moved_, floor_);
+    const double share = gain == 0 ? 0 : gain / scale;
+    if (wants(energy_gain))
+      judge(energy_gain, scene.time, clipped(share), -1, [&] { return fastest(scene); });
+    if (Scene::tracks_energy && wants(energy_loss))
+      judge(energy_loss, scene.time, clipped(-share), -1, [&] { return fastest(scene); });
+  }
+
+  /// max(x, 0), but NaN stays.
+  static double clipped(double x) { return x < 0 ? 0 : x; }
+
+  /// Work of gravity on all points in a fall by a hundredth of a cell, J: what is less than that is a scene
+  /// at rest.
+  template <class Scene>
+  static double creep(const Scene& scene) {
+    double all = 0, whole = 0;
+    scene.for_each_body([&](const auto& body, const auto&) { all += mass(body); });
+    for (Index c = 0; c < scene.mesh.cell_count(); ++c) whole += static_cast<double>(scene.mesh.volume(c));
+    const double cell = std::pow(whole / scene.mesh.cell_count(), 1.0 / Scene::D);
+    return 0.01 * cell * all * static_cast<double>(scene.gravity.norm());
+  }
+
+  /// Without `TrackEnergy`: kinetic and strain energy; potential energy less the work of rigid bodies'
+  /// drives. J.
+  struct Mechanical {
+    double stored = 0, potential = 0;
+  };
+  template <class Scene>
+  static Mechanical mechanical(const Scene& scene) {
+    Mechanical e;
+    const auto g = scene.gravity.template cast<double>().eval();
+    scene.for_each_body([&](const auto& body, const auto&) {
+      e.stored += kinetic_energy(body) + strain_energy(body);
+      e.potential -= detail::sum_points(body, 0.0, [&](std::size_t p) {
+        return static_cast<double>(body.points.mass[p]) *
+               g.dot(body.points.position[p].template cast<double>());
+      });
+    });
+    scene.for_each_rigid([&](const auto& body) {
+      e.stored += body.kinetic_energy();
+      e.potential -= body.driving_work;
+    });
+    return e;
+  }
+
+  template <class B>
+  void look_at_volume(double time, const B& body, int number) {
+    const double ratio = mean_volume_ratio(body);
+    judge(volume, time, std::abs(ratio - 1), number, [&] {
+      const double density = body.law.density();
+      const auto local = [&](std::size_t p) {
+        return static_cast<double>(body.points.volume[p]) * density /
+               static_cast<double>(body.points.mass[p]);
+      };
+      const std::size_t p = extreme(body, [&](std::size_t k) { return std::abs(local(k) - 1); });
+      Spot s = at(body, p);
+      s.text = detail::join("body ", number, ": mean V/V0 = ", ratio);
+      if (p < body.points.size()) s.text += detail::join(", ", local(p), " at ", written(body, p));
+      return s;
+    });
+  }
+
+  template <class B>
+  void look_at_lost(double time, const B& body, int number) {
+    const std::size_t all = body.lost + body.points.size();
+    judge(lost, time, static_cast<double>(body.lost) / static_cast<double>(all), number, [&] {
+      return Spot{Watched::nowhere, detail::join("body ", number, ": ", body.lost, " of ", all, " points")};
+    });
+  }
+
+  template <int Width, class L, class T, int D, bool A>
+  void look_at_strength(double time, const Body<L, T, D, A>& body, int number) {
+    using P = typename LawLanes<L, T, Width>::type;
+    if constexpr (requires(const L law, const Sym<P, D> s) { law.yield(s); }) {
+      // Stresses much smaller than those of a strain of 1e-6 are round-off of larger ones.
+      const P small(static_cast<T>(1e-6 * body.law.wave_modulus()));
+      struct Worst {
+        double value;
+        std::size_t point;
+      };
+      const Worst worst = parallel_reduce(
+          body.points.size(), Worst{0, body.points.size()},
+          [&](std::size_t begin, std::size_t end) {
+            using std::sqrt;
+            Worst most{0, begin};
+            for (std::size_t p = begin; p < end; p += lane_count<P>) {
+              const int count = static_cast<int>(std::min<std::size_t>(lane_count<P>, end - p));
+              const Sym<P, D> stress{body.points.stress.template load<P>(p, count)};
+              const P size = sqrt(contract(stress, stress));
+              const P beyond = body.law.yield(stress) * size / (size + small);
+              const auto more = beyond > P(static_cast<T>(most.value));
+              if (!any_of(more)) continue;
+              for (int k = 0; k < count; ++k) {
+                double value;
+                if constexpr (is_pack<P>)
+                  value = static_cast<double>(beyond[k]);
+                else
+                  value = static_cast<double>(beyond);
+                if (value > most.value) most = {value, p + static_cast<std::size_t>(k)};
+              }
+            }
+            return most;
+          },
+          [](const Worst& a, const Worst& b) { return b.value > a.value ? b : a; });
+      judge(strength, time, worst.value, number, [&] {
+        Spot s = at(body, worst.point);
+        s.text = detail::join("body ", number, " at ", written(body, worst.point));
+        return s;
+      });
+    }
+  }
+
+  template <class Scene>
+  static Spot fastest(const Scene& scene) {
+    Spot s{Watched::nowhere, "no points are left"};
+    double most = -1;
+    int number = 0;
+    scene.for_each_body([&](const auto& body, const auto&) {
+      const auto speed = [&](std::size_t p) { return static_cast<double>(body.points.velocity[p].norm()); };
+      const std::size_t p = extreme(body, speed);
+      if (p < body.points.size() && speed(p) > most) {
+        most = speed(p);
+        s = at(body, p);
+        s.text =
+            detail::join("the fastest point: body ", number, " at ", written(body, p), ", ", most, " m/s");
+      }
+      ++number;
+    });
+    return s;
+  }
+
+  /// The point with the greatest `f`; the number of points if there is none.
+  template <class B, class F>
+  static std::size_t extreme(const B& body, F&& f) {
+    double most = -std::numeric_limits<double>::infinity();
+    std::size_t found = body.points.size();
+    for (std::size_t p = 0; p < body.points.size(); ++p)
+      if (const double value = f(p); value > most) {
+        most = value;
+        found = p;
+      }
+    return found;
+  }
+
+  template <class B>
+  static Spot at(const B& body, std::size_t p) {
+    Spot s;
+    if (p < body.points.size()) {
+      const auto x = body.points.position[p];
+      for (int k = 0; k < static_cast<int>(x.size()); ++k)
+        s.place[static_cast<std::size_t>(k)] = static_cast<double>(x[k]);
+    }
+    return s;
+  }
+  template <class B>
+  static std::string written(const B& body, std::size_t p) {
+    return detail::join("(", body.points.position[p].transpose(), ") m");
+  }
+
+  static constexpr std::size_t never = std::numeric_limits<std::size_t>::max();
+
+  std::array<Watched, 5> seen_;
+  std::vector<std::string> warnings_;
+  std::size_t every_, next_ = 0, last_ = never;
+  double put_in_ = 0;   // kinetic and strain energy at the start, J
+  double moved_ = 0;    // the greatest work from outside so far, J
+  double floor_ = 0;    // energy below which nothing is judged, J
+  Mechanical start_{};  // without TrackEnergy: when it first looked, or points were last lost
+  double before_ = 0;   // without TrackEnergy: what had been gained by then, J
+  double gain_ = 0;     // without TrackEnergy: at the last look, J
+  std::size_t lost_ = 0;
+};
+
+}  // namespace arenite

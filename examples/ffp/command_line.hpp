@@ -30,6 +30,12 @@ Number parse_number(const std::string& option, const std::string& text) {
   return value;
 }
 
+/// What puts the number that a word stands for where it belongs.
+template <class Number, class Place>
+auto parse_into(const std::string& name, Place& to) {
+  return [name, &to](const std::string& word) { to = parse_number<Number>(name, word); };
+}
+
 /// Adds the options of the table to a CLI11 application.
 class DropOptionAdder {
  public:
@@ -40,7 +46,8 @@ class DropOptionAdder {
   template <class Number>
   void number(const std::string& name, Number& to, const char* metavar, const Range& range,
               const std::string& help) {
-    add(name, metavar, join(help, ", in ", range.text(), " (default ", to, ")"), parse_into<Number>(name, to));
+    add(name, metavar, join(help, ", in ", range.text(), " (default ", to, ")"),
+        parse_into<Number>(name, to));
   }
   template <class Number>
   void number(const std::string& name, std::optional<Number>& to, const char* metavar, const Range& range,
@@ -51,10 +58,11 @@ class DropOptionAdder {
     add(name, "N", help, parse_into<int>(name, to));
   }
   void text(const std::string& name, std::string& to, const char* metavar, const std::string& help) {
-    add(name, metavar, help + (to.empty() ? "" : " (default " + to + ")"), [name, &to](const std::string& word) {
-      require(!word.starts_with("--"), name, shown(word), "must be a name, not the next option");
-      to = word;
-    });
+    add(name, metavar, help + (to.empty() ? "" : " (default " + to + ")"),
+        [name, &to](const std::string& word) {
+          require(!word.starts_with("--"), name, shown(word), "must be a name, not the next option");
+          to = word;
+        });
   }
   template <class Words, class Value>
   void choice(const std::string& name, const Words& words, Value& to, const std::string& help) {
@@ -82,10 +90,6 @@ class DropOptionAdder {
   const std::vector<std::string>& flags() const { return flags_; }
 
  private:
-  template <class Number, class Place>
-  static auto parse_into(const std::string& name, Place& to) {
-    return [name, &to](const std::string& word) { to = parse_number<Number>(name, word); };
-  }
   template <class Take>
   void add(const std::string& name, const char* metavar, const std::string& help, Take take) {
     app_.add_option_function<std::string>(name, take, help)
@@ -108,7 +112,8 @@ inline std::optional<DropOptions> read_command_line(std::vector<std::string> wor
   DropOptions options;
   CLI::App app{"Drops a free-fall penetrometer into dry sand, by the material point method.", "arenite-ffp"};
   CLI::App& drop = *app.add_subcommand("drop", "Run one drop; without options the paper's case");
-  for (CLI::App* each : {&app, &drop}) each->set_version_flag("--version", version, "Print the version and exit");
+  for (CLI::App* each : {&app, &drop})
+    each->set_version_flag("--version", version, "Print the version and exit");
   drop.get_formatter()->column_width(46);
   detail::DropOptionAdder adder{drop};
   visit_options(options, adder);
@@ -118,8 +123,10 @@ inline std::optional<DropOptions> read_command_line(std::vector<std::string> wor
       "Writes history.csv, summary.json and, for ParaView, fields.pvd with fields_*.vtu into DIR.\n"
       "summary.json says \"status\": \"running\" from the start, and at the end \"done\", \"failed\",\n"
       "\"interrupted\" or \"disk-full\". A folder that another drop is writing to is refused.\n"
-      "SIGINT (Ctrl-C) or SIGTERM ends the run after the step, with all files complete; a second one at once.\n"
-      "Exit code: 0 done; 1 the run failed physically, or its files could not be written; 2 an option, a mesh\n"
+      "SIGINT (Ctrl-C) or SIGTERM ends the run after the step, with all files complete; a second one at "
+      "once.\n"
+      "Exit code: 0 done; 1 the run failed physically, or its files could not be written; 2 an option, a "
+      "mesh\n"
       "or the folder cannot be used; 130 and 143 interrupted by SIGINT and SIGTERM.");
   for (const auto& word : words) {  // what CLI11 would take in silence
     for (const std::string& flag : adder.flags())
@@ -143,7 +150,8 @@ inline std::optional<DropOptions> read_command_line(std::vector<std::string> wor
     throw error(detail::join("command line: ", shown(e.what())));
   }
   for (const auto& word : app.remaining(true))
-    throw error(detail::join(shown(word), word.starts_with("-") ? ": no such option" : ": a word without an option",
+    throw error(detail::join(shown(word),
+                             word.starts_with("-") ? ": no such option" : ": a word without an option",
                              "; see arenite-ffp drop --help"));
   if (!drop.parsed()) throw error("command: must be drop, as in arenite-ffp drop --help");
   check(options);

@@ -34,7 +34,7 @@ struct HistoryRow {
   double energy_residual_J = 0;
   double lost_points = 0;
   double contact_nodes = 0;
-  double fill_ratio = 0;         ///< of the elements at the device; NaN, an empty field, while nothing touches
+  double fill_ratio = 0;  ///< of the elements at the device; NaN, an empty field, while nothing touches
   double mean_volume_ratio = 1;  ///< mean V/V0 of the sand
 };
 

@@ -13,7 +13,7 @@
 
 #include "options.hpp"
 #include "range.hpp"
-#include "shown.hpp"
+#include "words.hpp"
 
 namespace arenite::ffp {
 
@@ -31,7 +31,7 @@ std::string listed(const std::array<int, N>& numbers) {
 }
 
 /// Sets of field files that a run may write.
-inline constexpr double most_fields = 10000;
+inline constexpr double most_fields = 1000;
 
 /// Shows the options one after the other to `v`, which provides group(title), choice(name, words, value,
 /// help), number(name, value, metavar, range, help), counts(name, value, help), text(name, value, metavar,
@@ -57,12 +57,11 @@ void visit_options(Options& o, Visitor& v) {
            "Angle of dilatancy, at most that of friction");
   v.number("--cohesion", o.cohesion, "PA", Range{0, 1e6, "Pa"}, "Cohesion");
   v.number("--young", o.young, "PA", Range{1e4, 1e10, "Pa"}, "Young's modulus");
-  v.number("--poisson", o.poisson, "X", between(-1, 0.5), "Poisson's ratio");
+  v.number("--poisson", exactly(o.poisson), "X", between(-1, 0.5), "Poisson's ratio");
   v.number("--unit-weight", o.unit_weight, "N_M3", Range{1000, 100000, "N/m^3"}, "Unit weight");
   v.number("--k0", o.k0, "X", Range{0, 3}, "Earth pressure at rest, of itself poisson / (1 - poisson)");
   v.group("Contact");
-  v.number("--delta", o.delta, "DEG", Range{0, 60, "deg"},
-           "Angle of friction between sand and penetrometer");
+  v.number("--delta", o.delta, "DEG", Range{0, 60, "deg"}, "Angle of friction between sand and penetrometer");
   v.flag("--no-slip", o.no_slip, "Sand sticks to the penetrometer, whatever --delta says");
   v.choice("--contact", contact_words, o.contact,
            "Contact of the rigid penetrometer, or through the centre-of-mass velocity (the paper's)");
@@ -81,17 +80,19 @@ void visit_options(Options& o, Visitor& v) {
   v.group("Run");
   v.number("--end", o.end, "S", above(0, 10, "s"), "End of the run");
   v.number("--threads", o.threads, "N", Range{0, 1024}, "Threads, 0 for all");
-  v.number("--fields-every", o.fields_every, "S", Range{0, 10, "s"},
-           arenite::detail::join("Time between field files, 0 for none, at most ", most_fields,
-                                 " sets in a run"));
+  v.number(
+      "--fields-every", o.fields_every, "S", Range{0, 10, "s"},
+      arenite::detail::join("Time between field files, 0 for none, at most ", most_fields, " sets in a run"));
   v.text("--out", o.out, "DIR", "Folder of the results; those of an earlier run in it are removed");
-  v.number("--watch-energy", o.watch_energy, "SHARE", above(0, 1e6),
-           "Stop when energy that nothing put in exceeds this share of what was put in; warn past a tenth of it");
+  v.number(
+      "--watch-energy", o.watch_energy, "SHARE", above(0, 1e6),
+      "Stop when energy that nothing put in exceeds this share of what was put in; warn past a tenth of it");
   v.number("--watch-volume", o.watch_volume, "X", above(0, 1e6),
            "Stop when the mean V/V0 of a body leaves 1 by more; warn past a tenth");
   v.number("--watch-lost", o.watch_lost, "SHARE", above(0, 1),
            "Stop when more of a body's points have left the mesh; warn past a tenth");
-  v.flag("--no-watch", o.no_watch, "Do not stop or warn, whatever becomes of energy, volume, stress and points");
+  v.flag("--no-watch", o.no_watch,
+         "Do not stop or warn, whatever becomes of energy, volume, stress and points");
   v.flag("--force", o.force, "Run even if it takes more than 1e8 steps");
   v.flag("--quiet", o.quiet, "Nothing on the terminal but errors and warnings");
 }
@@ -105,7 +106,7 @@ struct RangeCheck {
   void group(const char*) {}
   template <class Number>
   void number(const char* name, const Number& value, const char*, const Range& range, std::string_view) {
-    require(range.contains(value), name, value, "must lie in " + range.text());
+    require(range.contains(value), name, exactly(value), "must lie in " + range.text());
   }
   template <class Number>
   void number(const char* name, const std::optional<Number>& value, const char* metavar, const Range& range,
@@ -126,10 +127,9 @@ inline void check(const DropOptions& o) {
   using detail::join;
   detail::RangeCheck ranges;
   visit_options(o, ranges);
-  require(
-      o.dilatancy <= o.friction, "--dilatancy", o.dilatancy,
-      join("must lie in [0, ", o.friction, "] deg, from nothing to the sand's angle of friction"));
-  require(o.k0 || (o.earth_pressure() >= 0 && o.earth_pressure() <= 3), "--poisson", o.poisson,
+  require(o.dilatancy <= o.friction, "--dilatancy", o.dilatancy,
+          join("must lie in [0, ", o.friction, "] deg, from nothing to the sand's angle of friction"));
+  require(o.k0 || (o.earth_pressure() >= 0 && o.earth_pressure() <= 3), "--poisson", exactly(o.poisson),
           join("must give an earth pressure at rest poisson / (1 - poisson) in [0, 3], not ",
                o.earth_pressure(), ", unless --k0 is given"));
   if (!o.mesh.empty())

@@ -4,6 +4,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <chrono>
 #include <ctime>
@@ -98,7 +99,8 @@ inline nlohmann::ordered_json json_of(const Watch& watch) {
   for (const Watched& w : watch.seen()) {
     auto& entry = j[std::string{w.name}];
     entry = {{"worst", w.worst}, {"time_s", w.time}, {"limit", w.limit}};
-    if (std::isfinite(w.place[0])) entry["place_m"] = w.place;
+    for (const double x : w.place)
+      if (std::isfinite(x)) entry["place_m"].push_back(x);
   }
   return j;
 }
@@ -127,22 +129,23 @@ class Run {
     numbers_.started = utc_now();
     numbers_.process = ::getpid();
     numbers_.points = static_cast<long>(scene.point_count());
-    numbers_.expected_steps = expected.steps;
+    numbers_.expected_steps = static_cast<long>(std::min(expected.steps, 1e18));
     numbers_.threads = threads();
     if (!o_.no_watch)
       watch_.emplace(
           WatchLimits{.energy_gain = o_.watch_energy, .volume = o_.watch_volume, .lost = o_.watch_lost});
   }
 
-  /// Runs to `o.end` and writes all files. Throws `Ended` if another end comes first; the files are then those
-  /// of the run until there.
+  /// Runs to `o.end` and writes all files. Throws `Ended` if another end comes first; the files are then
+  /// those of the run until there.
   void go() {
     try {
       write_summary("running");
       history_.emplace(folder_.path() / "history.csv");
       if (o_.fields_every > 0) {
-        series_.emplace(folder_.path() / "fields",
-                        VtuOptions{.body_names = {"soil", "device_points"}, .mesh = true, .region = "device"});
+        series_.emplace(
+            folder_.path() / "fields",
+            VtuOptions{.body_names = {"soil", "device_points"}, .mesh = true, .region = "device"});
         due_fields_ = every(o_.fields_every, [this](const Scene& s) { write_fields(s); });
       }
       begin_ = Clock::now();
@@ -203,13 +206,15 @@ class Run {
     fields_of_ = scene.steps;
   }
 
-  /// Says how long the run will take, once some steps have shown it; the first ones take longer than the rest.
+  /// Says how long the run will take, once some steps have shown it; the first ones take longer than the
+  /// rest.
   void tell_pace(const Scene& scene) {
     constexpr std::size_t first = 5, last = 25;
     if (scene.steps == first) pace_from_ = Clock::now();
     if (scene.steps != last) return;
     const double step = seconds(Clock::now() - pace_from_) / (last - first);
-    say("about " + duration(step * numbers_.expected_steps) + " at the pace of the first steps");
+    say("about " + duration(step * static_cast<double>(numbers_.expected_steps)) +
+        " at the pace of the first steps");
   }
 
   std::string at_time(const std::string& what) const {
@@ -279,8 +284,8 @@ void record(const DropOptions& o, const Make& make) {
   const StepCount expected = accepted_step_count(scene, o);
   Run<Model, decltype(scene)> run(scene, o, expected, warnings);
   if (!o.quiet)
-    say(arenite::detail::join("about ", rounded(expected.steps), " steps of ", rounded(expected.length), " s, ",
-                              scene.point_count(), " points"));
+    say(arenite::detail::join("about ", rounded(expected.steps), " steps of ", rounded(expected.length),
+                              " s, ", scene.point_count(), " points"));
   run.go();
 }
 

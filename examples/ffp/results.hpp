@@ -21,6 +21,7 @@
 #include "options.hpp"
 #include "peaks.hpp"
 #include "version.hpp"
+#include "words.hpp"
 
 namespace arenite::ffp {
 
@@ -31,7 +32,7 @@ struct RunNumbers {
   std::string started{};        ///< UTC, ISO 8601
   long process = 0;             ///< id
   long points = 0;              ///< material points of sand and device
-  double expected_steps = 0;    ///< as told before the first
+  long expected_steps = 0;      ///< as told before the first
   long steps = 0;
   double wall_s = 0;       ///< of the stepping loop, without output
   double point_steps = 0;  ///< sum over steps of the points moved
@@ -50,9 +51,9 @@ struct Peak {
 /// Figures drawn from a history.
 struct DropFigures {
   double final_penetration_m = 0, max_penetration_m = 0, max_penetration_time_s = 0;
-  Peak peak;      ///< of the filtered history
-  Peak second;    ///< of the filtered history; NaN: there is none
-  Peak raw_peak;  ///< of the history as computed
+  Peak peak;                   ///< of the filtered history
+  Peak second;                 ///< of the filtered history; NaN: there is none
+  Peak raw_peak;               ///< of the history as computed
   double peak_reaction_N = 0;  ///< of the mean over the same window
   double end_s = 0;            ///< time of the last row
   double dt_min_s = 0, dt_max_s = 0;
@@ -101,6 +102,16 @@ inline DropFigures figures_of(const std::vector<HistoryRow>& history, double win
   return f;
 }
 
+/// What a drop came to, in one line.
+inline std::string sentence_of(const DropFigures& f, const std::string& folder) {
+  using arenite::detail::join;
+  return join("The penetrometer stands at ", rounded(f.final_penetration_m), " m at ", rounded(f.end_s * 1e3),
+              " ms (deepest: ", rounded(f.max_penetration_m), " m at ",
+              rounded(f.max_penetration_time_s * 1e3), " ms); its deceleration peaked at ",
+              rounded(f.peak.value_g), " g at ", rounded(f.peak.time_s * 1e3), " ms and ",
+              rounded(f.peak.penetration_m), " m. Files: ", shown(folder));
+}
+
 /// All inputs of a drop, the derived ones too, by the names of their options.
 inline nlohmann::ordered_json inputs_of(const DropOptions& o) {
   nlohmann::ordered_json j;
@@ -141,8 +152,8 @@ inline std::string json_text(const nlohmann::ordered_json& j, int indent = -1) {
   return j.dump(indent, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
 }
 
-/// 64-bit FNV-1a hash of all inputs and of the mesh file's content, as 16 hexadecimal digits: equal for runs of the same
-/// input. http://www.isthe.com/chongo/tech/comp/fnv
+/// 64-bit FNV-1a hash of all inputs and of the mesh file's content, as 16 hexadecimal digits: equal for runs
+/// of the same input. http://www.isthe.com/chongo/tech/comp/fnv
 inline std::string hash_of_inputs(const DropOptions& o) {
   std::uint64_t hash = 0xcbf29ce484222325;
   const auto add = [&](char c) { hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3; };
@@ -156,10 +167,10 @@ inline std::string hash_of_inputs(const DropOptions& o) {
   return digits;
 }
 
-/// summary.json as a value. Without figures (the run has no row yet) it holds how the run stands and its inputs.
-/// What there is none of (a second peak) is null.
-inline nlohmann::ordered_json summary_of(const DropOptions& options, const std::optional<DropFigures>& figures,
-                                         const RunNumbers& run) {
+/// summary.json as a value. Without figures (the run has no row yet) it holds how the run stands and its
+/// inputs. What there is none of (a second peak) is null.
+inline nlohmann::ordered_json summary_of(const DropOptions& options,
+                                         const std::optional<DropFigures>& figures, const RunNumbers& run) {
   nlohmann::ordered_json j;
   j["status"] = run.status;
   if (!run.failure.empty()) j["failure"] = run.failure;

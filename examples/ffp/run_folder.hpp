@@ -17,7 +17,7 @@
 
 #include <arenite/core/error.hpp>
 
-#include "shown.hpp"
+#include "words.hpp"
 
 namespace arenite::ffp {
 
@@ -25,9 +25,11 @@ namespace arenite::ffp {
 /// what a new run removes. ".part" is what a killed run may leave of each.
 inline bool is_result(std::string_view name) {
   if (name.ends_with(".part")) name.remove_suffix(5);
-  for (const std::string_view own : {"summary.json", "history.csv", "fields.pvd", "histories.png", "strain.png"})
+  for (const std::string_view own :
+       {"summary.json", "history.csv", "fields.pvd", "histories.png", "strain.png"})
     if (name == own) return true;
-  for (const std::string_view part : {"fields_soil_", "fields_device_points_", "fields_mesh_", "fields_device_"})
+  for (const std::string_view part :
+       {"fields_soil_", "fields_device_points_", "fields_mesh_", "fields_device_"})
     if (name.starts_with(part) && name.ends_with(".vtu") && name.size() >= part.size() + 8) {
       const auto number = name.substr(part.size(), name.size() - part.size() - 4);
       return number.find_first_not_of("0123456789") == std::string_view::npos;
@@ -47,7 +49,8 @@ class RunFolder {
     std::filesystem::create_directories(path_, code);
     require(!code, "--out", name_, "the folder cannot be made: " + code.message());
     lock_ = ::open((path_ / ".arenite-ffp.lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
-    require(lock_ >= 0, "--out", name_, "no files can be made there: " + std::generic_category().message(errno));
+    require(lock_ >= 0, "--out", name_,
+            "no files can be made there: " + std::generic_category().message(errno));
     try {
       lock();
       remove_results();
@@ -84,8 +87,10 @@ class RunFolder {
       throw error(arenite::detail::join("--out = ", name_, ": is in use by the drop with process id ",
                                         whole.l_type == F_UNLCK ? 0 : whole.l_pid));
     }
-    std::fprintf(stderr, "arenite-ffp: warning: --out = %s: cannot be locked (%s); nothing must write there meanwhile\n",
-                 name_.c_str(), std::generic_category().message(reason).c_str());
+    std::fprintf(
+        stderr,
+        "arenite-ffp: warning: --out = %s: cannot be locked (%s); nothing must write there meanwhile\n",
+        name_.c_str(), std::generic_category().message(reason).c_str());
   }
 
   /// The summary goes first: what is left if this is cut short claims nothing.

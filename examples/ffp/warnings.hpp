@@ -8,7 +8,7 @@
 #include <arenite/core/warning.hpp>
 
 #include "say.hpp"
-#include "shown.hpp"
+#include "words.hpp"
 
 namespace arenite::ffp {
 

@@ -1,15 +1,40 @@
-// Numbers in sentences, and the sentence that a drop comes to.
+// Text and numbers in messages: one line, and not too long.
 #pragma once
 
 #include <array>
 #include <cmath>
 #include <cstdio>
 #include <string>
+#include <string_view>
 
-#include "results.hpp"
-#include "shown.hpp"
+#include <arenite/io/output_file.hpp>
 
 namespace arenite::ffp {
+
+/// `text` with a blank in the place of each control character; if longer than `most` bytes, without its
+/// middle: "start .. end". Whole UTF-8 characters.
+inline std::string shown(std::string_view text, std::size_t most = 120) {
+  const auto within = [&](std::size_t at) { return (static_cast<unsigned char>(text[at]) & 0xC0) == 0x80; };
+  std::string line;
+  if (text.size() <= most) {
+    line = text;
+  } else {
+    std::size_t head = most / 2, tail = text.size() - most / 2;
+    while (head > 0 && within(head)) --head;
+    while (tail < text.size() && within(tail)) ++tail;
+    line = std::string{text.substr(0, head)} + " .. " + std::string{text.substr(tail)};
+  }
+  for (char& c : line)
+    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7F) c = ' ';
+  return line;
+}
+
+/// With as many digits as it was typed with.
+inline std::string exactly(double x) {
+  std::string text;
+  arenite::detail::append_number(text, x);
+  return text;
+}
 
 /// Three significant digits; "1960", not "1.96e+03".
 inline std::string rounded(double x) {
@@ -29,16 +54,6 @@ inline std::string duration(double seconds) {
   if (seconds < 100 * 60) return rounded(std::round(seconds / 60)) + " min";
   if (seconds < 100 * 3600) return rounded(std::round(seconds / 3600)) + " h";
   return rounded(std::round(seconds / 86400)) + " days";
-}
-
-/// What a drop came to, in one line.
-inline std::string sentence_of(const DropFigures& f, const std::string& folder) {
-  using arenite::detail::join;
-  return join("The penetrometer stands at ", rounded(f.final_penetration_m), " m at ", rounded(f.end_s * 1e3),
-              " ms (deepest: ", rounded(f.max_penetration_m), " m at ", rounded(f.max_penetration_time_s * 1e3),
-              " ms); its deceleration peaked at ", rounded(f.peak.value_g), " g at ",
-              rounded(f.peak.time_s * 1e3), " ms and ", rounded(f.peak.penetration_m), " m. Files: ",
-              shown(folder));
 }
 
 }  // namespace arenite::ffp

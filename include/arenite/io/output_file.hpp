@@ -47,8 +47,8 @@ namespace detail {
 }
 
 /// Calls `write(std::ostream&)` on "path.part" and renames it to `path`, so that `path` is at any time
-/// absent, the old file, or the new one. The folder must exist. Throws `output_error` if it cannot be written;
-/// "path.part" is gone then.
+/// absent, the old file, or the new one. The folder must exist. Throws `output_error` if it cannot be
+/// written; "path.part" is gone then.
 template <class Write>
 void replace_file(const std::filesystem::path& path, Write&& write) {
   std::filesystem::path part = path;

@@ -59,7 +59,7 @@ Result on_grid(N numerics, int cells, double courant = 0.2) {
   const double h = length / cells;
   return vibrate(
       Scene{PlaneStrain{}, CartesianGrid<2>{{.lower = {0, 0}, .upper = {length + 4 * h, h}, .cell = h}},
-            numerics, bodies(fill(Box{{0., 0.}, {length, 2 * h}}, steel(), {.per_cell = 4})),
+            numerics, bodies(fill(Box{{0., 0.}, {length, h}}, steel(), {.per_cell = 4})),
             walls(left(roller), bottom(roller), top(roller))},
       courant);
 }
@@ -69,7 +69,7 @@ Result on_triangles(N numerics, int cells, double courant = 0.2) {
   const double h = length / cells;
   const auto mesh = test::triangles({0, 0}, {length + 2 * h, h}, static_cast<Index>(cells + 2), 1);
   return vibrate(Scene{PlaneStrain{}, SimplexMesh<2>(mesh), numerics,
-                       bodies(fill(Box{{0., 0.}, {length, 2 * h}}, steel(), {.per_cell = 6})),
+                       bodies(fill(Box{{0., 0.}, {length, h}}, steel(), {.per_cell = 6})),
                        walls(left(roller), bottom(roller), top(roller))},
                  courant);
 }

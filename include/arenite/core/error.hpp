@@ -28,6 +28,14 @@ std::string join(const Parts&... parts) {
   (text << ... << parts);
   return text.str();
 }
+
+/// "(1, 2, 3)" of a vector's components.
+template <class Vector>
+std::string listed(const Vector& v) {
+  std::string text = "(";
+  for (int k = 0; k < static_cast<int>(v.size()); ++k) text += join(k > 0 ? ", " : "", v[k]);
+  return text + ")";
+}
 }  // namespace detail
 
 /// Throws `error("name = value: rule")` unless `holds`. Write the condition so that NaN fails it.

@@ -20,8 +20,9 @@ namespace arenite {
 /// quantity off: it is not computed.
 struct WatchLimits {
   /// Energy that nothing put in, over all that was put in (initial energy, and the work of gravity, loads and
-  /// prescribed motions), -. Without `TrackEnergy` what was dissipated is not known: then only a gain beyond
-  /// it shows.
+  /// prescribed motions), -: the balance's residual, and dissipation that is negative. Without `TrackEnergy`
+  /// what was dissipated is not known: then only a gain beyond it shows. An elastic law stretched by 0.1,
+  /// beyond the small strains that it is made for, shows 0.03.
   double energy_gain = 0.1;
   /// Energy that transfers and time steps took, over all that was put in, -. Needs `TrackEnergy`. More than 1
   /// cannot be; APIC takes 0.17 in a column of sand that collapses, so that the warning comes at a half.
@@ -152,7 +153,8 @@ class Watch {
     double gain = 0;
     if constexpr (Scene::tracks_energy) {
       const Energies e = energies(scene);
-      gain = e.residual;
+      // Dissipation that is negative is energy made: by a law, or in contact.
+      gain = e.residual - std::min(e.plastic, 0.0) - std::min(e.contact, 0.0);
       moved_ = std::max(moved_, std::abs(e.external));
       put_in_ = scene.ledger.initial_kinetic + scene.ledger.initial_strain;
     } else {
@@ -321,7 +323,7 @@ class Watch {
   }
   template <class B>
   static std::string written(const B& body, std::size_t p) {
-    return detail::join("(", body.points.position[p].transpose(), ") m");
+    return detail::listed(body.points.position[p]) + " m";
   }
 
   static constexpr std::size_t never = std::numeric_limits<std::size_t>::max();

@@ -9,6 +9,7 @@
 
 #include <arenite/particles/measures.hpp>
 #include <arenite/particles/relocate.hpp>
+#include <arenite/scene/doubts.hpp>
 #include <arenite/scene/parts.hpp>
 #include <arenite/transfer/deform.hpp>
 #include <arenite/transfer/numerics.hpp>
@@ -84,7 +85,8 @@ struct normal_map<T, D, Coulomb<SurfaceOf>> {
 
 /// A scene of kinematics K, mesh M, numerics N and parts: `bodies(..)` (required), `walls(..)`,
 /// `gravity({..})`, a contact policy, `rigids(..)`, a `MovingMesh`, `TrackEnergy{}`. Complete when
-/// constructed: filled, walls resolved, surfaces found.
+/// constructed: filled, walls resolved, surfaces found. Warns (`on_warning`) of a box that reaches beyond the
+/// mesh, of bodies that lie in one place, and of gravity that nothing holds against.
 template <class K, class M, class N, class... Parts>
 struct Scene {
   static_assert(kinematics<K>,
@@ -172,6 +174,7 @@ struct Scene {
       for (std::size_t k = 0; k < surface.nodes.size(); ++k)
         normals.out[surface.nodes[k]] = surface.normals[k];
     }
+    detail::doubt(*this, detail::pick<detail::is_bodies, Bodies<>>(parts...).fills);
   }
 
   K kinematics;

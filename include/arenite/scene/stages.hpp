@@ -2,19 +2,33 @@
 // need compiles to nothing.
 #pragma once
 
+#include <array>
 #include <cmath>
 
 #include <arenite/scene/scene.hpp>
 
 namespace arenite {
 
+/// Throws `run_error` if no point is left in the mesh; warns when one body of several has lost its last.
 template <class Scene>
 void relocate(Scene& scene) {
   constexpr int width = Scene::NumericsType::template width<typename Scene::T>;
   bool regrouped = false;
-  scene.for_each_body(
-      [&](auto& body, auto&) { regrouped = relocate<width>(body, scene.mesh, scene.blocks) || regrouped; });
+  std::array<bool, Scene::body_count> emptied{};
+  std::size_t number = 0;
+  scene.for_each_body([&](auto& body, auto&) {
+    const bool had_points = body.points.size() > 0;
+    regrouped = relocate<width>(body, scene.mesh, scene.blocks) || regrouped;
+    emptied[number++] = had_points && body.points.size() == 0;
+  });
   if (regrouped) scene.share_out();
+  if (scene.point_count() == 0)
+    throw run_error(detail::join("t = ", scene.time, " s: all ", scene.lost_points(),
+                                 " points of the scene have left the mesh"));
+  for (std::size_t b = 0; b < emptied.size(); ++b)
+    if (emptied[b])
+      warn(detail::join("t = ", scene.time, " s: all points of body ", b,
+                        " have left the mesh; the run goes on without it"));
 }
 
 template <class Scene>
@@ -114,6 +128,9 @@ void move(Scene& scene, [[maybe_unused]] double dt) {
       travel = std::get<Leader::index>(scene.rigids).displacement[motion.axis()];
     } else {
       const auto& body = std::get<Leader::index>(scene.bodies);
+      if (body.points.size() == 0)
+        throw run_error(detail::join("t = ", scene.time, " s: body ", Leader::index,
+                                     ", which leads the mesh, has lost all of its points"));
       travel = motion.travel() + static_cast<T>(dt * momentum(body)[motion.axis()] / mass(body));
     }
     try {

@@ -1,0 +1,120 @@
+// Doubts: what a new scene has that is allowed but hardly meant. Each gives one warning.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <tuple>
+#include <vector>
+
+#include <arenite/boundary/walls.hpp>
+#include <arenite/core/warning.hpp>
+#include <arenite/particles/body.hpp>
+
+namespace arenite::detail {
+
+/// Warns if a region with bounds (members `lower` and `upper`, m) reaches beyond the box around the mesh by
+/// more than a hundredth of a cell: no points are made there. An infinite bound means all that there is.
+/// Other regions have no bounds to compare.
+template <class M, class Region>
+void doubt_bounds(const M& mesh, const Region& region, std::size_t number) {
+  if constexpr (requires { region.lower[0] < region.upper[0]; }) {
+    constexpr int D = M::dimension;
+    Vec<double, D> lower, upper;
+    if constexpr (is_simplex_mesh<M>) {
+      lower = upper = mesh.origin(0).template cast<double>();
+      for (Index c = 0; c < mesh.cell_count(); ++c)
+        for (const Index i : mesh.nodes(c)) {
+          const Vec<double, D> x = mesh.position(i).template cast<double>();
+          lower = lower.cwiseMin(x);
+          upper = upper.cwiseMax(x);
+        }
+    } else {
+      for (int k = 0; k < D; ++k) {
+        lower[k] = static_cast<double>(mesh.lower()[k]);
+        upper[k] = static_cast<double>(mesh.upper(k));
+      }
+    }
+    double least = std::numeric_limits<double>::infinity();
+    for (Index c = 0; c < mesh.cell_count(); ++c) least = std::min(least, static_cast<double>(mesh.size(c)));
+    double within = 1;
+    bool beyond = false;
+    for (int k = 0; k < D; ++k) {
+      const auto axis = static_cast<std::size_t>(k);
+      const double from = std::isinf(region.lower[axis]) ? lower[k] : region.lower[axis];
+      const double to = std::isinf(region.upper[axis]) ? upper[k] : region.upper[axis];
+      beyond = beyond || std::max(lower[k] - from, to - upper[k]) > 0.01 * least;
+      within *= (std::min(to, upper[k]) - std::max(from, lower[k])) / (to - from);
+    }
+    if (beyond)
+      warn(join("body ", number, ": ", std::round(1000 * (1 - within)) / 10,
+                " % of its region lies outside of the mesh, which reaches from ", listed(lower), " to ",
+                listed(upper), " m, and is not filled"));
+  }
+}
+
+/// Points of a body that lie in the region of another.
+template <class M, class B, class Region>
+std::size_t points_within(const M& mesh, const B& body, const Region& region) {
+  std::size_t count = 0;
+  if constexpr (std::same_as<Region, Cells>) {
+    std::vector<int> numbers;
+    for (const auto& name : region.regions) numbers.push_back(mesh.region_number(name));
+    for (const Index c : body.points.cell)
+      count += std::find(numbers.begin(), numbers.end(), mesh.region(c)) != numbers.end();
+  } else {
+    constexpr int D = M::dimension;
+    for (const auto& x : body.points.position)
+      count += static_cast<bool>(region.contains(Vec<double, D>(x.template cast<double>())));
+  }
+  return count;
+}
+
+/// Warns of bodies that were filled into one place: one has points in the region of the other.
+template <class M, class B, class C, class FillB, class FillC>
+void doubt_overlap(const M& mesh, std::size_t b, const B& body, const FillB& fill, std::size_t c,
+                   const C& other, const FillC& other_fill) {
+  const std::size_t in_other = points_within(mesh, body, other_fill.region),
+                    in_this = points_within(mesh, other, fill.region);
+  if (in_other + in_this == 0) return;
+  warn(join("bodies ", b, " and ", c, " lie in one place: ", in_other, " of the ", body.points.size(),
+            " points of body ", b, " are in the region of body ", c, ", and ", in_this, " of ",
+            other.points.size(), " the other way"));
+}
+
+/// Warns if gravity pulls and nothing can hold: no wall blocks a part of it, and no rigid body does but those
+/// that fall themselves.
+template <class Scene>
+void doubt_floor(const Scene& scene) {
+  const auto& g = scene.gravity;
+  const auto pull = g.norm();
+  if (!(pull > 0)) return;
+  for (const auto& c : scene.constraints)
+    if ((g - c.projector * g).norm() > 1e-6 * pull) return;
+  bool held = false;
+  scene.for_each_rigid(
+      [&](const auto& body) { held = held || !body.is_free || std::abs(body.axis.dot(g)) <= 1e-6 * pull; });
+  if (!held)
+    warn(join("gravity ", listed(g),
+              " m/s2 acts, but no wall and no rigid body holds along it: everything falls"));
+}
+
+/// All doubts about a new scene and the recipes of its bodies.
+template <class Scene, class... Fills>
+void doubt(const Scene& scene, const std::tuple<Fills...>& fills) {
+  constexpr std::size_t count = sizeof...(Fills);
+  const auto each = [&]<std::size_t... I>(std::index_sequence<I...>, [[maybe_unused]] auto&& f) {
+    (f(std::integral_constant<std::size_t, I>{}), ...);
+  };
+  each(std::make_index_sequence<count>{}, [&](auto b) {
+    doubt_bounds(scene.mesh, std::get<b>(fills).region, b);
+    each(std::make_index_sequence<b>{}, [&](auto a) {
+      doubt_overlap(scene.mesh, a, std::get<a>(scene.bodies), std::get<a>(fills), b,
+                    std::get<b>(scene.bodies), std::get<b>(fills));
+    });
+  });
+  doubt_floor(scene);
+}
+
+}  // namespace arenite::detail

@@ -1,0 +1,306 @@
+// Watch: each quantity warns past a tenth of its limit and stops past it, with time, value and place; a sound
+// run says nothing.
+#include <arenite/arenite.hpp>
+#include <limits>
+
+#include "catch.hpp"
+
+using namespace arenite;
+
+namespace {
+
+constexpr double inf = std::numeric_limits<double>::infinity();
+
+CartesianGrid<2> grid() { return CartesianGrid<2>{{.lower = {0, 0}, .upper = {1, 1}, .cell = 0.1}}; }
+
+/// A block of sand on a floor, at rest or falling.
+auto sand_block(double speed = 0) {
+  const MohrCoulomb sand{
+      {.density = 1500, .young = 1e6, .poisson = 0.3, .friction = 35_deg, .cohesion = 1000}};
+  return Scene{
+      PlaneStrain{},
+      grid(),
+      Numerics<QuadraticBSpline, Apic, Usl>{},
+      bodies(
+          fill(Box{{0., 0.}, {1., 0.5}}, Traced(sand),
+               {.per_cell = 4, .velocity = {0, speed, 0}, .stress = Geostatic{.surface = 0.5, .k0 = 0.5}})),
+      walls(bottom(fixed), left(roller), right(roller)),
+      gravity({0, -9.81}),
+      TrackEnergy{}};
+}
+
+/// Elastic, but its stress grows by a share in each step, without any strain.
+struct Pump {
+  template <class T>
+  using History = NoHistory<T>;
+  LinearElastic rubber{{.density = 1000, .young = 1e6, .poisson = 0.3}};
+  double share;
+  explicit Pump(double s) : share{s} {}
+  double density() const { return rubber.density(); }
+  double wave_modulus() const { return rubber.wave_modulus(); }
+  template <class T, int D>
+  T update(Sym<T, D>& stress, const Increment<T, D>& increment, NoHistory<T>& history) const {
+    rubber.update(stress, increment, history);
+    stress = stress * T(1 + share);
+    return T(0);
+  }
+  template <class T, int D>
+  T elastic_energy(const Sym<T, D>& stress) const {
+    return rubber.elastic_energy(stress);
+  }
+};
+
+/// A stretched block that swings.
+template <class... Parts>
+auto swinging(double share, Parts... parts) {
+  Scene scene{PlaneStrain{}, grid(), Numerics<QuadraticBSpline, Apic, Usl>{},
+              bodies(fill(Box{{0.2, 0.2}, {0.8, 0.6}}, Pump(share), {.per_cell = 4})), parts...};
+  auto& points = std::get<0>(scene.bodies).points;
+  for (std::size_t p = 0; p < points.size(); ++p)
+    points.velocity.column(0)[p] = 2 * (points.position[p][0] - 0.5);
+  return scene;
+}
+
+/// What `f()` throws and the warnings it gives.
+struct Said {
+  std::string error;
+  std::vector<std::string> warnings;
+};
+template <class F>
+Said said(F&& f) {
+  Said out;
+  const WarningHook old = on_warning([&](const std::string& text) { out.warnings.push_back(text); });
+  try {
+    f();
+  } catch (const run_error& e) {
+    out.error = e.what();
+  }
+  on_warning(old);
+  return out;
+}
+
+bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+const Watched& of(const Watch& watch, std::string_view name) {
+  for (const Watched& w : watch.seen())
+    if (w.name == name) return w;
+  throw error("no such quantity");
+}
+
+}  // namespace
+
+TEST_CASE("A sound run: nothing is said, and what was seen is small") {
+  auto scene = sand_block(-0.2);
+  Watch watch;
+  const Said s = said([&] { run(scene, {.end = 0.2}, watch); });
+  CHECK(s.error == "");
+  CHECK(s.warnings.empty());
+  CHECK(watch.warnings().empty());
+  for (const Watched& w : watch.seen()) {
+    CAPTURE(w.name);
+    CHECK(w.worst >= 0);
+    CHECK(w.worst <= w.limit / 10);
+    CHECK(w.time >= 0);
+    CHECK(w.time <= 0.2);
+  }
+  CHECK(of(watch, "strength").worst <= 1e-12);
+  CHECK(of(watch, "lost").worst == 0);
+}
+
+TEST_CASE("A scene at rest is not judged by its round-off") {
+  auto scene = sand_block();
+  Watch watch{{.energy_gain = 1e-6, .energy_loss = 1e-2, .every = 1}};
+  const Said s = said([&] { run(scene, {.end = 0.05}, watch); });
+  CHECK(s.error == "");
+  Scene nothing{PlaneStrain{}, grid(), Numerics<QuadraticBSpline, Apic, Usl>{},
+                bodies(fill(Box{{0.2, 0.2}, {0.8, 0.6}}, Pump(0), {.per_cell = 4}))};
+  CHECK(said([&] { run(nothing, {.end = 0.05}, watch); }).error == "");
+}
+
+TEST_CASE("Energy that a law makes: first a warning, then the end, with and without a ledger") {
+  const auto check = [](auto scene) {
+    double told = -1;
+    Watch watch;
+    const Said s = said([&] { run(scene, {.end = 10}, watch); });
+    CAPTURE(s.error);
+    REQUIRE(s.warnings.size() == 1);
+    CHECK(watch.warnings() == s.warnings);
+    CHECK(s.warnings[0].find("t = ") == 0);
+    CHECK(has(s.warnings[0], "s: energy_gain = 0.0"));
+    CHECK(has(s.error, detail::join("t = ", scene.time, " s: energy_gain = 0.1")));
+    CHECK(has(s.error, "the limit is 0.1; the fastest point: body 0 at ("));
+    const Watched& w = of(watch, "energy_gain");
+    CHECK(w.worst > 0.1);
+    CHECK(w.worst < 0.2);
+    CHECK(w.time == scene.time);
+    CHECK(std::isfinite(w.place[0]));
+    CHECK(w.place[2] != w.place[2]);
+    (void)told;
+  };
+  check(swinging(2e-4, TrackEnergy{}));
+  check(swinging(2e-4));
+  auto off = swinging(2e-4);
+  Watch watch{{.energy_gain = inf}};
+  CHECK(said([&] { run(off, {.end = 0.5}, watch); }).error == "");
+  CHECK(of(watch, "energy_gain").worst != of(watch, "energy_gain").worst);
+}
+
+TEST_CASE("Energy put in behind the scene's back, or taken away") {
+  for (const double factor : {1.2, 0.5}) {
+    auto scene = swinging(0, TrackEnergy{});
+    Watch watch{{.energy_loss = 0.3}};
+    run(scene, {.end = 0.001}, watch);
+    auto& points = std::get<0>(scene.bodies).points;
+    for (auto& v : points.velocity.column(0)) v *= factor;
+    const Said s = said([&] { run(scene, {.end = 0.002}, watch); });
+    CHECK(has(s.error, factor > 1 ? "energy_gain = 0.4" : "energy_loss = 0.7"));
+  }
+  // Without a ledger a gain is the same, and points that are lost are none.
+  auto scene = swinging(0);
+  Watch watch{{.lost = inf}};
+  run(scene, {.end = 0.001}, watch);
+  auto& body = std::get<0>(scene.bodies);
+  for (auto& v : body.points.velocity.column(0)) v *= 1.2;
+  CHECK(has(said([&] { watch.look(scene); }).error, "energy_gain = 0.4"));
+  body.lost = 1;
+  CHECK(said([&] { Watch(WatchLimits{.lost = inf}).look(scene); }).error == "");
+}
+
+TEST_CASE("Work of gravity and of a driven body is no gain, with and without a ledger") {
+  const LinearElastic rubber{{.density = 1000, .young = 1e5, .poisson = 0.3}};
+  const auto check = [&](auto... parts) {
+    Scene scene{
+        PlaneStrain{},
+        grid(),
+        Numerics<QuadraticBSpline, Apic, Usl>{},
+        bodies(fill(Box{{0.2, 0.}, {0.8, 0.5}}, rubber, {.per_cell = 4})),
+        walls(bottom(fixed)),
+        gravity({0, -9.81}),
+        rigids(rigid(DistanceSurface{[](const auto& x) { return 0.52 - x[1]; }}, Prescribed{[](double) {
+                       return std::array{0.0, -0.3, 0.0};
+                     }},
+                     Friction(0))),
+        parts...};
+    Watch watch;
+    const Said s = said([&] { run(scene, {.end = 0.1}, watch); });
+    CHECK(s.error == "");
+    CHECK(s.warnings.empty());
+    CHECK(strain_energy(std::get<0>(scene.bodies)) > 1);
+    return of(watch, "energy_gain").worst;
+  };
+  CHECK(check(TrackEnergy{}) <= 0.01);
+  CHECK(check() <= 0.01);
+}
+
+TEST_CASE("Volume, stress and lost points: a tenth warns once, the limit stops, with body and place") {
+  auto scene = sand_block();
+  run(scene, {.end = 0.002});
+  auto& body = std::get<0>(scene.bodies);
+  auto& points = body.points;
+  const auto volume = points.volume;
+  const auto stress = points.stress;
+  const auto swell = [&](double factor) {
+    for (std::size_t p = 0; p < points.size(); ++p) points.volume[p] = factor * volume[p];
+  };
+
+  Watch watch;
+  swell(1.04);
+  CHECK(said([&] { watch.look(scene); }).warnings.empty());
+  swell(1.1);
+  points.volume[7] *= 2;
+  CHECK(said([&] { watch.look(scene); }).warnings.size() == 1);
+  const Watched& v = of(watch, "volume");
+  CHECK(std::abs(v.worst - mean_volume_ratio(body) + 1) <= 1e-12);
+  CHECK(v.body == 0);
+  CHECK(v.place[0] == points.position[7][0]);
+  CHECK(v.place[1] == points.position[7][1]);
+  swell(1.2);
+  CHECK(said([&] { watch.look(scene); }).warnings.empty());  // once
+  swell(1.6);
+  CHECK(has(said([&] { watch.look(scene); }).error, "body 0: mean V/V0 = 1.59"));
+  swell(0.4);
+  CHECK(has(said([&] { watch.look(scene); }).error, "volume = 0.6"));
+  swell(1);
+
+  // Outside by a share: yield = share, as the law has it.
+  const auto shear = [&](std::size_t p, double share) {
+    const double pressure = 5000, strength = pressure * std::sin(35_deg) + 1000 * std::cos(35_deg);
+    const auto sheared = [&](double tau) { return Sym<double, 2>{{-pressure, -pressure, -pressure, tau}}; };
+    double tau = strength;
+    while (body.law.yield(sheared(tau)) < share) tau *= 1.0001;
+    points.stress.set(p, sheared(tau));
+  };
+  shear(11, 0.005);
+  CHECK(said([&] { watch.look(scene); }).warnings.empty());
+  shear(11, 0.05);
+  Said s = said([&] { watch.look(scene); });
+  REQUIRE(s.warnings.size() == 1);
+  CHECK(has(s.warnings[0], "strength = 0.05"));
+  CHECK(of(watch, "strength").place[0] == points.position[11][0]);
+  shear(points.size() - 1, 0.15);  // the last lanes of a pack are looked at too
+  CHECK(has(said([&] { watch.look(scene); }).error, "strength = 0.15"));
+  CHECK(of(watch, "strength").place[0] == points.position[points.size() - 1][0]);
+  // A stress that is round-off of larger ones does not count, wherever it points.
+  points.stress = stress;
+  points.stress.set(3, {{1e-9, 1e-9, 1e-9, 1e-8}});
+  watch.look(scene);
+
+  // It could not know better at the start: initial stresses may lie outside.
+  auto fresh = sand_block();
+  std::get<0>(fresh.bodies).points.stress.set(3, {{0, 0, 0, 1e5}});
+  CHECK(said([&] { Watch{}.look(fresh); }).error == "");
+
+  points.stress = stress;
+  body.lost = points.size() / 50;
+  s = said([&] { watch.look(scene); });
+  REQUIRE(s.warnings.size() == 1);
+  CHECK(
+      has(s.warnings[0], detail::join("body 0: ", body.lost, " of ", body.lost + points.size(), " points")));
+  body.lost = points.size() / 5;
+  CHECK(has(said([&] { watch.look(scene); }).error, "lost = 0.16"));
+  body.lost = 0;
+  CHECK(watch.warnings().size() == 3);
+}
+
+TEST_CASE("It looks at its first call, at each so-many-th step and at the end; NaN is past every limit") {
+  auto scene = sand_block();
+  auto& volume = std::get<0>(scene.bodies).points.volume;
+  const auto seen_at_step = [&](std::size_t every, std::size_t steps) {
+    auto s = scene;
+    Watch watch{{.every = every}};
+    watch(s);
+    for (std::size_t k = 0; k < steps; ++k) {
+      step(s, 1e-5);
+      if (k == 2) std::get<0>(s.bodies).points.volume.assign(volume.size(), 10 * volume[0]);
+      try {
+        watch(s);
+      } catch (const run_error&) {
+        return s.steps;
+      }
+    }
+    return std::size_t{0};
+  };
+  CHECK(seen_at_step(1, 20) == 3);
+  CHECK(seen_at_step(8, 20) == 8);
+  CHECK(seen_at_step(64, 20) == 0);
+  // `run` gives it a look at the end.
+  for (auto& v : volume) v *= 2;
+  Watch late{{.every = 1000000}};
+  CHECK(has(said([&] { run(scene, {.end = 0}, late); }).error, "volume = 1"));
+  auto end = sand_block();
+  Watch last{{.every = 1000000}};
+  const auto spoil = [&](const auto& s) {
+    if (s.time == 0.001) std::get<0>(end.bodies).points.volume.assign(volume.size(), volume[0]);
+  };
+  CHECK(has(said([&] { run(end, {.end = 0.001}, last, spoil); }).error, "t = 0.001 s: volume = 1"));
+  volume[3] = std::numeric_limits<double>::quiet_NaN();
+  CHECK(has(said([&] { Watch(WatchLimits{.energy_gain = inf, .energy_loss = inf}).look(scene); }).error,
+            "volume = "));
+}
+
+TEST_CASE("Limits that are none are refused by name") {
+  CHECK_THROWS_WITH(Watch(WatchLimits{.energy_gain = 0}),
+                    "WatchLimits.energy_gain = 0: must be positive; infinity switches it off");
+  CHECK_THROWS_AS(Watch(WatchLimits{.lost = std::nan("")}), error);
+  CHECK_THROWS_AS(Watch(WatchLimits{.every = 0}), error);
+}

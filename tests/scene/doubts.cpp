@@ -1,0 +1,135 @@
+// Doubts: a new scene warns of what is allowed but hardly meant, once each, through the hook; and of nothing
+// else.
+#include <arenite/arenite.hpp>
+#include <limits>
+#include <thread>
+
+#include "catch.hpp"
+#include "meshes.hpp"
+
+using namespace arenite;
+
+namespace {
+
+const LinearElastic rubber{{.density = 1000, .young = 1e6, .poisson = 0.3}};
+constexpr double inf = std::numeric_limits<double>::infinity();
+
+/// The warnings that `make()` gives.
+template <class F>
+std::vector<std::string> said(F&& make) {
+  std::vector<std::string> texts;
+  const std::size_t before = warning_count();
+  const WarningHook old = on_warning([&](const std::string& text) { texts.push_back(text); });
+  (void)make();
+  on_warning(old);
+  CHECK(warning_count() - before == texts.size());
+  return texts;
+}
+
+/// On a grid of the unit square.
+template <class... Parts>
+std::vector<std::string> on_grid(Parts... parts) {
+  return said([&] {
+    return Scene{PlaneStrain{}, CartesianGrid<2>{{.lower = {0, 0}, .upper = {1, 1}, .cell = 0.1}},
+                 Numerics<QuadraticBSpline, Apic>{}, parts...};
+  });
+}
+template <class... Parts>
+std::vector<std::string> on_triangles(Parts... parts) {
+  return said([&] {
+    auto data = test::triangles({0, 0}, {1, 1}, 10, 10);
+    return Scene{PlaneStrain{}, SimplexMesh<2>(data), Numerics<LinearSimplex, Flip>{}, parts...};
+  });
+}
+
+bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+}  // namespace
+
+TEST_CASE("A box that reaches beyond the mesh is told with its share outside; one that ends with it is not") {
+  const auto box = [&](std::array<double, 2> lower, std::array<double, 2> upper) {
+    return bodies(fill(Box<2>{lower, upper}, rubber, {.per_cell = 9}));
+  };
+  auto texts = on_grid(box({0.5, 0.2}, {1.5, 0.4}));
+  REQUIRE(texts.size() == 1);
+  CHECK(has(texts[0], "body 0: 50 % of its region lies outside of the mesh"));
+  texts = on_triangles(bodies(fill(Box{{-0.25, 0.}, {0.75, 1.}}, rubber, {.per_cell = 3})));
+  REQUIRE(texts.size() == 1);
+  CHECK(has(texts[0], "body 0: 25 %"));
+
+  CHECK(on_grid(box({0, 0}, {1, 1})).empty());
+  CHECK(on_grid(box({0, 0}, {1 + 1e-9, 0.5})).empty());
+  CHECK(on_grid(box({-inf, -inf}, {inf, 0.5})).empty());
+  CHECK(on_grid(bodies(fill(Inside{[](const Vec<double, 2>& x) { return x[1] - 0.5; }}, rubber))).empty());
+  CHECK(on_triangles(bodies(fill(Cells("all"), rubber, {.per_cell = 3}))).empty());
+}
+
+TEST_CASE("Bodies in one place are told once a pair; bodies that touch are not") {
+  auto texts =
+      on_grid(bodies(fill(Box{{0., 0.}, {0.5, 0.5}}, rubber), fill(Box{{0.4, 0.}, {0.8, 0.5}}, rubber),
+                     fill(Box{{0.8, 0.}, {1., 0.5}}, rubber)));
+  REQUIRE(texts.size() == 1);
+  CHECK(has(texts[0], "bodies 0 and 1 lie in one place: 20 of the 100 points of body 0"));
+  const auto disc = [](double x) {
+    return Inside{[x](const Vec<double, 2>& at) { return std::hypot(at[0] - x, at[1] - 0.5) - 0.2; }};
+  };
+  CHECK(on_grid(bodies(fill(disc(0.3), rubber), fill(disc(0.5), rubber))).size() == 1);
+  CHECK(on_grid(bodies(fill(disc(0.3), rubber), fill(disc(0.7), rubber))).empty());
+  // Boundaries within a cell, points of other numbers.
+  CHECK(on_grid(bodies(fill(Box{{0., 0.}, {0.53, 1.}}, rubber, {.per_cell = 4}),
+                       fill(Box{{0.53, 0.}, {1., 1.}}, rubber, {.per_cell = 9})))
+            .empty());
+  texts = on_triangles(bodies(fill(Cells("all"), rubber, {.per_cell = 3}),
+                              fill(Box{{0.2, 0.2}, {0.4, 0.4}}, rubber, {.per_cell = 3})));
+  REQUIRE(texts.size() == 1);
+}
+
+TEST_CASE("Gravity with nothing that holds along it is told") {
+  const auto block = bodies(fill(Box{{0.2, 0.2}, {0.5, 0.5}}, rubber));
+  const Gravity down = gravity({0, -9.81});
+  auto texts = on_grid(block, down);
+  REQUIRE(texts.size() == 1);
+  CHECK(has(texts[0], "gravity (0, -9.81) m/s2 acts, but no wall and no rigid body holds along it"));
+  CHECK(on_grid(block, down, walls(left(roller), right(roller))).size() == 1);
+  CHECK(on_grid(block, down, walls(left(free_along(1)))).size() == 1);
+  const auto half_plane = DistanceSurface{[](const Vec<double, 2>& x) { return x[1] - 0.1; }};
+  CHECK(on_grid(block, down, rigids(rigid(half_plane, Guided{.mass = 1}, Friction(0)))).size() == 1);
+
+  CHECK(on_grid(block).empty());
+  CHECK(on_grid(block, down, walls(bottom(roller))).empty());
+  CHECK(on_grid(block, down, walls(left(symmetry({1, 1, 0})))).empty());
+  CHECK(on_grid(block, down,
+                rigids(rigid(half_plane, Prescribed{[](double) {
+                               return std::array{0.0, 0.0, 0.0};
+                             }},
+                             Friction(0))))
+            .empty());
+}
+
+TEST_CASE("The hook of the warnings: replaced, silenced, thrown from, counted on any thread") {
+  std::vector<std::string> texts;
+  const WarningHook first = on_warning([&](const std::string& text) { texts.push_back(text); });
+  REQUIRE(first);  // writes to standard error
+  const std::size_t before = warning_count();
+  warn("one");
+  CHECK(texts == std::vector<std::string>{"one"});
+  const WarningHook second = on_warning({});
+  warn("two");
+  CHECK(texts.size() == 1);
+  second("three");
+  CHECK(texts.size() == 2);
+  on_warning([](const std::string& text) { throw error(text); });
+  CHECK_THROWS_WITH(warn("four"), "four");
+  CHECK(warning_count() == before + 3);
+  std::atomic<int> heard = 0;
+  on_warning([&](const std::string&) { ++heard; });
+  std::vector<std::thread> threads;
+  for (int t = 0; t < 4; ++t)
+    threads.emplace_back([] {
+      for (int k = 0; k < 100; ++k) warn("");
+    });
+  for (auto& t : threads) t.join();
+  CHECK(heard == 400);
+  CHECK(warning_count() == before + 403);
+  on_warning(first);
+}

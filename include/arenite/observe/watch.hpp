@@ -8,6 +8,7 @@
 #include <limits>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include <arenite/core/warning.hpp>
@@ -19,8 +20,9 @@ namespace arenite {
 /// Limits of a `Watch`. Past a limit the run stops, past a tenth of it comes one warning. Infinity switches a
 /// quantity off: it is not computed.
 struct WatchLimits {
-  /// Energy that nothing put in, over all that was put in (initial energy, and the work of gravity, loads and
-  /// prescribed motions), -: the balance's residual, and dissipation that is negative. Without `TrackEnergy`
+  /// Energy that nothing put in since the first look, over all that was put in (the energy there was, and the
+  /// work of gravity, loads and prescribed motions), -: the balance's residual, and dissipation that is
+  /// negative. Without `TrackEnergy`
   /// what was dissipated is not known: then only a gain beyond it shows. An elastic law stretched by 0.1,
   /// beyond the small strains that it is made for, shows 0.03.
   double energy_gain = 0.1;
@@ -77,7 +79,10 @@ class Watch {
 
   template <class Scene>
   void operator()(const Scene& scene) {
-    if (scene.steps >= next_) look(scene);
+    if (scene.steps >= next_)
+      look(scene);
+    else if (Scene::tracks_energy || scene.steps + 1 == next_)
+      remember(scene);
   }
   /// Looks at the end of a run, which may lie between two looks; `run` calls it.
   template <class Scene>
@@ -140,39 +145,98 @@ class Watch {
     warn(text);
   }
 
+  /// What positions hold in the energy, J: the works of stresses and gravity, or strain and potential energy.
+  template <class Scene>
+  static double positional(const Scene& scene) {
+    double energy = 0;
+    if constexpr (Scene::tracks_energy) {
+      energy = scene.ledger.stress_work - scene.ledger.gravity_work;
+    } else {
+      const Vec<double, Scene::D> g = scene.gravity.template cast<double>();
+      scene.for_each_body([&](const auto& body, const auto&) {
+        energy += strain_energy(body) - detail::sum_points(body, 0.0, [&](std::size_t p) {
+                    return static_cast<double>(body.points.mass[p]) *
+                           g.dot(body.points.position[p].template cast<double>());
+                  });
+      });
+    }
+    return energy;
+  }
+  /// Keeps that of this step and of the one before.
+  template <class Scene>
+  void remember(const Scene& scene) {
+    if ((!wants(energy_gain) && !wants(energy_loss)) || held_step_ == scene.steps) return;
+    follows_ = held_step_ + 1 == scene.steps;
+    held_before_ = std::exchange(held_, positional(scene));
+    held_step_ = scene.steps;
+  }
+
+  /// What was gained (or lost, if negative) since the first look. Velocities are those of the middle of a
+  /// step where positions are those of its end: energy sways by a share of (frequency x step) unless the
+  /// positions' part of it is taken half a step earlier.
   template <class Scene>
   void look_at_energy(const Scene& scene) {
+    const Balance now = balance(scene);
+    double gained = now.gained;
+    remember(scene);
     if (last_ == never) {
+      start_ = now;
       floor_ = creep(scene);
-      if constexpr (!Scene::tracks_energy) {
-        start_ = mechanical(scene);
-        put_in_ = start_.stored;
+      put_in_ = now.stored;
+      lost_ = scene.lost_points();
+      if constexpr (Scene::tracks_energy)
+        put_in_ = std::max(put_in_, scene.ledger.initial_kinetic + scene.ledger.initial_strain);
+    } else {
+      if (follows_)
+        gained -= (held_ - held_before_) / 2;
+      else if (!Scene::tracks_energy)
+        return;
+      if (!Scene::tracks_energy && lost_ != scene.lost_points()) {
+        // What the lost points took with them is not known: start anew.
+        start_ = now;
+        start_.gained = gained;
+        before_ = gain_;
         lost_ = scene.lost_points();
       }
     }
-    double gain = 0;
+    gain_ = before_ + gained - start_.gained;
+    moved_ = std::max(moved_, std::abs(now.external - start_.external));
+    const double share = gain_ == 0 ? 0 : gain_ / std::max(put_in_ + moved_, floor_);
+    const auto spot = [&] { return fastest(scene); };
+    if (wants(energy_gain)) judge(energy_gain, scene.time, clipped(share), -1, spot);
+    if (Scene::tracks_energy && wants(energy_loss)) judge(energy_loss, scene.time, clipped(-share), -1, spot);
+  }
+
+  /// Energies, J: kinetic and strain energy; work from outside since some time; energy that nothing put in
+  /// since some time.
+  struct Balance {
+    double stored = 0, external = 0, gained = 0;
+  };
+  template <class Scene>
+  static Balance balance(const Scene& scene) {
+    Balance b;
     if constexpr (Scene::tracks_energy) {
       const Energies e = energies(scene);
+      b.stored = e.kinetic + e.strain;
+      b.external = e.external;
       // Dissipation that is negative is energy made: by a law, or in contact.
-      gain = e.residual - std::min(e.plastic, 0.0) - std::min(e.contact, 0.0);
-      moved_ = std::max(moved_, std::abs(e.external));
-      put_in_ = scene.ledger.initial_kinetic + scene.ledger.initial_strain;
+      b.gained = e.residual - std::min(e.plastic, 0.0) - std::min(e.contact, 0.0);
     } else {
-      const Mechanical now = mechanical(scene);
-      if (lost_ != scene.lost_points()) {  // what they took is not known: start anew
-        lost_ = scene.lost_points();
-        before_ = gain_;
-        start_ = now;
-      }
-      gain = gain_ = before_ + (now.stored - start_.stored) + (now.potential - start_.potential);
-      moved_ = std::max(moved_, std::abs(now.potential - start_.potential));
+      double driven = 0, strain = 0;
+      scene.for_each_body([&](const auto& body, const auto&) {
+        b.stored += kinetic_energy(body);
+        strain += strain_energy(body);
+      });
+      scene.for_each_rigid([&](const auto& body) {
+        b.stored += body.kinetic_energy();
+        driven += body.driving_work;
+      });
+      const double held = positional(scene);
+      b.gained = b.stored + held - driven;
+      b.stored += strain;
+      b.external = driven + strain - held;
     }
-    const double scale = std::max(put_in_ + moved_, floor_);
-    const double share = gain == 0 ? 0 : gain / scale;
-    if (wants(energy_gain))
-      judge(energy_gain, scene.time, clipped(share), -1, [&] { return fastest(scene); });
-    if (Scene::tracks_energy && wants(energy_loss))
-      judge(energy_loss, scene.time, clipped(-share), -1, [&] { return fastest(scene); });
+    return b;
   }
 
   /// max(x, 0), but NaN stays.
@@ -187,29 +251,6 @@ class Watch {
     for (Index c = 0; c < scene.mesh.cell_count(); ++c) whole += static_cast<double>(scene.mesh.volume(c));
     const double cell = std::pow(whole / scene.mesh.cell_count(), 1.0 / Scene::D);
     return 0.01 * cell * all * static_cast<double>(scene.gravity.norm());
-  }
-
-  /// Without `TrackEnergy`: kinetic and strain energy; potential energy less the work of rigid bodies'
-  /// drives. J.
-  struct Mechanical {
-    double stored = 0, potential = 0;
-  };
-  template <class Scene>
-  static Mechanical mechanical(const Scene& scene) {
-    Mechanical e;
-    const auto g = scene.gravity.template cast<double>().eval();
-    scene.for_each_body([&](const auto& body, const auto&) {
-      e.stored += kinetic_energy(body) + strain_energy(body);
-      e.potential -= detail::sum_points(body, 0.0, [&](std::size_t p) {
-        return static_cast<double>(body.points.mass[p]) *
-               g.dot(body.points.position[p].template cast<double>());
-      });
-    });
-    scene.for_each_rigid([&](const auto& body) {
-      e.stored += body.kinetic_energy();
-      e.potential -= body.driving_work;
-    });
-    return e;
   }
 
   template <class B>
@@ -326,18 +367,22 @@ class Watch {
     return detail::listed(body.points.position[p]) + " m";
   }
 
-  static constexpr std::size_t never = std::numeric_limits<std::size_t>::max();
+  static constexpr std::size_t never = std::numeric_limits<std::size_t>::max() / 2;
 
   std::array<Watched, 5> seen_;
   std::vector<std::string> warnings_;
   std::size_t every_, next_ = 0, last_ = never;
-  double put_in_ = 0;   // kinetic and strain energy at the start, J
-  double moved_ = 0;    // the greatest work from outside so far, J
-  double floor_ = 0;    // energy below which nothing is judged, J
-  Mechanical start_{};  // without TrackEnergy: when it first looked, or points were last lost
-  double before_ = 0;   // without TrackEnergy: what had been gained by then, J
-  double gain_ = 0;     // without TrackEnergy: at the last look, J
-  std::size_t lost_ = 0;
+  // Of the energy.
+  Balance start_{};                    // at the first look; without TrackEnergy: when points were last lost
+  double put_in_ = 0;                  // kinetic and strain energy at the first look, J
+  double moved_ = 0;                   // the greatest work from outside since then, J
+  double floor_ = 0;                   // what is less is a scene at rest, J
+  double gain_ = 0;                    // at the last look, J
+  double before_ = 0;                  // until points were last lost, J
+  double held_ = 0, held_before_ = 0;  // by positions, after step held_step_ and the one before, J
+  std::size_t held_step_ = never;
+  bool follows_ = false;  // whether the one before is known
+  std::size_t lost_ = 0;  // points, at the last look
 };
 
 }  // namespace arenite

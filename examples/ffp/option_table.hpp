@@ -57,7 +57,7 @@ void visit_options(Options& o, Visitor& v) {
            "Angle of dilatancy, at most that of friction");
   v.number("--cohesion", o.cohesion, "PA", Range{0, 1e6, "Pa"}, "Cohesion");
   v.number("--young", o.young, "PA", Range{1e4, 1e10, "Pa"}, "Young's modulus");
-  v.number("--poisson", exactly(o.poisson), "X", between(-1, 0.5), "Poisson's ratio");
+  v.number("--poisson", o.poisson, "X", between(-1, 0.5), "Poisson's ratio");
   v.number("--unit-weight", o.unit_weight, "N_M3", Range{1000, 100000, "N/m^3"}, "Unit weight");
   v.number("--k0", o.k0, "X", Range{0, 3}, "Earth pressure at rest, of itself poisson / (1 - poisson)");
   v.group("Contact");

@@ -290,16 +290,19 @@ def draw_strain(drops, path):
     columns = max(len(shown) for _, shown in rows)
     figure, grid = pyplot.subplots(len(rows), columns, figsize=(3.3 * columns + 1, 2.45 * len(rows) + 0.5), squeeze=False,
                                    sharex=True, sharey=True, constrained_layout=True, dpi=130)
+    heads = [time for time, *_ in rows[0][1]]
     for line, (drop, shown) in zip(grid, rows):
         for axes in line[len(shown):]:
             axes.set_axis_off()
-        for axes, (time, *_) in zip(line, shown):
+        for column, (axes, (time, *_)) in enumerate(zip(line, shown)):
             axes.set(xlim=(-0.4, 0.4), ylim=(-0.4, 0.2), aspect="equal", xticks=[-0.3, 0, 0.3])
-            if line[0] is grid[0, 0]:
+            if line[0] is grid[0, 0] or column >= len(heads) or abs(time - heads[column]) > 5e-4:
                 axes.set_title(f"{time * 1e3:.0f} ms", fontsize=11)
         line[0].set_ylabel((drop.label(drops).replace(", ", "\n") + "\n" if len(rows) > 1 else "") + "height [m]", fontsize=9)
-    for axes in grid[-1]:
-        axes.set_xlabel("distance from the axis [m]", fontsize=9)
+    for k in range(columns):
+        lowest = max((line[k] for line, (_, shown) in zip(grid, rows) if len(shown) > k), key=lambda axes: axes.get_subplotspec().rowspan.start)
+        lowest.set_xlabel("distance from the axis [m]", fontsize=9)
+        lowest.tick_params(labelbottom=True)
     bar = figure.colorbar(matplotlib.cm.ScalarMappable(matplotlib.colors.Normalize(0, STRAIN_TOP), "magma_r"), ax=grid, extend="max",
                           shrink=0.9 if len(rows) == 1 else 0.5, aspect=20 if len(rows) == 1 else 40, pad=0.01)
     bar.set_label("deviatoric strain [-]")

@@ -426,6 +426,32 @@ class Words(DriverTest):
         self.assertEqual((done.returncode, done.stderr), (0, ""))
         self.assertRegex(done.stdout, r"^arenite-ffp \d+\.\d+\.\d+\n$")
 
+    def test_report(self):
+        """The table that examples/ffp/run.sh prints, of any end."""
+        script = os.path.join(os.path.dirname(Study.SCRIPT), "report.py")
+
+        def report(folder):
+            done = subprocess.run([sys.executable, script, folder], capture_output=True, text=True)
+            return done.returncode, done.stdout, done.stderr
+
+        _, found = self.run_drop("reported", *SHORT)
+        code, out, err = report("reported")
+        self.assertEqual((code, err), (0, ""))
+        self.assertIn(f"depth              {found['final_penetration_m']:.3f} m at 10 ms", out)
+        self.assertIn(f"peak deceleration  {found['peak_deceleration_g']:.1f} g at ", out)
+        self.assertIn("reported/history.csv", out)
+        self.assertNotIn("outline", out)
+        self.assertLess(max(map(len, out.splitlines())), 400)
+        found.update(status="failed", failure="t = 0.01 s: it failed", warnings=["one", "two"])
+        young = {key: found[key] for key in ("status", "failure", "inputs", "points")}  # no row was written
+        for summary_then in (found, young):
+            with open("reported/summary.json", "w") as file:
+                json.dump(summary_then, file)
+            code, out, err = report("reported")
+            self.assertEqual((code, err), (0, ""))
+            self.assertIn("t = 0.01 s: it failed", out)
+        self.assertEqual(report("nowhere")[0], 1)
+
     def test_a_closed_pipe_stops_nothing(self):
         reader, writer = os.pipe()
         os.close(reader)

@@ -166,8 +166,9 @@ class Run {
   /// Takes a step down, and stops the run if there is reason.
   void operator()(const Scene& scene) {
     const auto from = Clock::now();
-    rows_.push_back(history_row(scene, rows_.empty() ? nullptr : &rows_.back(), Model::whole));
-    history_->write(rows_.back());
+    const HistoryRow row = history_row(scene, rows_.empty() ? nullptr : &rows_.back(), Model::whole);
+    history_->write(row);
+    rows_.push_back(row);  // so that the summary is that of the file
     if (due_fields_) due_fields_(scene);
     if (scene.steps > 0) numbers_.point_steps += static_cast<double>(scene.point_count());
     if (!o_.quiet) {

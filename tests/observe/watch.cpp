@@ -120,7 +120,7 @@ TEST_CASE("A scene at rest is not judged by its round-off") {
 
 TEST_CASE("Energy that a law makes: first a warning, then the end, with and without a ledger") {
   const auto check = [](auto scene) {
-    Watch watch;
+    Watch watch{{.every = 20}};
     const Said s = said([&] { run(scene, {.end = 10}, watch); });
     CAPTURE(s.error);
     REQUIRE(s.warnings.size() == 1);

@@ -22,9 +22,9 @@ namespace arenite {
 struct WatchLimits {
   /// Energy that nothing put in since the first look, over all that was put in (the energy there was, and the
   /// work of gravity, loads and prescribed motions), -: the balance's residual, and dissipation that is
-  /// negative. Without `TrackEnergy`
-  /// what was dissipated is not known: then only a gain beyond it shows. An elastic law stretched by 0.1,
-  /// beyond the small strains that it is made for, shows 0.03.
+  /// negative. Without `TrackEnergy` what was dissipated is not known: then only a gain beyond it shows, and
+  /// none at the end of a run between two looks. An elastic law stretched by 0.1, beyond the small strains
+  /// that it is made for, shows 0.03.
   double energy_gain = 0.1;
   /// Energy that transfers and time steps took, over all that was put in, -. Needs `TrackEnergy`. More than 1
   /// cannot be; APIC takes 0.17 in a column of sand that collapses, so that the warning comes at a half.
@@ -32,12 +32,13 @@ struct WatchLimits {
   /// Change of a body's mean volume, |V/V0 - 1|, voids that opened included, -.
   double volume = 0.5;
   /// How far the stress of a point lies outside the yield surface, as `yield(stress)` of its law has it, -:
-  /// for laws with that member. A law that returns to its surface stays within round-off.
+  /// for laws with that member. A law that returns to its surface stays within round-off (1e-13, in float
+  /// 5e-5).
   double strength = 0.1;
   /// Share of a body's points that left the mesh, -.
   double lost = 0.1;
   /// Steps from one look to the next.
-  std::size_t every = 64;
+  std::size_t every = 100;
 };
 
 /// What a `Watch` saw of one quantity: its greatest value so far.
@@ -58,9 +59,10 @@ struct Watched {
 };
 
 /// Observer that looks at a scene at its first call, then at every `limits.every`th step, and at the end of
-/// `run`. Past a limit it throws `run_error` with time, quantity, value, limit and place; past a tenth it
-/// warns once (`on_warning`). What it saw can be read from it afterwards. Observers behind it do not see the
-/// step at which it throws: name it last. For one scene; it may be given to several runs of it.
+/// `run`: a look costs a fifth to a half of a step. It wants to be called at every step. Past a limit it
+/// throws `run_error` with time, quantity, value, limit and place; past a tenth it warns once (`on_warning`).
+/// What it saw can be read from it afterwards. Observers behind it do not see the step at which it throws:
+/// name it last. For one scene; it may be given to several runs of it.
 class Watch {
  public:
   /// Throws `error` unless all limits are positive.
@@ -145,66 +147,38 @@ class Watch {
     warn(text);
   }
 
-  /// What positions hold in the energy, J: the works of stresses and gravity, or strain and potential energy.
+  /// What positions hold of the energy, J: works of stresses and against gravity, or strain and potential
+  /// energy.
+  struct Held {
+    double strain = 0, potential = 0;
+    double sum() const { return strain + potential; }
+  };
   template <class Scene>
-  static double positional(const Scene& scene) {
-    double energy = 0;
+  static Held held(const Scene& scene) {
+    Held h;
     if constexpr (Scene::tracks_energy) {
-      energy = scene.ledger.stress_work - scene.ledger.gravity_work;
+      h = {scene.ledger.stress_work, -scene.ledger.gravity_work};
     } else {
       const Vec<double, Scene::D> g = scene.gravity.template cast<double>();
       scene.for_each_body([&](const auto& body, const auto&) {
-        energy += strain_energy(body) - detail::sum_points(body, 0.0, [&](std::size_t p) {
-                    return static_cast<double>(body.points.mass[p]) *
-                           g.dot(body.points.position[p].template cast<double>());
-                  });
+        h.strain += strain_energy(body);
+        h.potential -= detail::sum_points(body, 0.0, [&](std::size_t p) {
+          double along = 0;
+          for (int k = 0; k < Scene::D; ++k)
+            along += g[k] * static_cast<double>(body.points.position.column(static_cast<std::size_t>(k))[p]);
+          return static_cast<double>(body.points.mass[p]) * along;
+        });
       });
     }
-    return energy;
+    return h;
   }
   /// Keeps that of this step and of the one before.
   template <class Scene>
   void remember(const Scene& scene) {
     if ((!wants(energy_gain) && !wants(energy_loss)) || held_step_ == scene.steps) return;
     follows_ = held_step_ + 1 == scene.steps;
-    held_before_ = std::exchange(held_, positional(scene));
+    held_before_ = std::exchange(held_, held(scene));
     held_step_ = scene.steps;
-  }
-
-  /// What was gained (or lost, if negative) since the first look. Velocities are those of the middle of a
-  /// step where positions are those of its end: energy sways by a share of (frequency x step) unless the
-  /// positions' part of it is taken half a step earlier.
-  template <class Scene>
-  void look_at_energy(const Scene& scene) {
-    const Balance now = balance(scene);
-    double gained = now.gained;
-    remember(scene);
-    if (last_ == never) {
-      start_ = now;
-      floor_ = creep(scene);
-      put_in_ = now.stored;
-      lost_ = scene.lost_points();
-      if constexpr (Scene::tracks_energy)
-        put_in_ = std::max(put_in_, scene.ledger.initial_kinetic + scene.ledger.initial_strain);
-    } else {
-      if (follows_)
-        gained -= (held_ - held_before_) / 2;
-      else if (!Scene::tracks_energy)
-        return;
-      if (!Scene::tracks_energy && lost_ != scene.lost_points()) {
-        // What the lost points took with them is not known: start anew.
-        start_ = now;
-        start_.gained = gained;
-        before_ = gain_;
-        lost_ = scene.lost_points();
-      }
-    }
-    gain_ = before_ + gained - start_.gained;
-    moved_ = std::max(moved_, std::abs(now.external - start_.external));
-    const double share = gain_ == 0 ? 0 : gain_ / std::max(put_in_ + moved_, floor_);
-    const auto spot = [&] { return fastest(scene); };
-    if (wants(energy_gain)) judge(energy_gain, scene.time, clipped(share), -1, spot);
-    if (Scene::tracks_energy && wants(energy_loss)) judge(energy_loss, scene.time, clipped(-share), -1, spot);
   }
 
   /// Energies, J: kinetic and strain energy; work from outside since some time; energy that nothing put in
@@ -213,7 +187,7 @@ class Watch {
     double stored = 0, external = 0, gained = 0;
   };
   template <class Scene>
-  static Balance balance(const Scene& scene) {
+  Balance balance(const Scene& scene) const {
     Balance b;
     if constexpr (Scene::tracks_energy) {
       const Energies e = energies(scene);
@@ -222,25 +196,52 @@ class Watch {
       // Dissipation that is negative is energy made: by a law, or in contact.
       b.gained = e.residual - std::min(e.plastic, 0.0) - std::min(e.contact, 0.0);
     } else {
-      double driven = 0, strain = 0;
-      scene.for_each_body([&](const auto& body, const auto&) {
-        b.stored += kinetic_energy(body);
-        strain += strain_energy(body);
-      });
+      double kinetic = 0, driven = 0;
+      scene.for_each_body([&](const auto& body, const auto&) { kinetic += kinetic_energy(body); });
       scene.for_each_rigid([&](const auto& body) {
-        b.stored += body.kinetic_energy();
+        kinetic += body.kinetic_energy();
         driven += body.driving_work;
       });
-      const double held = positional(scene);
-      b.gained = b.stored + held - driven;
-      b.stored += strain;
-      b.external = driven + strain - held;
+      b.stored = kinetic + held_.strain;
+      b.external = driven - held_.potential;
+      b.gained = kinetic + held_.sum() - driven;
     }
+    // Velocities are those of the middle of a step where positions are those of its end: energy sways by a
+    // share of (frequency x step) unless the positions' part of it is taken half a step earlier.
+    if (follows_) b.gained -= (held_.sum() - held_before_.sum()) / 2;
     return b;
   }
 
+  /// What was gained (or lost, if negative) since the first look.
+  template <class Scene>
+  void look_at_energy(const Scene& scene) {
+    remember(scene);
+    if (!follows_ && scene.steps > 0) return;
+    const Balance now = balance(scene);
+    if (!started_) {
+      started_ = true;
+      start_ = now;
+      floor_ = creep(scene);
+      put_in_ = now.stored;
+      lost_ = scene.lost_points();
+      if constexpr (Scene::tracks_energy)
+        put_in_ = std::max(put_in_, scene.ledger.initial_kinetic + scene.ledger.initial_strain);
+    } else if (!Scene::tracks_energy && lost_ != scene.lost_points()) {
+      // What the lost points took with them is not known: start anew.
+      start_ = now;
+      before_ = gain_;
+      lost_ = scene.lost_points();
+    }
+    gain_ = before_ + now.gained - start_.gained;
+    moved_ = std::max(moved_, std::abs(now.external - start_.external));
+    const double share = gain_ == 0 ? 0 : gain_ / std::max(put_in_ + moved_, floor_);
+    const auto spot = [&] { return fastest(scene); };
+    if (wants(energy_gain)) judge(energy_gain, scene.time, clipped(share), -1, spot);
+    if (Scene::tracks_energy && wants(energy_loss)) judge(energy_loss, scene.time, clipped(-share), -1, spot);
+  }
+
   /// max(x, 0), but NaN stays.
-  static double clipped(double x) { return x < 0 ? 0 : x; }
+  static double clipped(double x) { return x > 0 || std::isnan(x) ? x : 0; }
 
   /// Work of gravity on all points in a fall by a hundredth of a cell, J: what is less than that is a scene
   /// at rest.
@@ -373,15 +374,16 @@ class Watch {
   std::vector<std::string> warnings_;
   std::size_t every_, next_ = 0, last_ = never;
   // Of the energy.
-  Balance start_{};                    // at the first look; without TrackEnergy: when points were last lost
-  double put_in_ = 0;                  // kinetic and strain energy at the first look, J
-  double moved_ = 0;                   // the greatest work from outside since then, J
-  double floor_ = 0;                   // what is less is a scene at rest, J
-  double gain_ = 0;                    // at the last look, J
-  double before_ = 0;                  // until points were last lost, J
-  double held_ = 0, held_before_ = 0;  // by positions, after step held_step_ and the one before, J
+  Balance start_{};              // at the first look; without TrackEnergy: when points were last lost
+  double put_in_ = 0;            // kinetic and strain energy at the first look, J
+  double moved_ = 0;             // the greatest work from outside since then, J
+  double floor_ = 0;             // what is less is a scene at rest, J
+  double gain_ = 0;              // at the last look, J
+  double before_ = 0;            // until points were last lost, J
+  Held held_{}, held_before_{};  // after step held_step_ and the one before
   std::size_t held_step_ = never;
   bool follows_ = false;  // whether the one before is known
+  bool started_ = false;  // whether it has looked
   std::size_t lost_ = 0;  // points, at the last look
 };
 

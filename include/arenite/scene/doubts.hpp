@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 #include <tuple>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 #include <arenite/boundary/walls.hpp>

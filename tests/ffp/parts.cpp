@@ -4,6 +4,7 @@
 #include <fstream>
 #include <limits>
 
+#include "../../examples/ffp/range.hpp"
 #include "../../examples/ffp/run_folder.hpp"
 #include "../../examples/ffp/signals.hpp"
 #include "../../examples/ffp/step_count.hpp"
@@ -40,7 +41,7 @@ TEST_CASE("numbers in messages") {
   REQUIRE(rounded(9.7725e11) == "9.77e+11");
   REQUIRE(rounded(0.19579) == "0.196");
   REQUIRE(rounded(0) == "0");
-  REQUIRE((duration(2.2) == "3 s" && duration(600) == "10 min" && duration(7200) == "120 min" &&
+  REQUIRE((duration(2.2) == "3 s" && duration(600) == "10 min" && duration(7200) == "2 h" &&
            duration(36000) == "10 h" && duration(1e6) == "12 days"));
 }
 

@@ -300,7 +300,7 @@ def draw_strain(drops, path):
                 axes.set_title(f"{time * 1e3:.0f} ms", fontsize=11)
         line[0].set_ylabel((drop.label(drops).replace(", ", "\n") + "\n" if len(rows) > 1 else "") + "height [m]", fontsize=9)
     for k in range(columns):
-        lowest = max((line[k] for line, (_, shown) in zip(grid, rows) if len(shown) > k), key=lambda axes: axes.get_subplotspec().rowspan.start)
+        lowest = [line[k] for line, (_, shown) in zip(grid, rows) if len(shown) > k][-1]
         lowest.set_xlabel("distance from the axis [m]", fontsize=9)
         lowest.tick_params(labelbottom=True)
     bar = figure.colorbar(matplotlib.cm.ScalarMappable(matplotlib.colors.Normalize(0, STRAIN_TOP), "magma_r"), ax=grid, extend="max",

@@ -29,7 +29,7 @@ class StopSignals {
     noted_ = 0;
     struct sigaction note {};
     note.sa_handler = [](int signal) { noted_ = signal; };
-    note.sa_flags = SA_RESETHAND | SA_RESTART;
+    note.sa_flags = static_cast<int>(SA_RESETHAND | SA_RESTART);
     for (int k = 0; k < 2; ++k) {
       ::sigaction(signals_[k], nullptr, &before_[k]);
       if (before_[k].sa_handler != SIG_IGN) ::sigaction(signals_[k], &note, nullptr);

@@ -26,7 +26,8 @@ SLICE = ["--kinematics", "slice", "--cell", "0.04", "--points-per-element", "4",
 SHORT = [*COARSE, "--end", "0.01", "--fields-every", "0"]
 FIRST_COLUMNS = "time_s,penetration_m,velocity_m_s,acceleration_m_s2,reaction_N,"
 KEYS = """final_penetration_m max_penetration_m peak_deceleration_g peak_time_s peak_penetration_m raw_peak_deceleration_g
-    peak_reaction_N end_s version started process_id inputs_hash expected_steps warnings watch points steps dt_min_s dt_max_s wall_s point_steps_per_s threads register_bytes lost_points energy_residual inputs status""".split()
+    peak_reaction_N end_s version started process_id inputs_hash expected_steps warnings watch
+    points steps dt_min_s dt_max_s wall_s point_steps_per_s threads register_bytes lost_points energy_residual inputs status""".split()
 INPUTS = """kinematics device velocity_m_s mass_kg shoulder fillet_m device_young_Pa device_poisson delta_deg no_slip
     friction_deg dilatancy_deg cohesion_Pa young_Pa poisson unit_weight_N_m3 k0 contact cell_m points_per_element
     moving_depth_m mesh anti_locking flip courant end_s fields_every_s""".split()
@@ -665,14 +666,14 @@ class Killed(DriverTest):
         begin = time.monotonic()
         self.run_drop("killed", *options)
         whole = time.monotonic() - begin
-        killed = 0
-        for moment in range(50):
+        killed, moments = 0, 50 if whole < 1 else 20  # fewer under a sanitizer
+        for moment in range(moments):
             driver = subprocess.Popen([DRIVER, "drop", *options, "--out", "killed"], stderr=subprocess.DEVNULL)
-            time.sleep(whole * moment / 50)
+            time.sleep(whole * moment / moments)
             driver.kill()
             killed += driver.wait() == -signal.SIGKILL
             self.assert_readable("killed")
-        self.assertGreater(killed, 25)
+        self.assertGreater(killed, moments // 2)
         self.run_drop("killed", *options)
         self.assertFalse([name for name in os.listdir("killed") if name.endswith(".part")])
 

@@ -144,6 +144,27 @@ TEST_CASE("Energy that a law makes: first a warning, then the end, with and with
   CHECK(of(watch, "energy_gain").worst != of(watch, "energy_gain").worst);
 }
 
+TEST_CASE("Energy that sways with the step is no gain: velocities are those of its middle") {
+  const auto check = [](auto scene) {
+    const double energy = kinetic_energy(std::get<0>(scene.bodies));
+    double sways = 0;
+    Watch watch{{.every = 1}};
+    const Said s = said([&] {
+      run(scene, {.end = 0.2, .courant = 0.25}, watch, [&](const auto& now) {
+        const auto& body = std::get<0>(now.bodies);
+        sways = std::max(sways, std::abs(kinetic_energy(body) + strain_energy(body) - energy) / energy);
+      });
+    });
+    CAPTURE(s.error, sways);
+    CHECK(s.error == "");
+    CHECK(s.warnings.empty());
+    CHECK(sways >= 0.02);
+    CHECK(of(watch, "energy_gain").worst <= 0.01);
+  };
+  check(swinging(0, TrackEnergy{}));
+  check(swinging(0));
+}
+
 TEST_CASE("Energy put in behind the scene's back, or taken away") {
   for (const double factor : {1.2, 0.5}) {
     auto scene = swinging(0, TrackEnergy{});

@@ -11,9 +11,11 @@
 #include <system_error>
 #include <vector>
 
-#include "options.hpp"
+#include "option_table.hpp"
+#include "version.hpp"
 
 namespace arenite::ffp {
+
 namespace detail {
 
 /// The whole text as a number; throws `error("--option = text: must be a number")`.
@@ -23,147 +25,133 @@ Number parse_number(const std::string& option, const std::string& text) {
   const char* end = text.data() + text.size();
   const auto [at, code] = std::from_chars(text.data(), end, value);
   const char* rule = std::is_integral_v<Number> ? "must be a whole number" : "must be a number";
-  require(code == std::errc{} && at == end, option, text, rule);
+  if (code == std::errc::result_out_of_range) rule = "must be a number of ordinary size";
+  require(code == std::errc{} && at == end, option, shown(text), rule);
   return value;
 }
 
-/// Adds the options of a drop to a CLI11 application, one line an option.
+/// What puts the number that a word stands for where it belongs.
+template <class Number, class Place>
+auto parse_into(const std::string& name, Place& to) {
+  return [name, &to](const std::string& word) { to = parse_number<Number>(name, word); };
+}
+
+/// Adds the options of the table to a CLI11 application.
 class DropOptionAdder {
  public:
   explicit DropOptionAdder(CLI::App& app) : app_{app} {}
 
+  void group(const char* title) { group_ = title; }
+
   template <class Number>
-  void number(const std::string& name, Number& to, const char* unit, const std::string& text) {
-    const std::string standard = join(to);
-    add(name, unit, text + " [" + standard + "]",
-        [name, &to](const std::string& word) { to = parse_number<Number>(name, word); });
+  void number(const std::string& name, Number& to, const char* metavar, const Range& range,
+              const std::string& help) {
+    add(name, metavar, join(help, ", in ", range.text(), " (default ", to, ")"),
+        parse_into<Number>(name, to));
   }
   template <class Number>
-  void number(const std::string& name, std::optional<Number>& to, const char* unit, const std::string& text) {
-    add(name, unit, text, [name, &to](const std::string& word) { to = parse_number<Number>(name, word); });
+  void number(const std::string& name, std::optional<Number>& to, const char* metavar, const Range& range,
+              const std::string& help) {
+    add(name, metavar, join(help, ", in ", range.text()), parse_into<Number>(name, to));
   }
-  void text(const std::string& name, std::string& to, const char* unit, const std::string& text) {
-    add(name, unit, text + (to.empty() ? "" : " [" + to + "]"), [name, &to](const std::string& word) {
-      require(!word.starts_with("--"), name, word, "must be a name, not the next option");
-      to = word;
-    });
+  void counts(const std::string& name, std::optional<int>& to, const std::string& help) {
+    add(name, "N", help, parse_into<int>(name, to));
+  }
+  void text(const std::string& name, std::string& to, const char* metavar, const std::string& help) {
+    add(name, metavar, help + (to.empty() ? "" : " (default " + to + ")"),
+        [name, &to](const std::string& word) {
+          require(!word.starts_with("--"), name, shown(word), "must be a name, not the next option");
+          to = word;
+        });
   }
   template <class Words, class Value>
-  void choice(const std::string& name, const Words& words, Value& to, const std::string& text) {
+  void choice(const std::string& name, const Words& words, Value& to, const std::string& help) {
     std::string all, rule;
     for (const auto& [word, meaning] : words) {
       all += (all.empty() ? "" : "|") + std::string{word};
       rule += (rule.empty() ? "must be " : " or ") + std::string{word};
     }
-    add(name, all.c_str(), text + " [" + word_of(words, to) + "]",
+    add(name, all.c_str(), help + " (default " + word_of(words, to) + ")",
         [name, words, rule, &to](const std::string& given) {
           for (const auto& [word, meaning] : words)
             if (word == given) {
               to = meaning;
               return;
             }
-          throw error(join(name, " = ", given, ": ", rule));
+          throw error(join(name, " = ", shown(given), ": ", rule));
         });
   }
-  void flag(const std::string& name, bool& to, const std::string& text) {
-    app_.add_flag(name, to, text)->group(group);
+  void flag(const std::string& name, bool& to, const std::string& help) {
+    app_.add_flag(name, to, help)->group(group_);
+    flags_.push_back(name);
   }
 
-  std::string group;
+  /// Names of the options that take no value.
+  const std::vector<std::string>& flags() const { return flags_; }
 
  private:
   template <class Take>
-  void add(const std::string& name, const char* unit, const std::string& text, Take take) {
-    app_.add_option_function<std::string>(name, take, text)
-        ->type_name(unit)
+  void add(const std::string& name, const char* metavar, const std::string& help, Take take) {
+    app_.add_option_function<std::string>(name, take, help)
+        ->type_name(metavar)
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeLast)
-        ->group(group);
+        ->group(group_);
   }
 
   CLI::App& app_;
+  std::string group_;
+  std::vector<std::string> flags_;
 };
-
-inline void add_drop_options(CLI::App& app, DropOptions& o) {
-  DropOptionAdder add{app};
-  add.group = "Model";
-  add.choice("--kinematics", kinematics_words, o.kinematics,
-             "Half-section of triangles, or the 20-degree slice of tetrahedra");
-  add.choice("--device", device_words, o.device, "Penetrometer that moves as one, or one that deforms");
-  add.number("--velocity", o.velocity, "M_S", "Velocity at the impact, m/s");
-  add.number("--mass", o.mass, "KG", "Mass of the whole penetrometer, kg");
-  add.choice("--shoulder", shoulder_words, o.shoulder, "Edge between cone and cylinder");
-  add.number("--fillet", o.fillet, "M", "Radius of the rounded edge, m, with --shoulder fillet");
-  add.number("--device-young", o.device_young, "PA", "Young's modulus of the elastic penetrometer, Pa");
-  add.number("--device-poisson", o.device_poisson, "X", "Poisson's ratio of the elastic penetrometer");
-  add.group = "Sand (Mohr-Coulomb)";
-  add.number("--friction", o.friction, "DEG", "Angle of friction, deg");
-  add.number("--dilatancy", o.dilatancy, "DEG", "Angle of dilatancy, deg");
-  add.number("--cohesion", o.cohesion, "PA", "Cohesion, Pa");
-  add.number("--young", o.young, "PA", "Young's modulus, Pa");
-  add.number("--poisson", o.poisson, "X", "Poisson's ratio");
-  add.number("--unit-weight", o.unit_weight, "N_M3", "Unit weight, N/m^3");
-  add.number("--k0", o.k0, "X", "Earth pressure at rest [poisson / (1 - poisson)]");
-  add.group = "Contact";
-  add.number("--delta", o.delta, "DEG", "Angle of friction between sand and penetrometer, deg");
-  add.flag("--no-slip", o.no_slip, "Sand sticks to the penetrometer, whatever --delta says");
-  add.choice("--contact", contact_words, o.contact,
-             "Contact of the rigid penetrometer, or through the centre-of-mass velocity (the paper's)");
-  add.group = "Numerics";
-  add.number("--cell", o.cell, "M", "Edge of the cells around the cone, m");
-  add.number("--points-per-element", o.points_per_element, "N",
-             "Material points in each element of sand [28 in triangles, 10 in tetrahedra]");
-  add.number("--moving-depth", o.moving_depth, "M",
-             "The mesh moves as one from this depth below the tip upward, m");
-  add.text("--mesh", o.mesh, "FILE.msh", "Gmsh mesh in the place of the generated one");
-  add.choice("--anti-locking", switch_words, o.anti_locking,
-             "Average volumetric strains over nodes and stresses over filled elements");
-  add.number("--flip", o.flip, "SHARE", "Share of FLIP in the velocity update, the rest is PIC");
-  add.number("--courant", o.courant, "X", "Time step over the stable one, h / c");
-  add.group = "Run";
-  add.number("--end", o.end, "S", "End of the run, s");
-  add.number("--threads", o.threads, "N", "Threads, 0 for all");
-  add.number("--fields-every", o.fields_every, "S", "Time between field files, s, 0 for none");
-  add.text("--out", o.out, "DIR", "Folder of the results");
-  add.flag("--quiet", o.quiet, "No progress on the terminal");
-}
 
 }  // namespace detail
 
-/// Options of `arenite-ffp <words>`, checked; nothing if `--help` was asked for and written to `help`.
-/// Throws `error` of one sentence for anything else; the caller prints "arenite-ffp: " and the sentence and
-/// exits with 2.
-inline std::optional<DropOptions> read_command_line(std::vector<std::string> words, std::ostream& help) {
+/// Options of `arenite-ffp <words>`, checked; nothing if `--help` or `--version` was asked for and written to
+/// `answer`. Throws `error` of one sentence for anything else; the caller prints "arenite-ffp: " and the
+/// sentence and exits with 2.
+inline std::optional<DropOptions> read_command_line(std::vector<std::string> words, std::ostream& answer) {
   DropOptions options;
   CLI::App app{"Drops a free-fall penetrometer into dry sand, by the material point method.", "arenite-ffp"};
-  CLI::App& drop =
-      *app.add_subcommand("drop", "Run one drop; without options the paper's case (value in brackets)");
+  CLI::App& drop = *app.add_subcommand("drop", "Run one drop; without options the paper's case");
+  for (CLI::App* each : {&app, &drop})
+    each->set_version_flag("--version", version, "Print the version and exit");
   drop.get_formatter()->column_width(46);
-  detail::add_drop_options(drop, options);
+  detail::DropOptionAdder adder{drop};
+  visit_options(options, adder);
   app.allow_extras();
   drop.allow_extras();
   drop.footer(
-      "Writes DIR/history.csv, DIR/summary.json and DIR/fields_*.vtu with a .pvd.\n"
-      "Exit code: 0 done, 1 the run failed physically, 2 an option or a mesh cannot be used.");
+      "Writes history.csv, summary.json and, for ParaView, fields.pvd with fields_*.vtu into DIR.\n"
+      "summary.json says \"status\": \"running\" from the start, and at the end \"done\", \"failed\",\n"
+      "\"interrupted\" or \"disk-full\". A folder that another drop is writing to is refused.\n"
+      "SIGINT (Ctrl-C) or SIGTERM ends the run after the step, with all files complete; a second one at "
+      "once.\n"
+      "Exit code: 0 done; 1 the run failed physically, or its files could not be written; 2 an option, a "
+      "mesh\n"
+      "or the folder cannot be used; 130 and 143 interrupted by SIGINT and SIGTERM.");
   for (const auto& word : words) {  // what CLI11 would take in silence
-    for (const std::string flag : {"--no-slip=", "--quiet="})
-      require(!word.starts_with(flag), flag.substr(0, flag.size() - 1),
-              word.substr(std::min(word.size(), flag.size())), "takes no value");
+    for (const std::string& flag : adder.flags())
+      require(!word.starts_with(flag + "="), flag, shown(word.substr(std::min(word.size(), flag.size() + 1))),
+              "takes no value");
     if (word.starts_with("--") && word.ends_with("="))
-      throw error(word.substr(0, word.size() - 1) + " = : needs a value");
+      throw error(shown(word.substr(0, word.size() - 1)) + " = : needs a value");
   }
   try {
     std::vector<std::string> reversed(words.rbegin(), words.rend());
     app.parse(reversed);
   } catch (const CLI::CallForHelp&) {
-    help << (drop.parsed() ? drop.help("arenite-ffp") : app.help());
+    answer << (drop.parsed() ? drop.help("arenite-ffp") : app.help());
+    return std::nullopt;
+  } catch (const CLI::CallForVersion&) {
+    answer << "arenite-ffp " << version << '\n';
     return std::nullopt;
   } catch (const CLI::ArgumentMismatch&) {  // only the last word can be an option without its value
-    throw error(words.back() + " = : needs a value");
+    throw error(shown(words.back()) + " = : needs a value");
   } catch (const CLI::ParseError& e) {
-    throw error(detail::join("command line: ", e.what()));
+    throw error(detail::join("command line: ", shown(e.what())));
   }
   for (const auto& word : app.remaining(true))
-    throw error(detail::join(word, word.starts_with("-") ? ": no such option" : ": a word without an option",
+    throw error(detail::join(shown(word),
+                             word.starts_with("-") ? ": no such option" : ": a word without an option",
                              "; see arenite-ffp drop --help"));
   if (!drop.parsed()) throw error("command: must be drop, as in arenite-ffp drop --help");
   check(options);

@@ -9,17 +9,19 @@ template <class Model>
 void drop_rigid(const DropOptions& o) {
   const auto with = [&]<class AntiLocking>(AntiLocking) {
     if (o.contact == ContactKind::rigid)
-      record<Model>(rigid_scene<Model, AntiLocking, RigidVelocity>(o), o);
+      record<Model>(o, [&] { return rigid_scene<Model, AntiLocking, RigidVelocity>(o); });
     else
-      record<Model>(rigid_scene<Model, AntiLocking, CentreOfMass>(o), o);
+      record<Model>(o, [&] { return rigid_scene<Model, AntiLocking, CentreOfMass>(o); });
   };
   o.anti_locking ? with(NodalAndElementAverage{}) : with(NoAntiLocking{});
 }
 
 template <class Model>
 void drop_elastic(const DropOptions& o) {
-  o.anti_locking ? record<Model>(elastic_scene<Model, NodalAndElementAverage>(o), o)
-                 : record<Model>(elastic_scene<Model, NoAntiLocking>(o), o);
+  const auto with = [&]<class AntiLocking>(AntiLocking) {
+    record<Model>(o, [&] { return elastic_scene<Model, AntiLocking>(o); });
+  };
+  o.anti_locking ? with(NodalAndElementAverage{}) : with(NoAntiLocking{});
 }
 
 }  // namespace arenite::ffp

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -32,7 +34,7 @@ struct HistoryRow {
   double energy_residual_J = 0;
   double lost_points = 0;
   double contact_nodes = 0;
-  double fill_ratio = 0;         ///< of the elements at the device: points over points when filled
+  double fill_ratio = 0;  ///< of the elements at the device; NaN, an empty field, while nothing touches
   double mean_volume_ratio = 1;  ///< mean V/V0 of the sand
 };
 
@@ -63,8 +65,9 @@ class HistoryFile {
   explicit HistoryFile(const std::filesystem::path& path) : csv_{path, names()} {}
 
   void write(const HistoryRow& row) {
-    std::array<double, history_columns.size()> values{};
-    for (std::size_t i = 0; i < values.size(); ++i) values[i] = row.*history_columns[i].second;
+    std::array<std::optional<double>, history_columns.size()> values{};
+    for (std::size_t i = 0; i < values.size(); ++i)
+      if (const double value = row.*history_columns[i].second; !std::isnan(value)) values[i] = value;
     csv_.row(values);
   }
 

@@ -59,28 +59,24 @@ std::pair<double, double> height_of(const Mesh& mesh, const std::string& region)
   return y;
 }
 
-/// The mesh of the drop: generated, or read. Throws `error` that names the file if it cannot be used.
+/// The mesh of the drop: generated, or read. Throws `error` if it cannot be used.
 template <class Model>
 SimplexMesh<Model::dimension> mesh_of(const DropOptions& o) {
   if (o.mesh.empty()) return SimplexMesh<Model::dimension>(Model::generate(o));
-  try {
-    SimplexMesh<Model::dimension> mesh(read_gmsh<Model::dimension>(o.mesh));
-    constexpr double close = 1e-6;  // m
-    const auto [bottom, surface] = height_of(mesh, "soil");
-    const auto [tip, top] = height_of(mesh, "device");
-    require(top - tip >= 0.1 && top - tip <= 2, "length of the device", top - tip,
-            "must lie in [0.1, 2] m; is the mesh in metres?");
-    require(std::abs(tip) < close, "tip of the device, y", tip, "must be 0 m");
-    require(std::abs(surface) < close, "surface of the soil, y", surface, "must be 0 m, the tip's height");
-    require(bottom < -o.moving_depth - close, "bottom of the soil, y", bottom,
-            "must lie below the zone that moves as one (--moving-depth)");
-    for (const char* set : {"bottom", "wall"}) mesh.node_set(set);
-    if constexpr (Model::dimension == 3)
-      for (const char* set : {"side_minus", "side_plus"}) mesh.node_set(set);
-    return mesh;
-  } catch (const error& e) {
-    throw error(arenite::shared_detail::join("--mesh = ", o.mesh, ": ", e.what()));
-  }
+  SimplexMesh<Model::dimension> mesh(read_gmsh<Model::dimension>(o.mesh));
+  constexpr double close = 1e-6;  // m
+  const auto [bottom, surface] = height_of(mesh, "soil");
+  const auto [tip, top] = height_of(mesh, "device");
+  require(top - tip >= 0.1 && top - tip <= 2, "length of the device", top - tip,
+          "must lie in [0.1, 2] m; is the mesh in metres?");
+  require(std::abs(tip) < close, "tip of the device, y", tip, "must be 0 m");
+  require(std::abs(surface) < close, "surface of the soil, y", surface, "must be 0 m, the tip's height");
+  require(bottom < -o.moving_depth - close, "bottom of the soil, y", bottom,
+          "must lie below the zone that moves as one (--moving-depth)");
+  for (const char* set : {"bottom", "wall"}) mesh.node_set(set);
+  if constexpr (Model::dimension == 3)
+    for (const char* set : {"side_minus", "side_plus"}) mesh.node_set(set);
+  return mesh;
 }
 
 template <int D>

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """Draws one or several drops: histories.png (depth, velocity, deceleration, reaction) and strain.png (deviatoric strain of
-the sand at the paper's times). Needs numpy and matplotlib.
+the sand at the paper's times). Drops that failed or were interrupted are drawn as far as they came. Needs numpy and matplotlib.
 
     plot.py out/ffp                              pictures of one drop, into its folder
     plot.py out/delta20 out/delta40 --out docs   several drops in the same pictures
@@ -12,6 +12,7 @@ import glob
 import json
 import os
 import sys
+import textwrap
 
 import numpy
 
@@ -31,6 +32,9 @@ COLOURS = ["#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#0
 REFERENCE = "#6b6b6b"
 FIELD_TIMES = [0.0, 0.02, 0.04, 0.08]  # s, of the paper's figure 4
 STRAIN_TOP = 1.0
+SOURCE = ("Paper: simulation of a free-fall penetrometer (FFP) dropped into dry sand with the material point method, 2nd International "
+          "Conference on the Material\nPoint Method for Modelling Soil-Water-Structure Interaction. Experiment: BlueDrop FFP in a "
+          "calibration chamber, as the paper reports it.")
 
 
 class Drop:
@@ -45,8 +49,8 @@ class Drop:
         except (OSError, ValueError) as problem:
             sys.exit(f"plot.py: {folder}: must hold summary.json and history.csv of a drop ({problem})")
         table = numpy.atleast_1d(table)
-        if len(table) < 2:
-            sys.exit(f"plot.py: {folder}/history.csv: needs two rows at least")
+        if len(table) < 1:
+            sys.exit(f"plot.py: {folder}/history.csv: holds no row")
         self.time = table["time_s"]
         self.depth = table["penetration_m"]
         self.velocity = table["velocity_m_s"]
@@ -60,6 +64,8 @@ class Drop:
         parts = self.parts()
         differs = [i for i, part in enumerate(parts) if any(drop.parts()[i] != part for drop in drops)]
         words = [parts[i] for i in sorted({0, *differs})]
+        if self.summary["status"] != "done":
+            words.append(self.summary["status"])
         named = {"no_slip", "delta_deg", "kinematics", "device", "end_s", "fields_every_s"}
         if any(drop.inputs["kinematics"] != self.inputs["kinematics"] for drop in drops):
             named.add("points_per_element")  # its default goes with the kinematics
@@ -81,6 +87,15 @@ class Drop:
                 found.setdefault(time, []).append(path)
         return sorted(found.items())
 
+    def hop(self):
+        """Start and end of the longest time, s, that it flies free after its greatest depth: net acceleration within 0.2 g of -1 g.
+        None if that is no longer than 5 ms."""
+        free = (abs(self.deceleration + 1) < 0.2) & (self.time >= self.time[numpy.argmax(self.depth)])
+        edges = numpy.flatnonzero(numpy.diff(numpy.concatenate([[0], free.astype(int), [0]])))
+        flights = [(self.time[a], self.time[b - 1]) for a, b in zip(edges[::2], edges[1::2])]
+        longest = max(flights, key=lambda flight: flight[1] - flight[0], default=(0, 0))
+        return longest if longest[1] - longest[0] > 5e-3 else None
+
     def outline(self, time):
         """Half-section of the device at a time: [r, y]."""
         line = numpy.array(self.summary["device_outline_m"])
@@ -89,6 +104,8 @@ class Drop:
 
 def moving_average(time, value):
     """Centred mean over WINDOW of a history that is constant over each step; exact for uneven steps."""
+    if len(time) < 2:
+        return value.copy()
     integral = numpy.concatenate([[0.0], numpy.cumsum(value[1:] * numpy.diff(time))])
     start = numpy.maximum(time - WINDOW / 2, time[0])
     end = numpy.minimum(time + WINDOW / 2, time[-1])
@@ -96,27 +113,63 @@ def moving_average(time, value):
 
 
 def level(axes, value, text, vertical=False):
-    """A reference line with its text on it."""
+    """A reference line, with its text outside of the axes, where no curve is."""
+    draw = axes.axvline if vertical else axes.axhline
+    draw(value, color=REFERENCE, linewidth=1, linestyle=(0, (5, 3)), zorder=1)
     if vertical:
-        axes.axvline(value, color=REFERENCE, linewidth=1, linestyle=(0, (5, 3)), zorder=1)
-        axes.text(value, 0.97, text + " ", color=REFERENCE, fontsize=8, ha="right", va="top", rotation=90,
-                  transform=axes.get_xaxis_transform())
-        return
-    axes.axhline(value, color=REFERENCE, linewidth=1, linestyle=(0, (5, 3)), zorder=1)
-    axes.text(0.985, value, text, color=REFERENCE, fontsize=8, ha="right", va="bottom",
-              transform=axes.get_yaxis_transform())
+        axes.text(value, 1.01, text, color=REFERENCE, fontsize=8, ha="center", va="bottom", transform=axes.get_xaxis_transform())
+    else:
+        axes.text(1.01, value, text, color=REFERENCE, fontsize=8, ha="left", va="center", transform=axes.get_yaxis_transform())
 
 
 def band(axes):
     """The paper's range of peak decelerations and the experiment's peak."""
     axes.axhspan(17, 23, color="#b9b9b9", alpha=0.35, linewidth=0, zorder=0)
-    axes.text(0.985, 22.8, "peaks in the paper, 17 to 23 g", color=REFERENCE, fontsize=8, ha="right", va="top",
-              transform=axes.get_yaxis_transform())
-    level(axes, 19.4, "experiment, 19.4 g")
+    level(axes, 19.4, "peaks\npaper (grey):\n17 to 23 g\nexperiment:\n19.4 g")
+
+
+def note_hop(axes, drop, values):
+    """Says what the plateau after the rebound is, beside it, with a line to it. The axes must have their limits and size."""
+    flight = drop.hop()
+    if flight is None:
+        return
+    middle = (flight[0] + flight[1]) / 2
+    target = (middle * 1e3, numpy.interp(middle, drop.time, values))
+    note = axes.annotate("free flight after\nthe rebound:\nreaction 0, -1 g", target, (0.5, 0.5), textcoords="axes fraction", fontsize=8,
+                         color="#333333", ha="center", va="center",
+                         arrowprops={"arrowstyle": "-", "color": "#333333", "linewidth": 0.7, "shrinkB": 2})
+    x, y = axes.transAxes.inverted().transform(axes.transData.transform(target))
+    places = [(x + dx, y + dy) for dy in (0.22, 0.3, 0.4, 0.5, 0.6) for dx in (0.0, 0.02, 0.04, 0.06, 0.1, -0.05, -0.1)]
+    for place in places:
+        note.set_position(place)
+        if is_free(axes, note):
+            return
+
+
+def is_free(axes, text):
+    """Whether an annotation's text lies on no curve and on no other text of its axes, and within them."""
+    renderer = axes.figure.canvas.get_renderer()
+    text.update_positions(renderer)
+    box = matplotlib.text.Text.get_window_extent(text, renderer).padded(3)
+    if box.x1 > axes.bbox.x1 + 3:
+        return False
+    for other in axes.texts:
+        if other is not text and box.overlaps(other.get_window_extent(renderer)):
+            return False
+    for line in axes.get_lines():
+        if box.width > 0 and line.get_path().transformed(line.get_transform()).intersects_bbox(box, filled=False):
+            return False
+    return True
+
+
+def greatest(values):
+    """The greatest of the finite values; 0 if there is none."""
+    finite = values[numpy.isfinite(values)]
+    return numpy.max(finite) if len(finite) else 0.0
 
 
 def draw_histories(drops, path):
-    figure, rows = pyplot.subplots(2, 3, figsize=(12, 7), constrained_layout=True)
+    figure, rows = pyplot.subplots(2, 3, figsize=(13.5, 7.4), constrained_layout=True)
     depth, velocity, deceleration = rows[0]
     reaction, velocity_down, deceleration_down = rows[1]
     for drop, colour in zip(drops, COLOURS * len(drops)):
@@ -131,15 +184,15 @@ def draw_histories(drops, path):
         reaction.plot(ms, drop.reaction / 1e3, **style)
         velocity_down.plot(cm, drop.velocity, **style)
         deceleration_down.plot(cm, drop.deceleration, **style)
-    top = 1.15 * max(23, max(numpy.max(drop.deceleration) for drop in drops))
+    top = 1.15 * max(23, max(greatest(drop.deceleration) for drop in drops))
     for axes in (deceleration, deceleration_down):
         band(axes)
         axes.set_ylim(-3, top)
-    depth.set_ylim(1.12 * max(21, max(numpy.max(drop.depth) * 1e2 for drop in drops)), 0)
-    level(depth, 20, "paper, δ = 20°: 20 cm")
-    level(depth, 14, "paper, fully rough: 14 cm")
-    level(velocity_down, 20, "paper, δ = 20°", vertical=True)
-    level(velocity_down, 14, "paper, fully rough", vertical=True)
+    depth.set_ylim(1.12 * max(21, max(greatest(drop.depth) * 1e2 for drop in drops)), 0)
+    level(depth, 20, "paper,\nδ = 20°:\n20 cm")
+    level(depth, 14, "paper,\nfully rough:\n14 cm")
+    level(velocity_down, 20, "paper,\nδ = 20°", vertical=True)
+    level(velocity_down, 14, "paper,\nfully rough", vertical=True)
     for axes in (velocity, velocity_down):
         axes.axhline(0, color="#b9b9b9", linewidth=0.8, zorder=0)
     weight = drops[0].inputs["mass_kg"] * GRAVITY / 1e3
@@ -154,20 +207,25 @@ def draw_histories(drops, path):
     ):
         axes.set_xlabel(x)
         axes.set_ylabel(y)
-        axes.set_xlim(left=0)
+        axes.set_xlim(0, 1.02 * max(axes.dataLim.x1, 1e-9))
         axes.spines[["top", "right"]].set_visible(False)
     handles, labels = depth.get_legend_handles_labels()
-    columns = min(len(drops), max(1, int(150 / (8 + max(map(len, labels))))))
-    figure.legend(handles, labels, loc="outside upper center" if outside() else "upper center", ncol=columns, frameon=False)
-    if not outside():
-        figure.get_layout_engine().set(rect=(0, 0, 1, 1 - 0.01 - 0.035 * -(-len(drops) // columns)))
+    columns = min(len(drops), max(1, int(165 / (8 + max(map(len, labels))))))
+    figure.legend(handles, labels, loc="upper center", ncol=columns, frameon=False)
+    foot = [*(f"{drop.folder}: {drop.summary['status']}, {drop.summary.get('failure', 'no end was written')}"
+              for drop in drops if drop.summary["status"] != "done"), SOURCE]
+    foot = "\n".join([*(textwrap.fill(line, 190) for line in foot[:-1]), foot[-1]])
+    figure.text(0.01, 0.008, foot, color=REFERENCE, fontsize=8, ha="left", va="bottom")
+    below, above = 0.012 + 0.0185 * (1 + foot.count("\n")), 0.01 + 0.035 * -(-len(drops) // columns)
+    figure.get_layout_engine().set(rect=(0, below, 1, 1 - below - above))
+    figure.canvas.draw()  # fixes the sizes, which the notes need
+    for drop in drops:
+        if drop.hop() is not None:
+            note_hop(deceleration, drop, drop.deceleration)
+            note_hop(reaction, drop, drop.reaction / 1e3)
+            break
     figure.savefig(path, dpi=130)
     pyplot.close(figure)
-
-
-def outside():
-    """Whether this matplotlib places a legend outside of the axes by itself (3.7 and later)."""
-    return tuple(int(n) for n in matplotlib.__version__.split(".")[:2]) >= (3, 7)
 
 
 def nearest_fields(drop, wanted_times=FIELD_TIMES):
@@ -182,6 +240,8 @@ def nearest_fields(drop, wanted_times=FIELD_TIMES):
         if abs(times[i] - wanted) < 5e-3 and i not in chosen:
             chosen.append(i)
     shown = []
+    if drop.summary["status"] != "done" and len(series) - 1 not in chosen:
+        chosen.append(len(series) - 1)  # the state at which it was stopped
     for i in chosen or range(min(4, len(series))):
         for path in series[i][1]:
             data = read_vtu(path)
@@ -195,6 +255,8 @@ def nearest_fields(drop, wanted_times=FIELD_TIMES):
 def paint(axes, drop, field):
     """The sand and the device of one time on a pair of axes whose size is known; returns the image for a colour bar."""
     time, r, y, strain = field
+    inside = (r < 1) & (abs(y) < 1) & numpy.isfinite(strain)  # what a failed run has thrown out is not drawn
+    r, y, strain = r[inside], y[inside], strain[inside]
     order = numpy.argsort(strain)  # the sheared points on top
     r, y, strain = r[order], y[order], strain[order]
     box = axes.get_window_extent()
@@ -228,16 +290,19 @@ def draw_strain(drops, path):
     columns = max(len(shown) for _, shown in rows)
     figure, grid = pyplot.subplots(len(rows), columns, figsize=(3.3 * columns + 1, 2.45 * len(rows) + 0.5), squeeze=False,
                                    sharex=True, sharey=True, constrained_layout=True, dpi=130)
+    heads = [time for time, *_ in rows[0][1]]
     for line, (drop, shown) in zip(grid, rows):
         for axes in line[len(shown):]:
             axes.set_axis_off()
-        for axes, (time, *_) in zip(line, shown):
-            axes.set(xlim=(-0.4, 0.4), ylim=(-0.4, 0.2), aspect="equal", xticks=[-0.4, -0.2, 0, 0.2, 0.4])
-            if line[0] is grid[0, 0]:
+        for column, (axes, (time, *_)) in enumerate(zip(line, shown)):
+            axes.set(xlim=(-0.4, 0.4), ylim=(-0.4, 0.2), aspect="equal", xticks=[-0.3, 0, 0.3])
+            if line[0] is grid[0, 0] or column >= len(heads) or abs(time - heads[column]) > 5e-4:
                 axes.set_title(f"{time * 1e3:.0f} ms", fontsize=11)
         line[0].set_ylabel((drop.label(drops).replace(", ", "\n") + "\n" if len(rows) > 1 else "") + "height [m]", fontsize=9)
-    for axes in grid[-1]:
-        axes.set_xlabel("distance from the axis [m]", fontsize=9)
+    for k in range(columns):
+        lowest = [line[k] for line, (_, shown) in zip(grid, rows) if len(shown) > k][-1]
+        lowest.set_xlabel("distance from the axis [m]", fontsize=9)
+        lowest.tick_params(labelbottom=True)
     bar = figure.colorbar(matplotlib.cm.ScalarMappable(matplotlib.colors.Normalize(0, STRAIN_TOP), "magma_r"), ax=grid, extend="max",
                           shrink=0.9 if len(rows) == 1 else 0.5, aspect=20 if len(rows) == 1 else 40, pad=0.01)
     bar.set_label("deviatoric strain [-]")
@@ -274,10 +339,11 @@ def draw_cover(drop, path):
         axes.set_xlim(0, drop.time[-1] * 1e3)
         axes.spines[["top", "right"]].set_visible(False)
         if bottom > 0.5:
-            axes.set_ylim(1.15 * numpy.max(values), 0)
+            axes.set_ylim(1.15 * greatest(values), 0)
         else:
             axes.set_xlabel("time [ms]")
             axes.axhline(0, color="#b9b9b9", linewidth=0.8, zorder=0)
+            note_hop(axes, drop, values)
     figure.savefig(path)
     pyplot.close(figure)
 

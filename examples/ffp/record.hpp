@@ -1,18 +1,35 @@
-// Runs a scene of the drop and records it: a row of the history each step, fields at times, the summary at
-// the end or when the run fails.
+// Runs a scene of the drop and records it: a row of the history each step, fields at times, and the summary
+// from the start to whatever end the run takes.
 #pragma once
 
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
 #include <chrono>
-#include <filesystem>
+#include <ctime>
+#include <functional>
+#include <iostream>
+#include <optional>
+#include <string>
 #include <vector>
 
+#include <arenite/observe/every.hpp>
 #include <arenite/observe/fill_ratio.hpp>
 #include <arenite/observe/progress.hpp>
 #include <arenite/observe/vtu.hpp>
+#include <arenite/observe/watch.hpp>
 
+#include "drop.hpp"
 #include "history.hpp"
 #include "model.hpp"
 #include "results.hpp"
+#include "run_folder.hpp"
+#include "say.hpp"
+#include "signals.hpp"
+#include "step_count.hpp"
+#include "warnings.hpp"
+#include "words.hpp"
 
 namespace arenite::ffp {
 
@@ -49,99 +66,228 @@ DeviceState device_state(const Scene& scene) {
   return state;
 }
 
-/// Observer that makes the rows of the history, writes them and keeps them for the summary.
-class Recorder {
- public:
-  Recorder(const std::filesystem::path& folder, double whole)
-      : file_{folder / "history.csv"}, whole_{whole} {}
+/// A row of the history, of the scene as it stands; `before`: the row of the step before, null at the start.
+template <class Scene>
+HistoryRow history_row(const Scene& scene, const HistoryRow* before, double whole) {
+  const DeviceState device = device_state(scene);
+  const Energies e = energies(scene);
+  const auto& soil = std::get<0>(scene.bodies);
+  HistoryRow row;
+  row.time_s = scene.time;
+  row.penetration_m = device.penetration;
+  row.velocity_m_s = device.velocity;
+  row.acceleration_m_s2 = before ? (before->velocity_m_s - device.velocity) / scene.time_step
+                                 : -standard_gravity;  // it still falls freely
+  row.reaction_N = whole * device.reaction;
+  row.time_step_s = scene.time_step;
+  row.kinetic_energy_J = whole * e.kinetic;
+  row.strain_energy_J = whole * e.strain;
+  row.plastic_work_J = whole * e.plastic;
+  row.contact_dissipation_J = whole * e.contact;
+  row.external_work_J = whole * e.external;
+  row.energy_residual_J = whole * e.residual;
+  row.lost_points = static_cast<double>(scene.lost_points());
+  row.contact_nodes = static_cast<double>(device.contact_nodes);
+  row.fill_ratio = fill_ratio(scene, soil, device.touched, scene.mesh.region_number("device"));
+  row.mean_volume_ratio = mean_volume_ratio(soil);
+  return row;
+}
 
-  template <class Scene>
-  void operator()(const Scene& scene) {
-    const DeviceState device = device_state(scene);
-    const Energies e = energies(scene);
-    const auto& soil = std::get<0>(scene.bodies);
-    HistoryRow row;
-    row.time_s = scene.time;
-    row.penetration_m = device.penetration;
-    row.velocity_m_s = device.velocity;
-    row.acceleration_m_s2 = rows_.empty() ? -standard_gravity  // it still falls freely
-                                          : (rows_.back().velocity_m_s - device.velocity) / scene.time_step;
-    row.reaction_N = whole_ * device.reaction;
-    row.time_step_s = scene.time_step;
-    row.kinetic_energy_J = whole_ * e.kinetic;
-    row.strain_energy_J = whole_ * e.strain;
-    row.plastic_work_J = whole_ * e.plastic;
-    row.contact_dissipation_J = whole_ * e.contact;
-    row.external_work_J = whole_ * e.external;
-    row.energy_residual_J = whole_ * e.residual;
-    row.lost_points = static_cast<double>(scene.lost_points());
-    row.contact_nodes = static_cast<double>(device.contact_nodes);
-    row.fill_ratio = fill_ratio(scene, soil, device.touched, scene.mesh.region_number("device"));
-    row.mean_volume_ratio = mean_volume_ratio(soil);
-    file_.write(row);
-    rows_.push_back(row);
+/// What a watch saw, by the names of its limits.
+inline nlohmann::ordered_json json_of(const Watch& watch) {
+  nlohmann::ordered_json j;
+  for (const Watched& w : watch.seen()) {
+    auto& entry = j[std::string{w.name}];
+    entry = {{"worst", w.worst}, {"time_s", w.time}, {"limit", w.limit}};
+    for (const double x : w.place)
+      if (std::isfinite(x)) entry["place_m"].push_back(x);
+  }
+  return j;
+}
+
+/// "2026-05-04T03:02:01Z"
+inline std::string utc_now() {
+  const std::time_t now = std::time(nullptr);
+  std::tm parts{};
+  ::gmtime_r(&now, &parts);
+  std::array<char, 32> text{};
+  std::strftime(text.data(), text.size(), "%Y-%m-%dT%H:%M:%SZ", &parts);
+  return text.data();
+}
+
+/// One run in its folder, and the observer that writes it down.
+template <class Model, class Scene>
+class Run {
+ public:
+  /// Takes the folder; throws `error` if it cannot.
+  Run(Scene& scene, const DropOptions& options, const StepCount& expected, const WarningLog& warnings)
+      : scene_{scene},
+        o_{options},
+        warnings_{warnings},
+        folder_{options.out},
+        progress_{options.end, {.tenths = true}} {
+    numbers_.started = utc_now();
+    numbers_.process = ::getpid();
+    numbers_.points = static_cast<long>(scene.point_count());
+    numbers_.expected_steps = static_cast<long>(std::min(expected.steps, 1e18));
+    numbers_.threads = threads();
+    if (!o_.no_watch)
+      watch_.emplace(
+          WatchLimits{.energy_gain = o_.watch_energy, .volume = o_.watch_volume, .lost = o_.watch_lost});
   }
 
-  const std::vector<HistoryRow>& rows() const { return rows_; }
+  /// Runs to `o.end` and writes all files. Throws `Ended` if another end comes first; the files are then
+  /// those of the run until there.
+  void go() {
+    try {
+      write_summary("running");
+      history_.emplace(folder_.path() / "history.csv");
+      if (o_.fields_every > 0) {
+        series_.emplace(
+            folder_.path() / "fields",
+            VtuOptions{.body_names = {"soil", "device_points"}, .mesh = true, .region = "device"});
+        due_fields_ = every(o_.fields_every, [this](const Scene& s) { write_fields(s); });
+      }
+      begin_ = Clock::now();
+      arenite::run(scene_, {.end = o_.end, .courant = o_.courant}, *this);
+      write_summary("done");
+    } catch (const Interruption& e) {
+      end("interrupted", at_time(e.what()), e.exit_code());
+    } catch (const run_error& e) {  // tells the time itself
+      end("failed", e.what(), 1);
+    } catch (const output_error& e) {
+      end(e.disk_full() ? "disk-full" : "failed", at_time(e.what()), 1);
+    } catch (const std::exception& e) {
+      end("failed", at_time(e.what()), 1);
+    }
+    if (!o_.quiet) std::cout << sentence_of(figures_of(rows_), o_.out) << std::endl;
+  }
+
+  /// Takes a step down, and stops the run if there is reason.
+  void operator()(const Scene& scene) {
+    const auto from = Clock::now();
+    const HistoryRow row = history_row(scene, rows_.empty() ? nullptr : &rows_.back(), Model::whole);
+    history_->write(row);
+    rows_.push_back(row);  // so that the summary is that of the file
+    if (due_fields_) due_fields_(scene);
+    if (scene.steps > 0) numbers_.point_steps += static_cast<double>(scene.point_count());
+    if (!o_.quiet) {
+      tell_pace(scene);
+      progress_(scene);
+    }
+    stop_if([&] {
+      if (watch_) (*watch_)(scene);
+      if (scene.time < o_.end) signals_.check();
+    });
+    writing_ += Clock::now() - from;
+  }
+  void finish(const Scene& scene) {
+    stop_if([&] {
+      if (watch_) watch_->finish(scene);
+    });
+  }
 
  private:
-  HistoryFile file_;
-  double whole_;
+  using Clock = std::chrono::steady_clock;
+  static double seconds(Clock::duration d) { return std::chrono::duration<double>(d).count(); }
+
+  /// Calls a check. If it throws, the fields of this step are written, for they show why.
+  template <class Check>
+  void stop_if(Check&& check) {
+    try {
+      check();
+    } catch (...) {
+      if (series_ && fields_of_ != scene_.steps) write_fields(scene_);
+      throw;
+    }
+  }
+
+  void write_fields(const Scene& scene) {
+    (*series_)(scene);
+    fields_of_ = scene.steps;
+  }
+
+  /// Says how long the run will take, once some steps have shown it; the first ones take longer than the
+  /// rest.
+  void tell_pace(const Scene& scene) {
+    constexpr std::size_t first = 5, last = 25;
+    if (scene.steps == first) pace_from_ = Clock::now();
+    if (scene.steps != last) return;
+    const double step = seconds(Clock::now() - pace_from_) / (last - first);
+    say("about " + duration(step * static_cast<double>(numbers_.expected_steps)) +
+        " at the pace of the first steps");
+  }
+
+  std::string at_time(const std::string& what) const {
+    return arenite::shared_detail::join("t = ", scene_.time, " s: ", what);
+  }
+
+  void write_summary(const std::string& status) {
+    numbers_.status = status;
+    std::optional<DropFigures> figures;
+    if (!rows_.empty()) {
+      figures = figures_of(rows_);
+      numbers_.steps = static_cast<long>(rows_.size()) - 1;
+      numbers_.wall_s = seconds(Clock::now() - begin_ - writing_);
+    }
+    numbers_.lost_points = static_cast<long>(scene_.lost_points());
+    numbers_.limited_velocities = static_cast<long>(scene_.limited);
+    auto summary = summary_of(o_, figures, numbers_);
+    summary["warnings"] = warnings_.texts();
+    if (watch_) summary["watch"] = json_of(*watch_);
+    arenite::ffp::write_summary(folder_.path() / "summary.json", summary);
+  }
+
+  /// The end before the end: the summary says what happened, and so does `Ended`.
+  [[noreturn]] void end(const std::string& status, const std::string& failure, int exit_code) {
+    numbers_.failure = failure;
+    std::string told = (status == "failed" ? "the run failed: " : "") + failure;
+    folder_.free_reserve();
+    try {
+      write_summary(status);
+      told += "; files: " + shown(o_.out);
+    } catch (const error& e) {
+      told += arenite::shared_detail::join("; nor can the summary be written: ", e.what());
+    }
+    throw Ended(told, exit_code);
+  }
+
+  Scene& scene_;
+  const DropOptions& o_;
+  const WarningLog& warnings_;
+  RunFolder folder_;
+  StopSignals signals_;
+  Progress progress_;
+  std::optional<Watch> watch_;
+  std::optional<HistoryFile> history_;
+  std::optional<VtuSeries> series_;
+  std::function<void(const Scene&)> due_fields_;
+  std::optional<std::size_t> fields_of_;  ///< the last step with fields
   std::vector<HistoryRow> rows_;
+  RunNumbers numbers_;
+  Clock::time_point begin_{}, pace_from_{};
+  Clock::duration writing_{};  ///< time of the output
 };
 
-/// Runs a scene to `o.end` and writes all files of the drop. The wall time is that of the steps, output
-/// apart.
-template <class Model, class Scene>
-void record(Scene scene, const DropOptions& o) {
-  using Clock = std::chrono::steady_clock;
-  const std::filesystem::path folder = o.out;
-  std::error_code code;
-  std::filesystem::create_directories(folder, code);
-  require(!code, "--out", o.out, "the folder cannot be made: " + code.message());
-  Recorder recorder(folder, Model::whole);
-  RunNumbers numbers;
-  numbers.points = static_cast<long>(scene.point_count());
-  numbers.threads = threads();
-  const auto begin = Clock::now();
-  Clock::duration watching{};
-  const auto watch = [&](auto& observer) {
-    return [&](const auto& s) {
-      const auto from = Clock::now();
-      observer(s);
-      watching += Clock::now() - from;
-    };
-  };
-  const auto count = [&](const auto& s) {
-    numbers.steps = static_cast<long>(s.steps);
-    if (s.steps > 0) numbers.point_steps += static_cast<double>(s.point_count());
-  };
-  const auto finish = [&] {
-    numbers.wall_s = std::chrono::duration<double>(Clock::now() - begin - watching).count();
-    numbers.lost_points = static_cast<long>(scene.lost_points());
-    numbers.limited_velocities = static_cast<long>(scene.limited);
-    write_summary(folder / "summary.json", summary_of(o, figures_of(recorder.rows()), numbers));
-  };
-  Progress progress(o.quiet ? -1 : o.end);
-  const auto show = [&](const auto& s) {
-    if (!o.quiet) progress(s);
-  };
-  try {
-    const RunOptions options{.end = o.end, .courant = o.courant};
-    if (o.fields_every > 0) {
-      auto fields = every(o.fields_every,
-                          vtu(folder / "fields",
-                              {.body_names = {"soil", "device_points"}, .mesh = true, .region = "device"}));
-      run(scene, options, watch(recorder), watch(fields), count, show);
-    } else {
-      run(scene, options, watch(recorder), count, show);
+/// Makes a scene and runs it. `make()` returns the scene; what it throws about a mesh that was read names its
+/// file.
+template <class Model, class Make>
+void record(const DropOptions& o, const Make& make) {
+  const WarningLog warnings;
+  auto scene = [&] {
+    try {
+      return make();
+    } catch (const error& e) {
+      if (o.mesh.empty()) throw;
+      throw error(arenite::shared_detail::join("--mesh = ", shown(o.mesh), ": ", e.what()));
     }
-  } catch (const run_error& e) {
-    numbers.failure = e.what();
-    finish();
-    throw;
-  }
-  finish();
+  }();
+  const StepCount expected = accepted_step_count(scene, o);
+  Run<Model, decltype(scene)> run(scene, o, expected, warnings);
+  if (!o.quiet)
+    say(arenite::shared_detail::join("about ", rounded(expected.steps), " steps of ",
+                                     rounded(expected.length), " s, ", scene.point_count(), " points"));
+  run.go();
 }
 
 }  // namespace arenite::ffp

@@ -4,9 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,19 +20,25 @@
 #include "history.hpp"
 #include "options.hpp"
 #include "peaks.hpp"
+#include "version.hpp"
+#include "words.hpp"
 
 namespace arenite::ffp {
 
-/// Numbers of the run itself, as the stepping loop counts them.
+/// The run itself: how it stands, and what the stepping loop counts.
 struct RunNumbers {
-  long points = 0;  ///< material points of sand and device
+  std::string status = "done";  ///< or "running", "failed", "interrupted", "disk-full"
+  std::string failure{};        ///< when, where and why it ended early; empty: it did not
+  std::string started{};        ///< UTC, ISO 8601
+  long process = 0;             ///< id
+  long points = 0;              ///< material points of sand and device
+  long expected_steps = 0;      ///< as told before the first
   long steps = 0;
   double wall_s = 0;       ///< of the stepping loop, without output
   double point_steps = 0;  ///< sum over steps of the points moved
   int threads = 1;
   long lost_points = 0;
   long limited_velocities = 0;  ///< times that the velocity limit acted
-  std::string failure{};        ///< why the run ended early; empty: it did not
 };
 
 /// A peak of the deceleration.
@@ -41,9 +51,11 @@ struct Peak {
 /// Figures drawn from a history.
 struct DropFigures {
   double final_penetration_m = 0, max_penetration_m = 0, max_penetration_time_s = 0;
-  Peak peak;      ///< of the filtered history
-  Peak second;    ///< of the filtered history; NaN: there is none
-  Peak raw_peak;  ///< of the history as computed
+  Peak peak;                   ///< of the filtered history
+  Peak second;                 ///< of the filtered history; NaN: there is none
+  Peak raw_peak;               ///< of the history as computed
+  double peak_reaction_N = 0;  ///< of the mean over the same window
+  double end_s = 0;            ///< time of the last row
   double dt_min_s = 0, dt_max_s = 0;
   double energy_residual =
       0;  ///< residual at the end over all energy put in: kinetic at the start and external work
@@ -54,10 +66,11 @@ inline constexpr double peak_window_s = 2e-3;
 /// Needs every step of the run, for the peaks; throws `error` without a row.
 inline DropFigures figures_of(const std::vector<HistoryRow>& history, double window = peak_window_s) {
   require(!history.empty(), "figures_of.history", history.size(), "needs at least one row");
-  std::vector<double> time, deceleration;
+  std::vector<double> time, deceleration, reaction;
   for (const auto& row : history) {
     time.push_back(row.time_s);
     deceleration.push_back(row.acceleration_m_s2 / standard_gravity);
+    reaction.push_back(row.reaction_N);
   }
   const auto filtered = moving_average(time, deceleration, window);
   const auto peak_at = [&](const std::vector<double>& values, std::size_t i) {
@@ -67,6 +80,9 @@ inline DropFigures figures_of(const std::vector<HistoryRow>& history, double win
   const Peaks peaks = find_peaks(filtered);
   f.peak = peak_at(filtered, peaks.first);
   if (peaks.second) f.second = peak_at(filtered, *peaks.second);
+  const auto mean_reaction = moving_average(time, reaction, window);
+  f.peak_reaction_N = *std::max_element(mean_reaction.begin(), mean_reaction.end());
+  f.end_s = time.back();
   f.raw_peak = peak_at(deceleration, find_peaks(deceleration).first);
   f.final_penetration_m = history.back().penetration_m;
   const auto deepest = std::max_element(
@@ -84,6 +100,16 @@ inline DropFigures figures_of(const std::vector<HistoryRow>& history, double win
   const double put_in = history.front().kinetic_energy_J + std::abs(history.back().external_work_J);
   f.energy_residual = put_in > 0 ? history.back().energy_residual_J / put_in : 0;
   return f;
+}
+
+/// What a drop came to, in one line.
+inline std::string sentence_of(const DropFigures& f, const std::string& folder) {
+  using arenite::shared_detail::join;
+  return join("The penetrometer stands at ", rounded(f.final_penetration_m), " m at ", rounded(f.end_s * 1e3),
+              " ms (deepest: ", rounded(f.max_penetration_m), " m at ",
+              rounded(f.max_penetration_time_s * 1e3), " ms); its deceleration peaked at ",
+              rounded(f.peak.value_g), " g at ", rounded(f.peak.time_s * 1e3), " ms and ",
+              rounded(f.peak.penetration_m), " m. Files: ", shown(folder));
 }
 
 /// All inputs of a drop, the derived ones too, by the names of their options.
@@ -121,36 +147,67 @@ inline nlohmann::ordered_json inputs_of(const DropOptions& o) {
   return j;
 }
 
-/// summary.json as a value. What there is none of (a second peak) is null.
-inline nlohmann::ordered_json summary_of(const DropOptions& options, const DropFigures& f,
-                                         const RunNumbers& run) {
+/// As text, whatever bytes the names of files hold.
+inline std::string json_text(const nlohmann::ordered_json& j, int indent = -1) {
+  return j.dump(indent, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+}
+
+/// 64-bit FNV-1a hash of all inputs and of the mesh file's content, as 16 hexadecimal digits: equal for runs
+/// of the same input. http://www.isthe.com/chongo/tech/comp/fnv
+inline std::string hash_of_inputs(const DropOptions& o) {
+  std::uint64_t hash = 0xcbf29ce484222325;
+  const auto add = [&](char c) { hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3; };
+  for (const char c : json_text(inputs_of(o))) add(c);
+  if (!o.mesh.empty()) {
+    std::ifstream file{o.mesh, std::ios::binary};
+    std::for_each(std::istreambuf_iterator<char>(file), {}, add);
+  }
+  std::string digits;
+  for (int shift = 60; shift >= 0; shift -= 4) digits += "0123456789abcdef"[(hash >> shift) & 15];
+  return digits;
+}
+
+/// summary.json as a value. Without figures (the run has no row yet) it holds how the run stands and its
+/// inputs. What there is none of (a second peak) is null.
+inline nlohmann::ordered_json summary_of(const DropOptions& options,
+                                         const std::optional<DropFigures>& figures, const RunNumbers& run) {
   nlohmann::ordered_json j;
-  j["status"] = run.failure.empty() ? "done" : "failed";
+  j["status"] = run.status;
   if (!run.failure.empty()) j["failure"] = run.failure;
-  j["final_penetration_m"] = f.final_penetration_m;
-  j["max_penetration_m"] = f.max_penetration_m;
-  j["max_penetration_time_s"] = f.max_penetration_time_s;
-  j["peak_filter"] = "centred moving average over 2 ms";
-  j["peak_deceleration_g"] = f.peak.value_g;
-  j["peak_time_s"] = f.peak.time_s;
-  j["peak_penetration_m"] = f.peak.penetration_m;
-  j["second_peak_deceleration_g"] = f.second.value_g;
-  j["second_peak_time_s"] = f.second.time_s;
-  j["second_peak_penetration_m"] = f.second.penetration_m;
-  j["raw_peak_deceleration_g"] = f.raw_peak.value_g;
-  j["raw_peak_time_s"] = f.raw_peak.time_s;
-  j["raw_peak_penetration_m"] = f.raw_peak.penetration_m;
+  j["version"] = version;
+  j["started"] = run.started;
+  j["process_id"] = run.process;
+  j["inputs_hash"] = hash_of_inputs(options);
+  if (figures) {
+    const DropFigures& f = *figures;
+    j["final_penetration_m"] = f.final_penetration_m;
+    j["max_penetration_m"] = f.max_penetration_m;
+    j["max_penetration_time_s"] = f.max_penetration_time_s;
+    j["peak_filter"] = "centred moving average over 2 ms";
+    j["peak_deceleration_g"] = f.peak.value_g;
+    j["peak_time_s"] = f.peak.time_s;
+    j["peak_penetration_m"] = f.peak.penetration_m;
+    j["second_peak_deceleration_g"] = f.second.value_g;
+    j["second_peak_time_s"] = f.second.time_s;
+    j["second_peak_penetration_m"] = f.second.penetration_m;
+    j["raw_peak_deceleration_g"] = f.raw_peak.value_g;
+    j["raw_peak_time_s"] = f.raw_peak.time_s;
+    j["raw_peak_penetration_m"] = f.raw_peak.penetration_m;
+    j["peak_reaction_N"] = f.peak_reaction_N;
+    j["end_s"] = f.end_s;
+    j["steps"] = run.steps;
+    j["dt_min_s"] = f.dt_min_s;
+    j["dt_max_s"] = f.dt_max_s;
+    j["wall_s"] = run.wall_s;
+    j["point_steps_per_s"] = run.wall_s > 0 ? run.point_steps / run.wall_s : 0;
+    j["lost_points"] = run.lost_points;
+    j["limited_velocities"] = run.limited_velocities;
+    j["energy_residual"] = f.energy_residual;
+  }
   j["points"] = run.points;
-  j["steps"] = run.steps;
-  j["dt_min_s"] = f.dt_min_s;
-  j["dt_max_s"] = f.dt_max_s;
-  j["wall_s"] = run.wall_s;
-  j["point_steps_per_s"] = run.wall_s > 0 ? run.point_steps / run.wall_s : 0;
+  j["expected_steps"] = run.expected_steps;
   j["threads"] = run.threads;
   j["register_bytes"] = native_register_bytes;
-  j["lost_points"] = run.lost_points;
-  j["limited_velocities"] = run.limited_velocities;
-  j["energy_residual"] = f.energy_residual;
   j["device_outline_m"] = nlohmann::ordered_json::array();  // (r, y) at t = 0, for pictures
   for (const auto& x : options.body().outline()) j["device_outline_m"].push_back({x[0], x[1]});
   j["inputs"] = inputs_of(options);
@@ -159,7 +216,8 @@ inline nlohmann::ordered_json summary_of(const DropOptions& options, const DropF
 
 /// Throws `error` if the file cannot be written.
 inline void write_summary(const std::filesystem::path& path, const nlohmann::ordered_json& summary) {
-  arenite::shared_detail::replace_file(path, [&](std::ostream& out) { out << summary.dump(2) << '\n'; });
+  arenite::shared_detail::replace_file(path,
+                                       [&](std::ostream& out) { out << json_text(summary, 2) << '\n'; });
 }
 
 }  // namespace arenite::ffp

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Drops the free-fall penetrometer into sand: installs what is missing, builds the driver for this machine, runs it, draws
-# the pictures and prints the summary. Safe to repeat; works from any folder.
+# the pictures and prints what it came to; also of a run that failed or was interrupted (Ctrl-C), whose exit code it hands on.
+# Safe to repeat; works from any folder.
 #
 #   examples/ffp/run.sh [drop options]     the options are those of `arenite-ffp drop --help`
 #
@@ -24,18 +25,23 @@ need python3-numpy "reads the history for them"
 install_missing
 
 mkdir -p "$build"
-echo "building arenite-ffp in $build"
+if [ -x "$build/examples/ffp/arenite-ffp" ]; then
+  echo "building arenite-ffp in $build: seconds, unless a source has changed"
+else
+  echo "building arenite-ffp in $build: the first time takes about 3 minutes on two processors"
+fi
 cmake -S "$root" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DARENITE_NATIVE=ON -DARENITE_TESTS=OFF \
   -DARENITE_BENCHMARKS=OFF > "$build/configure.log" 2>&1 < /dev/null ||
   { tail -n 30 "$build/configure.log" >&2 && fail "configuring failed (log: $build/configure.log)"; }
-cmake --build "$build" -j "$(processors)" --target arenite-ffp -- --quiet < /dev/null || fail "building arenite-ffp failed"
+NINJA_STATUS='  [%f/%t, %e s] ' cmake --build "$build" -j "$(processors)" --target arenite-ffp < /dev/null ||
+  fail "building arenite-ffp failed"
 driver=$build/examples/ffp/arenite-ffp
 
 # Where the driver will write: the last --out among the options, or our default.
 out=
 previous=
 for option in "$@"; do
-  case $option in --out=*) out=${option#--out=} ;; -h | --help) exec "$driver" drop --help ;; esac
+  case $option in --out=*) out=${option#--out=} ;; -h | --help | --version) exec "$driver" drop "$option" ;; esac
   [ "$previous" = --out ] && out=$option
   previous=$option
 done
@@ -45,31 +51,20 @@ if [ -z "$out" ]; then
   options+=(--out "$out")
 fi
 
+echo "dropping: seconds for the default drop, minutes for a slice; arenite-ffp tells how long once it has begun"
+trap : INT # Ctrl-C ends the drop, not this script
 status=0
 "$driver" drop "${options[@]}" || status=$?
-[ $status -eq 0 ] || { echo "$script: arenite-ffp stopped with exit code $status" >&2 && exit $status; }
+trap - INT
+# With 2 nothing was run.
+if [ $status -eq 2 ] || [ ! -e "$out/summary.json" ]; then
+  echo "$script: arenite-ffp stopped with exit code $status" >&2
+  exit $status
+fi
 
+echo "drawing the pictures: about 10 seconds"
 # Debian's own Python by its path: another, without matplotlib, may come first.
-/usr/bin/python3 "$root/examples/ffp/plot.py" "$out" || fail "drawing the pictures failed"
-
+/usr/bin/python3 "$root/examples/ffp/plot.py" "$out" > /dev/null || fail "drawing the pictures failed"
 printf '\n'
-/usr/bin/python3 - "$out/summary.json" << 'END' || fail "$out/summary.json cannot be read"
-import json
-import sys
-
-
-def show(values, indent=""):
-    for name, value in values.items():
-        if isinstance(value, dict):
-            print(f"{indent}{name}")
-            show(value, indent + "  ")
-        else:
-            text = f"{value:.6g}" if isinstance(value, float) else value
-            print(f"{indent}{name:<{32 - len(indent)}} {text}")
-
-
-show(json.load(open(sys.argv[1])))
-END
-
-printf '\nfields for ParaView, history and summary: %s\npictures:\n' "$out"
-find "$out" -maxdepth 2 \( -name '*.png' -o -name '*.svg' -o -name '*.pdf' \) | sort | sed 's/^/  /'
+/usr/bin/python3 "$root/examples/ffp/report.py" "$out"
+exit $status

@@ -108,16 +108,26 @@ class Runs:
     def drop(self, options):
         """The summary of a drop; one that failed on its way says so in its status. Ends the study if there is none."""
         place = self.place(options)
-        path = os.path.join(place, "summary.json")
-        if not os.path.exists(path):
+        found = self.ended(place)
+        if found is None:
             command = [self.driver, "drop", *options.split(), *self.common.split(), "--threads", str(self.threads),
                        "--fields-every", "0", "--quiet", "--out", place]
             print(" ".join(command), file=sys.stderr, flush=True)
             done = subprocess.run(command, stdin=subprocess.DEVNULL, stdout=sys.stderr)
-            if not os.path.exists(path):
-                sys.exit(f"study.py: the drop stopped with exit code {done.returncode} and left no {path}")
-        with open(path) as file:
-            return json.load(file)
+            found = self.ended(place)
+            if found is None:
+                sys.exit(f"study.py: the drop stopped with exit code {done.returncode} and has no result in {place}")
+        return found
+
+    @staticmethod
+    def ended(place):
+        """The summary in a folder, if it is that of a run that came to an end of its own; else none."""
+        try:
+            with open(os.path.join(place, "summary.json")) as file:
+                found = json.load(file)
+        except FileNotFoundError:
+            return None
+        return found if found["status"] in ("done", "failed") else None
 
     def peaks(self, options, windows):
         """Greatest mean of the deceleration, g, over each of some windows, s, of a drop that has been run."""

@@ -1,7 +1,9 @@
 // The command line of the drop: defaults are the paper's case; whatever is wrong becomes one sentence.
 #include "../../examples/ffp/command_line.hpp"
 
+#include <array>
 #include <fstream>
+#include <random>
 #include <sstream>
 
 #include "catch.hpp"
@@ -142,11 +144,94 @@ TEST_CASE("a mistake is one sentence with option, value and rule") {
   REQUIRE(refusal({"drop", "--foo", "3"}).find("--foo: no such option") == 0);
   REQUIRE(refusal({"drop", "stray"}).find("stray: a word without an option") == 0);
   REQUIRE(refusal({}).find("command: must be drop") == 0);
+  REQUIRE(refusal({"drop", "--poisson", "0.5000000000001"}) ==
+          "--poisson = 0.5000000000001: must lie in (-1, 0.5)");
+  REQUIRE(refusal({"drop", "--poisson", "-0.5"}).find("--poisson = -0.5: must give an earth pressure") == 0);
+  REQUIRE(read({"--poisson", "-0.5", "--k0", "0.4"}).earth_pressure() == 0.4);
+  REQUIRE(refusal({"drop", "--young", "1e999"}).find("--young = 1e999: must be a number of") == 0);
+  REQUIRE(refusal({"drop", "--force=1"}) == "--force = 1: takes no value");
   REQUIRE(refusal({"drop", "--mesh", "absent.msh"}) ==
           "--mesh = absent.msh: must be a file that can be read");
   REQUIRE(refusal({"drop", "--points-per-element", "9", "--kinematics", "slice"})
               .find("--points-per-element = 9: must be") == 0);
   REQUIRE(refusal({"drop", "--points-per-element", "7"}).find("--points-per-element = 7: must be") == 0);
+}
+
+TEST_CASE("field files without number are refused") {
+  for (const char* period : {"1e-300", "4.9e-324", "9.9e-5"})
+    REQUIRE(refusal({"drop", "--fields-every", period}).find(std::string{"--fields-every = "}) == 0);
+  REQUIRE(refusal({"drop", "--fields-every", "1e-300"}) ==
+          "--fields-every = 1e-300: must be 0, for none, or at least 0.0001 s, for 1000 sets of files until "
+          "--end = 0.1 s");
+  REQUIRE(read({"--fields-every", "1e-4"}).fields_every == 1e-4);
+  REQUIRE(read({"--fields-every", "0"}).fields_every == 0);
+}
+
+TEST_CASE("long values and values of several lines are shown cut, on one line") {
+  const std::string lines = "1\n2\r3\t4", longest(5000, '9');
+  for (const std::string& value : {lines, longest})
+    for (const char* option :
+         {"--cell", "--threads", "--device", "--mesh", "--points-per-element", "--quiet"}) {
+      const std::string text = refusal({"drop", std::string{option} + "=" + value});
+      INFO(text);
+      REQUIRE(text.find(std::string{option} + " = ") == 0);
+      REQUIRE(text.size() < 300);
+      REQUIRE(text.find_first_of("\n\r\t") == std::string::npos);
+    }
+  REQUIRE(refusal({"drop", longest}).size() < 300);
+  REQUIRE(refusal({"drop", "--" + longest}).size() < 300);
+  REQUIRE(refusal({longest}).size() < 300);
+}
+
+TEST_CASE("any words end in options, help or one short sentence") {
+  std::mt19937 random{20240229};
+  const auto pick = [&](std::size_t n) {
+    return std::uniform_int_distribution<std::size_t>{0, n - 1}(random);
+  };
+  std::ostringstream help;
+  read_command_line({"drop", "--help"}, help);
+  std::vector<std::string> options;  // all that the help names
+  std::istringstream tokens{help.str()};
+  for (std::string word; tokens >> word;)
+    if (word.starts_with("--")) options.push_back(word);
+  REQUIRE(options.size() > 25);
+  const std::vector<std::string> values{
+      "0",    "1",    "-1",     "0.1", "28",        "1e-300",  "1e300",   "1e999",
+      "nan",  "-inf", "0x10",   "+1",  "1,2",       "",        " ",       "-",
+      "--",   "---",  "=",      "on",  "off",       "rigid",   "elastic", "slice",
+      "drop", "help", "--help", "-h",  "--version", "--quiet", "\n",      "\xff\xfe",
+      "%s%n", "{}",   "[1,2]",  "a=b", "@file",     "--out=",  "-1e3",    "999999999999999999999",
+      "."};
+  int accepted = 0, refused = 0;
+  for (int call = 0; call < 3000; ++call) {
+    std::vector<std::string> words;
+    if (pick(20) > 0) words.push_back("drop");
+    for (std::size_t n = pick(6); n > 0; --n) {
+      std::string word = pick(3) > 0 ? options[pick(options.size())] : values[pick(values.size())];
+      if (pick(4) == 0) word += "=" + values[pick(values.size())];
+      if (pick(10) == 0) word[pick(std::max<std::size_t>(word.size(), 1))] = static_cast<char>(1 + pick(255));
+      words.push_back(word);
+      if (pick(2) == 0) words.push_back(values[pick(values.size())]);
+    }
+    std::string shown_words;
+    for (const auto& word : words) shown_words += "'" + word + "' ";
+    INFO("call " << call << ": " << shown_words);
+    std::ostringstream answer;
+    try {
+      const auto o = read_command_line(words, answer);
+      if (o) REQUIRE_NOTHROW(check(*o));
+      REQUIRE(o.has_value() == answer.str().empty());
+      ++accepted;
+    } catch (const error& e) {
+      const std::string text = e.what();
+      REQUIRE(!text.empty());
+      REQUIRE(text.size() < 400);
+      for (const char c : text) REQUIRE((static_cast<unsigned char>(c) >= 0x20 && c != 0x7F));
+      ++refused;
+    }
+  }
+  REQUIRE(accepted > 100);
+  REQUIRE(refused > 1000);
 }
 
 TEST_CASE("every range has both ends") {
@@ -171,7 +256,10 @@ TEST_CASE("every range has both ends") {
                                              Case{"--fillet", "0", "0.1"},
                                              Case{"--k0", "-0.1", "4"},
                                              Case{"--device-young", "0", "1e13"},
-                                             Case{"--device-poisson", "-1", "0.5"}}) {
+                                             Case{"--device-poisson", "-1", "0.5"},
+                                             Case{"--watch-energy", "0", "1e7"},
+                                             Case{"--watch-volume", "0", "1e7"},
+                                             Case{"--watch-lost", "0", "1.1"}}) {
     for (const char* value : {below, above, "nan", "inf", ""}) {
       INFO(option << " " << value);
       const std::string text = refusal({"drop", option, value});
@@ -189,6 +277,17 @@ TEST_CASE("help goes to the stream and names every option") {
        {"--kinematics axisymmetric|slice", "--delta DEG", "--points-per-element N", "--mesh FILE.msh",
         "--anti-locking on|off", "--contact rigid|centre-of-mass", "--quiet", "Exit code"})
     REQUIRE(help.str().find(option) != std::string::npos);
+  // Ranges and defaults are those of the checks.
+  for (const char* range : {"Angle of friction, in [1, 60] deg (default 40)", "in (0, 50] m/s (default 5.6)",
+                            "in (-1, 0.5) (default 0.33)", "Earth pressure at rest", "in [0, 3]",
+                            "in [0.0025, 0.04] m (default 0.01)", "36 or 49 in triangles (default 28)"})
+    REQUIRE(help.str().find(range) != std::string::npos);
+  for (const std::vector<std::string>& words :
+       {std::vector<std::string>{"--version"}, {"drop", "--version"}}) {
+    std::ostringstream answer;
+    REQUIRE(!read_command_line(words, answer).has_value());
+    REQUIRE(answer.str() == std::string{"arenite-ffp "} + version + "\n");
+  }
   std::ostringstream top;
   REQUIRE(!read_command_line({"--help"}, top).has_value());
   REQUIRE(top.str().find("drop") != std::string::npos);

@@ -7,10 +7,14 @@ import csv
 import json
 import os
 import pty
+import random
+import resource
 import shutil
+import signal
 import struct
 import subprocess
 import sys
+import time
 import unittest
 import unittest.mock
 import xml.etree.ElementTree as ElementTree
@@ -22,6 +26,7 @@ SLICE = ["--kinematics", "slice", "--cell", "0.04", "--points-per-element", "4",
 SHORT = [*COARSE, "--end", "0.01", "--fields-every", "0"]
 FIRST_COLUMNS = "time_s,penetration_m,velocity_m_s,acceleration_m_s2,reaction_N,"
 KEYS = """final_penetration_m max_penetration_m peak_deceleration_g peak_time_s peak_penetration_m raw_peak_deceleration_g
+    peak_reaction_N end_s version started process_id inputs_hash expected_steps warnings watch
     points steps dt_min_s dt_max_s wall_s point_steps_per_s threads register_bytes lost_points energy_residual inputs status""".split()
 INPUTS = """kinematics device velocity_m_s mass_kg shoulder fillet_m device_young_Pa device_poisson delta_deg no_slip
     friction_deg dilatancy_deg cohesion_Pa young_Pa poisson unit_weight_N_m3 k0 contact cell_m points_per_element
@@ -38,7 +43,7 @@ def history(folder):
     """Columns of history.csv by name."""
     with open(os.path.join(folder, "history.csv"), newline="") as file:
         rows = list(csv.reader(file))
-    return {name: [float(row[i]) for row in rows[1:]] for i, name in enumerate(rows[0])}
+    return {name: [float(row[i] or "nan") for row in rows[1:]] for i, name in enumerate(rows[0])}
 
 
 def summary(folder):
@@ -137,9 +142,12 @@ class DriverTest(unittest.TestCase):
         shutil.rmtree("refused", ignore_errors=True)  # of an earlier run that was not refused
 
     def run_drop(self, folder, *options):
-        """A run that must succeed without a word."""
-        self.assertEqual(drop("--out", folder, *options), (0, "", ""))
-        return history(folder), summary(folder)
+        """A run that must succeed without a word but warnings, which the summary holds too."""
+        code, out, err = drop("--quiet", "--out", folder, *options)
+        self.assertEqual((code, out), (0, ""), err)
+        found = summary(folder)
+        self.assertEqual(err.splitlines(), ["arenite-ffp: warning: " + text for text in found["warnings"]])
+        return history(folder), found
 
     def assert_refused(self, sentence, *options):
         """Exit code 2 and one line on standard error that begins with the sentence; nothing is written."""
@@ -177,6 +185,25 @@ class DriverTest(unittest.TestCase):
             self.assertAlmostEqual(residual, kept - start - columns["external_work_J"][i], delta=1e-8)
             self.assertLess(abs(residual), 0.05 * put_in)
         self.assertEqual(set(columns["lost_points"]), {0})
+
+    def assert_readable(self, folder):
+        """Whatever the moment at which a run was ended: each file is whole, but that the history may be young."""
+        for name in os.listdir(folder):
+            path = os.path.join(folder, name)
+            if name.endswith(".vtu"):
+                self.assertTrue(vtu(path))
+            elif name == "fields.pvd":
+                for _, file in field_files(folder):
+                    self.assertTrue(os.path.exists(file), file)
+            elif name == "history.csv":
+                lines = content(folder).decode("ascii").split("\n")
+                self.assertEqual(lines.pop(), "")  # the last row is whole
+                self.assertEqual({line.count(",") for line in lines}, {15} if lines else set())
+                self.assertNotIn("nan", "".join(lines))
+            elif name == "summary.json":
+                self.assertIn(summary(folder)["status"], ("running", "done", "failed", "interrupted", "disk-full"))
+            else:
+                self.assertTrue(name == ".arenite-ffp.lock" or name.endswith(".part"), name)
 
     def assert_summary(self, found, columns):
         for key in KEYS:
@@ -289,6 +316,24 @@ class Mistakes(DriverTest):
         self.assert_refused("--points-per-element = 9: must be 1, 4, 10", "--kinematics", "slice", "--points-per-element", "9")
         self.assert_refused("--wings: no such option", "--wings", "2")
         self.assert_refused("--end = : needs a value\n", "--end")
+        self.assert_refused("--fields-every = 1e-300: must be 0, for none, or at least 0.0001 s", "--fields-every", "1e-300")
+
+    def test_steps(self):
+        """A run without end is told before it begins."""
+        self.assert_refused("--courant = 1e-09: makes the run take about ", "--courant", "1e-9")
+        self.assert_refused("--poisson = 0.499999999999: makes the run take about ", "--poisson", "0.499999999999")
+        self.run_drop("sliver_of", *COARSE, "--end", "1e-5")
+        sliver = Mesh("sliver_of")
+        lowest = min(range(len(sliver.nodes)), key=lambda i: (sliver.nodes[i][1], sliver.nodes[i][0]))
+        apart = next(cell for cell, own in zip(sliver.cells, sliver.region) if own == 0 and lowest in cell)
+        a, b = (i for i in apart if i != lowest)
+        # The corner of one cell nearly on the side across.
+        sliver.nodes[lowest] = tuple((x + y) / 2 + 1e-9 * (z - (x + y) / 2) for x, y, z in zip(*(sliver.nodes[i] for i in (a, b, lowest))))
+        path = sliver.write("sliver.msh", "2.2")
+        code, out, err = drop("--out", "refused", "--mesh", path, *COARSE, "--end", "1")
+        self.assertEqual((code, out, err.count("\n")), (2, "", 1), err)
+        self.assertIn(f"--mesh = {path}", err)
+        self.assertFalse(os.path.exists("refused"))
 
     def test_command(self):
         done = subprocess.run([DRIVER], capture_output=True, text=True)
@@ -311,7 +356,7 @@ class Widths(DriverTest):
         depths = {}
         for width in ("16", "32", "64"):
             with unittest.mock.patch.dict(os.environ, {"ARENITE_REGISTER_BYTES": width}):
-                code, _, err = drop(*COARSE, "--end", "0.003", "--fields-every", "0", "--out", "width" + width)
+                code, _, err = drop(*COARSE, "--end", "0.003", "--fields-every", "0", "--quiet", "--out", "width" + width)
             if code < 0:  # SIGILL: this processor has no such registers
                 continue
             self.assertEqual((code, err), (0, ""))
@@ -360,7 +405,61 @@ class Words(DriverTest):
         said = self.on_a_terminal(*SHORT, "--out", "progress")
         self.assertIn(b"100.0 %", said)
         self.assertIn(b"s left", said)
-        self.assertEqual(self.on_a_terminal(*SHORT, "--out", "quiet", "--quiet"), b"")
+        quiet = self.on_a_terminal(*SHORT, "--out", "quiet", "--quiet")
+        self.assertEqual(quiet.count(b"\n"), quiet.count(b"arenite-ffp: warning: "))
+
+    def test_lines(self):
+        """In a pipe: the steps to come, a line each tenth, and what it came to."""
+        code, out, err = drop(*SHORT, "--out", "lines")
+        found = summary("lines")
+        self.assertEqual(code, 0)
+        self.assertIn(f"about {found['expected_steps']} steps of ", err)
+        self.assertEqual(err.count(" % "), 10)
+        self.assertIn("100.0 %", err)
+        self.assertNotIn("\r", err)
+        self.assertEqual(out.count("\n"), 1)
+        self.assertIn(f"stands at {found['final_penetration_m']:.3g} m", out)
+        self.assertIn(f"peaked at {found['peak_deceleration_g']:.3g} g at {found['peak_time_s'] * 1e3:.3g} ms", out)
+        self.assertTrue(out.endswith("Files: lines\n"))
+
+    def test_version(self):
+        done = subprocess.run([DRIVER, "--version"], capture_output=True, text=True)
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.assertRegex(done.stdout, r"^arenite-ffp \d+\.\d+\.\d+\n$")
+
+    def test_report(self):
+        """The table that examples/ffp/run.sh prints, of any end."""
+        script = os.path.join(os.path.dirname(Study.SCRIPT), "report.py")
+
+        def report(folder):
+            done = subprocess.run([sys.executable, script, folder], capture_output=True, text=True)
+            return done.returncode, done.stdout, done.stderr
+
+        _, found = self.run_drop("reported", *SHORT)
+        code, out, err = report("reported")
+        self.assertEqual((code, err), (0, ""))
+        self.assertIn(f"depth              {found['final_penetration_m']:.3f} m at 10 ms", out)
+        self.assertIn(f"peak deceleration  {found['peak_deceleration_g']:.1f} g at ", out)
+        self.assertIn("reported/history.csv", out)
+        self.assertNotIn("outline", out)
+        self.assertLess(max(map(len, out.splitlines())), 400)
+        found.update(status="failed", failure="t = 0.01 s: it failed", warnings=["one", "two"])
+        young = {key: found[key] for key in ("status", "failure", "inputs", "points")}  # no row was written
+        for summary_then in (found, young):
+            with open("reported/summary.json", "w") as file:
+                json.dump(summary_then, file)
+            code, out, err = report("reported")
+            self.assertEqual((code, err), (0, ""))
+            self.assertIn("t = 0.01 s: it failed", out)
+        self.assertEqual(report("nowhere")[0], 1)
+
+    def test_a_closed_pipe_stops_nothing(self):
+        reader, writer = os.pipe()
+        os.close(reader)
+        driver = subprocess.Popen([DRIVER, "drop", *SHORT, "--out", "closed"], stdout=writer, stderr=writer)
+        os.close(writer)
+        self.assertEqual(driver.wait(), 0)
+        self.assertEqual(summary("closed")["status"], "done")
 
 
 class Meshes(DriverTest):
@@ -432,21 +531,166 @@ class Meshes(DriverTest):
 
 
 class Failures(DriverTest):
-    """A run that fails physically: exit code 1, a sentence, and files that can be read."""
+    """A run that fails: exit code 1, a sentence, and files that can be read."""
 
-    def test_used_up(self):
-        code, out, err = drop(*COARSE, "--delta", "0", "--velocity", "12", "--mass", "20", "--fields-every", "0.01", "--out", "used_up")
-        self.assertEqual((code, out, err.count("\n")), (1, "", 1), err)
-        self.assertTrue(err.startswith("arenite-ffp: the run failed: t = 0.0"), err)
-        self.assertIn("the compressing zone below -0.06 m is used up after a travel of", err)
-        columns, found = history("used_up"), summary("used_up")
-        self.assert_consistent(columns, mass=20, velocity=12)
-        self.assertEqual(found["status"], "failed")
-        self.assertIn(found["failure"], err)
+    def assert_failed(self, folder, status, *options, **limits):
+        done = subprocess.run([DRIVER, "drop", "--quiet", "--out", folder, *options], capture_output=True, text=True, **limits)
+        self.assertEqual((done.returncode, done.stdout), (1, ""), done.stderr)
+        *warnings, said = done.stderr.splitlines()
+        found = summary(folder)
+        self.assertEqual(warnings, ["arenite-ffp: warning: " + text for text in found["warnings"]])
+        self.assertEqual(found["status"], status)
+        self.assertTrue(found["failure"].startswith("t = 0.0"), found["failure"])
+        self.assertEqual(said, f"arenite-ffp: {'the run failed: ' if status == 'failed' else ''}{found['failure']}; files: {folder}")
+        columns = history(folder)
         self.assertEqual(found["steps"], len(columns["time_s"]) - 1)
         self.assertEqual(found["final_penetration_m"], columns["penetration_m"][-1])
-        for _, path in field_files("used_up"):
-            self.assertTrue(vtu(path))
+        self.assert_readable(folder)
+        return columns, found
+
+    def test_used_up(self):
+        columns, found = self.assert_failed(
+            "used_up", "failed", *COARSE, "--delta", "0", "--velocity", "12", "--mass", "20", "--fields-every", "0.01")
+        self.assertIn("the compressing zone below -0.06 m is used up after a travel of", found["failure"])
+        self.assert_consistent(columns, mass=20, velocity=12)
+
+    def test_watch(self):
+        """Past a limit the run stops; the step at which it did has its fields; a tenth of the limit warns."""
+        options = [*COARSE, "--flip", "0.999"]
+        free, found = self.run_drop("free", *options, "--no-watch", "--fields-every", "0")
+        self.assertNotIn("watch", found)
+        self.assertEqual(found["warnings"], [])
+        swelling = max(abs(ratio - 1) for ratio in free["mean_volume_ratio"])
+        limit = str(swelling / 2)
+        columns, found = self.assert_failed("watched", "failed", *options, "--watch-volume", limit, "--fields-every", "0.09")
+        self.assertIn(f"volume = ", found["failure"])
+        self.assertGreater(found["watch"]["volume"]["worst"], float(limit))
+        self.assertEqual(len(found["watch"]["volume"]["place_m"]), 2)
+        self.assertTrue(any("volume" in text for text in found["warnings"]))
+        self.assertEqual([time for time, _ in field_files("watched")][-1], columns["time_s"][-1])
+        watched = history("watched")  # and to look on changes nothing
+        for name in ("time_s", "penetration_m", "reaction_N"):
+            self.assertEqual(watched[name], free[name][: len(watched[name])])
+
+    def test_disk_full(self):
+        """No byte of a file beyond 20 kB: the history ends with a whole row, and the summary says why."""
+        def limit():
+            resource.setrlimit(resource.RLIMIT_FSIZE, (20000, resource.getrlimit(resource.RLIMIT_FSIZE)[1]))
+
+        columns, found = self.assert_failed("full", "disk-full", *COARSE, "--fields-every", "0", preexec_fn=limit)
+        self.assertIn("history.csv: cannot be written", found["failure"])
+        self.assertGreater(len(columns["time_s"]), 50)
+        columns, found = self.assert_failed("full_fields", "disk-full", *COARSE, "--fields-every", "0.02", preexec_fn=limit)
+        self.assertIn("fields_soil_0000.vtu: cannot be written", found["failure"])
+
+
+class Ends(DriverTest):
+    """One folder, one run, and its summary says how it stands."""
+
+    LONG = [*COARSE, "--end", "10", "--fields-every", "1", "--quiet"]
+
+    def start(self, folder):
+        """A long run, once it has taken some steps."""
+        def default_signals():  # a test in the background may have been given SIGINT to ignore
+            signal.signal(signal.SIGINT, signal.SIG_DFL)
+
+        driver = subprocess.Popen([DRIVER, "drop", *self.LONG, "--out", folder], stderr=subprocess.PIPE, text=True,
+                                  preexec_fn=default_signals)
+        path = os.path.join(folder, "history.csv")
+        while not os.path.exists(path) or os.path.getsize(path) < 3000:
+            self.assertIsNone(driver.poll())
+            time.sleep(0.01)
+        return driver
+
+    def test_interrupted(self):
+        for number, code, name in ((signal.SIGINT, 130, "SIGINT"), (signal.SIGTERM, 143, "SIGTERM")):
+            folder = f"interrupted_{code}"
+            driver = self.start(folder)
+            found = summary(folder)
+            self.assertEqual((found["status"], found["process_id"]), ("running", driver.pid))
+            self.assertNotIn("final_penetration_m", found)
+            driver.send_signal(number)
+            _, err = driver.communicate()
+            self.assertEqual(driver.returncode, code, err)
+            columns, found = history(folder), summary(folder)
+            self.assertEqual(found["status"], "interrupted")
+            self.assertRegex(found["failure"], f"^t = [0-9.e-]+ s: interrupted by {name}$")
+            self.assertEqual(err.splitlines()[-1], f"arenite-ffp: {found['failure']}; files: {folder}")
+            self.assertEqual(found["end_s"], columns["time_s"][-1])
+            self.assertEqual(found["final_penetration_m"], columns["penetration_m"][-1])
+            self.assertAlmostEqual(field_files(folder)[-1][0], found["end_s"], delta=1e-9)  # the last step has its fields
+            self.assert_readable(folder)
+
+    def test_in_use(self):
+        driver = self.start("in_use")
+        before = summary("in_use")
+        code, out, err = drop(*SHORT, "--out", "in_use")
+        self.assertEqual((code, out), (2, ""), err)
+        self.assertEqual(err, f"arenite-ffp: --out = in_use: is in use by the drop with process id {driver.pid}\n")
+        self.assertEqual(summary("in_use"), before)
+        driver.kill()
+        driver.communicate()
+        self.assertEqual(summary("in_use")["status"], "running")  # it had no time to say more
+        self.run_drop("in_use", *SHORT)  # the lock went with it
+        self.assertEqual(summary("in_use")["status"], "done")
+
+    def test_old_results_go(self):
+        self.run_drop("again", *COARSE, "--end", "0.01", "--fields-every", "0.001")
+        self.assertEqual(len(field_files("again")), 11 * 3)
+        for name in ("notes.txt", "fields.txt", "history.csv.old"):
+            with open(os.path.join("again", name), "w") as file:
+                file.write("mine\n")
+        for name in ("histories.png", "fields_soil_0099.vtu", "history.csv.part"):
+            with open(os.path.join("again", name), "w") as file:
+                file.write("of an earlier run\n")
+        self.run_drop("again", *COARSE, "--end", "0.005", "--fields-every", "0.005")
+        self.assertEqual(sorted(os.listdir("again")), sorted(
+            [".arenite-ffp.lock", "notes.txt", "fields.txt", "history.csv.old", "history.csv", "summary.json", "fields.pvd",
+             *(f"fields_{part}_000{k}.vtu" for part in ("soil", "mesh", "device") for k in (0, 1))]))
+        # Refused options leave what is there.
+        self.assertEqual(drop("--out", "again", "--courant", "1e-9")[0], 2)
+        self.assertEqual(summary("again")["status"], "done")
+
+    def test_same_input_same_hash(self):
+        found = [self.run_drop(f"hash{k}", *SHORT, "--threads", str(k))[1] for k in (1, 2)]
+        found.append(self.run_drop("hash3", *SHORT, "--delta", "21")[1])
+        self.assertEqual(found[0]["inputs_hash"], found[1]["inputs_hash"])
+        self.assertNotEqual(found[0]["inputs_hash"], found[2]["inputs_hash"])
+
+
+class Killed(DriverTest):
+    """kill -9 at 50 moments of a run: what it leaves can be read, and the next run takes the folder."""
+
+    def test_killed(self):
+        options = ["--cell", "0.04", "--points-per-element", "10", "--end", "0.02", "--fields-every", "0.002", "--quiet"]
+        begin = time.monotonic()
+        self.run_drop("killed", *options)
+        whole = time.monotonic() - begin
+        killed, moments = 0, 50 if whole < 1 else 20  # fewer under a sanitizer
+        for moment in range(moments):
+            driver = subprocess.Popen([DRIVER, "drop", *options, "--out", "killed"], stderr=subprocess.DEVNULL)
+            time.sleep(whole * moment / moments)
+            driver.kill()
+            killed += driver.wait() == -signal.SIGKILL
+            self.assert_readable("killed")
+        self.assertGreater(killed, moments // 2)
+        self.run_drop("killed", *options)
+        self.assertFalse([name for name in os.listdir("killed") if name.endswith(".part")])
+
+
+class CommandLine(DriverTest):
+    """Random words: an answer, or one sentence and exit code 2. tests/ffp/command_line.cpp tries many more in-process."""
+
+    def test_words(self):
+        choose = random.Random(7)
+        words = ["drop", "--help", "--version", "--cell", "--cell=1", "-1", "--", "", "\n", "--mesh", "/", "\udcff", "--out", "a" * 9999,
+                 "--end=0", "--k0", "nan", "--quiet", "--force", "--no-slip=", "--points-per-element", "7"]
+        for _ in range(40):
+            line = ["drop", *choose.choices(words, k=choose.randrange(1, 6)), "--end=-1"]  # so that nothing is run
+            done = subprocess.run([DRIVER, *line], capture_output=True, stdin=subprocess.DEVNULL)
+            self.assertIn(done.returncode, (0, 2), line)
+            self.assertEqual(done.stderr.count(b"\n"), 1 if done.returncode else 0, (line, done.stderr))
+            self.assertLess(len(done.stderr), 500)
 
 
 class Study(DriverTest):
@@ -463,7 +707,8 @@ class Study(DriverTest):
     def test_table(self):
         shutil.rmtree("study", ignore_errors=True)
         code, out, err = self.study("--only", "delta", "--options", self.COMMON)
-        self.assertEqual((code, err.count("\n")), (0, 7), err)  # a line for each drop
+        self.assertEqual(code, 0, err)
+        self.assertEqual(sum(" drop " in line for line in err.splitlines()), 7, err)  # each drop is told
         rows = [[cell.strip() for cell in line.split("|")[1:-1]] for line in out.splitlines() if line.startswith("|")]
         head, _, *rows = rows
         self.assertEqual([row[0] for row in rows], ["20", "24", "28", "32", "36", "40", "no slip"])

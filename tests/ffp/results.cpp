@@ -3,6 +3,7 @@
 
 #include <fstream>
 #include <random>
+#include <set>
 
 #include "catch.hpp"
 
@@ -118,6 +119,27 @@ TEST_CASE("figures and summary of a braking that is known: v = 5.6 cos(w t), so 
   REQUIRE(j["inputs"]["kinematics"] == "slice");
   REQUIRE(j["inputs"]["points_per_element"] == 10);
   REQUIRE(j.dump().find("\"second_peak_deceleration_g\":null") != std::string::npos);
+  REQUIRE(j["status"] == "done");
+  REQUIRE(j["version"] == version);
+  // Before the first row: how it stands, and the inputs.
+  const auto running = summary_of(options, std::nullopt, {.status = "running", .process = 7});
+  REQUIRE(running["status"] == "running");
+  REQUIRE(running["process_id"] == 7);
+  REQUIRE(running["inputs"] == j["inputs"]);
+  REQUIRE(!running.contains("final_penetration_m"));
+  // The hash tells inputs apart, and the content of a mesh.
+  REQUIRE(running["inputs_hash"] == j["inputs_hash"]);
+  REQUIRE(j["inputs_hash"].get<std::string>().size() == 16);
+  std::set<std::string> hashes{hash_of_inputs({}), hash_of_inputs(options)};
+  options.mesh = "hashed.msh";
+  for (const char* content : {"a", "b"}) {
+    std::ofstream{options.mesh} << content;
+    hashes.insert(hash_of_inputs(options));
+  }
+  REQUIRE(hashes.size() == 4);
+  options.mesh = "\xff\xfe.msh";  // no UTF-8
+  REQUIRE_NOTHROW(json_text(inputs_of(options)));
+  REQUIRE(sentence_of(f, "out/a").ends_with("Files: out/a"));
   write_summary("summary.json", j);
   std::ifstream file{"summary.json"};
   REQUIRE(nlohmann::ordered_json::parse(file)["steps"] == 4000);
@@ -135,5 +157,13 @@ TEST_CASE("history file: the header that everybody relies on, and rows") {
   std::getline(file, row);
   REQUIRE(header.rfind("time_s,penetration_m,velocity_m_s,acceleration_m_s2,reaction_N,", 0) == 0);
   REQUIRE(row == "0.5,0.25,0,0,2,0,0,0,0,0,0,0,0,0,0,1.5");
+  {
+    HistoryFile without{"history.csv"};  // nothing touches: an empty field
+    without.write({.fill_ratio = std::numeric_limits<double>::quiet_NaN()});
+  }
+  std::ifstream again{"history.csv"};
+  std::getline(again, header);
+  std::getline(again, row);
+  REQUIRE(row == "0,0,0,0,0,0,0,0,0,0,0,0,0,0,,1");
   REQUIRE_THROWS_AS(HistoryFile{"no/such/folder/history.csv"}, error);
 }

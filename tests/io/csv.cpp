@@ -8,6 +8,7 @@
 #include <fstream>
 #include <iterator>
 #include <limits>
+#include <optional>
 #include <random>
 #include <sstream>
 #include <string>
@@ -75,8 +76,15 @@ TEST_CASE("each row is on disk as soon as it is given") {
   REQUIRE(text_of("growing.csv") == expected + "1,2\n");
 }
 
+TEST_CASE("what there is none of is an empty field") {
+  CsvWriter table("gaps.csv", {"a", "b", "c"});
+  table.row(std::vector<std::optional<double>>{1.5, std::nullopt, 0});
+  table.row(std::vector<std::optional<double>>{std::nullopt, std::nullopt, std::nullopt});
+  REQUIRE(text_of("gaps.csv") == "a,b,c\n1.5,,0\n,,\n");
+}
+
 TEST_CASE("mistakes are told") {
-  REQUIRE_THROWS_AS(CsvWriter("no/such/folder.csv", {"a"}), error);
+  REQUIRE_THROWS_AS(CsvWriter("no/such/folder.csv", {"a"}), output_error);
   REQUIRE_THROWS_AS(CsvWriter(".", {"a"}), error);
   REQUIRE_THROWS_AS(CsvWriter("x.csv", {}), error);
   REQUIRE_THROWS_AS(CsvWriter("x.csv", {"a", ""}), error);
@@ -99,12 +107,16 @@ TEST_CASE("a disk that is full is told, and the rows before stay") {
   std::string message;
   try {
     for (; rows < 1000; ++rows) table.row({1.5, 2.5});
-  } catch (const error& e) {
+  } catch (const output_error& e) {
     message = e.what();
+    REQUIRE(e.disk_full());
   }
   setrlimit(RLIMIT_FSIZE, &before);
   REQUIRE(rows == 124);  // 4 bytes of header, 8 a row
   REQUIRE(message.find("full.csv: cannot be written") != std::string::npos);
   REQUIRE(text_of("full.csv").substr(0, 12) == "a,b\n1.5,2.5\n");
+  REQUIRE(text_of("full.csv").size() == 4 + 124 * 8);  // no part of the row that did not fit
+  REQUIRE_THROWS_AS(table.row({1, 2}), output_error);
+  REQUIRE(text_of("full.csv").size() == 4 + 124 * 8);
 }
 #endif

@@ -38,7 +38,7 @@ struct Constants {
                               power(-3, 6)}[static_cast<std::size_t>(choice(3))];
 
   std::string text() const {
-    return detail::join("young ", young, ", poisson ", poisson, ", friction ", friction, ", dilatancy ",
+    return shared_detail::join("young ", young, ", poisson ", poisson, ", friction ", friction, ", dilatancy ",
                         dilatancy, ", cohesion ", cohesion, ", tension ", tension);
   }
   MohrCoulombParameters mohr_coulomb() const {

@@ -3,11 +3,14 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <initializer_list>
+#include <optional>
 #include <span>
 #include <string>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -39,33 +42,49 @@ class CsvWriter {
     put_line();
   }
 
-  /// Appends a row, shape [columns]. Throws `error` if the length differs or the disk does not take it.
-  void row(std::span<const double> values) {
+  /// Appends a row, shape [columns]. Throws `error` if the length differs, `output_error` if the disk does
+  /// not take it; the file then ends with the row before.
+  void row(std::span<const double> values) { put_row(values); }
+  /// The same; what there is none of is an empty field.
+  void row(std::span<const std::optional<double>> values) { put_row(values); }
+  void row(std::initializer_list<double> values) { row(std::span(values.begin(), values.size())); }
+
+  const std::filesystem::path& path() const { return path_; }
+
+ private:
+  template <class Values>
+  void put_row(const Values& values) {
     if (values.size() != columns_)
       require(false, "values in a row", values.size(),
               shared_detail::join("must be ", columns_, ", the number of columns of ", path_.string()));
     line_.clear();
     for (std::size_t i = 0; i < values.size(); ++i) {
       if (i > 0) line_ += ',';
-      shared_detail::append_number(line_, values[i]);
+      const std::optional<double> value = values[i];
+      if (value) shared_detail::append_number(line_, *value);
     }
     put_line();
   }
-  void row(std::initializer_list<double> values) { row(std::span(values.begin(), values.size())); }
 
-  const std::filesystem::path& path() const { return path_; }
-
- private:
   void put_line() {
     line_ += '\n';
     errno = 0;
     file_.write(line_.data(), static_cast<std::streamsize>(line_.size())).flush();
-    if (!file_) shared_detail::fail_output(path_, "cannot be written; is the disk full?", errno);
+    if (file_) {
+      written_ += line_.size();
+      return;
+    }
+    const int reason = errno;
+    file_.close();  // no later flush may add to what follows
+    std::error_code ignored;
+    std::filesystem::resize_file(path_, written_, ignored);  // without the part of the row that fitted
+    shared_detail::fail_output(path_, "cannot be written; is the disk full?", reason);
   }
 
   std::filesystem::path path_;
   std::size_t columns_;
   std::string line_;
+  std::uintmax_t written_ = 0;  // bytes of whole lines
   std::ofstream file_;
 };
 

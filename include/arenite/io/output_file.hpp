@@ -16,17 +16,39 @@
 
 #include <arenite/core/error.hpp>
 
-namespace arenite::shared_detail {
+namespace arenite {
+
+/// A file that the operating system does not take.
+class output_error : public error {
+ public:
+  output_error(const std::string& text, int reason) : error{text}, reason_{reason} {}
+  /// The operating system's number for the reason, 0 if it gave none.
+  int reason() const { return reason_; }
+  /// Whether there is no space left: on the disk, or of what the user may fill.
+  bool disk_full() const {
+    const std::errc code{reason_};
+#ifdef EDQUOT
+    if (reason_ == EDQUOT) return true;
+#endif
+    return code == std::errc::no_space_on_device || code == std::errc::file_too_large;
+  }
+
+ private:
+  int reason_;
+};
+
+namespace shared_detail {
 
 /// Throws "output = path: what (reason of the operating system)".
 [[noreturn]] inline void fail_output(const std::filesystem::path& path, std::string_view what, int reason) {
-  throw error(join("output = ", path.string(), ": ", what, " (",
-                   reason != 0 ? std::generic_category().message(reason) : "unknown reason", ")"));
+  throw output_error(join("output = ", path.string(), ": ", what, " (",
+                          reason != 0 ? std::generic_category().message(reason) : "unknown reason", ")"),
+                     reason);
 }
 
 /// Calls `write(std::ostream&)` on "path.part" and renames it to `path`, so that `path` is at any time
-/// absent, the old file, or the new one. The folder must exist. Throws `error` if it cannot be written;
-/// "path.part" is gone then.
+/// absent, the old file, or the new one. The folder must exist. Throws `output_error` if it cannot be
+/// written; "path.part" is gone then.
 template <class Write>
 void replace_file(const std::filesystem::path& path, Write&& write) {
   std::filesystem::path part = path;
@@ -98,4 +120,5 @@ inline constexpr const char* vtk_byte_order() {
   return std::endian::native == std::endian::little ? "LittleEndian" : "BigEndian";
 }
 
-}  // namespace arenite::shared_detail
+}  // namespace shared_detail
+}  // namespace arenite

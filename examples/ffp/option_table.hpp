@@ -1,0 +1,154 @@
+// Every option of a drop: name, limits and help, in the order of `--help`. The command line, its help and
+// the checks all read this table.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <fstream>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include <arenite/core/error.hpp>
+
+#include "options.hpp"
+#include "range.hpp"
+#include "words.hpp"
+
+namespace arenite::ffp {
+
+/// Material points that an element of sand can have.
+inline constexpr std::array triangle_points{1, 3, 4, 6, 9, 10, 15, 16, 21, 25, 28, 36, 49};
+inline constexpr std::array tetrahedron_points{1, 4, 10, 20, 35, 56, 84};
+
+/// "1, 2 or 3".
+template <std::size_t N>
+std::string listed(const std::array<int, N>& numbers) {
+  std::string text;
+  for (std::size_t i = 0; i < N; ++i)
+    text += (i == 0 ? "" : i + 1 < N ? ", " : " or ") + std::to_string(numbers[i]);
+  return text;
+}
+
+/// Sets of field files that a run may write.
+inline constexpr double most_fields = 1000;
+
+/// Shows the options one after the other to `v`, which provides group(title), choice(name, words, value,
+/// help), number(name, value, metavar, range, help), counts(name, value, help), text(name, value, metavar,
+/// help) and flag(name, value, help). `Options` is `DropOptions` or const.
+template <class Options, class Visitor>
+void visit_options(Options& o, Visitor& v) {
+  v.group("Model");
+  v.choice("--kinematics", kinematics_words, o.kinematics,
+           "Half-section of triangles, or the 20-degree slice of tetrahedra");
+  v.choice("--device", device_words, o.device, "Penetrometer that moves as one, or one that deforms");
+  v.number("--velocity", o.velocity, "M_S", above(0, 50, "m/s"), "Velocity at the impact");
+  v.number("--mass", o.mass, "KG", Range{0.1, 1000, "kg"}, "Mass of the whole penetrometer");
+  v.choice("--shoulder", shoulder_words, o.shoulder, "Edge between cone and cylinder");
+  v.number("--fillet", o.fillet, "M", Range{0.001, 0.03, "m"},
+           "Radius of the rounded edge, with --shoulder fillet");
+  v.number("--device-young", o.device_young, "PA", Range{1e5, 1e12, "Pa"},
+           "Young's modulus of the elastic penetrometer");
+  v.number("--device-poisson", o.device_poisson, "X", between(-1, 0.5),
+           "Poisson's ratio of the elastic penetrometer");
+  v.group("Sand (Mohr-Coulomb)");
+  v.number("--friction", o.friction, "DEG", Range{1, 60, "deg"}, "Angle of friction");
+  v.number("--dilatancy", o.dilatancy, "DEG", Range{0, 60, "deg"},
+           "Angle of dilatancy, at most that of friction");
+  v.number("--cohesion", o.cohesion, "PA", Range{0, 1e6, "Pa"}, "Cohesion");
+  v.number("--young", o.young, "PA", Range{1e4, 1e10, "Pa"}, "Young's modulus");
+  v.number("--poisson", o.poisson, "X", between(-1, 0.5), "Poisson's ratio");
+  v.number("--unit-weight", o.unit_weight, "N_M3", Range{1000, 100000, "N/m^3"}, "Unit weight");
+  v.number("--k0", o.k0, "X", Range{0, 3}, "Earth pressure at rest, of itself poisson / (1 - poisson)");
+  v.group("Contact");
+  v.number("--delta", o.delta, "DEG", Range{0, 60, "deg"}, "Angle of friction between sand and penetrometer");
+  v.flag("--no-slip", o.no_slip, "Sand sticks to the penetrometer, whatever --delta says");
+  v.choice("--contact", contact_words, o.contact,
+           "Contact of the rigid penetrometer, or through the centre-of-mass velocity (the paper's)");
+  v.group("Numerics");
+  v.number("--cell", o.cell, "M", Range{0.0025, 0.04, "m"}, "Edge of the cells around the cone");
+  v.counts("--points-per-element", o.points_per_element,
+           "Material points in each element of sand: " + listed(triangle_points) +
+               " in triangles (default 28), " + listed(tetrahedron_points) + " in tetrahedra (default 10)");
+  v.number("--moving-depth", o.moving_depth, "M", Range{0.02, 0.15, "m"},
+           "The mesh moves as one from this depth below the tip upward");
+  v.text("--mesh", o.mesh, "FILE.msh", "Gmsh mesh in the place of the generated one");
+  v.choice("--anti-locking", switch_words, o.anti_locking,
+           "Average volumetric strains over nodes and stresses over filled elements");
+  v.number("--flip", o.flip, "SHARE", Range{0, 1}, "Share of FLIP in the velocity update, the rest is PIC");
+  v.number("--courant", o.courant, "X", above(0, 1), "Time step over the stable one, h / c");
+  v.group("Run");
+  v.number("--end", o.end, "S", above(0, 10, "s"), "End of the run");
+  v.number("--threads", o.threads, "N", Range{0, 1024}, "Threads, 0 for all");
+  v.number("--fields-every", o.fields_every, "S", Range{0, 10, "s"},
+           arenite::shared_detail::join("Time between field files, 0 for none, at most ", most_fields,
+                                        " sets in a run"));
+  v.text("--out", o.out, "DIR", "Folder of the results; those of an earlier run in it are removed");
+  v.number(
+      "--watch-energy", o.watch_energy, "SHARE", above(0, 1e6),
+      "Stop when energy that nothing put in exceeds this share of what was put in; warn past a tenth of it");
+  v.number("--watch-volume", o.watch_volume, "X", above(0, 1e6),
+           "Stop when the mean V/V0 of a body leaves 1 by more; warn past a tenth");
+  v.number("--watch-lost", o.watch_lost, "SHARE", above(0, 1),
+           "Stop when more of a body's points have left the mesh; warn past a tenth");
+  v.flag("--no-watch", o.no_watch,
+         "Do not stop or warn, whatever becomes of energy, volume, stress and points");
+  v.flag("--force", o.force, "Run even if it takes more than 1e8 steps");
+  v.flag("--quiet", o.quiet, "Nothing on the terminal but errors and warnings");
+}
+
+namespace detail {
+
+using arenite::shared_detail::join;
+
+/// Tests each number against its range.
+struct RangeCheck {
+  void group(const char*) {}
+  template <class Number>
+  void number(const char* name, const Number& value, const char*, const Range& range, std::string_view) {
+    require(range.contains(value), name, exactly(value), "must lie in " + range.text());
+  }
+  template <class Number>
+  void number(const char* name, const std::optional<Number>& value, const char* metavar, const Range& range,
+              std::string_view help) {
+    if (value) number(name, *value, metavar, range, help);
+  }
+  template <class Words, class Value>
+  void choice(const char*, const Words&, const Value&, const char*) {}
+  void counts(const char*, const std::optional<int>&, std::string_view) {}
+  void text(const char*, const std::string&, const char*, const char*) {}
+  void flag(const char*, bool, const char*) {}
+};
+
+}  // namespace detail
+
+/// Throws `error("--option = value: rule")` at the first value that breaks a rule.
+inline void check(const DropOptions& o) {
+  using detail::join;
+  detail::RangeCheck ranges;
+  visit_options(o, ranges);
+  require(o.dilatancy <= o.friction, "--dilatancy", o.dilatancy,
+          join("must lie in [0, ", o.friction, "] deg, from nothing to the sand's angle of friction"));
+  require(o.k0 || (o.earth_pressure() >= 0 && o.earth_pressure() <= 3), "--poisson", exactly(o.poisson),
+          join("must give an earth pressure at rest poisson / (1 - poisson) in [0, 3], not ",
+               o.earth_pressure(), ", unless --k0 is given"));
+  if (!o.mesh.empty())
+    require(std::ifstream{o.mesh}.peek() != std::ifstream::traits_type::eof(), "--mesh", shown(o.mesh),
+            "must be a file that can be read");
+  const int n = o.points_in_element();
+  const auto among = [n](const auto& counts) {
+    return std::find(counts.begin(), counts.end(), n) != counts.end();
+  };
+  if (o.kinematics == Kinematics::slice)
+    require(among(tetrahedron_points), "--points-per-element", n,
+            "must be " + listed(tetrahedron_points) + " in the slice's tetrahedra");
+  else
+    require(among(triangle_points), "--points-per-element", n,
+            "must be " + listed(triangle_points) + " in triangles");
+  require(o.fields_every == 0 || o.end / o.fields_every <= most_fields, "--fields-every", o.fields_every,
+          join("must be 0, for none, or at least ", o.end / most_fields, " s, for ", most_fields,
+               " sets of files until --end = ", o.end, " s"));
+  require(!o.out.empty(), "--out", "\"\"", "must name a folder");
+}
+
+}  // namespace arenite::ffp

@@ -1,0 +1,62 @@
+#!/usr/bin/env python3
+"""Prints what a drop came to, as a short table. Standard library only.
+
+    report.py out/ffp
+"""
+
+import json
+import os
+import sys
+
+
+def rows(found):
+    """[(quantity, text)] of a summary.json."""
+    ended = {"done": "ran to its end", "running": "has not ended, or was killed"}.get(found["status"], found["status"])
+    table = [("run", ended)]
+    if "failure" in found:
+        table.append(("", found["failure"]))
+    if "final_penetration_m" in found:
+        table += [
+            ("depth", f"{found['final_penetration_m']:.3f} m at {found['end_s'] * 1e3:.0f} ms"),
+            ("greatest depth", f"{found['max_penetration_m']:.3f} m at {found['max_penetration_time_s'] * 1e3:.0f} ms"),
+            ("peak deceleration", peak(found, "peak")),
+            ("second peak", peak(found, "second_peak")),
+            ("peak reaction", f"{found['peak_reaction_N'] / 1e3:.2f} kN (2 ms mean)"),
+            ("energy residual", f"{found['energy_residual'] * 100:.1f} % of the energy put in"),
+            ("points", f"{found['points']:,}, of which {found['lost_points']:,} left the mesh"),
+            ("steps", f"{found['steps']:,} of {found['dt_min_s'] * 1e6:.0f} to {found['dt_max_s'] * 1e6:.0f} us in {found['wall_s']:.1f} s"),
+        ]
+    warnings = found.get("warnings", [])
+    table.append(("warnings", "none" if not warnings else f"{len(warnings)}"))
+    table += [("", text) for text in warnings]
+    return table
+
+
+def peak(found, name):
+    """One peak of the deceleration in words."""
+    value = found[f"{name}_deceleration_g"]
+    if value is None:
+        return "none"
+    return f"{value:.1f} g at {found[f'{name}_time_s'] * 1e3:.1f} ms and {found[f'{name}_penetration_m']:.3f} m (2 ms mean)"
+
+
+def main():
+    if len(sys.argv) != 2:
+        sys.exit("report.py: needs one folder, that of a drop")
+    folder = sys.argv[1]
+    try:
+        with open(os.path.join(folder, "summary.json")) as file:
+            found = json.load(file)
+        for name, text in rows(found):
+            print(f"{name:<18} {text}")
+    except (OSError, ValueError, KeyError, TypeError) as problem:
+        sys.exit(f"report.py: {folder}: must hold the summary.json of a drop ({problem!r})")
+    files = (("summary", "summary.json"), ("history", "history.csv"), ("for ParaView", "fields.pvd"),
+             ("pictures", "histories.png"), ("", "strain.png"))
+    for name, file in files:
+        if os.path.exists(os.path.join(folder, file)):
+            print(f"{name:<18} {os.path.join(folder, file)}")
+
+
+if __name__ == "__main__":
+    main()

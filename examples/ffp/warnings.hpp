@@ -1,0 +1,34 @@
+// The warnings of one run: said as they come, and kept for the summary.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <arenite/core/warning.hpp>
+
+#include "say.hpp"
+#include "words.hpp"
+
+namespace arenite::ffp {
+
+/// While it lives, the library's warnings come here.
+class WarningLog {
+ public:
+  WarningLog()
+      : before_{on_warning([this](const std::string& text) {
+          say("warning: " + shown(text, 1000));
+          texts_.push_back(text);
+        })} {}
+  WarningLog(const WarningLog&) = delete;
+  WarningLog& operator=(const WarningLog&) = delete;
+  ~WarningLog() { on_warning(std::move(before_)); }
+
+  const std::vector<std::string>& texts() const { return texts_; }
+
+ private:
+  std::vector<std::string> texts_;
+  WarningHook before_;
+};
+
+}  // namespace arenite::ffp

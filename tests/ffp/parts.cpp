@@ -1,0 +1,128 @@
+// Parts of a run's life: words in messages, what a folder's own files are, signals, the number of steps.
+#include <csignal>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+
+#include "../../examples/ffp/range.hpp"
+#include "../../examples/ffp/run_folder.hpp"
+#include "../../examples/ffp/signals.hpp"
+#include "../../examples/ffp/step_count.hpp"
+#include "catch.hpp"
+
+using namespace arenite;
+using namespace arenite::ffp;
+
+TEST_CASE("ranges hold what their text says") {
+  const Range closed{0, 60, "deg"};
+  REQUIRE((closed.contains(0) && closed.contains(60) && !closed.contains(-1e-9) && !closed.contains(60.1)));
+  REQUIRE(closed.text() == "[0, 60] deg");
+  REQUIRE((!above(0, 1).contains(0) && above(0, 1).contains(1)));
+  REQUIRE(above(0, 50, "m/s").text() == "(0, 50] m/s");
+  REQUIRE(
+      (!between(-1, 0.5).contains(-1) && !between(-1, 0.5).contains(0.5) && between(-1, 0.5).contains(0)));
+  for (const Range& r : {closed, above(0, 1), between(0, 1)})
+    REQUIRE(!r.contains(std::numeric_limits<double>::quiet_NaN()));
+}
+
+TEST_CASE("text in messages is one line and not long") {
+  REQUIRE(shown("a name") == "a name");
+  REQUIRE(shown("two\nlines\tand\x1b[31m red\x7f") == "two lines and [31m red ");
+  REQUIRE(shown(std::string(500, 'x'), 20) == "xxxxxxxxxx .. xxxxxxxxxx");
+  const std::string umlauts = "\xc3\xa4\xc3\xb6\xc3\xbc\xc3\xa4\xc3\xb6\xc3\xbc";  // six of two bytes
+  REQUIRE(shown(umlauts, 6) == "\xc3\xa4 .. \xc3\xbc");
+  REQUIRE(shown("", 20).empty());
+}
+
+TEST_CASE("numbers in messages") {
+  REQUIRE(exactly(0.499999999999) == "0.499999999999");
+  REQUIRE(rounded(1955) == "1960");
+  REQUIRE(rounded(-123456) == "-123000");
+  REQUIRE(rounded(9.7725e11) == "9.77e+11");
+  REQUIRE(rounded(0.19579) == "0.196");
+  REQUIRE(rounded(0) == "0");
+  REQUIRE((duration(2.2) == "3 s" && duration(600) == "10 min" && duration(7200) == "2 h" &&
+           duration(36000) == "10 h" && duration(1e6) == "12 days"));
+}
+
+TEST_CASE("what a drop writes, and nothing else, is a result") {
+  for (const char* own : {"summary.json", "history.csv", "fields.pvd", "fields_soil_0000.vtu",
+                          "fields_device_points_0012.vtu", "fields_mesh_12345.vtu", "fields_device_0003.vtu",
+                          "history.csv.part", "fields_soil_0000.vtu.part", "histories.png", "strain.png"})
+    REQUIRE(is_result(own));
+  for (const char* foreign : {"notes.txt", "history.csv.bak", "my_history.csv", "fields_soil_.vtu",
+                              "fields_soil_00x0.vtu", "fields_soil_000.vtu", "fields_sand_0000.vtu",
+                              "summary.json~", ".arenite-ffp.lock", "plot.png", ".part", ""})
+    REQUIRE(!is_result(foreign));
+}
+
+TEST_CASE("a folder is made, cleaned of results alone, and can be taken again") {
+  namespace fs = std::filesystem;
+  fs::remove_all("folder");
+  const auto write = [](const char* name) { std::ofstream{name} << "old\n"; };
+  { RunFolder made{"folder/in/folder"}; }
+  REQUIRE(fs::is_directory("folder/in/folder"));
+  for (const char* name : {"folder/summary.json", "folder/history.csv", "folder/fields_soil_0007.vtu",
+                           "folder/notes.txt", "folder/fields.txt"})
+    write(name);
+  fs::create_directory("folder/fields_mesh_0000.vtu");  // not what a drop writes
+  for (int again = 0; again < 2; ++again) {
+    RunFolder taken{"folder"};
+    REQUIRE((!fs::exists("folder/summary.json") && !fs::exists("folder/history.csv") &&
+             !fs::exists("folder/fields_soil_0007.vtu")));
+    REQUIRE((fs::exists("folder/notes.txt") && fs::exists("folder/fields.txt") &&
+             fs::exists("folder/fields_mesh_0000.vtu")));
+    REQUIRE(fs::file_size("folder/.arenite-ffp.lock") > 0);  // space for the summary of a full disk
+    taken.free_reserve();
+    REQUIRE(fs::file_size("folder/.arenite-ffp.lock") == 0);
+  }
+  write("a_file");
+  REQUIRE_THROWS_WITH(RunFolder{"a_file"}, Catch::Contains("--out = a_file: "));
+  REQUIRE_THROWS_WITH(RunFolder{"a_file/below"}, Catch::Contains("--out = a_file/below: "));
+}
+
+TEST_CASE("a signal is noted, found by the next check, and harmless before and after") {
+  for (const int signal : {SIGINT, SIGTERM}) {
+    std::signal(signal, SIG_DFL);
+    {
+      const StopSignals signals;
+      REQUIRE_NOTHROW(signals.check());
+      std::raise(signal);
+      try {
+        signals.check();
+        FAIL("not noted");
+      } catch (const Interruption& e) {
+        REQUIRE(e.exit_code() == 128 + signal);
+        REQUIRE(std::string{e.what()} ==
+                (signal == SIGINT ? "interrupted by SIGINT" : "interrupted by SIGTERM"));
+      }
+    }
+    REQUIRE(std::signal(signal, SIG_IGN) == SIG_DFL);
+    {
+      const StopSignals signals;  // what was ignored stays ignored
+      std::raise(signal);
+      REQUIRE_NOTHROW(signals.check());
+    }
+    REQUIRE(std::signal(signal, SIG_DFL) == SIG_IGN);
+  }
+}
+
+TEST_CASE("too many steps: the option is named that makes them") {
+  const auto cause = [](auto change) {
+    DropOptions o;
+    change(o);
+    return cause_of_steps(o, 1e-9);
+  };
+  REQUIRE(cause([](DropOptions& o) { o.courant = 1e-9; }) == "--courant = 1e-09");
+  REQUIRE(cause([](DropOptions& o) { o.poisson = 0.499999999999; }) == "--poisson = 0.499999999999");
+  REQUIRE(cause([](DropOptions& o) { o.poisson = -0.9999999; }) == "--poisson = -0.9999999");
+  REQUIRE(cause([](DropOptions& o) { o.young = 1e10; }) == "--young = 1e+10");
+  REQUIRE(cause([](DropOptions& o) { o.end = 10; }) == "--end = 10");
+  REQUIRE(cause([](DropOptions& o) { o.unit_weight = 1000; }) == "--unit-weight = 1000");
+  REQUIRE(cause([](DropOptions& o) { o.mesh = "slivers.msh"; }) ==
+          "--mesh = slivers.msh (smallest cell 1e-09 m)");
+  // A rigid penetrometer's modulus does not matter.
+  REQUIRE(cause([](DropOptions& o) { o.device_young = 1e12, o.courant = 0.1; }) == "--courant = 0.1");
+  REQUIRE(cause([](DropOptions& o) { o.device_young = 1e12, o.device = DeviceKind::elastic; }) ==
+          "--device-young = 1e+12");
+}

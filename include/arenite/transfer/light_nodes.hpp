@@ -31,6 +31,7 @@ class LightNodes {
   template <class M, class Field>
   std::size_t exchange(const M& mesh, Field& nodes) {
     given_.clear();
+    given_.reserve(nodes.size());  // once: a step allocates nothing
     std::size_t count = 0;
     for (Index i = 0; i < nodes.size(); ++i) {
       const T m = nodes.mass[i], enough = static_cast<T>(least_share) * nodes.collected[i].reach();

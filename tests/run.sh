@@ -108,7 +108,8 @@ if chosen format; then
   printf '\n=== format\n'
   cd "$root"
   unformatted=$(find include tests examples benchmarks \( -name '*.hpp' -o -name '*.cpp' \) | sort | while read -r file; do
-    clang-format --dry-run -Werror "$file" > /dev/null 2>&1 || echo "$file"
+    # Not --dry-run: version 14 objects to the comment that it writes itself behind `namespace a::inline B`.
+    clang-format "$file" | cmp -s - "$file" || echo "$file"
   done)
   if [ -n "$unformatted" ]; then
     echo "$unformatted"

@@ -1,6 +1,7 @@
 // One drop of one model: the choices that are made at run time meet the types that are made at compile time.
 #pragma once
 
+#include "model.hpp"
 #include "record.hpp"
 
 namespace arenite::ffp {

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <cmath>
 #include <ctime>
 #include <functional>
 #include <iostream>
@@ -15,14 +16,12 @@
 #include <vector>
 
 #include <arenite/observe/every.hpp>
-#include <arenite/observe/fill_ratio.hpp>
 #include <arenite/observe/progress.hpp>
 #include <arenite/observe/vtu.hpp>
 #include <arenite/observe/watch.hpp>
 
 #include "drop.hpp"
-#include "history.hpp"
-#include "model.hpp"
+#include "history_row.hpp"
 #include "results.hpp"
 #include "run_folder.hpp"
 #include "say.hpp"
@@ -32,66 +31,6 @@
 #include "words.hpp"
 
 namespace arenite::ffp {
-
-/// What the history needs of the device at one step, as the scene has it (a slice's share).
-struct DeviceState {
-  double penetration, velocity;  ///< positive down, m, m/s
-  double reaction;               ///< contact force up, N
-  std::size_t contact_nodes;
-  std::vector<Index> touched;  ///< nodes at which the sand pushes
-};
-
-template <class Scene>
-DeviceState device_state(const Scene& scene) {
-  DeviceState state{};
-  if constexpr (Scene::rigid_count > 0) {
-    const auto& body = std::get<0>(scene.rigids);
-    state.penetration = 0 - body.displacement[1];
-    state.velocity = -body.velocity[1];
-    state.reaction = body.force[1];
-    state.contact_nodes = body.contact_nodes;
-    for (const auto& touch : body.touches)
-      if (!touch.inside && body.impulse_at(touch, body.velocity).squaredNorm() > 0)
-        state.touched.push_back(touch.node);
-  } else {
-    const auto& device = std::get<1>(scene.bodies);
-    state.penetration = 0 - scene.motion.travel();
-    state.velocity = -momentum(device)[1] / mass(device);
-    state.reaction = scene.time_step > 0 ? scene.contact_impulse[1][1] / scene.time_step : 0;
-    state.contact_nodes = scene.contact_tally.nodes;
-    const auto& normals = scene.normals.out;
-    for (Index i = 0; i < normals.size(); ++i)
-      if (normals[i].squaredNorm() > 0 && scene.fields[0].mass[i] > 0) state.touched.push_back(i);
-  }
-  return state;
-}
-
-/// A row of the history, of the scene as it stands; `before`: the row of the step before, null at the start.
-template <class Scene>
-HistoryRow history_row(const Scene& scene, const HistoryRow* before, double whole) {
-  const DeviceState device = device_state(scene);
-  const Energies e = energies(scene);
-  const auto& soil = std::get<0>(scene.bodies);
-  HistoryRow row;
-  row.time_s = scene.time;
-  row.penetration_m = device.penetration;
-  row.velocity_m_s = device.velocity;
-  row.acceleration_m_s2 = before ? (before->velocity_m_s - device.velocity) / scene.time_step
-                                 : -standard_gravity;  // it still falls freely
-  row.reaction_N = whole * device.reaction;
-  row.time_step_s = scene.time_step;
-  row.kinetic_energy_J = whole * e.kinetic;
-  row.strain_energy_J = whole * e.strain;
-  row.plastic_work_J = whole * e.plastic;
-  row.contact_dissipation_J = whole * e.contact;
-  row.external_work_J = whole * e.external;
-  row.energy_residual_J = whole * e.residual;
-  row.lost_points = static_cast<double>(scene.lost_points());
-  row.contact_nodes = static_cast<double>(device.contact_nodes);
-  row.fill_ratio = fill_ratio(scene, soil, device.touched, scene.mesh.region_number("device"));
-  row.mean_volume_ratio = mean_volume_ratio(soil);
-  return row;
-}
 
 /// What a watch saw, by the names of its limits.
 inline nlohmann::ordered_json json_of(const Watch& watch) {

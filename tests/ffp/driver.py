@@ -320,8 +320,8 @@ class Mistakes(DriverTest):
 
     def test_steps(self):
         """A run without end is told before it begins."""
-        self.assert_refused("--courant = 1e-09: makes the run take about ", "--courant", "1e-9")
-        self.assert_refused("--poisson = 0.499999999999: makes the run take about ", "--poisson", "0.499999999999")
+        self.assert_refused("--courant = 1e-09: makes the run take about ", *COARSE, "--courant", "1e-9")
+        self.assert_refused("--poisson = 0.499999999999: makes the run take about ", *COARSE, "--poisson", "0.499999999999")
         self.run_drop("sliver_of", *COARSE, "--end", "1e-5")
         sliver = Mesh("sliver_of")
         lowest = min(range(len(sliver.nodes)), key=lambda i: (sliver.nodes[i][1], sliver.nodes[i][0]))
@@ -540,7 +540,7 @@ class Failures(DriverTest):
         found = summary(folder)
         self.assertEqual(warnings, ["arenite-ffp: warning: " + text for text in found["warnings"]])
         self.assertEqual(found["status"], status)
-        self.assertTrue(found["failure"].startswith("t = 0.0"), found["failure"])
+        self.assertRegex(found["failure"], "^t = 0[.0-9]* s")
         self.assertEqual(said, f"arenite-ffp: {'the run failed: ' if status == 'failed' else ''}{found['failure']}; files: {folder}")
         columns = history(folder)
         self.assertEqual(found["steps"], len(columns["time_s"]) - 1)
@@ -591,6 +591,8 @@ class Ends(DriverTest):
 
     def start(self, folder):
         """A long run, once it has taken some steps."""
+        shutil.rmtree(folder, ignore_errors=True)
+
         def default_signals():  # a test in the background may have been given SIGINT to ignore
             signal.signal(signal.SIGINT, signal.SIG_DFL)
 
@@ -635,6 +637,7 @@ class Ends(DriverTest):
         self.assertEqual(summary("in_use")["status"], "done")
 
     def test_old_results_go(self):
+        shutil.rmtree("again", ignore_errors=True)
         self.run_drop("again", *COARSE, "--end", "0.01", "--fields-every", "0.001")
         self.assertEqual(len(field_files("again")), 11 * 3)
         for name in ("notes.txt", "fields.txt", "history.csv.old"):
@@ -663,6 +666,7 @@ class Killed(DriverTest):
 
     def test_killed(self):
         options = ["--cell", "0.04", "--points-per-element", "10", "--end", "0.02", "--fields-every", "0.002", "--quiet"]
+        shutil.rmtree("killed", ignore_errors=True)
         begin = time.monotonic()
         self.run_drop("killed", *options)
         whole = time.monotonic() - begin

@@ -47,6 +47,20 @@ TEST_CASE("a position that is none has no cell") {
   REQUIRE(grid.walk({1e30, 0.5}) == none);
 }
 
+TEST_CASE("cells whose volume is not a number in the scalar are refused") {
+  const auto make = [](auto scalar, double size) {
+    CartesianGrid<3, decltype(scalar)>({.lower = {0, 0, 0}, .upper = {size, size, size}, .cell = size});
+  };
+  const std::string rule = "m in the scalar of the mesh, or the cell's volume or size is not a number";
+  for (const double size : {1e-30, 1e-13, 1e13, 1e30, 1e300}) {
+    REQUIRE(throws([&] { make(0.0f, size); }, "CartesianGrid.cell = "));
+    REQUIRE(throws([&] { make(0.0f, size); }, rule));
+  }
+  for (const double size : {1e-110, 1e110}) REQUIRE(throws([&] { make(0.0, size); }, rule));
+  for (const double size : {1e-11, 1e-6, 1e3, 1e12}) REQUIRE_NOTHROW(make(0.0f, size));
+  for (const double size : {1e-90, 1e90}) REQUIRE_NOTHROW(make(0.0, size));
+}
+
 TEST_CASE("bad grids are refused") {
   using Grid = CartesianGrid<2>;
   REQUIRE(throws([] { Grid g({}); }, "CartesianGrid.cell = nan: must be positive"));

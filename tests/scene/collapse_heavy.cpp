@@ -27,7 +27,9 @@ Deposit collapse(double friction) {
               bodies(fill(Box{{0., 0.}, {x0, h0}}, sand, {.per_cell = 4})),
               walls(bottom(fixed), left(roller)),
               gravity({0, -9.81})};
-  run(scene, {.end = 0.5, .courant = test::courant(scene, 0.5)});  // at rest after some 3.3 sqrt(h_0 / g) = 0.33 s (Lube et al.)
+  run(scene,
+      {.end = 0.5,
+       .courant = test::courant(scene, 0.5)});  // at rest after some 3.3 sqrt(h_0 / g) = 0.33 s (Lube et al.)
   CHECK(scene.lost_points() == 0);
   Deposit d{0, 0, 0};
   const auto& points = std::get<0>(scene.bodies).points;

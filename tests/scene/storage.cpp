@@ -99,6 +99,7 @@ TEST_CASE("Ledger, contact impulses, normals, averages and motion take no room w
   using Plain = std::remove_const_t<decltype(plain)>;
   STATIC_REQUIRE(std::is_empty_v<decltype(Plain::ledger)>);
   STATIC_REQUIRE(std::is_empty_v<decltype(Plain::contact_impulse)>);
+  STATIC_REQUIRE(std::is_empty_v<decltype(Plain::contact_pairs)>);
   STATIC_REQUIRE(std::is_empty_v<decltype(Plain::normals)>);
   STATIC_REQUIRE(std::is_empty_v<decltype(Plain::average)>);
   STATIC_REQUIRE(std::is_empty_v<decltype(Plain::motion)>);

@@ -182,7 +182,7 @@ std::vector<Constraint<typename M::scalar, M::dimension>> resolve(const Walls& w
     if (blocked[i].count == D)
       projector.setZero();
     else
-      projector -= q * q.transpose();
+      projector -= q.lazyProduct(q.transpose());
     constraints.push_back({i, projector.template cast<T>()});
   }
   return constraints;

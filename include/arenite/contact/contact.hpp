@@ -84,6 +84,13 @@ struct ContactPair {
   bool sticks;                ///< no relative motion at all, not just none along the normal
 };
 
+/// In place of a list of pairs where nobody asks for them (USL).
+struct NoContactPairs {
+  void clear() {}
+  template <class Pair>
+  void push_back(const Pair&) {}
+};
+
 /// Normals out of a region's surface, for every node of the mesh; zero where there is none.
 template <class T, int D>
 struct NormalMap {
@@ -146,7 +153,7 @@ void meet(const Coulomb<Normals>& contact, Fields& fields, const Map& map, Done&
 
 /// Lets the fields of each pair of bodies exchange impulses at the nodes that they share, and limits the
 /// velocities there. `map`: a NormalMap, or anything for mass gradients. `impulses` [fields] receives the sum
-/// of what each field was given, N s; `pairs` those who gave it, in the order of their nodes.
+/// of what each field was given, N s; `pairs` those who exchanged one, in the order of their nodes.
 template <class Normals, class Fields, class Map, class Impulses, class Pairs, class T, class Size>
 ContactTally exchange(const Coulomb<Normals>& contact, Fields& fields, const Map& map, Impulses& impulses,
                       Pairs& pairs, T dt, Size&& node_size) {

@@ -89,6 +89,20 @@ class Account {
   Clock::time_point begin_{}, watches_until_{}, rests_until_{};
 };
 
+/// Why the memory orders do:
+/// - `state_` is the gate. The caller writes the loop (call_, context_, parts_) and then sets `open`; a
+/// helper
+///   signs in with an acquiring addition, and touches the loop only if that saw `open`: so it sees all that
+///   was written. It signs out with a releasing subtraction, and the caller goes on once it has acquired 0:
+///   so it sees all that the helpers' items wrote, and nobody reads the next loop before it is complete. The
+///   numbers in between come from read-modify-writes, which continue the release sequence of the one before.
+/// - `items` of a part only deals numbers out: each is taken by one exchange, nothing else hangs on it.
+///   Relaxed.
+/// - Sleep: the helper announces itself (`asleep_`), then looks at `state_`; the caller opens, then looks at
+///   `asleep_`. All four are sequentially consistent, so that one of them sees the other: a helper either
+///   does not sleep, or is rung for. It read `bell_` before, so that a ring in between keeps it awake.
+/// - `taken_` hands the pool from one of the program's threads to another: acquired and released around all
+///   that the caller alone touches (parts_, helpers_, account_).
 class ThreadPool {
  public:
   /// The pool of the process: its threads start with the first loop that wants them.

@@ -8,6 +8,7 @@
 
 #include <arenite/core/error.hpp>
 #include <arenite/core/tensor.hpp>
+#include <arenite/mesh/cell_size.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
@@ -29,10 +30,11 @@ class CartesianGrid {
     double cell = std::numeric_limits<double>::quiet_NaN();  ///< edge of a cell, m; must divide each extent
   };
 
-  /// Throws `error` if the box is empty, if the cell does not divide it, or if there are more than 2^31
-  /// cells.
+  /// Throws `error` if the box is empty, if the cell does not divide it or has a size that T does not bear,
+  /// or if there are more than 2^31 cells.
   explicit CartesianGrid(const Parameters& p) : edge_{static_cast<T>(p.cell)} {
     require(p.cell > 0 && std::isfinite(p.cell), "CartesianGrid.cell", p.cell, "must be positive");
+    detail::check_edge<T>("CartesianGrid.cell", p.cell);
     double total = 1;
     for (std::size_t k = 0; k < D; ++k) {
       const double extent = p.upper[k] - p.lower[k];

@@ -14,6 +14,7 @@
 #include <arenite/core/parallel.hpp>
 #include <arenite/mesh/adjacency.hpp>
 #include <arenite/mesh/cell_bins.hpp>
+#include <arenite/mesh/cell_size.hpp>
 #include <arenite/mesh/mesh_data.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
@@ -195,18 +196,9 @@ class SimplexMesh {
     const auto edges = edge_matrix(nodes);
     T longest = 0;
     for (int k = 0; k < D; ++k) longest = std::max(longest, edges.col(k).stableNorm());
-    // Between them volumes, gradients and the squares of gradients of any cell that is not flat are normal
-    // numbers.
-    using Limits = std::numeric_limits<T>;
-    constexpr T flattest = 1000 * Limits::epsilon();
-    const T least = std::cbrt(Limits::min() / flattest), greatest = std::cbrt(Limits::max()) / 2;
-    require(
-        longest == 0 || (longest >= least && longest <= greatest),
-        shared_detail::join("SimplexMesh.cells[", c, "].edge"), longest,
-        shared_detail::join("edges must lie between ", least, " and ", greatest,
-                            " m in the scalar of the mesh, or the cell's volume or size is not a number"));
+    if (longest > 0) detail::check_edge<T>(shared_detail::join("SimplexMesh.cells[", c, "].edge"), longest);
     const T volume = edges.determinant();
-    require(std::abs(volume) > flattest * std::pow(longest, D),
+    require(std::abs(volume) > detail::flattest<T> * std::pow(longest, D),
             shared_detail::join("SimplexMesh.cells[", c, "].volume"), volume, "a cell must not be flat");
     if (volume < 0) std::swap(nodes[D - 1], nodes[D]);
     cells_.push_back(nodes);

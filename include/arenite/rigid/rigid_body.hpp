@@ -183,18 +183,17 @@ ContactTally collide(const M& mesh, R& body, Fields& fields, const Vec<T, D>& gr
 template <class R, class Fields, class T>
 double hold_to(const R& body, Fields& fields, T dt) {
   double dissipation = 0;
-  if constexpr (!R::coupling_through_centre)
-    for (const auto& t : body.touches) {
-      if (t.impulse.squaredNorm() == 0) continue;
-      using V = std::remove_cvref_t<decltype(t.normal)>;
-      auto& field = fields[t.field];
-      auto& v = field.mapped[t.node];
-      const V apart = v - body.velocity;
-      const V removed = t.sticks ? apart : V(apart.dot(t.normal) * t.normal);
-      dissipation -= static_cast<double>(t.impulse.dot(v - field.velocity[t.node]) / 2 +
-                                         dt * field.collected[t.node].force().dot(removed));
-      v -= removed;
-    }
+  for (const auto& t : body.touches) {
+    if (t.impulse.squaredNorm() == 0) continue;
+    using V = std::remove_cvref_t<decltype(t.normal)>;
+    auto& field = fields[t.field];
+    auto& v = field.mapped[t.node];
+    const V apart = v - field.velocity[t.node];
+    const V removed = t.sticks ? apart : V(apart.dot(t.normal) * t.normal);
+    dissipation -=
+        static_cast<double>(t.impulse.dot(apart) / 2 + dt * field.collected[t.node].force().dot(removed));
+    v -= removed;
+  }
   return dissipation;
 }
 

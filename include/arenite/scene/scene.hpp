@@ -205,8 +205,10 @@ struct Scene {
   [[no_unique_address]] std::conditional_t<Contact::separate, std::array<Vec<T, D>, body_count>,
                                            detail::Nothing>
       contact_impulse{};
-  [[no_unique_address]] std::conditional_t<Contact::separate, std::vector<ContactPair<T, D>>, detail::Nothing>
-      contact_pairs{};          ///< bodies that pushed on each other in the last step, node by node
+  /// MUSL: bodies that pushed on each other in the last step, node by node.
+  [[no_unique_address]] std::conditional_t<Contact::separate && N::remaps, std::vector<ContactPair<T, D>>,
+                                           NoContactPairs>
+      contact_pairs{};
   ContactTally contact_tally;   ///< of the last step
   std::size_t limited = 0;      ///< node velocities scaled down by the velocity limit since the start
   double limited_momentum = 0;  ///< momentum that this took, N s

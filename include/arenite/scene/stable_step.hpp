@@ -8,11 +8,11 @@
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
-/// Largest step that the scene bears, s: the smallest size / (wave speed + point speed) of the cells that hold
-/// points (Courant, Friedrichs, Lewy 1928), times what the numerics bear of it (`Numerics::courant_limit`).
-/// Follows the mesh as it moves; rigid bodies do not limit it. Multiply by a Courant number of at most 1. The
-/// wave speed is that of the law's density: volumes grown by dilatancy to r times raise the true one by the
-/// root of r.
+/// Largest step that the scene bears, s: the smallest size / (wave speed + point speed) of the cells that
+/// hold points (Courant, Friedrichs, Lewy 1928), times what the numerics bear of it
+/// (`Numerics::courant_limit`). Follows the mesh as it moves; rigid bodies do not limit it. Multiply by a
+/// Courant number of at most 1. The wave speed is that of the law's density: volumes grown by dilatancy to r
+/// times raise the true one by the root of r.
 template <class Scene>
 double stable_step(const Scene& scene) {
   using T = typename Scene::T;

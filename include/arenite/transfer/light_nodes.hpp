@@ -15,11 +15,11 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 ///
 /// A node is light if its mass m is below m_e = `least_share` sum m_c (h_c |grad N|)^2, over its cells, with
 /// the mass m_c of their points and their smallest altitude h_c: as `scatter` leaves it in
-/// `NodeSums::reach`; equilateral cells filled evenly give m = 4 m_e (3 in space). A light node goes the share
-/// 1 - m / m_e of the way to the mean velocity of its neighbours, weighted by their masses, so that its own
-/// force moves it as if it had the mass m_e. Each neighbour gives what the node gets: linear momentum is kept
-/// to round-off, and the kinetic energy of the relative motion falls. A rotation is damped at light nodes, in
-/// proportion to their mass. It is selective mass scaling (Olovsson, Simonsson, Unosson 2005,
+/// `NodeSums::reach`; equilateral cells filled evenly give m = 4 m_e (3 in space). A light node goes the
+/// share 1 - m / m_e of the way to the mean velocity of its neighbours, weighted by their masses, so that its
+/// own force moves it as if it had the mass m_e. Each neighbour gives what the node gets: linear momentum is
+/// kept to round-off, and the kinetic energy of the relative motion falls. A rotation is damped at light
+/// nodes, in proportion to their mass. It is selective mass scaling (Olovsson, Simonsson, Unosson 2005,
 /// doi:10.1002/nme.1293) by an exchange in place of a mass matrix. One thread: few nodes are light.
 template <class T, int D>
 class LightNodes {
@@ -31,6 +31,7 @@ class LightNodes {
   template <class M, class Field>
   std::size_t exchange(const M& mesh, Field& nodes) {
     given_.clear();
+    given_.reserve(nodes.size());  // once: a step allocates nothing
     std::size_t count = 0;
     for (Index i = 0; i < nodes.size(); ++i) {
       const T m = nodes.mass[i], enough = static_cast<T>(least_share) * nodes.collected[i].reach();

@@ -66,8 +66,8 @@ struct Numerics {
   /// u' = u + v - K u, v' = v - S K u (FLIP) or v' = S (v - K u) (PIC, APIC), in units of the step. Taken
   /// along an eigenvector these are quadratic equations with s in [0, 1] for S, and stable for all s if
   /// omega^2 dt^2 <= 2; MUSL, and TPIC with S = m, if <= 4. On splines omega^2 <= 6 D M / rho / h^2 for any
-  /// points, filled or few: a point adds V (C : grad u)^2 to K u^2 and m sum w u^2 to the mass, sum (w')^2 / w
-  /// along each axis is at most 6 / h^2 (at a cell's face), and the stiffest strain, the volumetric one, at
+  /// points, filled or few: a point adds V (C : grad u)^2 to K u^2 and m sum w u^2 to the mass, sum (w')^2 /
+  /// w along each axis is at most 6 / h^2 (at a cell's face), and the stiffest strain, the volumetric one, at
   /// most D M. On simplices light nodes set the limit; it is measured (docs/design.md).
   template <int D>
   static double courant_limit() {

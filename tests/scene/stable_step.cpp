@@ -1,0 +1,208 @@
+// The stable step in closed form, and what it is for: no composition gains energy at a Courant number of 1.
+#include <arenite/arenite.hpp>
+#include <random>
+
+#include "catch.hpp"
+#include "meshes.hpp"
+
+using namespace arenite;
+
+namespace {
+
+using Splines = Numerics<QuadraticBSpline, Apic, Usl>;
+using Triangles = Numerics<LinearSimplex, Tpic, Usl>;
+
+LinearElastic rubber(double density = 1000) {
+  return LinearElastic{{.density = density, .young = 1e6, .poisson = 0.25}};
+}
+double wave(const LinearElastic& law) { return std::sqrt(law.wave_modulus() / law.density()); }
+CartesianGrid<2> grid(double cell = 0.1) { return CartesianGrid<2>{{{0, 0}, {1, 1}, cell}}; }
+
+}  // namespace
+
+TEST_CASE("Stable step: cell size over wave speed, times what the numerics bear") {
+  const Box lower{{0., 0.}, {1., 0.5}};
+  const double c = wave(rubber());
+  Scene splines{PlaneStrain{}, grid(), Splines{}, bodies(fill(lower, rubber()))};
+  CHECK(stable_step(splines) == Approx(0.1 / c / std::sqrt(6)));
+  Scene musl{PlaneStrain{}, grid(0.05), Numerics<QuadraticBSpline, Flip, Musl>{},
+             bodies(fill(lower, rubber()))};
+  CHECK(stable_step(musl) == Approx(0.05 / c / std::sqrt(3)));
+  CHECK(Splines::courant_limit<3>() == Approx(1.0 / 3));
+  // The altitude of right-angled triangles with legs of 0.1 m, and of flat ones where only those hold points.
+  const auto mesh = test::triangles({0, 0}, {1, 1}, 10, 10);
+  Scene triangles{PlaneStrain{}, SimplexMesh<2>(mesh), Triangles{}, bodies(fill(lower, rubber()))};
+  CHECK(stable_step(triangles) == Approx(0.35 * 0.1 / std::sqrt(2) / c));
+  auto graded = mesh;
+  for (auto& x : graded.nodes)
+    if (x[1] > 0.55) x[1] = 0.5 + 0.1 * (x[1] - 0.5);
+  Scene below{PlaneStrain{}, SimplexMesh<2>(graded), Triangles{},
+              bodies(fill(Box{{0., 0.}, {1., 0.45}}, rubber()))};
+  CHECK(stable_step(below) == Approx(stable_step(triangles)));
+  Scene above{PlaneStrain{}, SimplexMesh<2>(graded), Triangles{},
+              bodies(fill(Box{{0., 0.51}, {1., 1.}}, rubber()))};
+  CHECK(stable_step(above) == Approx(0.35 * 0.1 * 0.01 / std::hypot(0.1, 0.01) / c));
+}
+
+TEST_CASE("Stable step: the fastest point counts, in whatever cell, lane and direction") {
+  Scene scene{PlaneStrain{}, grid(), Splines{}, bodies(fill(Box{{0., 0.}, {1., 0.5}}, rubber()))};
+  auto& points = std::get<0>(scene.bodies).points;
+  const double c = wave(rubber());
+  for (const std::size_t p : {0u, 1u, 58u, 199u}) {
+    points.velocity.set(p, Vec<double, 2>(-30, 40));
+    CHECK(stable_step(scene) == Approx(0.1 / (c + 50) / std::sqrt(6)));
+    points.velocity.set(p, Vec<double, 2>(0, 0));
+  }
+}
+
+TEST_CASE("Stable step: the least of all bodies") {
+  const auto step_of = [](double first, double second) {
+    Scene scene{PlaneStrain{}, grid(), Splines{},
+                bodies(fill(Box{{0., 0.}, {1., 0.3}}, rubber(first)),
+                       fill(Box{{0., 0.5}, {1., 0.8}}, rubber(second), {.velocity = {0, 7, 0}}))};
+    return stable_step(scene) * std::sqrt(6) / 0.1;
+  };
+  CHECK(step_of(100, 1000) == Approx(1 / wave(rubber(100))));
+  CHECK(step_of(1000, 100) == Approx(1 / (wave(rubber(100)) + 7)));
+  CHECK(step_of(1000, 1000) == Approx(1 / (wave(rubber()) + 7)));
+}
+
+TEST_CASE("Stable step: follows a mesh that moved") {
+  const auto push = [](double) { return std::array<double, 3>{0, -10, 0}; };
+  auto data = test::triangles({0, 0}, {0.4, 1}, 4, 10);
+  test::name_region(data, "platen", [](const auto& x) { return x[1] > 0.8; });
+  Scene scene{PlaneStrain{},
+              SimplexMesh<2>(data),
+              Numerics<LinearSimplex, Flip>{},
+              bodies(fill(Box{{0., 0.}, {0.4, 0.2}}, rubber(), {.per_cell = 3})),
+              rigids(rigid(MeshSurface{"platen"}, Prescribed{push}, Friction::frictionless())),
+              MovingMesh<>{.fixed_below = 0, .moving_from = 0.8}};
+  const double c = wave(rubber()), before = stable_step(scene);
+  CHECK(before == Approx(0.1 / std::sqrt(2) / c));
+  for (int k = 0; k < 40; ++k) step(scene, 1e-3);  // 0.8 m become 0.4 m: cells of 0.1 m by 0.05 m
+  const double altitude = 0.1 * 0.05 / std::hypot(0.1, 0.05);
+  CHECK(stable_step(scene) == Approx(altitude / c));
+}
+
+namespace {
+
+/// Greatest energy of a free body at random places in its cells, over that of its random motion, in steps of
+/// Courant number 1.
+template <class Scene>
+double growth(Scene scene, unsigned seed) {
+  auto& body = std::get<0>(scene.bodies);
+  std::mt19937 random(seed);
+  std::normal_distribution<double> normal(0, 1e-4);
+  const double c = wave(rubber());
+  for (std::size_t p = 0; p < body.points.size(); ++p) {
+    auto v = body.points.velocity[p];
+    for (int k = 0; k < Scene::D; ++k) v[k] = c * normal(random);
+    body.points.velocity.set(p, v);
+  }
+  const auto energy = [&] { return kinetic_energy(body) + strain_energy(body); };
+  const double start = energy();
+  double most = start;
+  for (int k = 0; k < 150 && most < 10 * start; ++k) {
+    step(scene, stable_step(scene));
+    most = std::max(most, energy());
+  }
+  return most / start;
+}
+
+template <class N>
+double worst_on_splines() {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> some(0, 1);
+  double worst = 0;
+  for (unsigned k = 0; k < 12; ++k) {
+    const double x = 0.2 + 0.2 * some(random), y = 0.2 + 0.2 * some(random);
+    const Box box{{x, y}, {x + 0.12 + 0.3 * some(random), y + 0.12 + 0.3 * some(random)}};
+    worst = std::max(worst, growth(Scene{PlaneStrain{}, grid(), N{},
+                                         bodies(fill(box, rubber(), {.per_cell = k % 2 ? 1 : 4}))},
+                                   k));
+  }
+  return worst;
+}
+
+}  // namespace
+
+// What the sum of two energies half a step apart swings by stays below a tenth.
+TEST_CASE("Courant number 1: no elastic block on splines gains energy") {
+  CHECK(worst_on_splines<Numerics<QuadraticBSpline, Apic, Usl>>() <= 1.1);
+  CHECK(worst_on_splines<Numerics<QuadraticBSpline, Flip, Usl>>() <= 1.1);
+  CHECK(worst_on_splines<Numerics<QuadraticBSpline, Apic, Musl>>() <= 1.1);
+}
+
+namespace {
+
+struct Spun {
+  double most, turn,
+      momentum;  // greatest energy and last angular momentum over the first; momentum, relative
+  std::size_t lost;
+};
+
+/// An elastic disc (2D) or ball that spins freely on simplices, through `turns`.
+template <class N, int D>
+Spun spin(double turns, double courant) {
+  constexpr double rate = 20;
+  std::array<double, D> lower, upper;
+  lower.fill(-0.5), upper.fill(0.5);
+  const auto data = [&] {
+    if constexpr (D == 2)
+      return test::triangles(lower, upper, 20, 20);
+    else
+      return test::tetrahedra(lower, upper, {8, 8, 8});
+  }();
+  const auto inside = [](const Vec<double, D>& x) { return x.norm() - 0.3; };
+  using K = std::conditional_t<D == 2, PlaneStrain, Solid>;
+  Scene scene{K{}, SimplexMesh<D>(data), N{},
+              bodies(fill(Inside{inside}, rubber(), {.per_cell = D == 2 ? 3 : 4}))};
+  auto& body = std::get<0>(scene.bodies);
+  auto& points = body.points;
+  Mat<double, D> whirl = Mat<double, D>::Zero();
+  whirl(0, 1) = -rate, whirl(1, 0) = rate;
+  for (std::size_t p = 0; p < points.size(); ++p) {
+    points.velocity.set(p, whirl * points.position[p]);
+    if constexpr (N::Transfer::affine) points.motion.set(p, whirl);
+  }
+  const auto energy = [&] { return kinetic_energy(body) + strain_energy(body); };
+  const auto angular = [&] {
+    double sum = 0;
+    for (std::size_t p = 0; p < points.size(); ++p) {
+      const auto x = points.position[p], v = points.velocity[p];
+      sum += points.mass[p] * (x[0] * v[1] - x[1] * v[0]);
+    }
+    return sum;
+  };
+  const auto push = momentum(body);
+  const double start = energy(), whole = angular();
+  Spun r{1, 0, 0, 0};
+  run(scene, {.end = turns * 2 * pi / rate, .courant = courant}, [&](const auto& s) {
+    if (s.steps % 10 == 0) r.most = std::max(r.most, energy() / start);
+    if (r.most > 100) throw run_error("the energy has grown a hundred times");
+  });
+  r.turn = angular() / whole;
+  r.momentum = (momentum(body) - push).norm() / std::sqrt(2 * mass(body) * start);
+  r.lost = scene.lost_points();
+  return r;
+}
+
+template <class N, int D>
+void check_spin(double turns, double courant, double turn) {
+  const Spun r = spin<N, D>(turns, courant);
+  CAPTURE(r.most, r.turn, r.momentum);
+  CHECK(r.lost == 0);
+  CHECK(r.most <= 1.01);
+  CHECK(std::abs(r.turn - 1) <= turn);
+  CHECK(r.momentum <= 1e-12);
+}
+
+}  // namespace
+
+TEST_CASE("A free elastic body that spins on simplices gains no energy and loses no point") {
+  check_spin<Numerics<LinearSimplex, Tpic, Usl>, 2>(2, 1, 0.05);
+  check_spin<Numerics<LinearSimplex, Tpic, Usl>, 2>(1, 0.2, 0.05);
+  check_spin<Numerics<LinearSimplex, Flip, Usl>, 2>(2, 1, 0.2);  // FLIP keeps no angular momentum of its own
+  check_spin<Numerics<LinearSimplex, Tpic, Usl>, 3>(0.5, 1, 0.05);
+  check_spin<Numerics<LinearSimplex, Flip, Usl>, 3>(0.5, 1, 0.2);
+}

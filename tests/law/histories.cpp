@@ -117,7 +117,7 @@ void follow(const Law& law, const Constants& constants) {
       for (std::size_t i = 0; i < inc.spin.size(); ++i) set(increment.spin[i], k, inc.spin[i]);
     }
     const auto before = stress;
-    const P opened = law.update(stress, increment, history);
+    const P opened = inelastic(law.update(stress, increment, history)).opening;
     const P energy = law.elastic_energy(stress);
     for (int k = 0; k < lane_count<P>; ++k) {
       const auto was = lane(before, k), is = lane(stress, k);

@@ -5,6 +5,7 @@
 #include <new>
 
 #include "catch.hpp"
+#include "courant.hpp"
 #include "meshes.hpp"
 
 namespace {
@@ -55,9 +56,9 @@ MohrCoulomb<> sand() {
 /// Allocations in 100 steps after 60 others.
 template <class Scene>
 long allocated(Scene&& scene) {
-  for (int k = 0; k < 60; ++k) step(scene, 0.4 * stable_step(scene));
+  for (int k = 0; k < 60; ++k) step(scene, test::courant(scene, 0.4) * stable_step(scene));
   const long before = allocations;
-  for (int k = 0; k < 100; ++k) step(scene, 0.4 * stable_step(scene));
+  for (int k = 0; k < 100; ++k) step(scene, test::courant(scene, 0.4) * stable_step(scene));
   return allocations - before;
 }
 

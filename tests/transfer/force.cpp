@@ -1,4 +1,6 @@
 // Internal force: its virtual work, its sums, and the patch of uniform stress.
+#include <arenite/transfer/light_nodes.hpp>
+
 #include "catch.hpp"
 #include "setup.hpp"
 
@@ -161,4 +163,22 @@ TEST_CASE("gradients of mass point out of the body and sum to zero") {
   REQUIRE(sum.norm() < 1e-11);
   for (Index i = 0; i < s.nodes.size(); ++i)
     if (s.node(i)[1] > 0.5 && s.nodes.collected[i].mass() > 0.1) REQUIRE(s.nodes.mass_gradient[i][1] > 0);
+}
+
+TEST_CASE("Points on a face: the node behind it has a force and no mass, and momentum is kept") {
+  Setup<PlaneStrain, Numerics<LinearSimplex, Flip, Usl>, SimplexMesh<2>> s(sample_mesh<2>(3), 0);
+  for (Index c = 0; c < s.mesh.cell_count(); c += 5) {
+    const auto& nodes = s.mesh.nodes(c);
+    s.add(0.3 * s.mesh.position(nodes[0]) + 0.7 * s.mesh.position(nodes[1]), c);
+  }
+  s.index();
+  s.scatter();
+  const double dt = 0.1;
+  arenite::advance(s.nodes, Vec<double, 2>(Vec<double, 2>::Zero()), dt, 1e-14);
+  double pushed = 0;
+  for (Index i = 0; i < s.nodes.size(); ++i)
+    if (!(s.nodes.mass[i] > 0)) pushed += dt * s.nodes.collected[i].force().norm();
+  REQUIRE(pushed > 0.1);
+  hand_on(s.mesh, s.nodes, dt);
+  REQUIRE((s.node_momentum() - s.point_momentum()).norm() <= 1e-13);
 }

@@ -45,7 +45,10 @@ void advance(Scene& scene, double dt) {
   using T = typename Scene::T;
   // Below it mass and momentum are no longer known to round-off.
   const T floor = std::numeric_limits<T>::min() / std::numeric_limits<T>::epsilon();
-  for (auto& field : scene.fields) advance(field, scene.gravity, static_cast<T>(dt), floor);
+  for (auto& field : scene.fields) {
+    advance(field, scene.gravity, static_cast<T>(dt), floor);
+    if constexpr (Scene::Shape::constant_gradient) hand_on(scene.mesh, field, static_cast<T>(dt));
+  }
 }
 
 template <class Scene>

@@ -9,6 +9,33 @@
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
+/// Calls `f(j)` for the nodes j != i of each cell at node i: once for each cell that they share.
+template <class M, class F>
+void for_each_neighbour(const M& mesh, Index i, F&& f) {
+  for (const Index c : mesh.cells_at(i))
+    for (const Index j : mesh.nodes(c))
+      if (j != i) f(j);
+}
+
+/// A point within round-off of a face leaves the node behind it without mass, but not without the force of
+/// its stress, which no velocity could take up. The nodes around take its impulse, shared out by their
+/// masses, so that momentum is kept: the limit of a light node's exchange (`LightNodes`) for a mass that
+/// falls to nothing.
+template <class M, class Field, class T>
+void hand_on(const M& mesh, Field& nodes, T dt) {
+  for (Index i = 0; i < nodes.size(); ++i) {
+    if (nodes.mass[i] > 0) continue;
+    const auto force = nodes.collected[i].force();
+    if ((force.array() == 0).all()) continue;
+    T around = 0;
+    for_each_neighbour(mesh, i, [&](Index j) { around += nodes.mass[j]; });
+    if (!(around > 0)) continue;
+    for_each_neighbour(mesh, i, [&](Index j) {
+      if (nodes.mass[j] > 0) nodes.velocity[j] += (dt / around) * force;
+    });
+  }
+}
+
 /// A linear function falls to zero at a face with a slope that does not fall. The node behind the face thus
 /// gets the full stress of points close to it, and a share of their mass as small as you like: its frequency
 /// has no bound, while the stable step follows the cells. (A quadratic spline's slope falls with it.)
@@ -58,13 +85,6 @@ class LightNodes {
     Index to, from;
     Vec<T, D> change;  // momentum over the masses of both, m/(s kg)
   };
-
-  template <class M, class F>
-  static void for_each_neighbour(const M& mesh, Index i, F&& f) {
-    for (const Index c : mesh.cells_at(i))
-      for (const Index j : mesh.nodes(c))
-        if (j != i) f(j);
-  }
 
   std::vector<Given> given_;
 };

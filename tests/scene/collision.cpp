@@ -158,7 +158,7 @@ double impact(Scene scene, double courant, double gain, double residual) {
   const double start = scene.ledger.initial_kinetic;
   double most = 0, last = 0, gift = 0, off = 0;
   bool met = false;
-  run(scene, {.end = 0.3, .courant = courant}, [&](const auto& s) {
+  run(scene, {.end = 0.3, .courant = test::courant(scene, courant)}, [&](const auto& s) {
     const Energies e = energies(s);
     last = (e.kinetic + e.strain) / start;
     most = std::max(most, last);

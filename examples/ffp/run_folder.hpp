@@ -93,10 +93,12 @@ class RunFolder {
         name_.c_str(), std::generic_category().message(reason).c_str());
   }
 
-  /// The summary goes first: what is left if this is cut short claims nothing.
+  /// The summary goes first, then the index of the fields: what is left if this is cut short claims nothing,
+  /// and names no file that is gone.
   void remove_results() const {
     std::error_code code;
-    std::filesystem::remove(path_ / "summary.json", code);
+    for (const char* first : {"summary.json", "fields.pvd"})
+      if (!code) std::filesystem::remove(path_ / first, code);
     std::vector<std::filesystem::path> found;
     for (const auto& entry : std::filesystem::directory_iterator(path_, code))
       if (is_result(entry.path().filename().string()) && !entry.is_directory()) found.push_back(entry.path());

@@ -193,7 +193,7 @@ struct Scene {
   [[no_unique_address]] std::conditional_t<N::AntiLocking::averages_strain, VolumetricAverage<T>,
                                            detail::Nothing>
       average{};
-  [[no_unique_address]] std::conditional_t<N::relieves_light_nodes, LightNodes<T, D>, detail::Nothing>
+  [[no_unique_address]] std::conditional_t<N::smooths_light_nodes, LightNodes<T, D>, detail::Nothing>
       light_nodes{};
   [[no_unique_address]] std::conditional_t<tracks_energy, Ledger, NoLedger> ledger{};
 

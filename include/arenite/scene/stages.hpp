@@ -47,7 +47,7 @@ void advance(Scene& scene, double dt) {
   const T floor = std::numeric_limits<T>::min() / std::numeric_limits<T>::epsilon();
   for (auto& field : scene.fields) {
     advance(field, scene.gravity, static_cast<T>(dt), floor);
-    if constexpr (Scene::Shape::constant_gradient) hand_on(scene.mesh, field, static_cast<T>(dt));
+    if constexpr (Scene::Shape::constant_gradient) hand_to_neighbours(scene.mesh, field, static_cast<T>(dt));
   }
 }
 
@@ -95,8 +95,8 @@ void collide(Scene& scene, double dt) {
 }
 
 template <class Scene>
-void relieve(Scene& scene) {
-  if constexpr (Scene::NumericsType::relieves_light_nodes) {
+void smooth_light_nodes(Scene& scene) {
+  if constexpr (Scene::NumericsType::smooths_light_nodes) {
     for (auto& field : scene.fields) scene.light_nodes.exchange(scene.mesh, field);
     constrain(scene);
   }

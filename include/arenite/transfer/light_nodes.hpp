@@ -22,7 +22,7 @@ void for_each_neighbour(const M& mesh, Index i, F&& f) {
 /// masses, so that momentum is kept: the limit of a light node's exchange (`LightNodes`) for a mass that
 /// falls to nothing.
 template <class M, class Field, class T>
-void hand_on(const M& mesh, Field& nodes, T dt) {
+void hand_to_neighbours(const M& mesh, Field& nodes, T dt) {
   for (Index i = 0; i < nodes.size(); ++i) {
     if (nodes.mass[i] > 0) continue;
     const auto force = nodes.collected[i].force();

@@ -43,7 +43,7 @@ struct Numerics {
   static constexpr bool remaps_by_points = remaps && !Shape::constant_gradient;
   /// Whether the light nodes at a body's edge exchange momentum with their neighbours (see `LightNodes`).
   /// MUSL's light nodes take their strains from what their neighbours move.
-  static constexpr bool relieves_light_nodes = Shape::constant_gradient && !remaps;
+  static constexpr bool smooths_light_nodes = Shape::constant_gradient && !remaps;
   static constexpr bool needs_edge_mass = remaps && Shape::constant_gradient;
   static constexpr bool needs_cell_sums =
       needs_edge_mass || AntiLocking::averages_strain || AntiLocking::averages_stress;
@@ -72,7 +72,7 @@ struct Numerics {
   template <int D>
   static double courant_limit() {
     if constexpr (Shape::constant_gradient)
-      return relieves_light_nodes ? 0.35 : 1.0;
+      return smooths_light_nodes ? 0.35 : 1.0;
     else
       return std::sqrt((remaps ? 4.0 : 2.0) / (Shape::steepness * D));
   }

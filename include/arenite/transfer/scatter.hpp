@@ -195,7 +195,7 @@ template <class K, class N, class M, class B, class Field>
       force += column[a] * Quad(cell.gradient(static_cast<int>(a), static_cast<int>(i)));
     });
     if constexpr (K::hoop) force.set(0, force[0] - total[Row::pull + i]);
-    if constexpr (N::relieves_light_nodes)
+    if constexpr (N::smooths_light_nodes)
       force.set(3, reach * cell.gradient.col(static_cast<int>(i)).squaredNorm());
     sums_of_node.add_lower(Quad::load(&total[i * Row::per_node]));
     sums_of_node.add_upper(force);

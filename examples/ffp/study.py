@@ -50,6 +50,11 @@ TABLES = {
     "points": ("Points a triangle", each("points-per-element", [4, 9, 10, 15, 16, 21, 25, 28, 36, 49])),
     "cell": ("Cell size, m", each("cell", [0.02, 0.014, 0.01, 0.007, 0.005])),
     "cell-rough": ("Cell size, m, 40 deg", each("cell", [0.02, 0.014, 0.01, 0.007, 0.005], "--delta 40")),
+    "dilatancy": ("Angle of dilatancy, deg",
+                  [*each("dilatancy", [5, 10, 15, 20, 30, 40]),
+                   *((f"{psi}, no averages", f"--dilatancy {psi} --anti-locking off") for psi in (20, 30, 40)),
+                   *((f"{psi}, slice, 3 cm", f"{SLICE} --cell 0.03 --dilatancy {psi}") for psi in (8, 20)),
+                   *((f"{psi}, elastic, 2 cm", f"--device elastic --cell 0.02 --dilatancy {psi}") for psi in (20, 40))]),
     "courant": ("Courant number", each("courant", [0.1, 0.2, 0.5, 0.7, 0.9])),
     "locking": ("No anti-locking", [
         (label, f"--anti-locking off {options}".strip()) for label, options in [

@@ -3,6 +3,8 @@
 #include <arenite/core/units.hpp>
 #include <arenite/law/drucker_prager.hpp>
 #include <arenite/law/mohr_coulomb.hpp>
+#include <arenite/particles/points.hpp>
+#include <arenite/transfer/law_pass.hpp>
 
 #include "catch.hpp"
 #include "states.hpp"
@@ -112,6 +114,26 @@ TEST_CASE("open matter bears no stress, even if an average gave it some: an open
   auto loose_cone = cone;
   loose_cone.cohesion = 0;
   check(DruckerPrager{loose_cone, RemembersOpening{}});
+}
+
+TEST_CASE("matter dilates up to its greatest volume ratio; what it would dilate beyond counts as opened") {
+  auto p = pyramid;
+  p.cohesion = 0;
+  p.greatest_volume_ratio = 1.1;
+  const MohrCoulomb law{p};
+  Points<double, 2, MohrCoulomb<>> points;
+  points.push_back({0, 0}, {0, 0}, 2e-3 * p.density, 2e-3, {{-1e4, -1e4, -1e4, 0}}, 0);
+  // Simple shear at the rate of dilation that keeps the vertical stress.
+  const double shear = 1e-3, up = shear * std::tan(p.dilatancy);
+  Increment<double, 2> step;
+  step.strain = {{0, up, 0, shear / 2}};
+  IncrementBuffer<double, 2> buffer;
+  buffer.store(0, step);
+  DeformSums sums;
+  const int steps = 2000;
+  for (int k = 0; k < steps; ++k) law_pass<false, 1>(law, points, 0, 1, buffer, sums);
+  CHECK(std::abs(points.volume[0] - 1.1 * 2e-3) <= 1e-15);
+  CHECK(std::abs(sums.opened_volume / (1.1 * 2e-3 * (steps * up - std::log(1.1))) - 1) <= 1e-3);
 }
 
 TEST_CASE("the greatest volume ratio must be at least 1") {

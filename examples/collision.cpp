@@ -1,4 +1,4 @@
-// Two elastic blocks meet: Coulomb contact between bodies, and the ledger that shows where the energy goes.
+// Two elastic blocks meet: Coulomb contact between bodies, and the energy balance that shows where it goes.
 #include <arenite/arenite.hpp>
 #include <cstdio>
 using namespace arenite;

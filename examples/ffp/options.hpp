@@ -79,8 +79,8 @@ struct DropOptions {
   bool no_watch = false;        ///< nothing stops a run that cannot be right
   bool force = false;           ///< runs however many steps it takes
 
-  /// The paper's 10 in tetrahedra; 28 in triangles, from where on more change depth by 2 % and peak by 7 %:
-  /// 15, 21, 28, 36, 49 give 0.201, 0.196, 0.195, 0.194, 0.190 m and 15.1, 16.9, 16.8, 17.6, 17.9 g.
+  /// The paper's 10 in tetrahedra; 28 in triangles, from where on more change depth by 3 % and peak by 7 %:
+  /// 15, 21, 28, 36, 49 give 0.201, 0.196, 0.195, 0.193, 0.190 m and 15.0, 16.7, 16.7, 17.8, 17.9 g.
   int points_in_element() const {
     return points_per_element.value_or(kinematics == Kinematics::slice ? 10 : 28);
   }

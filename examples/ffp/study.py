@@ -171,7 +171,7 @@ def row(label, found):
 def table(runs, name):
     title, rows = TABLES[name]
     print(f"\n**{title}**\n\n|  | final depth, m | greatest, m, at ms | peak, g, at ms, at m | second peak, g, at ms | "
-          "ledger, % | points | steps, us | s |\n" + "|---" * 9 + "|")
+          "residual, % | points | steps, us | s |\n" + "|---" * 9 + "|")
     for label, options in rows:
         print(row(label, runs.drop(options)), flush=True)
     if name == "open":

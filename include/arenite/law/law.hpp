@@ -43,11 +43,9 @@ struct Inelastic {
 /// - optional `static constexpr bool twins = true` for a long chain of dependent operations: the loop calls
 ///   it with two packs side by side.
 /// - optional `is_open(history)`: mask of matter that has separated and bears no stress; averages of strain
-/// and
-///   stress then leave it out.
+///   and stress then leave it out.
 /// - `greatest_volume_ratio()`, needed of a law that returns `Inelastic<T>`: V / V0, -, beyond which the
-/// matter
-///   dilates no further.
+///   matter dilates no further.
 ///
 /// Where there are fewer points than a pack has lanes, the lanes left over repeat one of them: a law meets no
 /// state that no point has.

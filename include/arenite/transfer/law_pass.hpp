@@ -37,7 +37,6 @@ T small_exp(const T& x) {
 /// follows.
 template <class T, int D, bool Weighs = false>
 struct IncrementBuffer {
-  static constexpr bool weighs = Weighs;
   static constexpr std::size_t capacity = 256, slack = 128 / sizeof(T);
   static constexpr std::size_t strain_size = Sym<T, D>::size, spin_size = D == 2 ? 1 : 3;
 

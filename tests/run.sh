@@ -88,7 +88,7 @@ export CCACHE_SLOPPINESS=pch_defines,time_macros
 if chosen gcc; then
   prepare_python
   run_stage "g++ Release" gcc "" -DCMAKE_CXX_COMPILER=g++ -DCMAKE_BUILD_TYPE=Release -DARENITE_WERROR=ON \
-    -DARENITE_FFP_WIDTHS=ON
+    "-DARENITE_FFP_WIDTHS=16;64"
 fi
 if chosen clang; then
   prepare_python

@@ -357,7 +357,7 @@ class Widths(DriverTest):
         for width in ("16", "32", "64"):
             with unittest.mock.patch.dict(os.environ, {"ARENITE_REGISTER_BYTES": width}):
                 code, _, err = drop(*COARSE, "--end", "0.003", "--fields-every", "0", "--quiet", "--out", "width" + width)
-            if code < 0:  # SIGILL: this processor has no such registers
+            if code < 0 or "no such build" in err:  # SIGILL: this processor has no such registers
                 continue
             self.assertEqual((code, err), (0, ""))
             found = summary("width" + width)

@@ -10,17 +10,16 @@
 
 namespace {
 
-/// Bytes of the registers to compute in: what the environment asks for (to compare), else the most there are.
-std::string width() {
-  if (const char* wanted = std::getenv("ARENITE_REGISTER_BYTES")) return wanted;
+/// Whether this processor computes in registers of so many bytes.
+bool processor_has(int width) {
 #if defined(__x86_64__)
   __builtin_cpu_init();
-  if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
-      __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512bw"))
-    return "64";
-  if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) return "32";
+  if (width == 64)
+    return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
+           __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512bw");
+  if (width == 32) return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
 #endif
-  return "16";
+  return width == 16;
 }
 
 }  // namespace
@@ -33,9 +32,19 @@ int main(int, char** argv) {
               << "), so its parts are not found\n";
     return 1;
   }
-  const auto program = self.parent_path() / ("arenite-ffp-" + width());
-  ::execv(program.c_str(), argv);
-  std::cerr << "arenite-ffp: " << program.string()
-            << " cannot be started; ARENITE_REGISTER_BYTES must be 16, 32 or 64\n";
+  const auto start = [&](const std::string& width) {
+    return ::execv((self.parent_path() / ("arenite-ffp-" + width)).c_str(), argv);
+  };
+  // What the environment asks for (to compare), else the widest that is there and that the machine has.
+  if (const char* wanted = std::getenv("ARENITE_REGISTER_BYTES")) {
+    start(wanted);
+    std::cerr << "arenite-ffp: ARENITE_REGISTER_BYTES = " << wanted
+              << ": there is no such build of the driver in " << self.parent_path().string() << '\n';
+    return 2;
+  }
+  for (const int width : {64, 32, 16})
+    if (processor_has(width)) start(std::to_string(width));
+  std::cerr << "arenite-ffp: no build of the driver in " << self.parent_path().string()
+            << " can be started on this processor\n";
   return 2;
 }

@@ -37,8 +37,8 @@ struct LawStates {
   Sym<T, D> stress_of(std::size_t p) const {
     return Sym<T, D>::each([&](std::size_t i) { return stress[i][p]; });
   }
-  Increment<T, D> increment_of(std::size_t p) const {
-    Increment<T, D> inc;
+  StrainStep<T, D> increment_of(std::size_t p) const {
+    StrainStep<T, D> inc;
     inc.strain = Sym<T, D>::each([&](std::size_t i) { return strain[i][p]; });
     for (std::size_t i = 0; i < spins; ++i) inc.spin[i] = spin[i][p];
     return inc;
@@ -115,7 +115,7 @@ template <int W, class T, int D, class Law>
       return Sym<Value, D>::each([&](std::size_t i) { return take(columns[i], p); });
     };
     Sym<Value, D> stress = all(states.stress);
-    Increment<Value, D> inc;
+    StrainStep<Value, D> inc;
     inc.strain = all(states.strain);
     for (std::size_t i = 0; i < states.spins; ++i) inc.spin[i] = take(states.spin[i], p);
     typename Law::template History<Value> history{};

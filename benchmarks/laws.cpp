@@ -23,7 +23,7 @@ double operations(const Law& law, const LawStates<T, D>& states) {
       return Sym<C, D>::each([&](std::size_t i) { return C(columns[i][p]); });
     };
     Sym<C, D> stress = of(states.stress);
-    Increment<C, D> inc;
+    StrainStep<C, D> inc;
     inc.strain = of(states.strain);
     for (std::size_t i = 0; i < states.spins; ++i) inc.spin[i] = C(states.spin[i][p]);
     typename Law::template History<C> history{};

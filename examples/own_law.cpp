@@ -25,7 +25,7 @@ class HardeningMetal {
 
   // T: a scalar or a pack of points, so that branches are written as `max` and `select`.
   template <class T, int D>
-  T update(Sym<T, D>& stress, const Increment<T, D>& step, History<T>& history) const {
+  T update(Sym<T, D>& stress, const StrainStep<T, D>& step, History<T>& history) const {
     using std::max, std::sqrt;
     const Sym<T, D> trial = turned(stress, step.spin) + elasticity_.stress(step.strain);
     const Sym<T, D> deviatoric = deviator(trial);
@@ -59,7 +59,7 @@ int main() {
   for (const int steps : {10, 100, 1000}) {
     Sym<double, 3> stress;
     HardeningMetal::History<double> history;
-    Increment<double, 3> step;
+    StrainStep<double, 3> step;
     step.strain[3] = gamma / 2 / steps;
     for (int k = 0; k < steps; ++k) copper.update(stress, step, history);
     std::printf("sheared in %4d steps: %.6f MPa, exact: %.6f MPa\n", steps, stress[3] / 1e6, exact / 1e6);

@@ -80,8 +80,8 @@ SimplexMesh<Model::dimension> mesh_of(const DropOptions& o) {
 }
 
 template <int D>
-Traced<MohrCoulomb<>, D> sand_of(const DropOptions& o) {
-  return Traced<MohrCoulomb<>, D>{MohrCoulomb{{.density = o.unit_weight / standard_gravity,
+WithDeviatoricStrain<MohrCoulomb<>, D> sand_of(const DropOptions& o) {
+  return WithDeviatoricStrain<MohrCoulomb<>, D>{MohrCoulomb{{.density = o.unit_weight / standard_gravity,
                                                .young = o.young,
                                                .poisson = o.poisson,
                                                .friction = o.friction * pi / 180,

@@ -6,7 +6,7 @@
 #include <arenite/law/drucker_prager.hpp>
 #include <arenite/law/linear_elastic.hpp>
 #include <arenite/law/mohr_coulomb.hpp>
-#include <arenite/law/traced.hpp>
+#include <arenite/law/with_deviatoric_strain.hpp>
 #include <arenite/observe/energy.hpp>
 #include <arenite/observe/every.hpp>
 #include <arenite/observe/watch.hpp>

@@ -36,7 +36,7 @@ double press_on_triangles(const std::string& file) {
   return stresses_after(
       Scene{PlaneStrain{}, SimplexMesh<2>(data),
             Numerics<LinearSimplex, Flip, Musl, NodalAndElementAverage>{},
-            bodies(fill(Cells("layer"), Traced(sand), {.per_cell = 6})),
+            bodies(fill(Cells("layer"), WithDeviatoricStrain(sand), {.per_cell = 6})),
             walls(left(roller), right(roller), bottom(fixed)), gravity({0, -9.81}),
             rigids(rigid(MeshSurface{"block"}, Guided{.mass = 100, .velocity = -1}, Friction(20_deg))),
             MovingMesh<>{.fixed_below = 0, .moving_from = 0.3}, TrackEnergy{}},

@@ -24,7 +24,7 @@ void check_account(const Law& law) {
     typename Law::template History<double> history{};
     law.update(stress, {}, history);  // to an admissible state
     history = {};
-    Increment<double, 3> increment;
+    StrainStep<double, 3> increment;
     for (std::size_t i = 0; i < 6; ++i) increment.strain[i] = 1e-2 * uniform(random);
     const double before = trace(stress);
     const auto [opening, dilation] = law.update(stress, increment, history);
@@ -72,7 +72,7 @@ TEST_CASE("plane strain: dilation over plastic shear strain is the sine of the a
     NoHistory<double> history;
     for (int k = 0; k < 200; ++k) {
       const Sym<double, 2> before = stress;
-      Increment<double, 2> step;
+      StrainStep<double, 2> step;
       step.strain = {{0, 0, 0, 1e-4}};
       const auto [opening, dilation] = law.update(stress, step, history);
       REQUIRE(opening == 0);
@@ -92,7 +92,7 @@ TEST_CASE("open matter bears no stress, even if an average gave it some: an open
     Sym<double, 3> stress{};
     typename std::remove_cvref_t<decltype(law)>::template History<double> history{};
     const auto pull = [&](double e) {
-      Increment<double, 3> step;
+      StrainStep<double, 3> step;
       step.strain = {{e, e, e, 0, 0, 0}};
       const Sym<double, 3> before = stress;
       law.update(stress, step, history);
@@ -125,13 +125,13 @@ TEST_CASE("matter dilates up to its greatest volume ratio; what it would dilate 
   points.push_back({0, 0}, {0, 0}, 2e-3 * p.density, 2e-3, {{-1e4, -1e4, -1e4, 0}}, 0);
   // Simple shear at the rate of dilation that keeps the vertical stress.
   const double shear = 1e-3, up = shear * std::tan(p.dilatancy);
-  Increment<double, 2> step;
+  StrainStep<double, 2> step;
   step.strain = {{0, up, 0, shear / 2}};
-  IncrementBuffer<double, 2> buffer;
+  StrainBuffer<double, 2> buffer;
   buffer.store(0, step);
   DeformSums sums;
   const int steps = 2000;
-  for (int k = 0; k < steps; ++k) law_pass<false, 1>(law, points, 0, 1, buffer, sums);
+  for (int k = 0; k < steps; ++k) law_pass<false, 1>(law, points, 0, 1, buffer, 0, sums);
   CHECK(std::abs(points.volume[0] - 1.1 * 2e-3) <= 1e-15);
   CHECK(std::abs(sums.opened_volume / (1.1 * 2e-3 * (steps * up - std::log(1.1))) - 1) <= 1e-3);
 }

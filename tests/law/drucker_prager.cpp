@@ -59,17 +59,17 @@ void check_returns(const DruckerPragerParameters& p) {
     const auto before = trial_state<D>(random, apex);
     auto after = before;
     NoHistory<double> history;
-    const double opened = law.update(after, Increment<double, D>{}, history).opening;
+    const double opened = law.update(after, StrainStep<double, D>{}, history).opening;
     const auto [p0, q0] = invariants(before);
     const auto [p1, q1] = invariants(after);
     const double size = q1 + std::abs(p1) + p.cohesion, trial_size = full(before).norm();
-    const double violation = std::max(q1 + law.slope() * p1 - law.strength(), p1 - limit);
+    const double violation = std::max(q1 + law.surface().slope() * p1 - law.surface().strength(), p1 - limit);
     REQUIRE(violation <= 1e-10 * size + 1e-15 * trial_size);
     REQUIRE(opened >= 0);
     REQUIRE(std::abs(law.yield(after) - violation / (size + 1e-300)) <=
             1e-12 + 1e-15 * trial_size / (size + 1e-300));
 
-    const double excess = q0 + law.slope() * p0 - law.strength();
+    const double excess = q0 + law.surface().slope() * p0 - law.surface().strength();
     if (std::max(excess, p0 - limit) < 0) REQUIRE(after.c == before.c);
     const Eigen::Matrix3d plastic = strain_of(law.elasticity(), full(before) - full(after));
     REQUIRE((full(after) * plastic).trace() >= -1e-13 * trial_size * trial_size / p.young);
@@ -80,7 +80,7 @@ void check_returns(const DruckerPragerParameters& p) {
     // On the cone the volumetric plastic strain is eta' times the multiplier, (q0 - q1)/G.
     if (excess > 0 && q1 > 1e-9 * size && p1 < limit - 1e-9 * size) {
       REQUIRE(opened == 0);
-      REQUIRE(std::abs(plastic.trace() - law.flow_slope() * (q0 - q1) / law.elasticity().shear()) <=
+      REQUIRE(std::abs(plastic.trace() - law.surface().flow_slope() * (q0 - q1) / law.elasticity().shear()) <=
               1e-12 * trial_size / p.young);
     }
     if (q1 == 0 && q0 > 0)
@@ -112,14 +112,14 @@ TEST_CASE("associated flow goes to the closest point in the energy norm, with a 
     for (int trial = 0; trial < 500; ++trial) {
       const auto before = trial_state<3>(random, tension * apex);
       auto after = before;
-      law.return_to_yield(after);
+      law.surface().return_to_yield(after);
       const double best = law.elastic_energy(after - before);
       for (int i = 0; i < 200; ++i) {
         Sym<double, 3> other = after;
         const double size = full(before).norm() * std::pow(10, -double(i % 6));
         for (double& c : other.c) c += size * normal(random);
         const auto [p, q] = invariants(other);
-        if (q + law.slope() * p <= law.strength() && p <= tension * apex)
+        if (q + law.surface().slope() * p <= law.surface().strength() && p <= tension * apex)
           REQUIRE(law.elastic_energy(other - before) >= best * (1 - 1e-9));
       }
     }
@@ -134,15 +134,15 @@ TEST_CASE("where both the cone and the cut-off act, their flows add up, and the 
                            .cohesion = 5e3,
                            .dilatancy = 10_deg,
                            .tension = 1e3}};
-  const double rim = law.strength() - law.slope() * 1e3;
+  const double rim = law.surface().strength() - law.surface().slope() * 1e3;
   Sym<double, 3> stress{{20e3, 20e3, 20e3, 15e3, 0, 0}};
   const auto before = stress;
-  const double opened = law.return_to_yield(stress).opening;
+  const double opened = law.surface().return_to_yield(stress).opening;
   REQUIRE(std::abs(stress[0] - 1e3) <= 1e-9);
   REQUIRE(std::abs(stress[3] - rim) <= 1e-9);
   const double volume = strain_of(law.elasticity(), full(before) - full(stress)).trace();
   const double multiplier = (15e3 - rim) / law.elasticity().shear();
-  REQUIRE(std::abs(opened - (volume - law.flow_slope() * multiplier)) <= 1e-15);
+  REQUIRE(std::abs(opened - (volume - law.surface().flow_slope() * multiplier)) <= 1e-15);
 }
 
 TEST_CASE("triaxial compression: the compression cone has Mohr-Coulomb's strength") {
@@ -196,7 +196,7 @@ TEST_CASE("simple shear in plane strain: the plane-strain cone flows like Mohr-C
   // Without dilatancy stress is isotropic but for the shear: tau = kappa - eta sigma on any cone.
   const DruckerPrager law{{.density = 1, .young = 5e6, .poisson = 0.3, .friction = 20_deg, .cohesion = 2e3}};
   const auto end = simple_shear(law, -10e3, 2e-4, 2500);
-  REQUIRE(std::abs(end.shear_stress - (law.strength() + law.slope() * 10e3)) <= 1e-2);
+  REQUIRE(std::abs(end.shear_stress - (law.surface().strength() + law.surface().slope() * 10e3)) <= 1e-2);
 }
 
 TEST_CASE("the plane-strain cone with psi = phi is the one of the books") {
@@ -208,20 +208,20 @@ TEST_CASE("the plane-strain cone with psi = phi is the one of the books") {
                            .cohesion = 7,
                            .dilatancy = phi,
                            .cone = Cone::plane_strain}};
-  REQUIRE(std::abs(law.slope() - 3 * t / root) <= 1e-15);
-  REQUIRE(std::abs(law.flow_slope() - 3 * t / root) <= 1e-15);
-  REQUIRE(std::abs(law.strength() - 7 * 3 / root) <= 1e-14);
+  REQUIRE(std::abs(law.surface().slope() - 3 * t / root) <= 1e-15);
+  REQUIRE(std::abs(law.surface().flow_slope() - 3 * t / root) <= 1e-15);
+  REQUIRE(std::abs(law.surface().strength() - 7 * 3 / root) <= 1e-14);
 }
 
 TEST_CASE("oedometer: the ratio of stresses on the cone is the closed form") {
   // q = -eta p with q = (1 - x) sv/sqrt(3), p = -(1 + 2 x) sv/3, x = sh/sv. Hence 1 - x = h (1 + 2 x).
   const DruckerPrager law{{.density = 1, .young = 5e6, .poisson = 0.05, .friction = 25_deg}};
   Sym<double, 3> stress;
-  Increment<double, 3> squeeze;
+  StrainStep<double, 3> squeeze;
   squeeze.strain[1] = -1e-4;
   NoHistory<double> history;
   for (int i = 0; i < 100; ++i) law.update(stress, squeeze, history);
-  const double h = law.slope() / std::sqrt(3.0);
+  const double h = law.surface().slope() / std::sqrt(3.0);
   REQUIRE(std::abs(stress[0] / stress[1] - (1 - h) / (1 + 2 * h)) <= 1e-12);
 }
 
@@ -235,7 +235,7 @@ TEST_CASE("without friction there is no apex: any history stays finite, and shea
     Sym<T, 3> stress;
     NoHistory<T> history;
     for (int step = 0; step < 5000; ++step) {
-      Increment<T, 3> inc;
+      StrainStep<T, 3> inc;
       const double size = std::pow(10, 2 * uniform(random) - 2);
       for (T& c : inc.strain.c) c = static_cast<T>(size * uniform(random));
       const double mean =

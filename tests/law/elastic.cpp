@@ -24,7 +24,7 @@ std::string message(const LinearElasticParameters& p) {
 
 TEST_CASE("uniaxial stress: Young's modulus and Poisson's ratio") {
   Sym<double, 3> stress;
-  Increment<double, 3> pull;
+  StrainStep<double, 3> pull;
   pull.strain = {{1e-3, -0.3e-3, -0.3e-3, 0, 0, 0}};
   NoHistory<double> history;
   REQUIRE(steel.update(stress, pull, history) == 0);
@@ -41,7 +41,7 @@ TEST_CASE("the energy is the work done on a path") {
   NoHistory<double> history;
   double work = 0;
   for (int i = 0; i < 100; ++i) {
-    Increment<double, 3> increment;
+    StrainStep<double, 3> increment;
     for (double& c : increment.strain.c) c = normal(random);
     const auto before = stress;
     steel.update(stress, increment, history);
@@ -59,11 +59,11 @@ TEST_CASE("simple shear with the Jaumann rate: tau = G sin(gamma), sigma = G (1 
     NoHistory<double> history;
     const double d = 4.0 / steps;  // to gamma = 4, far beyond the maximum at pi/2
     for (int i = 0; i < steps; ++i) {
-      Increment<double, 2> a;
+      StrainStep<double, 2> a;
       a.strain[3] = d / 2;
       a.spin = {d / 2};
       steel.update(plane, a, history);
-      Increment<double, 3> b;
+      StrainStep<double, 3> b;
       b.strain[4] = d / 2;  // the same in the plane of y and z
       b.spin = {0, d / 2, 0};
       steel.update(solid, b, history);
@@ -113,7 +113,7 @@ TEST_CASE("objectivity: stretched in a turning frame, the stress turns with it")
   Sym<double, 3> still, turning;
   NoHistory<double> history;
   for (int i = 1; i <= 2000; ++i) {
-    Increment<double, 3> a, b;
+    StrainStep<double, 3> a, b;
     for (double& c : a.strain.c) c = normal(random);
     const Eigen::Matrix3d r = Eigen::AngleAxisd(i * angle, axis).toRotationMatrix();
     b.strain = symmetric<3>(r * full(a.strain) * r.transpose());

@@ -137,7 +137,7 @@ void check_returns(const MohrCoulombParameters& p, int states) {
     const auto before = trial_state<D>(random, apex_of(p));
     auto after = before;
     NoHistory<double> history;
-    const double opened = law.update(after, Increment<double, D>{}, history).opening;
+    const double opened = law.update(after, StrainStep<double, D>{}, history).opening;
     const Eigen::Vector3d y = principal_values(after);
     const double size = y.cwiseAbs().maxCoeff() + p.cohesion, trial_size = full(before).norm();
 
@@ -161,7 +161,7 @@ void check_returns(const MohrCoulombParameters& p, int states) {
             1e-12 * trial_size * trial_size);
     // A second return changes nothing.
     auto again = after;
-    REQUIRE(std::abs(law.return_to_yield(again).opening) <= 1e-14 * trial_size / p.young);
+    REQUIRE(std::abs(law.surface().return_to_yield(again).opening) <= 1e-14 * trial_size / p.young);
     REQUIRE((full(again) - full(after)).norm() <= 1e-13 * size + 1e-15 * trial_size);
   }
 }
@@ -196,7 +196,7 @@ TEST_CASE("returns are those of Koiter's rule over all sets of planes") {
     for (int trial = 0; trial < 1500; ++trial) {
       const auto before = trial_state<3>(random, apex_of(p));
       auto after = before;
-      const double opened = law.return_to_yield(after).opening;
+      const double opened = law.surface().return_to_yield(after).opening;
       const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(full(before));
       bool found = false;
       double opening = 0;
@@ -237,7 +237,7 @@ TEST_CASE("associated flow goes to the closest point in the energy norm") {
   for (int trial = 0; trial < 500; ++trial) {
     const auto before = trial_state<3>(random, apex_of(p));
     auto after = before;
-    law.return_to_yield(after);
+    law.surface().return_to_yield(after);
     const auto distance = [&](const Sym<double, 3>& s) { return law.elastic_energy(s - before); };
     const double best = distance(after);
     for (int i = 0; i < 200; ++i) {  // no admissible state nearby or far is closer
@@ -273,7 +273,7 @@ TEST_CASE("with a cut-off returns are those of Koiter's rule over the planes of 
         before = symmetric<3>(r * (v * std::pow(10, 4 + uniform(random))).asDiagonal() * r.transpose());
       }
       auto after = before;
-      const double opened = law.return_to_yield(after).opening;
+      const double opened = law.surface().return_to_yield(after).opening;
       const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(full(before));
       bool found = false;
       double opening = 0;
@@ -317,7 +317,7 @@ TEMPLATE_TEST_CASE("with a cut-off one large step ends near where many small one
   for (int k = 0; k < states; ++k) {
     Sym<TestType, 3> start, strain;
     for (std::size_t i = 0; i < 3; ++i) start[i] = static_cast<TestType>(-1e4 * std::abs(uniform(random)));
-    law.return_to_yield(start);
+    law.surface().return_to_yield(start);
     const double size = std::pow(10, uniform(random) - 3);
     for (auto& c : strain.c) c = static_cast<TestType>(size * uniform(random));
     const auto exact = end(start, strain, 500);
@@ -343,7 +343,7 @@ TEST_CASE("the cut-off relaxes sideways like a crack") {
       {.density = 1, .young = 5e6, .poisson = 0.25, .friction = 30_deg, .cohesion = 50e3, .tension = 1e3}};
   Sym<double, 3> stress{{0, -10e3, -12e3, 0, 0, 0}};
   const auto start = stress;
-  Increment<double, 3> stretch;
+  StrainStep<double, 3> stretch;
   stretch.strain[0] = 2e-3;
   NoHistory<double> history;
   const double opened = law.update(stress, stretch, history).opening;
@@ -386,7 +386,7 @@ TEST_CASE("oedometer: at rest until K0 meets the active limit") {
   const auto ratio = [](double poisson, double friction) {
     const MohrCoulomb law{{.density = 1, .young = 5e6, .poisson = poisson, .friction = friction}};
     Sym<double, 2> stress;
-    Increment<double, 2> squeeze;
+    StrainStep<double, 2> squeeze;
     squeeze.strain[1] = -1e-4;
     NoHistory<double> history;
     for (int i = 0; i < 100; ++i) REQUIRE(law.update(stress, squeeze, history).opening == 0);

@@ -26,7 +26,7 @@ void check_concept() {
 template <int D>
 struct Trial {
   Sym<double, D> stress;
-  Increment<double, D> increment;
+  StrainStep<double, D> increment;
   double opening;
 };
 
@@ -62,7 +62,7 @@ void check_against_double(const Law& law, double tolerance) {
   std::mt19937 random(41);
   for (int round = 0; round < 3000 / W; ++round) {
     Sym<T, D> stress;
-    Increment<T, D> increment;
+    StrainStep<T, D> increment;
     typename Law::template History<T> history{};
     std::array<Trial<D>, W> trials;
     for (int lane = 0; lane < W; ++lane) {
@@ -110,7 +110,7 @@ void check_plane_in_space(const Law& law) {
     const Trial<2> t = random_trial<2>(random);
     Sym<double, 2> plane = t.stress;
     Sym<double, 3> solid = symmetric<3>(full(t.stress));
-    Increment<double, 3> increment{symmetric<3>(full(t.increment.strain)), {t.increment.spin[0], 0, 0}};
+    StrainStep<double, 3> increment{symmetric<3>(full(t.increment.strain)), {t.increment.spin[0], 0, 0}};
     typename Law::template History<double> a{}, b{};
     const auto flat = inelastic(law.update(plane, t.increment, a)),
                same = inelastic(law.update(solid, increment, b));

@@ -21,7 +21,7 @@ struct Point {
 
   /// A step of volumetric strain and shear.
   double step(const Law& law, double volume, double shear = 0) {
-    Increment<double, 3> increment;
+    StrainStep<double, 3> increment;
     increment.strain = {{volume / 3, volume / 3, volume / 3, shear, 0, 0}};
     const double opened = law.update(stress, increment, history).opening;
     strain += volume;

@@ -104,7 +104,7 @@ Triaxial triaxial_compression(const Law& law, double lateral, double step, int s
   typename Law::template History<double> history{};
   Triaxial end{};
   const auto after = [&](double side, auto& s, auto& h) {
-    Increment<double, 3> increment;
+    StrainStep<double, 3> increment;
     increment.strain = {{side, -step, side, 0, 0, 0}};
     law.update(s, increment, h);
   };
@@ -132,7 +132,7 @@ SimpleShear simple_shear(const Law& law, double vertical, double step, int steps
   typename Law::template History<double> history{};
   SimpleShear end{};
   const auto after = [&](double up, auto& s, auto& h) {
-    Increment<double, 2> increment;
+    StrainStep<double, 2> increment;
     increment.strain = {{0, up, 0, step / 2}};
     law.update(s, increment, h);
   };

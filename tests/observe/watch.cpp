@@ -23,7 +23,7 @@ auto sand_block(double speed = 0) {
       grid(),
       Numerics<QuadraticBSpline, Apic, Usl>{},
       bodies(
-          fill(Box{{0., 0.}, {1., 0.5}}, Traced(sand),
+          fill(Box{{0., 0.}, {1., 0.5}}, WithDeviatoricStrain(sand),
                {.per_cell = 4, .velocity = {0, speed, 0}, .stress = Geostatic{.surface = 0.5, .k0 = 0.5}})),
       walls(bottom(fixed), left(roller), right(roller)),
       gravity({0, -9.81}),
@@ -40,7 +40,7 @@ struct Pump {
   double density() const { return rubber.density(); }
   double wave_modulus() const { return rubber.wave_modulus(); }
   template <class T, int D>
-  T update(Sym<T, D>& stress, const Increment<T, D>& increment, NoHistory<T>& history) const {
+  T update(Sym<T, D>& stress, const StrainStep<T, D>& increment, NoHistory<T>& history) const {
     rubber.update(stress, increment, history);
     stress = stress * T(1 + share);
     return T(0);

@@ -19,7 +19,7 @@ struct Counting {
   double density() const { return 1; }
   double wave_modulus() const { return 1; }
   template <class T, int D>
-  T update(Sym<T, D>&, const Increment<T, D>&, History<T>& h) const {
+  T update(Sym<T, D>&, const StrainStep<T, D>&, History<T>& h) const {
     h.updates += 1;
     return T(0);
   }

@@ -133,7 +133,7 @@ class Gas {
   double density() const { return 1; }
   double wave_modulus() const { return 1e4; }
   template <class T, int D>
-  T update(Sym<T, D>& stress, const Increment<T, D>& step, History<T>& history) const {
+  T update(Sym<T, D>& stress, const StrainStep<T, D>& step, History<T>& history) const {
     history.ratio = history.ratio * (T(1) + trace(step.strain));
     stress = add_isotropic(Sym<T, D>{}, T(T(1e4) * (history.ratio - T(1)) / history.ratio));
     return T(0);

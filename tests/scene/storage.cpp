@@ -77,7 +77,7 @@ TEST_CASE("Bytes a point: no history without memory, no affine motion with FLIP"
   CHECK(stored_bytes_per_point(affine) == plain + 4 * sizeof(double));
   const Scene remembers{
       PlaneStrain{}, grid(), Numerics<QuadraticBSpline, Flip>{},
-      bodies(fill(lower_half, Traced{MohrCoulomb<RemembersOpening>{
+      bodies(fill(lower_half, WithDeviatoricStrain{MohrCoulomb<RemembersOpening>{
                                   {.density = 1500, .young = 1e6, .poisson = 0.3, .friction = 35_deg}}}))};
   // The opening, and the deviator of the strain.
   CHECK(stored_bytes_per_point(remembers) == plain + 6 * sizeof(double));

@@ -9,8 +9,8 @@ namespace {
 
 /// The increment of v = a + A x, written out; `hoop`: v_r / r for v_r = A_rr r.
 template <int D>
-Increment<double, D> exact(const Mat<double, D>& A, double dt, bool hoop) {
-  Increment<double, D> inc;
+StrainStep<double, D> exact(const Mat<double, D>& A, double dt, bool hoop) {
+  StrainStep<double, D> inc;
   inc.strain[0] = A(0, 0) * dt;
   inc.strain[1] = A(1, 1) * dt;
   inc.strain[3] = (A(0, 1) + A(1, 0)) / 2 * dt;

@@ -1,5 +1,5 @@
-// Small tensors: vectors and matrices are Eigen's; symmetric tensors and increments of motion are our own,
-// because a plane problem carries an out-of-plane component and because a law's scalar may be a pack.
+// Small tensors: vectors and matrices are Eigen's; symmetric tensors are our own, because a plane problem
+// carries an out-of-plane component and because a law's scalar may be a pack.
 #pragma once
 
 #include <Eigen/Core>
@@ -96,14 +96,5 @@ constexpr T contract(const Sym<T, D>& a, const Sym<T, D>& b) {
   if constexpr (D == 3) shear = shear + a[4] * b[4] + a[5] * b[5];
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + T(2) * shear;
 }
-
-/// What a law sees of one step's motion at a point.
-template <class T, int D>
-struct Increment {
-  Sym<T, D> strain;  ///< symmetric part of the velocity gradient times dt [-]
-  /// Skew part W = (L - L^T)/2 times dt [-]: (W_xy) for D = 2, (W_xy, W_yz, W_zx) for D = 3, W_ij = (v_i,j -
-  /// v_j,i)/2.
-  std::array<T, D == 2 ? 1 : 3> spin{};
-};
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -5,7 +5,7 @@
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
-/// R a R^T for the rotation R of a step with spin W dt (Increment::spin) in the midpoint form
+/// R a R^T for the rotation R of a step with spin W dt (StrainStep::spin) in the midpoint form
 /// R = (I - W/2)^-1 (I + W/2): orthogonal for a step of any size, so that eigenvalues and energy keep to
 /// round-off. Hughes & Winget (1980), Int. J. Numer. Meth. Engng 15, 1862-1867.
 template <class T>

@@ -2,11 +2,14 @@
 // elsewhere.
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <concepts>
 #include <limits>
+#include <string_view>
 #include <tuple>
 
-#include <arenite/core/tensor.hpp>
+#include <arenite/law/strain_step.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
@@ -24,39 +27,61 @@ struct Inelastic {
   T dilation;  ///< plastic volumetric strain of matter that stayed in contact: its dilatancy
 };
 
-/// A constitutive law for points in D dimensions over scalar T.
+/// A constitutive law for points in D dimensions over scalar T: a class, not `final`, with
 ///
-/// - `History<T>`: a struct of scalars with `members()` giving a tie of them; `NoHistory<T>` if none.
+/// - `History<T>`: a struct of scalars with `members()` giving a tie of them; `NoHistory<T>` if none. Points
+///   begin with the values that it is made with, or with those of `FillOptions::history`; a member that the
+///   law does not change is a parameter that varies by point. Optional `static constexpr std::array names
+///   {"opening"}`: a name for each member, by which files and `FillOptions` know it; an empty one hides it.
 /// - `density()`: mass of the unstressed unit volume, kg/m3.
-/// - `wave_modulus()`: density times the square of the fastest wave's speed, Pa; it gives the stable step.
-/// - `update(stress, increment, history)`: Cauchy stress [Pa, tension positive] taken through one step, in
+/// - `wave_modulus()`: density times the square of the fastest wave's speed in unstressed matter, Pa; it
+///   gives the stable step.
+/// - `update(stress, step, history)`: Cauchy stress [Pa, tension positive] taken through one `StrainStep`, in
 ///   place. Returns the change of the volumetric strain [-] that the matter *opened* without stress
 ///   (separated grains): positive where it opens, negative where a law with memory closes what had opened,
 ///   else T(0). The point's volume does not change by it, V <- V exp(tr(strain) - opening), so that nothing
-///   is swollen when it is compressed again. An increment of zero is allowed: it takes an inadmissible
-///   initial stress back. A law whose matter also dilates as it flows returns `Inelastic<T>`, its opening and
-///   its dilation: averages of the strain must leave the latter where it arises (`NodalAveraging`).
-/// - `elastic_energy(stress)`: recoverable energy, J/m3.
-/// - optional `static constexpr int widest`: widest pack that a loop may call it with; 1 for a law with `if`s
-///   on its scalars. Without it laws are called with a register's worth of points at once: write branches as
-///   `select`.
-/// - optional `static constexpr bool twins = true` for a long chain of dependent operations: the loop calls
-///   it with two packs side by side.
-/// - optional `is_open(history)`: mask of matter that has separated and bears no stress; averages of strain
-///   and stress then leave it out.
+///   is swollen when it is compressed again. A step of zero is allowed: it takes an inadmissible initial
+///   stress back; `step.dt` may be zero too. A law whose matter also dilates as it flows returns
+///   `Inelastic<T>`, its opening and its dilation: averages of the strain must leave the latter where it
+///   arises (`NodalAveraging`).
+/// - `elastic_energy(stress)` or `elastic_energy(stress, history)`: recoverable energy of the unit volume,
+///   J/m3.
+///
+/// and, where it needs them,
+///
+/// - `wave_modulus(stress, history)`: the same in a given state; the stable step then follows the state.
+/// - `stable_step(h)`: a limit of its own on the step, s, double to double, in matter whose waves of speed c
+///   bear a step of h / c; h is the size of a cell times `Numerics::courant_limit`. A viscosity eta, Pa s,
+///   has h^2 density / (2 eta).
+/// - `is_open(history)`: mask of matter that has separated and bears no stress; averages of strain and stress
+///   then leave it out.
 /// - `greatest_volume_ratio()`, needed of a law that returns `Inelastic<T>`: V / V0, -, beyond which the
 ///   matter dilates no further.
+/// - `yield(stress)` or `yield(stress, history)`: how far a stress lies outside the yield surface (> 0) or
+///   within (< 0), relative, for `Watch`.
+/// - `static constexpr int max_pack_width`: most points that a loop may hand over at once; 1 for a law with
+///   `if`s on its scalars. Without it laws are called with a register's worth of points: write branches as
+///   `select`.
+/// - `static constexpr bool two_packs_at_once = true` for a long chain of dependent operations: the loop
+///   calls it with two packs side by side.
+///
+/// A scene asks for the name first and then for the signature: a member of such a name that cannot be called
+/// so is refused.
 ///
 /// Where there are fewer points than a pack has lanes, the lanes left over repeat one of them: a law meets no
 /// state that no point has.
 template <class L, class T = double, int D = 3>
-concept constitutive_law = requires(const L law, Sym<T, D> stress, const Increment<T, D> increment,
+concept constitutive_law = requires(const L law, Sym<T, D> stress, const StrainStep<T, D> step,
                                     typename L::template History<T> history) {
   { law.density() } -> std::convertible_to<double>;
   { law.wave_modulus() } -> std::convertible_to<double>;
-  requires std::convertible_to<decltype(law.update(stress, increment, history)), T> ||
-      std::same_as<decltype(law.update(stress, increment, history)), Inelastic<T>>;
-  { law.elastic_energy(stress) } -> std::convertible_to<T>;
+  requires std::convertible_to<decltype(law.update(stress, step, history)), T> ||
+      std::same_as<decltype(law.update(stress, step, history)), Inelastic<T>>;
+  requires requires {
+    { law.elastic_energy(stress) } -> std::convertible_to<T>;
+  } || requires {
+    { law.elastic_energy(stress, history) } -> std::convertible_to<T>;
+  };
   history.members();
 };
 
@@ -64,7 +89,7 @@ concept constitutive_law = requires(const L law, Sym<T, D> stress, const Increme
 template <class L, class T = double, int D = 3>
 inline constexpr bool dilates =
     std::same_as<decltype(std::declval<const L&>().update(std::declval<Sym<T, D>&>(),
-                                                          std::declval<const Increment<T, D>&>(),
+                                                          std::declval<const StrainStep<T, D>&>(),
                                                           std::declval<typename L::template History<T>&>())),
                  Inelastic<T>>;
 
@@ -73,6 +98,44 @@ template <class L, class T = double>
 inline constexpr bool knows_opening = requires(const L law, const typename L::template History<T> history) {
   law.is_open(history);
 };
+
+/// Whether a law's stiffness depends on the state (`wave_modulus(stress, history)`).
+template <class L, class T = double, int D = 3>
+inline constexpr bool stiffness_varies = requires(const L law, const Sym<T, D> stress,
+                                                  const typename L::template History<T> history) {
+  { law.wave_modulus(stress, history) } -> std::convertible_to<T>;
+};
+
+/// Whether a law has a limit of its own on the step (`stable_step`).
+template <class L>
+inline constexpr bool limits_step = requires(const L law) {
+  { law.stable_step(1.0) } -> std::convertible_to<double>;
+};
+
+/// Whether a law knows its yield surface (`yield`).
+template <class L, class T = double, int D = 3>
+inline constexpr bool knows_yield = requires(const L law, const Sym<T, D> stress,
+                                             const typename L::template History<T> history) {
+  requires requires { law.yield(stress); } || requires {
+    law.yield(stress, history);
+  };
+};
+
+/// `elastic_energy` and `yield` of a law, by stress and history or by stress alone.
+template <class L, class S, class H>
+auto elastic_energy_of(const L& law, const S& stress, const H& history) {
+  if constexpr (requires { law.elastic_energy(stress, history); })
+    return law.elastic_energy(stress, history);
+  else
+    return law.elastic_energy(stress);
+}
+template <class L, class S, class H>
+auto yield_of(const L& law, const S& stress, const H& history) {
+  if constexpr (requires { law.yield(stress, history); })
+    return law.yield(stress, history);
+  else
+    return law.yield(stress);
+}
 
 /// What `update` returned as both parts; a law that returns its opening alone does not dilate.
 template <class T>
@@ -84,20 +147,41 @@ Inelastic<T> inelastic(const Inelastic<T>& parts) {
   return parts;
 }
 
-/// What a law asks of the loops that call it.
-struct LaneWishes {
-  int widest = std::numeric_limits<int>::max();  ///< most points at once
-  bool twins = false;                            ///< two packs side by side
-};
-
-/// The wishes of law L: its members `widest` and `twins`, where it has them. A law that wraps another repeats
-/// the other's.
+/// Most points that a loop may hand to law L at once.
 template <class L>
-inline constexpr LaneWishes lane_wishes = [] {
-  LaneWishes wishes;
-  if constexpr (requires { L::widest; }) wishes.widest = L::widest;
-  if constexpr (requires { L::twins; }) wishes.twins = L::twins;
-  return wishes;
+inline constexpr int max_pack_width = [] {
+  if constexpr (requires { L::max_pack_width; }) return L::max_pack_width;
+  return std::numeric_limits<int>::max();
 }();
+
+/// Whether law L is called with two packs side by side.
+template <class L>
+inline constexpr bool two_packs_at_once = [] {
+  if constexpr (requires { L::two_packs_at_once; }) return L::two_packs_at_once;
+  return false;
+}();
+
+/// Number of a history's members, and their names; empty ones where it has none.
+template <class H>
+inline constexpr std::size_t history_size = std::tuple_size_v<decltype(std::declval<H&>().members())>;
+template <class H>
+inline constexpr std::array<std::string_view, history_size<H>> history_names = [] {
+  std::array<std::string_view, history_size<H>> names{};
+  if constexpr (requires { H::names; }) std::copy(H::names.begin(), H::names.end(), names.begin());
+  return names;
+}();
+
+/// Two histories as one: that of a law beside that of a policy, or of a law that wraps it.
+template <class A, class B>
+struct JoinedHistory : A, B {
+  constexpr auto members() { return std::tuple_cat(A::members(), B::members()); }
+  constexpr auto members() const { return std::tuple_cat(A::members(), B::members()); }
+  static constexpr auto names = [] {
+    std::array<std::string_view, history_size<A> + history_size<B>> all{};
+    std::copy(history_names<B>.begin(), history_names<B>.end(),
+              std::copy(history_names<A>.begin(), history_names<A>.end(), all.begin()));
+    return all;
+  }();
+};
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -29,8 +29,8 @@ class LinearElastic {
 
   /// See law.hpp. Matter never separates: returns 0.
   template <class T, int D>
-  T update(Sym<T, D>& stress, const Increment<T, D>& increment, NoHistory<T>&) const {
-    stress = turned(stress, increment.spin) + elasticity_.stress(increment.strain);
+  T update(Sym<T, D>& stress, const StrainStep<T, D>& step, NoHistory<T>&) const {
+    stress = turned(stress, step.spin) + elasticity_.stress(step.strain);
     return T(0);
   }
 

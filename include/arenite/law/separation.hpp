@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <tuple>
 
@@ -19,10 +20,10 @@ struct ForgetsOpening {
   template <class T>
   using History = NoHistory<T>;
 
-  /// The part of the increment that the matter feels: all of it.
+  /// The part of a step that the matter feels: all of it.
   template <class T, int D>
-  const Increment<T, D>& carried(Sym<T, D>&, const Increment<T, D>& increment, History<T>&) const {
-    return increment;
+  const StrainStep<T, D>& carried(Sym<T, D>&, const StrainStep<T, D>& step, History<T>&) const {
+    return step;
   }
 
   template <class T>
@@ -37,6 +38,7 @@ class RemembersOpening {
   template <class T>
   struct History {
     T opening{};  ///< volumetric strain that is still open, -, in [0, limit]
+    static constexpr std::array names{"opening"};
     constexpr auto members() { return std::tie(opening); }
     constexpr auto members() const { return std::tie(opening); }
   };
@@ -60,21 +62,21 @@ class RemembersOpening {
     return history.opening > T(0);
   }
 
-  /// The part of the increment that the matter feels: none while it is open; in the step that closes it the
+  /// The part of a step that the matter feels: none while it is open; in the step that closes it the
   /// share after the closure. It turns all the same. Takes what closes (or opens further) from the history,
   /// and the stress from matter that is open: an average over neighbours may have given it some since it
   /// opened.
   template <class T, int D>
-  Increment<T, D> carried(Sym<T, D>& stress, const Increment<T, D>& increment, History<T>& history) const {
+  StrainStep<T, D> carried(Sym<T, D>& stress, const StrainStep<T, D>& step, History<T>& history) const {
     using std::max, std::min;
-    const T change = trace(increment.strain);
+    const T change = trace(step.strain);
     const T left = history.opening + change;
     const auto open = history.opening > T(0);
     const auto closes = open && left < T(0);  // then the change is negative
     const T share = select(closes, T(left / select(closes, change, T(-1))), select(open, T(0), T(1)));
     history.opening = select(open, T(min(max(left, T(0)), T(limit_))), T(0));
     stress = Sym<T, D>::each([&](std::size_t i) { return select(open, T(0), stress[i]); });
-    return {increment.strain * share, increment.spin};
+    return {step.strain * share, step.spin, step.dt};
   }
 
   template <class T>

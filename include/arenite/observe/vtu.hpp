@@ -7,7 +7,7 @@
 
 #include <arenite/io/pvd.hpp>
 #include <arenite/io/vtu.hpp>
-#include <arenite/law/traced.hpp>
+#include <arenite/law/with_deviatoric_strain.hpp>
 #include <arenite/scene/scene.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
@@ -32,7 +32,8 @@ std::array<T, 6> six(const Sym<T, D>& s) {
 }  // namespace detail
 
 /// Points of a body: velocity, stress (xx, yy, zz, xy, yz, zx), mean pressure (compression positive), V/V0,
-/// and the deviatoric strain of a `Traced` law. The body must outlive what is returned.
+/// the deviatoric strain of a `WithDeviatoricStrain` law, and the named members of the law's history. The
+/// body must outlive what is returned.
 template <class L, class T, int D, ExtraColumns E>
 VtuData points_vtu(const Body<L, T, D, E>& body) {
   const auto& points = body.points;
@@ -48,10 +49,13 @@ VtuData points_vtu(const Body<L, T, D, E>& body) {
            "volume_ratio", n,
            [&points, density](std::size_t p) { return T(points.volume[p] * density / points.mass[p]); })},
       {}};
-  if constexpr (is_traced<L>)
+  if constexpr (has_deviatoric_strain<L>)
     data.point_data.push_back(vtu_array("deviatoric_strain", n, [&points](std::size_t p) {
       return L::deviatoric_strain(points.load_history(p));
     }));
+  for (std::size_t k = 0; k < points.history.size(); ++k)
+    if (const auto name = history_names<typename L::template History<T>>[k]; !name.empty())
+      data.point_data.push_back(vtu_array(std::string(name), 1, points.history[k]));
   return data;
 }
 

@@ -283,7 +283,7 @@ class Watch {
   template <int Width, class L, class T, int D, ExtraColumns E>
   void look_at_strength(double time, const Body<L, T, D, E>& body, int number) {
     using P = typename LawLanes<L, T, Width>::type;
-    if constexpr (requires(const L law, const Sym<P, D> s) { law.yield(s); }) {
+    if constexpr (knows_yield<L, P, D>) {
       // Stresses much smaller than those of a strain of 1e-6 are round-off of larger ones.
       const P small(static_cast<T>(1e-6 * body.law.wave_modulus()));
       struct Worst {
@@ -299,7 +299,8 @@ class Watch {
               const int count = static_cast<int>(std::min<std::size_t>(lane_count<P>, end - p));
               const Sym<P, D> stress{body.points.stress.template load<P>(p, count)};
               const P size = sqrt(contract(stress, stress));
-              const P beyond = body.law.yield(stress) * size / (size + small);
+              const P beyond = yield_of(body.law, stress, body.points.template load_history<P>(p, count)) *
+                               size / (size + small);
               const auto more = beyond > P(static_cast<T>(most.value));
               if (!any_of(more)) continue;
               for (int k = 0; k < count; ++k) {

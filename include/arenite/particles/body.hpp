@@ -1,11 +1,16 @@
 // Body: points that share a law, and the list of which cell holds which of them.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
+#include <map>
 #include <optional>
+#include <string>
 
 #include <arenite/kinematics/kinematics.hpp>
+#include <arenite/law/roles.hpp>
 #include <arenite/mesh/mesh.hpp>
 #include <arenite/particles/cell_list.hpp>
 #include <arenite/particles/cell_points.hpp>
@@ -28,6 +33,9 @@ struct FillOptions {
   int per_cell = 4;                   ///< points a cell or an element
   std::array<double, 3> velocity{};   ///< initial velocity, m/s
   std::optional<Geostatic> stress{};  ///< initial stress; none: unstressed
+  /// Initial values of members of the law's history, by name, as functions of the position (x, y, z = 0 in
+  /// two dimensions), m; those not named begin as the law says.
+  std::map<std::string, std::function<double(const std::array<double, 3>&)>> history{};
 };
 
 /// What `fill` returns: a region, a law and how to fill; the scene makes a `Body` of it, once it knows the
@@ -50,8 +58,10 @@ template <class L, real T, int D, ExtraColumns Extra = ExtraColumns{}>
 struct Body {
   static_assert(
       constitutive_law<L, T, D>,
-      "Body: the law must provide History, density(), wave_modulus(), update(stress, increment, history) and "
-      "elastic_energy(stress); see arenite/law/law.hpp");
+      "Body: the law must provide History, density(), wave_modulus(), update(stress, step, history) "
+      "where step is a StrainStep, and elastic_energy(stress) or elastic_energy(stress, history); see "
+      "arenite/law/law.hpp");
+  static_assert(detail::check_roles<L, T, D>());
   static constexpr bool has_dilation = Points<T, D, L, Extra>::has_dilation;
   static constexpr bool knows_opening = arenite::knows_opening<L, T>;
   L law;
@@ -66,6 +76,33 @@ struct Body {
   std::vector<Index> move_count{};          ///< [blocks of cells] moves found in each
   std::vector<CellSums<T, D>> cell_sums{};  ///< [cells] from `scatter`; empty if the numerics need none
 };
+
+namespace detail {
+
+/// Gives the points the initial values of `FillOptions::history`. Throws `error` for one that the law's
+/// history has no member for, or that is not finite.
+template <class L, class T, int D, ExtraColumns E>
+void begin_history(Points<T, D, L, E>& points, const FillOptions& options) {
+  constexpr auto& names = history_names<typename L::template History<T>>;
+  std::string known;
+  for (const std::string_view name : names)
+    if (!name.empty()) known += (known.empty() ? "" : ", ") + std::string(name);
+  for (const auto& [name, value_at] : options.history) {
+    const auto k = static_cast<std::size_t>(std::ranges::find(names, name) - names.begin());
+    require(!name.empty() && k < names.size(), "FillOptions.history", name,
+            known.empty() ? "the law's history has no member with a name" : "must be one of: " + known);
+    for (std::size_t p = 0; p < points.size(); ++p) {
+      const auto x = points.position[p];
+      std::array<double, 3> at{};
+      for (int i = 0; i < D; ++i) at[static_cast<std::size_t>(i)] = static_cast<double>(x[i]);
+      const double value = value_at(at);
+      require(std::isfinite(value), "FillOptions.history, " + name, value, "must be finite");
+      points.history[k][p] = static_cast<T>(value);
+    }
+  }
+}
+
+}  // namespace detail
 
 /// Makes the body of a recipe. Throws `error` if the region holds no point.
 template <class K, ExtraColumns Extra = ExtraColumns{}, class M, class Region, class L>
@@ -123,6 +160,7 @@ auto make_body(const M& mesh, const Fill<Region, L>& recipe) {
   require(body.points.size() > 0, "fill: points", body.points.size(),
           "the region holds no point of the mesh");
   require(body.points.size() < none, "fill: points", body.points.size(), "must be fewer than 2^32");
+  detail::begin_history(body.points, o);
   body.points.reserve_spare();
   body.cells.build(body.points.cell, mesh.cell_count());
   return body;

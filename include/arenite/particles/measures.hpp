@@ -44,7 +44,8 @@ double kinetic_energy(const B& body) {
 template <class B>
 double strain_energy(const B& body) {
   return detail::sum_points(body, 0.0, [&](std::size_t p) {
-    return static_cast<double>(body.points.volume[p] * body.law.elastic_energy(body.points.stress[p]));
+    return static_cast<double>(body.points.volume[p] * elastic_energy_of(body.law, body.points.stress[p],
+                                                                         body.points.load_history(p)));
   });
 }
 

@@ -27,7 +27,7 @@ template <real T, int D, class L, ExtraColumns Extra = ExtraColumns{}>
 class Points {
  public:
   using History = typename L::template History<T>;
-  static constexpr std::size_t history_size = std::tuple_size_v<decltype(std::declval<History&>().members())>;
+  static constexpr std::size_t history_size = arenite::history_size<History>;
   static constexpr bool affine = Extra.affine;
   static constexpr bool has_dilation = [] {
     if constexpr (Extra.dilation) return dilates<L, T, D>;
@@ -77,14 +77,14 @@ class Points {
     return h;
   }
 
-  /// Histories of `count` neighbours from point p on, as packs.
+  /// Histories of `count` neighbours from point p on, as packs; lanes behind them repeat point p.
   template <class P>
   typename L::template History<P> load_history(std::size_t p, int count) const {
     typename L::template History<P> h{};
     std::apply(
         [&](auto&... value) {
           [[maybe_unused]] std::size_t k = 0;
-          ((value = load_lanes<P>(history[k++].data() + p, count)), ...);
+          ((value = load_lanes<P>(history[k].data() + p, count, history[k][p]), ++k), ...);
         },
         h.members());
     return h;

@@ -8,9 +8,28 @@
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
+namespace detail {
+
+/// Greatest wave modulus of the points of a cell in their states, Pa.
+template <int Width, class L, class T, int D, ExtraColumns E>
+T stiffest(const Body<L, T, D, E>& body, Index c) {
+  using P = typename LawLanes<L, T, Width>::type;
+  P modulus(0);
+  body.cells.template for_packs<lane_count<P>>(c, [&](Index first, int count) {
+    using std::max;
+    const Sym<P, D> stress{body.points.stress.template load_repeated<P>(first, count)};
+    modulus =
+        max(modulus, P(body.law.wave_modulus(stress, body.points.template load_history<P>(first, count))));
+  });
+  return greatest_lane(modulus);
+}
+
+}  // namespace detail
+
 /// Largest step that the scene bears, s: the smallest size / (wave speed + point speed) of the cells that
 /// hold points (Courant, Friedrichs, Lewy 1928), times what the numerics bear of it
-/// (`Numerics::courant_limit`). Follows the mesh as it moves; rigid bodies do not limit it. Multiply by a
+/// (`Numerics::courant_limit`), or less where a law has a `stable_step` of its own. Follows the mesh as it
+/// moves, and the state where a law's `wave_modulus` does; rigid bodies do not limit it. Multiply by a
 /// Courant number of at most 1. The wave speed is that of the law's density: volumes grown by dilatancy to r
 /// times raise the true one by the root of r.
 template <class Scene>
@@ -18,10 +37,13 @@ double stable_step(const Scene& scene) {
   using T = typename Scene::T;
   using std::max;
   constexpr int width = Scene::NumericsType::template width<T>;
+  const double limit = Scene::NumericsType::template courant_limit<Scene::D>();
   using P = lanes_of<T, width>;
   T least = std::numeric_limits<T>::infinity();
   scene.for_each_body([&](const auto& body, const auto&) {
-    const T wave = static_cast<T>(std::sqrt(body.law.wave_modulus() / body.law.density()));
+    const auto& law = body.law;
+    using L = std::remove_cvref_t<decltype(law)>;
+    const T unstressed = static_cast<T>(std::sqrt(law.wave_modulus() / law.density()));
     least = scene.blocks.reduce(
         least,
         [&](Index c) {
@@ -34,11 +56,19 @@ double stable_step(const Scene& scene) {
             for (std::size_t k = 1; k < Scene::D; ++k) square += v[k] * v[k];
             fastest = max(fastest, square);
           });
-          return scene.mesh.size(c) / (wave + std::sqrt(greatest_lane(fastest)));
+          T wave = unstressed;
+          if constexpr (stiffness_varies<L, T, Scene::D>)
+            wave = std::sqrt(detail::stiffest<width>(body, c) / static_cast<T>(law.density()));
+          T step = scene.mesh.size(c) / (wave + std::sqrt(greatest_lane(fastest)));
+          if constexpr (limits_step<L>) {
+            const double h = limit * static_cast<double>(scene.mesh.size(c));
+            step = std::min(step, static_cast<T>(law.stable_step(h) / limit));
+          }
+          return step;
         },
         [](T a, T b) { return std::min(a, b); });
   });
-  return Scene::NumericsType::template courant_limit<Scene::D>() * static_cast<double>(least);
+  return limit * static_cast<double>(least);
 }
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

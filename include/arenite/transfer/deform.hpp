@@ -12,8 +12,8 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 /// Strain and spin of one step from the velocity gradient times dt, whose columns are `along(j)`[i] =
 /// dv_i/dx_j dt; no strain out of plane.
 template <class P, std::size_t D, class Columns>
-Increment<P, static_cast<int>(D)> in_plane_increment(Columns&& along) {
-  Increment<P, static_cast<int>(D)> inc;
+StrainStep<P, static_cast<int>(D)> in_plane_step(Columns&& along) {
+  StrainStep<P, static_cast<int>(D)> inc;
   auto& e = inc.strain;
   const P half(0.5);
   const auto x = along(0), y = along(1);
@@ -36,7 +36,7 @@ Increment<P, static_cast<int>(D)> in_plane_increment(Columns&& along) {
 
 namespace detail {
 
-/// Moves the neighbours [begin, end) of one cell and writes their strain increments into `buffer`, from `at`
+/// Moves the neighbours [begin, end) of one cell and writes their strains into `buffer`, from `at`
 /// on; gives them their velocities too, unless they have them. Returns a sum of the positions.
 template <class K, class N, class M, class Points, class Field, class Average, class Buffer>
 [[gnu::flatten]] auto move_run(const N& numerics, const M& mesh, Index c, Points& points, std::size_t begin,
@@ -68,9 +68,9 @@ template <class K, class N, class M, class Points, class Field, class Average, c
   }();
   const std::conditional_t<takes_velocity, PointVelocities<N, Cell>, Nothing> velocities(numerics, cell,
                                                                                          nodes);
-  [[maybe_unused]] Increment<T, M::dimension> of_cell;
+  [[maybe_unused]] StrainStep<T, M::dimension> of_cell;
   if constexpr (Shape::constant_gradient) {
-    of_cell = in_plane_increment<T, D>([&](std::size_t b) {
+    of_cell = in_plane_step<T, D>([&](std::size_t b) {
       V column(0);
       repeat<size>([&](std::size_t i) {
         column += u.pack(i) * V(dt * cell.gradient(static_cast<int>(b), static_cast<int>(i)));
@@ -87,7 +87,7 @@ template <class K, class N, class M, class Points, class Field, class Average, c
   for (std::size_t p = begin; p < end; p += width) {
     const int count = static_cast<int>(std::min<std::size_t>(width, end - p));
     auto x = points.position.template load_repeated<P>(p, count);
-    Increment<P, M::dimension> inc;
+    StrainStep<P, M::dimension> inc;
     std::array<P, D> way{};
     [[maybe_unused]] P radial(0);
     if constexpr (Shape::constant_gradient) {
@@ -101,7 +101,7 @@ template <class K, class N, class M, class Points, class Field, class Average, c
       const LineSet<P, Cell> line(cell, x);
       keep_in_memory(v), keep_in_memory(u);
       const auto increment = [&](const auto& along) {
-        return in_plane_increment<P, D>([&](std::size_t b) {
+        return in_plane_step<P, D>([&](std::size_t b) {
           auto column = along[b];
           for (P& component : column) component = component * P(dt);
           return column;
@@ -150,7 +150,7 @@ DeformSums deform(const N& numerics, const M& mesh, const Blocks& blocks, B& bod
                   typename M::scalar dt, Average& average) {
   using T = typename M::scalar;
   constexpr bool weighs = TracksWork && N::AntiLocking::averages_stress;
-  using Buffer = IncrementBuffer<T, M::dimension, weighs>;
+  using Buffer = StrainBuffer<T, M::dimension, weighs>;
   auto& points = body.points;
   if constexpr (N::AntiLocking::averages_strain)
     average.template compute<K, N>(mesh, blocks, body, nodes, dt);
@@ -170,7 +170,7 @@ DeformSums deform(const N& numerics, const M& mesh, const Blocks& blocks, B& bod
             if constexpr (weighs) buffer.store_bearing(p - begin, next - p, body.cell_sums[c].bearing);
             p = next;
           }
-          law_pass<TracksWork, N::template width<T>>(law, points, begin, end, buffer, chunk);
+          law_pass<TracksWork, N::template width<T>>(law, points, begin, end, buffer, dt, chunk);
         }
         return chunk;
       },

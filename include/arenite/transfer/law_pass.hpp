@@ -1,5 +1,5 @@
-// Law pass: takes the stresses of neighbouring points through their law, a pack at a time, from strain
-// increments that wait in a buffer.
+// Law pass: takes the stresses of neighbouring points through their law, a pack at a time, from the strains
+// of a step that wait in a buffer.
 #pragma once
 
 #include <algorithm>
@@ -32,28 +32,28 @@ T small_exp(const T& x) {
   return (even + odd) * reciprocal(T(even - odd));
 }
 
-/// Strain increments of a run of points, by column; kept small enough to stay in the nearest cache. `Weighs`:
-/// whether the volume that bears a point's stress may differ from its own, which the work of the stress then
-/// follows.
+/// Strains and spins of a run of points in one step, by column; kept small enough to stay in the nearest
+/// cache. `Weighs`: whether the volume that bears a point's stress may differ from its own, which the work of
+/// the stress then follows.
 template <class T, int D, bool Weighs = false>
-struct IncrementBuffer {
+struct StrainBuffer {
   static constexpr std::size_t capacity = 256, slack = 128 / sizeof(T);
   static constexpr std::size_t strain_size = Sym<T, D>::size, spin_size = D == 2 ? 1 : 3;
 
-  /// Increments of points `at`, .. of the buffer. Lanes after the last point are overwritten by the next.
+  /// Of points `at`, .. of the buffer. Lanes after the last point are overwritten by the next.
   template <class P>
-  void store(std::size_t at, const Increment<P, D>& inc) {
+  void store(std::size_t at, const StrainStep<P, D>& step) {
     repeat<strain_size>(
-        [&](std::size_t k) { store_lanes(column_[k].data() + at, lane_count<P>, inc.strain[k]); });
+        [&](std::size_t k) { store_lanes(column_[k].data() + at, lane_count<P>, step.strain[k]); });
     repeat<spin_size>([&](std::size_t k) {
-      store_lanes(column_[strain_size + k].data() + at, lane_count<P>, inc.spin[k]);
+      store_lanes(column_[strain_size + k].data() + at, lane_count<P>, step.spin[k]);
     });
   }
-  /// Takes the increments from `at` on with `lanes(place of the first)`.
+  /// Takes those from `at` on with `lanes(place of the first)`.
   template <class P, class Lanes>
-  void load(std::size_t at, Increment<P, D>& inc, Lanes&& lanes) const {
-    repeat<strain_size>([&](std::size_t k) { inc.strain[k] = lanes(column_[k].data() + at); });
-    repeat<spin_size>([&](std::size_t k) { inc.spin[k] = lanes(column_[strain_size + k].data() + at); });
+  void load(std::size_t at, StrainStep<P, D>& step, Lanes&& lanes) const {
+    repeat<strain_size>([&](std::size_t k) { step.strain[k] = lanes(column_[k].data() + at); });
+    repeat<spin_size>([&](std::size_t k) { step.spin[k] = lanes(column_[strain_size + k].data() + at); });
   }
 
   /// Volume that bears the stress of points `at`, .. over their own, -.
@@ -71,21 +71,21 @@ struct IncrementBuffer {
 };
 
 /// What a law is called with where `Width` points are computed at once: a pack of them, or what the law asks
-/// for (`lane_wishes`): a narrower one, or two packs side by side.
+/// for: a narrower one, or two packs side by side.
 template <class L, class T, int Width>
 struct LawLanes {
-  static constexpr int width = std::min(lane_wishes<L>.widest, Width);
-  static constexpr bool twins = lane_wishes<L>.twins && width > 1;
-  using type = std::conditional_t<twins, Twin<Pack<T, width>>, lanes_of<T, width>>;
+  static constexpr int width = std::min(max_pack_width<L>, Width);
+  using type =
+      std::conditional_t<two_packs_at_once<L> && (width > 1), Twin<Pack<T, width>>, lanes_of<T, width>>;
 };
 
-/// Updates stress, history and volume of the points [begin, end) with the increments in `buffer`. A volume
-/// follows the trace of the strain less what opened: V = V_0 exp(sum (tr de - opening)). Matter that dilates
-/// stops at its greatest V / V_0: what it would dilate beyond that counts as opened. `TracksWork`: whether
-/// the work of the stresses is summed.
+/// Updates stress, history and volume of the points [begin, end) through a step of dt, s, with the strains in
+/// `buffer`. A volume follows the trace of the strain less what opened: V = V_0 exp(sum (tr de - opening)).
+/// Matter that dilates stops at its greatest V / V_0: what it would dilate beyond that counts as opened.
+/// `TracksWork`: whether the work of the stresses is summed.
 template <bool TracksWork, int Width, class L, class Points, class T, int D, bool Weighs>
 [[gnu::flatten]] void law_pass(const L& law, Points& points, std::size_t begin, std::size_t end,
-                               const IncrementBuffer<T, D, Weighs>& buffer, DeformSums& sums) {
+                               const StrainBuffer<T, D, Weighs>& buffer, double dt, DeformSums& sums) {
   using P = typename LawLanes<L, T, Width>::type;
   constexpr int width = lane_count<P>;
   using History = typename L::template History<P>;
@@ -102,12 +102,13 @@ template <bool TracksWork, int Width, class L, class Points, class T, int D, boo
   P opened(0), check(0);
   for (std::size_t p = begin; p < end; p += width) {
     const int count = static_cast<int>(std::min<std::size_t>(width, end - p));
-    Increment<P, D> inc;
+    StrainStep<P, D> step;
+    step.dt = dt;
     Sym<P, D> stress;
     P before;
     History history{};
     const auto load = [&](auto&& lanes) {
-      buffer.load(p - begin, inc, lanes);
+      buffer.load(p - begin, step, lanes);
       repeat<stress.size>([&](std::size_t k) { stress[k] = lanes(points.stress.column(k).data() + p); });
       each_history(history, [&](P& value, const auto& column) { value = lanes(column.data() + p); });
     };
@@ -122,8 +123,8 @@ template <bool TracksWork, int Width, class L, class Points, class T, int D, boo
     }
 
     [[maybe_unused]] const Sym<P, D> old = stress;
-    const auto [opening, dilation] = inelastic(law.update(stress, inc, history));
-    P after = before * small_exp(P(trace(inc.strain) - opening));
+    const auto [opening, dilation] = inelastic(law.update(stress, step, history));
+    P after = before * small_exp(P(trace(step.strain) - opening));
     if constexpr (dilates<L, T, D>) {
       if (any_of(dilation > P(0))) {
         const T loosest = static_cast<T>(law.greatest_volume_ratio() / law.density());  // m3/kg
@@ -140,7 +141,7 @@ template <bool TracksWork, int Width, class L, class Points, class T, int D, boo
     points.stress.template store<P>(p, count, stress.c);
     store_lanes(points.volume.data() + p, count, after);
     if constexpr (TracksWork) {
-      P done = (before + after) * contract(old + stress, inc.strain) * P(0.25);
+      P done = (before + after) * contract(old + stress, step.strain) * P(0.25);
       if constexpr (Weighs) done = done * buffer.template load_bearing<P>(p - begin);
       work += done;
     }

@@ -1,0 +1,45 @@
+// Friction of a frictional law as a policy: the angle of its parameters, or one by point, from rate and
+// history.
+#pragma once
+
+#include <cmath>
+#include <concepts>
+
+#include <arenite/law/law.hpp>
+
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
+
+/// The angle of the law's parameters, everywhere and always. Stores nothing.
+///
+/// Another policy has a `History<T>` of its own (see law.hpp) and
+///
+///   template <class T, int D>
+///   T slope(double given, const StrainStep<T, D>& step, History<T>& history) const;
+///
+/// tan(phi) of a step, >= 0; `given` is that of the law's parameters, `step` what the matter feels of the
+/// step. The law then computes its yield surface anew for each point. A slope that hardens or softens with
+/// strain counts the strain in its history. It should not fall below that of the dilatancy, for matter would
+/// then make energy.
+struct ConstantFriction {
+  template <class T>
+  using History = NoHistory<T>;
+};
+
+namespace detail {
+
+/// Sine, cosine and tangent of an angle of friction: numbers N of one angle, or packs of one for each point.
+template <class N>
+struct FrictionAngle {
+  N sin, cos, tan;
+};
+inline FrictionAngle<double> friction_angle(double angle) {
+  return {std::sin(angle), std::cos(angle), std::tan(angle)};
+}
+template <class T>
+FrictionAngle<T> friction_of_slope(const T& slope) {
+  const T cos = reciprocal_root(T(T(1) + slope * slope));
+  return {slope * cos, cos, slope};
+}
+
+}  // namespace detail
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

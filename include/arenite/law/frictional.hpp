@@ -1,0 +1,127 @@
+// Frictional laws: what Mohr-Coulomb and Drucker-Prager share. Elastic trial stress, memory of a separation,
+// return to the yield surface, and what opened and dilated.
+#pragma once
+
+#include <cmath>
+#include <limits>
+#include <string_view>
+#include <type_traits>
+
+#include <arenite/law/elasticity.hpp>
+#include <arenite/law/friction.hpp>
+#include <arenite/law/jaumann.hpp>
+#include <arenite/law/separation.hpp>
+
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
+namespace detail {
+
+/// Greatest angle of friction, rad: 88.8 deg. The round-off of a return grows with 1 / (pi/2 - friction); in
+/// float it is here 3e-5 of the trial stress.
+inline constexpr double greatest_friction = 1.55;
+
+/// Mean stress at the tip of the yield surface, c cot(phi), Pa; infinite without friction.
+inline double apex(double friction, double cohesion) {
+  return friction > 0 ? cohesion / std::tan(friction) : std::numeric_limits<double>::infinity();
+}
+
+/// Throws `error` unless the constants of strength make sense. A memory of separation is one number: it can
+/// stand for matter that opened on all sides, not for a crack.
+template <class Parameters>
+void check_strength(std::string_view law, const Parameters& p, bool remembers) {
+  check(p.friction >= 0 && p.friction <= greatest_friction, law, "friction", p.friction,
+        "must lie in [0, 1.55] rad (88.8 deg)");
+  check(p.cohesion >= 0 && std::isfinite(p.cohesion), law, "cohesion", p.cohesion,
+        "must not be negative (Pa)");
+  check(p.friction > 0 || p.cohesion > 0, law, "cohesion", p.cohesion,
+        "must be positive where friction is 0: matter without both has no strength");
+  check(p.dilatancy >= 0 && p.dilatancy <= p.friction, law, "dilatancy", p.dilatancy,
+        "must lie in [0, friction]");
+  check(p.tension >= 0, law, "tension", p.tension, "must not be negative (Pa)");
+  check(p.greatest_volume_ratio >= 1, law, "greatest_volume_ratio", p.greatest_volume_ratio,
+        "must be at least 1");
+  check(!remembers || p.tension >= apex(p.friction, p.cohesion), law, "tension", p.tension,
+        "a law that remembers its opening needs the cut-off at the apex (leave tension out)");
+}
+
+}  // namespace detail
+
+/// An elastic, perfectly plastic law with a yield surface for friction.
+///
+/// @tparam Surface   yield surface over numbers N, made of parameters, elasticity and angle of friction, with
+///                   `return_to_yield(stress)` and `yield(stress)`
+/// @tparam Memory    ForgetsOpening or RemembersOpening: what separated matter does when compressed again
+/// @tparam Friction  ConstantFriction, or a policy by point (friction.hpp)
+template <template <class> class Surface, class Parameters, class Memory, class Friction>
+class Frictional : public Memory {
+  static constexpr bool constant = std::is_same_v<Friction, ConstantFriction>;
+
+ public:
+  template <class T>
+  using History = std::conditional_t<
+      constant, typename Memory::template History<T>,
+      JoinedHistory<typename Memory::template History<T>, typename Friction::template History<T>>>;
+
+  Frictional(std::string_view name, const Parameters& p, const Memory& memory, const Friction& friction)
+      : Memory(memory),
+        elasticity_(name, p.density, p.young, p.poisson),
+        friction_(friction),
+        parameters_(p),
+        angle_(detail::friction_angle(p.friction)),
+        surface_(p, elasticity_, angle_) {
+    detail::check_strength(name, p, Memory::remembers);
+  }
+
+  double density() const { return elasticity_.density(); }            ///< kg/m3
+  double wave_modulus() const { return elasticity_.wave_modulus(); }  ///< Pa
+  const Elasticity& elasticity() const { return elasticity_; }
+  /// That of the parameters' angle of friction.
+  const Surface<double>& surface() const { return surface_; }
+  double greatest_volume_ratio() const { return parameters_.greatest_volume_ratio; }  ///< V / V0, -
+
+  /// See law.hpp. With memory the returned opening is negative in a step that closes.
+  template <class T, int D>
+  Inelastic<T> update(Sym<T, D>& stress, const StrainStep<T, D>& step, History<T>& history) const {
+    const auto& felt = Memory::carried(stress, step, history);
+    stress = turned(stress, felt.spin) + elasticity_.stress(felt.strain);
+    Inelastic<T> parts = surface_in(felt, history).return_to_yield(stress);
+    Memory::open(parts.opening, history);
+    if constexpr (Memory::remembers) parts.opening = parts.opening + trace(step.strain) - trace(felt.strain);
+    return parts;
+  }
+
+  template <class T, int D>
+  T elastic_energy(const Sym<T, D>& stress) const {
+    return elasticity_.energy(stress);
+  }
+
+  /// How far a stress lies outside the yield surface (> 0) or within (< 0), -; 0 at no stress. With friction
+  /// by point that of matter at rest.
+  template <class T, int D>
+  T yield(const Sym<T, D>& stress) const requires constant {
+    return surface_.yield(stress);
+  }
+  template <class T, int D>
+  T yield(const Sym<T, D>& stress, History<T> history) const requires(!constant) {
+    return surface_in(StrainStep<T, D>{}, history).yield(stress);
+  }
+
+ private:
+  /// The surface of each point, or the one of all.
+  template <class T, int D>
+  decltype(auto) surface_in([[maybe_unused]] const StrainStep<T, D>& step,
+                            [[maybe_unused]] History<T>& history) const {
+    if constexpr (constant)
+      return (surface_);
+    else
+      return Surface<T>(parameters_, elasticity_,
+                        detail::friction_of_slope(friction_.slope(angle_.tan, step, history)));
+  }
+
+  Elasticity elasticity_;
+  [[no_unique_address]] Friction friction_;
+  Parameters parameters_;
+  detail::FrictionAngle<double> angle_;  // of the parameters
+  Surface<double> surface_;
+};
+
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

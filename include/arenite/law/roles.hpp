@@ -1,0 +1,70 @@
+// Roles of a law: its optional members, looked for by name first and then by signature. A member with a
+// role's name and another signature would else be left out in silence.
+#pragma once
+
+#include <arenite/law/law.hpp>
+
+namespace arenite::inline ARENITE_INSTRUCTION_SET::detail {
+
+/// names_<role><L>: whether L has any member of that name. Beside a second base with such a member the name
+/// is ambiguous.
+#define ARENITE_LAW_ROLE(role)           \
+  struct Has_##role {                    \
+    int role;                            \
+  };                                     \
+  template <class L>                     \
+  struct With_##role : L, Has_##role {}; \
+  template <class L>                     \
+  concept names_##role = !requires {     \
+    &With_##role<L>::role;               \
+  };
+ARENITE_LAW_ROLE(stable_step)
+ARENITE_LAW_ROLE(is_open)
+ARENITE_LAW_ROLE(yield)
+ARENITE_LAW_ROLE(greatest_volume_ratio)
+ARENITE_LAW_ROLE(max_pack_width)
+ARENITE_LAW_ROLE(two_packs_at_once)
+ARENITE_LAW_ROLE(names)
+#undef ARENITE_LAW_ROLE
+
+/// Stops the compiler with the cure for a law that `constitutive_law` lets pass and that would not do what
+/// its members say.
+template <class L, class T, int D>
+constexpr bool check_roles() {
+  using History = typename L::template History<T>;
+  // An overload makes the address of a member ambiguous.
+  static_assert(
+      requires { &L::wave_modulus; } || stiffness_varies<L, T, D>,
+      "law: wave_modulus in a given state must be wave_modulus(stress, history) const");
+  static_assert(!names_stable_step<L> || limits_step<L>,
+                "law: stable_step must be double stable_step(double h) const");
+  static_assert(!names_is_open<L> || knows_opening<L, T>, "law: is_open must be is_open(history) const");
+  static_assert(!names_yield<L> || knows_yield<L, T, D>,
+                "law: yield must be yield(stress) const or yield(stress, history) const");
+  static_assert(
+      !(names_greatest_volume_ratio<L> || dilates<L, T, D>) ||
+          requires(const L law) {
+            { law.greatest_volume_ratio() } -> std::convertible_to<double>;
+          },
+      "law: one that returns Inelastic needs double greatest_volume_ratio() const");
+  static_assert(
+      !names_max_pack_width<L> ||
+          requires {
+            requires L::max_pack_width >
+            0;
+          },
+      "law: max_pack_width must be static constexpr int, and positive");
+  static_assert(
+      !names_two_packs_at_once<L> || requires { requires L::two_packs_at_once || true; },
+      "law: two_packs_at_once must be static constexpr bool");
+  static_assert(
+      !names_names<History> ||
+          requires {
+            requires std::size(History::names)
+            == history_size<History>;
+          },
+      "law: History::names must be a static constexpr std::array with a name for each of members()");
+  return true;
+}
+
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET::detail

@@ -1,0 +1,21 @@
+// What a law sees of one step: strain, spin and time.
+#pragma once
+
+#include <arenite/core/tensor.hpp>
+
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
+
+/// Motion of a point, or of a pack of points, in one step.
+template <class T, int D>
+struct StrainStep {
+  Sym<T, D> strain;  ///< symmetric part of the velocity gradient L times dt, -
+  /// Skew part W = (L - L^T)/2 times dt, -: (W_xy) for D = 2, (W_xy, W_yz, W_zx) for D = 3, W_ij = (v_i,j -
+  /// v_j,i)/2.
+  std::array<T, D == 2 ? 1 : 3> spin{};
+  double dt = 0;  ///< duration, s, the same for all points of a pack; 0: no time passes, and there is no rate
+
+  /// 1/dt, 1/s: times the strain it is the rate of strain; 0 where no time passes.
+  double per_time() const { return dt > 0 ? 1 / dt : 0; }
+};
+
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

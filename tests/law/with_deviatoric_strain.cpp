@@ -12,7 +12,8 @@ namespace {
 const WithDeviatoricStrain law{LinearElastic{{.density = 1000, .young = 1e6, .poisson = 0.25}}};
 
 template <int D>
-double after(WithDeviatoricStrain<LinearElastic>::History<double>& history, const StrainStep<double, D>& inc, int steps) {
+double after(WithDeviatoricStrain<LinearElastic>::History<double>& history, const StrainStep<double, D>& inc,
+             int steps) {
   Sym<double, D> stress{};
   for (int k = 0; k < steps; ++k) law.update(stress, inc, history);
   return law.deviatoric_strain(history);

@@ -16,7 +16,7 @@ CartesianGrid<2> grid() { return CartesianGrid<2>{{.lower = {0, 0}, .upper = {1,
 SimplexMesh<2> triangles() { return SimplexMesh<2>(test::triangles({0, 0}, {1, 1}, 4, 4)); }
 
 const Box lower_half{{0., 0.}, {1., 0.5}};
-constexpr FillOptions three{.per_cell = 3};
+const FillOptions three{.per_cell = 3};
 const Box upper_half{{0., 0.5}, {1., 1.}};
 
 template <class Scene>

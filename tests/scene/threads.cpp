@@ -52,7 +52,7 @@ void check(Make&& make) {
   set_threads(before);
 }
 
-constexpr FillOptions falls{.per_cell = 4, .velocity = {0.5, -3, 0}};
+const FillOptions falls{.per_cell = 4, .velocity = {0.5, -3, 0}};
 CartesianGrid<2> grid() { return CartesianGrid<2>{{.lower = {0, 0}, .upper = {2, 1}, .cell = 0.05}}; }
 
 }  // namespace

@@ -1,0 +1,57 @@
+// A law whose stiffness depends on the state: a neo-Hookean solid, which integrates its deformation gradient.
+#include <Eigen/LU>
+#include <arenite/arenite.hpp>
+
+class NeoHookean {
+ public:
+  static constexpr int max_pack_width = 1;  // Eigen's matrices below hold scalars, not packs
+  template <class T>
+  using Matrix = Eigen::Matrix<T, 3, 3>;
+  template <class T>
+  struct History {
+    std::array<T, 9> f{1, 0, 0, 0, 1, 0, 0, 0, 1};  // deformation gradient F
+    auto members() {
+      return std::apply([](auto&... c) { return std::tie(c...); }, f);
+    }
+    auto members() const {
+      return std::apply([](auto&... c) { return std::tie(c...); }, f);
+    }
+  };
+
+  explicit NeoHookean(const arenite::Elasticity& e)
+      : density_{e.density()}, shear_{e.shear()}, lame_{e.lame()} {}
+  double density() const { return density_; }
+  double wave_modulus() const { return lame_ + 2 * shear_; }
+  template <class T, int D>  // of a wave along the greatest stretch
+  T wave_modulus(const arenite::Sym<T, D>&, const History<T>& history) const {
+    const Matrix<T> f(history.f.data());
+    const T stretch2 = arenite::Principal<T, D>(left_cauchy_green<D>(f)).value[0];
+    return T(shear_) * (1 + stretch2) + T(lame_) * (1 - std::log(f.determinant()));
+  }
+
+  // F <- (I - A)^-1 (I + A) F with A = L dt / 2: a rotation where there is but spin, exact in simple shear.
+  template <class T, int D>
+  T update(arenite::Sym<T, D>& stress, const arenite::StrainStep<T, D>& step, History<T>& history) const {
+    Matrix<T> a, one = Matrix<T>::Identity();
+    for (int k = 0; k < 9; ++k) a(k / 3, k % 3) = step.gradient(k / 3, k % 3) / 2;
+    const Matrix<T> f = (one - a).inverse() * (one + a) * Matrix<T>(history.f.data());
+    std::copy_n(f.data(), 9, history.f.data());
+    const T j = f.determinant();
+    stress = add_isotropic(left_cauchy_green<D>(f) * T(shear_ / j), T((lame_ * std::log(j) - shear_) / j));
+    return T(0);
+  }
+  template <class T, int D>
+  T elastic_energy(const arenite::Sym<T, D>&, const History<T>& history) const {
+    const Matrix<T> f(history.f.data());
+    const T j = f.determinant(), log = std::log(j);
+    return (T(shear_ / 2) * (f.squaredNorm() - 3 - 2 * log) + T(lame_ / 2) * log * log) / j;
+  }
+
+ private:
+  template <int D, class T>
+  static arenite::Sym<T, D> left_cauchy_green(const Eigen::Matrix<T, 3, 3>& f) {
+    constexpr std::array row{0, 1, 2, 0, 1, 2}, column{0, 1, 2, 1, 2, 0};
+    return arenite::Sym<T, D>::each([&](std::size_t k) { return f.row(row[k]).dot(f.row(column[k])); });
+  }
+  double density_, shear_, lame_;
+};

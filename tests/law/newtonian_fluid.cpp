@@ -1,0 +1,70 @@
+// The Newtonian fluid of examples/extend/laws: hydrostatic pressure at rest, a parabola between plates.
+#include "../../examples/extend/laws/newtonian_fluid.hpp"
+
+#include "catch.hpp"
+
+using namespace arenite;
+
+TEST_CASE("shear stress is viscosity times shear rate, and none where no time passes") {
+  const NewtonianFluid water{1000, 2e9, 1e-3};
+  Sym<double, 2> stress{{-5, -5, -5, 0}};
+  NoHistory<double> history;
+  StrainStep<double, 2> step;
+  step.strain[3] = 0.01;
+  step.dt = 0.005;
+  water.update(stress, step, history);
+  CHECK(stress[3] == Approx(1e-3 * 2 * 0.01 / 0.005));
+  CHECK(trace(stress) / 3 == Approx(-5));
+  step.dt = 0;
+  water.update(stress, step, history);
+  CHECK(stress[3] == 0);
+}
+
+TEST_CASE("a column let go comes to rest with the pressure of the weight above") {
+  const double height = 1, width = 0.1, density = 1000, g = 9.81, bulk = 1e6, h = 0.1;
+  // Damping of the first mode k = pi / (2 H): half its frequency.
+  const double nu = 0.5 * 2 * std::sqrt(bulk / density) / (pi / 2 / height);
+  const NewtonianFluid honey{density, bulk, 0.75 * density * nu};
+  Scene scene{PlaneStrain{},
+              CartesianGrid<2>{{.lower = {0, 0}, .upper = {width, height + 2 * h}, .cell = h}},
+              Numerics<QuadraticBSpline, Flip, Usl>{},
+              bodies(fill(Box{{0., 0.}, {width, height}}, honey)),
+              walls(left(roller), right(roller), bottom(roller)),
+              gravity({0, -g})};
+  run(scene, {.end = 0.5, .courant = 1});
+  const auto& points = std::get<0>(scene.bodies).points;
+  double worst = 0;
+  for (std::size_t p = 0; p < points.size(); ++p) {
+    const double depth = height * (1 - density * g * height / bulk / 2) - points.position[p][1];
+    worst = std::max(worst, std::abs(-trace(points.stress[p]) / 3 - density * g * depth));
+    CHECK(points.velocity[p].norm() <= 1e-3 * std::sqrt(g * height));
+  }
+  CAPTURE(worst / (density * g * height));
+  CHECK(worst <= 0.02 * density * g * height);
+}
+
+TEST_CASE("Poiseuille flow: between plates the velocity is a parabola") {
+  const double height = 1, density = 1, viscosity = 1, g = 1e-5, h = 0.1;
+  const NewtonianFluid oil{density, 100, viscosity};
+  // Both ends stay plane: nothing but the distance to the plates matters. The flow goes a millionth of a
+  // cell.
+  Scene scene{PlaneStrain{},
+              CartesianGrid<2>{{.lower = {0, 0}, .upper = {0.3, height}, .cell = h}},
+              Numerics<QuadraticBSpline, Flip, Usl>{},
+              bodies(fill(Box{{0., 0.}, {0.3, height}}, oil)),
+              walls(bottom(fixed), top(fixed), left(free_along(0)), right(free_along(0))),
+              gravity({g, 0})};
+  run(scene, {.end = 1.5 * density * height * height / viscosity, .courant = 1});
+  const auto& points = std::get<0>(scene.bodies).points;
+  const double fastest = density * g * height * height / (8 * viscosity);
+  double worst = 0, mean = 0;
+  for (std::size_t p = 0; p < points.size(); ++p) {
+    const double y = points.position[p][1] / height;
+    worst = std::max(worst, std::abs(points.velocity[p][0] / fastest - 4 * y * (1 - y)));
+    mean += points.velocity[p][0] / fastest / static_cast<double>(points.size());
+    CHECK(std::abs(points.velocity[p][1]) <= 1e-3 * fastest);
+  }
+  CAPTURE(worst, mean);
+  CHECK(worst <= 0.01);
+  CHECK(mean == Approx(2.0 / 3).epsilon(0.01));
+}

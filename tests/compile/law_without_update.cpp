@@ -1,5 +1,5 @@
-// must print: Body: the law must provide History, density(), wave_modulus(), update(stress, increment,
-// history) A law that forgot its update.
+// must print: Body: the law must provide History, density(), wave_modulus(), update(stress, step, history)
+// A law that forgot its update.
 #include <arenite/arenite.hpp>
 
 using namespace arenite;

@@ -3,6 +3,8 @@
 // environment variable ARENITE_TEST_VTU (by default the working folder).
 #include <arenite/io/pvd.hpp>
 #include <arenite/io/vtu.hpp>
+#include <arenite/law/mohr_coulomb.hpp>
+#include <arenite/observe/vtu.hpp>
 
 #include <array>
 #include <cstdio>
@@ -140,6 +142,70 @@ TEST_CASE("cells of four kinds in one file, single precision points") {
   reference.add("cells", "int", "vertex", 1, std::vector<int>{4});
   reference.add("cell", "double", "volume", 1, volume);
   reference.add("cell", "uint32", "region", 1, region);
+}
+
+namespace {
+
+/// A history of which one member has no name.
+struct Worn : LinearElastic {
+  using LinearElastic::LinearElastic;
+  template <class T>
+  struct History {
+    T wear{0}, hidden{1}, age{2};
+    static constexpr std::array names{"wear", "", "age"};
+    auto members() { return std::tie(wear, hidden, age); }
+    auto members() const { return std::tie(wear, hidden, age); }
+  };
+  template <class T, int D>
+  T update(Sym<T, D>&, const StrainStep<T, D>&, History<T>&) const {
+    return T(0);
+  }
+};
+
+}  // namespace
+
+TEST_CASE("points of a body with the named members of their history") {
+  const CartesianGrid<2> grid({.lower = {0, 0}, .upper = {1, 1}, .cell = 0.5});
+  const auto half = [](const auto& x) { return x[0] / 2; };
+  const auto write = [&](const char* name, const auto& law, const FillOptions& options,
+                         const std::vector<std::pair<const char*, std::size_t>>& members) {
+    const auto body = make_body<PlaneStrain>(grid, fill(Box{{0., 0.}, {1., 1.}}, law, options));
+    const fs::path file = folder() / name;
+    write_vtu(file, points_vtu(body));
+    Reference reference(file);
+    const auto& points = body.points;
+    std::vector<double> position, velocity, stress, pressure, ratio, strain;
+    for (std::size_t p = 0; p < points.size(); ++p) {
+      const auto x = points.position[p];
+      const auto s = points.stress[p];
+      position.insert(position.end(), {x[0], x[1], 0});
+      velocity.insert(velocity.end(), {1, 2, 0});
+      stress.insert(stress.end(), {s[0], s[1], s[2], s[3], 0, 0});
+      pressure.push_back(-trace(s) / 3);
+      ratio.push_back(points.volume[p] * law.density() / points.mass[p]);
+      strain.push_back(0);
+    }
+    reference.add("points", "double", "points", 3, position);
+    reference.add("point", "double", "velocity", 3, velocity);
+    reference.add("point", "double", "stress", 6, stress);
+    reference.add("point", "double", "pressure", 1, pressure);
+    reference.add("point", "double", "volume_ratio", 1, ratio);
+    if (has_deviatoric_strain<std::decay_t<decltype(law)>>)
+      reference.add("point", "double", "deviatoric_strain", 1, strain);
+    for (const auto& [member, k] : members)
+      reference.add("point", "double", member, 1,
+                    std::vector<double>(points.history[k].begin(), points.history[k].end()));
+  };
+  const FillOptions options{.velocity = {1, 2, 0}, .stress = Geostatic{.surface = 1, .k0 = 0.5}};
+  auto worn = options;
+  worn.history = {{"wear", half}};
+  write("worn.vtu", Worn{LinearElasticParameters{.density = 1000, .young = 1e6, .poisson = 0.3}}, worn,
+        {{"wear", 0}, {"age", 2}});
+  auto open = options;
+  open.history = {{"opening", half}};
+  const MohrCoulomb sand{{.density = 1500, .young = 1e6, .poisson = 0.3, .friction = 0.6},
+                         RemembersOpening{}};
+  write("sand.vtu", WithDeviatoricStrain<MohrCoulomb<RemembersOpening>, 2>{sand}, open, {{"opening", 0}});
 }
 
 TEST_CASE("a series is readable after each step") {

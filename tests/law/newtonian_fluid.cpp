@@ -54,15 +54,21 @@ TEST_CASE("Poiseuille flow: between plates the velocity is a parabola") {
               bodies(fill(Box{{0., 0.}, {0.3, height}}, oil)),
               walls(bottom(fixed), top(fixed), left(free_along(0)), right(free_along(0))),
               gravity({g, 0})};
-  run(scene, {.end = 1.5 * density * height * height / viscosity, .courant = 1});
+  const double spread = density * height * height / viscosity;  // time in which motion spreads, s
+  run(scene, {.end = 1.5 * spread, .courant = 1});
+  // Points of FLIP move with the velocity of the nodes; their own keeps what the nodes do not see.
+  const auto before = std::get<0>(scene.bodies).points.position;
+  const double start = scene.time;
+  run(scene, {.end = 1.6 * spread, .courant = 1});
   const auto& points = std::get<0>(scene.bodies).points;
   const double fastest = density * g * height * height / (8 * viscosity);
   double worst = 0, mean = 0;
   for (std::size_t p = 0; p < points.size(); ++p) {
     const double y = points.position[p][1] / height;
-    worst = std::max(worst, std::abs(points.velocity[p][0] / fastest - 4 * y * (1 - y)));
-    mean += points.velocity[p][0] / fastest / static_cast<double>(points.size());
-    CHECK(std::abs(points.velocity[p][1]) <= 1e-3 * fastest);
+    const Vec<double, 2> u = (points.position[p] - before[p]) / (scene.time - start) / fastest;
+    worst = std::max(worst, std::abs(u[0] - 4 * y * (1 - y)));
+    mean += u[0] / static_cast<double>(points.size());
+    CHECK(std::abs(u[1]) <= 1e-3);
   }
   CAPTURE(worst, mean);
   CHECK(worst <= 0.01);

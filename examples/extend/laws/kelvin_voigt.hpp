@@ -11,12 +11,8 @@ class KelvinVoigt {
   template <class T>
   struct History {
     arenite::Sym<T, D> viscous;  // the dashpot's part of the stress, Pa
-    auto members() {
-      return std::apply([](auto&... c) { return std::tie(c...); }, viscous.c);
-    }
-    auto members() const {
-      return std::apply([](auto&... c) { return std::tie(c...); }, viscous.c);
-    }
+    auto members() { return arenite::tied(viscous.c); }
+    auto members() const { return arenite::tied(viscous.c); }
   };
 
   KelvinVoigt(const arenite::Elasticity& elasticity, double tau) : elasticity_{elasticity}, tau_{tau} {}

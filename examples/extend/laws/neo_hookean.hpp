@@ -10,23 +10,17 @@ class NeoHookean {
   template <class T>
   struct History {
     std::array<T, 9> f{1, 0, 0, 0, 1, 0, 0, 0, 1};  // deformation gradient F
-    auto members() {
-      return std::apply([](auto&... c) { return std::tie(c...); }, f);
-    }
-    auto members() const {
-      return std::apply([](auto&... c) { return std::tie(c...); }, f);
-    }
+    auto members() { return arenite::tied(f); }
+    auto members() const { return arenite::tied(f); }
   };
-
-  explicit NeoHookean(const arenite::Elasticity& e)
-      : density_{e.density()}, shear_{e.shear()}, lame_{e.lame()} {}
-  double density() const { return density_; }
-  double wave_modulus() const { return lame_ + 2 * shear_; }
+  explicit NeoHookean(const arenite::Elasticity& e) : e_{e} {}
+  double density() const { return e_.density(); }
+  double wave_modulus() const { return e_.wave_modulus(); }
   template <class T, int D>  // of a wave along the greatest stretch
   T wave_modulus(const arenite::Sym<T, D>&, const History<T>& history) const {
     const Matrix<T> f(history.f.data());
     const T stretch2 = arenite::Principal<T, D>(left_cauchy_green<D>(f)).value[0];
-    return T(shear_) * (1 + stretch2) + T(lame_) * (1 - std::log(f.determinant()));
+    return T(e_.shear()) * (1 + stretch2) + T(e_.lame()) * (1 - std::log(f.determinant()));
   }
 
   // F <- (I - A)^-1 (I + A) F with A = L dt / 2: a rotation where there is but spin, exact in simple shear.
@@ -36,22 +30,21 @@ class NeoHookean {
     for (int k = 0; k < 9; ++k) a(k / 3, k % 3) = step.gradient(k / 3, k % 3) / 2;
     const Matrix<T> f = (one - a).inverse() * (one + a) * Matrix<T>(history.f.data());
     std::copy_n(f.data(), 9, history.f.data());
-    const T j = f.determinant();
-    stress = add_isotropic(left_cauchy_green<D>(f) * T(shear_ / j), T((lame_ * std::log(j) - shear_) / j));
+    const T j = f.determinant(), shear = T(e_.shear()) / j;
+    stress = add_isotropic(left_cauchy_green<D>(f) * shear, T(e_.lame()) * std::log(j) / j - shear);
     return T(0);
   }
   template <class T, int D>
   T elastic_energy(const arenite::Sym<T, D>&, const History<T>& history) const {
     const Matrix<T> f(history.f.data());
     const T j = f.determinant(), log = std::log(j);
-    return (T(shear_ / 2) * (f.squaredNorm() - 3 - 2 * log) + T(lame_ / 2) * log * log) / j;
+    return (T(e_.shear() / 2) * (f.squaredNorm() - 3 - 2 * log) + T(e_.lame() / 2) * log * log) / j;
   }
 
  private:
   template <int D, class T>
   static arenite::Sym<T, D> left_cauchy_green(const Eigen::Matrix<T, 3, 3>& f) {
-    constexpr std::array row{0, 1, 2, 0, 1, 2}, column{0, 1, 2, 1, 2, 0};
-    return arenite::Sym<T, D>::each([&](std::size_t k) { return f.row(row[k]).dot(f.row(column[k])); });
+    return arenite::Sym<T, D>::each([&](int k) { return f.row(k % 3).dot(f.row(k < 3 ? k : (k + 1) % 3)); });
   }
-  double density_, shear_, lame_;
+  arenite::Elasticity e_;
 };

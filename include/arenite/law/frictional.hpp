@@ -58,7 +58,9 @@ class Frictional : public Memory {
  public:
   template <class T>
   using History = std::conditional_t<
-      constant, typename Memory::template History<T>,
+      constant ||
+          std::is_same_v<typename Memory::template History<T>, typename Friction::template History<T>>,
+      typename Memory::template History<T>,
       JoinedHistory<typename Memory::template History<T>, typename Friction::template History<T>>>;
 
   Frictional(std::string_view name, const Parameters& p, const Memory& memory, const Friction& friction)

@@ -20,6 +20,12 @@ struct NoHistory {
   constexpr auto members() const { return std::tie(); }
 };
 
+/// A tie of all numbers of an array, for the `members()` of a history.
+template <class Array>
+constexpr auto tied(Array& numbers) {
+  return std::apply([](auto&... number) { return std::tie(number...); }, numbers);
+}
+
 /// The parts of a step's volumetric strain, -, that do not change the mean stress elastically.
 template <class T>
 struct Inelastic {

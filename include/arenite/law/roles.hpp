@@ -55,7 +55,7 @@ constexpr bool check_roles() {
           },
       "law: max_pack_width must be static constexpr int, and positive");
   static_assert(
-      !names_two_packs_at_once<L> || requires { requires L::two_packs_at_once || true; },
+      !names_two_packs_at_once<L> || requires { typename std::bool_constant<L::two_packs_at_once>; },
       "law: two_packs_at_once must be static constexpr bool");
   static_assert(
       !names_names<History> ||

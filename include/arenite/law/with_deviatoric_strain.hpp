@@ -16,12 +16,8 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 template <class T, int D>
 struct DeviatoricStrain {
   std::array<T, D == 2 ? 3 : 5> e{};  ///< xx, yy, xy (, yz, zx); zz is minus the sum of the first two
-  constexpr auto members() {
-    return std::apply([](auto&... v) { return std::tie(v...); }, e);
-  }
-  constexpr auto members() const {
-    return std::apply([](auto&... v) { return std::tie(v...); }, e);
-  }
+  constexpr auto members() { return tied(e); }
+  constexpr auto members() const { return tied(e); }
 
   /// As a tensor.
   template <int Plane>

@@ -1,0 +1,15 @@
+// must print: law: two_packs_at_once must be static constexpr bool
+// A law whose wish is a function.
+#include <arenite/arenite.hpp>
+
+using namespace arenite;
+
+struct Wrong : LinearElastic {
+  static bool two_packs_at_once() { return true; }
+};
+
+int main() {
+  const Wrong law{LinearElastic{{.density = 1, .young = 1, .poisson = 0}}};
+  Scene scene{PlaneStrain{}, CartesianGrid<2>({.lower = {0, 0}, .upper = {1, 1}, .cell = 0.5}),
+              Numerics<QuadraticBSpline>{}, bodies(fill(Box{{0., 0.}, {1., 1.}}, law))};
+}

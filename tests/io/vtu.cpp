@@ -3,6 +3,7 @@
 // environment variable ARENITE_TEST_VTU (by default the working folder).
 #include <arenite/io/pvd.hpp>
 #include <arenite/io/vtu.hpp>
+#include <arenite/law/linear_elastic.hpp>
 #include <arenite/law/mohr_coulomb.hpp>
 #include <arenite/observe/vtu.hpp>
 

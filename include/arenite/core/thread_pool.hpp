@@ -4,19 +4,19 @@
 // machine the loop goes on with the threads that run. (A team that starts and ends each loop at a barrier, as
 // OpenMP's does, waits for all of them each time: ten times as long as one thread alone, when another program
 // held a core.) What is left is a thread that the system stops inside an item, for whom all others wait. So
-// the pool keeps account of what its helpers bring and cost, and where they cost more, the caller works alone
-// for ten times what was lost: see `Account`.
+// the pool keeps account of what its helpers bring and cost, and where they cost more, the caller works
+// alone: see `HelperAccount`.
 #pragma once
 
+#include <arenite/core/helper_account.hpp>
 #include <arenite/core/requirements.hpp>
+#include <arenite/core/system_time.hpp>
 
-#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
-#include <ctime>
 #include <thread>
 #include <vector>
 
@@ -33,61 +33,21 @@ inline void relax() {
 #endif
 }
 
-/// What the helpers bring: the time that the caller's part of a loop, scaled up to all items, would have
-/// taken alone, less the time that the loop took. The processor's time of the caller counts, so that its own
-/// stops (in which helpers go on, then wait) are no gain. Asking the system for it takes longer than reading
-/// a clock; so loops are watched only for a while after one that lasted so long that a thread may have been
-/// stopped in it. On an idle machine two readings of the clock a loop are all that this costs.
-class Account {
- public:
-  using Clock = std::chrono::steady_clock;
-  using Duration = std::chrono::nanoseconds;
+inline constexpr int patience = 2000;  ///< looks before a thread gives way: some 50 microseconds
 
-  /// Whether the helpers have brought less than they cost, a short while ago.
-  bool rests() { return Clock::now() < rests_until_; }
-
-  void begin_loop() {
-    begin_ = Clock::now();
-    watches_ = begin_ < watches_until_ || balance_ < most;
-    if (watches_) worked_ = processor_time();
+/// Looks until `done()`, for a while, then with others let ahead; returns false if that takes longer than a
+/// millisecond. To give way takes no time on an idle machine, and a turn of each of the other programs on a
+/// busy one: so the clock counts, not the looks.
+template <class Time = SystemTime, class Done>
+bool wait_awake(Done&& done) {
+  for (int k = 0; k < patience; ++k) {
+    if (done()) return true;
+    relax();
   }
-  /// The caller finds no items any more.
-  void end_own_part() {
-    if (watches_) worked_ = processor_time() - worked_;
-  }
-  /// All are done; the caller did `own` of `n` items, on `threads` threads.
-  void end_loop(std::size_t n, std::size_t own, int threads) {
-    const auto end = Clock::now();
-    if (end - begin_ >= suspicious) watches_until_ = end + watch;
-    if (!watches_) return;
-    const double share =
-        own > 0 ? std::min<double>(threads, static_cast<double>(n) / static_cast<double>(own)) : 1;
-    const auto alone = std::chrono::duration_cast<Duration>(worked_ * share);
-    balance_ = std::min(most, balance_ + alone - (end - begin_));
-    if (balance_ >= Duration::zero()) return;
-    rests_until_ = end - 10 * balance_;
-    balance_ = Duration::zero();
-  }
-
- private:
-  static constexpr Duration suspicious = std::chrono::milliseconds(1);  // systems stop a thread for longer
-  static constexpr Duration watch = std::chrono::milliseconds(100);
-  static constexpr Duration most = std::chrono::milliseconds(10);  // gains that are kept for worse times
-
-  /// Of this thread; the clock's where the system does not tell.
-  static Duration processor_time() {
-#ifdef CLOCK_THREAD_CPUTIME_ID
-    std::timespec time;
-    if (clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time) == 0)
-      return std::chrono::seconds(time.tv_sec) + std::chrono::nanoseconds(time.tv_nsec);
-#endif
-    return Clock::now().time_since_epoch();
-  }
-
-  Duration balance_ = most, worked_{};
-  bool watches_ = false;
-  Clock::time_point begin_{}, watches_until_{}, rests_until_{};
-};
+  for (const auto until = Time::now() + std::chrono::milliseconds(1); !done(); Time::give_way())
+    if (Time::now() >= until) return false;
+  return true;
+}
 
 /// Why the memory orders do:
 /// - `state_` is the gate. The caller writes the loop (call_, context_, parts_) and then sets `open`; a
@@ -167,7 +127,6 @@ class ThreadPool {
 
  private:
   static constexpr std::uint32_t open = 1u << 31;  // beside the number of helpers at work, in state_
-  static constexpr int patience = 2000;            // looks before a thread gives way: some 50 microseconds
 
   ThreadPool() {
     const char* const wanted = std::getenv("ARENITE_THREADS");
@@ -238,14 +197,13 @@ class ThreadPool {
     }
   }
 
-  /// Looks for an open loop for a while, then with others let ahead, then sleeps until the bell: to wake up
-  /// takes as long as a short loop, and between two loops of a step may lie half a millisecond of serial
-  /// work.
+  /// Looks for an open loop for a while, then sleeps until the bell: to wake up takes as long as a short
+  /// loop, and between two loops of a step may lie half a millisecond of serial work.
   void wait() {
-    for (int k = 0; k < 2 * patience; ++k) {
-      if (state_.load(std::memory_order_relaxed) & open) return;
-      k < patience ? relax() : std::this_thread::yield();
-    }
+    if (wait_awake([this] {
+          return (state_.load(std::memory_order_relaxed) & open) || stopping_.load(std::memory_order_relaxed);
+        }))
+      return;
     const std::uint32_t rung = bell_.load(std::memory_order_seq_cst);
     asleep_.fetch_add(1, std::memory_order_seq_cst);
     if (!(state_.load(std::memory_order_seq_cst) & open) && !stopping_)
@@ -254,8 +212,8 @@ class ThreadPool {
   }
 
   int threads_ = 1;
-  std::atomic_flag taken_;  // whether a loop has the helpers
-  Account account_;         // of who has the helpers
+  std::atomic_flag taken_;   // whether a loop has the helpers
+  HelperAccount<> account_;  // of who has the helpers
   std::vector<std::thread> helpers_;
   std::atomic<bool> stopping_{false};
   // The loop that is open.

@@ -1,0 +1,32 @@
+// Time as the thread pool sees it: the clock, what a thread has run, and how it lets others ahead.
+#pragma once
+
+#include <arenite/core/requirements.hpp>
+
+#include <chrono>
+#include <ctime>
+#include <thread>
+
+namespace arenite::shared_detail {
+
+/// The system's. Tests bring their own, in which time passes as they say.
+struct SystemTime {
+  using Duration = std::chrono::nanoseconds;
+
+  /// Since some beginning; never back.
+  static Duration now() { return std::chrono::steady_clock::now().time_since_epoch(); }
+
+  /// That this thread has run; the clock's where the system does not tell.
+  static Duration processor_time() {
+#ifdef CLOCK_THREAD_CPUTIME_ID
+    std::timespec time;
+    if (clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time) == 0)
+      return std::chrono::seconds(time.tv_sec) + std::chrono::nanoseconds(time.tv_nsec);
+#endif
+    return now();
+  }
+
+  static void give_way() { std::this_thread::yield(); }
+};
+
+}  // namespace arenite::shared_detail

@@ -33,14 +33,13 @@ using Account = arenite::shared_detail::HelperAccount<TestTime>;
 constexpr std::size_t items = 100;
 constexpr Duration work = 100us;  // of a loop
 
-/// One loop, by the caller alone if the account rests; of two threads the caller does `own` items, and then
+/// One loop, by the caller alone if the account says so; of two threads the caller does `own` items, and then
 /// waits. Returns whether two took part.
 bool loop(Account& account, std::size_t own, Duration wait, Duration stopped_itself = 0ns) {
-  if (account.rests()) {
+  if (!account.begin_loop()) {
     TestTime::work(work);
     return false;
   }
-  account.begin_loop();
   TestTime::work(work * own / items);
   TestTime::clock += stopped_itself;
   account.end_own_part();
@@ -91,7 +90,7 @@ TEST_CASE("rare stops are booked, too") {
 TEST_CASE("a stop of the caller is no gain") {
   Account account;
   REQUIRE(loop(account, 1, 0us, 4ms));  // the helper did the rest
-  REQUIRE(account.rests());
+  REQUIRE_FALSE(loop(account, 50, 0us));
 }
 
 TEST_CASE("a full balance pays for a few stops") {
@@ -101,10 +100,10 @@ TEST_CASE("a full balance pays for a few stops") {
   };
   pass_good_time();
   loop(account, 50, 4ms);
-  REQUIRE_FALSE(account.rests());
+  REQUIRE(loop(account, 50, 0us));
   pass_good_time();
   for (int k = 0; k < 3; ++k) loop(account, 50, 4ms);
-  REQUIRE(account.rests());
+  REQUIRE_FALSE(loop(account, 50, 0us));
 }
 
 TEST_CASE("helpers come back when the machine is idle again") {

@@ -6,7 +6,8 @@
 // alone, less the time that the loop took. It is added to a balance, which begins with nothing. A loop that
 // takes the balance below zero is followed by a rest, in which the caller works alone, of `rest` times what
 // is missing; then the balance is zero again. So
-// - all that helpers have cost by now is at most what they brought before, and 1/20 of the rests;
+// - all that helpers have cost, but for the last loop, is at most what they brought before and 1/20 of the
+//   rests;
 // - the helpers are tried again: soon after a small loss, late after a large one;
 // - after a good time, `most` is left to pay for a few stops: a machine that is idle now and then does not
 //   rest.
@@ -14,7 +15,7 @@
 // wait) are no gain. To ask the system for it takes longer than to read a clock. So loops are watched that
 // closely only while the balance is not full, and for a while after a loop so long that a thread may have
 // been stopped in it. In others the clock tells how long the caller waited for the helpers, and only a long
-// wait is booked. On an idle machine four readings of the clock a loop are all that this costs.
+// wait is booked. On an idle machine three readings of the clock a loop are all that this costs.
 #pragma once
 
 #include <arenite/core/requirements.hpp>
@@ -31,13 +32,13 @@ class HelperAccount {
  public:
   using Duration = typename Time::Duration;
 
-  /// Whether the caller should work alone now.
-  bool rests() const { return Time::now() < rests_until_; }
-
-  void begin_loop() {
+  /// Returns whether helpers should take part; if not, the caller works alone and nothing is booked.
+  bool begin_loop() {
     begin_ = Time::now();
+    if (begin_ < rests_until_) return false;
     watches_ = begin_ < watches_until_ || balance_ < most;
     if (watches_) worked_ = Time::processor_time();
+    return true;
   }
   /// The caller finds no items any more.
   void end_own_part() { worked_ = watches_ ? Time::processor_time() - worked_ : Time::now() - begin_; }

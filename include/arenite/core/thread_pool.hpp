@@ -93,12 +93,12 @@ class ThreadPool {
       for (std::size_t i = 0; i < n; ++i) f(i);
       return;
     }
-    if (account_.rests()) {
+    if (helpers_.empty()) start();
+    if (!account_.begin_loop()) {
       taken_.clear(std::memory_order_release);
       for (std::size_t i = 0; i < n; ++i) f(i);
       return;
     }
-    if (helpers_.empty()) start();
     inside() = true;
     call_ = [](void* context, std::size_t i) { (*static_cast<F*>(context))(i); };
     context_ = &f;
@@ -108,7 +108,6 @@ class ThreadPool {
       parts_[t].items.store(pack(begin, end), std::memory_order_relaxed);
       begin = end;
     }
-    account_.begin_loop();
     state_.fetch_or(open, std::memory_order_seq_cst);
     if (asleep_.load(std::memory_order_seq_cst) > 0) {
       bell_.fetch_add(1, std::memory_order_seq_cst);

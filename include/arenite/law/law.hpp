@@ -143,6 +143,13 @@ auto yield_of(const L& law, const S& stress, const H& history) {
     return law.yield(stress);
 }
 
+/// Whether the stress that a law adds is linear in the strain increment (`static constexpr bool linear =
+/// true`).
+template <class L>
+inline constexpr bool is_linear = requires {
+  requires L::linear;
+};
+
 /// What `update` returned as both parts; a law that returns its opening alone does not dilate.
 template <class T>
 Inelastic<T> inelastic(const T& opening) {

@@ -18,10 +18,10 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 ///
 /// Points that keep their velocities but move give another velocity gradient to the grid. Their kinetic
 /// energy changes by the stress times the gradients with their old and with their new weights, each for half
-/// a step. MUSL strains with the old weights alone: each change of the gradient then leaves energy, of first
-/// order in the step, in the stresses, and never takes it back. With both the error is of second order, and
-/// changes its sign with time reversed. For laws that are linear: the force then needs the cells' sums of
-/// stress alone, not the points.
+/// a step. MUSL strains with the old weights alone: what the gradient changes by then leaves energy in the
+/// stresses, on average, and strains with the new weights alone do so as well. With half of each none is left
+/// to this order. For laws that are linear: the force then needs the cells' sums of stress alone, not the
+/// points.
 template <class K, class Shape, class M, class B, class Field, class T>
 void add_half_step(const M& mesh, const Blocks& blocks, const B& body, Field& nodes, T half) {
   using Cell = typename Shape::template Cell<M>;

@@ -170,11 +170,12 @@ double worst_on_simplices(double speed, unsigned count) {
 
 }  // namespace
 
-// At rest in their cells the points' two energies belong to one time, and their sum does not even sway. Where
-// they cross cells the gradient that they give to the grid changes.
+// Of points that hardly move in their cells the two energies belong to one time, and their sum does not even
+// sway (with a hoop strain it does, which differs from point to point: its half step is the cell's mean).
+// Where points cross cells the gradient that they give to the grid changes.
 TEST_CASE("Courant number 1: no free elastic block on simplices gains energy in FLIP with MUSL") {
   CHECK(worst_on_simplices<PlaneStrain>(1e-4, 20) <= 1.01);
-  CHECK(worst_on_simplices<Axisymmetric>(1e-4, 20) <= 1.01);
+  CHECK(worst_on_simplices<Axisymmetric>(1e-4, 20) <= 1.1);
   CHECK(worst_on_simplices<Solid>(1e-4, 2) <= 1.01);
   CHECK(worst_on_simplices<PlaneStrain>(1e-2, 20) <= 1.1);
   CHECK(worst_on_simplices<Axisymmetric>(1e-2, 20) <= 1.1);

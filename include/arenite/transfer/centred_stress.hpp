@@ -21,7 +21,7 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 /// a step. MUSL strains with the old weights alone: what the gradient changes by then leaves energy in the
 /// stresses, on average, and strains with the new weights alone do so as well. With half of each none is left
 /// to this order. For laws that are linear: the force then needs the cells' sums of stress alone, not the
-/// points.
+/// points. (Of the hoop strain it takes the mean of the cell.)
 template <class K, class Shape, class M, class B, class Field, class T>
 void add_half_step(const M& mesh, const Blocks& blocks, const B& body, Field& nodes, T half) {
   using Cell = typename Shape::template Cell<M>;

@@ -33,7 +33,7 @@ void add_half_step(const M& mesh, const Blocks& blocks, const B& body, Field& no
     if (body.cells.empty(c)) return;
     const Cell cell(mesh, c);
     const auto& sums = body.cell_sums[c];
-    auto inc = in_plane_increment<T, static_cast<std::size_t>(D)>([&](std::size_t b) {
+    auto step = in_plane_step<T, static_cast<std::size_t>(D)>([&](std::size_t b) {
       Vec<T, D> column = Vec<T, D>::Zero();
       repeat<size>([&](std::size_t i) {
         column +=
@@ -42,14 +42,15 @@ void add_half_step(const M& mesh, const Blocks& blocks, const B& body, Field& no
       return column;
     });
     if constexpr (K::hoop) {
-      repeat<size>([&](std::size_t i) { inc.strain[2] += nodes.velocity[cell.nodes[i]][0] * sums.hoop[i]; });
-      inc.strain[2] *= half / sums.volume;
+      repeat<size>([&](std::size_t i) { step.strain[2] += nodes.velocity[cell.nodes[i]][0] * sums.hoop[i]; });
+      step.strain[2] *= half / sums.volume;
     }
     const auto& before = body.cell_stress[c];
     Sym<T, D> after = (1 / sums.volume) * before;
     typename L::template History<T> history{};
-    body.law.update(after, inc, history);
-    after = (sums.volume * small_exp(trace(inc.strain))) * after;
+    step.dt = static_cast<double>(half);
+    body.law.update(after, step, history);
+    after = (sums.volume * small_exp(trace(step.strain))) * after;
     const Sym<T, D> gain = after - before;
     repeat<size>([&](std::size_t i) {
       const auto n = cell.gradient.col(static_cast<int>(i));

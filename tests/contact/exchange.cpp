@@ -206,7 +206,7 @@ TEST_CASE(
     exchange(Coulomb<>(friction), fields, 0, impulses, pairs, 1e-3, [](Index) { return 0.1; });
     REQUIRE(pairs.size() > 20);
     const auto before = fields;
-    const double dissipation = hold_together(pairs, fields, 1e-3);
+    const double dissipation = hold_together<false>(pairs, fields, 1e-3);
     std::vector<bool> met(200, false);
     double closed = 0, opened = 0, booked = 0;
     for (const auto& pair : pairs) {

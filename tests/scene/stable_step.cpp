@@ -86,13 +86,13 @@ TEST_CASE("Stable step: follows a mesh that moved") {
 
 namespace {
 
-/// Greatest energy of a free body at random places in its cells, over that of its random motion, in steps of
-/// Courant number 1.
+/// Greatest energy of a free body at random places in its cells, over that of its random motion (`speed`:
+/// scatter, in wave speeds), in steps of Courant number 1.
 template <class Scene>
-double growth(Scene scene, unsigned seed) {
+double growth(Scene scene, unsigned seed, double speed = 1e-4) {
   auto& body = std::get<0>(scene.bodies);
   std::mt19937 random(seed);
-  std::normal_distribution<double> normal(0, 1e-4);
+  std::normal_distribution<double> normal(0, speed);
   const double c = wave(rubber());
   for (std::size_t p = 0; p < body.points.size(); ++p) {
     auto v = body.points.velocity[p];
@@ -135,6 +135,54 @@ TEST_CASE("Courant number 1: no elastic block on splines gains energy") {
 
 namespace {
 
+template <class K>
+double worst_on_simplices(double speed, unsigned count) {
+  constexpr std::size_t D = K::dimension;
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> some(0, 1);
+  double worst = 0;
+  for (unsigned k = 0; k < count; ++k) {
+    std::array<double, D> lower, upper, origin{}, end;
+    end.fill(1);
+    for (std::size_t d = 0; d < D; ++d) {
+      lower[d] = 0.2 + 0.2 * some(random);
+      upper[d] = lower[d] + (D == 2 ? 0.12 : 0.2) + 0.3 * some(random);
+    }
+    const auto data = [&] {
+      if constexpr (D == 2)
+        return test::triangles(origin, end, 10, 10);
+      else
+        return test::tetrahedra(origin, end, {6, 6, 6});
+    }();
+    const auto inside = [&](const Vec<double, D>& x) {
+      double beyond = -1;
+      for (std::size_t d = 0; d < D; ++d)
+        beyond = std::max({beyond, lower[d] - x[static_cast<int>(d)], x[static_cast<int>(d)] - upper[d]});
+      return beyond;
+    };
+    const int per_cell = D == 2 ? (k % 2 ? 6 : 3) : 4;
+    worst = std::max(worst, growth(Scene{K{}, SimplexMesh<D>(data), Numerics<LinearSimplex, Flip, Musl>{},
+                                         bodies(fill(Inside{inside}, rubber(), {.per_cell = per_cell}))},
+                                   k, speed));
+  }
+  return worst;
+}
+
+}  // namespace
+
+// Of points that hardly move in their cells the two energies belong to one time, and their sum does not even
+// sway (with a hoop strain it does, which differs from point to point: its half step is the cell's mean).
+// Where points cross cells the gradient that they give to the grid changes.
+TEST_CASE("Courant number 1: no free elastic block on simplices gains energy in FLIP with MUSL") {
+  CHECK(worst_on_simplices<PlaneStrain>(1e-4, 20) <= 1.01);
+  CHECK(worst_on_simplices<Axisymmetric>(1e-4, 20) <= 1.1);
+  CHECK(worst_on_simplices<Solid>(1e-4, 2) <= 1.01);
+  CHECK(worst_on_simplices<PlaneStrain>(1e-2, 20) <= 1.1);
+  CHECK(worst_on_simplices<Axisymmetric>(1e-2, 20) <= 1.1);
+}
+
+namespace {
+
 struct Spun {
   double most, turn,
       momentum;  // greatest energy and last angular momentum over the first; momentum, relative
@@ -143,7 +191,7 @@ struct Spun {
 
 /// An elastic disc (2D) or ball that spins freely on simplices, through `turns`.
 template <class N, int D>
-Spun spin(double turns, double courant) {
+Spun spin(double turns, double courant, int per_cell = D == 2 ? 3 : 4) {
   constexpr double rate = 20;
   std::array<double, D> lower, upper;
   lower.fill(-0.5), upper.fill(0.5);
@@ -155,8 +203,7 @@ Spun spin(double turns, double courant) {
   }();
   const auto inside = [](const Vec<double, D>& x) { return x.norm() - 0.3; };
   using K = std::conditional_t<D == 2, PlaneStrain, Solid>;
-  Scene scene{K{}, SimplexMesh<D>(data), N{},
-              bodies(fill(Inside{inside}, rubber(), {.per_cell = D == 2 ? 3 : 4}))};
+  Scene scene{K{}, SimplexMesh<D>(data), N{}, bodies(fill(Inside{inside}, rubber(), {.per_cell = per_cell}))};
   auto& body = std::get<0>(scene.bodies);
   auto& points = body.points;
   Mat<double, D> whirl = Mat<double, D>::Zero();
@@ -205,4 +252,13 @@ TEST_CASE("A free elastic body that spins on simplices gains no energy and loses
   check_spin<Numerics<LinearSimplex, Flip, Usl>, 2>(2, 1, 0.2);  // FLIP keeps no angular momentum of its own
   check_spin<Numerics<LinearSimplex, Tpic, Usl>, 3>(0.5, 1, 0.05);
   check_spin<Numerics<LinearSimplex, Flip, Usl>, 3>(0.5, 1, 0.2);
+}
+
+// FLIP loses angular momentum; the energy of the rotation it keeps, as disorder.
+TEST_CASE("A free elastic disc that spins ten times on triangles in FLIP with MUSL holds its energy") {
+  const Spun r = spin<Numerics<LinearSimplex, Flip, Musl>, 2>(10, 0.5, 6);
+  CAPTURE(r.most, r.turn, r.momentum);
+  CHECK(r.lost == 0);
+  CHECK(r.most <= 1.05);
+  CHECK(r.momentum <= 1e-12);
 }

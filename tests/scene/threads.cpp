@@ -111,3 +111,18 @@ TEST_CASE("Same bits: tetrahedra, TPIC, element average") {
         walls(bottom(fixed))};
   });
 }
+
+TEST_CASE("Same bits: triangles, FLIP, MUSL, elastic bodies in contact, energy") {
+  check([] {
+    return Scene{
+        PlaneStrain{},
+        SimplexMesh<2>(test::triangles({0, 0}, {1, 1}, 30, 30)),
+        Numerics<LinearSimplex, Flip, Musl>{},
+        bodies(fill(Box{{0.2, 0.42}, {0.8, 0.8}}, rubber(), {.per_cell = 3, .velocity = {0.5, -3, 0}}),
+               fill(Box{{0., 0.}, {1., 0.4}}, rubber(), {.per_cell = 3})),
+        walls(bottom(fixed)),
+        gravity({0, -9.81}),
+        Coulomb{Friction(10_deg)},
+        TrackEnergy{}};
+  });
+}

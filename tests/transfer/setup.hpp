@@ -83,7 +83,7 @@ struct Setup {
   void remap() {
     if constexpr (N::remaps) {
       arenite::remap(numerics, mesh, blocks, body, nodes);
-      finish_remap(numerics, nodes);
+      finish_remap<false>(numerics, nodes);
     }
   }
   DeformSums deform(T dt) {

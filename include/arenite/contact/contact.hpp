@@ -199,7 +199,8 @@ ContactTally exchange(const Coulomb<Normals>& contact, Fields& fields, const Map
 /// strain increment. Returns the energy that this dissipates beside what `exchange` booked, J. The points of
 /// FLIP gain (impulse + dt force) (start + mapped) / 2 at each node, their strains take dt force times the
 /// held velocity: with both, contact's share of the balance is exact, up to the order of the time step.
-template <class Pairs, class Fields, class T>
+/// `Centred`: what is mapped is the mean over the step already.
+template <bool Centred, class Pairs, class Fields, class T>
 double hold_together(const Pairs& pairs, Fields& fields, T dt) {
   double dissipation = 0;
   for (const auto& pair : pairs) {
@@ -211,7 +212,9 @@ double hold_together(const Pairs& pairs, Fields& fields, T dt) {
     const V removed = pair.sticks ? apart : V(apart.dot(pair.normal) * pair.normal);
     const T share_a = b.mass[i] / (a.mass[i] + b.mass[i]), share_b = 1 - share_a;
     const V push = dt * (share_a * a.collected[i].force() - share_b * b.collected[i].force());
-    dissipation -= static_cast<double>(pair.impulse.dot(apart - end) / 2 + push.dot(removed));
+    V twice = apart - end;  // what points take of the impulse, less what `exchange` booked: twice the mean
+    if constexpr (Centred) twice += apart - (a.start[i] - b.start[i]);
+    dissipation -= static_cast<double>(pair.impulse.dot(twice) / 2 + push.dot(removed));
     a.mapped[i] -= share_a * removed;
     b.mapped[i] += share_b * removed;
   }

@@ -61,6 +61,9 @@ struct Inelastic {
 ///   has h^2 density / (2 eta).
 /// - `is_open(history)`: mask of matter that has separated and bears no stress; averages of strain and stress
 ///   then leave it out.
+/// - `static constexpr bool linear = true`: beside the turn with the matter, what `update` adds to the stress
+///   is linear in the strain, whatever history and time. Bodies of such laws take their stresses at the
+///   middle of the step (`add_half_step`). A law derived from one that says so and is not itself says false.
 /// - `greatest_volume_ratio()`, needed of a law that returns `Inelastic<T>`: V / V0, -, beyond which the
 ///   matter dilates no further.
 /// - `yield(stress)` or `yield(stress, history)`: how far a stress lies outside the yield surface (> 0) or
@@ -142,6 +145,13 @@ auto yield_of(const L& law, const S& stress, const H& history) {
   else
     return law.yield(stress);
 }
+
+/// Whether the stress that a law adds is linear in the strain increment (`static constexpr bool linear =
+/// true`).
+template <class L>
+inline constexpr bool is_linear = requires {
+  requires L::linear;
+};
 
 /// What `update` returned as both parts; a law that returns its opening alone does not dilate.
 template <class T>

@@ -17,6 +17,7 @@ struct LinearElasticParameters {
 /// elastic strains; in large shear the stress oscillates (tau = G sin(gamma)), as is known of this rate.
 class LinearElastic {
  public:
+  static constexpr bool linear = true;
   template <class T>
   using History = NoHistory<T>;
 

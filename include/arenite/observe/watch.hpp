@@ -208,7 +208,9 @@ class Watch {
     }
     // Velocities are those of the middle of a step where positions are those of its end: energy sways by a
     // share of (frequency x step) unless the positions' part of it is taken half a step earlier.
-    if (follows_) b.gained -= (held_.sum() - held_before_.sum()) / 2;
+    // Stresses that are centred are those of the middle already.
+    if (follows_) b.gained -= (held_.potential - held_before_.potential) / 2;
+    if (follows_ && !Scene::centres_stress) b.gained -= (held_.strain - held_before_.strain) / 2;
     return b;
   }
 

@@ -75,6 +75,8 @@ struct Body {
   std::vector<CellList::Move> moves{};      ///< [points and guests] scratch of `relocate`
   std::vector<Index> move_count{};          ///< [blocks of cells] moves found in each
   std::vector<CellSums<T, D>> cell_sums{};  ///< [cells] from `scatter`; empty if the numerics need none
+  /// [cells] sum of V times stress, N m, from `scatter`; empty unless stresses are centred
+  std::vector<Sym<T, D>> cell_stress{};
 };
 
 namespace detail {

@@ -180,7 +180,7 @@ ContactTally collide(const M& mesh, R& body, Fields& fields, const Vec<T, D>& gr
 /// Holds the mapped velocities of MUSL to the body where it gave an impulse, along the normal or altogether,
 /// in both directions: see `hold_together`, the same between fields. Returns the energy that this dissipates
 /// beside what `collide` booked, J.
-template <class R, class Fields, class T>
+template <bool Centred, class R, class Fields, class T>
 double hold_to(const R& body, Fields& fields, T dt) {
   double dissipation = 0;
   for (const auto& t : body.touches) {
@@ -190,8 +190,10 @@ double hold_to(const R& body, Fields& fields, T dt) {
     auto& v = field.mapped[t.node];
     const V apart = v - field.velocity[t.node];
     const V removed = t.sticks ? apart : V(apart.dot(t.normal) * t.normal);
+    V twice = apart;
+    if constexpr (Centred) twice += v - field.start[t.node];
     dissipation -=
-        static_cast<double>(t.impulse.dot(apart) / 2 + dt * field.collected[t.node].force().dot(removed));
+        static_cast<double>(t.impulse.dot(twice) / 2 + dt * field.collected[t.node].force().dot(removed));
     v -= removed;
   }
   return dissipation;

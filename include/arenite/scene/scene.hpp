@@ -11,6 +11,7 @@
 #include <arenite/particles/relocate.hpp>
 #include <arenite/scene/doubts.hpp>
 #include <arenite/scene/parts.hpp>
+#include <arenite/transfer/centred_stress.hpp>
 #include <arenite/transfer/deform.hpp>
 #include <arenite/transfer/light_nodes.hpp>
 #include <arenite/transfer/numerics.hpp>
@@ -130,6 +131,10 @@ struct Scene {
   static constexpr std::size_t field_count = Contact::separate ? body_count : 1;
   static constexpr bool moves = !std::same_as<Motion, FixedMesh>;
   static constexpr bool tracks_energy = detail::count_parts<detail::is_ledger, Parts...> > 0;
+  /// Whether stresses are taken at the middle of the step: where all laws are linear (see `add_half_step`).
+  static constexpr bool centres_stress = []<class... B>(std::type_identity<std::tuple<B...>>) {
+    return N::template centres_stress<decltype(B::law)...>;
+  }(std::type_identity<BodyTuple>{});
   static_assert(body_count >= 1, "Scene: bodies(..) needs at least one fill(..)");
   static_assert(!std::same_as<Contact, Coulomb<SurfaceOf>> || body_count == 2,
                 "Scene: Coulomb contact with SurfaceOf is between two bodies; for more use MassGradient");

@@ -40,13 +40,31 @@ void scatter(Scene& scene) {
   });
 }
 
+/// Below it mass and momentum are no longer known to round-off, kg.
+template <class T>
+inline constexpr T least_mass = std::numeric_limits<T>::min() / std::numeric_limits<T>::epsilon();
+
+template <class Scene>
+void centre_stress(Scene& scene, [[maybe_unused]] double dt) {
+  if constexpr (Scene::centres_stress) {
+    using T = typename Scene::T;
+    for (auto& field : scene.fields) {
+      const Vec<T, Scene::D> none = Vec<T, Scene::D>::Zero();
+      advance(field, none, T(0), least_mass<T>);
+      constrain(scene.constraints, field.mass, field.velocity);
+    }
+    scene.for_each_body([&](const auto& body, auto& field) {
+      add_half_step<typename Scene::Kinematics, typename Scene::Shape>(scene.mesh, scene.blocks, body, field,
+                                                                       static_cast<T>(dt / 2));
+    });
+  }
+}
+
 template <class Scene>
 void advance(Scene& scene, double dt) {
   using T = typename Scene::T;
-  // Below it mass and momentum are no longer known to round-off.
-  const T floor = std::numeric_limits<T>::min() / std::numeric_limits<T>::epsilon();
   for (auto& field : scene.fields) {
-    advance(field, scene.gravity, static_cast<T>(dt), floor);
+    advance(field, scene.gravity, static_cast<T>(dt), least_mass<T>);
     if constexpr (Scene::Shape::constant_gradient) hand_to_neighbours(scene.mesh, field, static_cast<T>(dt));
   }
 }
@@ -107,14 +125,16 @@ void remap(Scene& scene, [[maybe_unused]] double dt) {
   if constexpr (Scene::NumericsType::remaps) {
     scene.for_each_body(
         [&](auto& body, auto& field) { remap(scene.numerics, scene.mesh, scene.blocks, body, field); });
-    for (auto& field : scene.fields) finish_remap(scene.numerics, field);
+    for (auto& field : scene.fields) finish_remap<Scene::centres_stress>(scene.numerics, field);
     using T = typename Scene::T;
     double dissipation = 0;
     if constexpr (Scene::Contact::separate)
-      dissipation += hold_together(scene.contact_pairs, scene.fields, static_cast<T>(dt));
+      dissipation +=
+          hold_together<Scene::centres_stress>(scene.contact_pairs, scene.fields, static_cast<T>(dt));
     for (auto& field : scene.fields) constrain(scene.constraints, field.mass, field.mapped);
-    scene.for_each_rigid(
-        [&](const auto& body) { dissipation += hold_to(body, scene.fields, static_cast<T>(dt)); });
+    scene.for_each_rigid([&](const auto& body) {
+      dissipation += hold_to<Scene::centres_stress>(body, scene.fields, static_cast<T>(dt));
+    });
     scene.contact_tally.dissipation += dissipation;
     if constexpr (Scene::tracks_energy) scene.ledger.contact_dissipation += dissipation;
   }

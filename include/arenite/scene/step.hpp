@@ -11,6 +11,7 @@ template <class Scene>
 void step(Scene& scene, double dt) {
   relocate(scene);            // find the cell of each point
   scatter(scene);             // P2G: mass, momentum, internal force
+  centre_stress(scene, dt);   // elastic bodies with MUSL on simplices: forces of the middle of the step
   advance(scene, dt);         // nodal momentum balance
   constrain(scene);           // fixities, rollers, symmetry planes
   collide(scene, dt);         // body against body, rigid body against bodies: impulses that cancel

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 
+#include <arenite/law/law.hpp>
 #include <arenite/particles/points.hpp>
 #include <arenite/stabilise/anti_locking.hpp>
 #include <arenite/transfer/transfer.hpp>
@@ -45,6 +46,10 @@ struct Numerics {
   /// MUSL's light nodes take their strains from what their neighbours move.
   static constexpr bool smooths_light_nodes = Shape::constant_gradient && !remaps;
   static constexpr bool needs_edge_mass = remaps && Shape::constant_gradient;
+  /// Whether the stresses of bodies with laws L are taken at the middle of the step (see `add_half_step`).
+  template <class... L>
+  static constexpr bool centres_stress = needs_edge_mass && !AntiLocking::averages_strain &&
+                                         !AntiLocking::averages_stress && (is_linear<L> && ...);
   static constexpr bool needs_cell_sums =
       needs_edge_mass || AntiLocking::averages_strain || AntiLocking::averages_stress;
   static constexpr ExtraColumns extra_columns{.affine = Transfer::affine,

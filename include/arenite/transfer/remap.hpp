@@ -87,8 +87,9 @@ void remap(const N& numerics, const M& mesh, const Blocks& blocks, B& body, Fiel
   });
 }
 
-/// Turns what was added into velocity.
-template <class N, class Field>
+/// Turns what was added into velocity. `Centred`: into the mean of what the points hand to the nodes at the
+/// begin and at the end of the step (see `add_half_step`).
+template <bool Centred, class N, class Field>
 void finish_remap(const N&, Field& nodes) {
   parallel_chunks(nodes.size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
@@ -97,6 +98,7 @@ void finish_remap(const N&, Field& nodes) {
       else
         nodes.mapped[i].setZero();
       if constexpr (!N::remaps_by_points) nodes.mapped[i] += nodes.velocity[i];
+      if constexpr (Centred) nodes.mapped[i] = (nodes.start[i] + nodes.mapped[i]) / 2;
     }
   });
 }

@@ -90,17 +90,17 @@ StressSums<T, D> stress_sums(const Body<L, T, D, Extra>& body, Index c) {
 /// What is summed over the points of a cell whose functions have constant gradients, beside the stress, as
 /// one row of scalars or packs: for each node momentum [D] and mass; then each node's share of the hoop
 /// stress and the parts of `CellSums`.
-template <class K, class N, class Cell>
+template <class K, class N, class Cell, bool CentresStress>
 struct ScatterSums {
   static constexpr std::size_t nodes = Cell::size;
   // Four, as in the lower half of NodeSums: a load then takes what one store wrote.
   static constexpr std::size_t per_node = 4;
-  static constexpr bool averages_hoop = K::hoop && N::AntiLocking::averages_strain;
+  static constexpr bool needs_hoop = K::hoop && (N::AntiLocking::averages_strain || CentresStress);
   static constexpr std::size_t edges = N::needs_edge_mass ? CellSums<double, Cell::D>::edges : 0;
   static constexpr std::size_t pull = nodes * per_node;  // of the hoop stress
   static constexpr std::size_t edge_mass = pull + (K::hoop ? nodes : 0);
   static constexpr std::size_t hoop = edge_mass + edges;
-  static constexpr std::size_t size = hoop + (averages_hoop ? nodes : 0);
+  static constexpr std::size_t size = hoop + (needs_hoop ? nodes : 0);
 };
 
 /// Scatters the points of a cell with constant gradients: one product of stress and gradient a node. Stresses
@@ -114,7 +114,8 @@ template <class K, class N, class M, class B, class Field>
   constexpr std::size_t D = M::dimension, size = Cell::size;
   constexpr int width = N::template width<T>;
   using P = lanes_of<T, width>;
-  using Row = ScatterSums<K, N, Cell>;
+  constexpr bool centres_stress = N::template centres_stress<decltype(body.law)>;
+  using Row = ScatterSums<K, N, Cell, centres_stress>;
   constexpr std::size_t stress_size = Sym<T, M::dimension>::size;
   auto& points = body.points;
   const Cell cell(mesh, c);
@@ -140,6 +141,7 @@ template <class K, class N, class M, class B, class Field>
       repeat<stress_size>([&](std::size_t k) { stress[k] *= whole / volume; });
     }
   }
+  if constexpr (centres_stress) body.cell_stress[c].c = stress;
   std::array<P, Row::size> sums;
   repeat<Row::size>([&](std::size_t k) { sums[k] = P(0); });
   body.cells.template for_packs<width>(c, [&](Index first, int count) {
@@ -161,7 +163,7 @@ template <class K, class N, class M, class B, class Field>
       const P around = load_lanes<P>(points.volume.data() + first, count) * reciprocal(x[0]);
       const P pull = around * load_lanes<P>(points.stress.column(2).data() + first, count);
       repeat<size>([&](std::size_t i) { sums[Row::pull + i] += pull * w[i]; });
-      if constexpr (Row::averages_hoop)
+      if constexpr (Row::needs_hoop)
         repeat<size>([&](std::size_t i) { sums[Row::hoop + i] += around * w[i]; });
     }
   });
@@ -173,8 +175,7 @@ template <class K, class N, class M, class B, class Field>
     if constexpr (B::has_dilation) left.dilation = of_stress.dilation / volume;
     if constexpr (B::knows_opening) left.open = of_stress.bearing < volume;
     repeat<Row::edges>([&](std::size_t e) { left.edge_mass[e] = total[Row::edge_mass + e]; });
-    if constexpr (Row::averages_hoop)
-      repeat<size>([&](std::size_t i) { left.hoop[i] = total[Row::hoop + i]; });
+    if constexpr (Row::needs_hoop) repeat<size>([&](std::size_t i) { left.hoop[i] = total[Row::hoop + i]; });
   }
   if constexpr (N::AntiLocking::averages_stress && K::hoop)
     repeat<size>([&](std::size_t i) { total[Row::pull + i] *= whole / volume; });
@@ -281,6 +282,7 @@ template <class K, class N, class M, class B, class Field>
 template <class K, class N, class M, class B, class Field>
 void scatter(const N& numerics, const M& mesh, const Blocks& blocks, B& body, Field& nodes) {
   if constexpr (N::needs_cell_sums) body.cell_sums.resize(mesh.cell_count());
+  if constexpr (N::template centres_stress<decltype(body.law)>) body.cell_stress.resize(mesh.cell_count());
   blocks.for_each_colored([&](Index c) {
     if (body.cells.empty(c)) return;
     if constexpr (N::Shape::constant_gradient)

@@ -1,0 +1,71 @@
+// Centred stress: forces of elastic bodies on simplices from the stresses of the middle of the step.
+#pragma once
+
+#include <arenite/law/law.hpp>
+#include <arenite/mesh/blocks.hpp>
+#include <arenite/particles/body.hpp>
+#include <arenite/transfer/deform.hpp>
+#include <arenite/transfer/scatter.hpp>
+
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
+
+/// Adds to the forces of a body's nodes what half a step does to its stresses, with the velocities in
+/// `nodes.velocity`: those that the points handed over with their present weights. The points themselves keep
+/// their stresses: `deform` then strains them with the mean of what they hand over at the begin and at the
+/// end of the step (`finish_remap`). What follows is the same as two updates of the stress, one behind and
+/// one ahead of each motion of the points (USAVG; Nairn 2003, Material point method calculations with
+/// explicit cracks), with one pass of the law.
+///
+/// Points that keep their velocities but move give another velocity gradient to the grid. Their kinetic
+/// energy changes by the stress times the gradients with their old and with their new weights, each for half
+/// a step. MUSL strains with the old weights alone: what the gradient changes by then leaves energy in the
+/// stresses, on average, and strains with the new weights alone do so as well. With half of each none is left
+/// to this order. For laws that are linear: the force then needs the cells' sums of stress alone, not the
+/// points. (Of the hoop strain it takes the mean of the cell.)
+template <class K, class Shape, class M, class B, class Field, class T>
+void add_half_step(const M& mesh, const Blocks& blocks, const B& body, Field& nodes, T half) {
+  using Cell = typename Shape::template Cell<M>;
+  using L = decltype(body.law);
+  constexpr int D = M::dimension;
+  constexpr std::size_t size = Cell::size;
+  using Quad = Pack<T, 4>;
+  blocks.for_each_colored([&](Index c) {
+    if (body.cells.empty(c)) return;
+    const Cell cell(mesh, c);
+    const auto& sums = body.cell_sums[c];
+    auto step = in_plane_step<T, static_cast<std::size_t>(D)>([&](std::size_t b) {
+      Vec<T, D> column = Vec<T, D>::Zero();
+      repeat<size>([&](std::size_t i) {
+        column +=
+            (half * cell.gradient(static_cast<int>(b), static_cast<int>(i))) * nodes.velocity[cell.nodes[i]];
+      });
+      return column;
+    });
+    if constexpr (K::hoop) {
+      repeat<size>([&](std::size_t i) { step.strain[2] += nodes.velocity[cell.nodes[i]][0] * sums.hoop[i]; });
+      step.strain[2] *= half / sums.volume;
+    }
+    const auto& before = body.cell_stress[c];
+    Sym<T, D> after = (1 / sums.volume) * before;
+    typename L::template History<T> history{};
+    step.dt = static_cast<double>(half);
+    body.law.update(after, step, history);
+    after = (sums.volume * small_exp(trace(step.strain))) * after;
+    const Sym<T, D> gain = after - before;
+    repeat<size>([&](std::size_t i) {
+      const auto n = cell.gradient.col(static_cast<int>(i));
+      Quad force(0);
+      for (int d = 0; d < D; ++d) {
+        T sum = 0;
+        for (int a = 0; a < D; ++a)
+          sum -= gain[Sym<T, D>::index(static_cast<std::size_t>(d), static_cast<std::size_t>(a))] * n[a];
+        if constexpr (K::hoop)
+          if (d == 0) sum -= gain[2] / sums.volume * sums.hoop[i];
+        force.set(d, sum);
+      }
+      nodes.collected[cell.nodes[i]].add_upper(force);
+    });
+  });
+}
+
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -7,15 +7,15 @@ using namespace arenite::extremes;
 namespace {
 
 /// Two bodies one above the other with Coulomb friction between them.
-template <int D, class M, class La, class Lb, class N>
-Outcome two_bodies(Draw& d, const M& mesh) {
+template <class M, class La, class Lb, class N>
+Outcome two_bodies(Draw& d) {
+  constexpr int D = M::dimension;
   return judge(d, [&] {
-    N numerics{};
-    if constexpr (requires { numerics.transfer.share; }) numerics.transfer.share = d.share;
+    const auto mesh = mesh_of<M>(d);
     const auto options = fill_options(d, mesh);
     Scene scene{PlaneStrain{},
                 mesh,
-                numerics,
+                numerics_of<N>(d),
                 bodies(fill(blob<D>(d, extent(mesh), 0, 2), law<La>(d), options),
                        fill(blob<D>(d, extent(mesh), 1, 2), law<Lb>(d, d.contrast), options)),
                 walls_of<D>(d),
@@ -25,15 +25,6 @@ Outcome two_bodies(Draw& d, const M& mesh) {
     set_in_motion(scene, d);
     return scene;
   });
-}
-
-Outcome blocks(Draw& d) {
-  return two_bodies<2, CartesianGrid<2>, LinearElastic, LinearElastic, Numerics<QuadraticBSpline, Apic, Usl>>(
-      d, grid<2, double>(d));
-}
-Outcome block_on_sand(Draw& d) {
-  return two_bodies<2, SimplexMesh<2, float>, MohrCoulomb<>, LinearElastic,
-                    Numerics<LinearSimplex, Flip, Musl>>(d, simplices<2, float>(d));
 }
 
 /// A ball, m.
@@ -53,7 +44,7 @@ Outcome ball(Draw& d) {
     const double mass = d.density * d.contrast * std::pow(shape.radius, 3);
     Scene scene{Solid{},
                 mesh,
-                Numerics<QuadraticBSpline, Flip, Musl>{.transfer = {.share = d.share}},
+                numerics_of<Numerics<QuadraticBSpline, Flip, Musl>>(d),
                 bodies(fill(blob<3>(d, size), law<DruckerPrager<>>(d), fill_options(d, mesh))),
                 walls_of<3>(d),
                 gravity_of(d),
@@ -76,7 +67,7 @@ Outcome device(Draw& d) {
     Scene scene{
         PlaneStrain{},
         mesh,
-        Numerics<LinearSimplex, Flip, Musl, NodalAndElementAverage>{.transfer = {.share = d.share}},
+        numerics_of<Numerics<LinearSimplex, Flip, Musl, NodalAndElementAverage>>(d),
         bodies(fill(blob<2>(d, size), law<MohrCoulomb<>>(d), fill_options(d, mesh))),
         walls_of<2>(d),
         gravity_of(d),
@@ -93,10 +84,13 @@ Outcome device(Draw& d) {
 }  // namespace
 
 TEST_CASE("Random scenes with contact end sound, or say when and why not") {
-  run_scenes("contact",
-             {{"plane B-splines APIC USL, Coulomb, elastic on elastic double", blocks},
-              {"triangles FLIP MUSL, Coulomb, elastic on Mohr-Coulomb float", block_on_sand},
-              {"solid B-splines FLIP MUSL, guided ball on Drucker-Prager float", ball},
-              {"triangles both averages, moving mesh, centre of mass on Mohr-Coulomb double", device}},
-             100);
+  run_scenes(
+      "contact",
+      {{"plane B-splines APIC USL, Coulomb, elastic on elastic double",
+        two_bodies<CartesianGrid<2>, LinearElastic, LinearElastic, Numerics<QuadraticBSpline, Apic, Usl>>},
+       {"triangles FLIP MUSL, Coulomb, elastic on Mohr-Coulomb float",
+        two_bodies<SimplexMesh<2, float>, MohrCoulomb<>, LinearElastic, Numerics<LinearSimplex, Flip, Musl>>},
+       {"solid B-splines FLIP MUSL, guided ball on Drucker-Prager float", ball},
+       {"triangles both averages, moving mesh, centre of mass on Mohr-Coulomb double", device}},
+      100);
 }

@@ -92,6 +92,22 @@ Blob blob(const Draw& d, double size, int number = 0, int count = 1, bool axisym
   return b;
 }
 
+/// The mesh of a scene that has no device.
+template <class M>
+M mesh_of(const Draw& d) {
+  if constexpr (is_simplex_mesh<M>)
+    return simplices<M::dimension, typename M::scalar>(d);
+  else
+    return grid<M::dimension, typename M::scalar>(d);
+}
+
+template <class N>
+N numerics_of(const Draw& d) {
+  N numerics{};
+  if constexpr (requires { numerics.transfer.share; }) numerics.transfer.share = d.share;
+  return numerics;
+}
+
 template <class L>
 L law(const Draw& d, double contrast = 1) {
   const double young = d.young * contrast;

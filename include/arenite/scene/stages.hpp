@@ -7,6 +7,7 @@
 #include <string>
 
 #include <arenite/scene/scene.hpp>
+#include <arenite/transfer/face_nodes.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
@@ -117,6 +118,9 @@ void smooth_light_nodes(Scene& scene) {
   if constexpr (Scene::NumericsType::smooths_light_nodes) {
     for (auto& field : scene.fields) scene.light_nodes.exchange(scene.mesh, field);
     constrain(scene);
+  } else if constexpr (!Scene::Shape::constant_gradient) {
+    for (auto& field : scene.fields) exchange_at_faces(scene.mesh, field.mass, field.velocity);
+    constrain(scene);
   }
 }
 
@@ -125,7 +129,10 @@ void remap(Scene& scene, [[maybe_unused]] double dt) {
   if constexpr (Scene::NumericsType::remaps) {
     scene.for_each_body(
         [&](auto& body, auto& field) { remap(scene.numerics, scene.mesh, scene.blocks, body, field); });
-    for (auto& field : scene.fields) finish_remap<Scene::centres_stress>(scene.numerics, field);
+    for (auto& field : scene.fields) {
+      finish_remap<Scene::centres_stress>(scene.numerics, field);
+      if constexpr (!Scene::Shape::constant_gradient) exchange_at_faces(scene.mesh, field.mass, field.mapped);
+    }
     using T = typename Scene::T;
     double dissipation = 0;
     if constexpr (Scene::Contact::separate)

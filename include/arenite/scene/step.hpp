@@ -15,7 +15,7 @@ void step(Scene& scene, double dt) {
   advance(scene, dt);         // nodal momentum balance
   constrain(scene);           // fixities, rollers, symmetry planes
   collide(scene, dt);         // body against body, rigid body against bodies: impulses that cancel
-  smooth_light_nodes(scene);  // USL on simplices: nodes at a body's edge that have force and hardly any mass
+  smooth_light_nodes(scene);  // nodes at a body's edge that have force and hardly any mass
   remap(scene, dt);           // MUSL: node velocities for the strains, as the points would hand them back
   deform(scene, dt);          // G2P: velocities, strains and positions; stresses by the law of each body
   move(scene, dt);            // the mesh, if it moves

@@ -1,0 +1,47 @@
+// Nodes beside a grid's faces: the second function of open knots falls to zero at the face with a slope that
+// does not fall. They exchange momentum with the nodes on the face.
+#pragma once
+
+#include <vector>
+
+#include <arenite/core/scalar.hpp>
+#include <arenite/mesh/mesh.hpp>
+#include <arenite/transfer/node_field.hpp>
+
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
+
+/// Quadratic splines on open knots, s cell edges from a face: w_0 = (1 - s)^2 of the node on the face, w_1 =
+/// 2 s - 3/2 s^2 of the one beside it, whose slope 2 - 3 s does not vanish at the face. Points that lie close
+/// to the face, with none further inside, give that node the full force of their stress and next to none of
+/// their mass: its frequency has no bound. For a layer with w_1 < w_0 / 2 (s < 0.195) slope^2 / value exceeds
+/// `QuadraticBSpline::steepness`, for which the stable step is made. A node with m_1 < m_0 / 2 therefore goes
+/// the share 1 - 2 m_1 / m_0 of the way to the velocity of the node on the face, which gives what it gets:
+/// linear momentum is kept to round-off, the kinetic energy of the relative motion falls, and its own force
+/// moves the node as if it had the mass m_0 / 2. A body that fills the cells at a face has m_1 = 2 m_0. One
+/// thread: they are nodes of a surface, and few of them are light. Returns how many.
+template <class M, class T, int D>
+std::size_t exchange_at_faces(const M& grid, const std::vector<T>& mass, NodeVectors<T, D>& velocity) {
+  std::size_t count = 0;
+  const auto exchange = [&](Index face, Index beside) {
+    const T m = mass[beside], enough = mass[face] / 2;
+    if (!(m > 0 && m < enough)) return;
+    ++count;
+    const Vec<T, D> change = (1 - m / enough) * (velocity[face] - velocity[beside]);
+    velocity[beside] += change;
+    velocity[face] -= (m / mass[face]) * change;
+  };
+  Index stride = 1;
+  for (int k = 0; k < D; ++k) {
+    const Index along = grid.cells(k) + 2, length = stride * along;  // nodes along the axis; in a slab of it
+    for (Index slab = 0; slab < static_cast<Index>(mass.size()); slab += length)
+      for (Index low = slab; low < slab + stride; ++low) {
+        exchange(low, low + stride);
+        const Index high = low + (along - 1) * stride;
+        exchange(high, high - stride);
+      }
+    stride = length;
+  }
+  return count;
+}
+
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -1,0 +1,97 @@
+// Points in a thin layer along a grid's face: the node beside the face is light, and its exchange keeps
+// momentum and lets no energy come from nothing.
+#include <arenite/arenite.hpp>
+
+#include "catch.hpp"
+
+using namespace arenite;
+
+namespace {
+
+CartesianGrid<2> grid() { return CartesianGrid<2>{{.lower = {0, 0}, .upper = {1, 1}, .cell = 0.1}}; }
+
+/// An elastic block that is pressed flat against a face: its points lie within `thickness` cells of it along
+/// `axis`. It is stretched along both axes.
+template <class N, class... Parts>
+auto layer(int axis, bool upper, double thickness, Parts... parts) {
+  const LinearElastic rubber{{.density = 1000, .young = 1e6, .poisson = 0.3}};
+  Scene scene{PlaneStrain{}, grid(),  N{}, bodies(fill(Box{{0.3, 0.3}, {0.7, 0.4}}, rubber, {.per_cell = 4})),
+              TrackEnergy{}, parts...};
+  auto& points = std::get<0>(scene.bodies).points;
+  for (std::size_t p = 0; p < points.size(); ++p) {
+    const Vec<double, 2> x = points.position[p];
+    const double height = thickness * (x[1] - 0.3);
+    Vec<double, 2> place(x[0], upper ? 1 - height : height), speed(x[0] - 0.5, (upper ? -5 : 5) * height);
+    if (axis == 0) std::swap(place[0], place[1]), std::swap(speed[0], speed[1]);
+    points.position.set(p, place);
+    points.velocity.set(p, speed);
+  }
+  scene.ledger.initial_kinetic = kinetic_energy(std::get<0>(scene.bodies));
+  return scene;
+}
+
+/// Greatest gain over the energy put in, in 300 steps at the limit of the Courant number; of the middle of a
+/// step, where the velocities are.
+template <class Scene>
+double greatest_gain(Scene scene) {
+  double gain = 0;
+  for (int k = 0; k < 300 && gain < 10; ++k) {
+    const double before = scene.ledger.stress_work;
+    step(scene, stable_step(scene));
+    const double work = scene.ledger.stress_work - before;
+    gain = std::max(gain, (energies(scene).residual - work / 2) / scene.ledger.initial_kinetic);
+  }
+  return gain;
+}
+
+}  // namespace
+
+TEMPLATE_TEST_CASE("A thin layer along a face makes no energy, on walls and free", "",
+                   (Numerics<QuadraticBSpline, Apic, Usl>), (Numerics<QuadraticBSpline, Flip, Usl>),
+                   (Numerics<QuadraticBSpline, Apic, Musl>), (Numerics<QuadraticBSpline, Flip, Musl>)) {
+  const auto all = [](Condition c) { return walls(left(c), right(c), bottom(c), top(c)); };
+  for (const int axis : {0, 1})
+    for (const bool upper : {false, true})
+      for (const double thickness : {0.3, 0.1, 0.01, 1e-4}) {
+        CAPTURE(axis, upper, thickness);
+        CHECK(greatest_gain(layer<TestType>(axis, upper, thickness)) <= 0.1);
+        CHECK(greatest_gain(layer<TestType>(axis, upper, thickness, all(fixed))) <= 0.1);
+        CHECK(greatest_gain(layer<TestType>(axis, upper, thickness, all(roller))) <= 0.1);
+      }
+}
+
+TEST_CASE("The exchange at faces keeps momentum, and lets the energy of the nodes fall") {
+  auto scene = layer<Numerics<QuadraticBSpline, Flip, Usl>>(1, false, 0.1);
+  relocate(scene);
+  scatter(scene);
+  advance(scene, 1e-4);
+  auto& nodes = scene.fields[0];
+  Vec<double, 2> before = Vec<double, 2>::Zero(), after = before;
+  double energy_before = 0, energy_after = 0, carried = 0;
+  for (Index i = 0; i < nodes.size(); ++i) {
+    nodes.velocity[i] = Vec<double, 2>(std::sin(7.0 * i), std::cos(5.0 * i));
+    before += nodes.mass[i] * nodes.velocity[i];
+    energy_before += nodes.mass[i] * nodes.velocity[i].squaredNorm();
+    carried += nodes.mass[i];
+  }
+  CHECK(exchange_at_faces(scene.mesh, nodes.mass, nodes.velocity) ==
+        6);  // above the four cells of the layer, and beside them
+  for (Index i = 0; i < nodes.size(); ++i) {
+    after += nodes.mass[i] * nodes.velocity[i];
+    energy_after += nodes.mass[i] * nodes.velocity[i].squaredNorm();
+  }
+  CHECK((after - before).norm() <= 1e-14 * carried);
+  CHECK(energy_after < energy_before);
+}
+
+TEST_CASE("Where a body fills the cells at a face no node is light") {
+  const LinearElastic rubber{{.density = 1000, .young = 1e6, .poisson = 0.3}};
+  for (const int per_cell : {1, 4, 9}) {
+    Scene scene{PlaneStrain{}, grid(), Numerics<QuadraticBSpline, Apic, Usl>{},
+                bodies(fill(Box{{0., 0.}, {1., 0.5}}, rubber, {.per_cell = per_cell}))};
+    relocate(scene);
+    scatter(scene);
+    advance(scene, 1e-4);
+    CHECK(exchange_at_faces(scene.mesh, scene.fields[0].mass, scene.fields[0].velocity) == 0);
+  }
+}

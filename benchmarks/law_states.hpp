@@ -1,4 +1,4 @@
-// States that laws are timed on: points with a stress and an increment, of which a given share yields.
+// States that laws are timed on: points with a stress and a strain, of which a given share yields.
 #pragma once
 
 #include <algorithm>
@@ -16,7 +16,7 @@ concept can_yield = requires(const Law law, const Sym<T, D> s) {
   law.yield(s);
 };
 
-/// Columns of points: stress and increment before a step, and room for what the step makes of them, so that
+/// Columns of points: stress and strain before a step, and room for what the step makes of them, so that
 /// each pass starts from the same states. 4160 points: too many for a branch predictor to learn, few enough
 /// for the second-level cache, and no power of two, which would put all columns into the same lines of the
 /// first.
@@ -37,7 +37,7 @@ struct LawStates {
   Sym<T, D> stress_of(std::size_t p) const {
     return Sym<T, D>::each([&](std::size_t i) { return stress[i][p]; });
   }
-  StrainStep<T, D> increment_of(std::size_t p) const {
+  StrainStep<T, D> step_of(std::size_t p) const {
     StrainStep<T, D> inc;
     inc.strain = Sym<T, D>::each([&](std::size_t i) { return strain[i][p]; });
     for (std::size_t i = 0; i < spins; ++i) inc.spin[i] = spin[i][p];
@@ -82,7 +82,7 @@ LawStates<T, D> law_states(const Law& law, double yielding) {
       const double ratio = (low + high) / 2;
       std::size_t count = 0;
       for (std::size_t p = 0; p < states.n; ++p) {
-        const auto inc = states.increment_of(p);
+        const auto inc = states.step_of(p);
         const Sym<T, D> trial = turned(scaled(p, ratio), inc.spin) + elastic.stress(inc.strain);
         count += law.yield(trial) > T(0);
       }

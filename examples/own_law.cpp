@@ -1,5 +1,6 @@
 // A law of your own: a struct with five members is all that a scene asks for. Here a metal with linear
-// hardening (von Mises), whose plastic strain is its history; a rod of it hits a wall (Taylor's test).
+// hardening (von Mises), whose plastic strain is its history; a rod of it hits a wall (Taylor's test). Laws
+// that know the time, and one whose stiffness depends on the state: extend/laws.
 #include <arenite/arenite.hpp>
 #include <cstdio>
 using namespace arenite;

@@ -82,11 +82,11 @@ SimplexMesh<Model::dimension> mesh_of(const DropOptions& o) {
 template <int D>
 WithDeviatoricStrain<MohrCoulomb<>, D> sand_of(const DropOptions& o) {
   return WithDeviatoricStrain<MohrCoulomb<>, D>{MohrCoulomb{{.density = o.unit_weight / standard_gravity,
-                                               .young = o.young,
-                                               .poisson = o.poisson,
-                                               .friction = o.friction * pi / 180,
-                                               .cohesion = o.cohesion,
-                                               .dilatancy = o.dilatancy * pi / 180}}};
+                                                             .young = o.young,
+                                                             .poisson = o.poisson,
+                                                             .friction = o.friction * pi / 180,
+                                                             .cohesion = o.cohesion,
+                                                             .dilatancy = o.dilatancy * pi / 180}}};
 }
 
 template <int D>

@@ -24,12 +24,12 @@ void check_account(const Law& law) {
     typename Law::template History<double> history{};
     law.update(stress, {}, history);  // to an admissible state
     history = {};
-    StrainStep<double, 3> increment;
-    for (std::size_t i = 0; i < 6; ++i) increment.strain[i] = 1e-2 * uniform(random);
+    StrainStep<double, 3> strain_step;
+    for (std::size_t i = 0; i < 6; ++i) strain_step.strain[i] = 1e-2 * uniform(random);
     const double before = trace(stress);
-    const auto [opening, dilation] = law.update(stress, increment, history);
+    const auto [opening, dilation] = law.update(stress, strain_step, history);
     const double elastic = (trace(stress) - before) / (3 * law.elasticity().bulk());
-    REQUIRE(std::abs(elastic + opening + dilation - trace(increment.strain)) <= 1e-13);
+    REQUIRE(std::abs(elastic + opening + dilation - trace(strain_step.strain)) <= 1e-13);
     REQUIRE(dilation >= -1e-14);
     dilated += dilation;
   }

@@ -41,11 +41,11 @@ TEST_CASE("the energy is the work done on a path") {
   NoHistory<double> history;
   double work = 0;
   for (int i = 0; i < 100; ++i) {
-    StrainStep<double, 3> increment;
-    for (double& c : increment.strain.c) c = normal(random);
+    StrainStep<double, 3> strain_step;
+    for (double& c : strain_step.strain.c) c = normal(random);
     const auto before = stress;
-    steel.update(stress, increment, history);
-    work += 0.5 * contract(before + stress, increment.strain);
+    steel.update(stress, strain_step, history);
+    work += 0.5 * contract(before + stress, strain_step.strain);
   }
   REQUIRE(std::abs(work - steel.elastic_energy(stress)) <= 1e-12 * work);
 }

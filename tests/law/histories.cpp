@@ -64,7 +64,7 @@ struct Constants {
 
 /// Strains of 1e-12 to 10 a step: volumetric, nearly so, along one axis, any; turned a little or right over.
 template <int D>
-StrainStep<double, D> random_increment() {
+StrainStep<double, D> random_step() {
   StrainStep<double, D> inc;
   const double size = power(-12, 1), volume = number(-1, 1),
                shear = std::array{0.0, 1e-6, 1.0, 1.0}[static_cast<std::size_t>(choice(4))];
@@ -110,14 +110,14 @@ void follow(const Law& law, const Constants& constants) {
   Sym<P, D> stress;
   typename Law::template History<P> history{};
   for (int step = 0; step < 15; ++step) {
-    StrainStep<P, D> increment;
+    StrainStep<P, D> strain_step;
     for (int k = 0; k < lane_count<P>; ++k) {
-      const auto inc = random_increment<D>();
-      for (std::size_t i = 0; i < stress.size; ++i) set(increment.strain[i], k, inc.strain[i]);
-      for (std::size_t i = 0; i < inc.spin.size(); ++i) set(increment.spin[i], k, inc.spin[i]);
+      const auto inc = random_step<D>();
+      for (std::size_t i = 0; i < stress.size; ++i) set(strain_step.strain[i], k, inc.strain[i]);
+      for (std::size_t i = 0; i < inc.spin.size(); ++i) set(strain_step.spin[i], k, inc.spin[i]);
     }
     const auto before = stress;
-    const P opened = inelastic(law.update(stress, increment, history)).opening;
+    const P opened = inelastic(law.update(stress, strain_step, history)).opening;
     const P energy = law.elastic_energy(stress);
     for (int k = 0; k < lane_count<P>; ++k) {
       const auto was = lane(before, k), is = lane(stress, k);
@@ -126,7 +126,7 @@ void follow(const Law& law, const Constants& constants) {
       std::apply([&](const auto&... member) { ((finite = finite && std::isfinite(lane(member, k))), ...); },
                  history.members());
       // Of the trial stress and the strength, whose parts may cancel.
-      const StrainStep<double, D> inc{lane(increment.strain, k), {}};
+      const StrainStep<double, D> inc{lane(strain_step.strain, k), {}};
       const double round_off = ulp * (greatest(was) + greatest(inc.strain) * modulus + constants.cohesion);
       if (!finite) FAIL(constants.text() << ", step " << step);
       if constexpr (requires { law.yield(is); }) {
@@ -138,7 +138,7 @@ void follow(const Law& law, const Constants& constants) {
           if (lane(opened, k) < -60 * round_off / e.bulk())
             FAIL(constants.text() << ", step " << step << ": opened " << lane(opened, k));
           StrainStep<double, D> turn;
-          for (std::size_t i = 0; i < turn.spin.size(); ++i) turn.spin[i] = lane(increment.spin[i], k);
+          for (std::size_t i = 0; i < turn.spin.size(); ++i) turn.spin[i] = lane(strain_step.spin[i], k);
           const auto fall = turned(was, turn.spin) + e.stress(inc.strain) - is;
           const double work =
               contract(is, deviator(fall)) * 0.5 / e.shear() + p * trace(fall) / (3 * e.bulk());

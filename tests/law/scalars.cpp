@@ -22,11 +22,11 @@ void check_concept() {
                 constitutive_law<DruckerPrager<RemembersOpening>, T, 3>);
 }
 
-/// One trial: a stress, an increment, an opening that is remembered (or not).
+/// One trial: a stress, a step, an opening that is remembered (or not).
 template <int D>
 struct Trial {
   Sym<double, D> stress;
-  StrainStep<double, D> increment;
+  StrainStep<double, D> strain_step;
   double opening;
 };
 
@@ -35,8 +35,8 @@ Trial<D> random_trial(std::mt19937& random) {
   std::uniform_real_distribution<double> uniform(-1, 1);
   Trial<D> t;
   t.stress = trial_state<D>(random, 0);
-  for (double& c : t.increment.strain.c) c = 2e-3 * uniform(random);
-  for (double& c : t.increment.spin) c = 0.1 * uniform(random);
+  for (double& c : t.strain_step.strain.c) c = 2e-3 * uniform(random);
+  for (double& c : t.strain_step.spin) c = 0.1 * uniform(random);
   t.opening = random() % 2 == 0 ? 0 : 1e-3 * std::abs(uniform(random));
   return t;
 }
@@ -62,27 +62,27 @@ void check_against_double(const Law& law, double tolerance) {
   std::mt19937 random(41);
   for (int round = 0; round < 3000 / W; ++round) {
     Sym<T, D> stress;
-    StrainStep<T, D> increment;
+    StrainStep<T, D> strain_step;
     typename Law::template History<T> history{};
     std::array<Trial<D>, W> trials;
     for (int lane = 0; lane < W; ++lane) {
       auto& t = trials[static_cast<std::size_t>(lane)] = random_trial<D>(random);
       for (std::size_t i = 0; i < stress.size; ++i) {
         put(stress[i], lane, t.stress[i]);
-        put(increment.strain[i], lane, t.increment.strain[i]);
+        put(strain_step.strain[i], lane, t.strain_step.strain[i]);
       }
-      for (std::size_t i = 0; i < increment.spin.size(); ++i)
-        put(increment.spin[i], lane, t.increment.spin[i]);
+      for (std::size_t i = 0; i < strain_step.spin.size(); ++i)
+        put(strain_step.spin[i], lane, t.strain_step.spin[i]);
       std::apply([&](auto&... member) { (put(member, lane, t.opening), ...); }, history.members());
     }
-    const auto [opened, dilated] = inelastic(law.update(stress, increment, history));
+    const auto [opened, dilated] = inelastic(law.update(stress, strain_step, history));
     const T energy = law.elastic_energy(stress);
     for (int lane = 0; lane < W; ++lane) {
       auto& t = trials[static_cast<std::size_t>(lane)];
       typename Law::template History<double> expected{};
       std::apply([&](auto&... member) { ((member = t.opening), ...); }, expected.members());
       const double size = t.stress.size * 5e6 * 2e-3 + full(t.stress).norm();
-      const auto parts = inelastic(law.update(t.stress, t.increment, expected));
+      const auto parts = inelastic(law.update(t.stress, t.strain_step, expected));
       for (std::size_t i = 0; i < stress.size; ++i)
         REQUIRE(std::abs(get(stress[i], lane) - t.stress[i]) <= tolerance * size);
       REQUIRE(std::abs(get(opened, lane) - parts.opening) <= tolerance * size / 5e6);
@@ -110,10 +110,11 @@ void check_plane_in_space(const Law& law) {
     const Trial<2> t = random_trial<2>(random);
     Sym<double, 2> plane = t.stress;
     Sym<double, 3> solid = symmetric<3>(full(t.stress));
-    StrainStep<double, 3> increment{symmetric<3>(full(t.increment.strain)), {t.increment.spin[0], 0, 0}};
+    StrainStep<double, 3> strain_step{symmetric<3>(full(t.strain_step.strain)),
+                                      {t.strain_step.spin[0], 0, 0}};
     typename Law::template History<double> a{}, b{};
-    const auto flat = inelastic(law.update(plane, t.increment, a)),
-               same = inelastic(law.update(solid, increment, b));
+    const auto flat = inelastic(law.update(plane, t.strain_step, a)),
+               same = inelastic(law.update(solid, strain_step, b));
     const double size = 4e4 + full(t.stress).norm();
     REQUIRE((full(plane) - full(solid)).norm() <= 1e-14 * size);
     REQUIRE(std::abs(flat.opening - same.opening) <= 1e-14 * size / 5e6);

@@ -21,9 +21,9 @@ struct Point {
 
   /// A step of volumetric strain and shear.
   double step(const Law& law, double volume, double shear = 0) {
-    StrainStep<double, 3> increment;
-    increment.strain = {{volume / 3, volume / 3, volume / 3, shear, 0, 0}};
-    const double opened = law.update(stress, increment, history).opening;
+    StrainStep<double, 3> strain_step;
+    strain_step.strain = {{volume / 3, volume / 3, volume / 3, shear, 0, 0}};
+    const double opened = law.update(stress, strain_step, history).opening;
     strain += volume;
     opening += opened;
     return opened;

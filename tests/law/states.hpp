@@ -104,9 +104,9 @@ Triaxial triaxial_compression(const Law& law, double lateral, double step, int s
   typename Law::template History<double> history{};
   Triaxial end{};
   const auto after = [&](double side, auto& s, auto& h) {
-    StrainStep<double, 3> increment;
-    increment.strain = {{side, -step, side, 0, 0, 0}};
-    law.update(s, increment, h);
+    StrainStep<double, 3> strain_step;
+    strain_step.strain = {{side, -step, side, 0, 0, 0}};
+    law.update(s, strain_step, h);
   };
   for (int i = 0; i < steps; ++i) {
     const double side = bisect(-3 * step, 6 * step, [&](double x) {
@@ -132,9 +132,9 @@ SimpleShear simple_shear(const Law& law, double vertical, double step, int steps
   typename Law::template History<double> history{};
   SimpleShear end{};
   const auto after = [&](double up, auto& s, auto& h) {
-    StrainStep<double, 2> increment;
-    increment.strain = {{0, up, 0, step / 2}};
-    law.update(s, increment, h);
+    StrainStep<double, 2> strain_step;
+    strain_step.strain = {{0, up, 0, step / 2}};
+    law.update(s, strain_step, h);
   };
   for (int i = 0; i < steps; ++i) {
     const double up = bisect(-4 * step, 4 * step, [&](double x) {

@@ -40,8 +40,8 @@ struct Pump {
   double density() const { return rubber.density(); }
   double wave_modulus() const { return rubber.wave_modulus(); }
   template <class T, int D>
-  T update(Sym<T, D>& stress, const StrainStep<T, D>& increment, NoHistory<T>& history) const {
-    rubber.update(stress, increment, history);
+  T update(Sym<T, D>& stress, const StrainStep<T, D>& strain_step, NoHistory<T>& history) const {
+    rubber.update(stress, strain_step, history);
     stress = stress * T(1 + share);
     return T(0);
   }

@@ -139,6 +139,34 @@ TEST_CASE("Friction that grows with depth: each point is sheared to the strength
   check(DruckerPrager{grains, ForgetsOpening{}, FrictionByPoint{}}, 3000, 1e-6);
 }
 
+TEST_CASE(
+    "A column whose friction grows with depth collapses without a stress beyond the strength of its points") {
+  const auto slope = [](const std::array<double, 3>& x) { return 0.2 + 0.8 * (1 - x[1]); };
+  const MohrCoulomb law{{.density = 1500, .young = 1e6, .poisson = 0.3, .friction = 30_deg},
+                        RemembersOpening{},
+                        FrictionByPoint{}};
+  Scene scene{PlaneStrain{},
+              CartesianGrid<2>{{.lower = {0, 0}, .upper = {2, 1.2}, .cell = 0.1}},
+              Numerics<QuadraticBSpline, Apic, Usl>{},
+              bodies(fill(Box{{0., 0.}, {0.5, 1.}}, law, {.history = {{"friction_slope", slope}}})),
+              walls(left(roller), bottom(fixed)),
+              gravity({0, -9.81})};
+  Watch watch{{.every = 1}};
+  run(scene, {.end = 0.1, .courant = 0.5}, watch);
+  const Watched& strength = watch.seen()[3];
+  CHECK(strength.name == "strength");
+  CHECK(strength.worst <= 1e-12);
+  // Friction went with the points as they changed cells and places.
+  const auto& points = std::get<0>(scene.bodies).points;
+  double least = 1, most = 0;
+  for (const double value : points.history[1]) {
+    least = std::min(least, value);
+    most = std::max(most, value);
+  }
+  CHECK(least == Approx(slope({0, 0.975, 0})));
+  CHECK(most == Approx(slope({0, 0.025, 0})));
+}
+
 TEST_CASE("A member that the history does not have, or a value that is none, is refused") {
   const auto message = [](const auto& law, auto history) -> std::string {
     try {

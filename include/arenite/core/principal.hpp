@@ -1,5 +1,6 @@
 // Principal values of a symmetric tensor and the way back, without eigenvectors and without a branch: what an
-// isotropic law needs to work in principal space, on a scalar or on a pack.
+// isotropic law needs to work in principal space, on a scalar or on a pack. Derivation:
+// docs/return_mapping.md.
 #pragma once
 
 #include <algorithm>
@@ -128,11 +129,9 @@ class Principal<T, 2> {
   T half_difference_, shear_, inverse_radius_, z_, a_, b_;
 };
 
-/// In 3-D the value that stands apart comes from the characteristic cubic in its trigonometric form, which
-/// gives it to round-off. The other two may be nearly equal, where the cubic would give their difference to
-/// the root of round-off only: instead their axis pair is split off. With n = dev s / q, h the value of n
-/// that stands apart and N = n - h I, P = adj N / tr(adj N) projects on the axis of h, and M = n + h/2 I -
-/// 3/2 h P is what is left: values +-gap/2, to round-off.
+/// In 3-D the value h of n = dev s / q that stands apart comes from the characteristic cubic in its
+/// trigonometric form. The other two may be nearly equal: their axis pair is split off, which gives their
+/// difference to round-off too.
 template <class T>
 class Principal<T, 3> {
  public:
@@ -154,8 +153,7 @@ class Principal<T, 3> {
     const T size = detail::largest_root(T(min(abs(x), T(1))));
     const T h = select(positive_, size, T(-size));
 
-    // The trace of the adjugate is 3 h^2 - 3/4, at least 3/2, since n : n = 3/2 (where n is zero, nothing
-    // comes of it).
+    // The trace of the adjugate is 3 h^2 - 3/4, at least 3/2 (where n is zero, nothing comes of it).
     apart_ = adjugate(add_isotropic(n, T(-h))) * reciprocal(T(T(3) * h * h - T(0.75)));
     rest_ = add_isotropic(n - apart_ * T(T(1.5) * h), T(T(0.5) * h));
     const T gap2 = T(2) * contract(rest_, rest_);
@@ -182,8 +180,8 @@ class Principal<T, 3> {
 
  private:
   decltype(T(0) < T(0)) positive_;  // the value that stands apart is the largest (else the smallest)
-  Sym<T, 3> apart_, rest_;
-  T inverse_gap_;  // q over the gap between the other two
+  Sym<T, 3> apart_, rest_;          // projector on its axis; what is left of n, with values +-gap/2
+  T inverse_gap_;                   // 1 over the gap between the other two
 };
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

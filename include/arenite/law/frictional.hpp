@@ -66,10 +66,11 @@ class Frictional : public Memory {
   Frictional(std::string_view name, const Parameters& p, const Memory& memory, const Friction& friction)
       : Memory(memory),
         elasticity_(name, p.density, p.young, p.poisson),
+        surface_(p, elasticity_, detail::friction_angle(p.friction)),
+        greatest_volume_ratio_(p.greatest_volume_ratio),
+        given_slope_(std::tan(p.friction)),
         friction_(friction),
-        parameters_(p),
-        angle_(detail::friction_angle(p.friction)),
-        surface_(p, elasticity_, angle_) {
+        parameters_(p) {
     detail::check_strength(name, p, Memory::remembers);
   }
 
@@ -78,7 +79,7 @@ class Frictional : public Memory {
   const Elasticity& elasticity() const { return elasticity_; }
   /// That of the parameters' angle of friction.
   const Surface<double>& surface() const { return surface_; }
-  double greatest_volume_ratio() const { return parameters_.greatest_volume_ratio; }  ///< V / V0, -
+  double greatest_volume_ratio() const { return greatest_volume_ratio_; }  ///< V / V0, -
 
   /// See law.hpp. With memory the returned opening is negative in a step that closes.
   template <class T, int D>
@@ -116,14 +117,14 @@ class Frictional : public Memory {
       return (surface_);
     else
       return Surface<T>(parameters_, elasticity_,
-                        detail::friction_of_slope(friction_.slope(angle_.tan, step, history)));
+                        detail::friction_of_slope(friction_.slope(given_slope_, step, history)));
   }
 
   Elasticity elasticity_;
+  Surface<double> surface_;                     // of the parameters
+  double greatest_volume_ratio_, given_slope_;  // -
   [[no_unique_address]] Friction friction_;
-  Parameters parameters_;
-  detail::FrictionAngle<double> angle_;  // of the parameters
-  Surface<double> surface_;
+  [[no_unique_address]] std::conditional_t<constant, detail::Nothing, Parameters> parameters_;
 };
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -24,6 +24,7 @@ ARENITE_LAW_ROLE(yield)
 ARENITE_LAW_ROLE(greatest_volume_ratio)
 ARENITE_LAW_ROLE(max_pack_width)
 ARENITE_LAW_ROLE(two_packs_at_once)
+ARENITE_LAW_ROLE(linear)
 ARENITE_LAW_ROLE(names)
 #undef ARENITE_LAW_ROLE
 
@@ -48,21 +49,17 @@ constexpr bool check_roles() {
           },
       "law: one that returns Inelastic needs double greatest_volume_ratio() const");
   static_assert(
-      !names_max_pack_width<L> ||
-          requires {
-            requires L::max_pack_width >
-            0;
-          },
+      !names_max_pack_width<L> || requires { typename std::enable_if<(L::max_pack_width > 0)>::type; },
       "law: max_pack_width must be static constexpr int, and positive");
   static_assert(
       !names_two_packs_at_once<L> || requires { typename std::bool_constant<L::two_packs_at_once>; },
       "law: two_packs_at_once must be static constexpr bool");
   static_assert(
+      !names_linear<L> || requires { typename std::bool_constant<L::linear>; },
+      "law: linear must be static constexpr bool");
+  static_assert(
       !names_names<History> ||
-          requires {
-            requires std::size(History::names)
-            == history_size<History>;
-          },
+          requires { typename std::enable_if<std::size(History::names) == history_size<History>>::type; },
       "law: History::names must be a static constexpr std::array with a name for each of members()");
   return true;
 }

@@ -133,7 +133,7 @@ TEST_CASE("the slope given, point by point: the same returns as with the constan
   }
 }
 
-TEST_CASE("a constant policy stores nothing and needs no more room in a law than its constants") {
+TEST_CASE("a constant policy stores nothing, another what its history says") {
   STATIC_REQUIRE(std::is_same_v<MohrCoulomb<>::History<double>, NoHistory<double>>);
   STATIC_REQUIRE(history_size<MohrCoulomb<RemembersOpening, Softening>::History<double>> == 2);
 }

@@ -139,11 +139,11 @@ void follow(const Law& law, const Constants& constants) {
             FAIL(constants.text() << ", step " << step << ": opened " << lane(opened, k));
           StrainStep<double, D> turn;
           for (std::size_t i = 0; i < turn.spin.size(); ++i) turn.spin[i] = lane(strain_step.spin[i], k);
-          const auto fall = turned(was, turn.spin) + e.stress(inc.strain) - is;
+          const auto corrected = turned(was, turn.spin) + e.stress(inc.strain) - is;
           const double work =
-              contract(is, deviator(fall)) * 0.5 / e.shear() + p * trace(fall) / (3 * e.bulk());
-          const double scale = (greatest(deviator(is)) + greatest(deviator(fall))) / e.shear() +
-                               (std::abs(p) + std::abs(trace(fall))) / e.bulk();
+              contract(is, deviator(corrected)) * 0.5 / e.shear() + p * trace(corrected) / (3 * e.bulk());
+          const double scale = (greatest(deviator(is)) + greatest(deviator(corrected))) / e.shear() +
+                               (std::abs(p) + std::abs(trace(corrected))) / e.bulk();
           if (work < -60 * round_off * scale)
             FAIL(constants.text() << ", step " << step << ": plastic work " << work / (round_off * scale));
         }

@@ -153,25 +153,32 @@ Pack<T, W> folded(const std::array<Pack<T, W>, N>& packs) {
   }
 }
 
+/// `lane_sums` of packs. A function of its own: g++ 12 copies an array that is returned out of a nested
+/// block.
+template <class T, int W, std::size_t N>
+auto summed(const std::array<Pack<T, W>, N>& packs) {
+  constexpr std::size_t width = static_cast<std::size_t>(W), registers = (N + width - 1) / width;
+  std::array<T, registers * width + 3> sums;
+  [&]<std::size_t... R>(std::index_sequence<R...>) {
+    (folded<R * width, 1, W>(packs).store(sums.data() + R * width), ...);
+  }
+  (std::make_index_sequence<registers>{});
+  for (std::size_t k = N; k < sums.size(); ++k) sums[k] = 0;
+  return sums;
+}
+
 }  // namespace detail
 
 /// Sums of the lanes of N packs, in the first N places of the array; W packs are summed with W - 1 additions,
 /// for their sums fill a register. At least three more places may be read.
 template <class P, std::size_t N>
 auto lane_sums(const std::array<P, N>& packs) {
-  constexpr std::size_t width = static_cast<std::size_t>(lane_count<P>), registers = (N + width - 1) / width;
   if constexpr (requires { typename P::Half; }) {
     std::array<typename P::Half, N> halves;
     for (std::size_t k = 0; k < N; ++k) halves[k] = packs[k].low() + packs[k].high();
     return lane_sums(halves);
   } else if constexpr (is_pack<P>) {
-    std::array<typename P::scalar, registers * width + 3> sums;
-    [&]<std::size_t... R>(std::index_sequence<R...>) {
-      (detail::folded<R * width, 1, lane_count<P>>(packs).store(sums.data() + R * width), ...);
-    }
-    (std::make_index_sequence<registers>{});
-    for (std::size_t k = N; k < sums.size(); ++k) sums[k] = 0;
-    return sums;
+    return detail::summed(packs);
   } else {
     std::array<P, N + 3> sums{};
     for (std::size_t k = 0; k < N; ++k) sums[k] = packs[k];

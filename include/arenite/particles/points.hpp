@@ -26,6 +26,8 @@ struct ExtraColumns {
 template <real T, int D, class L, ExtraColumns Extra = ExtraColumns{}>
 class Points {
  public:
+  using scalar = T;
+  static constexpr int dimension = D;
   using History = typename L::template History<T>;
   static constexpr std::size_t history_size = arenite::history_size<History>;
   static constexpr bool affine = Extra.affine;

@@ -16,6 +16,7 @@
 #include <arenite/transfer/light_nodes.hpp>
 #include <arenite/transfer/numerics.hpp>
 #include <arenite/transfer/remap.hpp>
+#include <arenite/transfer/scatter.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 

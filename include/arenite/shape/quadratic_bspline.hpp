@@ -53,6 +53,7 @@ struct QuadraticBSpline {
    public:
     using T = typename M::scalar;
     static constexpr int D = M::dimension;
+    static constexpr std::size_t along_axis = 3;  ///< nodes along each axis
     static constexpr int size = D == 2 ? 9 : 27;
     using Weights = Vec<T, size>;
     using Gradients = Eigen::Matrix<T, D, size, Eigen::DontAlign>;

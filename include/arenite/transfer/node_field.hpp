@@ -18,16 +18,41 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 template <class T, int D>
 using NodePack = Pack<T, D == 2 ? 2 : 4>;
 
+/// The same from the lanes of a pack that are those of a vector from component `first` on; 0 elsewhere.
+template <class T, int D, class L>
+NodePack<T, D> node_pack(std::size_t first, const L& lanes) {
+  std::array<T, 8> all{};
+  store_lanes(all.data() + first, lane_count<L>, lanes);
+  return NodePack<T, D>::load(all.data());
+}
+
 /// Vectors of a cell's nodes as rows of scalars, from which packs of points take them one by one.
 template <class T, int D, std::size_t Size>
 struct NodeRows {
   static constexpr std::size_t lanes = static_cast<std::size_t>(NodePack<T, D>::width);
+  static constexpr std::size_t dimension = static_cast<std::size_t>(D);
   alignas(lanes * sizeof(T)) std::array<std::array<T, lanes>, Size> row;
+
+  NodeRows() = default;
+  template <class Cell, class Vectors>
+  NodeRows(const Cell& cell, const Vectors& of_nodes) {
+    repeat<Size>([&](std::size_t i) { set(i, of_nodes.pack(cell.nodes[i])); });
+  }
 
   void set(std::size_t i, const NodePack<T, D>& value) { value.store(row[i].data()); }
   NodePack<T, D> pack(std::size_t i) const { return NodePack<T, D>::load(row[i].data()); }
   const std::array<T, lanes>& operator[](std::size_t i) const { return row[i]; }
 };
+
+/// The first of two sets of vectors, or the second where a composition has no first.
+template <class Rows>
+const Rows& either(const Rows& own, const Rows&) {
+  return own;
+}
+template <class Rows>
+const Rows& either(const detail::Nothing&, const Rows& instead) {
+  return instead;
+}
 
 /// A vector a node, each at the place of a whole pack, so that one load takes it and one store adds to it.
 template <class T, int D>

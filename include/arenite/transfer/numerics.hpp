@@ -7,6 +7,7 @@
 
 #include <arenite/law/law.hpp>
 #include <arenite/particles/points.hpp>
+#include <arenite/shape/shape.hpp>
 #include <arenite/stabilise/anti_locking.hpp>
 #include <arenite/transfer/transfer.hpp>
 

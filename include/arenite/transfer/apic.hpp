@@ -1,0 +1,48 @@
+// APIC.
+#pragma once
+
+#include <arenite/transfer/velocity_field.hpp>
+
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
+
+/// Affine particle-in-cell (Jiang et al. 2015, doi:10.1145/2766996): a point takes B = sum w v_i (x_i -
+/// x_p)^T, carries C = B D^-1, D = sum w (x_i - x_p)(x_i - x_p)^T, and hands back w (v_p + C (x_i - x_p)).
+/// Keeps angular momentum to round-off where D is the same everywhere: not in the outermost cells of a grid.
+struct Apic {
+  static constexpr bool affine = true;
+  void check() const {}
+  /// D is singular for a point at a node of a linear simplex.
+  template <class Shape>
+  static constexpr bool fits = !Shape::constant_gradient;
+
+  template <class Point>
+  auto hand(const Point& p) const {
+    return VelocityField{p.velocity(), p.velocity_gradient()};
+  }
+
+  /// The point keeps the quotient C = B D^-1, not B, both taken at x: near a face D falls to nothing, and the
+  /// B of the place that it came from, over the D of the place where it is, would make of any velocity a huge
+  /// one.
+  struct Taken {
+    static constexpr bool needs_arms = true;
+    detail::Nothing velocity{};
+
+    template <class Cell, class Point, class X, class Sums>
+    auto operator()(const Cell& cell, const Point& p, const X& x, const Sums& sums) const {
+      constexpr std::size_t D = Point::D;
+      const auto inverse = cell.inverse_inertia(x);
+      std::array<typename Point::P, D * D> c;
+      for (std::size_t a = 0; a < D; ++a)
+        for (std::size_t d = 0; d < D; ++d) c[a * D + d] = sums.arms()[a][d] * inverse[a];
+      p.set_velocity_gradient(c);
+      p.set_velocity(sums.value);
+      return VelocityField{sums.value, c};
+    }
+  };
+  template <class Cell, class Nodes>
+  auto take(const Cell&, const Nodes&) const {
+    return Taken{};
+  }
+};
+
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

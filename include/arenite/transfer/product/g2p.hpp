@@ -1,0 +1,70 @@
+// G2P where the functions of a cell are products along the axes.
+#pragma once
+
+#include <arenite/transfer/node_field.hpp>
+#include <arenite/transfer/numerics.hpp>
+#include <arenite/transfer/product/lines.hpp>
+#include <arenite/transfer/strain.hpp>
+
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
+namespace product {
+
+/// Sums over node vectors with the functions of `line`, with arms if a transfer needs them.
+template <class Take, class Line, class Rows, class... Kinds>
+auto taken_sums(const Take&, const Line& line, const Rows& rows, const Kinds&... kind) {
+  if constexpr (Take::needs_arms)
+    return line.sum(rows, kind..., line.arm);
+  else
+    return line.sum(rows, kind...);
+}
+
+/// G2P of a run of points of a cell, with weights w_i at x_p, the new node velocities v_i, and u_i, those for
+/// the strains (the same, unless MUSL maps others back):
+///   v_p, C_p: as the transfer takes them (with MUSL: in `map_back`)     x_p += dt sum w_i v_i
+///   de = sym(dt sum u_i (grad w_i)^T), in axisymmetry de_hoop = dt sum w_i u_r,i / r_p
+/// Strains go into `buffer`, that of point `origin` first. Returns a sum of the positions.
+template <class K, class N, class M, class Points, class Field, class T, class Buffer>
+[[gnu::flatten]] T g2p(const N& numerics, const M& mesh, Index c, Points& points, std::size_t begin,
+                       std::size_t end, const Field& nodes, T dt, Buffer& buffer, std::size_t origin) {
+  using Cell = typename N::Shape::template Cell<M>;
+  using Rows = NodeRows<T, M::dimension, Cell::size>;
+  constexpr int width = cell_width<M::dimension, N::template width<T>>;
+  constexpr std::size_t D = M::dimension;
+  using P = lanes_of<T, width>;
+  const Cell cell(mesh, c);
+  const Rows v(cell, nodes.velocity);
+  const std::conditional_t<N::remaps, Rows, detail::Nothing> mapped(cell, nodes.strain_velocity());
+  const auto& u = either(mapped, v);
+  const auto take = numerics.transfer.take(cell, nodes);
+  // What is taken of v itself costs no sum of its own.
+  constexpr bool takes_of_v = !N::remaps && std::same_as<decltype(take.velocity), detail::Nothing>;
+  P check(0);
+  for_each_pack<width>(points, begin, end, [&](const auto& p) {
+    const auto x = p.position();
+    const Lines<P, Cell> line(cell, x);
+    keep_in_memory(v), keep_in_memory(u);
+    const auto sums = [&] {
+      if constexpr (takes_of_v)
+        return taken_sums(take, line, u, line.slope);
+      else
+        return line.sum(u, line.slope);
+    }();
+    auto step = in_plane_step<P, D>([&](std::size_t b) {
+      auto column = sums.along[0][b];
+      for (P& component : column) component = component * P(dt);
+      return column;
+    });
+    const auto way = N::remaps ? line.sum(v).value : sums.value;
+    if constexpr (takes_of_v)
+      take(cell, p, x, sums);
+    else if constexpr (!N::remaps)
+      take(cell, p, x, taken_sums(take, line, take.velocity));
+    if constexpr (K::hoop) step.strain[2] = P(dt) * sums.value[0] * reciprocal(x[0]);
+    buffer.store(p.first - origin, step);
+    check += move_points(p, x, way, dt);
+  });
+  return lane_sums(std::array<P, 1>{check})[0];
+}
+
+}  // namespace product
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -1,0 +1,64 @@
+// P2G where the functions of a cell are products along the axes. Points are rows, whose lanes are channels.
+#pragma once
+
+#include <arenite/transfer/node_field.hpp>
+#include <arenite/transfer/numerics.hpp>
+#include <arenite/transfer/point_pack.hpp>
+#include <arenite/transfer/product/rows.hpp>
+
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
+namespace product {
+
+/// P2G of the points p of a cell, with weights w_i at x_p and the velocity field v_p(x) that the transfer
+/// hands over:
+///   mass_i += m_p w_i     momentum_i += m_p w_i v_p(x_i)     force_i -= V_p sigma_p grad w_i
+///   in axisymmetry force_r,i -= V_p sigma_hoop w_i / r_p     mass_gradient_i += m_p grad w_i
+template <class K, class N, class M, class B, class Field>
+[[gnu::flatten]] void p2g(const N& numerics, const M& mesh, const B& body, Index c, Field& nodes) {
+  using T = typename M::scalar;
+  using Cell = typename N::Shape::template Cell<M>;
+  constexpr std::size_t D = M::dimension;
+  using Sums = Rows<Cell, typename NodeSums<T, M::dimension>::Lanes, N::template width<T>>;
+  using Gradient = NodeLanes<ChannelList<>, ChannelList<Channel<channel::MassGradient, D>>>;
+  using Gradients = Rows<Cell, Gradient, N::template width<T>>;
+  using P = typename Sums::P;
+  const Cell cell(mesh, c);
+  Sums rows;
+  [[maybe_unused]] std::conditional_t<Field::has_gradient, Gradients, detail::Nothing> gradients;
+  const auto spread = [&] {
+    rows.spread([&](std::size_t i, std::size_t lane, const auto& sum) {
+      using L = std::remove_cvref_t<decltype(sum)>;
+      T* const to = nodes.collected[cell.nodes[i]].lane.data() + lane;
+      store_lanes(to, lane_count<L>, L(load_lanes<L>(to, lane_count<L>) + sum));
+    });
+    if constexpr (Field::has_gradient)
+      gradients.spread([&](std::size_t i, std::size_t lane, const auto& sum) {
+        nodes.mass_gradient.add(cell.nodes[i], node_pack<T, M::dimension>(lane, sum));
+      });
+  };
+  for_each_pack<Sums::width>(body.cells, c, body.points, [&](const auto& p) {
+    if (rows.full()) spread();
+    const auto x = p.position();
+    const auto field = numerics.transfer.hand(p);
+    const auto stress = p.stress();
+    const P m = p.mass(), volume = -p.volume();
+    const Lines<P, Cell> line(cell, x);
+    typename Sums::Handed handed;
+    handed.own(channel::mass) = m;
+    handed.momentum(m, field);
+    repeat<D * D>([&](std::size_t k) {
+      handed.along(k / D, channel::force, k % D) = volume * stress[Sym<P, M::dimension>::index(k % D, k / D)];
+    });
+    if constexpr (K::hoop) handed.own(channel::force) = volume * stress[2] * reciprocal(x[0]);
+    rows.push(p.count, handed, line);
+    if constexpr (Field::has_gradient) {
+      typename Gradients::Handed mass;
+      repeat<D>([&](std::size_t a) { mass.along(a, channel::mass_gradient, a) = m; });
+      gradients.push(p.count, mass, line);
+    }
+  });
+  spread();
+}
+
+}  // namespace product
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

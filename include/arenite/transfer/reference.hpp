@@ -1,0 +1,135 @@
+// The method's loops point by point and node by node, in scalars, without averages: the formulas that the
+// kernels compute in packs. Read them here first; tests hold the kernels to them.
+#pragma once
+
+#include <vector>
+
+#include <arenite/transfer/numerics.hpp>
+#include <arenite/transfer/strain.hpp>
+
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
+namespace reference {
+
+/// What a node collects: mass, kg; momentum, kg m/s; internal force, N; gradient of mass, kg/m.
+template <class T, int D>
+struct NodeSums {
+  T mass = 0;
+  Vec<T, D> momentum = Vec<T, D>::Zero(), force = momentum, mass_gradient = momentum;
+};
+
+/// P2G: mass_i = sum m w_i, momentum_i = sum m w_i v_p(x_i), force_i = -sum V sigma grad w_i.
+template <class K, class N, class M, class B, class T = typename M::scalar, int D = M::dimension>
+std::vector<NodeSums<T, D>> p2g(const N& numerics, const M& mesh, const B& body) {
+  std::vector<NodeSums<T, D>> sums(N::Shape::node_count(mesh));
+  const auto& points = body.points;
+  for (std::size_t p = 0; p < points.size(); ++p) {
+    const typename N::Shape::template Cell<M> cell(mesh, points.cell[p]);
+    const Vec<T, D> x = points.position[p];
+    const auto w = cell.weights(x);
+    const auto gradient = cell.gradients(x), node = cell.node_positions();
+    const auto v =
+        numerics.transfer.hand(PointPack<std::remove_reference_t<decltype(points)>, 1>{points, p, 1});
+    const Sym<T, D> stress = points.stress[p];
+    for (int i = 0; i < cell.size; ++i) {
+      auto& to = sums[cell.nodes[static_cast<std::size_t>(i)]];
+      to.mass += points.mass[p] * w[i];
+      const auto handed =
+          v.at([&](std::size_t a) { return node(static_cast<int>(a), i) - x[static_cast<int>(a)]; });
+      to.momentum += points.mass[p] * w[i] * Eigen::Map<const Vec<T, D>>(handed.data());
+      for (int a = 0; a < D; ++a)
+        for (int b = 0; b < D; ++b) to.force[a] -= points.volume[p] * stress(a, b) * gradient(b, i);
+      if (K::hoop) to.force[0] -= points.volume[p] * stress[2] * w[i] / x[0];
+      to.mass_gradient += points.mass[p] * gradient.col(i);
+    }
+  }
+  return sums;
+}
+
+/// Sums over the nodes of a cell that a transfer takes at x: of the vectors d_i, and with the arms x_i - x.
+template <class T, int D>
+struct TakenSums {
+  std::array<T, D> value{};
+  std::array<std::array<T, D>, D> with_arms{};
+  const auto& arms() const { return with_arms; }
+};
+
+/// Gives point p the velocity (and its gradient) that its transfer takes. Returns the field that it hands
+/// over from then on.
+template <class N, class Cell, class Points, class Field, class T = typename Cell::T, int D = Cell::D>
+auto take(const N& numerics, const Cell& cell, Points& points, std::size_t p, const Field& nodes) {
+  const NodeRows<T, D, Cell::size> v(cell, nodes.velocity);
+  const auto transfer = numerics.transfer.take(cell, nodes);
+  const auto& d = either(transfer.velocity, v);
+  const Vec<T, D> x = points.position[p];
+  const auto w = cell.weights(x);
+  const auto node = cell.node_positions();
+  TakenSums<T, D> sums;
+  for (std::size_t i = 0; i < Cell::size; ++i)
+    for (std::size_t k = 0; k < D; ++k) {
+      const auto n = static_cast<int>(i);
+      sums.value[k] += w[n] * d[i][k];
+      for (int a = 0; a < D; ++a)
+        sums.with_arms[static_cast<std::size_t>(a)][k] += w[n] * d[i][k] * (node(a, n) - x[a]);
+    }
+  const PointPack<Points, 1> point{points, p, 1};
+  return transfer(cell, point, point.position(), sums);
+}
+
+/// MUSL: node velocities as the points would hand them back, sum m w_i v_p(x_i) / m_i with what they take.
+template <class N, class M, class B, class Field, class T = typename M::scalar, int D = M::dimension>
+std::vector<Vec<T, D>> map_back(const N& numerics, const M& mesh, const B& body, const Field& nodes) {
+  std::vector<Vec<T, D>> mapped(nodes.size(), Vec<T, D>::Zero());
+  auto points = body.points;
+  for (std::size_t p = 0; p < points.size(); ++p) {
+    const typename N::Shape::template Cell<M> cell(mesh, points.cell[p]);
+    const Vec<T, D> x = points.position[p];
+    const auto w = cell.weights(x);
+    const auto node = cell.node_positions();
+    const auto v = take(numerics, cell, points, p, nodes);
+    for (int i = 0; i < cell.size; ++i) {
+      const auto handed =
+          v.at([&](std::size_t a) { return node(static_cast<int>(a), i) - x[static_cast<int>(a)]; });
+      mapped[cell.nodes[static_cast<std::size_t>(i)]] +=
+          points.mass[p] * w[i] * Eigen::Map<const Vec<T, D>>(handed.data());
+    }
+  }
+  for (std::size_t i = 0; i < mapped.size(); ++i)
+    mapped[i] = nodes.mass[i] > 0 ? Vec<T, D>(mapped[i] / nodes.mass[i]) : Vec<T, D>(Vec<T, D>::Zero());
+  return mapped;
+}
+
+/// G2P: velocities as the transfer takes them, positions x_p += dt sum w_i v_i, and the strains of the step:
+/// those of dt sum u_i (grad w_i)^T with the velocities u_i for the strains.
+template <class K, class N, class M, class B, class Field, class T = typename M::scalar, int D = M::dimension>
+std::vector<StrainStep<T, D>> g2p(const N& numerics, const M& mesh, B& body, const Field& nodes, T dt) {
+  std::vector<StrainStep<T, D>> strains;
+  auto& points = body.points;
+  for (std::size_t p = 0; p < points.size(); ++p) {
+    const typename N::Shape::template Cell<M> cell(mesh, points.cell[p]);
+    const Vec<T, D> x = points.position[p];
+    const auto w = cell.weights(x);
+    const auto gradient = cell.gradients(x);
+    take(numerics, cell, points, p, nodes);
+    Mat<T, D> increment = Mat<T, D>::Zero();
+    Vec<T, D> way = Vec<T, D>::Zero();
+    T radial = 0;
+    for (int i = 0; i < cell.size; ++i) {
+      const Index node = cell.nodes[static_cast<std::size_t>(i)];
+      way += dt * w[i] * nodes.velocity[node];
+      increment += dt * nodes.strain_velocity()[node] * gradient.col(i).transpose();
+      radial += dt * w[i] * nodes.strain_velocity()[node][0];
+    }
+    auto strain = in_plane_step<T, static_cast<std::size_t>(D)>([&](int b) {
+      std::array<T, D> column;
+      for (int a = 0; a < D; ++a) column[static_cast<std::size_t>(a)] = increment(a, b);
+      return column;
+    });
+    if (K::hoop) strain.strain[2] = radial / x[0];
+    strains.push_back(strain);
+    points.position.set(p, x + way);
+  }
+  return strains;
+}
+
+}  // namespace reference
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -1,0 +1,78 @@
+// G2P on linear simplices.
+#pragma once
+
+#include <arenite/transfer/node_field.hpp>
+#include <arenite/transfer/numerics.hpp>
+#include <arenite/transfer/strain.hpp>
+
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
+namespace simplex {
+
+/// sum w_i v_i over the nodes, from their vectors in rows.
+template <class P, std::size_t Size, class Rows>
+auto interpolate(const std::array<P, Size>& w, const Rows& rows) {
+  std::array<P, Rows::dimension> v{};
+  repeat<Size>(
+      [&](std::size_t i) { repeat<Rows::dimension>([&](std::size_t d) { v[d] += w[i] * P(rows[i][d]); }); });
+  return v;
+}
+
+/// What a transfer takes.
+template <class V>
+struct ValueSum {
+  V value;
+};
+template <class V>
+ValueSum(V) -> ValueSum<V>;
+
+/// Strain of a whole cell in a step: that of dt sum u_i (grad w_i)^T.
+template <class Cell, class Rows, class T = typename Cell::T>
+StrainStep<T, Cell::D> cell_step(const Cell& cell, const Rows& u, T dt) {
+  return in_plane_step<T, Cell::D>([&](std::size_t b) {
+    using V = NodePack<T, Cell::D>;
+    V column(0);
+    repeat<Cell::size>([&](std::size_t i) {
+      column += u.pack(i) * V(dt * cell.gradient(static_cast<int>(b), static_cast<int>(i)));
+    });
+    std::array<T, V::width> lane;
+    column.store(lane.data());
+    return lane;
+  });
+}
+
+/// G2P of a run of points of a cell, with weights w_i at x_p, the new node velocities v_i, and u_i, those for
+/// the strains (the same, unless MUSL maps others back):
+///   v_p, L_p: as the transfer takes them     x_p += dt sum w_i v_i
+///   de = sym(dt sum u_i (grad w_i)^T), in axisymmetry de_hoop = dt sum w_i u_r,i / r_p
+/// Strains go into `buffer`, that of point `origin` first. Returns a sum of the positions.
+template <class K, class N, class M, class Points, class Field, class T, class Average, class Buffer>
+[[gnu::flatten]] T g2p(const N& numerics, const M& mesh, Index c, Points& points, std::size_t begin,
+                       std::size_t end, const Field& nodes, T dt, const Average& average, Buffer& buffer,
+                       std::size_t origin) {
+  using Cell = typename N::Shape::template Cell<M>;
+  constexpr int width = N::template width<T>;
+  using P = lanes_of<T, width>;
+  const Cell cell(mesh, c);
+  const NodeRows<T, M::dimension, Cell::size> v(cell, nodes.velocity), u(cell, nodes.strain_velocity());
+  const auto take = numerics.transfer.take(cell, nodes);
+  auto of_cell = cell_step(cell, u, dt);
+  if constexpr (!K::hoop) of_cell.strain = averaged<N>(of_cell.strain, average, c);
+  P check(0);
+  for_each_pack<width>(points, begin, end, [&](const auto& p) {
+    const auto x = p.position();
+    const auto w = cell.weights(x);
+    const auto way = interpolate(w, v);
+    auto step = in_all_lanes<P>(of_cell);
+    take(cell, p, x, ValueSum{interpolate(w, either(take.velocity, v))});
+    if constexpr (K::hoop) {
+      step.strain[2] = P(dt) * interpolate(w, u)[0] * reciprocal(x[0]);
+      step.strain = averaged<N>(step.strain, average, c);
+    }
+    buffer.store(p.first - origin, step);
+    check += move_points(p, x, way, dt);
+  });
+  return lane_sums(std::array<P, 1>{check})[0];
+}
+
+}  // namespace simplex
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -1,0 +1,46 @@
+// MUSL mapping on linear simplices, without a look at the points.
+#pragma once
+
+#include <arenite/particles/cell_sums.hpp>
+#include <arenite/transfer/node_field.hpp>
+
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
+namespace simplex {
+
+/// The nodes of a cell, without its functions.
+template <class M>
+struct CellNodes {
+  using T = typename M::scalar;
+  static constexpr int D = M::dimension, size = D + 1;
+  const std::array<Index, static_cast<std::size_t>(size)>& nodes;
+};
+
+/// What a point takes is linear in what its transfer takes of the nodes, d_j (FLIP: d_j = v_j - s v_j^old):
+/// v_p = s v_p + sum_j w_j d_j. Handed back, node i gets sum_p m w_i v_p = s m_i v_i^old + sum_j M_ij d_j
+/// with the edge masses M_ij = sum_p m w_i w_j. Since sum_j M_ij = m_i, that is
+///   m_i v_i + sum_j M_ij (d_j - d_i)
+/// of which the second term, an exchange along each edge, is added to `nodes.mapped`.
+template <class N, class M, class B, class Field>
+[[gnu::flatten]] void map_back(const N& numerics, const M& mesh, const B& body, Index c, Field& nodes) {
+  using T = typename M::scalar;
+  using V = NodePack<T, M::dimension>;
+  using Cell = CellNodes<M>;
+  const Cell cell{mesh.nodes(c)};
+  const NodeRows<T, M::dimension, Cell::size> v(cell, nodes.velocity);
+  const auto take = numerics.transfer.take(cell, nodes);
+  const auto& edge_mass = body.cell_sums[c].edge_mass;
+  std::array<V, Cell::size> d, gain;
+  repeat<Cell::size>([&](std::size_t i) {
+    d[i] = either(take.velocity, v).pack(i);
+    gain[i] = V(0);
+  });
+  for_each_edge<Cell::size>([&](std::size_t e, std::size_t i, std::size_t j) {
+    const V exchanged = V(edge_mass[e]) * (d[j] - d[i]);
+    gain[i] += exchanged;
+    gain[j] -= exchanged;
+  });
+  repeat<Cell::size>([&](std::size_t i) { nodes.mapped.add(cell.nodes[i], gain[i]); });
+}
+
+}  // namespace simplex
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -1,0 +1,107 @@
+// P2G on linear simplices. Lanes are points; the sums of a cell are added up across them.
+#pragma once
+
+#include <arenite/transfer/node_field.hpp>
+#include <arenite/transfer/numerics.hpp>
+#include <arenite/transfer/simplex/stress.hpp>
+
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
+namespace simplex {
+
+/// What P2G sums over the points of a cell, beside the stress.
+template <class K, class N, class Cell, class P, bool CentresStress>
+using P2gSums = PointSums<
+    P, Cell::size,
+    ChannelList<Channel<channel::Momentum, Cell::D>, Channel<channel::Mass, 1>,
+                Channel<channel::HoopForce, K::hoop>>,
+    ChannelList<Channel<channel::EdgeMass, N::needs_edge_mass ? Cell::D*(Cell::D + 1) / 2 : 0>,
+                Channel<channel::HoopMean,
+                        K::hoop && (N::AntiLocking::averages_strain || CentresStress) ? Cell::size : 0>>>;
+
+/// What a pack of points p gives to the nodes i of its cell:
+///   mass_i += m_p w_i     momentum_i += m_p w_i v_p(x_i)     hoop_force_i += V_p sigma_hoop w_i / r_p
+/// with the weights w_i at x_p and the velocity field v_p(x) that the transfer hands over; to its edges
+/// edge_mass_ij += m_p w_i w_j.
+template <class Transfer, class Cell, class Points, int Width, class Sums>
+void add_points(const Transfer& transfer, const Cell& cell, const PointPack<Points, Width>& p, Sums& sums) {
+  using P = typename PointPack<Points, Width>::P;
+  const auto x = p.position();
+  const auto field = transfer.hand(p);
+  const auto m = p.mass();
+  const auto w = cell.weights(x);
+  std::array<P, Cell::size> mw;
+  const auto ways = cell.ways(x);
+  const P around = p.volume() * reciprocal(x[0]), pull = around * p.stress(2);
+  repeat<Cell::size>([&](std::size_t i) { mw[i] = m * w[i]; });
+  repeat<Cell::size>([&](std::size_t i) {
+    sums.add(i, channel::momentum, mw[i], field.at([&](std::size_t a) { return ways[a][i]; }));
+    sums.add(i, channel::mass, mw[i]);
+    sums.add(i, channel::hoop_force, pull * w[i]);
+    sums.add_to_cell(channel::hoop_mean, i, around * w[i]);
+  });
+  for_each_edge<Cell::size>([&](std::size_t e, std::size_t i, std::size_t j) {
+    sums.add_to_cell(channel::edge_mass, e, mw[i] * w[j]);
+  });
+}
+
+/// What later stages need to know of the points of a cell.
+template <class N, class B, class T, int D, class Total>
+void leave_sums(const B&, const StressSums<T, D>& stress, const Total& total, CellSums<T, D>& left) {
+  left.volume = stress.volume;
+  if constexpr (N::AntiLocking::averages_stress) left.bearing = stress.bearing;
+  if constexpr (B::has_dilation) left.dilation = stress.dilation / stress.volume;
+  if constexpr (B::knows_opening) left.open = stress.closed < stress.volume;
+  total.copy(channel::edge_mass, left.edge_mass);
+  total.copy(channel::hoop_mean, left.hoop);
+}
+
+/// P2G of the points of a cell: `add_points`, and with the gradients, which are constant in it,
+///   force_i -= (sum_p V_p sigma_p) grad w_i     mass_gradient_i += (sum_p m_p) grad w_i
+template <class K, class N, class M, class B, class Field>
+[[gnu::flatten]] void p2g(const N& numerics, const M& mesh, B& body, Index c, Field& nodes) {
+  using T = typename M::scalar;
+  constexpr std::size_t D = M::dimension;
+  using Cell = typename N::Shape::template Cell<M>;
+  using Quad = Pack<T, 4>;
+  constexpr int width = N::template width<T>;
+  constexpr bool centres_stress = N::template centres_stress<decltype(body.law)>;
+  using Sums = P2gSums<K, N, Cell, lanes_of<T, width>, centres_stress>;
+  const Cell cell(mesh, c);
+  auto stress = sum_stresses<width>(body, c);
+  average_stress<K>(numerics, mesh, body, c, stress);  // writes the points' stresses
+  if constexpr (centres_stress) body.cell_stress[c].c = stress.stress;
+  Sums sums;
+  for_each_pack<width>(body.cells, c, body.points, [&](const auto& p) {
+    p.prefetch(body.points.position, body.points.velocity, body.points.mass);
+    add_points(numerics.transfer, cell, p, sums);
+  });
+  const typename Sums::Total total(sums);
+  if constexpr (N::needs_cell_sums) leave_sums<N>(body, stress, total, body.cell_sums[c]);
+  T mass = 0;
+  repeat<Cell::size>([&](std::size_t i) { mass += total.node(i, channel::mass); });
+  [[maybe_unused]] const T reach = mass * square(mesh.size(c));
+  // Columns of the stress as packs: a node's force is their sum, each times a component of the gradient.
+  std::array<Quad, D> column;
+  repeat<D>([&](std::size_t a) {
+    const auto of = [&](std::size_t d) {
+      return d < D ? -stress.stress[Sym<T, M::dimension>::index(d, a)] : T(0);
+    };
+    column[a] = quad(of(0), of(1), of(2), T(0));
+  });
+  [[maybe_unused]] const Quad hoop = quad(-stress.bearing, T(0), T(0), T(0));
+  repeat<Cell::size>([&](std::size_t i) {
+    auto& node = nodes.collected[cell.nodes[i]];
+    const auto gradient = cell.gradient.col(static_cast<int>(i));
+    Quad force(0);
+    repeat<D>([&](std::size_t a) { force += column[a] * Quad(gradient[static_cast<int>(a)]); });
+    repeat<K::hoop>([&](std::size_t) { force += hoop * Quad(total.node(i, channel::hoop_force)); });
+    repeat<N::smooths_light_nodes>(
+        [&](std::size_t) { force += quad(T(0), T(0), T(0), reach * gradient.squaredNorm()); });
+    node.add_values(total.node(i));
+    node.add_slopes(force);
+    if constexpr (Field::has_gradient) nodes.mass_gradient[cell.nodes[i]] += mass * gradient;
+  });
+}
+
+}  // namespace simplex
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

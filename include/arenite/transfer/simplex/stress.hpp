@@ -1,0 +1,84 @@
+// Stresses of a cell of linear simplices: summed over its points, and averaged where it is filled.
+#pragma once
+
+#include <arenite/kinematics/kinematics.hpp>
+#include <arenite/particles/body.hpp>
+#include <arenite/transfer/channels.hpp>
+#include <arenite/transfer/point_pack.hpp>
+
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
+
+/// Volume that a whole cell stands for, m3: exact for the linear thickness of axisymmetry.
+template <class K, class M>
+typename M::scalar whole_volume(const M& mesh, Index cell) {
+  using T = typename M::scalar;
+  if constexpr (!K::hoop) return mesh.volume(cell);
+  typename M::Point centre = M::Point::Zero();
+  for (const Index i : mesh.nodes(cell)) centre += mesh.position(i);
+  centre /= static_cast<T>(mesh.nodes(cell).size());
+  return mesh.volume(cell) * K::thickness(centre);
+}
+
+namespace simplex {
+
+/// Sums over the points of a cell that belong to its stress.
+template <class T, int D>
+struct StressSums {
+  std::array<T, Sym<T, D>::size> stress;  ///< V times stress by component, N m
+  T volume;                               ///< V, m3
+  T closed;                               ///< V of the points that are not open, m3
+  T dilation;                             ///< V times dilation, m3; 0 if the points have none
+  T bearing = 1;                          ///< volume over which the cell bears its stress, over V, -
+};
+
+template <int Width, class L, class T, int D, ExtraColumns Extra>
+StressSums<T, D> sum_stresses(const Body<L, T, D, Extra>& body, Index c) {
+  using B = Body<L, T, D, Extra>;
+  using P = lanes_of<T, Width>;
+  using Sums = PointSums<
+      P, 0, ChannelList<>,
+      ChannelList<Channel<channel::Stress, Sym<T, D>::size>, Channel<channel::Volume, 1>,
+                  Channel<channel::Open, B::knows_opening>, Channel<channel::Dilation, B::has_dilation>>>;
+  Sums sums;
+  for_each_pack<Width>(body.cells, c, body.points, [&](const auto& p) {
+    p.prefetch(body.points.stress, body.points.volume);
+    const auto stress = p.stress();
+    const P volume = p.volume();
+    repeat<Sym<T, D>::size>([&](std::size_t k) { sums.add_to_cell(channel::stress, k, volume * stress[k]); });
+    sums.add_to_cell(channel::volume, 0, volume);
+    sums.add_to_cell(channel::open, 0, select(p.is_open(body.law), volume, P(0)));
+    if constexpr (B::has_dilation) p.prefetch(body.points.dilation);
+    sums.add_to_cell(channel::dilation, 0, volume * p.dilation());
+  });
+  const typename Sums::Total total(sums);
+  const T volume = total.cell(channel::volume);
+  StressSums<T, D> of_cell{{}, volume, volume - total.cell(channel::open), total.cell(channel::dilation)};
+  total.copy(channel::stress, of_cell.stress);
+  return of_cell;
+}
+
+/// `ElementAverage`: gives the points of a filled cell their mean stress, which it bears over its whole
+/// volume; open points bear none. The sums follow.
+template <class K, class N, class M, class B, class T, int D>
+void average_stress(const N& numerics, const M& mesh, B& body, Index c, StressSums<T, D>& sums) {
+  if constexpr (N::AntiLocking::averages_stress) {
+    constexpr int width = N::template width<T>;
+    using P = lanes_of<T, width>;
+    const T of_cell = whole_volume<K>(mesh, c);
+    if (!(sums.volume >= static_cast<T>(numerics.anti_locking.fill) * of_cell)) return;
+    const T closed = sums.closed > 0 ? sums.closed : sums.volume;
+    std::array<P, Sym<T, D>::size> mean;
+    repeat<mean.size()>([&](std::size_t k) { mean[k] = P(sums.stress[k] / closed); });
+    for_each_pack<width>(body.cells, c, body.points, [&](const auto& p) {
+      const auto open = p.is_open(body.law);
+      auto stress = mean;
+      repeat<mean.size()>([&](std::size_t k) { stress[k] = select(open, P(0), mean[k]); });
+      p.set_stress(stress);
+    });
+    sums.bearing = of_cell / sums.volume;
+    for (T& component : sums.stress) component *= sums.bearing;
+  }
+}
+
+}  // namespace simplex
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -1,0 +1,30 @@
+// Velocity field: the motion around a point as it hands it to the nodes.
+#pragma once
+
+#include <arenite/core/lanes.hpp>
+
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
+
+/// v(x) = value + gradient (x - x_p); constant, without a gradient, unless `Linear`.
+template <class P, std::size_t D, bool Linear>
+struct VelocityField {
+  static constexpr bool linear = Linear;
+  std::array<P, D> value;                        ///< at the point, m/s
+  std::array<P, Linear ? D * D : 0> gradient{};  ///< [D x D] column by column, 1/s
+
+  /// At a node, from the ways to it along each axis, m: `way(a)`.
+  template <class Way>
+  std::array<P, D> at(Way&& way) const {
+    auto v = value;
+    repeat<D>([&](std::size_t d) {
+      repeat<Linear ? D : 0>([&](std::size_t a) { v[d] += gradient[a * D + d] * way(a); });
+    });
+    return v;
+  }
+};
+template <class P, std::size_t D>
+VelocityField(const std::array<P, D>&) -> VelocityField<P, D, false>;
+template <class P, std::size_t D, std::size_t N>
+VelocityField(const std::array<P, D>&, const std::array<P, N>&) -> VelocityField<P, D, true>;
+
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -1,0 +1,107 @@
+// Transfers of a user's own: each is one class, and no kernel knows of it.
+#include "check_reference.hpp"
+
+using namespace arenite;
+using namespace arenite::test;
+
+namespace {
+
+/// PIC: points take the velocity of the nodes and hand it back.
+struct Pic {
+  static constexpr bool affine = false;
+  void check() const {}
+  template <class Shape>
+  static constexpr bool fits = true;
+
+  template <class Point>
+  auto hand(const Point& p) const {
+    return VelocityField{p.velocity()};
+  }
+  struct Taken {
+    static constexpr bool needs_arms = false;
+    detail::Nothing velocity{};  // what points take are the new velocities of the nodes
+    template <class Cell, class Point, class X, class Sums>
+    auto operator()(const Cell&, const Point& p, const X&, const Sums& sums) const {
+      p.set_velocity(sums.value);
+      return VelocityField{sums.value};
+    }
+  };
+  template <class Cell, class Nodes>
+  auto take(const Cell&, const Nodes&) const {
+    return Taken{};
+  }
+};
+
+/// APIC whose points hand over a share of their affine motion.
+struct DampedApic {
+  static constexpr bool affine = true;
+  double share = 1;
+  void check() const {}
+  template <class Shape>
+  static constexpr bool fits = !Shape::constant_gradient;
+
+  template <class Point>
+  auto hand(const Point& p) const {
+    return VelocityField{p.velocity(), p.velocity_gradient()};
+  }
+  struct Taken {
+    static constexpr bool needs_arms = true;
+    double share;
+    detail::Nothing velocity{};
+    template <class Cell, class Point, class X, class Sums>
+    auto operator()(const Cell& cell, const Point& p, const X& x, const Sums& sums) const {
+      using P = typename Point::P;
+      constexpr std::size_t D = Point::D;
+      const auto inverse = cell.inverse_inertia(x);
+      std::array<P, D * D> gradient;
+      for (std::size_t k = 0; k < D * D; ++k)
+        gradient[k] = P(static_cast<typename Point::T>(share)) * sums.arms()[k / D][k % D] * inverse[k / D];
+      p.set_velocity(sums.value);
+      p.set_velocity_gradient(gradient);
+      return VelocityField{sums.value, gradient};
+    }
+  };
+  template <class Cell, class Nodes>
+  auto take(const Cell&, const Nodes&) const {
+    return Taken{share};
+  }
+};
+
+/// Points after a cycle of a transfer, for any N and mesh.
+template <class K, class N, class M>
+auto cycle(const M& mesh, N numerics = {}) {
+  Setup<K, N, M> s(mesh, 5);
+  s.numerics = numerics;
+  s = advanced(std::move(s));
+  s.remap();
+  s.deform(0.01);
+  return s.body.points;
+}
+
+template <class Transfer, class Order>
+using Simplex = Numerics<LinearSimplex, Transfer, Order>;
+template <class Transfer, class Order>
+using BSpline = Numerics<QuadraticBSpline, Transfer, Order>;
+
+}  // namespace
+
+TEST_CASE("a PIC of a user's own is FLIP with a share of 0") {
+  const Flip flip{0};
+  const auto flat = sample_mesh<2>(4);
+  REQUIRE(difference(cycle<PlaneStrain, Simplex<Pic, Usl>>(flat),
+                     cycle<PlaneStrain, Simplex<Flip, Usl>>(flat, {.transfer = flip})) < 1e-13);
+  REQUIRE(difference(cycle<PlaneStrain, Simplex<Pic, Musl>>(flat),
+                     cycle<PlaneStrain, Simplex<Flip, Musl>>(flat, {.transfer = flip})) < 1e-13);
+  REQUIRE(difference(cycle<PlaneStrain, BSpline<Pic, Usl>>(flat_grid()),
+                     cycle<PlaneStrain, BSpline<Flip, Usl>>(flat_grid(), {.transfer = flip})) < 1e-13);
+  REQUIRE(difference(cycle<Solid, BSpline<Pic, Musl>>(solid_grid()),
+                     cycle<Solid, BSpline<Flip, Musl>>(solid_grid(), {.transfer = flip})) < 1e-13);
+}
+
+TEST_CASE("a damped APIC of a user's own: undamped it is APIC, and it keeps to the reference") {
+  REQUIRE(difference(cycle<Solid, BSpline<DampedApic, Musl>>(solid_grid()),
+                     cycle<Solid, BSpline<Apic, Musl>>(solid_grid())) < 1e-13);
+  Setup<PlaneStrain, BSpline<DampedApic, Usl>, CartesianGrid<2>> s(flat_grid(), 9);
+  s.numerics.transfer.share = 0.5;
+  check_reference(s, 1e-12);
+}

@@ -36,6 +36,10 @@ struct alignas(8 * sizeof(T)) NodeSums {
   Vec<T, D> momentum() const { return Eigen::Map<const Vec<T, D>>(lane.data()); }            ///< kg m/s
   T mass() const { return lane[mass_lane]; }                                                 ///< kg
   Vec<T, D> force() const { return Eigen::Map<const Vec<T, D>>(lane.data() + force_lane); }  ///< N
+  /// Adds a force, N.
+  void add_force(const Vec<T, D>& force) {
+    for (std::size_t k = 0; k < D; ++k) lane[force_lane + k] += force[static_cast<int>(k)];
+  }
   T reach() const { return lane[reach_lane]; }  ///< sum of m_c (h_c |grad N|)^2, kg: see `LightNodes`
 
   /// Adds four lanes to the lower or to the upper half.

@@ -26,7 +26,7 @@ auto layer(int axis, bool upper, double thickness, Parts... parts) {
     points.position.set(p, place);
     points.velocity.set(p, speed);
   }
-  scene.ledger.initial_kinetic = kinetic_energy(scene.body());
+  scene.template part<TrackEnergy>().initial_kinetic = kinetic_energy(scene.body());
   return scene;
 }
 
@@ -36,10 +36,11 @@ template <class Scene>
 double greatest_gain(Scene scene) {
   double gain = 0;
   for (int k = 0; k < 300 && gain < 10; ++k) {
-    const double before = scene.ledger.stress_work;
+    const double before = scene.template part<TrackEnergy>().stress_work;
     step(scene, stable_step(scene));
-    const double work = scene.ledger.stress_work - before;
-    gain = std::max(gain, (energies(scene).residual - work / 2) / scene.ledger.initial_kinetic);
+    const double work = scene.template part<TrackEnergy>().stress_work - before;
+    gain = std::max(
+        gain, (energies(scene).residual - work / 2) / scene.template part<TrackEnergy>().initial_kinetic);
   }
   return gain;
 }

@@ -32,16 +32,18 @@ void take_stages(Scene& scene, Timed&& timed) {
     timed(Stage::relocate, [&] { relocate(scene); });
     timed(Stage::scatter, [&] { scatter(scene); });
     timed(Stage::nodes, [&] {
+      add_forces(scene, dt);
+      centre_stress(scene, dt);
       advance(scene, dt);
-      constrain(scene);
+      constrain(scene, dt);
     });
-    if constexpr (Scene::Contact::separate || Scene::rigid_count > 0)
-      timed(Stage::contact, [&] { collide(scene, dt); });
+    if constexpr (Scene::Needs::exchange)
+      timed(Stage::contact, [&] { exchange(scene, dt); });
     else
-      collide(scene, dt);
+      exchange(scene, dt);
     if constexpr (Scene::NumericsType::remaps) timed(Stage::remap, [&] { remap(scene, dt); });
     timed(Stage::deform, [&] { deform(scene, dt); });
-    move(scene, dt);
+    follow(scene, dt);
     finish(scene, dt);
   }
 }
@@ -60,7 +62,7 @@ void add_stages(const std::string& name, Make make) {
     remaps = requires(Scene s) { s.remap(); };
     relocates = requires(Scene s) { s.relocate(); };
   } else {
-    contact = Scene::Contact::separate || Scene::rigid_count > 0;
+    contact = Scene::Needs::exchange;
     remaps = Scene::NumericsType::remaps;
   }
   for (const Named& named :

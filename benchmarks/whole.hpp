@@ -47,7 +47,7 @@ double bytes_per_point(const Scene& scene) {
   if constexpr (is_rival<Scene>)
     return sizeof(scene.points[0]);
   else
-    return static_cast<double>(std::get<0>(scene.bodies).points.bytes_per_point());
+    return static_cast<double>(scene.template body<0>().points.bytes_per_point());
 }
 
 /// Registers the steps of what `make()` makes. Names read scene/scalar/who, then sizes and threads as

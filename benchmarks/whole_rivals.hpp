@@ -116,7 +116,7 @@ void follows(const char* word, Scene scene, Rival rival, double tolerance) {
     step(scene, dt);
     rival.step(dt);
   }
-  const double energy = kinetic_energy(std::get<0>(scene.bodies));
+  const double energy = kinetic_energy(scene.body());
   const double off = std::abs(sums(rival).energy / energy - 1);
   require(off < tolerance, word, "kinetic energy after ten steps", off);
 }

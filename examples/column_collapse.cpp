@@ -15,6 +15,6 @@ int main() {
   run(scene, {.end = 0.4, .courant = 0.8}, Progress(0.4), every(0.1, vtu("out/column_collapse")));
 
   double reach = 0;
-  for (const auto& x : std::get<0>(scene.bodies).points.position) reach = std::max(reach, x[0]);
+  for (const auto& x : scene.body().points.position) reach = std::max(reach, x[0]);
   std::printf("the toe of the heap lies at x = %.3f m after %zu steps\n", reach, scene.steps);
 }

@@ -20,7 +20,7 @@ int main() {
                            }},
                            Friction(20_deg)))};
   run(scene, {.end = 0.05}, every(0.005, [](const auto& s) {
-        const auto& body = std::get<0>(s.rigids);
+        const auto& body = s.rigid();
         std::printf("depth %.4f m  force %8.1f N on %zu nodes\n", -body.displacement[1], body.force[1],
                     body.contact_nodes);
       }));

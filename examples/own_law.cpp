@@ -74,7 +74,7 @@ int main() {
               walls(left(roller), bottom(roller))};
   run(scene, {.end = 80e-6, .courant = 0.4});
   double top = 0, plastic = 0;
-  const auto& points = std::get<0>(scene.bodies).points;
+  const auto& points = scene.body().points;
   for (std::size_t p = 0; p < points.size(); ++p) {
     top = std::max(top, points.position[p][1]);
     plastic = std::max(plastic, points.load_history(p).plastic);

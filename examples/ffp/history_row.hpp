@@ -23,7 +23,7 @@ template <class Scene>
 DeviceState device_state(const Scene& scene) {
   DeviceState state{};
   if constexpr (Scene::rigid_count > 0) {
-    const auto& body = std::get<0>(scene.rigids);
+    const auto& body = scene.template rigid<"device">();
     state.penetration = 0 - body.displacement[1];
     state.velocity = -body.velocity[1];
     state.reaction = body.force[1];
@@ -32,14 +32,16 @@ DeviceState device_state(const Scene& scene) {
       if (!touch.inside && body.impulse_at(touch, body.velocity).squaredNorm() > 0)
         state.touched.push_back(touch.node);
   } else {
-    const auto& device = std::get<1>(scene.bodies);
-    state.penetration = 0 - scene.motion.travel();
+    const auto& device = scene.template body<"device">();
+    const auto& contact = scene.template part<Coulomb>();
+    state.penetration = 0 - scene.template part<MovingMesh>().travel();
     state.velocity = -momentum(device)[1] / mass(device);
-    state.reaction = scene.time_step > 0 ? scene.contact_impulse[1][1] / scene.time_step : 0;
+    state.reaction = scene.time_step > 0 ? contact.impulse[contact.normals.body][1] / scene.time_step : 0;
     state.contact_nodes = scene.contact_tally.nodes;
-    const auto& normals = scene.normals.out;
+    const auto& normals = contact.normals.out;
+    const auto& soil = scene.fields[1 - contact.normals.body];
     for (Index i = 0; i < normals.size(); ++i)
-      if (normals[i].squaredNorm() > 0 && scene.fields[0].mass[i] > 0) state.touched.push_back(i);
+      if (normals[i].squaredNorm() > 0 && soil.mass[i] > 0) state.touched.push_back(i);
   }
   return state;
 }
@@ -49,7 +51,7 @@ template <class Scene>
 HistoryRow history_row(const Scene& scene, const HistoryRow* before, double whole) {
   const DeviceState device = device_state(scene);
   const Energies e = energies(scene);
-  const auto& soil = std::get<0>(scene.bodies);
+  const auto& soil = scene.template body<"soil">();
   HistoryRow row;
   row.time_s = scene.time;
   row.penetration_m = device.penetration;

@@ -91,9 +91,10 @@ WithDeviatoricStrain<MohrCoulomb<>, D> sand_of(const DropOptions& o) {
 
 template <int D>
 auto soil_of(const DropOptions& o) {
-  return fill(Cells("soil"), sand_of<D>(o),
-              {.per_cell = o.points_in_element(),
-               .stress = Geostatic{.surface = 0, .k0 = o.earth_pressure(), .gravity = standard_gravity}});
+  return fill<"soil">(
+      Cells("soil"), sand_of<D>(o),
+      {.per_cell = o.points_in_element(),
+       .stress = Geostatic{.surface = 0, .k0 = o.earth_pressure(), .gravity = standard_gravity}});
 }
 
 inline Friction friction_of(const DropOptions& o) {
@@ -114,18 +115,18 @@ Numerics<LinearSimplex, Flip, Musl, AntiLocking> numerics_of(const DropOptions& 
 template <class Model, class AntiLocking, class Coupling>
 auto rigid_scene(const DropOptions& o) {
   auto mesh = mesh_of<Model>(o);
-  const auto motion = motion_of<LedByRigid<0>>(o, mesh);
-  return Scene{
-      typename Model::Kinematics{},
-      std::move(mesh),
-      numerics_of<AntiLocking>(o),
-      bodies(soil_of<Model::Kinematics::dimension>(o)),
-      Model::walls(),
-      gravity({0, -standard_gravity}),
-      rigids(rigid(MeshSurface{"device"}, Guided{.mass = o.mass / Model::whole, .velocity = -o.velocity},
-                   friction_of(o), Coupling{})),
-      motion,
-      TrackEnergy{}};
+  const auto motion = motion_of<LedByRigid<"device">>(o, mesh);
+  return Scene{typename Model::Kinematics{},
+               std::move(mesh),
+               numerics_of<AntiLocking>(o),
+               bodies(soil_of<Model::Kinematics::dimension>(o)),
+               Model::walls(),
+               gravity({0, -standard_gravity}),
+               rigids(rigid<"device">(MeshSurface{"device"},
+                                      Guided{.mass = o.mass / Model::whole, .velocity = -o.velocity},
+                                      friction_of(o), Coupling{})),
+               motion,
+               TrackEnergy{}};
 }
 
 /// A linear elastic penetrometer of one point an element, which the mesh follows.
@@ -136,19 +137,20 @@ auto elastic_scene(const DropOptions& o) {
   for (Index c = 0; c < mesh.cell_count(); ++c)
     if (mesh.region(c) == mesh.region_number("device"))
       volume += arenite::detail::whole_volume<typename Model::Kinematics>(mesh, c);
-  const auto motion = motion_of<LedByBody<1>>(o, mesh);
+  const auto motion = motion_of<LedByBody<"device">>(o, mesh);
   const LinearElastic metal{
       {.density = o.mass / Model::whole / volume, .young = o.device_young, .poisson = o.device_poisson}};
-  return Scene{typename Model::Kinematics{},
-               std::move(mesh),
-               numerics_of<AntiLocking>(o),
-               bodies(soil_of<Model::Kinematics::dimension>(o),
-                      fill(Cells("device"), metal, {.per_cell = 1, .velocity = {0, -o.velocity, 0}})),
-               Model::walls(),
-               gravity({0, -standard_gravity}),
-               Coulomb{friction_of(o), SurfaceOf{"device", 1}},
-               motion,
-               TrackEnergy{}};
+  return Scene{
+      typename Model::Kinematics{},
+      std::move(mesh),
+      numerics_of<AntiLocking>(o),
+      bodies(soil_of<Model::Kinematics::dimension>(o),
+             fill<"device">(Cells("device"), metal, {.per_cell = 1, .velocity = {0, -o.velocity, 0}})),
+      Model::walls(),
+      gravity({0, -standard_gravity}),
+      Coulomb{friction_of(o), SurfaceOf{.region = "device", .body = "device"}},
+      motion,
+      TrackEnergy{}};
 }
 
 }  // namespace arenite::ffp

@@ -2,13 +2,19 @@
 #pragma once
 
 #include <arenite/core/requirements.hpp>
+
+#include <arenite/boundary/gravity.hpp>
+#include <arenite/boundary/walls.hpp>
+#include <arenite/contact/contact.hpp>
 #include <arenite/core/units.hpp>
 #include <arenite/law/drucker_prager.hpp>
 #include <arenite/law/linear_elastic.hpp>
 #include <arenite/law/mohr_coulomb.hpp>
 #include <arenite/law/with_deviatoric_strain.hpp>
+#include <arenite/mesh/motion.hpp>
 #include <arenite/observe/energy.hpp>
 #include <arenite/observe/every.hpp>
 #include <arenite/observe/watch.hpp>
 #include <arenite/rigid/cone_cylinder.hpp>
+#include <arenite/rigid/rigid_body.hpp>
 #include <arenite/scene/run.hpp>

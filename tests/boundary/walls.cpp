@@ -2,6 +2,7 @@
 #include "catch.hpp"
 
 #include <arenite/boundary/walls.hpp>
+#include <arenite/kinematics/kinematics.hpp>
 
 #include "../mesh/sample_meshes.hpp"
 
@@ -19,9 +20,7 @@ const Constraint<double, D>* constraint_at(const std::vector<Constraint<double, 
   return nullptr;
 }
 
-std::vector<Constraint<double, 2>> on_grid(const Walls& w, bool axis = false) {
-  return resolve<QuadraticBSpline>(w, grid, axis);
-}
+std::vector<Constraint<double, 2>> on_grid(const Walls& w) { return resolve<QuadraticBSpline>(grid, w); }
 
 template <int D>
 Mat<double, D> diagonal(const Vec<double, D>& d) {
@@ -55,7 +54,7 @@ TEST_CASE("faces catch their nodes, and corners what both faces block") {
 
 TEST_CASE("faces in three dimensions") {
   const CartesianGrid<3, float> box({.lower = {0, 0, 0}, .upper = {0.3, 0.2, 0.1}, .cell = 0.1});
-  const auto front_back = resolve<QuadraticBSpline>(walls(front(roller), back(roller)), box, false);
+  const auto front_back = resolve<QuadraticBSpline>(box, walls(front(roller), back(roller)));
   REQUIRE(front_back.size() == 2 * 5 * 4);
   for (const auto& c : front_back) REQUIRE(c.projector == Mat<float, 3>(Vec<float, 3>(1, 1, 0).asDiagonal()));
 }
@@ -76,18 +75,17 @@ TEST_CASE("two planes of a slice leave its edge one direction, three leave none"
   const double a = 20 * pi / 180;
   const auto everywhere = [](const std::array<double, 3>&) { return true; };
   const auto mesh = sample_mesh<3>(1);
-  const auto two = resolve<LinearSimplex>(walls(where(everywhere, symmetry({0, 0, 1})),
-                                                where(everywhere, symmetry({std::sin(a), 0, -std::cos(a)}))),
-                                          mesh, false);
+  const auto two =
+      resolve<LinearSimplex>(mesh, walls(where(everywhere, symmetry({0, 0, 1})),
+                                         where(everywhere, symmetry({std::sin(a), 0, -std::cos(a)}))));
   REQUIRE(two.size() == mesh.node_count());
   for (const auto& c : two) REQUIRE((c.projector - diagonal<3>({0, 1, 0})).norm() < 1e-14);
   const auto same = resolve<LinearSimplex>(
-      walls(where(everywhere, symmetry({0, 0, 1})), where(everywhere, symmetry({0, 0, -2}))), mesh, false);
+      mesh, walls(where(everywhere, symmetry({0, 0, 1})), where(everywhere, symmetry({0, 0, -2}))));
   for (const auto& c : same) REQUIRE((c.projector - diagonal<3>({1, 1, 0})).norm() < 1e-15);
   const auto three = resolve<LinearSimplex>(
-      walls(where(everywhere, symmetry({0, 0, 1})), where(everywhere, symmetry({0, 1, 1})),
-            where(everywhere, symmetry({1, 1, 1}))),
-      mesh, false);
+      mesh, walls(where(everywhere, symmetry({0, 0, 1})), where(everywhere, symmetry({0, 1, 1})),
+                  where(everywhere, symmetry({1, 1, 1}))));
   for (const auto& c : three) REQUIRE(c.projector == diagonal<3>({0, 0, 0}));
 }
 
@@ -98,25 +96,25 @@ TEST_CASE("free_along leaves one axis") {
 
 TEST_CASE("node sets and tests") {
   const auto mesh = named_mesh();
-  const auto base = resolve<LinearSimplex>(walls(on("base", fixed)), mesh, false);
+  const auto base = resolve<LinearSimplex>(mesh, walls(on("base", fixed)));
   REQUIRE(base.size() == 4);
-  const auto tested = resolve<LinearSimplex>(
-      walls(where([](const auto& x) { return x[1] == 0 && x[2] == 0; }, fixed)), mesh, false);
+  const auto tested =
+      resolve<LinearSimplex>(mesh, walls(where([](const auto& x) { return x[1] == 0 && x[2] == 0; }, fixed)));
   REQUIRE(tested.size() == 4);
   for (std::size_t k = 0; k < 4; ++k) REQUIRE(base[k].node == tested[k].node);
-  REQUIRE(resolve<LinearSimplex>(walls(bottom(fixed)), mesh, false).size() == 4);
+  REQUIRE(resolve<LinearSimplex>(mesh, walls(bottom(fixed))).size() == 4);
 }
 
 TEST_CASE("on the axis of symmetry nothing moves radially") {
-  const auto all = on_grid(walls(bottom(fixed)), true);
+  const auto all = resolve<QuadraticBSpline>(grid, walls(bottom(fixed)), Axisymmetric{});
   REQUIRE(all.size() == 6 + 4);
   REQUIRE((constraint_at(all, 0)->projector).norm() == 0);
   REQUIRE((constraint_at(all, 6)->projector - diagonal<2>({0, 1})).norm() < 1e-15);
   const CartesianGrid<2> beyond({.lower = {-1, 0}, .upper = {1, 1}, .cell = 1});
-  REQUIRE(throws([&] { resolve<QuadraticBSpline>(walls(), beyond, true); },
+  REQUIRE(throws([&] { resolve<QuadraticBSpline>(beyond, Axisymmetric{}); },
                  "Axisymmetric: r = -1: nodes must have r >= 0"));
   const CartesianGrid<2> off_axis({.lower = {1, 0}, .upper = {2, 1}, .cell = 1});
-  REQUIRE(resolve<QuadraticBSpline>(walls(), off_axis, true).empty());
+  REQUIRE(resolve<QuadraticBSpline>(off_axis, Axisymmetric{}).empty());
 }
 
 TEST_CASE("walls that mean nothing are refused") {
@@ -140,7 +138,7 @@ TEST_CASE("walls that mean nothing are refused") {
   REQUIRE(
       refuses(left(free_along(7)), "free_along.axis = 0 0: must have a length in the scene's dimensions"));
   const auto mesh = named_mesh();
-  REQUIRE(throws([&] { resolve<LinearSimplex>(walls(on("crown", fixed)), mesh, false); },
+  REQUIRE(throws([&] { resolve<LinearSimplex>(mesh, walls(on("crown", fixed))); },
                  "node set = crown: must be one of: base"));
 }
 
@@ -163,5 +161,5 @@ TEST_CASE("nodes that no cell uses are no part of a face") {
   auto data = box_mesh(BoxMesh<2>{.cells = {2, 2}});
   data.nodes.push_back({-3, -3});  // as a mesher leaves the centre of an arc behind
   const SimplexMesh<2> mesh(data);
-  REQUIRE(resolve<LinearSimplex>(walls(left(fixed)), mesh, true).size() == 3);
+  REQUIRE(resolve<LinearSimplex>(mesh, walls(left(fixed)), Axisymmetric{}).size() == 3);
 }

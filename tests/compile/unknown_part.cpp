@@ -1,4 +1,4 @@
-// must print: Scene: a part is not known; parts are bodies(..), walls(..)
+// must print: Scene: a part plays no role; a part is bodies(..), or a class that is not final with one of
 // A number is no part of a scene.
 #include <arenite/arenite.hpp>
 

@@ -37,7 +37,7 @@ std::pair<ContactTally, std::array<Vec<double, 2>, N>> meet(const C& contact, st
                                                             const Map& map, double dt = 1e-3) {
   std::array<Vec<double, 2>, N> impulses;
   Pairs pairs;
-  const auto tally = exchange(contact, fields, map, impulses, pairs, dt, [](Index) { return 0.1; });
+  const auto tally = exchange(contact, map, fields, impulses, pairs, dt, [](Index) { return 0.1; });
   REQUIRE(pairs.size() == tally.nodes);
   return {tally, impulses};
 }
@@ -54,7 +54,7 @@ template <std::size_t N>
 void check_balance(const Coulomb<>& contact) {
   auto fields = random_fields<N>(200);
   const auto before = fields;
-  const auto [tally, impulses] = meet(contact, fields, 0);
+  const auto [tally, impulses] = meet(contact, fields, MassGradient{});
   REQUIRE(tally.nodes > 50);
   double off = 0, changed_alone = 0;
   std::array<Vec<double, 2>, N> given;
@@ -101,7 +101,7 @@ TEST_CASE("the impulses of two and of three bodies cancel, node by node") {
 TEST_CASE("without forces, what two bodies lose is what contact dissipates") {
   auto fields = random_fields<2>(200);
   const double before = kinetic(fields);
-  const auto [tally, impulses] = meet(Coulomb<>(Friction(0.3)), fields, 0);
+  const auto [tally, impulses] = meet(Coulomb<>(Friction(0.3)), fields, MassGradient{});
   REQUIRE(std::abs(before - kinetic(fields) - tally.dissipation) < 1e-12 * before);
   REQUIRE(tally.dissipation > 0);
 }
@@ -114,12 +114,12 @@ TEST_CASE("a head-on impact of two masses ends in their common velocity") {
   fields[1].velocity[0] = {0, 0};
   fields[0].mass_gradient[0] = {0, -7};  // out of the upper body: down
   fields[1].mass_gradient[0] = {0, 9};
-  meet(Coulomb<>(Friction::frictionless()), fields, 0);
+  meet(Coulomb<>(Friction::frictionless()), fields, MassGradient{});
   REQUIRE((fields[0].velocity[0] - Vec<double, 2>(2, -1)).norm() < 1e-15);
   REQUIRE((fields[1].velocity[0] - Vec<double, 2>(0, -1)).norm() < 1e-15);
   // They part freely.
   fields[0].velocity[0] = {2, 1};
-  const auto [tally, impulses] = meet(Coulomb<>(Friction::no_slip()), fields, 0);
+  const auto [tally, impulses] = meet(Coulomb<>(Friction::no_slip()), fields, MassGradient{});
   REQUIRE(tally.nodes == 0);
   REQUIRE(impulses[0].norm() == 0);
   REQUIRE(fields[0].velocity[0] == Vec<double, 2>(2, 1));
@@ -133,7 +133,7 @@ TEST_CASE("without a normal they stick") {
   }
   fields[0].velocity[0] = {1, 0};
   fields[1].velocity[0] = {-3, 4};
-  meet(Coulomb<>(Friction(0.1)), fields, 0);
+  meet(Coulomb<>(Friction(0.1)), fields, MassGradient{});
   REQUIRE((fields[0].velocity[0] - Vec<double, 2>(-1, 2)).norm() < 1e-15);
   REQUIRE((fields[1].velocity[0] - Vec<double, 2>(-1, 2)).norm() < 1e-15);
 }
@@ -164,14 +164,15 @@ TEST_CASE("the velocity limit scales down what would turn a cell inside out, and
   fields[0].velocity = {{30, -4}, {1, -1}};
   fields[1].velocity = {{0, 0}, {0, 0}};
   auto free = fields;
-  const auto [tally, impulses] = meet(Coulomb<>(Friction::frictionless(), {}, 0.5), fields, 0, dt);
+  const auto [tally, impulses] =
+      meet(Coulomb<>(Friction::frictionless(), {}, 0.5), fields, MassGradient{}, dt);
   REQUIRE(tally.limited == 1);
   const Vec<double, 2> unlimited(30, -2);
   REQUIRE((fields[0].velocity[0] - most * unlimited.normalized()).norm() < 1e-14);
   REQUIRE(std::abs(tally.limited_momentum - (unlimited.norm() - most)) < 1e-13);
   REQUIRE((fields[1].velocity[0] - Vec<double, 2>(0, -2)).norm() < 1e-15);
   REQUIRE((fields[0].velocity[1] - Vec<double, 2>(1, -0.5)).norm() < 1e-15);
-  const auto [off, same] = meet(Coulomb<>(Friction::frictionless(), {}, 0), free, 0, dt);
+  const auto [off, same] = meet(Coulomb<>(Friction::frictionless(), {}, 0), free, MassGradient{}, dt);
   REQUIRE(off.limited == 0);
   REQUIRE((free[0].velocity[0] - unlimited).norm() < 1e-14);
   REQUIRE(throws([] { Coulomb<> c(Friction(0.1), {}, -1); },
@@ -187,7 +188,8 @@ TEST_CASE("the velocity limit holds at each node that contact touches, the last 
       f.mass_gradient[i] = {0, &f == &fields[0] ? -1.0 : 1.0};
       f.velocity[i] = &f == &fields[0] ? Vec<double, 2>(30, -4) : Vec<double, 2>(0, 0);
     }
-  const auto [tally, impulses] = meet(Coulomb<>(Friction::frictionless(), {}, 0.5), fields, 0, dt);
+  const auto [tally, impulses] =
+      meet(Coulomb<>(Friction::frictionless(), {}, 0.5), fields, MassGradient{}, dt);
   REQUIRE(tally.nodes == 3);
   REQUIRE(tally.limited == 3);
   for (Index i = 0; i < 3; ++i) REQUIRE(std::abs(fields[0].velocity[i].norm() - most) < 1e-14);
@@ -203,7 +205,7 @@ TEST_CASE(
       for (Index i = 0; i < 200; ++i) f.mapped[i] = {uniform(random), uniform(random)};
     std::array<Vec<double, 2>, 2> impulses;
     Pairs pairs;
-    exchange(Coulomb<>(friction), fields, 0, impulses, pairs, 1e-3, [](Index) { return 0.1; });
+    exchange(Coulomb<>(friction), MassGradient{}, fields, impulses, pairs, 1e-3, [](Index) { return 0.1; });
     REQUIRE(pairs.size() > 20);
     const auto before = fields;
     const double dissipation = hold_together<false>(pairs, fields, 1e-3);

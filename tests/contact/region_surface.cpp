@@ -1,6 +1,7 @@
 // Surface of a region: nodes, normals on a disc, a cone and in a slice, shares.
 #include "catch.hpp"
 
+#include <arenite/boundary/walls.hpp>
 #include <arenite/contact/region_surface.hpp>
 
 #include "../mesh/sample_meshes.hpp"
@@ -85,7 +86,7 @@ TEST_CASE("a disc: normals are radial") {
 
 TEST_CASE("a cone: flank, tip on the axis, shoulder") {
   const auto mesh = cone_mesh();
-  const auto constraints = resolve<LinearSimplex>(walls(), mesh, true);
+  const auto constraints = resolve<LinearSimplex>(mesh, Axisymmetric{});
   const auto s = surface_of<Axisymmetric>(mesh, "cone", constraints);
   check_surface(mesh, s, Axisymmetric{});
   const Vec<double, 2> flank = Vec<double, 2>(2, -1).normalized();
@@ -112,7 +113,7 @@ TEST_CASE("three dimensions: a cube in a cube, and symmetry planes keep normals 
   data.region_names = {{"block", 1}};
   const SimplexMesh<3> mesh(data);
   // The planes x = 0 and z = 0 are planes of symmetry.
-  const auto constraints = resolve<LinearSimplex>(walls(left(roller), front(roller)), mesh, false);
+  const auto constraints = resolve<LinearSimplex>(mesh, walls(left(roller), front(roller)));
   const auto s = surface_of<Solid>(mesh, "block", constraints);
   check_surface(mesh, s, Solid{});
   REQUIRE(s.nodes.size() == 27 - 8);

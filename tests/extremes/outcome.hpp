@@ -56,14 +56,16 @@ class Books {
     // What a fall by a hundredth of a cell gives is nothing: the scene is at rest.
     double creep = 0;
     scene.for_each_body([&](const auto& body, const auto&) { creep += 0.01 * cell_ * mass(body); });
-    creep *= static_cast<double>(scene.gravity.norm());
-    const double given =
-        std::max(scene.ledger.initial_kinetic + scene.ledger.initial_strain + external_, creep);
+    creep *= static_cast<double>(scene.acceleration().norm());
+    const double given = std::max(scene.template part<TrackEnergy>().initial_kinetic +
+                                      scene.template part<TrackEnergy>().initial_strain + external_,
+                                  creep);
     kinetic_ = std::max(kinetic_, e.kinetic);
     // What the sums of energies are known to.
     const double floor = static_cast<double>(scene.steps) * epsilon * (kinetic_ + e.strain + given);
     // The law cannot give back more than it had stored.
-    const double gain = e.residual + std::max(0.0, -scene.ledger.stress_work - scene.ledger.initial_strain);
+    const double gain = e.residual + std::max(0.0, -scene.template part<TrackEnergy>().stress_work -
+                                                       scene.template part<TrackEnergy>().initial_strain);
     outcome.energy = std::abs(gain) <= floor ? 0 : gain / std::max(given, floor);
     outcome.steps = scene.steps;
     outcome.lost = scene.lost_points();
@@ -86,7 +88,7 @@ class Books {
     double carried = 0, limited = 0, pushed = 0;
     scene.for_each_body([&](const auto& body, const auto&) {
       now += momentum(body);
-      given += mass(body) * scene.time_step * scene.gravity.template cast<double>();
+      given += mass(body) * scene.time_step * scene.acceleration().template cast<double>();
       for (std::size_t p = 0; p < body.points.size(); ++p) {
         const auto& s = body.points.stress[p];
         const double size = static_cast<double>(scene.mesh.size(body.points.cell[p]));

@@ -18,7 +18,7 @@ inline auto falling_block() {
 /// Mean vertical velocity of the points, m/s.
 template <class Scene>
 double mean_velocity(const Scene& scene) {
-  const auto& velocity = std::get<0>(scene.bodies).points.velocity;
+  const auto& velocity = scene.body().points.velocity;
   double sum = 0;
   for (const auto& v : velocity) sum += v[1];
   return sum / static_cast<double>(velocity.size());

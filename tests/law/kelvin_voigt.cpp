@@ -86,7 +86,7 @@ TEST_CASE("a bar's first mode dies out as the damped oscillator, at any step") {
                   Numerics<QuadraticBSpline, Flip, Usl>{},
                   bodies(fill(Box{{0., 0.}, {length, h}}, KelvinVoigt<2>{rubber, share * tau})),
                   walls(left(roller), bottom(roller), top(roller))};
-      auto& points = std::get<0>(scene.bodies).points;
+      auto& points = scene.body().points;
       std::vector<double> shape;
       for (std::size_t p = 0; p < points.size(); ++p) {
         shape.push_back(std::sin(wave * points.position[p][0]));

@@ -117,13 +117,13 @@ TEST_CASE("the stable step follows the stiffness of stretched matter") {
               Numerics<QuadraticBSpline, Apic, Usl>{}, bodies(fill(Box{{0., 0.}, {1., 0.5}}, law))};
   const double before = stable_step(scene);
   CHECK(before == Approx(0.1 / std::sqrt(law.wave_modulus() / law.density()) / std::sqrt(6)));
-  auto& points = std::get<0>(scene.bodies).points;
+  auto& points = scene.body().points;
   NeoHookean::History<double> stretched;
   stretched.f[0] = 3;
   points.store_history(57, stretched);
   const double modulus = law.wave_modulus(Sym<double, 2>{}, stretched);
   CHECK(modulus > 2 * law.wave_modulus());
   CHECK(stable_step(scene) / before == Approx(std::sqrt(law.wave_modulus() / modulus)));
-  CHECK(strain_energy(std::get<0>(scene.bodies)) ==
+  CHECK(strain_energy(scene.body()) ==
         Approx(points.volume[57] * law.elastic_energy(Sym<double, 2>{}, stretched)));
 }

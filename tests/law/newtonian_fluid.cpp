@@ -32,7 +32,7 @@ TEST_CASE("a column let go comes to rest with the pressure of the weight above")
               walls(left(roller), right(roller), bottom(roller)),
               gravity({0, -g})};
   run(scene, {.end = 0.5, .courant = 1});
-  const auto& points = std::get<0>(scene.bodies).points;
+  const auto& points = scene.body().points;
   double worst = 0;
   for (std::size_t p = 0; p < points.size(); ++p) {
     const double depth = height * (1 - density * g * height / bulk / 2) - points.position[p][1];
@@ -57,10 +57,10 @@ TEST_CASE("Poiseuille flow: between plates the velocity is a parabola") {
   const double spread = density * height * height / viscosity;  // time in which motion spreads, s
   run(scene, {.end = 1.5 * spread, .courant = 1});
   // Points of FLIP move with the velocity of the nodes; their own keeps what the nodes do not see.
-  const auto before = std::get<0>(scene.bodies).points.position;
+  const auto before = scene.body().points.position;
   const double start = scene.time;
   run(scene, {.end = 1.6 * spread, .courant = 1});
-  const auto& points = std::get<0>(scene.bodies).points;
+  const auto& points = scene.body().points;
   const double fastest = density * g * height * height / (8 * viscosity);
   double worst = 0, mean = 0;
   for (std::size_t p = 0; p < points.size(); ++p) {

@@ -56,7 +56,7 @@ template <class... Parts>
 auto swinging(double share, Parts... parts) {
   Scene scene{PlaneStrain{}, grid(), Numerics<QuadraticBSpline>{},
               bodies(fill(Box{{0.2, 0.2}, {0.8, 0.6}}, Pump(share), {.per_cell = 4})), parts...};
-  auto& points = std::get<0>(scene.bodies).points;
+  auto& points = scene.body().points;
   for (std::size_t p = 0; p < points.size(); ++p)
     points.velocity.column(0)[p] = 2 * (points.position[p][0] - 0.5);
   return scene;
@@ -146,12 +146,12 @@ TEST_CASE("Energy that a law makes: first a warning, then the end, with and with
 
 TEST_CASE("Energy that sways with the step is no gain: velocities are those of its middle") {
   const auto check = [](auto scene) {
-    const double energy = kinetic_energy(std::get<0>(scene.bodies));
+    const double energy = kinetic_energy(scene.body());
     double sways = 0;
     Watch watch{{.every = 1}};
     const Said s = said([&] {
       run(scene, {.end = 0.2, .courant = 0.25}, watch, [&](const auto& now) {
-        const auto& body = std::get<0>(now.bodies);
+        const auto& body = now.body();
         sways = std::max(sways, std::abs(kinetic_energy(body) + strain_energy(body) - energy) / energy);
       });
     });
@@ -170,7 +170,7 @@ TEST_CASE("Energy put in behind the scene's back, or taken away") {
     auto scene = swinging(0, TrackEnergy{});
     Watch watch{{.energy_loss = 0.3}};
     run(scene, {.end = 0.001, .max_step = 1e-4}, watch);
-    auto& points = std::get<0>(scene.bodies).points;
+    auto& points = scene.body().points;
     for (auto& v : points.velocity.column(0)) v *= factor;
     const Said s = said([&] { run(scene, {.end = 0.002}, watch); });
     CAPTURE(s.error);
@@ -182,7 +182,7 @@ TEST_CASE("Energy put in behind the scene's back, or taken away") {
   auto scene = swinging(0);
   Watch watch{{.lost = inf, .every = 1}};
   run(scene, {.end = 0.001, .max_step = 1e-4}, watch);
-  auto& body = std::get<0>(scene.bodies);
+  auto& body = scene.body();
   for (auto& v : body.points.velocity.column(0)) v *= 1.2;
   CHECK(has(said([&] { run(scene, {.end = 0.002}, watch); }).error, "energy_gain = 0.4"));
   body.lost = 1;
@@ -208,7 +208,7 @@ TEST_CASE("Work of gravity and of a driven body is no gain, with and without a l
     const Said s = said([&] { run(scene, {.end = 0.1}, watch); });
     CHECK(s.error == "");
     CHECK(s.warnings.empty());
-    CHECK(strain_energy(std::get<0>(scene.bodies)) > 1);
+    CHECK(strain_energy(scene.body()) > 1);
     return of(watch, "energy_gain").worst;
   };
   CHECK(check(TrackEnergy{}) <= 0.01);
@@ -218,7 +218,7 @@ TEST_CASE("Work of gravity and of a driven body is no gain, with and without a l
 TEST_CASE("Volume, stress and lost points: a tenth warns once, the limit stops, with body and place") {
   auto scene = sand_block();
   run(scene, {.end = 0.002});
-  auto& body = std::get<0>(scene.bodies);
+  auto& body = scene.body();
   auto& points = body.points;
   const auto volume = points.volume;
   const auto stress = points.stress;
@@ -272,7 +272,7 @@ TEST_CASE("Volume, stress and lost points: a tenth warns once, the limit stops, 
 
   // It could not know better at the start: initial stresses may lie outside.
   auto fresh = sand_block();
-  std::get<0>(fresh.bodies).points.stress.set(3, {{0, 0, 0, 1e5}});
+  fresh.body().points.stress.set(3, {{0, 0, 0, 1e5}});
   CHECK(said([&] { Watch{no_energy}.look(fresh); }).error == "");
 
   points.stress = stress;
@@ -289,7 +289,7 @@ TEST_CASE("Volume, stress and lost points: a tenth warns once, the limit stops, 
 
 TEST_CASE("It looks at its first call, at each so-many-th step and at the end; NaN is past every limit") {
   auto scene = sand_block();
-  auto& volume = std::get<0>(scene.bodies).points.volume;
+  auto& volume = scene.body().points.volume;
   const auto seen_at_step = [&](std::size_t every, std::size_t steps) {
     auto s = scene;
     WatchLimits limits = no_energy;
@@ -298,7 +298,7 @@ TEST_CASE("It looks at its first call, at each so-many-th step and at the end; N
     watch(s);
     for (std::size_t k = 0; k < steps; ++k) {
       step(s, 1e-5);
-      if (k == 2) std::get<0>(s.bodies).points.volume.assign(volume.size(), 10 * volume[0]);
+      if (k == 2) s.body().points.volume.assign(volume.size(), 10 * volume[0]);
       try {
         watch(s);
       } catch (const run_error&) {
@@ -319,7 +319,7 @@ TEST_CASE("It looks at its first call, at each so-many-th step and at the end; N
   auto end = sand_block();
   Watch last{rarely};
   const auto spoil = [&](const auto& s) {
-    if (s.time == 0.001) std::get<0>(end.bodies).points.volume.assign(volume.size(), volume[0]);
+    if (s.time == 0.001) end.body().points.volume.assign(volume.size(), volume[0]);
   };
   CHECK(has(said([&] { run(end, {.end = 0.001}, last, spoil); }).error, "t = 0.001 s: volume = 1"));
   volume[3] = std::numeric_limits<double>::quiet_NaN();

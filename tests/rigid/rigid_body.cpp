@@ -3,6 +3,7 @@
 
 #include <arenite/core/units.hpp>
 #include <arenite/rigid/rigid_body.hpp>
+#include <arenite/transfer/node_field.hpp>
 
 #include "../mesh/sample_meshes.hpp"
 
@@ -30,14 +31,15 @@ struct ListedSurface {
 using Field = NodeField<double, 2, true, false>;
 const CartesianGrid<2> grid({.lower = {0, 0}, .upper = {1, 1}, .cell = 0.25});
 
-template <class Motion, class Coupling = RigidVelocity>
-auto make_rigid(ListedSurface surface, Motion motion, Friction friction) {
-  RigidBody<double, 2, ListedSurface, Motion, Coupling> body{std::move(surface), motion, friction};
-  if constexpr (Motion::free) {
-    body.axis = P(motion.axis[0], motion.axis[1]).normalized();
-    body.velocity = motion.velocity * body.axis;
-  }
-  return body;
+template <class Coupling = RigidVelocity>
+auto make_rigid(ListedSurface surface, Guided motion, Friction friction) {
+  using Motion = BoundGuided<double, 2>;
+  return RigidBody<double, 2, ListedSurface, Motion, Coupling>{std::move(surface), Motion(motion), friction};
+}
+template <class Velocity>
+auto make_rigid(ListedSurface surface, Prescribed<Velocity> motion, Friction friction) {
+  using Motion = BoundPrescribed<double, 2, Velocity>;
+  return RigidBody<double, 2, ListedSurface, Motion>{std::move(surface), Motion(motion), friction};
 }
 
 template <class R, class Fields>
@@ -170,8 +172,8 @@ TEST_CASE("through the centre of mass: the node gets the mean velocity of soil a
   fields[0].velocity[7] = {0.3, 1};
   fields[0].mass[8] = 0.5;
   fields[0].velocity[8] = {0, -9};  // parts
-  auto body = make_rigid<Guided, CentreOfMass>({{7, 8}, {P(0, -1), P(0, -1)}, {0.25, 0.5}},
-                                               Guided{.mass = 8, .velocity = -2}, Friction::frictionless());
+  auto body = make_rigid<CentreOfMass>({{7, 8}, {P(0, -1), P(0, -1)}, {0.25, 0.5}},
+                                       Guided{.mass = 8, .velocity = -2}, Friction::frictionless());
   meet(body, fields);
   const double centre = (1.5 * 1 + 2 * -2) / 3.5;  // 0.25 of 8 kg at the node
   REQUIRE((fields[0].velocity[7] - P(0.3, centre)).norm() < 1e-15);
@@ -179,8 +181,8 @@ TEST_CASE("through the centre of mass: the node gets the mean velocity of soil a
   REQUIRE(std::abs(body.velocity[1] - (-2 + 1.5 * (1 - centre) / 8)) < 1e-15);
   // No slip: all of the velocity.
   fields[0].velocity[7] = {0.3, 1};
-  auto rough = make_rigid<Guided, CentreOfMass>({{7}, {P(0, -1)}, {0.25}}, Guided{.mass = 8, .velocity = -2},
-                                                Friction::no_slip());
+  auto rough = make_rigid<CentreOfMass>({{7}, {P(0, -1)}, {0.25}}, Guided{.mass = 8, .velocity = -2},
+                                        Friction::no_slip());
   meet(rough, fields);
   REQUIRE((fields[0].velocity[7] - P(1.5 * 0.3 / 3.5, centre)).norm() < 1e-15);
 }

@@ -57,7 +57,7 @@ struct Breath {
 
 template <class Scene>
 Breath breathe(Scene scene, double end, double step) {
-  auto& points = std::get<0>(scene.bodies).points;
+  auto& points = scene.body().points;
   constexpr int D = Scene::D;
   const auto radius = [](const Vec<double, D>& x) {
     if constexpr (D == 3) return std::hypot(x[0], x[2]);

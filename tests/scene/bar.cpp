@@ -26,7 +26,7 @@ struct Result {
 /// weighted with mass and the mode's shape).
 template <class Scene>
 Result vibrate(Scene scene, double courant) {
-  auto& points = std::get<0>(scene.bodies).points;
+  auto& points = scene.body().points;
   std::vector<double> shape;
   for (std::size_t p = 0; p < points.size(); ++p) {
     shape.push_back(std::sin(wave * points.position[p][0]));

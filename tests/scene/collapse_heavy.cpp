@@ -32,7 +32,7 @@ Deposit collapse(double friction) {
        .courant = test::courant(scene, 0.5)});  // at rest after some 3.3 sqrt(h_0 / g) = 0.33 s (Lube et al.)
   CHECK(scene.lost_points() == 0);
   Deposit d{0, 0, 0};
-  const auto& points = std::get<0>(scene.bodies).points;
+  const auto& points = scene.body().points;
   for (std::size_t p = 0; p < points.size(); ++p) {
     d.run_out = std::max(d.run_out, points.position[p][0] / x0 - 1);
     d.top = std::max(d.top, points.position[p][1] / h0);

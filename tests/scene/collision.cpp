@@ -26,8 +26,8 @@ Vec<double, 2> total_momentum(const Scene& scene) {
 
 template <class Scene>
 std::array<double, 2> velocities(const Scene& scene) {
-  const auto& a = std::get<0>(scene.bodies);
-  const auto& b = std::get<1>(scene.bodies);
+  const auto& a = scene.template body<0>();
+  const auto& b = scene.template body<1>();
   return {momentum(a)[0] / mass(a), momentum(b)[0] / mass(b)};
 }
 
@@ -51,7 +51,7 @@ void exchange_velocities(N numerics, double courant) {
   auto scene = channel(numerics, h);
   const double start = total_momentum(scene)[0];
   const double wave = std::sqrt(bar().wave_modulus() / bar().density());
-  const double energy = scene.ledger.initial_kinetic;
+  const double energy = scene.template part<TrackEnergy>().initial_kinetic;
   double first = -1, last = -1, worst = 0, residual = 0;
   const double end = 2 * h / speed + 4 * length / wave;
   run(scene, {.end = end, .courant = test::courant(scene, courant)}, [&](const auto& s) {
@@ -89,7 +89,7 @@ TEST_CASE("Collision: momentum to round-off for unequal bars and all transfers")
     const double start = total_momentum(scene)[0];
     bool met = false;
     run(scene, {.end = 0.25, .courant = test::courant(scene, 0.4)}, [&](const auto& s) {
-      const auto& given = s.contact_impulse;
+      const auto& given = s.template part<Coulomb>().impulse;
       met = met || given[0].norm() > 0;
       if (s.contact_tally.nodes > 0) REQUIRE((given[0] + given[1]).norm() <= 1e-13 * start);
     });
@@ -116,12 +116,12 @@ TEST_CASE("Collision: oblique, with friction, in free flight: linear momentum to
   const Vec<double, 2> start = total_momentum(scene);
   run(scene, {.end = 0.3, .courant = test::courant(scene, 0.5)});
   const Energies e = energies(scene);
-  CAPTURE(e.kinetic, e.strain, e.contact, e.residual, scene.ledger.initial_kinetic);
+  CAPTURE(e.kinetic, e.strain, e.contact, e.residual, scene.template part<TrackEnergy>().initial_kinetic);
   // What the velocity limit takes from nodes of next to no mass is counted.
   CAPTURE(scene.limited, scene.limited_momentum);
   CHECK((total_momentum(scene) - start).norm() <= 1e-12 * start.norm() + scene.limited_momentum);
   CHECK(scene.limited_momentum <= 1e-6 * start.norm());
-  CHECK(e.kinetic + e.strain < scene.ledger.initial_kinetic);
+  CHECK(e.kinetic + e.strain < scene.template part<TrackEnergy>().initial_kinetic);
   CHECK(e.contact > 0);
   CHECK(std::abs(velocities(scene)[0] - 1) > 0.1);
 }
@@ -155,7 +155,7 @@ CartesianGrid<2> squares() {
 /// balance closes within `residual`, all as shares of the energy at the start. Returns what is left of it.
 template <class Scene>
 double impact(Scene scene, double courant, double gain, double residual) {
-  const double start = scene.ledger.initial_kinetic;
+  const double start = scene.template part<TrackEnergy>().initial_kinetic;
   double most = 0, last = 0, gift = 0, off = 0;
   bool met = false;
   run(scene, {.end = 0.3, .courant = test::courant(scene, courant)}, [&](const auto& s) {
@@ -229,7 +229,7 @@ TEST_CASE("Collision: contact pushes no body off its wall") {
         REQUIRE(field.velocity[c.node][1] == 0);
         REQUIRE(field.mapped[c.node][1] == 0);
       }
-      for (const auto& pair : s.contact_pairs)
+      for (const auto& pair : s.template part<Coulomb>().pairs)
         if (pair.node == c.node) pushed += std::abs(pair.impulse[1]);
     }
     REQUIRE((total_momentum(s) - start - s.wall_impulse).norm() <= 1e-12 * start.norm() + s.limited_momentum);

@@ -24,7 +24,7 @@ struct Deviation {
 /// Of the mean stresses in time over a run to `end`. No point changes its cell: they keep their order.
 template <class Scene>
 Deviation mean_deviation(Scene scene, double end) {
-  const auto& points = std::get<0>(scene.bodies).points;
+  const auto& points = scene.body().points;
   const auto initial = points.position;
   std::vector<Sym<double, 2>> mean(points.size());
   Deviation d;

@@ -20,7 +20,7 @@ template <class N>
 auto flying(N numerics) {
   Scene scene{PlaneStrain{}, CartesianGrid<2>{{.lower = {-0.6, -0.6}, .upper = {0.6, 0.6}, .cell = 0.1}},
               numerics, bodies(fill(Inside{disc}, rubber(), {.per_cell = 4})), TrackEnergy{}};
-  auto& points = std::get<0>(scene.bodies).points;
+  auto& points = scene.body().points;
   for (std::size_t p = 0; p < points.size(); ++p) {
     const auto x = points.position[p];
     points.velocity.set(p, Vec<double, 2>(0.3 - spin * x[1], -0.2 + spin * x[0]));
@@ -32,7 +32,7 @@ auto flying(N numerics) {
 /// APIC.
 template <class Scene>
 double angular_momentum(const Scene& scene) {
-  const auto& points = std::get<0>(scene.bodies).points;
+  const auto& points = scene.body().points;
   double sum = 0;
   for (std::size_t p = 0; p < points.size(); ++p) {
     const auto &x = points.position[p], &v = points.velocity[p];
@@ -48,11 +48,11 @@ double angular_momentum(const Scene& scene) {
 
 TEST_CASE("A free spinning body keeps its momentum to round-off, and its angular momentum with APIC") {
   const auto check = [](auto scene, double angular) {
-    const Vec<double, 2> start = momentum(std::get<0>(scene.bodies));
-    const double turn = angular_momentum(scene), weight = mass(std::get<0>(scene.bodies));
+    const Vec<double, 2> start = momentum(scene.body());
+    const double turn = angular_momentum(scene), weight = mass(scene.body());
     run(scene, {.end = 0.3, .courant = test::courant(scene, 0.5)});
-    CHECK((momentum(std::get<0>(scene.bodies)) - start).norm() <= 1e-12 * start.norm());
-    CHECK(mass(std::get<0>(scene.bodies)) == weight);
+    CHECK((momentum(scene.body()) - start).norm() <= 1e-12 * start.norm());
+    CHECK(mass(scene.body()) == weight);
     CHECK(std::abs(angular_momentum(scene) / turn - 1) <= angular);
     CHECK(scene.lost_points() == 0);
   };
@@ -90,9 +90,9 @@ TEST_CASE("Without forces what rests stays at rest, bit for bit, and a uniform m
   Scene scene{PlaneStrain{}, CartesianGrid<2>{{.lower = {0, 0}, .upper = {1, 1}, .cell = 0.1}},
               Numerics<QuadraticBSpline, Apic>{}, bodies(fill(Box{{0., 0.}, {0.5, 0.5}}, rubber())),
               walls(bottom(fixed))};
-  const auto start = std::get<0>(scene.bodies).points.position;
+  const auto start = scene.body().points.position;
   run(scene, {.end = 0.1});
-  const auto& points = std::get<0>(scene.bodies).points;
+  const auto& points = scene.body().points;
   CHECK(points.position == start);
   for (const auto& v : points.velocity) REQUIRE(v == (Vec<double, 2>::Zero()));
 
@@ -100,7 +100,6 @@ TEST_CASE("Without forces what rests stays at rest, bit for bit, and a uniform m
               Numerics<QuadraticBSpline, Apic>{},
               bodies(fill(Box{{0.2, 0.2}, {0.5, 0.5}}, rubber(), {.velocity = {1, 0.5, 0}}))};
   run(moves, {.end = 0.2});
-  for (const auto& v : std::get<0>(moves.bodies).points.velocity)
-    REQUIRE((v - Vec<double, 2>(1, 0.5)).norm() <= 1e-10);
-  for (const auto& s : std::get<0>(moves.bodies).points.stress) REQUIRE(contract(s, s) <= 1e-10 * 1e5);
+  for (const auto& v : moves.body().points.velocity) REQUIRE((v - Vec<double, 2>(1, 0.5)).norm() <= 1e-10);
+  for (const auto& s : moves.body().points.stress) REQUIRE(contract(s, s) <= 1e-10 * 1e5);
 }

@@ -22,7 +22,7 @@ template <class Scene>
 Outcome outcome(Scene&& scene, double end) {
   run(scene, {.end = end, .courant = 0.5});
   const Energies e = energies(scene);
-  return {e.residual / e.external, mean_volume_ratio(std::get<0>(scene.bodies))};
+  return {e.residual / e.external, mean_volume_ratio(scene.body())};
 }
 
 /// A bed on a rough base under gravity at 60 deg to its normal, which shears it along the base.

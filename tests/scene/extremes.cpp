@@ -34,19 +34,18 @@ TEST_CASE("A single point falls freely, exactly") {
               bodies(fill(Box{{0., 0.5}, {0.5, 1.}}, rubber(), {.per_cell = 1})), gravity({0, -10})};
   REQUIRE(scene.point_count() == 1);
   run(scene, {.end = 0.2});
-  CHECK(std::abs(std::get<0>(scene.bodies).points.velocity[0][1] + 2) <= 1e-12);
+  CHECK(std::abs(scene.body().points.velocity[0][1] + 2) <= 1e-12);
 }
 
 TEST_CASE("Points that leave the mesh are counted with their mass; without any point the run stops") {
   const auto check = [](auto scene) {
     const std::size_t all = scene.point_count();
-    const double before = mass(std::get<0>(scene.bodies));
+    const double before = mass(scene.body());
     run(scene, {.end = 0.05});
     CHECK(scene.lost_points() > 0);
     CHECK(scene.point_count() > 0);
     CHECK(scene.point_count() + scene.lost_points() == all);
-    CHECK(std::abs(mass(std::get<0>(scene.bodies)) + std::get<0>(scene.bodies).lost_mass - before) <=
-          1e-12 * before);
+    CHECK(std::abs(mass(scene.body()) + scene.body().lost_mass - before) <= 1e-12 * before);
     CHECK_THROWS_AS(run(scene, {.end = 1, .max_step = 0.01}), run_error);
     CHECK(scene.point_count() == 0);
     CHECK(scene.lost_points() == all);
@@ -64,15 +63,16 @@ TEST_CASE("Points that leave the mesh are counted with their mass; without any p
 }
 
 TEST_CASE("Of two bodies one may leave the mesh: one warning, and the other goes on") {
-  Scene scene{PlaneStrain{}, grid(), Numerics<QuadraticBSpline, Apic>{},
-              bodies(fill(Box{{0., 0.}, {0.3, 0.3}}, rubber()),
-                     fill(Box{{0.7, 0.7}, {0.9, 0.9}}, rubber(), {.per_cell = 4, .velocity = {10, 0, 0}}))};
+  Scene scene{
+      PlaneStrain{}, grid(), Numerics<QuadraticBSpline, Apic>{},
+      bodies(fill<"stays">(Box{{0., 0.}, {0.3, 0.3}}, rubber()),
+             fill<"leaves">(Box{{0.7, 0.7}, {0.9, 0.9}}, rubber(), {.per_cell = 4, .velocity = {10, 0, 0}}))};
   std::vector<std::string> said;
   const WarningHook old = on_warning([&](const std::string& text) { said.push_back(text); });
   run(scene, {.end = 0.1});
   on_warning(old);
-  CHECK(std::get<1>(scene.bodies).points.size() == 0);
-  CHECK(std::get<0>(scene.bodies).points.size() > 0);
+  CHECK(scene.body<"leaves">().points.size() == 0);
+  CHECK(scene.body<"stays">().points.size() > 0);
   REQUIRE(said.size() == 1);
   CHECK(said[0].find("all points of body 1 have left the mesh") != std::string::npos);
 }
@@ -95,7 +95,7 @@ TEST_CASE("A NaN stops the run at its step with time, body and point") {
               bodies(fill(Box{{0., 0.}, {1., 0.5}}, rubber()))};
   run(scene, {.end = 0.01});
   const std::size_t steps = scene.steps;
-  std::get<0>(scene.bodies).points.velocity.column(1)[37] = std::numeric_limits<double>::quiet_NaN();
+  scene.body().points.velocity.column(1)[37] = std::numeric_limits<double>::quiet_NaN();
   const std::string what = what_of(scene, {.end = 0.02});
   CAPTURE(what);
   CHECK(what.find("t = 0.01") == 0);
@@ -108,7 +108,7 @@ TEST_CASE("Sums that are not finite stop the run even where every number of ever
   Scene scene{PlaneStrain{}, grid(), Numerics<QuadraticBSpline, Apic>{},
               bodies(fill(Box{{0., 0.}, {1., 0.5}}, rubber()))};
   step(scene, 1e-5);
-  scene.finite = std::get<0>(scene.bodies).finite = false;
+  scene.finite = scene.body().finite = false;
   std::string what;
   try {
     finish(scene, 1e-5);
@@ -154,7 +154,7 @@ TEST_CASE("Lanes without a point stay out of the sums, whatever a law's history 
   REQUIRE(scene.point_count() == 9);
   step(scene, 1e-3);
   CHECK(scene.finite);
-  CHECK(std::get<0>(scene.bodies).opened_volume == 0);
+  CHECK(scene.body().opened_volume == 0);
 }
 
 TEST_CASE("Float follows double") {
@@ -167,7 +167,7 @@ TEST_CASE("Float follows double") {
                 gravity({0, -9.81})};
     run(scene, {.end = 0.1, .courant = 1, .max_step = 1e-3});
     double height = 0;
-    for (const auto& x : std::get<0>(scene.bodies).points.position) height += static_cast<double>(x[1]);
+    for (const auto& x : scene.body().points.position) height += static_cast<double>(x[1]);
     return height / static_cast<double>(scene.point_count());
   };
   const double exact = fall(CartesianGrid<2, double>{{.lower = {0, 0}, .upper = {1, 1}, .cell = 0.1}});
@@ -186,7 +186,7 @@ TEST_CASE("A stiff body on one a million times softer, at once") {
       gravity({0, -10})};
   run(scene, {.end = 5e-4, .courant = test::courant(scene, 0.5)});
   CHECK(scene.lost_points() == 0);
-  for (const auto& v : std::get<1>(scene.bodies).points.velocity) {
+  for (const auto& v : scene.body<1>().points.velocity) {
     REQUIRE(v.norm() <= 10 * 5e-4 * 1.01);
     REQUIRE(std::abs(v[0]) <= 1e-3 * 10 * 5e-4);
   }
@@ -218,14 +218,15 @@ double throw_and_catch(const Law& law) {
               walls(bottom(roller), left(roller), right(roller)),
               gravity({0, -9.81}),
               TrackEnergy{}};
-  auto& body = std::get<0>(scene.bodies);
+  auto& body = scene.body();
   for (std::size_t p = 0; p < body.points.size(); ++p)
     body.points.velocity.column(1)[p] = 10 * body.points.position[p][1];
   double highest = 0;
   const double energy = kinetic_energy(body);
   run(scene, {.end = 1.5, .courant = test::courant(scene, 0.5)}, [&](const auto& s) {
     for (const auto& x : body.points.position) highest = std::max(highest, x[1]);
-    REQUIRE(kinetic_energy(body) + strain_energy(body) <= energy * 1.01 + s.ledger.gravity_work);
+    REQUIRE(kinetic_energy(body) + strain_energy(body) <=
+            energy * 1.01 + s.template part<TrackEnergy>().gravity_work);
   });
   CHECK(highest > 0.6);
   CHECK(scene.lost_points() == 0);

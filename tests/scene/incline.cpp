@@ -30,9 +30,9 @@ double centre(const Body& body) {
 /// Travel of body 0 over that of the analytic solution; where the analytic one sticks, the travel in metres.
 template <class Scene>
 double travel(Scene& scene, double slope, double end) {
-  const double start = centre(std::get<0>(scene.bodies));
+  const double start = centre(scene.body());
   run(scene, {.end = end, .courant = test::courant(scene, 0.5)});
-  const double moved = centre(std::get<0>(scene.bodies)) - start;
+  const double moved = centre(scene.body()) - start;
   const double drive = std::sin(slope) - std::tan(friction) * std::cos(slope);
   return drive > 0 ? moved / (g * square(end) * drive / 2) : moved;
 }
@@ -107,7 +107,7 @@ TEST_CASE("Incline: a block sticks to a deformable one") {
 TEST_CASE("Incline: a block slides on a rigid surface, and its friction is mu times the normal force") {
   const auto check = [](auto scene) {
     CHECK(std::abs(travel(scene, steep, 0.4) - 1) <= 0.02);
-    const auto& body = std::get<0>(scene.rigids);
+    const auto& body = scene.rigid();
     // Less than mu where a node sticks for a while, as some do at first; never more.
     const double ratio = body.impulse[0] / -body.impulse[1];
     CHECK(ratio <= std::tan(friction) * (1 + 1e-9));

@@ -33,13 +33,13 @@ template <class Scene>
 std::vector<double> history(Scene s, double end) {
   std::vector<double> mean;
   run(s, {.end = end, .courant = 1, .max_step = 4e-4}, [&](const auto& now) {
-    const auto& x = std::get<0>(now.bodies).points.position;
+    const auto& x = now.body().points.position;
     double sum = 0;
     for (const auto& at : x) sum += at[1] / static_cast<double>(x.size());
     mean.push_back(sum);
   });
   CHECK(s.lost_points() == 0);
-  CHECK(std::get<0>(s.rigids).impulse.norm() == 0);
+  CHECK(s.rigid().impulse.norm() == 0);
   return mean;
 }
 
@@ -89,7 +89,7 @@ TEST_CASE("Moving mesh: the zones move as they are told, and a used-up zone stop
                  MovingMesh<>{.fixed_below = 0.6, .moving_from = 1.0});
   const auto before = s.mesh.positions();
   run(s, {.end = 0.05});
-  const double travel = std::get<0>(s.rigids).displacement[1];
+  const double travel = s.rigid().displacement[1];
   CHECK(std::abs(travel + 0.1) <= 1e-12);
   for (Index i = 0; i < s.mesh.node_count(); ++i) {
     const double y = before[i][1], share = y <= 0.6 ? 0 : y < 1 ? (y - 0.6) / 0.4 : 1;

@@ -26,7 +26,7 @@ MovingMesh<> following() { return {.fixed_below = 0, .moving_from = height}; }
 /// A linear velocity from the start, so that no wave runs through the layer.
 template <class Scene>
 void start_uniform(Scene& scene) {
-  auto& points = std::get<0>(scene.bodies).points;
+  auto& points = scene.body().points;
   for (std::size_t p = 0; p < points.size(); ++p) {
     auto v = points.velocity[p];
     v.setZero();
@@ -45,7 +45,7 @@ template <class Scene>
 void check(Scene scene, double ratio, double tolerance) {
   start_uniform(scene);
   run(scene, {.end = squeeze / speed, .courant = test::courant(scene, 0.5)});
-  const auto& body = std::get<0>(scene.bodies);
+  const auto& body = scene.body();
   const double strain = std::log((height - squeeze) / height);
   double axial = 0, lateral = 0;
   for (const auto& s : body.points.stress) {
@@ -125,7 +125,7 @@ TEST_CASE("Oedometer on B-splines: a platen given as a signed distance feels wha
                            Friction::frictionless()))};
   start_uniform(scene);
   run(scene, {.end = squeeze / speed, .courant = test::courant(scene, 0.5)});
-  const auto& body = std::get<0>(scene.bodies);
+  const auto& body = scene.body();
   double mean = 0, lateral = 0;
   for (const auto& s : body.points.stress) {
     mean += s[1] / static_cast<double>(body.points.size());
@@ -137,5 +137,5 @@ TEST_CASE("Oedometer on B-splines: a platen given as a signed distance feels wha
   // Where the face acts is blurred: nodes within half a cell of it are stopped, so that it acts up to that
   // much early.
   CHECK(std::abs(mean / exact - 1) <= 0.1);
-  CHECK(std::abs(std::get<0>(scene.rigids).force[1] / (-mean * 0.1) - 1) <= 0.1);
+  CHECK(std::abs(scene.rigid().force[1] / (-mean * 0.1) - 1) <= 0.1);
 }

@@ -83,13 +83,13 @@ TEST_CASE("A bar whose Young's modulus grows as (1 + x / L)^2 vibrates at the fr
         TrackEnergy{}};
     // The wave of the stiffest point: twice as fast as at the soft end.
     CHECK(stable_step(scene) == Approx(h / (2 * c0) / std::sqrt(6)).epsilon(0.02));
-    auto& points = std::get<0>(scene.bodies).points;
+    auto& points = scene.body().points;
     std::vector<double> shape;
     for (std::size_t p = 0; p < points.size(); ++p) {
       shape.push_back(mode(points.position[p][0]));
       points.velocity.set(p, Vec<double, 2>(speed * shape[p], 0));
     }
-    const double kinetic = kinetic_energy(std::get<0>(scene.bodies));
+    const double kinetic = kinetic_energy(scene.body());
     double worst = 0, stored = 0;
     run(scene, {.end = 2 * 2 * pi / omega, .courant = 0.5}, [&](const auto& s) {
       double top = 0, bottom = 0;
@@ -99,7 +99,7 @@ TEST_CASE("A bar whose Young's modulus grows as (1 + x / L)^2 vibrates at the fr
       }
       const double t = s.steps > 0 ? s.time - s.time_step / 2 : 0;
       worst = std::max(worst, std::abs(top / bottom / speed - std::cos(omega * t)));
-      stored = std::max(stored, strain_energy(std::get<0>(s.bodies)));
+      stored = std::max(stored, strain_energy(s.body()));
     });
     CAPTURE(worst, stored / kinetic);
     if (cells == 40) {
@@ -157,7 +157,7 @@ TEST_CASE(
   CHECK(strength.name == "strength");
   CHECK(strength.worst <= 1e-12);
   // Friction went with the points as they changed cells and places.
-  const auto& points = std::get<0>(scene.bodies).points;
+  const auto& points = scene.body().points;
   double least = 1, most = 0;
   for (const double value : points.history[1]) {
     least = std::min(least, value);

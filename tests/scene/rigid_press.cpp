@@ -16,15 +16,15 @@ LinearElastic soil() { return LinearElastic{{.density = 1500, .young = 1e6, .poi
 
 template <class Scene>
 Vec<double, 2> soil_momentum(const Scene& scene) {
-  return momentum(std::get<0>(scene.bodies));
+  return momentum(scene.body());
 }
 
 /// Runs and checks, at every step, the balance of the soil: momentum = gravity + walls + contact. Returns the
 /// least height that the body reached.
 template <class Scene>
 double balance(Scene& scene, double end) {
-  const auto& body = std::get<0>(scene.rigids);
-  const double weight = mass(std::get<0>(scene.bodies)) * g;
+  const auto& body = scene.rigid();
+  const double weight = mass(scene.body()) * g;
   const Vec<double, 2> start = soil_momentum(scene);
   double deepest = 0, summed = 0;
   run(scene, {.end = end, .courant = test::courant(scene, 0.5)}, [&](const auto& s) {
@@ -90,8 +90,10 @@ TEST_CASE("Rigid body on triangles: light, middling and heavy, impulses balance"
     CHECK(deepest < before);
     before = deepest;
     const Energies e = energies(scene);
-    CAPTURE(e.residual, e.kinetic, e.strain, e.contact, e.external, scene.ledger.initial_kinetic);
-    CHECK(std::abs(e.residual) <= 0.2 * (scene.ledger.initial_kinetic + std::abs(e.external)));
+    CAPTURE(e.residual, e.kinetic, e.strain, e.contact, e.external,
+            scene.template part<TrackEnergy>().initial_kinetic);
+    CHECK(std::abs(e.residual) <=
+          0.2 * (scene.template part<TrackEnergy>().initial_kinetic + std::abs(e.external)));
   }
   CHECK(before < -0.01);
 }
@@ -114,16 +116,16 @@ TEST_CASE("Impulses balance with a prescribed motion, and through the centre-of-
 TEST_CASE("A body far heavier than the layer keeps its speed; one far lighter takes the layer's") {
   auto heavy = on_grid(dropped(1e9));
   run(heavy, {.end = 0.01});
-  CHECK(std::abs(std::get<0>(heavy.rigids).velocity[1] + speed + g * 0.01) <= 1e-5);
+  CHECK(std::abs(heavy.rigid().velocity[1] + speed + g * 0.01) <= 1e-5);
   for (const double mass : {1e-2, 1e-4, 1e-6, 1e-9}) {
     CAPTURE(mass);
     auto light = on_grid(dropped(mass));
     run(light, {.end = 0.05}, [](const auto& s) {
       // No node that the body touches moves into it.
-      const auto& body = std::get<0>(s.rigids);
+      const auto& body = s.rigid();
       for (const auto& t : body.touches)
         REQUIRE((s.fields[t.field].velocity[t.node] - body.velocity).dot(t.normal) >= -1e-6 * speed);
     });
-    CHECK(std::abs(std::get<0>(light.rigids).velocity[1]) <= 0.2 * speed);
+    CHECK(std::abs(light.rigid().velocity[1]) <= 0.2 * speed);
   }
 }

@@ -46,7 +46,7 @@ TEST_CASE("Stable step: cell size over wave speed, times what the numerics bear"
 
 TEST_CASE("Stable step: the fastest point counts, in whatever cell, lane and direction") {
   Scene scene{PlaneStrain{}, grid(), Splines{}, bodies(fill(Box{{0., 0.}, {1., 0.5}}, rubber()))};
-  auto& points = std::get<0>(scene.bodies).points;
+  auto& points = scene.body().points;
   const double c = wave(rubber());
   for (const std::size_t p : {0u, 1u, 58u, 199u}) {
     points.velocity.set(p, Vec<double, 2>(-30, 40));
@@ -90,7 +90,7 @@ namespace {
 /// scatter, in wave speeds), in steps of Courant number 1.
 template <class Scene>
 double growth(Scene scene, unsigned seed, double speed = 1e-4) {
-  auto& body = std::get<0>(scene.bodies);
+  auto& body = scene.body();
   std::mt19937 random(seed);
   std::normal_distribution<double> normal(0, speed);
   const double c = wave(rubber());
@@ -204,7 +204,7 @@ Spun spin(double turns, double courant, int per_cell = D == 2 ? 3 : 4) {
   const auto inside = [](const Vec<double, D>& x) { return x.norm() - 0.3; };
   using K = std::conditional_t<D == 2, PlaneStrain, Solid>;
   Scene scene{K{}, SimplexMesh<D>(data), N{}, bodies(fill(Inside{inside}, rubber(), {.per_cell = per_cell}))};
-  auto& body = std::get<0>(scene.bodies);
+  auto& body = scene.body();
   auto& points = body.points;
   Mat<double, D> whirl = Mat<double, D>::Zero();
   whirl(0, 1) = -rate, whirl(1, 0) = rate;

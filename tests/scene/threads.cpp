@@ -36,7 +36,7 @@ std::vector<unsigned char> bytes_after(Make&& make, int threads) {
     append(bytes, body.impulse);
   });
   append(bytes, std::array<double, 3>{scene.time, scene.wall_impulse[0], scene.wall_impulse[1]});
-  if constexpr (decltype(scene)::tracks_energy)
+  if constexpr (tracks_energy<decltype(scene)>)
     append(bytes, std::array<double, 1>{energies(scene).residual});
   return bytes;
 }

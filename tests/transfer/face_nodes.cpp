@@ -17,7 +17,7 @@ auto layer(int axis, bool upper, double thickness, Parts... parts) {
   const LinearElastic rubber{{.density = 1000, .young = 1e6, .poisson = 0.3}};
   Scene scene{PlaneStrain{}, grid(),  N{}, bodies(fill(Box{{0.3, 0.3}, {0.7, 0.4}}, rubber, {.per_cell = 4})),
               TrackEnergy{}, parts...};
-  auto& points = std::get<0>(scene.bodies).points;
+  auto& points = scene.body().points;
   for (std::size_t p = 0; p < points.size(); ++p) {
     const Vec<double, 2> x = points.position[p];
     const double height = thickness * (x[1] - 0.3);
@@ -26,7 +26,7 @@ auto layer(int axis, bool upper, double thickness, Parts... parts) {
     points.position.set(p, place);
     points.velocity.set(p, speed);
   }
-  scene.ledger.initial_kinetic = kinetic_energy(std::get<0>(scene.bodies));
+  scene.template part<TrackEnergy>().initial_kinetic = kinetic_energy(scene.body());
   return scene;
 }
 
@@ -36,10 +36,11 @@ template <class Scene>
 double greatest_gain(Scene scene) {
   double gain = 0;
   for (int k = 0; k < 300 && gain < 10; ++k) {
-    const double before = scene.ledger.stress_work;
+    const double before = scene.template part<TrackEnergy>().stress_work;
     step(scene, stable_step(scene));
-    const double work = scene.ledger.stress_work - before;
-    gain = std::max(gain, (energies(scene).residual - work / 2) / scene.ledger.initial_kinetic);
+    const double work = scene.template part<TrackEnergy>().stress_work - before;
+    gain = std::max(
+        gain, (energies(scene).residual - work / 2) / scene.template part<TrackEnergy>().initial_kinetic);
   }
   return gain;
 }

@@ -2,14 +2,15 @@
 // where several walls meet at a node their blocked directions add up.
 #pragma once
 
+#include <array>
+#include <cmath>
+#include <concepts>
 #include <functional>
-#include <limits>
 #include <string>
+#include <utility>
 #include <vector>
 
-#include <arenite/core/error.hpp>
-#include <arenite/mesh/mesh.hpp>
-#include <arenite/shape/shape.hpp>
+#include <arenite/boundary/constraints.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
@@ -26,7 +27,7 @@ constexpr Condition symmetry(std::array<double, 3> normal) { return {Condition::
 /// Motion along this axis alone.
 constexpr Condition free_along(std::size_t axis) {
   Condition c{Condition::Kind::all_but};
-  if (axis < 3) c.direction[axis] = 1;  // an axis that the scene does not have is refused by `resolve`
+  if (axis < 3) c.direction[axis] = 1;  // an axis that the scene does not have is refused by `Walls`
   return c;
 }
 
@@ -52,154 +53,70 @@ inline Wall where(std::function<bool(const std::array<double, 3>&)> test, Condit
   return {-1, false, {}, std::move(test), c};
 }
 
-/// Walls of a scene.
+/// Walls of a scene: a part that constrains. Throws `error` for a wall that catches no node, a face beyond
+/// the dimension, a roller that is no face, or a direction that is none.
 struct Walls {
   std::vector<Wall> list;
-};
-template <std::same_as<Wall>... W>
-Walls walls(W... wall) {
-  return {{std::move(wall)...}};
-}
 
-/// A node that may not move freely: its velocity is multiplied by `projector` [D x D].
-template <class T, int D>
-struct Constraint {
-  Index node;
-  Mat<T, D> projector;
-};
-
-namespace detail {
-
-/// Blocked directions at a node as an orthonormal set; adding one keeps it orthonormal.
-template <int D>
-struct Blocked {
-  Mat<double, D> directions = Mat<double, D>::Zero();  // columns
-  int count = 0;
-  void add(Vec<double, D> n) {
-    n.normalize();
-    for (int pass = 0; pass < 2; ++pass)
-      for (int k = 0; k < count; ++k) n -= directions.col(k).dot(n) * directions.col(k);
-    if (count < D && n.norm() > 1e-6) directions.col(count++) = n.normalized();
+  template <class Shape, class M>
+  void constrain(NodeConstraints<Shape, M>& nodes) const {
+    for (const Wall& wall : list) catch_nodes(wall, nodes);
   }
-};
 
-template <int D>
-Vec<double, D> in_dimension(const std::array<double, 3>& a) {
-  Vec<double, D> v;
-  for (int k = 0; k < D; ++k) v[k] = a[static_cast<std::size_t>(k)];
-  return v;
-}
-
-template <int D>
-void block(Blocked<D>& at, const Condition& c, int face_axis) {
-  using V = Vec<double, D>;
-  const V direction = in_dimension<D>(c.direction);
-  for (int k = 0; k < D; ++k) {
-    const bool blocks = c.kind == Condition::Kind::all ||
-                        (c.kind == Condition::Kind::face_normal && k == face_axis) ||
-                        (c.kind == Condition::Kind::all_but && direction[k] == 0);
-    if (blocks) at.add(V::Unit(k));
-  }
-  if (c.kind == Condition::Kind::normal) at.add(direction);
-}
-
-}  // namespace detail
-
-/// Resolves walls to constrained nodes, ascending. `axis_nodes`: also block the radial motion of nodes at r =
-/// 0. Throws `error` for a wall that catches no node, a face beyond the dimension, a roller that is no
-/// face, or a direction that is none.
-template <class Shape, class M>
-std::vector<Constraint<typename M::scalar, M::dimension>> resolve(const Walls& walls, const M& mesh,
-                                                                  bool axis_nodes) {
-  using T = typename M::scalar;
-  constexpr int D = M::dimension;
-  const Index n = Shape::node_count(mesh);
-  std::vector<Vec<double, D>> x(n);
-  Vec<double, D> lower = Vec<double, D>::Constant(std::numeric_limits<double>::infinity()), upper = -lower;
-  const auto used = [&]([[maybe_unused]] Index i) {  // a mesher may leave nodes without cells behind
-    if constexpr (is_simplex_mesh<M>) return !mesh.cells_at(i).empty();
-    return true;
-  };
-  for (Index i = 0; i < n; ++i) {
-    x[i] = Shape::node_position(mesh, i).template cast<double>();
-    if (!used(i)) continue;
-    lower = lower.cwiseMin(x[i]);
-    upper = upper.cwiseMax(x[i]);
-  }
-  const double near = 1e3 * static_cast<double>(std::numeric_limits<T>::epsilon()) * (upper - lower).norm();
-  std::vector<detail::Blocked<D>> blocked(n);
-  for (const Wall& wall : walls.list) {
-    require(wall.axis < D, "Wall.axis", wall.axis, "must be an axis of the scene");
+ private:
+  template <class Shape, class M>
+  static void catch_nodes(const Wall& wall, NodeConstraints<Shape, M>& nodes) {
+    constexpr int D = M::dimension;
+    using V = Vec<double, D>;
+    using Kind = Condition::Kind;
     const Condition& c = wall.condition;
-    require(wall.axis >= 0 || c.kind != Condition::Kind::face_normal, "Wall.condition", "roller",
+    V direction;
+    for (int k = 0; k < D; ++k) direction[k] = c.direction[static_cast<std::size_t>(k)];
+    require(wall.axis < D, "Wall.axis", wall.axis, "must be an axis of the scene");
+    require(wall.axis >= 0 || c.kind != Kind::face_normal, "Wall.condition", "roller",
             "needs a face (left, right, ..); elsewhere name the plane: symmetry(normal)");
-    if (c.kind == Condition::Kind::normal || c.kind == Condition::Kind::all_but) {
-      const Vec<double, D> direction = detail::in_dimension<D>(c.direction);
+    if (c.kind == Kind::normal || c.kind == Kind::all_but)
       require(direction.allFinite() && direction.norm() > 0,
-              c.kind == Condition::Kind::normal ? "symmetry.normal" : "free_along.axis",
-              direction.transpose(), "must have a length in the scene's dimensions");
-    }
+              c.kind == Kind::normal ? "symmetry.normal" : "free_along.axis", direction.transpose(),
+              "must have a length in the scene's dimensions");
     require(wall.axis >= 0 || !wall.set.empty() || wall.test, "Wall.set", wall.set,
             "must name a node set (or the wall a face or a test)");
     Index caught = 0;
     const auto take = [&](Index i) {
-      detail::block<D>(blocked[i], c, wall.axis);
+      for (int k = 0; k < D; ++k)
+        if (c.kind == Kind::all || (c.kind == Kind::face_normal && k == wall.axis) ||
+            (c.kind == Kind::all_but && direction[k] == 0))
+          nodes.block(i, V::Unit(k));
+      if (c.kind == Kind::normal) nodes.block(i, direction);
       ++caught;
     };
     if (!wall.set.empty()) {
       if constexpr (is_simplex_mesh<M>) {
-        for (const Index i : mesh.node_set(wall.set)) take(i);
+        for (const Index i : nodes.mesh().node_set(wall.set)) take(i);
       } else {
         throw error(shared_detail::join("Wall.set = ", wall.set,
                                         ": a Cartesian grid has no node sets; use faces or where(test)"));
       }
     } else {
-      for (Index i = 0; i < n; ++i) {
-        if (!used(i)) continue;
+      for (Index i = 0; i < nodes.size(); ++i) {
+        if (!nodes.is_used(i)) continue;
+        const V& x = nodes.position(i);
         if (wall.axis >= 0) {
-          const double face = wall.upper ? upper[wall.axis] : lower[wall.axis];
-          if (std::abs(x[i][wall.axis] - face) <= near) take(i);
+          const double face = (wall.upper ? nodes.upper() : nodes.lower())[wall.axis];
+          if (std::abs(x[wall.axis] - face) <= nodes.near()) take(i);
         } else {
           std::array<double, 3> at{};
-          for (int k = 0; k < D; ++k) at[static_cast<std::size_t>(k)] = x[i][k];
+          for (int k = 0; k < D; ++k) at[static_cast<std::size_t>(k)] = x[k];
           if (wall.test(at)) take(i);
         }
       }
     }
     require(caught > 0, "Wall.nodes", caught, "the wall must catch at least one node of the mesh");
   }
-  if (axis_nodes)
-    for (Index i = 0; i < n; ++i) {
-      if (!used(i)) continue;
-      require(x[i][0] >= -near, "Axisymmetric: r", x[i][0], "nodes must have r >= 0");
-      if (x[i][0] <= near) blocked[i].add(Vec<double, D>::Unit(0));
-    }
-  std::vector<Constraint<T, D>> constraints;
-  for (Index i = 0; i < n; ++i) {
-    if (blocked[i].count == 0) continue;
-    const auto q = blocked[i].directions.leftCols(blocked[i].count);
-    Mat<double, D> projector = Mat<double, D>::Identity();
-    if (blocked[i].count == D)
-      projector.setZero();
-    else
-      projector -= q.lazyProduct(q.transpose());
-    constraints.push_back({i, projector.template cast<T>()});
-  }
-  return constraints;
-}
-
-/// Removes the blocked part of the velocities of a field. Returns the impulse that the walls gave, N s.
-template <class T, int D, class Velocities>
-Vec<T, D> constrain(const std::vector<Constraint<T, D>>& constraints, const std::vector<T>& mass,
-                    Velocities& velocity) {
-  Vec<T, D> impulse = Vec<T, D>::Zero();
-  for (const auto& c : constraints) {
-    if (mass[c.node] == 0) continue;
-    const Vec<T, D> allowed = c.projector * velocity[c.node];
-    impulse += mass[c.node] * (allowed - velocity[c.node]);
-    velocity[c.node] = allowed;
-  }
-  return impulse;
+};
+template <std::same_as<Wall>... W>
+Walls walls(W... wall) {
+  return {{std::move(wall)...}};
 }
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -31,31 +31,36 @@ class Friction {
   double coefficient_;
 };
 
-/// Whether friction holds two surfaces that meet with relative velocity `approach`, m/s: the impulse that
-/// stops the approach along `normal` (unit) allows one that stops all slip.
+/// What Coulomb's law gives: an impulse, N s, and whether it stops all relative motion, not just that along
+/// the normal.
 template <class T, int D>
-bool sticks(const Vec<T, D>& approach, const Vec<T, D>& normal, const Friction& friction) {
-  const T closing = approach.dot(normal);
-  if (!(closing < 0) || friction.coefficient() == 0) return false;
-  return friction.is_no_slip() ||
-         (approach - closing * normal).norm() <= static_cast<T>(friction.coefficient()) * -closing;
-}
+struct CoulombImpulse {
+  Vec<T, D> impulse = Vec<T, D>::Zero();
+  bool sticks = false;
+};
 
-/// Impulse, N s, on the first of two masses that meet with relative velocity `approach` (first less second),
-/// m/s. `normal` is the unit normal out of the second. `mass` is what an impulse has to move, kg: m1 m2 / (m1
-/// + m2), or m1 against a rigid wall. Zero if they part. The normal velocity is taken to zero, the tangential
+/// Impulse on the first of two masses that meet with relative velocity `approach` (first less second), m/s.
+/// `normal` is the unit normal out of the second. `mass` is what an impulse has to move, kg: m1 m2 / (m1 +
+/// m2), or m1 against a rigid wall. Zero if they part. The normal velocity is taken to zero, the tangential
 /// one reduced by at most friction times the normal impulse (Bardenhagen, Brackbill, Sulsky 2000,
 /// doi:10.1016/S0045-7825(99)00338-2, eqs. 14 to 20).
 template <class T, int D>
-Vec<T, D> coulomb_impulse(const Vec<T, D>& approach, const Vec<T, D>& normal, T mass,
-                          const Friction& friction) {
+CoulombImpulse<T, D> coulomb(const Vec<T, D>& approach, const Vec<T, D>& normal, T mass,
+                             const Friction& friction) {
   const T closing = approach.dot(normal);
-  if (!(closing < 0)) return Vec<T, D>::Zero();
+  if (!(closing < 0)) return {};
   const Vec<T, D> slip = approach - closing * normal;
   const T speed = slip.norm();
   if (friction.is_no_slip() || speed <= static_cast<T>(friction.coefficient()) * -closing)
-    return -mass * approach;
-  return -mass * (closing * normal + (static_cast<T>(friction.coefficient()) * -closing / speed) * slip);
+    return {-mass * approach, friction.coefficient() > 0};
+  return {-mass * (closing * normal + (static_cast<T>(friction.coefficient()) * -closing / speed) * slip),
+          false};
+}
+
+/// The same of two bodies that stick whatever the normal, for one lies inside the other.
+template <class T, int D>
+CoulombImpulse<T, D> stick(const Vec<T, D>& approach, T mass) {
+  return {-mass * approach, true};
 }
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

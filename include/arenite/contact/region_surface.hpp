@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include <arenite/boundary/walls.hpp>
+#include <arenite/boundary/constraints.hpp>
 #include <arenite/kinematics/kinematics.hpp>
 #include <arenite/mesh/simplex_mesh.hpp>
 

@@ -1,6 +1,7 @@
 // Kinematics: what the dimension of a scene means. A value of one of these types opens every scene.
 #pragma once
 
+#include <arenite/core/error.hpp>
 #include <arenite/core/tensor.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
@@ -27,6 +28,16 @@ struct Axisymmetric {
   template <class T>
   static constexpr T thickness(const Vec<T, 2>& x) {
     return T(2 * pi) * x[0];
+  }
+  /// The kinematics are a part of the scene: nothing moves radially on the axis.
+  template <class Nodes>
+  void constrain(Nodes& nodes) const {
+    for (Index i = 0; i < nodes.size(); ++i) {
+      if (!nodes.is_used(i)) continue;
+      const double r = nodes.position(i)[0];
+      require(r >= -nodes.near(), "Axisymmetric: r", r, "nodes must have r >= 0");
+      if (r <= nodes.near()) nodes.block(i, Vec<double, 2>::Unit(0));
+    }
   }
 };
 

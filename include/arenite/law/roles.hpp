@@ -2,37 +2,17 @@
 // role's name and another signature would else be left out in silence.
 #pragma once
 
+#include <arenite/core/role_names.hpp>
 #include <arenite/law/law.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET::detail {
-
-/// names_<role><L>: whether L has any member of that name. Beside a second base with such a member the name
-/// is ambiguous.
-#define ARENITE_LAW_ROLE(role)           \
-  struct Has_##role {                    \
-    int role;                            \
-  };                                     \
-  template <class L>                     \
-  struct With_##role : L, Has_##role {}; \
-  template <class L>                     \
-  concept names_##role = !requires {     \
-    &With_##role<L>::role;               \
-  };
-ARENITE_LAW_ROLE(stable_step)
-ARENITE_LAW_ROLE(is_open)
-ARENITE_LAW_ROLE(yield)
-ARENITE_LAW_ROLE(greatest_volume_ratio)
-ARENITE_LAW_ROLE(max_pack_width)
-ARENITE_LAW_ROLE(two_packs_at_once)
-ARENITE_LAW_ROLE(linear)
-ARENITE_LAW_ROLE(names)
-#undef ARENITE_LAW_ROLE
 
 /// Stops the compiler with the cure for a law that `constitutive_law` lets pass and that would not do what
 /// its members say.
 template <class L, class T, int D>
 constexpr bool check_roles() {
   using History = typename L::template History<T>;
+  static_assert(!std::is_final_v<L>, "law: must not be final");
   // An overload makes the address of a member ambiguous.
   static_assert(
       requires { &L::wave_modulus; } || stiffness_varies<L, T, D>,

@@ -29,4 +29,13 @@ inline constexpr bool is_simplex_mesh = false;
 template <int D, class T>
 inline constexpr bool is_simplex_mesh<SimplexMesh<D, T>> = true;
 
+/// Size of the cells at a node, the smallest if they differ, m.
+template <class M>
+typename M::scalar node_size(const M& mesh, [[maybe_unused]] Index node) {
+  if constexpr (is_simplex_mesh<M>)
+    return mesh.node_size(node);
+  else
+    return mesh.edge();
+}
+
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -6,29 +6,38 @@
 #include <limits>
 #include <vector>
 
-#include <arenite/mesh/simplex_mesh.hpp>
+#include <arenite/core/name.hpp>
+#include <arenite/mesh/mesh.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
-/// The rigid body number I of the scene leads.
-template <std::size_t I>
+/// A rigid body of the scene leads, by name or number. A leader has `travel(scene, axis, before, dt)`: its
+/// travel along the axis since the start, m, `before` being that of the step before.
+template <Name body = 0>
 struct LedByRigid {
-  static constexpr std::size_t index = I;
-  static constexpr bool rigid = true;
+  template <class Scene, class T>
+  T travel(const Scene& scene, int axis, T, T) const {
+    return scene.template rigid<body>().displacement[axis];
+  }
 };
-/// The mean velocity of the deformable body number I leads.
-template <std::size_t I>
+/// The mean velocity of a deformable body leads, by name or number.
+template <Name which = 0>
 struct LedByBody {
-  static constexpr std::size_t index = I;
-  static constexpr bool rigid = false;
+  template <class Scene, class T>
+  T travel(const Scene& scene, int axis, T before, T dt) const {
+    const auto& body = scene.template body<which>();
+    if (body.points.size() == 0)
+      throw run_error(shared_detail::join("body ", scene.template name_of<which>(),
+                                          ", which leads the mesh, has lost all of its points"));
+    return before + static_cast<T>(static_cast<double>(dt) * momentum(body)[axis] / mass(body));
+  }
 };
 
 /// Nodes move along one axis by a share of the leader's travel that depends on their initial place on the
 /// axis: 0 up to `fixed_below`, then linearly up to 1 at `moving_from`, 1 up to `moving_to`, then linearly
 /// down to 0 at `fixed_above`; without the last two everything above `moving_from` moves. Heights in m.
-template <class Leader_ = LedByRigid<0>>
+template <class Leader = LedByRigid<>>
 struct MovingMesh {
-  using Leader = Leader_;
   Leader leader{};
   double fixed_below = std::numeric_limits<double>::quiet_NaN();
   double moving_from = std::numeric_limits<double>::quiet_NaN();
@@ -60,12 +69,15 @@ struct MovingMesh {
   }
 };
 
+/// What a scene has once: whether and how its mesh moves.
+struct MeshMotion;
+
 /// A moving mesh in its mesh: reference positions and shares of the nodes that move, and the cells that
-/// change their shape with them.
-template <int D, class T, class Leader_>
+/// change their shape with them. A part that follows the motion.
+template <int D, class T, class Leader>
 class BoundMotion {
  public:
-  using Leader = Leader_;
+  using OnlyOne = MeshMotion;
 
   BoundMotion(const MovingMesh<Leader>& motion, const SimplexMesh<D, T>& mesh) : motion_{motion} {
     motion_.check(D);
@@ -93,6 +105,19 @@ class BoundMotion {
   int axis() const { return motion_.axis; }
   /// Travel of the leader since the start along the axis, m.
   T travel() const { return travel_; }
+
+  template <class Scene>
+  void follow_motion(Scene& scene, double dt) {
+    try {
+      move(scene.mesh, motion_.leader.travel(scene, motion_.axis, travel_, static_cast<T>(dt)));
+    } catch (const run_error& e) {
+      throw run_error(shared_detail::join("t = ", scene.time + dt, " s: ", e.what()));
+    }
+  }
+  template <class F>
+  void visit_state(F&& f) {
+    f(travel_);
+  }
 
   /// Moves the mesh to a travel of the leader. Throws `run_error` where a zone is used up or a cell loses its
   /// volume.
@@ -128,7 +153,10 @@ class BoundMotion {
   T travel_ = 0;
 };
 
-/// A mesh that stays where it is. The default.
-struct FixedMesh {};
+template <class Leader, class Site>
+auto bind_part(const MovingMesh<Leader>& motion, const Site& site) {
+  static_assert(is_simplex_mesh<typename Site::Mesh>, "MovingMesh: only a simplex mesh moves");
+  return BoundMotion<Site::D, typename Site::T, Leader>(motion, site.mesh);
+}
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

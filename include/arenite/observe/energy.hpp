@@ -1,17 +1,77 @@
 // Energy of a scene, balanced: what was put in, where it is, and what the numerics lost.
 #pragma once
 
+#include <functional>
+
 #include <arenite/scene/scene.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
-/// J. `residual` = kinetic + strain + plastic + contact - (initial + external): what transfers, walls and
-/// time steps took (negative) or added. Lost points take their energy with them.
+/// A part that keeps the energy ledger of a scene: works of stresses and accelerations are summed at each
+/// step. Without it they are not computed. Energies in J.
+struct TrackEnergy {
+  using OnlyOne = TrackEnergy;
+  double initial_kinetic = 0;  ///< of bodies and parts
+  double initial_strain = 0;   ///< recoverable, from initial stresses
+  double initial_stored = 0;   ///< recoverable, in parts
+  double stress_work = 0;      ///< work of the stresses: stored or used up plastically
+  double gravity_work = 0;     ///< of the accelerations on the bodies
+
+  template <class Scene>
+  void connect(const Scene& scene) {
+    scene.for_each_body([&](const auto& body, const auto&) {
+      initial_kinetic += kinetic_energy(body);
+      initial_strain += strain_energy(body);
+    });
+    const PartEnergy parts = energy_of_parts(scene);
+    initial_kinetic += parts.kinetic;
+    initial_stored += parts.stored;
+  }
+  /// Energy that there was, J.
+  double initial() const { return initial_kinetic + initial_strain + initial_stored; }
+  void take_stress_work(double work) { stress_work += work; }
+  template <class Scene>
+  void follow_motion(const Scene& scene, double dt) {
+    const auto acceleration = scene.acceleration();
+    for (const auto& field : scene.fields)
+      gravity_work += parallel_reduce(
+          field.size(), 0.0,
+          [&](std::size_t begin, std::size_t end) {
+            double work = 0;
+            for (std::size_t i = begin; i < end; ++i)
+              work += dt * static_cast<double>(field.mass[i] * acceleration.dot(field.velocity[i]));
+            return work;
+          },
+          std::plus<>{});
+  }
+  template <class F>
+  void visit_state(F&& f) {
+    for (double* x : {&initial_kinetic, &initial_strain, &initial_stored, &stress_work, &gravity_work}) f(*x);
+  }
+};
+
+/// What the parts of a scene count.
+template <class Scene>
+PartEnergy energy_of_parts(const Scene& scene) {
+  PartEnergy sum{.external = scene.driving_work};
+  scene.for_each_part([&](const auto& part) {
+    if constexpr (counts_energy<std::remove_cvref_t<decltype(part)>, Scene>) sum += part.count_energy();
+  });
+  return sum;
+}
+
+/// Whether a scene keeps the ledger.
+template <class Scene>
+inline constexpr bool tracks_energy = Scene::template has_part<TrackEnergy>;
+
+/// J. `residual` = kinetic + strain + stored + plastic + contact - (initial + external): what transfers,
+/// walls and time steps took (negative) or added. Lost points take their energy with them.
 struct Energies {
-  double kinetic = 0;   ///< bodies and rigid bodies
+  double kinetic = 0;   ///< bodies and parts
   double strain = 0;    ///< recoverable
+  double stored = 0;    ///< recoverable, in parts
   double plastic = 0;   ///< work of the stresses that is not recoverable
-  double contact = 0;   ///< dissipated by friction and by inelastic contact
+  double contact = 0;   ///< dissipated by friction, by inelastic contact and by other parts
   double external = 0;  ///< work of gravity, loads and prescribed motions
   double residual = 0;
 };
@@ -19,22 +79,21 @@ struct Energies {
 /// Needs a scene with `TrackEnergy`.
 template <class Scene>
 Energies energies(const Scene& scene) {
-  static_assert(Scene::tracks_energy, "energies: name TrackEnergy{} among the scene's parts");
-  const Ledger& ledger = scene.ledger;
+  static_assert(tracks_energy<Scene>, "energies: name TrackEnergy{} among the scene's parts");
+  const auto& ledger = scene.template part<TrackEnergy>();
+  const PartEnergy parts = energy_of_parts(scene);
   Energies e;
   scene.for_each_body([&](const auto& body, const auto&) {
     e.kinetic += kinetic_energy(body);
     e.strain += strain_energy(body);
   });
-  e.external = ledger.gravity_work;
-  scene.for_each_rigid([&](const auto& body) {
-    e.kinetic += body.kinetic_energy();
-    e.external += body.driving_work;
-  });
+  e.kinetic += parts.kinetic;
+  e.stored = parts.stored;
+  e.external = ledger.gravity_work + parts.external;
   e.plastic = ledger.stress_work - (e.strain - ledger.initial_strain);
-  e.contact = ledger.contact_dissipation;
-  e.residual = e.kinetic + e.strain + e.plastic + e.contact - ledger.initial_kinetic - ledger.initial_strain -
-               e.external;
+  e.contact = parts.dissipated;
+  e.residual = e.kinetic + e.strain + e.stored + e.plastic + e.contact - ledger.initial_kinetic -
+               ledger.initial_strain - ledger.initial_stored - e.external;
   return e;
 }
 

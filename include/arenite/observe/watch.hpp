@@ -83,7 +83,7 @@ class Watch {
   void operator()(const Scene& scene) {
     if (scene.steps >= next_)
       look(scene);
-    else if (Scene::tracks_energy || scene.steps + 1 == next_)
+    else if (tracks_energy<Scene> || scene.steps + 1 == next_)
       remember(scene);
   }
   /// Looks at the end of a run, which may lie between two looks; `run` calls it.
@@ -95,7 +95,7 @@ class Watch {
   /// Looks now.
   template <class Scene>
   void look(const Scene& scene) {
-    if (wants(energy_gain) || (Scene::tracks_energy && wants(energy_loss))) look_at_energy(scene);
+    if (wants(energy_gain) || (tracks_energy<Scene> && wants(energy_loss))) look_at_energy(scene);
     int number = 0;
     scene.for_each_body([&](const auto& body, const auto&) {
       if (wants(volume)) look_at_volume(scene.time, body, number);
@@ -156,10 +156,11 @@ class Watch {
   template <class Scene>
   static Held held(const Scene& scene) {
     Held h;
-    if constexpr (Scene::tracks_energy) {
-      h = {scene.ledger.stress_work, -scene.ledger.gravity_work};
+    if constexpr (tracks_energy<Scene>) {
+      const auto& ledger = scene.template part<TrackEnergy>();
+      h = {ledger.stress_work, -ledger.gravity_work};
     } else {
-      const Vec<double, Scene::D> g = scene.gravity.template cast<double>();
+      const Vec<double, Scene::D> g = scene.acceleration().template cast<double>();
       scene.for_each_body([&](const auto& body, const auto&) {
         h.strain += strain_energy(body);
         h.potential -= detail::sum_points(body, 0.0, [&](std::size_t p) {
@@ -189,22 +190,20 @@ class Watch {
   template <class Scene>
   Balance balance(const Scene& scene) const {
     Balance b;
-    if constexpr (Scene::tracks_energy) {
+    if constexpr (tracks_energy<Scene>) {
       const Energies e = energies(scene);
-      b.stored = e.kinetic + e.strain;
+      b.stored = e.kinetic + e.strain + e.stored;
       b.external = e.external;
       // Dissipation that is negative is energy made: by a law, or in contact.
       b.gained = e.residual - std::min(e.plastic, 0.0) - std::min(e.contact, 0.0);
     } else {
-      double kinetic = 0, driven = 0;
+      const PartEnergy parts = energy_of_parts(scene);
+      double kinetic = 0;
       scene.for_each_body([&](const auto& body, const auto&) { kinetic += kinetic_energy(body); });
-      scene.for_each_rigid([&](const auto& body) {
-        kinetic += body.kinetic_energy();
-        driven += body.driving_work;
-      });
+      kinetic += parts.kinetic + parts.stored;
       b.stored = kinetic + held_.strain;
-      b.external = driven - held_.potential;
-      b.gained = kinetic + held_.sum() - driven;
+      b.external = parts.external - held_.potential;
+      b.gained = kinetic + held_.sum() - parts.external;
     }
     // Velocities are those of the middle of a step where positions are those of its end: energy sways by a
     // share of (frequency x step) unless the positions' part of it is taken half a step earlier.
@@ -226,9 +225,9 @@ class Watch {
       floor_ = creep(scene);
       put_in_ = now.stored;
       lost_ = scene.lost_points();
-      if constexpr (Scene::tracks_energy)
-        put_in_ = std::max(put_in_, scene.ledger.initial_kinetic + scene.ledger.initial_strain);
-    } else if (!Scene::tracks_energy && lost_ != scene.lost_points()) {
+      if constexpr (tracks_energy<Scene>)
+        put_in_ = std::max(put_in_, scene.template part<TrackEnergy>().initial());
+    } else if (!tracks_energy<Scene> && lost_ != scene.lost_points()) {
       // What the lost points took with them is not known: start anew.
       start_ = now;
       before_ = gain_;
@@ -239,7 +238,7 @@ class Watch {
     const double share = gain_ == 0 ? 0 : gain_ / std::max(put_in_ + moved_, floor_);
     const auto spot = [&] { return fastest(scene); };
     if (wants(energy_gain)) judge(energy_gain, scene.time, clipped(share), -1, spot);
-    if (Scene::tracks_energy && wants(energy_loss)) judge(energy_loss, scene.time, clipped(-share), -1, spot);
+    if (tracks_energy<Scene> && wants(energy_loss)) judge(energy_loss, scene.time, clipped(-share), -1, spot);
   }
 
   /// max(x, 0), but NaN stays.
@@ -253,7 +252,7 @@ class Watch {
     scene.for_each_body([&](const auto& body, const auto&) { all += mass(body); });
     for (Index c = 0; c < scene.mesh.cell_count(); ++c) whole += static_cast<double>(scene.mesh.volume(c));
     const double cell = std::pow(whole / scene.mesh.cell_count(), 1.0 / Scene::D);
-    return 0.01 * cell * all * static_cast<double>(scene.gravity.norm());
+    return 0.01 * cell * all * static_cast<double>(scene.acceleration().norm());
   }
 
   template <class B>

@@ -9,6 +9,7 @@
 #include <optional>
 #include <string>
 
+#include <arenite/core/name.hpp>
 #include <arenite/kinematics/kinematics.hpp>
 #include <arenite/law/roles.hpp>
 #include <arenite/mesh/mesh.hpp>
@@ -40,14 +41,19 @@ struct FillOptions {
 
 /// What `fill` returns: a region, a law and how to fill; the scene makes a `Body` of it, once it knows the
 /// mesh.
-template <class Region, class L>
+template <class Region, class L, Name name = "">
 struct Fill {
   Region region;
   L law;
   FillOptions options;
 };
 
-/// Fills a region with points of a law. A region that catches no point is refused when the scene is made.
+/// Fills a region with points of a law; `fill<"sand">(..)` gives the body a name. A region that catches no
+/// point is refused when the scene is made.
+template <Name name, class Region, class L>
+Fill<Region, L, name> fill(Region region, L law, FillOptions options = {}) {
+  return {std::move(region), std::move(law), options};
+}
 template <class Region, class L>
 Fill<Region, L> fill(Region region, L law, FillOptions options = {}) {
   return {std::move(region), std::move(law), options};
@@ -107,8 +113,8 @@ void begin_history(Points<T, D, L, E>& points, const FillOptions& options) {
 }  // namespace detail
 
 /// Makes the body of a recipe. Throws `error` if the region holds no point.
-template <class K, ExtraColumns Extra = ExtraColumns{}, class M, class Region, class L>
-auto make_body(const M& mesh, const Fill<Region, L>& recipe) {
+template <class K, ExtraColumns Extra = ExtraColumns{}, class M, class Region, class L, Name name>
+auto make_body(const M& mesh, const Fill<Region, L, name>& recipe) {
   using T = typename M::scalar;
   constexpr int D = M::dimension;
   static_assert(region<Region, D>,
@@ -137,8 +143,8 @@ auto make_body(const M& mesh, const Fill<Region, L>& recipe) {
       static_assert(is_simplex_mesh<M>,
                     "fill: Cells names regions of a simplex mesh; use a Box or Inside on a grid");
       bool named = false;
-      for (const auto& name : recipe.region.regions)
-        named = named || mesh.region(c) == mesh.region_number(name);
+      for (const auto& word : recipe.region.regions)
+        named = named || mesh.region(c) == mesh.region_number(word);
       if (!named) continue;
     }
     const auto places = initial_points(mesh, c, o.per_cell);

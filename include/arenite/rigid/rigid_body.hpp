@@ -2,60 +2,52 @@
 // body gains.
 #pragma once
 
+#include <utility>
 #include <vector>
 
-#include <arenite/contact/contact.hpp>
+#include <arenite/contact/coulomb.hpp>
+#include <arenite/contact/tally.hpp>
+#include <arenite/core/bind.hpp>
+#include <arenite/core/name.hpp>
+#include <arenite/core/part_energy.hpp>
+#include <arenite/rigid/guided.hpp>
 #include <arenite/rigid/motion.hpp>
+#include <arenite/rigid/prescribed.hpp>
 #include <arenite/rigid/surface.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
-/// A rigid body that a scene owns. Read `displacement`, `velocity` and `force` after any step.
-template <class T, int D, class Surface, class Motion, class Coupling>
-struct RigidBody {
-  static constexpr bool is_free = Motion::free;
-  static constexpr bool coupling_through_centre = Coupling::through_centre_of_mass;
-  static_assert(!coupling_through_centre || (Surface::has_shares && is_free),
-                "Rigid: CentreOfMass needs a MeshSurface and a Guided motion, which give the body's nodes "
-                "their masses");
+/// Contact by rigid nodal velocity: a touched node may not move into the body, whatever the masses. The
+/// body's new velocity and all impulses are found together, so that a light body is as stable as a heavy one.
+struct RigidVelocity {
+  static constexpr bool through_centre_of_mass = false;
+};
+
+/// Contact through the centre-of-mass velocity of the soil's and the body's nodal mass (the paper's choice):
+/// softer, and nodes may move into the body. Needs a `MeshSurface`, which spreads the body's mass over its
+/// nodes.
+struct CentreOfMass {
+  static constexpr bool through_centre_of_mass = true;
+};
+
+/// What `rigid` makes: surface, motion, friction and kind of contact of one rigid body.
+template <class Surface, class Motion, class Coupling = RigidVelocity, Name name = "">
+struct Rigid {
   Surface surface;
   Motion motion;
   Friction friction;
-  Vec<T, D> axis = Vec<T, D>::Zero();          ///< unit vector of the guide; zero if prescribed
-  Vec<T, D> displacement = Vec<T, D>::Zero();  ///< since the start, m
-  Vec<T, D> velocity = Vec<T, D>::Zero();      ///< m/s
-  Vec<T, D> force = Vec<T, D>::Zero();         ///< mean contact force on the body during the last step, N
-  Vec<T, D> impulse = Vec<T, D>::Zero();       ///< contact impulse on the body since the start, N s
-  double driving_work = 0;                     ///< work of gravity, load or the prescribed motion's drive, J
-  std::size_t contact_nodes = 0;               ///< nodes that pushed on the body in the last step
-  std::size_t inside_nodes = 0;                ///< nodes inside the body that carried mass in the last step
-
-  /// One touched node of one field.
-  struct Touch {
-    std::size_t field;
-    Index node;
-    bool inside;
-    T mass;           ///< of the field at the node, kg
-    T share;          ///< what an impulse has to move, as a share of `mass`: 1, or m_rigid / (m_rigid + mass)
-    Vec<T, D> start;  ///< velocity of the field before contact, m/s
-    Vec<T, D> normal;                       ///< out of the body
-    bool sticks = false;                    ///< to the body: no relative motion at all
-    Vec<T, D> impulse = Vec<T, D>::Zero();  ///< on the field, N s
-  };
-  std::vector<Touch> touches{};  ///< of the last step
-
-  double kinetic_energy() const {
-    if constexpr (Motion::free) return 0.5 * motion.mass * static_cast<double>(velocity.squaredNorm());
-    return 0;
-  }
-
-  /// Impulse on the field at a touched node if the body moves with velocity v.
-  Vec<T, D> impulse_at(const Touch& t, const Vec<T, D>& v) const {
-    const Vec<T, D> approach = t.start - v;
-    if (t.inside) return -(t.share * t.mass) * approach;
-    return coulomb_impulse<T, D>(approach, t.normal, t.share * t.mass, friction);
-  }
 };
+
+/// A rigid body, a part of a scene; `rigid<"cone">(..)` gives it a name.
+template <Name name, class Surface, class Motion, class Coupling = RigidVelocity>
+Rigid<Surface, Motion, Coupling, name> rigid(Surface surface, Motion motion, Friction friction,
+                                             Coupling = {}) {
+  return {std::move(surface), std::move(motion), friction};
+}
+template <class Surface, class Motion, class Coupling = RigidVelocity>
+Rigid<Surface, Motion, Coupling> rigid(Surface surface, Motion motion, Friction friction, Coupling = {}) {
+  return {std::move(surface), std::move(motion), friction};
+}
 
 namespace detail {
 
@@ -80,75 +72,25 @@ void find_touches(const M& mesh, R& body, const Fields& fields) {
       });
 }
 
-/// Speed along the guide that balances the impulses: f(s) = M (s - trial) + axis . sum J(s) = 0. f is made of
-/// pieces that are straight (or nearly so, with friction in three dimensions), whose slopes may differ by as
-/// much as soil and body: Newton steps on the pieces, inside a bracket that is halved where they leave it or
-/// do not get ahead.
-template <class R, class T>
-T balance_speed(const R& body, T trial, T mass) {
-  T soil = 0;
-  for (const auto& t : body.touches) soil += t.share * t.mass;
-  const auto pull = [&](T s) {
-    T sum = 0;
-    for (const auto& t : body.touches) sum += body.impulse_at(t, s * body.axis).dot(body.axis);
-    return sum;
-  };
-  constexpr T round_off = std::numeric_limits<T>::epsilon();
-  T s = trial, f = pull(s);
-  if (f == 0) return trial;
-  const T sign = f > 0 ? T(1) : T(-1);
-  T near = trial;            // f has the sign of the start here, and the other one (or none) at `far`
-  T far = trial - f / mass;  // here the body alone would have taken the impulse of the trial speed
-  T before = std::numeric_limits<T>::infinity();
-  for (int k = 0; k < 200; ++k) {
-    const T h = -sign * std::sqrt(round_off) * std::max(std::abs(s - trial), std::abs(f) / (mass + soil));
-    const T slope = mass + (pull(s + h) - pull(s)) / h;
-    T next = s - f / slope;
-    if (!((next - near) * (next - far) < 0) || 2 * std::abs(f) > before) next = near + (far - near) / 2;
-    before = std::abs(f);
-    const T change = std::abs(next - s);
-    s = next;
-    f = mass * (s - trial) + pull(s);
-    (f * sign > 0 ? near : far) = s;
-    if (f == 0 || change <= 4 * round_off * std::abs(s - trial)) break;
-  }
-  return s;
-}
-
 }  // namespace detail
 
-/// Advances the body by dt and lets it exchange impulses with all fields. Gravity and `load` act on a guided
-/// body first; then its new velocity is found with the impulses. Returns what contact dissipated.
+/// Advances the body by dt to `time` and lets it exchange impulses with all fields: its own motion first,
+/// then the impulses with its new velocity. Returns what contact dissipated.
 template <class Shape, class M, class R, class Fields, class T, int D>
-ContactTally collide(const M& mesh, R& body, Fields& fields, const Vec<T, D>& gravity, T time, T dt) {
+ContactTally collide(const M& mesh, R& body, Fields& fields, const Vec<T, D>& acceleration, T time, T dt) {
   detail::find_touches<Shape>(mesh, body, fields);
-  const Vec<T, D> before = body.velocity;
-  Vec<T, D> trial = before;
-  if constexpr (R::is_free) {
-    const T drive = gravity.dot(body.axis) + static_cast<T>(body.motion.load / body.motion.mass);
-    trial += dt * drive * body.axis;
-    const T mass = static_cast<T>(body.motion.mass);
-    const T s = trial.dot(body.axis);
-    if constexpr (R::coupling_through_centre) {
-      body.velocity = trial;  // impulses against the trial velocity; eq. (4) corrects it below
-    } else {
-      body.velocity = detail::balance_speed(body, s, mass) * body.axis;
-    }
-  } else {
-    const auto v = body.motion.velocity(static_cast<double>(time));
-    for (int k = 0; k < D; ++k) trial[k] = static_cast<T>(v[static_cast<std::size_t>(k)]);
-    body.velocity = trial;
-  }
-  ContactTally tally;
+  const Vec<T, D> before = body.velocity, alone = body.motion.alone(before, acceleration, time, dt);
+  body.velocity = body.motion.meet(body, alone);
   Vec<T, D> total = Vec<T, D>::Zero();  // on the fields
   T gained = 0;                         // by the fields: impulses times their mean velocities over the step
   T exchanged = 0;                      // magnitudes of the impulses
   body.contact_nodes = 0;
   for (auto& t : body.touches) {
-    const Vec<T, D> j = body.impulse_at(t, body.velocity);
+    const auto given = body.contact_at(t, body.velocity);
+    const Vec<T, D>& j = given.impulse;
     if (j.squaredNorm() == 0) continue;
     t.impulse = j;
-    t.sticks = t.inside || sticks<T, D>(t.start - body.velocity, t.normal, body.friction);
+    t.sticks = given.sticks;
     Vec<T, D>& v = fields[t.field].velocity[t.node];
     v += j / t.mass;
     total += j;
@@ -156,32 +98,21 @@ ContactTally collide(const M& mesh, R& body, Fields& fields, const Vec<T, D>& gr
     gained += j.dot(fields[t.field].start[t.node] + v) / 2;
     ++body.contact_nodes;
   }
-  tally.nodes = body.contact_nodes;
   body.force = -total / dt;
   body.impulse -= total;
-  if constexpr (R::is_free) {
-    const T mass = static_cast<T>(body.motion.mass);
-    // What is left of the balance is given to the body, unless it is round-off of the impulses: a very light
-    // body would make a velocity of it.
-    const T left = mass * (body.velocity - trial).dot(body.axis) + total.dot(body.axis);
-    if (std::abs(left) > 16 * std::numeric_limits<T>::epsilon() * exchanged)
-      body.velocity = trial - (total.dot(body.axis) / mass) * body.axis;
-    const Vec<T, D> mean = (before + body.velocity) / 2;
-    tally.dissipation = static_cast<double>(total.dot(mean) - gained);
-    body.driving_work += static_cast<double>(mass * (trial - before).dot(mean));
-  } else {
-    tally.dissipation = static_cast<double>(total.dot(body.velocity) - gained);
-    body.driving_work += static_cast<double>(total.dot(body.velocity));
-  }
+  body.velocity = body.motion.after(body.velocity, alone, total, exchanged);
+  const Vec<T, D> mean = body.motion.mean(before, body.velocity);
+  const double dissipation = static_cast<double>(total.dot(mean) - gained);
+  body.dissipated += dissipation;
+  body.driving_work += body.motion.drive(before, alone, mean, total);
   body.displacement += dt * body.velocity;
-  return tally;
+  return {.dissipation = dissipation, .nodes = body.contact_nodes};
 }
 
-/// Holds the mapped velocities of MUSL to the body where it gave an impulse, along the normal or altogether,
-/// in both directions: see `hold_together`, the same between fields. Returns the energy that this dissipates
-/// beside what `collide` booked, J.
+/// Holds the mapped velocities of MUSL to the body where it gave an impulse (see `hold`). Returns the energy
+/// that this dissipates, J.
 template <bool Centred, class R, class Fields, class T>
-double hold_to(const R& body, Fields& fields, T dt) {
+double hold_to(R& body, Fields& fields, T dt) {
   double dissipation = 0;
   for (const auto& t : body.touches) {
     if (t.impulse.squaredNorm() == 0) continue;
@@ -189,14 +120,98 @@ double hold_to(const R& body, Fields& fields, T dt) {
     auto& field = fields[t.field];
     auto& v = field.mapped[t.node];
     const V apart = v - field.velocity[t.node];
-    const V removed = t.sticks ? apart : V(apart.dot(t.normal) * t.normal);
     V twice = apart;
     if constexpr (Centred) twice += v - field.start[t.node];
-    dissipation -=
-        static_cast<double>(t.impulse.dot(twice) / 2 + dt * field.collected[t.node].force().dot(removed));
-    v -= removed;
+    const auto held = hold<T, V::RowsAtCompileTime>(apart, twice, t.normal, t.sticks, t.impulse,
+                                                    field.collected[t.node].force(), dt);
+    dissipation += held.dissipation;
+    v -= held.removed;
   }
+  body.dissipated += dissipation;
   return dissipation;
+}
+
+/// A rigid body in a scene: a part that exchanges impulses with all fields. Read `displacement`, `velocity`
+/// and `force` after any step.
+template <class T, int D, class Surface, class Motion, class Coupling = RigidVelocity, Name name_ = "">
+struct RigidBody {
+  using V = Vec<T, D>;
+  static constexpr auto name = name_;
+  static constexpr int exchange_rank = 1;
+  static constexpr bool is_rigid_body = true;
+  static constexpr bool is_free = Motion::has_mass;
+  static constexpr bool coupling_through_centre = Coupling::through_centre_of_mass;
+  static_assert(rigid_motion<Motion, V>, "Rigid: the motion lacks a member; see arenite/rigid/motion.hpp");
+  static_assert(!coupling_through_centre || (Surface::has_shares && is_free),
+                "Rigid: CentreOfMass needs a MeshSurface and a Guided motion, which give the body's nodes "
+                "their masses");
+  Surface surface;
+  Motion motion;
+  Friction friction;
+  V velocity = motion.start();    ///< m/s
+  V displacement = V::Zero();     ///< since the start, m
+  V force = V::Zero();            ///< mean contact force on the body during the last step, N
+  V impulse = V::Zero();          ///< contact impulse on the body since the start, N s
+  double driving_work = 0;        ///< work of gravity, load or the prescribed motion's drive, J
+  double dissipated = 0;          ///< by contact, since the start, J
+  std::size_t contact_nodes = 0;  ///< nodes that pushed on the body in the last step
+  std::size_t inside_nodes = 0;   ///< nodes inside the body that carried mass in the last step
+
+  /// One touched node of one field.
+  struct Touch {
+    std::size_t field;
+    Index node;
+    bool inside;
+    T mass;    ///< of the field at the node, kg
+    T share;   ///< what an impulse has to move, as a share of `mass`: 1, or m_rigid / (m_rigid + mass)
+    V start;   ///< velocity of the field before contact, m/s
+    V normal;  ///< out of the body
+    bool sticks = false;    ///< to the body: no relative motion at all
+    V impulse = V::Zero();  ///< on the field, N s
+  };
+  std::vector<Touch> touches{};  ///< of the last step
+
+  double kinetic_energy() const { return motion.kinetic_energy(velocity); }
+
+  /// What the field at a touched node is given if the body moves with velocity v.
+  CoulombImpulse<T, D> contact_at(const Touch& t, const V& v) const {
+    if (t.inside) return stick<T, D>(t.start - v, t.share * t.mass);
+    return coulomb<T, D>(t.start - v, t.normal, t.share * t.mass, friction);
+  }
+  V impulse_at(const Touch& t, const V& v) const { return contact_at(t, v).impulse; }
+
+  template <class Scene>
+  void connect(const Scene& scene) {
+    static_assert(rigid_surface<Surface, typename Scene::Shape, typename Scene::Mesh>,
+                  "Rigid: the surface lacks a member; see arenite/rigid/surface.hpp");
+    if constexpr (requires { surface.connect(scene); }) surface.connect(scene);
+  }
+  template <class Scene>
+  ContactTally exchange_impulses(Scene& scene, double dt) {
+    return collide<typename Scene::Shape>(scene.mesh, *this, scene.fields, scene.acceleration(),
+                                          static_cast<T>(scene.time + dt), static_cast<T>(dt));
+  }
+  template <class Scene>
+  double hold_mapped(Scene& scene, double dt) {
+    return hold_to<Scene::centres_stress>(*this, scene.fields, static_cast<T>(dt));
+  }
+  PartEnergy count_energy() const {
+    return {.kinetic = kinetic_energy(), .dissipated = dissipated, .external = driving_work};
+  }
+  template <class F>
+  void visit_state(F&& f) {
+    for (V* v : {&velocity, &displacement, &force, &impulse}) f(*v);
+    for (double* x : {&driving_work, &dissipated}) f(*x);
+  }
+  bool holds_against(const V& acceleration) const { return motion.holds(acceleration); }
+};
+
+template <class S, class M, class C, Name name, class Site>
+auto bind_part(const Rigid<S, M, C, name>& recipe, const Site& site) {
+  auto surface = bound(recipe.surface, site);
+  auto motion = bound(recipe.motion, site);
+  return RigidBody<typename Site::T, Site::D, decltype(surface), decltype(motion), C, name>{
+      std::move(surface), std::move(motion), recipe.friction};
 }
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

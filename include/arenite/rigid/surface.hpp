@@ -27,14 +27,31 @@ DistanceSurface(Distance) -> DistanceSurface<Distance>;
 template <class Distance>
 DistanceSurface(Distance, double) -> DistanceSurface<Distance>;
 
+/// A surface once bound to a scene:
+/// - `has_shares`: whether its nodes carry shares of the body's mass;
+/// - `visit<Shape>(mesh, displacement, f)`: calls `f(node, normal, inside, share)` for each node that it
+///   touches where the body is now, with the unit normal out of the body (zero inside);
+/// - optional `connect(scene)`: called once, when all parts of the scene are bound.
+template <class S, class Shape, class M>
+concept rigid_surface = requires(const S surface, const M& mesh,
+                                 const Vec<typename M::scalar, M::dimension> x) {
+  { S::has_shares } -> std::convertible_to<bool>;
+  surface.template visit<Shape>(
+      mesh, x, [](Index, const Vec<typename M::scalar, M::dimension>&, bool, typename M::scalar) {});
+};
+
 /// A mesh surface in its mesh. Visits each surface node with its normal and share of the body's mass, then
 /// those inside.
 template <class T, int D>
 class BoundMeshSurface {
  public:
-  explicit BoundMeshSurface(RegionSurface<T, D> s) : surface_{std::move(s)} {}
+  explicit BoundMeshSurface(MeshSurface s) : recipe_{std::move(s)} {}
   static constexpr bool has_shares = true;
 
+  template <class Scene>
+  void connect(const Scene& scene) {
+    surface_ = surface_of<typename Scene::Kinematics>(scene.mesh, recipe_.region, scene.constraints);
+  }
   template <class Shape, class M, class F>
   void visit(const M&, const Vec<T, D>&, F&& f) const {
     for (std::size_t k = 0; k < surface_.nodes.size(); ++k)
@@ -44,8 +61,16 @@ class BoundMeshSurface {
   const RegionSurface<T, D>& surface() const { return surface_; }
 
  private:
+  MeshSurface recipe_;
   RegionSurface<T, D> surface_;
 };
+
+template <class Site>
+auto bind_part(const MeshSurface& surface, const Site&) {
+  static_assert(is_simplex_mesh<typename Site::Mesh>,
+                "Rigid: a MeshSurface needs a simplex mesh; on a grid use a DistanceSurface");
+  return BoundMeshSurface<typename Site::T, Site::D>(surface);
+}
 
 /// A signed distance in a mesh. Visits the nodes within reach; the normal is the slope of the distance.
 template <class T, int D, class Distance>
@@ -60,11 +85,7 @@ class BoundDistanceSurface {
   void visit(const M& mesh, const Vec<T, D>& displacement, F&& f) const {
     const Index nodes = Shape::node_count(mesh);
     for (Index i = 0; i < nodes; ++i) {
-      T cell;
-      if constexpr (is_simplex_mesh<M>)
-        cell = mesh.node_size(i);
-      else
-        cell = mesh.edge();
+      const T cell = node_size(mesh, i);
       const Vec<double, D> x = (Shape::node_position(mesh, i) - displacement).template cast<double>();
       if (surface_.distance(x) > surface_.reach * static_cast<double>(cell)) continue;
       const Vec<double, D> normal = slope(x, 1e-4 * static_cast<double>(cell));
@@ -85,5 +106,10 @@ class BoundDistanceSurface {
 
   DistanceSurface<Distance> surface_;
 };
+
+template <class Distance, class Site>
+auto bind_part(const DistanceSurface<Distance>& surface, const Site&) {
+  return BoundDistanceSurface<typename Site::T, Site::D, Distance>(surface);
+}
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -10,9 +10,10 @@
 #include <utility>
 #include <vector>
 
-#include <arenite/boundary/walls.hpp>
 #include <arenite/core/warning.hpp>
 #include <arenite/particles/body.hpp>
+#include <arenite/scene/parts.hpp>
+#include <arenite/scene/roles.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET::detail {
 
@@ -86,18 +87,23 @@ void doubt_overlap(const M& mesh, std::size_t b, const B& body, const FillB& fil
                            ", and ", in_this, " of ", other.points.size(), " the other way"));
 }
 
-/// Warns if gravity pulls and nothing can hold: no wall blocks a part of it, and no rigid body does but those
-/// that fall themselves.
+/// Warns if gravity pulls and nothing can hold: no constraint blocks a part of it, and no part holds but
+/// those that fall themselves.
 template <class Scene>
 void doubt_floor(const Scene& scene) {
-  const auto& g = scene.gravity;
+  const auto g = scene.acceleration();
   const auto pull = g.norm();
   if (!(pull > 0)) return;
   for (const auto& c : scene.constraints)
     if ((g - c.projector * g).norm() > 1e-6 * pull) return;
   bool held = false;
-  scene.for_each_rigid(
-      [&](const auto& body) { held = held || !body.is_free || std::abs(body.axis.dot(g)) <= 1e-6 * pull; });
+  scene.for_each_part([&](const auto& part) {
+    using P = std::remove_cvref_t<decltype(part)>;
+    if constexpr (holds_against<P, Scene>)
+      held = held || part.holds_against(g);
+    else
+      held = held || adds_force<P, Scene> || (exchanges_impulses<P, Scene> && exchange_rank<P> > 0);
+  });
   if (!held)
     warn(shared_detail::join("gravity ", shared_detail::listed(g),
                              " m/s2 acts, but no wall and no rigid body holds along it: everything falls"));
@@ -105,7 +111,8 @@ void doubt_floor(const Scene& scene) {
 
 /// All doubts about a new scene and the recipes of its bodies.
 template <class Scene, class... Fills>
-void doubt(const Scene& scene, const std::tuple<Fills...>& fills) {
+void doubt(const Scene& scene, const Bodies<Fills...>& recipe) {
+  const auto& fills = recipe.fills;
   constexpr std::size_t count = sizeof...(Fills);
   const auto each = [&]<std::size_t... I>(std::index_sequence<I...>, [[maybe_unused]] auto&& f) {
     (f(std::integral_constant<std::size_t, I>{}), ...);
@@ -113,8 +120,8 @@ void doubt(const Scene& scene, const std::tuple<Fills...>& fills) {
   each(std::make_index_sequence<count>{}, [&](auto b) {
     doubt_bounds(scene.mesh, std::get<b>(fills).region, b);
     each(std::make_index_sequence<b>{}, [&](auto a) {
-      doubt_overlap(scene.mesh, a, std::get<a>(scene.bodies), std::get<a>(fills), b,
-                    std::get<b>(scene.bodies), std::get<b>(fills));
+      doubt_overlap(scene.mesh, a, scene.template body<std::size_t(a)>(), std::get<a>(fills), b,
+                    scene.template body<std::size_t(b)>(), std::get<b>(fills));
     });
   });
   doubt_floor(scene);

@@ -1,30 +1,19 @@
-// Parts of a scene: what a user may name after kinematics, mesh and numerics, in any order. What is not named
-// has an empty default.
+// Parts of a scene: what a user may name after kinematics, mesh and numerics, in any order. A part is any
+// value that plays a role (`scene/roles.hpp`); what is not named does not exist.
 #pragma once
 
-#include <initializer_list>
+#include <array>
+#include <string_view>
 #include <tuple>
+#include <type_traits>
 #include <utility>
 
-#include <arenite/boundary/walls.hpp>
-#include <arenite/contact/contact.hpp>
-#include <arenite/mesh/motion.hpp>
+#include <arenite/core/bind.hpp>
+#include <arenite/core/name.hpp>
 #include <arenite/particles/body.hpp>
-#include <arenite/rigid/rigid_body.hpp>
+#include <arenite/scene/roles.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
-
-/// Acceleration on everything, m/s2.
-struct Gravity {
-  std::array<double, 3> g{};
-};
-/// `gravity({0, -9.81})`: as many components as the scene has dimensions, or fewer.
-inline Gravity gravity(std::initializer_list<double> g) {
-  require(g.size() <= 3, "gravity: components", g.size(), "must be at most 3");
-  Gravity out;
-  std::copy(g.begin(), g.end(), out.g.begin());
-  return out;
-}
 
 template <class... Fills>
 struct Bodies {
@@ -36,66 +25,175 @@ Bodies<Fills...> bodies(Fills... fills) {
   return {{std::move(fills)...}};
 }
 
-template <class... R>
-struct Rigids {
-  std::tuple<R...> bodies;
+/// Parts side by side, as one value.
+template <class... P>
+struct PartGroup {
+  std::tuple<P...> parts;
 };
 /// The rigid bodies of a scene, each made by `rigid(..)`; they are numbered from 0.
 template <class... R>
-Rigids<R...> rigids(R... body) {
+PartGroup<R...> rigids(R... body) {
   return {{std::move(body)...}};
 }
 
-/// Asks for the energy ledger: works of stresses and external forces are summed at each step. Without it they
-/// are not computed.
-struct TrackEnergy {};
-struct NoLedger {};
+/// Where recipes are bound: the mesh, and what the types of a scene tell.
+template <class K, class M, class N, std::size_t Bodies>
+struct Site {
+  using Kinematics = K;
+  using Mesh = M;
+  using NumericsType = N;
+  using Shape = typename N::Shape;
+  using T = typename M::scalar;
+  static constexpr int D = M::dimension;
+  static constexpr std::size_t body_count = Bodies;
+  const M& mesh;
+};
 
 namespace detail {
 
 template <class P>
-struct is_bodies : std::false_type {};
+inline constexpr bool is_bodies = false;
 template <class... F>
-struct is_bodies<Bodies<F...>> : std::true_type {};
-template <class P>
-struct is_rigids : std::false_type {};
-template <class... R>
-struct is_rigids<Rigids<R...>> : std::true_type {};
-template <class P>
-struct is_walls : std::is_same<P, Walls> {};
-template <class P>
-struct is_gravity : std::is_same<P, Gravity> {};
-template <class P>
-struct is_contact_part : std::bool_constant<is_contact<P>> {};
-template <class P>
-struct is_motion : std::false_type {};
-template <class L>
-struct is_motion<MovingMesh<L>> : std::true_type {};
-template <class P>
-struct is_ledger : std::is_same<P, TrackEnergy> {};
+inline constexpr bool is_bodies<Bodies<F...>> = true;
 
+/// A scene's recipes but its bodies: groups opened, in order.
 template <class P>
-inline constexpr bool is_part =
-    is_bodies<P>::value || is_rigids<P>::value || is_walls<P>::value || is_gravity<P>::value ||
-    is_contact_part<P>::value || is_motion<P>::value || is_ledger<P>::value;
-
-template <template <class> class Is, class... P>
-inline constexpr int count_parts = (0 + ... + int(Is<P>::value));
-
-/// The one part of a kind among those given, or a default.
-template <template <class> class Is, class Default>
-Default pick() {
+std::tuple<P> opened(const P& part) {
+  return {part};
+}
+template <class... F>
+std::tuple<> opened(const Bodies<F...>&) {
   return {};
 }
-template <template <class> class Is, class Default, class First, class... Rest>
-auto pick(const First& first, const Rest&... rest) {
-  if constexpr (Is<First>::value)
+template <class... P>
+std::tuple<P...> opened(const PartGroup<P...>& group) {
+  return group.parts;
+}
+
+/// The kinematics, if they are a part.
+template <class K>
+auto opened_if_part(const K& kinematics) {
+  if constexpr (plays_a_role<K>)
+    return std::tuple<K>{kinematics};
+  else
+    return std::tuple<>{};
+}
+
+/// The bodies among the values given; none: no bodies.
+inline Bodies<> find_bodies() { return {}; }
+template <class First, class... Rest>
+auto find_bodies(const First& first, const Rest&... rest) {
+  if constexpr (is_bodies<First>)
     return first;
   else
-    return pick<Is, Default>(rest...);
+    return find_bodies(rest...);
 }
-template <template <class> class Is, class Default, class... P>
-using picked = decltype(pick<Is, Default>(std::declval<const P&>()...));
+
+template <class... P, class Site>
+auto bind_all(const std::tuple<P...>& recipes, const Site& site) {
+  return std::apply(
+      [&](const auto&... recipe) {
+        return std::tuple<decltype(bound(recipe, site))...>{bound(recipe, site)...};
+      },
+      recipes);
+}
+
+template <class M, ExtraColumns Extra, class F>
+struct body_of;
+template <class M, ExtraColumns Extra, class R, class L, Name name>
+struct body_of<M, Extra, Fill<R, L, name>> {
+  using Law = L;
+  using type = Body<L, typename M::scalar, M::dimension, Extra>;
+  static constexpr std::string_view word = name.word();
+};
+template <class M, ExtraColumns Extra, class B>
+struct bodies_of;
+template <class M, ExtraColumns Extra, class... F>
+struct bodies_of<M, Extra, Bodies<F...>> {
+  using type = std::tuple<typename body_of<M, Extra, F>::type...>;
+  static constexpr std::array<std::string_view, sizeof...(F)> names{body_of<M, Extra, F>::word...};
+  template <class N>
+  static constexpr bool centres_stress = N::template centres_stress<typename body_of<M, Extra, F>::Law...>;
+};
+
+/// What parts need together.
+template <class Parts>
+struct needs_of;
+template <class... P>
+struct needs_of<std::tuple<P...>> {
+  static constexpr bool own_fields = (separates_bodies<P> || ...);
+  static constexpr bool mass_gradient = (needs_mass_gradient<P> || ...);
+  static constexpr bool drives = (names_driven_velocity<P> || ...);
+  static constexpr bool stress_work = (names_take_stress_work<P> || ...);
+  static constexpr bool exchange = (names_exchange_impulses<P> || ...);
+};
+
+/// The parts that are rigid bodies: their places among all parts, and their names.
+template <class P>
+inline constexpr bool is_rigid = requires {
+  P::is_rigid_body;
+};
+template <class Parts>
+struct rigids_of;
+template <class... P>
+struct rigids_of<std::tuple<P...>> {
+  static constexpr std::size_t count = (0 + ... + std::size_t(is_rigid<P>));
+  static constexpr auto found = [] {
+    std::pair<std::array<std::size_t, count>, std::array<std::string_view, count>> all{};
+    std::size_t place = 0, number = 0;
+    const auto look = [&]<class Q>(std::type_identity<Q>) {
+      if constexpr (is_rigid<Q>) {
+        all.first[number] = place;
+        all.second[number++] = Q::name.word();
+      }
+      ++place;
+    };
+    (look(std::type_identity<P>{}), ...);
+    return all;
+  }();
+};
+
+/// Number of the one of these names that is meant; as many as there are if there is none. Neither a word nor
+/// a number: the only one.
+template <std::size_t Count>
+constexpr std::size_t number_among(const std::array<std::string_view, Count>& names, std::string_view word,
+                                   int number) {
+  if (!word.empty()) {
+    std::size_t k = 0;
+    while (k < Count && names[k] != word) ++k;
+    return k;
+  }
+  if (number >= 0) return static_cast<std::size_t>(number);
+  return Count == 1 ? 0 : Count;
+}
+
+/// Place of the part made of a recipe R, or of a template of recipes; as many as there are if there is none.
+template <class R, class... P>
+constexpr std::size_t place_of(std::type_identity<std::tuple<P...>>) {
+  std::size_t k = 0;
+  (void)((std::same_as<P, R> || (++k, false)) || ...);
+  return k;
+}
+template <class P, template <class...> class R>
+inline constexpr bool is_made_of = false;
+template <class... A, template <class...> class R>
+inline constexpr bool is_made_of<R<A...>, R> = true;
+template <template <class...> class R, class... P>
+constexpr std::size_t place_of(std::type_identity<std::tuple<P...>>) {
+  std::size_t k = 0;
+  (void)((is_made_of<P, R> || (++k, false)) || ...);
+  return k;
+}
+
+/// Whether no two parts are of a kind of which a scene has one (`using OnlyOne = ..`).
+template <class A, class B>
+concept same_kind = std::same_as<typename A::OnlyOne, typename B::OnlyOne>;
+template <class P, class... All>
+inline constexpr bool is_single = (0 + ... + int(same_kind<P, All>)) <= 1;
+template <class Parts>
+inline constexpr bool singles = false;
+template <class... P>
+inline constexpr bool singles<std::tuple<P...>> = (is_single<P, P...> && ...);
 
 }  // namespace detail
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -1,5 +1,5 @@
 // Scene: a tuple of values. Everything that a step reads and writes is a member here; what a scene does not
-// name is empty.
+// name is not there.
 #pragma once
 
 #include <algorithm>
@@ -7,10 +7,13 @@
 #include <tuple>
 #include <type_traits>
 
+#include <arenite/boundary/constraints.hpp>
+#include <arenite/contact/tally.hpp>
 #include <arenite/particles/measures.hpp>
 #include <arenite/particles/relocate.hpp>
 #include <arenite/scene/doubts.hpp>
 #include <arenite/scene/parts.hpp>
+#include <arenite/scene/roles.hpp>
 #include <arenite/transfer/centred_stress.hpp>
 #include <arenite/transfer/deform.hpp>
 #include <arenite/transfer/light_nodes.hpp>
@@ -20,77 +23,12 @@
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
-/// Sums over all steps; energies in J. Computed only in a scene with `TrackEnergy`.
-struct Ledger {
-  double initial_kinetic = 0;  ///< of bodies and rigid bodies
-  double initial_strain = 0;   ///< recoverable, from initial stresses
-  double stress_work = 0;      ///< work of the stresses: stored or used up plastically
-  double gravity_work = 0;     ///< of gravity on the bodies
-  double contact_dissipation = 0;
-};
-
-namespace detail {
-
-template <class M, ExtraColumns Extra, class F>
-struct body_of;
-template <class M, ExtraColumns Extra, class R, class L>
-struct body_of<M, Extra, Fill<R, L>> {
-  using type = Body<L, typename M::scalar, M::dimension, Extra>;
-};
-template <class M, ExtraColumns Extra, class B>
-struct bodies_of;
-template <class M, ExtraColumns Extra, class... F>
-struct bodies_of<M, Extra, Bodies<F...>> {
-  using type = std::tuple<typename body_of<M, Extra, F>::type...>;
-};
-
-template <class M, class S>
-struct bound_surface;
-template <class M>
-struct bound_surface<M, MeshSurface> {
-  static_assert(is_simplex_mesh<M>,
-                "Rigid: a MeshSurface needs a simplex mesh; on a grid use a DistanceSurface");
-  using type = BoundMeshSurface<typename M::scalar, M::dimension>;
-};
-template <class M, class D>
-struct bound_surface<M, DistanceSurface<D>> {
-  using type = BoundDistanceSurface<typename M::scalar, M::dimension, D>;
-};
-template <class M, class R>
-struct rigids_of;
-template <class M, class... R>
-struct rigids_of<M, Rigids<R...>> {
-  using type = std::tuple<
-      RigidBody<typename M::scalar, M::dimension, typename bound_surface<M, typename R::Surface>::type,
-                typename R::Motion, typename R::Coupling>...>;
-};
-
-template <class M, class Motion>
-struct bound_motion {
-  using type = FixedMesh;
-};
-template <class M, class L>
-struct bound_motion<M, MovingMesh<L>> {
-  static_assert(is_simplex_mesh<M>, "MovingMesh: only a simplex mesh moves");
-  using type = BoundMotion<M::dimension, typename M::scalar, L>;
-};
-
-template <class T, int D, class C>
-struct normal_map {
-  struct type {};
-};
-template <class T, int D>
-struct normal_map<T, D, Coulomb<SurfaceOf>> {
-  using type = NormalMap<T, D>;
-};
-
-}  // namespace detail
-
-/// A scene of kinematics K, mesh M, numerics N and parts: `bodies(..)` (required), `walls(..)`,
-/// `gravity({..})`, a contact policy, `rigids(..)`, a `MovingMesh`, `TrackEnergy{}`. Complete when
-/// constructed: filled, walls resolved, surfaces found. Warns (`on_warning`) of a box that reaches beyond the
-/// mesh, of bodies that lie in one place, and of gravity that nothing holds against.
-template <class K, class M, class N, class... Parts>
+/// A scene of kinematics K, mesh M, numerics N and, in any order, `bodies(..)` (required) and parts: those of
+/// the library (`walls(..)`, `gravity({..})`, `Coulomb`, `rigids(..)`, `MovingMesh`, `TrackEnergy{}`) and any
+/// of your own (`scene/roles.hpp`). Complete when constructed: filled, parts bound, surfaces found. Warns
+/// (`on_warning`) of a box that reaches beyond the mesh, of bodies that lie in one place, and of gravity that
+/// nothing holds against.
+template <class K, class M, class N, class... Given>
 struct Scene {
   static_assert(kinematics<K>,
                 "Scene: the first value must be the kinematics: PlaneStrain, Axisymmetric or Solid");
@@ -100,125 +38,89 @@ struct Scene {
                 "Scene: the shape function does not fit the mesh: LinearSimplex goes with SimplexMesh, "
                 "QuadraticBSpline with "
                 "CartesianGrid");
-  static_assert((detail::is_part<Parts> && ...),
-                "Scene: a part is not known; parts are bodies(..), walls(..), gravity({..}), OneField, "
-                "Coulomb, rigids(..), "
-                "MovingMesh and TrackEnergy");
-  static_assert(detail::count_parts<detail::is_bodies, Parts...> == 1,
-                "Scene: exactly one bodies(..) is needed");
-  static_assert(detail::count_parts<detail::is_walls, Parts...> <= 1 &&
-                    detail::count_parts<detail::is_gravity, Parts...> <= 1 &&
-                    detail::count_parts<detail::is_rigids, Parts...> <= 1 &&
-                    detail::count_parts<detail::is_contact_part, Parts...> <= 1 &&
-                    detail::count_parts<detail::is_motion, Parts...> <= 1,
-                "Scene: each kind of part may be given once");
+  static_assert((0 + ... + int(detail::is_bodies<Given>)) == 1, "Scene: exactly one bodies(..) is needed");
 
   using Kinematics = K;
   using Mesh = M;
   using NumericsType = N;
   using T = typename M::scalar;
   static constexpr int D = M::dimension;
+  using V = Vec<T, D>;
   using Shape = typename N::Shape;
-  using Contact = detail::picked<detail::is_contact_part, OneField, Parts...>;
-  using BodyTuple = typename detail::bodies_of<M, N::extra_columns,
-                                               detail::picked<detail::is_bodies, Bodies<>, Parts...>>::type;
-  using RigidTuple =
-      typename detail::rigids_of<M, detail::picked<detail::is_rigids, Rigids<>, Parts...>>::type;
-  using Motion =
-      typename detail::bound_motion<M, detail::picked<detail::is_motion, FixedMesh, Parts...>>::type;
-  using Field = NodeField<T, D, N::remaps, Contact::needs_mass_gradient>;
+  using Nodes = NodeConstraints<Shape, M>;
+
+ private:
+  using Fills = decltype(detail::find_bodies(std::declval<const Given&>()...));
+  using BodiesOf = detail::bodies_of<M, N::extra_columns, Fills>;
+  /// What was given but the bodies; the kinematics are a part, too.
+  using Recipes = decltype(std::tuple_cat(detail::opened(std::declval<const Given&>())...,
+                                          detail::opened_if_part(std::declval<const K&>())));
+
+ public:
+  using BodyTuple = typename BodiesOf::type;
   static constexpr std::size_t body_count = std::tuple_size_v<BodyTuple>;
-  static constexpr std::size_t rigid_count = std::tuple_size_v<RigidTuple>;
-  static constexpr std::size_t field_count = Contact::separate ? body_count : 1;
-  static constexpr bool moves = !std::same_as<Motion, FixedMesh>;
-  static constexpr bool tracks_energy = detail::count_parts<detail::is_ledger, Parts...> > 0;
-  /// Whether stresses are taken at the middle of the step: where all laws are linear (see `add_half_step`).
-  static constexpr bool centres_stress = []<class... B>(std::type_identity<std::tuple<B...>>) {
-    return N::template centres_stress<decltype(B::law)...>;
-  }(std::type_identity<BodyTuple>{});
   static_assert(body_count >= 1, "Scene: bodies(..) needs at least one fill(..)");
-  static_assert(!std::same_as<Contact, Coulomb<SurfaceOf>> || body_count == 2,
-                "Scene: Coulomb contact with SurfaceOf is between two bodies; for more use MassGradient");
+  using SiteType = Site<K, M, N, body_count>;
+  using Parts = decltype(detail::bind_all(std::declval<const Recipes&>(), std::declval<const SiteType&>()));
+  static constexpr std::size_t part_count = std::tuple_size_v<Parts>;
+  static_assert(detail::singles<Parts>,
+                "Scene: contact of bodies, motion of the mesh and TrackEnergy may be given once each");
+
+  using Needs = detail::needs_of<Parts>;
+  static constexpr std::size_t field_count = Needs::own_fields ? body_count : 1;
+  static constexpr std::size_t rigid_count = detail::rigids_of<Parts>::count;
+  using Field = NodeField<T, D, N::remaps, Needs::mass_gradient>;
+  /// Whether stresses are taken at the middle of the step: where all laws are linear (see `add_half_step`).
+  static constexpr bool centres_stress = BodiesOf::template centres_stress<N>;
 
   /// Node field of a body.
-  static constexpr std::size_t field_of(std::size_t body) { return Contact::separate ? body : 0; }
+  static constexpr std::size_t field_of(std::size_t body) { return Needs::own_fields ? body : 0; }
 
-  Scene(K kinematics_value, M mesh_value, N numerics_value, Parts... parts)
+  Scene(K kinematics_value, M mesh_value, N numerics_value, Given... given)
       : kinematics{kinematics_value},
         mesh{std::move(mesh_value)},
         numerics{numerics_value},
         blocks{make_blocks(mesh)},
+        parts{bind(mesh, kinematics, given...)},
         fields{make_fields(std::make_index_sequence<field_count>{})},
-        bodies{make_bodies(detail::pick<detail::is_bodies, Bodies<>>(parts...))},
-        constraints{resolve<Shape>(detail::pick<detail::is_walls, Walls>(parts...), mesh, K::hoop)},
-        contact{detail::pick<detail::is_contact_part, OneField>(parts...)},
-        rigids{make_rigids(detail::pick<detail::is_rigids, Rigids<>>(parts...))},
-        motion{make_motion(detail::pick<detail::is_motion, FixedMesh>(parts...))} {
+        bodies{make_bodies(detail::find_bodies(given...))} {
     share_out();
     for_each_body([&](auto& body, const auto&) { body.points.settle(body.cells, blocks); });
     numerics.transfer.check();
     numerics.anti_locking.check();
-    const auto g = detail::pick<detail::is_gravity, Gravity>(parts...).g;
-    for (std::size_t k = 0; k < 3; ++k) {
-      require(std::isfinite(g[k]), "gravity", g[k], "must be finite");
-      if (k < D)
-        gravity[static_cast<int>(k)] = static_cast<T>(g[k]);
-      else
-        require(g[k] == 0, "gravity", g[k], "must be zero along an axis that the scene does not have");
-    }
-    if constexpr (tracks_energy) {
-      for_each_body([&](const auto& body, const auto&) {
-        ledger.initial_kinetic += kinetic_energy(body);
-        ledger.initial_strain += strain_energy(body);
-      });
-      for_each_rigid([&](const auto& body) { ledger.initial_kinetic += body.kinetic_energy(); });
-    }
-    if constexpr (std::same_as<Contact, Coulomb<SurfaceOf>>) {
-      require(contact.normals.body < 2, "SurfaceOf.body", contact.normals.body, "must be 0 or 1");
-      const auto surface = surface_of<K>(mesh, contact.normals.region, constraints);
-      normals.body = contact.normals.body;
-      normals.out.assign(mesh.node_count(), Vec<T, D>::Zero());
-      for (std::size_t k = 0; k < surface.nodes.size(); ++k)
-        normals.out[surface.nodes[k]] = surface.normals[k];
-    }
-    detail::doubt(*this, detail::pick<detail::is_bodies, Bodies<>>(parts...).fills);
+    find_constraints();
+    for_each_part([&](auto& part) {
+      if constexpr (connects<std::remove_reference_t<decltype(part)>, Scene>) part.connect(*this);
+    });
+    detail::doubt(*this, detail::find_bodies(given...));
   }
 
   K kinematics;
   M mesh;
   N numerics;
-  Blocks blocks;                              ///< colours of the mesh's cells
+  Blocks blocks;  ///< colours of the mesh's cells
+  [[no_unique_address]] Parts
+      parts;  ///< what the recipes mean in this mesh, in the order given; then the kinematics, if a part
   std::array<Field, field_count> fields;      ///< node fields: one, or one a body
   BodyTuple bodies;                           ///< deformable bodies
-  std::vector<Constraint<T, D>> constraints;  ///< from the walls
-  Contact contact;
-  RigidTuple rigids;
-  [[no_unique_address]] Motion motion;
-  Vec<T, D> gravity = Vec<T, D>::Zero();  ///< m/s2
-  [[no_unique_address]] typename detail::normal_map<T, D, Contact>::type normals{};
+  std::vector<Constraint<T, D>> constraints;  ///< of all parts
+  [[no_unique_address]] std::conditional_t<Needs::drives, std::vector<Drive<T, D>>, detail::Nothing>
+      drives{};  ///< nodes that parts move
   [[no_unique_address]] std::conditional_t<N::AntiLocking::averages_strain, VolumetricAverage<T>,
                                            detail::Nothing>
       average{};
   [[no_unique_address]] std::conditional_t<N::smooths_light_nodes, LightNodes<T, D>, detail::Nothing>
       light_nodes{};
-  [[no_unique_address]] std::conditional_t<tracks_energy, Ledger, NoLedger> ledger{};
 
   double time = 0;       ///< s
   double time_step = 0;  ///< of the last step, s
   std::size_t steps = 0;
-  bool finite = true;  ///< no number of the points, nor their sums, have become NaN or infinite
-  /// Impulse that contact with other bodies gave each deformable body in the last step, N s.
-  [[no_unique_address]] std::conditional_t<Contact::separate, std::array<Vec<T, D>, body_count>,
-                                           detail::Nothing>
-      contact_impulse{};
-  /// MUSL: bodies that pushed on each other in the last step, node by node.
-  [[no_unique_address]] std::conditional_t<Contact::separate && N::remaps, std::vector<ContactPair<T, D>>,
-                                           NoContactPairs>
-      contact_pairs{};
+  bool finite = true;           ///< no number of the points, nor their sums, have become NaN or infinite
   ContactTally contact_tally;   ///< of the last step
   std::size_t limited = 0;      ///< node velocities scaled down by the velocity limit since the start
   double limited_momentum = 0;  ///< momentum that this took, N s
-  Vec<T, D> wall_impulse = Vec<T, D>::Zero();  ///< that the walls gave since the start, N s
+  V wall_impulse = V::Zero();   ///< that constraints gave since the start, N s
+  double driving_work = 0;      ///< of the parts that move nodes, since the start, J
 
   /// Calls `f(body, field)` for each deformable body and its node field.
   template <class F>
@@ -229,13 +131,87 @@ struct Scene {
   void for_each_body(F&& f) const {
     each_body(*this, f, std::make_index_sequence<body_count>{});
   }
+  /// Calls `f(part)` for each part, in order.
+  template <class F>
+  void for_each_part(F&& f) {
+    each_part(*this, f, std::make_index_sequence<part_count>{});
+  }
+  template <class F>
+  void for_each_part(F&& f) const {
+    each_part(*this, f, std::make_index_sequence<part_count>{});
+  }
+  /// Calls `f(body)` for each rigid body.
   template <class F>
   void for_each_rigid(F&& f) {
-    std::apply([&](auto&... r) { (f(r), ...); }, rigids);
+    for_each_part([&](auto& part) {
+      if constexpr (detail::is_rigid<std::remove_cvref_t<decltype(part)>>) f(part);
+    });
   }
   template <class F>
   void for_each_rigid(F&& f) const {
-    std::apply([&](const auto&... r) { (f(r), ...); }, rigids);
+    for_each_part([&](const auto& part) {
+      if constexpr (detail::is_rigid<std::remove_cvref_t<decltype(part)>>) f(part);
+    });
+  }
+
+  /// A deformable body: `body<"sand">()`, `body<0>()`, or `body()`, the only one.
+  template <Name which = "">
+  auto& body() {
+    return std::get<body_place<which>()>(bodies);
+  }
+  template <Name which = "">
+  const auto& body() const {
+    return std::get<body_place<which>()>(bodies);
+  }
+  /// A rigid body: `rigid<"cone">()`, `rigid<0>()`, or `rigid()`, the only one.
+  template <Name which = "">
+  auto& rigid() {
+    return std::get<rigid_place<which>()>(parts);
+  }
+  template <Name which = "">
+  const auto& rigid() const {
+    return std::get<rigid_place<which>()>(parts);
+  }
+  /// The first part that a recipe made: `part<TrackEnergy>()`, `part<Coulomb>()`.
+  template <class Recipe>
+  auto& part() {
+    return std::get<part_place<detail::place_of<Recipe>(std::type_identity<Recipes>{})>()>(parts);
+  }
+  template <class Recipe>
+  const auto& part() const {
+    return std::get<part_place<detail::place_of<Recipe>(std::type_identity<Recipes>{})>()>(parts);
+  }
+  template <template <class...> class Recipe>
+  auto& part() {
+    return std::get<part_place<detail::place_of<Recipe>(std::type_identity<Recipes>{})>()>(parts);
+  }
+  template <template <class...> class Recipe>
+  const auto& part() const {
+    return std::get<part_place<detail::place_of<Recipe>(std::type_identity<Recipes>{})>()>(parts);
+  }
+  template <class Recipe>
+  static constexpr bool has_part = detail::place_of<Recipe>(std::type_identity<Recipes>{}) < part_count;
+
+  /// Number of a body; throws `error` that names the `option` if the scene has no such body.
+  std::size_t number_of(const BodyName& name, std::string_view option) const {
+    const std::size_t k = detail::number_among(BodiesOf::names, name.word, name.number);
+    const std::string told = name.word.empty() ? std::to_string(name.number) : name.word;
+    require(k < body_count, option, told, "must be the number or the name of a body of the scene");
+    return k;
+  }
+  /// What messages call a body.
+  template <Name which>
+  static std::string name_of() {
+    return which.word().empty() ? std::to_string(which.number) : std::string(which.word());
+  }
+
+  /// Sum of the parts' accelerations now, m/s2.
+  V acceleration() const {
+    V sum = V::Zero();
+    for_each_part([&](const auto& part) {
+      if constexpr (accelerates<std::remove_cvref_t<decltype(part)>, Scene>) sum += part.acceleration(time);
+    });
+    return sum;
   }
 
   /// Gives each thread cells with as many points as the others'.
@@ -259,6 +235,53 @@ struct Scene {
   }
 
  private:
+  template <Name which>
+  static constexpr std::size_t body_place() {
+    constexpr std::size_t k = detail::number_among(BodiesOf::names, which.word(), which.number);
+    static_assert(k < body_count,
+                  "Scene: no such body; say body<\"name\">() of fill<\"name\">(..), or "
+                  "body<number>(); body() is the only one");
+    return k;
+  }
+  template <Name which>
+  static constexpr std::size_t rigid_place() {
+    constexpr auto found = detail::rigids_of<Parts>::found;
+    constexpr std::size_t k = detail::number_among(found.second, which.word(), which.number);
+    static_assert(k < rigid_count,
+                  "Scene: no such rigid body; say rigid<\"name\">() of rigid<\"name\">(..), "
+                  "or rigid<number>(); rigid() is the only one");
+    return found.first[k];
+  }
+  template <std::size_t Place>
+  static constexpr std::size_t part_place() {
+    static_assert(Place < part_count, "Scene: no part was made of such a recipe");
+    return Place;
+  }
+
+  static Parts bind(const M& mesh, const K& kinematics, const Given&... given) {
+    static_assert(detail::check_all_roles<Scene>(std::type_identity<Parts>{}));
+    return detail::bind_all(std::tuple_cat(detail::opened(given)..., detail::opened_if_part(kinematics)),
+                            SiteType{mesh});
+  }
+
+  void find_constraints() {
+    Nodes nodes(mesh);
+    std::size_t number = 0;
+    for_each_part([&](const auto& part) {
+      if constexpr (constrains<std::remove_cvref_t<decltype(part)>, Scene>) nodes.add(part, number);
+      ++number;
+    });
+    constraints = nodes.constraints();
+    if constexpr (Needs::drives) {
+      number = 0;
+      for_each_part([&](const auto& part) {
+        if constexpr (drives_nodes<std::remove_cvref_t<decltype(part)>, Scene>)
+          for (const auto& drive : nodes.drives(number)) drives.push_back(drive);
+        ++number;
+      });
+    }
+  }
+
   static Blocks make_blocks(const M& mesh) {
     Index size;
     if constexpr (is_simplex_mesh<M>) {
@@ -285,50 +308,13 @@ struct Scene {
         recipe.fills);
   }
 
-  template <class R>
-  auto make_rigid(const R& recipe) const {
-    using Surface = typename detail::bound_surface<M, typename R::Surface>::type;
-    recipe.motion.check();
-    const auto bind = [&] {
-      if constexpr (std::same_as<typename R::Surface, MeshSurface>)
-        return Surface(surface_of<K>(mesh, recipe.surface.region, constraints));
-      else
-        return Surface(recipe.surface);
-    };
-    RigidBody<T, D, Surface, typename R::Motion, typename R::Coupling> body{bind(), recipe.motion,
-                                                                            recipe.friction};
-    if constexpr (R::Motion::free) {
-      for (std::size_t k = 0; k < D; ++k)
-        body.axis[static_cast<int>(k)] = static_cast<T>(recipe.motion.axis[k]);
-      require(body.axis.norm() > 0, "Guided.axis", body.axis.transpose(),
-              "must have a length in the scene's dimensions");
-      require(!K::hoop || body.axis[0] == 0, "Guided.axis", body.axis.transpose(),
-              "must be the axis of symmetry (0, 1) in an axisymmetric scene");
-      body.axis.normalize();
-      body.velocity = static_cast<T>(recipe.motion.velocity) * body.axis;
-    }
-    return body;
-  }
-
-  template <class... R>
-  RigidTuple make_rigids(const Rigids<R...>& recipe) const {
-    return std::apply([&](const auto&... r) { return RigidTuple{make_rigid(r)...}; }, recipe.bodies);
-  }
-
-  template <class P>
-  Motion make_motion(const P& part) const {
-    if constexpr (moves) {
-      static_assert(P::Leader::index < (P::Leader::rigid ? rigid_count : body_count),
-                    "MovingMesh: the leader must be a body of the scene");
-      return Motion(part, mesh);
-    } else {
-      return {};
-    }
-  }
-
   template <class Self, class F, std::size_t... I>
   static void each_body(Self& self, F& f, std::index_sequence<I...>) {
     (f(std::get<I>(self.bodies), self.fields[field_of(I)]), ...);
+  }
+  template <class Self, class F, std::size_t... I>
+  static void each_part([[maybe_unused]] Self& self, [[maybe_unused]] F& f, std::index_sequence<I...>) {
+    (f(std::get<I>(self.parts)), ...);
   }
 };
 

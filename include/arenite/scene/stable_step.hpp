@@ -28,10 +28,10 @@ T stiffest(const Body<L, T, D, E>& body, Index c) {
 
 /// Largest step that the scene bears, s: the smallest size / (wave speed + point speed) of the cells that
 /// hold points (Courant, Friedrichs, Lewy 1928), times what the numerics bear of it
-/// (`Numerics::courant_limit`), or less where a law has a `stable_step` of its own. Follows the mesh as it
-/// moves, and the state where a law's `wave_modulus` does; rigid bodies do not limit it. Multiply by a
-/// Courant number of at most 1. The wave speed is that of the law's density: volumes grown by dilatancy to r
-/// times raise the true one by the root of r.
+/// (`Numerics::courant_limit`), or less where a law or a part has a `stable_step` of its own. Follows the
+/// mesh as it moves, and the state where a law's `wave_modulus` does; rigid bodies do not limit it. Multiply
+/// by a Courant number of at most 1. The wave speed is that of the law's density: volumes grown by dilatancy
+/// to r times raise the true one by the root of r.
 template <class Scene>
 double stable_step(const Scene& scene) {
   using T = typename Scene::T;
@@ -68,7 +68,12 @@ double stable_step(const Scene& scene) {
         },
         [](T a, T b) { return std::min(a, b); });
   });
-  return limit * static_cast<double>(least);
+  double step = limit * static_cast<double>(least);
+  scene.for_each_part([&](const auto& part) {
+    if constexpr (bounds_step<std::remove_cvref_t<decltype(part)>, Scene>)
+      step = std::min(step, part.stable_step(scene));
+  });
+  return step;
 }
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

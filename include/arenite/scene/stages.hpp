@@ -41,6 +41,50 @@ void scatter(Scene& scene) {
   });
 }
 
+template <class Scene>
+void add_forces(Scene& scene, double dt) {
+  scene.for_each_part([&](auto& part) {
+    if constexpr (adds_force<std::remove_reference_t<decltype(part)>, Scene>) part.add_force(scene, dt);
+  });
+}
+
+namespace detail {
+
+/// Takes velocities of a field to what the parts allow, and drive to at the end of the step. Returns the
+/// impulse, N s, and the work of the drives, J.
+template <class Scene, class Field, class Velocities>
+std::pair<typename Scene::V, double> allow(Scene& scene, const Field& field, Velocities& velocity,
+                                           [[maybe_unused]] double dt) {
+  if constexpr (Scene::Needs::drives) {
+    std::size_t number = 0;
+    scene.for_each_part([&](const auto& part) {
+      if constexpr (drives_nodes<std::remove_cvref_t<decltype(part)>, Scene>)
+        for (auto& drive : scene.drives)
+          if (drive.part == number)
+            drive.target =
+                drive.lift *
+                part.driven_velocity(Scene::Shape::node_position(scene.mesh, drive.node), scene.time + dt);
+      ++number;
+    });
+    return constrain(scene.constraints, scene.drives, field.mass, velocity);
+  } else {
+    return {constrain(scene.constraints, field.mass, velocity), 0};
+  }
+}
+
+/// Calls `f(part)` for the parts that exchange impulses, of the ranks from `first` to `last`.
+template <class Scene, class F>
+void for_each_exchange(Scene& scene, int first, int last, F&& f) {
+  for (int rank = first; rank <= last; ++rank)
+    scene.for_each_part([&](auto& part) {
+      using P = std::remove_reference_t<decltype(part)>;
+      if constexpr (exchanges_impulses<P, Scene> || holds_mapped<P, Scene>)
+        if (exchange_rank<P> == rank) f(part);
+    });
+}
+
+}  // namespace detail
+
 /// Below it mass and momentum are no longer known to round-off, kg.
 template <class T>
 inline constexpr T least_mass = std::numeric_limits<T>::min() / std::numeric_limits<T>::epsilon();
@@ -50,9 +94,9 @@ void centre_stress(Scene& scene, [[maybe_unused]] double dt) {
   if constexpr (Scene::centres_stress) {
     using T = typename Scene::T;
     for (auto& field : scene.fields) {
-      const Vec<T, Scene::D> none = Vec<T, Scene::D>::Zero();
+      const typename Scene::V none = Scene::V::Zero();
       advance(field, none, T(0), least_mass<T>);
-      constrain(scene.constraints, field.mass, field.velocity);
+      detail::allow(scene, field, field.velocity, 0);
     }
     scene.for_each_body([&](const auto& body, auto& field) {
       add_half_step<typename Scene::Kinematics, typename Scene::Shape>(scene.mesh, scene.blocks, body, field,
@@ -64,63 +108,44 @@ void centre_stress(Scene& scene, [[maybe_unused]] double dt) {
 template <class Scene>
 void advance(Scene& scene, double dt) {
   using T = typename Scene::T;
+  const auto acceleration = scene.acceleration();
   for (auto& field : scene.fields) {
-    advance(field, scene.gravity, static_cast<T>(dt), least_mass<T>);
+    advance(field, acceleration, static_cast<T>(dt), least_mass<T>);
     if constexpr (Scene::Shape::constant_gradient) hand_to_neighbours(scene.mesh, field, static_cast<T>(dt));
   }
 }
 
 template <class Scene>
-void constrain(Scene& scene) {
-  for (auto& field : scene.fields)
-    scene.wall_impulse += constrain(scene.constraints, field.mass, field.velocity);
-}
-
-template <class Scene>
-void collide(Scene& scene, double dt) {
-  using T = typename Scene::T;
-  using M = typename Scene::Mesh;
-  ContactTally tally;
-  if constexpr (Scene::Contact::separate)
-    tally += exchange(scene.contact, scene.fields, scene.normals, scene.contact_impulse, scene.contact_pairs,
-                      static_cast<T>(dt), [&](Index node) {
-                        if constexpr (is_simplex_mesh<M>)
-                          return scene.mesh.node_size(node);
-                        else
-                          return scene.mesh.edge();
-                      });
-  scene.for_each_rigid([&](auto& body) {
-    tally += collide<typename Scene::Shape>(scene.mesh, body, scene.fields, scene.gravity,
-                                            static_cast<T>(scene.time + dt), static_cast<T>(dt));
-  });
-  if constexpr (Scene::Contact::separate || Scene::rigid_count > 0) constrain(scene);
-  scene.contact_tally = tally;
-  scene.limited += tally.limited;
-  scene.limited_momentum += tally.limited_momentum;
-  if constexpr (Scene::tracks_energy) {
-    scene.ledger.contact_dissipation += tally.dissipation;
-    for (const auto& field : scene.fields) {
-      scene.ledger.gravity_work += parallel_reduce(
-          field.size(), 0.0,
-          [&](std::size_t begin, std::size_t end) {
-            double work = 0;
-            for (std::size_t i = begin; i < end; ++i)
-              work += dt * static_cast<double>(field.mass[i] * scene.gravity.dot(field.velocity[i]));
-            return work;
-          },
-          std::plus<>{});
-    }
+void constrain(Scene& scene, double dt) {
+  for (auto& field : scene.fields) {
+    const auto [impulse, work] = detail::allow(scene, field, field.velocity, dt);
+    scene.wall_impulse += impulse;
+    scene.driving_work += work;
   }
 }
 
 template <class Scene>
-void smooth_light_nodes(Scene& scene) {
+void exchange(Scene& scene, double dt) {
+  scene.contact_tally = {};
+  if constexpr (Scene::Needs::exchange) {
+    detail::for_each_exchange(scene, 0, 2, [&](auto& part) {
+      if constexpr (exchanges_impulses<std::remove_reference_t<decltype(part)>, Scene>)
+        scene.contact_tally += part.exchange_impulses(scene, dt);
+    });
+    constrain(scene, dt);
+    scene.limited += scene.contact_tally.limited;
+    scene.limited_momentum += scene.contact_tally.limited_momentum;
+  }
+}
+
+template <class Scene>
+void smooth_light_nodes(Scene& scene, [[maybe_unused]] double dt) {
   if constexpr (Scene::NumericsType::smooths_light_nodes) {
     for (auto& field : scene.fields) scene.light_nodes.exchange(scene.mesh, field);
-    constrain(scene);
+    constrain(scene, dt);
   } else if constexpr (!Scene::Shape::constant_gradient) {
     for (auto& field : scene.fields) exchange_at_faces(scene.mesh, field.mass, field.velocity);
-    constrain(scene);
+    constrain(scene, dt);
   }
 }
 
@@ -133,17 +158,13 @@ void remap(Scene& scene, [[maybe_unused]] double dt) {
       finish_remap<Scene::centres_stress>(scene.numerics, field);
       if constexpr (!Scene::Shape::constant_gradient) exchange_at_faces(scene.mesh, field.mass, field.mapped);
     }
-    using T = typename Scene::T;
-    double dissipation = 0;
-    if constexpr (Scene::Contact::separate)
-      dissipation +=
-          hold_together<Scene::centres_stress>(scene.contact_pairs, scene.fields, static_cast<T>(dt));
-    for (auto& field : scene.fields) constrain(scene.constraints, field.mass, field.mapped);
-    scene.for_each_rigid([&](const auto& body) {
-      dissipation += hold_to<Scene::centres_stress>(body, scene.fields, static_cast<T>(dt));
-    });
-    scene.contact_tally.dissipation += dissipation;
-    if constexpr (Scene::tracks_energy) scene.ledger.contact_dissipation += dissipation;
+    const auto hold = [&](auto& part) {
+      if constexpr (holds_mapped<std::remove_reference_t<decltype(part)>, Scene>)
+        scene.contact_tally.dissipation += part.hold_mapped(scene, dt);
+    };
+    detail::for_each_exchange(scene, 0, 0, hold);
+    for (auto& field : scene.fields) detail::allow(scene, field, field.mapped, dt);
+    detail::for_each_exchange(scene, 1, 2, hold);
   }
 }
 
@@ -151,38 +172,25 @@ template <class Scene>
 void deform(Scene& scene, double dt) {
   scene.finite = true;
   scene.for_each_body([&](auto& body, const auto& field) {
-    const DeformSums sums = deform<typename Scene::Kinematics, Scene::tracks_energy>(
+    const DeformSums sums = deform<typename Scene::Kinematics, Scene::Needs::stress_work>(
         scene.numerics, scene.mesh, scene.blocks, body, field, static_cast<typename Scene::T>(dt),
         scene.average);
     body.opened_volume += sums.opened_volume;
     body.finite = std::isfinite(sums.check);
     scene.finite = scene.finite && body.finite;
-    if constexpr (Scene::tracks_energy) scene.ledger.stress_work += sums.work;
+    scene.for_each_part([&](auto& part) {
+      if constexpr (takes_stress_work<std::remove_reference_t<decltype(part)>, Scene>)
+        part.take_stress_work(sums.work);
+    });
   });
 }
 
 template <class Scene>
-void move(Scene& scene, [[maybe_unused]] double dt) {
-  if constexpr (Scene::moves) {
-    using Leader = typename Scene::Motion::Leader;
-    using T = typename Scene::T;
-    auto& motion = scene.motion;
-    T travel;
-    if constexpr (Leader::rigid) {
-      travel = std::get<Leader::index>(scene.rigids).displacement[motion.axis()];
-    } else {
-      const auto& body = std::get<Leader::index>(scene.bodies);
-      if (body.points.size() == 0)
-        throw run_error(shared_detail::join("t = ", scene.time, " s: body ", Leader::index,
-                                            ", which leads the mesh, has lost all of its points"));
-      travel = motion.travel() + static_cast<T>(dt * momentum(body)[motion.axis()] / mass(body));
-    }
-    try {
-      motion.move(scene.mesh, travel);
-    } catch (const run_error& e) {
-      throw run_error(shared_detail::join("t = ", scene.time + dt, " s: ", e.what()));
-    }
-  }
+void follow(Scene& scene, double dt) {
+  scene.for_each_part([&](auto& part) {
+    if constexpr (follows_motion<std::remove_reference_t<decltype(part)>, Scene>)
+      part.follow_motion(scene, dt);
+  });
 }
 
 /// Whether all numbers of a point are finite.

@@ -9,17 +9,18 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 /// inside out, naming time, place and cause.
 template <class Scene>
 void step(Scene& scene, double dt) {
-  relocate(scene);            // find the cell of each point
-  scatter(scene);             // P2G: mass, momentum, internal force
-  centre_stress(scene, dt);   // elastic bodies with MUSL on simplices: forces of the middle of the step
-  advance(scene, dt);         // nodal momentum balance
-  constrain(scene);           // fixities, rollers, symmetry planes
-  collide(scene, dt);         // body against body, rigid body against bodies: impulses that cancel
-  smooth_light_nodes(scene);  // nodes at a body's edge that have force and hardly any mass
-  remap(scene, dt);           // MUSL: node velocities for the strains, as the points would hand them back
-  deform(scene, dt);          // G2P: velocities, strains and positions; stresses by the law of each body
-  move(scene, dt);            // the mesh, if it moves
-  finish(scene, dt);          // time, and the check that nothing has become NaN
+  relocate(scene);                // find the cell of each point
+  scatter(scene);                 // P2G: mass, momentum, internal force
+  add_forces(scene, dt);          // springs, tractions, ..
+  centre_stress(scene, dt);       // elastic bodies with MUSL on simplices: forces of the middle of the step
+  advance(scene, dt);             // nodal momentum balance
+  constrain(scene, dt);           // fixities, rollers, symmetry planes
+  exchange(scene, dt);            // body against body, rigid body against bodies: impulses that cancel
+  smooth_light_nodes(scene, dt);  // nodes at a body's edge that have force and hardly any mass
+  remap(scene, dt);               // MUSL: node velocities for the strains, as the points would hand them back
+  deform(scene, dt);              // G2P: velocities, strains, positions; stresses by the law of each body
+  follow(scene, dt);              // what moves with the matter: the mesh, springs, ..
+  finish(scene, dt);              // time, and the check that nothing has become NaN
 }
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -22,7 +22,12 @@ struct alignas(8 * sizeof(T)) NodeSums {
   Vec<T, D> momentum() const { return Eigen::Map<const Vec<T, D>>(lane.data()); }            ///< kg m/s
   T mass() const { return lane[mass_lane]; }                                                 ///< kg
   Vec<T, D> force() const { return Eigen::Map<const Vec<T, D>>(lane.data() + force_lane); }  ///< N
-  T reach() const { return lane[reach_lane]; }                                               ///< kg
+  T reach() const { return lane[reach_lane]; }  ///< sum of m_c (h_c |grad N|)^2, kg: see `LightNodes`
+
+  /// Adds a force, N.
+  void add_force(const Vec<T, D>& force) {
+    for (std::size_t k = 0; k < D; ++k) lane[force_lane + k] += force[static_cast<int>(k)];
+  }
 
   /// Adds to momentum and mass, and to force and mass within reach.
   void add_values(const Pack<T, 4>& a) { (Pack<T, 4>::load(lane.data()) + a).store(lane.data()); }

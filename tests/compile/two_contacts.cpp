@@ -1,5 +1,5 @@
-// must print: Scene: each kind of part may be given once
-// All walls belong into one walls(..).
+// must print: Scene: contact of bodies, motion of the mesh and TrackEnergy may be given once each
+// Bodies meet in one way.
 #include <arenite/arenite.hpp>
 
 using namespace arenite;
@@ -11,6 +11,6 @@ int main() {
               CartesianGrid<2>({.lower = {0, 0}, .upper = {1, 1}, .cell = 0.5}),
               Numerics<QuadraticBSpline>{},
               bodies(fill(Box{{0., 0.}, {1., 1.}}, steel)),
-              walls(left(fixed)),
-              walls(right(fixed))};
+              Coulomb(Friction(0.1)),
+              OneField{}};
 }

@@ -1,0 +1,49 @@
+// Names of roles: the optional members of a law and the members of a part by which a scene knows what they
+// do. They are looked for by name first and then by signature: a member with a role's name and another
+// signature would else be left out in silence.
+#pragma once
+
+#include <type_traits>
+
+#include <arenite/core/instruction_set.hpp>
+
+namespace arenite::inline ARENITE_INSTRUCTION_SET::detail {
+
+/// names_<role><P>: whether P, a class that is not final, has any member of that name. Beside a second base
+/// with such a member the name is ambiguous.
+#define ARENITE_ROLE(role)                                                        \
+  struct Has_##role {                                                             \
+    int role;                                                                     \
+  };                                                                              \
+  template <class P>                                                              \
+  struct With_##role : P, Has_##role {};                                          \
+  template <class P>                                                              \
+  concept names_##role = std::is_class_v<P> && !std::is_final_v<P> && !requires { \
+    &With_##role<P>::role;                                                        \
+  };
+// Of laws (law/roles.hpp).
+ARENITE_ROLE(is_open)
+ARENITE_ROLE(yield)
+ARENITE_ROLE(greatest_volume_ratio)
+ARENITE_ROLE(max_pack_width)
+ARENITE_ROLE(two_packs_at_once)
+ARENITE_ROLE(linear)
+ARENITE_ROLE(names)
+// Of both.
+ARENITE_ROLE(stable_step)
+// Of parts (scene/roles.hpp).
+ARENITE_ROLE(connect)
+ARENITE_ROLE(constrain)
+ARENITE_ROLE(driven_velocity)
+ARENITE_ROLE(add_force)
+ARENITE_ROLE(acceleration)
+ARENITE_ROLE(exchange_impulses)
+ARENITE_ROLE(hold_mapped)
+ARENITE_ROLE(take_stress_work)
+ARENITE_ROLE(follow_motion)
+ARENITE_ROLE(count_energy)
+ARENITE_ROLE(holds_against)
+ARENITE_ROLE(visit_state)
+#undef ARENITE_ROLE
+
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET::detail

@@ -1,0 +1,119 @@
+// Guided: a rigid body that slides along one axis under forces.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include <arenite/core/error.hpp>
+#include <arenite/core/tensor.hpp>
+
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
+
+/// A mass that slides along one axis without friction, under gravity, a load and the contact forces (the
+/// paper's eqs. 1 to 4).
+struct Guided {
+  double mass = std::numeric_limits<double>::quiet_NaN();  ///< kg: that of what the scene models (a slice, a
+                                                           ///< metre, the full circle)
+  std::array<double, 3> axis{0, 1, 0};                     ///< direction of the guide; any length
+  double velocity = 0;                                     ///< initial velocity along the axis, m/s
+  double load = 0;                                         ///< external force along the axis, N
+  void check() const {
+    require(mass > 0 && std::isfinite(mass), "Guided.mass", mass, "must be given, positive");
+    require(std::isfinite(velocity), "Guided.velocity", velocity, "must be finite");
+    require(std::isfinite(load), "Guided.load", load, "must be finite");
+  }
+};
+
+namespace detail {
+
+/// Speed along the guide that balances the impulses: f(s) = M (s - trial) + axis . sum J(s) = 0. f is made of
+/// pieces that are straight (or nearly so, with friction in three dimensions), whose slopes may differ by as
+/// much as soil and body: Newton steps on the pieces, inside a bracket that is halved where they leave it or
+/// do not get ahead.
+template <class R, class V, class T>
+T balance_speed(const R& body, const V& axis, T trial, T mass) {
+  T soil = 0;
+  for (const auto& t : body.touches) soil += t.share * t.mass;
+  const auto pull = [&](T s) {
+    T sum = 0;
+    for (const auto& t : body.touches) sum += body.impulse_at(t, s * axis).dot(axis);
+    return sum;
+  };
+  constexpr T round_off = std::numeric_limits<T>::epsilon();
+  T s = trial, f = pull(s);
+  if (f == 0) return trial;
+  const T sign = f > 0 ? T(1) : T(-1);
+  T near = trial;            // f has the sign of the start here, and the other one (or none) at `far`
+  T far = trial - f / mass;  // here the body alone would have taken the impulse of the trial speed
+  T before = std::numeric_limits<T>::infinity();
+  for (int k = 0; k < 200; ++k) {
+    const T h = -sign * std::sqrt(round_off) * std::max(std::abs(s - trial), std::abs(f) / (mass + soil));
+    const T slope = mass + (pull(s + h) - pull(s)) / h;
+    T next = s - f / slope;
+    if (!((next - near) * (next - far) < 0) || 2 * std::abs(f) > before) next = near + (far - near) / 2;
+    before = std::abs(f);
+    const T change = std::abs(next - s);
+    s = next;
+    f = mass * (s - trial) + pull(s);
+    (f * sign > 0 ? near : far) = s;
+    if (f == 0 || change <= 4 * round_off * std::abs(s - trial)) break;
+  }
+  return s;
+}
+
+}  // namespace detail
+
+/// A guided motion in D dimensions over scalar T.
+template <class T, int D>
+struct BoundGuided {
+  using V = Vec<T, D>;
+  static constexpr bool has_mass = true;
+  double mass, load;  ///< kg, N
+  V axis;             ///< unit vector of the guide
+  T speed;            ///< at the start, m/s
+
+  /// `hoop`: in axisymmetry the guide is the axis.
+  explicit BoundGuided(const Guided& g, bool hoop = false)
+      : mass{g.mass}, load{g.load}, speed{static_cast<T>(g.velocity)} {
+    g.check();
+    for (std::size_t k = 0; k < D; ++k) axis[static_cast<int>(k)] = static_cast<T>(g.axis[k]);
+    require(axis.norm() > 0, "Guided.axis", axis.transpose(), "must have a length in the scene's dimensions");
+    require(!hoop || axis[0] == 0, "Guided.axis", axis.transpose(),
+            "must be the axis of symmetry (0, 1) in an axisymmetric scene");
+    axis.normalize();
+  }
+
+  V start() const { return speed * axis; }
+  V alone(const V& before, const V& acceleration, T, T dt) const {
+    const T drive = acceleration.dot(axis) + static_cast<T>(load / mass);
+    return before + dt * drive * axis;
+  }
+  template <class Body>
+  V meet(const Body& body, const V& alone) const {
+    if constexpr (Body::coupling_through_centre)
+      return alone;  // `after` corrects it: eq. (4)
+    else
+      return detail::balance_speed(body, axis, alone.dot(axis), static_cast<T>(mass)) * axis;
+  }
+  /// What is left of the balance is given to the body, unless it is round-off of the impulses: a very light
+  /// body would make a velocity of it.
+  V after(const V& met, const V& alone, const V& total, T exchanged) const {
+    const T m = static_cast<T>(mass), left = m * (met - alone).dot(axis) + total.dot(axis);
+    const bool round_off = !(std::abs(left) > 16 * std::numeric_limits<T>::epsilon() * exchanged);
+    return round_off ? met : V(alone - (total.dot(axis) / m) * axis);
+  }
+  V mean(const V& before, const V& after) const { return (before + after) / 2; }
+  double drive(const V& before, const V& alone, const V& mean, const V&) const {
+    return static_cast<double>(static_cast<T>(mass) * (alone - before).dot(mean));
+  }
+  double kinetic_energy(const V& v) const { return 0.5 * mass * static_cast<double>(v.squaredNorm()); }
+  bool holds(const V& g) const { return std::abs(axis.dot(g)) <= 1e-6 * g.norm(); }
+};
+
+template <class Site>
+auto bind_part(const Guided& motion, const Site&) {
+  return BoundGuided<typename Site::T, Site::D>(motion, Site::Kinematics::hoop);
+}
+
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

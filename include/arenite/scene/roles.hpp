@@ -1,0 +1,193 @@
+// Roles of a part: what it does in a step it says by having a member that a stage looks for. A part is any
+// value of a class that is not `final`; it plays at least one role. See examples/extend/spring_bed.cpp.
+//
+// A recipe is turned into the part once, when the scene is made, by `bind_part(recipe, site)` (`Site`), found
+// by argument-dependent look-up; without one the recipe is the part. Parts are called in the order of the
+// scene, unless a role states another one.
+#pragma once
+
+#include <concepts>
+#include <tuple>
+#include <type_traits>
+
+#include <arenite/contact/tally.hpp>
+#include <arenite/core/part_energy.hpp>
+#include <arenite/core/role_names.hpp>
+#include <arenite/core/tensor.hpp>
+
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
+
+/// When the scene is made, after all parts are bound, bodies filled and `scene.constraints` known: what a
+/// part wants to know of the others.
+template <class P, class S>
+concept connects = requires(P& part, S& scene) {
+  { part.connect(scene) } -> std::same_as<void>;
+};
+
+/// When the scene is made, before `connect`: calls `nodes.block(node, direction)` for what it blocks
+/// (`NodeConstraints`). What all parts block at a node becomes one projector.
+template <class P, class S>
+concept constrains = requires(const P& part, typename S::Nodes& nodes) {
+  { part.constrain(nodes) } -> std::same_as<void>;
+};
+
+/// With `constrain`, wherever velocities are constrained: the velocity [D], m/s, at a position [D], m, and
+/// the end of the step, s, along the directions that it blocks; without it they are blocked to zero. Where
+/// parts disagree at a node the first one of the scene wins.
+template <class P, class S>
+concept drives_nodes = requires(const P& part, const typename S::V& position) {
+  { part.driven_velocity(position, 0.0) } -> std::convertible_to<typename S::V>;
+};
+
+/// After P2G: adds forces, N, by `field.collected[node].add_force(f)`; `scene.fields` hold mass (collected)
+/// and force of this step, and the velocities at the end of the one before. dt: s.
+template <class P, class S>
+concept adds_force = requires(P& part, S& scene) {
+  { part.add_force(scene, 0.0) } -> std::same_as<void>;
+};
+
+/// In the grid update: an acceleration [D] of all matter, m/s2, at a time, s; all parts' are added.
+template <class P, class S>
+concept accelerates = requires(const P& part) {
+  { part.acceleration(0.0) } -> std::convertible_to<typename S::V>;
+};
+
+/// After the grid update: gives the fields' velocities impulses, takes its own motion through the step, and
+/// returns what it did. `static constexpr int exchange_rank` orders those who exchange: 0 bodies with each
+/// other, 1 rigid bodies, 2 (without one) all else. Velocities are constrained again afterwards.
+template <class P, class S>
+concept exchanges_impulses = requires(P& part, S& scene) {
+  { part.exchange_impulses(scene, 0.0) } -> std::same_as<ContactTally>;
+};
+
+/// MUSL: holds `field.mapped`, the velocities from which strains are taken, to what its impulses enforced.
+/// Returns the energy that this dissipates, J. The same order; walls act behind rank 0.
+template <class P, class S>
+concept holds_mapped = requires(P& part, S& scene) {
+  { part.hold_mapped(scene, 0.0) } -> std::same_as<double>;
+};
+
+/// After G2P, for each body: the work of its stresses in this step, J. It is computed where a part asks.
+template <class P, class S>
+concept takes_stress_work = requires(P& part) {
+  { part.take_stress_work(0.0) } -> std::same_as<void>;
+};
+
+/// After G2P: follows the matter, or moves the mesh. Velocities of fields and points are those of the end of
+/// the step; `scene.time` is its begin.
+template <class P, class S>
+concept follows_motion = requires(P& part, S& scene) {
+  { part.follow_motion(scene, 0.0) } -> std::same_as<void>;
+};
+
+/// In `stable_step`: the largest step that the part bears, s.
+template <class P, class S>
+concept bounds_step = requires(const P& part, const S& scene) {
+  { part.stable_step(scene) } -> std::same_as<double>;
+};
+
+/// In `energies` and `Watch`.
+template <class P, class S>
+concept counts_energy = requires(const P& part) {
+  { part.count_energy() } -> std::same_as<PartEnergy>;
+};
+
+/// Whether the part keeps matter from falling along an acceleration [D], for the doubts about a new scene. A
+/// part that adds forces or exchanges impulses from outside is taken to hold unless it says so.
+template <class P, class S>
+concept holds_against = requires(const P& part, const typename S::V& acceleration) {
+  { part.holds_against(acceleration) } -> std::same_as<bool>;
+};
+
+namespace detail {
+struct AnyVisitor {
+  template <class Value>
+  void operator()(Value&) const {}
+};
+}  // namespace detail
+
+/// In `for_each_state`: calls `f(value)` for each number, vector or column that it carries from one step to
+/// the next.
+template <class P, class S>
+concept owns_state = requires(P& part) {
+  { part.visit_state(detail::AnyVisitor{}) } -> std::same_as<void>;
+};
+
+/// What a part needs of the scene it says by static constants: `separates_bodies` (a velocity field for each
+/// body instead of one for all), `needs_mass_gradient` (of each field); a type `OnlyOne` names a kind of
+/// which a scene has one at most.
+template <class P>
+inline constexpr bool separates_bodies = [] {
+  if constexpr (requires { P::separates_bodies; })
+    return P::separates_bodies;
+  else
+    return false;
+}();
+template <class P>
+inline constexpr bool needs_mass_gradient = [] {
+  if constexpr (requires { P::needs_mass_gradient; })
+    return P::needs_mass_gradient;
+  else
+    return false;
+}();
+template <class P>
+inline constexpr int exchange_rank = [] {
+  if constexpr (requires { P::exchange_rank; })
+    return P::exchange_rank;
+  else
+    return 2;
+}();
+
+namespace detail {
+
+template <class P>
+inline constexpr bool plays_a_role =
+    names_constrain<P> || names_add_force<P> || names_acceleration<P> || names_exchange_impulses<P> ||
+    names_hold_mapped<P> || names_take_stress_work<P> || names_follow_motion<P> || names_stable_step<P> ||
+    requires {
+  P::separates_bodies;
+};
+
+/// Stops the compiler with the cure for a part that a scene would else leave out in silence.
+template <class P, class S>
+constexpr bool check_part() {
+  static_assert(plays_a_role<P>,
+                "Scene: a part plays no role; a part is bodies(..), or a class that is not final with one of "
+                "add_force, acceleration, constrain, exchange_impulses, hold_mapped, follow_motion, "
+                "stable_step, take_stress_work; see arenite/scene/roles.hpp");
+  static_assert(!names_connect<P> || connects<P, S>, "part: connect must be void connect(Scene& scene)");
+  static_assert(!names_constrain<P> || constrains<P, S>,
+                "part: constrain must be void constrain(Nodes& nodes) const");
+  static_assert(!names_driven_velocity<P> || (drives_nodes<P, S> && names_constrain<P>),
+                "part: driven_velocity must be Vec<T, D> driven_velocity(const Vec<T, D>& position, double "
+                "time) const, beside constrain");
+  static_assert(!names_add_force<P> || adds_force<P, S>,
+                "part: add_force must be void add_force(Scene& scene, double dt)");
+  static_assert(!names_acceleration<P> || accelerates<P, S>,
+                "part: acceleration must be Vec<T, D> acceleration(double time) const");
+  static_assert(!names_exchange_impulses<P> || exchanges_impulses<P, S>,
+                "part: exchange_impulses must be ContactTally exchange_impulses(Scene& scene, double dt)");
+  static_assert(!names_hold_mapped<P> || holds_mapped<P, S>,
+                "part: hold_mapped must be double hold_mapped(Scene& scene, double dt)");
+  static_assert(!names_take_stress_work<P> || takes_stress_work<P, S>,
+                "part: take_stress_work must be void take_stress_work(double joules)");
+  static_assert(!names_follow_motion<P> || follows_motion<P, S>,
+                "part: follow_motion must be void follow_motion(Scene& scene, double dt)");
+  static_assert(!names_stable_step<P> || bounds_step<P, S>,
+                "part: stable_step must be double stable_step(const Scene& scene) const");
+  static_assert(!names_count_energy<P> || counts_energy<P, S>,
+                "part: count_energy must be PartEnergy count_energy() const");
+  static_assert(!names_holds_against<P> || holds_against<P, S>,
+                "part: holds_against must be bool holds_against(const Vec<T, D>& acceleration) const");
+  static_assert(!names_visit_state<P> || owns_state<P, S>,
+                "part: visit_state must be template <class F> void visit_state(F&& f)");
+  return true;
+}
+
+template <class S, class... P>
+constexpr bool check_all_roles(std::type_identity<std::tuple<P...>>) {
+  return (check_part<P, S>() && ...);
+}
+
+}  // namespace detail
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -28,7 +28,6 @@ void add_half_step(const M& mesh, const Blocks& blocks, const B& body, Field& no
   using L = decltype(body.law);
   constexpr int D = M::dimension;
   constexpr std::size_t size = Cell::size;
-  using Quad = Pack<T, 4>;
   blocks.for_each_colored([&](Index c) {
     if (body.cells.empty(c)) return;
     const Cell cell(mesh, c);
@@ -54,16 +53,12 @@ void add_half_step(const M& mesh, const Blocks& blocks, const B& body, Field& no
     const Sym<T, D> gain = after - before;
     repeat<size>([&](std::size_t i) {
       const auto n = cell.gradient.col(static_cast<int>(i));
-      Quad force(0);
-      for (int d = 0; d < D; ++d) {
-        T sum = 0;
+      Vec<T, D> force = Vec<T, D>::Zero();
+      for (int d = 0; d < D; ++d)
         for (int a = 0; a < D; ++a)
-          sum -= gain[Sym<T, D>::index(static_cast<std::size_t>(d), static_cast<std::size_t>(a))] * n[a];
-        if constexpr (K::hoop)
-          if (d == 0) sum -= gain[2] / sums.volume * sums.hoop[i];
-        force.set(d, sum);
-      }
-      nodes.collected[cell.nodes[i]].add_upper(force);
+          force[d] -= gain[Sym<T, D>::index(static_cast<std::size_t>(d), static_cast<std::size_t>(a))] * n[a];
+      if constexpr (K::hoop) force[0] -= gain[2] / sums.volume * sums.hoop[i];
+      nodes.collected[cell.nodes[i]].add_force(force);
     });
   });
 }

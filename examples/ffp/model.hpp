@@ -136,7 +136,7 @@ auto elastic_scene(const DropOptions& o) {
   double volume = 0;
   for (Index c = 0; c < mesh.cell_count(); ++c)
     if (mesh.region(c) == mesh.region_number("device"))
-      volume += arenite::detail::whole_volume<typename Model::Kinematics>(mesh, c);
+      volume += arenite::whole_volume<typename Model::Kinematics>(mesh, c);
   const auto motion = motion_of<LedByBody<"device">>(o, mesh);
   const LinearElastic metal{
       {.density = o.mass / Model::whole / volume, .young = o.device_young, .poisson = o.device_poisson}};

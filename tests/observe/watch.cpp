@@ -82,6 +82,11 @@ Said said(F&& f) {
 
 bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
+template <class Scene>
+double scene_kinetic(const Scene& scene) {
+  return kinetic_energy(scene.body());
+}
+
 const Watched& of(const Watch& watch, std::string_view name) {
   for (const Watched& w : watch.seen())
     if (w.name == name) return w;
@@ -178,6 +183,25 @@ TEST_CASE("Energy put in behind the scene's back, or taken away") {
     CHECK(has(s.error, shared_detail::join("t = 0.002 s: ", w.name, " = ", w.worst)));
     CHECK(std::abs(w.worst - std::abs(factor * factor - 1)) <= 0.05);
   }
+  // What was lost before hides no gain.
+  auto damped = swinging(0, TrackEnergy{});
+  Watch both;
+  const double given = scene_kinetic(damped);
+  const auto scale = [&](double factor) {  // returns the energy given
+    const double before = scene_kinetic(damped);
+    for (auto& v : damped.body().points.velocity.column(0)) v *= factor;
+    return scene_kinetic(damped) - before;
+  };
+  run(damped, {.end = 0.001, .max_step = 1e-4}, both);
+  const double taken = -scale(0.5) / given;
+  run(damped, {.end = 0.002, .max_step = 1e-4}, both);
+  CHECK(of(both, "energy_gain").worst <= 0.01);
+  CHECK(std::abs(of(both, "energy_loss").worst - taken) <= 0.01);
+  const double gained = scale(1.6) / given;
+  CHECK(gained > 0.1);
+  CHECK(gained < taken);
+  CHECK(has(said([&] { run(damped, {.end = 0.003, .max_step = 1e-4}, both); }).error, "energy_gain = 0."));
+  CHECK(std::abs(of(both, "energy_gain").worst - gained) <= 0.01);
   // Without a ledger a gain is the same, and points that are lost are none.
   auto scene = swinging(0);
   Watch watch{{.lost = inf, .every = 1}};

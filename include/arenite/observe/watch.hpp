@@ -20,11 +20,12 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 /// Limits of a `Watch`. Past a limit the run stops, past a tenth of it comes one warning. Infinity switches a
 /// quantity off: it is not computed.
 struct WatchLimits {
-  /// Energy that nothing put in since the first look, over all that was put in (the energy there was, and the
-  /// work of gravity, loads and prescribed motions), -: the balance's residual, and dissipation that is
-  /// negative. Without `TrackEnergy` what was dissipated is not known: then only a gain beyond it shows, and
-  /// none at the end of a run between two looks. An elastic law stretched by 0.1, beyond the small strains
-  /// that it is made for, shows 0.03.
+  /// Energy that nothing put in, over all that was put in (the energy there was, and the work of gravity,
+  /// loads and prescribed motions), -: the balance's residual, and dissipation that is negative, above their
+  /// lowest value at a look, so that energy that transfers took hides no gain. Without `TrackEnergy` what was
+  /// dissipated is not known: then only a gain beyond it since the first look shows, and none at the end of
+  /// a run between two looks. An elastic law stretched by 0.1, beyond the small strains that it is made for,
+  /// shows 0.03.
   double energy_gain = 0.1;
   /// Energy that transfers and time steps took, over all that was put in, -. Needs `TrackEnergy`. More than 1
   /// cannot be; APIC takes 0.17 in a column of sand that collapses, so that the warning comes at a half.
@@ -205,6 +206,12 @@ class Watch {
       b.external = parts.external - held_.potential;
       b.gained = kinetic + held_.sum() - parts.external;
     }
+    // What the velocity gradients of points hold they give back to their velocities.
+    scene.for_each_body([&](const auto& body, const auto&) {
+      const double spread = gradient_kinetic_energy<typename Scene::Shape>(scene.mesh, scene.blocks, body);
+      b.stored += spread;
+      b.gained += spread;
+    });
     // Velocities are those of the middle of a step where positions are those of its end: energy sways by a
     // share of (frequency x step) unless the positions' part of it is taken half a step earlier.
     // Stresses that are centred are those of the middle already.
@@ -213,7 +220,7 @@ class Watch {
     return b;
   }
 
-  /// What was gained (or lost, if negative) since the first look.
+  /// What was gained since the lowest look (without `TrackEnergy`: the first), and lost since the first.
   template <class Scene>
   void look_at_energy(const Scene& scene) {
     remember(scene);
@@ -235,10 +242,14 @@ class Watch {
     }
     gain_ = before_ + now.gained - start_.gained;
     moved_ = std::max(moved_, std::abs(now.external - start_.external));
-    const double share = gain_ == 0 ? 0 : gain_ / std::max(put_in_ + moved_, floor_);
+    if constexpr (tracks_energy<Scene>) lowest_ = std::min(lowest_, gain_);
+    const auto share = [&](double energy) {
+      return energy == 0 ? 0 : energy / std::max(put_in_ + moved_, floor_);
+    };
     const auto spot = [&] { return fastest(scene); };
-    if (wants(energy_gain)) judge(energy_gain, scene.time, clipped(share), -1, spot);
-    if (tracks_energy<Scene> && wants(energy_loss)) judge(energy_loss, scene.time, clipped(-share), -1, spot);
+    if (wants(energy_gain)) judge(energy_gain, scene.time, clipped(share(gain_ - lowest_)), -1, spot);
+    if (tracks_energy<Scene> && wants(energy_loss))
+      judge(energy_loss, scene.time, clipped(share(-gain_)), -1, spot);
   }
 
   /// max(x, 0), but NaN stays.
@@ -382,6 +393,7 @@ class Watch {
   double moved_ = 0;             // the greatest work from outside since then, J
   double floor_ = 0;             // what is less is a scene at rest, J
   double gain_ = 0;              // at the last look, J
+  double lowest_ = 0;            // the least that it was at a look, J; without TrackEnergy: 0
   double before_ = 0;            // until points were last lost, J
   Held held_{}, held_before_{};  // after step held_step_ and the one before
   std::size_t held_step_ = never;

@@ -30,9 +30,9 @@ double centre(const Body& body) {
 /// Travel of body 0 over that of the analytic solution; where the analytic one sticks, the travel in metres.
 template <class Scene>
 double travel(Scene& scene, double slope, double end) {
-  const double start = centre(scene.body());
+  const double start = centre(scene.template body<0>());
   run(scene, {.end = end, .courant = test::courant(scene, 0.5)});
-  const double moved = centre(scene.body()) - start;
+  const double moved = centre(scene.template body<0>()) - start;
   const double drive = std::sin(slope) - std::tan(friction) * std::cos(slope);
   return drive > 0 ? moved / (g * square(end) * drive / 2) : moved;
 }

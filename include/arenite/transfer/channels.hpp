@@ -10,7 +10,7 @@
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
-namespace channel {
+namespace node_channel {
 
 // Of a node, with the weights w of the points.
 struct Momentum {};
@@ -40,7 +40,7 @@ inline constexpr Dilation dilation{};   ///< sum V times plastic volumetric stra
 inline constexpr EdgeMass edge_mass{};  ///< sum m w_i w_j, kg
 inline constexpr HoopMean hoop_mean{};  ///< sum V w_i / r in axisymmetry, m2
 
-}  // namespace channel
+}  // namespace node_channel
 
 /// Four scalars as a pack. (`Pack::set` would take it through memory.)
 template <class T>
@@ -97,7 +97,8 @@ struct NodeLanes {
   static constexpr bool has_gradient(std::size_t first, std::size_t count) {
     bool has = false;
     for (std::size_t k = first; k < first + count; ++k)
-      has = has || (uses(k, 1) && !(Values::count(channel::mass) && k == Values::first(channel::mass)));
+      has = has ||
+            (uses(k, 1) && !(Values::count(node_channel::mass) && k == Values::first(node_channel::mass)));
     return has;
   }
 };

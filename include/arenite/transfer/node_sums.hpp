@@ -11,12 +11,12 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 template <class T, int D>
 struct alignas(8 * sizeof(T)) NodeSums {
   struct Spare {};
-  using Lanes = NodeLanes<
-      ChannelList<Channel<channel::Momentum, D>, Channel<channel::Mass, 1>>,
-      ChannelList<Channel<channel::Force, D>, Channel<Spare, 3 - D>, Channel<channel::ReachMass, 1>>>;
-  static constexpr std::size_t mass_lane = Lanes::first(channel::mass),
-                               force_lane = Lanes::first(channel::force),
-                               reach_lane = Lanes::first(channel::reach_mass);
+  using Lanes = NodeLanes<ChannelList<Channel<node_channel::Momentum, D>, Channel<node_channel::Mass, 1>>,
+                          ChannelList<Channel<node_channel::Force, D>, Channel<Spare, 3 - D>,
+                                      Channel<node_channel::ReachMass, 1>>>;
+  static constexpr std::size_t mass_lane = Lanes::first(node_channel::mass),
+                               force_lane = Lanes::first(node_channel::force),
+                               reach_lane = Lanes::first(node_channel::reach_mass);
   std::array<T, Lanes::size> lane{};
 
   Vec<T, D> momentum() const { return Eigen::Map<const Vec<T, D>>(lane.data()); }            ///< kg m/s

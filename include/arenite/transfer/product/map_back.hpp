@@ -16,7 +16,7 @@ template <class N, class M, class B, class Field>
 [[gnu::flatten]] void map_back(const N& numerics, const M& mesh, B& body, Index c, Field& nodes) {
   using T = typename M::scalar;
   using Cell = typename N::Shape::template Cell<M>;
-  using Momentum = NodeLanes<ChannelList<Channel<channel::Momentum, M::dimension>>, ChannelList<>>;
+  using Momentum = NodeLanes<ChannelList<Channel<node_channel::Momentum, M::dimension>>, ChannelList<>>;
   using Sums = Rows<Cell, Momentum, N::template width<T>>;
   const Cell cell(mesh, c);
   const NodeRows<T, M::dimension, Cell::size> v(cell, nodes.velocity);

@@ -19,7 +19,7 @@ template <class K, class N, class M, class B, class Field>
   using Cell = typename N::Shape::template Cell<M>;
   constexpr std::size_t D = M::dimension;
   using Sums = Rows<Cell, typename NodeSums<T, M::dimension>::Lanes, N::template width<T>>;
-  using Gradient = NodeLanes<ChannelList<>, ChannelList<Channel<channel::MassGradient, D>>>;
+  using Gradient = NodeLanes<ChannelList<>, ChannelList<Channel<node_channel::MassGradient, D>>>;
   using Gradients = Rows<Cell, Gradient, N::template width<T>>;
   using P = typename Sums::P;
   const Cell cell(mesh, c);
@@ -44,16 +44,17 @@ template <class K, class N, class M, class B, class Field>
     const P m = p.mass(), volume = -p.volume();
     const Lines<P, Cell> line(cell, x);
     typename Sums::Handed handed;
-    handed.own(channel::mass) = m;
+    handed.own(node_channel::mass) = m;
     handed.momentum(m, field);
     repeat<D * D>([&](std::size_t k) {
-      handed.along(k / D, channel::force, k % D) = volume * stress[Sym<P, M::dimension>::index(k % D, k / D)];
+      handed.along(k / D, node_channel::force, k % D) =
+          volume * stress[Sym<P, M::dimension>::index(k % D, k / D)];
     });
-    if constexpr (K::hoop) handed.own(channel::force) = volume * stress[2] * reciprocal(x[0]);
+    if constexpr (K::hoop) handed.own(node_channel::force) = volume * stress[2] * reciprocal(x[0]);
     rows.push(p.count, handed, line);
     if constexpr (Field::has_gradient) {
       typename Gradients::Handed mass;
-      repeat<D>([&](std::size_t a) { mass.along(a, channel::mass_gradient, a) = m; });
+      repeat<D>([&](std::size_t a) { mass.along(a, node_channel::mass_gradient, a) = m; });
       gradients.push(p.count, mass, line);
     }
   });

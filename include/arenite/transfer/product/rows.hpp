@@ -71,9 +71,9 @@ class Rows {
     /// Momentum of a velocity field.
     template <class Field>
     void momentum(const P& m, const Field& v) {
-      repeat<D>([&](std::size_t d) { own(channel::momentum, d) = m * v.value[d]; });
+      repeat<D>([&](std::size_t d) { own(node_channel::momentum, d) = m * v.value[d]; });
       repeat<Field::linear ? D * D : 0>(
-          [&](std::size_t k) { along(k / D, channel::momentum, k % D) = m * v.gradient[k]; });
+          [&](std::size_t k) { along(k / D, node_channel::momentum, k % D) = m * v.gradient[k]; });
     }
   };
 

@@ -12,10 +12,10 @@ namespace simplex {
 template <class K, class N, class Cell, class P, bool CentresStress>
 using P2gSums = PointSums<
     P, Cell::size,
-    ChannelList<Channel<channel::Momentum, Cell::D>, Channel<channel::Mass, 1>,
-                Channel<channel::HoopForce, K::hoop>>,
-    ChannelList<Channel<channel::EdgeMass, N::needs_edge_mass ? Cell::D*(Cell::D + 1) / 2 : 0>,
-                Channel<channel::HoopMean,
+    ChannelList<Channel<node_channel::Momentum, Cell::D>, Channel<node_channel::Mass, 1>,
+                Channel<node_channel::HoopForce, K::hoop>>,
+    ChannelList<Channel<node_channel::EdgeMass, N::needs_edge_mass ? Cell::D*(Cell::D + 1) / 2 : 0>,
+                Channel<node_channel::HoopMean,
                         K::hoop && (N::AntiLocking::averages_strain || CentresStress) ? Cell::size : 0>>>;
 
 /// What a pack of points p gives to the nodes i of its cell:
@@ -34,13 +34,13 @@ void add_points(const Transfer& transfer, const Cell& cell, const PointPack<Poin
   const P around = p.volume() * reciprocal(x[0]), pull = around * p.stress(2);
   repeat<Cell::size>([&](std::size_t i) { mw[i] = m * w[i]; });
   repeat<Cell::size>([&](std::size_t i) {
-    sums.add(i, channel::momentum, mw[i], field.at([&](std::size_t a) { return ways[a][i]; }));
-    sums.add(i, channel::mass, mw[i]);
-    sums.add(i, channel::hoop_force, pull * w[i]);
-    sums.add_to_cell(channel::hoop_mean, i, around * w[i]);
+    sums.add(i, node_channel::momentum, mw[i], field.at([&](std::size_t a) { return ways[a][i]; }));
+    sums.add(i, node_channel::mass, mw[i]);
+    sums.add(i, node_channel::hoop_force, pull * w[i]);
+    sums.add_to_cell(node_channel::hoop_mean, i, around * w[i]);
   });
   for_each_edge<Cell::size>([&](std::size_t e, std::size_t i, std::size_t j) {
-    sums.add_to_cell(channel::edge_mass, e, mw[i] * w[j]);
+    sums.add_to_cell(node_channel::edge_mass, e, mw[i] * w[j]);
   });
 }
 
@@ -51,8 +51,8 @@ void leave_sums(const B&, const StressSums<T, D>& stress, const Total& total, Ce
   if constexpr (N::AntiLocking::averages_stress) left.bearing = stress.bearing;
   if constexpr (B::has_dilation) left.dilation = stress.dilation / stress.volume;
   if constexpr (B::knows_opening) left.open = stress.closed < stress.volume;
-  total.copy(channel::edge_mass, left.edge_mass);
-  total.copy(channel::hoop_mean, left.hoop);
+  total.copy(node_channel::edge_mass, left.edge_mass);
+  total.copy(node_channel::hoop_mean, left.hoop);
 }
 
 /// P2G of the points of a cell: `add_points`, and with the gradients, which are constant in it,
@@ -78,7 +78,7 @@ template <class K, class N, class M, class B, class Field>
   const typename Sums::Total total(sums);
   if constexpr (N::needs_cell_sums) leave_sums<N>(body, stress, total, body.cell_sums[c]);
   T mass = 0;
-  repeat<Cell::size>([&](std::size_t i) { mass += total.node(i, channel::mass); });
+  repeat<Cell::size>([&](std::size_t i) { mass += total.node(i, node_channel::mass); });
   [[maybe_unused]] const T reach = mass * square(mesh.size(c));
   // Columns of the stress as packs: a node's force is their sum, each times a component of the gradient.
   std::array<Quad, D> column;
@@ -94,7 +94,7 @@ template <class K, class N, class M, class B, class Field>
     const auto gradient = cell.gradient.col(static_cast<int>(i));
     Quad force(0);
     repeat<D>([&](std::size_t a) { force += column[a] * Quad(gradient[static_cast<int>(a)]); });
-    repeat<K::hoop>([&](std::size_t) { force += hoop * Quad(total.node(i, channel::hoop_force)); });
+    repeat<K::hoop>([&](std::size_t) { force += hoop * Quad(total.node(i, node_channel::hoop_force)); });
     repeat<N::smooths_light_nodes>(
         [&](std::size_t) { force += quad(T(0), T(0), T(0), reach * gradient.squaredNorm()); });
     node.add_values(total.node(i));

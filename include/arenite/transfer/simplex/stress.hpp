@@ -35,25 +35,28 @@ template <int Width, class L, class T, int D, ExtraColumns Extra>
 StressSums<T, D> sum_stresses(const Body<L, T, D, Extra>& body, Index c) {
   using B = Body<L, T, D, Extra>;
   using P = lanes_of<T, Width>;
-  using Sums = PointSums<
-      P, 0, ChannelList<>,
-      ChannelList<Channel<channel::Stress, Sym<T, D>::size>, Channel<channel::Volume, 1>,
-                  Channel<channel::Open, B::knows_opening>, Channel<channel::Dilation, B::has_dilation>>>;
+  using Sums =
+      PointSums<P, 0, ChannelList<>,
+                ChannelList<Channel<node_channel::Stress, Sym<T, D>::size>, Channel<node_channel::Volume, 1>,
+                            Channel<node_channel::Open, B::knows_opening>,
+                            Channel<node_channel::Dilation, B::has_dilation>>>;
   Sums sums;
   for_each_pack<Width>(body.cells, c, body.points, [&](const auto& p) {
     p.prefetch(body.points.stress, body.points.volume);
     const auto stress = p.stress();
     const P volume = p.volume();
-    repeat<Sym<T, D>::size>([&](std::size_t k) { sums.add_to_cell(channel::stress, k, volume * stress[k]); });
-    sums.add_to_cell(channel::volume, 0, volume);
-    sums.add_to_cell(channel::open, 0, select(p.is_open(body.law), volume, P(0)));
+    repeat<Sym<T, D>::size>(
+        [&](std::size_t k) { sums.add_to_cell(node_channel::stress, k, volume * stress[k]); });
+    sums.add_to_cell(node_channel::volume, 0, volume);
+    sums.add_to_cell(node_channel::open, 0, select(p.is_open(body.law), volume, P(0)));
     if constexpr (B::has_dilation) p.prefetch(body.points.dilation);
-    sums.add_to_cell(channel::dilation, 0, volume * p.dilation());
+    sums.add_to_cell(node_channel::dilation, 0, volume * p.dilation());
   });
   const typename Sums::Total total(sums);
-  const T volume = total.cell(channel::volume);
-  StressSums<T, D> of_cell{{}, volume, volume - total.cell(channel::open), total.cell(channel::dilation)};
-  total.copy(channel::stress, of_cell.stress);
+  const T volume = total.cell(node_channel::volume);
+  StressSums<T, D> of_cell{
+      {}, volume, volume - total.cell(node_channel::open), total.cell(node_channel::dilation)};
+  total.copy(node_channel::stress, of_cell.stress);
   return of_cell;
 }
 

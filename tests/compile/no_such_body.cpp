@@ -1,4 +1,4 @@
-// must print: Scene: no such body; say body<"name">() of fill<"name">(..)
+// must print: Scene: no such body
 // A name that no body has.
 #include <arenite/arenite.hpp>
 

@@ -73,9 +73,11 @@ for busy in $loads; do
   for ((pair = 0; pair < pairs; ++pair)); do
     # Who goes first alternates.
     if ((pair % 2)); then
-      b=$(seconds 2 "$@") && a=$(seconds 1 "$@")
+      b=$(seconds 2 "$@")
+      a=$(seconds 1 "$@")
     else
-      a=$(seconds 1 "$@") && b=$(seconds 2 "$@")
+      a=$(seconds 1 "$@")
+      b=$(seconds 2 "$@")
     fi
     one+=("$a") && two+=("$b") && ratios+=("$(awk -v a="$a" -v b="$b" 'BEGIN { printf "%.3f", b / a }')")
   done

@@ -1,7 +1,7 @@
 // Instruction set: what this translation unit is compiled for, as the name of an inline namespace. Packs,
 // columns and kernels depend on the compiler's flags; were they named alike in units with other flags, the
 // linker would keep one of each and give it to all. `arenite::Scene` is `arenite::avx2_fma::Scene` to the
-// linker. A name can only come from a macro: this is the one macro of the library, and nobody sets it.
+// linker. A name can only come from a macro, which nobody sets.
 // Outside, once in a program: errors, the thread pool, meshes as data, files (helpers: `shared_detail`).
 #pragma once
 

@@ -33,37 +33,23 @@ struct Pic {
 };
 
 /// APIC whose points hand over a share of their affine motion.
-struct DampedApic {
-  static constexpr bool affine = true;
+struct DampedApic : Apic {
   double share = 1;
-  void check() const {}
-  template <class Shape>
-  static constexpr bool fits = !Shape::constant_gradient;
 
-  template <class Point>
-  auto hand(const Point& p) const {
-    return VelocityField{p.velocity(), p.velocity_gradient()};
-  }
-  struct Taken {
-    static constexpr bool needs_arms = true;
-    double share;
-    detail::Nothing velocity{};
+  struct Taken : Apic::Taken {
+    double share = 1;
     template <class Cell, class Point, class X, class Sums>
     auto operator()(const Cell& cell, const Point& p, const X& x, const Sums& sums) const {
       using P = typename Point::P;
-      constexpr std::size_t D = Point::D;
-      const auto inverse = cell.inverse_inertia(x);
-      std::array<P, D * D> gradient;
-      for (std::size_t k = 0; k < D * D; ++k)
-        gradient[k] = P(static_cast<typename Point::T>(share)) * sums.arms()[k / D][k % D] * inverse[k / D];
-      p.set_velocity(sums.value);
-      p.set_velocity_gradient(gradient);
-      return VelocityField{sums.value, gradient};
+      auto field = Apic::Taken::operator()(cell, p, x, sums);
+      for (P& component : field.gradient) component = component * P(static_cast<typename Point::T>(share));
+      p.set_velocity_gradient(field.gradient);
+      return field;
     }
   };
   template <class Cell, class Nodes>
   auto take(const Cell&, const Nodes&) const {
-    return Taken{share};
+    return Taken{{}, share};
   }
 };
 

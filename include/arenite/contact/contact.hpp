@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <arenite/contact/coulomb.hpp>
+#include <arenite/contact/hold.hpp>
 #include <arenite/contact/normals.hpp>
 #include <arenite/contact/tally.hpp>
 #include <arenite/core/part_energy.hpp>

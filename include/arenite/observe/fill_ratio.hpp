@@ -7,8 +7,8 @@
 #include <span>
 #include <vector>
 
+#include <arenite/mesh/whole_volume.hpp>
 #include <arenite/scene/scene.hpp>
-#include <arenite/transfer/simplex/stress.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 

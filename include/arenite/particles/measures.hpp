@@ -32,7 +32,7 @@ Value sum_points(const B& body, Value zero, F&& f) {
 }
 }  // namespace detail
 
-/// J; of the points' own velocities (an affine part not counted).
+/// J; of the points' own velocities; that of their gradients is `gradient_kinetic_energy`.
 template <class B>
 double kinetic_energy(const B& body) {
   return detail::sum_points(body, 0.0, [&](std::size_t p) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include <arenite/contact/coulomb.hpp>
+#include <arenite/contact/hold.hpp>
 #include <arenite/contact/tally.hpp>
 #include <arenite/core/bind.hpp>
 #include <arenite/core/name.hpp>

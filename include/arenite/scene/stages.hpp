@@ -144,8 +144,9 @@ void smooth_light_nodes(Scene& scene, [[maybe_unused]] double dt) {
     for (auto& field : scene.fields) scene.light_nodes.exchange(scene.mesh, field);
     constrain(scene, dt);
   } else if constexpr (!Scene::Shape::constant_gradient) {
-    for (auto& field : scene.fields) exchange_at_faces(scene.mesh, field.mass, field.velocity);
-    constrain(scene, dt);
+    std::size_t exchanged = 0;
+    for (auto& field : scene.fields) exchanged += exchange_at_faces(scene.mesh, field.mass, field.velocity);
+    if (exchanged > 0) constrain(scene, dt);
   }
 }
 

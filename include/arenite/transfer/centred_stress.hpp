@@ -4,8 +4,8 @@
 #include <arenite/law/law.hpp>
 #include <arenite/mesh/blocks.hpp>
 #include <arenite/particles/body.hpp>
-#include <arenite/transfer/deform.hpp>
-#include <arenite/transfer/scatter.hpp>
+#include <arenite/transfer/law_pass.hpp>
+#include <arenite/transfer/simplex/g2p.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
@@ -32,14 +32,7 @@ void add_half_step(const M& mesh, const Blocks& blocks, const B& body, Field& no
     if (body.cells.empty(c)) return;
     const Cell cell(mesh, c);
     const auto& sums = body.cell_sums[c];
-    auto step = in_plane_step<T, static_cast<std::size_t>(D)>([&](std::size_t b) {
-      Vec<T, D> column = Vec<T, D>::Zero();
-      repeat<size>([&](std::size_t i) {
-        column +=
-            (half * cell.gradient(static_cast<int>(b), static_cast<int>(i))) * nodes.velocity[cell.nodes[i]];
-      });
-      return column;
-    });
+    auto step = simplex::cell_step(cell, NodeRows<T, D, size>(cell, nodes.velocity), half);
     if constexpr (K::hoop) {
       repeat<size>([&](std::size_t i) { step.strain[2] += nodes.velocity[cell.nodes[i]][0] * sums.hoop[i]; });
       step.strain[2] *= half / sums.volume;

@@ -1,23 +1,12 @@
 // Stresses of a cell of linear simplices: summed over its points, and averaged where it is filled.
 #pragma once
 
-#include <arenite/kinematics/kinematics.hpp>
+#include <arenite/mesh/whole_volume.hpp>
 #include <arenite/particles/body.hpp>
 #include <arenite/transfer/channels.hpp>
 #include <arenite/transfer/point_pack.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
-
-/// Volume that a whole cell stands for, m3: exact for the linear thickness of axisymmetry.
-template <class K, class M>
-typename M::scalar whole_volume(const M& mesh, Index cell) {
-  using T = typename M::scalar;
-  if constexpr (!K::hoop) return mesh.volume(cell);
-  typename M::Point centre = M::Point::Zero();
-  for (const Index i : mesh.nodes(cell)) centre += mesh.position(i);
-  centre /= static_cast<T>(mesh.nodes(cell).size());
-  return mesh.volume(cell) * K::thickness(centre);
-}
 
 namespace simplex {
 

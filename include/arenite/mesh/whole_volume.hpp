@@ -1,0 +1,20 @@
+// Volume of a cell in the kinematics of a scene: of the full circle in axisymmetry.
+#pragma once
+
+#include <arenite/kinematics/kinematics.hpp>
+#include <arenite/mesh/mesh.hpp>
+
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
+
+/// Volume that a whole cell stands for, m3: exact for the linear thickness of axisymmetry.
+template <class K, class M>
+typename M::scalar whole_volume(const M& mesh, Index cell) {
+  using T = typename M::scalar;
+  if constexpr (!K::hoop) return mesh.volume(cell);
+  typename M::Point centre = M::Point::Zero();
+  for (const Index i : mesh.nodes(cell)) centre += mesh.position(i);
+  centre /= static_cast<T>(mesh.nodes(cell).size());
+  return mesh.volume(cell) * K::thickness(centre);
+}
+
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

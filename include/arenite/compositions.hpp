@@ -19,11 +19,11 @@ using PushedIntoSand =
           Gravity, Rigid<DistanceSurface<>, Prescribed>>;
 
 /// Sand between walls, in space.
-using Sand = Scene<Solid, CartesianGrid<3>, Numerics<QuadraticBSpline, Apic>, Bodies<Fill<MohrCoulomb<>>>,
-                   Walls, Gravity>;
+using Sand = Scene<ThreeDimensional, CartesianGrid<3>, Numerics<QuadraticBSpline, Apic>,
+                   Bodies<Fill<MohrCoulomb<>>>, Walls, Gravity>;
 
 /// Sand into which a rigid body of any shape falls along a guide, in space.
-using DroppedIntoSand = Scene<Solid, CartesianGrid<3>, Numerics<QuadraticBSpline, Apic>,
+using DroppedIntoSand = Scene<ThreeDimensional, CartesianGrid<3>, Numerics<QuadraticBSpline, Apic>,
                               Bodies<Fill<MohrCoulomb<>>>, Walls, Gravity, Rigid<DistanceSurface<>, Guided>>;
 
 }  // namespace compositions
@@ -40,12 +40,12 @@ extern template struct Scene<Axisymmetric, CartesianGrid<2>, Numerics<QuadraticB
 extern template void step(compositions::PushedIntoSand&, double);
 extern template double stable_step(const compositions::PushedIntoSand&);
 
-extern template struct Scene<Solid, CartesianGrid<3>, Numerics<QuadraticBSpline, Apic>,
+extern template struct Scene<ThreeDimensional, CartesianGrid<3>, Numerics<QuadraticBSpline, Apic>,
                              Bodies<Fill<MohrCoulomb<>>>, Walls, Gravity>;
 extern template void step(compositions::Sand&, double);
 extern template double stable_step(const compositions::Sand&);
 
-extern template struct Scene<Solid, CartesianGrid<3>, Numerics<QuadraticBSpline, Apic>,
+extern template struct Scene<ThreeDimensional, CartesianGrid<3>, Numerics<QuadraticBSpline, Apic>,
                              Bodies<Fill<MohrCoulomb<>>>, Walls, Gravity, Rigid<DistanceSurface<>, Guided>>;
 extern template void step(compositions::DroppedIntoSand&, double);
 extern template double stable_step(const compositions::DroppedIntoSand&);

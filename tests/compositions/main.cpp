@@ -42,10 +42,10 @@ int main() {
                      return std::array{0.0, -1.0, 0.0};
                    }},
                    Friction(20_deg))});
-  show(Scene{Solid{}, space, Numerics<QuadraticBSpline, Apic>{}, bodies(cube), walls(bottom(roller)),
-             gravity({0, -9.81, 0})});
+  show(Scene{ThreeDimensional{}, space, Numerics<QuadraticBSpline, Apic>{}, bodies(cube),
+             walls(bottom(roller)), gravity({0, -9.81, 0})});
   show(Scene{
-      Solid{}, space, Numerics<QuadraticBSpline, Apic>{}, bodies(cube), walls(bottom(roller)),
+      ThreeDimensional{}, space, Numerics<QuadraticBSpline, Apic>{}, bodies(cube), walls(bottom(roller)),
       gravity({0, -9.81, 0}),
       rigid(DistanceSurface{[](const auto& x) { return 0.12 - x[1]; }}, Guided{.mass = 1}, Friction(0))});
 }

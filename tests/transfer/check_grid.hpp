@@ -16,7 +16,7 @@ void check_reference_on_grids(N numerics = {}) {
   };
   check(Setup<PlaneStrain, N, CartesianGrid<2>>(flat_grid(), 11));
   check(Setup<Axisymmetric, N, CartesianGrid<2>>(flat_grid(), 5));
-  check(Setup<Solid, N, CartesianGrid<3>>(solid_grid(), 11));
+  check(Setup<ThreeDimensional, N, CartesianGrid<3>>(solid_grid(), 11));
 }
 
 template <class Shape>
@@ -32,15 +32,15 @@ template <class Shape>
 void check_all_conservation() {
   for (const double share : {0.0, 0.3, 1.0}) {
     Setup<PlaneStrain, Numerics<Shape, Flip, Musl>, CartesianGrid<2, float>> flat(flat_grid<float>());
-    flat.numerics.transfer.share = share;
+    flat.numerics.transfer.fraction = share;
     check_conservation(flat);
     Setup<Axisymmetric, Numerics<Shape, Flip, Usl>, CartesianGrid<2>> round(flat_grid());
-    round.numerics.transfer.share = share;
+    round.numerics.transfer.fraction = share;
     check_conservation(round);
   }
   check_conservation(Setup<PlaneStrain, Numerics<Shape, Apic, Usl>, CartesianGrid<2>>(flat_grid()));
   check_conservation(Setup<Axisymmetric, Numerics<Shape, Apic, Musl>, CartesianGrid<2>>(flat_grid()));
-  check_conservation(Setup<Solid, Numerics<Shape, Apic, Musl>, CartesianGrid<3>>(solid_grid()));
+  check_conservation(Setup<ThreeDimensional, Numerics<Shape, Apic, Musl>, CartesianGrid<3>>(solid_grid()));
 }
 
 }  // namespace arenite::test

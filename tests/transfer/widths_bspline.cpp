@@ -24,6 +24,6 @@ TEMPLATE_TEST_CASE("points on a grid computed one by one or two, four, eight at 
 }
 
 TEMPLATE_TEST_CASE("and those in space", "", LinearGrid, QuadraticBSpline, CubicBSpline) {
-  check_widths<On<TestType>::template Affine, Solid>(solid_grid(), 9);
-  check_widths<On<TestType>::template Mapped, Solid>(solid_grid(), 3);
+  check_widths<On<TestType>::template Affine, ThreeDimensional>(solid_grid(), 9);
+  check_widths<On<TestType>::template Mapped, ThreeDimensional>(solid_grid(), 3);
 }

@@ -30,12 +30,12 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 template <template <class> class Line>
 struct ProductShape {
   static constexpr bool constant_gradient = false;
-  static constexpr std::size_t along_axis = Line<double>::nodes;
+  static constexpr std::size_t nodes_per_axis = Line<double>::nodes;
   static constexpr double steepness = Line<double>::steepness;
   /// A node beside a face is light below this share of the mass of the node on the face: `exchange_at_faces`.
   static constexpr double least_beside_face = Line<double>::least_beside_face;
   /// Layers of cells that share nodes with a cell, on either side.
-  static constexpr Index halo = static_cast<Index>(along_axis) - 1;
+  static constexpr Index halo = static_cast<Index>(nodes_per_axis) - 1;
 
   template <class M>
   static constexpr bool fits = !is_simplex_mesh<M>;
@@ -57,9 +57,9 @@ struct ProductShape {
     using T = typename M::scalar;
     typename M::Point x;
     for (int k = 0; k < M::dimension; ++k) {
-      const Index along = node_count(grid, k);
-      x[k] = grid.lower()[k] + grid.edge() * Line<T>::place(node % along, grid.cells(k));
-      node /= along;
+      const Index nodes_on_axis = node_count(grid, k);
+      x[k] = grid.lower()[k] + grid.edge() * Line<T>::place(node % nodes_on_axis, grid.cells(k));
+      node /= nodes_on_axis;
     }
     return x;
   }
@@ -71,7 +71,7 @@ struct ProductShape {
     std::array<Index, D> from, to, cell;
     Index rest = i;
     for (std::size_t k = 0; k < D; ++k) {
-      const Index along = node_count(grid, static_cast<int>(k)), at = rest % along;
+      const Index nodes_on_axis = node_count(grid, static_cast<int>(k)), at = rest % along;
       rest /= along;
       from[k] = at < halo ? 0 : at - halo;
       to[k] = std::min(at + 1, grid.cells(static_cast<int>(k)));
@@ -99,9 +99,9 @@ struct ProductShape {
    public:
     using T = typename M::scalar;
     static constexpr int D = M::dimension;
-    static constexpr std::size_t along_axis = ProductShape::along_axis;
-    static constexpr std::size_t plane = along_axis * along_axis;
-    static constexpr int size = static_cast<int>(D == 2 ? plane : plane * along_axis);
+    static constexpr std::size_t nodes_per_axis = ProductShape::nodes_per_axis;
+    static constexpr std::size_t plane = nodes_per_axis * nodes_per_axis;
+    static constexpr int size = static_cast<int>(D == 2 ? plane : plane * nodes_per_axis);
     using Weights = Vec<T, size>;
     using Gradients = Eigen::Matrix<T, D, size, Eigen::DontAlign>;
 
@@ -136,26 +136,26 @@ struct ProductShape {
     /// Functions along each axis, whose products the functions of the cell are, at positions x of a pack of
     /// points (or of one): values [D][N], slopes [D][N] in 1/m.
     template <class P>
-    std::array<std::array<P, along_axis>, D> line_values(const std::array<P, D>& x) const {
-      std::array<std::array<P, along_axis>, D> value;
+    std::array<std::array<P, nodes_per_axis>, D> line_values(const std::array<P, D>& x) const {
+      std::array<std::array<P, nodes_per_axis>, D> value;
       repeat<D>([&](std::size_t k) { value[k] = line_[k].values(local(k, x)); });
       return value;
     }
     template <class P>
-    std::array<std::array<P, along_axis>, D> line_slopes(const std::array<P, D>& x) const {
-      std::array<std::array<P, along_axis>, D> slope;
+    std::array<std::array<P, nodes_per_axis>, D> line_slopes(const std::array<P, D>& x) const {
+      std::array<std::array<P, nodes_per_axis>, D> slope;
       repeat<D>([&](std::size_t k) { slope[k] = line_[k].slopes(local(k, x), per_metre_); });
       return slope;
     }
 
-    /// [D][N] ways along each axis from positions x to the nodes, m.
+    /// [D][N] offsets along each axis from positions x to the nodes, m.
     template <class P>
-    std::array<std::array<P, along_axis>, D> ways(const std::array<P, D>& x) const {
-      std::array<std::array<P, along_axis>, D> way;
+    std::array<std::array<P, nodes_per_axis>, D> offsets(const std::array<P, D>& x) const {
+      std::array<std::array<P, nodes_per_axis>, D> offset;
       for (std::size_t k = 0; k < D; ++k)
-        for (std::size_t i = 0; i < along_axis; ++i)
-          way[k][i] = P(along_[k][i]) - (x[k] - P(lower_[static_cast<int>(k)]));
-      return way;
+        for (std::size_t i = 0; i < nodes_per_axis; ++i)
+          offset[k][i] = P(along_[k][i]) - (x[k] - P(lower_[static_cast<int>(k)]));
+      return offset;
     }
 
     /// 1 / sum w (x_i - x)^2 along each axis, 1/m2: the inverse inertia of APIC, which is diagonal for
@@ -169,10 +169,11 @@ struct ProductShape {
           inverse[k] = P(even * per_metre_ * per_metre_);
           continue;
         }
-        const P way = x[k] - P(lower_[static_cast<int>(k)]);
+        const P offset = x[k] - P(lower_[static_cast<int>(k)]);
         const auto w = line_[k].values(local(k, x));
         P inertia(0);
-        for (std::size_t i = 0; i < along_axis; ++i) inertia += w[i] * square(P(P(along_[k][i]) - way));
+        for (std::size_t i = 0; i < nodes_per_axis; ++i)
+          inertia += w[i] * square(P(P(along_[k][i]) - offset));
         const auto some = inertia > P(std::numeric_limits<T>::epsilon() * edge_ * edge_);
         inverse[k] = select(some, P(P(1) / select(some, inertia, P(1))), P(0));
       }
@@ -195,7 +196,7 @@ struct ProductShape {
         stride[k] = k == 0 ? 1 : stride[k - 1] * node_count(grid, static_cast<int>(k - 1));
         first += place[k] * stride[k];
         corner_[static_cast<int>(k)] += edge_ * static_cast<T>(place[k]);
-        for (std::size_t i = 0; i < along_axis; ++i)
+        for (std::size_t i = 0; i < nodes_per_axis; ++i)
           along_[k][i] =
               edge_ * Line<T>::place(place[k] + static_cast<Index>(i), grid.cells(static_cast<int>(k)));
       }
@@ -206,7 +207,7 @@ struct ProductShape {
     }
 
     static constexpr std::size_t digit(std::size_t i, std::size_t k) {
-      return (k == 0 ? i : k == 1 ? i / along_axis : i / plane) % along_axis;
+      return (k == 0 ? i : k == 1 ? i / nodes_per_axis : i / plane) % nodes_per_axis;
     }
 
     static std::array<T, D> as_array(const Vec<T, D>& x) {
@@ -221,12 +222,12 @@ struct ProductShape {
       return (x[k] - P(corner_[static_cast<int>(k)])) * P(per_metre_);
     }
 
-    static std::array<T, size> products(const std::array<std::array<T, along_axis>, D>& f) {
+    static std::array<T, size> products(const std::array<std::array<T, nodes_per_axis>, D>& f) {
       std::array<T, size> p;
-      for (std::size_t j = 0; j < size / along_axis; ++j) {
-        T rest = f[1][j % along_axis];
-        if constexpr (D == 3) rest = rest * f[2][j / along_axis];
-        for (std::size_t i = 0; i < along_axis; ++i) p[along_axis * j + i] = f[0][i] * rest;
+      for (std::size_t j = 0; j < size / nodes_per_axis; ++j) {
+        T rest = f[1][j % nodes_per_axis];
+        if constexpr (D == 3) rest = rest * f[2][j / nodes_per_axis];
+        for (std::size_t i = 0; i < nodes_per_axis; ++i) p[nodes_per_axis * j + i] = f[0][i] * rest;
       }
       return p;
     }
@@ -234,7 +235,7 @@ struct ProductShape {
     Vec<T, D> lower_, corner_;
     T edge_, per_metre_;
     std::array<Line<T>, D> line_;
-    std::array<std::array<T, along_axis>, D> along_;  // of the nodes from the grid's lower corner, m
+    std::array<std::array<T, nodes_per_axis>, D> along_;  // of the nodes from the grid's lower corner, m
   };
 };
 

@@ -18,10 +18,10 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 /// - `S::Cell<M>(mesh, cell)`: `nodes` [size]; `weights(x)` [size], `gradients(x)` [D x size] in 1/m at a
 ///   position x and `node_positions()` [D x size] in m, as Eigen's.
 /// The kernels evaluate at a `std::array` x [D] of packs or scalars, and the cell has, as arrays,
-/// - if `S::constant_gradient`: `weights(x)` [size], `ways(x)` [D][size] to the nodes in m, and the member
+/// - if `S::constant_gradient`: `weights(x)` [size], `offsets(x)` [D][size] to the nodes in m, and the member
 ///   `gradient`, the same everywhere in the cell;
 /// - else, on a grid, functions that are products along the axes: `line_values(x)`, `line_slopes(x)`,
-/// `ways(x)`
+/// `offsets(x)`
 ///   [D][N], and `S::halo`; APIC needs `inverse_inertia(x)` [D], too. `ProductShape` makes all of it of the
 ///   functions along one axis: examples/extend/shapes/.
 template <class S, class M>
@@ -41,7 +41,7 @@ concept shape_function = mesh<M> &&
 }
 &&requires(const typename S::template Cell<M> cell,
            const std::array<typename M::scalar, static_cast<std::size_t>(M::dimension)> place) {
-  {cell.ways(place)};
+  {cell.offsets(place)};
   requires(S::constant_gradient &&
            requires {
              {cell.weights(place)};

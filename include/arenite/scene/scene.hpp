@@ -36,9 +36,8 @@ struct Scene {
   static_assert(mesh<M>, "Scene: the second value must be a mesh: a CartesianGrid or a SimplexMesh");
   static_assert(M::dimension == K::dimension, "Scene: mesh and kinematics must have the same dimension");
   static_assert(shape_function<typename N::Shape, M>,
-                "Scene: the shape function does not fit the mesh: LinearSimplex goes with SimplexMesh, "
-                "QuadraticBSpline with "
-                "CartesianGrid");
+                "Scene: the shape function does not fit the mesh: LinearSimplex goes with SimplexMesh; "
+                "LinearGrid, QuadraticBSpline and CubicBSpline with CartesianGrid");
   static_assert((0 + ... + int(detail::is_bodies<Given>)) == 1, "Scene: exactly one bodies(..) is needed");
 
   using Kinematics = K;
@@ -279,9 +278,9 @@ struct Scene {
       // Long runs of points, which memory serves best, but blocks enough to share out.
       size = std::clamp<Index>(mesh.cell_count() / 128, 24, 800);
     } else {
-      // Two layers of cells: a block then shares nodes with its two neighbours alone, so that two colours are
-      // enough.
-      size = 2 * mesh.cell_count() / mesh.cells(D - 1);
+      // As many layers of cells as share nodes: a block then shares nodes with its two neighbours alone, so
+      // that two colours are enough.
+      size = Shape::halo * (mesh.cell_count() / mesh.cells(D - 1));
     }
     return Blocks(mesh.cell_count(), Shape::node_count(mesh), size,
                   [&](Index c) { return typename Shape::template Cell<M>(mesh, c).nodes; });

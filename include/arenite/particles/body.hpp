@@ -60,7 +60,7 @@ Fill<Region, L> fill(Region region, L law, FillOptions options = {}) {
 }
 
 /// Points of one law in a mesh over scalar T.
-template <class L, real T, int D, ExtraColumns Extra = ExtraColumns{}>
+template <class L, real_scalar T, int D, ExtraColumns Extra = ExtraColumns{}>
 struct Body {
   static_assert(
       constitutive_law<L, T, D>,
@@ -117,7 +117,7 @@ template <class K, ExtraColumns Extra = ExtraColumns{}, class M, class Region, c
 auto make_body(const M& mesh, const Fill<Region, L, name>& recipe) {
   using T = typename M::scalar;
   constexpr int D = M::dimension;
-  static_assert(region<Region, D>,
+  static_assert(region_type<Region, D>,
                 "fill: the region must provide contains(position) in the scene's dimension, or be Cells");
   Body<L, T, D, Extra> body{recipe.law, {}, {}};
   const FillOptions& o = recipe.options;

@@ -17,7 +17,7 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 ///   `gradient`; else its functions must be products along the axes, and it has `line_values(x)`,
 ///   `line_slopes(x)` [D][3], arrays too.
 template <class S, class M>
-concept shape_function = mesh<M> && S::template fits<M>&& requires(
+concept shape_function = mesh_type<M> && S::template fits<M>&& requires(
     const M m, const typename M::Point x, Index i,
     const std::array<typename M::scalar, static_cast<std::size_t>(M::dimension)> place) {
   { S::constant_gradient } -> std::convertible_to<bool>;

@@ -2,6 +2,9 @@
 // the order of the stress update.
 #pragma once
 
+#include <concepts>
+
+#include <arenite/core/role_names.hpp>
 #include <arenite/transfer/apic.hpp>
 #include <arenite/transfer/flip.hpp>
 #include <arenite/transfer/tpic.hpp>
@@ -19,6 +22,14 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 //   - `(cell, p, x, sums)`: gives point p at x what it takes of `sums.value` [D] and, if it needs them,
 //   `sums.arms()`
 //     [D][D], axis by axis; returns the field that it hands over from then on.
+
+template <class Transfer, class Shape>
+concept transfer_type = requires(const Transfer transfer) {
+  { Transfer::affine } -> std::convertible_to<bool>;
+  { Transfer::template fits<Shape> } -> std::convertible_to<bool>;
+  transfer.check();
+}
+&&detail::names_hand<Transfer>&& detail::names_take<Transfer>;
 
 /// Update of stress last, from the nodal velocities of the step (update stress last, USL).
 struct Usl {

@@ -1,4 +1,5 @@
 // must print: fill: the region must provide contains(position)
+// errors: 1
 // A box in space, a scene in the plane.
 #include <arenite/arenite.hpp>
 

@@ -2,6 +2,7 @@
 // body gains.
 #pragma once
 
+#include <algorithm>
 #include <utility>
 #include <vector>
 
@@ -37,6 +38,12 @@ struct Rigid {
   Surface surface;
   Motion motion;
   Friction friction;
+
+  using Erased = Rigid<erased_t<Surface>, erased_t<Motion>, Coupling, name>;
+  template <class M>
+  Erased erased() const {
+    return {arenite::erased<M>(surface), arenite::erased<M>(motion), friction};
+  }
 };
 
 /// A rigid body, a part of a scene; `rigid<"cone">(..)` gives it a name.
@@ -65,8 +72,12 @@ void find_touches(const M& mesh, R& body, const Fields& fields) {
   using T = typename M::scalar;
   body.touches.clear();
   body.inside_nodes = 0;
+  const auto has_mass = [&](Index node) {
+    return std::ranges::any_of(fields, [&](const auto& field) { return field.mass[node] > 0; });
+  };
   body.surface.template visit<Shape>(
-      mesh, body.displacement, [&](Index node, const auto& normal, bool inside, [[maybe_unused]] T share) {
+      mesh, body.displacement, has_mass,
+      [&](Index node, const auto& normal, bool inside, [[maybe_unused]] T share) {
         for (std::size_t f = 0; f < fields.size(); ++f) {
           const T mass = fields[f].mass[node];
           if (!(mass > 0)) continue;

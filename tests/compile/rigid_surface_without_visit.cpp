@@ -8,7 +8,7 @@ using namespace arenite;
 const LinearElastic steel{{.density = 7800, .young = 2e11, .poisson = 0.3}};
 
 struct Plane {
-  static constexpr bool has_shares = false;
+  static constexpr bool has_volume_fractions = false;
   double height;
 };
 

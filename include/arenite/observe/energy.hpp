@@ -7,8 +7,8 @@
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
-/// A part that keeps the energy ledger of a scene: works of stresses and accelerations are summed at each
-/// step. Without it they are not computed. Energies in J.
+/// A part that keeps the energy energy balance of a scene: works of stresses and accelerations are summed at
+/// each step. Without it they are not computed. Energies in J.
 struct TrackEnergy {
   using OnlyOne = TrackEnergy;
   double initial_kinetic = 0;  ///< of bodies and parts
@@ -60,7 +60,7 @@ PartEnergy energy_of_parts(const Scene& scene) {
   return sum;
 }
 
-/// Whether a scene keeps the ledger.
+/// Whether a scene keeps the balance.
 template <class Scene>
 inline constexpr bool tracks_energy = Scene::template has_part<TrackEnergy>;
 
@@ -80,7 +80,7 @@ struct Energies {
 template <class Scene>
 Energies energies(const Scene& scene) {
   static_assert(tracks_energy<Scene>, "energies: name TrackEnergy{} among the scene's parts");
-  const auto& ledger = scene.template part<TrackEnergy>();
+  const auto& balance = scene.template part<TrackEnergy>();
   const PartEnergy parts = energy_of_parts(scene);
   Energies e;
   scene.for_each_body([&](const auto& body, const auto&) {
@@ -89,11 +89,11 @@ Energies energies(const Scene& scene) {
   });
   e.kinetic += parts.kinetic;
   e.stored = parts.stored;
-  e.external = ledger.gravity_work + parts.external;
-  e.plastic = ledger.stress_work - (e.strain - ledger.initial_strain);
+  e.external = balance.gravity_work + parts.external;
+  e.plastic = balance.stress_work - (e.strain - balance.initial_strain);
   e.contact = parts.dissipated;
-  e.residual = e.kinetic + e.strain + e.stored + e.plastic + e.contact - ledger.initial_kinetic -
-               ledger.initial_strain - ledger.initial_stored - e.external;
+  e.residual = e.kinetic + e.strain + e.stored + e.plastic + e.contact - balance.initial_kinetic -
+               balance.initial_strain - balance.initial_stored - e.external;
   return e;
 }
 

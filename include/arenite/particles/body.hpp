@@ -96,10 +96,10 @@ struct Body {
   double initial_volume = 0;                ///< m3
   double opened_volume = 0;                 ///< voids that opened without stress, summed over all steps, m3
   bool finite = true;                       ///< sums over the points of the last step
-  std::vector<CellList::Move> moves{};      ///< [points and guests] scratch of `relocate`
+  std::vector<CellList::Move> moves{};      ///< [points and unsorted points] scratch of `relocate`
   std::vector<Index> move_count{};          ///< [blocks of cells] moves found in each
-  std::vector<CellSums<T, D>> cell_sums{};  ///< [cells] from `scatter`; empty if the numerics need none
-  /// [cells] sum of V times stress, N m, from `scatter`; empty unless stresses are centred
+  std::vector<CellSums<T, D>> cell_sums{};  ///< [cells] from `p2g`; empty if the numerics need none
+  /// [cells] sum of V times stress, N m, from `p2g`; empty unless stresses are centred
   std::vector<Sym<T, D>> cell_stress{};
 };
 

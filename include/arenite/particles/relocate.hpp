@@ -48,13 +48,13 @@ void leave_cells(B& body, CellList::Move* moves, Index count) {
 }  // namespace detail
 
 /// Finds the cell of each point, removes those that left the mesh (and counts them), and renews the list of
-/// cells. Points that moved are guests of their cells until they are more than a sixteenth: then the
+/// cells. Points that moved are unsorted points of their cells until they are more than a sixteenth: then the
 /// columns take a new order. `Width`: points tested at a time. Returns whether they did.
 template <int Width, class B, class M>
 bool relocate(B& body, M& mesh, const Blocks& blocks) {
   auto& points = body.points;
   auto& cells = body.cells;
-  body.moves.resize(points.size() + cells.guests());
+  body.moves.resize(points.size() + cells.unsorted());
   body.move_count.resize(blocks.count());
   blocks.for_each_block([&](std::size_t b, Index begin, Index end) {
     CellList::Move* const moves = body.moves.data() + cells.offset(begin);
@@ -78,9 +78,9 @@ bool relocate(B& body, M& mesh, const Blocks& blocks) {
     }
   }
   if (!moved) return false;
-  cells.list_guests(points.cell);
+  cells.list_unsorted(points.cell);
   constexpr std::size_t crowd = 16;
-  if (!lost && cells.guests() * crowd <= points.size()) return false;
+  if (!lost && cells.unsorted() * crowd <= points.size()) return false;
   points.reorder(cells.order(blocks));
   cells.take_order();
   return true;

@@ -49,7 +49,7 @@ template <class Distance>
 DistanceSurface(Distance, double) -> DistanceSurface<Distance>;
 
 /// A surface once bound to a scene:
-/// - `has_shares`: whether its nodes carry shares of the body's mass;
+/// - `has_volume_fractions`: whether its nodes carry fractions of its volume;
 /// - `visit<Shape>(mesh, displacement, has_mass, f)`: calls `f(node, normal, inside, share)` for each node
 /// that
 ///   it touches where the body is now, in an order that does not depend on threads, with the unit normal out
@@ -57,7 +57,7 @@ DistanceSurface(Distance, double) -> DistanceSurface<Distance>;
 /// - optional `connect(scene)`: called once, when all parts of the scene are bound.
 template <class S, class Shape, class M>
 concept rigid_surface = requires(S surface, const M& mesh, const Vec<typename M::scalar, M::dimension> x) {
-  { S::has_shares } -> std::convertible_to<bool>;
+  { S::has_volume_fractions } -> std::convertible_to<bool>;
   surface.template visit<Shape>(
       mesh, x, [](Index) { return true; },
       [](Index, const Vec<typename M::scalar, M::dimension>&, bool, typename M::scalar) {});
@@ -69,7 +69,7 @@ template <class T, int D>
 class BoundMeshSurface {
  public:
   explicit BoundMeshSurface(MeshSurface s) : recipe_{std::move(s)} {}
-  static constexpr bool has_shares = true;
+  static constexpr bool has_volume_fractions = true;
 
   template <class Scene>
   void connect(const Scene& scene) {
@@ -78,7 +78,7 @@ class BoundMeshSurface {
   template <class Shape, class M, class HasMass, class F>
   void visit(const M&, const Vec<T, D>&, HasMass&&, F&& f) const {
     for (std::size_t k = 0; k < surface_.nodes.size(); ++k)
-      f(surface_.nodes[k], surface_.normals[k], false, surface_.share[k]);
+      f(surface_.nodes[k], surface_.normals[k], false, surface_.volume_fraction[k]);
     for (const Index i : surface_.inside) f(i, Vec<T, D>::Zero(), true, T(0));
   }
   const RegionSurface<T, D>& surface() const { return surface_; }
@@ -103,7 +103,7 @@ class BoundDistanceSurface {
   explicit BoundDistanceSurface(DistanceSurface<> s) : surface_{std::move(s)} {
     require(surface_.reach >= 0, "DistanceSurface.reach", surface_.reach, "must not be negative");
   }
-  static constexpr bool has_shares = false;
+  static constexpr bool has_volume_fractions = false;
 
   /// Chunks of nodes on several threads; what they found is joined in their order.
   template <class Shape, class M, class HasMass, class F>

@@ -28,8 +28,9 @@ template <class K, class M, class N, class... Given>
 constexpr bool is_complete_scene() {
   constexpr bool has_kinematics = kinematics_type<K>, has_mesh = mesh_type<M>,
                  has_numerics = numerics_type<N>;
-  static_assert(has_kinematics,
-                "Scene: the first value must be the kinematics: PlaneStrain, Axisymmetric or Solid");
+  static_assert(
+      has_kinematics,
+      "Scene: the first value must be the kinematics: PlaneStrain, Axisymmetric or ThreeDimensional");
   static_assert(!has_kinematics || has_mesh,
                 "Scene: the second value must be a mesh: a CartesianGrid or a SimplexMesh");
   static_assert(!has_kinematics || !has_mesh || has_numerics,

@@ -12,15 +12,15 @@
 #include <arenite/particles/measures.hpp>
 #include <arenite/particles/relocate.hpp>
 #include <arenite/scene/complete.hpp>
-#include <arenite/scene/doubts.hpp>
+#include <arenite/scene/new_scene_warnings.hpp>
 #include <arenite/scene/parts.hpp>
 #include <arenite/scene/roles.hpp>
 #include <arenite/transfer/centred_stress.hpp>
-#include <arenite/transfer/deform.hpp>
+#include <arenite/transfer/g2p.hpp>
 #include <arenite/transfer/light_nodes.hpp>
+#include <arenite/transfer/map_back.hpp>
 #include <arenite/transfer/numerics.hpp>
-#include <arenite/transfer/remap.hpp>
-#include <arenite/transfer/scatter.hpp>
+#include <arenite/transfer/p2g.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
@@ -62,7 +62,7 @@ struct Scene {
   using Needs = detail::needs_of<Parts>;
   static constexpr std::size_t field_count = Needs::own_fields ? body_count : 1;
   static constexpr std::size_t rigid_count = detail::rigids_of<Parts>::count;
-  using Field = NodeField<T, D, N::remaps, Needs::mass_gradient>;
+  using Field = NodeField<T, D, N::maps_back, Needs::mass_gradient>;
   /// Whether stresses are taken at the middle of the step: where all laws are linear (see `add_half_step`).
   static constexpr bool centres_stress = BodiesOf::template centres_stress<N>;
 
@@ -196,8 +196,8 @@ struct Scene {
   }
 
   /// Gives each thread cells with as many points as the others'.
-  void share_out() {
-    blocks.share_out([&](Index c) {
+  void balance_threads() {
+    blocks.balance_threads([&](Index c) {
       std::size_t n = 0;
       for_each_body([&](const auto& body, const auto&) { n += body.cells[c].size(); });
       return n;
@@ -323,15 +323,15 @@ Scene<K, M, N, Given...>::Scene(detail::Nothing, K kinematics_value, M mesh_valu
       parts{bind(mesh, kinematics, given...)},
       fields{make_fields(std::make_index_sequence<field_count>{})},
       bodies{make_bodies(detail::find_bodies(given...))} {
-  share_out();
-  for_each_body([&](auto& body, const auto&) { body.points.settle(body.cells, blocks); });
+  balance_threads();
+  for_each_body([&](auto& body, const auto&) { body.points.place_by_thread(body.cells, blocks); });
   numerics.transfer.check();
   numerics.anti_locking.check();
   find_constraints();
   for_each_part([&](auto& part) {
     if constexpr (connects<std::remove_reference_t<decltype(part)>, Scene>) part.connect(*this);
   });
-  detail::doubt(*this, detail::find_bodies(given...));
+  detail::warn_about_new_scene(*this, detail::find_bodies(given...));
 }
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

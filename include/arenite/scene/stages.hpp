@@ -23,7 +23,7 @@ void relocate(Scene& scene) {
     regrouped = relocate<width>(body, scene.mesh, scene.blocks) || regrouped;
     emptied[number++] = had_points && body.points.size() == 0;
   });
-  if (regrouped) scene.share_out();
+  if (regrouped) scene.balance_threads();
   if (scene.point_count() == 0)
     throw run_error(shared_detail::join("t = ", scene.time, " s: all ", scene.lost_points(),
                                         " points of the scene have left the mesh"));
@@ -34,10 +34,10 @@ void relocate(Scene& scene) {
 }
 
 template <class Scene>
-void scatter(Scene& scene) {
+void p2g(Scene& scene) {
   for (auto& field : scene.fields) field.clear();
   scene.for_each_body([&](auto& body, auto& field) {
-    scatter<typename Scene::Kinematics>(scene.numerics, scene.mesh, scene.blocks, body, field);
+    p2g<typename Scene::Kinematics>(scene.numerics, scene.mesh, scene.blocks, body, field);
   });
 }
 
@@ -95,7 +95,7 @@ void centre_stress(Scene& scene, [[maybe_unused]] double dt) {
     using T = typename Scene::T;
     for (auto& field : scene.fields) {
       const typename Scene::V none = Scene::V::Zero();
-      advance(field, none, T(0), least_mass<T>);
+      update_grid(field, none, T(0), least_mass<T>);
       detail::allow(scene, field, field.velocity, 0);
     }
     scene.for_each_body([&](const auto& body, auto& field) {
@@ -106,12 +106,13 @@ void centre_stress(Scene& scene, [[maybe_unused]] double dt) {
 }
 
 template <class Scene>
-void advance(Scene& scene, double dt) {
+void update_grid(Scene& scene, double dt) {
   using T = typename Scene::T;
   const auto acceleration = scene.acceleration();
   for (auto& field : scene.fields) {
-    advance(field, acceleration, static_cast<T>(dt), least_mass<T>);
-    if constexpr (Scene::Shape::constant_gradient) hand_to_neighbours(scene.mesh, field, static_cast<T>(dt));
+    update_grid(field, acceleration, static_cast<T>(dt), least_mass<T>);
+    if constexpr (Scene::Shape::constant_gradient)
+      exchange_with_neighbours(scene.mesh, field, static_cast<T>(dt));
   }
 }
 
@@ -151,12 +152,12 @@ void smooth_light_nodes(Scene& scene, [[maybe_unused]] double dt) {
 }
 
 template <class Scene>
-void remap(Scene& scene, [[maybe_unused]] double dt) {
-  if constexpr (Scene::NumericsType::remaps) {
+void map_back(Scene& scene, [[maybe_unused]] double dt) {
+  if constexpr (Scene::NumericsType::maps_back) {
     scene.for_each_body(
-        [&](auto& body, auto& field) { remap(scene.numerics, scene.mesh, scene.blocks, body, field); });
+        [&](auto& body, auto& field) { map_back(scene.numerics, scene.mesh, scene.blocks, body, field); });
     for (auto& field : scene.fields) {
-      finish_remap<Scene::centres_stress>(scene.numerics, field);
+      finish_map_back<Scene::centres_stress>(scene.numerics, field);
       if constexpr (!Scene::Shape::constant_gradient) exchange_at_faces(scene.mesh, field.mass, field.mapped);
     }
     const auto hold = [&](auto& part) {
@@ -170,10 +171,10 @@ void remap(Scene& scene, [[maybe_unused]] double dt) {
 }
 
 template <class Scene>
-void deform(Scene& scene, double dt) {
+void g2p(Scene& scene, double dt) {
   scene.finite = true;
   scene.for_each_body([&](auto& body, const auto& field) {
-    const DeformSums sums = deform<typename Scene::Kinematics, Scene::Needs::stress_work>(
+    const G2pSums sums = g2p<typename Scene::Kinematics, Scene::Needs::stress_work>(
         scene.numerics, scene.mesh, scene.blocks, body, field, static_cast<typename Scene::T>(dt),
         scene.average);
     body.opened_volume += sums.opened_volume;

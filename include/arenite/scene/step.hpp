@@ -10,15 +10,15 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 template <class Scene>
 void step(Scene& scene, double dt) {
   relocate(scene);                // find the cell of each point
-  scatter(scene);                 // P2G: mass, momentum, internal force
+  p2g(scene);                     // P2G: mass, momentum, internal force
   add_forces(scene, dt);          // springs, tractions, ..
   centre_stress(scene, dt);       // elastic bodies with MUSL on simplices: forces of the middle of the step
-  advance(scene, dt);             // nodal momentum balance
+  update_grid(scene, dt);         // nodal momentum balance
   constrain(scene, dt);           // fixities, rollers, symmetry planes
   exchange(scene, dt);            // body against body, rigid body against bodies: impulses that cancel
   smooth_light_nodes(scene, dt);  // nodes at a body's edge that have force and hardly any mass
-  remap(scene, dt);               // MUSL: node velocities for the strains, as the points would hand them back
-  deform(scene, dt);              // G2P: velocities, strains, positions; stresses by the law of each body
+  map_back(scene, dt);            // MUSL: node velocities for the strains, as the points would hand them back
+  g2p(scene, dt);                 // G2P: velocities, strains, positions; stresses by the law of each body
   follow(scene, dt);              // what moves with the matter: the mesh, springs, ..
   finish(scene, dt);              // time, and the check that nothing has become NaN
 }

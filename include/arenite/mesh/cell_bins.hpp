@@ -14,7 +14,7 @@
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 /// About one bucket a cell; a cell is listed in each bucket that its bounding box touches.
-template <int D, real T>
+template <int D, real_scalar T>
 class CellBins {
  public:
   void build(const std::vector<Vec<T, D>>& nodes, const std::vector<std::array<Index, D + 1>>& cells) {

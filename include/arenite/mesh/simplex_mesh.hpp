@@ -20,7 +20,7 @@
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 /// Triangles or tetrahedra over scalar T. Node positions may change (`move`); the topology does not.
-template <int D, real T = double>
+template <int D, real_scalar T = double>
 class SimplexMesh {
  public:
   static constexpr int dimension = D;

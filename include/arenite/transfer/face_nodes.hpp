@@ -49,7 +49,7 @@ std::size_t exchange_at_faces(const M& grid, const Field& nodes, NodeVectors<T, 
     const Index face = Shape::face_node(grid.cells(k));
     for (Index slab = 0; slab < static_cast<Index>(nodes.size()); slab += length)
       for (Index i = slab; i < slab + stride; ++i) {
-        const Index low = i + face * stride, high = i + (along - 1 - face) * stride;
+        const Index low = i + face * stride, high = i + (nodes_on_axis - 1 - face) * stride;
         exchange(low, low + stride);
         exchange(high, high - stride);
       }

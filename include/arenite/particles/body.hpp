@@ -53,11 +53,15 @@ struct Fill {
     if constexpr (std::same_as<Region, AnyRegion>) {
       return *this;
     } else {
-      static_assert(arenite::region<Region, M::dimension>,
+      constexpr bool fits = region_type<Region, M::dimension>;
+      static_assert(fits,
                     "fill: the region must provide contains(position) in the scene's dimension, or be Cells");
       static_assert(is_simplex_mesh<M> || !std::same_as<Region, Cells>,
                     "fill: Cells names regions of a simplex mesh; use a Box or Inside on a grid");
-      return {AnyRegion::of<M::dimension>(region), law, options};
+      if constexpr (fits)
+        return {AnyRegion::of<M::dimension>(region), law, options};
+      else
+        return {AnyRegion{}, law, options};  // one sentence is enough
     }
   }
 };
@@ -74,7 +78,7 @@ Fill<L, "", Region> fill(Region region, L law, FillOptions options = {}) {
 }
 
 /// Points of one law in a mesh over scalar T.
-template <class L, real T, int D, ExtraColumns Extra = ExtraColumns{}>
+template <class L, real_scalar T, int D, ExtraColumns Extra = ExtraColumns{}>
 struct Body {
   static_assert(
       constitutive_law<L, T, D>,

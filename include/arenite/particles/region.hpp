@@ -25,6 +25,8 @@ struct Box {
       if (!(x[static_cast<int>(k)] >= lower[k] && x[static_cast<int>(k)] < upper[k])) return false;
     return true;
   }
+  template <int Other>
+  bool contains(const Vec<double, Other>& x) const = delete;  // of another dimension
 };
 template <std::size_t D>
 Box(const double (&)[D], const double (&)[D]) -> Box<D>;
@@ -49,7 +51,7 @@ struct Cells {
 };
 
 template <class R, int D>
-concept region = std::same_as<R, Cells> || requires(const R r, const Vec<double, D> x) {
+concept region_type = std::same_as<R, Cells> || requires(const R r, const Vec<double, D> x) {
   { r.contains(x) } -> std::convertible_to<bool>;
 };
 

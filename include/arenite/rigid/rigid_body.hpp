@@ -56,6 +56,14 @@ template <class Surface, class Motion, class Coupling = RigidVelocity>
 Rigid<Surface, Motion, Coupling> rigid(Surface surface, Motion motion, Friction friction, Coupling = {}) {
   return {std::move(surface), std::move(motion), friction};
 }
+/// A number free_velocity may be an angle or a coefficient.
+template <Name name = "", class Surface, class Motion, class Number, class... Coupling>
+requires std::is_arithmetic_v<Number>
+auto rigid(Surface surface, Motion motion, Number, Coupling... coupling) {
+  static_assert(!std::is_arithmetic_v<Number>,
+                "rigid: the friction is Friction(angle): say Friction(20_deg)");
+  return rigid<name>(std::move(surface), std::move(motion), Friction(0.0), coupling...);
+}
 
 namespace detail {
 
@@ -144,6 +152,13 @@ double hold_to(R& body, Fields& fields, T dt) {
   return dissipation;
 }
 
+namespace detail {
+/// In the place of a body that the compiler has refused.
+struct NoRigidBody {
+  static constexpr bool separates_bodies = false;
+};
+}  // namespace detail
+
 /// A rigid body in a scene: a part that exchanges impulses with all fields. Read `displacement`, `velocity`
 /// and `force` after any step.
 template <class T, int D, class Surface, class Motion, class Coupling = RigidVelocity, Name name_ = "">
@@ -154,7 +169,6 @@ struct RigidBody {
   static constexpr bool is_rigid_body = true;
   static constexpr bool is_free = Motion::has_mass;
   static constexpr bool coupling_through_centre = Coupling::through_centre_of_mass;
-  static_assert(rigid_motion<Motion, V>, "Rigid: the motion lacks a member; see arenite/rigid/motion.hpp");
   static_assert(!coupling_through_centre || (Surface::has_volume_fractions && is_free),
                 "Rigid: CentreOfMass needs a MeshSurface and a Guided motion, which give the body's nodes "
                 "their masses");
@@ -195,8 +209,6 @@ struct RigidBody {
 
   template <class Scene>
   void connect(const Scene& scene) {
-    static_assert(rigid_surface<Surface, typename Scene::Shape, typename Scene::Mesh>,
-                  "Rigid: the surface lacks a member; see arenite/rigid/surface.hpp");
     if constexpr (requires { surface.connect(scene); }) surface.connect(scene);
   }
   template <class Scene>
@@ -223,8 +235,15 @@ template <class S, class M, class C, Name name, class Site>
 auto bind_part(const Rigid<S, M, C, name>& recipe, const Site& site) {
   auto surface = bound(recipe.surface, site);
   auto motion = bound(recipe.motion, site);
-  return RigidBody<typename Site::T, Site::D, decltype(surface), decltype(motion), C, name>{
-      std::move(surface), std::move(motion), recipe.friction};
+  constexpr bool has_surface = rigid_surface<decltype(surface), typename Site::Shape, typename Site::Mesh>;
+  constexpr bool has_motion = rigid_motion<decltype(motion), Vec<typename Site::T, Site::D>>;
+  static_assert(has_surface, "Rigid: the surface lacks a member; see arenite/rigid/surface.hpp");
+  static_assert(has_motion, "Rigid: the motion lacks a member; see arenite/rigid/motion.hpp");
+  if constexpr (has_surface && has_motion)
+    return RigidBody<typename Site::T, Site::D, decltype(surface), decltype(motion), C, name>{
+        std::move(surface), std::move(motion), recipe.friction};
+  else
+    return detail::NoRigidBody{};  // one sentence is enough
 }
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

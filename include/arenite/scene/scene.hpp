@@ -11,6 +11,7 @@
 #include <arenite/contact/tally.hpp>
 #include <arenite/particles/measures.hpp>
 #include <arenite/particles/relocate.hpp>
+#include <arenite/scene/complete.hpp>
 #include <arenite/scene/new_scene_warnings.hpp>
 #include <arenite/scene/parts.hpp>
 #include <arenite/scene/roles.hpp>
@@ -30,16 +31,7 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 /// nothing holds against.
 template <class K, class M, class N, class... Given>
 struct Scene {
-  static_assert(
-      kinematics<K>,
-      "Scene: the first value must be the kinematics: PlaneStrain, Axisymmetric or ThreeDimensional");
-  static_assert(mesh<M>, "Scene: the second value must be a mesh: a CartesianGrid or a SimplexMesh");
-  static_assert(M::dimension == K::dimension, "Scene: mesh and kinematics must have the same dimension");
-  static_assert(shape_function<typename N::Shape, M>,
-                "Scene: the shape function does not fit the mesh: LinearSimplex goes with SimplexMesh, "
-                "QuadraticBSpline with "
-                "CartesianGrid");
-  static_assert((0 + ... + int(detail::is_bodies<Given>)) == 1, "Scene: exactly one bodies(..) is needed");
+  static_assert(detail::is_complete_scene<K, M, N, Given...>());
 
   using Kinematics = K;
   using Mesh = M;
@@ -279,9 +271,9 @@ struct Scene {
       // Long runs of points, which memory serves best, but blocks enough to share out.
       size = std::clamp<Index>(mesh.cell_count() / 128, 24, 800);
     } else {
-      // Two layers of cells: a block then shares nodes with its two neighbours alone, so that two colours are
-      // enough.
-      size = 2 * mesh.cell_count() / mesh.cells(D - 1);
+      // As many layers of cells as share nodes: a block then shares nodes with its two neighbours alone, so
+      // that two colours are enough.
+      size = Shape::halo * (mesh.cell_count() / mesh.cells(D - 1));
     }
     return Blocks(mesh.cell_count(), Shape::node_count(mesh), size,
                   [&](Index c) { return typename Shape::template Cell<M>(mesh, c).nodes; });
@@ -310,7 +302,14 @@ struct Scene {
 };
 
 template <class K, class M, class N, class... Given>
-Scene(K, M, N, Given...) -> Scene<K, M, N, erased_t<Given>...>;
+Scene(K, M, N, Given...) -> Scene<detail::refused_unless<detail::is_complete_scene<K, M, N, Given...>(), K>,
+                                  M, N, erased_t<Given>...>;
+
+/// In the place of a scene that the compiler has refused: one sentence is enough.
+template <class M, class N, class... Given>
+struct Scene<detail::Refused, M, N, Given...> {
+  Scene(const auto&...) {}
+};
 
 // Not within the class: there it would be inline, and compiled again in each unit in spite of an `extern
 // template`.

@@ -84,6 +84,11 @@ class NodeConstraints {
       lower_ = lower_.cwiseMin(position_[i]);
       upper_ = upper_.cwiseMax(position_[i]);
     }
+    if constexpr (!is_simplex_mesh<M>)  // a shape function may have nodes beyond the faces
+      for (int k = 0; k < D; ++k) {
+        lower_[k] = static_cast<double>(mesh.lower()[k]);
+        upper_[k] = static_cast<double>(mesh.upper(k));
+      }
   }
 
   const M& mesh() const { return mesh_; }
@@ -94,7 +99,7 @@ class NodeConstraints {
     return true;
   }
   const V& position(Index i) const { return position_[i]; }  ///< m
-  const V& lower() const { return lower_; }                  ///< corners of the box around the used nodes, m
+  const V& lower() const { return lower_; }  ///< corners of the grid, or of the box around the used nodes, m
   const V& upper() const { return upper_; }
   /// Positions closer than this are one, m.
   double near() const {

@@ -50,10 +50,9 @@ DistanceSurface(Distance, double) -> DistanceSurface<Distance>;
 
 /// A surface once bound to a scene:
 /// - `has_volume_fractions`: whether its nodes carry fractions of its volume;
-/// - `visit<Shape>(mesh, displacement, has_mass, f)`: calls `f(node, normal, inside, share)` for each node
-/// that
-///   it touches where the body is now, in an order that does not depend on threads, with the unit normal out
-///   of the body (zero inside); nodes without matter, `!has_mass(node)`, need no call;
+/// - `visit<Shape>(mesh, displacement, has_mass, f)`: calls `f(node, normal, inside, fraction)` for each node
+///   that it touches where the body is now, in an order that does not depend on threads, with the unit normal
+///   out of the body (zero inside); nodes without matter, `!has_mass(node)`, need no call;
 /// - optional `connect(scene)`: called once, when all parts of the scene are bound.
 template <class S, class Shape, class M>
 concept rigid_surface = requires(S surface, const M& mesh, const Vec<typename M::scalar, M::dimension> x) {

@@ -41,8 +41,8 @@ constexpr bool is_complete_scene() {
     static_assert(agrees, "Scene: mesh and kinematics must have the same dimension");
     constexpr bool fits = shape_function<typename N::Shape, M>;
     static_assert(fits,
-                  "Scene: the shape function does not fit the mesh: LinearSimplex goes with SimplexMesh, "
-                  "QuadraticBSpline with CartesianGrid");
+                  "Scene: the shape function does not fit the mesh: LinearSimplex goes with SimplexMesh; "
+                  "LinearGrid, QuadraticBSpline and CubicBSpline with CartesianGrid");
     constexpr bool has_bodies = (0 + ... + int(is_bodies<Given>)) == 1;
     static_assert(has_bodies, "Scene: exactly one bodies(..) is needed");
     return agrees && fits && has_bodies;

@@ -271,9 +271,9 @@ struct Scene {
       // Long runs of points, which memory serves best, but blocks enough to share out.
       size = std::clamp<Index>(mesh.cell_count() / 128, 24, 800);
     } else {
-      // Two layers of cells: a block then shares nodes with its two neighbours alone, so that two colours are
-      // enough.
-      size = 2 * mesh.cell_count() / mesh.cells(D - 1);
+      // As many layers of cells as share nodes: a block then shares nodes with its two neighbours alone, so
+      // that two colours are enough.
+      size = Shape::halo * (mesh.cell_count() / mesh.cells(D - 1));
     }
     return Blocks(mesh.cell_count(), Shape::node_count(mesh), size,
                   [&](Index c) { return typename Shape::template Cell<M>(mesh, c).nodes; });

@@ -111,8 +111,8 @@ void update_grid(Scene& scene, double dt) {
   const auto acceleration = scene.acceleration();
   for (auto& field : scene.fields) {
     update_grid(field, acceleration, static_cast<T>(dt), least_mass<T>);
-    if constexpr (Scene::Shape::constant_gradient)
-      exchange_with_neighbours(scene.mesh, field, static_cast<T>(dt));
+    if constexpr (has_light_nodes<typename Scene::Shape>)
+      exchange_with_neighbours<typename Scene::Shape>(scene.mesh, field, static_cast<T>(dt));
   }
 }
 
@@ -142,11 +142,14 @@ void exchange(Scene& scene, double dt) {
 template <class Scene>
 void smooth_light_nodes(Scene& scene, [[maybe_unused]] double dt) {
   if constexpr (Scene::NumericsType::smooths_light_nodes) {
-    for (auto& field : scene.fields) scene.light_nodes.exchange(scene.mesh, field);
+    for (auto& field : scene.fields)
+      scene.light_nodes.template exchange<typename Scene::Shape>(scene.mesh, field);
     constrain(scene, dt);
-  } else if constexpr (!Scene::Shape::constant_gradient) {
+  } else if constexpr (!has_light_nodes<typename Scene::Shape>) {
     std::size_t exchanged = 0;
-    for (auto& field : scene.fields) exchanged += exchange_at_faces(scene.mesh, field.mass, field.velocity);
+    for (auto& field : scene.fields)
+      exchanged += exchange_at_faces<typename Scene::Shape>(scene.mesh, field, field.velocity,
+                                                            static_cast<typename Scene::T>(dt));
     if (exchanged > 0) constrain(scene, dt);
   }
 }
@@ -158,7 +161,8 @@ void map_back(Scene& scene, [[maybe_unused]] double dt) {
         [&](auto& body, auto& field) { map_back(scene.numerics, scene.mesh, scene.blocks, body, field); });
     for (auto& field : scene.fields) {
       finish_map_back<Scene::centres_stress>(scene.numerics, field);
-      if constexpr (!Scene::Shape::constant_gradient) exchange_at_faces(scene.mesh, field.mass, field.mapped);
+      if constexpr (!has_light_nodes<typename Scene::Shape>)
+        exchange_at_faces<typename Scene::Shape>(scene.mesh, field, field.mapped, typename Scene::T(0));
     }
     const auto hold = [&](auto& part) {
       if constexpr (holds_mapped<std::remove_reference_t<decltype(part)>, Scene>)

@@ -9,30 +9,26 @@
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
-/// Calls `f(j)` for the nodes j != i of each cell at node i: once for each cell that they share.
-template <class M, class F>
-void for_each_neighbour(const M& mesh, Index i, F&& f) {
-  for (const Index c : mesh.cells_at(i))
-    for (const Index j : mesh.nodes(c))
-      if (j != i) f(j);
-}
-
 /// A point within round-off of a face leaves the node behind it without mass, but not without the force of
 /// its stress, which no velocity could take up. The nodes around take its impulse, shared out by their
 /// masses, so that momentum is kept: the limit of a light node's exchange (`LightNodes`) for a mass that
-/// falls to nothing.
-template <class M, class Field, class T>
+/// falls to nothing. The node moves as they do in the mean, for the strain of such a point.
+template <class Shape, class M, class Field, class T>
 void exchange_with_neighbours(const M& mesh, Field& nodes, T dt) {
   for (Index i = 0; i < nodes.size(); ++i) {
     if (nodes.mass[i] > 0) continue;
     const auto force = nodes.collected[i].force();
     if ((force.array() == 0).all()) continue;
     T around = 0;
-    for_each_neighbour(mesh, i, [&](Index j) { around += nodes.mass[j]; });
+    Shape::for_each_neighbour(mesh, i, [&](Index j) { around += nodes.mass[j]; });
     if (!(around > 0)) continue;
-    for_each_neighbour(mesh, i, [&](Index j) {
-      if (nodes.mass[j] > 0) nodes.velocity[j] += (dt / around) * force;
+    auto mean = nodes.velocity[i];
+    Shape::for_each_neighbour(mesh, i, [&](Index j) {
+      if (!(nodes.mass[j] > 0)) return;
+      nodes.velocity[j] += (dt / around) * force;
+      mean += (nodes.mass[j] / around) * nodes.velocity[j];
     });
+    nodes.velocity[i] = mean;
   }
 }
 
@@ -55,7 +51,7 @@ class LightNodes {
 
   /// Exchanges momentum at the light nodes of a field, all with the velocities of before. Returns how many
   /// nodes are light.
-  template <class M, class Field>
+  template <class Shape, class M, class Field>
   std::size_t exchange(const M& mesh, Field& nodes) {
     given_.clear();
     given_.reserve(nodes.size());  // once: a step allocates nothing
@@ -64,12 +60,12 @@ class LightNodes {
       const T m = nodes.mass[i], enough = static_cast<T>(least_share) * nodes.collected[i].reach();
       if (!(m > 0 && m < enough)) continue;
       T around = 0;  // mass of the neighbours, once for each cell that they share
-      for_each_neighbour(mesh, i, [&](Index j) { around += nodes.mass[j]; });
+      Shape::for_each_neighbour(mesh, i, [&](Index j) { around += nodes.mass[j]; });
       if (!(around > 0)) continue;
       ++count;
       const T fraction = (1 - m / enough) / around;
       const Vec<T, D> own = nodes.velocity[i];
-      for_each_neighbour(mesh, i, [&](Index j) {
+      Shape::for_each_neighbour(mesh, i, [&](Index j) {
         if (nodes.mass[j] > 0) given_.push_back({i, j, fraction * (nodes.velocity[j] - own)});
       });
     }

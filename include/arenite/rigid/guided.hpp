@@ -45,7 +45,7 @@ T balance_speed(const R& body, const V& axis, T trial, T mass) {
   if (f == 0) return trial;
   const T sign = f > 0 ? T(1) : T(-1);
   T near = trial;            // f has the sign of the start here, and the other one (or none) at `far`
-  T far = trial - f / mass;  // here the body free_velocity would have taken the impulse of the trial speed
+  T far = trial - f / mass;  // where the body alone would take up the impulse at the trial speed
   T before = std::numeric_limits<T>::infinity();
   for (int k = 0; k < 200; ++k) {
     const T h = -sign * std::sqrt(round_off) * std::max(std::abs(s - trial), std::abs(f) / (mass + soil));

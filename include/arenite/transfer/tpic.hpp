@@ -1,4 +1,4 @@
-// TPIC.
+// TPIC: Taylor particle-in-cell.
 #pragma once
 
 #include <arenite/transfer/node_field.hpp>

@@ -71,8 +71,8 @@ struct ProductShape {
     std::array<Index, D> from, to, cell;
     Index rest = i;
     for (std::size_t k = 0; k < D; ++k) {
-      const Index nodes_on_axis = node_count(grid, static_cast<int>(k)), at = rest % along;
-      rest /= along;
+      const Index nodes_on_axis = node_count(grid, static_cast<int>(k)), at = rest % nodes_on_axis;
+      rest /= nodes_on_axis;
       from[k] = at < halo ? 0 : at - halo;
       to[k] = std::min(at + 1, grid.cells(static_cast<int>(k)));
     }

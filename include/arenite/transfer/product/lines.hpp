@@ -78,7 +78,7 @@ struct Lines {
       });
       constexpr auto each = [](auto&& f) {
         if constexpr (a + 1 == D && D == 3)
-          repeat_all<along>(f);
+          repeat_all<N>(f);
         else
           repeat<N>(f);
       };

@@ -10,7 +10,7 @@ namespace arenite::extremes {
 template <int D>
 constexpr int cells_along = D == 2 ? 10 : 6;
 
-template <int D, real T>
+template <int D, real_scalar T>
 CartesianGrid<D, T> grid(const Draw& d) {
   typename CartesianGrid<D, T>::Parameters p;
   p.lower.fill(0);
@@ -21,7 +21,7 @@ CartesianGrid<D, T> grid(const Draw& d) {
 
 /// The same box of triangles or tetrahedra, at random places but on the hull; region 1 ("device") is the
 /// block in the middle of the upper third if there is to be one.
-template <int D, real T>
+template <int D, real_scalar T>
 SimplexMesh<D, T> simplices(const Draw& d, bool device = false) {
   const int n = D == 2 ? cells_along<D> : 4;
   const double size = d.cell * n;

@@ -101,7 +101,7 @@ MeshData<D> box_mesh(const BoxMesh<D>& o) {
   return shuffled;
 }
 
-template <int D, real T = double>
+template <int D, real_scalar T = double>
 SimplexMesh<D, T> sample_mesh(int n, double jitter = 0.2) {
   BoxMesh<D> o{};
   o.cells.fill(n);

@@ -1,6 +1,8 @@
 // Binding: what a user writes (a recipe) becomes what it means in a scene's mesh.
 #pragma once
 
+#include <type_traits>
+
 #include <arenite/core/instruction_set.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
@@ -13,6 +15,32 @@ auto bound(const Recipe& recipe, const Site& site) {
     return bind_part(recipe, site);
   else
     return recipe;
+}
+
+namespace detail {
+template <class Recipe>
+struct erasure {
+  using type = Recipe;
+};
+template <class Recipe>
+requires requires { typename Recipe::Erased; }
+struct erasure<Recipe> {
+  using type = typename Recipe::Erased;
+};
+}  // namespace detail
+
+/// What the type of a scene tells of a recipe: without the types of regions, distances and other functions,
+/// so that it can be written down. A recipe that has more in its type says so by a member type `Erased` and a
+/// member `erased<M>()`, which makes one for a mesh M; all others stay what they are.
+template <class Recipe>
+using erased_t = typename detail::erasure<Recipe>::type;
+
+template <class M, class Recipe>
+erased_t<Recipe> erased(const Recipe& recipe) {
+  if constexpr (std::is_same_v<erased_t<Recipe>, Recipe>)
+    return recipe;
+  else
+    return recipe.template erased<M>();
 }
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -14,9 +14,15 @@ class PackPairMask {
   constexpr PackPairMask(bool all) : low_(all), high_(all) {}
   PackPairMask(const Half& low, const Half& high) : low_(low), high_(high) {}
 
-  /// A mask has no one truth: write `select(mask, a, b)`, `any_of(mask)` or `all_of(mask)` instead of a
-  /// branch.
-  operator bool() const = delete;
+  /// A mask has no one truth.
+  template <class B>
+  requires std::same_as<B, bool>
+  operator B() const {
+    static_assert(!std::same_as<B, bool>,
+                  "a pack: its lanes may differ in a comparison: use select(mask, a, b), any_of(mask) or "
+                  "all_of(mask) instead of a branch");
+    return false;
+  }
 
   bool operator[](int lane) const { return lane < Half::width ? low_[lane] : high_[lane - Half::width]; }
   const Half& low() const { return low_; }

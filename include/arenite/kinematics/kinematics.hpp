@@ -53,7 +53,7 @@ struct ThreeDimensional {
 };
 
 template <class K>
-concept kinematics = requires {
+concept kinematics_type = requires {
   { K::dimension } -> std::convertible_to<int>;
   { K::hoop } -> std::convertible_to<bool>;
 }

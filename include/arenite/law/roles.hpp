@@ -7,6 +7,17 @@
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET::detail {
 
+/// By the type of its address: the use of a member that is not static would be an error of its own.
+template <class L>
+constexpr bool max_pack_width_is_right() {
+  if constexpr (!names_max_pack_width<L>)
+    return true;
+  else if constexpr (std::is_same_v<decltype(&L::max_pack_width), const int*>)
+    return L::max_pack_width > 0;
+  else
+    return false;
+}
+
 /// Stops the compiler with the cure for a law that `constitutive_law` lets pass and that would not do what
 /// its members say.
 template <class L, class T, int D>
@@ -28,9 +39,8 @@ constexpr bool check_roles() {
             { law.greatest_volume_ratio() } -> std::convertible_to<double>;
           },
       "law: one that returns Inelastic needs double greatest_volume_ratio() const");
-  static_assert(
-      !names_max_pack_width<L> || requires { typename std::enable_if<(L::max_pack_width > 0)>::type; },
-      "law: max_pack_width must be static constexpr int, and positive");
+  static_assert(max_pack_width_is_right<L>(),
+                "law: max_pack_width must be static constexpr int, and positive");
   static_assert(
       !names_two_packs_at_once<L> || requires { typename std::bool_constant<L::two_packs_at_once>; },
       "law: two_packs_at_once must be static constexpr bool");

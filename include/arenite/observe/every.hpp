@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cmath>
+#include <concepts>
 #include <limits>
 #include <utility>
 
@@ -24,7 +25,9 @@ auto every(double period, F f) {
         // Multiples closer than the clock's resolution: each step meets one.
         if (!(due > scene.time) || !std::isfinite(scene.time / early))
           due = std::nextafter(scene.time, std::numeric_limits<double>::infinity());
-        f(scene);
+        constexpr bool fits = std::invocable<F&, decltype(scene)>;
+        static_assert(fits, "every: an observer is called with the scene: [](const auto& scene) { .. }");
+        if constexpr (fits) f(scene);
       };
 }
 

@@ -40,27 +40,45 @@ struct FillOptions {
 };
 
 /// What `fill` returns: a region, a law and how to fill; the scene makes a `Body` of it, once it knows the
-/// mesh.
-template <class Region, class L, Name name = "">
+/// mesh. The type of the scene tells of it the law and the name alone: `Fill<MohrCoulomb<>>`.
+template <class L, Name name = "", class Region = AnyRegion>
 struct Fill {
   Region region;
   L law;
   FillOptions options;
+
+  using Erased = Fill<L, name>;
+  template <class M>
+  Erased erased() const {
+    if constexpr (std::same_as<Region, AnyRegion>) {
+      return *this;
+    } else {
+      constexpr bool fits = region_type<Region, M::dimension>;
+      static_assert(fits,
+                    "fill: the region must provide contains(position) in the scene's dimension, or be Cells");
+      static_assert(is_simplex_mesh<M> || !std::same_as<Region, Cells>,
+                    "fill: Cells names regions of a simplex mesh; use a Box or Inside on a grid");
+      if constexpr (fits)
+        return {AnyRegion::of<M::dimension>(region), law, options};
+      else
+        return {AnyRegion{}, law, options};  // one sentence is enough
+    }
+  }
 };
 
 /// Fills a region with points of a law; `fill<"sand">(..)` gives the body a name. A region that catches no
 /// point is refused when the scene is made.
 template <Name name, class Region, class L>
-Fill<Region, L, name> fill(Region region, L law, FillOptions options = {}) {
+Fill<L, name, Region> fill(Region region, L law, FillOptions options = {}) {
   return {std::move(region), std::move(law), options};
 }
 template <class Region, class L>
-Fill<Region, L> fill(Region region, L law, FillOptions options = {}) {
+Fill<L, "", Region> fill(Region region, L law, FillOptions options = {}) {
   return {std::move(region), std::move(law), options};
 }
 
 /// Points of one law in a mesh over scalar T.
-template <class L, real T, int D, ExtraColumns Extra = ExtraColumns{}>
+template <class L, real_scalar T, int D, ExtraColumns Extra = ExtraColumns{}>
 struct Body {
   static_assert(
       constitutive_law<L, T, D>,
@@ -110,15 +128,22 @@ void begin_history(Points<T, D, L, E>& points, const FillOptions& options) {
   }
 }
 
+/// Numbers of the mesh regions that a region names.
+template <class M>
+std::vector<int> region_numbers([[maybe_unused]] const M& mesh, [[maybe_unused]] const AnyRegion& region) {
+  std::vector<int> numbers;
+  if constexpr (is_simplex_mesh<M>)
+    for (const auto& name : region.cells) numbers.push_back(mesh.region_number(name));
+  return numbers;
+}
+
 }  // namespace detail
 
 /// Makes the body of a recipe. Throws `error` if the region holds no point.
-template <class K, ExtraColumns Extra = ExtraColumns{}, class M, class Region, class L, Name name>
-auto make_body(const M& mesh, const Fill<Region, L, name>& recipe) {
+template <class K, ExtraColumns Extra = ExtraColumns{}, class M, class L, Name name>
+auto make_body(const M& mesh, const Fill<L, name>& recipe) {
   using T = typename M::scalar;
   constexpr int D = M::dimension;
-  static_assert(region<Region, D>,
-                "fill: the region must provide contains(position) in the scene's dimension, or be Cells");
   Body<L, T, D, Extra> body{recipe.law, {}, {}};
   const FillOptions& o = recipe.options;
   if (o.stress) {
@@ -138,20 +163,15 @@ auto make_body(const M& mesh, const Fill<Region, L, name>& recipe) {
       require(o.velocity[k] == 0, "FillOptions.velocity", o.velocity[k],
               "must be zero along an axis that the scene does not have");
   }
+  const auto numbers = detail::region_numbers(mesh, recipe.region);
   for (Index c = 0; c < mesh.cell_count(); ++c) {
-    if constexpr (std::same_as<Region, Cells>) {
-      static_assert(is_simplex_mesh<M>,
-                    "fill: Cells names regions of a simplex mesh; use a Box or Inside on a grid");
-      bool named = false;
-      for (const auto& word : recipe.region.regions)
-        named = named || mesh.region(c) == mesh.region_number(word);
-      if (!named) continue;
+    if constexpr (is_simplex_mesh<M>) {
+      if (!recipe.region.test && !std::ranges::count(numbers, mesh.region(c))) continue;
     }
     const auto places = initial_points(mesh, c, o.per_cell);
     const T share = mesh.volume(c) / static_cast<T>(places.size());
     for (const auto& x : places) {
-      if constexpr (!std::same_as<Region, Cells>)
-        if (!recipe.region.contains(Vec<double, D>(x.template cast<double>()))) continue;
+      if (recipe.region.test && !recipe.region.contains(x)) continue;
       const T volume = share * K::thickness(x);
       Sym<T, D> stress{};
       if (o.stress) {
@@ -172,6 +192,10 @@ auto make_body(const M& mesh, const Fill<Region, L, name>& recipe) {
   body.points.reserve_spare();
   body.cells.build(body.points.cell, mesh.cell_count());
   return body;
+}
+template <class K, ExtraColumns Extra = ExtraColumns{}, class M, class L, Name name, class Region>
+auto make_body(const M& mesh, const Fill<L, name, Region>& recipe) {
+  return make_body<K, Extra>(mesh, recipe.template erased<M>());
 }
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -23,7 +23,7 @@ struct ExtraColumns {
 /// Columns of material points: law L gives the history, `Extra` what else the composition needs. Mass and
 /// volume are those of what the point stands for: a metre of thickness in plane strain, the full circle in
 /// axisymmetry. The order of the points changes as they move from cell to cell.
-template <real T, int D, class L, ExtraColumns Extra = ExtraColumns{}>
+template <real_scalar T, int D, class L, ExtraColumns Extra = ExtraColumns{}>
 class Points {
  public:
   using scalar = T;

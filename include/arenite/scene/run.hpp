@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cmath>
+#include <concepts>
 #include <utility>
 
 #include <arenite/scene/stable_step.hpp>
@@ -10,6 +11,13 @@
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 namespace detail {
+/// Shows the scene to an observer.
+template <class Scene, class Observer>
+void show(const Scene& scene, Observer& observer) {
+  constexpr bool fits = std::invocable<Observer&, const Scene&>;
+  static_assert(fits, "run: an observer is called with the scene: [](const auto& scene) { .. }");
+  if constexpr (fits) observer(scene);
+}
 /// Tells an observer that wants to know it that a run has reached its end.
 template <class Scene, class Observer>
 void tell_end(const Scene& scene, Observer& observer) {
@@ -36,7 +44,7 @@ void run(Scene& scene, const RunOptions& options, Observers&&... observers) {
   require(options.courant <= 1, "RunOptions.courant", options.courant,
           "must be at most 1: larger steps are unstable");
   require(options.max_step > 0, "RunOptions.max_step", options.max_step, "must be positive");
-  (observers(std::as_const(scene)), ...);
+  (detail::show(scene, observers), ...);
   const double span = options.end - scene.time;
   while (scene.time < options.end) {
     double dt = std::min(options.courant * stable_step(scene), options.max_step);
@@ -52,9 +60,13 @@ void run(Scene& scene, const RunOptions& options, Observers&&... observers) {
                       // huge forces
     step(scene, dt);
     if (last) scene.time = options.end;
-    (observers(std::as_const(scene)), ...);
+    (detail::show(scene, observers), ...);
   }
-  (detail::tell_end(std::as_const(scene), observers), ...);
+  (detail::tell_end(scene, observers), ...);
 }
+
+/// Of a scene that the compiler has refused: one sentence is enough.
+template <class... Parts, class... Observers>
+void run(Scene<detail::Refused, Parts...>&, const RunOptions&, Observers&&...) {}
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -12,20 +12,18 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 /// - `S::fits<M>`: whether the functions are made for mesh M;
 /// - `S::node_count(mesh)`, `S::node_position(mesh, node)`: the nodes that carry coefficients;
 /// - `S::steepness`: see `ProductShape`; where it is infinite `S::courant_limit(maps_back)`, the largest
-/// stable
-///   step in cell sizes over the wave speed as measured, with MUSL's mapped velocities and without, and
-///   `S::for_each_neighbour(mesh, node, f)` for the exchange of light nodes;
+///   stable step in cell sizes over the wave speed as measured, with MUSL's mapped velocities and without,
+///   and `S::for_each_neighbour(mesh, node, f)` for the exchange of light nodes;
 /// - `S::Cell<M>(mesh, cell)`: `nodes` [size]; `weights(x)` [size], `gradients(x)` [D x size] in 1/m at a
 ///   position x and `node_positions()` [D x size] in m, as Eigen's.
 /// The kernels evaluate at a `std::array` x [D] of packs or scalars, and the cell has, as arrays,
 /// - if `S::constant_gradient`: `weights(x)` [size], `offsets(x)` [D][size] to the nodes in m, and the member
 ///   `gradient`, the same everywhere in the cell;
-/// - else, on a grid, functions that are products along the axes: `line_values(x)`, `line_slopes(x)`,
-/// `offsets(x)`
-///   [D][N], and `S::halo`; APIC needs `inverse_inertia(x)` [D], too. `ProductShape` makes all of it of the
-///   functions along one axis: examples/extend/shapes/.
+/// - else, on a grid, functions that are products along the axes: `line_values(x)`, `line_slopes(x)` and
+///   `offsets(x)` [D][N], and `S::halo`; APIC needs `inverse_inertia(x)` [D], too. `ProductShape` makes all
+///   of it of the functions along one axis: examples/extend/shapes/.
 template <class S, class M>
-concept shape_function = mesh<M> &&
+concept shape_function = mesh_type<M> &&
     S::template fits<M>&& requires(const M m, const typename M::Point x, Index i,
                                    const typename S::template Cell<M> cell) {
   { S::constant_gradient } -> std::convertible_to<bool>;

@@ -34,7 +34,12 @@ struct Numerics {
   template <class T>
   static constexpr int width = static_cast<int>(RegisterBytes / sizeof(T));
   using Shape = Shape_;
-  using Transfer = Transfer_;
+  static_assert(
+      transfer_type<Transfer_, Shape_>,
+      "Numerics: the transfer lacks a member: affine, fits<Shape>, check(), hand(point), take(cell, "
+      "nodes), of a class that is not final; see arenite/transfer/transfer.hpp");
+  /// Flip in the place of one that the compiler has refused: one sentence is enough.
+  using Transfer = std::conditional_t<transfer_type<Transfer_, Shape_>, Transfer_, Flip>;
   using Order = Order_;
   using AntiLocking = AntiLocking_;
   /// Whether strains are taken from velocities that were mapped back to the nodes.
@@ -78,7 +83,7 @@ struct Numerics {
   /// points, filled or few: a point adds V (C : grad u)^2 to K u^2 and m sum w u^2 to the mass, sum (w')^2 /
   /// w along each axis is at most 6 / h^2 (quadratic ones, at a cell's face; in general the shape's
   /// `steepness`), and the stiffest strain, the volumetric one, at most D M. Where light nodes set the limit
-  /// it is measured (docs/design.md).
+  /// it is measured (docs/decisions.md).
   template <int D>
   static double courant_limit() {
     if constexpr (has_light_nodes<Shape>)

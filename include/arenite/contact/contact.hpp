@@ -16,7 +16,7 @@
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
-/// What a scene has once: how its bodies meet.
+/// Names the kind `OnlyOne` of contacts of bodies: a scene has one at most.
 struct ContactOfBodies;
 
 /// All bodies move in one velocity field: no slip, no parting, no cost. The default.
@@ -40,7 +40,7 @@ struct Coulomb {
       : friction{f}, normals{std::move(n)}, velocity_limit{limit} {
     require(limit >= 0, "Coulomb.velocity_limit", limit, "must not be negative (0: no limit)");
   }
-  /// A number alone may be an angle or a coefficient.
+  /// Refused by the compiler: a number may be an angle or a coefficient.
   template <class Number, class... More>
   requires std::is_arithmetic_v<Number>
   explicit Coulomb(Number, const More&...) : Coulomb(Friction(0.0)) {
@@ -59,7 +59,7 @@ struct ContactPair {
   bool sticks;                ///< no relative motion at all, not just none along the normal
 };
 
-/// In place of a list of pairs where nobody asks for them (USL).
+/// Stands in for the list of pairs where it is not needed (USL).
 struct NoContactPairs {
   void clear() {}
   template <class Pair>

@@ -30,6 +30,7 @@ struct Geostatic {
   int axis = 1;                                               ///< vertical axis
 };
 
+/// How `fill` makes points. Values are checked when the scene is made, which throws `error`.
 struct FillOptions {
   int per_cell = 4;                   ///< points a cell or an element
   std::array<double, 3> velocity{};   ///< initial velocity, m/s
@@ -40,7 +41,7 @@ struct FillOptions {
 };
 
 /// What `fill` returns: a region, a law and how to fill; the scene makes a `Body` of it, once it knows the
-/// mesh. The type of the scene tells of it the law and the name alone: `Fill<MohrCoulomb<>>`.
+/// mesh. In the type of the scene only law and name remain: `Fill<MohrCoulomb<>>`.
 template <class L, Name name = "", class Region = AnyRegion>
 struct Fill {
   Region region;

@@ -111,7 +111,7 @@ class Points {
     visit(*this, f);
   }
 
-  /// Asks the processor for the columns of a point.
+  /// Prefetches the columns of a point.
   void prefetch(Index p) const {
     for_each_column([&](const auto& column) { __builtin_prefetch(column.data() + p); });
   }
@@ -121,9 +121,9 @@ class Points {
     for_each_column([&](auto& column) { std::swap(column[a], column[b]); });
   }
 
-  /// Lays the columns but the cells anew, the points of each cell by the thread that has it in the loops over
-  /// `blocks`: on a machine with several memories they then lie in that thread's (first touch). There must be
-  /// no unsorted points.
+  /// Copies the columns (but `cell`) into new memory, the points of each cell by the thread that works on it
+  /// in loops over `blocks`: on a NUMA machine they then lie in that thread's memory (first touch). There
+  /// must be no unsorted points.
   void place_by_thread(const CellList& cells, const Blocks& blocks) {
     for_each_column([&](auto& column) {
       if constexpr (std::same_as<std::remove_cvref_t<decltype(column)>, Column<T>>) {

@@ -1,4 +1,4 @@
-// Relocation: each point in its cell, at the cost of one test for those that stayed.
+// Relocation: finds the cell of each point; a point that stayed in its cell costs one test.
 #pragma once
 
 #include <arenite/mesh/blocks.hpp>
@@ -48,8 +48,9 @@ void leave_cells(B& body, CellList::Move* moves, Index count) {
 }  // namespace detail
 
 /// Finds the cell of each point, removes those that left the mesh (and counts them), and renews the list of
-/// cells. Points that moved are unsorted points of their cells until they are more than a sixteenth: then the
-/// columns take a new order. `Width`: points tested at a time. Returns whether they did.
+/// cells. Points that moved are unsorted points of their new cells; when they are more than a sixteenth of
+/// all, the columns are sorted by cell again. `Width`: points tested at a time. Returns whether they were
+/// sorted.
 template <int Width, class B, class M>
 bool relocate(B& body, M& mesh, const Blocks& blocks) {
   auto& points = body.points;

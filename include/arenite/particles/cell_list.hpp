@@ -32,11 +32,14 @@ class CellList {
     for (std::size_t c = 1; c < start_.size(); ++c) start_[c] += start_[c - 1];
     owned_.resize(cell_count);
     own_all();
-    // Room for what relocation needs, so that a step allocates nothing.
-    guests_.reserve(cell.size() / 8 + 64);
-    all_guests_.reserve(cell.size() / 8 + 64);
-    next_.reserve(cell_count + 1);
-    order_.reserve(cell.size());
+    reserve(cell.size());
+  }
+  /// Takes the memory that relocation of so many points needs, so that a step allocates nothing.
+  void reserve(std::size_t points) {
+    guests_.reserve(points / 8 + 64);
+    all_guests_.reserve(points / 8 + 64);
+    next_.reserve(start_.size());
+    order_.reserve(points);
   }
 
   /// The order of points that puts those of each cell side by side, its guests behind its own. Points of cell
@@ -80,6 +83,9 @@ class CellList {
   void admit(const Move& move) {
     if (move.from_run) all_guests_.push_back(move.point);
   }
+
+  /// Makes a point that is new, behind all others, a guest.
+  void admit_new(Index point) { all_guests_.push_back(point); }
 
   /// Lists the guests by cell; those of cell `none` are left out.
   void list_guests(const std::vector<Index>& cell) {
@@ -160,6 +166,37 @@ class CellList {
             guests_.data() + guest_start_[cell + 1]};
   }
   bool empty(Index cell) const { return owned_[cell] == 0 && guest_start_[cell] == guest_start_[cell + 1]; }
+
+  /// Runs and guests; the rest follows from them and the points' cells.
+  template <class F>
+  void visit_state(F&& f) {
+    f("runs", start_);
+    f("guests", all_guests_);
+  }
+  /// Renews the rest. Throws `error` if it is no list of these points.
+  void follow_state(const std::vector<Index>& cell, Index cell_count) {
+    bool fits = start_.size() == std::size_t{cell_count} + 1 && start_.front() == 0 &&
+                start_.back() <= cell.size() && std::is_sorted(start_.begin(), start_.end());
+    std::vector<bool> is_guest(cell.size());
+    for (const Index p : all_guests_) {
+      fits = fits && p < cell.size() && !is_guest[p] && cell[p] < cell_count;
+      if (!fits) break;
+      is_guest[p] = true;
+    }
+    if (fits) {
+      owned_.assign(cell_count, 0);
+      for (Index c = 0; c < cell_count; ++c)
+        for (Index p = start_[c]; p < start_[c + 1]; ++p) {
+          if (is_guest[p]) continue;
+          fits = fits && cell[p] == c && p == start_[c] + owned_[c];
+          ++owned_[c];
+        }
+      for (std::size_t p = start_.back(); p < cell.size(); ++p) fits = fits && is_guest[p];
+    }
+    require(fits, "state: cells", cell_count, "runs and guests must list each point once");
+    guest_start_.resize(start_.size());
+    list_guests(cell);
+  }
 
   std::size_t bytes() const {
     return (start_.size() + owned_.size() + guest_start_.size() + guests_.size() + all_guests_.size() +

@@ -45,7 +45,9 @@ class Drop:
         try:
             with open(os.path.join(folder, "summary.json")) as file:
                 self.summary = json.load(file)
-            table = numpy.genfromtxt(os.path.join(folder, "history.csv"), delimiter=",", names=True)
+            with open(os.path.join(folder, "history.csv")) as file:
+                rows = [row for row in file if row.endswith("\n")]  # the last row of a killed run may be cut
+            table = numpy.genfromtxt(rows, delimiter=",", names=True)
         except (OSError, ValueError) as problem:
             sys.exit(f"plot.py: {folder}: must hold summary.json and history.csv of a drop ({problem})")
         table = numpy.atleast_1d(table)

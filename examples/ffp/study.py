@@ -137,7 +137,7 @@ class Runs:
     def peaks(self, options, windows):
         """Greatest mean of the deceleration, g, over each of some windows, s, of a drop that has been run."""
         with open(os.path.join(self.place(options), "history.csv"), newline="") as file:
-            rows = list(csv.DictReader(file))
+            rows = list(csv.DictReader(file))  # of a run that ended: all rows are whole
         time = [float(row["time_s"]) for row in rows]
         # The acceleration of a row holds since the row before.
         parts = [float(row["acceleration_m_s2"]) * (b - a) for row, a, b in zip(rows[1:], time, time[1:])]

@@ -88,7 +88,11 @@ struct Setup {
   }
   DeformSums deform(T dt) {
     VolumetricAverage<T> average;
-    return arenite::deform<K, true>(numerics, mesh, blocks, body, nodes, dt, average);
+    if constexpr (N::AntiLocking::averages_strain) {
+      average.template sum<K, N>(mesh, blocks, body, nodes, dt);
+      average.use(mesh, blocks, body);
+    }
+    return arenite::deform<K, true>(numerics, mesh, body, nodes, dt, average);
   }
   /// New velocities of the points, and nothing else: a step without length neither moves nor strains.
   void gather() {

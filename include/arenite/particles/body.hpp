@@ -85,7 +85,8 @@ struct Body {
   std::vector<Index> move_count{};       ///< [blocks of cells] moves found in each
   /// Points in no cell of the mesh, from `find_cells` to `regroup`.
   std::vector<Index> outside{};
-  bool moved = false;  ///< whether a point has another cell than the lists say, until `regroup`
+  bool moved = false;    ///< whether a point has another cell than the lists say, until `regroup`
+  bool dropped = false;  ///< whether one has no cell any more
   std::vector<CellSums<T, D>> cell_sums{};  ///< [cells] from `scatter`; empty if the numerics need none
   /// [cells] sum of V times stress, N m, from `scatter`; empty unless stresses are centred
   std::vector<Sym<T, D>> cell_stress{};
@@ -118,9 +119,17 @@ void begin_history(Points<T, D, L, E>& points, const FillOptions& options) {
 
 }  // namespace detail
 
-/// Makes the body of a recipe. Throws `error` if the region holds no point, unless it may.
-template <class K, ExtraColumns Extra = ExtraColumns{}, class M, class Region, class L, Name name>
-auto make_body(const M& mesh, const Fill<Region, L, name>& recipe) {
+/// Every cell may hold points: where a scene has its mesh to itself.
+struct OwnsAllCells {
+  static constexpr bool is_whole = true;
+  constexpr bool operator()(Index) const { return true; }
+};
+
+/// Makes the body of a recipe, with points in the cells that `owns(cell)`. Throws `error` if the region holds
+/// no point of the mesh, unless it may.
+template <class K, ExtraColumns Extra = ExtraColumns{}, class M, class Region, class L, Name name,
+          class Owns = OwnsAllCells>
+auto make_body(const M& mesh, const Fill<Region, L, name>& recipe, const Owns& owns = {}) {
   using T = typename M::scalar;
   constexpr int D = M::dimension;
   static_assert(region<Region, D>,
@@ -145,6 +154,7 @@ auto make_body(const M& mesh, const Fill<Region, L, name>& recipe) {
               "must be zero along an axis that the scene does not have");
   }
   for (Index c = 0; c < mesh.cell_count(); ++c) {
+    if (!owns(c)) continue;
     if constexpr (std::same_as<Region, Cells>) {
       static_assert(is_simplex_mesh<M>,
                     "fill: Cells names regions of a simplex mesh; use a Box or Inside on a grid");
@@ -171,7 +181,7 @@ auto make_body(const M& mesh, const Fill<Region, L, name>& recipe) {
       body.initial_volume += static_cast<double>(volume);
     }
   }
-  require(body.points.size() > 0 || o.may_be_empty, "fill: points", body.points.size(),
+  require(body.points.size() > 0 || o.may_be_empty || !Owns::is_whole, "fill: points", body.points.size(),
           "the region holds no point of the mesh");
   require(body.points.size() < none, "fill: points", body.points.size(), "must be fewer than 2^32");
   detail::begin_history(body.points, o);

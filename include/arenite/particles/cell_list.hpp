@@ -108,6 +108,8 @@ class CellList {
   std::size_t offset(Index cell) const { return std::size_t{start_[cell]} + guest_start_[cell]; }
 
   std::size_t guests() const { return all_guests_.size(); }
+  /// The guests of all cells, in the order of their moves.
+  const std::vector<Index>& all_guests() const { return all_guests_; }
 
   /// Calls `f(point, count)` for the points of a cell, at most `Width` neighbours at a time.
   template <int Width, class F>

@@ -1,5 +1,5 @@
 // Deform (G2P): velocities and strains from the nodes, the points moved, and stresses from the law; one pass
-// over the points as they lie in memory, after one over the cells where the volumetric strain is averaged.
+// over the points as they lie in memory.
 #pragma once
 
 #include <arenite/transfer/law_pass.hpp>
@@ -9,17 +9,15 @@
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 /// Gives each point its new velocity (unless `remap` did), updates its stress, history and volume by the law
-/// of its body, and moves it with the node velocities. `TracksWork`: whether the work of the stresses is
-/// summed.
+/// of its body, and moves it with the node velocities. `average`: that of this body, where the numerics have
+/// one. `TracksWork`: whether the work of the stresses is summed.
 template <class K, bool TracksWork, class N, class M, class B, class Field, class Average>
-DeformSums deform(const N& numerics, const M& mesh, const Blocks& blocks, B& body, const Field& nodes,
-                  typename M::scalar dt, [[maybe_unused]] Average& average) {
+DeformSums deform(const N& numerics, const M& mesh, B& body, const Field& nodes, typename M::scalar dt,
+                  const Average& average) {
   using T = typename M::scalar;
   constexpr bool weighs = TracksWork && N::AntiLocking::averages_stress;
   using Buffer = StrainBuffer<T, M::dimension, weighs>;
   auto& points = body.points;
-  if constexpr (N::AntiLocking::averages_strain)
-    average.template compute<K, N>(mesh, blocks, body, nodes, dt);
   return parallel_reduce(
       points.size(), DeformSums{},
       [&](std::size_t chunk_begin, std::size_t chunk_end) {

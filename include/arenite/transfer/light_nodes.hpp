@@ -20,18 +20,18 @@ void for_each_neighbour(const M& mesh, Index i, F&& f) {
 /// A point within round-off of a face leaves the node behind it without mass, but not without the force of
 /// its stress, which no velocity could take up. The nodes around take its impulse, shared out by their
 /// masses, so that momentum is kept: the limit of a light node's exchange (`LightNodes`) for a mass that
-/// falls to nothing.
-template <class M, class Field, class T>
-void hand_to_neighbours(const M& mesh, Field& nodes, T dt) {
+/// falls to nothing. For nodes that `owns(i)`; `to` gets what is added to velocities.
+template <class M, class Field, class T, class Owns, class Velocities>
+void hand_to_neighbours(const M& mesh, const Field& nodes, T dt, const Owns& owns, Velocities& to) {
   for (Index i = 0; i < nodes.size(); ++i) {
-    if (nodes.mass[i] > 0) continue;
+    if (nodes.mass[i] > 0 || !owns(i)) continue;
     const auto force = nodes.collected[i].force();
     if ((force.array() == 0).all()) continue;
     T around = 0;
     for_each_neighbour(mesh, i, [&](Index j) { around += nodes.mass[j]; });
     if (!(around > 0)) continue;
     for_each_neighbour(mesh, i, [&](Index j) {
-      if (nodes.mass[j] > 0) nodes.velocity[j] += (dt / around) * force;
+      if (nodes.mass[j] > 0) to[j] += (dt / around) * force;
     });
   }
 }
@@ -53,16 +53,16 @@ class LightNodes {
  public:
   static constexpr double least_share = 1.0 / 12;
 
-  /// Exchanges momentum at the light nodes of a field, all with the velocities of before. Returns how many
-  /// nodes are light.
-  template <class M, class Field>
-  std::size_t exchange(const M& mesh, Field& nodes) {
+  /// Exchanges momentum at the light nodes of a field that `owns(i)`, all with the velocities of before; `to`
+  /// gets what is added to velocities. Returns how many nodes are light.
+  template <class M, class Field, class Owns, class Velocities>
+  std::size_t exchange(const M& mesh, const Field& nodes, const Owns& owns, Velocities& to) {
     given_.clear();
     given_.reserve(nodes.size());  // once: a step allocates nothing
     std::size_t count = 0;
     for (Index i = 0; i < nodes.size(); ++i) {
       const T m = nodes.mass[i], enough = static_cast<T>(least_share) * nodes.collected[i].reach();
-      if (!(m > 0 && m < enough)) continue;
+      if (!(m > 0 && m < enough) || !owns(i)) continue;
       T around = 0;  // mass of the neighbours, once for each cell that they share
       for_each_neighbour(mesh, i, [&](Index j) { around += nodes.mass[j]; });
       if (!(around > 0)) continue;
@@ -74,8 +74,8 @@ class LightNodes {
       });
     }
     for (const Given& g : given_) {
-      nodes.velocity[g.to] += nodes.mass[g.from] * g.change;
-      nodes.velocity[g.from] -= nodes.mass[g.to] * g.change;
+      to[g.to] += nodes.mass[g.from] * g.change;
+      to[g.from] -= nodes.mass[g.to] * g.change;
     }
     return count;
   }

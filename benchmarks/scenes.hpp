@@ -57,7 +57,7 @@ template <class T, class AntiLocking, class Transfer = Flip, class Order = Musl,
 auto tetrahedral_scene(const Law& law, double points) {
   const int k = static_cast<int>(std::lround(std::cbrt(points / 60)));
   const double h = 0.02;
-  Scene scene{Solid{},
+  Scene scene{ThreeDimensional{},
               SimplexMesh<3, T>(tetrahedra(k, h)),
               Numerics<LinearSimplex, Transfer, Order, AntiLocking>{},
               bodies(fill(Box{{-1, -1, -1}, {100, 100, 100}}, law, {.per_cell = 10})),
@@ -102,7 +102,7 @@ auto spline_scene(const Law& law, double points) {
   const double k = std::round(std::pow(points / per_cell, 1.0 / D)), h = 0.02;
   std::array<double, D> upper;
   upper.fill((k + 4) * h);
-  using Kinematics = std::conditional_t<D == 3, Solid, PlaneStrain>;
+  using Kinematics = std::conditional_t<D == 3, ThreeDimensional, PlaneStrain>;
   Box<D> box;
   box.lower.fill(2 * h);
   box.upper.fill((k + 2) * h);

@@ -19,30 +19,30 @@ void take_stages(Scene& scene, Timed&& timed) {
     const T dt = static_cast<T>(0.4 * scene.stable_step());
     if constexpr (requires { scene.relocate(); }) timed(Stage::relocate, [&] { scene.relocate(); });
     timed(Stage::scatter, [&] {
-      if constexpr (requires { scene.scatter(dt); })
-        scene.scatter(dt);
+      if constexpr (requires { scene.p2g(dt); })
+        scene.p2g(dt);
       else
-        scene.scatter();
+        scene.p2g();
     });
-    timed(Stage::nodes, [&] { scene.advance(dt); });
-    if constexpr (requires { scene.remap(); }) timed(Stage::remap, [&] { scene.remap(); });
-    timed(Stage::deform, [&] { scene.deform(dt); });
+    timed(Stage::nodes, [&] { scene.update_grid(dt); });
+    if constexpr (requires { scene.map_back(); }) timed(Stage::remap, [&] { scene.map_back(); });
+    timed(Stage::deform, [&] { scene.g2p(dt); });
   } else {
     const double dt = 0.4 * stable_step(scene);
     timed(Stage::relocate, [&] { relocate(scene); });
-    timed(Stage::scatter, [&] { scatter(scene); });
+    timed(Stage::scatter, [&] { p2g(scene); });
     timed(Stage::nodes, [&] {
       add_forces(scene, dt);
       centre_stress(scene, dt);
-      advance(scene, dt);
+      update_grid(scene, dt);
       constrain(scene, dt);
     });
     if constexpr (Scene::Needs::exchange)
       timed(Stage::contact, [&] { exchange(scene, dt); });
     else
       exchange(scene, dt);
-    if constexpr (Scene::NumericsType::remaps) timed(Stage::remap, [&] { remap(scene, dt); });
-    timed(Stage::deform, [&] { deform(scene, dt); });
+    if constexpr (Scene::NumericsType::maps_back) timed(Stage::remap, [&] { map_back(scene, dt); });
+    timed(Stage::deform, [&] { g2p(scene, dt); });
     follow(scene, dt);
     finish(scene, dt);
   }
@@ -57,18 +57,18 @@ void add_stages(const std::string& name, Make make) {
     Stage stage;
     bool there = true;
   };
-  bool contact = false, remaps = false, relocates = true;
+  bool contact = false, maps_back = false, relocates = true;
   if constexpr (is_rival<Scene>) {
-    remaps = requires(Scene s) { s.remap(); };
+    maps_back = requires(Scene s) { s.map_back(); };
     relocates = requires(Scene s) { s.relocate(); };
   } else {
     contact = Scene::Needs::exchange;
-    remaps = Scene::NumericsType::remaps;
+    maps_back = Scene::NumericsType::maps_back;
   }
-  for (const Named& named :
-       {Named{"relocate", Stage::relocate, relocates}, Named{"p2g", Stage::scatter},
-        Named{"nodes", Stage::nodes}, Named{"contact", Stage::contact, contact},
-        Named{"remap", Stage::remap, remaps}, Named{"deform", Stage::deform}, Named{"step", Stage::whole}}) {
+  for (const Named& named : {Named{"relocate", Stage::relocate, relocates}, Named{"p2g", Stage::scatter},
+                             Named{"nodes", Stage::nodes}, Named{"contact", Stage::contact, contact},
+                             Named{"remap", Stage::remap, maps_back}, Named{"deform", Stage::deform},
+                             Named{"step", Stage::whole}}) {
     if (!named.there) continue;
     benchmark::RegisterBenchmark(
         (name + "/" + named.word).c_str(),

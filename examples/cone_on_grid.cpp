@@ -10,7 +10,7 @@ int main() {
   const ConeCylinder cone{{.radius = 0.02, .apex = 60_deg, .length = 0.3, .tip = 0.2}};
   Scene scene{Axisymmetric{},
               CartesianGrid<2>{{.lower = {0, 0}, .upper = {0.15, 0.3}, .cell = 0.01}},
-              Numerics<QuadraticBSpline>{.transfer = {.share = 0.99}},
+              Numerics<QuadraticBSpline>{.transfer = {.fraction = 0.99}},
               bodies(fill(Box{{0, 0}, {0.15, 0.2}}, sand,
                           {.per_cell = 4, .stress = Geostatic{.surface = 0.2, .k0 = 0.43}})),
               walls(bottom(fixed), right(roller)),

@@ -57,23 +57,23 @@ class BSpline {
 
   void step(double time_step) {
     const T dt = static_cast<T>(time_step);
-    scatter();
-    advance(dt);
-    deform(dt);
+    p2g();
+    update_grid(dt);
+    g2p(dt);
   }
 
-  void scatter() {
+  void p2g() {
     for (auto& node : nodes) node = {};
-    for (const auto& p : points) scatter(p);
+    for (const auto& p : points) p2g(p);
   }
-  void advance(T dt) {
+  void update_grid(T dt) {
     for (auto& node : nodes) {
       if (node.mass <= 0) continue;
       for (std::size_t i = 0; i < 3; ++i)  // from here on a velocity
         node.momentum[i] = (node.momentum[i] + dt * node.force[i]) / node.mass + dt * gravity[i];
     }
   }
-  void deform(T dt) {
+  void g2p(T dt) {
     for (auto& p : points) gather(p, dt);
   }
 
@@ -118,7 +118,7 @@ class BSpline {
         }
   }
 
-  void scatter(const Point& p) {
+  void p2g(const Point& p) {
     const T per_inertia = 4 / (h_ * h_);
     const auto& s = p.stress;
     for_each_node(p.x, [&](Node& node, T w, const Vec3<T>& g, const Vec3<T>& d) {

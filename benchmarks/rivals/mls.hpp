@@ -66,13 +66,13 @@ class Mls {
 
   void step(double time_step) {
     const T dt = static_cast<T>(time_step);
-    scatter(dt);
-    advance(dt);
-    deform(dt);
+    p2g(dt);
+    update_grid(dt);
+    g2p(dt);
   }
 
   /// Force and momentum in one: the affine part of both is a product with the way to the node.
-  void scatter(T dt) {
+  void p2g(T dt) {
     const T per_inertia = 4 / (h_ * h_);
     std::fill(nodes.begin(), nodes.end(), Node{});
     for (const auto& p : points) {
@@ -94,7 +94,7 @@ class Mls {
     }
   }
 
-  void advance(T dt) {
+  void update_grid(T dt) {
     for (std::size_t j = 0; j < across_; ++j)
       for (std::size_t i = 0; i < across_; ++i) {
         Node& node = nodes[j * across_ + i];
@@ -107,7 +107,7 @@ class Mls {
       }
   }
 
-  void deform(T dt) {
+  void g2p(T dt) {
     for (auto& p : points) gather(p, dt, 4 / (h_ * h_));
   }
 

@@ -76,10 +76,10 @@ class Tetrahedra {
   void step(double time_step) {
     const T dt = static_cast<T>(time_step);
     relocate();
-    scatter();
-    advance(dt);
-    remap();
-    deform(dt);
+    p2g();
+    update_grid(dt);
+    map_back();
+    g2p(dt);
   }
 
   /// Walks from cell to cell; a point that leaves the mesh is removed.
@@ -103,7 +103,7 @@ class Tetrahedra {
     }
   }
 
-  void scatter() {
+  void p2g() {
     for (auto& node : nodes) {
       node.mass = 0;
       node.momentum = {};
@@ -127,7 +127,7 @@ class Tetrahedra {
     }
   }
 
-  void advance(T dt) {
+  void update_grid(T dt) {
     for (auto& node : nodes) {
       if (node.mass <= 0) continue;
       for (std::size_t i = 0; i < 3; ++i) {
@@ -140,7 +140,7 @@ class Tetrahedra {
   }
 
   /// FLIP, and the new momenta back to the nodes.
-  void remap() {
+  void map_back() {
     for (auto& p : points) {
       const Cell& cell = cells[p.cell];
       T w[4];
@@ -157,7 +157,7 @@ class Tetrahedra {
         node.strain_velocity[i] = node.mass > 0 && !node.fixed_along[i] ? node.momentum[i] / node.mass : 0;
   }
 
-  void deform(T dt) {
+  void g2p(T dt) {
     if (averages) average(dt);
     for (auto& p : points) {
       const Cell& cell = cells[p.cell];

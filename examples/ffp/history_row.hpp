@@ -28,7 +28,7 @@ DeviceState device_state(const Scene& scene) {
     state.velocity = -body.velocity[1];
     state.reaction = body.force[1];
     state.contact_nodes = body.contact_nodes;
-    for (const auto& touch : body.touches)
+    for (const auto& touch : body.touched_nodes)
       if (!touch.inside && body.impulse_at(touch, body.velocity).squaredNorm() > 0)
         state.touched.push_back(touch.node);
   } else {

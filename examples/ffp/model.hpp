@@ -31,7 +31,7 @@ struct AxisymmetricModel {
 
 /// The slice of 20 degrees; its two faces are planes of symmetry.
 struct SliceModel {
-  using Kinematics = Solid;
+  using Kinematics = ThreeDimensional;
   static constexpr int dimension = 3;
   static constexpr double whole = 18;
 
@@ -108,7 +108,7 @@ MovingMesh<Leader> motion_of(const DropOptions& o, const Mesh& mesh) {
 
 template <class AntiLocking>
 Numerics<LinearSimplex, Flip, Musl, AntiLocking> numerics_of(const DropOptions& o) {
-  return {.transfer = {.share = o.flip}, .anti_locking = {}};
+  return {.transfer = {.fraction = o.flip}, .anti_locking = {}};
 }
 
 /// A rigid penetrometer; `Coupling` tells how the sand meets it.
@@ -136,7 +136,7 @@ auto elastic_scene(const DropOptions& o) {
   double volume = 0;
   for (Index c = 0; c < mesh.cell_count(); ++c)
     if (mesh.region(c) == mesh.region_number("device"))
-      volume += arenite::whole_volume<typename Model::Kinematics>(mesh, c);
+      volume += arenite::full_volume<typename Model::Kinematics>(mesh, c);
   const auto motion = motion_of<LedByBody<"device">>(o, mesh);
   const LinearElastic metal{
       {.density = o.mass / Model::whole / volume, .young = o.device_young, .poisson = o.device_poisson}};

@@ -7,6 +7,6 @@ using namespace arenite;
 const LinearElastic steel{{.density = 7800, .young = 2e11, .poisson = 0.3}};
 
 int main() {
-  Scene scene{Solid{}, CartesianGrid<2>({.lower = {0, 0}, .upper = {1, 1}, .cell = 0.5}),
+  Scene scene{ThreeDimensional{}, CartesianGrid<2>({.lower = {0, 0}, .upper = {1, 1}, .cell = 0.5}),
               Numerics<QuadraticBSpline>{}, bodies(fill(Box{{0., 0.}, {1., 1.}}, steel))};
 }

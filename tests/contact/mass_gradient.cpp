@@ -3,7 +3,7 @@
 
 #include <arenite/contact/contact.hpp>
 #include <arenite/law/linear_elastic.hpp>
-#include <arenite/transfer/scatter.hpp>
+#include <arenite/transfer/p2g.hpp>
 
 #include "../mesh/sample_meshes.hpp"
 
@@ -30,9 +30,9 @@ std::pair<double, double> angles(const M& mesh, double a, int per_cell) {
       NodeField<double, 2, false, true>(Shape::node_count(mesh))};
   auto lower = make_body<PlaneStrain>(mesh, fill(Inside{below}, light, {.per_cell = per_cell}));
   auto upper = make_body<PlaneStrain>(mesh, fill(Inside{above}, heavy, {.per_cell = per_cell}));
-  scatter<PlaneStrain>(N{}, mesh, blocks, lower, fields[0]);
-  scatter<PlaneStrain>(N{}, mesh, blocks, upper, fields[1]);
-  for (auto& field : fields) advance(field, Vec<double, 2>(0, 0), 0.0, 0.0);
+  p2g<PlaneStrain>(N{}, mesh, blocks, lower, fields[0]);
+  p2g<PlaneStrain>(N{}, mesh, blocks, upper, fields[1]);
+  for (auto& field : fields) update_grid(field, Vec<double, 2>(0, 0), 0.0, 0.0);
   for (Index i = 0; i < Shape::node_count(mesh); ++i) {
     fields[0].velocity[i] = normal;  // pressed together
     fields[1].velocity[i] = -normal;

@@ -14,11 +14,11 @@ namespace {
 template <int D, class K>
 void check_surface(const SimplexMesh<D>& mesh, const RegionSurface<double, D>& s, K) {
   REQUIRE(s.nodes.size() == s.normals.size());
-  REQUIRE(s.nodes.size() == s.share.size());
+  REQUIRE(s.nodes.size() == s.volume_fraction.size());
   REQUIRE(std::is_sorted(s.nodes.begin(), s.nodes.end()));
   REQUIRE(std::is_sorted(s.inside.begin(), s.inside.end()));
   double total = 0;
-  for (const double share : s.share) {
+  for (const double share : s.volume_fraction) {
     REQUIRE(share > 0);
     total += share;
   }
@@ -114,8 +114,8 @@ TEST_CASE("three dimensions: a cube in a cube, and symmetry planes keep normals 
   const SimplexMesh<3> mesh(data);
   // The planes x = 0 and z = 0 are planes of symmetry.
   const auto constraints = resolve<LinearSimplex>(mesh, walls(left(roller), front(roller)));
-  const auto s = surface_of<Solid>(mesh, "block", constraints);
-  check_surface(mesh, s, Solid{});
+  const auto s = surface_of<ThreeDimensional>(mesh, "block", constraints);
+  check_surface(mesh, s, ThreeDimensional{});
   REQUIRE(s.nodes.size() == 27 - 8);
   REQUIRE((normal_at<3>(mesh, s, {0.25, 0.5, 0.25}) - Vec<double, 3>(0, -1, 0)).norm() < 1e-14);
   REQUIRE((normal_at<3>(mesh, s, {0, 0.5, 0}) - Vec<double, 3>(0, -1, 0)).norm() < 1e-14);

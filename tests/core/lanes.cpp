@@ -13,7 +13,7 @@ template <class T, int W>
 struct Twins {
   using scalar = T;
   static constexpr int width = W;
-  using P = Twin<Pack<T, W / 2>>;
+  using P = PackPair<Pack<T, W / 2>>;
 };
 
 template <class T, int W>
@@ -108,12 +108,12 @@ TEMPLATE_TEST_CASE("reciprocals are right to a few units in the last place", "",
 }
 
 TEST_CASE("a twin pack computes as its halves do") {
-  Twin<Pack<double, 8>> a, b;
+  PackPair<Pack<double, 8>> a, b;
   for (int k = 0; k < 16; ++k) {
     a.set(k, 0.5 + k);
     b.set(k, 7.25 - k);
   }
-  const Twin<Pack<double, 8>> r = select(a < b, a * b - a / b, max(sqrt(a), abs(b)) + min(-a, b));
+  const PackPair<Pack<double, 8>> r = select(a < b, a * b - a / b, max(sqrt(a), abs(b)) + min(-a, b));
   for (int k = 0; k < 16; ++k) {
     const double x = 0.5 + k, y = 7.25 - k;
     REQUIRE(r[k] == (x < y ? x * y - x / y : std::max(std::sqrt(x), std::abs(y)) + std::min(-x, y)));

@@ -42,7 +42,7 @@ Outcome ball(Draw& d) {
     const Ball shape{size * Vec<double, 3>(0.5, d.random.uniform(0.6, 0.8), 0.5),
                      d.random.uniform(0.1, 0.3) * size};
     const double mass = d.density * d.contrast * std::pow(shape.radius, 3);
-    Scene scene{Solid{},
+    Scene scene{ThreeDimensional{},
                 mesh,
                 numerics_of<Numerics<QuadraticBSpline, Flip, Musl>>(d),
                 bodies(fill(blob<3>(d, size), law<DruckerPrager<>>(d), fill_options(d, mesh))),

@@ -17,6 +17,7 @@ TEST_CASE("Random scenes on grids end sound, or say when and why not") {
               {"axisymmetric FLIP USL elastic double",
                one_body<Axisymmetric, Grid<2>, LinearElastic, Numerics<B, Flip, Usl>>},
               {"solid APIC MUSL Drucker-Prager remembers float",
-               one_body<Solid, Grid<3, float>, DruckerPrager<RemembersOpening>, Numerics<B, Apic, Musl>>}},
+               one_body<ThreeDimensional, Grid<3, float>, DruckerPrager<RemembersOpening>,
+                        Numerics<B, Apic, Musl>>}},
              100);
 }

@@ -104,7 +104,7 @@ M mesh_of(const Draw& d) {
 template <class N>
 N numerics_of(const Draw& d) {
   N numerics{};
-  if constexpr (requires { numerics.transfer.share; }) numerics.transfer.share = d.share;
+  if constexpr (requires { numerics.transfer.fraction; }) numerics.transfer.fraction = d.share;
   return numerics;
 }
 
@@ -148,8 +148,8 @@ Walls walls_of(const Draw& d) {
 
 inline Gravity gravity_of(const Draw& d) { return gravity({0, -d.gravity}); }
 
-/// Gives the points of all bodies their velocities, and the ledger their energy. A second body moves against
-/// the first. In most scenes without walls a motion that would leave the mesh is slowed down.
+/// Gives the points of all bodies their velocities, and the energy balance their energy. A second body moves
+/// against the first. In most scenes without walls a motion that would leave the mesh is slowed down.
 template <class Scene>
 void set_in_motion(Scene& scene, Draw& d) {
   constexpr int D = Scene::D;

@@ -21,6 +21,6 @@ TEST_CASE("Random scenes on triangles and tetrahedra end sound, or say when and 
         one_body<PlaneStrain, Mesh<2>, MohrCoulomb<RemembersOpening>,
                  Numerics<S, Flip, Musl, ElementAverage>>},
        {"tetrahedra FLIP USL nodal averaging Drucker-Prager float",
-        one_body<Solid, Mesh<3, float>, DruckerPrager<>, Numerics<S, Flip, Usl, NodalAveraging>>}},
+        one_body<ThreeDimensional, Mesh<3, float>, DruckerPrager<>, Numerics<S, Flip, Usl, NodalAveraging>>}},
       100);
 }

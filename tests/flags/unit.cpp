@@ -45,7 +45,7 @@ double press_on_triangles(const std::string& file) {
 
 double blocks_on_grid(const std::string& file) {
   return stresses_after(
-      Scene{Solid{}, CartesianGrid<3>{{.lower = {0, 0, 0}, .upper = {1, 1, 1}, .cell = 0.125}},
+      Scene{ThreeDimensional{}, CartesianGrid<3>{{.lower = {0, 0, 0}, .upper = {1, 1, 1}, .cell = 0.125}},
             Numerics<QuadraticBSpline, Apic, Usl>{},
             bodies(fill(Box{{0, 0, 0}, {0.5, 1, 1}}, rubber, {.per_cell = 8, .velocity = {1, 0, 0}}),
                    fill(Box{{0.5, 0, 0}, {1, 1, 1}},

@@ -129,7 +129,7 @@ TEST_CASE("matter dilates up to its greatest volume ratio; what it would dilate 
   step.strain = {{0, up, 0, shear / 2}};
   StrainBuffer<double, 2> buffer;
   buffer.store(0, step);
-  DeformSums sums;
+  G2pSums sums;
   const int steps = 2000;
   for (int k = 0; k < steps; ++k) law_pass<false, 1>(law, points, 0, 1, buffer, 0, sums);
   CHECK(std::abs(points.volume[0] - 1.1 * 2e-3) <= 1e-15);

@@ -106,7 +106,7 @@ TEST_CASE("shares of uneven work leave no cell out and change no order") {
       [](Index) { return std::size_t{0}; }, [](Index c) { return std::size_t{c < 100 ? 50u : 0u}; },
       [](Index c) { return std::size_t{c > 1500 ? 7u : 1u}; }};
   for (const auto& work : works) {
-    blocks.share_out(work);
+    blocks.balance_threads(work);
     for (const int n : {1, 2, 3, 7}) REQUIRE(orders(blocks, n) == plain);
   }
 }

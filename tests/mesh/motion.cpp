@@ -22,18 +22,18 @@ const MovingMesh<> zones{.fixed_below = 0.2, .moving_from = 1, .moving_to = 1.4,
 }  // namespace
 
 TEST_CASE("shares: none, growing, all, shrinking, none") {
-  REQUIRE(zones.share(-5) == 0);
-  REQUIRE(zones.share(0.2) == 0);
-  REQUIRE(std::abs(zones.share(0.4) - 0.25) < 1e-15);
-  REQUIRE(zones.share(1) == 1);
-  REQUIRE(zones.share(1.2) == 1);
-  REQUIRE(zones.share(1.4) == 1);
-  REQUIRE(std::abs(zones.share(1.7) - 0.25) < 1e-15);
-  REQUIRE(zones.share(1.8) == 0);
-  REQUIRE(zones.share(9) == 0);
+  REQUIRE(zones.fraction(-5) == 0);
+  REQUIRE(zones.fraction(0.2) == 0);
+  REQUIRE(std::abs(zones.fraction(0.4) - 0.25) < 1e-15);
+  REQUIRE(zones.fraction(1) == 1);
+  REQUIRE(zones.fraction(1.2) == 1);
+  REQUIRE(zones.fraction(1.4) == 1);
+  REQUIRE(std::abs(zones.fraction(1.7) - 0.25) < 1e-15);
+  REQUIRE(zones.fraction(1.8) == 0);
+  REQUIRE(zones.fraction(9) == 0);
   // Without an upper zone everything above moves.
   const MovingMesh<> open{.fixed_below = 0.2, .moving_from = 1};
-  REQUIRE(open.share(1e9) == 1);
+  REQUIRE(open.fraction(1e9) == 1);
 }
 
 TEST_CASE("nodes move by their share of the travel, from where they were at the start") {
@@ -46,7 +46,8 @@ TEST_CASE("nodes move by their share of the travel, from where they were at the 
     double off = 0, area = 0;
     for (Index i = 0; i < mesh.node_count(); ++i)
       off = std::max(
-          off, (mesh.position(i) - before[i] - Vec<double, 2>(0, travel * zones.share(before[i][1]))).norm());
+          off,
+          (mesh.position(i) - before[i] - Vec<double, 2>(0, travel * zones.fraction(before[i][1]))).norm());
     for (Index c = 0; c < mesh.cell_count(); ++c) area += mesh.volume(c);
     REQUIRE(off < 1e-15);
     REQUIRE(std::abs(area - 0.4) < 1e-14);  // hull stays, cells are refreshed

@@ -123,7 +123,7 @@ TEST_CASE("A scene at rest is not judged by its round-off") {
   CHECK(said([&] { run(nothing, {.end = 0.05}, watch); }).error == "");
 }
 
-TEST_CASE("Energy that a law makes: first a warning, then the end, with and without a ledger") {
+TEST_CASE("Energy that a law makes: first a warning, then the end, with and without an energy balance") {
   const auto check = [](auto scene) {
     Watch watch{{.every = 20}};
     const Said s = said([&] { run(scene, {.end = 10}, watch); });
@@ -202,7 +202,7 @@ TEST_CASE("Energy put in behind the scene's back, or taken away") {
   CHECK(gained < taken);
   CHECK(has(said([&] { run(damped, {.end = 0.003, .max_step = 1e-4}, both); }).error, "energy_gain = 0."));
   CHECK(std::abs(of(both, "energy_gain").worst - gained) <= 0.01);
-  // Without a ledger a gain is the same, and points that are lost are none.
+  // Without an energy balance a gain is the same, and points that are lost are none.
   auto scene = swinging(0);
   Watch watch{{.lost = inf, .every = 1}};
   run(scene, {.end = 0.001, .max_step = 1e-4}, watch);
@@ -213,7 +213,7 @@ TEST_CASE("Energy put in behind the scene's back, or taken away") {
   CHECK(said([&] { Watch(WatchLimits{.lost = inf}).look(scene); }).error == "");
 }
 
-TEST_CASE("Work of gravity and of a driven body is no gain, with and without a ledger") {
+TEST_CASE("Work of gravity and of a driven body is no gain, with and without an energy balance") {
   const LinearElastic rubber{{.density = 1000, .young = 1e5, .poisson = 0.3}};
   const auto check = [&](auto... parts) {
     Scene scene{

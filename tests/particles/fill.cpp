@@ -57,8 +57,9 @@ TEST_CASE("volumes add up to that of the region") {
       REQUIRE(std::abs(both.points.mass[p] - 2000 * both.points.volume[p]) < 1e-12);
   }
   const auto solid = sample_mesh<3>(2);
-  REQUIRE(std::abs(volume(body_of<Solid>(solid, Box{{-9., -9., -9.}, {9., 9., 9.}}, {.per_cell = 10})) - 1) <
-          1e-13);
+  REQUIRE(std::abs(
+              volume(body_of<ThreeDimensional>(solid, Box{{-9., -9., -9.}, {9., 9., 9.}}, {.per_cell = 10})) -
+              1) < 1e-13);
   REQUIRE(std::abs(volume(body_of<PlaneStrain>(grid, Box{{0., 0.}, {0.5, 0.75}})) - 0.375) < 1e-15);
   REQUIRE(std::abs(volume(body_of<Axisymmetric>(grid, Box{{0., 0.}, {0.5, 1.}})) - pi * 0.25) < 1e-14);
 }
@@ -84,9 +85,9 @@ TEST_CASE("points know their cell, their velocity and their stress of level grou
     for (std::size_t k = 0; k < 4; ++k) REQUIRE(std::abs(body.points.stress[p][k] - expected[k]) < 1e-10);
   }
   const CartesianGrid<3> box({.lower = {0, 0, 0}, .upper = {1, 1, 1}, .cell = 1});
-  const auto solid =
-      body_of<Solid>(box, Box{{0., 0., 0.}, {1., 1., 1.}},
-                     {.per_cell = 1, .stress = Geostatic{.surface = 1, .k0 = 0.5, .gravity = 10, .axis = 2}});
+  const auto solid = body_of<ThreeDimensional>(
+      box, Box{{0., 0., 0.}, {1., 1., 1.}},
+      {.per_cell = 1, .stress = Geostatic{.surface = 1, .k0 = 0.5, .gravity = 10, .axis = 2}});
   REQUIRE(std::abs(solid.points.stress[0][2] + 2000 * 10 * 0.5) < 1e-10);
   REQUIRE(std::abs(solid.points.stress[0][0] + 2000 * 5 * 0.5) < 1e-10);
 }

@@ -20,9 +20,9 @@ auto numbered_body(const M& mesh) {
   std::array<double, M::dimension> lower, upper;
   lower.fill(-10);
   upper.fill(10);
-  auto body =
-      make_body<std::conditional_t<M::dimension == 2, PlaneStrain, Solid>, ExtraColumns{.affine = true}>(
-          mesh, fill(Box<M::dimension>{lower, upper}, law, {.per_cell = 1}));
+  auto body = make_body<std::conditional_t<M::dimension == 2, PlaneStrain, ThreeDimensional>,
+                        ExtraColumns{.affine = true}>(
+      mesh, fill(Box<M::dimension>{lower, upper}, law, {.per_cell = 1}));
   for (std::size_t p = 0; p < body.points.size(); ++p) {
     body.points.velocity.column(0)[p] = static_cast<typename M::scalar>(p);
     body.points.motion.set(
@@ -119,7 +119,7 @@ TEST_CASE("points that stay are not touched") {
   const auto before = body.points.position;
   relocate<4>(body, mesh, blocks_of(mesh));
   REQUIRE(body.points.position == before);
-  REQUIRE((body.lost == 0 && body.cells.guests() == 0));
+  REQUIRE((body.lost == 0 && body.cells.unsorted() == 0));
 }
 
 TEST_CASE("a body may lose all its points, and one that is no number is lost") {
@@ -134,7 +134,7 @@ TEST_CASE("a body may lose all its points, and one that is no number is lost") {
   REQUIRE_NOTHROW(relocate<4>(body, mesh, blocks_of(mesh)));
 }
 
-TEST_CASE("few movers become guests; many are sorted into the columns") {
+TEST_CASE("few movers become unsorted; many are sorted into the columns") {
   auto mesh = sample_mesh<2>(8);
   const auto blocks = blocks_of(mesh);
   auto body = numbered_body(mesh);
@@ -149,13 +149,13 @@ TEST_CASE("few movers become guests; many are sorted into the columns") {
       body.points.position.set(p, centre);
     }
     relocate<8>(body, mesh, blocks);
-    REQUIRE(body.cells.guests() * 20 <= n);
+    REQUIRE(body.cells.unsorted() * 20 <= n);
     for (std::size_t p = 0; p < n; ++p)
       REQUIRE(mesh.walk(body.points.position[p], body.points.cell[p]) == body.points.cell[p]);
   }
   for (std::size_t p = 0; p < n; ++p) body.points.position.set(p, mesh.position(mesh.nodes(0)[0]));
   relocate<8>(body, mesh, blocks);
-  REQUIRE(body.cells.guests() == 0);
+  REQUIRE(body.cells.unsorted() == 0);
   REQUIRE(std::is_sorted(body.points.cell.begin(), body.points.cell.end()));
 }
 
@@ -176,29 +176,30 @@ TEST_CASE("cell list by hand") {
   list.leave(move, cell, [&](Index a, Index b) { swaps.emplace_back(a, b); });
   REQUIRE((move.point == 3 && move.from_run));
   list.admit(move);
-  list.list_guests(cell);
+  list.list_unsorted(cell);
   REQUIRE(swaps == std::vector<std::pair<Index, Index>>{{1, 3}});
   REQUIRE(points(1) == std::vector<Index>{3});
   REQUIRE(points(2) == std::vector<Index>{1, 2});
-  REQUIRE(list.guests() == 1);
-  // It moves on as a guest, and nothing changes places.
+  REQUIRE(list.unsorted() == 1);
+  // It moves on as an unsorted point, and nothing changes places.
   move = {3, 4};
-  list.leave(move, cell, [&](Index, Index) { FAIL("a guest stays where it lies"); });
+  list.leave(move, cell, [&](Index, Index) { FAIL("a unsorted_point stays where it lies"); });
   REQUIRE(!move.from_run);
   list.admit(move);
-  list.list_guests(cell);
+  list.list_unsorted(cell);
   REQUIRE((list.empty(1) && points(4) == std::vector<Index>{4, 3}));
-  // Another leaves for nowhere: the new order does without it, and has guests behind the cell's own points.
+  // Another leaves for nowhere: the new order does without it, and has unsorted points behind the cell's own
+  // points.
   move = {1, none};
   list.leave(move, cell, [&](Index a, Index b) { swaps.emplace_back(a, b); });
   list.admit(move);
-  list.list_guests(cell);
+  list.list_unsorted(cell);
   REQUIRE(swaps.back() == std::pair<Index, Index>{1, 2});
   const Blocks blocks(6, 1, 2, [](Index) { return std::array<Index, 1>{0}; });
   REQUIRE(list.order(blocks) == std::vector<Index>{0, 1, 4, 3});
   list.take_order();
   REQUIRE((points(0) == std::vector<Index>{0} && points(2) == std::vector<Index>{1}));
-  REQUIRE((points(4) == std::vector<Index>{2, 3} && list.guests() == 0));
+  REQUIRE((points(4) == std::vector<Index>{2, 3} && list.unsorted() == 0));
   list.build({}, 3);
   REQUIRE(list.empty(2));
 }

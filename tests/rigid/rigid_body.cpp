@@ -16,14 +16,14 @@ using P = Vec<double, 2>;
 
 /// A surface written down node by node.
 struct ListedSurface {
-  static constexpr bool has_shares = true;
+  static constexpr bool has_volume_fractions = true;
   std::vector<Index> nodes;
   std::vector<P> normals;
-  std::vector<double> share;
+  std::vector<double> volume_fraction;
   std::vector<Index> inside{};
   template <class Shape, class M, class F>
   void visit(const M&, const P&, F&& f) const {
-    for (std::size_t k = 0; k < nodes.size(); ++k) f(nodes[k], normals[k], false, share[k]);
+    for (std::size_t k = 0; k < nodes.size(); ++k) f(nodes[k], normals[k], false, volume_fraction[k]);
     for (const Index i : inside) f(i, P(0, 0), true, 0.0);
   }
 };
@@ -55,7 +55,7 @@ ListedSurface many_nodes(std::mt19937& random) {
     s.nodes.push_back(i);
     const double a = 1.4 * uniform(random);
     s.normals.push_back({std::sin(a), -std::cos(a)});
-    s.share.push_back(0.04);
+    s.volume_fraction.push_back(0.04);
   }
   s.inside = {21};
   return s;
@@ -109,7 +109,7 @@ TEST_CASE("a guided body gains what the soil loses, light or heavy, and no node 
         if (friction.is_no_slip()) continue;
         // A light body cannot be flung: its speed stays between the soil's and its own.
         REQUIRE(std::abs(body.velocity[1]) < 7);
-        for (const auto& t : body.touches) {
+        for (const auto& t : body.touched_nodes) {
           const P relative = fields[t.field].velocity[t.node] - body.velocity;
           if (t.inside)
             REQUIRE(relative.norm() < 1e-7);
@@ -162,11 +162,13 @@ TEST_CASE("a prescribed body has its velocity, whatever it meets") {
   REQUIRE(body.velocity == P(0, -1));
   REQUIRE((body.impulse - (before - momentum(fields))).norm() < 1e-13);
   REQUIRE(body.impulse[1] > 0);
-  for (const auto& t : body.touches)
+  for (const auto& t : body.touched_nodes)
     if (!t.inside) REQUIRE((fields[t.field].velocity[t.node] - body.velocity).dot(t.normal) > -1e-14);
 }
 
-TEST_CASE("through the centre of mass: the node gets the mean velocity of soil and its share of the body") {
+TEST_CASE(
+    "through the centre of mass: the node gets the mean velocity of soil and its volume_fraction of the "
+    "body") {
   std::array<Field, 1> fields{Field(36)};
   fields[0].mass[7] = 1.5;
   fields[0].velocity[7] = {0.3, 1};
@@ -197,7 +199,7 @@ TEST_CASE("mapped velocities keep what a rigid body stopped, whether they would 
                    return std::array<double, 3>{0, -2, 0};
                  }},
                  Friction(0.1));
-  body.surface.share.assign(4, 0.25);
+  body.surface.volume_fraction.assign(4, 0.25);
   meet(body, fields);
   fields[0].mapped[2] = {1, 3};
   fields[0].mapped[3] = {1, 3};

@@ -78,12 +78,13 @@ TEST_CASE("a step allocates nothing: triangles, averages, a rigid body that the 
 }
 
 TEST_CASE("a step allocates nothing: tetrahedra that cross cells") {
-  REQUIRE(allocated(Scene{Solid{}, SimplexMesh<3>(test::tetrahedra({0, 0, 0}, {1, 1, 1}, {6, 6, 6})),
-                          Numerics<LinearSimplex, Tpic, Usl>{},
-                          bodies(fill(Box{{0., 0.1, 0.}, {0.5, 0.6, 0.5}}, sand(),
-                                      {.per_cell = 4, .velocity = {0.1, -2, 0}})),
-                          walls(left(roller), right(roller), bottom(fixed), front(roller), back(roller)),
-                          gravity({0, -9.81, 0})}) == 0);
+  REQUIRE(
+      allocated(Scene{ThreeDimensional{}, SimplexMesh<3>(test::tetrahedra({0, 0, 0}, {1, 1, 1}, {6, 6, 6})),
+                      Numerics<LinearSimplex, Tpic, Usl>{},
+                      bodies(fill(Box{{0., 0.1, 0.}, {0.5, 0.6, 0.5}}, sand(),
+                                  {.per_cell = 4, .velocity = {0.1, -2, 0}})),
+                      walls(left(roller), right(roller), bottom(fixed), front(roller), back(roller)),
+                      gravity({0, -9.81, 0})}) == 0);
 }
 
 TEST_CASE("a step allocates nothing: two bodies in contact on B-splines") {

@@ -100,7 +100,7 @@ auto wedge(N numerics) {
   const double angle = 5 * pi / 180;
   const auto data = test::wedge(bore - 0.125, rim + 0.125, height, angle, {12, 2, 2});
   return Scene{
-      Solid{}, SimplexMesh<3>(data), numerics,
+      ThreeDimensional{}, SimplexMesh<3>(data), numerics,
       bodies(fill(Inside{[](const auto& x) {
                     const double r = std::hypot(x[0], x[2]);
                     return std::max(bore - r, r - rim);

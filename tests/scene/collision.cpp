@@ -99,7 +99,7 @@ TEST_CASE("Collision: momentum to round-off for unequal bars and all transfers")
   };
   check(channel(Numerics<QuadraticBSpline, Apic>{}, 0.05, bar(8000)));
   check(channel(Numerics<QuadraticBSpline, Flip, Usl>{}, 0.05, bar(8000)));
-  check(channel(Numerics<QuadraticBSpline, Flip>{.transfer = {.share = 0.5}}, 0.05, bar(200)));
+  check(channel(Numerics<QuadraticBSpline, Flip>{.transfer = {.fraction = 0.5}}, 0.05, bar(200)));
 }
 
 TEST_CASE("Collision: oblique, with friction, in free flight: linear momentum to round-off, energy falls") {

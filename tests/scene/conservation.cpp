@@ -62,7 +62,7 @@ TEST_CASE("A free spinning body keeps its momentum to round-off, and its angular
         0.2);  // FLIP has no such law: it loses a part on a coarse grid
 }
 
-TEST_CASE("The energy ledger of a vibrating body closes, the better the smaller the step") {
+TEST_CASE("The energy balance of a vibrating body closes, the better the smaller the step") {
   const auto residual = [](double courant) {
     Scene scene{PlaneStrain{},
                 CartesianGrid<2>{{.lower = {0, 0}, .upper = {0.4, 1.4}, .cell = 0.1}},

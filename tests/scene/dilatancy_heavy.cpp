@@ -74,7 +74,7 @@ TEST_CASE("a sheared bed of dense sand makes no energy under averages") {
 
 TEST_CASE("a sheared bed of tetrahedra makes no energy under averages") {
   const Outcome out = outcome(
-      Scene{Solid{}, SimplexMesh<3>(test::tetrahedra({0, 0, 0}, {0.2, 0.06, 0.02}, {10, 3, 1})),
+      Scene{ThreeDimensional{}, SimplexMesh<3>(test::tetrahedra({0, 0, 0}, {0.2, 0.06, 0.02}, {10, 3, 1})),
             Numerics<LinearSimplex, Flip, Musl, NodalAndElementAverage>{},
             bodies(fill(Box{{0., 0., 0.}, {0.2, 0.04, 0.02}}, MohrCoulomb{sand(20_deg)}, {.per_cell = 4})),
             walls(bottom(fixed), front(roller), back(roller)),

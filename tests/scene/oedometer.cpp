@@ -74,7 +74,7 @@ template <class N, class L>
 auto on_tetrahedra(N numerics, L law) {
   auto data = test::tetrahedra({0, 0, 0}, {0.1, height + platen, 0.1}, {1, 5, 1});
   test::name_region(data, "platen", [](const auto& x) { return x[1] > height; });
-  return Scene{Solid{},
+  return Scene{ThreeDimensional{},
                SimplexMesh<3>(data),
                numerics,
                bodies(fill(Cells("all"), law, {.per_cell = 4})),
@@ -118,7 +118,7 @@ TEST_CASE("Oedometer on B-splines: a platen given as a signed distance feels wha
   const double h = 0.02;
   Scene scene{PlaneStrain{},
               CartesianGrid<2>{{.lower = {0, 0}, .upper = {0.1, height + 0.1}, .cell = h}},
-              Numerics<QuadraticBSpline, Flip>{.transfer = {.share = 0.98}},
+              Numerics<QuadraticBSpline, Flip>{.transfer = {.fraction = 0.98}},
               bodies(fill(Box{{0., 0.}, {0.1, height}}, soil(), {.per_cell = 4})),
               walls(left(roller), right(roller), bottom(roller)),
               rigids(rigid(DistanceSurface{[](const auto& x) { return height - x[1]; }}, pressing(),

@@ -92,7 +92,7 @@ TEST_CASE("A piston draws a bar: uniform strain, and its work is what the bar st
   const double speed = 0.01, end = 0.5;
   Scene scene{PlaneStrain{},
               grid(),
-              Numerics<QuadraticBSpline, Flip, Musl>{.transfer = {.share = 0.9}},
+              Numerics<QuadraticBSpline, Flip, Musl>{.transfer = {.fraction = 0.9}},
               bodies(fill(Box{{0., 0.}, {1., 1.}}, rubber, {.per_cell = 4})),
               walls(left(roller), bottom(roller)),
               Piston{1, speed},

@@ -176,7 +176,7 @@ double worst_on_simplices(double speed, unsigned count) {
 TEST_CASE("Courant number 1: no free elastic block on simplices gains energy in FLIP with MUSL") {
   CHECK(worst_on_simplices<PlaneStrain>(1e-4, 20) <= 1.01);
   CHECK(worst_on_simplices<Axisymmetric>(1e-4, 20) <= 1.1);
-  CHECK(worst_on_simplices<Solid>(1e-4, 2) <= 1.01);
+  CHECK(worst_on_simplices<ThreeDimensional>(1e-4, 2) <= 1.01);
   CHECK(worst_on_simplices<PlaneStrain>(1e-2, 20) <= 1.1);
   CHECK(worst_on_simplices<Axisymmetric>(1e-2, 20) <= 1.1);
 }
@@ -202,7 +202,7 @@ Spun spin(double turns, double courant, int per_cell = D == 2 ? 3 : 4) {
       return test::tetrahedra(lower, upper, {8, 8, 8});
   }();
   const auto inside = [](const Vec<double, D>& x) { return x.norm() - 0.3; };
-  using K = std::conditional_t<D == 2, PlaneStrain, Solid>;
+  using K = std::conditional_t<D == 2, PlaneStrain, ThreeDimensional>;
   Scene scene{K{}, SimplexMesh<D>(data), N{}, bodies(fill(Inside{inside}, rubber(), {.per_cell = per_cell}))};
   auto& body = scene.body();
   auto& points = body.points;

@@ -150,7 +150,7 @@ TEST_CASE("Restored: tetrahedra, TPIC, a history of several members, a part that
   const auto middle = check(
       [] {
         return Scene{
-            Solid{},
+            ThreeDimensional{},
             SimplexMesh<3>(test::tetrahedra({0, 0, 0}, {1, 1, 1}, {6, 6, 6})),
             Numerics<LinearSimplex, Tpic, Usl, ElementAverage>{},
             bodies(fill(Box{{0., 0., 0.}, {1., 1., 0.5}}, WithDeviatoricStrain{sand<RemembersOpening>()},

@@ -81,12 +81,13 @@ TEST_CASE("Bytes a point: no history without memory, no affine motion with FLIP"
                                   {.density = 1500, .young = 1e6, .poisson = 0.3, .friction = 35_deg}}}))};
   // The opening, and the deviator of the strain.
   CHECK(stored_bytes_per_point(remembers) == plain + 6 * sizeof(double));
-  const Scene solid{Solid{}, SimplexMesh<3>(test::tetrahedra({0, 0, 0}, {1, 1, 1}, {1, 1, 1})),
+  const Scene solid{ThreeDimensional{}, SimplexMesh<3>(test::tetrahedra({0, 0, 0}, {1, 1, 1}, {1, 1, 1})),
                     Numerics<LinearSimplex, Flip>{}, bodies(fill(Cells("all"), rubber(), {.per_cell = 1}))};
   CHECK(stored_bytes_per_point(solid) == (3 + 3 + 1 + 1 + 6) * sizeof(double) + sizeof(Index));
 }
 
-TEST_CASE("Ledger, contact impulses, normals, averages and motion take no room where they are not used") {
+TEST_CASE(
+    "Energy balance, contact impulses, normals, averages and motion take no room where they are not used") {
   const Scene plain{PlaneStrain{}, triangles(), Numerics<LinearSimplex, Flip, Usl>{},
                     bodies(fill(lower_half, sand(), three))};
   const Scene tracked{PlaneStrain{}, triangles(), Numerics<LinearSimplex, Flip, Usl>{},

@@ -87,7 +87,7 @@ TEST_CASE("Same bits: triangles, FLIP, MUSL, both averages, dilatancy, a moving 
 TEST_CASE("Same bits: tetrahedra, TPIC, element average") {
   check([] {
     return Scene{
-        Solid{}, SimplexMesh<3>(test::tetrahedra({0, 0, 0}, {1, 1, 1}, {6, 6, 6})),
+        ThreeDimensional{}, SimplexMesh<3>(test::tetrahedra({0, 0, 0}, {1, 1, 1}, {6, 6, 6})),
         Numerics<LinearSimplex, Tpic, Usl, ElementAverage>{},
         bodies(fill(Box{{0., 0., 0.}, {1., 1., 0.5}}, rubber(), {.per_cell = 4, .velocity = {0, -0.5, 0.1}})),
         walls(bottom(fixed))};

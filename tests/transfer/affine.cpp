@@ -46,8 +46,8 @@ void check_angular_momentum(S s) {
   const Eigen::Vector3d start = of_points(s);
   REQUIRE(start.norm() > 0.1);
   for (int cycle = 0; cycle < 5; ++cycle) {
-    s.scatter();
-    s.advance();
+    s.p2g();
+    s.update_grid();
     REQUIRE((of_nodes(s) - start).norm() < 1e-12);
     s.gather();
     REQUIRE((of_points(s) - start).norm() < 1e-12);
@@ -70,8 +70,8 @@ void check_affine_field(S s) {
     const auto motion = s.body.points.motion;
     double node_off = 0, point_off = 0, motion_off = 0;
     for (int cycle = 0; cycle < 3; ++cycle) {
-      s.scatter();
-      s.advance();
+      s.p2g();
+      s.update_grid();
       for (Index i = 0; i < s.nodes.size(); ++i)
         if (s.nodes.mass[i] > 1e-3)
           node_off = std::max(node_off, (s.nodes.velocity[i] - a - A * s.node(i)).norm());
@@ -89,7 +89,7 @@ void check_affine_field(S s) {
 }
 
 using ApicFlat = Setup<PlaneStrain, Numerics<QuadraticBSpline, Apic, Usl>, CartesianGrid<2>>;
-using ApicSolid = Setup<Solid, Numerics<QuadraticBSpline, Apic, Usl>, CartesianGrid<3>>;
+using ApicSolid = Setup<ThreeDimensional, Numerics<QuadraticBSpline, Apic, Usl>, CartesianGrid<3>>;
 
 }  // namespace
 
@@ -106,8 +106,8 @@ TEST_CASE("APIC: points on a face and at a corner hand on what they have, finite
        {Vec<double, 2>(0, 0.3), Vec<double, 2>(0.6, 1), Vec<double, 2>(0, 0), Vec<double, 2>(1.25, 1)})
     s.add(x, s.mesh.walk(x));
   s.index();
-  s.scatter();
-  s.advance();
+  s.p2g();
+  s.update_grid();
   s.gather();  // now the affine part of a point on a face has nothing across the face
   check_angular_momentum(s);
 }
@@ -117,14 +117,14 @@ TEST_CASE("APIC: a point that comes close to a face hands on no more energy than
   s.add({0.4, 1.5}, s.mesh.walk({0.4, 1.5}));
   s.index();
   s.set_affine({-1, 0}, Mat<double, 2>::Identity());
-  s.scatter();
-  s.advance();
+  s.p2g();
+  s.update_grid();
   s.gather();
   const double had = s.body.points.mass[0] * s.body.points.velocity[0].squaredNorm();
   for (const double x : {0.1, 1e-3, 1e-6, 1e-9}) {
     s.body.points.position.set(0, {x, 1.5});
-    s.scatter();
-    s.advance();
+    s.p2g();
+    s.update_grid();
     double has = 0;
     for (Index i = 0; i < s.nodes.size(); ++i) has += s.nodes.mass[i] * s.nodes.velocity[i].squaredNorm();
     CAPTURE(x, had, has);
@@ -139,12 +139,13 @@ TEST_CASE("APIC and TPIC keep rotations and all affine fields") {
   check_affine_field(ApicFlat(CartesianGrid<2>({.lower = {0, 0}, .upper = {1, 2}, .cell = 1}), 5));
   check_affine_field(
       Setup<PlaneStrain, Numerics<LinearSimplex, Tpic, Usl>, SimplexMesh<2>>(sample_mesh<2>(4)));
-  check_affine_field(Setup<Solid, Numerics<LinearSimplex, Tpic, Usl>, SimplexMesh<3>>(sample_mesh<3>(2)));
+  check_affine_field(
+      Setup<ThreeDimensional, Numerics<LinearSimplex, Tpic, Usl>, SimplexMesh<3>>(sample_mesh<3>(2)));
 }
 
 TEST_CASE("PIC loses angular momentum: the test sees it") {
   Setup<PlaneStrain, Numerics<QuadraticBSpline, Flip, Usl>, CartesianGrid<2>> s(flat_grid());
-  s.numerics.transfer.share = 0;
+  s.numerics.transfer.fraction = 0;
   Mat<double, 2> spin;
   spin << 0, -3, 3, 0;
   s.set_affine({0, 0}, spin);
@@ -155,8 +156,8 @@ TEST_CASE("PIC loses angular momentum: the test sees it") {
     return sum;
   };
   const double before = orbital();
-  s.scatter();
-  s.advance();
+  s.p2g();
+  s.update_grid();
   s.gather();
   REQUIRE(orbital() < 0.99 * before);
 }

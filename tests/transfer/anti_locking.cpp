@@ -41,11 +41,11 @@ TEST_CASE("nodal averaging: a node takes the mean of its cells by volume, a cell
   const double v0 = 0.3, v1 = 0.5, dt = 0.01;
   auto s = two_cells<NodalAveraging>(v0, v1);
   s.body.points.stress.fill({});
-  s.scatter();
+  s.p2g();
   // Node 1 moves with (2, 0), node 3 with (0, 3): tr = 2 in cell 0 and 3 in cell 1.
   s.nodes.velocity[1] = {2, 0};
   s.nodes.velocity[3] = {0, 3};
-  s.deform(dt);
+  s.g2p(dt);
   const double shared = (v0 * 2 + v1 * 3) / (v0 + v1);
   const std::array<double, 2> rate{(2 * shared + 2) / 3, (2 * shared + 3) / 3};
   for (std::size_t p = 0; p < 4; ++p) {
@@ -74,7 +74,7 @@ TEST_CASE("nodal averaging: the dilation of the last step stays in its cell, by 
     body.points.dilation[p] = 1e-3 * static_cast<double>(p);
     mean[c] += body.points.dilation[p] * (p % 3 == 0 ? 0.5 : 0.25);
   }
-  scatter<PlaneStrain>(N{}, mesh, blocks, body, nodes);
+  p2g<PlaneStrain>(N{}, mesh, blocks, body, nodes);
   nodes.velocity[1] = {2, 0};
   nodes.velocity[3] = {0, 3};
   VolumetricAverage<double> average;
@@ -89,7 +89,7 @@ TEST_CASE("element average: a filled cell bears the mean stress over its whole v
   auto s = two_cells<ElementAverage>(0.46, 0.40);  // 92 % and 80 % of half a square metre
   const auto mean = mean_stress(s.body.points, 0), partly = mean_stress(s.body.points, 1);
   const auto before = s.body.points.stress;
-  s.scatter();
+  s.p2g();
   // Gradients: node 1 belongs to cell 0 alone, (1, -1); node 3 to cell 1 alone, (-1, 1).
   const Vec<double, 2> at_1(-0.5 * (mean[0] - mean[3]), -0.5 * (mean[3] - mean[1]));
   const Vec<double, 2> at_3(-0.40 * (-partly[0] + partly[3]), -0.40 * (-partly[3] + partly[1]));
@@ -104,13 +104,13 @@ TEST_CASE("element average: a filled cell bears the mean stress over its whole v
 
 TEST_CASE("element average: the work of the stress is that of the force, over the volume that bears it") {
   auto s = two_cells<ElementAverage>(0.46, 0.40);
-  s.scatter();
+  s.p2g();
   const double dt = 1e-9;  // the stress hardly changes
   s.nodes.velocity[1] = {2, 1};
   s.nodes.velocity[3] = {-1, 3};
   double power = 0;  // of the internal force, W
   for (std::size_t i = 0; i < 4; ++i) power -= s.nodes.collected[i].force().dot(s.nodes.velocity[i]);
-  CHECK(std::abs(s.deform(dt).work / dt - power) <= 1e-2 * std::abs(power));
+  CHECK(std::abs(s.g2p(dt).work / dt - power) <= 1e-2 * std::abs(power));
 }
 
 TEST_CASE("element average in axisymmetry: the whole volume is the full circle's") {
@@ -121,8 +121,8 @@ TEST_CASE("element average in axisymmetry: the whole volume is the full circle's
   body.points.stress.fill({{1, 2, 3, 4}});
   const Blocks blocks(1, 3, 1, [&](Index c) { return ring.nodes(c); });
   NodeField<double, 2, false, false> plain(3), average(3);
-  scatter<Axisymmetric>(Numerics<LinearSimplex, Flip, Usl>{}, ring, blocks, body, plain);
-  scatter<Axisymmetric>(Numerics<LinearSimplex, Flip, Usl, ElementAverage>{}, ring, blocks, body, average);
+  p2g<Axisymmetric>(Numerics<LinearSimplex, Flip, Usl>{}, ring, blocks, body, plain);
+  p2g<Axisymmetric>(Numerics<LinearSimplex, Flip, Usl, ElementAverage>{}, ring, blocks, body, average);
   for (std::size_t i = 0; i < 3; ++i)
     REQUIRE((average.collected[i].force() - plain.collected[i].force() / 0.95).norm() < 1e-13);
   // Unlike stresses: the hoop stress of each point is the mean one too.
@@ -133,8 +133,8 @@ TEST_CASE("element average in axisymmetry: the whole volume is the full circle's
   }
   alike.points.stress.fill(mean_stress(body.points, 0));
   NodeField<double, 2, false, false> unlike(3), same(3);
-  scatter<Axisymmetric>(Numerics<LinearSimplex, Flip, Usl, ElementAverage>{}, ring, blocks, body, unlike);
-  scatter<Axisymmetric>(Numerics<LinearSimplex, Flip, Usl, ElementAverage>{}, ring, blocks, alike, same);
+  p2g<Axisymmetric>(Numerics<LinearSimplex, Flip, Usl, ElementAverage>{}, ring, blocks, body, unlike);
+  p2g<Axisymmetric>(Numerics<LinearSimplex, Flip, Usl, ElementAverage>{}, ring, blocks, alike, same);
   for (std::size_t i = 0; i < 3; ++i)
     REQUIRE((unlike.collected[i].force() - same.collected[i].force()).norm() < 1e-13);
 }

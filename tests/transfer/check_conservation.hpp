@@ -14,7 +14,7 @@ void check_conservation(S s) {
   for (const T m : s.body.points.mass) mass += m;
   const auto momentum = s.point_momentum();
 
-  s.scatter();
+  s.p2g();
   T node_mass = 0;
   auto sum = momentum;
   sum.setZero();
@@ -42,19 +42,19 @@ void check_conservation(S s) {
   gravity[1] = T(-9.81);
   if constexpr (S::K::hoop)
     for (auto& sums : s.nodes.collected) sums.lane[sums.force_lane] = 0;
-  s.advance(T(0.01), gravity);
+  s.update_grid(T(0.01), gravity);
   REQUIRE((s.node_momentum() - momentum - T(0.01) * mass * gravity).norm() <= tolerance * (mass + force));
   const auto before = s.body.points.position;
   s.gather();
   REQUIRE((s.point_momentum() - momentum - T(0.01) * mass * gravity).norm() <= tolerance * (mass + force));
   REQUIRE(s.body.points.position == before);
 
-  if constexpr (S::N::Order::remaps) {
+  if constexpr (S::N::Order::maps_back) {
     // The mapped velocities are those that a second scatter of the new points gives.
     const auto mapped = s.nodes.strain_velocity();
     S again = s;
-    again.scatter();
-    again.advance();
+    again.p2g();
+    again.update_grid();
     T off = 0;
     for (std::size_t i = 0; i < mapped.size(); ++i)
       off = std::max(off, s.nodes.mass[i] * (mapped[i] - again.nodes.velocity[i]).norm());

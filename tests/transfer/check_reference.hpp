@@ -46,9 +46,9 @@ void check_reference(S s, double bound = 1e-13) {
   check();
 
   auto body = s.body;
-  if constexpr (S::N::remaps) {
+  if constexpr (S::N::maps_back) {
     const auto mapped = reference::map_back(s.numerics, s.mesh, s.body, s.nodes);
-    s.remap();
+    s.map_back();
     for (std::size_t i = 0; i < n; ++i) add(s.nodes.mapped[i], mapped[i]);
     check();
   }
@@ -61,7 +61,7 @@ void check_reference(S s, double bound = 1e-13) {
     body.points.stress.set(p, stress);
     body.points.volume[p] *= small_exp(trace(strains[p].strain));
   }
-  s.deform(dt);
+  s.g2p(dt);
   CHECK(difference(s.body.points, body.points) < bound);
 }
 

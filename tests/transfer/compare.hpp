@@ -28,11 +28,11 @@ double difference(const Points& a, const Points& b) {
 /// A setup after scatter and advance under gravity.
 template <class S>
 S advanced(S s) {
-  s.scatter();
+  s.p2g();
   auto gravity = s.node(0);
   gravity.setZero();
   gravity[1] = -10;
-  s.advance(0.01, gravity);
+  s.update_grid(0.01, gravity);
   return s;
 }
 
@@ -41,8 +41,8 @@ template <template <std::size_t> class N, class K, class M>
 void check_widths(const M& mesh, int per_cell) {
   const auto cycle = [&]<std::size_t Bytes>(std::integral_constant<std::size_t, Bytes>) {
     auto s = advanced(Setup<K, N<Bytes>, M>(mesh, per_cell));
-    s.remap();
-    s.deform(0.01);
+    s.map_back();
+    s.g2p(0.01);
     return s.body.points;
   };
   const auto scalar = cycle(std::integral_constant<std::size_t, 8>{});

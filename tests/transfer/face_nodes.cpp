@@ -64,8 +64,8 @@ TEMPLATE_TEST_CASE("A thin layer along a face makes no energy, on walls and free
 TEST_CASE("The exchange at faces keeps momentum, and lets the energy of the nodes fall") {
   auto scene = layer<Numerics<QuadraticBSpline, Flip, Usl>>(1, false, 0.1);
   relocate(scene);
-  scatter(scene);
-  advance(scene, 1e-4);
+  p2g(scene);
+  update_grid(scene, 1e-4);
   auto& nodes = scene.fields[0];
   Vec<double, 2> before = Vec<double, 2>::Zero(), after = before;
   double energy_before = 0, energy_after = 0, carried = 0;
@@ -91,8 +91,8 @@ TEST_CASE("Where a body fills the cells at a face no node is light") {
     Scene scene{PlaneStrain{}, grid(), Numerics<QuadraticBSpline, Apic, Usl>{},
                 bodies(fill(Box{{0., 0.}, {1., 0.5}}, rubber, {.per_cell = per_cell}))};
     relocate(scene);
-    scatter(scene);
-    advance(scene, 1e-4);
+    p2g(scene);
+    update_grid(scene, 1e-4);
     CHECK(exchange_at_faces(scene.mesh, scene.fields[0].mass, scene.fields[0].velocity) == 0);
   }
 }

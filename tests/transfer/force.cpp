@@ -14,7 +14,7 @@ template <class S>
 void check_virtual_work(S s) {
   using T = typename S::T;
   constexpr int D = S::D;
-  s.scatter();
+  s.p2g();
   for (int trial = 0; trial < 5; ++trial) {
     std::vector<Vec<T, D>> v(s.nodes.size());
     for (auto& value : v)
@@ -56,7 +56,7 @@ std::pair<double, double> patch(const M& mesh, int per_cell, const Sym<double, M
   const Blocks blocks(mesh.cell_count(), Shape::node_count(mesh), 4,
                       [&](Index c) { return typename Shape::template Cell<M>(mesh, c).nodes; });
   NodeField<double, D, false, false> nodes(Shape::node_count(mesh));
-  scatter<K>(N{}, mesh, blocks, body, nodes);
+  p2g<K>(N{}, mesh, blocks, body, nodes);
   Vec<double, D> low = Shape::node_position(mesh, 0), high = low;
   for (Index i = 0; i < nodes.size(); ++i) {
     low = low.cwiseMin(Shape::node_position(mesh, i));
@@ -80,10 +80,10 @@ using BSpline = Numerics<QuadraticBSpline, Flip, Usl>;
 TEST_CASE("the internal force does the virtual work of the stresses") {
   check_virtual_work(Setup<PlaneStrain, Simplex, SimplexMesh<2>>(sample_mesh<2>(4)));
   check_virtual_work(Setup<Axisymmetric, Simplex, SimplexMesh<2>>(sample_mesh<2>(4)));
-  check_virtual_work(Setup<Solid, Simplex, SimplexMesh<3, float>>(sample_mesh<3, float>(2)));
+  check_virtual_work(Setup<ThreeDimensional, Simplex, SimplexMesh<3, float>>(sample_mesh<3, float>(2)));
   check_virtual_work(Setup<PlaneStrain, BSpline, CartesianGrid<2>>(flat_grid()));
   check_virtual_work(Setup<Axisymmetric, BSpline, CartesianGrid<2>>(flat_grid()));
-  check_virtual_work(Setup<Solid, BSpline, CartesianGrid<3>>(solid_grid()));
+  check_virtual_work(Setup<ThreeDimensional, BSpline, CartesianGrid<3>>(solid_grid()));
 }
 
 TEST_CASE("a uniform stress loads no node inside") {
@@ -98,21 +98,21 @@ TEST_CASE("a uniform stress loads no node inside") {
     check(patch<PlaneStrain, Simplex>(sample_mesh<2>(4), n, flat));
     check(patch<Axisymmetric, Simplex>(sample_mesh<2>(4), n, round));
   }
-  for (const int n : {1, 4, 10}) check(patch<Solid, Simplex>(sample_mesh<3>(3), n, solid));
+  for (const int n : {1, 4, 10}) check(patch<ThreeDimensional, Simplex>(sample_mesh<3>(3), n, solid));
   for (const int n : {1, 4, 9}) check(patch<PlaneStrain, BSpline>(flat_grid(), n, flat));
   for (const int n : {1, 8})
-    check(patch<Solid, BSpline>(CartesianGrid<3>({.lower = {0, 0, 0}, .upper = {1, 1, 1}, .cell = 0.25}), n,
-                                solid));
+    check(patch<ThreeDimensional, BSpline>(
+        CartesianGrid<3>({.lower = {0, 0, 0}, .upper = {1, 1, 1}, .cell = 0.25}), n, solid));
 }
 
 TEST_CASE("nodes of no mass stay at rest, and those below the floor count as none") {
   Setup<PlaneStrain, Simplex, SimplexMesh<2>> s(sample_mesh<2>(4));
-  s.scatter();
+  s.p2g();
   auto& sums = s.nodes.collected;
   sums[0].lane[sums[0].mass_lane] = 1e-200;
   sums[1].lane[sums[1].mass_lane] = 0;
   sums[1].lane[sums[1].force_lane] = 1;
-  advance(s.nodes, Vec<double, 2>(0, -10), 0.1, 1e-150);
+  update_grid(s.nodes, Vec<double, 2>(0, -10), 0.1, 1e-150);
   REQUIRE(s.nodes.mass[0] == 0);
   for (const Index i : {0u, 1u}) REQUIRE((s.nodes.start[i].norm() == 0 && s.nodes.velocity[i].norm() == 0));
   for (const auto& v : s.nodes.velocity) REQUIRE(v.allFinite());
@@ -124,7 +124,7 @@ namespace {
 template <class S>
 void check_mass_gradient(S s) {
   constexpr int D = S::D;
-  s.scatter();
+  s.p2g();
   std::vector<Vec<double, D>> sum(s.nodes.size(), Vec<double, D>::Zero());
   const auto& points = s.body.points;
   for (std::size_t p = 0; p < points.size(); ++p) {
@@ -146,9 +146,9 @@ void check_mass_gradient(S s) {
 
 TEST_CASE("gradients of mass are the sum of m grad N") {
   check_mass_gradient(Setup<PlaneStrain, Simplex, SimplexMesh<2>>(sample_mesh<2>(6)));
-  check_mass_gradient(Setup<Solid, Simplex, SimplexMesh<3>>(sample_mesh<3>(3)));
+  check_mass_gradient(Setup<ThreeDimensional, Simplex, SimplexMesh<3>>(sample_mesh<3>(3)));
   check_mass_gradient(Setup<PlaneStrain, BSpline, CartesianGrid<2>>(flat_grid()));
-  check_mass_gradient(Setup<Solid, BSpline, CartesianGrid<3>>(solid_grid()));
+  check_mass_gradient(Setup<ThreeDimensional, BSpline, CartesianGrid<3>>(solid_grid()));
   // More points in a cell than the rows hold at once.
   check_mass_gradient(Setup<PlaneStrain, BSpline, CartesianGrid<2>>(flat_grid(), 75));
 }
@@ -157,7 +157,7 @@ TEST_CASE("gradients of mass point out of the body and sum to zero") {
   Setup<PlaneStrain, Simplex, SimplexMesh<2>> s(sample_mesh<2>(6));
   auto& points = s.body.points;
   for (std::size_t p = 0; p < points.size(); ++p) points.mass[p] = points.position[p][1] < 0.5 ? 1 : 1e-30;
-  s.scatter();
+  s.p2g();
   Vec<double, 2> sum(0, 0);
   for (const auto& g : s.nodes.mass_gradient) sum += g;
   REQUIRE(sum.norm() < 1e-11);
@@ -172,13 +172,13 @@ TEST_CASE("Points on a face: the node behind it has a force and no mass, and mom
     s.add(0.3 * s.mesh.position(nodes[0]) + 0.7 * s.mesh.position(nodes[1]), c);
   }
   s.index();
-  s.scatter();
+  s.p2g();
   const double dt = 0.1;
-  arenite::advance(s.nodes, Vec<double, 2>(Vec<double, 2>::Zero()), dt, 1e-14);
+  arenite::update_grid(s.nodes, Vec<double, 2>(Vec<double, 2>::Zero()), dt, 1e-14);
   double pushed = 0;
   for (Index i = 0; i < s.nodes.size(); ++i)
     if (!(s.nodes.mass[i] > 0)) pushed += dt * s.nodes.collected[i].force().norm();
   REQUIRE(pushed > 0.1);
-  hand_to_neighbours(s.mesh, s.nodes, dt, OwnsAll{}, s.nodes.velocity);
+  exchange_with_neighbours(s.mesh, s.nodes, dt, OwnsAll{}, s.nodes.velocity);
   REQUIRE((s.node_momentum() - s.point_momentum()).norm() <= 1e-13);
 }

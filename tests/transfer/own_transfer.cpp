@@ -18,7 +18,7 @@ struct Pic {
     return VelocityField{p.velocity()};
   }
   struct Taken {
-    static constexpr bool needs_arms = false;
+    static constexpr bool needs_moments = false;
     detail::Nothing velocity{};  // what points take are the new velocities of the nodes
     template <class Cell, class Point, class X, class Sums>
     auto operator()(const Cell&, const Point& p, const X&, const Sums& sums) const {
@@ -32,24 +32,24 @@ struct Pic {
   }
 };
 
-/// APIC whose points hand over a share of their affine motion.
+/// APIC whose points hand over a fraction of their affine motion.
 struct DampedApic : Apic {
-  double share = 1;
+  double fraction = 1;
 
   struct Taken : Apic::Taken {
-    double share = 1;
+    double fraction = 1;
     template <class Cell, class Point, class X, class Sums>
     auto operator()(const Cell& cell, const Point& p, const X& x, const Sums& sums) const {
       using P = typename Point::P;
       auto field = Apic::Taken::operator()(cell, p, x, sums);
-      for (P& component : field.gradient) component = component * P(static_cast<typename Point::T>(share));
+      for (P& component : field.gradient) component = component * P(static_cast<typename Point::T>(fraction));
       p.set_velocity_gradient(field.gradient);
       return field;
     }
   };
   template <class Cell, class Nodes>
   auto take(const Cell&, const Nodes&) const {
-    return Taken{{}, share};
+    return Taken{{}, fraction};
   }
 };
 
@@ -59,8 +59,8 @@ auto cycle(const M& mesh, N numerics = {}) {
   Setup<K, N, M> s(mesh, 5);
   s.numerics = numerics;
   s = advanced(std::move(s));
-  s.remap();
-  s.deform(0.01);
+  s.map_back();
+  s.g2p(0.01);
   return s.body.points;
 }
 
@@ -71,7 +71,7 @@ using BSpline = Numerics<QuadraticBSpline, Transfer, Order>;
 
 }  // namespace
 
-TEST_CASE("a PIC of a user's own is FLIP with a share of 0") {
+TEST_CASE("a PIC of a user's own is FLIP with a fraction of 0") {
   const Flip flip{0};
   const auto flat = sample_mesh<2>(4);
   REQUIRE(difference(cycle<PlaneStrain, Simplex<Pic, Usl>>(flat),
@@ -80,14 +80,14 @@ TEST_CASE("a PIC of a user's own is FLIP with a share of 0") {
                      cycle<PlaneStrain, Simplex<Flip, Musl>>(flat, {.transfer = flip})) < 1e-13);
   REQUIRE(difference(cycle<PlaneStrain, BSpline<Pic, Usl>>(flat_grid()),
                      cycle<PlaneStrain, BSpline<Flip, Usl>>(flat_grid(), {.transfer = flip})) < 1e-13);
-  REQUIRE(difference(cycle<Solid, BSpline<Pic, Musl>>(solid_grid()),
-                     cycle<Solid, BSpline<Flip, Musl>>(solid_grid(), {.transfer = flip})) < 1e-13);
+  REQUIRE(difference(cycle<ThreeDimensional, BSpline<Pic, Musl>>(solid_grid()),
+                     cycle<ThreeDimensional, BSpline<Flip, Musl>>(solid_grid(), {.transfer = flip})) < 1e-13);
 }
 
 TEST_CASE("a damped APIC of a user's own: undamped it is APIC, and it keeps to the reference") {
-  REQUIRE(difference(cycle<Solid, BSpline<DampedApic, Musl>>(solid_grid()),
-                     cycle<Solid, BSpline<Apic, Musl>>(solid_grid())) < 1e-13);
+  REQUIRE(difference(cycle<ThreeDimensional, BSpline<DampedApic, Musl>>(solid_grid()),
+                     cycle<ThreeDimensional, BSpline<Apic, Musl>>(solid_grid())) < 1e-13);
   Setup<PlaneStrain, BSpline<DampedApic, Usl>, CartesianGrid<2>> s(flat_grid(), 9);
-  s.numerics.transfer.share = 0.5;
+  s.numerics.transfer.fraction = 0.5;
   check_reference(s, 1e-12);
 }

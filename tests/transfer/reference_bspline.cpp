@@ -17,7 +17,7 @@ void check_all(N numerics = {}) {
   };
   check(Setup<PlaneStrain, N, CartesianGrid<2>>(flat_grid(), 11));
   check(Setup<Axisymmetric, N, CartesianGrid<2>>(flat_grid(), 5));
-  check(Setup<Solid, N, CartesianGrid<3>>(solid_grid(), 11));
+  check(Setup<ThreeDimensional, N, CartesianGrid<3>>(solid_grid(), 11));
 }
 
 }  // namespace

@@ -17,7 +17,7 @@ void check_all(N numerics = {}) {
   };
   check(Setup<PlaneStrain, N, SimplexMesh<2>>(sample_mesh<2>(4), 11));
   check(Setup<Axisymmetric, N, SimplexMesh<2>>(sample_mesh<2>(4), 5));
-  check(Setup<Solid, N, SimplexMesh<3>>(sample_mesh<3>(3), 11));
+  check(Setup<ThreeDimensional, N, SimplexMesh<3>>(sample_mesh<3>(3), 11));
 }
 
 }  // namespace

@@ -2,9 +2,9 @@
 #pragma once
 
 #include <arenite/law/linear_elastic.hpp>
-#include <arenite/transfer/deform.hpp>
-#include <arenite/transfer/remap.hpp>
-#include <arenite/transfer/scatter.hpp>
+#include <arenite/transfer/g2p.hpp>
+#include <arenite/transfer/map_back.hpp>
+#include <arenite/transfer/p2g.hpp>
 #include <numeric>
 
 #include "../mesh/sample_meshes.hpp"
@@ -25,7 +25,7 @@ struct Setup {
   using Transfer = typename N::Transfer;
   using Cell = typename Shape::template Cell<M>;
   static constexpr int D = M::dimension;
-  using Field = NodeField<T, D, N::remaps, true>;
+  using Field = NodeField<T, D, N::maps_back, true>;
 
   M mesh;
   N numerics{};
@@ -72,32 +72,32 @@ struct Setup {
     body.cells.build(body.points.cell, mesh.cell_count());
   }
 
-  void scatter() {
+  void p2g() {
     nodes.clear();
-    arenite::scatter<K>(numerics, mesh, blocks, body, nodes);
+    arenite::p2g<K>(numerics, mesh, blocks, body, nodes);
   }
   /// Velocities of the nodes, without force or gravity unless given.
-  void advance(T dt = 0, const Vec<T, D>& gravity = Vec<T, D>::Zero()) {
-    arenite::advance(nodes, gravity, dt, T(0));
+  void update_grid(T dt = 0, const Vec<T, D>& gravity = Vec<T, D>::Zero()) {
+    arenite::update_grid(nodes, gravity, dt, T(0));
   }
-  void remap() {
-    if constexpr (N::remaps) {
-      arenite::remap(numerics, mesh, blocks, body, nodes);
-      finish_remap<false>(numerics, nodes);
+  void map_back() {
+    if constexpr (N::maps_back) {
+      arenite::map_back(numerics, mesh, blocks, body, nodes);
+      finish_map_back<false>(numerics, nodes);
     }
   }
-  DeformSums deform(T dt) {
+  G2pSums g2p(T dt) {
     VolumetricAverage<T> average;
     if constexpr (N::AntiLocking::averages_strain) {
       average.template sum<K, N>(mesh, blocks, body, nodes, dt);
       average.use(mesh, blocks, body);
     }
-    return arenite::deform<K, true>(numerics, mesh, body, nodes, dt, average);
+    return arenite::g2p<K, true>(numerics, mesh, body, nodes, dt, average);
   }
   /// New velocities of the points, and nothing else: a step without length neither moves nor strains.
   void gather() {
-    remap();
-    if constexpr (!N::remaps_by_points) deform(0);
+    map_back();
+    if constexpr (!N::maps_back_by_points) g2p(0);
   }
   Vec<T, D> node(Index i) const { return Shape::node_position(mesh, i); }
 

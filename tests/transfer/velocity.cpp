@@ -12,11 +12,11 @@ using Simplex = Setup<PlaneStrain, Numerics<LinearSimplex, Flip, Musl>, SimplexM
 
 TEST_CASE("a blend is the share of FLIP and the rest of PIC") {
   Simplex start(sample_mesh<2>(3));
-  start.scatter();
-  start.advance(0.01, {1, -2});
+  start.p2g();
+  start.update_grid(0.01, {1, -2});
   const auto velocities = [&](double share) {
     auto s = start;
-    s.numerics.transfer.share = share;
+    s.numerics.transfer.fraction = share;
     s.gather();
     return s.body.points.velocity;
   };
@@ -40,8 +40,8 @@ TEST_CASE("a blend is the share of FLIP and the rest of PIC") {
 TEST_CASE("FLIP without forces changes no velocity") {
   Simplex s(sample_mesh<2>(3));
   const auto before = s.body.points.velocity;
-  s.scatter();
-  s.advance();
+  s.p2g();
+  s.update_grid();
   s.gather();
   for (std::size_t p = 0; p < before.size(); ++p)
     REQUIRE((s.body.points.velocity[p] - before[p]).norm() < 1e-15);
@@ -52,17 +52,17 @@ TEST_CASE("points take the same velocities however long the step: with the weigh
     s = advanced(std::move(s));
     auto still = s;
     still.gather();
-    s.remap();
-    s.deform(0.01);
+    s.map_back();
+    s.g2p(0.01);
     REQUIRE(s.body.points.position != still.body.points.position);
     REQUIRE(s.body.points.velocity == still.body.points.velocity);
     REQUIRE(s.body.points.motion == still.body.points.motion);
   };
   check(Setup<PlaneStrain, Numerics<LinearSimplex, Flip, Musl>, SimplexMesh<2>>(sample_mesh<2>(4)));
-  check(Setup<Solid, Numerics<LinearSimplex, Tpic, Usl>, SimplexMesh<3>>(sample_mesh<3>(3), 11));
+  check(Setup<ThreeDimensional, Numerics<LinearSimplex, Tpic, Usl>, SimplexMesh<3>>(sample_mesh<3>(3), 11));
   check(Setup<PlaneStrain, Numerics<QuadraticBSpline, Flip, Usl>, CartesianGrid<2>>(flat_grid(), 5));
   check(Setup<Axisymmetric, Numerics<QuadraticBSpline, Apic, Usl>, CartesianGrid<2>>(flat_grid()));
-  check(Setup<Solid, Numerics<QuadraticBSpline, Apic, Usl>, CartesianGrid<3>>(solid_grid(), 9));
+  check(Setup<ThreeDimensional, Numerics<QuadraticBSpline, Apic, Usl>, CartesianGrid<3>>(solid_grid(), 9));
 }
 
 TEST_CASE("shares outside 0 to 1 are refused") {
@@ -88,10 +88,10 @@ TEST_CASE("the same bits for any number of threads") {
     const int before = threads();
     set_threads(count);
     Simplex s(sample_mesh<2>(8));
-    s.scatter();
-    s.advance(0.01, {0, -9.81});
-    s.remap();
-    const double work = s.deform(0.01).work;
+    s.p2g();
+    s.update_grid(0.01, {0, -9.81});
+    s.map_back();
+    const double work = s.g2p(0.01).work;
     set_threads(before);
     return std::make_tuple(work, s.nodes.mass, s.nodes.collected, s.nodes.mapped, s.body.points.position);
   };

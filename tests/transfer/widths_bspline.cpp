@@ -20,6 +20,6 @@ TEST_CASE("points on B-splines computed one by one or two, four, eight at once a
 }
 
 TEST_CASE("and those of B-splines in space") {
-  check_widths<Spline, Solid>(solid_grid(), 9);
-  check_widths<MappedSpline, Solid>(solid_grid(), 3);
+  check_widths<Spline, ThreeDimensional>(solid_grid(), 9);
+  check_widths<MappedSpline, ThreeDimensional>(solid_grid(), 3);
 }

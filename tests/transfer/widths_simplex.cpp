@@ -14,5 +14,5 @@ using Averaged = Numerics<LinearSimplex, Flip, Musl, NodalAndElementAverage, Byt
 TEST_CASE("points of simplices computed one by one or two, four, eight at once agree") {
   check_widths<Averaged, PlaneStrain>(sample_mesh<2>(4), 7);
   check_widths<Averaged, Axisymmetric>(sample_mesh<2>(4), 7);
-  check_widths<Averaged, Solid>(sample_mesh<3>(3), 10);
+  check_widths<Averaged, ThreeDimensional>(sample_mesh<3>(3), 10);
 }

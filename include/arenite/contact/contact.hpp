@@ -66,7 +66,7 @@ namespace detail {
 /// Lets each pair of bodies meet at the nodes that they share. An impulse is computed once and given with
 /// both signs, so that momentum is kept to round-off. Calls `done(pair)` for each.
 template <class Normals, class Fields, class Done>
-void meet(const Friction& friction, const Normals& normals, Fields& fields, Done&& done) {
+void exchange_in_pairs(const Friction& friction, const Normals& normals, Fields& fields, Done&& done) {
   using V = std::remove_cvref_t<decltype(fields[0].start[0])>;
   using T = typename V::Scalar;
   constexpr int D = V::RowsAtCompileTime;
@@ -119,7 +119,7 @@ ContactTally exchange(const Contact& contact, const Normals& normals, Fields& fi
   pairs.clear();
   constexpr auto nowhere = static_cast<std::size_t>(-1);
   std::size_t last = nowhere;  // node whose impulses are being given; they come node by node
-  detail::meet(contact.friction, normals, fields, [&](const auto& pair) {
+  detail::exchange_in_pairs(contact.friction, normals, fields, [&](const auto& pair) {
     const std::size_t i = pair.node, a = pair.first, b = pair.second;
     const auto& impulse = pair.impulse;
     if (contact.velocity_limit > 0 && last != nowhere && last != i) limit(last);
@@ -212,7 +212,7 @@ auto bind_part(const Coulomb<N>& contact, const Site& site) {
   constexpr int D = Site::D;
   const auto normals = bound(contact.normals, site);
   using Pairs =
-      std::conditional_t<Site::NumericsType::remaps, std::vector<ContactPair<T, D>>, NoContactPairs>;
+      std::conditional_t<Site::NumericsType::maps_back, std::vector<ContactPair<T, D>>, NoContactPairs>;
   BoundCoulomb<T, D, std::remove_const_t<decltype(normals)>, Site::body_count, Pairs> part{
       contact.friction, contact.velocity_limit, normals, {}};
   part.impulse.fill(Vec<T, D>::Zero());

@@ -19,7 +19,8 @@ struct RegionSurface {
   std::vector<Vec<T, D>>
       normals;                ///< [nodes] unit normals out of the region, area-weighted means of the facets'
   std::vector<Index> inside;  ///< nodes of the region that are not on its surface, ascending
-  std::vector<T> share;       ///< [nodes] share of the region's volume that belongs to each surface node
+  std::vector<T>
+      volume_fraction;  ///< [nodes] fraction of the region's volume that belongs to each surface node
 };
 
 /// Facets on the hull of the mesh are no surface. Where walls constrain a node, its normal keeps to the
@@ -69,7 +70,7 @@ RegionSurface<T, D> surface_of(const SimplexMesh<D, T>& mesh, const std::string&
     if (on_surface[i] && sum[i].norm() > 0) {
       surface.nodes.push_back(i);
       surface.normals.push_back(sum[i].normalized());
-      surface.share.push_back(volume[i] / total);
+      surface.volume_fraction.push_back(volume[i] / total);
     } else if (volume[i] > 0) {
       surface.inside.push_back(i);
     }

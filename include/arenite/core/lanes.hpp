@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <utility>
 
-#include <arenite/core/twin_pack.hpp>
+#include <arenite/core/pack_pair.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
@@ -15,7 +15,7 @@ inline constexpr bool is_pack = false;
 template <class T, int W>
 inline constexpr bool is_pack<Pack<T, W>> = true;
 template <class Half>
-inline constexpr bool is_pack<Twin<Half>> = true;
+inline constexpr bool is_pack<PackPair<Half>> = true;
 
 /// W neighbours as one value: a pack, or the scalar itself for W = 1.
 template <class T, int W>
@@ -26,7 +26,7 @@ inline constexpr int lane_count = 1;
 template <class T, int W>
 inline constexpr int lane_count<Pack<T, W>> = W;
 template <class Half>
-inline constexpr int lane_count<Twin<Half>> = 2 * Half::width;
+inline constexpr int lane_count<PackPair<Half>> = 2 * Half::width;
 
 /// `count` neighbours from memory; lanes behind them hold `fill`.
 template <class P, class T>

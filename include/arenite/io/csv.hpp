@@ -19,8 +19,9 @@
 namespace arenite {
 
 /// Writes a header, then rows. Numbers stand in the shortest form that reads back as the same double. Each
-/// row goes to the operating system as a whole at once. If the process is killed (SIGKILL) inside that call, Linux
-/// may keep the part of the row up to the next memory page: a last line without a line break is to be ignored.
+/// row goes to the operating system as a whole at once. If the process is killed (SIGKILL) inside that call,
+/// Linux may keep the part of the row up to the next memory page: a last line without a line break is to be
+/// ignored.
 class CsvWriter {
  public:
   /// Creates or empties the file. Throws `error` if it cannot be written, or if a column's name is empty,

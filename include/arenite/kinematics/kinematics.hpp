@@ -42,7 +42,7 @@ struct Axisymmetric {
 };
 
 /// Three dimensions.
-struct Solid {
+struct ThreeDimensional {
   static constexpr int dimension = 3;
   static constexpr bool hoop = false;
   static constexpr const char* name = "solid";

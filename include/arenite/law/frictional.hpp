@@ -84,11 +84,12 @@ class Frictional : public Memory {
   /// See law.hpp. With memory the returned opening is negative in a step that closes.
   template <class T, int D>
   Inelastic<T> update(Sym<T, D>& stress, const StrainStep<T, D>& step, History<T>& history) const {
-    const auto& felt = Memory::carried(stress, step, history);
-    stress = turned(stress, felt.spin) + elasticity_.stress(felt.strain);
-    Inelastic<T> parts = surface_in(felt, history).return_to_yield(stress);
+    const auto& carried = Memory::carried(stress, step, history);
+    stress = turned(stress, carried.spin) + elasticity_.stress(carried.strain);
+    Inelastic<T> parts = surface_in(carried, history).return_to_yield(stress);
     Memory::open(parts.opening, history);
-    if constexpr (Memory::remembers) parts.opening = parts.opening + trace(step.strain) - trace(felt.strain);
+    if constexpr (Memory::remembers)
+      parts.opening = parts.opening + trace(step.strain) - trace(carried.strain);
     return parts;
   }
 

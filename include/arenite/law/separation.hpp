@@ -63,9 +63,9 @@ class RemembersOpening {
   }
 
   /// The part of a step that the matter feels: none while it is open; in the step that closes it the
-  /// share after the closure. It turns all the same. Takes what closes (or opens further) from the history,
-  /// and the stress from matter that is open: an average over neighbours may have given it some since it
-  /// opened.
+  /// fraction after the closure. It turns all the same. Takes what closes (or opens further) from the
+  /// history, and the stress from matter that is open: an average over neighbours may have given it some
+  /// since it opened.
   template <class T, int D>
   StrainStep<T, D> carried(Sym<T, D>& stress, const StrainStep<T, D>& step, History<T>& history) const {
     using std::max, std::min;
@@ -73,10 +73,10 @@ class RemembersOpening {
     const T left = history.opening + change;
     const auto open = history.opening > T(0);
     const auto closes = open && left < T(0);  // then the change is negative
-    const T share = select(closes, T(left / select(closes, change, T(-1))), select(open, T(0), T(1)));
+    const T fraction = select(closes, T(left / select(closes, change, T(-1))), select(open, T(0), T(1)));
     history.opening = select(open, T(min(max(left, T(0)), T(limit_))), T(0));
     stress = Sym<T, D>::each([&](std::size_t i) { return select(open, T(0), stress[i]); });
-    return {step.strain * share, step.spin, step.dt};
+    return {step.strain * fraction, step.spin, step.dt};
   }
 
   template <class T>

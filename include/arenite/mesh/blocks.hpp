@@ -45,7 +45,7 @@ class Blocks {
   /// Gives each thread a share of the blocks with an equal sum of `work(cell)`, a number of points, the same
   /// in every loop: what it touched is still in its cache.
   template <class Work>
-  void share_out(Work&& work) {
+  void balance_threads(Work&& work) {
     work_before_.resize(count() + 1);
     for (Index b = 0; b < count(); ++b) {
       std::size_t sum = 0;
@@ -75,7 +75,7 @@ class Blocks {
             for (Index c = begin(blocks[i]); c < end(blocks[i]); ++c) f(c);
           },
           [&](std::size_t t, std::size_t parts) {
-            const auto at = std::lower_bound(blocks.begin(), blocks.end(), first_of_share(t, parts));
+            const auto at = std::lower_bound(blocks.begin(), blocks.end(), first_of_part(t, parts));
             return static_cast<std::size_t>(at - blocks.begin());
           });
     }
@@ -98,7 +98,7 @@ class Blocks {
           const auto block = static_cast<Index>(b);
           f(b, begin(block), end(block));
         },
-        [&](std::size_t t, std::size_t parts) { return std::size_t{first_of_share(t, parts)}; });
+        [&](std::size_t t, std::size_t parts) { return std::size_t{first_of_part(t, parts)}; });
   }
 
   /// Joins `f(begin, end)` over all blocks of cells, in order.
@@ -128,7 +128,7 @@ class Blocks {
   bool worthwhile() const { return cells_ >= 1000; }
 
   /// The first block of share t of `parts`.
-  Index first_of_share(std::size_t t, std::size_t parts) const {
+  Index first_of_part(std::size_t t, std::size_t parts) const {
     if (work_before_.empty()) return static_cast<Index>(count() * t / parts);
     const std::size_t before = work_before_.back() * t / parts;
     const auto at = std::lower_bound(work_before_.begin(), work_before_.end() - 1, before);

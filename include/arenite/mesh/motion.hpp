@@ -66,7 +66,7 @@ struct MovingMesh {
   }
 
   /// Share of the leader's travel that a node at height y takes.
-  double share(double y) const {
+  double fraction(double y) const {
     if (y <= fixed_below || y >= fixed_above) return 0;
     if (y < moving_from) return (y - fixed_below) / (moving_from - fixed_below);
     if (y <= moving_to) return 1;
@@ -89,21 +89,21 @@ class BoundMotion {
     motion_.check(D);
     std::vector<bool> touched(mesh.cell_count());
     for (Index i = 0; i < mesh.node_count(); ++i) {
-      const double s = motion_.share(static_cast<double>(mesh.position(i)[motion_.axis]));
+      const double s = motion_.fraction(static_cast<double>(mesh.position(i)[motion_.axis]));
       if (s == 0) continue;
       nodes_.push_back(i);
       for (const Index c : mesh.cells_at(i)) touched[c] = true;
     }
-    share_.assign(mesh.node_count(), T(0));
+    fraction_.assign(mesh.node_count(), T(0));
     reference_.assign(mesh.node_count(), T(0));
     for (const Index i : nodes_) {
       reference_[i] = mesh.position(i)[motion_.axis];
-      share_[i] = static_cast<T>(motion_.share(static_cast<double>(reference_[i])));
+      fraction_[i] = static_cast<T>(motion_.fraction(static_cast<double>(reference_[i])));
     }
     for (Index c = 0; c < mesh.cell_count(); ++c) {
       if (!touched[c]) continue;
       bool as_one = true;
-      for (const Index i : mesh.nodes(c)) as_one = as_one && share_[i] == share_[mesh.nodes(c)[0]];
+      for (const Index i : mesh.nodes(c)) as_one = as_one && fraction_[i] == fraction_[mesh.nodes(c)[0]];
       if (!as_one) cells_.push_back(c);
     }
   }
@@ -153,7 +153,7 @@ class BoundMotion {
     }
     const Index bad = mesh.move(nodes_, cells_, [&](Index i) {
       auto x = mesh.position(i);
-      x[motion_.axis] = reference_[i] + share_[i] * travel;
+      x[motion_.axis] = reference_[i] + fraction_[i] * travel;
       return x;
     });
     if (bad != none)
@@ -165,8 +165,8 @@ class BoundMotion {
  private:
   MovingMesh<Leader> motion_;
   std::vector<Index> nodes_;
-  std::vector<Index> cells_;          // those whose shape changes
-  std::vector<T> share_, reference_;  // [nodes of the mesh]
+  std::vector<Index> cells_;             // those whose shape changes
+  std::vector<T> fraction_, reference_;  // [nodes of the mesh]
   T travel_ = 0;
 };
 

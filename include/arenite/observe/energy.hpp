@@ -8,8 +8,8 @@
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
-/// A part that keeps the energy ledger of a scene: works of stresses and accelerations are summed at each
-/// step. Without it they are not computed. Energies in J.
+/// A part that keeps the energy energy balance of a scene: works of stresses and accelerations are summed at
+/// each step. Without it they are not computed. Energies in J.
 struct TrackEnergy {
   using OnlyOne = TrackEnergy;
   static constexpr std::string_view state_name = "energy";
@@ -73,7 +73,7 @@ PartEnergy energy_of_parts(const Scene& scene, bool shared = true) {
   return sum;
 }
 
-/// Whether a scene keeps the ledger.
+/// Whether a scene keeps the balance.
 template <class Scene>
 inline constexpr bool tracks_energy = Scene::template has_part<TrackEnergy>;
 
@@ -94,7 +94,7 @@ struct Energies {
 template <class Scene, class Others = const Alone>
 Energies energies(const Scene& scene, [[maybe_unused]] Others& others = no_others) {
   static_assert(tracks_energy<Scene>, "energies: name TrackEnergy{} among the scene's parts");
-  const auto& ledger = scene.template part<TrackEnergy>();
+  const auto& balance = scene.template part<TrackEnergy>();
   bool shared = true;
   if constexpr (!Others::alone) shared = others.first();
   const PartEnergy parts = energy_of_parts(scene, shared);
@@ -109,12 +109,12 @@ Energies energies(const Scene& scene, [[maybe_unused]] Others& others = no_other
   e.inserted += inserted_strain;
   e.kinetic += parts.kinetic;
   e.stored = parts.stored;
-  e.external = ledger.gravity_work + parts.external;
-  e.plastic = ledger.stress_work - (e.strain - ledger.initial_strain - inserted_strain);
+  e.external = balance.gravity_work + parts.external;
+  e.plastic = balance.stress_work - (e.strain - balance.initial_strain - inserted_strain);
   e.contact = parts.dissipated;
-  e.residual = e.kinetic + e.strain + e.stored + e.plastic + e.contact - ledger.initial_kinetic -
-               ledger.initial_strain - ledger.initial_stored - e.external - e.inserted;
-  if (!shared) e.residual += ledger.initial_shared;
+  e.residual = e.kinetic + e.strain + e.stored + e.plastic + e.contact - balance.initial_kinetic -
+               balance.initial_strain - balance.initial_stored - e.external - e.inserted;
+  if (!shared) e.residual += balance.initial_shared;
   sum_over(others, e.kinetic, e.strain, e.stored, e.plastic, e.contact, e.external, e.inserted, e.residual);
   return e;
 }

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include <arenite/mesh/whole_volume.hpp>
+#include <arenite/mesh/full_volume.hpp>
 #include <arenite/scene/scene.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
@@ -26,7 +26,7 @@ double fill_ratio(const Scene& scene, const B& body, std::span<const Index> node
   if (cells.empty()) return std::numeric_limits<double>::quiet_NaN();
   double matter = 0, whole = 0;
   for (const Index c : cells) {
-    whole += static_cast<double>(whole_volume<typename Scene::Kinematics>(scene.mesh, c));
+    whole += static_cast<double>(full_volume<typename Scene::Kinematics>(scene.mesh, c));
     for (const Index p : body.cells[c]) matter += static_cast<double>(body.points.volume[p]);
   }
   return matter / whole;

@@ -35,19 +35,19 @@ class Progress {
     const auto now = Clock::now();
     spent_ += std::chrono::duration<double>(now - last_).count();
     last_ = now;
-    const double share = end_ > 0 ? scene.time / end_ : 1;
+    const double fraction = end_ > 0 ? scene.time / end_ : 1;
     const bool done = scene.time >= end_;
     if (terminal_) {
       if (!done && now - shown_ < std::chrono::milliseconds(500)) return;
     } else {
-      const int tenth = done ? 10 : static_cast<int>(10 * share);
+      const int tenth = done ? 10 : static_cast<int>(10 * fraction);
       if (tenth <= tenth_) return;
       tenth_ = tenth;
     }
     shown_ = now;
-    const double left = share > 0 ? spent_ * (1 - share) / share : 0;
+    const double left = fraction > 0 ? spent_ * (1 - fraction) / fraction : 0;
     std::fprintf(stream_, "%s%5.1f %%  t = %.5f s  step %zu  dt = %.2e s  %.0f s left%s%s",
-                 terminal_ ? "\r" : "", 100 * share, scene.time, scene.steps, scene.time_step,
+                 terminal_ ? "\r" : "", 100 * fraction, scene.time, scene.steps, scene.time_step,
                  std::ceil(left), terminal_ ? "   " : "", done || !terminal_ ? "\n" : "");
     std::fflush(stream_);
   }

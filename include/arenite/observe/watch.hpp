@@ -201,8 +201,8 @@ class Watch {
   static Held held(const Scene& scene) {
     Held h;
     if constexpr (tracks_energy<Scene>) {
-      const auto& ledger = scene.template part<TrackEnergy>();
-      h = {ledger.stress_work, -ledger.gravity_work};
+      const auto& balance = scene.template part<TrackEnergy>();
+      h = {balance.stress_work, -balance.gravity_work};
     } else {
       const Vec<double, Scene::D> g = scene.acceleration().template cast<double>();
       scene.for_each_body([&](const auto& body, const auto&) {
@@ -288,13 +288,13 @@ class Watch {
     gain_ = before_ + now.gained - start_.gained;
     moved_ = std::max(moved_, std::abs(now.external - start_.external));
     if constexpr (tracks_energy<Scene>) lowest_ = std::min(lowest_, gain_);
-    const auto share = [&](double energy) {
+    const auto fraction = [&](double energy) {
       return energy == 0 ? 0 : energy / std::max(put_in_ + moved_, floor_);
     };
     const auto spot = [&] { return fastest(scene); };
-    if (wants(energy_gain)) judge(energy_gain, scene.time, clipped(share(gain_ - lowest_)), -1, spot);
+    if (wants(energy_gain)) judge(energy_gain, scene.time, clipped(fraction(gain_ - lowest_)), -1, spot);
     if (tracks_energy<Scene> && wants(energy_loss))
-      judge(energy_loss, scene.time, clipped(share(-gain_)), -1, spot);
+      judge(energy_loss, scene.time, clipped(fraction(-gain_)), -1, spot);
   }
 
   /// max(x, 0), but NaN stays.

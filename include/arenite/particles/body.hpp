@@ -81,14 +81,14 @@ struct Body {
   double opened_volume = 0;              ///< voids that opened without stress, summed over all steps, m3
   PointTotals<D> inserted{}, removed{};  ///< by `insert_points` and `remove_points`
   bool finite = true;                    ///< sums over the points of the last step
-  std::vector<CellList::Move> moves{};   ///< [points and guests] scratch of `find_cells`
+  std::vector<CellList::Move> moves{};   ///< [points and unsorted points] scratch of `find_cells`
   std::vector<Index> move_count{};       ///< [blocks of cells] moves found in each
   /// Points in no cell of the mesh, from `find_cells` to `regroup`.
   std::vector<Index> outside{};
   bool moved = false;    ///< whether a point has another cell than the lists say, until `regroup`
   bool dropped = false;  ///< whether one has no cell any more
-  std::vector<CellSums<T, D>> cell_sums{};  ///< [cells] from `scatter`; empty if the numerics need none
-  /// [cells] sum of V times stress, N m, from `scatter`; empty unless stresses are centred
+  std::vector<CellSums<T, D>> cell_sums{};  ///< [cells] from `p2g`; empty if the numerics need none
+  /// [cells] sum of V times stress, N m, from `p2g`; empty unless stresses are centred
   std::vector<Sym<T, D>> cell_stress{};
 };
 

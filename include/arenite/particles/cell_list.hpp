@@ -1,5 +1,5 @@
 // Cell list: which points lie in which cell. The points of a cell are neighbours in memory; one that moves to
-// another cell becomes a guest there until all are regrouped.
+// another cell becomes an unsorted point there until all are regrouped.
 #pragma once
 
 #include <algorithm>
@@ -12,9 +12,9 @@
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
-/// Points of each cell: a run of neighbours that it owns, and guests, whose columns lie where their old
-/// cell's run ended. A step moves few points (0.5 % is common), so that a list of guests costs far less than
-/// a new order.
+/// Points of each cell: a run of neighbours that it owns, and unsorted points, whose columns lie where their
+/// old cell's run ended. A step moves few points (0.5 % is common), so that a list of unsorted points costs
+/// far less than a new order.
 class CellList {
  public:
   /// A change of cell.
@@ -36,24 +36,25 @@ class CellList {
   }
   /// Takes the memory that relocation of so many points needs, so that a step allocates nothing.
   void reserve(std::size_t points) {
-    guests_.reserve(points / 8 + 64);
-    all_guests_.reserve(points / 8 + 64);
+    unsorted_.reserve(points / 8 + 64);
+    all_unsorted_.reserve(points / 8 + 64);
     next_.reserve(start_.size());
     order_.reserve(points);
   }
 
-  /// The order of points that puts those of each cell side by side, its guests behind its own. Points of cell
-  /// `none` are left out. Call `take_order` once they stand so.
+  /// The order of points that puts those of each cell side by side, its unsorted points behind its own.
+  /// Points of cell `none` are left out. Call `take_order` once they stand so.
   const std::vector<Index>& order(const Blocks& blocks) {
     next_.assign(start_.size(), 0);
     for (Index c = 0; c < owned_.size(); ++c)
-      next_[c + 1] = next_[c] + owned_[c] + guest_start_[c + 1] - guest_start_[c];
+      next_[c + 1] = next_[c] + owned_[c] + unsorted_start_[c + 1] - unsorted_start_[c];
     order_.resize(next_.back());
     blocks.for_each_block([&](std::size_t, Index begin, Index end) {
       for (Index c = begin; c < end; ++c) {
-        const auto own = order_.begin() + next_[c], guests = own + owned_[c];
-        std::iota(own, guests, start_[c]);
-        std::copy(guests_.begin() + guest_start_[c], guests_.begin() + guest_start_[c + 1], guests);
+        const auto own = order_.begin() + next_[c], unsorted = own + owned_[c];
+        std::iota(own, unsorted, start_[c]);
+        std::copy(unsorted_.begin() + unsorted_start_[c], unsorted_.begin() + unsorted_start_[c + 1],
+                  unsorted);
       }
     });
     return order_;
@@ -66,7 +67,7 @@ class CellList {
   /// Takes a point out of its cell; `swap(a, b)` exchanges two points' columns. A point that its cell owns
   /// changes places with the last of the run first; `move.point` is its place from then on. Moves of one cell
   /// must come with its last point first; those of different cells may be taken at the same time. Call
-  /// `admit` for each, then `list_guests`.
+  /// `admit` for each, then `list_unsorted`.
   template <class Swap>
   void leave(Move& move, std::vector<Index>& cell, Swap&& swap) {
     const Index from = cell[move.point];
@@ -79,51 +80,51 @@ class CellList {
     cell[move.point] = move.to;
   }
 
-  /// Makes a point that has left its cell a guest.
+  /// Makes a point that has left its cell an unsorted point.
   void admit(const Move& move) {
-    if (move.from_run) all_guests_.push_back(move.point);
+    if (move.from_run) all_unsorted_.push_back(move.point);
   }
 
-  /// Makes a point that is new, behind all others, a guest.
-  void admit_new(Index point) { all_guests_.push_back(point); }
+  /// Makes a point that is new, behind all others, an unsorted point.
+  void admit_new(Index point) { all_unsorted_.push_back(point); }
 
-  /// Lists the guests by cell; those of cell `none` are left out.
-  void list_guests(const std::vector<Index>& cell) {
-    guest_start_.assign(guest_start_.size(), 0);
-    for (const Index p : all_guests_)
-      if (cell[p] != none) ++guest_start_[cell[p] + 1];
-    for (std::size_t c = 1; c < guest_start_.size(); ++c) guest_start_[c] += guest_start_[c - 1];
-    guests_.resize(guest_start_.back());
-    next_.assign(guest_start_.begin(), guest_start_.end());
-    for (const Index p : all_guests_)
-      if (cell[p] != none) guests_[next_[cell[p]]++] = p;
+  /// Lists the unsorted points by cell; those of cell `none` are left out.
+  void list_unsorted(const std::vector<Index>& cell) {
+    unsorted_start_.assign(unsorted_start_.size(), 0);
+    for (const Index p : all_unsorted_)
+      if (cell[p] != none) ++unsorted_start_[cell[p] + 1];
+    for (std::size_t c = 1; c < unsorted_start_.size(); ++c) unsorted_start_[c] += unsorted_start_[c - 1];
+    unsorted_.resize(unsorted_start_.back());
+    next_.assign(unsorted_start_.begin(), unsorted_start_.end());
+    for (const Index p : all_unsorted_)
+      if (cell[p] != none) unsorted_[next_[cell[p]]++] = p;
   }
 
-  /// Where the run of neighbours ends that point p of a cell belongs to: a guest is alone.
+  /// Where the run of neighbours ends that point p of a cell belongs to: an unsorted point is alone.
   Index run_end(Index p, Index cell) const {
     return p - start_[cell] < owned_[cell] ? start_[cell] + owned_[cell] : p + 1;
   }
 
   /// Entries of the lists of all cells before this one: its own begin here when they stand in one row.
-  std::size_t offset(Index cell) const { return std::size_t{start_[cell]} + guest_start_[cell]; }
+  std::size_t offset(Index cell) const { return std::size_t{start_[cell]} + unsorted_start_[cell]; }
 
-  std::size_t guests() const { return all_guests_.size(); }
-  /// The guests of all cells, in the order of their moves.
-  const std::vector<Index>& all_guests() const { return all_guests_; }
+  std::size_t unsorted() const { return all_unsorted_.size(); }
+  /// The unsorted points of all cells, in the order of their moves.
+  const std::vector<Index>& all_guests() const { return all_unsorted_; }
 
   /// Calls `f(point, count)` for the points of a cell, at most `Width` neighbours at a time.
   template <int Width, class F>
   void for_packs(Index cell, F&& f) const {
-    Index p = start_[cell], g = guest_start_[cell];
-    const Index end = p + owned_[cell], guest_end = guest_start_[cell + 1];
+    Index p = start_[cell], g = unsorted_start_[cell];
+    const Index end = p + owned_[cell], unsorted_end = unsorted_start_[cell + 1];
     for (;;) {  // one call of f, so that it is compiled into the loop once
       Index first, left;
       if (p < end) {
         first = p;
         left = end - p;
         p += Width;
-      } else if (g < guest_end) {
-        first = guests_[g++];
+      } else if (g < unsorted_end) {
+        first = unsorted_[g++];
         left = 1;
       } else {
         break;
@@ -137,50 +138,53 @@ class CellList {
    public:
     class Iterator {
      public:
-      Iterator(Index own, Index own_end, const Index* guest) : own_{own}, own_end_{own_end}, guest_{guest} {}
-      Index operator*() const { return own_ < own_end_ ? own_ : *guest_; }
+      Iterator(Index own, Index own_end, const Index* unsorted_point)
+          : own_{own}, own_end_{own_end}, unsorted_{unsorted_point} {}
+      Index operator*() const { return own_ < own_end_ ? own_ : *unsorted_; }
       Iterator& operator++() {
         if (own_ < own_end_)
           ++own_;
         else
-          ++guest_;
+          ++unsorted_;
         return *this;
       }
-      bool operator==(const Iterator& o) const { return own_ == o.own_ && guest_ == o.guest_; }
+      bool operator==(const Iterator& o) const { return own_ == o.own_ && unsorted_ == o.unsorted_; }
 
      private:
       Index own_, own_end_;
-      const Index* guest_;
+      const Index* unsorted_;
     };
-    Range(Index own, Index own_end, const Index* guest, const Index* guest_end)
-        : own_{own}, own_end_{own_end}, guest_{guest}, guest_end_{guest_end} {}
-    Iterator begin() const { return {own_, own_end_, guest_}; }
-    Iterator end() const { return {own_end_, own_end_, guest_end_}; }
-    std::size_t size() const { return own_end_ - own_ + static_cast<std::size_t>(guest_end_ - guest_); }
+    Range(Index own, Index own_end, const Index* unsorted_point, const Index* unsorted_end)
+        : own_{own}, own_end_{own_end}, unsorted_{unsorted_point}, unsorted_end_{unsorted_end} {}
+    Iterator begin() const { return {own_, own_end_, unsorted_}; }
+    Iterator end() const { return {own_end_, own_end_, unsorted_end_}; }
+    std::size_t size() const { return own_end_ - own_ + static_cast<std::size_t>(unsorted_end_ - unsorted_); }
     bool empty() const { return size() == 0; }
 
    private:
     Index own_, own_end_;
-    const Index *guest_, *guest_end_;
+    const Index *unsorted_, *unsorted_end_;
   };
   Range operator[](Index cell) const {
-    return {start_[cell], start_[cell] + owned_[cell], guests_.data() + guest_start_[cell],
-            guests_.data() + guest_start_[cell + 1]};
+    return {start_[cell], start_[cell] + owned_[cell], unsorted_.data() + unsorted_start_[cell],
+            unsorted_.data() + unsorted_start_[cell + 1]};
   }
-  bool empty(Index cell) const { return owned_[cell] == 0 && guest_start_[cell] == guest_start_[cell + 1]; }
+  bool empty(Index cell) const {
+    return owned_[cell] == 0 && unsorted_start_[cell] == unsorted_start_[cell + 1];
+  }
 
-  /// Runs and guests; the rest follows from them and the points' cells.
+  /// Runs and unsorted points; the rest follows from them and the points' cells.
   template <class F>
   void visit_state(F&& f) {
     f("runs", start_);
-    f("guests", all_guests_);
+    f("unsorted", all_unsorted_);
   }
   /// Renews the rest. Throws `error` if it is no list of these points.
   void follow_state(const std::vector<Index>& cell, Index cell_count) {
     bool fits = start_.size() == std::size_t{cell_count} + 1 && start_.front() == 0 &&
                 start_.back() <= cell.size() && std::is_sorted(start_.begin(), start_.end());
     std::vector<bool> is_guest(cell.size());
-    for (const Index p : all_guests_) {
+    for (const Index p : all_unsorted_) {
       fits = fits && p < cell.size() && !is_guest[p] && cell[p] < cell_count;
       if (!fits) break;
       is_guest[p] = true;
@@ -195,32 +199,32 @@ class CellList {
         }
       for (std::size_t p = start_.back(); p < cell.size(); ++p) fits = fits && is_guest[p];
     }
-    require(fits, "state: cells", cell_count, "runs and guests must list each point once");
-    guest_start_.resize(start_.size());
-    list_guests(cell);
+    require(fits, "state: cells", cell_count, "runs and unsorted must list each point once");
+    unsorted_start_.resize(start_.size());
+    list_unsorted(cell);
   }
 
   std::size_t bytes() const {
-    return (start_.size() + owned_.size() + guest_start_.size() + guests_.size() + all_guests_.size() +
+    return (start_.size() + owned_.size() + unsorted_start_.size() + unsorted_.size() + all_unsorted_.size() +
             next_.size() + order_.size()) *
            sizeof(Index);
   }
 
  private:
-  /// Lists the points as `start_` has them, without guests.
+  /// Lists the points as `start_` has them, without unsorted points.
   void own_all() {
     for (std::size_t c = 0; c < owned_.size(); ++c) owned_[c] = start_[c + 1] - start_[c];
-    guest_start_.assign(start_.size(), 0);
-    guests_.clear();
-    all_guests_.clear();
+    unsorted_start_.assign(start_.size(), 0);
+    unsorted_.clear();
+    all_unsorted_.clear();
   }
 
-  std::vector<Index> start_;         // [cells + 1] first point of each cell's run
-  std::vector<Index> owned_;         // [cells] points of the run that are still in the cell
-  std::vector<Index> guest_start_;   // [cells + 1] into guests_
-  std::vector<Index> guests_;        // by cell
-  std::vector<Index> all_guests_;    // in the order of their moves
-  std::vector<Index> next_, order_;  // scratch
+  std::vector<Index> start_;           // [cells + 1] first point of each cell's run
+  std::vector<Index> owned_;           // [cells] points of the run that are still in the cell
+  std::vector<Index> unsorted_start_;  // [cells + 1] into unsorted_
+  std::vector<Index> unsorted_;        // by cell
+  std::vector<Index> all_unsorted_;    // in the order of their moves
+  std::vector<Index> next_, order_;    // scratch
 };
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -173,8 +173,8 @@ class Points {
 
   /// Lays the columns but the cells anew, the points of each cell by the thread that has it in the loops over
   /// `blocks`: on a machine with several memories they then lie in that thread's (first touch). There must be
-  /// no guests.
-  void settle(const CellList& cells, const Blocks& blocks) {
+  /// no unsorted points.
+  void place_by_thread(const CellList& cells, const Blocks& blocks) {
     for_each_column([&](auto& column) {
       if constexpr (std::same_as<std::remove_cvref_t<decltype(column)>, Column<T>>) {
         Column<T> next(column.size());

@@ -54,7 +54,7 @@ template <int Width, class B, class M>
 void find_cells(B& body, M& mesh, const Blocks& blocks) {
   auto& points = body.points;
   auto& cells = body.cells;
-  body.moves.resize(points.size() + cells.guests());
+  body.moves.resize(points.size() + cells.unsorted());
   body.move_count.resize(blocks.count());
   blocks.for_each_block([&](std::size_t b, Index begin, Index end) {
     CellList::Move* const moves = body.moves.data() + cells.offset(begin);
@@ -84,8 +84,9 @@ void lose_outside(B& body) {
   for (const Index p : body.outside) body.lost_mass += static_cast<double>(body.points.mass[p]);
 }
 
-/// Renews the lists of cells, and drops the points that are in none. Points that moved are guests of their
-/// cells until they are more than a sixteenth: then the columns take a new order. Returns whether they did.
+/// Renews the lists of cells, and drops the points that are in none. Points that moved are unsorted points of
+/// their cells until they are more than a sixteenth: then the columns take a new order. Returns whether they
+/// did.
 template <class B>
 bool regroup(B& body, const Blocks& blocks) {
   if (!body.moved) return false;
@@ -94,9 +95,9 @@ bool regroup(B& body, const Blocks& blocks) {
   const bool leave = body.dropped;
   body.moved = body.dropped = false;
   body.outside.clear();
-  cells.list_guests(points.cell);
+  cells.list_unsorted(points.cell);
   constexpr std::size_t crowd = 16;
-  if (!leave && cells.guests() * crowd <= points.size()) return false;
+  if (!leave && cells.unsorted() * crowd <= points.size()) return false;
   points.reorder(cells.order(blocks));
   cells.take_order();
   return true;

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <limits>
 
-#include <arenite/core/alone.hpp>
 #include <arenite/core/error.hpp>
+#include <arenite/core/alone.hpp>
 #include <arenite/core/tensor.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
@@ -36,30 +36,30 @@ namespace detail {
 template <class R, class V, class T, class Others>
 T balance_speed(const R& body, const V& axis, T trial, T mass, Others& others) {
   T soil = 0;
-  for (const auto& t : body.touches) soil += t.share * t.mass;
+  for (const auto& t : body.touched_nodes) soil += t.mass_ratio * t.mass;
   sum_over(others, soil);
-  const auto pull = [&](T s) {
+  const auto contact_impulse = [&](T s) {
     T sum = 0;
-    for (const auto& t : body.touches) sum += body.impulse_at(t, s * axis).dot(axis);
+    for (const auto& t : body.touched_nodes) sum += body.impulse_at(t, s * axis).dot(axis);
     sum_over(others, sum);
     return sum;
   };
   constexpr T round_off = std::numeric_limits<T>::epsilon();
-  T s = trial, f = pull(s);
+  T s = trial, f = contact_impulse(s);
   if (f == 0) return trial;
   const T sign = f > 0 ? T(1) : T(-1);
   T near = trial;            // f has the sign of the start here, and the other one (or none) at `far`
-  T far = trial - f / mass;  // here the body alone would have taken the impulse of the trial speed
+  T far = trial - f / mass;  // here the body free_velocity would have taken the impulse of the trial speed
   T before = std::numeric_limits<T>::infinity();
   for (int k = 0; k < 200; ++k) {
     const T h = -sign * std::sqrt(round_off) * std::max(std::abs(s - trial), std::abs(f) / (mass + soil));
-    const T slope = mass + (pull(s + h) - pull(s)) / h;
+    const T slope = mass + (contact_impulse(s + h) - contact_impulse(s)) / h;
     T next = s - f / slope;
     if (!((next - near) * (next - far) < 0) || 2 * std::abs(f) > before) next = near + (far - near) / 2;
     before = std::abs(f);
     const T change = std::abs(next - s);
     s = next;
-    f = mass * (s - trial) + pull(s);
+    f = mass * (s - trial) + contact_impulse(s);
     (f * sign > 0 ? near : far) = s;
     if (f == 0 || change <= 4 * round_off * std::abs(s - trial)) break;
   }
@@ -89,27 +89,28 @@ struct BoundGuided {
   }
 
   V start() const { return speed * axis; }
-  V alone(const V& before, const V& acceleration, T, T dt) const {
+  V free_velocity(const V& before, const V& acceleration, T, T dt) const {
     const T drive = acceleration.dot(axis) + static_cast<T>(load / mass);
     return before + dt * drive * axis;
   }
   template <class Body, class Others = const Alone>
-  V meet(const Body& body, const V& alone, [[maybe_unused]] Others& others = no_others) const {
+  V velocity_in_contact(const Body& body, const V& free_velocity,
+                        [[maybe_unused]] Others& others = no_others) const {
     if constexpr (Body::coupling_through_centre)
-      return alone;  // `after` corrects it: eq. (4)
+      return free_velocity;  // `after` corrects it: eq. (4)
     else
-      return detail::balance_speed(body, axis, alone.dot(axis), static_cast<T>(mass), others) * axis;
+      return detail::balance_speed(body, axis, free_velocity.dot(axis), static_cast<T>(mass), others) * axis;
   }
   /// What is left of the balance is given to the body, unless it is round-off of the impulses: a very light
   /// body would make a velocity of it.
-  V after(const V& met, const V& alone, const V& total, T exchanged) const {
-    const T m = static_cast<T>(mass), left = m * (met - alone).dot(axis) + total.dot(axis);
+  V after(const V& met, const V& free_velocity, const V& total, T exchanged) const {
+    const T m = static_cast<T>(mass), left = m * (met - free_velocity).dot(axis) + total.dot(axis);
     const bool round_off = !(std::abs(left) > 16 * std::numeric_limits<T>::epsilon() * exchanged);
-    return round_off ? met : V(alone - (total.dot(axis) / m) * axis);
+    return round_off ? met : V(free_velocity - (total.dot(axis) / m) * axis);
   }
   V mean(const V& before, const V& after) const { return (before + after) / 2; }
-  double drive(const V& before, const V& alone, const V& mean, const V&) const {
-    return static_cast<double>(static_cast<T>(mass) * (alone - before).dot(mean));
+  double drive(const V& before, const V& free_velocity, const V& mean, const V&) const {
+    return static_cast<double>(static_cast<T>(mass) * (free_velocity - before).dot(mean));
   }
   double kinetic_energy(const V& v) const { return 0.5 * mass * static_cast<double>(v.squaredNorm()); }
   bool holds(const V& g) const { return std::abs(axis.dot(g)) <= 1e-6 * g.norm(); }

@@ -8,26 +8,28 @@
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 /// A motion once bound to a scene (a recipe may have a `bind_part`). V: a vector [D] of the scene. In a step
-/// contact asks for the velocity that the body would have alone, for the one with which impulses are found,
-/// and, once they are given, for the one that they leave.
+/// contact asks for the velocity that the body would have free_velocity, for the one with which impulses are
+/// found, and, once they are given, for the one that they leave.
 ///
 /// - `has_mass`: whether impulses change the motion; such a motion has `mass`, kg;
 /// - `start()`: initial velocity, m/s;
-/// - `alone(before, acceleration, time, dt)`: velocity at the end of the step, `time`, without contact;
-/// - `meet(body, alone)`: velocity in contact; `body.impulse_at(touch, v)` over `body.touches` are the
+/// - `free_velocity(before, acceleration, time, dt)`: velocity at the end of the step, `time`, without
+/// contact;
+/// - `velocity_in_contact(body, free_velocity)`: velocity in contact; `body.impulse_at(touch, v)` over
+/// `body.touched_nodes` are the
 ///   impulses on the matter at a velocity v of the body;
-/// - `after(met, alone, total, exchanged)`: velocity at the end of the step, after the impulse `total`, N s,
-/// on
+/// - `after(met, free_velocity, total, exchanged)`: velocity at the end of the step, after the impulse
+/// `total`, N s, on
 ///   the matter; `exchanged`: sum of the impulses' magnitudes;
 /// - `mean(before, after)`: velocity at which impulses worked;
-/// - `drive(before, alone, mean, total)`: work of gravity, load or drive in the step, J;
+/// - `drive(before, free_velocity, mean, total)`: work of gravity, load or drive in the step, J;
 /// - `kinetic_energy(v)`: J;
 /// - `holds(acceleration)`: whether the body would not fall with the matter.
 template <class M, class V>
 concept rigid_motion = requires(const M motion, const V v, typename V::Scalar t) {
   { M::has_mass } -> std::convertible_to<bool>;
   { motion.start() } -> std::convertible_to<V>;
-  { motion.alone(v, v, t, t) } -> std::convertible_to<V>;
+  { motion.free_velocity(v, v, t, t) } -> std::convertible_to<V>;
   { motion.after(v, v, v, t) } -> std::convertible_to<V>;
   { motion.mean(v, v) } -> std::convertible_to<V>;
   { motion.drive(v, v, v, v) } -> std::convertible_to<double>;

@@ -27,15 +27,15 @@ struct BoundPrescribed {
   explicit BoundPrescribed(Prescribed<Velocity> p) : velocity{std::move(p.velocity)} {}
 
   V start() const { return V::Zero(); }
-  V alone(const V&, const V&, T time, T) const {
+  V free_velocity(const V&, const V&, T time, T) const {
     const auto v = velocity(static_cast<double>(time));
     V out;
     for (int k = 0; k < D; ++k) out[k] = static_cast<T>(v[static_cast<std::size_t>(k)]);
     return out;
   }
   template <class Body>
-  V meet(const Body&, const V& alone) const {
-    return alone;
+  V velocity_in_contact(const Body&, const V& free_velocity) const {
+    return free_velocity;
   }
   V after(const V& met, const V&, const V&, T) const { return met; }
   V mean(const V&, const V& after) const { return after; }

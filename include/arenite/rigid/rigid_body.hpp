@@ -8,8 +8,8 @@
 #include <arenite/contact/coulomb.hpp>
 #include <arenite/contact/hold.hpp>
 #include <arenite/contact/tally.hpp>
-#include <arenite/core/alone.hpp>
 #include <arenite/core/bind.hpp>
+#include <arenite/core/alone.hpp>
 #include <arenite/core/name.hpp>
 #include <arenite/core/part_energy.hpp>
 #include <arenite/core/state_value.hpp>
@@ -55,22 +55,22 @@ Rigid<Surface, Motion, Coupling> rigid(Surface surface, Motion motion, Friction 
 namespace detail {
 
 template <class Shape, class M, class R, class Fields, class Owns>
-void find_touches(const M& mesh, R& body, const Fields& fields, const Owns& owns) {
+void find_touched_nodes(const M& mesh, R& body, const Fields& fields, const Owns& owns) {
   using T = typename M::scalar;
-  body.touches.clear();
+  body.touched_nodes.clear();
   body.inside_nodes = 0;
   body.surface.template visit<Shape>(
-      mesh, body.displacement, [&](Index node, const auto& normal, bool inside, [[maybe_unused]] T share) {
+      mesh, body.displacement, [&](Index node, const auto& normal, bool inside, [[maybe_unused]] T fraction) {
         if (!owns(node)) return;
         for (std::size_t f = 0; f < fields.size(); ++f) {
           const T mass = fields[f].mass[node];
           if (!(mass > 0)) continue;
           T moved = 1;
           if constexpr (R::coupling_through_centre) {
-            const T rigid_mass = share * static_cast<T>(body.motion.mass);
+            const T rigid_mass = fraction * static_cast<T>(body.motion.mass);
             if (!inside) moved = rigid_mass / (rigid_mass + mass);
           }
-          body.touches.push_back({f, node, inside, mass, moved, fields[f].velocity[node], normal});
+          body.touched_nodes.push_back({f, node, inside, mass, moved, fields[f].velocity[node], normal});
           body.inside_nodes += inside;
         }
       });
@@ -85,20 +85,20 @@ template <class Shape, class M, class R, class Fields, class T, int D, class Own
           class Others = const Alone>
 ContactTally collide(const M& mesh, R& body, Fields& fields, const Vec<T, D>& acceleration, T time, T dt,
                      const Owns& owns = {}, Others& others = no_others) {
-  detail::find_touches<Shape>(mesh, body, fields, owns);
-  const Vec<T, D> before = body.velocity, free = body.motion.alone(before, acceleration, time, dt);
-  if constexpr (requires { body.motion.meet(body, free, others); }) {
-    body.velocity = body.motion.meet(body, free, others);
+  detail::find_touched_nodes<Shape>(mesh, body, fields, owns);
+  const Vec<T, D> before = body.velocity, free_velocity = body.motion.free_velocity(before, acceleration, time, dt);
+  if constexpr (requires { body.motion.velocity_in_contact(body, free_velocity, others); }) {
+    body.velocity = body.motion.velocity_in_contact(body, free_velocity, others);
   } else {
     static_assert(Others::alone || !R::is_free,
                   "Rigid: meet of this motion must take the others to sum with");
-    body.velocity = body.motion.meet(body, free);
+    body.velocity = body.motion.velocity_in_contact(body, free_velocity);
   }
   Vec<T, D> total = Vec<T, D>::Zero();  // on the fields
   T gained = 0;                         // by the fields: impulses times their mean velocities over the step
   T exchanged = 0;                      // magnitudes of the impulses
   body.contact_nodes = 0;
-  for (auto& t : body.touches) {
+  for (auto& t : body.touched_nodes) {
     const auto given = body.contact_at(t, body.velocity);
     const Vec<T, D>& j = given.impulse;
     if (j.squaredNorm() == 0) continue;
@@ -114,11 +114,11 @@ ContactTally collide(const M& mesh, R& body, Fields& fields, const Vec<T, D>& ac
   sum_over(others, total, gained, exchanged, body.contact_nodes, body.inside_nodes);
   body.force = -total / dt;
   body.impulse -= total;
-  body.velocity = body.motion.after(body.velocity, free, total, exchanged);
+  body.velocity = body.motion.after(body.velocity, free_velocity, total, exchanged);
   const Vec<T, D> mean = body.motion.mean(before, body.velocity);
   const double dissipation = static_cast<double>(total.dot(mean) - gained);
   body.dissipated += dissipation;
-  body.driving_work += body.motion.drive(before, free, mean, total);
+  body.driving_work += body.motion.drive(before, free_velocity, mean, total);
   body.displacement += dt * body.velocity;
   return {.dissipation = dissipation, .nodes = body.contact_nodes};
 }
@@ -128,7 +128,7 @@ ContactTally collide(const M& mesh, R& body, Fields& fields, const Vec<T, D>& ac
 template <bool Centred, class R, class Fields, class T, class Others = const Alone>
 double hold_to(R& body, Fields& fields, T dt, Others& others = no_others) {
   double dissipation = 0;
-  for (const auto& t : body.touches) {
+  for (const auto& t : body.touched_nodes) {
     if (t.impulse.squaredNorm() == 0) continue;
     using V = std::remove_cvref_t<decltype(t.normal)>;
     auto& field = fields[t.field];
@@ -157,7 +157,7 @@ struct RigidBody {
   static constexpr bool is_free = Motion::has_mass;
   static constexpr bool coupling_through_centre = Coupling::through_centre_of_mass;
   static_assert(rigid_motion<Motion, V>, "Rigid: the motion lacks a member; see arenite/rigid/motion.hpp");
-  static_assert(!coupling_through_centre || (Surface::has_shares && is_free),
+  static_assert(!coupling_through_centre || (Surface::has_volume_fractions && is_free),
                 "Rigid: CentreOfMass needs a MeshSurface and a Guided motion, which give the body's nodes "
                 "their masses");
   Surface surface;
@@ -173,27 +173,27 @@ struct RigidBody {
   std::size_t inside_nodes = 0;   ///< nodes inside the body that carried mass in the last step
 
   /// One touched node of one field.
-  struct Touch {
+  struct TouchedNode {
     std::size_t field;
     Index node;
     bool inside;
-    T mass;    ///< of the field at the node, kg
-    T share;   ///< what an impulse has to move, as a share of `mass`: 1, or m_rigid / (m_rigid + mass)
-    V start;   ///< velocity of the field before contact, m/s
-    V normal;  ///< out of the body
+    T mass;        ///< of the field at the node, kg
+    T mass_ratio;  ///< what an impulse has to move, as a share of `mass`: 1, or m_rigid / (m_rigid + mass)
+    V start;       ///< velocity of the field before contact, m/s
+    V normal;      ///< out of the body
     bool sticks = false;    ///< to the body: no relative motion at all
     V impulse = V::Zero();  ///< on the field, N s
   };
-  std::vector<Touch> touches{};  ///< of the last step
+  std::vector<TouchedNode> touched_nodes{};  ///< of the last step
 
   double kinetic_energy() const { return motion.kinetic_energy(velocity); }
 
   /// What the field at a touched node is given if the body moves with velocity v.
-  CoulombImpulse<T, D> contact_at(const Touch& t, const V& v) const {
-    if (t.inside) return stick<T, D>(t.start - v, t.share * t.mass);
-    return coulomb<T, D>(t.start - v, t.normal, t.share * t.mass, friction);
+  CoulombImpulse<T, D> contact_at(const TouchedNode& t, const V& v) const {
+    if (t.inside) return stick<T, D>(t.start - v, t.mass_ratio * t.mass);
+    return coulomb<T, D>(t.start - v, t.normal, t.mass_ratio * t.mass, friction);
   }
-  V impulse_at(const Touch& t, const V& v) const { return contact_at(t, v).impulse; }
+  V impulse_at(const TouchedNode& t, const V& v) const { return contact_at(t, v).impulse; }
 
   template <class Scene>
   void connect(const Scene& scene) {

@@ -28,14 +28,14 @@ template <class Distance>
 DistanceSurface(Distance, double) -> DistanceSurface<Distance>;
 
 /// A surface once bound to a scene:
-/// - `has_shares`: whether its nodes carry shares of the body's mass;
+/// - `has_volume_fractions`: whether its nodes carry fractions of its volume;
 /// - `visit<Shape>(mesh, displacement, f)`: calls `f(node, normal, inside, share)` for each node that it
 ///   touches where the body is now, with the unit normal out of the body (zero inside);
 /// - optional `connect(scene)`: called once, when all parts of the scene are bound.
 template <class S, class Shape, class M>
 concept rigid_surface = requires(const S surface, const M& mesh,
                                  const Vec<typename M::scalar, M::dimension> x) {
-  { S::has_shares } -> std::convertible_to<bool>;
+  { S::has_volume_fractions } -> std::convertible_to<bool>;
   surface.template visit<Shape>(
       mesh, x, [](Index, const Vec<typename M::scalar, M::dimension>&, bool, typename M::scalar) {});
 };
@@ -46,7 +46,7 @@ template <class T, int D>
 class BoundMeshSurface {
  public:
   explicit BoundMeshSurface(MeshSurface s) : recipe_{std::move(s)} {}
-  static constexpr bool has_shares = true;
+  static constexpr bool has_volume_fractions = true;
 
   template <class Scene>
   void connect(const Scene& scene) {
@@ -56,7 +56,7 @@ class BoundMeshSurface {
   template <class Shape, class M, class F>
   void visit(const M&, const Vec<T, D>&, F&& f) const {
     for (std::size_t k = 0; k < surface_.nodes.size(); ++k)
-      f(surface_.nodes[k], surface_.normals[k], false, surface_.share[k]);
+      f(surface_.nodes[k], surface_.normals[k], false, surface_.volume_fraction[k]);
     for (const Index i : surface_.inside) f(i, Vec<T, D>::Zero(), true, T(0));
   }
   const RegionSurface<T, D>& surface() const { return surface_; }
@@ -80,7 +80,7 @@ class BoundDistanceSurface {
   explicit BoundDistanceSurface(DistanceSurface<Distance> s) : surface_{std::move(s)} {
     require(surface_.reach >= 0, "DistanceSurface.reach", surface_.reach, "must not be negative");
   }
-  static constexpr bool has_shares = false;
+  static constexpr bool has_volume_fractions = false;
 
   template <class Shape, class M, class F>
   void visit(const M& mesh, const Vec<T, D>& displacement, F&& f) const {

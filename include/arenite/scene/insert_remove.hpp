@@ -35,7 +35,7 @@ auto insert_points(Scene& scene,
       add_points(body, scene.mesh, points, [&](const auto& p) { return detail::id_for(scene, p); });
   body.inserted += totals;
   body.initial_volume += totals.mass / body.law.density();
-  if (regroup(body, scene.blocks)) scene.share_out();
+  if (regroup(body, scene.blocks)) scene.balance_threads();
   return totals;
 }
 
@@ -50,7 +50,7 @@ auto remove_points(Scene& scene, Leaves&& leaves) {
       [](const auto&) {});
   body.removed += totals;
   body.initial_volume -= totals.mass / body.law.density();
-  if (regroup(body, scene.blocks)) scene.share_out();
+  if (regroup(body, scene.blocks)) scene.balance_threads();
   return totals;
 }
 

@@ -25,7 +25,7 @@ void relocate(Scene& scene, [[maybe_unused]] Others& others = no_others) {
     lose_outside(body);
     regrouped = regroup(body, scene.blocks) || regrouped;
   });
-  if (regrouped) scene.share_out();
+  if (regrouped) scene.balance_threads();
   if constexpr (Others::alone) {
     if (had_any && scene.point_count() == 0)
       throw run_error(shared_detail::join("t = ", scene.time, " s: all ", scene.lost_points(),

@@ -12,15 +12,15 @@
 #include <arenite/mesh/portion.hpp>
 #include <arenite/particles/measures.hpp>
 #include <arenite/particles/relocate.hpp>
-#include <arenite/scene/doubts.hpp>
+#include <arenite/scene/new_scene_warnings.hpp>
 #include <arenite/scene/parts.hpp>
 #include <arenite/scene/roles.hpp>
 #include <arenite/transfer/centred_stress.hpp>
-#include <arenite/transfer/deform.hpp>
+#include <arenite/transfer/g2p.hpp>
 #include <arenite/transfer/light_nodes.hpp>
+#include <arenite/transfer/map_back.hpp>
 #include <arenite/transfer/numerics.hpp>
-#include <arenite/transfer/remap.hpp>
-#include <arenite/transfer/scatter.hpp>
+#include <arenite/transfer/p2g.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
@@ -31,8 +31,9 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 /// nothing holds against.
 template <class K, class M, class N, class... Given>
 struct Scene {
-  static_assert(kinematics<K>,
-                "Scene: the first value must be the kinematics: PlaneStrain, Axisymmetric or Solid");
+  static_assert(
+      kinematics<K>,
+      "Scene: the first value must be the kinematics: PlaneStrain, Axisymmetric or ThreeDimensional");
   static_assert(mesh<M>, "Scene: the second value must be a mesh: a CartesianGrid or a SimplexMesh");
   static_assert(M::dimension == K::dimension, "Scene: mesh and kinematics must have the same dimension");
   static_assert(shape_function<typename N::Shape, M>,
@@ -77,7 +78,7 @@ struct Scene {
   static constexpr auto body_names = BodiesOf::names;  ///< empty where a body has none
   static constexpr std::size_t field_count = Needs::own_fields ? body_count : 1;
   static constexpr std::size_t rigid_count = detail::rigids_of<Parts>::count;
-  using Field = NodeField<T, D, N::remaps, Needs::mass_gradient>;
+  using Field = NodeField<T, D, N::maps_back, Needs::mass_gradient>;
   /// Whether stresses are taken at the middle of the step: where all laws are linear (see `add_half_step`).
   static constexpr bool centres_stress = BodiesOf::template centres_stress<N>;
 
@@ -92,15 +93,15 @@ struct Scene {
         parts{bind(mesh, kinematics, given...)},
         fields{make_fields(std::make_index_sequence<field_count>{})},
         bodies{make_bodies(detail::find_bodies(given...))} {
-    share_out();
-    for_each_body([&](auto& body, const auto&) { body.points.settle(body.cells, blocks); });
+    balance_threads();
+    for_each_body([&](auto& body, const auto&) { body.points.place_by_thread(body.cells, blocks); });
     numerics.transfer.check();
     numerics.anti_locking.check();
     find_constraints();
     for_each_part([&](auto& part) {
       if constexpr (connects<std::remove_reference_t<decltype(part)>, Scene>) part.connect(*this);
     });
-    if constexpr (!is_portion) detail::doubt(*this, detail::find_bodies(given...));
+    if constexpr (!is_portion) detail::warn_about_new_scene(*this, detail::find_bodies(given...));
   }
 
   K kinematics;
@@ -241,8 +242,8 @@ struct Scene {
   }
 
   /// Gives each thread cells with as many points as the others'.
-  void share_out() {
-    blocks.share_out([&](Index c) {
+  void balance_threads() {
+    blocks.balance_threads([&](Index c) {
       std::size_t n = 0;
       for_each_body([&](const auto& body, const auto&) { n += body.cells[c].size(); });
       return n;

@@ -12,10 +12,10 @@
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 template <class Scene, class Others = const Alone>
-void scatter(Scene& scene, [[maybe_unused]] Others& others = no_others) {
+void p2g(Scene& scene, [[maybe_unused]] Others& others = no_others) {
   for (auto& field : scene.fields) field.clear();
   scene.for_each_body([&](auto& body, auto& field) {
-    scatter<typename Scene::Kinematics>(scene.numerics, scene.mesh, scene.blocks, body, field);
+    p2g<typename Scene::Kinematics>(scene.numerics, scene.mesh, scene.blocks, body, field);
   });
   if constexpr (!Others::alone)
     for (auto& field : scene.fields) {
@@ -78,7 +78,7 @@ void centre_stress(Scene& scene, [[maybe_unused]] double dt, [[maybe_unused]] Ot
     using T = typename Scene::T;
     for (auto& field : scene.fields) {
       const typename Scene::V none = Scene::V::Zero();
-      advance(field, none, T(0), least_mass<T>);
+      update_grid(field, none, T(0), least_mass<T>);
       detail::allow(scene, field, field.velocity, 0);
       if constexpr (!Others::alone) detail::keep_owned(scene, field.collected);
     }
@@ -92,14 +92,14 @@ void centre_stress(Scene& scene, [[maybe_unused]] double dt, [[maybe_unused]] Ot
 }
 
 template <class Scene, class Others = const Alone>
-void advance(Scene& scene, double dt, [[maybe_unused]] Others& others = no_others) {
+void update_grid(Scene& scene, double dt, [[maybe_unused]] Others& others = no_others) {
   using T = typename Scene::T;
   const auto acceleration = scene.acceleration();
   for (auto& field : scene.fields) {
-    advance(field, acceleration, static_cast<T>(dt), least_mass<T>);
+    update_grid(field, acceleration, static_cast<T>(dt), least_mass<T>);
     if constexpr (Scene::Shape::constant_gradient)
       detail::add_velocities(others, field, [&](auto& to) {
-        hand_to_neighbours(scene.mesh, field, static_cast<T>(dt), scene.node_owner(), to);
+        exchange_with_neighbours(scene.mesh, field, static_cast<T>(dt), scene.node_owner(), to);
       });
   }
 }
@@ -151,13 +151,13 @@ void smooth_light_nodes(Scene& scene, [[maybe_unused]] double dt,
 }
 
 template <class Scene, class Others = const Alone>
-void remap(Scene& scene, [[maybe_unused]] double dt, [[maybe_unused]] Others& others = no_others) {
-  if constexpr (Scene::NumericsType::remaps) {
+void map_back(Scene& scene, [[maybe_unused]] double dt, [[maybe_unused]] Others& others = no_others) {
+  if constexpr (Scene::NumericsType::maps_back) {
     scene.for_each_body(
-        [&](auto& body, auto& field) { remap(scene.numerics, scene.mesh, scene.blocks, body, field); });
+        [&](auto& body, auto& field) { map_back(scene.numerics, scene.mesh, scene.blocks, body, field); });
     for (auto& field : scene.fields) {
       if constexpr (!Others::alone) detail::sum_nodes(others, field.mapped);
-      finish_remap<Scene::centres_stress>(scene.numerics, field);
+      finish_map_back<Scene::centres_stress>(scene.numerics, field);
       if constexpr (!Scene::Shape::constant_gradient) exchange_at_faces(scene.mesh, field.mass, field.mapped);
     }
     const auto hold = [&](auto& part) {
@@ -180,7 +180,7 @@ void remap(Scene& scene, [[maybe_unused]] double dt, [[maybe_unused]] Others& ot
 }
 
 template <class Scene, class Others = const Alone>
-void deform(Scene& scene, double dt, [[maybe_unused]] Others& others = no_others) {
+void g2p(Scene& scene, double dt, [[maybe_unused]] Others& others = no_others) {
   using K = typename Scene::Kinematics;
   using N = typename Scene::NumericsType;
   const auto step = static_cast<typename Scene::T>(dt);
@@ -191,8 +191,8 @@ void deform(Scene& scene, double dt, [[maybe_unused]] Others& others = no_others
       if constexpr (!Others::alone) others.sum_nodes(scene.average.numbers(), 2);
       scene.average.use(scene.mesh, scene.blocks, body);
     }
-    const DeformSums sums =
-        deform<K, Scene::Needs::stress_work>(scene.numerics, scene.mesh, body, field, step, scene.average);
+    const G2pSums sums =
+        g2p<K, Scene::Needs::stress_work>(scene.numerics, scene.mesh, body, field, step, scene.average);
     body.opened_volume += sums.opened_volume;
     body.finite = std::isfinite(sums.check);
     scene.finite = scene.finite && body.finite;

@@ -129,7 +129,7 @@ void follow_state(Scene& scene) {
   scene.for_each_part([&](auto& part) {
     if constexpr (follows_state<std::remove_reference_t<decltype(part)>, Scene>) part.follow_state(scene);
   });
-  scene.share_out();
+  scene.balance_threads();
 }
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -14,17 +14,17 @@ void step(Scene& scene, double dt, Others& others = no_others) {
   static_assert(Scene::is_portion != Others::alone,
                 "step: a scene over a MeshPortion needs the exchange with the other portions, others none");
   relocate(scene, others);           // find the cell of each point
-  scatter(scene, others);            // P2G: mass, momentum, internal force
+  p2g(scene, others);                // P2G: mass, momentum, internal force
   add_forces(scene, dt);             // springs, tractions, ..
   centre_stress(scene, dt, others);  // elastic bodies, MUSL on simplices: forces of the middle of the step
-  advance(scene, dt, others);        // nodal momentum balance
+  update_grid(scene, dt, others);    // nodal momentum balance
   constrain(scene, dt);              // fixities, rollers, symmetry planes
   exchange(scene, dt, others);       // body against body, rigid body against bodies: impulses that cancel
   smooth_light_nodes(scene, dt, others);  // nodes at a body's edge that have force and hardly any mass
-  remap(scene, dt, others);   // MUSL: node velocities for the strains, as the points would hand them back
-  deform(scene, dt, others);  // G2P: velocities, strains, positions; stresses by the law of each body
-  follow(scene, dt, others);  // what moves with the matter: the mesh, springs, ..
-  finish(scene, dt);          // time, and the check that nothing has become NaN
+  map_back(scene, dt, others);  // MUSL: node velocities for the strains, as the points would hand them back
+  g2p(scene, dt, others);       // G2P: velocities, strains, positions; stresses by the law of each body
+  follow(scene, dt, others);    // what moves with the matter: the mesh, springs, ..
+  finish(scene, dt);            // time, and the check that nothing has become NaN
 }
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -53,14 +53,14 @@ struct LinearSimplex {
     /// [D + 1] values at positions x [D] of a pack of points (or of one).
     template <class P>
     std::array<P, size> weights(const std::array<P, D>& x) const {
-      std::array<P, D> way;
-      repeat<D>([&](std::size_t d) { way[d] = x[d] - P(origin_[static_cast<int>(d)]); });
+      std::array<P, D> offset;
+      repeat<D>([&](std::size_t d) { offset[d] = x[d] - P(origin_[static_cast<int>(d)]); });
       std::array<P, size> w;
       w[0] = P(1);
       repeat<D>([&](std::size_t k) {
-        P value = P(frame_.inverse(static_cast<int>(k), 0)) * way[0];
+        P value = P(frame_.inverse(static_cast<int>(k), 0)) * offset[0];
         repeat<D - 1>([&](std::size_t d) {
-          value += P(frame_.inverse(static_cast<int>(k), static_cast<int>(d + 1))) * way[d + 1];
+          value += P(frame_.inverse(static_cast<int>(k), static_cast<int>(d + 1))) * offset[d + 1];
         });
         w[k + 1] = value;
         w[0] -= value;
@@ -68,16 +68,16 @@ struct LinearSimplex {
       return w;
     }
 
-    /// [D][D + 1] ways along each axis from positions x to the nodes, m.
+    /// [D][D + 1] offsets along each axis from positions x to the nodes, m.
     template <class P>
-    std::array<std::array<P, size>, D> ways(const std::array<P, D>& x) const {
-      std::array<std::array<P, size>, D> way;
+    std::array<std::array<P, size>, D> offsets(const std::array<P, D>& x) const {
+      std::array<std::array<P, size>, D> offset;
       for (std::size_t i = 0; i < size; ++i)
         for (std::size_t k = 0; k < D; ++k)
-          way[k][i] = P(mesh_.position(nodes[i])[static_cast<int>(k)]) - x[k];
-      return way;
+          offset[k][i] = P(mesh_.position(nodes[i])[static_cast<int>(k)]) - x[k];
+      return offset;
     }
-    static constexpr std::size_t along(std::size_t i, std::size_t) { return i; }
+    static constexpr std::size_t axis_index(std::size_t i, std::size_t) { return i; }
 
     /// [D x (D + 1)] positions of the nodes, m.
     Gradients node_positions() const {

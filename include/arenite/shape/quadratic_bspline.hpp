@@ -33,9 +33,10 @@ struct QuadraticBSpline {
   static typename M::Point node_position(const M& grid, Index node) {
     typename M::Point x;
     for (int k = 0; k < M::dimension; ++k) {
-      const Index along = grid.cells(k) + 2;
-      x[k] = grid.lower()[k] + grid.edge() * greville<typename M::scalar>(node % along, grid.cells(k));
-      node /= along;
+      const Index nodes_on_axis = grid.cells(k) + 2;
+      x[k] =
+          grid.lower()[k] + grid.edge() * greville<typename M::scalar>(node % nodes_on_axis, grid.cells(k));
+      node /= nodes_on_axis;
     }
     return x;
   }
@@ -53,7 +54,7 @@ struct QuadraticBSpline {
    public:
     using T = typename M::scalar;
     static constexpr int D = M::dimension;
-    static constexpr std::size_t along_axis = 3;  ///< nodes along each axis
+    static constexpr std::size_t nodes_per_axis = 3;  ///< nodes along each axis
     static constexpr int size = D == 2 ? 9 : 27;
     using Weights = Vec<T, size>;
     using Gradients = Eigen::Matrix<T, D, size, Eigen::DontAlign>;
@@ -148,26 +149,27 @@ struct QuadraticBSpline {
           inverse[k] = P(4 * per_metre_ * per_metre_);
           continue;
         }
-        const P way = x[k] - P(lower_[static_cast<int>(k)]);
+        const P offset = x[k] - P(lower_[static_cast<int>(k)]);
         const auto w = values(k, local(k, x));
         P inertia(0);
-        for (std::size_t i = 0; i < 3; ++i) inertia += w[i] * square(P(P(along_[k][i]) - way));
+        for (std::size_t i = 0; i < 3; ++i) inertia += w[i] * square(P(P(along_[k][i]) - offset));
         const auto some = inertia > P(std::numeric_limits<T>::epsilon() * edge_ * edge_);
         inverse[k] = select(some, P(P(1) / select(some, inertia, P(1))), P(0));
       }
       return inverse;
     }
 
-    /// [D][3] ways along each axis from positions x to the nodes, m: to node i that number `along(i, axis)`.
+    /// [D][3] offsets along each axis from positions x to the nodes, m: to node i that number `axis_index(i,
+    /// axis)`.
     template <class P>
-    std::array<std::array<P, 3>, D> ways(const std::array<P, D>& x) const {
-      std::array<std::array<P, 3>, D> way;
+    std::array<std::array<P, 3>, D> offsets(const std::array<P, D>& x) const {
+      std::array<std::array<P, 3>, D> offset;
       for (std::size_t k = 0; k < D; ++k)
         for (std::size_t i = 0; i < 3; ++i)
-          way[k][i] = P(along_[k][i]) - (x[k] - P(lower_[static_cast<int>(k)]));
-      return way;
+          offset[k][i] = P(along_[k][i]) - (x[k] - P(lower_[static_cast<int>(k)]));
+      return offset;
     }
-    static constexpr std::size_t along(std::size_t i, std::size_t axis) { return digit(i, axis); }
+    static constexpr std::size_t axis_index(std::size_t i, std::size_t axis) { return digit(i, axis); }
 
     /// [D x 3^D] positions of the nodes, m.
     Gradients node_positions() const {

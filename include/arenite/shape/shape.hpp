@@ -10,8 +10,8 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 /// - `S::fits<M>`: whether the functions are made for mesh M;
 /// - `S::node_count(mesh)`, `S::node_position(mesh, node)`: the nodes that carry coefficients;
 /// - `S::Cell<M>(mesh, cell)`: `nodes` [size]; `weights(x)` [size] and `gradients(x)` [D x size] in 1/m at
-///   a position x, as Eigen's; `weights(x)` [size] and `ways(x)` [D][..] at a `std::array` x [D] of packs or
-///   scalars, as arrays of them, for the kernels;
+///   a position x, as Eigen's; `weights(x)` [size] and `offsets(x)` [D][..] at a `std::array` x [D] of packs
+///   or scalars, as arrays of them, for the kernels;
 /// - `S::constant_gradient`: whether the gradients are the same everywhere in a cell: then they are its
 /// member
 ///   `gradient`; else its functions must be products along the axes, and it has `line_values(x)`,
@@ -27,7 +27,7 @@ concept shape_function = mesh<M> && S::template fits<M>&& requires(
   {typename S::template Cell<M>(m, i).weights(x)};
   {typename S::template Cell<M>(m, i).gradients(x)};
   {typename S::template Cell<M>(m, i).weights(place)};
-  {typename S::template Cell<M>(m, i).ways(place)};
+  {typename S::template Cell<M>(m, i).offsets(place)};
 }
 &&(S::constant_gradient ||
    requires(const typename S::template Cell<M> cell,

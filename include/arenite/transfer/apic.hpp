@@ -24,7 +24,7 @@ struct Apic {
   /// B of the place that it came from, over the D of the place where it is, would make of any velocity a huge
   /// one.
   struct Taken {
-    static constexpr bool needs_arms = true;
+    static constexpr bool needs_moments = true;
     detail::Nothing velocity{};
 
     template <class Cell, class Point, class X, class Sums>
@@ -33,7 +33,7 @@ struct Apic {
       const auto inverse = cell.inverse_inertia(x);
       std::array<typename Point::P, D * D> c;
       for (std::size_t a = 0; a < D; ++a)
-        for (std::size_t d = 0; d < D; ++d) c[a * D + d] = sums.arms()[a][d] * inverse[a];
+        for (std::size_t d = 0; d < D; ++d) c[a * D + d] = sums.moments()[a][d] * inverse[a];
       p.set_velocity_gradient(c);
       p.set_velocity(sums.value);
       return VelocityField{sums.value, c};

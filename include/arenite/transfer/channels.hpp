@@ -94,7 +94,7 @@ struct NodeLanes {
     return first < Values::size || (first < slopes + Slopes::size && first + count > slopes);
   }
   /// Whether any of them is more than the mass, which points hand over without a gradient.
-  static constexpr bool has_gradient(std::size_t first, std::size_t count) {
+  static constexpr bool has_slopes(std::size_t first, std::size_t count) {
     bool has = false;
     for (std::size_t k = first; k < first + count; ++k)
       has = has ||

@@ -32,11 +32,12 @@ std::size_t exchange_at_faces(const M& grid, const std::vector<T>& mass, NodeVec
   };
   Index stride = 1;
   for (int k = 0; k < D; ++k) {
-    const Index along = grid.cells(k) + 2, length = stride * along;  // nodes along the axis; in a slab of it
+    const Index nodes_on_axis = grid.cells(k) + 2,
+                length = stride * nodes_on_axis;  // nodes along the axis; in a slab of it
     for (Index slab = 0; slab < static_cast<Index>(mass.size()); slab += length)
       for (Index low = slab; low < slab + stride; ++low) {
         exchange(low, low + stride);
-        const Index high = low + (along - 1) * stride;
+        const Index high = low + (nodes_on_axis - 1) * stride;
         exchange(high, high - stride);
       }
     stride = length;

@@ -7,13 +7,15 @@
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
-/// PIC and FLIP in any blend: v_p = share (v_p + sum w (v_i^new - v_i^old)) + (1 - share) sum w v_i^new.
-/// FLIP (share 1; Brackbill and Ruppel 1986, doi:10.1016/0021-9991(86)90211-1) keeps energy and noise, PIC
-/// (share 0; Harlow 1964) damps both, at a rate that grows with the number of steps.
+/// PIC and FLIP in any blend: v_p = fraction (v_p + sum w (v_i^new - v_i^old)) + (1 - fraction) sum w
+/// v_i^new. FLIP (fraction 1; Brackbill and Ruppel 1986, doi:10.1016/0021-9991(86)90211-1) keeps energy and
+/// noise, PIC (fraction 0; Harlow 1964) damps both, at a rate that grows with the number of steps.
 struct Flip {
   static constexpr bool affine = false;
-  double share = 1.0;  ///< FLIP fraction, 0 to 1
-  void check() const { require(share >= 0 && share <= 1, "Flip.share", share, "must lie in [0, 1]"); }
+  double fraction = 1.0;  ///< FLIP fraction, 0 to 1
+  void check() const {
+    require(fraction >= 0 && fraction <= 1, "Flip.fraction", fraction, "must lie in [0, 1]");
+  }
   template <class Shape>
   static constexpr bool fits = true;
 
@@ -23,18 +25,19 @@ struct Flip {
     return VelocityField{p.velocity()};
   }
 
-  /// Both are linear in the nodes' velocities: v_p = share v_p + sum w d with d_i = v_i^new - share v_i^old.
+  /// Both are linear in the nodes' velocities: v_p = fraction v_p + sum w d with d_i = v_i^new - fraction
+  /// v_i^old.
   template <class T, class Rows>
   struct Taken {
-    static constexpr bool needs_arms = false;
-    T share;
+    static constexpr bool needs_moments = false;
+    T fraction;
     Rows velocity;  ///< d_i, m/s
 
     template <class Cell, class Point, class X, class Sums>
     auto operator()(const Cell&, const Point& p, const X&, const Sums& sums) const {
       auto v = sums.value;
       const auto own = p.velocity();
-      repeat<v.size()>([&](std::size_t d) { v[d] += typename Point::P(share) * own[d]; });
+      repeat<v.size()>([&](std::size_t d) { v[d] += typename Point::P(fraction) * own[d]; });
       p.set_velocity(v);
       return VelocityField{v};
     }
@@ -44,8 +47,8 @@ struct Flip {
     using T = typename Cell::T;
     using V = NodePack<T, Cell::D>;
     Taken<T, NodeRows<T, Cell::D, Cell::size>> taken;
-    taken.share = static_cast<T>(share);
-    const V kept(taken.share);
+    taken.fraction = static_cast<T>(fraction);
+    const V kept(taken.fraction);
     repeat<Cell::size>([&](std::size_t i) {
       taken.velocity.set(i, nodes.velocity.pack(cell.nodes[i]) - kept * nodes.start.pack(cell.nodes[i]));
     });

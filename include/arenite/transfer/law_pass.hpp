@@ -12,12 +12,12 @@
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 /// Sums of a pass over the points, each in a fixed order.
-struct DeformSums {
+struct G2pSums {
   double work = 0;           ///< work of the stresses, J; 0 unless asked for
   double opened_volume = 0;  ///< voids that opened without stress, m3
   double check = 0;          ///< finite as long as every position, stress and volume is
 
-  friend DeformSums operator+(const DeformSums& a, const DeformSums& b) {
+  friend G2pSums operator+(const G2pSums& a, const G2pSums& b) {
     return {a.work + b.work, a.opened_volume + b.opened_volume, a.check + b.check};
   }
 };
@@ -33,9 +33,9 @@ T small_exp(const T& x) {
 }
 
 /// Strains and spins of a run of points in one step, by column; kept small enough to stay in the nearest
-/// cache. `Weighs`: whether the volume that bears a point's stress may differ from its own, which the work of
-/// the stress then follows.
-template <class T, int D, bool Weighs = false>
+/// cache. `StoresBearing`: whether the volume that bears a point's stress may differ from its own, which the
+/// work of the stress then follows.
+template <class T, int D, bool StoresBearing = false>
 struct StrainBuffer {
   static constexpr std::size_t capacity = 256, slack = 128 / sizeof(T);
   static constexpr std::size_t strain_size = Sym<T, D>::size, spin_size = D == 2 ? 1 : 3;
@@ -67,7 +67,7 @@ struct StrainBuffer {
 
  private:
   std::array<std::array<T, capacity + slack>, strain_size + spin_size> column_{};
-  std::array<T, Weighs ? capacity + slack : 0> bearing_{};
+  std::array<T, StoresBearing ? capacity + slack : 0> bearing_{};
 };
 
 /// What a law is called with where `Width` points are computed at once: a pack of them, or what the law asks
@@ -76,16 +76,16 @@ template <class L, class T, int Width>
 struct LawLanes {
   static constexpr int width = std::min(max_pack_width<L>, Width);
   using type =
-      std::conditional_t<two_packs_at_once<L> && (width > 1), Twin<Pack<T, width>>, lanes_of<T, width>>;
+      std::conditional_t<two_packs_at_once<L> && (width > 1), PackPair<Pack<T, width>>, lanes_of<T, width>>;
 };
 
 /// Updates stress, history and volume of the points [begin, end) through a step of dt, s, with the strains in
 /// `buffer`. A volume follows the trace of the strain less what opened: V = V_0 exp(sum (tr de - opening)).
 /// Matter that dilates stops at its greatest V / V_0: what it would dilate beyond that counts as opened.
 /// `TracksWork`: whether the work of the stresses is summed.
-template <bool TracksWork, int Width, class L, class Points, class T, int D, bool Weighs>
+template <bool TracksWork, int Width, class L, class Points, class T, int D, bool StoresBearing>
 [[gnu::flatten]] void law_pass(const L& law, Points& points, std::size_t begin, std::size_t end,
-                               const StrainBuffer<T, D, Weighs>& buffer, double dt, DeformSums& sums) {
+                               const StrainBuffer<T, D, StoresBearing>& buffer, double dt, G2pSums& sums) {
   using P = typename LawLanes<L, T, Width>::type;
   constexpr int width = lane_count<P>;
   using History = typename L::template History<P>;
@@ -142,7 +142,7 @@ template <bool TracksWork, int Width, class L, class Points, class T, int D, boo
     store_lanes(points.volume.data() + p, count, after);
     if constexpr (TracksWork) {
       P done = (before + after) * contract(old + stress, step.strain) * P(0.25);
-      if constexpr (Weighs) done = done * buffer.template load_bearing<P>(p - begin);
+      if constexpr (StoresBearing) done = done * buffer.template load_bearing<P>(p - begin);
       work += done;
     }
     opened += after * opening;

@@ -22,7 +22,7 @@ void for_each_neighbour(const M& mesh, Index i, F&& f) {
 /// masses, so that momentum is kept: the limit of a light node's exchange (`LightNodes`) for a mass that
 /// falls to nothing. For nodes that `owns(i)`; `to` gets what is added to velocities.
 template <class M, class Field, class T, class Owns, class Velocities>
-void hand_to_neighbours(const M& mesh, const Field& nodes, T dt, const Owns& owns, Velocities& to) {
+void exchange_with_neighbours(const M& mesh, const Field& nodes, T dt, const Owns& owns, Velocities& to) {
   for (Index i = 0; i < nodes.size(); ++i) {
     if (nodes.mass[i] > 0 || !owns(i)) continue;
     const auto force = nodes.collected[i].force();
@@ -41,7 +41,7 @@ void hand_to_neighbours(const M& mesh, const Field& nodes, T dt, const Owns& own
 /// has no bound, while the stable step follows the cells. (A quadratic spline's slope falls with it.)
 ///
 /// A node is light if its mass m is below m_e = `least_share` sum m_c (h_c |grad N|)^2, over its cells, with
-/// the mass m_c of their points and their smallest altitude h_c: as `scatter` leaves it in
+/// the mass m_c of their points and their smallest altitude h_c: as `p2g` leaves it in
 /// `NodeSums::reach`; equilateral cells filled evenly give m = 4 m_e (3 in space). A light node goes the
 /// share 1 - m / m_e of the way to the mean velocity of its neighbours, weighted by their masses, so that its
 /// own force moves it as if it had the mass m_e. Each neighbour gives what the node gets: linear momentum is
@@ -67,10 +67,10 @@ class LightNodes {
       for_each_neighbour(mesh, i, [&](Index j) { around += nodes.mass[j]; });
       if (!(around > 0)) continue;
       ++count;
-      const T share = (1 - m / enough) / around;
+      const T fraction = (1 - m / enough) / around;
       const Vec<T, D> own = nodes.velocity[i];
       for_each_neighbour(mesh, i, [&](Index j) {
-        if (nodes.mass[j] > 0) given_.push_back({i, j, share * (nodes.velocity[j] - own)});
+        if (nodes.mass[j] > 0) given_.push_back({i, j, fraction * (nodes.velocity[j] - own)});
       });
     }
     for (const Given& g : given_) {

@@ -127,9 +127,9 @@ class NodeVectors {
 template <real T, int D, bool Mapped, bool Gradient>
 struct NodeField {
   static constexpr bool has_mapped = Mapped;
-  static constexpr bool has_gradient = Gradient;
+  static constexpr bool has_mass_gradient = Gradient;
 
-  std::vector<NodeSums<T, D>> collected;  ///< [nodes] what `scatter` sums and `advance` reads
+  std::vector<NodeSums<T, D>> collected;  ///< [nodes] what `p2g` sums and `update_grid` reads
   std::vector<T> mass;                    ///< [nodes] kg
   NodeVectors<T, D> start;                ///< [nodes] velocity at the step's begin, m/s
   NodeVectors<T, D> velocity;             ///< [nodes] velocity at the step's end, m/s

@@ -39,14 +39,14 @@ struct Numerics {
   using AntiLocking = AntiLocking_;
   /// Whether strains are taken from velocities that were mapped back to the nodes. What TPIC takes from the
   /// nodes of a linear simplex it would hand back to each unchanged: there MUSL is USL.
-  static constexpr bool remaps = Order::remaps && !(Shape::constant_gradient && Transfer::affine);
+  static constexpr bool maps_back = Order::maps_back && !(Shape::constant_gradient && Transfer::affine);
   /// Whether the points take their velocities where they are mapped back, in a pass before that of the
-  /// strains; linear simplices need no such pass (see `remap`).
-  static constexpr bool remaps_by_points = remaps && !Shape::constant_gradient;
+  /// strains; linear simplices need no such pass (see `map_back`).
+  static constexpr bool maps_back_by_points = maps_back && !Shape::constant_gradient;
   /// Whether the light nodes at a body's edge exchange momentum with their neighbours (see `LightNodes`).
   /// MUSL's light nodes take their strains from what their neighbours move.
-  static constexpr bool smooths_light_nodes = Shape::constant_gradient && !remaps;
-  static constexpr bool needs_edge_mass = remaps && Shape::constant_gradient;
+  static constexpr bool smooths_light_nodes = Shape::constant_gradient && !maps_back;
+  static constexpr bool needs_edge_mass = maps_back && Shape::constant_gradient;
   /// Whether the stresses of bodies with laws L are taken at the middle of the step (see `add_half_step`).
   template <class... L>
   static constexpr bool centres_stress = needs_edge_mass && !AntiLocking::averages_strain &&
@@ -80,7 +80,7 @@ struct Numerics {
     if constexpr (Shape::constant_gradient)
       return smooths_light_nodes ? 0.35 : 1.0;
     else
-      return std::sqrt((remaps ? 4.0 : 2.0) / (Shape::steepness * D));
+      return std::sqrt((maps_back ? 4.0 : 2.0) / (Shape::steepness * D));
   }
 
   Transfer transfer{};

@@ -45,12 +45,13 @@ std::vector<NodeSums<T, D>> p2g(const N& numerics, const M& mesh, const B& body)
   return sums;
 }
 
-/// Sums over the nodes of a cell that a transfer takes at x: of the vectors d_i, and with the arms x_i - x.
+/// Sums over the nodes of a cell that a transfer takes at x: of the vectors d_i, and with the moments x_i -
+/// x.
 template <class T, int D>
 struct TakenSums {
   std::array<T, D> value{};
-  std::array<std::array<T, D>, D> with_arms{};
-  const auto& arms() const { return with_arms; }
+  std::array<std::array<T, D>, D> moment_sums{};
+  const auto& moments() const { return moment_sums; }
 };
 
 /// Gives point p the velocity (and its gradient) that its transfer takes. Returns the field that it hands
@@ -69,7 +70,7 @@ auto take(const N& numerics, const Cell& cell, Points& points, std::size_t p, co
       const auto n = static_cast<int>(i);
       sums.value[k] += w[n] * d[i][k];
       for (int a = 0; a < D; ++a)
-        sums.with_arms[static_cast<std::size_t>(a)][k] += w[n] * d[i][k] * (node(a, n) - x[a]);
+        sums.moment_sums[static_cast<std::size_t>(a)][k] += w[n] * d[i][k] * (node(a, n) - x[a]);
     }
   const PointPack<Points, 1> point{points, p, 1};
   return transfer(cell, point, point.position(), sums);
@@ -111,11 +112,11 @@ std::vector<StrainStep<T, D>> g2p(const N& numerics, const M& mesh, B& body, con
     const auto gradient = cell.gradients(x);
     take(numerics, cell, points, p, nodes);
     Mat<T, D> increment = Mat<T, D>::Zero();
-    Vec<T, D> way = Vec<T, D>::Zero();
+    Vec<T, D> displacement = Vec<T, D>::Zero();
     T radial = 0;
     for (int i = 0; i < cell.size; ++i) {
       const Index node = cell.nodes[static_cast<std::size_t>(i)];
-      way += dt * w[i] * nodes.velocity[node];
+      displacement += dt * w[i] * nodes.velocity[node];
       increment += dt * nodes.strain_velocity()[node] * gradient.col(i).transpose();
       radial += dt * w[i] * nodes.strain_velocity()[node][0];
     }
@@ -126,7 +127,7 @@ std::vector<StrainStep<T, D>> g2p(const N& numerics, const M& mesh, B& body, con
     });
     if (K::hoop) strain.strain[2] = radial / x[0];
     strains.push_back(strain);
-    points.position.set(p, x + way);
+    points.position.set(p, x + displacement);
   }
   return strains;
 }

@@ -10,17 +10,17 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 /// Strain and spin of one step from the velocity gradient times dt, whose columns are `along(j)`[i] =
 /// dv_i/dx_j dt; no strain out of plane.
 template <class P, std::size_t D, class Columns>
-StrainStep<P, static_cast<int>(D)> in_plane_step(Columns&& along) {
+StrainStep<P, static_cast<int>(D)> in_plane_step(Columns&& derivative) {
   StrainStep<P, static_cast<int>(D)> step;
   auto& e = step.strain;
   const P half(0.5);
-  const auto x = along(0), y = along(1);
+  const auto x = derivative(0), y = derivative(1);
   e[0] = x[0];
   e[1] = y[1];
   e[3] = (y[0] + x[1]) * half;
   step.spin[0] = (y[0] - x[1]) * half;
   if constexpr (D == 3) {
-    const auto z = along(2);
+    const auto z = derivative(2);
     e[2] = z[2];
     e[4] = (z[1] + y[2]) * half;
     e[5] = (x[2] + z[0]) * half;

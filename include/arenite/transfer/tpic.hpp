@@ -22,7 +22,7 @@ struct Tpic {
 
   template <class T, std::size_t D>
   struct Taken {
-    static constexpr bool needs_arms = false;
+    static constexpr bool needs_moments = false;
     std::array<T, D * D> gradient;  ///< L = sum v_i (grad w_i)^T, column by column, 1/s
     detail::Nothing velocity{};
 

@@ -15,14 +15,14 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 // - `take(cell, nodes)`: what the points of a cell do in G2P, made once a cell:
 //   - `velocity`: the vectors d_i of its nodes of which points take sums, `NodeRows`; or `Nothing`: the new
 //     velocities of the nodes;
-//   - `needs_arms`: whether it needs sum w_i d_i (x_i - x_p)^T, beside sum w_i d_i;
+//   - `needs_moments`: whether it needs sum w_i d_i (x_i - x_p)^T, beside sum w_i d_i;
 //   - `(cell, p, x, sums)`: gives point p at x what it takes of `sums.value` [D] and, if it needs them,
-//   `sums.arms()`
+//   `sums.moments()`
 //     [D][D], axis by axis; returns the field that it hands over from then on.
 
 /// Update of stress last, from the nodal velocities of the step (update stress last, USL).
 struct Usl {
-  static constexpr bool remaps = false;
+  static constexpr bool maps_back = false;
 };
 
 /// Update of stress last, from point velocities mapped back to the nodes once more (modified USL; Sulsky,
@@ -30,7 +30,7 @@ struct Usl {
 /// Elastic bodies on simplices, without averages, take their stress at the middle of the step
 /// (`add_half_step`).
 struct Musl {
-  static constexpr bool remaps = true;
+  static constexpr bool maps_back = true;
 };
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

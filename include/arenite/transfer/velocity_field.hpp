@@ -12,12 +12,12 @@ struct VelocityField {
   std::array<P, D> value;                        ///< at the point, m/s
   std::array<P, Linear ? D * D : 0> gradient{};  ///< [D x D] column by column, 1/s
 
-  /// At a node, from the ways to it along each axis, m: `way(a)`.
-  template <class Way>
-  std::array<P, D> at(Way&& way) const {
+  /// At a node, from the offsets to it along each axis, m: `offset(a)`.
+  template <class Offset>
+  std::array<P, D> at(Offset&& offset) const {
     auto v = value;
     repeat<D>([&](std::size_t d) {
-      repeat<Linear ? D : 0>([&](std::size_t a) { v[d] += gradient[a * D + d] * way(a); });
+      repeat<Linear ? D : 0>([&](std::size_t a) { v[d] += gradient[a * D + d] * offset(a); });
     });
     return v;
   }

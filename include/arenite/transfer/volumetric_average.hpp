@@ -11,7 +11,7 @@
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 /// Volumetric strain of each cell after averaging over the nodes, for policies with `averages_strain`. Reads
-/// the points' sums that `scatter` left, not the points.
+/// the points' sums that `p2g` left, not the points.
 ///
 /// Only the elastic part is averaged. With theta the strain of a cell, A the average and K the bulk modulus,
 /// the mean stress K A theta is conjugate to theta, for V A is symmetric and positive semidefinite: the

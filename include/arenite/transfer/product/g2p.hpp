@@ -9,11 +9,11 @@
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 namespace product {
 
-/// Sums over node vectors with the functions of `line`, with arms if a transfer needs them.
+/// Sums over node vectors with the functions of `line`, with moments if a transfer needs them.
 template <class Take, class Line, class Rows, class... Kinds>
 auto taken_sums(const Take&, const Line& line, const Rows& rows, const Kinds&... kind) {
-  if constexpr (Take::needs_arms)
-    return line.sum(rows, kind..., line.arm);
+  if constexpr (Take::needs_moments)
+    return line.sum(rows, kind..., line.moment);
   else
     return line.sum(rows, kind...);
 }
@@ -33,11 +33,11 @@ template <class K, class N, class M, class Points, class Field, class T, class B
   using P = lanes_of<T, width>;
   const Cell cell(mesh, c);
   const Rows v(cell, nodes.velocity);
-  const std::conditional_t<N::remaps, Rows, detail::Nothing> mapped(cell, nodes.strain_velocity());
+  const std::conditional_t<N::maps_back, Rows, detail::Nothing> mapped(cell, nodes.strain_velocity());
   const auto& u = either(mapped, v);
   const auto take = numerics.transfer.take(cell, nodes);
   // What is taken of v itself costs no sum of its own.
-  constexpr bool takes_of_v = !N::remaps && std::same_as<decltype(take.velocity), detail::Nothing>;
+  constexpr bool takes_of_v = !N::maps_back && std::same_as<decltype(take.velocity), detail::Nothing>;
   P check(0);
   for_each_pack<width>(points, begin, end, [&](const auto& p) {
     const auto x = p.position();
@@ -50,18 +50,18 @@ template <class K, class N, class M, class Points, class Field, class T, class B
         return line.sum(u, line.slope);
     }();
     auto step = in_plane_step<P, D>([&](std::size_t b) {
-      auto column = sums.along[0][b];
+      auto column = sums.by_axis[0][b];
       for (P& component : column) component = component * P(dt);
       return column;
     });
-    const auto way = N::remaps ? line.sum(v).value : sums.value;
+    const auto moving_velocity = N::maps_back ? line.sum(v).value : sums.value;
     if constexpr (takes_of_v)
       take(cell, p, x, sums);
-    else if constexpr (!N::remaps)
+    else if constexpr (!N::maps_back)
       take(cell, p, x, taken_sums(take, line, take.velocity));
     if constexpr (K::hoop) step.strain[2] = P(dt) * sums.value[0] * reciprocal(x[0]);
     buffer.store(p.first - origin, step);
-    check += move_points(p, x, way, dt);
+    check += move_points(p, x, moving_velocity, dt);
   });
   return lane_sums(std::array<P, 1>{check})[0];
 }

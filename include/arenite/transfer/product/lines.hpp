@@ -19,33 +19,33 @@ inline constexpr int cell_width = std::min(Width, D == 2 ? 4 : 8);
 template <class P, std::size_t D, std::size_t Along>
 using LineFunctions = std::array<std::array<P, Along>, D>;
 
-/// Sums of node vectors v_i [D]: `value` = sum w_i v_i, and `along[k][a]` the same with the function along
+/// Sums of node vectors v_i [D]: `value` = sum w_i v_i, and `by_axis[k][a]` the same with the function along
 /// axis a replaced by that of kind k.
 template <class P, std::size_t D, std::size_t Kinds>
 struct LineSums {
   std::array<P, D> value;
-  std::array<std::array<std::array<P, D>, D>, Kinds> along;
+  std::array<std::array<std::array<P, D>, D>, Kinds> by_axis;
 
   /// The last kind.
-  const auto& arms() const { return along[Kinds - 1]; }
+  const auto& moments() const { return by_axis[Kinds - 1]; }
 };
 
-/// The functions of a cell along each axis at a pack of points: values; slopes, 1/m; and arms, values times
-/// the way to the node, m.
+/// The functions of a cell along each axis at a pack of points: values; slopes, 1/m; and moments, values
+/// times the offset of the node, m.
 template <class P, class Cell>
 struct Lines {
-  static constexpr std::size_t D = Cell::D, along = Cell::along_axis;
-  using Functions = LineFunctions<P, D, along>;
-  Functions value, slope, arm;
+  static constexpr std::size_t D = Cell::D, N = Cell::nodes_per_axis;
+  using Functions = LineFunctions<P, D, N>;
+  Functions value, slope, moment;
 
   Lines(const Cell& cell, const std::array<P, D>& x)
-      : value{cell.line_values(x)}, slope{cell.line_slopes(x)}, arm{cell.ways(x)} {
+      : value{cell.line_values(x)}, slope{cell.line_slopes(x)}, moment{cell.offsets(x)} {
     repeat<D>(
-        [&](std::size_t a) { repeat<along>([&](std::size_t i) { arm[a][i] = arm[a][i] * value[a][i]; }); });
+        [&](std::size_t a) { repeat<N>([&](std::size_t i) { moment[a][i] = moment[a][i] * value[a][i]; }); });
   }
 
-  /// Sums over the vectors v[i] of all nodes. Kinds: `slope` gives the gradient sum v_i (grad w_i)^T, `arm`
-  /// sum w_i v_i (x_i - x)^T, column by column.
+  /// Sums over the vectors v[i] of all nodes. Kinds: `slope` gives the gradient sum v_i (grad w_i)^T,
+  /// `moment` sum w_i v_i (x_i - x)^T, column by column.
   template <class Rows, class... Kinds>
   LineSums<P, D, sizeof...(Kinds)> sum(const Rows& v, const Kinds&... kind) const {
     return sum_over<D>(v, 0, std::array<Functions, sizeof...(Kinds)>{kind...});
@@ -60,19 +60,19 @@ struct Lines {
     if constexpr (Axes == 0) {
       repeat<D>([&](std::size_t d) { total.value[d] = P(v[first][d]); });
     } else {
-      constexpr std::size_t a = Axes - 1, stride = a == 0 ? 1 : a == 1 ? along : along * along;
+      constexpr std::size_t a = Axes - 1, stride = a == 0 ? 1 : a == 1 ? N : N * N;
       repeat<D>([&](std::size_t d) {
         total.value[d] = P(0);
         repeat<Kinds>(
-            [&](std::size_t k) { repeat<Axes>([&](std::size_t b) { total.along[k][b][d] = P(0); }); });
+            [&](std::size_t k) { repeat<Axes>([&](std::size_t b) { total.by_axis[k][b][d] = P(0); }); });
       });
-      repeat<along>([&](std::size_t j) {
+      repeat<N>([&](std::size_t j) {
         const auto part = sum_over<a>(v, first + j * stride, kind);
         repeat<D>([&](std::size_t d) {
           total.value[d] += value[a][j] * part.value[d];
           repeat<Kinds>([&](std::size_t k) {
-            repeat<a>([&](std::size_t b) { total.along[k][b][d] += value[a][j] * part.along[k][b][d]; });
-            total.along[k][a][d] += kind[k][a][j] * part.value[d];
+            repeat<a>([&](std::size_t b) { total.by_axis[k][b][d] += value[a][j] * part.by_axis[k][b][d]; });
+            total.by_axis[k][a][d] += kind[k][a][j] * part.value[d];
           });
         });
       });

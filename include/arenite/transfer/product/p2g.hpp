@@ -24,14 +24,14 @@ template <class K, class N, class M, class B, class Field>
   using P = typename Sums::P;
   const Cell cell(mesh, c);
   Sums rows;
-  [[maybe_unused]] std::conditional_t<Field::has_gradient, Gradients, detail::Nothing> gradients;
+  [[maybe_unused]] std::conditional_t<Field::has_mass_gradient, Gradients, detail::Nothing> gradients;
   const auto spread = [&] {
     rows.spread([&](std::size_t i, std::size_t lane, const auto& sum) {
       using L = std::remove_cvref_t<decltype(sum)>;
       T* const to = nodes.collected[cell.nodes[i]].lane.data() + lane;
       store_lanes(to, lane_count<L>, L(load_lanes<L>(to, lane_count<L>) + sum));
     });
-    if constexpr (Field::has_gradient)
+    if constexpr (Field::has_mass_gradient)
       gradients.spread([&](std::size_t i, std::size_t lane, const auto& sum) {
         nodes.mass_gradient.add(cell.nodes[i], node_pack<T, M::dimension>(lane, sum));
       });
@@ -47,14 +47,14 @@ template <class K, class N, class M, class B, class Field>
     handed.own(node_channel::mass) = m;
     handed.momentum(m, field);
     repeat<D * D>([&](std::size_t k) {
-      handed.along(k / D, node_channel::force, k % D) =
+      handed.slope(k / D, node_channel::force, k % D) =
           volume * stress[Sym<P, M::dimension>::index(k % D, k / D)];
     });
     if constexpr (K::hoop) handed.own(node_channel::force) = volume * stress[2] * reciprocal(x[0]);
     rows.push(p.count, handed, line);
-    if constexpr (Field::has_gradient) {
+    if constexpr (Field::has_mass_gradient) {
       typename Gradients::Handed mass;
-      repeat<D>([&](std::size_t a) { mass.along(a, node_channel::mass_gradient, a) = m; });
+      repeat<D>([&](std::size_t a) { mass.slope(a, node_channel::mass_gradient, a) = m; });
       gradients.push(p.count, mass, line);
     }
   });

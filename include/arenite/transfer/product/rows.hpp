@@ -34,12 +34,12 @@ void store_rows(const std::array<P, 8>& column, T* to) {
 /// Rows of up to `capacity` points with the channels of `Lanes`. A node at (i, j, k) of the cell collects,
 /// with line functions N and a second kind G along each axis,
 ///   N_i N_j N_k own + G_i N_j N_k along[x] + N_i G_j N_k along[y] + N_i N_j G_k along[z]
-/// where G is the arm, N times the way to the node, in lanes by value (for an affine velocity) and the slope
-/// of N in those by slope (for a force).
+/// where G is the moment, N times the offset of the node, in lanes by value (for an affine velocity) and the
+/// slope of N in those by slope (for a force).
 template <class Cell, class Lanes, int Width>
 class Rows {
   using T = typename Cell::T;
-  static constexpr std::size_t D = Cell::D, N = Cell::along_axis, lanes = Lanes::size;
+  static constexpr std::size_t D = Cell::D, N = Cell::nodes_per_axis, lanes = Lanes::size;
   static_assert(lanes == 8);
   // Lanes computed at once, a register's.
   static constexpr std::size_t at_once = static_cast<std::size_t>(std::min(Width, 8));
@@ -65,7 +65,7 @@ class Rows {
       return own_[Lanes::first(name) + k];
     }
     template <class Name>
-    P& along(std::size_t axis, Name name, std::size_t k) {
+    P& slope(std::size_t axis, Name name, std::size_t k) {
       return along_[axis][Lanes::first(name) + k];
     }
     /// Momentum of a velocity field.
@@ -73,7 +73,7 @@ class Rows {
     void momentum(const P& m, const Field& v) {
       repeat<D>([&](std::size_t d) { own(node_channel::momentum, d) = m * v.value[d]; });
       repeat<Field::linear ? D * D : 0>(
-          [&](std::size_t k) { along(k / D, node_channel::momentum, k % D) = m * v.gradient[k]; });
+          [&](std::size_t k) { slope(k / D, node_channel::momentum, k % D) = m * v.gradient[k]; });
     }
   };
 
@@ -88,7 +88,7 @@ class Rows {
       store_rows<at_once>(handed.along_[a], along_[a][count_].data());
       repeat<N>([&](std::size_t i) {
         store_lanes(&value_[a][i][count_], width, line.value[a][i]);
-        store_lanes(&arm_[a][i][count_], width, line.arm[a][i]);
+        store_lanes(&moment_[a][i][count_], width, line.moment[a][i]);
         store_lanes(&slope_[a][i][count_], width, line.slope[a][i]);
       });
     });
@@ -112,17 +112,17 @@ class Rows {
   using Row = std::array<T, lanes>;
   using LineColumns = std::array<std::array<std::array<T, capacity>, N>, D>;
 
-  /// `arm` in lanes by value, `slope` in lanes by slope, of those from number `lane` on.
-  static L by_kind(std::size_t lane, T arm, T slope) {
+  /// `moment` in lanes by value, `slope` in lanes by slope, of those from number `lane` on.
+  static L by_kind(std::size_t lane, T moment, T slope) {
     if constexpr (Lanes::slopes % at_once == 0)
-      return L(lane < Lanes::slopes ? arm : slope);
+      return L(lane < Lanes::slopes ? moment : slope);
     else
-      return blend(L(arm), L(slope), std::make_index_sequence<at_once>{});
+      return blend(L(moment), L(slope), std::make_index_sequence<at_once>{});
   }
   template <std::size_t... I>
-  static L blend(const L& arm, const L& slope, std::index_sequence<I...>) {
+  static L blend(const L& moment, const L& slope, std::index_sequence<I...>) {
     return L::from(
-        __builtin_shufflevector(arm.lanes(), slope.lanes(), (I < Lanes::slopes ? I : I + at_once)...));
+        __builtin_shufflevector(moment.lanes(), slope.lanes(), (I < Lanes::slopes ? I : I + at_once)...));
   }
 
   /// Sums of layer k of the nodes (all of them, in the plane), in the lanes from number `lane` on.
@@ -132,9 +132,9 @@ class Rows {
       return load_lanes<L>(of.data() + lane, static_cast<int>(at_once));
     };
     const auto second = [&](std::size_t a, std::size_t i, std::size_t p) {
-      return by_kind(lane, arm_[a][i][p], slope_[a][i][p]);
+      return by_kind(lane, moment_[a][i][p], slope_[a][i][p]);
     };
-    const bool has_gradient = Lanes::has_gradient(lane, at_once);
+    const bool has_slopes = Lanes::has_slopes(lane, at_once);
     std::array<L, N * N> sum;
     repeat<N * N>([&](std::size_t n) { sum[n] = L(0); });
     for (std::size_t p = 0; p < count_; ++p) {
@@ -142,7 +142,7 @@ class Rows {
       if constexpr (D == 3) {
         const L n(value_[2][k][p]);
         rest = rest * n;
-        if (has_gradient) rest += row(along_[2][p]) * second(2, k, p);
+        if (has_slopes) rest += row(along_[2][p]) * second(2, k, p);
         x = x * n;
         y = y * n;
       }
@@ -154,10 +154,10 @@ class Rows {
       repeat<N>([&](std::size_t j) {
         const L n(value_[1][j][p]), along_x = x * n;
         L line = rest * n;
-        if (has_gradient) line += y * second(1, j, p);
+        if (has_slopes) line += y * second(1, j, p);
         repeat<N>([&](std::size_t i) {
           sum[N * j + i] += line * n_x[i];
-          if (has_gradient) sum[N * j + i] += along_x * g_x[i];
+          if (has_slopes) sum[N * j + i] += along_x * g_x[i];
         });
       });
     }
@@ -167,7 +167,7 @@ class Rows {
   std::size_t count_ = 0;
   alignas(64) std::array<Row, capacity> own_;
   std::array<std::array<Row, capacity>, D> along_;
-  LineColumns value_, arm_, slope_;
+  LineColumns value_, moment_, slope_;
 };
 
 }  // namespace product

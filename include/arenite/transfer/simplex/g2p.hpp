@@ -61,7 +61,7 @@ template <class K, class N, class M, class Points, class Field, class T, class A
   for_each_pack<width>(points, begin, end, [&](const auto& p) {
     const auto x = p.position();
     const auto w = cell.weights(x);
-    const auto way = interpolate(w, v);
+    const auto moving_velocity = interpolate(w, v);
     auto step = in_all_lanes<P>(of_cell);
     take(cell, p, x, ValueSum{interpolate(w, either(take.velocity, v))});
     if constexpr (K::hoop) {
@@ -69,7 +69,7 @@ template <class K, class N, class M, class Points, class Field, class T, class A
       step.strain = averaged<N>(step.strain, average, c);
     }
     buffer.store(p.first - origin, step);
-    check += move_points(p, x, way, dt);
+    check += move_points(p, x, moving_velocity, dt);
   });
   return lane_sums(std::array<P, 1>{check})[0];
 }

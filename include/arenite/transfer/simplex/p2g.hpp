@@ -30,13 +30,13 @@ void add_points(const Transfer& transfer, const Cell& cell, const PointPack<Poin
   const auto m = p.mass();
   const auto w = cell.weights(x);
   std::array<P, Cell::size> mw;
-  const auto ways = cell.ways(x);
-  const P around = p.volume() * reciprocal(x[0]), pull = around * p.stress(2);
+  const auto offsets = cell.offsets(x);
+  const P around = p.volume() * reciprocal(x[0]), hoop = around * p.stress(2);
   repeat<Cell::size>([&](std::size_t i) { mw[i] = m * w[i]; });
   repeat<Cell::size>([&](std::size_t i) {
-    sums.add(i, node_channel::momentum, mw[i], field.at([&](std::size_t a) { return ways[a][i]; }));
+    sums.add(i, node_channel::momentum, mw[i], field.at([&](std::size_t a) { return offsets[a][i]; }));
     sums.add(i, node_channel::mass, mw[i]);
-    sums.add(i, node_channel::hoop_force, pull * w[i]);
+    sums.add(i, node_channel::hoop_force, hoop * w[i]);
     sums.add_to_cell(node_channel::hoop_mean, i, around * w[i]);
   });
   for_each_edge<Cell::size>([&](std::size_t e, std::size_t i, std::size_t j) {
@@ -99,7 +99,7 @@ template <class K, class N, class M, class B, class Field>
         [&](std::size_t) { force += quad(T(0), T(0), T(0), reach * gradient.squaredNorm()); });
     node.add_values(total.node(i));
     node.add_slopes(force);
-    if constexpr (Field::has_gradient) nodes.mass_gradient[cell.nodes[i]] += mass * gradient;
+    if constexpr (Field::has_mass_gradient) nodes.mass_gradient[cell.nodes[i]] += mass * gradient;
   });
 }
 

@@ -1,7 +1,7 @@
 // Stresses of a cell of linear simplices: summed over its points, and averaged where it is filled.
 #pragma once
 
-#include <arenite/mesh/whole_volume.hpp>
+#include <arenite/mesh/full_volume.hpp>
 #include <arenite/particles/body.hpp>
 #include <arenite/transfer/channels.hpp>
 #include <arenite/transfer/point_pack.hpp>
@@ -56,7 +56,7 @@ void average_stress(const N& numerics, const M& mesh, B& body, Index c, StressSu
   if constexpr (N::AntiLocking::averages_stress) {
     constexpr int width = N::template width<T>;
     using P = lanes_of<T, width>;
-    const T of_cell = whole_volume<K>(mesh, c);
+    const T of_cell = full_volume<K>(mesh, c);
     if (!(sums.volume >= static_cast<T>(numerics.anti_locking.fill) * of_cell)) return;
     const T closed = sums.closed > 0 ? sums.closed : sums.volume;
     std::array<P, Sym<T, D>::size> mean;

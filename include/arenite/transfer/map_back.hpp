@@ -8,16 +8,16 @@
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 /// What the points of a body would hand back of their new velocities, added to `nodes.mapped`: call
-/// `finish_remap` once all bodies of the field have been through. Linear simplices need no pass over the
-/// points, who take their velocities in `deform`; in all else they take them here, and the momentum that they
-/// hand back is added. Positions stay: they move with the strains in `deform`, so that all of a step's
+/// `finish_map_back` once all bodies of the field have been through. Linear simplices need no pass over the
+/// points, who take their velocities in `g2p`; in all else they take them here, and the momentum that they
+/// hand back is added. Positions stay: they move with the strains in `g2p`, so that all of a step's
 /// weights are those of its begin.
 template <class N, class M, class B, class Field>
-void remap(const N& numerics, const M& mesh, const Blocks& blocks, B& body, Field& nodes) {
-  static_assert(N::remaps, "remap: this order of the stress update maps nothing back");
+void map_back(const N& numerics, const M& mesh, const Blocks& blocks, B& body, Field& nodes) {
+  static_assert(N::maps_back, "remap: this order of the stress update maps nothing back");
   blocks.for_each_colored([&](Index c) {
     if (body.cells.empty(c)) return;
-    if constexpr (N::remaps_by_points)
+    if constexpr (N::maps_back_by_points)
       product::map_back(numerics, mesh, body, c, nodes);
     else
       simplex::map_back(numerics, mesh, body, c, nodes);
@@ -27,14 +27,14 @@ void remap(const N& numerics, const M& mesh, const Blocks& blocks, B& body, Fiel
 /// Turns what was added into velocity. `Centred`: into the mean of what the points hand to the nodes at the
 /// begin and at the end of the step (see `add_half_step`).
 template <bool Centred, class N, class Field>
-void finish_remap(const N&, Field& nodes) {
+void finish_map_back(const N&, Field& nodes) {
   parallel_chunks(nodes.size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       if (nodes.mass[i] > 0)
         nodes.mapped[i] /= nodes.mass[i];
       else
         nodes.mapped[i].setZero();
-      if constexpr (!N::remaps_by_points) nodes.mapped[i] += nodes.velocity[i];
+      if constexpr (!N::maps_back_by_points) nodes.mapped[i] += nodes.velocity[i];
       if constexpr (Centred) nodes.mapped[i] = (nodes.start[i] + nodes.mapped[i]) / 2;
     }
   });

@@ -8,7 +8,7 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 /// Volume that a whole cell stands for, m3: exact for the linear thickness of axisymmetry.
 template <class K, class M>
-typename M::scalar whole_volume(const M& mesh, Index cell) {
+typename M::scalar full_volume(const M& mesh, Index cell) {
   using T = typename M::scalar;
   if constexpr (!K::hoop) return mesh.volume(cell);
   typename M::Point centre = M::Point::Zero();

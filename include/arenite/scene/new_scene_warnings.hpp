@@ -21,7 +21,7 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET::detail {
 /// more than a hundredth of a cell: no points are made there. An infinite bound means all that there is.
 /// Other regions have no bounds to compare.
 template <class M, class Region>
-void doubt_bounds(const M& mesh, const Region& region, std::size_t number) {
+void warn_bounds(const M& mesh, const Region& region, std::size_t number) {
   if constexpr (requires { region.lower[0] < region.upper[0]; }) {
     constexpr int D = M::dimension;
     Vec<double, D> lower, upper;
@@ -77,8 +77,8 @@ std::size_t points_within(const M& mesh, const B& body, const Region& region) {
 
 /// Warns of bodies that were filled into one place: one has points in the region of the other.
 template <class M, class B, class C, class FillB, class FillC>
-void doubt_overlap(const M& mesh, std::size_t b, const B& body, const FillB& fill, std::size_t c,
-                   const C& other, const FillC& other_fill) {
+void warn_overlap(const M& mesh, std::size_t b, const B& body, const FillB& fill, std::size_t c,
+                  const C& other, const FillC& other_fill) {
   const std::size_t in_other = points_within(mesh, body, other_fill.region),
                     in_this = points_within(mesh, other, fill.region);
   if (in_other + in_this == 0) return;
@@ -90,12 +90,12 @@ void doubt_overlap(const M& mesh, std::size_t b, const B& body, const FillB& fil
 /// Warns if gravity pulls and nothing can hold: no constraint blocks a part of it, and no part holds but
 /// those that fall themselves.
 template <class Scene>
-void doubt_floor(const Scene& scene) {
+void warn_no_support(const Scene& scene) {
   const auto g = scene.acceleration();
-  const auto pull = g.norm();
-  if (!(pull > 0)) return;
+  const auto magnitude = g.norm();
+  if (!(magnitude > 0)) return;
   for (const auto& c : scene.constraints)
-    if ((g - c.projector * g).norm() > 1e-6 * pull) return;
+    if ((g - c.projector * g).norm() > 1e-6 * magnitude) return;
   bool held = false;
   scene.for_each_part([&](const auto& part) {
     using P = std::remove_cvref_t<decltype(part)>;
@@ -111,20 +111,20 @@ void doubt_floor(const Scene& scene) {
 
 /// All doubts about a new scene and the recipes of its bodies.
 template <class Scene, class... Fills>
-void doubt(const Scene& scene, const Bodies<Fills...>& recipe) {
+void warn_about_new_scene(const Scene& scene, const Bodies<Fills...>& recipe) {
   const auto& fills = recipe.fills;
   constexpr std::size_t count = sizeof...(Fills);
   const auto each = [&]<std::size_t... I>(std::index_sequence<I...>, [[maybe_unused]] auto&& f) {
     (f(std::integral_constant<std::size_t, I>{}), ...);
   };
   each(std::make_index_sequence<count>{}, [&](auto b) {
-    doubt_bounds(scene.mesh, std::get<b>(fills).region, b);
+    warn_bounds(scene.mesh, std::get<b>(fills).region, b);
     each(std::make_index_sequence<b>{}, [&](auto a) {
-      doubt_overlap(scene.mesh, a, scene.template body<std::size_t(a)>(), std::get<a>(fills), b,
-                    scene.template body<std::size_t(b)>(), std::get<b>(fills));
+      warn_overlap(scene.mesh, a, scene.template body<std::size_t(a)>(), std::get<a>(fills), b,
+                   scene.template body<std::size_t(b)>(), std::get<b>(fills));
     });
   });
-  doubt_floor(scene);
+  warn_no_support(scene);
 }
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET::detail

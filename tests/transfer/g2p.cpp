@@ -30,7 +30,7 @@ template <class S>
 void check_deform(S s) {
   constexpr int D = S::D;
   const double dt = 0.01;
-  s.scatter();
+  s.p2g();
   Vec<double, D> a;
   Mat<double, D> A;
   for (int k = 0; k < D; ++k) {
@@ -43,11 +43,11 @@ void check_deform(S s) {
   }
   for (Index i = 0; i < s.nodes.size(); ++i) {
     s.nodes.velocity[i] = a + A * s.node(i);
-    if constexpr (S::N::remaps) s.nodes.mapped[i] = s.nodes.velocity[i];
+    if constexpr (S::N::maps_back) s.nodes.mapped[i] = s.nodes.velocity[i];
   }
   const auto before = s.body.points;
   const auto inc = exact<D>(A, dt, S::K::hoop);
-  const DeformSums sums = s.deform(dt);
+  const G2pSums sums = s.g2p(dt);
   double stress_off = 0, volume_off = 0, position_off = 0, work = 0;
   for (std::size_t p = 0; p < before.size(); ++p) {
     auto stress = before.stress[p];
@@ -80,18 +80,18 @@ using UslSpline = Numerics<QuadraticBSpline, Transfer, Usl>;
 TEST_CASE("a uniform velocity gradient gives its strain, spin and hoop strain exactly") {
   check_deform(Setup<PlaneStrain, Simplex<NoAntiLocking>, SimplexMesh<2>>(sample_mesh<2>(4)));
   check_deform(Setup<Axisymmetric, Simplex<NoAntiLocking>, SimplexMesh<2>>(sample_mesh<2>(4)));
-  check_deform(Setup<Solid, Simplex<NoAntiLocking>, SimplexMesh<3>>(sample_mesh<3>(2)));
+  check_deform(Setup<ThreeDimensional, Simplex<NoAntiLocking>, SimplexMesh<3>>(sample_mesh<3>(2)));
   check_deform(Setup<PlaneStrain, BSpline, CartesianGrid<2>>(flat_grid()));
   check_deform(Setup<Axisymmetric, BSpline, CartesianGrid<2>>(flat_grid()));
-  check_deform(Setup<Solid, BSpline, CartesianGrid<3>>(solid_grid()));
+  check_deform(Setup<ThreeDimensional, BSpline, CartesianGrid<3>>(solid_grid()));
   check_deform(Setup<Axisymmetric, UslSpline<Flip>, CartesianGrid<2>>(flat_grid()));
   check_deform(Setup<Axisymmetric, UslSpline<Apic>, CartesianGrid<2>>(flat_grid()));
-  check_deform(Setup<Solid, UslSpline<Flip>, CartesianGrid<3>>(solid_grid()));
-  check_deform(Setup<Solid, UslSpline<Apic>, CartesianGrid<3>>(solid_grid()));
+  check_deform(Setup<ThreeDimensional, UslSpline<Flip>, CartesianGrid<3>>(solid_grid()));
+  check_deform(Setup<ThreeDimensional, UslSpline<Apic>, CartesianGrid<3>>(solid_grid()));
 }
 
 TEST_CASE("averaging over the nodes changes nothing where the strain is uniform") {
   check_deform(Setup<PlaneStrain, Simplex<NodalAveraging>, SimplexMesh<2>>(sample_mesh<2>(4)));
   check_deform(Setup<Axisymmetric, Simplex<NodalAveraging>, SimplexMesh<2>>(sample_mesh<2>(4)));
-  check_deform(Setup<Solid, Simplex<NodalAveraging>, SimplexMesh<3>>(sample_mesh<3>(2)));
+  check_deform(Setup<ThreeDimensional, Simplex<NodalAveraging>, SimplexMesh<3>>(sample_mesh<3>(2)));
 }

@@ -13,7 +13,7 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 /// field must have been cleared. Of the body, the cell sums are renewed, where there are points, and where
 /// the numerics average stresses, the points of filled cells take the mean.
 template <class K, class N, class M, class B, class Field>
-void scatter(const N& numerics, const M& mesh, const Blocks& blocks, B& body, Field& nodes) {
+void p2g(const N& numerics, const M& mesh, const Blocks& blocks, B& body, Field& nodes) {
   if constexpr (N::needs_cell_sums) body.cell_sums.resize(mesh.cell_count());
   if constexpr (N::template centres_stress<decltype(body.law)>) body.cell_stress.resize(mesh.cell_count());
   blocks.for_each_colored([&](Index c) {
@@ -29,7 +29,7 @@ void scatter(const N& numerics, const M& mesh, const Blocks& blocks, B& body, Fi
 /// rest. A node's mass counts as none below `mass_floor`, kg: so small that a division by it means nothing in
 /// T.
 template <class Field, class T, int D>
-void advance(Field& nodes, const Vec<T, D>& gravity, T dt, T mass_floor) {
+void update_grid(Field& nodes, const Vec<T, D>& gravity, T dt, T mass_floor) {
   parallel_chunks(nodes.size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       const auto& sums = nodes.collected[i];

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <array>
+#include <span>
+#include <string_view>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -171,6 +173,7 @@ struct BoundCoulomb {
   static constexpr bool separates_bodies = true;
   static constexpr bool needs_mass_gradient = Normals::needs_mass_gradient;
   static constexpr int exchange_rank = 0;
+  static constexpr std::string_view state_name = "contact";
 
   Friction friction;
   double velocity_limit;
@@ -199,7 +202,8 @@ struct BoundCoulomb {
   PartEnergy count_energy() const { return {.dissipated = dissipated}; }
   template <class F>
   void visit_state(F&& f) {
-    f(dissipated);
+    f("dissipated", dissipated);
+    f("impulse", std::span(impulse[0].data(), Fields * static_cast<std::size_t>(D)));
   }
 };
 

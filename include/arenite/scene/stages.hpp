@@ -16,6 +16,7 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 template <class Scene>
 void relocate(Scene& scene) {
   constexpr int width = Scene::NumericsType::template width<typename Scene::T>;
+  const bool had_any = scene.point_count() > 0;
   bool regrouped = false;
   std::array<bool, Scene::body_count> emptied{};
   std::size_t number = 0;
@@ -25,7 +26,7 @@ void relocate(Scene& scene) {
     emptied[number++] = had_points && body.points.size() == 0;
   });
   if (regrouped) scene.balance_threads();
-  if (scene.point_count() == 0)
+  if (had_any && scene.point_count() == 0)
     throw run_error(shared_detail::join("t = ", scene.time, " s: all ", scene.lost_points(),
                                         " points of the scene have left the mesh"));
   for (std::size_t b = 0; b < emptied.size(); ++b)

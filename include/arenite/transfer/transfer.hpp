@@ -14,9 +14,9 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 // A transfer is a value of a class, not `final`, with (examples/extend/own_transfer.cpp)
 // - `affine`: whether points carry a velocity gradient (`Points::motion`) beside their velocity;
 // - `fits<Shape>`, `check()`: throws `error` if a parameter is out of bounds;
-// - `returns_unchanged<Shape>` (optional, else false): whether points hand back to each node the velocity
-// that
-//   they took from it, so that MUSL is USL; a transfer derived from another one must say it anew;
+// - `returns_unchanged<Shape>` (optional, else false): whether points hand back to each node the
+//   velocity that they took from it, so that MUSL is USL; a transfer derived from another one must say it
+//   anew;
 // - `hand(p)`: the `VelocityField` that a point p, a `PointPack`, hands to its nodes (P2G);
 // - `take(cell, nodes)`: what the points of a cell do in G2P, made once a cell:
 //   - `velocity`: the vectors d_i of its nodes of which points take sums, `NodeRows`; or `Nothing`: the new

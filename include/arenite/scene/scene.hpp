@@ -28,7 +28,7 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 /// the library (`walls(..)`, `gravity({..})`, `Coulomb`, `rigids(..)`, `MovingMesh`, `TrackEnergy{}`) and any
 /// of your own (`scene/roles.hpp`). Complete when constructed: filled, parts bound, surfaces found. Warns
 /// (`on_warning`) of a box that reaches beyond the mesh, of bodies that lie in one place, and of gravity that
-/// nothing holds against.
+/// nothing holds against. Throws `error` where a recipe does not fit the mesh, naming value and rule.
 template <class K, class M, class N, class... Given>
 struct Scene {
   static_assert(detail::is_complete_scene<K, M, N, Given...>());
@@ -44,14 +44,12 @@ struct Scene {
 
  private:
   using Fills = decltype(detail::find_bodies(std::declval<const Given&>()...));
-  using BodiesOf = detail::bodies_of<M, N::extra_columns, Fills>;
   /// What was given but the bodies; the kinematics are a part, too.
   using Recipes = decltype(std::tuple_cat(detail::opened(std::declval<const Given&>())...,
                                           detail::opened_if_part(std::declval<const K&>())));
 
  public:
-  using BodyTuple = typename BodiesOf::type;
-  static constexpr std::size_t body_count = std::tuple_size_v<BodyTuple>;
+  static constexpr std::size_t body_count = std::tuple_size_v<decltype(Fills::fills)>;
   static_assert(body_count >= 1, "Scene: bodies(..) needs at least one fill(..)");
   using SiteType = Site<K, M, N, body_count>;
   using Parts = decltype(detail::bind_all(std::declval<const Recipes&>(), std::declval<const SiteType&>()));
@@ -60,6 +58,15 @@ struct Scene {
                 "Scene: contact of bodies, motion of the mesh and TrackEnergy may be given once each");
 
   using Needs = detail::needs_of<Parts>;
+  static constexpr ExtraColumns extra_columns{N::extra_columns.affine, N::extra_columns.dilation,
+                                              Needs::point_ids};
+
+ private:
+  using BodiesOf = detail::bodies_of<M, extra_columns, Fills>;
+
+ public:
+  using BodyTuple = typename BodiesOf::type;
+  static constexpr auto body_names = BodiesOf::names;  ///< empty where a body has none
   static constexpr std::size_t field_count = Needs::own_fields ? body_count : 1;
   static constexpr std::size_t rigid_count = detail::rigids_of<Parts>::count;
   using Field = NodeField<T, D, N::maps_back, Needs::mass_gradient>;
@@ -69,7 +76,7 @@ struct Scene {
   /// Node field of a body.
   static constexpr std::size_t field_of(std::size_t body) { return Needs::own_fields ? body : 0; }
 
-  /// What is given may have more in its type than the scene's type tells (`erased_t`).
+  /// The types given may hold more than the scene's type keeps (`erased_t`).
   template <class... G>
   requires(std::same_as<std::tuple<erased_t<G>...>, std::tuple<Given...>>)
       Scene(K kinematics_value, M mesh_value, N numerics_value, const G&... given)
@@ -180,7 +187,7 @@ struct Scene {
     require(k < body_count, option, told, "must be the number or the name of a body of the scene");
     return k;
   }
-  /// What messages call a body.
+  /// Name of a body in messages.
   template <Name which>
   static std::string name_of() {
     return which.word().empty() ? std::to_string(which.number) : std::string(which.word());
@@ -195,7 +202,7 @@ struct Scene {
     return sum;
   }
 
-  /// Gives each thread cells with as many points as the others'.
+  /// Gives each thread cells with an equal number of points.
   void balance_threads() {
     blocks.balance_threads([&](Index c) {
       std::size_t n = 0;
@@ -287,7 +294,7 @@ struct Scene {
   template <class... F>
   BodyTuple make_bodies(const Bodies<F...>& recipe) const {
     return std::apply(
-        [&](const auto&... fill) { return BodyTuple{make_body<K, N::extra_columns>(mesh, fill)...}; },
+        [&](const auto&... fill) { return BodyTuple{make_body<K, extra_columns>(mesh, fill)...}; },
         recipe.fills);
   }
 
@@ -325,8 +332,6 @@ Scene<K, M, N, Given...>::Scene(detail::Nothing, K kinematics_value, M mesh_valu
       bodies{make_bodies(detail::find_bodies(given...))} {
   balance_threads();
   for_each_body([&](auto& body, const auto&) { body.points.place_by_thread(body.cells, blocks); });
-  numerics.transfer.check();
-  numerics.anti_locking.check();
   find_constraints();
   for_each_part([&](auto& part) {
     if constexpr (connects<std::remove_reference_t<decltype(part)>, Scene>) part.connect(*this);

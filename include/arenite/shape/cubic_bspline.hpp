@@ -48,8 +48,8 @@ class CubicBSplineLine {
   T inverse_inertia() const { return before_[1] == 2 && after_[1] == 3 ? T(3) : T(0); }
 
  private:
-  static T knot(Index i, int offset, Index cells) {
-    const auto at = static_cast<std::int64_t>(i) + offset;
+  static T knot(Index i, int shift, Index cells) {
+    const auto at = static_cast<std::int64_t>(i) + shift;
     return static_cast<T>(std::clamp<std::int64_t>(at, 0, cells));
   }
 
@@ -66,6 +66,7 @@ class CubicBSplineLine {
   std::array<T, 3> cubic_;           // 1 / the support of the quadratic functions
 };
 
+/// Cubic B-splines on a `CartesianGrid`; see `ProductShape` for its members.
 struct CubicBSpline : ProductShape<CubicBSplineLine> {
   static constexpr const char* name = "CubicBSpline";
 };

@@ -44,8 +44,7 @@ std::size_t exchange_at_faces(const M& grid, const Field& nodes, NodeVectors<T, 
   };
   Index stride = 1;
   for (int k = 0; k < D; ++k) {
-    const Index nodes_on_axis = Shape::node_count(grid, k),
-                length = stride * nodes_on_axis;  // of nodes; in a slab of them
+    const Index nodes_on_axis = Shape::node_count(grid, k), length = stride * nodes_on_axis;
     const Index face = Shape::face_node(grid.cells(k));
     for (Index slab = 0; slab < static_cast<Index>(nodes.size()); slab += length)
       for (Index i = slab; i < slab + stride; ++i) {

@@ -39,8 +39,8 @@ std::array<std::string, sizeof...(P)> part_paths(std::type_identity<std::tuple<P
   const std::array<std::string, sizeof...(P)> wanted{path(std::type_identity<P>{})...};
   auto paths = wanted;
   for (std::size_t k = 0; k < wanted.size(); ++k)
-    if (std::ranges::count(wanted, wanted[k]) > 1)
-      paths[k] += "/" + std::to_string(std::count(wanted.begin(), wanted.begin() + k, wanted[k]));
+    if (std::ranges::count(wanted, wanted[k]) > 1)  // appended in two: g++ 12 warns of text + a number's text
+      paths[k].append("/").append(std::to_string(std::count(wanted.begin(), wanted.begin() + k, wanted[k])));
   return paths;
 }
 

@@ -187,10 +187,9 @@ struct Scene {
     require(k < body_count, option, told, "must be the number or the name of a body of the scene");
     return k;
   }
-  /// Name of a body in messages.
-  template <Name which>
-  static std::string name_of() {
-    return which.word().empty() ? std::to_string(which.number) : std::string(which.word());
+  /// What messages call a body: its name, or its number if it has none.
+  static std::string body_name(std::size_t body) {
+    return body_names[body].empty() ? std::to_string(body) : std::string(body_names[body]);
   }
 
   /// Sum of the parts' accelerations now, m/s2.

@@ -180,6 +180,14 @@ struct Scene {
   template <class Recipe>
   static constexpr bool has_part = detail::place_of<Recipe>(std::type_identity<Recipes>{}) < part_count;
 
+  template <Name which>
+  static constexpr bool has_rigid = detail::number_among(detail::rigids_of<Parts>::found.second, which.word(),
+                                                         which.number) < rigid_count;
+  template <Name which>
+  static constexpr std::size_t body_number() {
+    return body_place<which>();
+  }
+
   /// Number of a body; throws `error` that names the `option` if the scene has no such body.
   std::size_t number_of(const BodyName& name, std::string_view option) const {
     const std::size_t k = detail::number_among(BodiesOf::names, name.word, name.number);

@@ -332,8 +332,6 @@ Scene<K, M, N, Given...>::Scene(detail::Nothing, K kinematics_value, M mesh_valu
       bodies{make_bodies(detail::find_bodies(given...))} {
   balance_threads();
   for_each_body([&](auto& body, const auto&) { body.points.place_by_thread(body.cells, blocks); });
-  numerics.transfer.check();
-  numerics.anti_locking.check();
   find_constraints();
   for_each_part([&](auto& part) {
     if constexpr (connects<std::remove_reference_t<decltype(part)>, Scene>) part.connect(*this);

@@ -13,7 +13,7 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 // A transfer is a value of a class, not `final`, with (examples/extend/own_transfer.cpp)
 // - `affine`: whether points carry a velocity gradient (`Points::motion`) beside their velocity;
-// - `fits<Shape>`, `check()`: throws `error` if a parameter is out of bounds;
+// - `fits<Shape>`: whether it goes with the shape functions. Parameters check themselves (`Checked`);
 // - `returns_unchanged<Shape>` (optional, else false): whether points hand back to each node the
 //   velocity that they took from it, so that MUSL is USL; a transfer derived from another one must say it
 //   anew;
@@ -30,7 +30,6 @@ template <class Transfer, class Shape>
 concept transfer_type = requires(const Transfer transfer) {
   { Transfer::affine } -> std::convertible_to<bool>;
   { Transfer::template fits<Shape> } -> std::convertible_to<bool>;
-  transfer.check();
 }
 &&detail::names_hand<Transfer>&& detail::names_take<Transfer>;
 

@@ -15,7 +15,7 @@
 #include <arenite/scene/new_scene_warnings.hpp>
 #include <arenite/scene/parts.hpp>
 #include <arenite/scene/roles.hpp>
-#include <arenite/transfer/centred_stress.hpp>
+#include <arenite/transfer/simplex/centred_stress.hpp>
 #include <arenite/transfer/g2p.hpp>
 #include <arenite/transfer/light_nodes.hpp>
 #include <arenite/transfer/map_back.hpp>

@@ -42,7 +42,7 @@ struct BoundSpringBed {
   }
   template <class F>
   void visit_state(F&& f) {
-    f(deflection);
+    f("deflection", deflection);
   }
 };
 

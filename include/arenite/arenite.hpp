@@ -16,6 +16,8 @@
 #include <arenite/observe/every.hpp>
 #include <arenite/observe/not_included.hpp>
 #include <arenite/observe/watch.hpp>
+#include <arenite/particles/point_ids.hpp>
 #include <arenite/rigid/cone_cylinder.hpp>
 #include <arenite/rigid/rigid_body.hpp>
+#include <arenite/scene/insert_remove.hpp>
 #include <arenite/scene/run.hpp>

@@ -3,8 +3,8 @@
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
-template struct Scene<Solid, CartesianGrid<3>, Numerics<QuadraticBSpline, Apic>, Bodies<Fill<MohrCoulomb<>>>,
-                      Walls, Gravity>;
+template struct Scene<ThreeDimensional, CartesianGrid<3>, Numerics<QuadraticBSpline, Apic>,
+                      Bodies<Fill<MohrCoulomb<>>>, Walls, Gravity>;
 template void step(compositions::Sand&, double);
 template double stable_step(const compositions::Sand&);
 

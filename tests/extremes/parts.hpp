@@ -25,7 +25,7 @@ template <int D, real_scalar T>
 SimplexMesh<D, T> simplices(const Draw& d, bool device = false) {
   const int n = D == 2 ? cells_along<D> : 4;
   const double size = d.cell * n;
-  test::BoxMesh<D> o{};
+  test::SampleMesh<D> o{};
   o.cells.fill(n);
   o.upper = Vec<double, D>::Constant(size);
   o.jitter = d.jitter;
@@ -37,7 +37,7 @@ SimplexMesh<D, T> simplices(const Draw& d, bool device = false) {
         if (k != 1) in = in && std::abs(x[k] - 0.5 * size) < 0.2 * size;
       return in ? 1 : 0;
     };
-  auto data = test::box_mesh(o);
+  auto data = test::sample_data(o);
   data.region_names = {{"soil", 0}, {"device", 1}};
   return SimplexMesh<D, T>(data);
 }

@@ -1,9 +1,9 @@
 // Parts of a user's own, each playing other roles, against closed forms: none of them changes the library.
 #include <arenite/arenite.hpp>
-#include <arenite/scene/state.hpp>
 
 #include "catch.hpp"
 #include "meshes.hpp"
+#include "state_buffer.hpp"
 
 namespace {
 
@@ -50,7 +50,7 @@ struct Drag {
   PartEnergy count_energy() const { return {.dissipated = taken}; }
   template <class F>
   void visit_state(F&& f) {
-    f(taken);
+    f("taken", taken);
   }
 };
 
@@ -196,26 +196,9 @@ TEST_CASE("The state of a scene: points, bodies, rigid bodies and parts that own
   };
   auto a = make(), b = make();
   for (int k = 0; k < 10; ++k) step(a, 1e-4);
-  std::vector<std::vector<double>> saved;
-  for_each_state(a, [&](auto& value) {
-    if constexpr (requires { value.begin(); })
-      saved.emplace_back(value.begin(), value.end());
-    else
-      saved.push_back({static_cast<double>(value)});
-  });
-  std::size_t k = 0;
-  for_each_state(b, [&](auto& value) {
-    using Value = std::remove_reference_t<decltype(value)>;
-    if constexpr (requires { value.begin(); }) {
-      REQUIRE(static_cast<std::size_t>(value.size()) == saved[k].size());
-      std::transform(saved[k].begin(), saved[k].end(), value.begin(),
-                     [](double x) { return static_cast<typename Value::value_type>(x); });
-    } else {
-      value = static_cast<Value>(saved[k][0]);
-    }
-    ++k;
-  });
-  REQUIRE(k == saved.size());
+  const test::StateBuffer saved(a);
+  CHECK(saved.has("parts/1/taken"));
+  saved.restore(b);
   step(a, 1e-4);
   step(b, 1e-4);
   CHECK(a.time == b.time);

@@ -3,6 +3,7 @@
 
 #include "catch.hpp"
 #include "meshes.hpp"
+#include "state_buffer.hpp"
 
 using namespace arenite;
 
@@ -14,40 +15,21 @@ MohrCoulomb<> sand(double dilatancy = 0) {
       {.density = 1500, .young = 1e6, .poisson = 0.3, .friction = 35_deg, .dilatancy = dilatancy}};
 }
 
-template <class Column>
-void append(std::vector<unsigned char>& bytes, const Column& column) {
-  const auto* from = reinterpret_cast<const unsigned char*>(column.data());
-  bytes.insert(bytes.end(), from, from + static_cast<std::size_t>(column.size()) * sizeof(column[0]));
-}
-
-/// All columns of all bodies, and the state of the rigid bodies, as bytes.
 template <class Make>
-std::vector<unsigned char> bytes_after(Make&& make, int threads) {
+test::StateBuffer state_after(Make&& make, int threads) {
   set_threads(threads);
   auto scene = make();
   for (int k = 0; k < 20; ++k) step(scene, 0.4 * stable_step(scene));
-  std::vector<unsigned char> bytes;
-  scene.for_each_body([&](const auto& body, const auto& field) {
-    body.points.for_each_column([&](const auto& column) { append(bytes, column); });
-    for (const auto& v : field.velocity) append(bytes, v);
-  });
-  scene.for_each_rigid([&](const auto& body) {
-    append(bytes, body.velocity);
-    append(bytes, body.impulse);
-  });
-  append(bytes, std::array<double, 3>{scene.time, scene.wall_impulse[0], scene.wall_impulse[1]});
-  if constexpr (tracks_energy<decltype(scene)>)
-    append(bytes, std::array<double, 1>{energies(scene).residual});
-  return bytes;
+  return test::StateBuffer(scene);
 }
 
 template <class Make>
 void check(Make&& make) {
   const int before = threads();
-  const auto one = bytes_after(make, 1);
+  const auto one = state_after(make, 1);
   for (const int n : {2, 3, 7}) {
     CAPTURE(n);
-    CHECK(bytes_after(make, n) == one);
+    CHECK(test::StateBuffer::first_difference(state_after(make, n), one) == "");
   }
   set_threads(before);
 }

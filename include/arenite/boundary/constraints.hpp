@@ -20,7 +20,8 @@ struct Constraint {
   Mat<T, D> projector;
 };
 
-/// A node that a part moves: to its projected velocity comes `lift` [D x D] times the part's velocity there.
+/// A node that a part moves: `lift` [D x D] times the part's velocity there is added to its projected
+/// velocity.
 template <class T, int D>
 struct Drive {
   Index node;

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <array>
+#include <span>
+#include <string_view>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -16,7 +18,7 @@
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
-/// What a scene has once: how its bodies meet.
+/// Names the kind `OnlyOne` of contacts of bodies: a scene has one at most.
 struct ContactOfBodies;
 
 /// All bodies move in one velocity field: no slip, no parting, no cost. The default.
@@ -40,7 +42,7 @@ struct Coulomb {
       : friction{f}, normals{std::move(n)}, velocity_limit{limit} {
     require(limit >= 0, "Coulomb.velocity_limit", limit, "must not be negative (0: no limit)");
   }
-  /// A number alone may be an angle or a coefficient.
+  /// Refused by the compiler: a number may be an angle or a coefficient.
   template <class Number, class... More>
   requires std::is_arithmetic_v<Number>
   explicit Coulomb(Number, const More&...) : Coulomb(Friction(0.0)) {
@@ -59,7 +61,7 @@ struct ContactPair {
   bool sticks;                ///< no relative motion at all, not just none along the normal
 };
 
-/// In place of a list of pairs where nobody asks for them (USL).
+/// Stands in for the list of pairs where it is not needed (USL).
 struct NoContactPairs {
   void clear() {}
   template <class Pair>
@@ -171,6 +173,7 @@ struct BoundCoulomb {
   static constexpr bool separates_bodies = true;
   static constexpr bool needs_mass_gradient = Normals::needs_mass_gradient;
   static constexpr int exchange_rank = 0;
+  static constexpr std::string_view state_name = "contact";
 
   Friction friction;
   double velocity_limit;
@@ -199,7 +202,8 @@ struct BoundCoulomb {
   PartEnergy count_energy() const { return {.dissipated = dissipated}; }
   template <class F>
   void visit_state(F&& f) {
-    f(dissipated);
+    f("dissipated", dissipated);
+    f("impulse", std::span(impulse[0].data(), Fields * static_cast<std::size_t>(D)));
   }
 };
 

@@ -1,4 +1,4 @@
-// Binding: what a user writes (a recipe) becomes what it means in a scene's mesh.
+// Binding: a recipe, which is what a user writes, becomes the part that it stands for in a scene's mesh.
 #pragma once
 
 #include <type_traits>
@@ -8,7 +8,8 @@
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 /// What `bind_part(recipe, site)`, found by argument-dependent look-up, makes of a recipe; where there is
-/// none the recipe is its own meaning. (`bind` alone would be std::bind, where a recipe holds a type of std.)
+/// none, the recipe itself is the part. (`bind` alone would be std::bind, where a recipe holds a type of
+/// std.)
 template <class Recipe, class Site>
 auto bound(const Recipe& recipe, const Site& site) {
   if constexpr (requires { bind_part(recipe, site); })
@@ -29,12 +30,13 @@ struct erasure<Recipe> {
 };
 }  // namespace detail
 
-/// What the type of a scene tells of a recipe: without the types of regions, distances and other functions,
-/// so that it can be written down. A recipe that has more in its type says so by a member type `Erased` and a
-/// member `erased<M>()`, which makes one for a mesh M; all others stay what they are.
+/// The type of a recipe within the type of a scene: without the types of regions, distances and other
+/// functions, so that it can be written down. A recipe with such types has a member type `Erased` and a
+/// member `erased<M>()` that returns one for a mesh M; all other recipes stay what they are.
 template <class Recipe>
 using erased_t = typename detail::erasure<Recipe>::type;
 
+/// The recipe as a scene over mesh M keeps it.
 template <class M, class Recipe>
 erased_t<Recipe> erased(const Recipe& recipe) {
   if constexpr (std::is_same_v<erased_t<Recipe>, Recipe>)

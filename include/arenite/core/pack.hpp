@@ -253,7 +253,7 @@ class Mask {
   requires(sizeof(V) == sizeof(vector) && !std::is_arithmetic_v<V>) explicit constexpr Mask(const V& lanes)
       : v_((vector)lanes) {}
 
-  /// A mask has no one truth.
+  /// Lanes may differ, so a mask is no condition: refused by the compiler.
   template <class B>
   requires std::same_as<B, bool>
   operator B() const {

@@ -47,6 +47,7 @@ ARENITE_ROLE(follow_motion)
 ARENITE_ROLE(count_energy)
 ARENITE_ROLE(holds_against)
 ARENITE_ROLE(visit_state)
+ARENITE_ROLE(follow_state)
 #undef ARENITE_ROLE
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET::detail

@@ -24,6 +24,7 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 template <class T>
 concept real_scalar = std::floating_point<T>;
 
+/// Also the half circle in radians.
 inline constexpr double pi = std::numbers::pi;
 
 /// `mask ? a : b`, written as a function so that the same source serves a scalar and a pack of scalars.
@@ -49,13 +50,14 @@ T reciprocal_root(T x) {
   return 1 / std::sqrt(x);
 }
 
+/// x^2
 template <class T>
 constexpr T square(T x) {
   return x * x;
 }
 
 namespace detail {
-/// In the place of what a composition does not need.
+/// Stands in for a member that a composition does not need.
 struct Nothing {
   Nothing() = default;
   template <class... Any>

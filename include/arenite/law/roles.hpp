@@ -1,5 +1,5 @@
-// Roles of a law: its optional members, looked for by name first and then by signature. A member with a
-// role's name and another signature would else be left out in silence.
+// Roles of a law: its optional members, looked for by name first and then by signature. Otherwise a
+// member with a role's name and another signature would be ignored without a message.
 #pragma once
 
 #include <arenite/core/role_names.hpp>

@@ -25,6 +25,7 @@ concept mesh_type =
   { cm.volume(cell) } -> std::convertible_to<typename M::scalar>;
 };
 
+/// Whether M is a `SimplexMesh`.
 template <class M>
 inline constexpr bool is_simplex_mesh = false;
 template <int D, class T>

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <limits>
+#include <string_view>
 #include <vector>
 
 #include <arenite/core/name.hpp>
@@ -69,7 +70,7 @@ struct MovingMesh {
   }
 };
 
-/// What a scene has once: whether and how its mesh moves.
+/// Names the kind `OnlyOne` of parts that move the mesh: a scene has one at most.
 struct MeshMotion;
 
 /// A moving mesh in its mesh: reference positions and shares of the nodes that move, and the cells that
@@ -78,6 +79,7 @@ template <int D, class T, class Leader>
 class BoundMotion {
  public:
   using OnlyOne = MeshMotion;
+  static constexpr std::string_view state_name = "mesh_motion";
 
   BoundMotion(const MovingMesh<Leader>& motion, const SimplexMesh<D, T>& mesh) : motion_{motion} {
     motion_.check(D);
@@ -116,7 +118,11 @@ class BoundMotion {
   }
   template <class F>
   void visit_state(F&& f) {
-    f(travel_);
+    f("travel", travel_);
+  }
+  template <class Scene>
+  void follow_state(Scene& scene) {
+    move(scene.mesh, travel_);
   }
 
   /// Moves the mesh to a travel of the leader. Throws `run_error` where a zone is used up or a cell loses its

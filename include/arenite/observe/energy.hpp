@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <string_view>
 
 #include <arenite/scene/scene.hpp>
 
@@ -11,6 +12,7 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 /// each step. Without it they are not computed. Energies in J.
 struct TrackEnergy {
   using OnlyOne = TrackEnergy;
+  static constexpr std::string_view state_name = "energy";
   double initial_kinetic = 0;  ///< of bodies and parts
   double initial_strain = 0;   ///< recoverable, from initial stresses
   double initial_stored = 0;   ///< recoverable, in parts
@@ -46,7 +48,11 @@ struct TrackEnergy {
   }
   template <class F>
   void visit_state(F&& f) {
-    for (double* x : {&initial_kinetic, &initial_strain, &initial_stored, &stress_work, &gravity_work}) f(*x);
+    f("initial_kinetic", initial_kinetic);
+    f("initial_strain", initial_strain);
+    f("initial_stored", initial_stored);
+    f("stress_work", stress_work);
+    f("gravity_work", gravity_work);
   }
 };
 
@@ -64,8 +70,8 @@ PartEnergy energy_of_parts(const Scene& scene) {
 template <class Scene>
 inline constexpr bool tracks_energy = Scene::template has_part<TrackEnergy>;
 
-/// J. `residual` = kinetic + strain + stored + plastic + contact - (initial + external): what transfers,
-/// walls and time steps took (negative) or added. Lost points take their energy with them.
+/// J. `residual` = kinetic + strain + stored + plastic + contact - (initial + external + inserted): what
+/// transfers, walls and time steps took (negative) or added. Lost points take their energy with them.
 struct Energies {
   double kinetic = 0;   ///< bodies and parts
   double strain = 0;    ///< recoverable
@@ -73,6 +79,7 @@ struct Energies {
   double plastic = 0;   ///< work of the stresses that is not recoverable
   double contact = 0;   ///< dissipated by friction, by inelastic contact and by other parts
   double external = 0;  ///< work of gravity, loads and prescribed motions
+  double inserted = 0;  ///< of points inserted, less that of points removed
   double residual = 0;
 };
 
@@ -83,17 +90,21 @@ Energies energies(const Scene& scene) {
   const auto& balance = scene.template part<TrackEnergy>();
   const PartEnergy parts = energy_of_parts(scene);
   Energies e;
+  double inserted_strain = 0;
   scene.for_each_body([&](const auto& body, const auto&) {
+    inserted_strain += body.inserted.strain_energy - body.removed.strain_energy;
+    e.inserted += body.inserted.kinetic_energy - body.removed.kinetic_energy;
     e.kinetic += kinetic_energy(body);
     e.strain += strain_energy(body);
   });
+  e.inserted += inserted_strain;
   e.kinetic += parts.kinetic;
   e.stored = parts.stored;
   e.external = balance.gravity_work + parts.external;
-  e.plastic = balance.stress_work - (e.strain - balance.initial_strain);
+  e.plastic = balance.stress_work - (e.strain - balance.initial_strain - inserted_strain);
   e.contact = parts.dissipated;
   e.residual = e.kinetic + e.strain + e.stored + e.plastic + e.contact - balance.initial_kinetic -
-               balance.initial_strain - balance.initial_stored - e.external;
+               balance.initial_strain - balance.initial_stored - e.external - e.inserted;
   return e;
 }
 

@@ -14,6 +14,7 @@
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
+/// Where `Progress` writes, and when.
 struct ProgressOptions {
   std::FILE* stream = stderr;  ///< must stay open
   bool tenths = false;         ///< where that is no terminal: a line each tenth of the run
@@ -23,7 +24,7 @@ struct ProgressOptions {
 class Progress {
  public:
   explicit Progress(double end, const ProgressOptions& options = {})
-      : end_{end}, stream_{options.stream}, tenths_{options.tenths}, begin_{Clock::now()}, shown_{begin_} {
+      : end_{end}, stream_{options.stream}, tenths_{options.tenths}, last_{Clock::now()}, shown_{last_} {
 #if defined(__unix__) || defined(__APPLE__)
     terminal_ = isatty(fileno(stream_)) != 0;
 #endif
@@ -33,6 +34,8 @@ class Progress {
   void operator()(const Scene& scene) {
     if (!terminal_ && !tenths_) return;
     const auto now = Clock::now();
+    spent_ += std::chrono::duration<double>(now - last_).count();
+    last_ = now;
     const double fraction = end_ > 0 ? scene.time / end_ : 1;
     const bool done = scene.time >= end_;
     if (terminal_) {
@@ -43,12 +46,18 @@ class Progress {
       tenth_ = tenth;
     }
     shown_ = now;
-    const double spent = std::chrono::duration<double>(now - begin_).count();
-    const double left = fraction > 0 ? spent * (1 - fraction) / fraction : 0;
+    const double left = fraction > 0 ? spent_ * (1 - fraction) / fraction : 0;
     std::fprintf(stream_, "%s%5.1f %%  t = %.5f s  step %zu  dt = %.2e s  %.0f s left%s%s",
                  terminal_ ? "\r" : "", 100 * fraction, scene.time, scene.steps, scene.time_step,
                  std::ceil(left), terminal_ ? "   " : "", done || !terminal_ ? "\n" : "");
     std::fflush(stream_);
+  }
+
+  /// What was told and the time spent, for a run that goes on elsewhere.
+  template <class F>
+  void visit_state(F&& f) {
+    f("tenth", tenth_);
+    f("spent", spent_);
   }
 
  private:
@@ -56,7 +65,8 @@ class Progress {
   double end_;
   std::FILE* stream_;
   bool tenths_;
-  Clock::time_point begin_, shown_;
+  Clock::time_point last_, shown_;
+  double spent_ = 0;  // until last_, s
   bool terminal_ = false;
   int tenth_ = 0;  // the last one told
 };

@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include <arenite/core/state_value.hpp>
 #include <arenite/core/warning.hpp>
 #include <arenite/observe/energy.hpp>
 #include <arenite/transfer/law_pass.hpp>
@@ -110,6 +111,39 @@ class Watch {
     next_ = scene.steps + every_;
   }
 
+  /// What it remembers but the texts of its warnings, for a run that goes on elsewhere.
+  template <class F>
+  void visit_state(F&& f) {
+    for (Watched& w : seen_) {
+      const StateUnder quantity(f, std::string(w.name));
+      quantity("worst", w.worst);
+      quantity("time", w.time);
+      quantity("body", w.body);
+      quantity("place", w.place);
+      quantity("warned", w.warned);
+    }
+    f("next", next_);
+    f("last", last_);
+    f("start/stored", start_.stored);
+    f("start/external", start_.external);
+    f("start/gained", start_.gained);
+    f("put_in", put_in_);
+    f("moved", moved_);
+    f("floor", floor_);
+    f("gain", gain_);
+    f("lowest", lowest_);
+    f("before", before_);
+    f("held/strain", held_.strain);
+    f("held/potential", held_.potential);
+    f("held_before/strain", held_before_.strain);
+    f("held_before/potential", held_before_.potential);
+    f("held_step", held_step_);
+    f("follows", follows_);
+    f("started", started_);
+    f("changes", changes_);
+    f("held_changes", held_changes_);
+  }
+
   /// Each quantity with its greatest value so far, in the order of `WatchLimits`.
   const std::array<Watched, 5>& seen() const { return seen_; }
   /// The warnings given, in order: at most one a quantity.
@@ -148,6 +182,15 @@ class Watch {
     warn(text);
   }
 
+  /// Points lost, inserted and removed since the start.
+  template <class Scene>
+  static std::size_t changes(const Scene& scene) {
+    std::size_t n = scene.lost_points();
+    scene.for_each_body(
+        [&](const auto& body, const auto&) { n += body.inserted.count + body.removed.count; });
+    return n;
+  }
+
   /// What positions hold of the energy, J: works of stresses and against gravity, or strain and potential
   /// energy.
   struct Held {
@@ -178,7 +221,9 @@ class Watch {
   template <class Scene>
   void remember(const Scene& scene) {
     if ((!wants(energy_gain) && !wants(energy_loss)) || held_step_ == scene.steps) return;
-    follows_ = held_step_ + 1 == scene.steps;
+    const std::size_t now = changes(scene);
+    follows_ = held_step_ + 1 == scene.steps && (tracks_energy<Scene> || held_changes_ == now);
+    held_changes_ = now;
     held_before_ = std::exchange(held_, held(scene));
     held_step_ = scene.steps;
   }
@@ -194,7 +239,7 @@ class Watch {
     if constexpr (tracks_energy<Scene>) {
       const Energies e = energies(scene);
       b.stored = e.kinetic + e.strain + e.stored;
-      b.external = e.external;
+      b.external = e.external + e.inserted;
       // Dissipation that is negative is energy made: by a law, or in contact.
       b.gained = e.residual - std::min(e.plastic, 0.0) - std::min(e.contact, 0.0);
     } else {
@@ -231,14 +276,14 @@ class Watch {
       start_ = now;
       floor_ = creep(scene);
       put_in_ = now.stored;
-      lost_ = scene.lost_points();
+      changes_ = changes(scene);
       if constexpr (tracks_energy<Scene>)
         put_in_ = std::max(put_in_, scene.template part<TrackEnergy>().initial());
-    } else if (!tracks_energy<Scene> && lost_ != scene.lost_points()) {
-      // What the lost points took with them is not known: start anew.
+    } else if (!tracks_energy<Scene> && changes_ != changes(scene)) {
+      // What the points took with them or brought is not known: start anew.
       start_ = now;
       before_ = gain_;
-      lost_ = scene.lost_points();
+      changes_ = changes(scene);
     }
     gain_ = before_ + now.gained - start_.gained;
     moved_ = std::max(moved_, std::abs(now.external - start_.external));
@@ -286,6 +331,7 @@ class Watch {
   template <class B>
   void look_at_lost(double time, const B& body, int number) {
     const std::size_t all = body.lost + body.points.size();
+    if (all == 0) return;
     judge(lost, time, static_cast<double>(body.lost) / static_cast<double>(all), number, [&] {
       return Spot{Watched::nowhere,
                   shared_detail::join("body ", number, ": ", body.lost, " of ", all, " points")};
@@ -397,9 +443,9 @@ class Watch {
   double before_ = 0;            // until points were last lost, J
   Held held_{}, held_before_{};  // after step held_step_ and the one before
   std::size_t held_step_ = never;
-  bool follows_ = false;  // whether the one before is known
-  bool started_ = false;  // whether it has looked
-  std::size_t lost_ = 0;  // points, at the last look
+  bool follows_ = false;                        // whether the one before is known
+  bool started_ = false;                        // whether it has looked
+  std::size_t changes_ = 0, held_changes_ = 0;  // of the points: at the last look; at held_step_
 };
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -30,17 +30,19 @@ struct Geostatic {
   int axis = 1;                                               ///< vertical axis
 };
 
+/// How `fill` makes points. Values are checked when the scene is made, which throws `error`.
 struct FillOptions {
   int per_cell = 4;                   ///< points a cell or an element
   std::array<double, 3> velocity{};   ///< initial velocity, m/s
   std::optional<Geostatic> stress{};  ///< initial stress; none: unstressed
+  bool may_be_empty = false;          ///< whether a region without points is no mistake: some come later
   /// Initial values of members of the law's history, by name, as functions of the position (x, y, z = 0 in
   /// two dimensions), m; those not named begin as the law says.
   std::map<std::string, std::function<double(const std::array<double, 3>&)>> history{};
 };
 
 /// What `fill` returns: a region, a law and how to fill; the scene makes a `Body` of it, once it knows the
-/// mesh. The type of the scene tells of it the law and the name alone: `Fill<MohrCoulomb<>>`.
+/// mesh. In the type of the scene only law and name remain: `Fill<MohrCoulomb<>>`.
 template <class L, Name name = "", class Region = AnyRegion>
 struct Fill {
   Region region;
@@ -80,6 +82,7 @@ Fill<L, "", Region> fill(Region region, L law, FillOptions options = {}) {
 /// Points of one law in a mesh over scalar T.
 template <class L, real_scalar T, int D, ExtraColumns Extra = ExtraColumns{}>
 struct Body {
+  using Point = typename Points<T, D, L, Extra>::Point;
   static_assert(
       constitutive_law<L, T, D>,
       "Body: the law must provide History, density(), wave_modulus(), update(stress, step, history) "
@@ -91,13 +94,17 @@ struct Body {
   L law;
   Points<T, D, L, Extra> points;
   CellList cells;
-  std::size_t lost = 0;                     ///< points that left the mesh and were removed
-  double lost_mass = 0;                     ///< their mass, kg
-  double initial_volume = 0;                ///< m3
-  double opened_volume = 0;                 ///< voids that opened without stress, summed over all steps, m3
-  bool finite = true;                       ///< sums over the points of the last step
-  std::vector<CellList::Move> moves{};      ///< [points and unsorted points] scratch of `relocate`
-  std::vector<Index> move_count{};          ///< [blocks of cells] moves found in each
+  std::size_t lost = 0;                  ///< points that left the mesh and were removed
+  double lost_mass = 0;                  ///< their mass, kg
+  double initial_volume = 0;             ///< m3
+  double opened_volume = 0;              ///< voids that opened without stress, summed over all steps, m3
+  PointTotals<D> inserted{}, removed{};  ///< by `insert_points` and `remove_points`
+  bool finite = true;                    ///< sums over the points of the last step
+  std::vector<CellList::Move> moves{};   ///< [points and unsorted points] scratch of `find_cells`
+  std::vector<Index> move_count{};       ///< [blocks of cells] moves found in each
+  /// Points in no cell of the mesh, from `find_cells` to `regroup`.
+  std::vector<Index> outside{};
+  bool moved = false;  ///< whether a point has another cell than the lists say, until `regroup`
   std::vector<CellSums<T, D>> cell_sums{};  ///< [cells] from `p2g`; empty if the numerics need none
   /// [cells] sum of V times stress, N m, from `p2g`; empty unless stresses are centred
   std::vector<Sym<T, D>> cell_stress{};
@@ -139,7 +146,7 @@ std::vector<int> region_numbers([[maybe_unused]] const M& mesh, [[maybe_unused]]
 
 }  // namespace detail
 
-/// Makes the body of a recipe. Throws `error` if the region holds no point.
+/// Makes the body of a recipe. Throws `error` if the region holds no point, unless it may.
 template <class K, ExtraColumns Extra = ExtraColumns{}, class M, class L, Name name>
 auto make_body(const M& mesh, const Fill<L, name>& recipe) {
   using T = typename M::scalar;
@@ -185,7 +192,7 @@ auto make_body(const M& mesh, const Fill<L, name>& recipe) {
       body.initial_volume += static_cast<double>(volume);
     }
   }
-  require(body.points.size() > 0, "fill: points", body.points.size(),
+  require(body.points.size() > 0 || o.may_be_empty, "fill: points", body.points.size(),
           "the region holds no point of the mesh");
   require(body.points.size() < none, "fill: points", body.points.size(), "must be fewer than 2^32");
   detail::begin_history(body.points, o);

@@ -32,11 +32,14 @@ class CellList {
     for (std::size_t c = 1; c < start_.size(); ++c) start_[c] += start_[c - 1];
     owned_.resize(cell_count);
     own_all();
-    // Room for what relocation needs, so that a step allocates nothing.
-    unsorted_.reserve(cell.size() / 8 + 64);
-    all_unsorted_.reserve(cell.size() / 8 + 64);
-    next_.reserve(cell_count + 1);
-    order_.reserve(cell.size());
+    reserve(cell.size());
+  }
+  /// Takes the memory that relocation of so many points needs, so that a step allocates nothing.
+  void reserve(std::size_t points) {
+    unsorted_.reserve(points / 8 + 64);
+    all_unsorted_.reserve(points / 8 + 64);
+    next_.reserve(start_.size());
+    order_.reserve(points);
   }
 
   /// The order of points that puts those of each cell side by side, its unsorted points behind its own.
@@ -81,6 +84,9 @@ class CellList {
   void admit(const Move& move) {
     if (move.from_run) all_unsorted_.push_back(move.point);
   }
+
+  /// Makes a point that is new, behind all others, an unsorted point.
+  void admit_new(Index point) { all_unsorted_.push_back(point); }
 
   /// Lists the unsorted points by cell; those of cell `none` are left out.
   void list_unsorted(const std::vector<Index>& cell) {
@@ -163,6 +169,37 @@ class CellList {
   }
   bool empty(Index cell) const {
     return owned_[cell] == 0 && unsorted_start_[cell] == unsorted_start_[cell + 1];
+  }
+
+  /// Runs and unsorted points; the rest follows from them and the points' cells.
+  template <class F>
+  void visit_state(F&& f) {
+    f("runs", start_);
+    f("unsorted", all_unsorted_);
+  }
+  /// Renews the rest. Throws `error` if it is no list of these points.
+  void follow_state(const std::vector<Index>& cell, Index cell_count) {
+    bool fits = start_.size() == std::size_t{cell_count} + 1 && start_.front() == 0 &&
+                start_.back() <= cell.size() && std::is_sorted(start_.begin(), start_.end());
+    std::vector<bool> is_guest(cell.size());
+    for (const Index p : all_unsorted_) {
+      fits = fits && p < cell.size() && !is_guest[p] && cell[p] < cell_count;
+      if (!fits) break;
+      is_guest[p] = true;
+    }
+    if (fits) {
+      owned_.assign(cell_count, 0);
+      for (Index c = 0; c < cell_count; ++c)
+        for (Index p = start_[c]; p < start_[c + 1]; ++p) {
+          if (is_guest[p]) continue;
+          fits = fits && cell[p] == c && p == start_[c] + owned_[c];
+          ++owned_[c];
+        }
+      for (std::size_t p = start_.back(); p < cell.size(); ++p) fits = fits && is_guest[p];
+    }
+    require(fits, "state: cells", cell_count, "runs and unsorted must list each point once");
+    unsorted_start_.resize(start_.size());
+    list_unsorted(cell);
   }
 
   std::size_t bytes() const {

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <algorithm>
+#include <cstdint>
+#include <string>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -11,6 +13,7 @@
 #include <arenite/mesh/blocks.hpp>
 #include <arenite/particles/cell_list.hpp>
 #include <arenite/particles/columns.hpp>
+#include <arenite/particles/material_point.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
@@ -18,6 +21,7 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 struct ExtraColumns {
   bool affine = false;    ///< a point carries a velocity field (APIC, TPIC)
   bool dilation = false;  ///< a strain average needs the dilation, where the law has one
+  bool ids = false;       ///< points have ids (`PointIds`)
 };
 
 /// Columns of material points: law L gives the history, `Extra` what else the composition needs. Mass and
@@ -29,8 +33,9 @@ class Points {
   using scalar = T;
   static constexpr int dimension = D;
   using History = typename L::template History<T>;
+  using Point = MaterialPoint<T, D, History>;
   static constexpr std::size_t history_size = arenite::history_size<History>;
-  static constexpr bool affine = Extra.affine;
+  static constexpr bool affine = Extra.affine, has_ids = Extra.ids;
   static constexpr bool has_dilation = [] {
     if constexpr (Extra.dilation) return dilates<L, T, D>;
     return false;
@@ -42,10 +47,11 @@ class Points {
   Column<T> volume;              ///< volume that bears stress, m3: opened voids do not count
   TensorColumns<T, D> stress;    ///< Cauchy stress, Pa, tension positive
   std::array<Column<T>, history_size>
-      history;                 ///< columns of the law's history, in the order of its `members()`
-  MatrixColumns<T, D> motion;  ///< [n if affine] velocity gradient of APIC or TPIC, 1/s
-  Column<T> dilation;          ///< [n if has_dilation] plastic volumetric strain of the last step, -
-  std::vector<Index> cell;     ///< cell that holds the point
+      history;                    ///< columns of the law's history, in the order of its `members()`
+  MatrixColumns<T, D> motion;     ///< [n if affine] velocity gradient of APIC or TPIC, 1/s
+  Column<T> dilation;             ///< [n if has_dilation] plastic volumetric strain of the last step, -
+  std::vector<std::uint64_t> id;  ///< [n if has_ids]
+  std::vector<Index> cell;        ///< cell that holds the point
 
   std::size_t size() const { return mass.size(); }
 
@@ -64,7 +70,25 @@ class Points {
         start.members());
     if constexpr (affine) motion.push_back(Mat<T, D>::Zero());
     if constexpr (has_dilation) dilation.push_back(T(0));
+    if constexpr (has_ids) id.push_back(no_id);
     cell.push_back(c);
+  }
+  void push_back(const Point& point, Index c) {
+    push_back(point.position, point.velocity, point.mass, point.volume, point.stress, c);
+    const std::size_t p = size() - 1;
+    store_history(p, point.history);
+    if constexpr (affine) motion.set(p, point.motion);
+    if constexpr (has_dilation) dilation[p] = point.dilation;
+    if constexpr (has_ids) id[p] = point.id;
+  }
+
+  /// Point p as a value.
+  Point operator[](std::size_t p) const {
+    Point point{position[p], velocity[p], volume[p], mass[p], stress[p], load_history(p)};
+    if constexpr (affine) point.motion = motion[p];
+    if constexpr (has_dilation) point.dilation = dilation[p];
+    if constexpr (has_ids) point.id = id[p];
+    return point;
   }
 
   /// History of point p as the law's struct.
@@ -111,7 +135,33 @@ class Points {
     visit(*this, f);
   }
 
-  /// Asks the processor for the columns of a point.
+  /// Calls `f(name, column)` for each stored column; histories go by their names, where they have any.
+  template <class F>
+  void visit_state(F&& f) {
+    static constexpr std::array<const char*, 3> axis{"x", "y", "z"};
+    static constexpr std::array<const char*, 6> pair{"xx", "yy", "zz", "xy", "yz", "xz"};
+    const auto each = [&](const std::string& name, auto& columns, std::size_t count, auto&& component) {
+      for (std::size_t k = 0; k < count; ++k) f(name + "/" + component(k), columns.column(k));
+    };
+    const auto axes = [](std::size_t k) { return std::string(axis[k]); };
+    each("position", position, D, axes);
+    each("velocity", velocity, D, axes);
+    f("mass", mass);
+    f("volume", volume);
+    each("stress", stress, Sym<T, D>::size, [](std::size_t k) { return std::string(pair[k]); });
+    constexpr auto& names = history_names<History>;
+    for (std::size_t k = 0; k < history_size; ++k) {
+      const bool named = !names[k].empty() && std::count(names.begin(), names.end(), names[k]) == 1;
+      f("history/" + (named ? std::string(names[k]) : std::to_string(k)), history[k]);
+    }
+    if constexpr (affine)
+      each("motion", motion, D * D, [&](std::size_t k) { return axes(k % D) + axes(k / D); });
+    if constexpr (has_dilation) f("dilation", dilation);
+    if constexpr (has_ids) f("id", id);
+    f("cell", cell);
+  }
+
+  /// Prefetches the columns of a point.
   void prefetch(Index p) const {
     for_each_column([&](const auto& column) { __builtin_prefetch(column.data() + p); });
   }
@@ -121,9 +171,9 @@ class Points {
     for_each_column([&](auto& column) { std::swap(column[a], column[b]); });
   }
 
-  /// Lays the columns but the cells anew, the points of each cell by the thread that has it in the loops over
-  /// `blocks`: on a machine with several memories they then lie in that thread's (first touch). There must be
-  /// no unsorted points.
+  /// Copies the columns (but `cell`) into new memory, the points of each cell by the thread that works on it
+  /// in loops over `blocks`: on a NUMA machine they then lie in that thread's memory (first touch). There
+  /// must be no unsorted points.
   void place_by_thread(const CellList& cells, const Blocks& blocks) {
     for_each_column([&](auto& column) {
       if constexpr (std::same_as<std::remove_cvref_t<decltype(column)>, Column<T>>) {
@@ -137,10 +187,19 @@ class Points {
     });
   }
 
+  /// Takes the memory for `more` points, so that to add them cannot fail halfway.
+  void reserve_more(std::size_t more) {
+    for_each_column([&](auto& column) {
+      if (column.capacity() < size() + more)
+        column.reserve(std::max(size() + more, column.capacity() + column.capacity() / 2));
+    });
+  }
+
   /// Takes the memory that `reorder` needs, so that a step does not.
   void reserve_spare() {
     spare_.reserve(size());
     spare_cell_.reserve(size());
+    if constexpr (has_ids) spare_id_.reserve(size());
   }
 
   /// Puts the points into the order `order`: new point k was point order[k]. Points not named are dropped.
@@ -158,7 +217,7 @@ class Points {
   /// Bytes of columns a point.
   static constexpr std::size_t bytes_per_point() {
     return (2 * D + 2 + Sym<T, D>::size + history_size + (affine ? D * D : 0) + has_dilation) * sizeof(T) +
-           sizeof(Index);
+           sizeof(Index) + has_ids * sizeof(std::uint64_t);
   }
 
  private:
@@ -173,14 +232,17 @@ class Points {
     if constexpr (affine)
       for (std::size_t k = 0; k < D * D; ++k) f(self.motion.column(k));
     if constexpr (has_dilation) f(self.dilation);
+    if constexpr (has_ids) f(self.id);
     f(self.cell);
   }
 
   Column<T>& spare(const Column<T>&) { return spare_; }
   std::vector<Index>& spare(const std::vector<Index>&) { return spare_cell_; }
+  std::vector<std::uint64_t>& spare(const std::vector<std::uint64_t>&) { return spare_id_; }
 
   Column<T> spare_;  // takes the next order of a column, then changes places with it
   std::vector<Index> spare_cell_;
+  std::vector<std::uint64_t> spare_id_;
 };
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -26,7 +26,7 @@ struct Box {
     return true;
   }
   template <int Other>
-  bool contains(const Vec<double, Other>& x) const = delete;  // of another dimension
+  bool contains(const Vec<double, Other>& x) const = delete;  // a box of another dimension
 };
 template <std::size_t D>
 Box(const double (&)[D], const double (&)[D]) -> Box<D>;
@@ -50,12 +50,14 @@ struct Cells {
   explicit Cells(std::vector<std::string> names) : regions{std::move(names)} {}
 };
 
+/// `Cells`, or any class with `bool contains(const Vec<double, D>& x) const`, x in m. Members `lower` and
+/// `upper` [D], m, are its bounds, of which a new scene warns if they reach beyond the mesh.
 template <class R, int D>
 concept region_type = std::same_as<R, Cells> || requires(const R r, const Vec<double, D> x) {
   { r.contains(x) } -> std::convertible_to<bool>;
 };
 
-/// A region whose type is not known, made by `AnyRegion::of<D>`: what a scene is filled from. Positions are
+/// A region with its type erased, made by `AnyRegion::of<D>`; scenes are filled from it. Positions are
 /// (x, y, z), z = 0 in two dimensions.
 struct AnyRegion {
   using Position = std::array<double, 3>;

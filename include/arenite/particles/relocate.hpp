@@ -1,4 +1,4 @@
-// Relocation: each point in its cell, at the cost of one test for those that stayed.
+// Relocation: finds the cell of each point; a point that stayed in its cell costs one test.
 #pragma once
 
 #include <arenite/mesh/blocks.hpp>
@@ -47,11 +47,11 @@ void leave_cells(B& body, CellList::Move* moves, Index count) {
 
 }  // namespace detail
 
-/// Finds the cell of each point, removes those that left the mesh (and counts them), and renews the list of
-/// cells. Points that moved are unsorted points of their cells until they are more than a sixteenth: then the
-/// columns take a new order. `Width`: points tested at a time. Returns whether they did.
+/// Finds the cell of each point. Those in no cell of the mesh are listed in `body.outside`. Lists of cells
+/// are right again after `regroup`; until then points may leave (`take_out`) and join (`add_points`).
+/// `Width`: points tested at a time.
 template <int Width, class B, class M>
-bool relocate(B& body, M& mesh, const Blocks& blocks) {
+void find_cells(B& body, M& mesh, const Blocks& blocks) {
   auto& points = body.points;
   auto& cells = body.cells;
   body.moves.resize(points.size() + cells.unsorted());
@@ -61,29 +61,53 @@ bool relocate(B& body, M& mesh, const Blocks& blocks) {
     body.move_count[b] = detail::find_moves<Width>(body, mesh, begin, end, moves);
     detail::leave_cells(body, moves, body.move_count[b]);
   });
-  bool moved = false, lost = false;
   for (std::size_t b = 0; b < blocks.count(); ++b) {
     const CellList::Move* const moves = body.moves.data() + cells.offset(blocks.begin(static_cast<Index>(b)));
     for (Index k = body.move_count[b]; k-- > 0;) {
       const auto& move = moves[k];
-      moved = true;
+      body.moved = true;
       cells.admit(move);
       if (move.to != none) continue;
       // A walk may end at the hull of a mesh that is not convex.
       points.cell[move.point] = mesh.search(points.position[move.point]);
-      if (points.cell[move.point] != none) continue;
-      lost = true;
-      ++body.lost;
-      body.lost_mass += static_cast<double>(points.mass[move.point]);
+      if (points.cell[move.point] == none) body.outside.push_back(move.point);
     }
   }
-  if (!moved) return false;
+}
+
+/// Counts the points outside of the mesh as lost; `regroup` drops them.
+template <class B>
+void lose_outside(B& body) {
+  body.lost += body.outside.size();
+  for (const Index p : body.outside) body.lost_mass += static_cast<double>(body.points.mass[p]);
+}
+
+/// Renews the lists of cells, and drops the points that are in none. Points that moved are unsorted points of
+/// their cells until they are more than a sixteenth: then the columns take a new order. Returns whether they
+/// did.
+template <class B>
+bool regroup(B& body, const Blocks& blocks) {
+  if (!body.moved) return false;
+  auto& points = body.points;
+  auto& cells = body.cells;
+  const bool leave = !body.outside.empty();
+  body.moved = false;
+  body.outside.clear();
   cells.list_unsorted(points.cell);
   constexpr std::size_t crowd = 16;
-  if (!lost && cells.unsorted() * crowd <= points.size()) return false;
+  if (!leave && cells.unsorted() * crowd <= points.size()) return false;
   points.reorder(cells.order(blocks));
   cells.take_order();
   return true;
+}
+
+/// Finds the cell of each point, removes those that left the mesh (and counts them), and renews the list of
+/// cells. Returns whether the columns took a new order.
+template <int Width, class B, class M>
+bool relocate(B& body, M& mesh, const Blocks& blocks) {
+  find_cells<Width>(body, mesh, blocks);
+  lose_outside(body);
+  return regroup(body, blocks);
 }
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -12,6 +12,7 @@
 #include <arenite/core/bind.hpp>
 #include <arenite/core/name.hpp>
 #include <arenite/core/part_energy.hpp>
+#include <arenite/core/state_value.hpp>
 #include <arenite/rigid/guided.hpp>
 #include <arenite/rigid/motion.hpp>
 #include <arenite/rigid/prescribed.hpp>
@@ -225,8 +226,16 @@ struct RigidBody {
   }
   template <class F>
   void visit_state(F&& f) {
-    for (V* v : {&velocity, &displacement, &force, &impulse}) f(*v);
-    for (double* x : {&driving_work, &dissipated}) f(*x);
+    f("velocity", velocity);
+    f("displacement", displacement);
+    f("force", force);
+    f("impulse", impulse);
+    f("driving_work", driving_work);
+    f("dissipated", dissipated);
+    f("contact_nodes", contact_nodes);
+    f("inside_nodes", inside_nodes);
+    if constexpr (requires { motion.visit_state(f); }) motion.visit_state(StateUnder(f, "motion"));
+    if constexpr (requires { surface.visit_state(f); }) surface.visit_state(StateUnder(f, "surface"));
   }
   bool holds_against(const V& acceleration) const { return motion.holds(acceleration); }
 };

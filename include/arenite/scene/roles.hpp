@@ -7,6 +7,7 @@
 #pragma once
 
 #include <concepts>
+#include <string_view>
 #include <tuple>
 #include <type_traits>
 
@@ -102,20 +103,27 @@ concept holds_against = requires(const P& part, const typename S::V& acceleratio
 namespace detail {
 struct AnyVisitor {
   template <class Value>
-  void operator()(Value&) const {}
+  void operator()(std::string_view, Value&&) const {}
 };
 }  // namespace detail
 
-/// In `for_each_state`: calls `f(value)` for each number, vector or column that it carries from one step to
-/// the next.
+/// In `for_each_state`: calls `f(name, value)` for each `state_value` that it carries from one step to the
+/// next, and changes nothing itself. Its path there is `static constexpr std::string_view state_name`; a part
+/// without one goes by its number.
 template <class P, class S>
 concept owns_state = requires(P& part) {
   { part.visit_state(detail::AnyVisitor{}) } -> std::same_as<void>;
 };
 
+/// Once its state, and that of the bodies, was restored: renews what follows from them.
+template <class P, class S>
+concept follows_state = requires(P& part, S& scene) {
+  { part.follow_state(scene) } -> std::same_as<void>;
+};
+
 /// What a part needs of the scene it says by static constants: `separates_bodies` (a velocity field for each
-/// body instead of one for all), `needs_mass_gradient` (of each field); a type `OnlyOne` names a kind of
-/// which a scene has one at most.
+/// body instead of one for all), `needs_mass_gradient` (of each field), `needs_point_ids`; a type `OnlyOne`
+/// names a kind of which a scene has one at most.
 template <class P>
 inline constexpr bool separates_bodies = [] {
   if constexpr (requires { P::separates_bodies; })
@@ -127,6 +135,13 @@ template <class P>
 inline constexpr bool needs_mass_gradient = [] {
   if constexpr (requires { P::needs_mass_gradient; })
     return P::needs_mass_gradient;
+  else
+    return false;
+}();
+template <class P>
+inline constexpr bool needs_point_ids = [] {
+  if constexpr (requires { P::needs_point_ids; })
+    return P::needs_point_ids;
   else
     return false;
 }();
@@ -146,7 +161,8 @@ inline constexpr bool plays_a_role =
     names_hold_mapped<P> || names_take_stress_work<P> || names_follow_motion<P> || names_stable_step<P> ||
     requires {
   P::separates_bodies;
-};
+}
+|| requires { P::needs_point_ids; };
 
 /// Stops the compiler with the cure for a part that a scene would else leave out in silence.
 template <class P, class S>
@@ -181,6 +197,8 @@ constexpr bool check_part() {
                 "part: holds_against must be bool holds_against(const Vec<T, D>& acceleration) const");
   static_assert(!names_visit_state<P> || owns_state<P, S>,
                 "part: visit_state must be template <class F> void visit_state(F&& f)");
+  static_assert(!names_follow_state<P> || follows_state<P, S>,
+                "part: follow_state must be void follow_state(Scene& scene)");
   return true;
 }
 

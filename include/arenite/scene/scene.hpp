@@ -44,14 +44,12 @@ struct Scene {
 
  private:
   using Fills = decltype(detail::find_bodies(std::declval<const Given&>()...));
-  using BodiesOf = detail::bodies_of<M, N::extra_columns, Fills>;
   /// What was given but the bodies; the kinematics are a part, too.
   using Recipes = decltype(std::tuple_cat(detail::opened(std::declval<const Given&>())...,
                                           detail::opened_if_part(std::declval<const K&>())));
 
  public:
-  using BodyTuple = typename BodiesOf::type;
-  static constexpr std::size_t body_count = std::tuple_size_v<BodyTuple>;
+  static constexpr std::size_t body_count = std::tuple_size_v<decltype(Fills::fills)>;
   static_assert(body_count >= 1, "Scene: bodies(..) needs at least one fill(..)");
   using SiteType = Site<K, M, N, body_count>;
   using Parts = decltype(detail::bind_all(std::declval<const Recipes&>(), std::declval<const SiteType&>()));
@@ -60,6 +58,15 @@ struct Scene {
                 "Scene: contact of bodies, motion of the mesh and TrackEnergy may be given once each");
 
   using Needs = detail::needs_of<Parts>;
+  static constexpr ExtraColumns extra_columns{N::extra_columns.affine, N::extra_columns.dilation,
+                                              Needs::point_ids};
+
+ private:
+  using BodiesOf = detail::bodies_of<M, extra_columns, Fills>;
+
+ public:
+  using BodyTuple = typename BodiesOf::type;
+  static constexpr auto body_names = BodiesOf::names;  ///< empty where a body has none
   static constexpr std::size_t field_count = Needs::own_fields ? body_count : 1;
   static constexpr std::size_t rigid_count = detail::rigids_of<Parts>::count;
   using Field = NodeField<T, D, N::maps_back, Needs::mass_gradient>;
@@ -287,7 +294,7 @@ struct Scene {
   template <class... F>
   BodyTuple make_bodies(const Bodies<F...>& recipe) const {
     return std::apply(
-        [&](const auto&... fill) { return BodyTuple{make_body<K, N::extra_columns>(mesh, fill)...}; },
+        [&](const auto&... fill) { return BodyTuple{make_body<K, extra_columns>(mesh, fill)...}; },
         recipe.fills);
   }
 

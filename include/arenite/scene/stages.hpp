@@ -11,10 +11,11 @@
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
-/// Throws `run_error` if no point is left in the mesh; warns when one body of several has lost its last.
+/// Throws `run_error` if the last point has left the mesh; warns when one body of several has lost its last.
 template <class Scene>
 void relocate(Scene& scene) {
   constexpr int width = Scene::NumericsType::template width<typename Scene::T>;
+  const bool had_any = scene.point_count() > 0;
   bool regrouped = false;
   std::array<bool, Scene::body_count> emptied{};
   std::size_t number = 0;
@@ -24,7 +25,7 @@ void relocate(Scene& scene) {
     emptied[number++] = had_points && body.points.size() == 0;
   });
   if (regrouped) scene.balance_threads();
-  if (scene.point_count() == 0)
+  if (had_any && scene.point_count() == 0)
     throw run_error(shared_detail::join("t = ", scene.time, " s: all ", scene.lost_points(),
                                         " points of the scene have left the mesh"));
   for (std::size_t b = 0; b < emptied.size(); ++b)

@@ -1,32 +1,135 @@
 // State: all that a scene carries from one step to the next, for whoever saves, compares or sends it.
 #pragma once
 
+#include <algorithm>
+#include <array>
+#include <string>
+#include <tuple>
+#include <type_traits>
+
+#include <arenite/core/state_value.hpp>
 #include <arenite/scene/scene.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
-/// Calls `f(value)` for each number, vector and column of a scene's state: clock and sums, the bodies'
-/// points, and what parts own (`owns_state`). Lists of which cell holds which point follow from the points,
-/// up to their order.
+namespace detail {
+
+/// Whether a part of the scene may read what the nodes had in the step before.
+template <class S, class... P>
+constexpr bool reads_last_nodes(std::type_identity<std::tuple<P...>>) {
+  return ((adds_force<P, S> || bounds_step<P, S>) || ...);
+}
+
+/// Path of each part: its `state_name`, or "rigids/" and its name or number among them, or its number among
+/// all parts; numbered where several have the same.
+template <class... P>
+std::array<std::string, sizeof...(P)> part_paths(std::type_identity<std::tuple<P...>>) {
+  std::size_t number = 0, rigid = 0;
+  const auto path = [&]<class Q>(std::type_identity<Q>) {
+    const std::string place = std::to_string(number++);
+    if constexpr (is_rigid<Q>) {
+      const std::string among = std::to_string(rigid++);
+      return "rigids/" + (Q::name.word().empty() ? among : std::string(Q::name.word()));
+    } else if constexpr (requires { std::string_view(Q::state_name); }) {
+      return std::string(Q::state_name);
+    } else {
+      return "parts/" + place;
+    }
+  };
+  const std::array<std::string, sizeof...(P)> wanted{path(std::type_identity<P>{})...};
+  auto paths = wanted;
+  for (std::size_t k = 0; k < wanted.size(); ++k)
+    if (std::ranges::count(wanted, wanted[k]) > 1)
+      paths[k] += "/" + std::to_string(std::count(wanted.begin(), wanted.begin() + k, wanted[k]));
+  return paths;
+}
+
+template <class Body, class F>
+void visit_body(Body& body, const F& f) {
+  f("lost", body.lost);
+  f("lost_mass", body.lost_mass);
+  f("initial_volume", body.initial_volume);
+  f("opened_volume", body.opened_volume);
+  body.inserted.visit_state(StateUnder(f, "inserted"));
+  body.removed.visit_state(StateUnder(f, "removed"));
+  StateUnder points(f, "points");
+  body.points.visit_state(points);
+  StateUnder cells(f, "cells");
+  body.cells.visit_state(cells);
+}
+
+template <class Scene, class F>
+void visit_scene(Scene& scene, const F& f) {
+  f("time", scene.time);
+  f("time_step", scene.time_step);
+  f("steps", scene.steps);
+  f("limited", scene.limited);
+  f("limited_momentum", scene.limited_momentum);
+  f("wall_impulse", scene.wall_impulse);
+  f("driving_work", scene.driving_work);
+  auto& tally = scene.contact_tally;
+  f("contact_tally/dissipation", tally.dissipation);
+  f("contact_tally/nodes", tally.nodes);
+  f("contact_tally/limited", tally.limited);
+  f("contact_tally/limited_momentum", tally.limited_momentum);
+  std::size_t number = 0;
+  const auto name = [](std::size_t k) {
+    return Scene::body_names[k].empty() ? std::to_string(k) : std::string(Scene::body_names[k]);
+  };
+  scene.for_each_body(
+      [&](auto& body, auto&) { visit_body(body, StateUnder(f, "bodies/" + name(number++))); });
+  if constexpr (reads_last_nodes<Scene>(std::type_identity<typename Scene::Parts>{}))
+    for (std::size_t k = 0; k < scene.fields.size(); ++k) {
+      StateUnder nodes(f, Scene::field_count > 1 ? "nodes/" + name(k) : "nodes");
+      nodes("mass", scene.fields[k].mass);
+      nodes("velocity", scene.fields[k].velocity.numbers());
+    }
+  const auto paths = part_paths(std::type_identity<typename Scene::Parts>{});
+  number = 0;
+  scene.for_each_part([&](auto& part) {
+    const std::size_t k = number++;
+    if constexpr (owns_state<std::remove_reference_t<decltype(part)>, Scene>)
+      part.visit_state(StateUnder(f, paths[k]));
+  });
+}
+
+}  // namespace detail
+
+/// Calls `f(name, value)` for all that a step reads, or a run changes, and that does not follow from the
+/// rest. `name` (a `std::string_view`) is unique, and the same in each scene of one recipe: a path such as
+/// "bodies/sand/points/stress/xx", with a number only where nothing has a name. `value` is a `state_value`:
+/// a number, or numbers side by side; of a scene that is const they are constants.
+///
+/// To restore a state make the scene of the same recipe, `resize` each `resizable_state_array` and write all
+/// values, then call `follow_state`: the run goes on with the same bits, on any number of threads. What
+/// follows from the state is not in it: the sums and velocities of nodes (but masses and velocities where a
+/// part adds forces or bounds the step, for it may read those of the step before), the moved mesh, which
+/// guest is in which cell, colours. Observers that carry something have a `visit_state` of their own
+/// (`visit_state_of`).
 template <class Scene, class F>
 void for_each_state(Scene& scene, F&& f) {
-  f(scene.time);
-  f(scene.time_step);
-  f(scene.steps);
-  f(scene.limited);
-  f(scene.limited_momentum);
-  f(scene.wall_impulse);
-  f(scene.driving_work);
+  constexpr bool constant = std::is_const_v<Scene>;
+  const StateUnder<std::remove_reference_t<F>, constant> top(f, "");
+  detail::visit_scene(const_cast<std::remove_const_t<Scene>&>(scene), top);
+}
+
+/// Renews what follows from the state of a scene, once a visitor has written it. Throws `error` if it is not
+/// a state of this scene: columns of unequal length, or a list of cells that does not fit.
+template <class Scene>
+void follow_state(Scene& scene) {
   scene.for_each_body([&](auto& body, auto&) {
-    f(body.lost);
-    f(body.lost_mass);
-    f(body.initial_volume);
-    f(body.opened_volume);
-    body.points.for_each_column(f);
+    body.points.for_each_column([&](const auto& column) {
+      require(column.size() == body.points.size(), "state: points", column.size(),
+              shared_detail::join("must be as many in each column of a body: ", body.points.size()));
+    });
+    body.cells.follow_state(body.points.cell, scene.mesh.cell_count());
+    body.cells.reserve(body.points.size());
+    body.points.reserve_spare();
   });
   scene.for_each_part([&](auto& part) {
-    if constexpr (owns_state<std::remove_reference_t<decltype(part)>, Scene>) part.visit_state(f);
+    if constexpr (follows_state<std::remove_reference_t<decltype(part)>, Scene>) part.follow_state(scene);
   });
+  scene.balance_threads();
 }
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

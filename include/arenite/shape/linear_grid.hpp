@@ -33,7 +33,7 @@ struct LinearGridLine {
 };
 
 struct LinearGrid : ProductShape<LinearGridLine> {
-  /// Measured: docs/design.md.
+  /// Measured: docs/decisions.md.
   static constexpr double courant_limit(bool maps_back) { return maps_back ? 0.5 : 0.35; }
   static constexpr const char* name = "LinearGrid";
 };

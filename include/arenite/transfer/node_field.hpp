@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <initializer_list>
+#include <span>
 #include <vector>
 
 #include <arenite/core/pack.hpp>
@@ -80,6 +81,9 @@ class NodeVectors {
   std::size_t bytes() const { return slots_.size() * sizeof(Slot); }
   Vec<T, D>& operator[](std::size_t i) { return slots_[i].value; }
   const Vec<T, D>& operator[](std::size_t i) const { return slots_[i].value; }
+
+  /// All numbers as they lie in memory, the spare ones among them.
+  std::span<T> numbers() { return {reinterpret_cast<T*>(slots_.data()), bytes() / sizeof(T)}; }
 
   /// The vector of node i as a pack; what the spare lane holds means nothing.
   NodePack<T, D> pack(std::size_t i) const { return NodePack<T, D>::load(lanes_of_slot(i)); }

@@ -1,0 +1,103 @@
+// Points that leave a body and join it, as values. Between `find_cells` and `regroup`, which makes the lists
+// of cells right again.
+#pragma once
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include <arenite/particles/body.hpp>
+
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
+
+/// What points of a law carry.
+template <class L, class Points, class Point>
+void add_to(PointTotals<Points::dimension>& totals, const L& law, const Points&, const Point& point) {
+  const auto mass = static_cast<double>(point.mass);
+  const Vec<double, Points::dimension> velocity = point.velocity.template cast<double>();
+  totals += {1, mass, mass * velocity, mass * velocity.squaredNorm() / 2,
+             static_cast<double>(point.volume * elastic_energy_of(law, point.stress, point.history))};
+}
+
+/// Takes out of a body the points for which `leaves(p)` holds; `take(point)` gets each as a value. Returns
+/// what they carried.
+template <class B, class Leaves, class Take>
+auto take_out(B& body, Index cell_count, Leaves&& leaves, Take&& take) {
+  auto& points = body.points;
+  PointTotals<std::remove_cvref_t<decltype(points)>::dimension> totals;
+  std::vector<Index> leaving;
+  for (Index c = 0; c < cell_count; ++c) {
+    leaving.clear();
+    for (const Index p : body.cells[c])
+      if (leaves(p)) leaving.push_back(p);
+    // The last one first, as `leave` wants it: others change places with it.
+    for (std::size_t k = leaving.size(); k-- > 0;) {
+      const auto point = points[leaving[k]];
+      add_to(totals, body.law, points, point);
+      take(point);
+      CellList::Move move{leaving[k], none};
+      body.cells.leave(move, points.cell, [&](Index p, Index q) { points.swap(p, q); });
+      body.cells.admit(move);
+      body.outside.push_back(move.point);
+      body.moved = true;
+    }
+  }
+  return totals;
+}
+
+/// Throws `error` for a point that no body can take, with its number among those to come.
+template <class B>
+void check_point(const B& body, const typename B::Point& point, std::size_t number) {
+  const auto name = [&](const char* member) {
+    return shared_detail::join("point ", number, " to be added: ", member);
+  };
+  require(point.position.allFinite(), name("position"), shared_detail::listed(point.position),
+          "must be finite");
+  require(point.velocity.allFinite(), name("velocity"), shared_detail::listed(point.velocity),
+          "must be finite");
+  require(point.volume > 0 && std::isfinite(point.volume), name("volume"), point.volume,
+          "must be given, positive");
+  require(std::isnan(point.mass) || (point.mass > 0 && std::isfinite(point.mass)), name("mass"), point.mass,
+          "must be positive, or NaN for the law's density times the volume");
+  for (const auto& s : point.stress.c) require(std::isfinite(s), name("stress"), s, "must be finite");
+  require(point.motion.allFinite(), name("motion"), point.motion.norm(), "must be finite");
+  require(std::isfinite(point.dilation), name("dilation"), point.dilation, "must be finite");
+  std::apply(
+      [&](const auto&... h) { (require(std::isfinite(h), name("history"), h, "must be finite"), ...); },
+      point.history.members());
+  require(body.points.size() + number < none - 1, name("number"), body.points.size() + number,
+          "a body holds fewer than 2^32 points");
+}
+
+/// Adds points to a body, each in the cell that holds it; `id(point)` is the id it gets, where points have
+/// ids. Throws `error`, with nothing added, if one lies outside of the mesh or is not finite. Returns what
+/// they carry.
+template <class B, class M, class Id>
+auto add_points(B& body, M& mesh, const std::vector<typename B::Point>& added, Id&& id) {
+  auto& points = body.points;
+  using T = typename M::scalar;
+  PointTotals<M::dimension> totals;
+  std::vector<Index> cell;
+  cell.reserve(added.size());
+  for (std::size_t k = 0; k < added.size(); ++k) {
+    check_point(body, added[k], k);
+    cell.push_back(mesh.search(added[k].position));
+    require(cell.back() != none, shared_detail::join("point ", k, " to be added: position"),
+            shared_detail::listed(added[k].position), "must lie in the mesh");
+  }
+  points.reserve_more(added.size());
+  body.cells.reserve(points.size() + added.size());
+  for (std::size_t k = 0; k < added.size(); ++k) {
+    auto point = added[k];
+    if (std::isnan(point.mass)) point.mass = static_cast<T>(body.law.density()) * point.volume;
+    point.id = id(point);
+    add_to(totals, body.law, points, point);
+    points.push_back(point, cell[k]);
+    body.cells.admit_new(static_cast<Index>(points.size() - 1));
+  }
+  points.reserve_spare();
+  body.moved = body.moved || !added.empty();
+  return totals;
+}
+
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

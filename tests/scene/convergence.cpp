@@ -88,5 +88,5 @@ TEST_CASE("Points cross cells: order 2 on splines, none with linear functions") 
   CAPTURE(linear, quadratic, cubic);
   CHECK(linear[2] >= 0.5 * linear[1]);
   CHECK(std::log2(quadratic[1] / quadratic[2]) >= 1.9);
-  CHECK(std::log2(cubic[1] / cubic[2]) >= 1.6);  // less than 2 between walls, where knots coincide
+  CHECK(std::log2(cubic[1] / cubic[2]) >= 1.6);  // with 16 points a cell, too slow here, 1.9
 }

@@ -17,7 +17,7 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 /// the shape's `steepness`, for which the stable step is made. A node with m_1 < m_0 / 2 therefore goes the
 /// share 1 - 2 m_1 / m_0 of the way to the velocity of the node on the face, which gives what it gets: linear
 /// momentum is kept to round-off, the kinetic energy of the relative motion falls, and its own force moves
-/// the node as if it had the mass m_0 / 2. (`Shape::least_beside_face`: that half, 3/2 for cubic splines.) A
+/// the node as if it had the mass m_0 / 2. (`Shape::least_beside_face`: that half, 1 for cubic splines.) A
 /// body that fills the cells at a face has m_1 = 2 m_0.
 ///
 /// Points exactly on the face leave the node no mass, and the grid update no way to take up its force over

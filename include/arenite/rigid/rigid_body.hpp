@@ -1,5 +1,5 @@
-// Rigid body in a scene: its state, and its contact with the node fields. What the soil loses in a step the
-// body gains.
+// Rigid body in a scene: its state, and its contact with the node fields. The body gains the momentum that
+// the soil loses in a step.
 #pragma once
 
 #include <algorithm>
@@ -33,7 +33,7 @@ struct CentreOfMass {
   static constexpr bool through_centre_of_mass = true;
 };
 
-/// What `rigid` makes: surface, motion, friction and kind of contact of one rigid body.
+/// The recipe that `rigid` makes: surface, motion, friction and kind of contact of one rigid body.
 template <class Surface, class Motion, class Coupling = RigidVelocity, Name name = "">
 struct Rigid {
   Surface surface;
@@ -47,7 +47,8 @@ struct Rigid {
   }
 };
 
-/// A rigid body, a part of a scene; `rigid<"cone">(..)` gives it a name.
+/// A rigid body, a part of a scene; `rigid<"cone">(..)` gives it a name. `Surface`: see `rigid_surface`;
+/// `Motion`: see `rigid_motion`.
 template <Name name, class Surface, class Motion, class Coupling = RigidVelocity>
 Rigid<Surface, Motion, Coupling, name> rigid(Surface surface, Motion motion, Friction friction,
                                              Coupling = {}) {
@@ -57,7 +58,7 @@ template <class Surface, class Motion, class Coupling = RigidVelocity>
 Rigid<Surface, Motion, Coupling> rigid(Surface surface, Motion motion, Friction friction, Coupling = {}) {
   return {std::move(surface), std::move(motion), friction};
 }
-/// A number free_velocity may be an angle or a coefficient.
+/// Refused by the compiler: a number may be an angle or a coefficient.
 template <Name name = "", class Surface, class Motion, class Number, class... Coupling>
 requires std::is_arithmetic_v<Number>
 auto rigid(Surface surface, Motion motion, Number, Coupling... coupling) {
@@ -96,7 +97,8 @@ void find_touched_nodes(const M& mesh, R& body, const Fields& fields) {
 }  // namespace detail
 
 /// Advances the body by dt to `time` and lets it exchange impulses with all fields: its own motion first,
-/// then the impulses with its new velocity. Returns what contact dissipated.
+/// then the impulses with its new velocity. Returns the dissipation of
+/// contact.
 template <class Shape, class M, class R, class Fields, class T, int D>
 ContactTally collide(const M& mesh, R& body, Fields& fields, const Vec<T, D>& acceleration, T time, T dt) {
   detail::find_touched_nodes<Shape>(mesh, body, fields);
@@ -201,7 +203,7 @@ struct RigidBody {
 
   double kinetic_energy() const { return motion.kinetic_energy(velocity); }
 
-  /// What the field at a touched node is given if the body moves with velocity v.
+  /// Impulse on the field at a touched node if the body moves with velocity v, m/s.
   CoulombImpulse<T, D> contact_at(const TouchedNode& t, const V& v) const {
     if (t.inside) return stick<T, D>(t.start - v, t.mass_ratio * t.mass);
     return coulomb<T, D>(t.start - v, t.normal, t.mass_ratio * t.mass, friction);

@@ -1,4 +1,4 @@
-// Doubts: what a new scene has that is allowed but hardly meant. Each gives one warning.
+// Warnings about a new scene: what is allowed but hardly meant.
 #pragma once
 
 #include <algorithm>
@@ -105,7 +105,7 @@ void warn_no_support(const Scene& scene) {
                              " m/s2 acts, but no wall and no rigid body holds along it: everything falls"));
 }
 
-/// All doubts about a new scene and the recipes of its bodies.
+/// All warnings about a new scene and the recipes of its bodies.
 template <class Scene, class... Fills>
 void warn_about_new_scene(const Scene& scene, const Bodies<Fills...>& recipe) {
   const auto& fills = recipe.fills;

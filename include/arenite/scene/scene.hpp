@@ -15,12 +15,12 @@
 #include <arenite/scene/new_scene_warnings.hpp>
 #include <arenite/scene/parts.hpp>
 #include <arenite/scene/roles.hpp>
-#include <arenite/transfer/simplex/centred_stress.hpp>
 #include <arenite/transfer/g2p.hpp>
 #include <arenite/transfer/light_nodes.hpp>
 #include <arenite/transfer/map_back.hpp>
 #include <arenite/transfer/numerics.hpp>
 #include <arenite/transfer/p2g.hpp>
+#include <arenite/transfer/simplex/centred_stress.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
@@ -28,7 +28,7 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 /// the library (`walls(..)`, `gravity({..})`, `Coulomb`, `rigids(..)`, `MovingMesh`, `TrackEnergy{}`) and any
 /// of your own (`scene/roles.hpp`). Complete when constructed: filled, parts bound, surfaces found. Warns
 /// (`on_warning`) of a box that reaches beyond the mesh, of bodies that lie in one place, and of gravity that
-/// nothing holds against.
+/// nothing holds against. Throws `error` where a recipe does not fit the mesh, naming value and rule.
 template <class K, class M, class N, class... Given>
 struct Scene {
   static_assert(detail::is_complete_scene<K, M, N, Given...>());
@@ -76,7 +76,7 @@ struct Scene {
   /// Node field of a body.
   static constexpr std::size_t field_of(std::size_t body) { return Needs::own_fields ? body : 0; }
 
-  /// What is given may have more in its type than the scene's type tells (`erased_t`).
+  /// The types given may hold more than the scene's type keeps (`erased_t`).
   template <class... G>
   requires(std::same_as<std::tuple<erased_t<G>...>, std::tuple<Given...>>)
       Scene(K kinematics_value, M mesh_value, N numerics_value, const G&... given)
@@ -187,7 +187,7 @@ struct Scene {
     require(k < body_count, option, told, "must be the number or the name of a body of the scene");
     return k;
   }
-  /// What messages call a body.
+  /// Name of a body in messages.
   template <Name which>
   static std::string name_of() {
     return which.word().empty() ? std::to_string(which.number) : std::string(which.word());
@@ -202,7 +202,7 @@ struct Scene {
     return sum;
   }
 
-  /// Gives each thread cells with as many points as the others'.
+  /// Gives each thread cells with an equal number of points.
   void balance_threads() {
     blocks.balance_threads([&](Index c) {
       std::size_t n = 0;
@@ -332,8 +332,6 @@ Scene<K, M, N, Given...>::Scene(detail::Nothing, K kinematics_value, M mesh_valu
       bodies{make_bodies(detail::find_bodies(given...))} {
   balance_threads();
   for_each_body([&](auto& body, const auto&) { body.points.place_by_thread(body.cells, blocks); });
-  numerics.transfer.check();
-  numerics.anti_locking.check();
   find_constraints();
   for_each_part([&](auto& part) {
     if constexpr (connects<std::remove_reference_t<decltype(part)>, Scene>) part.connect(*this);

@@ -11,7 +11,8 @@
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
-/// Throws `run_error` if the last point has left the mesh; warns when one body of several has lost its last.
+/// Finds the cell of each point and removes those that left the mesh. Throws `run_error` if none is left;
+/// warns when one body of several has lost its last.
 template <class Scene>
 void relocate(Scene& scene) {
   constexpr int width = Scene::NumericsType::template width<typename Scene::T>;
@@ -34,6 +35,7 @@ void relocate(Scene& scene) {
                                " have left the mesh; the run goes on without it"));
 }
 
+/// P2G: clears the fields and collects mass, momentum and internal force of all bodies.
 template <class Scene>
 void p2g(Scene& scene) {
   for (auto& field : scene.fields) field.clear();
@@ -42,6 +44,7 @@ void p2g(Scene& scene) {
   });
 }
 
+/// Forces of parts (`add_force`). dt: s.
 template <class Scene>
 void add_forces(Scene& scene, double dt) {
   scene.for_each_part([&](auto& part) {
@@ -90,6 +93,8 @@ void for_each_exchange(Scene& scene, int first, int last, F&& f) {
 template <class T>
 inline constexpr T least_mass = std::numeric_limits<T>::min() / std::numeric_limits<T>::epsilon();
 
+/// Forces from the stresses at the middle of the step, for elastic bodies with MUSL on simplices
+/// (`add_half_step`). dt: s.
 template <class Scene>
 void centre_stress(Scene& scene, [[maybe_unused]] double dt) {
   if constexpr (Scene::centres_stress) {
@@ -105,6 +110,7 @@ void centre_stress(Scene& scene, [[maybe_unused]] double dt) {
   }
 }
 
+/// Grid update: v = v^old + dt (f / m + a), with the parts' accelerations. dt: s.
 template <class Scene>
 void update_grid(Scene& scene, double dt) {
   using T = typename Scene::T;
@@ -116,6 +122,7 @@ void update_grid(Scene& scene, double dt) {
   }
 }
 
+/// Takes velocities to what the parts' constraints allow; books impulse and work. dt: s.
 template <class Scene>
 void constrain(Scene& scene, double dt) {
   for (auto& field : scene.fields) {
@@ -125,6 +132,8 @@ void constrain(Scene& scene, double dt) {
   }
 }
 
+/// Impulses between fields and with rigid bodies (`exchange_impulses`), by rank, then constraints again. dt:
+/// s.
 template <class Scene>
 void exchange(Scene& scene, double dt) {
   scene.contact_tally = {};
@@ -139,6 +148,8 @@ void exchange(Scene& scene, double dt) {
   }
 }
 
+/// Exchange of momentum at light nodes (`LightNodes`), or beside the faces of a grid (`exchange_at_faces`).
+/// dt: s.
 template <class Scene>
 void smooth_light_nodes(Scene& scene, [[maybe_unused]] double dt) {
   if constexpr (Scene::NumericsType::smooths_light_nodes) {
@@ -154,6 +165,7 @@ void smooth_light_nodes(Scene& scene, [[maybe_unused]] double dt) {
   }
 }
 
+/// MUSL: velocities mapped back from the points, held to what contact and constraints enforced. dt: s.
 template <class Scene>
 void map_back(Scene& scene, [[maybe_unused]] double dt) {
   if constexpr (Scene::NumericsType::maps_back) {
@@ -174,6 +186,7 @@ void map_back(Scene& scene, [[maybe_unused]] double dt) {
   }
 }
 
+/// G2P and the law, body by body; hands the work of the stresses to the parts that ask for it. dt: s.
 template <class Scene>
 void g2p(Scene& scene, double dt) {
   scene.finite = true;
@@ -191,6 +204,7 @@ void g2p(Scene& scene, double dt) {
   });
 }
 
+/// Parts that move with the matter, or move the mesh (`follow_motion`). dt: s.
 template <class Scene>
 void follow(Scene& scene, double dt) {
   scene.for_each_part([&](auto& part) {
@@ -210,6 +224,7 @@ bool is_finite(const Points& points, std::size_t p) {
   return finite;
 }
 
+/// Advances the clock. Throws `run_error` that names the first point that is not finite. dt: s.
 template <class Scene>
 void finish(Scene& scene, double dt) {
   scene.time += dt;

@@ -44,6 +44,7 @@ class CellForce {
   std::array<Pack<T, 4>, D> column_;
 };
 
+/// Of the points of cell c of a body.
 template <int Width, class L, class T, int D, ExtraColumns Extra>
 StressSums<T, D> sum_stresses(const Body<L, T, D, Extra>& body, Index c) {
   using B = Body<L, T, D, Extra>;

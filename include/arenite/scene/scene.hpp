@@ -15,12 +15,12 @@
 #include <arenite/scene/new_scene_warnings.hpp>
 #include <arenite/scene/parts.hpp>
 #include <arenite/scene/roles.hpp>
-#include <arenite/transfer/centred_stress.hpp>
 #include <arenite/transfer/g2p.hpp>
 #include <arenite/transfer/light_nodes.hpp>
 #include <arenite/transfer/map_back.hpp>
 #include <arenite/transfer/numerics.hpp>
 #include <arenite/transfer/p2g.hpp>
+#include <arenite/transfer/simplex/centred_stress.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 

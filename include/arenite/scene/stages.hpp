@@ -100,8 +100,7 @@ void centre_stress(Scene& scene, [[maybe_unused]] double dt) {
   if constexpr (Scene::centres_stress) {
     using T = typename Scene::T;
     for (auto& field : scene.fields) {
-      const typename Scene::V none = Scene::V::Zero();
-      update_grid(field, none, T(0), least_mass<T>);
+      start_velocities(field, least_mass<T>);
       detail::allow(scene, field, field.velocity, 0);
     }
     scene.for_each_body([&](const auto& body, auto& field) {

@@ -14,27 +14,23 @@ namespace arenite::test {
 inline const LinearElastic elastic{{.density = 1000, .young = 1e6, .poisson = 0.3}};
 
 /// Random points in all cells but every seventh: `per_cell` of random mass, volume, velocity, stress and (if
-/// the transfer is affine) motion.
-template <class K_, class N_, class M_>
-struct Setup {
-  using K = K_;
-  using N = N_;
+/// `Extra` has it) affine motion. What it is does not depend on the numerics: compiled once for all of them.
+template <class Shape_, class M_, ExtraColumns Extra, bool HasMapped>
+struct RandomBody {
+  using Shape = Shape_;
   using M = M_;
   using T = typename M::scalar;
-  using Shape = typename N::Shape;
-  using Transfer = typename N::Transfer;
   using Cell = typename Shape::template Cell<M>;
   static constexpr int D = M::dimension;
-  using Field = NodeField<T, D, N::maps_back, true>;
+  using Field = NodeField<T, D, HasMapped, true>;
 
   M mesh;
-  N numerics{};
   Blocks blocks;
-  Body<LinearElastic, T, D, N::extra_columns> body{elastic, {}, {}};
+  Body<LinearElastic, T, D, Extra> body{elastic, {}, {}};
   Field nodes;
   std::mt19937 random;
 
-  explicit Setup(M m, int per_cell = 3, unsigned seed = 1)
+  RandomBody(M m, int per_cell, unsigned seed)
       : mesh{std::move(m)},
         blocks{mesh.cell_count(), Shape::node_count(mesh), 5,
                [this](Index c) { return Cell(mesh, c).nodes; }},
@@ -55,7 +51,7 @@ struct Setup {
     Vec<T, D> v;
     for (int k = 0; k < D; ++k) v[k] = number();
     body.points.push_back(x, v, number(0.5, 2), number(0.5, 2), stress, c);
-    if constexpr (Transfer::affine) {
+    if constexpr (Extra.affine) {
       Mat<T, D> motion;
       for (int k = 0; k < D * D; ++k) motion(k / D, k % D) = number();
       body.points.motion.set(body.points.size() - 1, motion);
@@ -72,13 +68,53 @@ struct Setup {
     body.cells.build(body.points.cell, mesh.cell_count());
   }
 
-  void p2g() {
-    nodes.clear();
-    arenite::p2g<K>(numerics, mesh, blocks, body, nodes);
-  }
   /// Velocities of the nodes, without force or gravity unless given.
   void update_grid(T dt = 0, const Vec<T, D>& gravity = Vec<T, D>::Zero()) {
     arenite::update_grid(nodes, gravity, dt, T(0));
+  }
+  Vec<T, D> node(Index i) const { return Shape::node_position(mesh, i); }
+
+  /// Gives all points the field v = a + A x, with the affine motion that belongs to it.
+  void set_affine(const Vec<T, D>& a, const Mat<T, D>& A) {
+    auto& points = body.points;
+    for (std::size_t p = 0; p < points.size(); ++p) {
+      points.velocity.set(p, a + A * points.position[p]);
+      if constexpr (Extra.affine) points.motion.set(p, A);
+    }
+  }
+
+  Vec<T, D> point_momentum() const {
+    Vec<T, D> sum = Vec<T, D>::Zero();
+    for (std::size_t p = 0; p < body.points.size(); ++p) sum += body.points.mass[p] * body.points.velocity[p];
+    return sum;
+  }
+  Vec<T, D> node_momentum() const {
+    Vec<T, D> sum = Vec<T, D>::Zero();
+    for (std::size_t i = 0; i < nodes.size(); ++i) sum += nodes.mass[i] * nodes.velocity[i];
+    return sum;
+  }
+};
+
+/// Random points with the kernels of numerics N.
+template <class K_, class N_, class M_>
+struct Setup : RandomBody<typename N_::Shape, M_, N_::extra_columns, N_::maps_back> {
+  using K = K_;
+  using N = N_;
+  using Base = RandomBody<typename N::Shape, M_, N::extra_columns, N::maps_back>;
+  using typename Base::T;
+  using Transfer = typename N::Transfer;
+  using Base::blocks;
+  using Base::body;
+  using Base::mesh;
+  using Base::nodes;
+
+  N numerics{};
+
+  explicit Setup(M_ m, int per_cell = 3, unsigned seed = 1) : Base(std::move(m), per_cell, seed) {}
+
+  void p2g() {
+    nodes.clear();
+    arenite::p2g<K>(numerics, mesh, blocks, body, nodes);
   }
   void map_back() {
     if constexpr (N::maps_back) {
@@ -94,27 +130,6 @@ struct Setup {
   void gather() {
     map_back();
     if constexpr (!N::maps_back_by_points) g2p(0);
-  }
-  Vec<T, D> node(Index i) const { return Shape::node_position(mesh, i); }
-
-  /// Gives all points the field v = a + A x, with the affine motion that belongs to it.
-  void set_affine(const Vec<T, D>& a, const Mat<T, D>& A) {
-    auto& points = body.points;
-    for (std::size_t p = 0; p < points.size(); ++p) {
-      points.velocity.set(p, a + A * points.position[p]);
-      if constexpr (Transfer::affine) points.motion.set(p, A);
-    }
-  }
-
-  Vec<T, D> point_momentum() const {
-    Vec<T, D> sum = Vec<T, D>::Zero();
-    for (std::size_t p = 0; p < body.points.size(); ++p) sum += body.points.mass[p] * body.points.velocity[p];
-    return sum;
-  }
-  Vec<T, D> node_momentum() const {
-    Vec<T, D> sum = Vec<T, D>::Zero();
-    for (std::size_t i = 0; i < nodes.size(); ++i) sum += nodes.mass[i] * nodes.velocity[i];
-    return sum;
   }
 };
 

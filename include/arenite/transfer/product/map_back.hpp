@@ -28,17 +28,18 @@ template <class N, class M, class B, class Field>
       nodes.mapped.add(cell.nodes[i], node_pack<T, M::dimension>(lane, sum));
     });
   };
+  std::size_t left = body.cells[c].size();
   for_each_pack<Sums::width>(body.cells, c, body.points, [&](const auto& p) {
     const auto x = p.position();
     const Lines<typename Sums::P, Cell> line(cell, x);
     keep_in_memory(taken);
     const auto field = take(cell, p, x, taken_sums(take, line, taken));
-    if (rows.full()) spread();
     typename Sums::Handed handed;
     handed.momentum(p.mass(), field);
     rows.push(p.count, handed, line);
+    left -= static_cast<std::size_t>(p.count);  // one call of `spread`, as in P2G
+    if (rows.full() || left == 0) spread();
   });
-  spread();
 }
 
 }  // namespace product

@@ -37,8 +37,8 @@ template <class K, class N, class M, class B, class Field>
         nodes.mass_gradient.add(cell.nodes[i], node_pack<T, M::dimension>(lane, sum));
       });
   };
+  std::size_t left = body.cells[c].size();
   for_each_pack<Sums::width>(body.cells, c, body.points, [&](const auto& p) {
-    if (rows.full()) spread();
     const auto x = p.position();
     const auto field = numerics.transfer.hand(p);
     const auto stress = p.stress();
@@ -59,8 +59,10 @@ template <class K, class N, class M, class B, class Field>
       repeat<D>([&](std::size_t a) { mass.slope(a, node_channel::mass_gradient, a) = m; });
       gradients.push(p.count, mass, line);
     }
+    // One call for full rows and for the last ones: it is the better part of the kernel, and compiled once.
+    left -= static_cast<std::size_t>(p.count);
+    if (rows.full() || left == 0) spread();
   });
-  spread();
   if constexpr (N::smooths_light_nodes) {
     // Mean of (h |grad w|)^2 over a cell, of a function that is linear along each axis.
     constexpr T mean = D == 2 ? T(2) / 3 : T(1) / 3;

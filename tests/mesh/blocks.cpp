@@ -65,6 +65,9 @@ TEST_CASE("each cell once, no node twice in a colour") {
 TEST_CASE("two layers of a grid's cells need two colours") {
   const CartesianGrid<2> grid({.lower = {0, 0}, .upper = {8, 20}, .cell = 1});
   REQUIRE(blocks_of<QuadraticBSpline>(grid, 16).colors() == 2);
+  REQUIRE(blocks_of<LinearGrid>(grid, 8 * LinearGrid::halo).colors() == 2);
+  REQUIRE(blocks_of<CubicBSpline>(grid, 8 * CubicBSpline::halo).colors() == 2);
+  REQUIRE(blocks_of<CubicBSpline>(grid, 16).colors() == 3);  // blocks lower than the halo
 }
 
 TEST_CASE("cells that meet at a node run in the same order for any number of threads") {

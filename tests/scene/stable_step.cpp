@@ -131,6 +131,13 @@ TEST_CASE("Courant number 1: no elastic block on splines gains energy") {
   CHECK(worst_on_splines<Numerics<QuadraticBSpline, Apic, Usl>>() <= 1.1);
   CHECK(worst_on_splines<Numerics<QuadraticBSpline, Flip, Usl>>() <= 1.1);
   CHECK(worst_on_splines<Numerics<QuadraticBSpline, Apic, Musl>>() <= 1.1);
+  CHECK(worst_on_splines<Numerics<CubicBSpline, Flip, Usl>>() <= 1.1);
+  CHECK(worst_on_splines<Numerics<CubicBSpline, Apic, Musl>>() <= 1.1);
+}
+TEST_CASE("Courant number 1: no elastic block on linear functions gains energy") {
+  CHECK(worst_on_splines<Numerics<LinearGrid, Apic, Usl>>() <= 1.1);
+  CHECK(worst_on_splines<Numerics<LinearGrid, Flip, Usl>>() <= 1.1);
+  CHECK(worst_on_splines<Numerics<LinearGrid, Apic, Musl>>() <= 1.1);
 }
 
 namespace {

@@ -51,6 +51,18 @@ TEST_CASE("Same bits: B-splines, APIC, sand, energy") {
   });
 }
 
+TEMPLATE_TEST_CASE("Same bits: linear functions and cubic B-splines, whose blocks have one layer and three",
+                   "", LinearGrid, CubicBSpline) {
+  check([] {
+    return Scene{PlaneStrain{},
+                 grid(),
+                 Numerics<TestType, Flip, Usl>{},
+                 bodies(fill(Box{{0., 0.}, {1., 0.8}}, sand(), falls)),
+                 walls(bottom(fixed), left(roller)),
+                 gravity({0, -9.81})};
+  });
+}
+
 TEST_CASE("Same bits: B-splines, FLIP, two bodies in contact, a rigid body") {
   check([] {
     return Scene{

@@ -28,8 +28,9 @@ struct LedByBody {
   T travel(const Scene& scene, int axis, T before, T dt) const {
     const auto& body = scene.template body<which>();
     if (body.points.size() == 0)
-      throw run_error(shared_detail::join("body ", scene.template name_of<which>(),
-                                          ", which leads the mesh, has lost all of its points"));
+      throw run_error(shared_detail::join(
+          "body ", which.word().empty() ? std::to_string(which.number) : std::string(which.word()),
+          ", which leads the mesh, has lost all of its points"));
     return before + static_cast<T>(static_cast<double>(dt) * momentum(body)[axis] / mass(body));
   }
 };

@@ -203,6 +203,14 @@ struct RigidBody {
 
   double kinetic_energy() const { return motion.kinetic_energy(velocity); }
 
+  /// On a field in the last step, N s.
+  V contact_impulse(std::size_t field) const {
+    V sum = V::Zero();
+    for (const auto& t : touched_nodes)
+      if (t.field == field) sum += t.impulse;
+    return sum;
+  }
+
   /// Impulse on the field at a touched node if the body moves with velocity v, m/s.
   CoulombImpulse<T, D> contact_at(const TouchedNode& t, const V& v) const {
     if (t.inside) return stick<T, D>(t.start - v, t.mass_ratio * t.mass);

@@ -15,12 +15,12 @@
 #include <arenite/scene/new_scene_warnings.hpp>
 #include <arenite/scene/parts.hpp>
 #include <arenite/scene/roles.hpp>
-#include <arenite/transfer/centred_stress.hpp>
 #include <arenite/transfer/g2p.hpp>
 #include <arenite/transfer/light_nodes.hpp>
 #include <arenite/transfer/map_back.hpp>
 #include <arenite/transfer/numerics.hpp>
 #include <arenite/transfer/p2g.hpp>
+#include <arenite/transfer/simplex/centred_stress.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
@@ -180,6 +180,14 @@ struct Scene {
   template <class Recipe>
   static constexpr bool has_part = detail::place_of<Recipe>(std::type_identity<Recipes>{}) < part_count;
 
+  template <Name which>
+  static constexpr bool has_rigid = detail::number_among(detail::rigids_of<Parts>::found.second, which.word(),
+                                                         which.number) < rigid_count;
+  template <Name which>
+  static constexpr std::size_t body_number() {
+    return body_place<which>();
+  }
+
   /// Number of a body; throws `error` that names the `option` if the scene has no such body.
   std::size_t number_of(const BodyName& name, std::string_view option) const {
     const std::size_t k = detail::number_among(BodiesOf::names, name.word, name.number);
@@ -187,10 +195,9 @@ struct Scene {
     require(k < body_count, option, told, "must be the number or the name of a body of the scene");
     return k;
   }
-  /// Name of a body in messages.
-  template <Name which>
-  static std::string name_of() {
-    return which.word().empty() ? std::to_string(which.number) : std::string(which.word());
+  /// What messages call a body: its name, or its number if it has none.
+  static std::string body_name(std::size_t body) {
+    return body_names[body].empty() ? std::to_string(body) : std::string(body_names[body]);
   }
 
   /// Sum of the parts' accelerations now, m/s2.

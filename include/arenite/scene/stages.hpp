@@ -31,7 +31,7 @@ void relocate(Scene& scene) {
                                         " points of the scene have left the mesh"));
   for (std::size_t b = 0; b < emptied.size(); ++b)
     if (emptied[b])
-      warn(shared_detail::join("t = ", scene.time, " s: all points of body ", b,
+      warn(shared_detail::join("t = ", scene.time, " s: all points of body ", Scene::body_name(b),
                                " have left the mesh; the run goes on without it"));
 }
 
@@ -100,8 +100,7 @@ void centre_stress(Scene& scene, [[maybe_unused]] double dt) {
   if constexpr (Scene::centres_stress) {
     using T = typename Scene::T;
     for (auto& field : scene.fields) {
-      const typename Scene::V none = Scene::V::Zero();
-      update_grid(field, none, T(0), least_mass<T>);
+      start_velocities(field, least_mass<T>);
       detail::allow(scene, field, field.velocity, 0);
     }
     scene.for_each_body([&](const auto& body, auto& field) {
@@ -246,11 +245,11 @@ void finish(Scene& scene, double dt) {
         [](std::size_t a, std::size_t b) { return std::min(a, b); });
     if (first_bad < points.size())
       throw run_error(shared_detail::join(
-          "t = ", scene.time, " s, step ", scene.steps, ": point ", first_bad, " of body ", number, " at (",
-          points.position[first_bad].transpose(), ") m has velocity (",
+          "t = ", scene.time, " s, step ", scene.steps, ": point ", first_bad, " of body ",
+          Scene::body_name(number), " at (", points.position[first_bad].transpose(), ") m has velocity (",
           points.velocity[first_bad].transpose(), ") m/s, pressure ", -trace(points.stress[first_bad]) / 3,
           " Pa, volume ", points.volume[first_bad], " m3: no longer finite"));
-    if (!body.finite) bodies += shared_detail::join(bodies.empty() ? "" : ", ", number);
+    if (!body.finite) bodies += shared_detail::join(bodies.empty() ? "" : ", ", Scene::body_name(number));
     ++number;
   });
   throw run_error(

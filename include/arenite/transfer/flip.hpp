@@ -47,14 +47,18 @@ struct Flip {
   template <class Cell, class Nodes>
   auto take(const Cell& cell, const Nodes& nodes) const {
     using T = typename Cell::T;
-    using V = NodePack<T, Cell::D>;
     Taken<T, NodeRows<T, Cell::D, Cell::size>> taken;
     taken.fraction = static_cast<T>(fraction);
-    const V kept(taken.fraction);
-    repeat<Cell::size>([&](std::size_t i) {
-      taken.velocity.set(i, nodes.velocity.pack(cell.nodes[i]) - kept * nodes.start.pack(cell.nodes[i]));
-    });
+    repeat<Cell::size>([&](std::size_t i) { taken.velocity.set(i, taken_velocity(nodes, cell.nodes[i])); });
     return taken;
+  }
+  /// d_i of one node, as a pack.
+  template <class Nodes>
+  auto taken_velocity(const Nodes& nodes, Index i) const {
+    const auto v = nodes.velocity.pack(i);
+    using V = std::remove_const_t<decltype(v)>;
+    using T = std::remove_cvref_t<decltype(v[0])>;
+    return V(v - V(static_cast<T>(fraction)) * nodes.start.pack(i));
   }
 };
 

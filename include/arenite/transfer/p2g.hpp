@@ -46,4 +46,19 @@ void update_grid(Field& nodes, const Vec<T, D>& gravity, T dt, T mass_floor) {
   });
 }
 
+/// Of the grid update the masses and the velocities that the points hand over alone.
+template <class Field, class T>
+void start_velocities(Field& nodes, T mass_floor) {
+  parallel_chunks(nodes.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const auto& sums = nodes.collected[i];
+      nodes.mass[i] = sums.mass() <= mass_floor ? T(0) : sums.mass();
+      if (nodes.mass[i] > 0)
+        nodes.velocity[i] = (1 / sums.mass()) * sums.momentum();
+      else
+        nodes.velocity[i].setZero();
+    }
+  });
+}
+
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -18,6 +18,8 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 //   velocity that they took from it, so that MUSL is USL; a transfer derived from another one must say it
 //   anew;
 // - `hand(p)`: the `VelocityField` that a point p, a `PointPack`, hands to its nodes (P2G);
+// - `taken_velocity(nodes, i)` (optional): the vector d_i, below, of one node, as a pack: MUSL on linear
+//   simplices needs no more of it;
 // - `take(cell, nodes)`: what the points of a cell do in G2P, made once a cell:
 //   - `velocity`: the vectors d_i of its nodes of which points take sums, `NodeRows`; or `Nothing`: the new
 //     velocities of the nodes;

@@ -26,14 +26,17 @@ template <class N, class M, class B, class Field>
   using V = NodePack<T, M::dimension>;
   using Cell = CellNodes<M>;
   const Cell cell{mesh.nodes(c)};
-  const NodeRows<T, M::dimension, Cell::size> v(cell, nodes.velocity);
-  const auto take = numerics.transfer.take(cell, nodes);
+  const auto transfer = numerics.transfer;  // a copy: its parameters stay in registers
   const auto& edge_mass = body.cell_sums[c].edge_mass;
   std::array<V, Cell::size> d, gain;
-  repeat<Cell::size>([&](std::size_t i) {
-    d[i] = either(take.velocity, v).pack(i);
-    gain[i] = V(0);
-  });
+  if constexpr (requires { numerics.transfer.taken_velocity(nodes, c); }) {
+    repeat<Cell::size>([&](std::size_t i) { d[i] = transfer.taken_velocity(nodes, cell.nodes[i]); });
+  } else {
+    const NodeRows<T, M::dimension, Cell::size> v(cell, nodes.velocity);
+    const auto take = transfer.take(cell, nodes);
+    repeat<Cell::size>([&](std::size_t i) { d[i] = either(take.velocity, v).pack(i); });
+  }
+  repeat<Cell::size>([&](std::size_t i) { gain[i] = V(0); });
   for_each_edge<Cell::size>([&](std::size_t e, std::size_t i, std::size_t j) {
     const V exchanged = V(edge_mass[e]) * (d[j] - d[i]);
     gain[i] += exchanged;

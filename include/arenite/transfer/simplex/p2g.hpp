@@ -60,7 +60,6 @@ void leave_sums(const B&, const StressSums<T, D>& stress, const Total& total, Ce
 template <class K, class N, class M, class B, class Field>
 [[gnu::flatten]] void p2g(const N& numerics, const M& mesh, B& body, Index c, Field& nodes) {
   using T = typename M::scalar;
-  constexpr std::size_t D = M::dimension;
   using Cell = typename N::Shape::template Cell<M>;
   using Quad = Pack<T, 4>;
   constexpr int width = N::template width<T>;
@@ -80,20 +79,12 @@ template <class K, class N, class M, class B, class Field>
   T mass = 0;
   repeat<Cell::size>([&](std::size_t i) { mass += total.node(i, node_channel::mass); });
   [[maybe_unused]] const T reach = mass * square(mesh.size(c));
-  // Columns of the stress as packs: a node's force is their sum, each times a component of the gradient.
-  std::array<Quad, D> column;
-  repeat<D>([&](std::size_t a) {
-    const auto of = [&](std::size_t d) {
-      return d < D ? -stress.stress[Sym<T, M::dimension>::index(d, a)] : T(0);
-    };
-    column[a] = quad(of(0), of(1), of(2), T(0));
-  });
+  const CellForce<T, M::dimension> internal(stress.stress);
   [[maybe_unused]] const Quad hoop = quad(-stress.bearing, T(0), T(0), T(0));
   repeat<Cell::size>([&](std::size_t i) {
     auto& node = nodes.collected[cell.nodes[i]];
     const auto gradient = cell.gradient.col(static_cast<int>(i));
-    Quad force(0);
-    repeat<D>([&](std::size_t a) { force += column[a] * Quad(gradient[static_cast<int>(a)]); });
+    Quad force = internal.at(gradient);
     repeat<K::hoop>([&](std::size_t) { force += hoop * Quad(total.node(i, node_channel::hoop_force)); });
     repeat<N::smooths_light_nodes>(
         [&](std::size_t) { force += quad(T(0), T(0), T(0), reach * gradient.squaredNorm()); });

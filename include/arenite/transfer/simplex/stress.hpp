@@ -20,6 +20,30 @@ struct StressSums {
   T bearing = 1;                          ///< volume over which the cell bears its stress, over V, -
 };
 
+/// Internal forces of a cell: -(sum V sigma) grad w_i. The columns of the sum as packs, of which a node's
+/// force is a sum, each times a component of its gradient.
+template <class T, int D>
+class CellForce {
+ public:
+  /// stress: by component, N m
+  template <class Stress>
+  explicit CellForce(const Stress& stress) {
+    repeat<D>([&](std::size_t a) {
+      const auto of = [&](std::size_t d) { return d < D ? -stress[Sym<T, D>::index(d, a)] : T(0); };
+      column_[a] = quad(of(0), of(1), of(2), T(0));
+    });
+  }
+  template <class Gradient>
+  Pack<T, 4> at(const Gradient& gradient) const {
+    Pack<T, 4> force(0);
+    repeat<D>([&](std::size_t a) { force += column_[a] * Pack<T, 4>(gradient[static_cast<int>(a)]); });
+    return force;
+  }
+
+ private:
+  std::array<Pack<T, 4>, D> column_;
+};
+
 /// Of the points of cell c of a body.
 template <int Width, class L, class T, int D, ExtraColumns Extra>
 StressSums<T, D> sum_stresses(const Body<L, T, D, Extra>& body, Index c) {

@@ -6,6 +6,7 @@
 #include <arenite/particles/body.hpp>
 #include <arenite/transfer/law_pass.hpp>
 #include <arenite/transfer/simplex/g2p.hpp>
+#include <arenite/transfer/simplex/stress.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
@@ -44,14 +45,11 @@ void add_half_step(const M& mesh, const Blocks& blocks, const B& body, Field& no
     body.law.update(after, step, history);
     after = (sums.volume * small_exp(trace(step.strain))) * after;
     const Sym<T, D> gain = after - before;
+    const simplex::CellForce<T, D> gained(gain);
     repeat<size>([&](std::size_t i) {
-      const auto n = cell.gradient.col(static_cast<int>(i));
-      Vec<T, D> force = Vec<T, D>::Zero();
-      for (int d = 0; d < D; ++d)
-        for (int a = 0; a < D; ++a)
-          force[d] -= gain[Sym<T, D>::index(static_cast<std::size_t>(d), static_cast<std::size_t>(a))] * n[a];
-      if constexpr (K::hoop) force[0] -= gain[2] / sums.volume * sums.hoop[i];
-      nodes.collected[cell.nodes[i]].add_force(force);
+      auto force = gained.at(cell.gradient.col(static_cast<int>(i)));
+      if constexpr (K::hoop) force += quad(-gain[2] / sums.volume * sums.hoop[i], T(0), T(0), T(0));
+      nodes.collected[cell.nodes[i]].add_slopes(force);
     });
   });
 }

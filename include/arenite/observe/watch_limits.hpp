@@ -1,0 +1,55 @@
+// What a `Watch` looks at: its limits, and what it saw of each quantity.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <string_view>
+
+#include <arenite/core/instruction_set.hpp>
+
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
+
+/// Limits of a `Watch`. Past a limit the run stops, past a tenth of it comes one warning. Infinity switches a
+/// quantity off: it is not computed.
+struct WatchLimits {
+  /// Energy that nothing put in, over all that was put in (the energy there was, and the work of gravity,
+  /// loads and prescribed motions), -: the balance's residual, and dissipation that is negative, above their
+  /// lowest value at a look, so that energy that transfers took hides no gain. Without `TrackEnergy` what was
+  /// dissipated is not known: then only a gain beyond it since the first look shows, and none at the end of
+  /// a run between two looks. An elastic law stretched by 0.1, beyond the small strains that it is made for,
+  /// shows 0.03.
+  double energy_gain = 0.1;
+  /// Energy that transfers and time steps took, over all that was put in, -. Needs `TrackEnergy`. More than 1
+  /// cannot be; APIC takes 0.17 in a column of sand that collapses, so that the warning comes at a half.
+  double energy_loss = 5;
+  /// Change of a body's mean volume, |V/V0 - 1|, voids that opened included, -.
+  double volume = 0.5;
+  /// How far the stress of a point lies outside the yield surface, as `yield(stress)` of its law has it, -:
+  /// for laws with that member. A law that returns to its surface stays within round-off (1e-13, in float
+  /// 5e-5).
+  double strength = 0.1;
+  /// Share of a body's points that left the mesh, -.
+  double lost = 0.1;
+  /// Steps from one look to the next.
+  std::size_t every = 100;
+};
+
+/// What a `Watch` saw of one quantity: its greatest value so far.
+struct Watched {
+  static constexpr std::array<double, 3> nowhere{std::numeric_limits<double>::quiet_NaN(),
+                                                 std::numeric_limits<double>::quiet_NaN(),
+                                                 std::numeric_limits<double>::quiet_NaN()};
+
+  std::string_view name;     ///< the limit's name in `WatchLimits`
+  std::string_view meaning;  ///< in words
+  double limit = 0;
+  double worst = std::numeric_limits<double>::quiet_NaN();  ///< -; NaN: not looked at
+  double time = std::numeric_limits<double>::quiet_NaN();   ///< of the worst value, s
+  int body = -1;                                            ///< of the worst value; -1: the whole scene
+  /// Position of the point that shows it most, m; NaN below a tenth of the limit, and where no point does.
+  std::array<double, 3> place = nowhere;
+  bool warned = false;
+};
+
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -1,0 +1,186 @@
+// The energy of a run that a `Watch` follows: what was gained that nothing put in, and what was lost.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <utility>
+
+#include <arenite/observe/energy.hpp>
+
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
+
+/// Follows the energy of one scene from look to look.
+class WatchedEnergy {
+ public:
+  /// As fractions of the energy put in, -: what was gained since the lowest look (without `TrackEnergy`: the
+  /// first), and lost since the first. Not known when the step before was not seen.
+  struct Found {
+    bool known = false;
+    double gain = 0, loss = 0;
+  };
+
+  /// Keeps that of this step and of the one before.
+  template <class Scene>
+  void remember(const Scene& scene) {
+    if (held_step_ == scene.steps) return;
+    const std::size_t now = changes(scene);
+    follows_ = held_step_ + 1 == scene.steps && (tracks_energy<Scene> || held_changes_ == now);
+    held_changes_ = now;
+    held_before_ = std::exchange(held_, held(scene));
+    held_step_ = scene.steps;
+  }
+
+  /// Looks at a scene after a step. Needs to have seen the step before (`remember`) or none.
+  template <class Scene>
+  Found look(const Scene& scene) {
+    remember(scene);
+    if (!follows_ && scene.steps > 0) return {};
+    const Balance now = balance(scene);
+    if (!started_) {
+      started_ = true;
+      start_ = now;
+      floor_ = creep(scene);
+      put_in_ = now.stored;
+      changes_ = changes(scene);
+      if constexpr (tracks_energy<Scene>)
+        put_in_ = std::max(put_in_, scene.template part<TrackEnergy>().initial());
+    } else if (!tracks_energy<Scene> && changes_ != changes(scene)) {
+      // What the points took with them or brought is not known: start anew.
+      start_ = now;
+      before_ = gain_;
+      changes_ = changes(scene);
+    }
+    gain_ = before_ + now.gained - start_.gained;
+    moved_ = std::max(moved_, std::abs(now.external - start_.external));
+    if constexpr (tracks_energy<Scene>) lowest_ = std::min(lowest_, gain_);
+    const auto fraction = [&](double energy) {
+      const double f = energy == 0 ? 0 : energy / std::max(put_in_ + moved_, floor_);
+      return f > 0 || std::isnan(f) ? f : 0;
+    };
+    return {true, fraction(gain_ - lowest_), fraction(-gain_)};
+  }
+
+  template <class F>
+  void visit_state(F&& f) {
+    f("start/stored", start_.stored);
+    f("start/external", start_.external);
+    f("start/gained", start_.gained);
+    f("put_in", put_in_);
+    f("moved", moved_);
+    f("floor", floor_);
+    f("gain", gain_);
+    f("lowest", lowest_);
+    f("before", before_);
+    f("held/strain", held_.strain);
+    f("held/potential", held_.potential);
+    f("held_before/strain", held_before_.strain);
+    f("held_before/potential", held_before_.potential);
+    f("held_step", held_step_);
+    f("follows", follows_);
+    f("started", started_);
+    f("changes", changes_);
+    f("held_changes", held_changes_);
+  }
+
+ private:
+  /// Points lost, inserted and removed since the start.
+  template <class Scene>
+  static std::size_t changes(const Scene& scene) {
+    std::size_t n = scene.lost_points();
+    scene.for_each_body(
+        [&](const auto& body, const auto&) { n += body.inserted.count + body.removed.count; });
+    return n;
+  }
+
+  /// What positions hold of the energy, J: works of stresses and against gravity, or strain and potential
+  /// energy.
+  struct Held {
+    double strain = 0, potential = 0;
+    double sum() const { return strain + potential; }
+  };
+  template <class Scene>
+  static Held held(const Scene& scene) {
+    Held h;
+    if constexpr (tracks_energy<Scene>) {
+      const auto& balance = scene.template part<TrackEnergy>();
+      h = {balance.stress_work, -balance.gravity_work};
+    } else {
+      const Vec<double, Scene::D> g = scene.acceleration().template cast<double>();
+      scene.for_each_body([&](const auto& body, const auto&) {
+        h.strain += strain_energy(body);
+        h.potential -= detail::sum_points(body, 0.0, [&](std::size_t p) {
+          double along = 0;
+          for (int k = 0; k < Scene::D; ++k)
+            along += g[k] * static_cast<double>(body.points.position.column(static_cast<std::size_t>(k))[p]);
+          return static_cast<double>(body.points.mass[p]) * along;
+        });
+      });
+    }
+    return h;
+  }
+
+  /// Energies, J: kinetic and strain energy; work from outside since some time; energy that nothing put in
+  /// since some time.
+  struct Balance {
+    double stored = 0, external = 0, gained = 0;
+  };
+  template <class Scene>
+  Balance balance(const Scene& scene) const {
+    Balance b;
+    if constexpr (tracks_energy<Scene>) {
+      const Energies e = energies(scene);
+      b.stored = e.kinetic + e.strain + e.stored;
+      b.external = e.external + e.inserted;
+      // Dissipation that is negative is energy made: by a law, or in contact.
+      b.gained = e.residual - std::min(e.plastic, 0.0) - std::min(e.contact, 0.0);
+    } else {
+      const PartEnergy parts = energy_of_parts(scene);
+      double kinetic = 0;
+      scene.for_each_body([&](const auto& body, const auto&) { kinetic += kinetic_energy(body); });
+      kinetic += parts.kinetic + parts.stored;
+      b.stored = kinetic + held_.strain;
+      b.external = parts.external - held_.potential;
+      b.gained = kinetic + held_.sum() - parts.external;
+    }
+    // What the velocity gradients of points hold they give back to their velocities.
+    scene.for_each_body([&](const auto& body, const auto&) {
+      const double spread = gradient_kinetic_energy<typename Scene::Shape>(scene.mesh, scene.blocks, body);
+      b.stored += spread;
+      b.gained += spread;
+    });
+    // Velocities are those of the middle of a step where positions are those of its end: energy sways by a
+    // share of (frequency x step) unless the positions' part of it is taken half a step earlier.
+    // Stresses that are centred are those of the middle already.
+    if (follows_) b.gained -= (held_.potential - held_before_.potential) / 2;
+    if (follows_ && !Scene::centres_stress) b.gained -= (held_.strain - held_before_.strain) / 2;
+    return b;
+  }
+
+  /// Work of gravity on all points in a fall by a hundredth of a cell, J: what is less than that is a scene
+  /// at rest.
+  template <class Scene>
+  static double creep(const Scene& scene) {
+    double all = 0, whole = 0;
+    scene.for_each_body([&](const auto& body, const auto&) { all += mass(body); });
+    for (Index c = 0; c < scene.mesh.cell_count(); ++c) whole += static_cast<double>(scene.mesh.volume(c));
+    const double cell = std::pow(whole / scene.mesh.cell_count(), 1.0 / Scene::D);
+    return 0.01 * cell * all * static_cast<double>(scene.acceleration().norm());
+  }
+
+  Balance start_{};              // at the first look; without TrackEnergy: when points were last lost
+  double put_in_ = 0;            // kinetic and strain energy at the first look, J
+  double moved_ = 0;             // the greatest work from outside since then, J
+  double floor_ = 0;             // what is less is a scene at rest, J
+  double gain_ = 0;              // at the last look, J
+  double lowest_ = 0;            // the least that it was at a look, J; without TrackEnergy: 0
+  double before_ = 0;            // until points were last lost, J
+  Held held_{}, held_before_{};  // after step held_step_ and the one before
+  std::size_t held_step_ = std::numeric_limits<std::size_t>::max() / 2;  // none
+  bool follows_ = false;                                                 // whether the one before is known
+  bool started_ = false;                                                 // whether it has looked
+  std::size_t changes_ = 0, held_changes_ = 0;  // of the points: at the last look; at held_step_
+};
+
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -2,32 +2,16 @@
 #pragma once
 
 #include <arenite/arenite.hpp>
+#include <arenite/mesh/box_mesh.hpp>
 #include <cmath>
 #include <random>
 
 namespace arenite::bench {
 
-/// Box of k x k x k cubes of edge h, each cut into six tetrahedra that share its diagonal (Kuhn).
+/// Box of k x k x k cubes of edge h, each cut into six tetrahedra.
 inline MeshData<3> tetrahedra(int k, double h) {
-  MeshData<3> mesh;
-  const auto node = [k](int x, int y, int z) { return static_cast<Index>((z * (k + 1) + y) * (k + 1) + x); };
-  for (int z = 0; z <= k; ++z)
-    for (int y = 0; y <= k; ++y)
-      for (int x = 0; x <= k; ++x) mesh.nodes.emplace_back(h * x, h * y, h * z);
-  constexpr int orders[6][3] = {{0, 1, 2}, {0, 2, 1}, {1, 0, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0}};
-  for (int z = 0; z < k; ++z)
-    for (int y = 0; y < k; ++y)
-      for (int x = 0; x < k; ++x)
-        for (const auto& order : orders) {
-          std::array<int, 3> at{x, y, z};
-          std::array<Index, 4> cell{node(x, y, z)};
-          for (std::size_t i = 0; i < 3; ++i) {
-            ++at[static_cast<std::size_t>(order[i])];
-            cell[i + 1] = node(at[0], at[1], at[2]);
-          }
-          mesh.cells.push_back(cell);
-        }
-  return mesh;
+  const auto n = static_cast<Index>(k);
+  return box_mesh<3>({{0, 0, 0}, {h * k, h * k, h * k}, {n, n, n}});
 }
 
 inline MohrCoulomb<> sand() {
@@ -67,26 +51,12 @@ auto tetrahedral_scene(const Law& law, double points) {
   return scene;
 }
 
-/// Square of k x k squares of edge h, each cut into two triangles.
-inline MeshData<2> triangles(int k, double h) {
-  MeshData<2> mesh;
-  for (int y = 0; y <= k; ++y)
-    for (int x = 0; x <= k; ++x) mesh.nodes.emplace_back(h * x, h * y);
-  for (int y = 0; y < k; ++y)
-    for (int x = 0; x < k; ++x) {
-      const auto a = static_cast<Index>(y * (k + 1) + x), up = static_cast<Index>(k + 1);
-      mesh.cells.push_back({a, a + 1, a + up + 1});
-      mesh.cells.push_back({a, a + up + 1, a + up});
-    }
-  return mesh;
-}
-
 /// About `points` points in triangles, 10 in each.
 template <class Kinematics, class AntiLocking, class Transfer, class Order, class Law>
 auto triangular_scene(const Law& law, double points) {
-  const int k = static_cast<int>(std::lround(std::sqrt(points / 20)));
+  const auto k = static_cast<Index>(std::lround(std::sqrt(points / 20)));
   Scene scene{Kinematics{},
-              SimplexMesh<2>(triangles(k, 0.02)),
+              SimplexMesh<2>(box_mesh<2>({{0, 0}, {0.02 * k, 0.02 * k}, {k, k}})),
               Numerics<LinearSimplex, Transfer, Order, AntiLocking>{},
               bodies(fill(Box{{-1., -1.}, {100., 100.}}, law, {.per_cell = 10})),
               walls(left(roller), right(roller), bottom(fixed)),

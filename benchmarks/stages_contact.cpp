@@ -1,5 +1,5 @@
-// Cost of contact: of bodies with normals from the gradient of mass, and of the penetrometer's surface with
-// the sand; and of finding the cell of a point.
+// Cost of contact: of bodies with normals from the gradient of mass, of a cone given by a signed distance
+// and of the penetrometer's surface with the sand; and of finding the cell of a point.
 #include "../examples/ffp/model.hpp"
 #include "stages.hpp"
 
@@ -18,6 +18,22 @@ auto sliding_block(double points) {
                walls(bottom(fixed)),
                Coulomb{Friction(20_deg)},
                gravity({0, -9.81})};
+}
+
+/// A cone that is pushed into a fine grid: 11,704 nodes, 30,000 points, of which few are near the cone.
+auto cone_on_fine_grid() {
+  const ConeCylinder cone{{.radius = 0.02, .apex = 60_deg, .length = 0.3, .tip = 0.19}};
+  Scene scene{Axisymmetric{},
+              CartesianGrid<2>{{.lower = {0, 0}, .upper = {0.6, 0.3}, .cell = 0.004}},
+              Numerics<QuadraticBSpline, Apic, Usl>{},
+              bodies(fill(Box{{0, 0}, {0.6, 0.2}}, elastic(), {.per_cell = 4})),
+              walls(bottom(fixed), right(roller)),
+              gravity({0, -9.81}),
+              rigid(DistanceSurface{cone}, Prescribed{[](double) {
+                      return std::array{0.0, -1.0, 0.0};
+                    }},
+                    Friction(20_deg))};
+  return scene;
 }
 
 /// Cells of random points: found from a cell nearby, as relocation does for those that left, and anywhere.
@@ -53,6 +69,7 @@ int main(int argc, char** argv) {
   using namespace arenite;
   using namespace arenite::bench;
   add_stages("bspline_2d_apic_usl_coulomb_two_bodies", [] { return sliding_block(1e5); });
+  add_stages("bspline_2d_cone_by_distance", [] { return cone_on_fine_grid(); });
   add_stages("axisymmetric_rigid_penetrometer", [] {
     return ffp::rigid_scene<ffp::AxisymmetricModel, NodalAndElementAverage, RigidVelocity>(
         ffp::DropOptions{});

@@ -9,6 +9,9 @@ add_library(arenite_developer INTERFACE)
 target_link_libraries(arenite_developer INTERFACE arenite::arenite arenite_warnings)
 target_compile_options(arenite_developer INTERFACE $<$<BOOL:${ARENITE_NATIVE}>:-march=native>)
 
+target_link_libraries(arenite_compositions PRIVATE arenite_developer)
+set_target_properties(arenite_compositions PROPERTIES CXX_EXTENSIONS OFF)
+
 find_program(ARENITE_CCACHE ccache DOC "Compiler cache, used if found")
 if(ARENITE_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
   set(CMAKE_CXX_COMPILER_LAUNCHER ${ARENITE_CCACHE})

@@ -14,6 +14,7 @@
 #include <arenite/mesh/motion.hpp>
 #include <arenite/observe/energy.hpp>
 #include <arenite/observe/every.hpp>
+#include <arenite/observe/not_included.hpp>
 #include <arenite/observe/watch.hpp>
 #include <arenite/particles/point_ids.hpp>
 #include <arenite/rigid/cone_cylinder.hpp>

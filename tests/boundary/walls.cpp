@@ -28,9 +28,9 @@ Mat<double, D> diagonal(const Vec<double, D>& d) {
 }
 
 SimplexMesh<2> named_mesh() {
-  BoxMesh<2> o{};
+  SampleMesh<2> o{};
   o.cells = {3, 3};
-  auto data = box_mesh(o);
+  auto data = sample_data(o);
   for (Index i = 0; i < data.nodes.size(); ++i)
     if (data.nodes[i][1] == 0) data.node_sets["base"].push_back(i);
   return SimplexMesh<2>(data);
@@ -158,7 +158,7 @@ TEST_CASE("constrained velocities lose what is blocked, and the wall gives the i
 }
 
 TEST_CASE("nodes that no cell uses are no part of a face") {
-  auto data = box_mesh(BoxMesh<2>{.cells = {2, 2}});
+  auto data = sample_data(SampleMesh<2>{.cells = {2, 2}});
   data.nodes.push_back({-3, -3});  // as a mesher leaves the centre of an arc behind
   const SimplexMesh<2> mesh(data);
   REQUIRE(resolve<LinearSimplex>(mesh, walls(left(fixed)), Axisymmetric{}).size() == 3);

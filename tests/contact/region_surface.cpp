@@ -30,12 +30,12 @@ void check_surface(const SimplexMesh<D>& mesh, const RegionSurface<double, D>& s
 
 /// A disc of radius 1/2 in a square of 2 m: rings of nodes about the centre, squares mapped to circles.
 SimplexMesh<2> disc_mesh() {
-  BoxMesh<2> o{};
+  SampleMesh<2> o{};
   o.cells = {24, 24};
   o.lower = {-1, -1};
   o.jitter = 0;
   o.region = [](const auto& x) { return x.template lpNorm<Eigen::Infinity>() < 0.5 ? 1 : 0; };
-  auto data = box_mesh(o);
+  auto data = sample_data(o);
   data.region_names = {{"disc", 1}, {"around", 0}};
   for (auto& x : data.nodes) {
     const double r = x.template lpNorm<Eigen::Infinity>();
@@ -46,11 +46,11 @@ SimplexMesh<2> disc_mesh() {
 
 /// A cone of half angle atan(1/2), apex down at (0, 0.5), in r, y >= 0.
 SimplexMesh<2> cone_mesh() {
-  BoxMesh<2> o{};
+  SampleMesh<2> o{};
   o.cells = {8, 8};
   o.jitter = 0;
   o.region = [](const auto& x) { return x[1] > 0.5 && x[0] < 0.5 ? 1 : 0; };
-  auto data = box_mesh(o);
+  auto data = sample_data(o);
   data.region_names = {{"cone", 1}, {"soil", 0}};
   // Shear: y = 0.5 becomes y = 0.5 + 2 x inside x < 0.5, so that the lower face is a cone's flank.
   for (auto& x : data.nodes) x[1] += 2 * x[0];
@@ -105,11 +105,11 @@ TEST_CASE("a cone: flank, tip on the axis, shoulder") {
 }
 
 TEST_CASE("three dimensions: a cube in a cube, and symmetry planes keep normals in them") {
-  BoxMesh<3> o{};
+  SampleMesh<3> o{};
   o.cells = {4, 4, 4};
   o.jitter = 0;
   o.region = [](const auto& x) { return x[0] < 0.5 && x[1] > 0.5 && x[2] < 0.5 ? 1 : 0; };
-  auto data = box_mesh(o);
+  auto data = sample_data(o);
   data.region_names = {{"block", 1}};
   const SimplexMesh<3> mesh(data);
   // The planes x = 0 and z = 0 are planes of symmetry.
@@ -126,7 +126,7 @@ TEST_CASE("three dimensions: a cube in a cube, and symmetry planes keep normals 
 }
 
 TEST_CASE("a region that meets no other has no surface") {
-  auto data = box_mesh(BoxMesh<2>{.cells = {2, 2}});
+  auto data = sample_data(SampleMesh<2>{.cells = {2, 2}});
   data.region_names = {{"all", 0}, {"nothing", 9}};
   const SimplexMesh<2> mesh(data);
   REQUIRE(throws([&] { surface_of<PlaneStrain>(mesh, "all", {}); },

@@ -2,7 +2,6 @@
 #include <arenite/core/pack.hpp>
 #include <cmath>
 #include <random>
-#include <type_traits>
 #include <vector>
 
 #include "catch.hpp"
@@ -11,16 +10,10 @@ using namespace arenite;
 
 namespace {
 
-template <class M>
-concept usable_as_condition = requires(const M& m) {
-  m ? 1 : 2;
-};
-
 template <class T, int W>
 void check_pack() {
   using P = Pack<T, W>;
   static_assert(sizeof(P) == sizeof(T) * W);
-  static_assert(!usable_as_condition<Mask<T, W>>);
   std::mt19937 random(7);
   std::uniform_real_distribution<T> number(T(-3), T(3));
   for (int trial = 0; trial < 200; ++trial) {

@@ -5,7 +5,7 @@ using namespace arenite;
 using namespace arenite::extremes;
 
 using B = QuadraticBSpline;
-template <int D, real T = double>
+template <int D, real_scalar T = double>
 using Grid = CartesianGrid<D, T>;
 
 TEST_CASE("Random scenes on grids end sound, or say when and why not") {

@@ -10,7 +10,7 @@ namespace arenite::extremes {
 template <int D>
 constexpr int cells_along = D == 2 ? 10 : 6;
 
-template <int D, real T>
+template <int D, real_scalar T>
 CartesianGrid<D, T> grid(const Draw& d) {
   typename CartesianGrid<D, T>::Parameters p;
   p.lower.fill(0);
@@ -21,11 +21,11 @@ CartesianGrid<D, T> grid(const Draw& d) {
 
 /// The same box of triangles or tetrahedra, at random places but on the hull; region 1 ("device") is the
 /// block in the middle of the upper third if there is to be one.
-template <int D, real T>
+template <int D, real_scalar T>
 SimplexMesh<D, T> simplices(const Draw& d, bool device = false) {
   const int n = D == 2 ? cells_along<D> : 4;
   const double size = d.cell * n;
-  test::BoxMesh<D> o{};
+  test::SampleMesh<D> o{};
   o.cells.fill(n);
   o.upper = Vec<double, D>::Constant(size);
   o.jitter = d.jitter;
@@ -37,7 +37,7 @@ SimplexMesh<D, T> simplices(const Draw& d, bool device = false) {
         if (k != 1) in = in && std::abs(x[k] - 0.5 * size) < 0.2 * size;
       return in ? 1 : 0;
     };
-  auto data = test::box_mesh(o);
+  auto data = test::sample_data(o);
   data.region_names = {{"soil", 0}, {"device", 1}};
   return SimplexMesh<D, T>(data);
 }

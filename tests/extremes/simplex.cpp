@@ -5,7 +5,7 @@ using namespace arenite;
 using namespace arenite::extremes;
 
 using S = LinearSimplex;
-template <int D, real T = double>
+template <int D, real_scalar T = double>
 using Mesh = SimplexMesh<D, T>;
 
 TEST_CASE("Random scenes on triangles and tetrahedra end sound, or say when and why not") {

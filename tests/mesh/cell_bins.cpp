@@ -7,9 +7,9 @@ using namespace arenite::test;
 
 TEST_CASE("the bin of a position names every cell that holds it") {
   // Graded by a power: cells of very different sizes.
-  BoxMesh<2> o{};
+  SampleMesh<2> o{};
   o.cells = {12, 12};
-  auto data = box_mesh(o);
+  auto data = sample_data(o);
   for (auto& x : data.nodes) x = x.cwiseProduct(x).cwiseProduct(x);
   const SimplexMesh<2> mesh(data);
   std::vector<std::array<Index, 3>> cells;

@@ -10,11 +10,11 @@ using namespace arenite::test;
 namespace {
 
 SimplexMesh<2> tall_mesh(double jitter = 0.2) {
-  BoxMesh<2> o{};
+  SampleMesh<2> o{};
   o.cells = {2, 20};
   o.upper = {0.2, 2};
   o.jitter = jitter;
-  return SimplexMesh<2>(box_mesh(o));
+  return SimplexMesh<2>(sample_data(o));
 }
 
 const MovingMesh<> zones{.fixed_below = 0.2, .moving_from = 1, .moving_to = 1.4, .fixed_above = 1.8};
@@ -103,9 +103,9 @@ TEST_CASE("bad zones are refused") {
 }
 
 TEST_CASE("the mesh moves along the axis that it is told") {
-  BoxMesh<3> o{};
+  SampleMesh<3> o{};
   o.cells = {4, 2, 2};
-  SimplexMesh<3, float> mesh(box_mesh(o));
+  SimplexMesh<3, float> mesh(sample_data(o));
   const auto before = mesh.positions();
   BoundMotion<3, float, LedByBody<1>> motion({.fixed_below = 0, .moving_from = 0.5, .axis = 0}, mesh);
   motion.move(mesh, 0.25f);

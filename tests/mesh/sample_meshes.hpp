@@ -3,91 +3,79 @@
 #pragma once
 
 #include <algorithm>
+#include <arenite/mesh/box_mesh.hpp>
 #include <arenite/mesh/mesh.hpp>
 #include <functional>
-#include <map>
 #include <numeric>
 #include <random>
+#include <set>
+#include <vector>
 
 namespace arenite::test {
 
 template <int D>
-struct BoxMesh {
-  std::array<int, D> cells;                       ///< boxes along each axis
+struct SampleMesh {
+  std::array<int, D> cells;                       ///< bricks along each axis
   Vec<double, D> lower = Vec<double, D>::Zero();  ///< m
   Vec<double, D> upper = Vec<double, D>::Ones();  ///< m
-  double jitter = 0.2;                            ///< of inner nodes, in box edges
+  double jitter = 0.2;                            ///< of inner nodes, in brick edges
   std::function<bool(const Vec<double, D>&)> keep = [](const auto&) {
     return true;
-  };                                                                                 ///< of a box, by centre
-  std::function<int(const Vec<double, D>&)> region = [](const auto&) { return 0; };  ///< of a box, by centre
+  };  ///< of a brick, by centre
+  std::function<int(const Vec<double, D>&)> region = [](const auto&) {
+    return 0;
+  };  ///< of a brick, by centre
   unsigned seed = 1;
 };
 
-/// Each box is cut along its diagonal into D! simplices (Kuhn 1960). Nodes that touch a box that is not kept,
-/// another region or the hull stay where they are.
+/// Nodes that touch a brick that is not kept, another region or the hull stay where they are.
 template <int D>
-MeshData<D> box_mesh(const BoxMesh<D>& o) {
+MeshData<D> sample_data(const SampleMesh<D>& o) {
+  constexpr std::size_t simplices = D == 2 ? 2 : 6;  // of a brick
   std::mt19937 random(o.seed);
   std::uniform_real_distribution<double> uniform(-1, 1);
-  MeshData<D> data;
-  std::map<std::array<int, D>, Index> number;
-  Vec<double, D> edge;
-  int total = 1;
-  for (int k = 0; k < D; ++k) {
-    edge[k] = (o.upper[k] - o.lower[k]) / o.cells[static_cast<std::size_t>(k)];
-    total *= o.cells[static_cast<std::size_t>(k)];
+  BoxMesh<D> box;
+  for (std::size_t k = 0; k < D; ++k) {
+    box.lower[k] = o.lower[static_cast<int>(k)];
+    box.upper[k] = o.upper[static_cast<int>(k)];
+    box.bricks[k] = static_cast<Index>(o.cells[k]);
   }
-  std::map<Index, std::vector<int>> regions_at;
-  const auto node = [&](const std::array<int, D>& at) {
-    const auto [found, added] = number.emplace(at, static_cast<Index>(data.nodes.size()));
-    if (added) {
-      Vec<double, D> x = o.lower;
-      for (std::size_t k = 0; k < D; ++k)
-        x[static_cast<int>(k)] = at[k] == o.cells[k]
-                                     ? o.upper[static_cast<int>(k)]
-                                     : x[static_cast<int>(k)] + edge[static_cast<int>(k)] * at[k];
-      data.nodes.push_back(x);
-    }
-    return found->second;
-  };
-  for (int b = 0; b < total; ++b) {
-    std::array<int, D> corner{};
-    Vec<double, D> centre;
-    for (std::size_t k = 0, rest = static_cast<std::size_t>(b); k < D; ++k) {
-      corner[k] = static_cast<int>(rest) % o.cells[k];
-      rest /= static_cast<std::size_t>(o.cells[k]);
-      centre[static_cast<int>(k)] =
-          o.lower[static_cast<int>(k)] + edge[static_cast<int>(k)] * (corner[k] + 0.5);
-    }
+  const MeshData<D> whole = box_mesh(box);
+
+  MeshData<D> data;
+  std::vector<Index> number(whole.nodes.size(), none);           // of a node that is kept
+  std::vector<std::vector<int>> regions_at(whole.nodes.size());  // of the bricks at each node
+  for (std::size_t first = 0; first < whole.cells.size(); first += simplices) {
+    std::set<Index> corners;
+    for (std::size_t c = first; c < first + simplices; ++c)
+      corners.insert(whole.cells[c].begin(), whole.cells[c].end());
+    Vec<double, D> centre = Vec<double, D>::Zero();
+    for (const Index i : corners) centre += whole.nodes[i] / static_cast<double>(corners.size());
     if (!o.keep(centre)) continue;
     const int region = o.region(centre);
-    for (int c = 0; c < (1 << D); ++c) {
-      auto at = corner;
-      for (std::size_t k = 0; k < D; ++k) at[k] += (c >> k) & 1;
-      regions_at[node(at)].push_back(region);
-    }
-    std::array<std::size_t, D> axes;
-    std::iota(axes.begin(), axes.end(), std::size_t{0});
-    do {
-      std::array<Index, D + 1> cell;
-      auto at = corner;
-      cell[0] = node(at);
-      for (std::size_t k = 0; k < D; ++k) {
-        ++at[axes[k]];
-        cell[k + 1] = node(at);
+    for (const Index i : corners) {
+      if (number[i] == none) {
+        number[i] = static_cast<Index>(data.nodes.size());
+        data.nodes.push_back(whole.nodes[i]);
       }
-      std::shuffle(cell.begin(), cell.end(), random);
+      regions_at[number[i]].push_back(region);
+    }
+    for (std::size_t c = first; c < first + simplices; ++c) {
+      auto cell = whole.cells[c];
+      for (Index& i : cell) i = number[i];
+      std::shuffle(cell.begin(), cell.end(), random);  // turned either way
       data.cells.push_back(cell);
       data.region.push_back(region);
-    } while (std::next_permutation(axes.begin(), axes.end()));
+    }
   }
-  for (const auto& entry : regions_at) {
-    const std::vector<int>& regions = entry.second;
+  for (Index i = 0; i < data.nodes.size(); ++i) {
+    const std::vector<int>& regions = regions_at[i];
     const bool inner = regions.size() == (1u << D) &&
                        std::all_of(regions.begin(), regions.end(), [&](int r) { return r == regions[0]; });
     if (!inner) continue;
-    for (int k = 0; k < D; ++k) data.nodes[entry.first][k] += o.jitter * edge[k] * uniform(random);
+    for (int k = 0; k < D; ++k)
+      data.nodes[i][k] +=
+          o.jitter * (o.upper[k] - o.lower[k]) / o.cells[static_cast<std::size_t>(k)] * uniform(random);
   }
   // Cells in random order: neighbours in space are none in number.
   std::vector<std::size_t> order(data.cells.size());
@@ -101,12 +89,12 @@ MeshData<D> box_mesh(const BoxMesh<D>& o) {
   return shuffled;
 }
 
-template <int D, real T = double>
+template <int D, real_scalar T = double>
 SimplexMesh<D, T> sample_mesh(int n, double jitter = 0.2) {
-  BoxMesh<D> o{};
+  SampleMesh<D> o{};
   o.cells.fill(n);
   o.jitter = jitter;
-  return SimplexMesh<D, T>(box_mesh(o));
+  return SimplexMesh<D, T>(sample_data(o));
 }
 
 /// A random position in a cell of either kind of mesh.

@@ -135,11 +135,11 @@ TEST_CASE("bad meshes are refused") {
 
 TEST_CASE("a small and a large mesh are as good as one of 1 m") {
   for (const double scale : {1e-6, 1e6}) {
-    BoxMesh<3> o{};
+    SampleMesh<3> o{};
     o.cells = {2, 2, 2};
     o.upper *= scale;
-    REQUIRE(std::abs(total_volume(SimplexMesh<3>(box_mesh(o))) / std::pow(scale, 3) - 1) < 1e-13);
-    REQUIRE(std::abs(total_volume(SimplexMesh<3, float>(box_mesh(o))) / std::pow(scale, 3) - 1) < 1e-5);
+    REQUIRE(std::abs(total_volume(SimplexMesh<3>(sample_data(o))) / std::pow(scale, 3) - 1) < 1e-13);
+    REQUIRE(std::abs(total_volume(SimplexMesh<3, float>(sample_data(o))) / std::pow(scale, 3) - 1) < 1e-5);
   }
 }
 
@@ -147,9 +147,9 @@ TEMPLATE_TEST_CASE("cells whose volume or size is not a number in the scalar are
                    (std::integral_constant<int, 2>), (std::integral_constant<int, 3>)) {
   constexpr int D = TestType::value;
   const auto scaled = [](double scale) {
-    BoxMesh<D> o{};
+    SampleMesh<D> o{};
     o.cells.fill(2);
-    auto data = box_mesh(o);
+    auto data = sample_data(o);
     for (auto& x : data.nodes) x *= scale;
     return data;
   };

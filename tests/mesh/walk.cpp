@@ -44,13 +44,13 @@ int wrong_answers(const SimplexMesh<D, T>& mesh, int points, double margin, Find
 
 template <int D>
 SimplexMesh<D> holed(bool l_shape) {
-  BoxMesh<D> o{};
+  SampleMesh<D> o{};
   o.cells.fill(D == 2 ? 9 : 6);
   o.keep = [l_shape](const Vec<double, D>& x) {
     if (l_shape) return x[0] < 0.5 || x[1] < 0.5;
     return (x - Vec<double, D>::Constant(0.5)).template lpNorm<Eigen::Infinity>() > 0.25;
   };
-  return SimplexMesh<D>(box_mesh(o));
+  return SimplexMesh<D>(sample_data(o));
 }
 
 }  // namespace
@@ -117,10 +117,10 @@ TEST_CASE("no position, no cell") {
 }
 
 TEST_CASE("a slit far longer than wide is searched too") {
-  BoxMesh<2> o{};
+  SampleMesh<2> o{};
   o.cells = {300, 1};
   o.upper = {300, 0.01};
-  SimplexMesh<2> mesh(box_mesh(o));
+  SimplexMesh<2> mesh(sample_data(o));
   std::mt19937 random(5);
   std::uniform_real_distribution<double> uniform(0, 1);
   int wrong = 0;

@@ -29,12 +29,12 @@ const CartesianGrid<2> grid({.lower = {0, 0}, .upper = {2, 1}, .cell = 0.25});
 
 /// Two regions of a mesh over r in [0.5, 1.5]: "low" below y = 0.5, "high" above.
 SimplexMesh<2> two_regions() {
-  BoxMesh<2> o{};
+  SampleMesh<2> o{};
   o.cells = {4, 4};
   o.lower = {0.5, 0};
   o.upper = {1.5, 1};
   o.region = [](const auto& x) { return x[1] < 0.5 ? 3 : 5; };
-  auto data = box_mesh(o);
+  auto data = sample_data(o);
   data.region_names = {{"low", 3}, {"high", 5}};
   return SimplexMesh<2>(data);
 }

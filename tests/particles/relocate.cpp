@@ -100,12 +100,12 @@ void check_relocation(M mesh, double spread) {
 TEST_CASE("relocation on triangles and tetrahedra, across several cells and out of the mesh") {
   check_relocation(sample_mesh<2>(12), 0.05);
   check_relocation(sample_mesh<3, float>(4), 0.05);
-  BoxMesh<2> ring{};
+  SampleMesh<2> ring{};
   ring.cells = {9, 9};
   ring.keep = [](const auto& x) {
     return (x - Vec<double, 2>(0.5, 0.5)).template lpNorm<Eigen::Infinity>() > 0.2;
   };
-  check_relocation(SimplexMesh<2>(box_mesh(ring)), 0.05);
+  check_relocation(SimplexMesh<2>(sample_data(ring)), 0.05);
 }
 
 TEST_CASE("relocation on grids") {

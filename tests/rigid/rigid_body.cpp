@@ -21,8 +21,8 @@ struct ListedSurface {
   std::vector<P> normals;
   std::vector<double> volume_fraction;
   std::vector<Index> inside{};
-  template <class Shape, class M, class F>
-  void visit(const M&, const P&, F&& f) const {
+  template <class Shape, class M, class HasMass, class F>
+  void visit(const M&, const P&, HasMass&&, F&& f) const {
     for (std::size_t k = 0; k < nodes.size(); ++k) f(nodes[k], normals[k], false, volume_fraction[k]);
     for (const Index i : inside) f(i, P(0, 0), true, 0.0);
   }
@@ -36,9 +36,8 @@ auto make_rigid(ListedSurface surface, Guided motion, Friction friction) {
   using Motion = BoundGuided<double, 2>;
   return RigidBody<double, 2, ListedSurface, Motion, Coupling>{std::move(surface), Motion(motion), friction};
 }
-template <class Velocity>
-auto make_rigid(ListedSurface surface, Prescribed<Velocity> motion, Friction friction) {
-  using Motion = BoundPrescribed<double, 2, Velocity>;
+auto make_rigid(ListedSurface surface, Prescribed motion, Friction friction) {
+  using Motion = BoundPrescribed<double, 2>;
   return RigidBody<double, 2, ListedSurface, Motion>{std::move(surface), Motion(motion), friction};
 }
 

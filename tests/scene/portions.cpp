@@ -226,7 +226,7 @@ TEST_CASE("Portions: TPIC, light nodes at the cut, a body that flies from one to
         Numerics<LinearSimplex, Tpic, Usl>{},
         bodies(fill(Box{{0.18, 0.1}, {0.48, 0.4}}, rubber(), {.per_cell = 3, .velocity = {6, -6, 0}})),
         gravity({0, -1}),
-        walls(bottom(fixed)),
+        walls(bottom(fixed), right(roller)),
         TrackEnergy{},
         PointIds{},
         portion...};

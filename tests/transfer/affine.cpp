@@ -88,19 +88,26 @@ void check_affine_field(S s) {
   }
 }
 
-using ApicFlat = Setup<PlaneStrain, Numerics<QuadraticBSpline, Apic, Usl>, CartesianGrid<2>>;
-using ApicSolid = Setup<ThreeDimensional, Numerics<QuadraticBSpline, Apic, Usl>, CartesianGrid<3>>;
+template <class Shape>
+using Flat = Setup<PlaneStrain, Numerics<Shape, Apic, Usl>, CartesianGrid<2>>;
+template <class Shape>
+using InSpace = Setup<ThreeDimensional, Numerics<Shape, Apic, Usl>, CartesianGrid<3>>;
+using ApicFlat = Flat<QuadraticBSpline>;
 
 }  // namespace
 
-TEST_CASE("APIC keeps angular momentum to round-off, orbital and affine part, in boundary cells too") {
+TEMPLATE_TEST_CASE("APIC keeps angular momentum to round-off, orbital and affine part, in boundary cells too",
+                   "", LinearGrid, QuadraticBSpline, CubicBSpline) {
+  using ApicFlat = Flat<TestType>;
   check_angular_momentum(ApicFlat(flat_grid()));
-  check_angular_momentum(ApicSolid(solid_grid()));
+  check_angular_momentum(InSpace<TestType>(solid_grid()));
   check_angular_momentum(ApicFlat(CartesianGrid<2>({.lower = {0, 0}, .upper = {2, 1}, .cell = 1})));
   check_angular_momentum(ApicFlat(CartesianGrid<2>({.lower = {-3, 5}, .upper = {-2, 6}, .cell = 1}), 8));
 }
 
-TEST_CASE("APIC: points on a face and at a corner hand on what they have, finite and conserved") {
+TEMPLATE_TEST_CASE("APIC: points on a face and at a corner hand on what they have, finite and conserved", "",
+                   LinearGrid, QuadraticBSpline, CubicBSpline) {
+  using ApicFlat = Flat<TestType>;
   ApicFlat s(flat_grid());
   for (const Vec<double, 2>& x :
        {Vec<double, 2>(0, 0.3), Vec<double, 2>(0.6, 1), Vec<double, 2>(0, 0), Vec<double, 2>(1.25, 1)})
@@ -112,7 +119,9 @@ TEST_CASE("APIC: points on a face and at a corner hand on what they have, finite
   check_angular_momentum(s);
 }
 
-TEST_CASE("APIC: a point that comes close to a face hands on no more energy than it has") {
+TEMPLATE_TEST_CASE("APIC: a point that comes close to a face hands on no more energy than it has", "",
+                   LinearGrid, QuadraticBSpline, CubicBSpline) {
+  using ApicFlat = Flat<TestType>;
   ApicFlat s(CartesianGrid<2>({.lower = {0, 0}, .upper = {3, 3}, .cell = 1}), 0);
   s.add({0.4, 1.5}, s.mesh.walk({0.4, 1.5}));
   s.index();
@@ -134,9 +143,15 @@ TEST_CASE("APIC: a point that comes close to a face hands on no more energy than
 }
 
 TEST_CASE("APIC and TPIC keep rotations and all affine fields") {
-  check_affine_field(ApicFlat(flat_grid(), 5));
-  check_affine_field(ApicSolid(solid_grid(), 4));
-  check_affine_field(ApicFlat(CartesianGrid<2>({.lower = {0, 0}, .upper = {1, 2}, .cell = 1}), 5));
+  const auto on_grids = [](auto shape) {
+    using Shape = decltype(shape);
+    check_affine_field(Flat<Shape>(flat_grid(), 5));
+    check_affine_field(InSpace<Shape>(solid_grid(), 4));
+    check_affine_field(Flat<Shape>(CartesianGrid<2>({.lower = {0, 0}, .upper = {1, 2}, .cell = 1}), 5));
+  };
+  on_grids(LinearGrid{});
+  on_grids(QuadraticBSpline{});
+  on_grids(CubicBSpline{});
   check_affine_field(
       Setup<PlaneStrain, Numerics<LinearSimplex, Tpic, Usl>, SimplexMesh<2>>(sample_mesh<2>(4)));
   check_affine_field(

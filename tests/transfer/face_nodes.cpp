@@ -75,7 +75,7 @@ TEST_CASE("The exchange at faces keeps momentum, and lets the energy of the node
     energy_before += nodes.mass[i] * nodes.velocity[i].squaredNorm();
     carried += nodes.mass[i];
   }
-  CHECK(exchange_at_faces(scene.mesh, nodes.mass, nodes.velocity) ==
+  CHECK(exchange_at_faces<QuadraticBSpline>(scene.mesh, nodes, nodes.velocity, 1e-4) ==
         6);  // above the four cells of the layer, and beside them
   for (Index i = 0; i < nodes.size(); ++i) {
     after += nodes.mass[i] * nodes.velocity[i];
@@ -93,6 +93,7 @@ TEST_CASE("Where a body fills the cells at a face no node is light") {
     relocate(scene);
     p2g(scene);
     update_grid(scene, 1e-4);
-    CHECK(exchange_at_faces(scene.mesh, scene.fields[0].mass, scene.fields[0].velocity) == 0);
+    CHECK(exchange_at_faces<QuadraticBSpline>(scene.mesh, scene.fields[0], scene.fields[0].velocity, 1e-4) ==
+          0);
   }
 }

@@ -1,4 +1,4 @@
-// Packs of any width on B-splines.
+// Packs of any width on grids.
 #include "compare.hpp"
 
 using namespace arenite;
@@ -6,20 +6,24 @@ using namespace arenite::test;
 
 namespace {
 
-template <std::size_t Bytes>
-using Spline = Numerics<QuadraticBSpline, Apic, Usl, NoAntiLocking, Bytes>;
-template <std::size_t Bytes>
-using MappedSpline = Numerics<QuadraticBSpline, Flip, Musl, NoAntiLocking, Bytes>;
+template <class Shape>
+struct On {
+  template <std::size_t Bytes>
+  using Affine = Numerics<Shape, Apic, Usl, NoAntiLocking, Bytes>;
+  template <std::size_t Bytes>
+  using Mapped = Numerics<Shape, Flip, Musl, NoAntiLocking, Bytes>;
+};
 
 }  // namespace
 
-TEST_CASE("points on B-splines computed one by one or two, four, eight at once agree") {
-  check_widths<Spline, PlaneStrain>(flat_grid(), 5);
-  check_widths<Spline, Axisymmetric>(flat_grid(), 5);
-  check_widths<MappedSpline, PlaneStrain>(flat_grid(), 40);
+TEMPLATE_TEST_CASE("points on a grid computed one by one or two, four, eight at once agree", "", LinearGrid,
+                   QuadraticBSpline, CubicBSpline) {
+  check_widths<On<TestType>::template Affine, PlaneStrain>(flat_grid(), 5);
+  check_widths<On<TestType>::template Affine, Axisymmetric>(flat_grid(), 5);
+  check_widths<On<TestType>::template Mapped, PlaneStrain>(flat_grid(), 40);
 }
 
-TEST_CASE("and those of B-splines in space") {
-  check_widths<Spline, ThreeDimensional>(solid_grid(), 9);
-  check_widths<MappedSpline, ThreeDimensional>(solid_grid(), 3);
+TEMPLATE_TEST_CASE("and those in space", "", LinearGrid, QuadraticBSpline, CubicBSpline) {
+  check_widths<On<TestType>::template Affine, ThreeDimensional>(solid_grid(), 9);
+  check_widths<On<TestType>::template Mapped, ThreeDimensional>(solid_grid(), 3);
 }

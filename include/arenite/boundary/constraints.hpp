@@ -20,7 +20,8 @@ struct Constraint {
   Mat<T, D> projector;
 };
 
-/// A node that a part moves: to its projected velocity comes `lift` [D x D] times the part's velocity there.
+/// A node that a part moves: `lift` [D x D] times the part's velocity there is added to its projected
+/// velocity.
 template <class T, int D>
 struct Drive {
   Index node;
@@ -84,6 +85,11 @@ class NodeConstraints {
       lower_ = lower_.cwiseMin(position_[i]);
       upper_ = upper_.cwiseMax(position_[i]);
     }
+    if constexpr (!is_simplex_mesh<M>)  // a shape function may have nodes beyond the faces
+      for (int k = 0; k < D; ++k) {
+        lower_[k] = static_cast<double>(mesh.lower()[k]);
+        upper_[k] = static_cast<double>(mesh.upper(k));
+      }
   }
 
   /// The mesh is a part of a larger one, with the corners of the box around that.
@@ -103,7 +109,7 @@ class NodeConstraints {
     return true;
   }
   const V& position(Index i) const { return position_[i]; }  ///< m
-  const V& lower() const { return lower_; }                  ///< corners of the box around the used nodes, m
+  const V& lower() const { return lower_; }  ///< corners of the grid, or of the box around the used nodes, m
   const V& upper() const { return upper_; }
   /// Positions closer than this are one, m.
   double near() const {

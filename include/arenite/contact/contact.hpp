@@ -5,6 +5,7 @@
 #include <array>
 #include <span>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -18,7 +19,7 @@
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
-/// What a scene has once: how its bodies meet.
+/// Names the kind `OnlyOne` of contacts of bodies: a scene has one at most.
 struct ContactOfBodies;
 
 /// All bodies move in one velocity field: no slip, no parting, no cost. The default.
@@ -42,6 +43,13 @@ struct Coulomb {
       : friction{f}, normals{std::move(n)}, velocity_limit{limit} {
     require(limit >= 0, "Coulomb.velocity_limit", limit, "must not be negative (0: no limit)");
   }
+  /// Refused by the compiler: a number may be an angle or a coefficient.
+  template <class Number, class... More>
+  requires std::is_arithmetic_v<Number>
+  explicit Coulomb(Number, const More&...) : Coulomb(Friction(0.0)) {
+    static_assert(!std::is_arithmetic_v<Number>,
+                  "Coulomb: the friction is Friction(angle): say Coulomb(Friction(20_deg))");
+  }
 };
 
 /// Two fields that exchanged an impulse at a node, and what it left of their motion against each other.
@@ -54,7 +62,7 @@ struct ContactPair {
   bool sticks;                ///< no relative motion at all, not just none along the normal
 };
 
-/// In place of a list of pairs where nobody asks for them (USL).
+/// Stands in for the list of pairs where it is not needed (USL).
 struct NoContactPairs {
   void clear() {}
   template <class Pair>
@@ -101,8 +109,7 @@ template <class Contact, class Normals, class Fields, class Impulses, class Pair
 ContactTally exchange(const Contact& contact, const Normals& normals, Fields& fields, Impulses& impulses,
                       Pairs& pairs, T dt, Size&& node_size, const Owns& owns = {}) {
   static_assert(contact_normals<Normals, Fields>,
-                "Coulomb: normals need needs_mass_gradient and between(fields, a, b, node); see "
-                "arenite/contact/normals.hpp");
+                "Coulomb: the normals lack a member; see arenite/contact/normals.hpp");
   ContactTally tally;
   const auto limit = [&](std::size_t i) {
     const T most = static_cast<T>(contact.velocity_limit) * node_size(static_cast<Index>(i)) / dt;
@@ -210,13 +217,28 @@ template <class N, class Site>
 auto bind_part(const Coulomb<N>& contact, const Site& site) {
   using T = typename Site::T;
   constexpr int D = Site::D;
+  constexpr bool maps_back = Site::NumericsType::maps_back;
   const auto normals = bound(contact.normals, site);
-  using Pairs =
-      std::conditional_t<Site::NumericsType::maps_back, std::vector<ContactPair<T, D>>, NoContactPairs>;
-  BoundCoulomb<T, D, std::remove_const_t<decltype(normals)>, Site::body_count, Pairs> part{
-      contact.friction, contact.velocity_limit, normals, {}};
-  part.impulse.fill(Vec<T, D>::Zero());
-  return part;
+  using Normals = std::remove_const_t<decltype(normals)>;
+  constexpr bool complete = [] {
+    if constexpr (requires { std::bool_constant<Normals::needs_mass_gradient>(); })
+      return contact_normals<
+          Normals, std::array<NodeField<T, D, maps_back, Normals::needs_mass_gradient>, Site::body_count>>;
+    else
+      return false;
+  }();
+  static_assert(complete,
+                "Coulomb: the normals lack a member: static constexpr bool needs_mass_gradient, "
+                "between(fields, a, b, node) const; see arenite/contact/normals.hpp");
+  if constexpr (complete) {
+    using Pairs = std::conditional_t<maps_back, std::vector<ContactPair<T, D>>, NoContactPairs>;
+    BoundCoulomb<T, D, Normals, Site::body_count, Pairs> part{
+        contact.friction, contact.velocity_limit, normals, {}};
+    part.impulse.fill(Vec<T, D>::Zero());
+    return part;
+  } else {
+    return OneField{};  // one sentence is enough
+  }
 }
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

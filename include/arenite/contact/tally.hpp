@@ -7,7 +7,7 @@
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
-/// What contact did in a step.
+/// Dissipation and counts of contact in a step.
 struct ContactTally {
   double dissipation = 0;       ///< energy lost, J
   std::size_t nodes = 0;        ///< node pairs that exchanged an impulse

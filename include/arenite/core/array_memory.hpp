@@ -1,8 +1,8 @@
-// Array memory: where the long arrays of a scene lie. A step reads some twenty columns side by side. Where
-// all begin at the same place of a page, as those of `std::allocator` do, what they hold of one point falls
-// into one set of the nearest cache, which has room for less than that many (a seventh of the time of
-// B-splines in space). Very long ones lie in pages of 2 MB where the system has them: with pages of 4 KB an
-// address is looked up for every 512 numbers (up to a sixth of the time of a million points).
+// Array memory: an allocator that places the long arrays of a scene. A step reads some twenty columns side by
+// side. If all begin at the same offset in a page, as with `std::allocator`, their entries of one point map
+// to one set of the first-level cache, which holds fewer lines than that; this cost a seventh of the time of
+// B-splines in space. Very long arrays use pages of 2 MB where the system has them: with pages of 4 KB every
+// 512 numbers need another address translation (up to a sixth of the time of a million points).
 #pragma once
 
 #include <atomic>
@@ -57,8 +57,8 @@ struct ArrayMemory {
     ::operator delete (reinterpret_cast<void*>(address - address % size), std::align_val_t{size});
   }
 
-  /// Numbers that are given no value have none: a page lies near the processor that first writes to it, and
-  /// that is to be the one that works on it.
+  /// Leaves numbers without an initial value uninitialised: a page is placed in the memory of the processor
+  /// that first writes to it, which is to be the one that works on it.
   template <class U>
   void construct(U* at) {
     ::new (static_cast<void*>(at)) U;

@@ -1,18 +1,48 @@
-// Binding: what a user writes (a recipe) becomes what it means in a scene's mesh.
+// Binding: a recipe, which is what a user writes, becomes the part that it stands for in a scene's mesh.
 #pragma once
+
+#include <type_traits>
 
 #include <arenite/core/instruction_set.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 /// What `bind_part(recipe, site)`, found by argument-dependent look-up, makes of a recipe; where there is
-/// none the recipe is its own meaning. (`bind` alone would be std::bind, where a recipe holds a type of std.)
+/// none, the recipe itself is the part. (`bind` alone would be std::bind, where a recipe holds a type of
+/// std.)
 template <class Recipe, class Site>
 auto bound(const Recipe& recipe, const Site& site) {
   if constexpr (requires { bind_part(recipe, site); })
     return bind_part(recipe, site);
   else
     return recipe;
+}
+
+namespace detail {
+template <class Recipe>
+struct erasure {
+  using type = Recipe;
+};
+template <class Recipe>
+requires requires { typename Recipe::Erased; }
+struct erasure<Recipe> {
+  using type = typename Recipe::Erased;
+};
+}  // namespace detail
+
+/// The type of a recipe within the type of a scene: without the types of regions, distances and other
+/// functions, so that it can be written down. A recipe with such types has a member type `Erased` and a
+/// member `erased<M>()` that returns one for a mesh M; all other recipes stay what they are.
+template <class Recipe>
+using erased_t = typename detail::erasure<Recipe>::type;
+
+/// The recipe as a scene over mesh M keeps it.
+template <class M, class Recipe>
+erased_t<Recipe> erased(const Recipe& recipe) {
+  if constexpr (std::is_same_v<erased_t<Recipe>, Recipe>)
+    return recipe;
+  else
+    return recipe.template erased<M>();
 }
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -1,5 +1,5 @@
-// Lanes: what a kernel over many points needs beside arithmetic, for packs and plain scalars alike: parts of
-// a column in and out, and sums over the lanes.
+// Lanes: what a kernel over many points needs beside arithmetic, for packs and plain scalars alike: loads and
+// stores of part of a pack, and sums over its lanes.
 #pragma once
 
 #include <array>
@@ -10,6 +10,7 @@
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
+/// Whether P is a pack, or a pair of packs.
 template <class P>
 inline constexpr bool is_pack = false;
 template <class T, int W>
@@ -21,6 +22,7 @@ inline constexpr bool is_pack<PackPair<Half>> = true;
 template <class T, int W>
 using lanes_of = std::conditional_t<W == 1, T, Pack<T, W>>;
 
+/// Scalars in P: 1 for a scalar.
 template <class P>
 inline constexpr int lane_count = 1;
 template <class T, int W>
@@ -36,6 +38,7 @@ P load_lanes(const T* from, int count, T fill = T(0)) {
   else
     return *from;
 }
+/// The first `count` lanes to memory.
 template <class P, class T>
 void store_lanes(T* to, int count, const P& value) {
   if constexpr (is_pack<P>)
@@ -56,9 +59,9 @@ auto lanes_from(int count) {
   }
 }
 
-/// Makes the compiler read `value` from memory after this place. A loop over few points that takes many
-/// scalars out of a table is faster so than with all of them spread over registers before it, and those
-/// spilled again.
+/// Makes the compiler read `value` from memory again after this call. A loop over few points that uses many
+/// scalars of a table is then faster: otherwise compilers load all of them into registers before the loop and
+/// spill them.
 template <class V>
 void keep_in_memory(const V& value) {
   asm volatile("" : : "g"(&value) : "memory");
@@ -124,7 +127,7 @@ Pack<T, 2 * W> joined(const Pack<T, W>& a, const Pack<T, W>& b) {
   (std::make_index_sequence<static_cast<std::size_t>(2 * W)>{});
 }
 
-/// By halves: the greatest of each lane and the one half the lanes away.
+/// Greatest lane, by halves: the greatest of each lane and the one half the lanes away.
 template <class T, int W>
 T greatest(const Pack<T, W>& a) {
   if constexpr (W == 1) {

@@ -26,7 +26,7 @@ template <std::size_t Size>
 Name(const char (&)[Size]) -> Name<Size>;
 Name(std::size_t)->Name<1>;
 
-/// The same, known when the program runs.
+/// Name or number of a body, known when the program runs.
 struct BodyName {
   std::string word{};
   int number = -1;  ///< none

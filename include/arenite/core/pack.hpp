@@ -5,6 +5,7 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -252,9 +253,15 @@ class Mask {
   requires(sizeof(V) == sizeof(vector) && !std::is_arithmetic_v<V>) explicit constexpr Mask(const V& lanes)
       : v_((vector)lanes) {}
 
-  /// A mask has no one truth: write `select(mask, a, b)`, `any_of(mask)` or `all_of(mask)` instead of a
-  /// branch.
-  operator bool() const = delete;
+  /// Lanes may differ, so a mask is no condition: refused by the compiler.
+  template <class B>
+  requires std::same_as<B, bool>
+  operator B() const {
+    static_assert(!std::same_as<B, bool>,
+                  "a pack: its lanes may differ in a comparison: use select(mask, a, b), any_of(mask) or "
+                  "all_of(mask) instead of a branch");
+    return false;
+  }
 
   bool operator[](int lane) const { return v_[lane] != 0; }
   const vector& lanes() const { return v_; }

@@ -1,12 +1,12 @@
-// PackPair packs: more scalars than a register holds, as two packs that are computed side by side. A law's
-// chain of operations leaves most of a processor idle; two chains at once share it.
+// Pack pairs: more scalars than a register holds, as two packs that are computed side by side. A law's chain
+// of dependent operations leaves most of a processor's units idle; a second, independent chain uses them.
 #pragma once
 
 #include <arenite/core/pack.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
-/// Mask of a twin pack.
+/// Mask of a pack pair.
 template <class Half>
 class PackPairMask {
  public:
@@ -14,9 +14,15 @@ class PackPairMask {
   constexpr PackPairMask(bool all) : low_(all), high_(all) {}
   PackPairMask(const Half& low, const Half& high) : low_(low), high_(high) {}
 
-  /// A mask has no one truth: write `select(mask, a, b)`, `any_of(mask)` or `all_of(mask)` instead of a
-  /// branch.
-  operator bool() const = delete;
+  /// Lanes may differ, so a mask is no condition: refused by the compiler.
+  template <class B>
+  requires std::same_as<B, bool>
+  operator B() const {
+    static_assert(!std::same_as<B, bool>,
+                  "a pack: its lanes may differ in a comparison: use select(mask, a, b), any_of(mask) or "
+                  "all_of(mask) instead of a branch");
+    return false;
+  }
 
   bool operator[](int lane) const { return lane < Half::width ? low_[lane] : high_[lane - Half::width]; }
   const Half& low() const { return low_; }

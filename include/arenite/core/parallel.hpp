@@ -17,6 +17,7 @@ inline void set_threads(int n) {
   if (n >= 1) shared_detail::ThreadPool::instance().set_threads(n);
 }
 
+/// Threads that loops may use now.
 inline int threads() { return shared_detail::ThreadPool::instance().threads(); }
 
 }  // namespace arenite
@@ -38,6 +39,7 @@ void parallel_for(std::size_t n, bool worthwhile, F&& f) {
   parallel_for(n, worthwhile, f, [n](std::size_t t, std::size_t parts) { return n * t / parts; });
 }
 
+/// Items of a chunk.
 inline constexpr std::size_t chunk_size = 1024;
 inline constexpr std::size_t least_items = 4 * chunk_size;  ///< fewer do not pay for threads
 

@@ -1,11 +1,11 @@
-// What a part of a scene counts of the energy.
+// Energy that a part of a scene accounts for.
 #pragma once
 
 #include <arenite/core/instruction_set.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
-/// J. What the scene's balance takes of a part (see `energies`).
+/// Terms of a part in the scene's energy balance (see `energies`), J.
 struct PartEnergy {
   double kinetic = 0;     ///< of masses that the part carries
   double stored = 0;      ///< recoverable, as in a spring

@@ -1,6 +1,6 @@
-// Names of roles: the optional members of a law and the members of a part by which a scene knows what they
-// do. They are looked for by name first and then by signature: a member with a role's name and another
-// signature would else be left out in silence.
+// Names of roles: the optional members of a law, the members of a transfer and of a part by which a scene
+// knows what they do. They are looked for by name first and then by signature: a member with a role's name
+// and another signature would else be left out in silence.
 #pragma once
 
 #include <type_traits>
@@ -29,7 +29,10 @@ ARENITE_ROLE(max_pack_width)
 ARENITE_ROLE(two_packs_at_once)
 ARENITE_ROLE(linear)
 ARENITE_ROLE(names)
-// Of both.
+// Of transfers (transfer/transfer.hpp).
+ARENITE_ROLE(hand)
+ARENITE_ROLE(take)
+// Of laws and parts.
 ARENITE_ROLE(stable_step)
 // Of parts (scene/roles.hpp).
 ARENITE_ROLE(connect)

@@ -22,12 +22,13 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 /// A scalar in which a scene can be computed.
 template <class T>
-concept real = std::floating_point<T>;
+concept real_scalar = std::floating_point<T>;
 
+/// Also the half circle in radians.
 inline constexpr double pi = std::numbers::pi;
 
 /// `mask ? a : b`, written as a function so that the same source serves a scalar and a pack of scalars.
-template <real T>
+template <real_scalar T>
 constexpr T select(bool mask, T a, T b) {
   return mask ? a : b;
 }
@@ -39,23 +40,24 @@ constexpr bool any_of(bool mask) { return mask; }
 constexpr bool all_of(bool mask) { return mask; }
 
 /// 1 / x; for a pack to a few units in the last place where that spares the divider.
-template <real T>
+template <real_scalar T>
 constexpr T reciprocal(T x) {
   return 1 / x;
 }
 /// 1 / sqrt(x), x > 0; for a pack to a few units in the last place.
-template <real T>
+template <real_scalar T>
 T reciprocal_root(T x) {
   return 1 / std::sqrt(x);
 }
 
+/// x^2
 template <class T>
 constexpr T square(T x) {
   return x * x;
 }
 
 namespace detail {
-/// In the place of what a composition does not need.
+/// Stands in for a member that a composition does not need.
 struct Nothing {
   Nothing() = default;
   template <class... Any>

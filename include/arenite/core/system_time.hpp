@@ -9,14 +9,14 @@
 
 namespace arenite::shared_detail {
 
-/// The system's. Tests bring their own, in which time passes as they say.
+/// The system's clocks. Tests use clocks of their own, which they set.
 struct SystemTime {
   using Duration = std::chrono::nanoseconds;
 
-  /// Since some beginning; never back.
+  /// Time since a fixed start; it never decreases.
   static Duration now() { return std::chrono::steady_clock::now().time_since_epoch(); }
 
-  /// That this thread has run; the clock's where the system does not tell.
+  /// Processor time of this thread; `now()` where the system does not give it.
   static Duration processor_time() {
 #ifdef CLOCK_THREAD_CPUTIME_ID
     std::timespec time;

@@ -69,6 +69,7 @@ struct Sym {
   friend constexpr Sym operator*(const T& s, const Sym& a) { return a * s; }
 };
 
+/// xx + yy + zz
 template <class T, int D>
 constexpr T trace(const Sym<T, D>& a) {
   return a[0] + a[1] + a[2];
@@ -84,6 +85,7 @@ constexpr Sym<T, D> add_isotropic(const Sym<T, D>& a, const T& s) {
   return r;
 }
 
+/// a - tr(a)/3 I
 template <class T, int D>
 constexpr Sym<T, D> deviator(const Sym<T, D>& a) {
   return add_isotropic(a, T(trace(a) * T(-1.0 / 3)));

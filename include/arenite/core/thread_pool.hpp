@@ -26,7 +26,7 @@
 
 namespace arenite::shared_detail {
 
-/// Lets a waiting loop breathe.
+/// One pause of a thread that waits in a loop.
 inline void relax() {
 #ifdef __SSE2__
   _mm_pause();
@@ -35,9 +35,9 @@ inline void relax() {
 
 inline constexpr int patience = 2000;  ///< looks before a thread gives way: some 50 microseconds
 
-/// Looks until `done()`, for a while, then with others let ahead; returns false if that takes longer than a
-/// millisecond. To give way takes no time on an idle machine, and a turn of each of the other programs on a
-/// busy one: so the clock counts, not the looks.
+/// Polls `done()`, at first without and then with yielding the processor; returns false if it takes longer
+/// than a millisecond. A yield takes no time on an idle machine, and a time slice of each other program on a
+/// busy one: so the limit is a time, not a number of polls.
 template <class Time = SystemTime, class Done>
 bool wait_awake(Done&& done) {
   for (int k = 0; k < patience; ++k) {
@@ -50,7 +50,7 @@ bool wait_awake(Done&& done) {
 }
 
 /// Why the memory orders do:
-/// - `state_` is the gate. The caller writes the loop (call_, context_, parts_) and then sets `open`; a
+/// - `state_` is the gate. The caller writes the loop (call_, context_, parts_) and then sets `open`. A
 /// helper
 ///   signs in with an acquiring addition, and touches the loop only if that saw `open`: so it sees all that
 ///   was written. It signs out with a releasing subtraction, and the caller goes on once it has acquired 0:

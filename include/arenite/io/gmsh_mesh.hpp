@@ -14,6 +14,7 @@
 #include <utility>
 #include <vector>
 
+#include <arenite/core/lists.hpp>
 #include <arenite/core/scalar.hpp>
 #include <arenite/io/gmsh_input.hpp>
 #include <arenite/io/gmsh_kinds.hpp>
@@ -190,21 +191,20 @@ class GmshMesh {
 
   /// Format 2.2 repeats an element for each of its physical groups; a mesh must not hold a cell twice.
   void refuse_repeated_cells(const GmshInput& in) const {
-    std::vector<std::size_t> begin(tags_.size() + 1, 0);  // cells by their lowest node
-    for (const auto& cell : result_.cells) ++begin[*std::min_element(cell.begin(), cell.end()) + 1];
-    std::partial_sum(begin.begin(), begin.end(), begin.begin());
-    std::vector<std::array<Index, D + 1>> sorted(result_.cells.size());
-    auto next = begin;
-    for (auto cell : result_.cells) {
-      std::sort(cell.begin(), cell.end());
-      sorted[next[cell[0]]++] = cell;
-    }
+    const Lists by_lowest_node(tags_.size(), [&](auto&& add) {
+      for (std::size_t c = 0; c < result_.cells.size(); ++c)
+        add(*std::min_element(result_.cells[c].begin(), result_.cells[c].end()), static_cast<Index>(c));
+    });
+    std::vector<std::array<Index, D + 1>> sorted;  // cells of one lowest node, each with ascending nodes
     for (std::size_t i = 0; i < tags_.size(); ++i) {
-      const auto first = sorted.begin() + std::ptrdiff_t(begin[i]);
-      const auto last = sorted.begin() + std::ptrdiff_t(begin[i + 1]);
-      std::sort(first, last);
-      const auto twice = std::adjacent_find(first, last);
-      if (twice == last) continue;
+      sorted.clear();
+      for (const Index c : by_lowest_node[i]) {
+        sorted.push_back(result_.cells[c]);
+        std::sort(sorted.back().begin(), sorted.back().end());
+      }
+      std::sort(sorted.begin(), sorted.end());
+      const auto twice = std::adjacent_find(sorted.begin(), sorted.end());
+      if (twice == sorted.end()) continue;
       std::string nodes;
       for (const Index node : *twice) nodes += join(nodes.empty() ? "" : " ", tags_[node]);
       in.refuse("nodes of a cell", nodes,

@@ -1,4 +1,4 @@
-// Kinematics: what the dimension of a scene means. A value of one of these types opens every scene.
+// Kinematics: what the dimensions of a scene mean. A value of one of these types is the first of every scene.
 #pragma once
 
 #include <arenite/core/error.hpp>
@@ -52,8 +52,11 @@ struct ThreeDimensional {
   }
 };
 
+/// - `dimension`: 2 or 3; `hoop`: whether there is a hoop strain u_r / r;
+/// - `thickness(x)`: volume that a unit of area (or volume) at x stands for, m (or -).
+/// Kinematics may also play a role of a part (`scene/roles.hpp`).
 template <class K>
-concept kinematics = requires {
+concept kinematics_type = requires {
   { K::dimension } -> std::convertible_to<int>;
   { K::hoop } -> std::convertible_to<bool>;
 }

@@ -19,6 +19,7 @@ enum class Cone {
   plane_strain,  ///< in plastic flow in plane strain, for the given dilatancy
 };
 
+/// SI and radians; checked by the constructor of `DruckerPrager`.
 struct DruckerPragerParameters {
   double density = detail::not_given;   ///< kg/m3; required, positive
   double young = detail::not_given;     ///< Young's modulus, Pa; required, positive

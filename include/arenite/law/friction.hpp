@@ -18,8 +18,8 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 ///
 /// tan(phi) of a step, >= 0; `given` is that of the law's parameters, `step` what the matter feels of the
 /// step. The law then computes its yield surface anew for each point. A slope that hardens or softens with
-/// strain counts the strain in its history. It should not fall below that of the dilatancy, for matter would
-/// then make energy.
+/// strain keeps the strain in its history. It should not fall below the tangent of the dilatancy: plastic
+/// flow would then produce energy.
 struct ConstantFriction {
   template <class T>
   using History = NoHistory<T>;

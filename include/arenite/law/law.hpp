@@ -67,7 +67,7 @@ struct Inelastic {
 /// - `greatest_volume_ratio()`, needed of a law that returns `Inelastic<T>`: V / V0, -, beyond which the
 ///   matter dilates no further.
 /// - `yield(stress)` or `yield(stress, history)`: how far a stress lies outside the yield surface (> 0) or
-///   within (< 0), relative, for `Watch`.
+///   within (< 0), as a fraction of the stress, -, for `Watch`.
 /// - `static constexpr int max_pack_width`: most points that a loop may hand over at once; 1 for a law with
 ///   `if`s on its scalars. Without it laws are called with a register's worth of points: write branches as
 ///   `select`.
@@ -77,8 +77,8 @@ struct Inelastic {
 /// A scene asks for the name first and then for the signature: a member of such a name that cannot be called
 /// so is refused.
 ///
-/// Where there are fewer points than a pack has lanes, the lanes left over repeat one of them: a law meets no
-/// state that no point has.
+/// Where there are fewer points than a pack has lanes, the unused lanes repeat one of them: a law is called
+/// only with states that a point has.
 template <class L, class T = double, int D = 3>
 concept constitutive_law = requires(const L law, Sym<T, D> stress, const StrainStep<T, D> step,
                                     typename L::template History<T> history) {
@@ -102,7 +102,7 @@ inline constexpr bool dilates =
                                                           std::declval<typename L::template History<T>&>())),
                  Inelastic<T>>;
 
-/// Whether a law knows of its matter whether it has separated (`is_open`).
+/// Whether a law tells which matter has separated (`is_open`).
 template <class L, class T = double>
 inline constexpr bool knows_opening = requires(const L law, const typename L::template History<T> history) {
   law.is_open(history);

@@ -7,6 +7,7 @@
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
+/// SI; checked by the constructor of `LinearElastic`.
 struct LinearElasticParameters {
   double density = detail::not_given;  ///< kg/m3; required, positive
   double young = detail::not_given;    ///< Young's modulus, Pa; required, positive
@@ -21,6 +22,7 @@ class LinearElastic {
   template <class T>
   using History = NoHistory<T>;
 
+  /// Throws `error` that names the parameter and its rule.
   explicit LinearElastic(const LinearElasticParameters& p)
       : elasticity_("LinearElastic", p.density, p.young, p.poisson) {}
 

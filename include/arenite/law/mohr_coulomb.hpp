@@ -12,6 +12,7 @@
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
+/// SI and radians; checked by the constructor of `MohrCoulomb`.
 struct MohrCoulombParameters {
   double density = detail::not_given;   ///< kg/m3; required, positive
   double young = detail::not_given;     ///< Young's modulus, Pa; required, positive

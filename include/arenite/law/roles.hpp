@@ -1,11 +1,22 @@
-// Roles of a law: its optional members, looked for by name first and then by signature. A member with a
-// role's name and another signature would else be left out in silence.
+// Roles of a law: its optional members, looked for by name first and then by signature. Otherwise a
+// member with a role's name and another signature would be ignored without a message.
 #pragma once
 
 #include <arenite/core/role_names.hpp>
 #include <arenite/law/law.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET::detail {
+
+/// By the type of its address: the use of a member that is not static would be an error of its own.
+template <class L>
+constexpr bool max_pack_width_is_right() {
+  if constexpr (!names_max_pack_width<L>)
+    return true;
+  else if constexpr (std::is_same_v<decltype(&L::max_pack_width), const int*>)
+    return L::max_pack_width > 0;
+  else
+    return false;
+}
 
 /// Stops the compiler with the cure for a law that `constitutive_law` lets pass and that would not do what
 /// its members say.
@@ -28,9 +39,8 @@ constexpr bool check_roles() {
             { law.greatest_volume_ratio() } -> std::convertible_to<double>;
           },
       "law: one that returns Inelastic needs double greatest_volume_ratio() const");
-  static_assert(
-      !names_max_pack_width<L> || requires { typename std::enable_if<(L::max_pack_width > 0)>::type; },
-      "law: max_pack_width must be static constexpr int, and positive");
+  static_assert(max_pack_width_is_right<L>(),
+                "law: max_pack_width must be static constexpr int, and positive");
   static_assert(
       !names_two_packs_at_once<L> || requires { typename std::bool_constant<L::two_packs_at_once>; },
       "law: two_packs_at_once must be static constexpr bool");

@@ -1,5 +1,5 @@
-// What matter remembers of having separated. A law of granular matter opens without stress when it is pulled
-// beyond its tension limit; these policies say what happens when it is compressed again.
+// Memory of separation. Granular matter opens without stress when it is pulled beyond its tension limit;
+// these policies say what happens when it is compressed again.
 #pragma once
 
 #include <algorithm>
@@ -44,8 +44,8 @@ class RemembersOpening {
   };
 
   struct Parameters {
-    /// Greatest opening that is remembered, -: volumetric strain. Grains that flew apart and meet again as a
-    /// new heap would otherwise pass through each other until all their flight is undone.
+    /// Greatest opening that is remembered, a volumetric strain, -. Without a limit grains that flew apart
+    /// and meet again as a new heap would bear no stress until the whole opening is closed.
     double limit = 1.0;
   };
 
@@ -63,9 +63,9 @@ class RemembersOpening {
   }
 
   /// The part of a step that the matter feels: none while it is open; in the step that closes it the
-  /// fraction after the closure. It turns all the same. Takes what closes (or opens further) from the
-  /// history, and the stress from matter that is open: an average over neighbours may have given it some
-  /// since it opened.
+  /// fraction after the closure. The spin acts in full. Updates the opening in
+  /// the history, and sets the stress of open matter to zero: an average over neighbours may have given it
+  /// some since it opened.
   template <class T, int D>
   StrainStep<T, D> carried(Sym<T, D>& stress, const StrainStep<T, D>& step, History<T>& history) const {
     using std::max, std::min;

@@ -42,9 +42,9 @@ struct DeviatoricStrain {
 };
 
 /// Adds the strain deviator e to the history of a law: the sum of the steps' deviators, turned with the
-/// matter as a Jaumann stress is. Oscillations cancel, where a sum of lengths would pile them up (the far
-/// sand of a penetrometer's drop then shows 0.15 instead of 0.002). `D`: dimension of the scenes that it is
-/// made for; a plane one stores three components instead of five.
+/// matter as a Jaumann stress is. Oscillations cancel. A sum of magnitudes would add
+/// them up (the far sand of a penetrometer's drop then shows 0.15 instead of 0.002). `D`: dimension of the
+/// scenes that it is made for; a plane one stores three components instead of five.
 template <class Law, int D = 3>
 class WithDeviatoricStrain : public Law {
  public:
@@ -72,6 +72,7 @@ class WithDeviatoricStrain : public Law {
   }
 };
 
+/// Whether L records the deviatoric strain.
 template <class L>
 inline constexpr bool has_deviatoric_strain = false;
 template <class L, int D>

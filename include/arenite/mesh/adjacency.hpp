@@ -7,35 +7,19 @@
 #include <vector>
 
 #include <arenite/core/error.hpp>
+#include <arenite/core/lists.hpp>
 #include <arenite/core/scalar.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
-/// Cells at each node, in ascending order, as one array with offsets.
-class Adjacency {
- public:
-  Adjacency() = default;
-
-  template <std::size_t N>
-  Adjacency(Index node_count, const std::vector<std::array<Index, N>>& cells) : start_(node_count + 1, 0) {
-    for (const auto& nodes : cells)
-      for (const Index i : nodes) ++start_[i + 1];
-    for (std::size_t i = 1; i < start_.size(); ++i) start_[i] += start_[i - 1];
-    cells_.resize(start_.back());
-    std::vector<Index> next(start_.begin(), start_.end() - 1);
-    for (std::size_t c = 0; c < cells.size(); ++c)
-      for (const Index i : cells[c]) cells_[next[i]++] = static_cast<Index>(c);
-  }
-
-  std::span<const Index> operator[](Index node) const {
-    return {cells_.data() + start_[node], cells_.data() + start_[node + 1]};
-  }
-  std::size_t bytes() const { return (start_.size() + cells_.size()) * sizeof(Index); }
-
- private:
-  std::vector<Index> start_;  // [nodes + 1]
-  std::vector<Index> cells_;  // [sum of cells at the nodes]
-};
+/// [node] the cells at each node, ascending.
+template <std::size_t N>
+Lists cells_at_nodes(Index node_count, const std::vector<std::array<Index, N>>& cells) {
+  return {node_count, [&](auto&& add) {
+            for (std::size_t c = 0; c < cells.size(); ++c)
+              for (const Index i : cells[c]) add(i, static_cast<Index>(c));
+          }};
+}
 
 /// [cell][k] the cell behind the face opposite to local node k, or `none` on the hull.
 /// Throws `error` if more than two cells share a face.

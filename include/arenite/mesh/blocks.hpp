@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include <arenite/core/lists.hpp>
 #include <arenite/core/parallel.hpp>
 #include <arenite/core/scalar.hpp>
 
@@ -34,12 +35,9 @@ class Blocks {
         for (const Index node : nodes_of(c)) last[color][node] = b;
       color_of[b] = color;
     }
-    color_start_.assign(last.size() + 1, 0);
-    for (const Index color : color_of) ++color_start_[color + 1];
-    for (std::size_t k = 1; k < color_start_.size(); ++k) color_start_[k] += color_start_[k - 1];
-    order_.resize(blocks);
-    std::vector<Index> next(color_start_.begin(), color_start_.end() - 1);
-    for (Index b = 0; b < blocks; ++b) order_[next[color_of[b]]++] = b;
+    of_color_.build(last.size(), [&](auto&& add) {
+      for (Index b = 0; b < blocks; ++b) add(color_of[b], b);
+    });
   }
 
   /// Gives each thread a share of the blocks with an equal sum of `work(cell)`, a number of points, the same
@@ -54,12 +52,10 @@ class Blocks {
     }
   }
 
-  std::size_t colors() const { return color_start_.empty() ? 0 : color_start_.size() - 1; }
-  std::size_t count() const { return order_.size(); }
+  std::size_t colors() const { return of_color_.size(); }
+  std::size_t count() const { return (std::size_t{cells_} + size_ - 1) / size_; }
   /// Blocks of a colour, ascending.
-  std::span<const Index> of_color(std::size_t k) const {
-    return {order_.data() + color_start_[k], order_.data() + color_start_[k + 1]};
-  }
+  std::span<const Index> of_color(std::size_t k) const { return of_color_[k]; }
   Index begin(Index block) const { return block * size_; }
   Index end(Index block) const { return std::min(cells_, (block + 1) * size_); }
 
@@ -147,8 +143,7 @@ class Blocks {
 
   Index cells_ = 0;
   Index size_ = 1;
-  std::vector<Index> order_;                // [blocks] block numbers, colour by colour
-  std::vector<Index> color_start_;          // [colors + 1]
+  Lists of_color_;                          // [colours] the blocks of each
   std::vector<std::size_t> work_before_{};  // [blocks + 1] sum of the work of all blocks before
 };
 

@@ -13,7 +13,7 @@
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 /// Cells are numbered with axis 0 running fastest.
-template <int D, real T = double>
+template <int D, real_scalar T = double>
 class CartesianGrid {
  public:
   static constexpr int dimension = D;

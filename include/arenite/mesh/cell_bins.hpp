@@ -8,12 +8,13 @@
 #include <span>
 #include <vector>
 
+#include <arenite/core/lists.hpp>
 #include <arenite/core/tensor.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 /// About one bucket a cell; a cell is listed in each bucket that its bounding box touches.
-template <int D, real T>
+template <int D, real_scalar T>
 class CellBins {
  public:
   void build(const std::vector<Vec<T, D>>& nodes, const std::vector<std::array<Index, D + 1>>& cells) {
@@ -32,12 +33,7 @@ class CellBins {
       per_metre_[k] = static_cast<T>(count_[static_cast<std::size_t>(k)]) / extent[k];
       total *= static_cast<std::size_t>(count_[static_cast<std::size_t>(k)]);
     }
-    start_.assign(total + 1, 0);
-    visit(nodes, cells, [&](std::size_t bin, Index) { ++start_[bin + 1]; });
-    for (std::size_t i = 1; i < start_.size(); ++i) start_[i] += start_[i - 1];
-    cells_.resize(start_.back());
-    std::vector<Index> next(start_.begin(), start_.end() - 1);
-    visit(nodes, cells, [&](std::size_t bin, Index c) { cells_[next[bin]++] = c; });
+    cells_.build(total, [&](auto&& add) { visit(nodes, cells, add); });
   }
 
   /// Cells near x (the nearest bucket's, if x lies outside), ascending.
@@ -46,7 +42,7 @@ class CellBins {
     for (int k = D - 1; k >= 0; --k)
       bin = bin * static_cast<std::size_t>(count_[static_cast<std::size_t>(k)]) +
             static_cast<std::size_t>(slot(x[k], k));
-    return {cells_.data() + start_[bin], cells_.data() + start_[bin + 1]};
+    return cells_[bin];
   }
 
  private:
@@ -81,7 +77,7 @@ class CellBins {
   Vec<T, D> lower_ = Vec<T, D>::Zero();
   Vec<T, D> per_metre_ = Vec<T, D>::Ones();
   std::array<long, 3> count_{1, 1, 1};
-  std::vector<Index> start_, cells_;
+  Lists cells_;  // [buckets]
 };
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -12,12 +12,12 @@
 namespace arenite::inline ARENITE_INSTRUCTION_SET::detail {
 
 /// Least volume of a cell that is not flat, over the D-th power of its longest edge.
-template <real T>
+template <real_scalar T>
 inline constexpr T flattest = 1000 * std::numeric_limits<T>::epsilon();
 
 /// Throws `error` unless the volume, the gradients and their squares of any cell with this longest edge [m]
 /// that is not flat are normal numbers in T.
-template <real T>
+template <real_scalar T>
 void check_edge(std::string_view name, double edge) {
   using Limits = std::numeric_limits<T>;
   const double least = std::cbrt(static_cast<double>(Limits::min() / flattest<T>)),

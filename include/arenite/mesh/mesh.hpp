@@ -13,8 +13,9 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 /// - `holder(cell).holds(x)`: whether one cell holds x [D], a `std::array` of scalars or of packs;
 /// - `size(cell)`: length for the stable step, m; `volume(cell)`: area or volume, m^D.
 template <class M>
-concept mesh = requires(M m, const M cm, const typename M::Point x, Index cell,
-                        const std::array<typename M::scalar, static_cast<std::size_t>(M::dimension)> place) {
+concept mesh_type =
+    requires(M m, const M cm, const typename M::Point x, Index cell,
+             const std::array<typename M::scalar, static_cast<std::size_t>(M::dimension)> place) {
   { M::dimension } -> std::convertible_to<int>;
   { cm.cell_count() } -> std::same_as<Index>;
   { cm.walk(x, cell) } -> std::same_as<Index>;
@@ -24,6 +25,7 @@ concept mesh = requires(M m, const M cm, const typename M::Point x, Index cell,
   { cm.volume(cell) } -> std::convertible_to<typename M::scalar>;
 };
 
+/// Whether M is a `SimplexMesh`.
 template <class M>
 inline constexpr bool is_simplex_mesh = false;
 template <int D, class T>

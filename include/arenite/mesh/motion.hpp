@@ -74,7 +74,7 @@ struct MovingMesh {
   }
 };
 
-/// What a scene has once: whether and how its mesh moves.
+/// Names the kind `OnlyOne` of parts that move the mesh: a scene has one at most.
 struct MeshMotion;
 
 /// A moving mesh in its mesh: reference positions and shares of the nodes that move, and the cells that

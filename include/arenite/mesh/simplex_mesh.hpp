@@ -20,7 +20,7 @@
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 /// Triangles or tetrahedra over scalar T. Node positions may change (`move`); the topology does not.
-template <int D, real T = double>
+template <int D, real_scalar T = double>
 class SimplexMesh {
  public:
   static constexpr int dimension = D;
@@ -59,7 +59,7 @@ class SimplexMesh {
     frames_.resize(cells_.size());
     for (Index c = 0; c < cell_count(); ++c) refresh(c);
     neighbours_ = simplex_neighbours<D>(cells_);
-    node_cells_ = Adjacency(node_count(), cells_);
+    node_cells_ = cells_at_nodes(node_count(), cells_);
   }
 
   Index node_count() const { return static_cast<Index>(position_.size()); }
@@ -239,7 +239,7 @@ class SimplexMesh {
   std::vector<CellNodes> cells_;
   std::vector<CellNodes> neighbours_;
   std::vector<Frame> frames_;
-  Adjacency node_cells_;
+  Lists node_cells_;
   CellBins<D, T> bins_;
   bool bins_fresh_ = false;
 };

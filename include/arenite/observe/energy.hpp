@@ -4,11 +4,12 @@
 #include <functional>
 #include <string_view>
 
+#include <arenite/core/alone.hpp>
 #include <arenite/scene/scene.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
-/// A part that keeps the energy energy balance of a scene: works of stresses and accelerations are summed at
+/// A part that keeps the energy balance of a scene: works of stresses and accelerations are summed at
 /// each step. Without it they are not computed. Energies in J.
 struct TrackEnergy {
   using OnlyOne = TrackEnergy;

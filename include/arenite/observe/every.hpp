@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cmath>
+#include <concepts>
 #include <limits>
 #include <utility>
 
@@ -30,7 +31,9 @@ class Every {
     // Multiples closer than the clock's resolution: each step meets one.
     if (!(due_ > scene.time) || !std::isfinite(scene.time / early))
       due_ = std::nextafter(scene.time, std::numeric_limits<double>::infinity());
-    f_(scene);
+    constexpr bool fits = std::invocable<F&, const Scene&>;
+    static_assert(fits, "every: an observer is called with the scene: [](const auto& scene) { .. }");
+    if constexpr (fits) f_(scene);
   }
 
   /// State of what it calls, too, if that has some.

@@ -14,6 +14,7 @@
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
+/// Where `Progress` writes, and when.
 struct ProgressOptions {
   std::FILE* stream = stderr;  ///< must stay open
   bool tenths = false;         ///< where that is no terminal: a line each tenth of the run

@@ -136,6 +136,7 @@ class VtuSeries {
   std::size_t frame_ = 0;
 };
 
+/// Observer that writes files `prefix`_..: see `VtuSeries`.
 inline VtuSeries vtu(std::filesystem::path prefix, VtuOptions options) {
   return VtuSeries(std::move(prefix), std::move(options));
 }

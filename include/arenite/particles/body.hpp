@@ -30,6 +30,7 @@ struct Geostatic {
   int axis = 1;                                               ///< vertical axis
 };
 
+/// How `fill` makes points. Values are checked when the scene is made, which throws `error`.
 struct FillOptions {
   int per_cell = 4;                   ///< points a cell or an element
   std::array<double, 3> velocity{};   ///< initial velocity, m/s
@@ -41,27 +42,45 @@ struct FillOptions {
 };
 
 /// What `fill` returns: a region, a law and how to fill; the scene makes a `Body` of it, once it knows the
-/// mesh.
-template <class Region, class L, Name name = "">
+/// mesh. In the type of the scene only law and name remain: `Fill<MohrCoulomb<>>`.
+template <class L, Name name = "", class Region = AnyRegion>
 struct Fill {
   Region region;
   L law;
   FillOptions options;
+
+  using Erased = Fill<L, name>;
+  template <class M>
+  Erased erased() const {
+    if constexpr (std::same_as<Region, AnyRegion>) {
+      return *this;
+    } else {
+      constexpr bool fits = region_type<Region, M::dimension>;
+      static_assert(fits,
+                    "fill: the region must provide contains(position) in the scene's dimension, or be Cells");
+      static_assert(is_simplex_mesh<M> || !std::same_as<Region, Cells>,
+                    "fill: Cells names regions of a simplex mesh; use a Box or Inside on a grid");
+      if constexpr (fits)
+        return {AnyRegion::of<M::dimension>(region), law, options};
+      else
+        return {AnyRegion{}, law, options};  // one sentence is enough
+    }
+  }
 };
 
 /// Fills a region with points of a law; `fill<"sand">(..)` gives the body a name. A region that catches no
 /// point is refused when the scene is made.
 template <Name name, class Region, class L>
-Fill<Region, L, name> fill(Region region, L law, FillOptions options = {}) {
+Fill<L, name, Region> fill(Region region, L law, FillOptions options = {}) {
   return {std::move(region), std::move(law), options};
 }
 template <class Region, class L>
-Fill<Region, L> fill(Region region, L law, FillOptions options = {}) {
+Fill<L, "", Region> fill(Region region, L law, FillOptions options = {}) {
   return {std::move(region), std::move(law), options};
 }
 
 /// Points of one law in a mesh over scalar T.
-template <class L, real T, int D, ExtraColumns Extra = ExtraColumns{}>
+template <class L, real_scalar T, int D, ExtraColumns Extra = ExtraColumns{}>
 struct Body {
   using Point = typename Points<T, D, L, Extra>::Point;
   static_assert(
@@ -117,6 +136,15 @@ void begin_history(Points<T, D, L, E>& points, const FillOptions& options) {
   }
 }
 
+/// Numbers of the mesh regions that a region names.
+template <class M>
+std::vector<int> region_numbers([[maybe_unused]] const M& mesh, [[maybe_unused]] const AnyRegion& region) {
+  std::vector<int> numbers;
+  if constexpr (is_simplex_mesh<M>)
+    for (const auto& name : region.cells) numbers.push_back(mesh.region_number(name));
+  return numbers;
+}
+
 }  // namespace detail
 
 /// Every cell may hold points: where a scene has its mesh to itself.
@@ -127,13 +155,11 @@ struct OwnsAllCells {
 
 /// Makes the body of a recipe, with points in the cells that `owns(cell)`. Throws `error` if the region holds
 /// no point of the mesh, unless it may.
-template <class K, ExtraColumns Extra = ExtraColumns{}, class M, class Region, class L, Name name,
+template <class K, ExtraColumns Extra = ExtraColumns{}, class M, class L, Name name,
           class Owns = OwnsAllCells>
-auto make_body(const M& mesh, const Fill<Region, L, name>& recipe, const Owns& owns = {}) {
+auto make_body(const M& mesh, const Fill<L, name>& recipe, const Owns& owns = {}) {
   using T = typename M::scalar;
   constexpr int D = M::dimension;
-  static_assert(region<Region, D>,
-                "fill: the region must provide contains(position) in the scene's dimension, or be Cells");
   Body<L, T, D, Extra> body{recipe.law, {}, {}};
   const FillOptions& o = recipe.options;
   if (o.stress) {
@@ -153,21 +179,16 @@ auto make_body(const M& mesh, const Fill<Region, L, name>& recipe, const Owns& o
       require(o.velocity[k] == 0, "FillOptions.velocity", o.velocity[k],
               "must be zero along an axis that the scene does not have");
   }
+  const auto numbers = detail::region_numbers(mesh, recipe.region);
   for (Index c = 0; c < mesh.cell_count(); ++c) {
     if (!owns(c)) continue;
-    if constexpr (std::same_as<Region, Cells>) {
-      static_assert(is_simplex_mesh<M>,
-                    "fill: Cells names regions of a simplex mesh; use a Box or Inside on a grid");
-      bool named = false;
-      for (const auto& word : recipe.region.regions)
-        named = named || mesh.region(c) == mesh.region_number(word);
-      if (!named) continue;
+    if constexpr (is_simplex_mesh<M>) {
+      if (!recipe.region.test && !std::ranges::count(numbers, mesh.region(c))) continue;
     }
     const auto places = initial_points(mesh, c, o.per_cell);
     const T share = mesh.volume(c) / static_cast<T>(places.size());
     for (const auto& x : places) {
-      if constexpr (!std::same_as<Region, Cells>)
-        if (!recipe.region.contains(Vec<double, D>(x.template cast<double>()))) continue;
+      if (recipe.region.test && !recipe.region.contains(x)) continue;
       const T volume = share * K::thickness(x);
       Sym<T, D> stress{};
       if (o.stress) {
@@ -188,6 +209,10 @@ auto make_body(const M& mesh, const Fill<Region, L, name>& recipe, const Owns& o
   body.points.reserve_spare();
   body.cells.build(body.points.cell, mesh.cell_count());
   return body;
+}
+template <class K, ExtraColumns Extra = ExtraColumns{}, class M, class L, Name name, class Region>
+auto make_body(const M& mesh, const Fill<L, name, Region>& recipe) {
+  return make_body<K, Extra>(mesh, recipe.template erased<M>());
 }
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

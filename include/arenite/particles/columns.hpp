@@ -12,13 +12,13 @@
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
-/// One number of each point.
+/// One scalar for each point.
 template <class T>
 using Column = std::vector<T, ArrayMemory<T>>;
 
-/// Asks the processor for what a loop over packs of `Width` points will need of a column eight packs after
-/// point p: such loops are short of arithmetic and would wait for it else. Narrow packs do not ask, for each
-/// line of memory serves many of them.
+/// Prefetches the entries of a column that a loop over packs of `Width` points needs eight packs after point
+/// p: such loops have little arithmetic and would otherwise wait for memory. Narrow packs do not prefetch, as
+/// one cache line serves many of them.
 template <int Width, class T>
 void prefetch_ahead(const Column<T>& column, std::size_t p) {
   if constexpr (Width * sizeof(T) >= 32) __builtin_prefetch(column.data() + p + 8 * Width);
@@ -41,7 +41,7 @@ class Columns {
   void set(std::size_t p, const Value& value) {
     for (std::size_t k = 0; k < N; ++k) column_[k][p] = at(value, k);
   }
-  /// Gives all the same value.
+  /// Sets all to one value.
   void fill(const Value& value) {
     for (std::size_t p = 0; p < size(); ++p) set(p, value);
   }

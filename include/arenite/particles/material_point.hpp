@@ -13,7 +13,7 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 inline constexpr std::uint64_t no_id = std::numeric_limits<std::uint64_t>::max();
 
 /// One point over scalar T in D dimensions, with a law's history.
-template <real T, int D, class History>
+template <real_scalar T, int D, class History>
 struct MaterialPoint {
   Vec<T, D> position = Vec<T, D>::Constant(std::numeric_limits<T>::quiet_NaN());  ///< m
   Vec<T, D> velocity = Vec<T, D>::Zero();                                         ///< m/s

@@ -10,8 +10,8 @@
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 namespace detail {
-/// Sum of `f(point)` over the points of a body: in each chunk eight sums side by side, for one sum alone
-/// would wait for itself.
+/// Sum of `f(point)` over the points of a body. Each chunk keeps eight partial sums, as each addition to a
+/// single one would have to wait for the one before.
 template <class B, class Value, class F>
 Value sum_points(const B& body, Value zero, F&& f) {
   return parallel_reduce(
@@ -32,7 +32,8 @@ Value sum_points(const B& body, Value zero, F&& f) {
 }
 }  // namespace detail
 
-/// J; of the points' own velocities; that of their gradients is `gradient_kinetic_energy`.
+/// Kinetic energy of the points' velocities, J; that of their velocity gradients is
+/// `gradient_kinetic_energy`.
 template <class B>
 double kinetic_energy(const B& body) {
   return detail::sum_points(body, 0.0, [&](std::size_t p) {
@@ -40,9 +41,10 @@ double kinetic_energy(const B& body) {
   });
 }
 
-/// J; of the velocity gradients C that points carry (APIC, TPIC): sum m/2 C : (C D), with the inertia of the
-/// shape functions at the points, D = sum w_i (x_i - x_p)(x_i - x_p)^T. 0 where they carry none. The kinetic
-/// energy of what points hand to the nodes is this much more than that of their own velocities.
+/// Kinetic energy, J, of the velocity gradients C that points carry (APIC, TPIC): sum m/2 C : (C D), with the
+/// inertia of the shape functions at the points, D = sum w_i (x_i - x_p)(x_i - x_p)^T. 0 where they carry
+/// none. The kinetic energy of what points hand to the nodes is this much more than that of their own
+/// velocities.
 template <class Shape, class M, class B>
 double gradient_kinetic_energy(const M& mesh, const Blocks& blocks, const B& body) {
   const auto& points = body.points;
@@ -84,7 +86,7 @@ double strain_energy(const B& body) {
   });
 }
 
-/// kg m/s, shape [D].
+/// Momentum, kg m/s, shape [D].
 template <class L, class T, int D, ExtraColumns E>
 Vec<double, D> momentum(const Body<L, T, D, E>& body) {
   return detail::sum_points(
@@ -93,15 +95,15 @@ Vec<double, D> momentum(const Body<L, T, D, E>& body) {
       });
 }
 
-/// kg.
+/// Mass of the points, kg.
 template <class B>
 double mass(const B& body) {
   return detail::sum_points(body, 0.0,
                             [&](std::size_t p) { return static_cast<double>(body.points.mass[p]); });
 }
 
-/// Mean of V / V0, voids that opened included: how much the body has swollen, -. Slow swelling shows nowhere
-/// else.
+/// Mean of V / V0, voids that opened included: how much the body has swollen, -. No other measure shows
+/// slow swelling.
 template <class B>
 double mean_volume_ratio(const B& body) {
   const double volume = detail::sum_points(

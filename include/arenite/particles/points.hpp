@@ -27,7 +27,7 @@ struct ExtraColumns {
 /// Columns of material points: law L gives the history, `Extra` what else the composition needs. Mass and
 /// volume are those of what the point stands for: a metre of thickness in plane strain, the full circle in
 /// axisymmetry. The order of the points changes as they move from cell to cell.
-template <real T, int D, class L, ExtraColumns Extra = ExtraColumns{}>
+template <real_scalar T, int D, class L, ExtraColumns Extra = ExtraColumns{}>
 class Points {
  public:
   using scalar = T;
@@ -161,7 +161,7 @@ class Points {
     f("cell", cell);
   }
 
-  /// Asks the processor for the columns of a point.
+  /// Prefetches the columns of a point.
   void prefetch(Index p) const {
     for_each_column([&](const auto& column) { __builtin_prefetch(column.data() + p); });
   }
@@ -171,9 +171,9 @@ class Points {
     for_each_column([&](auto& column) { std::swap(column[a], column[b]); });
   }
 
-  /// Lays the columns but the cells anew, the points of each cell by the thread that has it in the loops over
-  /// `blocks`: on a machine with several memories they then lie in that thread's (first touch). There must be
-  /// no unsorted points.
+  /// Copies the columns (but `cell`) into new memory, the points of each cell by the thread that works on it
+  /// in loops over `blocks`: on a NUMA machine they then lie in that thread's memory (first touch). There
+  /// must be no unsorted points.
   void place_by_thread(const CellList& cells, const Blocks& blocks) {
     for_each_column([&](auto& column) {
       if constexpr (std::same_as<std::remove_cvref_t<decltype(column)>, Column<T>>) {

@@ -1,4 +1,4 @@
-// Relocation: each point in its cell, at the cost of one test for those that stayed.
+// Relocation: finds the cell of each point; a point that stayed in its cell costs one test.
 #pragma once
 
 #include <arenite/mesh/blocks.hpp>

@@ -8,6 +8,7 @@
 
 #include <arenite/core/error.hpp>
 #include <arenite/core/tensor.hpp>
+#include <arenite/particles/region.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
@@ -49,6 +50,18 @@ class ConeCylinder {
       inside = inside && (r - ar) * dz - (z - az) * dr < 0;
     }
     return inside ? -nearest : nearest;
+  }
+
+  /// The box around it, m.
+  template <int D>
+  Box<std::size_t{D}> bounds() const {
+    const auto [radius, top] = outline_[2];
+    Box<std::size_t{D}> box;
+    box.lower.fill(-radius);
+    box.upper.fill(radius);
+    box.lower[1] = tip_;
+    box.upper[1] = tip_ + top;
+    return box;
   }
 
  private:

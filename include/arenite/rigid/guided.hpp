@@ -5,8 +5,8 @@
 #include <cmath>
 #include <limits>
 
-#include <arenite/core/error.hpp>
 #include <arenite/core/alone.hpp>
+#include <arenite/core/error.hpp>
 #include <arenite/core/tensor.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
@@ -101,8 +101,8 @@ struct BoundGuided {
     else
       return detail::balance_speed(body, axis, free_velocity.dot(axis), static_cast<T>(mass), others) * axis;
   }
-  /// What is left of the balance is given to the body, unless it is round-off of the impulses: a very light
-  /// body would make a velocity of it.
+  /// The remainder of the balance is given to the body, unless it is round-off of the impulses, which would
+  /// give a very light body a large velocity.
   V after(const V& met, const V& free_velocity, const V& total, T exchanged) const {
     const T m = static_cast<T>(mass), left = m * (met - free_velocity).dot(axis) + total.dot(axis);
     const bool round_off = !(std::abs(left) > 16 * std::numeric_limits<T>::epsilon() * exchanged);

@@ -7,21 +7,20 @@
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
-/// A motion once bound to a scene (a recipe may have a `bind_part`). V: a vector [D] of the scene. In a step
-/// contact asks for the velocity that the body would have free_velocity, for the one with which impulses are
-/// found, and, once they are given, for the one that they leave.
+/// A motion once bound to a scene (a recipe may have a `bind_part`). V: a vector [D] of the scene; velocities
+/// in m/s, impulses in N s. In a step contact asks for the velocity that the body would have without contact,
+/// for the one with which impulses are found, and, once they are given, for the one after them.
 ///
 /// - `has_mass`: whether impulses change the motion; such a motion has `mass`, kg;
 /// - `start()`: initial velocity, m/s;
 /// - `free_velocity(before, acceleration, time, dt)`: velocity at the end of the step, `time`, without
 /// contact;
-/// - `velocity_in_contact(body, free_velocity)`: velocity in contact; `body.impulse_at(touch, v)` over
-/// `body.touched_nodes` are the
-///   impulses on the matter at a velocity v of the body;
-/// - `after(met, free_velocity, total, exchanged)`: velocity at the end of the step, after the impulse
-/// `total`, N s, on
-///   the matter; `exchanged`: sum of the impulses' magnitudes;
-/// - `mean(before, after)`: velocity at which impulses worked;
+/// - `velocity_in_contact(body, free_velocity)`: velocity of the surface in contact; `body.impulse_at(node,
+/// v)`
+///   for a node of `body.touched_nodes` is the impulse on the matter if the body moves with v;
+/// - `after(met, free_velocity, total, exchanged)`: velocity at the end of the step; `met`: the velocity in
+///   contact, `total`: impulse on the matter, `exchanged`: sum of the magnitudes of the impulses;
+/// - `mean(before, after)`: velocity with which the impulses did work;
 /// - `drive(before, free_velocity, mean, total)`: work of gravity, load or drive in the step, J;
 /// - `kinetic_energy(v)`: J;
 /// - `holds(acceleration)`: whether the body would not fall with the matter.

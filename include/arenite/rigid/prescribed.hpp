@@ -2,7 +2,9 @@
 #pragma once
 
 #include <array>
+#include <concepts>
 #include <cstddef>
+#include <functional>
 #include <utility>
 
 #include <arenite/core/tensor.hpp>
@@ -10,21 +12,32 @@
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 /// A motion given in time: `velocity(t)` returns the velocity {x, y, z}, m/s, at time t, s.
-template <class Velocity>
 struct Prescribed {
-  Velocity velocity;
+  std::function<std::array<double, 3>(double)> velocity;
+
+  template <class Velocity>
+  explicit Prescribed(Velocity v) : velocity{as_function(std::move(v))} {}
+
+ private:
+  template <class Velocity>
+  static std::function<std::array<double, 3>(double)> as_function(Velocity v) {
+    constexpr bool callable = std::is_invocable_r_v<std::array<double, 3>, const Velocity&, double>;
+    static_assert(callable,
+                  "Prescribed: the velocity must be callable as std::array<double, 3> velocity(double time) "
+                  "const, {x, y, z} in m/s");
+    if constexpr (callable) return v;
+    return {};
+  }
 };
-template <class Velocity>
-Prescribed(Velocity) -> Prescribed<Velocity>;
 
 /// A prescribed motion in D dimensions over scalar T.
-template <class T, int D, class Velocity>
+template <class T, int D>
 struct BoundPrescribed {
   using V = Vec<T, D>;
   static constexpr bool has_mass = false;
-  Velocity velocity;
+  std::function<std::array<double, 3>(double)> velocity;
 
-  explicit BoundPrescribed(Prescribed<Velocity> p) : velocity{std::move(p.velocity)} {}
+  explicit BoundPrescribed(Prescribed p) : velocity{std::move(p.velocity)} {}
 
   V start() const { return V::Zero(); }
   V free_velocity(const V&, const V&, T time, T) const {
@@ -46,9 +59,9 @@ struct BoundPrescribed {
   bool holds(const V&) const { return true; }
 };
 
-template <class Velocity, class Site>
-auto bind_part(const Prescribed<Velocity>& motion, const Site&) {
-  return BoundPrescribed<typename Site::T, Site::D, Velocity>(motion);
+template <class Site>
+auto bind_part(const Prescribed& motion, const Site&) {
+  return BoundPrescribed<typename Site::T, Site::D>(motion);
 }
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

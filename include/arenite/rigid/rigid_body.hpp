@@ -2,14 +2,15 @@
 // body gains.
 #pragma once
 
+#include <algorithm>
 #include <utility>
 #include <vector>
 
 #include <arenite/contact/coulomb.hpp>
 #include <arenite/contact/hold.hpp>
 #include <arenite/contact/tally.hpp>
-#include <arenite/core/bind.hpp>
 #include <arenite/core/alone.hpp>
+#include <arenite/core/bind.hpp>
 #include <arenite/core/name.hpp>
 #include <arenite/core/part_energy.hpp>
 #include <arenite/core/state_value.hpp>
@@ -39,6 +40,12 @@ struct Rigid {
   Surface surface;
   Motion motion;
   Friction friction;
+
+  using Erased = Rigid<erased_t<Surface>, erased_t<Motion>, Coupling, name>;
+  template <class M>
+  Erased erased() const {
+    return {arenite::erased<M>(surface), arenite::erased<M>(motion), friction};
+  }
 };
 
 /// A rigid body, a part of a scene; `rigid<"cone">(..)` gives it a name.
@@ -51,6 +58,14 @@ template <class Surface, class Motion, class Coupling = RigidVelocity>
 Rigid<Surface, Motion, Coupling> rigid(Surface surface, Motion motion, Friction friction, Coupling = {}) {
   return {std::move(surface), std::move(motion), friction};
 }
+/// A number free_velocity may be an angle or a coefficient.
+template <Name name = "", class Surface, class Motion, class Number, class... Coupling>
+requires std::is_arithmetic_v<Number>
+auto rigid(Surface surface, Motion motion, Number, Coupling... coupling) {
+  static_assert(!std::is_arithmetic_v<Number>,
+                "rigid: the friction is Friction(angle): say Friction(20_deg)");
+  return rigid<name>(std::move(surface), std::move(motion), Friction(0.0), coupling...);
+}
 
 namespace detail {
 
@@ -59,8 +74,12 @@ void find_touched_nodes(const M& mesh, R& body, const Fields& fields, const Owns
   using T = typename M::scalar;
   body.touched_nodes.clear();
   body.inside_nodes = 0;
+  const auto has_mass = [&](Index node) {
+    return std::ranges::any_of(fields, [&](const auto& field) { return field.mass[node] > 0; });
+  };
   body.surface.template visit<Shape>(
-      mesh, body.displacement, [&](Index node, const auto& normal, bool inside, [[maybe_unused]] T fraction) {
+      mesh, body.displacement, has_mass,
+      [&](Index node, const auto& normal, bool inside, [[maybe_unused]] T fraction) {
         if (!owns(node)) return;
         for (std::size_t f = 0; f < fields.size(); ++f) {
           const T mass = fields[f].mass[node];
@@ -86,7 +105,8 @@ template <class Shape, class M, class R, class Fields, class T, int D, class Own
 ContactTally collide(const M& mesh, R& body, Fields& fields, const Vec<T, D>& acceleration, T time, T dt,
                      const Owns& owns = {}, Others& others = no_others) {
   detail::find_touched_nodes<Shape>(mesh, body, fields, owns);
-  const Vec<T, D> before = body.velocity, free_velocity = body.motion.free_velocity(before, acceleration, time, dt);
+  const Vec<T, D> before = body.velocity,
+                  free_velocity = body.motion.free_velocity(before, acceleration, time, dt);
   if constexpr (requires { body.motion.velocity_in_contact(body, free_velocity, others); }) {
     body.velocity = body.motion.velocity_in_contact(body, free_velocity, others);
   } else {
@@ -146,6 +166,13 @@ double hold_to(R& body, Fields& fields, T dt, Others& others = no_others) {
   return dissipation;
 }
 
+namespace detail {
+/// In the place of a body that the compiler has refused.
+struct NoRigidBody {
+  static constexpr bool separates_bodies = false;
+};
+}  // namespace detail
+
 /// A rigid body in a scene: a part that exchanges impulses with all fields. Read `displacement`, `velocity`
 /// and `force` after any step.
 template <class T, int D, class Surface, class Motion, class Coupling = RigidVelocity, Name name_ = "">
@@ -156,7 +183,6 @@ struct RigidBody {
   static constexpr bool is_rigid_body = true, is_shared = true;
   static constexpr bool is_free = Motion::has_mass;
   static constexpr bool coupling_through_centre = Coupling::through_centre_of_mass;
-  static_assert(rigid_motion<Motion, V>, "Rigid: the motion lacks a member; see arenite/rigid/motion.hpp");
   static_assert(!coupling_through_centre || (Surface::has_volume_fractions && is_free),
                 "Rigid: CentreOfMass needs a MeshSurface and a Guided motion, which give the body's nodes "
                 "their masses");
@@ -197,8 +223,6 @@ struct RigidBody {
 
   template <class Scene>
   void connect(const Scene& scene) {
-    static_assert(rigid_surface<Surface, typename Scene::Shape, typename Scene::Mesh>,
-                  "Rigid: the surface lacks a member; see arenite/rigid/surface.hpp");
     static_assert(
         !(Scene::is_portion && coupling_through_centre),
         "Rigid: CentreOfMass spreads the body's mass over all of its nodes, and a portion of the mesh "
@@ -238,8 +262,15 @@ template <class S, class M, class C, Name name, class Site>
 auto bind_part(const Rigid<S, M, C, name>& recipe, const Site& site) {
   auto surface = bound(recipe.surface, site);
   auto motion = bound(recipe.motion, site);
-  return RigidBody<typename Site::T, Site::D, decltype(surface), decltype(motion), C, name>{
-      std::move(surface), std::move(motion), recipe.friction};
+  constexpr bool has_surface = rigid_surface<decltype(surface), typename Site::Shape, typename Site::Mesh>;
+  constexpr bool has_motion = rigid_motion<decltype(motion), Vec<typename Site::T, Site::D>>;
+  static_assert(has_surface, "Rigid: the surface lacks a member; see arenite/rigid/surface.hpp");
+  static_assert(has_motion, "Rigid: the motion lacks a member; see arenite/rigid/motion.hpp");
+  if constexpr (has_surface && has_motion)
+    return RigidBody<typename Site::T, Site::D, decltype(surface), decltype(motion), C, name>{
+        std::move(surface), std::move(motion), recipe.friction};
+  else
+    return detail::NoRigidBody{};  // one sentence is enough
 }
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

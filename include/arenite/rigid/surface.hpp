@@ -2,9 +2,16 @@
 // signed distance.
 #pragma once
 
+#include <array>
+#include <exception>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include <arenite/contact/region_surface.hpp>
+#include <arenite/core/bind.hpp>
+#include <arenite/core/parallel.hpp>
+#include <arenite/rigid/signed_distance.hpp>
 #include <arenite/shape/shape.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
@@ -14,13 +21,27 @@ struct MeshSurface {
   std::string region;
 };
 
-/// A signed distance, m, negative inside, in the body's own frame: callable with a position [D]. `reach`: a
-/// node counts as touched from this many cell sizes outside on; half a cell acts where the points do, zero
-/// acts late.
-template <class Distance>
+/// A signed distance, m, negative inside, in the body's own frame: callable with a position [D]
+/// (`signed_distance`). `reach`: a node counts as touched from this many cell sizes outside on; half a cell
+/// acts where the points do, zero acts late. The type of a scene does not tell which distance it is.
+template <class Distance = AnyDistance>
 struct DistanceSurface {
   Distance distance;
   double reach = 0.5;
+
+  using Erased = DistanceSurface<>;
+  template <class M>
+  Erased erased() const {
+    if constexpr (std::same_as<Distance, AnyDistance>) {
+      return *this;
+    } else {
+      static_assert(
+          signed_distance<Distance, M::dimension>,
+          "DistanceSurface: the distance must be callable as double(const Vec<double, D>& position) "
+          "const in the scene's dimension");
+      return {AnyDistance::of<M::dimension>(distance), reach};
+    }
+  }
 };
 template <class Distance>
 DistanceSurface(Distance) -> DistanceSurface<Distance>;
@@ -29,15 +50,16 @@ DistanceSurface(Distance, double) -> DistanceSurface<Distance>;
 
 /// A surface once bound to a scene:
 /// - `has_volume_fractions`: whether its nodes carry fractions of its volume;
-/// - `visit<Shape>(mesh, displacement, f)`: calls `f(node, normal, inside, share)` for each node that it
-///   touches where the body is now, with the unit normal out of the body (zero inside);
+/// - `visit<Shape>(mesh, displacement, has_mass, f)`: calls `f(node, normal, inside, fraction)` for each node
+///   that it touches where the body is now, in an order that does not depend on threads, with the unit normal
+///   out of the body (zero inside); nodes without matter, `!has_mass(node)`, need no call;
 /// - optional `connect(scene)`: called once, when all parts of the scene are bound.
 template <class S, class Shape, class M>
-concept rigid_surface = requires(const S surface, const M& mesh,
-                                 const Vec<typename M::scalar, M::dimension> x) {
+concept rigid_surface = requires(S surface, const M& mesh, const Vec<typename M::scalar, M::dimension> x) {
   { S::has_volume_fractions } -> std::convertible_to<bool>;
   surface.template visit<Shape>(
-      mesh, x, [](Index, const Vec<typename M::scalar, M::dimension>&, bool, typename M::scalar) {});
+      mesh, x, [](Index) { return true; },
+      [](Index, const Vec<typename M::scalar, M::dimension>&, bool, typename M::scalar) {});
 };
 
 /// A mesh surface in its mesh. Visits each surface node with its normal and share of the body's mass, then
@@ -53,8 +75,8 @@ class BoundMeshSurface {
     surface_ = surface_of<typename Scene::Kinematics>(scene.mesh, recipe_.region, scene.constraints,
                                                       Scene::is_portion);
   }
-  template <class Shape, class M, class F>
-  void visit(const M&, const Vec<T, D>&, F&& f) const {
+  template <class Shape, class M, class HasMass, class F>
+  void visit(const M&, const Vec<T, D>&, HasMass&&, F&& f) const {
     for (std::size_t k = 0; k < surface_.nodes.size(); ++k)
       f(surface_.nodes[k], surface_.normals[k], false, surface_.volume_fraction[k]);
     for (const Index i : surface_.inside) f(i, Vec<T, D>::Zero(), true, T(0));
@@ -73,44 +95,113 @@ auto bind_part(const MeshSurface& surface, const Site&) {
   return BoundMeshSurface<typename Site::T, Site::D>(surface);
 }
 
-/// A signed distance in a mesh. Visits the nodes within reach; the normal is the slope of the distance.
-template <class T, int D, class Distance>
+/// A signed distance in a mesh. Visits the nodes with matter within reach; the normal is the slope of the
+/// distance.
+template <class T, int D>
 class BoundDistanceSurface {
  public:
-  explicit BoundDistanceSurface(DistanceSurface<Distance> s) : surface_{std::move(s)} {
+  explicit BoundDistanceSurface(DistanceSurface<> s) : surface_{std::move(s)} {
     require(surface_.reach >= 0, "DistanceSurface.reach", surface_.reach, "must not be negative");
   }
   static constexpr bool has_volume_fractions = false;
 
-  template <class Shape, class M, class F>
-  void visit(const M& mesh, const Vec<T, D>& displacement, F&& f) const {
-    const Index nodes = Shape::node_count(mesh);
-    for (Index i = 0; i < nodes; ++i) {
-      const T cell = node_size(mesh, i);
-      const Vec<double, D> x = (Shape::node_position(mesh, i) - displacement).template cast<double>();
-      if (surface_.distance(x) > surface_.reach * static_cast<double>(cell)) continue;
-      const Vec<double, D> normal = slope(x, 1e-4 * static_cast<double>(cell));
-      // Where the distance has no slope (deep on an axis) there is no way out: such a node is inside.
-      f(i, Vec<T, D>(normal.template cast<T>()), normal.squaredNorm() == 0, T(0));
-    }
+  /// Chunks of nodes on several threads; what they found is joined in their order.
+  template <class Shape, class M, class HasMass, class F>
+  void visit(const M& mesh, const Vec<T, D>& displacement, HasMass&& has_mass, F&& f) {
+    const std::size_t nodes = Shape::node_count(mesh);
+    found_.resize((nodes + chunk_size - 1) / chunk_size);
+    parallel_chunks(nodes, [&](std::size_t begin, std::size_t end) {
+      Found& found = found_[begin / chunk_size];
+      found.nodes.clear();
+      found.failure = nullptr;
+      try {
+        look<Shape>(mesh, displacement, has_mass, begin, end, found.nodes);
+      } catch (...) {  // out of a user's distance; a loop over threads must not throw
+        found.failure = std::current_exception();
+      }
+    });
+    for (const Found& found : found_)
+      if (found.failure) std::rethrow_exception(found.failure);
+    for (const Found& found : found_)
+      for (const auto& n : found.nodes) f(n.node, n.normal, n.inside, T(0));
   }
 
  private:
-  Vec<double, D> slope(const Vec<double, D>& x, double h) const {
-    Vec<double, D> g;
-    for (int k = 0; k < D; ++k) {
-      const Vec<double, D> step = h * Vec<double, D>::Unit(k);
-      g[k] = surface_.distance(Vec<double, D>(x + step)) - surface_.distance(Vec<double, D>(x - step));
+  using Position = AnyDistance::Position;
+  struct Node {
+    Index node;
+    bool inside;
+    Vec<T, D> normal;
+  };
+  struct Found {  ///< in a chunk of nodes
+    std::vector<Node> nodes{};
+    std::exception_ptr failure{};
+  };
+
+  template <class Shape, class M, class HasMass>
+  void look(const M& mesh, const Vec<T, D>& displacement, HasMass& has_mass, std::size_t begin,
+            std::size_t end, std::vector<Node>& found) const {
+    constexpr std::size_t block = 64;  // distances asked for in one call
+    std::array<Index, block> node;
+    std::array<double, block> cell, distance;
+    std::array<Position, block> place;
+    std::size_t count = 0;
+    const auto ask = [&] {
+      surface_.distance.at({place.data(), count}, distance.data());
+      for (std::size_t k = 0; k < count; ++k) {
+        if (distance[k] > surface_.reach * cell[k]) continue;
+        const Vec<double, D> normal = slope(place[k], 1e-4 * cell[k]);
+        // Where the distance has no slope (deep on an axis) there is no way out: such a node is inside.
+        found.push_back({node[k], normal.squaredNorm() == 0, normal.template cast<T>()});
+      }
+      count = 0;
+    };
+    for (std::size_t n = begin; n < end; ++n) {
+      const auto i = static_cast<Index>(n);
+      if (!has_mass(i)) continue;
+      const Vec<double, D> x = (Shape::node_position(mesh, i) - displacement).template cast<double>();
+      Position at{};
+      for (std::size_t k = 0; k < D; ++k) at[k] = x[static_cast<int>(k)];
+      const auto size = static_cast<double>(node_size(mesh, i));
+      if (is_beyond(at, size)) continue;
+      node[count] = i;
+      cell[count] = size;
+      place[count] = at;
+      if (++count == block) ask();
     }
+    ask();
+  }
+
+  /// Whether a position is farther from the box around the body than reach, beyond doubt of round-off.
+  bool is_beyond(const Position& x, double cell) const {
+    const double far = (surface_.reach + 1e-3) * cell;
+    for (std::size_t k = 0; k < D; ++k)
+      if (x[k] < surface_.distance.lower()[k] - far || x[k] > surface_.distance.upper()[k] + far) return true;
+    return false;
+  }
+
+  /// Unit normal from central differences; zero where there is no slope.
+  Vec<double, D> slope(const Position& x, double h) const {
+    std::array<Position, 2 * D> place;
+    std::array<double, 2 * D> distance;
+    place.fill(x);
+    for (std::size_t k = 0; k < D; ++k) {
+      place[2 * k][k] += h;
+      place[2 * k + 1][k] -= h;
+    }
+    surface_.distance.at(place, distance.data());
+    Vec<double, D> g;
+    for (std::size_t k = 0; k < D; ++k) g[static_cast<int>(k)] = distance[2 * k] - distance[2 * k + 1];
     return g.normalized();
   }
 
-  DistanceSurface<Distance> surface_;
+  DistanceSurface<> surface_;
+  std::vector<Found> found_{};  // [chunks of nodes], memory from step to step
 };
 
 template <class Distance, class Site>
 auto bind_part(const DistanceSurface<Distance>& surface, const Site&) {
-  return BoundDistanceSurface<typename Site::T, Site::D, Distance>(surface);
+  return BoundDistanceSurface<typename Site::T, Site::D>(erased<typename Site::Mesh>(surface));
 }
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

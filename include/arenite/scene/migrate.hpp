@@ -21,7 +21,7 @@ void take_foreign(Scene& scene, Send&& send) {
       auto& body = std::get<number>(scene.bodies);
       auto& points = body.points;
       double mass = 0;
-      for (const Index p : body.cells.all_guests()) {  // who moved is among them
+      for (const Index p : body.cells.all_unsorted()) {  // who moved is among them
         const Index c = points.cell[p];
         if (c == none || portion.owns_cell(c)) continue;
         mass += static_cast<double>(points.mass[p]);

@@ -20,9 +20,9 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET::detail {
 /// Warns if a region with bounds (members `lower` and `upper`, m) reaches beyond the box around the mesh by
 /// more than a hundredth of a cell: no points are made there. An infinite bound means all that there is.
 /// Other regions have no bounds to compare.
-template <class M, class Region>
-void warn_bounds(const M& mesh, const Region& region, std::size_t number) {
-  if constexpr (requires { region.lower[0] < region.upper[0]; }) {
+template <class M>
+void warn_bounds(const M& mesh, const AnyRegion& region, std::size_t number) {
+  if (region.has_bounds) {
     constexpr int D = M::dimension;
     Vec<double, D> lower, upper;
     if constexpr (is_simplex_mesh<M>) {
@@ -59,18 +59,14 @@ void warn_bounds(const M& mesh, const Region& region, std::size_t number) {
 }
 
 /// Points of a body that lie in the region of another.
-template <class M, class B, class Region>
-std::size_t points_within(const M& mesh, const B& body, const Region& region) {
+template <class M, class B>
+std::size_t points_within(const M& mesh, const B& body, const AnyRegion& region) {
   std::size_t count = 0;
-  if constexpr (std::same_as<Region, Cells>) {
-    std::vector<int> numbers;
-    for (const auto& name : region.regions) numbers.push_back(mesh.region_number(name));
-    for (const Index c : body.points.cell)
-      count += std::find(numbers.begin(), numbers.end(), mesh.region(c)) != numbers.end();
-  } else {
-    constexpr int D = M::dimension;
-    for (const auto& x : body.points.position)
-      count += static_cast<bool>(region.contains(Vec<double, D>(x.template cast<double>())));
+  if (region.test) {
+    for (const auto& x : body.points.position) count += region.contains(x);
+  } else if constexpr (is_simplex_mesh<M>) {
+    const auto numbers = region_numbers(mesh, region);
+    for (const Index c : body.points.cell) count += std::ranges::count(numbers, mesh.region(c)) > 0;
   }
   return count;
 }

@@ -45,15 +45,15 @@ void share_nodes([[maybe_unused]] Scene& scene, [[maybe_unused]] Others& others,
     }
 }
 
-/// Calls `f(to)`, which adds to velocities what owned nodes give to those around them.
+/// Calls `f(to)`, which changes velocities of a field through `to`: of owned nodes and of those around them.
 template <class Others, class Field, class F>
-void add_velocities([[maybe_unused]] Others& others, Field& field, F&& f) {
+void change_velocities([[maybe_unused]] Others& others, Field& field, F&& f) {
   if constexpr (Others::alone) {
-    f(field.velocity);
+    f(InPlace{field.velocity});
   } else {
     auto change = field.velocity;
     std::ranges::fill(numbers_of(change), 0);
-    f(change);
+    f(Apart<std::remove_cvref_t<decltype(change)>>{field.velocity, change});
     sum_nodes(others, change);
     for (std::size_t i = 0; i < field.size(); ++i) field.velocity[i] += change[i];
   }

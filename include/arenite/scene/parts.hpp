@@ -18,6 +18,13 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 template <class... Fills>
 struct Bodies {
   std::tuple<Fills...> fills;
+
+  using Erased = Bodies<erased_t<Fills>...>;
+  template <class M>
+  Erased erased() const {
+    return {std::apply(
+        [](const auto&... f) { return std::tuple<erased_t<Fills>...>(arenite::erased<M>(f)...); }, fills)};
+  }
 };
 /// The deformable bodies of a scene, each made by `fill(..)`; they are numbered from 0.
 template <class... Fills>
@@ -29,6 +36,13 @@ Bodies<Fills...> bodies(Fills... fills) {
 template <class... P>
 struct PartGroup {
   std::tuple<P...> parts;
+
+  using Erased = PartGroup<erased_t<P>...>;
+  template <class M>
+  Erased erased() const {
+    return {std::apply([](const auto&... p) { return std::tuple<erased_t<P>...>(arenite::erased<M>(p)...); },
+                       parts)};
+  }
 };
 /// The rigid bodies of a scene, each made by `rigid(..)`; they are numbered from 0.
 template <class... R>
@@ -100,8 +114,8 @@ auto bind_all(const std::tuple<P...>& recipes, const Site& site) {
 
 template <class M, ExtraColumns Extra, class F>
 struct body_of;
-template <class M, ExtraColumns Extra, class R, class L, Name name>
-struct body_of<M, Extra, Fill<R, L, name>> {
+template <class M, ExtraColumns Extra, class L, Name name>
+struct body_of<M, Extra, Fill<L, name>> {
   using Law = L;
   using type = Body<L, typename M::scalar, M::dimension, Extra>;
   static constexpr std::string_view word = name.word();

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cmath>
+#include <concepts>
 #include <utility>
 
 #include <arenite/scene/stable_step.hpp>
@@ -10,6 +11,13 @@
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 namespace detail {
+/// Shows the scene to an observer.
+template <class Scene, class Observer>
+void show(const Scene& scene, Observer& observer) {
+  constexpr bool fits = std::invocable<Observer&, const Scene&>;
+  static_assert(fits, "run: an observer is called with the scene: [](const auto& scene) { .. }");
+  if constexpr (fits) observer(scene);
+}
 /// Tells an observer that wants to know it that a run has reached its end.
 template <class Scene, class Observer>
 void tell_end(const Scene& scene, Observer& observer) {
@@ -27,7 +35,7 @@ namespace detail {
 
 template <class Scene, class Others, class... Observers>
 void run_steps(Scene& scene, const RunOptions& options, Others& others, Observers&... observers) {
-  (observers(std::as_const(scene)), ...);
+  (show(scene, observers), ...);
   const double span = options.end - scene.time;
   while (scene.time < options.end) {
     double stable = stable_step(scene);
@@ -45,9 +53,9 @@ void run_steps(Scene& scene, const RunOptions& options, Others& others, Observer
                       // huge forces
     step(scene, dt, others);
     if (last) scene.time = options.end;
-    (observers(std::as_const(scene)), ...);
+    (show(scene, observers), ...);
   }
-  (tell_end(std::as_const(scene), observers), ...);
+  (tell_end(scene, observers), ...);
 }
 
 }  // namespace detail
@@ -83,5 +91,9 @@ template <class Scene, class... Observers>
 void run(Scene& scene, const RunOptions& options, Observers&&... observers) {
   run_with(no_others, scene, options, observers...);
 }
+
+/// Of a scene that the compiler has refused: one sentence is enough.
+template <class... Parts, class... Observers>
+void run(Scene<detail::Refused, Parts...>&, const RunOptions&, Observers&&...) {}
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -12,6 +12,7 @@
 #include <arenite/mesh/portion.hpp>
 #include <arenite/particles/measures.hpp>
 #include <arenite/particles/relocate.hpp>
+#include <arenite/scene/complete.hpp>
 #include <arenite/scene/new_scene_warnings.hpp>
 #include <arenite/scene/parts.hpp>
 #include <arenite/scene/roles.hpp>
@@ -31,16 +32,7 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 /// nothing holds against.
 template <class K, class M, class N, class... Given>
 struct Scene {
-  static_assert(
-      kinematics<K>,
-      "Scene: the first value must be the kinematics: PlaneStrain, Axisymmetric or ThreeDimensional");
-  static_assert(mesh<M>, "Scene: the second value must be a mesh: a CartesianGrid or a SimplexMesh");
-  static_assert(M::dimension == K::dimension, "Scene: mesh and kinematics must have the same dimension");
-  static_assert(shape_function<typename N::Shape, M>,
-                "Scene: the shape function does not fit the mesh: LinearSimplex goes with SimplexMesh, "
-                "QuadraticBSpline with "
-                "CartesianGrid");
-  static_assert((0 + ... + int(detail::is_bodies<Given>)) == 1, "Scene: exactly one bodies(..) is needed");
+  static_assert(detail::is_complete_scene<K, M, N, Given...>());
 
   using Kinematics = K;
   using Mesh = M;
@@ -85,24 +77,12 @@ struct Scene {
   /// Node field of a body.
   static constexpr std::size_t field_of(std::size_t body) { return Needs::own_fields ? body : 0; }
 
-  Scene(K kinematics_value, M mesh_value, N numerics_value, Given... given)
-      : kinematics{kinematics_value},
-        mesh{std::move(mesh_value)},
-        numerics{numerics_value},
-        blocks{make_blocks(mesh)},
-        parts{bind(mesh, kinematics, given...)},
-        fields{make_fields(std::make_index_sequence<field_count>{})},
-        bodies{make_bodies(detail::find_bodies(given...))} {
-    balance_threads();
-    for_each_body([&](auto& body, const auto&) { body.points.place_by_thread(body.cells, blocks); });
-    numerics.transfer.check();
-    numerics.anti_locking.check();
-    find_constraints();
-    for_each_part([&](auto& part) {
-      if constexpr (connects<std::remove_reference_t<decltype(part)>, Scene>) part.connect(*this);
-    });
-    if constexpr (!is_portion) detail::warn_about_new_scene(*this, detail::find_bodies(given...));
-  }
+  /// What is given may have more in its type than the scene's type tells (`erased_t`).
+  template <class... G>
+  requires(std::same_as<std::tuple<erased_t<G>...>, std::tuple<Given...>>)
+      Scene(K kinematics_value, M mesh_value, N numerics_value, const G&... given)
+      : Scene(detail::Nothing{}, std::move(kinematics_value), std::move(mesh_value), numerics_value,
+              erased<M>(given)...) {}
 
   K kinematics;
   M mesh;
@@ -285,6 +265,8 @@ struct Scene {
     return Place;
   }
 
+  Scene(detail::Nothing, K kinematics_value, M mesh_value, N numerics_value, Given... given);
+
   static Parts bind(const M& mesh, const K& kinematics, const Given&... given) {
     static_assert(detail::check_all_roles<Scene>(std::type_identity<Parts>{}));
     return detail::bind_all(std::tuple_cat(detail::opened(given)..., detail::opened_if_part(kinematics)),
@@ -316,9 +298,9 @@ struct Scene {
       // Long runs of points, which memory serves best, but blocks enough to share out.
       size = std::clamp<Index>(mesh.cell_count() / 128, 24, 800);
     } else {
-      // Two layers of cells: a block then shares nodes with its two neighbours alone, so that two colours are
-      // enough.
-      size = 2 * mesh.cell_count() / mesh.cells(D - 1);
+      // As many layers of cells as share nodes: a block then shares nodes with its two neighbours alone, so
+      // that two colours are enough.
+      size = Shape::halo * (mesh.cell_count() / mesh.cells(D - 1));
     }
     return Blocks(mesh.cell_count(), Shape::node_count(mesh), size,
                   [&](Index c) { return typename Shape::template Cell<M>(mesh, c).nodes; });
@@ -347,5 +329,38 @@ struct Scene {
     (f(std::get<I>(self.parts)), ...);
   }
 };
+
+template <class K, class M, class N, class... Given>
+Scene(K, M, N, Given...) -> Scene<detail::refused_unless<detail::is_complete_scene<K, M, N, Given...>(), K>,
+                                  M, N, erased_t<Given>...>;
+
+/// In the place of a scene that the compiler has refused: one sentence is enough.
+template <class M, class N, class... Given>
+struct Scene<detail::Refused, M, N, Given...> {
+  Scene(const auto&...) {}
+};
+
+// Not within the class: there it would be inline, and compiled again in each unit in spite of an `extern
+// template`.
+template <class K, class M, class N, class... Given>
+Scene<K, M, N, Given...>::Scene(detail::Nothing, K kinematics_value, M mesh_value, N numerics_value,
+                                Given... given)
+    : kinematics{kinematics_value},
+      mesh{std::move(mesh_value)},
+      numerics{numerics_value},
+      blocks{make_blocks(mesh)},
+      parts{bind(mesh, kinematics, given...)},
+      fields{make_fields(std::make_index_sequence<field_count>{})},
+      bodies{make_bodies(detail::find_bodies(given...))} {
+  balance_threads();
+  for_each_body([&](auto& body, const auto&) { body.points.place_by_thread(body.cells, blocks); });
+  numerics.transfer.check();
+  numerics.anti_locking.check();
+  find_constraints();
+  for_each_part([&](auto& part) {
+    if constexpr (connects<std::remove_reference_t<decltype(part)>, Scene>) part.connect(*this);
+  });
+  if constexpr (!is_portion) detail::warn_about_new_scene(*this, detail::find_bodies(given...));
+}
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

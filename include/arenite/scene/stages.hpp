@@ -20,7 +20,7 @@ void p2g(Scene& scene, [[maybe_unused]] Others& others = no_others) {
   if constexpr (!Others::alone)
     for (auto& field : scene.fields) {
       detail::sum_nodes(others, field.collected);
-      if constexpr (Scene::Field::has_gradient) detail::sum_nodes(others, field.mass_gradient);
+      if constexpr (Scene::Field::has_mass_gradient) detail::sum_nodes(others, field.mass_gradient);
     }
 }
 
@@ -97,9 +97,10 @@ void update_grid(Scene& scene, double dt, [[maybe_unused]] Others& others = no_o
   const auto acceleration = scene.acceleration();
   for (auto& field : scene.fields) {
     update_grid(field, acceleration, static_cast<T>(dt), least_mass<T>);
-    if constexpr (Scene::Shape::constant_gradient)
-      detail::add_velocities(others, field, [&](auto& to) {
-        exchange_with_neighbours(scene.mesh, field, static_cast<T>(dt), scene.node_owner(), to);
+    if constexpr (has_light_nodes<typename Scene::Shape>)
+      detail::change_velocities(others, field, [&](auto to) {
+        exchange_with_neighbours<typename Scene::Shape>(scene.mesh, field, static_cast<T>(dt),
+                                                        scene.node_owner(), to);
       });
   }
 }
@@ -139,13 +140,15 @@ void smooth_light_nodes(Scene& scene, [[maybe_unused]] double dt,
                         [[maybe_unused]] Others& others = no_others) {
   if constexpr (Scene::NumericsType::smooths_light_nodes) {
     for (auto& field : scene.fields)
-      detail::add_velocities(others, field, [&](auto& to) {
-        scene.light_nodes.exchange(scene.mesh, field, scene.node_owner(), to);
+      detail::change_velocities(others, field, [&](auto to) {
+        scene.light_nodes.template exchange<typename Scene::Shape>(scene.mesh, field, scene.node_owner(), to);
       });
     constrain(scene, dt);
-  } else if constexpr (!Scene::Shape::constant_gradient) {
+  } else if constexpr (!has_light_nodes<typename Scene::Shape>) {
     std::size_t exchanged = 0;
-    for (auto& field : scene.fields) exchanged += exchange_at_faces(scene.mesh, field.mass, field.velocity);
+    for (auto& field : scene.fields)
+      exchanged += exchange_at_faces<typename Scene::Shape>(scene.mesh, field, field.velocity,
+                                                            static_cast<typename Scene::T>(dt));
     if (exchanged > 0) constrain(scene, dt);
   }
 }
@@ -158,7 +161,8 @@ void map_back(Scene& scene, [[maybe_unused]] double dt, [[maybe_unused]] Others&
     for (auto& field : scene.fields) {
       if constexpr (!Others::alone) detail::sum_nodes(others, field.mapped);
       finish_map_back<Scene::centres_stress>(scene.numerics, field);
-      if constexpr (!Scene::Shape::constant_gradient) exchange_at_faces(scene.mesh, field.mass, field.mapped);
+      if constexpr (!has_light_nodes<typename Scene::Shape>)
+        exchange_at_faces<typename Scene::Shape>(scene.mesh, field, field.mapped, typename Scene::T(0));
     }
     const auto hold = [&](auto& part) {
       using P = std::remove_reference_t<decltype(part)>;

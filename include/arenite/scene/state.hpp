@@ -104,7 +104,7 @@ void visit_scene(Scene& scene, const F& f) {
 /// values, then call `follow_state`: the run goes on with the same bits, on any number of threads. What
 /// follows from the state is not in it: the sums and velocities of nodes (but masses and velocities where a
 /// part adds forces or bounds the step, for it may read those of the step before), the moved mesh, which
-/// guest is in which cell, colours. Observers that carry something have a `visit_state` of their own
+/// unsorted point is in which cell, colours. Observers that carry something have a `visit_state` of their own
 /// (`visit_state_of`).
 template <class Scene, class F>
 void for_each_state(Scene& scene, F&& f) {

@@ -27,4 +27,8 @@ void step(Scene& scene, double dt, Others& others = no_others) {
   finish(scene, dt);            // time, and the check that nothing has become NaN
 }
 
+/// Of a scene that the compiler has refused.
+template <class... Parts>
+void step(Scene<detail::Refused, Parts...>&, double) {}
+
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -2,6 +2,8 @@
 // cell.
 #pragma once
 
+#include <limits>
+
 #include <arenite/core/lanes.hpp>
 #include <arenite/mesh/mesh.hpp>
 
@@ -11,6 +13,9 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 struct LinearSimplex {
   static constexpr bool constant_gradient = true;
   static constexpr const char* name = "LinearSimplex";
+  static constexpr double steepness = std::numeric_limits<double>::infinity();
+  /// Measured: docs/design.md.
+  static constexpr double courant_limit(bool maps_back) { return maps_back ? 1.0 : 0.35; }
 
   template <class M>
   static constexpr bool fits = is_simplex_mesh<M>;
@@ -22,6 +27,14 @@ struct LinearSimplex {
   template <class M>
   static typename M::Point node_position(const M& mesh, Index node) {
     return mesh.position(node);
+  }
+
+  /// Calls `f(j)` for the nodes j != i of each cell at node i: once for each cell that they share.
+  template <class M, class F>
+  static void for_each_neighbour(const M& mesh, Index i, F&& f) {
+    for (const Index c : mesh.cells_at(i))
+      for (const Index j : mesh.nodes(c))
+        if (j != i) f(j);
   }
 
   /// The shape functions of one cell: made once a cell, evaluated for each of its points.
@@ -77,7 +90,6 @@ struct LinearSimplex {
           offset[k][i] = P(mesh_.position(nodes[i])[static_cast<int>(k)]) - x[k];
       return offset;
     }
-    static constexpr std::size_t axis_index(std::size_t i, std::size_t) { return i; }
 
     /// [D x (D + 1)] positions of the nodes, m.
     Gradients node_positions() const {

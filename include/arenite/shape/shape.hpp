@@ -2,6 +2,8 @@
 // its points.
 #pragma once
 
+#include <arenite/shape/cubic_bspline.hpp>
+#include <arenite/shape/linear_grid.hpp>
 #include <arenite/shape/linear_simplex.hpp>
 #include <arenite/shape/quadratic_bspline.hpp>
 
@@ -9,31 +11,50 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 /// - `S::fits<M>`: whether the functions are made for mesh M;
 /// - `S::node_count(mesh)`, `S::node_position(mesh, node)`: the nodes that carry coefficients;
-/// - `S::Cell<M>(mesh, cell)`: `nodes` [size]; `weights(x)` [size] and `gradients(x)` [D x size] in 1/m at
-///   a position x, as Eigen's; `weights(x)` [size] and `offsets(x)` [D][..] at a `std::array` x [D] of packs
-///   or scalars, as arrays of them, for the kernels;
-/// - `S::constant_gradient`: whether the gradients are the same everywhere in a cell: then they are its
-/// member
-///   `gradient`; else its functions must be products along the axes, and it has `line_values(x)`,
-///   `line_slopes(x)` [D][3], arrays too.
+/// - `S::steepness`: see `ProductShape`; where it is infinite `S::courant_limit(maps_back)`, the largest
+///   stable step in cell sizes over the wave speed as measured, with MUSL's mapped velocities and without,
+///   and `S::for_each_neighbour(mesh, node, f)` for the exchange of light nodes;
+/// - `S::Cell<M>(mesh, cell)`: `nodes` [size]; `weights(x)` [size], `gradients(x)` [D x size] in 1/m at a
+///   position x and `node_positions()` [D x size] in m, as Eigen's.
+/// The kernels evaluate at a `std::array` x [D] of packs or scalars, and the cell has, as arrays,
+/// - if `S::constant_gradient`: `weights(x)` [size], `offsets(x)` [D][size] to the nodes in m, and the member
+///   `gradient`, the same everywhere in the cell;
+/// - else, on a grid, functions that are products along the axes: `line_values(x)`, `line_slopes(x)` and
+///   `offsets(x)` [D][N], and `S::halo`; APIC needs `inverse_inertia(x)` [D], too. `ProductShape` makes all
+///   of it of the functions along one axis: examples/extend/shapes/.
 template <class S, class M>
-concept shape_function = mesh<M> && S::template fits<M>&& requires(
-    const M m, const typename M::Point x, Index i,
-    const std::array<typename M::scalar, static_cast<std::size_t>(M::dimension)> place) {
+concept shape_function = mesh_type<M> &&
+    S::template fits<M>&& requires(const M m, const typename M::Point x, Index i,
+                                   const typename S::template Cell<M> cell) {
   { S::constant_gradient } -> std::convertible_to<bool>;
+  { S::steepness } -> std::convertible_to<double>;
   { S::node_count(m) } -> std::same_as<Index>;
   { S::node_position(m, i) } -> std::convertible_to<typename M::Point>;
   typename S::template Cell<M>;
-  {typename S::template Cell<M>(m, i).weights(x)};
-  {typename S::template Cell<M>(m, i).gradients(x)};
-  {typename S::template Cell<M>(m, i).weights(place)};
-  {typename S::template Cell<M>(m, i).offsets(place)};
+  {typename S::template Cell<M>(m, i)};
+  {cell.nodes};
+  {cell.weights(x)};
+  {cell.gradients(x)};
+  {cell.node_positions()};
 }
-&&(S::constant_gradient ||
-   requires(const typename S::template Cell<M> cell,
-            const std::array<typename M::scalar, static_cast<std::size_t>(M::dimension)> place) {
-     {cell.line_values(place)};
-     {cell.line_slopes(place)};
-   });
+&&requires(const typename S::template Cell<M> cell,
+           const std::array<typename M::scalar, static_cast<std::size_t>(M::dimension)> place) {
+  {cell.offsets(place)};
+  requires(S::constant_gradient &&
+           requires {
+             {cell.weights(place)};
+             {cell.gradient};
+           }) ||
+      (!S::constant_gradient && requires {
+        {cell.line_values(place)};
+        {cell.line_slopes(place)};
+        { S::halo } -> std::convertible_to<Index>;
+      });
+};
+
+/// Whether functions fall to zero with a slope that does not: nodes may then get force and hardly any mass,
+/// in any cell.
+template <class S>
+inline constexpr bool has_light_nodes = S::steepness == std::numeric_limits<double>::infinity();
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -14,30 +14,42 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 /// 2 s - 3/2 s^2 of the one beside it, whose slope 2 - 3 s does not vanish at the face. Points that lie close
 /// to the face, with none further inside, give that node the full force of their stress and next to none of
 /// their mass: its frequency has no bound. For a layer with w_1 < w_0 / 2 (s < 0.195) slope^2 / value exceeds
-/// `QuadraticBSpline::steepness`, for which the stable step is made. A node with m_1 < m_0 / 2 therefore goes
-/// the share 1 - 2 m_1 / m_0 of the way to the velocity of the node on the face, which gives what it gets:
-/// linear momentum is kept to round-off, the kinetic energy of the relative motion falls, and its own force
-/// moves the node as if it had the mass m_0 / 2. A body that fills the cells at a face has m_1 = 2 m_0. One
-/// thread: they are nodes of a surface, and few of them are light. Returns how many.
-template <class M, class T, int D>
-std::size_t exchange_at_faces(const M& grid, const std::vector<T>& mass, NodeVectors<T, D>& velocity) {
+/// the shape's `steepness`, for which the stable step is made. A node with m_1 < m_0 / 2 therefore goes the
+/// share 1 - 2 m_1 / m_0 of the way to the velocity of the node on the face, which gives what it gets: linear
+/// momentum is kept to round-off, the kinetic energy of the relative motion falls, and its own force moves
+/// the node as if it had the mass m_0 / 2. (`Shape::least_beside_face`: that half, 1 for cubic splines.) A
+/// body that fills the cells at a face has m_1 = 2 m_0.
+///
+/// Points exactly on the face leave the node no mass, and the grid update no way to take up its force over
+/// the step dt [s]: here is the limit of the exchange as m_1 falls to nothing. (Mapped velocities: dt = 0.)
+///
+/// One thread: they are nodes of a surface, and few of them are light. Returns how many.
+template <class Shape, class M, class Field, class T, int D>
+std::size_t exchange_at_faces(const M& grid, const Field& nodes, NodeVectors<T, D>& velocity, T dt) {
   std::size_t count = 0;
   const auto exchange = [&](Index face, Index beside) {
-    const T m = mass[beside], enough = mass[face] / 2;
-    if (!(m > 0 && m < enough)) return;
+    const T m = nodes.mass[beside], on_face = nodes.mass[face],
+            enough = static_cast<T>(Shape::least_beside_face) * on_face;
+    if (!(m < enough)) return;
     ++count;
+    if (m == 0) {
+      const Vec<T, D> impulse = dt * nodes.collected[beside].force();
+      velocity[beside] = velocity[face] + impulse / enough;
+      velocity[face] += impulse / on_face;
+      return;
+    }
     const Vec<T, D> change = (1 - m / enough) * (velocity[face] - velocity[beside]);
     velocity[beside] += change;
-    velocity[face] -= (m / mass[face]) * change;
+    velocity[face] -= (m / on_face) * change;
   };
   Index stride = 1;
   for (int k = 0; k < D; ++k) {
-    const Index nodes_on_axis = grid.cells(k) + 2,
-                length = stride * nodes_on_axis;  // nodes along the axis; in a slab of it
-    for (Index slab = 0; slab < static_cast<Index>(mass.size()); slab += length)
-      for (Index low = slab; low < slab + stride; ++low) {
+    const Index nodes_on_axis = Shape::node_count(grid, k), length = stride * nodes_on_axis;
+    const Index face = Shape::face_node(grid.cells(k));
+    for (Index slab = 0; slab < static_cast<Index>(nodes.size()); slab += length)
+      for (Index i = slab; i < slab + stride; ++i) {
+        const Index low = i + face * stride, high = i + (nodes_on_axis - 1 - face) * stride;
         exchange(low, low + stride);
-        const Index high = low + (nodes_on_axis - 1) * stride;
         exchange(high, high - stride);
       }
     stride = length;

@@ -9,30 +9,56 @@
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
-/// Calls `f(j)` for the nodes j != i of each cell at node i: once for each cell that they share.
-template <class M, class F>
-void for_each_neighbour(const M& mesh, Index i, F&& f) {
-  for (const Index c : mesh.cells_at(i))
-    for (const Index j : mesh.nodes(c))
-      if (j != i) f(j);
-}
+/// Velocities of nodes that change in place, or apart, where what all copies of a node get is summed later.
+template <class Velocities>
+struct InPlace {
+  Velocities& velocity;
+  template <class V>
+  void add(Index i, const V& v) {
+    velocity[i] += v;
+  }
+  template <class V>
+  void set(Index i, const V& v) {
+    velocity[i] = v;
+  }
+  const auto& now(Index i) const { return velocity[i]; }
+};
+template <class Velocities>
+struct Apart {
+  const Velocities& velocity;
+  Velocities& change;
+  template <class V>
+  void add(Index i, const V& v) {
+    change[i] += v;
+  }
+  template <class V>
+  void set(Index i, const V& v) {
+    change[i] = v - velocity[i];
+  }
+  auto now(Index i) const { return (velocity[i] + change[i]).eval(); }
+};
 
 /// A point within round-off of a face leaves the node behind it without mass, but not without the force of
 /// its stress, which no velocity could take up. The nodes around take its impulse, shared out by their
 /// masses, so that momentum is kept: the limit of a light node's exchange (`LightNodes`) for a mass that
-/// falls to nothing. For nodes that `owns(i)`; `to` gets what is added to velocities.
-template <class M, class Field, class T, class Owns, class Velocities>
-void exchange_with_neighbours(const M& mesh, const Field& nodes, T dt, const Owns& owns, Velocities& to) {
+/// falls to nothing. The node moves as they do in the mean, for the strain of such a point. For nodes that
+/// `owns(i)`; velocities change through `to`.
+template <class Shape, class M, class Field, class T, class Owns, class To>
+void exchange_with_neighbours(const M& mesh, const Field& nodes, T dt, const Owns& owns, To to) {
   for (Index i = 0; i < nodes.size(); ++i) {
     if (nodes.mass[i] > 0 || !owns(i)) continue;
     const auto force = nodes.collected[i].force();
     if ((force.array() == 0).all()) continue;
     T around = 0;
-    for_each_neighbour(mesh, i, [&](Index j) { around += nodes.mass[j]; });
+    Shape::for_each_neighbour(mesh, i, [&](Index j) { around += nodes.mass[j]; });
     if (!(around > 0)) continue;
-    for_each_neighbour(mesh, i, [&](Index j) {
-      if (nodes.mass[j] > 0) to[j] += (dt / around) * force;
+    Vec<T, M::dimension> mean = nodes.velocity[i];
+    Shape::for_each_neighbour(mesh, i, [&](Index j) {
+      if (!(nodes.mass[j] > 0)) return;
+      to.add(j, (dt / around) * force);
+      mean += (nodes.mass[j] / around) * to.now(j);
     });
+    to.set(i, mean);
   }
 }
 
@@ -53,10 +79,10 @@ class LightNodes {
  public:
   static constexpr double least_share = 1.0 / 12;
 
-  /// Exchanges momentum at the light nodes of a field that `owns(i)`, all with the velocities of before; `to`
-  /// gets what is added to velocities. Returns how many nodes are light.
-  template <class M, class Field, class Owns, class Velocities>
-  std::size_t exchange(const M& mesh, const Field& nodes, const Owns& owns, Velocities& to) {
+  /// Exchanges momentum at the light nodes of a field that `owns(i)`, all with the velocities of before,
+  /// which change through `to`. Returns how many nodes are light.
+  template <class Shape, class M, class Field, class Owns, class To>
+  std::size_t exchange(const M& mesh, const Field& nodes, const Owns& owns, To to) {
     given_.clear();
     given_.reserve(nodes.size());  // once: a step allocates nothing
     std::size_t count = 0;
@@ -64,18 +90,18 @@ class LightNodes {
       const T m = nodes.mass[i], enough = static_cast<T>(least_share) * nodes.collected[i].reach();
       if (!(m > 0 && m < enough) || !owns(i)) continue;
       T around = 0;  // mass of the neighbours, once for each cell that they share
-      for_each_neighbour(mesh, i, [&](Index j) { around += nodes.mass[j]; });
+      Shape::for_each_neighbour(mesh, i, [&](Index j) { around += nodes.mass[j]; });
       if (!(around > 0)) continue;
       ++count;
       const T fraction = (1 - m / enough) / around;
       const Vec<T, D> own = nodes.velocity[i];
-      for_each_neighbour(mesh, i, [&](Index j) {
+      Shape::for_each_neighbour(mesh, i, [&](Index j) {
         if (nodes.mass[j] > 0) given_.push_back({i, j, fraction * (nodes.velocity[j] - own)});
       });
     }
     for (const Given& g : given_) {
-      to[g.to] += nodes.mass[g.from] * g.change;
-      to[g.from] -= nodes.mass[g.to] * g.change;
+      to.add(g.to, nodes.mass[g.from] * g.change);
+      to.add(g.from, -nodes.mass[g.to] * g.change);
     }
     return count;
   }

@@ -32,6 +32,9 @@ void finish_map_back(const N&, Field& nodes) {
     for (std::size_t i = begin; i < end; ++i) {
       if (nodes.mass[i] > 0)
         nodes.mapped[i] /= nodes.mass[i];
+      else if constexpr (N::maps_back_by_points)
+        nodes.mapped[i] =
+            nodes.velocity[i];  // of a node without mass that has a force: that of its neighbours
       else
         nodes.mapped[i].setZero();
       if constexpr (!N::maps_back_by_points) nodes.mapped[i] += nodes.velocity[i];

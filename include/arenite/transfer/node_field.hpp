@@ -124,7 +124,7 @@ class NodeVectors {
 
 /// Columns over all nodes of the mesh. `Mapped`: a second velocity for the stress update (MUSL); `Gradient`:
 /// the gradient of mass, for contact normals. What is not asked for is not stored.
-template <real T, int D, bool Mapped, bool Gradient>
+template <real_scalar T, int D, bool Mapped, bool Gradient>
 struct NodeField {
   static constexpr bool has_mapped = Mapped;
   static constexpr bool has_mass_gradient = Gradient;

@@ -31,7 +31,9 @@ struct alignas(8 * sizeof(T)) NodeSums {
 
   /// Adds to momentum and mass, and to force and mass within reach.
   void add_values(const Pack<T, 4>& a) { (Pack<T, 4>::load(lane.data()) + a).store(lane.data()); }
-  void add_slopes(const Pack<T, 4>& a) { (Pack<T, 4>::load(lane.data() + 4) + a).store(lane.data() + 4); }
+  void add_slopes(const Pack<T, 4>& a) {
+    (Pack<T, 4>::load(lane.data() + force_lane) + a).store(lane.data() + force_lane);
+  }
 
   friend bool operator==(const NodeSums&, const NodeSums&) = default;
 };

@@ -34,18 +34,22 @@ struct Numerics {
   template <class T>
   static constexpr int width = static_cast<int>(RegisterBytes / sizeof(T));
   using Shape = Shape_;
-  using Transfer = Transfer_;
+  static_assert(
+      transfer_type<Transfer_, Shape_>,
+      "Numerics: the transfer lacks a member: affine, fits<Shape>, check(), hand(point), take(cell, "
+      "nodes), of a class that is not final; see arenite/transfer/transfer.hpp");
+  /// Flip in the place of one that the compiler has refused: one sentence is enough.
+  using Transfer = std::conditional_t<transfer_type<Transfer_, Shape_>, Transfer_, Flip>;
   using Order = Order_;
   using AntiLocking = AntiLocking_;
-  /// Whether strains are taken from velocities that were mapped back to the nodes. What TPIC takes from the
-  /// nodes of a linear simplex it would hand back to each unchanged: there MUSL is USL.
-  static constexpr bool maps_back = Order::maps_back && !(Shape::constant_gradient && Transfer::affine);
+  /// Whether strains are taken from velocities that were mapped back to the nodes.
+  static constexpr bool maps_back = Order::maps_back && !returns_unchanged<Transfer, Shape>;
   /// Whether the points take their velocities where they are mapped back, in a pass before that of the
   /// strains; linear simplices need no such pass (see `map_back`).
   static constexpr bool maps_back_by_points = maps_back && !Shape::constant_gradient;
   /// Whether the light nodes at a body's edge exchange momentum with their neighbours (see `LightNodes`).
   /// MUSL's light nodes take their strains from what their neighbours move.
-  static constexpr bool smooths_light_nodes = Shape::constant_gradient && !maps_back;
+  static constexpr bool smooths_light_nodes = has_light_nodes<Shape> && !maps_back;
   static constexpr bool needs_edge_mass = maps_back && Shape::constant_gradient;
   /// Whether the stresses of bodies with laws L are taken at the middle of the step (see `add_half_step`).
   template <class... L>
@@ -61,6 +65,10 @@ struct Numerics {
                 "simplex: use Tpic there); "
                 "Tpic needs linear simplices (use Apic on B-splines)");
   static_assert(
+      !needs_edge_mass || !Transfer::affine,
+      "Numerics: on linear simplices MUSL maps back velocities without a gradient; use Usl, or let the "
+      "transfer say returns_unchanged<Shape> if its points hand each node just what it gave them");
+  static_assert(
       AntiLocking::template fits<Shape>,
       "Numerics: NodalAveraging and ElementAverage work on linear simplices; on B-splines use NoAntiLocking");
 
@@ -73,12 +81,13 @@ struct Numerics {
   /// along an eigenvector these are quadratic equations with s in [0, 1] for S, and stable for all s if
   /// omega^2 dt^2 <= 2; MUSL, and TPIC with S = m, if <= 4. On splines omega^2 <= 6 D M / rho / h^2 for any
   /// points, filled or few: a point adds V (C : grad u)^2 to K u^2 and m sum w u^2 to the mass, sum (w')^2 /
-  /// w along each axis is at most 6 / h^2 (at a cell's face), and the stiffest strain, the volumetric one, at
-  /// most D M. On simplices light nodes set the limit; it is measured (docs/design.md).
+  /// w along each axis is at most 6 / h^2 (quadratic ones, at a cell's face; in general the shape's
+  /// `steepness`), and the stiffest strain, the volumetric one, at most D M. Where light nodes set the limit
+  /// it is measured (docs/decisions.md).
   template <int D>
   static double courant_limit() {
-    if constexpr (Shape::constant_gradient)
-      return smooths_light_nodes ? 0.35 : 1.0;
+    if constexpr (has_light_nodes<Shape>)
+      return Shape::courant_limit(maps_back);
     else
       return std::sqrt((maps_back ? 4.0 : 2.0) / (Shape::steepness * D));
   }

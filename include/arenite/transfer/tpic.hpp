@@ -14,6 +14,9 @@ struct Tpic {
   void check() const {}
   template <class Shape>
   static constexpr bool fits = Shape::constant_gradient;
+  /// sum w_j v_j + L (x_i - x_p) is v_i wherever the point lies in a linear simplex.
+  template <class Shape>
+  static constexpr bool returns_unchanged = Shape::constant_gradient;
 
   template <class Point>
   auto hand(const Point& p) const {

@@ -2,6 +2,9 @@
 // the order of the stress update.
 #pragma once
 
+#include <concepts>
+
+#include <arenite/core/role_names.hpp>
 #include <arenite/transfer/apic.hpp>
 #include <arenite/transfer/flip.hpp>
 #include <arenite/transfer/tpic.hpp>
@@ -11,14 +14,33 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 // A transfer is a value with
 // - `affine`: whether points carry a velocity gradient (`Points::motion`) beside their velocity;
 // - `fits<Shape>`, `check()`: throws `error` if a parameter is out of bounds;
+// - `returns_unchanged<Shape>` (optional, else false): whether points hand back to each node the velocity
+// that
+//   it gave them, so that MUSL is USL; a transfer derived from another one must say it anew;
 // - `hand(p)`: the `VelocityField` that a point p, a `PointPack`, hands to its nodes (P2G);
 // - `take(cell, nodes)`: what the points of a cell do in G2P, made once a cell:
 //   - `velocity`: the vectors d_i of its nodes of which points take sums, `NodeRows`; or `Nothing`: the new
 //     velocities of the nodes;
 //   - `needs_moments`: whether it needs sum w_i d_i (x_i - x_p)^T, beside sum w_i d_i;
-//   - `(cell, p, x, sums)`: gives point p at x what it takes of `sums.value` [D] and, if it needs them,
-//   `sums.moments()`
-//     [D][D], axis by axis; returns the field that it hands over from then on.
+//   - `(cell, p, x, sums)`: gives point p at x what it takes of `sums.value` [D] and, if it needs them, of
+//     `sums.moments()` [D][D], axis by axis; returns the field that it hands over from then on.
+
+template <class Transfer, class Shape>
+concept transfer_type = requires(const Transfer transfer) {
+  { Transfer::affine } -> std::convertible_to<bool>;
+  { Transfer::template fits<Shape> } -> std::convertible_to<bool>;
+  transfer.check();
+}
+&&detail::names_hand<Transfer>&& detail::names_take<Transfer>;
+
+/// See above.
+template <class Transfer, class Shape>
+inline constexpr bool returns_unchanged = [] {
+  if constexpr (requires { Transfer::template returns_unchanged<Shape>; })
+    return Transfer::template returns_unchanged<Shape>;
+  else
+    return false;
+}();
 
 /// Update of stress last, from the nodal velocities of the step (update stress last, USL).
 struct Usl {

@@ -15,6 +15,16 @@ namespace product {
 template <int D, int Width>
 inline constexpr int cell_width = std::min(Width, D == 2 ? 4 : 8);
 
+/// Calls `f(i)` for i < Count, unrolled up to three: with four nodes along each axis of space the code of 64
+/// outweighs what it saves.
+template <std::size_t Count, class F>
+void repeat_all(F&& f) {
+  if constexpr (Count <= 3)
+    repeat<Count>(f);
+  else
+    for (std::size_t i = 0; i < Count; ++i) f(i);
+}
+
 /// Functions along each axis at a pack of points: [D][nodes along it].
 template <class P, std::size_t D, std::size_t Along>
 using LineFunctions = std::array<std::array<P, Along>, D>;
@@ -66,7 +76,13 @@ struct Lines {
         repeat<Kinds>(
             [&](std::size_t k) { repeat<Axes>([&](std::size_t b) { total.by_axis[k][b][d] = P(0); }); });
       });
-      repeat<N>([&](std::size_t j) {
+      constexpr auto each = [](auto&& f) {
+        if constexpr (a + 1 == D && D == 3)
+          repeat_all<N>(f);
+        else
+          repeat<N>(f);
+      };
+      each([&](std::size_t j) {
         const auto part = sum_over<a>(v, first + j * stride, kind);
         repeat<D>([&](std::size_t d) {
           total.value[d] += value[a][j] * part.value[d];

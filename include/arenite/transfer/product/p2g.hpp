@@ -24,6 +24,7 @@ template <class K, class N, class M, class B, class Field>
   using P = typename Sums::P;
   const Cell cell(mesh, c);
   Sums rows;
+  [[maybe_unused]] P of_cell(0);
   [[maybe_unused]] std::conditional_t<Field::has_mass_gradient, Gradients, detail::Nothing> gradients;
   const auto spread = [&] {
     rows.spread([&](std::size_t i, std::size_t lane, const auto& sum) {
@@ -52,6 +53,7 @@ template <class K, class N, class M, class B, class Field>
     });
     if constexpr (K::hoop) handed.own(node_channel::force) = volume * stress[2] * reciprocal(x[0]);
     rows.push(p.count, handed, line);
+    if constexpr (N::smooths_light_nodes) of_cell += m;
     if constexpr (Field::has_mass_gradient) {
       typename Gradients::Handed mass;
       repeat<D>([&](std::size_t a) { mass.slope(a, node_channel::mass_gradient, a) = m; });
@@ -59,6 +61,13 @@ template <class K, class N, class M, class B, class Field>
     }
   });
   spread();
+  if constexpr (N::smooths_light_nodes) {
+    // Mean of (h |grad w|)^2 over a cell, of a function that is linear along each axis.
+    constexpr T mean = D == 2 ? T(2) / 3 : T(1) / 3;
+    const T reach = mean * lane_sums(std::array<P, 1>{of_cell})[0];
+    for (const Index node : cell.nodes)
+      nodes.collected[node].lane[NodeSums<T, M::dimension>::reach_lane] += reach;
+  }
 }
 
 }  // namespace product

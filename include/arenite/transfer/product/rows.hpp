@@ -8,25 +8,30 @@
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 namespace product {
 
-/// Writes eight columns of neighbouring points as rows of eight, one a point. `P`: packs as wide as those of
-/// the rows, or of four lanes.
-template <std::size_t Width, class T, class P>
-void store_rows(const std::array<P, 8>& column, T* to) {
+/// Writes columns of neighbouring points, eights of them, as rows, one a point. `P`: packs as wide as those
+/// of the rows, or of four lanes.
+template <std::size_t Width, class T, class P, std::size_t Lanes>
+void store_rows(const std::array<P, Lanes>& column, T* to) {
+  static_assert(Lanes % 8 == 0);
   constexpr std::size_t width = static_cast<std::size_t>(lane_count<P>);
   if constexpr (width == 1) {
-    for (std::size_t k = 0; k < 8; ++k) to[k] = column[k];
+    for (std::size_t k = 0; k < Lanes; ++k) to[k] = column[k];
   } else if constexpr (width < Width) {
     static_assert(width == 4);
-    std::array<Pack<T, 8>, 4> row;
-    repeat<4>([&](std::size_t k) { row[k] = arenite::detail::joined(column[k], column[k + 4]); });
-    arenite::detail::transpose<1>(row);
-    repeat<4>([&](std::size_t r) { row[r].store(to + r * 8); });
+    repeat<Lanes / 8>([&](std::size_t eight) {
+      std::array<Pack<T, 8>, 4> row;
+      repeat<4>([&](std::size_t k) {
+        row[k] = arenite::detail::joined(column[8 * eight + k], column[8 * eight + k + 4]);
+      });
+      arenite::detail::transpose<1>(row);
+      repeat<4>([&](std::size_t r) { row[r].store(to + r * Lanes + 8 * eight); });
+    });
   } else {
-    repeat<8 / Width>([&](std::size_t k) {
+    repeat<Lanes / Width>([&](std::size_t k) {
       std::array<P, width> row;
       repeat<width>([&](std::size_t r) { row[r] = column[k * width + r]; });
       arenite::detail::transpose<1>(row);
-      repeat<width>([&](std::size_t r) { row[r].store(to + r * 8 + k * width); });
+      repeat<width>([&](std::size_t r) { row[r].store(to + r * Lanes + k * width); });
     });
   }
 }
@@ -40,7 +45,6 @@ template <class Cell, class Lanes, int Width>
 class Rows {
   using T = typename Cell::T;
   static constexpr std::size_t D = Cell::D, N = Cell::nodes_per_axis, lanes = Lanes::size;
-  static_assert(lanes == 8);
   // Lanes computed at once, a register's.
   static constexpr std::size_t at_once = static_cast<std::size_t>(std::min(Width, 8));
   using L = lanes_of<T, static_cast<int>(at_once)>;
@@ -102,7 +106,7 @@ class Rows {
   void spread(Add&& add) {
     repeat<lanes / at_once>([&](std::size_t part) {
       if (!Lanes::uses(part * at_once, at_once)) return;
-      repeat<D == 2 ? 1 : N>([&](std::size_t k) { spread_layer(part * at_once, k, add); });
+      repeat_all<D == 2 ? 1 : N>([&](std::size_t k) { spread_layer(part * at_once, k, add); });
     });
     count_ = 0;
   }
@@ -114,15 +118,15 @@ class Rows {
 
   /// `moment` in lanes by value, `slope` in lanes by slope, of those from number `lane` on.
   static L by_kind(std::size_t lane, T moment, T slope) {
-    if constexpr (Lanes::slopes % at_once == 0)
+    constexpr std::size_t split = Lanes::slopes % at_once;
+    if (split == 0 || lane + at_once <= Lanes::slopes || lane >= Lanes::slopes)
       return L(lane < Lanes::slopes ? moment : slope);
-    else
-      return blend(L(moment), L(slope), std::make_index_sequence<at_once>{});
+    if constexpr (split != 0) return blend<split>(L(moment), L(slope), std::make_index_sequence<at_once>{});
+    return L(moment);
   }
-  template <std::size_t... I>
+  template <std::size_t Split, std::size_t... I>
   static L blend(const L& moment, const L& slope, std::index_sequence<I...>) {
-    return L::from(
-        __builtin_shufflevector(moment.lanes(), slope.lanes(), (I < Lanes::slopes ? I : I + at_once)...));
+    return L::from(__builtin_shufflevector(moment.lanes(), slope.lanes(), (I < Split ? I : I + at_once)...));
   }
 
   /// Sums of layer k of the nodes (all of them, in the plane), in the lanes from number `lane` on.

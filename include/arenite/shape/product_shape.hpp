@@ -1,0 +1,242 @@
+// Shape functions on a Cartesian grid that are products along the axes: what they share. Those of one cell
+// along one axis (a line) define them.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <limits>
+
+#include <arenite/core/lanes.hpp>
+#include <arenite/core/tensor.hpp>
+#include <arenite/mesh/mesh.hpp>
+
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
+
+/// Nodes of all axes: an axis of n cells has n + N - 1 nodes, of which cell c carries the N from number c on:
+/// those of all points of a cell, so that packs of points share them. `Line<T>`: the functions of one cell
+/// along an axis. Lengths in cell edges, s from 0 to 1 through the cell:
+/// - `nodes`: N;
+/// - `steepness`: the largest sum of slope^2 / value over a cell, away from the grid's faces, from which the
+///   stable step follows; infinity where functions fall to zero with a slope that does not: their light nodes
+///   exchange momentum (`LightNodes`), and `Shape::courant_limit` says what was measured;
+/// - `least_beside_face`: share of a face node's mass that the node beside it needs for that
+/// (`exchange_at_faces`);
+/// - `place(i, cells)`: of node i along an axis, where linear fields are reproduced; nodes on the faces at 0
+///   and at `cells`, and perhaps some beyond;
+/// - `Line(cell, cells)`; `values(s)` [N] and `slopes(s, scale)` [N], the derivatives times a scale, for s a
+///   scalar or a pack;
+/// - `inverse_inertia()`: 1 / sum w (x_i - x)^2 if that is the same everywhere in the cell, else 0.
+template <template <class> class Line>
+struct ProductShape {
+  static constexpr bool constant_gradient = false;
+  static constexpr std::size_t nodes_per_axis = Line<double>::nodes;
+  static constexpr double steepness = Line<double>::steepness;
+  /// A node beside a face is light below this share of the mass of the node on the face: `exchange_at_faces`.
+  static constexpr double least_beside_face = Line<double>::least_beside_face;
+  /// Layers of cells that share nodes with a cell, on either side.
+  static constexpr Index halo = static_cast<Index>(nodes_per_axis) - 1;
+
+  template <class M>
+  static constexpr bool fits = !is_simplex_mesh<M>;
+
+  /// Nodes along an axis.
+  template <class M>
+  static Index node_count(const M& grid, int axis) {
+    return grid.cells(axis) + halo;
+  }
+  template <class M>
+  static Index node_count(const M& grid) {
+    Index n = 1;
+    for (int k = 0; k < M::dimension; ++k) n *= node_count(grid, k);
+    return n;
+  }
+
+  template <class M>
+  static typename M::Point node_position(const M& grid, Index node) {
+    using T = typename M::scalar;
+    typename M::Point x;
+    for (int k = 0; k < M::dimension; ++k) {
+      const Index nodes_on_axis = node_count(grid, k);
+      x[k] = grid.lower()[k] + grid.edge() * Line<T>::place(node % nodes_on_axis, grid.cells(k));
+      node /= nodes_on_axis;
+    }
+    return x;
+  }
+
+  /// Calls `f(j)` for the nodes j != i of each cell at node i: once for each cell that they share.
+  template <class M, class F>
+  static void for_each_neighbour(const M& grid, Index i, F&& f) {
+    constexpr int D = M::dimension;
+    std::array<Index, D> from, to, cell;
+    Index rest = i;
+    for (std::size_t k = 0; k < D; ++k) {
+      const Index nodes_on_axis = node_count(grid, static_cast<int>(k)), at = rest % nodes_on_axis;
+      rest /= nodes_on_axis;
+      from[k] = at < halo ? 0 : at - halo;
+      to[k] = std::min(at + 1, grid.cells(static_cast<int>(k)));
+    }
+    cell = from;
+    for (std::size_t k = 0; k < D;) {
+      Index number = 0;
+      for (std::size_t a = D; a-- > 0;) number = number * grid.cells(static_cast<int>(a)) + cell[a];
+      for (const Index j : Cell<M>(grid, number).nodes)
+        if (j != i) f(j);
+      for (k = 0; k < D && ++cell[k] == to[k]; ++k) cell[k] = from[k];
+    }
+  }
+
+  /// The node on the lower face along an axis of `cells`; the one on the upper face is as far from the end.
+  static Index face_node(Index cells) {
+    Index i = 0;
+    while (Line<double>::place(i, cells) < 0) ++i;
+    return i;
+  }
+
+  /// The functions of one cell: made once a cell, evaluated for each of its points.
+  template <class M>
+  class Cell {
+   public:
+    using T = typename M::scalar;
+    static constexpr int D = M::dimension;
+    static constexpr std::size_t nodes_per_axis = ProductShape::nodes_per_axis;
+    static constexpr std::size_t plane = nodes_per_axis * nodes_per_axis;
+    static constexpr int size = static_cast<int>(D == 2 ? plane : plane * nodes_per_axis);
+    using Weights = Vec<T, size>;
+    using Gradients = Eigen::Matrix<T, D, size, Eigen::DontAlign>;
+
+    Cell(const M& grid, Index cell) : Cell(grid, grid.place(cell), std::make_index_sequence<D>{}) {}
+
+    /// [N^D] values at x.
+    Weights weights(const Vec<T, D>& x) const {
+      return Eigen::Map<const Weights>(products(line_values(as_array(x))).data());
+    }
+
+    /// [D x N^D] gradients at x, 1/m.
+    Gradients gradients(const Vec<T, D>& x) const {
+      const auto value = line_values(as_array(x)), slope = line_slopes(as_array(x));
+      Gradients g;
+      for (std::size_t k = 0; k < D; ++k) {
+        auto factor = value;
+        factor[k] = slope[k];
+        g.row(static_cast<int>(k)) = Eigen::Map<const Weights>(products(factor).data());
+      }
+      return g;
+    }
+
+    /// [D x N^D] positions of the nodes, m.
+    Gradients node_positions() const {
+      Gradients x;
+      for (std::size_t i = 0; i < size; ++i)
+        for (std::size_t k = 0; k < D; ++k)
+          x(static_cast<int>(k), static_cast<int>(i)) = lower_[static_cast<int>(k)] + along_[k][digit(i, k)];
+      return x;
+    }
+
+    /// Functions along each axis, whose products the functions of the cell are, at positions x of a pack of
+    /// points (or of one): values [D][N], slopes [D][N] in 1/m.
+    template <class P>
+    std::array<std::array<P, nodes_per_axis>, D> line_values(const std::array<P, D>& x) const {
+      std::array<std::array<P, nodes_per_axis>, D> value;
+      repeat<D>([&](std::size_t k) { value[k] = line_[k].values(local(k, x)); });
+      return value;
+    }
+    template <class P>
+    std::array<std::array<P, nodes_per_axis>, D> line_slopes(const std::array<P, D>& x) const {
+      std::array<std::array<P, nodes_per_axis>, D> slope;
+      repeat<D>([&](std::size_t k) { slope[k] = line_[k].slopes(local(k, x), per_metre_); });
+      return slope;
+    }
+
+    /// [D][N] offsets along each axis from positions x to the nodes, m.
+    template <class P>
+    std::array<std::array<P, nodes_per_axis>, D> offsets(const std::array<P, D>& x) const {
+      std::array<std::array<P, nodes_per_axis>, D> offset;
+      for (std::size_t k = 0; k < D; ++k)
+        for (std::size_t i = 0; i < nodes_per_axis; ++i)
+          offset[k][i] = P(along_[k][i]) - (x[k] - P(lower_[static_cast<int>(k)]));
+      return offset;
+    }
+
+    /// 1 / sum w (x_i - x)^2 along each axis, 1/m2: the inverse inertia of APIC, which is diagonal for
+    /// products that reproduce linear fields. Where it vanishes (at a face; for linear functions at any node)
+    /// there is no motion about the point along that axis: 0 there.
+    template <class P>
+    std::array<P, D> inverse_inertia(const std::array<P, D>& x) const {
+      std::array<P, D> inverse;
+      for (std::size_t k = 0; k < D; ++k) {
+        if (const T even = line_[k].inverse_inertia(); even > 0) {
+          inverse[k] = P(even * per_metre_ * per_metre_);
+          continue;
+        }
+        const P offset = x[k] - P(lower_[static_cast<int>(k)]);
+        const auto w = line_[k].values(local(k, x));
+        P inertia(0);
+        for (std::size_t i = 0; i < nodes_per_axis; ++i)
+          inertia += w[i] * square(P(P(along_[k][i]) - offset));
+        const auto some = inertia > P(std::numeric_limits<T>::epsilon() * edge_ * edge_);
+        inverse[k] = select(some, P(P(1) / select(some, inertia, P(1))), P(0));
+      }
+      return inverse;
+    }
+
+    std::array<Index, size> nodes;
+
+   private:
+    template <std::size_t... K>
+    Cell(const M& grid, const std::array<Index, D>& place, std::index_sequence<K...>)
+        : lower_{grid.lower()},
+          corner_{lower_},
+          edge_{grid.edge()},
+          per_metre_{grid.inverse_edge()},
+          line_{Line<T>(place[K], grid.cells(static_cast<int>(K)))...} {
+      std::array<Index, D> stride;
+      Index first = 0;
+      for (std::size_t k = 0; k < D; ++k) {
+        stride[k] = k == 0 ? 1 : stride[k - 1] * node_count(grid, static_cast<int>(k - 1));
+        first += place[k] * stride[k];
+        corner_[static_cast<int>(k)] += edge_ * static_cast<T>(place[k]);
+        for (std::size_t i = 0; i < nodes_per_axis; ++i)
+          along_[k][i] =
+              edge_ * Line<T>::place(place[k] + static_cast<Index>(i), grid.cells(static_cast<int>(k)));
+      }
+      repeat<size>([&](std::size_t i) {
+        nodes[i] = first;
+        repeat<D>([&](std::size_t k) { nodes[i] += static_cast<Index>(digit(i, k)) * stride[k]; });
+      });
+    }
+
+    static constexpr std::size_t digit(std::size_t i, std::size_t k) {
+      return (k == 0 ? i : k == 1 ? i / nodes_per_axis : i / plane) % nodes_per_axis;
+    }
+
+    static std::array<T, D> as_array(const Vec<T, D>& x) {
+      std::array<T, D> a;
+      for (std::size_t k = 0; k < D; ++k) a[k] = x[static_cast<int>(k)];
+      return a;
+    }
+
+    // Place along axis k in the cell, 0 to 1.
+    template <class P>
+    P local(std::size_t k, const std::array<P, D>& x) const {
+      return (x[k] - P(corner_[static_cast<int>(k)])) * P(per_metre_);
+    }
+
+    static std::array<T, size> products(const std::array<std::array<T, nodes_per_axis>, D>& f) {
+      std::array<T, size> p;
+      for (std::size_t j = 0; j < size / nodes_per_axis; ++j) {
+        T rest = f[1][j % nodes_per_axis];
+        if constexpr (D == 3) rest = rest * f[2][j / nodes_per_axis];
+        for (std::size_t i = 0; i < nodes_per_axis; ++i) p[nodes_per_axis * j + i] = f[0][i] * rest;
+      }
+      return p;
+    }
+
+    Vec<T, D> lower_, corner_;
+    T edge_, per_metre_;
+    std::array<Line<T>, D> line_;
+    std::array<std::array<T, nodes_per_axis>, D> along_;  // of the nodes from the grid's lower corner, m
+  };
+};
+
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

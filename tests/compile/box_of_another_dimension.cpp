@@ -1,0 +1,14 @@
+// must print: fill: the region must provide contains(position)
+// errors: 1
+// A box in space, a scene in the plane.
+#include <arenite/arenite.hpp>
+
+using namespace arenite;
+
+const LinearElastic steel{{.density = 7800, .young = 2e11, .poisson = 0.3}};
+
+int main() {
+  Scene scene{PlaneStrain{}, CartesianGrid<2>({.lower = {0, 0}, .upper = {1, 1}, .cell = 0.5}),
+              Numerics<QuadraticBSpline>{}, bodies(fill(Box{{0., 0., 0.}, {1., 1., 1.}}, steel))};
+  run(scene, {.end = 1});
+}

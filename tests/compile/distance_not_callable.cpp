@@ -1,0 +1,13 @@
+// must print: DistanceSurface: the distance must be callable as double(const Vec<double, D>& position) const
+// in the scene's dimension A distance in space, in a scene in the plane.
+#include <arenite/arenite.hpp>
+
+using namespace arenite;
+
+const LinearElastic steel{{.density = 7800, .young = 2e11, .poisson = 0.3}};
+
+int main() {
+  Scene scene{PlaneStrain{}, CartesianGrid<2>({.lower = {0, 0}, .upper = {1, 1}, .cell = 0.5}),
+              Numerics<QuadraticBSpline>{}, bodies(fill(Box{{0., 0.}, {1., 1.}}, steel)),
+              rigid(DistanceSurface{[](double, double y) { return y; }}, Guided{.mass = 1}, Friction(0.1))};
+}

@@ -26,21 +26,23 @@ template <class... P>
 std::array<std::string, sizeof...(P)> part_paths(std::type_identity<std::tuple<P...>>) {
   std::size_t number = 0, rigid = 0;
   const auto path = [&]<class Q>(std::type_identity<Q>) {
-    const std::string place = std::to_string(number++);
+    const std::size_t place = number++;
     if constexpr (is_rigid<Q>) {
-      const std::string among = std::to_string(rigid++);
-      return "rigids/" + (Q::name.word().empty() ? among : std::string(Q::name.word()));
+      const std::size_t among = rigid++;
+      return Q::name.word().empty() ? shared_detail::join("rigids/", among)
+                                    : shared_detail::join("rigids/", Q::name.word());
     } else if constexpr (requires { std::string_view(Q::state_name); }) {
       return std::string(Q::state_name);
     } else {
-      return "parts/" + place;
+      return shared_detail::join("parts/", place);
     }
   };
   const std::array<std::string, sizeof...(P)> wanted{path(std::type_identity<P>{})...};
   auto paths = wanted;
   for (std::size_t k = 0; k < wanted.size(); ++k)
     if (std::ranges::count(wanted, wanted[k]) > 1)
-      paths[k] += "/" + std::to_string(std::count(wanted.begin(), wanted.begin() + k, wanted[k]));
+      paths[k] =
+          shared_detail::join(wanted[k], "/", std::count(wanted.begin(), wanted.begin() + k, wanted[k]));
   return paths;
 }
 
@@ -76,11 +78,12 @@ void visit_scene(Scene& scene, const F& f) {
   const auto name = [](std::size_t k) {
     return Scene::body_names[k].empty() ? std::to_string(k) : std::string(Scene::body_names[k]);
   };
-  scene.for_each_body(
-      [&](auto& body, auto&) { visit_body(body, StateUnder(f, "bodies/" + name(number++))); });
+  scene.for_each_body([&](auto& body, auto&) {
+    visit_body(body, StateUnder(f, shared_detail::join("bodies/", name(number++))));
+  });
   if constexpr (reads_last_nodes<Scene>(std::type_identity<typename Scene::Parts>{}))
     for (std::size_t k = 0; k < scene.fields.size(); ++k) {
-      StateUnder nodes(f, Scene::field_count > 1 ? "nodes/" + name(k) : "nodes");
+      StateUnder nodes(f, Scene::field_count > 1 ? shared_detail::join("nodes/", name(k)) : "nodes");
       nodes("mass", scene.fields[k].mass);
       nodes("velocity", scene.fields[k].velocity.numbers());
     }

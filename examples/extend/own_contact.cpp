@@ -34,7 +34,7 @@ struct Drag {
   PartEnergy count_energy() const { return {.dissipated = dissipated}; }
   template <class F>
   void visit_state(F&& f) {
-    f(dissipated);
+    f("dissipated", dissipated);
   }
 };
 

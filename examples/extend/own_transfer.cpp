@@ -8,8 +8,11 @@ using namespace arenite;
 /// v_p = kept (v_p + sum w_i (v_i - v_i^old)).
 struct DampedFlip {
   static constexpr bool affine = false;  // points carry no velocity gradient
-  double kept = 0.95;                    // of the velocity, in each step
-  void check() const { require(kept > 0 && kept <= 1, "DampedFlip.kept", kept, "must lie in (0, 1]"); }
+  struct KeptRule {
+    static constexpr const char *name = "DampedFlip.kept", *bounds = "must lie in (0, 1]";
+    static bool holds(double kept) { return kept > 0 && kept <= 1; }
+  };
+  Checked<KeptRule> kept = 0.95;  // of the velocity, in each step
   template <class Shape>
   static constexpr bool fits = !Shape::constant_gradient;
 

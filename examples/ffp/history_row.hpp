@@ -4,6 +4,7 @@
 #include <tuple>
 #include <vector>
 
+#include <arenite/observe/contact_force.hpp>
 #include <arenite/observe/energy.hpp>
 #include <arenite/observe/fill_ratio.hpp>
 
@@ -22,11 +23,11 @@ struct DeviceState {
 template <class Scene>
 DeviceState device_state(const Scene& scene) {
   DeviceState state{};
+  state.reaction = contact_force<"device">(scene)[1];
   if constexpr (Scene::rigid_count > 0) {
     const auto& body = scene.template rigid<"device">();
     state.penetration = 0 - body.displacement[1];
     state.velocity = -body.velocity[1];
-    state.reaction = body.force[1];
     state.contact_nodes = body.contact_nodes;
     for (const auto& touch : body.touched_nodes)
       if (!touch.inside && body.impulse_at(touch, body.velocity).squaredNorm() > 0)
@@ -36,7 +37,6 @@ DeviceState device_state(const Scene& scene) {
     const auto& contact = scene.template part<Coulomb>();
     state.penetration = 0 - scene.template part<MovingMesh>().travel();
     state.velocity = -momentum(device)[1] / mass(device);
-    state.reaction = scene.time_step > 0 ? contact.impulse[contact.normals.body][1] / scene.time_step : 0;
     state.contact_nodes = scene.contact_tally.nodes;
     const auto& normals = contact.normals.out;
     const auto& soil = scene.fields[1 - contact.normals.body];

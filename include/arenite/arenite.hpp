@@ -12,6 +12,7 @@
 #include <arenite/law/mohr_coulomb.hpp>
 #include <arenite/law/with_deviatoric_strain.hpp>
 #include <arenite/mesh/motion.hpp>
+#include <arenite/observe/contact_force.hpp>
 #include <arenite/observe/energy.hpp>
 #include <arenite/observe/every.hpp>
 #include <arenite/observe/not_included.hpp>

@@ -9,7 +9,6 @@ const LinearElastic steel{{.density = 7800, .young = 2e11, .poisson = 0.3}};
 
 struct Deaf {
   static constexpr bool affine = false;
-  void check() const {}
   template <class Shape>
   static constexpr bool fits = true;
   template <class Point>

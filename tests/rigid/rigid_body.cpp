@@ -214,10 +214,11 @@ TEST_CASE("mapped velocities keep what a rigid body stopped, whether they would 
 }
 
 TEST_CASE("bad motions are refused") {
-  REQUIRE(throws([] { Guided{}.check(); }, "Guided.mass = nan: must be given, positive"));
-  REQUIRE(throws([] { Guided{.mass = -1}.check(); }, "Guided.mass = -1: must be given, positive"));
-  REQUIRE(throws([] { Guided{.mass = 1, .velocity = std::nan("")}.check(); },
+  REQUIRE(throws([] { BoundGuided<double, 2>(Guided{}); }, "Guided.mass = nan: must be given, positive"));
+  REQUIRE(throws([] { BoundGuided<double, 2>(Guided{.mass = -1}); },
+                 "Guided.mass = -1: must be given, positive"));
+  REQUIRE(throws([] { BoundGuided<double, 2>(Guided{.mass = 1, .velocity = std::nan("")}); },
                  "Guided.velocity = nan: must be finite"));
-  REQUIRE(
-      throws([] { Guided{.mass = 1, .load = std::nan("")}.check(); }, "Guided.load = nan: must be finite"));
+  REQUIRE(throws([] { BoundGuided<double, 2>(Guided{.mass = 1, .load = std::nan("")}); },
+                 "Guided.load = nan: must be finite"));
 }

@@ -92,7 +92,6 @@ template <class Shape>
 using Flat = Setup<PlaneStrain, Numerics<Shape, Apic, Usl>, CartesianGrid<2>>;
 template <class Shape>
 using InSpace = Setup<ThreeDimensional, Numerics<Shape, Apic, Usl>, CartesianGrid<3>>;
-using ApicFlat = Flat<QuadraticBSpline>;
 
 }  // namespace
 

@@ -9,7 +9,6 @@ namespace {
 /// PIC: points take the velocity of the nodes and hand it back.
 struct Pic {
   static constexpr bool affine = false;
-  void check() const {}
   template <class Shape>
   static constexpr bool fits = true;
 

@@ -32,7 +32,7 @@ struct Drive {
 
 namespace detail {
 
-/// Blocked directions at a node: as they were named, and as an orthonormal set; adding one keeps it so.
+/// Blocked directions at a node: as they were named, and as an orthonormal set.
 template <int D>
 struct Blocked {
   Mat<double, D> named = Mat<double, D>::Zero(), directions = named;  // columns
@@ -111,7 +111,7 @@ class NodeConstraints {
   const V& position(Index i) const { return position_[i]; }  ///< m
   const V& lower() const { return lower_; }  ///< corners of the grid, or of the box around the used nodes, m
   const V& upper() const { return upper_; }
-  /// Positions closer than this are one, m.
+  /// Positions closer than this count as equal, m.
   double near() const {
     return 1e3 * static_cast<double>(std::numeric_limits<T>::epsilon()) * (upper_ - lower_).norm();
   }
@@ -119,7 +119,7 @@ class NodeConstraints {
   /// Blocks the velocity of node i along a direction of any length.
   void block(Index i, const V& direction) { blocked_[i].add(direction, part_); }
 
-  /// Lets part number k say what it blocks.
+  /// Calls `constrain` of part number k.
   template <class Part>
   void add(const Part& part, std::size_t k = 0) {
     part_ = k;

@@ -1,4 +1,4 @@
-// Gravity: one acceleration of everything.
+// Gravity: one acceleration for all matter.
 #pragma once
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
-/// Acceleration on everything, m/s2.
+/// Acceleration of all matter, m/s2.
 struct Gravity {
   std::array<double, 3> g{};
 };

@@ -22,7 +22,7 @@ struct Condition {
 inline constexpr Condition fixed{Condition::Kind::all};  ///< no motion
 inline constexpr Condition roller{
     Condition::Kind::face_normal};  ///< no motion across the face: a smooth wall, or a symmetry plane
-/// No motion across a plane with this normal (any length): a smooth wall or a symmetry plane that lies askew.
+/// No motion across a plane with this normal (any length): a smooth wall or a symmetry plane along no axis.
 constexpr Condition symmetry(std::array<double, 3> normal) { return {Condition::Kind::normal, normal}; }
 /// Motion along this axis alone.
 constexpr Condition free_along(std::size_t axis) {
@@ -40,6 +40,8 @@ struct Wall {
   Condition condition = fixed;
 };
 
+/// Faces of the box around the mesh: `left` and `right` at the ends of x (the inner and outer radius),
+/// `bottom` and `top` of y, `front` and `back` of z.
 inline Wall left(Condition c) { return {0, false, {}, {}, c}; }
 inline Wall right(Condition c) { return {0, true, {}, {}, c}; }
 inline Wall bottom(Condition c) { return {1, false, {}, {}, c}; }
@@ -115,6 +117,7 @@ struct Walls {
             "the wall must catch at least one node of the mesh");
   }
 };
+/// `walls(bottom(fixed), left(roller), ..)`
 template <std::same_as<Wall>... W>
 Walls walls(W... wall) {
   return {{std::move(wall)...}};

@@ -198,6 +198,8 @@ struct BoundCoulomb {
     dissipated += tally.dissipation;
     return tally;
   }
+  /// On a body in the last step, N s.
+  const Vec<T, D>& contact_impulse(std::size_t body) const { return impulse[body]; }
   template <class Scene>
   double hold_mapped(Scene& scene, double dt) {
     const double dissipation =

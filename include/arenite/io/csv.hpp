@@ -43,10 +43,10 @@ class CsvWriter {
     put_line();
   }
 
-  /// Appends a row, shape [columns]. Throws `error` if the length differs, `output_error` if the disk does
-  /// not take it; the file then ends with the row before.
+  /// Appends a row, shape [columns]. Throws `error` if the length differs, `output_error` if it
+  /// cannot be written; the file then ends with the row before.
   void row(std::span<const double> values) { put_row(values); }
-  /// The same; what there is none of is an empty field.
+  /// The same; a missing value is an empty field.
   void row(std::span<const std::optional<double>> values) { put_row(values); }
   void row(std::initializer_list<double> values) { row(std::span(values.begin(), values.size())); }
 

@@ -1,6 +1,6 @@
 // Unstructured VTK files (.vtu) out, for ParaView, VTK and meshio.
-// Data stand in raw appended form: no third more bytes and no encoding, as base64 would cost, and both
-// ParaView and meshio read it. Format: "VTK XML file formats", docs.vtk.org, version 1.0 with 64-bit sizes.
+// Data are in raw appended form, which ParaView and meshio read: base64 would take a third more bytes, and
+// time. Format: "VTK XML file formats", docs.vtk.org, version 1.0 with 64-bit sizes.
 #pragma once
 
 #include <algorithm>
@@ -25,7 +25,7 @@
 
 namespace arenite {
 
-/// Cells of one kind, by the points of each: 1 a vertex, 2 a line, 3 a triangle, 4 a tetrahedron.
+/// Cells of one kind, told by the number of their points: 1 vertex, 2 line, 3 triangle, 4 tetrahedron.
 struct VtuCells {
   std::size_t points = 1;  ///< of each cell
   std::size_t items = 0;
@@ -52,7 +52,7 @@ inline VtuCells vtu_vertices(std::size_t count) {
   return {1, count, [](std::size_t cell, std::size_t) { return static_cast<Index>(cell); }};
 }
 
-/// What a VTU file holds.
+/// Contents of a VTU file.
 struct VtuData {
   VtuArray points;                   ///< [points x 3], m, double or float; its name is not used
   std::vector<VtuCells> cells;       ///< in this order

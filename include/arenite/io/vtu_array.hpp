@@ -1,4 +1,4 @@
-// An array of a VTU file as a recipe: what it is called, what it is made of, and how to fetch its values.
+// An array of a VTU file as a recipe: its name, shape and number type, and how to fetch its values.
 #pragma once
 
 #include <array>

@@ -1,4 +1,4 @@
-// A simplex mesh as a file or a generator hands it over: plain arrays, nothing derived.
+// A simplex mesh as a file or a generator gives it: plain arrays, nothing derived.
 #pragma once
 
 #include <array>

@@ -32,8 +32,9 @@ struct LedByBody {
     double along = momentum(body)[axis], all = mass(body);
     sum_over(others, along, all);
     if (all == 0)
-      throw run_error(shared_detail::join("body ", scene.template name_of<which>(),
-                                          ", which leads the mesh, has lost all of its points"));
+      throw run_error(shared_detail::join(
+          "body ", which.word().empty() ? std::to_string(which.number) : std::string(which.word()),
+          ", which leads the mesh, has lost all of its points"));
     return before + static_cast<T>(static_cast<double>(dt) * along / all);
   }
 };

@@ -29,8 +29,8 @@ class SimplexMesh {
   using Point = Vec<T, D>;
   using CellNodes = std::array<Index, static_cast<std::size_t>(D + 1)>;
 
-  /// Affine frame of a cell: barycentric coordinate k + 1 of x is row k of `inverse` times the way from the
-  /// cell's origin to x. It stays as it is when the cell moves as a whole.
+  /// Affine frame of a cell: barycentric coordinate k + 1 of x is row k of `inverse` times (x - origin of
+  /// the cell). A translation of the cell does not change it.
   struct Frame {
     Mat<T, D> inverse;  ///< rows: gradients of the shape functions of nodes 1 .. D, 1/m
     T volume;           ///< area (D = 2) or volume (D = 3), m^D
@@ -139,7 +139,7 @@ class SimplexMesh {
     return none;
   }
 
-  /// The cell that holds x, wherever it is, or `none` outside of the mesh. Right on non-convex meshes too,
+  /// The cell that holds x, or `none` outside of the mesh, without a hint. Correct on non-convex meshes too,
   /// where a walk may end at the hull. Not thread-safe: refreshes its bins after the mesh moved.
   Index search(const Point& x) {
     if (!x.allFinite()) return none;
@@ -160,8 +160,8 @@ class SimplexMesh {
   }
 
   /// Moves each node i in `nodes` to `position(i)` and refreshes the cells in `cells`: every cell must be
-  /// among them that has a moved node, unless all of its nodes move by the same way. Returns the first cell
-  /// that lost its volume, or `none`.
+  /// among them that has a moved node, unless all of its nodes move by the same vector. Returns the first
+  /// cell that lost its volume, or `none`.
   template <class Position>
   Index move(std::span<const Index> nodes, std::span<const Index> cells, Position&& position) {
     bins_fresh_ = false;

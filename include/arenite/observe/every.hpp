@@ -48,6 +48,7 @@ class Every {
   F f_;
 };
 
+/// `every(0.1, f)`: see `Every`.
 template <class F>
 Every<F> every(double period, F f) {
   return {period, std::move(f)};

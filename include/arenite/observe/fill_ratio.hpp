@@ -1,5 +1,5 @@
-// Fill ratio: how full of matter the cells at some nodes are. Cells that run empty bear no load,
-// and nothing else tells.
+// Fill ratio: how full of matter the cells at some nodes are. Cells that run empty bear no load, which no
+// other result shows.
 #pragma once
 
 #include <algorithm>
@@ -13,7 +13,7 @@
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 /// Volume of a body's points over the volume of the cells around `nodes` that are not of region `except`, -.
-/// Needs a simplex mesh. NaN if there is no such cell: then nothing is asked.
+/// Needs a simplex mesh. NaN if there is no such cell.
 template <class Scene, class B>
 double fill_ratio(const Scene& scene, const B& body, std::span<const Index> nodes, int except) {
   static_assert(is_simplex_mesh<typename Scene::Mesh>, "fill_ratio: works on a simplex mesh");

@@ -76,8 +76,8 @@ VtuData mesh_vtu(const SimplexMesh<D, T>& mesh, int only = -1) {
                  [&mesh, cells](std::size_t c) { return std::int32_t{mesh.region(cells[c])}; })}};
 }
 
-/// `body_names`: in the order of the bodies, for "body0", ..; `mesh`: write a simplex mesh too; `region`:
-/// and one of its regions apart.
+/// `body_names`: in the order of the bodies, for their names in the scene ("body0", .. if they have none);
+/// `mesh`: write a simplex mesh too; `region`: and one of its regions apart.
 struct VtuOptions {
   std::vector<std::string> body_names{};
   bool mesh = false;
@@ -100,7 +100,8 @@ class VtuSeries {
     int part = 0;
     scene.for_each_body([&](const auto& body, const auto&) {
       const std::string name = number < options_.body_names.size() ? options_.body_names[number]
-                                                                   : shared_detail::join("body", number);
+                               : Scene::body_names[number].empty() ? shared_detail::join("body", number)
+                                                                   : Scene::body_name(number);
       write(scene.time, name, part++, points_vtu(body));
       ++number;
     });

@@ -100,11 +100,11 @@ class Watch {
     if (wants(energy_gain) || (tracks_energy<Scene> && wants(energy_loss))) look_at_energy(scene);
     int number = 0;
     scene.for_each_body([&](const auto& body, const auto&) {
-      if (wants(volume)) look_at_volume(scene.time, body, number);
-      if (wants(lost)) look_at_lost(scene.time, body, number);
+      if (wants(volume)) look_at_volume(scene, body, number);
+      if (wants(lost)) look_at_lost(scene, body, number);
       // Initial stresses may lie outside: the first step takes them back.
       if (wants(strength) && scene.steps > 0)
-        look_at_strength<Scene::NumericsType::template width<typename Scene::T>>(scene.time, body, number);
+        look_at_strength<Scene::NumericsType::template width<typename Scene::T>>(scene, body, number);
       ++number;
     });
     last_ = scene.steps;
@@ -311,10 +311,16 @@ class Watch {
     return 0.01 * cell * all * static_cast<double>(scene.acceleration().norm());
   }
 
-  template <class B>
-  void look_at_volume(double time, const B& body, int number) {
+  /// What messages call a body.
+  template <class Scene>
+  static std::string body_of(int number) {
+    return "body " + Scene::body_name(static_cast<std::size_t>(number));
+  }
+
+  template <class Scene, class B>
+  void look_at_volume(const Scene& scene, const B& body, int number) {
     const double ratio = mean_volume_ratio(body);
-    judge(volume, time, std::abs(ratio - 1), number, [&] {
+    judge(volume, scene.time, std::abs(ratio - 1), number, [&] {
       const double density = body.law.density();
       const auto local = [&](std::size_t p) {
         return static_cast<double>(body.points.volume[p]) * density /
@@ -322,24 +328,24 @@ class Watch {
       };
       const std::size_t p = extreme(body, [&](std::size_t k) { return std::abs(local(k) - 1); });
       Spot s = at(body, p);
-      s.text = shared_detail::join("body ", number, ": mean V/V0 = ", ratio);
+      s.text = shared_detail::join(body_of<Scene>(number), ": mean V/V0 = ", ratio);
       if (p < body.points.size()) s.text += shared_detail::join(", ", local(p), " at ", written(body, p));
       return s;
     });
   }
 
-  template <class B>
-  void look_at_lost(double time, const B& body, int number) {
+  template <class Scene, class B>
+  void look_at_lost(const Scene& scene, const B& body, int number) {
     const std::size_t all = body.lost + body.points.size();
     if (all == 0) return;
-    judge(lost, time, static_cast<double>(body.lost) / static_cast<double>(all), number, [&] {
+    judge(lost, scene.time, static_cast<double>(body.lost) / static_cast<double>(all), number, [&] {
       return Spot{Watched::nowhere,
-                  shared_detail::join("body ", number, ": ", body.lost, " of ", all, " points")};
+                  shared_detail::join(body_of<Scene>(number), ": ", body.lost, " of ", all, " points")};
     });
   }
 
-  template <int Width, class L, class T, int D, ExtraColumns E>
-  void look_at_strength(double time, const Body<L, T, D, E>& body, int number) {
+  template <int Width, class Scene, class L, class T, int D, ExtraColumns E>
+  void look_at_strength(const Scene& scene, const Body<L, T, D, E>& body, int number) {
     using P = typename LawLanes<L, T, Width>::type;
     if constexpr (knows_yield<L, P, D>) {
       // Stresses much smaller than those of a strain of 1e-6 are round-off of larger ones.
@@ -373,9 +379,9 @@ class Watch {
             return most;
           },
           [](const Worst& a, const Worst& b) { return b.value > a.value ? b : a; });
-      judge(strength, time, worst.value, number, [&] {
+      judge(strength, scene.time, worst.value, number, [&] {
         Spot s = at(body, worst.point);
-        s.text = shared_detail::join("body ", number, " at ", written(body, worst.point));
+        s.text = shared_detail::join(body_of<Scene>(number), " at ", written(body, worst.point));
         return s;
       });
     }
@@ -392,8 +398,8 @@ class Watch {
       if (p < body.points.size() && speed(p) > most) {
         most = speed(p);
         s = at(body, p);
-        s.text = shared_detail::join("the fastest point: body ", number, " at ", written(body, p), ", ", most,
-                                     " m/s");
+        s.text = shared_detail::join("the fastest point: ", body_of<Scene>(number), " at ", written(body, p),
+                                     ", ", most, " m/s");
       }
       ++number;
     });

@@ -119,6 +119,7 @@ class Columns {
   std::array<Column<T>, N> column_;
 };
 
+/// Columns of vectors [D], matrices [D x D] (column by column) and symmetric tensors (components of `Sym`).
 template <class T, int D>
 using VectorColumns = Columns<Vec<T, D>, T, static_cast<std::size_t>(D)>;
 template <class T, int D>

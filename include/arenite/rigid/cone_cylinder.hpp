@@ -52,7 +52,7 @@ class ConeCylinder {
     return inside ? -nearest : nearest;
   }
 
-  /// The box around it, m.
+  /// Box around the body, m.
   template <int D>
   Box<std::size_t{D}> bounds() const {
     const auto [radius, top] = outline_[2];

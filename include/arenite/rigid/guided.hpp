@@ -19,11 +19,6 @@ struct Guided {
   std::array<double, 3> axis{0, 1, 0};                     ///< direction of the guide; any length
   double velocity = 0;                                     ///< initial velocity along the axis, m/s
   double load = 0;                                         ///< external force along the axis, N
-  void check() const {
-    require(mass > 0 && std::isfinite(mass), "Guided.mass", mass, "must be given, positive");
-    require(std::isfinite(velocity), "Guided.velocity", velocity, "must be finite");
-    require(std::isfinite(load), "Guided.load", load, "must be finite");
-  }
 };
 
 namespace detail {
@@ -49,7 +44,7 @@ T balance_speed(const R& body, const V& axis, T trial, T mass, Others& others) {
   if (f == 0) return trial;
   const T sign = f > 0 ? T(1) : T(-1);
   T near = trial;            // f has the sign of the start here, and the other one (or none) at `far`
-  T far = trial - f / mass;  // here the body free_velocity would have taken the impulse of the trial speed
+  T far = trial - f / mass;  // where the body alone would take up the impulse at the trial speed
   T before = std::numeric_limits<T>::infinity();
   for (int k = 0; k < 200; ++k) {
     const T h = -sign * std::sqrt(round_off) * std::max(std::abs(s - trial), std::abs(f) / (mass + soil));
@@ -80,7 +75,9 @@ struct BoundGuided {
   /// `hoop`: in axisymmetry the guide is the axis.
   explicit BoundGuided(const Guided& g, bool hoop = false)
       : mass{g.mass}, load{g.load}, speed{static_cast<T>(g.velocity)} {
-    g.check();
+    require(g.mass > 0 && std::isfinite(g.mass), "Guided.mass", g.mass, "must be given, positive");
+    require(std::isfinite(g.velocity), "Guided.velocity", g.velocity, "must be finite");
+    require(std::isfinite(g.load), "Guided.load", g.load, "must be finite");
     for (std::size_t k = 0; k < D; ++k) axis[static_cast<int>(k)] = static_cast<T>(g.axis[k]);
     require(axis.norm() > 0, "Guided.axis", axis.transpose(), "must have a length in the scene's dimensions");
     require(!hoop || axis[0] == 0, "Guided.axis", axis.transpose(),

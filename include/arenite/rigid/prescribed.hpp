@@ -11,7 +11,8 @@
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
-/// A motion given in time: `velocity(t)` returns the velocity {x, y, z}, m/s, at time t, s.
+/// A motion given in time: `velocity(t)` returns the velocity {x, y, z}, m/s, at time t, s. No impulse
+/// changes it; the work of the drive is booked.
 struct Prescribed {
   std::function<std::array<double, 3>(double)> velocity;
 

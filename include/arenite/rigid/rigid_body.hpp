@@ -1,5 +1,5 @@
-// Rigid body in a scene: its state, and its contact with the node fields. What the soil loses in a step the
-// body gains.
+// Rigid body in a scene: its state, and its contact with the node fields. The body gains the momentum that
+// the soil loses in a step.
 #pragma once
 
 #include <algorithm>
@@ -34,7 +34,7 @@ struct CentreOfMass {
   static constexpr bool through_centre_of_mass = true;
 };
 
-/// What `rigid` makes: surface, motion, friction and kind of contact of one rigid body.
+/// The recipe that `rigid` makes: surface, motion, friction and kind of contact of one rigid body.
 template <class Surface, class Motion, class Coupling = RigidVelocity, Name name = "">
 struct Rigid {
   Surface surface;
@@ -48,7 +48,8 @@ struct Rigid {
   }
 };
 
-/// A rigid body, a part of a scene; `rigid<"cone">(..)` gives it a name.
+/// A rigid body, a part of a scene; `rigid<"cone">(..)` gives it a name. `Surface`: see `rigid_surface`;
+/// `Motion`: see `rigid_motion`.
 template <Name name, class Surface, class Motion, class Coupling = RigidVelocity>
 Rigid<Surface, Motion, Coupling, name> rigid(Surface surface, Motion motion, Friction friction,
                                              Coupling = {}) {
@@ -58,7 +59,7 @@ template <class Surface, class Motion, class Coupling = RigidVelocity>
 Rigid<Surface, Motion, Coupling> rigid(Surface surface, Motion motion, Friction friction, Coupling = {}) {
   return {std::move(surface), std::move(motion), friction};
 }
-/// A number free_velocity may be an angle or a coefficient.
+/// Refused by the compiler: a number may be an angle or a coefficient.
 template <Name name = "", class Surface, class Motion, class Number, class... Coupling>
 requires std::is_arithmetic_v<Number>
 auto rigid(Surface surface, Motion motion, Number, Coupling... coupling) {
@@ -214,7 +215,15 @@ struct RigidBody {
 
   double kinetic_energy() const { return motion.kinetic_energy(velocity); }
 
-  /// What the field at a touched node is given if the body moves with velocity v.
+  /// On a field in the last step, N s.
+  V contact_impulse(std::size_t field) const {
+    V sum = V::Zero();
+    for (const auto& t : touched_nodes)
+      if (t.field == field) sum += t.impulse;
+    return sum;
+  }
+
+  /// Impulse on the field at a touched node if the body moves with velocity v, m/s.
   CoulombImpulse<T, D> contact_at(const TouchedNode& t, const V& v) const {
     if (t.inside) return stick<T, D>(t.start - v, t.mass_ratio * t.mass);
     return coulomb<T, D>(t.start - v, t.normal, t.mass_ratio * t.mass, friction);

@@ -22,8 +22,9 @@ struct MeshSurface {
 };
 
 /// A signed distance, m, negative inside, in the body's own frame: callable with a position [D]
-/// (`signed_distance`). `reach`: a node counts as touched from this many cell sizes outside on; half a cell
-/// acts where the points do, zero acts late. The type of a scene does not tell which distance it is.
+/// (`signed_distance`). `reach`: a node counts as touched up to this many cell sizes outside; with half a
+/// cell contact acts where the points touch, with zero it acts late. The distance is not part of the type of
+/// a scene.
 template <class Distance = AnyDistance>
 struct DistanceSurface {
   Distance distance;
@@ -62,8 +63,8 @@ concept rigid_surface = requires(S surface, const M& mesh, const Vec<typename M:
       [](Index, const Vec<typename M::scalar, M::dimension>&, bool, typename M::scalar) {});
 };
 
-/// A mesh surface in its mesh. Visits each surface node with its normal and share of the body's mass, then
-/// those inside.
+/// A mesh surface in its mesh. Visits each surface node with its normal and fraction of the body's volume,
+/// then those inside.
 template <class T, int D>
 class BoundMeshSurface {
  public:
@@ -105,7 +106,7 @@ class BoundDistanceSurface {
   }
   static constexpr bool has_volume_fractions = false;
 
-  /// Chunks of nodes on several threads; what they found is joined in their order.
+  /// Visits chunks of nodes on several threads and joins their results in order.
   template <class Shape, class M, class HasMass, class F>
   void visit(const M& mesh, const Vec<T, D>& displacement, HasMass&& has_mass, F&& f) {
     const std::size_t nodes = Shape::node_count(mesh);
@@ -172,7 +173,7 @@ class BoundDistanceSurface {
     ask();
   }
 
-  /// Whether a position is farther from the box around the body than reach, beyond doubt of round-off.
+  /// Whether a position is farther from the box around the body than reach, whatever the round-off.
   bool is_beyond(const Position& x, double cell) const {
     const double far = (surface_.reach + 1e-3) * cell;
     for (std::size_t k = 0; k < D; ++k)

@@ -1,5 +1,5 @@
-// Whether what a scene is made of is complete and in order: one sentence for each mistake, before anything
-// else is compiled.
+// Whether the values that a scene is made of are complete and in order: one sentence for each mistake, before
+// anything else is compiled.
 #pragma once
 
 #include <type_traits>

@@ -21,6 +21,7 @@ bool is_finite(const Points& points, std::size_t p) {
   return finite;
 }
 
+/// Advances the clock. Throws `run_error` that names the first point that is not finite. dt: s.
 template <class Scene>
 void finish(Scene& scene, double dt) {
   scene.time += dt;
@@ -41,11 +42,11 @@ void finish(Scene& scene, double dt) {
         [](std::size_t a, std::size_t b) { return std::min(a, b); });
     if (first_bad < points.size())
       throw run_error(shared_detail::join(
-          "t = ", scene.time, " s, step ", scene.steps, ": point ", first_bad, " of body ", number, " at (",
-          points.position[first_bad].transpose(), ") m has velocity (",
+          "t = ", scene.time, " s, step ", scene.steps, ": point ", first_bad, " of body ",
+          Scene::body_name(number), " at (", points.position[first_bad].transpose(), ") m has velocity (",
           points.velocity[first_bad].transpose(), ") m/s, pressure ", -trace(points.stress[first_bad]) / 3,
           " Pa, volume ", points.volume[first_bad], " m3: no longer finite"));
-    if (!body.finite) bodies += shared_detail::join(bodies.empty() ? "" : ", ", number);
+    if (!body.finite) bodies += shared_detail::join(bodies.empty() ? "" : ", ", Scene::body_name(number));
     ++number;
   });
   throw run_error(

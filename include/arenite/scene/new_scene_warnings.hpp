@@ -1,4 +1,4 @@
-// Doubts: what a new scene has that is allowed but hardly meant. Each gives one warning.
+// Warnings about a new scene: what is allowed but hardly meant.
 #pragma once
 
 #include <algorithm>
@@ -21,7 +21,7 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET::detail {
 /// more than a hundredth of a cell: no points are made there. An infinite bound means all that there is.
 /// Other regions have no bounds to compare.
 template <class M>
-void warn_bounds(const M& mesh, const AnyRegion& region, std::size_t number) {
+void warn_bounds(const M& mesh, const AnyRegion& region, const std::string& name) {
   if (region.has_bounds) {
     constexpr int D = M::dimension;
     Vec<double, D> lower, upper;
@@ -51,7 +51,7 @@ void warn_bounds(const M& mesh, const AnyRegion& region, std::size_t number) {
       within *= (std::min(to, upper[k]) - std::max(from, lower[k])) / (to - from);
     }
     if (beyond)
-      warn(shared_detail::join("body ", number, ": ", std::round(1000 * (1 - within)) / 10,
+      warn(shared_detail::join("body ", name, ": ", std::round(1000 * (1 - within)) / 10,
                                " % of its region lies outside of the mesh, which reaches from ",
                                shared_detail::listed(lower), " to ", shared_detail::listed(upper),
                                " m, and is not filled"));
@@ -73,14 +73,14 @@ std::size_t points_within(const M& mesh, const B& body, const AnyRegion& region)
 
 /// Warns of bodies that were filled into one place: one has points in the region of the other.
 template <class M, class B, class C, class FillB, class FillC>
-void warn_overlap(const M& mesh, std::size_t b, const B& body, const FillB& fill, std::size_t c,
-                  const C& other, const FillC& other_fill) {
+void warn_overlap(const M& mesh, const std::string& name, const B& body, const FillB& fill,
+                  const std::string& other_name, const C& other, const FillC& other_fill) {
   const std::size_t in_other = points_within(mesh, body, other_fill.region),
                     in_this = points_within(mesh, other, fill.region);
   if (in_other + in_this == 0) return;
-  warn(shared_detail::join("bodies ", b, " and ", c, " lie in one place: ", in_other, " of the ",
-                           body.points.size(), " points of body ", b, " are in the region of body ", c,
-                           ", and ", in_this, " of ", other.points.size(), " the other way"));
+  warn(shared_detail::join("bodies ", name, " and ", other_name, " lie in one place: ", in_other, " of the ",
+                           body.points.size(), " points of body ", name, " are in the region of body ",
+                           other_name, ", and ", in_this, " of ", other.points.size(), " the other way"));
 }
 
 /// Warns if gravity pulls and nothing can hold: no constraint blocks a part of it, and no part holds but
@@ -105,7 +105,7 @@ void warn_no_support(const Scene& scene) {
                              " m/s2 acts, but no wall and no rigid body holds along it: everything falls"));
 }
 
-/// All doubts about a new scene and the recipes of its bodies.
+/// All warnings about a new scene and the recipes of its bodies.
 template <class Scene, class... Fills>
 void warn_about_new_scene(const Scene& scene, const Bodies<Fills...>& recipe) {
   const auto& fills = recipe.fills;
@@ -114,10 +114,10 @@ void warn_about_new_scene(const Scene& scene, const Bodies<Fills...>& recipe) {
     (f(std::integral_constant<std::size_t, I>{}), ...);
   };
   each(std::make_index_sequence<count>{}, [&](auto b) {
-    warn_bounds(scene.mesh, std::get<b>(fills).region, b);
+    warn_bounds(scene.mesh, std::get<b>(fills).region, Scene::body_name(b));
     each(std::make_index_sequence<b>{}, [&](auto a) {
-      warn_overlap(scene.mesh, a, scene.template body<std::size_t(a)>(), std::get<a>(fills), b,
-                   scene.template body<std::size_t(b)>(), std::get<b>(fills));
+      warn_overlap(scene.mesh, Scene::body_name(a), scene.template body<std::size_t(a)>(), std::get<a>(fills),
+                   Scene::body_name(b), scene.template body<std::size_t(b)>(), std::get<b>(fills));
     });
   });
   warn_no_support(scene);

@@ -15,6 +15,7 @@
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
+/// The recipe that `bodies` makes.
 template <class... Fills>
 struct Bodies {
   std::tuple<Fills...> fills;

@@ -33,7 +33,7 @@ void relocate(Scene& scene, [[maybe_unused]] Others& others = no_others) {
     number = 0;
     scene.for_each_body([&](auto& body, auto&) {
       if (had_points[number] && body.points.size() == 0)
-        warn(shared_detail::join("t = ", scene.time, " s: all points of body ", number,
+        warn(shared_detail::join("t = ", scene.time, " s: all points of body ", Scene::body_name(number),
                                  " have left the mesh; the run goes on without it"));
       ++number;
     });

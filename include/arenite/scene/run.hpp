@@ -25,6 +25,7 @@ void tell_end(const Scene& scene, Observer& observer) {
 }
 }  // namespace detail
 
+/// When a run ends, and its steps.
 struct RunOptions {
   double end = std::numeric_limits<double>::quiet_NaN();      ///< s, on the scene's clock
   double courant = 0.5;                                       ///< share of the stable step, above 0 to 1, -

@@ -29,7 +29,7 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 /// the library (`walls(..)`, `gravity({..})`, `Coulomb`, `rigids(..)`, `MovingMesh`, `TrackEnergy{}`) and any
 /// of your own (`scene/roles.hpp`). Complete when constructed: filled, parts bound, surfaces found. Warns
 /// (`on_warning`) of a box that reaches beyond the mesh, of bodies that lie in one place, and of gravity that
-/// nothing holds against.
+/// nothing holds against. Throws `error` where a recipe does not fit the mesh, naming value and rule.
 template <class K, class M, class N, class... Given>
 struct Scene {
   static_assert(detail::is_complete_scene<K, M, N, Given...>());
@@ -77,7 +77,7 @@ struct Scene {
   /// Node field of a body.
   static constexpr std::size_t field_of(std::size_t body) { return Needs::own_fields ? body : 0; }
 
-  /// What is given may have more in its type than the scene's type tells (`erased_t`).
+  /// The types given may hold more than the scene's type keeps (`erased_t`).
   template <class... G>
   requires(std::same_as<std::tuple<erased_t<G>...>, std::tuple<Given...>>)
       Scene(K kinematics_value, M mesh_value, N numerics_value, const G&... given)
@@ -181,6 +181,14 @@ struct Scene {
   template <class Recipe>
   static constexpr bool has_part = detail::place_of<Recipe>(std::type_identity<Recipes>{}) < part_count;
 
+  template <Name which>
+  static constexpr bool has_rigid = detail::number_among(detail::rigids_of<Parts>::found.second, which.word(),
+                                                         which.number) < rigid_count;
+  template <Name which>
+  static constexpr std::size_t body_number() {
+    return body_place<which>();
+  }
+
   /// Number of a body; throws `error` that names the `option` if the scene has no such body.
   std::size_t number_of(const BodyName& name, std::string_view option) const {
     const std::size_t k = detail::number_among(BodiesOf::names, name.word, name.number);
@@ -188,10 +196,9 @@ struct Scene {
     require(k < body_count, option, told, "must be the number or the name of a body of the scene");
     return k;
   }
-  /// What messages call a body.
-  template <Name which>
-  static std::string name_of() {
-    return which.word().empty() ? std::to_string(which.number) : std::string(which.word());
+  /// What messages call a body: its name, or its number if it has none.
+  static std::string body_name(std::size_t body) {
+    return body_names[body].empty() ? std::to_string(body) : std::string(body_names[body]);
   }
 
   /// Whether the mesh is a part of a larger one, which other scenes share (`MeshPortion`).
@@ -221,7 +228,7 @@ struct Scene {
     return sum;
   }
 
-  /// Gives each thread cells with as many points as the others'.
+  /// Gives each thread cells with an equal number of points.
   void balance_threads() {
     blocks.balance_threads([&](Index c) {
       std::size_t n = 0;
@@ -354,8 +361,6 @@ Scene<K, M, N, Given...>::Scene(detail::Nothing, K kinematics_value, M mesh_valu
       bodies{make_bodies(detail::find_bodies(given...))} {
   balance_threads();
   for_each_body([&](auto& body, const auto&) { body.points.place_by_thread(body.cells, blocks); });
-  numerics.transfer.check();
-  numerics.anti_locking.check();
   find_constraints();
   for_each_part([&](auto& part) {
     if constexpr (connects<std::remove_reference_t<decltype(part)>, Scene>) part.connect(*this);

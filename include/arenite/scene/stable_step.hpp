@@ -1,4 +1,4 @@
-// Stable step: how far an explicit step may go.
+// Stable step: the largest explicit step that a scene bears.
 #pragma once
 
 #include <cmath>

@@ -11,6 +11,7 @@
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
+/// P2G: clears the fields and collects mass, momentum and internal force of all bodies.
 template <class Scene, class Others = const Alone>
 void p2g(Scene& scene, [[maybe_unused]] Others& others = no_others) {
   for (auto& field : scene.fields) field.clear();
@@ -24,6 +25,7 @@ void p2g(Scene& scene, [[maybe_unused]] Others& others = no_others) {
     }
 }
 
+/// Forces of parts (`add_force`). dt: s.
 template <class Scene>
 void add_forces(Scene& scene, double dt) {
   scene.for_each_part([&](auto& part) {
@@ -72,6 +74,8 @@ void for_each_exchange(Scene& scene, int first, int last, F&& f) {
 template <class T>
 inline constexpr T least_mass = std::numeric_limits<T>::min() / std::numeric_limits<T>::epsilon();
 
+/// Forces from the stresses at the middle of the step, for elastic bodies with MUSL on simplices
+/// (`add_half_step`). dt: s.
 template <class Scene, class Others = const Alone>
 void centre_stress(Scene& scene, [[maybe_unused]] double dt, [[maybe_unused]] Others& others = no_others) {
   if constexpr (Scene::centres_stress) {
@@ -91,6 +95,7 @@ void centre_stress(Scene& scene, [[maybe_unused]] double dt, [[maybe_unused]] Ot
   }
 }
 
+/// Grid update: v = v^old + dt (f / m + a), with the parts' accelerations. dt: s.
 template <class Scene, class Others = const Alone>
 void update_grid(Scene& scene, double dt, [[maybe_unused]] Others& others = no_others) {
   using T = typename Scene::T;
@@ -105,6 +110,7 @@ void update_grid(Scene& scene, double dt, [[maybe_unused]] Others& others = no_o
   }
 }
 
+/// Takes velocities to what the parts' constraints allow; books impulse and work. dt: s.
 template <class Scene>
 void constrain(Scene& scene, double dt) {
   for (auto& field : scene.fields) {
@@ -114,6 +120,8 @@ void constrain(Scene& scene, double dt) {
   }
 }
 
+/// Impulses between fields and with rigid bodies (`exchange_impulses`), by rank, then constraints again. dt:
+/// s.
 template <class Scene, class Others = const Alone>
 void exchange(Scene& scene, double dt, [[maybe_unused]] Others& others = no_others) {
   scene.contact_tally = {};
@@ -135,6 +143,8 @@ void exchange(Scene& scene, double dt, [[maybe_unused]] Others& others = no_othe
   }
 }
 
+/// Exchange of momentum at light nodes (`LightNodes`), or beside the faces of a grid (`exchange_at_faces`).
+/// dt: s.
 template <class Scene, class Others = const Alone>
 void smooth_light_nodes(Scene& scene, [[maybe_unused]] double dt,
                         [[maybe_unused]] Others& others = no_others) {
@@ -153,6 +163,7 @@ void smooth_light_nodes(Scene& scene, [[maybe_unused]] double dt,
   }
 }
 
+/// MUSL: velocities mapped back from the points, held to what contact and constraints enforced. dt: s.
 template <class Scene, class Others = const Alone>
 void map_back(Scene& scene, [[maybe_unused]] double dt, [[maybe_unused]] Others& others = no_others) {
   if constexpr (Scene::NumericsType::maps_back) {
@@ -183,6 +194,7 @@ void map_back(Scene& scene, [[maybe_unused]] double dt, [[maybe_unused]] Others&
   }
 }
 
+/// G2P and the law, body by body; hands the work of the stresses to the parts that ask for it. dt: s.
 template <class Scene, class Others = const Alone>
 void g2p(Scene& scene, double dt, [[maybe_unused]] Others& others = no_others) {
   using K = typename Scene::Kinematics;
@@ -207,6 +219,7 @@ void g2p(Scene& scene, double dt, [[maybe_unused]] Others& others = no_others) {
   });
 }
 
+/// Parts that move with the matter, or move the mesh (`follow_motion`). dt: s.
 template <class Scene, class Others = const Alone>
 void follow(Scene& scene, double dt, [[maybe_unused]] Others& others = no_others) {
   scene.for_each_part([&](auto& part) {

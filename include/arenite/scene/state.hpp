@@ -75,15 +75,13 @@ void visit_scene(Scene& scene, const F& f) {
   f("contact_tally/limited", tally.limited);
   f("contact_tally/limited_momentum", tally.limited_momentum);
   std::size_t number = 0;
-  const auto name = [](std::size_t k) {
-    return Scene::body_names[k].empty() ? std::to_string(k) : std::string(Scene::body_names[k]);
-  };
   scene.for_each_body([&](auto& body, auto&) {
-    visit_body(body, StateUnder(f, shared_detail::join("bodies/", name(number++))));
+    visit_body(body, StateUnder(f, shared_detail::join("bodies/", Scene::body_name(number++))));
   });
   if constexpr (reads_last_nodes<Scene>(std::type_identity<typename Scene::Parts>{}))
     for (std::size_t k = 0; k < scene.fields.size(); ++k) {
-      StateUnder nodes(f, Scene::field_count > 1 ? shared_detail::join("nodes/", name(k)) : "nodes");
+      StateUnder nodes(f,
+                       Scene::field_count > 1 ? shared_detail::join("nodes/", Scene::body_name(k)) : "nodes");
       nodes("mass", scene.fields[k].mass);
       nodes("velocity", scene.fields[k].velocity.numbers());
     }

@@ -66,6 +66,7 @@ class CubicBSplineLine {
   std::array<T, 3> cubic_;           // 1 / the support of the quadratic functions
 };
 
+/// Cubic B-splines on a `CartesianGrid`; see `ProductShape` for its members.
 struct CubicBSpline : ProductShape<CubicBSplineLine> {
   static constexpr const char* name = "CubicBSpline";
 };

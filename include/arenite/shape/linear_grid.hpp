@@ -32,6 +32,7 @@ struct LinearGridLine {
   T inverse_inertia() const { return 0; }
 };
 
+/// Linear functions on a `CartesianGrid`; see `ProductShape` for its members.
 struct LinearGrid : ProductShape<LinearGridLine> {
   /// Measured: docs/decisions.md.
   static constexpr double courant_limit(bool maps_back) { return maps_back ? 0.5 : 0.35; }

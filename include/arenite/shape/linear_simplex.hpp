@@ -14,7 +14,7 @@ struct LinearSimplex {
   static constexpr bool constant_gradient = true;
   static constexpr const char* name = "LinearSimplex";
   static constexpr double steepness = std::numeric_limits<double>::infinity();
-  /// Measured: docs/design.md.
+  /// Measured: docs/decisions.md.
   static constexpr double courant_limit(bool maps_back) { return maps_back ? 1.0 : 0.35; }
 
   template <class M>

@@ -51,6 +51,7 @@ class QuadraticBSplineLine {
   T before_, after_, first_, last_;
 };
 
+/// Quadratic B-splines on a `CartesianGrid`; see `ProductShape` for its members.
 struct QuadraticBSpline : ProductShape<QuadraticBSplineLine> {
   static constexpr const char* name = "QuadraticBSpline";
 };

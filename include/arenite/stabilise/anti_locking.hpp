@@ -1,9 +1,22 @@
 // Anti-locking: cures of volumetric locking, as a policy of the numerics.
 #pragma once
 
-#include <arenite/core/error.hpp>
+#include <arenite/core/checked.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
+
+namespace detail {
+
+struct FillRule {
+  static constexpr const char* name = "ElementAverage.fill";
+  static constexpr const char* bounds = "must be positive";
+  static bool holds(double fill) { return fill > 0; }
+};
+struct FillOfBothRule : FillRule {
+  static constexpr const char* name = "NodalAndElementAverage.fill";
+};
+
+}  // namespace detail
 
 /// The strain of each point as the shape functions give it.
 struct NoAntiLocking {
@@ -11,7 +24,6 @@ struct NoAntiLocking {
   static constexpr bool averages_stress = false;
   template <class Shape>
   static constexpr bool fits = true;
-  void check() const {}
 };
 
 /// Volumetric strain of a cell averaged with its neighbours' through the nodes: a node takes the mean of its
@@ -23,7 +35,6 @@ struct NodalAveraging {
   static constexpr bool averages_stress = false;
   template <class Shape>
   static constexpr bool fits = Shape::constant_gradient;
-  void check() const {}
 };
 
 /// In a cell that is filled, the points take their mean stress, weighted by volume, once they are in their
@@ -33,10 +44,9 @@ struct NodalAveraging {
 struct ElementAverage {
   static constexpr bool averages_strain = false;
   static constexpr bool averages_stress = true;
-  double fill = 0.9;  ///< a cell counts as filled from this share of its volume on, -
+  Checked<detail::FillRule> fill = 0.9;  ///< a cell counts as filled from this fraction of its volume on, -
   template <class Shape>
   static constexpr bool fits = Shape::constant_gradient;
-  void check() const { require(fill > 0, "ElementAverage.fill", fill, "must be positive"); }
 };
 
 /// Both: volumetric strains averaged over nodes, stresses over filled cells. Averaged strains leave a cell no
@@ -46,10 +56,9 @@ struct ElementAverage {
 struct NodalAndElementAverage {
   static constexpr bool averages_strain = true;
   static constexpr bool averages_stress = true;
-  double fill = 0.9;  ///< a cell counts as filled from this share of its volume on, -
+  Checked<detail::FillOfBothRule> fill = 0.9;  ///< as that of `ElementAverage`
   template <class Shape>
   static constexpr bool fits = Shape::constant_gradient;
-  void check() const { require(fill > 0, "NodalAndElementAverage.fill", fill, "must be positive"); }
 };
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -1,4 +1,4 @@
-// APIC.
+// APIC: affine particle-in-cell.
 #pragma once
 
 #include <arenite/transfer/velocity_field.hpp>
@@ -10,7 +10,6 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 /// Keeps angular momentum to round-off where D is the same everywhere: not in the outermost cells of a grid.
 struct Apic {
   static constexpr bool affine = true;
-  void check() const {}
   /// D is singular for a point at a node of a linear simplex.
   template <class Shape>
   static constexpr bool fits = !Shape::constant_gradient;
@@ -20,9 +19,8 @@ struct Apic {
     return VelocityField{p.velocity(), p.velocity_gradient()};
   }
 
-  /// The point keeps the quotient C = B D^-1, not B, both taken at x: near a face D falls to nothing, and the
-  /// B of the place that it came from, over the D of the place where it is, would make of any velocity a huge
-  /// one.
+  /// The point keeps the quotient C = B D^-1 of B and D at one position x, not B: near a face D falls to
+  /// zero, and B of the position before over D of the next would give huge velocities.
   struct Taken {
     static constexpr bool needs_moments = true;
     detail::Nothing velocity{};

@@ -1,5 +1,5 @@
-// Channels: what is summed, by name. A channel counts as many scalars as a composition asks for, none if it
-// does not: loops over it are then empty. The compiler packs them into lanes.
+// Channels: named quantities that P2G sums. A channel has as many scalars as a composition needs; with none,
+// loops over it are empty. The compiler packs them into lanes.
 #pragma once
 
 #include <array>
@@ -104,7 +104,7 @@ struct NodeLanes {
 };
 
 /// Sums over the points of a cell in packs P: `OfNode` for each of its nodes, `OfCell` once. A node's sums
-/// are padded to four, so that one load takes what one store wrote (store forwarding).
+/// are padded to four, so that one load reads what one store wrote (store forwarding).
 template <class P, std::size_t Nodes, class OfNode, class OfCell>
 class PointSums {
   static constexpr std::size_t stride = (OfNode::size + 3) / 4 * 4, cell = Nodes * stride,

@@ -1,7 +1,7 @@
 // FLIP and PIC.
 #pragma once
 
-#include <arenite/core/error.hpp>
+#include <arenite/core/checked.hpp>
 #include <arenite/transfer/node_field.hpp>
 #include <arenite/transfer/velocity_field.hpp>
 
@@ -12,10 +12,12 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 /// noise, PIC (fraction 0; Harlow 1964) damps both, at a rate that grows with the number of steps.
 struct Flip {
   static constexpr bool affine = false;
-  double fraction = 1.0;  ///< FLIP fraction, 0 to 1
-  void check() const {
-    require(fraction >= 0 && fraction <= 1, "Flip.fraction", fraction, "must lie in [0, 1]");
-  }
+  struct FractionRule {
+    static constexpr const char* name = "Flip.fraction";
+    static constexpr const char* bounds = "must lie in [0, 1]";
+    static bool holds(double fraction) { return fraction >= 0 && fraction <= 1; }
+  };
+  Checked<FractionRule> fraction = 1.0;  ///< FLIP fraction, 0 to 1
   template <class Shape>
   static constexpr bool fits = true;
 

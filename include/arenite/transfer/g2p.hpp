@@ -1,5 +1,5 @@
-// Deform (G2P): velocities and strains from the nodes, the points moved, and stresses from the law; one pass
-// over the points as they lie in memory.
+// G2P: velocities and strains from the nodes, stresses from the law, and the motion of the points, in one
+// pass over the points in memory order.
 #pragma once
 
 #include <arenite/transfer/law_pass.hpp>

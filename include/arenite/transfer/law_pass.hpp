@@ -1,5 +1,5 @@
-// Law pass: takes the stresses of neighbouring points through their law, a pack at a time, from the strains
-// of a step that wait in a buffer.
+// Law pass: updates the stresses of neighbouring points by their law, a pack at a time, from the strains of a
+// step in a buffer.
 #pragma once
 
 #include <algorithm>
@@ -116,8 +116,8 @@ template <bool TracksWork, int Width, class L, class Points, class T, int D, boo
       load([](const T* from) { return load_lanes<P>(from, width); });
       before = load_lanes<P>(points.volume.data() + p, width);
     } else {
-      // Lanes without a point repeat the first, so that the law meets no state that no point has. They have
-      // no volume, and so no part in the sums.
+      // Unused lanes repeat the first point, so that the law is called only with states that a point has.
+      // They have no volume, and so no part in the sums.
       load([&](const T* from) { return load_lanes<P>(from, count, *from); });
       before = load_lanes<P>(points.volume.data() + p, count);
     }

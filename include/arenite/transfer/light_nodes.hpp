@@ -1,4 +1,4 @@
-// Light nodes: nodes at the edge of a body that get the force of its points and next to none of their mass.
+// Light nodes: nodes at the edge of a body that get the force of its points and hardly any of their mass.
 // They exchange momentum with the nodes around them.
 #pragma once
 
@@ -63,8 +63,8 @@ void exchange_with_neighbours(const M& mesh, const Field& nodes, T dt, const Own
 }
 
 /// A linear function falls to zero at a face with a slope that does not fall. The node behind the face thus
-/// gets the full stress of points close to it, and a share of their mass as small as you like: its frequency
-/// has no bound, while the stable step follows the cells. (A quadratic spline's slope falls with it.)
+/// gets the full stress of points close to it, and an arbitrarily small part of their mass: its frequency has
+/// no bound, while the stable step follows the cells. (A quadratic spline's slope falls with it.)
 ///
 /// A node is light if its mass m is below m_e = `least_share` sum m_c (h_c |grad N|)^2, over its cells, with
 /// the mass m_c of their points and their smallest altitude h_c: as `p2g` leaves it in

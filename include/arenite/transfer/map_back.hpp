@@ -1,4 +1,4 @@
-// Remap (MUSL): node velocities for the strains, as the points would hand them back.
+// MUSL mapping: node velocities for the strains, mapped back from the new velocities of the points.
 #pragma once
 
 #include <arenite/mesh/blocks.hpp>
@@ -10,8 +10,8 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 /// What the points of a body would hand back of their new velocities, added to `nodes.mapped`: call
 /// `finish_map_back` once all bodies of the field have been through. Linear simplices need no pass over the
 /// points, who take their velocities in `g2p`; in all else they take them here, and the momentum that they
-/// hand back is added. Positions stay: they move with the strains in `g2p`, so that all of a step's
-/// weights are those of its begin.
+/// hand back is added. Positions stay: they move with the strains in `g2p`, so that all weights
+/// of a step are those at its start.
 template <class N, class M, class B, class Field>
 void map_back(const N& numerics, const M& mesh, const Blocks& blocks, B& body, Field& nodes) {
   static_assert(N::maps_back, "remap: this order of the stress update maps nothing back");

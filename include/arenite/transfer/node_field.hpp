@@ -19,7 +19,7 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 template <class T, int D>
 using NodePack = Pack<T, D == 2 ? 2 : 4>;
 
-/// The same from the lanes of a pack that are those of a vector from component `first` on; 0 elsewhere.
+/// The same from the lanes of a pack that holds components `first`, .. of a vector; 0 elsewhere.
 template <class T, int D, class L>
 NodePack<T, D> node_pack(std::size_t first, const L& lanes) {
   std::array<T, 8> all{};
@@ -55,7 +55,7 @@ const Rows& either(const detail::Nothing&, const Rows& instead) {
   return instead;
 }
 
-/// A vector a node, each at the place of a whole pack, so that one load takes it and one store adds to it.
+/// A vector for each node, padded to a whole pack, so that one load reads and one store writes it.
 template <class T, int D>
 class NodeVectors {
   struct Whole {
@@ -85,7 +85,7 @@ class NodeVectors {
   /// All numbers as they lie in memory, the spare ones among them.
   std::span<T> numbers() { return {reinterpret_cast<T*>(slots_.data()), bytes() / sizeof(T)}; }
 
-  /// The vector of node i as a pack; what the spare lane holds means nothing.
+  /// The vector of node i as a pack; the value of the spare lane is arbitrary.
   NodePack<T, D> pack(std::size_t i) const { return NodePack<T, D>::load(lanes_of_slot(i)); }
   void set(std::size_t i, const NodePack<T, D>& a) { a.store(lanes_of_slot(i)); }
   void add(std::size_t i, const NodePack<T, D>& a) { set(i, pack(i) + a); }

@@ -1,5 +1,4 @@
-// Node sums: what a node collects from the points in one pass, side by side, one register where registers are
-// that wide.
+// Node sums: what a node collects from the points in one pass, side by side: one register with AVX-512.
 #pragma once
 
 #include <arenite/core/tensor.hpp>

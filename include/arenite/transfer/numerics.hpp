@@ -34,10 +34,9 @@ struct Numerics {
   template <class T>
   static constexpr int width = static_cast<int>(RegisterBytes / sizeof(T));
   using Shape = Shape_;
-  static_assert(
-      transfer_type<Transfer_, Shape_>,
-      "Numerics: the transfer lacks a member: affine, fits<Shape>, check(), hand(point), take(cell, "
-      "nodes), of a class that is not final; see arenite/transfer/transfer.hpp");
+  static_assert(transfer_type<Transfer_, Shape_>,
+                "Numerics: the transfer lacks a member: affine, fits<Shape>, hand(point), take(cell, "
+                "nodes), of a class that is not final; see arenite/transfer/transfer.hpp");
   /// Flip in the place of one that the compiler has refused: one sentence is enough.
   using Transfer = std::conditional_t<transfer_type<Transfer_, Shape_>, Transfer_, Flip>;
   using Order = Order_;

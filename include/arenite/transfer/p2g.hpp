@@ -1,4 +1,4 @@
-// Scatter (P2G): the points of a body give their mass, momentum and internal force to a node field.
+// P2G: the points of a body give their mass, momentum and internal force to a node field.
 #pragma once
 
 #include <arenite/mesh/blocks.hpp>
@@ -26,8 +26,7 @@ void p2g(const N& numerics, const M& mesh, const Blocks& blocks, B& body, Field&
 }
 
 /// Node velocities from momentum and force: v = p / m, v^new = v + (f / m + g) dt. Nodes without mass stay at
-/// rest. A node's mass counts as none below `mass_floor`, kg: so small that a division by it means nothing in
-/// T.
+/// rest. A mass below `mass_floor`, kg, counts as none: a quotient by it has no correct digits in T.
 template <class Field, class T, int D>
 void update_grid(Field& nodes, const Vec<T, D>& gravity, T dt, T mass_floor) {
   parallel_chunks(nodes.size(), [&](std::size_t begin, std::size_t end) {

@@ -8,7 +8,7 @@
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 /// `count` <= `Width` points of one cell, from number `first` on. `Points_`: const where they are only read.
-/// Lanes behind the last point hold 0, but its position, which must be a sensible one.
+/// Lanes behind the last point hold 0; their positions repeat a point, so that they are valid.
 template <class Points_, int Width>
 struct PointPack {
   using Points = std::remove_const_t<Points_>;
@@ -52,7 +52,7 @@ struct PointPack {
     points.stress.template store<P>(first, count, s);
   }
 
-  /// Asks the processor for columns of the packs to come.
+  /// Prefetches the columns of packs to come.
   template <class... Columns>
   void prefetch(const Columns&... columns) const {
     (prefetch_column(columns), ...);

@@ -1,4 +1,4 @@
-// TPIC.
+// TPIC: Taylor particle-in-cell.
 #pragma once
 
 #include <arenite/transfer/node_field.hpp>
@@ -11,7 +11,6 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 /// to invert.
 struct Tpic {
   static constexpr bool affine = true;
-  void check() const {}
   template <class Shape>
   static constexpr bool fits = Shape::constant_gradient;
   /// sum w_j v_j + L (x_i - x_p) is v_i wherever the point lies in a linear simplex.

@@ -11,12 +11,12 @@
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
-// A transfer is a value with
+// A transfer is a value of a class, not `final`, with (examples/extend/own_transfer.cpp)
 // - `affine`: whether points carry a velocity gradient (`Points::motion`) beside their velocity;
-// - `fits<Shape>`, `check()`: throws `error` if a parameter is out of bounds;
-// - `returns_unchanged<Shape>` (optional, else false): whether points hand back to each node the velocity
-// that
-//   it gave them, so that MUSL is USL; a transfer derived from another one must say it anew;
+// - `fits<Shape>`: whether it goes with the shape functions. Parameters check themselves (`Checked`);
+// - `returns_unchanged<Shape>` (optional, else false): whether points hand back to each node the
+//   velocity that they took from it, so that MUSL is USL; a transfer derived from another one must say it
+//   anew;
 // - `hand(p)`: the `VelocityField` that a point p, a `PointPack`, hands to its nodes (P2G);
 // - `take(cell, nodes)`: what the points of a cell do in G2P, made once a cell:
 //   - `velocity`: the vectors d_i of its nodes of which points take sums, `NodeRows`; or `Nothing`: the new
@@ -25,11 +25,11 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 //   - `(cell, p, x, sums)`: gives point p at x what it takes of `sums.value` [D] and, if it needs them, of
 //     `sums.moments()` [D][D], axis by axis; returns the field that it hands over from then on.
 
+/// The members above, as far as they can be asked for without a kernel.
 template <class Transfer, class Shape>
 concept transfer_type = requires(const Transfer transfer) {
   { Transfer::affine } -> std::convertible_to<bool>;
   { Transfer::template fits<Shape> } -> std::convertible_to<bool>;
-  transfer.check();
 }
 &&detail::names_hand<Transfer>&& detail::names_take<Transfer>;
 

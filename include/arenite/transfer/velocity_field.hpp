@@ -1,4 +1,4 @@
-// Velocity field: the motion around a point as it hands it to the nodes.
+// Velocity field: the motion around a point, which it hands to the nodes.
 #pragma once
 
 #include <arenite/core/lanes.hpp>

@@ -15,11 +15,11 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 ///
 /// Only the elastic part is averaged. With theta the strain of a cell, A the average and K the bulk modulus,
 /// the mean stress K A theta is conjugate to theta, for V A is symmetric and positive semidefinite: the
-/// scheme makes no energy. A dilation d is local. In K (A theta - d) it is not in the range of A; the
-/// pressure of a cell then drives an expansion that does not lower it, and the flow rule feeds the loop. The
-/// dilation of the step before is therefore kept out: the strain is A(theta - d) + d. Matter that has
-/// separated is not averaged: a cell that holds an open point keeps its own strain and gives none to its
-/// neighbours.
+/// scheme produces no energy. A dilation d is local. In K (A theta - d) it is not in the range of A; the
+/// pressure of a cell then drives an expansion that does not lower it, and the flow rule then adds more
+/// dilation. The dilation of the step before is therefore kept out: the strain is A(theta - d) + d. Matter
+/// that has separated is not averaged: a cell that holds an open point keeps its own strain and gives none to
+/// its neighbours.
 template <class T>
 struct VolumetricAverage {
   std::vector<T> cell_strain;  ///< [cells] trace of the strain increment, mean over the cell's points

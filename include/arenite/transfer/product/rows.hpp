@@ -1,5 +1,5 @@
 // Rows of points: what the points of a cell hand to its nodes where the functions are products along the
-// axes. Each point is a row of lanes, all channels at once, so that no sum over points has to be taken apart.
+// axes. A point is a row whose lanes are the channels, so that sums over points need no sums across lanes.
 #pragma once
 
 #include <arenite/transfer/channels.hpp>

@@ -1,4 +1,4 @@
-// MUSL mapping on linear simplices, without a look at the points.
+// MUSL mapping on linear simplices, from sums of the cells instead of a pass over the points.
 #pragma once
 
 #include <arenite/particles/cell_sums.hpp>

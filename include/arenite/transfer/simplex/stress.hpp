@@ -20,6 +20,7 @@ struct StressSums {
   T bearing = 1;                          ///< volume over which the cell bears its stress, over V, -
 };
 
+/// Of the points of cell c of a body.
 template <int Width, class L, class T, int D, ExtraColumns Extra>
 StressSums<T, D> sum_stresses(const Body<L, T, D, Extra>& body, Index c) {
   using B = Body<L, T, D, Extra>;

@@ -1,0 +1,21 @@
+// A number that cannot hold a value out of bounds: parameters of aggregates check themselves.
+#pragma once
+
+#include <arenite/core/error.hpp>
+
+namespace arenite {
+
+/// A number that was checked when it was given. `Rule` has `name` (of the parameter) and `bounds` (a
+/// sentence), both static and const char*, and `static bool holds(double)`. Throws `error` with all three
+/// unless it holds.
+template <class Rule>
+class Checked {
+ public:
+  Checked(double value) : value_{value} { require(Rule::holds(value), Rule::name, value, Rule::bounds); }
+  operator double() const { return value_; }
+
+ private:
+  double value_;
+};
+
+}  // namespace arenite

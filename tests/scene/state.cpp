@@ -95,13 +95,13 @@ TEST_CASE(
       57, 40);
   for (const char* name :
        {"time", "steps", "bodies/sand/lost", "bodies/sand/points/position/y", "bodies/sand/points/stress/xx",
-        "bodies/sand/points/history/opening", "bodies/sand/points/dilation", "bodies/sand/cells/guests",
+        "bodies/sand/points/history/opening", "bodies/sand/points/dilation", "bodies/sand/cells/unsorted",
         "rigids/cone/displacement", "mesh_motion/travel", "energy/stress_work"}) {
     CAPTURE(name);
     CHECK(middle.has(name));
   }
   CHECK(!middle.has("nodes/mass"));
-  CHECK(middle.size("bodies/sand/cells/guests") > 0);
+  CHECK(middle.size("bodies/sand/cells/unsorted") > 0);
 }
 
 TEST_CASE("Restored: B-splines, APIC, MUSL, two bodies in contact and a rigid one; points get lost") {

@@ -124,7 +124,11 @@ struct Setup : RandomBody<typename N_::Shape, M_, N_::extra_columns, N_::maps_ba
   }
   G2pSums g2p(T dt) {
     VolumetricAverage<T> average;
-    return arenite::g2p<K, true>(numerics, mesh, blocks, body, nodes, dt, average);
+    if constexpr (N::AntiLocking::averages_strain) {
+      average.template sum<K, N>(mesh, blocks, body, nodes, dt);
+      average.use(mesh, blocks, body);
+    }
+    return arenite::g2p<K, true>(numerics, mesh, body, nodes, dt, average);
   }
   /// New velocities of the points, and nothing else: a step without length neither moves nor strains.
   void gather() {

@@ -92,6 +92,15 @@ class NodeConstraints {
       }
   }
 
+  /// The mesh is a part of a larger one, with the corners of the box around that.
+  void set_whole(const V& lower, const V& upper) {
+    lower_ = lower;
+    upper_ = upper;
+    is_part_ = true;
+  }
+  /// Whether it is: a wall may then catch no node.
+  bool is_part() const { return is_part_; }
+
   const M& mesh() const { return mesh_; }
   Index size() const { return static_cast<Index>(position_.size()); }
   /// Whether a cell has node i: a mesher may leave nodes without cells behind.
@@ -139,6 +148,7 @@ class NodeConstraints {
   std::vector<detail::Blocked<D>> blocked_;
   V lower_ = V::Constant(std::numeric_limits<double>::infinity()), upper_ = -lower_;
   std::size_t part_ = 0;
+  bool is_part_ = false;
 };
 
 /// What parts (`Walls`, kinematics, ..) block on a mesh, as constrained nodes, ascending.
@@ -149,36 +159,42 @@ std::vector<Constraint<typename M::scalar, M::dimension>> resolve(const M& mesh,
   return nodes.constraints();
 }
 
-/// Removes the blocked part of the velocities of a field. Returns the impulse that this gave, N s.
-template <class T, int D, class Velocities>
+/// All nodes are counted: where a scene has its mesh to itself.
+struct OwnsAll {
+  constexpr bool operator()(Index) const { return true; }
+};
+
+/// Removes the blocked part of the velocities of a field. Returns the impulse that this gave to the nodes
+/// that `owns(node)`, N s.
+template <class T, int D, class Velocities, class Owns = OwnsAll>
 Vec<T, D> constrain(const std::vector<Constraint<T, D>>& constraints, const std::vector<T>& mass,
-                    Velocities& velocity) {
+                    Velocities& velocity, const Owns& owns = {}) {
   Vec<T, D> impulse = Vec<T, D>::Zero();
   for (const auto& c : constraints) {
     if (mass[c.node] == 0) continue;
     const Vec<T, D> allowed = c.projector * velocity[c.node];
-    impulse += mass[c.node] * (allowed - velocity[c.node]);
+    if (owns(c.node)) impulse += mass[c.node] * (allowed - velocity[c.node]);
     velocity[c.node] = allowed;
   }
   return impulse;
 }
 
 /// The same with nodes that are driven to their targets. Returns the work of the drives, J, too.
-template <class T, int D, class Velocities>
+template <class T, int D, class Velocities, class Owns = OwnsAll>
 std::pair<Vec<T, D>, double> constrain(const std::vector<Constraint<T, D>>& constraints,
                                        const std::vector<Drive<T, D>>& drives, const std::vector<T>& mass,
-                                       Velocities& velocity) {
+                                       Velocities& velocity, const Owns& owns = {}) {
   double work = 0;  // impulses of a node times its target: what is allowed is normal to both
   const auto book = [&](T sign) {
     for (const auto& d : drives)
-      work += static_cast<double>(sign * mass[d.node] * d.target.dot(velocity[d.node]));
+      if (owns(d.node)) work += static_cast<double>(sign * mass[d.node] * d.target.dot(velocity[d.node]));
   };
   book(-1);
-  Vec<T, D> impulse = constrain(constraints, mass, velocity);
+  Vec<T, D> impulse = constrain(constraints, mass, velocity, owns);
   for (const auto& d : drives) {
     if (mass[d.node] == 0) continue;
     velocity[d.node] += d.target;
-    impulse += mass[d.node] * d.target;
+    if (owns(d.node)) impulse += mass[d.node] * d.target;
   }
   book(1);
   return {impulse, work};

@@ -113,7 +113,8 @@ struct Walls {
         }
       }
     }
-    require(caught > 0, "Wall.nodes", caught, "the wall must catch at least one node of the mesh");
+    require(caught > 0 || nodes.is_part(), "Wall.nodes", caught,
+            "the wall must catch at least one node of the mesh");
   }
 };
 /// `walls(bottom(fixed), left(roller), ..)`

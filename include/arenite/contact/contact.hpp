@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include <arenite/boundary/constraints.hpp>
 #include <arenite/contact/coulomb.hpp>
 #include <arenite/contact/hold.hpp>
 #include <arenite/contact/normals.hpp>
@@ -102,10 +103,11 @@ void exchange_in_pairs(const Friction& friction, const Normals& normals, Fields&
 
 /// Lets the fields of each pair of bodies exchange impulses at the nodes that they share, and limits the
 /// velocities there. `impulses` [fields] receives the sum of what each field was given, N s; `pairs` those
-/// who exchanged one, in the order of their nodes.
-template <class Contact, class Normals, class Fields, class Impulses, class Pairs, class T, class Size>
+/// who exchanged one, in the order of their nodes. What is summed is that of nodes that `owns(node)`.
+template <class Contact, class Normals, class Fields, class Impulses, class Pairs, class T, class Size,
+          class Owns = OwnsAll>
 ContactTally exchange(const Contact& contact, const Normals& normals, Fields& fields, Impulses& impulses,
-                      Pairs& pairs, T dt, Size&& node_size) {
+                      Pairs& pairs, T dt, Size&& node_size, const Owns& owns = {}) {
   static_assert(contact_normals<Normals, Fields>,
                 "Coulomb: the normals lack a member; see arenite/contact/normals.hpp");
   ContactTally tally;
@@ -114,9 +116,10 @@ ContactTally exchange(const Contact& contact, const Normals& normals, Fields& fi
     for (auto& f : fields) {
       const T speed = f.velocity[i].norm();
       if (!(f.mass[i] > 0 && speed > most)) continue;
+      f.velocity[i] *= most / speed;
+      if (!owns(static_cast<Index>(i))) continue;
       tally.limited_momentum += static_cast<double>(f.mass[i] * (speed - most));
       ++tally.limited;
-      f.velocity[i] *= most / speed;
     }
   };
   for (auto& sum : impulses) sum.setZero();
@@ -129,6 +132,7 @@ ContactTally exchange(const Contact& contact, const Normals& normals, Fields& fi
     if (contact.velocity_limit > 0 && last != nowhere && last != i) limit(last);
     last = i;
     pairs.push_back(pair);
+    if (!owns(pair.node)) return;
     impulses[a] += impulse;
     impulses[b] -= impulse;
     // Mean velocities over the whole step, so that forces that contact holds in balance
@@ -144,8 +148,8 @@ ContactTally exchange(const Contact& contact, const Normals& normals, Fields& fi
 
 /// Holds the mapped velocities of each pair to those of their common momentum (see `hold`). Returns the
 /// energy that this dissipates, J. `Centred`: what is mapped is the mean over the step already.
-template <bool Centred, class Pairs, class Fields, class T>
-double hold_together(const Pairs& pairs, Fields& fields, T dt) {
+template <bool Centred, class Pairs, class Fields, class T, class Owns = OwnsAll>
+double hold_together(const Pairs& pairs, Fields& fields, T dt, const Owns& owns = {}) {
   double dissipation = 0;
   for (const auto& pair : pairs) {
     const std::size_t i = pair.node;
@@ -159,7 +163,7 @@ double hold_together(const Pairs& pairs, Fields& fields, T dt) {
     const V force = share_a * a.collected[i].force() - share_b * b.collected[i].force();
     const auto held =
         hold<T, V::RowsAtCompileTime>(apart, twice, pair.normal, pair.sticks, pair.impulse, force, dt);
-    dissipation += held.dissipation;
+    if (owns(pair.node)) dissipation += held.dissipation;
     a.mapped[i] -= share_a * held.removed;
     b.mapped[i] += share_b * held.removed;
   }
@@ -189,7 +193,8 @@ struct BoundCoulomb {
   template <class Scene>
   ContactTally exchange_impulses(Scene& scene, double dt) {
     const auto size = [&](Index i) { return node_size(scene.mesh, i); };
-    const auto tally = exchange(*this, normals, scene.fields, impulse, pairs, static_cast<T>(dt), size);
+    const auto tally =
+        exchange(*this, normals, scene.fields, impulse, pairs, static_cast<T>(dt), size, scene.node_owner());
     dissipated += tally.dissipation;
     return tally;
   }
@@ -197,7 +202,8 @@ struct BoundCoulomb {
   const Vec<T, D>& contact_impulse(std::size_t body) const { return impulse[body]; }
   template <class Scene>
   double hold_mapped(Scene& scene, double dt) {
-    const double dissipation = hold_together<Scene::centres_stress>(pairs, scene.fields, static_cast<T>(dt));
+    const double dissipation =
+        hold_together<Scene::centres_stress>(pairs, scene.fields, static_cast<T>(dt), scene.node_owner());
     dissipated += dissipation;
     return dissipation;
   }

@@ -63,7 +63,8 @@ struct NormalMap {
   template <class Scene>
   void connect(const Scene& scene) {
     body = scene.number_of(recipe.body, "SurfaceOf.body");
-    const auto surface = surface_of<typename Scene::Kinematics>(scene.mesh, recipe.region, scene.constraints);
+    const auto surface = surface_of<typename Scene::Kinematics>(scene.mesh, recipe.region, scene.constraints,
+                                                                Scene::is_portion);
     out.assign(scene.mesh.node_count(), Vec<T, D>::Zero());
     for (std::size_t k = 0; k < surface.nodes.size(); ++k) out[surface.nodes[k]] = surface.normals[k];
   }

@@ -25,10 +25,10 @@ struct RegionSurface {
 
 /// Facets on the hull of the mesh are no surface. Where walls constrain a node, its normal keeps to the
 /// allowed directions: on a symmetry plane or an axis it lies in it. Throws `error` if the region meets no
-/// other.
+/// other, unless the mesh `is_part` of a larger one.
 template <class K, int D, class T>
 RegionSurface<T, D> surface_of(const SimplexMesh<D, T>& mesh, const std::string& region,
-                               const std::vector<Constraint<T, D>>& constraints) {
+                               const std::vector<Constraint<T, D>>& constraints, bool is_part = false) {
   const int number = mesh.region_number(region);
   std::vector<Vec<T, D>> sum(mesh.node_count(), Vec<T, D>::Zero());
   std::vector<T> volume(mesh.node_count(), T(0));
@@ -75,7 +75,8 @@ RegionSurface<T, D> surface_of(const SimplexMesh<D, T>& mesh, const std::string&
       surface.inside.push_back(i);
     }
   }
-  require(!surface.nodes.empty(), "surface of region", region, "must meet another region of the mesh");
+  require(!surface.nodes.empty() || is_part, "surface of region", region,
+          "must meet another region of the mesh");
   return surface;
 }
 

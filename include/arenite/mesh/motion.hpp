@@ -7,31 +7,35 @@
 #include <string_view>
 #include <vector>
 
+#include <arenite/core/alone.hpp>
 #include <arenite/core/name.hpp>
 #include <arenite/mesh/mesh.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
-/// A rigid body of the scene leads, by name or number. A leader has `travel(scene, axis, before, dt)`: its
-/// travel along the axis since the start, m, `before` being that of the step before.
+/// A rigid body of the scene leads, by name or number. A leader has `travel(scene, axis, before, dt)`, or
+/// with the exchange behind them where its travel is a sum over scenes: its travel along the axis since the
+/// start, m, `before` being that of the step before.
 template <Name body = 0>
 struct LedByRigid {
-  template <class Scene, class T>
-  T travel(const Scene& scene, int axis, T, T) const {
+  template <class Scene, class T, class Others>
+  T travel(const Scene& scene, int axis, T, T, Others&) const {
     return scene.template rigid<body>().displacement[axis];
   }
 };
 /// The mean velocity of a deformable body leads, by name or number.
 template <Name which = 0>
 struct LedByBody {
-  template <class Scene, class T>
-  T travel(const Scene& scene, int axis, T before, T dt) const {
+  template <class Scene, class T, class Others>
+  T travel(const Scene& scene, int axis, T before, T dt, Others& others) const {
     const auto& body = scene.template body<which>();
-    if (body.points.size() == 0)
+    double along = momentum(body)[axis], all = mass(body);
+    sum_over(others, along, all);
+    if (all == 0)
       throw run_error(shared_detail::join(
           "body ", which.word().empty() ? std::to_string(which.number) : std::string(which.word()),
           ", which leads the mesh, has lost all of its points"));
-    return before + static_cast<T>(static_cast<double>(dt) * momentum(body)[axis] / mass(body));
+    return before + static_cast<T>(static_cast<double>(dt) * along / all);
   }
 };
 
@@ -109,10 +113,17 @@ class BoundMotion {
   /// Travel of the leader since the start along the axis, m.
   T travel() const { return travel_; }
 
-  template <class Scene>
-  void follow_motion(Scene& scene, double dt) {
+  template <class Scene, class Others = const Alone>
+  void follow_motion(Scene& scene, double dt, Others& others = no_others) {
+    const auto travel = [&] {
+      const auto step = static_cast<T>(dt);
+      if constexpr (requires { motion_.leader.travel(scene, motion_.axis, travel_, step, others); })
+        return motion_.leader.travel(scene, motion_.axis, travel_, step, others);
+      else
+        return motion_.leader.travel(scene, motion_.axis, travel_, step);
+    };
     try {
-      move(scene.mesh, motion_.leader.travel(scene, motion_.axis, travel_, static_cast<T>(dt)));
+      move(scene.mesh, travel());
     } catch (const run_error& e) {
       throw run_error(shared_detail::join("t = ", scene.time + dt, " s: ", e.what()));
     }

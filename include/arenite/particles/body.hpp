@@ -104,7 +104,8 @@ struct Body {
   std::vector<Index> move_count{};       ///< [blocks of cells] moves found in each
   /// Points in no cell of the mesh, from `find_cells` to `regroup`.
   std::vector<Index> outside{};
-  bool moved = false;  ///< whether a point has another cell than the lists say, until `regroup`
+  bool moved = false;    ///< whether a point has another cell than the lists say, until `regroup`
+  bool dropped = false;  ///< whether one has no cell any more
   std::vector<CellSums<T, D>> cell_sums{};  ///< [cells] from `p2g`; empty if the numerics need none
   /// [cells] sum of V times stress, N m, from `p2g`; empty unless stresses are centred
   std::vector<Sym<T, D>> cell_stress{};
@@ -146,9 +147,17 @@ std::vector<int> region_numbers([[maybe_unused]] const M& mesh, [[maybe_unused]]
 
 }  // namespace detail
 
-/// Makes the body of a recipe. Throws `error` if the region holds no point, unless it may.
-template <class K, ExtraColumns Extra = ExtraColumns{}, class M, class L, Name name>
-auto make_body(const M& mesh, const Fill<L, name>& recipe) {
+/// Every cell may hold points: where a scene has its mesh to itself.
+struct OwnsAllCells {
+  static constexpr bool is_whole = true;
+  constexpr bool operator()(Index) const { return true; }
+};
+
+/// Makes the body of a recipe, with points in the cells that `owns(cell)`. Throws `error` if the region holds
+/// no point of the mesh, unless it may.
+template <class K, ExtraColumns Extra = ExtraColumns{}, class M, class L, Name name,
+          class Owns = OwnsAllCells>
+auto make_body(const M& mesh, const Fill<L, name>& recipe, const Owns& owns = {}) {
   using T = typename M::scalar;
   constexpr int D = M::dimension;
   Body<L, T, D, Extra> body{recipe.law, {}, {}};
@@ -172,6 +181,7 @@ auto make_body(const M& mesh, const Fill<L, name>& recipe) {
   }
   const auto numbers = detail::region_numbers(mesh, recipe.region);
   for (Index c = 0; c < mesh.cell_count(); ++c) {
+    if (!owns(c)) continue;
     if constexpr (is_simplex_mesh<M>) {
       if (!recipe.region.test && !std::ranges::count(numbers, mesh.region(c))) continue;
     }
@@ -192,7 +202,7 @@ auto make_body(const M& mesh, const Fill<L, name>& recipe) {
       body.initial_volume += static_cast<double>(volume);
     }
   }
-  require(body.points.size() > 0 || o.may_be_empty, "fill: points", body.points.size(),
+  require(body.points.size() > 0 || o.may_be_empty || !Owns::is_whole, "fill: points", body.points.size(),
           "the region holds no point of the mesh");
   require(body.points.size() < none, "fill: points", body.points.size(), "must be fewer than 2^32");
   detail::begin_history(body.points, o);

@@ -109,6 +109,8 @@ class CellList {
   std::size_t offset(Index cell) const { return std::size_t{start_[cell]} + unsorted_start_[cell]; }
 
   std::size_t unsorted() const { return all_unsorted_.size(); }
+  /// The unsorted points of all cells, in the order of their moves.
+  const std::vector<Index>& all_unsorted() const { return all_unsorted_; }
 
   /// Calls `f(point, count)` for the points of a cell, at most `Width` neighbours at a time.
   template <int Width, class F>

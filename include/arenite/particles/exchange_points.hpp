@@ -38,8 +38,7 @@ auto take_out(B& body, Index cell_count, Leaves&& leaves, Take&& take) {
       CellList::Move move{leaving[k], none};
       body.cells.leave(move, points.cell, [&](Index p, Index q) { points.swap(p, q); });
       body.cells.admit(move);
-      body.outside.push_back(move.point);
-      body.moved = true;
+      body.moved = body.dropped = true;
     }
   }
   return totals;
@@ -69,22 +68,14 @@ void check_point(const B& body, const typename B::Point& point, std::size_t numb
           "a body holds fewer than 2^32 points");
 }
 
-/// Adds points to a body, each in the cell that holds it; `id(point)` is the id it gets, where points have
-/// ids. Throws `error`, with nothing added, if one lies outside of the mesh or is not finite. Returns what
-/// they carry.
-template <class B, class M, class Id>
-auto add_points(B& body, M& mesh, const std::vector<typename B::Point>& added, Id&& id) {
+/// Adds points to a body, each in its cell; `id(point)` is the id it gets, where points have ids. Returns
+/// what they carry.
+template <class B, class Id>
+auto append_points(B& body, const std::vector<typename B::Point>& added, const std::vector<Index>& cell,
+                   Id&& id) {
   auto& points = body.points;
-  using T = typename M::scalar;
-  PointTotals<M::dimension> totals;
-  std::vector<Index> cell;
-  cell.reserve(added.size());
-  for (std::size_t k = 0; k < added.size(); ++k) {
-    check_point(body, added[k], k);
-    cell.push_back(mesh.search(added[k].position));
-    require(cell.back() != none, shared_detail::join("point ", k, " to be added: position"),
-            shared_detail::listed(added[k].position), "must lie in the mesh");
-  }
+  using T = typename std::remove_cvref_t<decltype(points)>::scalar;
+  PointTotals<std::remove_cvref_t<decltype(points)>::dimension> totals;
   points.reserve_more(added.size());
   body.cells.reserve(points.size() + added.size());
   for (std::size_t k = 0; k < added.size(); ++k) {
@@ -98,6 +89,20 @@ auto add_points(B& body, M& mesh, const std::vector<typename B::Point>& added, I
   points.reserve_spare();
   body.moved = body.moved || !added.empty();
   return totals;
+}
+
+/// Adds points to a body, each in the cell that holds it. Throws `error`, with nothing added, if one lies
+/// outside of the mesh or is not finite.
+template <class B, class M, class Id>
+auto add_points(B& body, M& mesh, const std::vector<typename B::Point>& added, Id&& id) {
+  std::vector<Index> cell;
+  for (std::size_t k = 0; k < added.size(); ++k) {
+    check_point(body, added[k], k);
+    cell.push_back(mesh.search(added[k].position));
+    require(cell.back() != none, shared_detail::join("point ", k, " to be added: position"),
+            shared_detail::listed(added[k].position), "must lie in the mesh");
+  }
+  return append_points(body, added, cell, id);
 }
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

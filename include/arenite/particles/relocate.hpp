@@ -70,7 +70,9 @@ void find_cells(B& body, M& mesh, const Blocks& blocks) {
       if (move.to != none) continue;
       // A walk may end at the hull of a mesh that is not convex.
       points.cell[move.point] = mesh.search(points.position[move.point]);
-      if (points.cell[move.point] == none) body.outside.push_back(move.point);
+      if (points.cell[move.point] != none) continue;
+      body.outside.push_back(move.point);
+      body.dropped = true;
     }
   }
 }
@@ -90,8 +92,8 @@ bool regroup(B& body, const Blocks& blocks) {
   if (!body.moved) return false;
   auto& points = body.points;
   auto& cells = body.cells;
-  const bool leave = !body.outside.empty();
-  body.moved = false;
+  const bool leave = body.dropped;
+  body.moved = body.dropped = false;
   body.outside.clear();
   cells.list_unsorted(points.cell);
   constexpr std::size_t crowd = 16;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include <arenite/core/alone.hpp>
 #include <arenite/core/error.hpp>
 #include <arenite/core/tensor.hpp>
 
@@ -26,13 +27,16 @@ namespace detail {
 /// pieces that are straight (or nearly so, with friction in three dimensions), whose slopes may differ by as
 /// much as soil and body: Newton steps on the pieces, inside a bracket that is halved where they leave it or
 /// do not get ahead.
-template <class R, class V, class T>
-T balance_speed(const R& body, const V& axis, T trial, T mass) {
+/// The sums are taken over the touches of all scenes that share the body.
+template <class R, class V, class T, class Others>
+T balance_speed(const R& body, const V& axis, T trial, T mass, Others& others) {
   T soil = 0;
   for (const auto& t : body.touched_nodes) soil += t.mass_ratio * t.mass;
+  sum_over(others, soil);
   const auto contact_impulse = [&](T s) {
     T sum = 0;
     for (const auto& t : body.touched_nodes) sum += body.impulse_at(t, s * axis).dot(axis);
+    sum_over(others, sum);
     return sum;
   };
   constexpr T round_off = std::numeric_limits<T>::epsilon();
@@ -86,12 +90,13 @@ struct BoundGuided {
     const T drive = acceleration.dot(axis) + static_cast<T>(load / mass);
     return before + dt * drive * axis;
   }
-  template <class Body>
-  V velocity_in_contact(const Body& body, const V& free_velocity) const {
+  template <class Body, class Others = const Alone>
+  V velocity_in_contact(const Body& body, const V& free_velocity,
+                        [[maybe_unused]] Others& others = no_others) const {
     if constexpr (Body::coupling_through_centre)
       return free_velocity;  // `after` corrects it: eq. (4)
     else
-      return detail::balance_speed(body, axis, free_velocity.dot(axis), static_cast<T>(mass)) * axis;
+      return detail::balance_speed(body, axis, free_velocity.dot(axis), static_cast<T>(mass), others) * axis;
   }
   /// The remainder of the balance is given to the body, unless it is round-off of the impulses, which would
   /// give a very light body a large velocity.

@@ -9,6 +9,7 @@
 #include <arenite/contact/coulomb.hpp>
 #include <arenite/contact/hold.hpp>
 #include <arenite/contact/tally.hpp>
+#include <arenite/core/alone.hpp>
 #include <arenite/core/bind.hpp>
 #include <arenite/core/name.hpp>
 #include <arenite/core/part_energy.hpp>
@@ -69,8 +70,8 @@ auto rigid(Surface surface, Motion motion, Number, Coupling... coupling) {
 
 namespace detail {
 
-template <class Shape, class M, class R, class Fields>
-void find_touched_nodes(const M& mesh, R& body, const Fields& fields) {
+template <class Shape, class M, class R, class Fields, class Owns>
+void find_touched_nodes(const M& mesh, R& body, const Fields& fields, const Owns& owns) {
   using T = typename M::scalar;
   body.touched_nodes.clear();
   body.inside_nodes = 0;
@@ -80,6 +81,7 @@ void find_touched_nodes(const M& mesh, R& body, const Fields& fields) {
   body.surface.template visit<Shape>(
       mesh, body.displacement, has_mass,
       [&](Index node, const auto& normal, bool inside, [[maybe_unused]] T fraction) {
+        if (!owns(node)) return;
         for (std::size_t f = 0; f < fields.size(); ++f) {
           const T mass = fields[f].mass[node];
           if (!(mass > 0)) continue;
@@ -97,14 +99,22 @@ void find_touched_nodes(const M& mesh, R& body, const Fields& fields) {
 }  // namespace detail
 
 /// Advances the body by dt to `time` and lets it exchange impulses with all fields: its own motion first,
-/// then the impulses with its new velocity. Returns the dissipation of
-/// contact.
-template <class Shape, class M, class R, class Fields, class T, int D>
-ContactTally collide(const M& mesh, R& body, Fields& fields, const Vec<T, D>& acceleration, T time, T dt) {
-  detail::find_touched_nodes<Shape>(mesh, body, fields);
+/// then the impulses with its new velocity. Returns what contact dissipated. Each scene that shares the body
+/// touches the nodes that it owns; sums are taken through `others`, and all know of the whole body.
+template <class Shape, class M, class R, class Fields, class T, int D, class Owns = OwnsAll,
+          class Others = const Alone>
+ContactTally collide(const M& mesh, R& body, Fields& fields, const Vec<T, D>& acceleration, T time, T dt,
+                     const Owns& owns = {}, Others& others = no_others) {
+  detail::find_touched_nodes<Shape>(mesh, body, fields, owns);
   const Vec<T, D> before = body.velocity,
                   free_velocity = body.motion.free_velocity(before, acceleration, time, dt);
-  body.velocity = body.motion.velocity_in_contact(body, free_velocity);
+  if constexpr (requires { body.motion.velocity_in_contact(body, free_velocity, others); }) {
+    body.velocity = body.motion.velocity_in_contact(body, free_velocity, others);
+  } else {
+    static_assert(Others::alone || !R::is_free,
+                  "Rigid: meet of this motion must take the others to sum with");
+    body.velocity = body.motion.velocity_in_contact(body, free_velocity);
+  }
   Vec<T, D> total = Vec<T, D>::Zero();  // on the fields
   T gained = 0;                         // by the fields: impulses times their mean velocities over the step
   T exchanged = 0;                      // magnitudes of the impulses
@@ -122,6 +132,7 @@ ContactTally collide(const M& mesh, R& body, Fields& fields, const Vec<T, D>& ac
     gained += j.dot(fields[t.field].start[t.node] + v) / 2;
     ++body.contact_nodes;
   }
+  sum_over(others, total, gained, exchanged, body.contact_nodes, body.inside_nodes);
   body.force = -total / dt;
   body.impulse -= total;
   body.velocity = body.motion.after(body.velocity, free_velocity, total, exchanged);
@@ -135,8 +146,8 @@ ContactTally collide(const M& mesh, R& body, Fields& fields, const Vec<T, D>& ac
 
 /// Holds the mapped velocities of MUSL to the body where it gave an impulse (see `hold`). Returns the energy
 /// that this dissipates, J.
-template <bool Centred, class R, class Fields, class T>
-double hold_to(R& body, Fields& fields, T dt) {
+template <bool Centred, class R, class Fields, class T, class Others = const Alone>
+double hold_to(R& body, Fields& fields, T dt, Others& others = no_others) {
   double dissipation = 0;
   for (const auto& t : body.touched_nodes) {
     if (t.impulse.squaredNorm() == 0) continue;
@@ -151,6 +162,7 @@ double hold_to(R& body, Fields& fields, T dt) {
     dissipation += held.dissipation;
     v -= held.removed;
   }
+  sum_over(others, dissipation);
   body.dissipated += dissipation;
   return dissipation;
 }
@@ -169,7 +181,7 @@ struct RigidBody {
   using V = Vec<T, D>;
   static constexpr auto name = name_;
   static constexpr int exchange_rank = 1;
-  static constexpr bool is_rigid_body = true;
+  static constexpr bool is_rigid_body = true, is_shared = true;
   static constexpr bool is_free = Motion::has_mass;
   static constexpr bool coupling_through_centre = Coupling::through_centre_of_mass;
   static_assert(!coupling_through_centre || (Surface::has_volume_fractions && is_free),
@@ -220,16 +232,21 @@ struct RigidBody {
 
   template <class Scene>
   void connect(const Scene& scene) {
+    static_assert(
+        !(Scene::is_portion && coupling_through_centre),
+        "Rigid: CentreOfMass spreads the body's mass over all of its nodes, and a portion of the mesh "
+        "knows some of them; use RigidVelocity");
     if constexpr (requires { surface.connect(scene); }) surface.connect(scene);
   }
-  template <class Scene>
-  ContactTally exchange_impulses(Scene& scene, double dt) {
+  template <class Scene, class Others = const Alone>
+  ContactTally exchange_impulses(Scene& scene, double dt, Others& others = no_others) {
     return collide<typename Scene::Shape>(scene.mesh, *this, scene.fields, scene.acceleration(),
-                                          static_cast<T>(scene.time + dt), static_cast<T>(dt));
+                                          static_cast<T>(scene.time + dt), static_cast<T>(dt),
+                                          scene.node_owner(), others);
   }
-  template <class Scene>
-  double hold_mapped(Scene& scene, double dt) {
-    return hold_to<Scene::centres_stress>(*this, scene.fields, static_cast<T>(dt));
+  template <class Scene, class Others = const Alone>
+  double hold_mapped(Scene& scene, double dt, Others& others = no_others) {
+    return hold_to<Scene::centres_stress>(*this, scene.fields, static_cast<T>(dt), others);
   }
   PartEnergy count_energy() const {
     return {.kinetic = kinetic_energy(), .dissipated = dissipated, .external = driving_work};

@@ -73,7 +73,8 @@ class BoundMeshSurface {
 
   template <class Scene>
   void connect(const Scene& scene) {
-    surface_ = surface_of<typename Scene::Kinematics>(scene.mesh, recipe_.region, scene.constraints);
+    surface_ = surface_of<typename Scene::Kinematics>(scene.mesh, recipe_.region, scene.constraints,
+                                                      Scene::is_portion);
   }
   template <class Shape, class M, class HasMass, class F>
   void visit(const M&, const Vec<T, D>&, HasMass&&, F&& f) const {

@@ -56,6 +56,10 @@ concept accelerates = requires(const P& part) {
 /// After the grid update: gives the fields' velocities impulses, takes its own motion through the step, and
 /// returns what it did. `static constexpr int exchange_rank` orders those who exchange: 0 bodies with each
 /// other, 1 rigid bodies, 2 (without one) all else. Velocities are constrained again afterwards.
+///
+/// In a scene over a portion of a mesh it treats all nodes alike and counts those that it owns
+/// (`scene.node_owner()`); what needs sums over all nodes takes the exchange as a third argument (`Alone`),
+/// as `hold_mapped` and `follow_motion` may. `is_shared`: its numbers are those of all portions together.
 template <class P, class S>
 concept exchanges_impulses = requires(P& part, S& scene) {
   { part.exchange_impulses(scene, 0.0) } -> std::same_as<ContactTally>;
@@ -162,7 +166,8 @@ inline constexpr bool plays_a_role =
     requires {
   P::separates_bodies;
 }
-|| requires { P::needs_point_ids; };
+|| requires { P::needs_point_ids; }
+|| requires { P::is_mesh_portion; };
 
 /// Stops the compiler with the cure for a part that a scene would else leave out in silence.
 template <class P, class S>

@@ -32,23 +32,16 @@ struct RunOptions {
   double max_step = std::numeric_limits<double>::infinity();  ///< s
 };
 
-/// Steps `scene` until `options.end`, which the last step hits exactly. Each observer is called with the
-/// scene (const) at the start and after every step; one with a member `finish(scene)` is told the end. Throws
-/// `error` for a bad option, `run_error` if the run fails; observers have then seen everything up to the step
-/// before.
-template <class Scene, class... Observers>
-void run(Scene& scene, const RunOptions& options, Observers&&... observers) {
-  require(std::isfinite(options.end), "RunOptions.end", options.end, "must be given");
-  require(options.end >= scene.time, "RunOptions.end", options.end,
-          shared_detail::join("must not lie before the scene's time ", scene.time));
-  require(options.courant > 0, "RunOptions.courant", options.courant, "must be positive");
-  require(options.courant <= 1, "RunOptions.courant", options.courant,
-          "must be at most 1: larger steps are unstable");
-  require(options.max_step > 0, "RunOptions.max_step", options.max_step, "must be positive");
-  (detail::show(scene, observers), ...);
+namespace detail {
+
+template <class Scene, class Others, class... Observers>
+void run_steps(Scene& scene, const RunOptions& options, Others& others, Observers&... observers) {
+  (show(scene, observers), ...);
   const double span = options.end - scene.time;
   while (scene.time < options.end) {
-    double dt = std::min(options.courant * stable_step(scene), options.max_step);
+    double stable = stable_step(scene);
+    if constexpr (!Others::alone) stable = others.least(stable);
+    double dt = std::min(options.courant * stable, options.max_step);
     if (!(dt > 1e-12 * span))
       throw run_error(
           shared_detail::join("t = ", scene.time, " s: the stable step has shrunk to ", dt, " s"));
@@ -59,11 +52,45 @@ void run(Scene& scene, const RunOptions& options, Observers&&... observers) {
     else if (2 * dt > left)
       dt = left / 2;  // the last two steps share what is left: a sliver of a step would turn impulses into
                       // huge forces
-    step(scene, dt);
+    step(scene, dt, others);
     if (last) scene.time = options.end;
-    (detail::show(scene, observers), ...);
+    (show(scene, observers), ...);
   }
-  (detail::tell_end(scene, observers), ...);
+  (tell_end(scene, observers), ...);
+}
+
+}  // namespace detail
+
+/// Steps `scene` with others over the other portions of its mesh, each with its own call, until
+/// `options.end`, which the last step hits exactly; all take the least of their steps. If one fails all do.
+template <class Scene, class Others, class... Observers>
+void run_with(Others& others, Scene& scene, const RunOptions& options, Observers&&... observers) {
+  require(std::isfinite(options.end), "RunOptions.end", options.end, "must be given");
+  require(options.end >= scene.time, "RunOptions.end", options.end,
+          shared_detail::join("must not lie before the scene's time ", scene.time));
+  require(options.courant > 0, "RunOptions.courant", options.courant, "must be positive");
+  require(options.courant <= 1, "RunOptions.courant", options.courant,
+          "must be at most 1: larger steps are unstable");
+  require(options.max_step > 0, "RunOptions.max_step", options.max_step, "must be positive");
+  if constexpr (Others::alone) {
+    detail::run_steps(scene, options, others, observers...);
+  } else {
+    try {
+      detail::run_steps(scene, options, others, observers...);
+    } catch (const std::exception& e) {
+      others.fail(e.what());
+      throw;
+    }
+  }
+}
+
+/// Steps `scene` until `options.end`, which the last step hits exactly. Each observer is called with the
+/// scene (const) at the start and after every step; one with a member `finish(scene)` is told the end. Throws
+/// `error` for a bad option, `run_error` if the run fails; observers have then seen everything up to the step
+/// before.
+template <class Scene, class... Observers>
+void run(Scene& scene, const RunOptions& options, Observers&&... observers) {
+  run_with(no_others, scene, options, observers...);
 }
 
 /// Of a scene that the compiler has refused: one sentence is enough.

@@ -9,6 +9,7 @@
 
 #include <arenite/boundary/constraints.hpp>
 #include <arenite/contact/tally.hpp>
+#include <arenite/mesh/portion.hpp>
 #include <arenite/particles/measures.hpp>
 #include <arenite/particles/relocate.hpp>
 #include <arenite/scene/complete.hpp>
@@ -200,6 +201,24 @@ struct Scene {
     return body_names[body].empty() ? std::to_string(body) : std::string(body_names[body]);
   }
 
+  /// Whether the mesh is a part of a larger one, which other scenes share (`MeshPortion`).
+  static constexpr bool is_portion =
+      detail::place_of<MeshPortion<D>>(std::type_identity<Recipes>{}) < part_count;
+  const MeshPortion<D>& portion() const { return part<MeshPortion<D>>(); }
+  /// `owns(node)`, `owns(cell)`: whether this scene counts a node in sums, and holds the points of a cell.
+  auto node_owner() const {
+    if constexpr (is_portion)
+      return [this](Index i) { return portion().owns_node(i); };
+    else
+      return OwnsAll{};
+  }
+  auto cell_owner() const {
+    if constexpr (is_portion)
+      return detail::OwnedCells<D>{portion()};
+    else
+      return OwnsAllCells{};
+  }
+
   /// Sum of the parts' accelerations now, m/s2.
   V acceleration() const {
     V sum = V::Zero();
@@ -263,6 +282,7 @@ struct Scene {
 
   void find_constraints() {
     Nodes nodes(mesh);
+    if constexpr (is_portion) nodes.set_whole(portion().lower, portion().upper);
     std::size_t number = 0;
     for_each_part([&](const auto& part) {
       if constexpr (constrains<std::remove_cvref_t<decltype(part)>, Scene>) nodes.add(part, number);
@@ -301,7 +321,9 @@ struct Scene {
   template <class... F>
   BodyTuple make_bodies(const Bodies<F...>& recipe) const {
     return std::apply(
-        [&](const auto&... fill) { return BodyTuple{make_body<K, extra_columns>(mesh, fill)...}; },
+        [&](const auto&... fill) {
+          return BodyTuple{make_body<K, extra_columns>(mesh, fill, cell_owner())...};
+        },
         recipe.fills);
   }
 
@@ -343,7 +365,7 @@ Scene<K, M, N, Given...>::Scene(detail::Nothing, K kinematics_value, M mesh_valu
   for_each_part([&](auto& part) {
     if constexpr (connects<std::remove_reference_t<decltype(part)>, Scene>) part.connect(*this);
   });
-  detail::warn_about_new_scene(*this, detail::find_bodies(given...));
+  if constexpr (!is_portion) detail::warn_about_new_scene(*this, detail::find_bodies(given...));
 }
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -2,46 +2,27 @@
 // need compiles to nothing.
 #pragma once
 
-#include <array>
 #include <cmath>
-#include <string>
 
+#include <arenite/scene/node_exchange.hpp>
+#include <arenite/scene/relocate.hpp>
 #include <arenite/scene/scene.hpp>
 #include <arenite/transfer/face_nodes.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
-/// Finds the cell of each point and removes those that left the mesh. Throws `run_error` if none is left;
-/// warns when one body of several has lost its last.
-template <class Scene>
-void relocate(Scene& scene) {
-  constexpr int width = Scene::NumericsType::template width<typename Scene::T>;
-  const bool had_any = scene.point_count() > 0;
-  bool regrouped = false;
-  std::array<bool, Scene::body_count> emptied{};
-  std::size_t number = 0;
-  scene.for_each_body([&](auto& body, auto&) {
-    const bool had_points = body.points.size() > 0;
-    regrouped = relocate<width>(body, scene.mesh, scene.blocks) || regrouped;
-    emptied[number++] = had_points && body.points.size() == 0;
-  });
-  if (regrouped) scene.balance_threads();
-  if (had_any && scene.point_count() == 0)
-    throw run_error(shared_detail::join("t = ", scene.time, " s: all ", scene.lost_points(),
-                                        " points of the scene have left the mesh"));
-  for (std::size_t b = 0; b < emptied.size(); ++b)
-    if (emptied[b])
-      warn(shared_detail::join("t = ", scene.time, " s: all points of body ", Scene::body_name(b),
-                               " have left the mesh; the run goes on without it"));
-}
-
 /// P2G: clears the fields and collects mass, momentum and internal force of all bodies.
-template <class Scene>
-void p2g(Scene& scene) {
+template <class Scene, class Others = const Alone>
+void p2g(Scene& scene, [[maybe_unused]] Others& others = no_others) {
   for (auto& field : scene.fields) field.clear();
   scene.for_each_body([&](auto& body, auto& field) {
     p2g<typename Scene::Kinematics>(scene.numerics, scene.mesh, scene.blocks, body, field);
   });
+  if constexpr (!Others::alone)
+    for (auto& field : scene.fields) {
+      detail::sum_nodes(others, field.collected);
+      if constexpr (Scene::Field::has_mass_gradient) detail::sum_nodes(others, field.mass_gradient);
+    }
 }
 
 /// Forces of parts (`add_force`). dt: s.
@@ -70,9 +51,9 @@ std::pair<typename Scene::V, double> allow(Scene& scene, const Field& field, Vel
                 part.driven_velocity(Scene::Shape::node_position(scene.mesh, drive.node), scene.time + dt);
       ++number;
     });
-    return constrain(scene.constraints, scene.drives, field.mass, velocity);
+    return constrain(scene.constraints, scene.drives, field.mass, velocity, scene.node_owner());
   } else {
-    return {constrain(scene.constraints, field.mass, velocity), 0};
+    return {constrain(scene.constraints, field.mass, velocity, scene.node_owner()), 0};
   }
 }
 
@@ -95,30 +76,36 @@ inline constexpr T least_mass = std::numeric_limits<T>::min() / std::numeric_lim
 
 /// Forces from the stresses at the middle of the step, for elastic bodies with MUSL on simplices
 /// (`add_half_step`). dt: s.
-template <class Scene>
-void centre_stress(Scene& scene, [[maybe_unused]] double dt) {
+template <class Scene, class Others = const Alone>
+void centre_stress(Scene& scene, [[maybe_unused]] double dt, [[maybe_unused]] Others& others = no_others) {
   if constexpr (Scene::centres_stress) {
     using T = typename Scene::T;
     for (auto& field : scene.fields) {
       start_velocities(field, least_mass<T>);
       detail::allow(scene, field, field.velocity, 0);
+      if constexpr (!Others::alone) detail::keep_owned(scene, field.collected);
     }
     scene.for_each_body([&](const auto& body, auto& field) {
       add_half_step<typename Scene::Kinematics, typename Scene::Shape>(scene.mesh, scene.blocks, body, field,
                                                                        static_cast<T>(dt / 2));
     });
+    if constexpr (!Others::alone)
+      for (auto& field : scene.fields) detail::sum_nodes(others, field.collected);
   }
 }
 
 /// Grid update: v = v^old + dt (f / m + a), with the parts' accelerations. dt: s.
-template <class Scene>
-void update_grid(Scene& scene, double dt) {
+template <class Scene, class Others = const Alone>
+void update_grid(Scene& scene, double dt, [[maybe_unused]] Others& others = no_others) {
   using T = typename Scene::T;
   const auto acceleration = scene.acceleration();
   for (auto& field : scene.fields) {
     update_grid(field, acceleration, static_cast<T>(dt), least_mass<T>);
     if constexpr (has_light_nodes<typename Scene::Shape>)
-      exchange_with_neighbours<typename Scene::Shape>(scene.mesh, field, static_cast<T>(dt));
+      detail::change_velocities(others, field, [&](auto to) {
+        exchange_with_neighbours<typename Scene::Shape>(scene.mesh, field, static_cast<T>(dt),
+                                                        scene.node_owner(), to);
+      });
   }
 }
 
@@ -134,13 +121,20 @@ void constrain(Scene& scene, double dt) {
 
 /// Impulses between fields and with rigid bodies (`exchange_impulses`), by rank, then constraints again. dt:
 /// s.
-template <class Scene>
-void exchange(Scene& scene, double dt) {
+template <class Scene, class Others = const Alone>
+void exchange(Scene& scene, double dt, [[maybe_unused]] Others& others = no_others) {
   scene.contact_tally = {};
   if constexpr (Scene::Needs::exchange) {
     detail::for_each_exchange(scene, 0, 2, [&](auto& part) {
-      if constexpr (exchanges_impulses<std::remove_reference_t<decltype(part)>, Scene>)
-        scene.contact_tally += part.exchange_impulses(scene, dt);
+      using P = std::remove_reference_t<decltype(part)>;
+      if constexpr (exchanges_impulses<P, Scene>) {
+        if constexpr (requires { part.exchange_impulses(scene, dt, others); })
+          scene.contact_tally += detail::counted_once<P>(others, part.exchange_impulses(scene, dt, others));
+        else
+          scene.contact_tally += part.exchange_impulses(scene, dt);
+        detail::share_nodes(
+            scene, others, [](auto& field) -> auto& { return field.velocity; });
+      }
     });
     constrain(scene, dt);
     scene.limited += scene.contact_tally.limited;
@@ -150,11 +144,14 @@ void exchange(Scene& scene, double dt) {
 
 /// Exchange of momentum at light nodes (`LightNodes`), or beside the faces of a grid (`exchange_at_faces`).
 /// dt: s.
-template <class Scene>
-void smooth_light_nodes(Scene& scene, [[maybe_unused]] double dt) {
+template <class Scene, class Others = const Alone>
+void smooth_light_nodes(Scene& scene, [[maybe_unused]] double dt,
+                        [[maybe_unused]] Others& others = no_others) {
   if constexpr (Scene::NumericsType::smooths_light_nodes) {
     for (auto& field : scene.fields)
-      scene.light_nodes.template exchange<typename Scene::Shape>(scene.mesh, field);
+      detail::change_velocities(others, field, [&](auto to) {
+        scene.light_nodes.template exchange<typename Scene::Shape>(scene.mesh, field, scene.node_owner(), to);
+      });
     constrain(scene, dt);
   } else if constexpr (!has_light_nodes<typename Scene::Shape>) {
     std::size_t exchanged = 0;
@@ -166,19 +163,29 @@ void smooth_light_nodes(Scene& scene, [[maybe_unused]] double dt) {
 }
 
 /// MUSL: velocities mapped back from the points, held to what contact and constraints enforced. dt: s.
-template <class Scene>
-void map_back(Scene& scene, [[maybe_unused]] double dt) {
+template <class Scene, class Others = const Alone>
+void map_back(Scene& scene, [[maybe_unused]] double dt, [[maybe_unused]] Others& others = no_others) {
   if constexpr (Scene::NumericsType::maps_back) {
     scene.for_each_body(
         [&](auto& body, auto& field) { map_back(scene.numerics, scene.mesh, scene.blocks, body, field); });
     for (auto& field : scene.fields) {
+      if constexpr (!Others::alone) detail::sum_nodes(others, field.mapped);
       finish_map_back<Scene::centres_stress>(scene.numerics, field);
       if constexpr (!has_light_nodes<typename Scene::Shape>)
         exchange_at_faces<typename Scene::Shape>(scene.mesh, field, field.mapped, typename Scene::T(0));
     }
     const auto hold = [&](auto& part) {
-      if constexpr (holds_mapped<std::remove_reference_t<decltype(part)>, Scene>)
-        scene.contact_tally.dissipation += part.hold_mapped(scene, dt);
+      using P = std::remove_reference_t<decltype(part)>;
+      if constexpr (holds_mapped<P, Scene>) {
+        double dissipation;
+        if constexpr (requires { part.hold_mapped(scene, dt, others); })
+          dissipation = part.hold_mapped(scene, dt, others);
+        else
+          dissipation = part.hold_mapped(scene, dt);
+        scene.contact_tally += detail::counted_once<P>(others, ContactTally{.dissipation = dissipation});
+        detail::share_nodes(
+            scene, others, [](auto& field) -> auto& { return field.mapped; });
+      }
     };
     detail::for_each_exchange(scene, 0, 0, hold);
     for (auto& field : scene.fields) detail::allow(scene, field, field.mapped, dt);
@@ -187,13 +194,20 @@ void map_back(Scene& scene, [[maybe_unused]] double dt) {
 }
 
 /// G2P and the law, body by body; hands the work of the stresses to the parts that ask for it. dt: s.
-template <class Scene>
-void g2p(Scene& scene, double dt) {
+template <class Scene, class Others = const Alone>
+void g2p(Scene& scene, double dt, [[maybe_unused]] Others& others = no_others) {
+  using K = typename Scene::Kinematics;
+  using N = typename Scene::NumericsType;
+  const auto step = static_cast<typename Scene::T>(dt);
   scene.finite = true;
   scene.for_each_body([&](auto& body, const auto& field) {
-    const G2pSums sums = g2p<typename Scene::Kinematics, Scene::Needs::stress_work>(
-        scene.numerics, scene.mesh, scene.blocks, body, field, static_cast<typename Scene::T>(dt),
-        scene.average);
+    if constexpr (N::AntiLocking::averages_strain) {
+      scene.average.template sum<K, N>(scene.mesh, scene.blocks, body, field, step);
+      if constexpr (!Others::alone) others.sum_nodes(scene.average.numbers(), 2);
+      scene.average.use(scene.mesh, scene.blocks, body);
+    }
+    const G2pSums sums =
+        g2p<K, Scene::Needs::stress_work>(scene.numerics, scene.mesh, body, field, step, scene.average);
     body.opened_volume += sums.opened_volume;
     body.finite = std::isfinite(sums.check);
     scene.finite = scene.finite && body.finite;
@@ -205,57 +219,16 @@ void g2p(Scene& scene, double dt) {
 }
 
 /// Parts that move with the matter, or move the mesh (`follow_motion`). dt: s.
-template <class Scene>
-void follow(Scene& scene, double dt) {
+template <class Scene, class Others = const Alone>
+void follow(Scene& scene, double dt, [[maybe_unused]] Others& others = no_others) {
   scene.for_each_part([&](auto& part) {
-    if constexpr (follows_motion<std::remove_reference_t<decltype(part)>, Scene>)
-      part.follow_motion(scene, dt);
+    if constexpr (follows_motion<std::remove_reference_t<decltype(part)>, Scene>) {
+      if constexpr (requires { part.follow_motion(scene, dt, others); })
+        part.follow_motion(scene, dt, others);
+      else
+        part.follow_motion(scene, dt);
+    }
   });
-}
-
-/// Whether all numbers of a point are finite.
-template <class Points>
-bool is_finite(const Points& points, std::size_t p) {
-  bool finite = true;
-  points.for_each_column([&](const auto& column) {
-    if constexpr (std::is_floating_point_v<typename std::remove_cvref_t<decltype(column)>::value_type>)
-      finite = finite && std::isfinite(column[p]);
-  });
-  return finite;
-}
-
-/// Advances the clock. Throws `run_error` that names the first point that is not finite. dt: s.
-template <class Scene>
-void finish(Scene& scene, double dt) {
-  scene.time += dt;
-  scene.time_step = dt;
-  ++scene.steps;
-  if (scene.finite) return;
-  std::size_t number = 0;
-  std::string bodies;  // whose sums are not finite
-  scene.for_each_body([&](const auto& body, const auto&) {
-    const auto& points = body.points;
-    const std::size_t first_bad = parallel_reduce(
-        points.size(), points.size(),
-        [&](std::size_t begin, std::size_t end) {
-          for (std::size_t p = begin; p < end; ++p)
-            if (!is_finite(points, p)) return p;
-          return points.size();
-        },
-        [](std::size_t a, std::size_t b) { return std::min(a, b); });
-    if (first_bad < points.size())
-      throw run_error(shared_detail::join(
-          "t = ", scene.time, " s, step ", scene.steps, ": point ", first_bad, " of body ",
-          Scene::body_name(number), " at (", points.position[first_bad].transpose(), ") m has velocity (",
-          points.velocity[first_bad].transpose(), ") m/s, pressure ", -trace(points.stress[first_bad]) / 3,
-          " Pa, volume ", points.volume[first_bad], " m3: no longer finite"));
-    if (!body.finite) bodies += shared_detail::join(bodies.empty() ? "" : ", ", Scene::body_name(number));
-    ++number;
-  });
-  throw run_error(
-      shared_detail::join("t = ", scene.time, " s, step ", scene.steps,
-                          ": the sums of stress and volume over the points of body ", bodies,
-                          " are not finite, though every number of every point is: they overflow"));
 }
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -26,21 +26,23 @@ template <class... P>
 std::array<std::string, sizeof...(P)> part_paths(std::type_identity<std::tuple<P...>>) {
   std::size_t number = 0, rigid = 0;
   const auto path = [&]<class Q>(std::type_identity<Q>) {
-    const std::string place = std::to_string(number++);
+    const std::size_t place = number++;
     if constexpr (is_rigid<Q>) {
-      const std::string among = std::to_string(rigid++);
-      return "rigids/" + (Q::name.word().empty() ? among : std::string(Q::name.word()));
+      const std::size_t among = rigid++;
+      return Q::name.word().empty() ? shared_detail::join("rigids/", among)
+                                    : shared_detail::join("rigids/", Q::name.word());
     } else if constexpr (requires { std::string_view(Q::state_name); }) {
       return std::string(Q::state_name);
     } else {
-      return "parts/" + place;
+      return shared_detail::join("parts/", place);
     }
   };
   const std::array<std::string, sizeof...(P)> wanted{path(std::type_identity<P>{})...};
   auto paths = wanted;
   for (std::size_t k = 0; k < wanted.size(); ++k)
-    if (std::ranges::count(wanted, wanted[k]) > 1)  // appended in two: g++ 12 warns of text + a number's text
-      paths[k].append("/").append(std::to_string(std::count(wanted.begin(), wanted.begin() + k, wanted[k])));
+    if (std::ranges::count(wanted, wanted[k]) > 1)
+      paths[k] =
+          shared_detail::join(wanted[k], "/", std::count(wanted.begin(), wanted.begin() + k, wanted[k]));
   return paths;
 }
 
@@ -73,11 +75,13 @@ void visit_scene(Scene& scene, const F& f) {
   f("contact_tally/limited", tally.limited);
   f("contact_tally/limited_momentum", tally.limited_momentum);
   std::size_t number = 0;
-  scene.for_each_body(
-      [&](auto& body, auto&) { visit_body(body, StateUnder(f, "bodies/" + Scene::body_name(number++))); });
+  scene.for_each_body([&](auto& body, auto&) {
+    visit_body(body, StateUnder(f, shared_detail::join("bodies/", Scene::body_name(number++))));
+  });
   if constexpr (reads_last_nodes<Scene>(std::type_identity<typename Scene::Parts>{}))
     for (std::size_t k = 0; k < scene.fields.size(); ++k) {
-      StateUnder nodes(f, Scene::field_count > 1 ? "nodes/" + Scene::body_name(k) : "nodes");
+      StateUnder nodes(f,
+                       Scene::field_count > 1 ? shared_detail::join("nodes/", Scene::body_name(k)) : "nodes");
       nodes("mass", scene.fields[k].mass);
       nodes("velocity", scene.fields[k].velocity.numbers());
     }
@@ -101,7 +105,7 @@ void visit_scene(Scene& scene, const F& f) {
 /// values, then call `follow_state`: the run goes on with the same bits, on any number of threads. What
 /// follows from the state is not in it: the sums and velocities of nodes (but masses and velocities where a
 /// part adds forces or bounds the step, for it may read those of the step before), the moved mesh, which
-/// guest is in which cell, colours. Observers that carry something have a `visit_state` of their own
+/// unsorted point is in which cell, colours. Observers that carry something have a `visit_state` of their own
 /// (`visit_state_of`).
 template <class Scene, class F>
 void for_each_state(Scene& scene, F&& f) {

@@ -1,26 +1,30 @@
 // One step of the material point method, explicit in time. Read `step` and you have read the method.
 #pragma once
 
+#include <arenite/scene/finish.hpp>
 #include <arenite/scene/stages.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 /// Takes a scene through one step of length dt, s. Throws `run_error` if the state turns into NaN or the mesh
-/// inside out, naming time, place and cause.
-template <class Scene>
-void step(Scene& scene, double dt) {
-  relocate(scene);                // find the cell of each point
-  p2g(scene);                     // P2G: mass, momentum, internal force
-  add_forces(scene, dt);          // springs, tractions, ..
-  centre_stress(scene, dt);       // elastic bodies with MUSL on simplices: forces of the middle of the step
-  update_grid(scene, dt);         // nodal momentum balance
-  constrain(scene, dt);           // fixities, rollers, symmetry planes
-  exchange(scene, dt);            // body against body, rigid body against bodies: impulses that cancel
-  smooth_light_nodes(scene, dt);  // nodes at a body's edge that have force and hardly any mass
-  map_back(scene, dt);            // MUSL: node velocities for the strains, as the points would hand them back
-  g2p(scene, dt);                 // G2P: velocities, strains, positions; stresses by the law of each body
-  follow(scene, dt);              // what moves with the matter: the mesh, springs, ..
-  finish(scene, dt);              // time, and the check that nothing has become NaN
+/// inside out, naming time, place and cause. `others`: the exchange with the scenes over the other portions
+/// of the mesh, who take the same step at the same time (`core/alone.hpp`).
+template <class Scene, class Others = const Alone>
+void step(Scene& scene, double dt, Others& others = no_others) {
+  static_assert(Scene::is_portion != Others::alone,
+                "step: a scene over a MeshPortion needs the exchange with the other portions, others none");
+  relocate(scene, others);           // find the cell of each point
+  p2g(scene, others);                // P2G: mass, momentum, internal force
+  add_forces(scene, dt);             // springs, tractions, ..
+  centre_stress(scene, dt, others);  // elastic bodies, MUSL on simplices: forces of the middle of the step
+  update_grid(scene, dt, others);    // nodal momentum balance
+  constrain(scene, dt);              // fixities, rollers, symmetry planes
+  exchange(scene, dt, others);       // body against body, rigid body against bodies: impulses that cancel
+  smooth_light_nodes(scene, dt, others);  // nodes at a body's edge that have force and hardly any mass
+  map_back(scene, dt, others);  // MUSL: node velocities for the strains, as the points would hand them back
+  g2p(scene, dt, others);       // G2P: velocities, strains, positions; stresses by the law of each body
+  follow(scene, dt, others);    // what moves with the matter: the mesh, springs, ..
+  finish(scene, dt);            // time, and the check that nothing has become NaN
 }
 
 /// Of a scene that the compiler has refused.

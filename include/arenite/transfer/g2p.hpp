@@ -1,5 +1,5 @@
 // G2P: velocities and strains from the nodes, stresses from the law, and the motion of the points, in one
-// pass over the points in memory order; where the volumetric strain is averaged, after a pass over the cells.
+// pass over the points in memory order.
 #pragma once
 
 #include <arenite/transfer/law_pass.hpp>
@@ -9,17 +9,15 @@
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 /// Gives each point its new velocity (unless `map_back` did), updates its stress, history and volume by the
-/// law of its body, and moves it with the node velocities. `TracksWork`: whether the work of the stresses is
-/// summed.
+/// law of its body, and moves it with the node velocities. `average`: that of this body, where the numerics
+/// have one. `TracksWork`: whether the work of the stresses is summed.
 template <class K, bool TracksWork, class N, class M, class B, class Field, class Average>
-G2pSums g2p(const N& numerics, const M& mesh, const Blocks& blocks, B& body, const Field& nodes,
-            typename M::scalar dt, [[maybe_unused]] Average& average) {
+G2pSums g2p(const N& numerics, const M& mesh, B& body, const Field& nodes, typename M::scalar dt,
+            const Average& average) {
   using T = typename M::scalar;
   constexpr bool stores_bearing = TracksWork && N::AntiLocking::averages_stress;
   using Buffer = StrainBuffer<T, M::dimension, stores_bearing>;
   auto& points = body.points;
-  if constexpr (N::AntiLocking::averages_strain)
-    average.template compute<K, N>(mesh, blocks, body, nodes, dt);
   return parallel_reduce(
       points.size(), G2pSums{},
       [&](std::size_t chunk_begin, std::size_t chunk_end) {

@@ -9,26 +9,56 @@
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
+/// Velocities of nodes that change in place, or apart, where what all copies of a node get is summed later.
+template <class Velocities>
+struct InPlace {
+  Velocities& velocity;
+  template <class V>
+  void add(Index i, const V& v) {
+    velocity[i] += v;
+  }
+  template <class V>
+  void set(Index i, const V& v) {
+    velocity[i] = v;
+  }
+  const auto& now(Index i) const { return velocity[i]; }
+};
+template <class Velocities>
+struct Apart {
+  const Velocities& velocity;
+  Velocities& change;
+  template <class V>
+  void add(Index i, const V& v) {
+    change[i] += v;
+  }
+  template <class V>
+  void set(Index i, const V& v) {
+    change[i] = v - velocity[i];
+  }
+  auto now(Index i) const { return (velocity[i] + change[i]).eval(); }
+};
+
 /// A point within round-off of a face leaves the node behind it without mass, but not without the force of
 /// its stress, which no velocity could take up. The nodes around take its impulse, shared out by their
 /// masses, so that momentum is kept: the limit of a light node's exchange (`LightNodes`) for a mass that
-/// falls to nothing. The node moves as they do in the mean, for the strain of such a point.
-template <class Shape, class M, class Field, class T>
-void exchange_with_neighbours(const M& mesh, Field& nodes, T dt) {
+/// falls to nothing. The node moves as they do in the mean, for the strain of such a point. For nodes that
+/// `owns(i)`; velocities change through `to`.
+template <class Shape, class M, class Field, class T, class Owns, class To>
+void exchange_with_neighbours(const M& mesh, const Field& nodes, T dt, const Owns& owns, To to) {
   for (Index i = 0; i < nodes.size(); ++i) {
-    if (nodes.mass[i] > 0) continue;
+    if (nodes.mass[i] > 0 || !owns(i)) continue;
     const auto force = nodes.collected[i].force();
     if ((force.array() == 0).all()) continue;
     T around = 0;
     Shape::for_each_neighbour(mesh, i, [&](Index j) { around += nodes.mass[j]; });
     if (!(around > 0)) continue;
-    auto mean = nodes.velocity[i];
+    Vec<T, M::dimension> mean = nodes.velocity[i];
     Shape::for_each_neighbour(mesh, i, [&](Index j) {
       if (!(nodes.mass[j] > 0)) return;
-      nodes.velocity[j] += (dt / around) * force;
-      mean += (nodes.mass[j] / around) * nodes.velocity[j];
+      to.add(j, (dt / around) * force);
+      mean += (nodes.mass[j] / around) * to.now(j);
     });
-    nodes.velocity[i] = mean;
+    to.set(i, mean);
   }
 }
 
@@ -49,16 +79,16 @@ class LightNodes {
  public:
   static constexpr double least_share = 1.0 / 12;
 
-  /// Exchanges momentum at the light nodes of a field, each with the velocities before any exchange. Returns
-  /// how many nodes are light.
-  template <class Shape, class M, class Field>
-  std::size_t exchange(const M& mesh, Field& nodes) {
+  /// Exchanges momentum at the light nodes of a field that `owns(i)`, all with the velocities of before,
+  /// which change through `to`. Returns how many nodes are light.
+  template <class Shape, class M, class Field, class Owns, class To>
+  std::size_t exchange(const M& mesh, const Field& nodes, const Owns& owns, To to) {
     given_.clear();
     given_.reserve(nodes.size());  // once: a step allocates nothing
     std::size_t count = 0;
     for (Index i = 0; i < nodes.size(); ++i) {
       const T m = nodes.mass[i], enough = static_cast<T>(least_share) * nodes.collected[i].reach();
-      if (!(m > 0 && m < enough)) continue;
+      if (!(m > 0 && m < enough) || !owns(i)) continue;
       T around = 0;  // mass of the neighbours, once for each cell that they share
       Shape::for_each_neighbour(mesh, i, [&](Index j) { around += nodes.mass[j]; });
       if (!(around > 0)) continue;
@@ -70,8 +100,8 @@ class LightNodes {
       });
     }
     for (const Given& g : given_) {
-      nodes.velocity[g.to] += nodes.mass[g.from] * g.change;
-      nodes.velocity[g.from] -= nodes.mass[g.to] * g.change;
+      to.add(g.to, nodes.mass[g.from] * g.change);
+      to.add(g.from, -nodes.mass[g.to] * g.change);
     }
     return count;
   }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <span>
 #include <vector>
 
 #include <arenite/core/lanes.hpp>
@@ -24,15 +25,20 @@ struct VolumetricAverage {
   std::vector<T> cell_strain;  ///< [cells] trace of the strain increment, mean over the cell's points
   std::vector<std::array<T, 2>> node_sums;  ///< [nodes] strain times volume (then strain), and volume
 
+  /// Sums over the cells of a body, to the nodes.
   template <class K, class N, class M, class B, class Field>
-  void compute(const M& mesh, const Blocks& blocks, const B& body, const Field& nodes, T dt) {
+  void sum(const M& mesh, const Blocks& blocks, const B& body, const Field& nodes, T dt) {
     const auto& u = nodes.strain_velocity();
     cell_strain.resize(mesh.cell_count());
     node_sums.assign(nodes.size(), {});
     blocks.for_each_colored([&](Index c) {
       if (!body.cells.empty(c)) add_cell<K, N>(mesh, body, u, dt, c);
     });
-    parallel_chunks(nodes.size(), [&](std::size_t begin, std::size_t end) {
+  }
+  /// The strain of each cell from the sums.
+  template <class M, class B>
+  void use(const M& mesh, const Blocks& blocks, const B& body) {
+    parallel_chunks(node_sums.size(), [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i)
         if (node_sums[i][1] != 0) node_sums[i][0] /= node_sums[i][1];
     });
@@ -46,6 +52,9 @@ struct VolumetricAverage {
       if constexpr (B::has_dilation) cell_strain[c] += body.cell_sums[c].dilation;
     });
   }
+
+  /// All sums of the nodes, two a node.
+  std::span<T> numbers() { return {node_sums.data()->data(), 2 * node_sums.size()}; }
 
  private:
   /// Strain and volume of one cell, added to its nodes.

@@ -1,0 +1,49 @@
+// Alone: the exchange of a scene that has its mesh to itself. What others an exchange stands for: scenes over
+// the other portions of one mesh (`MeshPortion`), on this machine or another.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include <arenite/core/tensor.hpp>
+
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
+
+/// Nothing to exchange; compiles to nothing. Any exchange has these members, which all scenes call in the
+/// same order; what they return is the same in all, bit for bit, if sums are taken in one order:
+///
+/// - `alone`: false;
+/// - `sum_nodes(values, count)`: each copy of a node gets the sum over all of its copies; `values` has
+///   `count` numbers a node;
+/// - `share_nodes(values, count)`: each copy gets the numbers of the scene that owns the node;
+/// - `sum(values)`: each number is summed over the scenes;
+/// - `least(value)`: the least of the scenes;
+/// - `first()`: true in one of the scenes, which counts what all have;
+/// - `migrate(scene)`: points in cells of others go there (`take_foreign`, `add_points`);
+/// - `fail(what)`: this scene has thrown; a call of the others that waits for it must throw.
+struct Alone {
+  static constexpr bool alone = true;
+};
+inline constexpr Alone no_others{};
+
+/// Sums scalars and vectors over the scenes.
+template <class Others, class... V>
+void sum_over([[maybe_unused]] Others& others, [[maybe_unused]] V&... value) {
+  if constexpr (!Others::alone) {
+    std::vector<double> all;
+    const auto each = [](auto& v, auto&& f) {
+      if constexpr (requires { v.data(); })
+        for (auto& x : std::span(v.data(), static_cast<std::size_t>(v.size()))) f(x);
+      else
+        f(v);
+    };
+    (each(value, [&](auto& x) { all.push_back(static_cast<double>(x)); }), ...);
+    others.sum(std::span<double>(all));
+    std::size_t k = 0;
+    (each(value, [&](auto& x) { x = static_cast<std::remove_reference_t<decltype(x)>>(all[k++]); }), ...);
+  }
+}
+
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

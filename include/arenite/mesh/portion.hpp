@@ -1,0 +1,160 @@
+// Portion: a part of a mesh, with one layer of ghost cells, over which a scene of its own is made.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include <arenite/mesh/simplex_mesh.hpp>
+
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
+
+/// What a scene over a part of a mesh has to know of the whole: a part of the scene (`split_mesh` makes it).
+/// Its own cells hold its points; ghost cells are those of others that share a node with them, so that all
+/// cells at an owned node are there. Bodies without points are legal then, and walls that catch no node.
+template <int D>
+struct MeshPortion {
+  struct MeshOfOthers;
+  using OnlyOne = MeshOfOthers;
+  static constexpr bool is_mesh_portion = true;
+
+  int number = 0;                         ///< of this portion
+  std::vector<int> owner;                 ///< [cells] portion that holds a cell's points
+  std::vector<std::uint64_t> whole_cell;  ///< [cells] number in the whole mesh, ascending
+  std::vector<std::uint64_t> whole_node;  ///< [nodes] the same
+  std::vector<int> node_owner;            ///< [nodes] portion that counts it in sums
+  Vec<double, D> lower, upper;            ///< corners of the box around the whole mesh, m
+  std::set<std::array<Index, static_cast<std::size_t>(D)>> cuts;  ///< faces behind which the mesh goes on
+
+  bool owns_cell(Index c) const { return owner[c] == number; }
+  bool owns_node(Index i) const { return node_owner[i] == number; }
+  /// The cell with a number of the whole mesh. Throws `run_error` if it is none of this part.
+  Index cell_here(std::uint64_t whole) const {
+    const auto at = std::ranges::lower_bound(whole_cell, whole);
+    if (at == whole_cell.end() || *at != whole)
+      throw run_error(shared_detail::join("cell ", whole, " of the whole mesh is not in portion ", number));
+    return static_cast<Index>(at - whole_cell.begin());
+  }
+
+  /// Whether a position outside of this part of the mesh lies beyond its ghost cells, not beyond the hull of
+  /// the whole mesh: which of the two is nearer. Looks at all cells: few points are lost.
+  template <class M>
+  bool is_beyond_ghosts(const M& mesh, const typename M::Point& x) const {
+    double least = std::numeric_limits<double>::infinity();
+    std::array<Index, static_cast<std::size_t>(D)> nearest{};
+    for (Index c = 0; c < mesh.cell_count(); ++c)
+      for (int k = 0; k <= D; ++k) {
+        if (mesh.neighbour(c, k) != none) continue;
+        std::array<Index, static_cast<std::size_t>(D)> face{};
+        std::size_t at = 0;
+        for (int j = 0; j <= D; ++j)
+          if (j != k) face[at++] = mesh.nodes(c)[static_cast<std::size_t>(j)];
+        const double d = distance(mesh, face, x.template cast<double>());
+        if (d >= least) continue;
+        least = d;
+        nearest = face;
+      }
+    std::ranges::sort(nearest);
+    return cuts.count(nearest) > 0;
+  }
+
+ private:
+  /// Distance of a position to a face, m; roughly where its foot lies beside the face.
+  template <class M>
+  static double distance(const M& mesh, const std::array<Index, static_cast<std::size_t>(D)>& face,
+                         const Vec<double, D>& x) {
+    Eigen::Matrix<double, D, D - 1> edges;
+    const Vec<double, D> from = mesh.position(face[0]).template cast<double>();
+    for (int k = 1; k < D; ++k)
+      edges.col(k - 1) = mesh.position(face[static_cast<std::size_t>(k)]).template cast<double>() - from;
+    Vec<double, D> share;  // of each node in the foot
+    share.template tail<D - 1>() = (edges.transpose() * edges).inverse() * (edges.transpose() * (x - from));
+    share[0] = 1 - share.template tail<D - 1>().sum();
+    share = share.cwiseMax(0);
+    share /= share.sum();
+    return (from + edges * share.template tail<D - 1>() - x).norm();
+  }
+};
+
+namespace detail {
+template <int D>
+struct OwnedCells {
+  static constexpr bool is_whole = false;
+  const MeshPortion<D>& portion;
+  bool operator()(Index c) const { return portion.owns_cell(c); }
+};
+}  // namespace detail
+
+/// Part number `number` of a mesh whose cells belong to the parts `owner` [cells]: its own cells and the
+/// ghosts around them, in the order of the whole, and what else a scene has to know. A node belongs to the
+/// least of the parts at it.
+template <int D>
+std::pair<MeshData<D>, MeshPortion<D>> split_mesh(const MeshData<D>& whole, const std::vector<int>& owner,
+                                                  int number) {
+  require(owner.size() == whole.cells.size(), "split_mesh.owner", owner.size(), "must have one entry a cell");
+  const auto none_yet = std::numeric_limits<int>::max();
+  std::vector<bool> touched(whole.nodes.size()), kept(whole.nodes.size());
+  std::vector<int> node_owner(whole.nodes.size(), none_yet);
+  for (std::size_t c = 0; c < whole.cells.size(); ++c)
+    for (const Index i : whole.cells[c]) {
+      touched[i] = touched[i] || owner[c] == number;
+      node_owner[i] = std::min(node_owner[i], owner[c]);
+    }
+  std::pair<MeshData<D>, MeshPortion<D>> part;
+  auto& [mesh, portion] = part;
+  const auto is_here = [&](std::size_t c) {
+    return std::ranges::any_of(whole.cells[c], [&](Index i) { return touched[i]; });
+  };
+  for (std::size_t c = 0; c < whole.cells.size(); ++c)
+    if (is_here(c))
+      for (const Index i : whole.cells[c]) kept[i] = true;
+  portion.number = number;
+  portion.lower = Vec<double, D>::Constant(std::numeric_limits<double>::infinity());
+  portion.upper = -portion.lower;
+  std::vector<Index> local(whole.nodes.size(), none);
+  for (std::size_t i = 0; i < whole.nodes.size(); ++i) {
+    if (node_owner[i] != none_yet) {
+      portion.lower = portion.lower.cwiseMin(whole.nodes[i]);
+      portion.upper = portion.upper.cwiseMax(whole.nodes[i]);
+    }
+    if (!kept[i]) continue;
+    local[i] = static_cast<Index>(mesh.nodes.size());
+    mesh.nodes.push_back(whole.nodes[i]);
+    portion.whole_node.push_back(i);
+    portion.node_owner.push_back(node_owner[i]);
+  }
+  const auto each_face = [&](const auto& cell, auto&& f) {
+    for (std::size_t k = 0; k <= D; ++k) {
+      std::array<Index, static_cast<std::size_t>(D)> face{};
+      for (std::size_t j = 0, at = 0; j <= D; ++j)
+        if (j != k) face[at++] = local[cell[j]];
+      std::ranges::sort(face);
+      if (face.back() != none) f(face);
+    }
+  };
+  for (std::size_t c = 0; c < whole.cells.size(); ++c) {
+    if (!is_here(c)) continue;
+    auto cell = whole.cells[c];
+    for (Index& i : cell) i = local[i];
+    mesh.cells.push_back(cell);
+    mesh.region.push_back(whole.region.empty() ? 0 : whole.region[c]);
+    portion.owner.push_back(owner[c]);
+    portion.whole_cell.push_back(c);
+  }
+  // A face of a ghost cell that a cell elsewhere has, too.
+  for (std::size_t c = 0; c < whole.cells.size(); ++c)
+    if (!is_here(c)) each_face(whole.cells[c], [&](const auto& face) { portion.cuts.insert(face); });
+  mesh.region_names = whole.region_names;
+  for (const auto& [name, nodes] : whole.node_sets) {
+    auto& here = mesh.node_sets[name];
+    for (const Index i : nodes)
+      if (local[i] != none) here.push_back(local[i]);
+  }
+  return part;
+}
+
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

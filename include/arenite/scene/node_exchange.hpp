@@ -1,0 +1,69 @@
+// What a step does with numbers of nodes that several scenes share. Alone it compiles to nothing.
+#pragma once
+
+#include <span>
+
+#include <arenite/core/alone.hpp>
+#include <arenite/scene/scene.hpp>
+
+namespace arenite::inline ARENITE_INSTRUCTION_SET::detail {
+
+/// All numbers of an array of nodes.
+template <class T, int D>
+std::span<T> numbers_of(std::vector<NodeSums<T, D>>& sums) {
+  static_assert(sizeof(NodeSums<T, D>) == sizeof(sums[0].lane));
+  return {sums.data()->lane.data(), sums.size() * sums[0].lane.size()};
+}
+template <class T, int D>
+std::span<T> numbers_of(NodeVectors<T, D>& vectors) {
+  return vectors.numbers();
+}
+
+/// Each copy of a node gets the sum over all.
+template <class Others, class Nodes>
+void sum_nodes(Others& others, Nodes& nodes) {
+  const auto numbers = numbers_of(nodes);
+  if (nodes.size() > 0) others.sum_nodes(numbers, numbers.size() / nodes.size());
+}
+
+/// Leaves a sum at the owner's copy alone, so that more can be added to the copies and summed.
+template <class Scene, class Nodes>
+void keep_owned(const Scene& scene, Nodes& nodes) {
+  const auto owns = scene.node_owner();
+  for (Index i = 0; i < nodes.size(); ++i)
+    if (!owns(i)) nodes[i] = {};
+}
+
+/// Each copy of a node gets the owner's vector; `of(field)`: which.
+template <class Scene, class Others, class Of>
+void share_nodes([[maybe_unused]] Scene& scene, [[maybe_unused]] Others& others, [[maybe_unused]] Of&& of) {
+  if constexpr (!Others::alone)
+    for (auto& field : scene.fields) {
+      auto& vectors = of(field);
+      const auto numbers = numbers_of(vectors);
+      others.share_nodes(numbers, numbers.size() / vectors.size());
+    }
+}
+
+/// Calls `f(to)`, which changes velocities of a field through `to`: of owned nodes and of those around them.
+template <class Others, class Field, class F>
+void change_velocities([[maybe_unused]] Others& others, Field& field, F&& f) {
+  if constexpr (Others::alone) {
+    f(InPlace{field.velocity});
+  } else {
+    auto change = field.velocity;
+    std::ranges::fill(numbers_of(change), 0);
+    f(Apart<std::remove_cvref_t<decltype(change)>>{field.velocity, change});
+    sum_nodes(others, change);
+    for (std::size_t i = 0; i < field.size(); ++i) field.velocity[i] += change[i];
+  }
+}
+
+/// The tally of a part whose numbers are those of all scenes (`is_shared`) counts in one of them.
+template <class P, class Others>
+ContactTally counted_once([[maybe_unused]] Others& others, const ContactTally& tally) {
+  if constexpr (!Others::alone && requires { P::is_shared; }) return others.first() ? tally : ContactTally{};
+  return tally;
+}
+
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET::detail

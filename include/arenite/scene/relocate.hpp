@@ -1,0 +1,43 @@
+// Relocation of a scene: each point in its cell, and with the scene that owns it.
+#pragma once
+
+#include <array>
+
+#include <arenite/core/alone.hpp>
+#include <arenite/scene/migrate.hpp>
+
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
+
+/// Throws `run_error` if the last point has left the mesh; warns when one body of several has lost its last.
+/// Points that moved to cells of others go there before the lists of cells are renewed.
+template <class Scene, class Others = const Alone>
+void relocate(Scene& scene, [[maybe_unused]] Others& others = no_others) {
+  constexpr int width = Scene::NumericsType::template width<typename Scene::T>;
+  const bool had_any = scene.point_count() > 0;
+  scene.for_each_body([&](auto& body, auto&) { find_cells<width>(body, scene.mesh, scene.blocks); });
+  std::array<bool, Scene::body_count> had_points{};
+  std::size_t number = 0;
+  scene.for_each_body([&](auto& body, auto&) { had_points[number++] = body.points.size() > 0; });
+  if constexpr (!Others::alone) others.migrate(scene);
+  bool regrouped = false;
+  scene.for_each_body([&](auto& body, auto&) {
+    check_outside(scene, body);
+    lose_outside(body);
+    regrouped = regroup(body, scene.blocks) || regrouped;
+  });
+  if (regrouped) scene.balance_threads();
+  if constexpr (Others::alone) {
+    if (had_any && scene.point_count() == 0)
+      throw run_error(shared_detail::join("t = ", scene.time, " s: all ", scene.lost_points(),
+                                          " points of the scene have left the mesh"));
+    number = 0;
+    scene.for_each_body([&](auto& body, auto&) {
+      if (had_points[number] && body.points.size() == 0)
+        warn(shared_detail::join("t = ", scene.time, " s: all points of body ", Scene::body_name(number),
+                                 " have left the mesh; the run goes on without it"));
+      ++number;
+    });
+  }
+}
+
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -1,0 +1,264 @@
+// Scenes over the portions of a mesh that exchange what they share go the way of one over the whole.
+#include <arenite/arenite.hpp>
+#include <map>
+
+#include "catch.hpp"
+#include "joined_scenes.hpp"
+#include "meshes.hpp"
+
+using namespace arenite;
+
+namespace {
+
+LinearElastic rubber() { return LinearElastic{{.density = 1000, .young = 1e6, .poisson = 0.3}}; }
+MohrCoulomb<RemembersOpening> sand() {
+  return MohrCoulomb<RemembersOpening>{
+      {.density = 1500, .young = 1e6, .poisson = 0.3, .friction = 35_deg, .dilatancy = 10_deg}};
+}
+
+/// Slabs of equal width from left to right.
+std::vector<int> slabs(const MeshData<2>& data, int count) {
+  std::vector<int> owner;
+  for (const auto& cell : data.cells) {
+    double x = 0;
+    for (const Index i : cell) x += data.nodes[i][0] / 3;
+    owner.push_back(std::min(count - 1, static_cast<int>(x * count)));
+  }
+  return owner;
+}
+
+/// Scenes over portions, made by `make(mesh, portion)`.
+template <class Make>
+auto scenes_of(const MeshData<2>& data, int count, Make&& make) {
+  std::vector<MeshPortion<2>> portions;
+  using S = decltype(make(SimplexMesh<2>(data), MeshPortion<2>{}));
+  std::vector<S> scenes;
+  for (int k = 0; k < count; ++k) {
+    auto [mesh, portion] = split_mesh(data, slabs(data, count), k);
+    portions.push_back(portion);
+    scenes.push_back(make(SimplexMesh<2>(mesh), portion));
+  }
+  return std::pair{std::move(scenes), std::move(portions)};
+}
+
+/// Calls `f(scene, exchange)` for each scene in a thread of its own. Returns what they threw, and how many
+/// points went from one to another.
+template <class S, class F>
+std::pair<std::vector<std::string>, std::size_t> all_together(std::vector<S>& scenes,
+                                                              const std::vector<MeshPortion<2>>& portions,
+                                                              F&& f) {
+  test::Table<S> table(portions);
+  std::vector<std::string> thrown(scenes.size());
+  std::vector<std::size_t> migrated(scenes.size());
+  std::vector<std::thread> threads;
+  for (std::size_t k = 0; k < scenes.size(); ++k)
+    threads.emplace_back([&, k] {
+      test::Joined<S> others(table, k);
+      try {
+        f(scenes[k], others);
+      } catch (const std::exception& e) {
+        others.fail(e.what());
+        thrown[k] = e.what();
+      }
+      migrated[k] = others.migrated;
+    });
+  for (auto& thread : threads) thread.join();
+  std::size_t sum = 0;
+  for (const std::size_t n : migrated) sum += n;
+  return {thrown, sum};
+}
+
+/// Gives points that begin at one place one id.
+class Places {
+ public:
+  template <class S>
+  void number(S& scene) {
+    std::size_t b = 0;
+    scene.for_each_body([&](auto& body, auto&) {
+      for (std::size_t p = 0; p < body.points.size(); ++p) {
+        const auto x = body.points.position[p];
+        body.points.id[p] = ids_.try_emplace({b, x[0], x[1]}, ids_.size()).first->second;
+      }
+      ++b;
+    });
+  }
+  std::size_t size() const { return ids_.size(); }
+
+ private:
+  std::map<std::tuple<std::size_t, double, double>, std::uint64_t> ids_;
+};
+
+using Numbers = std::map<std::uint64_t, std::vector<double>>;
+template <class S>
+void collect(S& scene, Numbers& all) {
+  scene.for_each_body([&](auto& body, auto&) {
+    for (std::size_t p = 0; p < body.points.size(); ++p) {
+      auto& numbers = all[body.points.id[p]];
+      REQUIRE(numbers.empty());
+      body.points.for_each_column([&](const auto& column) {
+        if constexpr (std::same_as<std::remove_cvref_t<decltype(column[0])>, double>)
+          numbers.push_back(column[p]);
+      });
+    }
+  });
+}
+
+/// The whole and its portions after the same steps.
+template <class Make>
+void check(const MeshData<2>& data, int count, int steps, Make&& make) {
+  CAPTURE(count);
+  const int threads_before = threads();
+  set_threads(1);
+  auto whole = make(SimplexMesh<2>(data));
+  Places places;
+  places.number(whole);
+  auto [scenes, portions] = scenes_of(data, count, make);
+  for (auto& scene : scenes) places.number(scene);
+  REQUIRE(places.size() == whole.point_count());
+  std::size_t in_portions = 0;
+  for (const auto& scene : scenes) in_portions += scene.point_count();
+  REQUIRE(in_portions == whole.point_count());
+  double end = 0;
+  for (int k = 0; k < steps; ++k) {
+    const double dt = 0.4 * stable_step(whole);
+    step(whole, dt);
+    end += dt;
+  }
+  std::vector<Energies> balance(scenes.size());
+  std::vector<double> impulse(scenes.size());
+  const auto [thrown, migrated] = all_together(scenes, portions, [&](auto& scene, auto& others) {
+    for (int k = 0; k < steps; ++k) step(scene, 0.4 * others.least(stable_step(scene)), others);
+    const auto number = static_cast<std::size_t>(scene.portion().number);
+    if constexpr (tracks_energy<decltype(whole)>) balance[number] = energies(scene, others);
+    auto sum = scene.wall_impulse;
+    sum_over(others, sum);
+    impulse[number] = sum[1];
+  });
+  for (const auto& what : thrown) CHECK(what == "");
+  CHECK(migrated > 20);
+  Numbers expected, found;
+  collect(whole, expected);
+  for (auto& scene : scenes) {
+    CHECK(scene.time == Approx(end).epsilon(1e-13));
+    collect(scene, found);
+    if constexpr (decltype(whole)::rigid_count > 0) {
+      const auto &body = scene.rigid(), &alone = whole.rigid();
+      CHECK((body.velocity - alone.velocity).norm() <= 1e-12 * alone.velocity.norm());
+      CHECK((body.impulse - alone.impulse).norm() <= 1e-12 * alone.impulse.norm());
+      CHECK(body.contact_nodes == alone.contact_nodes);
+    }
+  }
+  REQUIRE(expected.size() == found.size());
+  std::vector<double> scale, worst;
+  for (const auto& [id, numbers] : expected) {
+    scale.resize(numbers.size());
+    worst.resize(numbers.size());
+    for (std::size_t k = 0; k < numbers.size(); ++k) {
+      scale[k] = std::max(scale[k], std::abs(numbers[k]));
+      worst[k] = std::max(worst[k], std::abs(numbers[k] - found.at(id)[k]));
+    }
+  }
+  for (std::size_t k = 0; k < worst.size(); ++k) {
+    CAPTURE(k, worst[k], scale[k]);
+    CHECK(worst[k] <= 1e-12 * scale[k]);
+  }
+  for (std::size_t s = 0; s < scenes.size(); ++s) {
+    CHECK(impulse[s] == Approx(whole.wall_impulse[1]).epsilon(1e-12));
+    if constexpr (tracks_energy<decltype(whole)>) {
+      const auto e = energies(whole);
+      const double all = e.kinetic + e.strain;
+      CHECK(std::abs(balance[s].kinetic - e.kinetic) <= 1e-12 * all);
+      CHECK(std::abs(balance[s].external - e.external) <= 1e-12 * all);
+      CHECK(std::abs(balance[s].contact - e.contact) <= 1e-12 * all);
+      CHECK(std::abs(balance[s].residual - e.residual) <= 1e-11 * all);
+    }
+  }
+  set_threads(threads_before);
+}
+
+}  // namespace
+
+TEST_CASE("Portions: FLIP, MUSL, both averages, sand, a moving mesh and a rigid body across the cut") {
+  auto data = test::triangles({0, 0}, {1, 1}, 20, 20);
+  test::name_region(data, "block", [](const auto& x) { return std::abs(x[0] - 0.5) < 0.2 && x[1] > 0.6; });
+  test::name_region(data, "soil", [](const auto& x) { return x[1] < 0.6; });
+  // Stressed from the start: without stress the sign of a round-off decides whether grains part.
+  for (const int count : {2, 3})
+    check(data, count, 200, [](auto mesh, auto... portion) {
+      return Scene{
+          PlaneStrain{},
+          mesh,
+          Numerics<LinearSimplex, Flip, Musl, NodalAndElementAverage>{},
+          bodies(fill<"sand">(
+              Cells("soil"), sand(),
+              {.per_cell = 3, .velocity = {1, 0, 0}, .stress = Geostatic{.surface = 0.6, .k0 = 0.5}})),
+          walls(bottom(fixed), left(roller), right(roller)),
+          gravity({0, -9.81}),
+          rigids(rigid(MeshSurface{"block"}, Guided{.mass = 100, .velocity = -2}, Friction(20_deg))),
+          MovingMesh<>{.fixed_below = 0.1, .moving_from = 0.6},
+          TrackEnergy{},
+          PointIds{},
+          portion...};
+    });
+}
+
+TEST_CASE("Portions: elastic bodies in contact, stresses at the middle of the step") {
+  check(test::triangles({0, 0}, {1, 1}, 20, 20), 2, 300, [](auto mesh, auto... portion) {
+    return Scene{PlaneStrain{},
+                 mesh,
+                 Numerics<LinearSimplex, Flip, Musl>{},
+                 bodies(fill(Box{{0.1, 0.45}, {0.6, 0.8}}, rubber(), {.per_cell = 3, .velocity = {2, -2, 0}}),
+                        fill(Box{{0., 0.}, {1., 0.4}}, rubber(), {.per_cell = 3})),
+                 walls(on("bottom", fixed)),
+                 gravity({0, -9.81}),
+                 Coulomb{Friction(10_deg)},
+                 TrackEnergy{},
+                 PointIds{},
+                 portion...};
+  });
+}
+
+TEST_CASE("Portions: TPIC, light nodes at the cut, a body that flies from one to the other") {
+  check(test::triangles({0, 0}, {1, 1}, 20, 20), 2, 300, [](auto mesh, auto... portion) {
+    return Scene{
+        PlaneStrain{},
+        mesh,
+        Numerics<LinearSimplex, Tpic, Usl>{},
+        bodies(fill(Box{{0.18, 0.1}, {0.48, 0.4}}, rubber(), {.per_cell = 3, .velocity = {6, -6, 0}})),
+        gravity({0, -1}),
+        walls(bottom(fixed), right(roller)),
+        TrackEnergy{},
+        PointIds{},
+        portion...};
+  });
+}
+
+TEST_CASE(
+    "Portions: a failure in one reaches all; a point beyond the ghosts is one, and one that is lost is "
+    "none") {
+  const auto data = test::triangles({0, 0}, {1, 1}, 20, 20);
+  const auto make = [](auto mesh, auto... portion) {
+    return Scene{PlaneStrain{},
+                 mesh,
+                 Numerics<LinearSimplex, Flip, Musl>{},
+                 bodies(fill(Box{{0., 0.}, {0.4, 0.4}}, rubber(), {.per_cell = 3})),
+                 PointIds{},
+                 portion...};
+  };
+  const auto outcome = [&](const Vec<double, 2>& place) {
+    auto [scenes, portions] = scenes_of(data, 2, make);
+    CHECK(scenes[1].point_count() == 0);
+    scenes[0].body().points.position.set(0, place);
+    auto thrown = all_together(scenes, portions, [&](auto& scene, auto& others) {
+                    run_with(others, scene, {.end = 1e-3});
+                  }).first;
+    return std::pair{thrown, scenes[0].body().lost};
+  };
+  const auto [fine, lost] = outcome({-0.02, 0.01});
+  CHECK(fine == std::vector<std::string>{"", ""});
+  CHECK(lost == 1);
+  const auto [beyond, none_lost] = outcome({0.8, 0.3});
+  CHECK_THAT(beyond[0], Catch::Matchers::Contains("beyond its ghost cells"));
+  CHECK_THAT(beyond[1], Catch::Matchers::StartsWith("another portion failed"));
+  CHECK(none_lost == 0);
+}

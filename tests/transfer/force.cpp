@@ -1,4 +1,5 @@
 // Internal force: its virtual work, its sums, and the patch of uniform stress.
+#include <arenite/core/alone.hpp>
 #include <arenite/transfer/light_nodes.hpp>
 
 #include "catch.hpp"

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include <arenite/core/alone.hpp>
 #include <arenite/core/error.hpp>
 #include <arenite/mesh/mesh.hpp>
 #include <arenite/shape/shape.hpp>
@@ -158,11 +159,6 @@ std::vector<Constraint<typename M::scalar, M::dimension>> resolve(const M& mesh,
   (nodes.add(parts), ...);
   return nodes.constraints();
 }
-
-/// All nodes are counted: where a scene has its mesh to itself.
-struct OwnsAll {
-  constexpr bool operator()(Index) const { return true; }
-};
 
 /// Removes the blocked part of the velocities of a field. Returns the impulse that this gave to the nodes
 /// that `owns(node)`, N s.

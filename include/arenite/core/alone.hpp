@@ -28,6 +28,11 @@ struct Alone {
 };
 inline constexpr Alone no_others{};
 
+/// All nodes are counted: where a scene has its mesh to itself.
+struct OwnsAll {
+  constexpr bool operator()(Index) const { return true; }
+};
+
 /// Sums scalars and vectors over the scenes.
 template <class Others, class... V>
 void sum_over([[maybe_unused]] Others& others, [[maybe_unused]] V&... value) {

@@ -105,7 +105,8 @@ std::pair<MeshData<D>, MeshPortion<D>> split_mesh(const MeshData<D>& whole, cons
       node_owner[i] = std::min(node_owner[i], owner[c]);
     }
   std::pair<MeshData<D>, MeshPortion<D>> part;
-  auto& [mesh, portion] = part;
+  auto& mesh = part.first;
+  auto& portion = part.second;
   const auto is_here = [&](std::size_t c) {
     return std::ranges::any_of(whole.cells[c], [&](Index i) { return touched[i]; });
   };

@@ -24,6 +24,8 @@ struct InPlace {
   const auto& now(Index i) const { return velocity[i]; }
 };
 template <class Velocities>
+InPlace(Velocities&) -> InPlace<Velocities>;
+template <class Velocities>
 struct Apart {
   const Velocities& velocity;
   Velocities& change;

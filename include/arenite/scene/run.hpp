@@ -52,7 +52,10 @@ void run_steps(Scene& scene, const RunOptions& options, Others& others, Observer
     else if (2 * dt > left)
       dt = left / 2;  // the last two steps share what is left: a sliver of a step would turn impulses into
                       // huge forces
-    step(scene, dt, others);
+    if constexpr (Others::alone)
+      step(scene, dt);  // the one that may be compiled elsewhere
+    else
+      step(scene, dt, others);
     if (last) scene.time = options.end;
     (show(scene, observers), ...);
   }

@@ -204,7 +204,10 @@ struct Scene {
   /// Whether the mesh is a part of a larger one, which other scenes share (`MeshPortion`).
   static constexpr bool is_portion =
       detail::place_of<MeshPortion<D>>(std::type_identity<Recipes>{}) < part_count;
-  const MeshPortion<D>& portion() const { return part<MeshPortion<D>>(); }
+  template <class Portion = MeshPortion<D>>  // only asked for where there is one
+  const Portion& portion() const {
+    return part<Portion>();
+  }
   /// `owns(node)`, `owns(cell)`: whether this scene counts a node in sums, and holds the points of a cell.
   auto node_owner() const {
     if constexpr (is_portion)

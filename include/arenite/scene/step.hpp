@@ -9,8 +9,8 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 /// Takes a scene through one step of length dt, s. Throws `run_error` if the state turns into NaN or the mesh
 /// inside out, naming time, place and cause. `others`: the exchange with the scenes over the other portions
 /// of the mesh, who take the same step at the same time (`core/alone.hpp`).
-template <class Scene, class Others = const Alone>
-void step(Scene& scene, double dt, Others& others = no_others) {
+template <class Scene, class Others>
+void step(Scene& scene, double dt, Others& others) {
   static_assert(Scene::is_portion != Others::alone,
                 "step: a scene over a MeshPortion needs the exchange with the other portions, others none");
   relocate(scene, others);           // find the cell of each point
@@ -25,6 +25,12 @@ void step(Scene& scene, double dt, Others& others = no_others) {
   g2p(scene, dt, others);       // G2P: velocities, strains, positions; stresses by the law of each body
   follow(scene, dt, others);    // what moves with the matter: the mesh, springs, ..
   finish(scene, dt);            // time, and the check that nothing has become NaN
+}
+
+/// The same for a scene that has its mesh to itself.
+template <class Scene>
+void step(Scene& scene, double dt) {
+  step(scene, dt, no_others);
 }
 
 /// Of a scene that the compiler has refused.

@@ -56,4 +56,9 @@ TEST_CASE("Boxes that are none are refused") {
         box_mesh<2>({{0, 1}, {1, 1}, {1, 1}});
       },
       "BoxMesh.upper = 1: must lie above lower = 1"));
+  REQUIRE(arenite::test::throws(
+      [] {
+        arenite::box_mesh<2>({{0, 0}, {1, 1}, {70000, 70000}});
+      },
+      "nodes: must be fewer than 2^32"));
 }

@@ -74,7 +74,7 @@ TEST_CASE("Of two bodies one may leave the mesh: one warning, and the other goes
   CHECK(scene.body<"leaves">().points.size() == 0);
   CHECK(scene.body<"stays">().points.size() > 0);
   REQUIRE(said.size() == 1);
-  CHECK(said[0].find("all points of body 1 have left the mesh") != std::string::npos);
+  CHECK(said[0].find("all points of body leaves have left the mesh") != std::string::npos);
 }
 
 TEST_CASE("Bad options of a run name the option and the rule") {

@@ -12,7 +12,7 @@
 #include <arenite/core/error.hpp>
 #include <arenite/mesh/mesh_data.hpp>
 
-namespace arenite {
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 /// A box and the number of bricks along each of its axes.
 template <int D>
@@ -109,4 +109,4 @@ MeshData<D> box_mesh(const BoxMesh<D>& box) {
   return data;
 }
 
-}  // namespace arenite
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

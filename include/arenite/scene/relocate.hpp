@@ -13,7 +13,6 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 template <class Scene, class Others = const Alone>
 void relocate(Scene& scene, [[maybe_unused]] Others& others = no_others) {
   constexpr int width = Scene::NumericsType::template width<typename Scene::T>;
-  const bool had_any = scene.point_count() > 0;
   scene.for_each_body([&](auto& body, auto&) { find_cells<width>(body, scene.mesh, scene.blocks); });
   std::array<bool, Scene::body_count> had_points{};
   std::size_t number = 0;
@@ -27,7 +26,7 @@ void relocate(Scene& scene, [[maybe_unused]] Others& others = no_others) {
   });
   if (regrouped) scene.balance_threads();
   if constexpr (Others::alone) {
-    if (had_any && scene.point_count() == 0)
+    if (scene.lost_points() > 0 && scene.point_count() == 0)
       throw run_error(shared_detail::join("t = ", scene.time, " s: all ", scene.lost_points(),
                                           " points of the scene have left the mesh"));
     number = 0;

@@ -20,6 +20,11 @@ inline MohrCoulomb<> sand() {
 inline DruckerPrager<> grains() {
   return DruckerPrager{{.density = 1540, .young = 5e6, .poisson = 0.33, .friction = 40_deg}};
 }
+/// An elastic law that does not say that it is linear: stresses are then those of the end of a step, as the
+/// rivals', and not of its middle.
+struct PlainElastic : LinearElastic {
+  static constexpr bool linear = false;
+};
 inline LinearElastic elastic() { return LinearElastic{{.density = 1540, .young = 5e6, .poisson = 0.33}}; }
 
 /// Velocities that shear and compress at random, so that most points of a plastic law yield (seed fixed).

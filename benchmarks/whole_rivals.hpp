@@ -133,7 +133,7 @@ inline void check_rivals() {
   open.gravity = {};
   conserves("tetrahedra", open);
   follows("tetrahedra", tetrahedral_scene<double, NodalAveraging>(sand(), n), closed, 1e-6);
-  follows("tetrahedra, elastic", tetrahedral_scene<double, NoAntiLocking>(elastic(), n),
+  follows("tetrahedra, elastic", tetrahedral_scene<double, NoAntiLocking>(PlainElastic{elastic()}, n),
           tetrahedral_rival<double>(rival_elastic<double>(), n, false), 1e-6);
 
   auto spline = spline_rival<double>(rival_grains<double>(), n);

@@ -48,7 +48,7 @@ int main(int argc, char** argv) {
   add_scalar<float>(size, "float");
   add(
       "tetrahedra_elastic/double", size,
-      [n] { return tetrahedral_scene<double, arenite::NoAntiLocking>(elastic(), n); },
+      [n] { return tetrahedral_scene<double, arenite::NoAntiLocking>(PlainElastic{elastic()}, n); },
       [n] { return tetrahedral_rival<double>(rival_elastic<double>(), n, false); });
   add(
       "bspline_3d_drucker_prager/double", size, [n] { return spline_scene<double, 3>(grains(), n); },

@@ -40,8 +40,6 @@ class Lists {
   std::span<const Index> operator[](std::size_t row) const {
     return {values_.data() + start_[row], values_.data() + start_[row + 1]};
   }
-  /// Entries of all rows before this one; `row` may be `size()`.
-  Index start(std::size_t row) const { return start_[row]; }
   std::size_t bytes() const { return (start_.size() + values_.size()) * sizeof(Index); }
 
  private:

@@ -183,21 +183,21 @@ class CellList {
   void follow_state(const std::vector<Index>& cell, Index cell_count) {
     bool fits = start_.size() == std::size_t{cell_count} + 1 && start_.front() == 0 &&
                 start_.back() <= cell.size() && std::is_sorted(start_.begin(), start_.end());
-    std::vector<bool> is_guest(cell.size());
+    std::vector<bool> is_unsorted(cell.size());
     for (const Index p : all_unsorted_) {
-      fits = fits && p < cell.size() && !is_guest[p] && cell[p] < cell_count;
+      fits = fits && p < cell.size() && !is_unsorted[p] && cell[p] < cell_count;
       if (!fits) break;
-      is_guest[p] = true;
+      is_unsorted[p] = true;
     }
     if (fits) {
       owned_.assign(cell_count, 0);
       for (Index c = 0; c < cell_count; ++c)
         for (Index p = start_[c]; p < start_[c + 1]; ++p) {
-          if (is_guest[p]) continue;
+          if (is_unsorted[p]) continue;
           fits = fits && cell[p] == c && p == start_[c] + owned_[c];
           ++owned_[c];
         }
-      for (std::size_t p = start_.back(); p < cell.size(); ++p) fits = fits && is_guest[p];
+      for (std::size_t p = start_.back(); p < cell.size(); ++p) fits = fits && is_unsorted[p];
     }
     require(fits, "state: cells", cell_count, "runs and unsorted must list each point once");
     unsorted_start_.resize(start_.size());

@@ -14,7 +14,7 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 /// of a step are those at its start.
 template <class N, class M, class B, class Field>
 void map_back(const N& numerics, const M& mesh, const Blocks& blocks, B& body, Field& nodes) {
-  static_assert(N::maps_back, "remap: this order of the stress update maps nothing back");
+  static_assert(N::maps_back, "map_back: this order of the stress update maps nothing back");
   blocks.for_each_colored([&](Index c) {
     if (body.cells.empty(c)) return;
     if constexpr (N::maps_back_by_points)

@@ -7,7 +7,7 @@
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
-/// Strain and spin of one step from the velocity gradient times dt, whose columns are `along(j)`[i] =
+/// Strain and spin of one step from the velocity gradient times dt, whose columns are `derivative(j)`[i] =
 /// dv_i/dx_j dt; no strain out of plane.
 template <class P, std::size_t D, class Columns>
 StrainStep<P, static_cast<int>(D)> in_plane_step(Columns&& derivative) {

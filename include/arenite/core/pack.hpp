@@ -238,6 +238,14 @@ struct Parts<float, 16> {
 };
 #endif
 
+/// In the place of a mask's truth: stops the compiler.
+template <class B>
+bool refuse_condition() {
+  static_assert(!std::same_as<B, bool>,
+                "a pack: its lanes may differ in a comparison: use select(mask, a, b), any_of(mask) or "
+                "all_of(mask) instead of a branch");
+  return false;
+}
 }  // namespace detail
 
 /// The answer to a comparison of packs: true or false in each lane. `select`, `any_of` and `all_of` read it.
@@ -256,12 +264,7 @@ class Mask {
   /// Lanes may differ, so a mask is no condition: refused by the compiler.
   template <class B>
   requires std::same_as<B, bool>
-  operator B() const {
-    static_assert(!std::same_as<B, bool>,
-                  "a pack: its lanes may differ in a comparison: use select(mask, a, b), any_of(mask) or "
-                  "all_of(mask) instead of a branch");
-    return false;
-  }
+  operator B() const { return detail::refuse_condition<B>(); }
 
   bool operator[](int lane) const { return v_[lane] != 0; }
   const vector& lanes() const { return v_; }

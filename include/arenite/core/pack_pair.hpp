@@ -17,12 +17,7 @@ class PackPairMask {
   /// Lanes may differ, so a mask is no condition: refused by the compiler.
   template <class B>
   requires std::same_as<B, bool>
-  operator B() const {
-    static_assert(!std::same_as<B, bool>,
-                  "a pack: its lanes may differ in a comparison: use select(mask, a, b), any_of(mask) or "
-                  "all_of(mask) instead of a branch");
-    return false;
-  }
+  operator B() const { return detail::refuse_condition<B>(); }
 
   bool operator[](int lane) const { return lane < Half::width ? low_[lane] : high_[lane - Half::width]; }
   const Half& low() const { return low_; }

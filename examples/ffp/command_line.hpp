@@ -11,8 +11,9 @@
 #include <system_error>
 #include <vector>
 
+#include <arenite/version.hpp>
+
 #include "option_table.hpp"
-#include "version.hpp"
 
 namespace arenite::ffp {
 
@@ -113,7 +114,7 @@ inline std::optional<DropOptions> read_command_line(std::vector<std::string> wor
   CLI::App app{"Drops a free-fall penetrometer into dry sand, by the material point method.", "arenite-ffp"};
   CLI::App& drop = *app.add_subcommand("drop", "Run one drop; without options the paper's case");
   for (CLI::App* each : {&app, &drop})
-    each->set_version_flag("--version", version, "Print the version and exit");
+    each->set_version_flag("--version", std::string(library_version), "Print the version and exit");
   drop.get_formatter()->column_width(46);
   detail::DropOptionAdder adder{drop};
   visit_options(options, adder);
@@ -142,7 +143,7 @@ inline std::optional<DropOptions> read_command_line(std::vector<std::string> wor
     answer << (drop.parsed() ? drop.help("arenite-ffp") : app.help());
     return std::nullopt;
   } catch (const CLI::CallForVersion&) {
-    answer << "arenite-ffp " << version << '\n';
+    answer << "arenite-ffp " << library_version << '\n';
     return std::nullopt;
   } catch (const CLI::ArgumentMismatch&) {  // only the last word can be an option without its value
     throw error(shown(words.back()) + " = : needs a value");

@@ -28,12 +28,13 @@ namespace arenite::ffp {
 
 /// The run itself: how it stands, and what the stepping loop counts.
 struct RunNumbers {
-  std::string status = "done";  ///< or "running", "failed", "interrupted", "disk-full"
-  std::string failure{};        ///< when, where and why it ended early; empty: it did not
-  std::string started{};        ///< UTC, ISO 8601
-  long process = 0;             ///< id
-  long points = 0;              ///< material points of sand and device
-  long expected_steps = 0;      ///< as told before the first
+  std::string status = "done";         ///< or "running", "failed", "interrupted", "disk-full"
+  std::string failure{};               ///< when, where and why it ended early; empty: it did not
+  std::string started{};               ///< UTC, ISO 8601
+  long process = 0;                    ///< id
+  std::vector<double> resumed_at_s{};  ///< times at which the run went on from a saved state
+  long points = 0;                     ///< material points of sand and device
+  long expected_steps = 0;             ///< as told before the first
   long steps = 0;
   double wall_s = 0;       ///< of the stepping loop, without output
   double point_steps = 0;  ///< sum over steps of the points moved
@@ -177,6 +178,7 @@ inline nlohmann::ordered_json summary_of(const DropOptions& options,
   j["version"] = library_version;
   j["started"] = run.started;
   j["process_id"] = run.process;
+  if (!run.resumed_at_s.empty()) j["resumed_at_s"] = run.resumed_at_s;
   j["inputs_hash"] = hash_of_inputs(options);
   if (figures) {
     const DropFigures& f = *figures;

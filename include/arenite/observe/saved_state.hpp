@@ -109,7 +109,8 @@ void save_state(const Scene& scene, const SavedState& to, const Observers&... ob
   write_state_file(to.path, detail::state_terms(scene, to.recipe), entries);
 }
 
-/// Puts a saved state into a scene of the same recipe, and into the same observers in the same order; the run
+/// Puts a saved state into a scene of the same recipe, and into the same observers in the same order (who has
+/// a `follow_state(scene)` is then asked to renew what follows from it); the run
 /// then goes on with the same bits, on any number of threads. Parameters (of laws, gravity, contact) are
 /// those of the scene, not of the file. Throws `error` that names file and reason, with the scene as it was,
 /// if the file is foreign, truncated or damaged, or of another composition, mesh, recipe or set of observers.
@@ -156,6 +157,11 @@ void restore_state(Scene& scene, const SavedState& from, Observers&... observers
       },
       observers...);
   follow_state(scene);
+  const auto follow = [&](auto& observer) {
+    if constexpr (requires { observer.follow_state(std::as_const(scene)); })
+      observer.follow_state(std::as_const(scene));
+  };
+  (follow(observers), ...);
 }
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -10,6 +10,7 @@
 #include <string>
 
 #include <arenite/core/name.hpp>
+#include <arenite/core/vector_argument.hpp>
 #include <arenite/kinematics/kinematics.hpp>
 #include <arenite/law/roles.hpp>
 #include <arenite/mesh/mesh.hpp>
@@ -126,10 +127,7 @@ void begin_history(Points<T, D, L, E>& points, const FillOptions& options) {
     require(!name.empty() && k < names.size(), "FillOptions.history", name,
             known.empty() ? "the law's history has no member with a name" : "must be one of: " + known);
     for (std::size_t p = 0; p < points.size(); ++p) {
-      const auto x = points.position[p];
-      std::array<double, 3> at{};
-      for (int i = 0; i < D; ++i) at[static_cast<std::size_t>(i)] = static_cast<double>(x[i]);
-      const double value = value_at(at);
+      const double value = value_at(in_space<T, D>(points.position[p]));
       require(std::isfinite(value), "FillOptions.history, " + name, value, "must be finite");
       points.history[k][p] = static_cast<T>(value);
     }
@@ -170,15 +168,7 @@ auto make_body(const M& mesh, const Fill<L, name>& recipe, const Owns& owns = {}
     require(o.stress->axis >= 0 && o.stress->axis < D, "Geostatic.axis", o.stress->axis,
             "must be an axis of the scene");
   }
-  Vec<T, D> velocity;
-  for (std::size_t k = 0; k < 3; ++k) {
-    require(std::isfinite(o.velocity[k]), "FillOptions.velocity", o.velocity[k], "must be finite");
-    if (k < D)
-      velocity[static_cast<int>(k)] = static_cast<T>(o.velocity[k]);
-    else
-      require(o.velocity[k] == 0, "FillOptions.velocity", o.velocity[k],
-              "must be zero along an axis that the scene does not have");
-  }
+  const auto velocity = vector_argument<T, D>("FillOptions.velocity", o.velocity);
   const auto numbers = detail::region_numbers(mesh, recipe.region);
   for (Index c = 0; c < mesh.cell_count(); ++c) {
     if (!owns(c)) continue;

@@ -162,7 +162,7 @@ class BoundDistanceSurface {
       const auto i = static_cast<Index>(n);
       if (!has_mass(i)) continue;
       const Position at = in_space<T, D>(Shape::node_position(mesh, i) - displacement);
-      const auto size = static_cast<double>(node_size(mesh, i));
+      const auto size = static_cast<double>(mesh.node_size(i));
       if (is_beyond(at, size)) continue;
       node[count] = i;
       cell[count] = size;

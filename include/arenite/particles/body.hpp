@@ -89,7 +89,7 @@ struct Body {
       "Body: the law must provide History, density(), wave_modulus(), update(stress, step, history) "
       "where step is a StrainStep, and elastic_energy(stress) or elastic_energy(stress, history); see "
       "arenite/law/law.hpp");
-  static_assert(detail::check_roles<L, T, D>());
+  static_assert(check_law<L, T, D>());
   static constexpr bool has_dilation = Points<T, D, L, Extra>::has_dilation;
   static constexpr bool knows_opening = arenite::knows_opening<L, T>;
   L law;
@@ -112,6 +112,16 @@ struct Body {
   std::vector<Sym<T, D>> cell_stress{};
 };
 
+/// Numbers of the regions of a simplex mesh that a region names. Throws `error` for a name that the mesh does
+/// not have.
+template <class M>
+std::vector<int> region_numbers([[maybe_unused]] const M& mesh, [[maybe_unused]] const AnyRegion& region) {
+  std::vector<int> numbers;
+  if constexpr (is_simplex_mesh<M>)
+    for (const auto& name : region.cells) numbers.push_back(mesh.region_number(name));
+  return numbers;
+}
+
 namespace detail {
 
 /// Gives the points the initial values of `FillOptions::history`. Throws `error` for one that the law's
@@ -132,15 +142,6 @@ void begin_history(Points<T, D, L, E>& points, const FillOptions& options) {
       points.history[k][p] = static_cast<T>(value);
     }
   }
-}
-
-/// Numbers of the mesh regions that a region names.
-template <class M>
-std::vector<int> region_numbers([[maybe_unused]] const M& mesh, [[maybe_unused]] const AnyRegion& region) {
-  std::vector<int> numbers;
-  if constexpr (is_simplex_mesh<M>)
-    for (const auto& name : region.cells) numbers.push_back(mesh.region_number(name));
-  return numbers;
 }
 
 }  // namespace detail
@@ -169,7 +170,7 @@ auto make_body(const M& mesh, const Fill<L, name>& recipe, const Owns& owns = {}
             "must be an axis of the scene");
   }
   const auto velocity = vector_argument<T, D>("FillOptions.velocity", o.velocity);
-  const auto numbers = detail::region_numbers(mesh, recipe.region);
+  const auto numbers = region_numbers(mesh, recipe.region);
   for (Index c = 0; c < mesh.cell_count(); ++c) {
     if (!owns(c)) continue;
     if constexpr (is_simplex_mesh<M>) {

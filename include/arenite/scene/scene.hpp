@@ -256,7 +256,7 @@ struct Scene {
     static_assert(k < body_count,
                   "Scene: no such body; say body<\"name\">() of fill<\"name\">(..), or "
                   "body<number>(); body() is the only one");
-    return k;
+    return k < body_count ? k : 0;  // one sentence is enough
   }
   template <Name which>
   static constexpr std::size_t rigid_place() {
@@ -265,12 +265,15 @@ struct Scene {
     static_assert(k < rigid_count,
                   "Scene: no such rigid body; say rigid<\"name\">() of rigid<\"name\">(..), "
                   "or rigid<number>(); rigid() is the only one");
-    return found.first[k];
+    if constexpr (rigid_count > 0)
+      return found.first[k < rigid_count ? k : 0];
+    else
+      return 0;
   }
   template <std::size_t Place>
   static constexpr std::size_t part_place() {
     static_assert(Place < part_count, "Scene: no part was made of such a recipe");
-    return Place;
+    return Place < part_count ? Place : 0;
   }
 
   Scene(Nothing, K kinematics_value, M mesh_value, N numerics_value, Given... given);
@@ -341,6 +344,9 @@ struct Scene {
 template <class K, class M, class N, class... Given>
 Scene(K, M, N, Given...) -> Scene<detail::refused_unless<detail::is_complete_scene<K, M, N, Given...>(), K>,
                                   M, N, erased_t<Given>...>;
+/// Two values cannot be a scene: without this guide the compiler would say so in words of its own.
+template <class K, class M>
+Scene(K, M) -> Scene<detail::refused_unless<detail::is_complete_scene<K, M, void>(), K>, M, void>;
 
 /// In the place of a scene that the compiler has refused: one sentence is enough.
 template <class M, class N, class... Given>

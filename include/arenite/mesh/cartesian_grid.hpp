@@ -65,8 +65,10 @@ class CartesianGrid {
   T edge() const { return edge_; }
   /// 1 / edge, 1/m.
   T inverse_edge() const { return inverse_edge_; }
-  /// Size that the stable step is made from, m.
+  /// Size of a cell, that the stable step is made from: its edge, m.
   T size(Index) const { return edge_; }
+  /// Smallest size of the cells at a node, of any shape function, m.
+  T node_size(Index) const { return edge_; }
   /// Area or volume of a cell, m^D.
   T volume(Index) const { return D == 2 ? edge_ * edge_ : edge_ * edge_ * edge_; }
   const Point& lower() const { return lower_; }

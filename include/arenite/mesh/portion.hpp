@@ -80,14 +80,13 @@ struct MeshPortion {
   }
 };
 
-namespace detail {
+/// `owns(cell)`: whether a portion holds the points of a cell.
 template <int D>
 struct OwnedCells {
   static constexpr bool is_whole = false;
   const MeshPortion<D>& portion;
   bool operator()(Index c) const { return portion.owns_cell(c); }
 };
-}  // namespace detail
 
 /// Part number `number` of a mesh whose cells belong to the parts `owner` [cells]: its own cells and the
 /// ghosts around them, in the order of the whole, and what else a scene has to know. A node belongs to the

@@ -51,7 +51,7 @@ const Rows& either(const Rows& own, const Rows&) {
   return own;
 }
 template <class Rows>
-const Rows& either(const detail::Nothing&, const Rows& instead) {
+const Rows& either(const Nothing&, const Rows& instead) {
   return instead;
 }
 

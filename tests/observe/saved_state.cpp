@@ -194,6 +194,33 @@ TEST_CASE("Saved: what cannot be written says so and leaves the old file") {
   CHECK_THROWS_WITH(save_state(scene, {"a.state", "two\nlines"}), Contains("line break"));
 }
 
+TEST_CASE("A hash is that of the bytes, however they are cut, and of their number") {
+  std::mt19937 random(3);
+  std::string bytes(1000, ' ');
+  for (char& c : bytes) c = static_cast<char>(random());
+  Hash whole;
+  whole.add(bytes.data(), bytes.size());
+  for (int k = 0; k < 100; ++k) {
+    Hash pieces;
+    for (std::size_t at = 0; at < bytes.size();) {
+      const std::size_t size = std::min<std::size_t>(random() % 20, bytes.size() - at);
+      pieces.add(bytes.data() + at, size);
+      at += size;
+    }
+    REQUIRE(pieces.value() == whole.value());
+    std::string other = bytes;
+    const std::size_t place = random() % other.size();
+    other[place] = static_cast<char>(other[place] ^ (1 << (random() % 8)));
+    Hash changed;
+    changed.add(other.data(), other.size());
+    REQUIRE(changed.value() != whole.value());
+  }
+  Hash none, zero;
+  zero.add("", 1);
+  CHECK(none.value() != zero.value());
+  CHECK(whole.digits().size() == 16);
+}
+
 TEST_CASE("Types as words are the same from all compilers") {
   CHECK(type_words<double>() == "double");
   CHECK(type_words<SimplexMesh<3, float>>() == "SimplexMesh<3,float>");

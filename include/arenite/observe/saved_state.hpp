@@ -157,7 +157,7 @@ void restore_state(Scene& scene, const SavedState& from, Observers&... observers
       },
       observers...);
   follow_state(scene);
-  const auto follow = [&](auto& observer) {
+  [[maybe_unused]] const auto follow = [&](auto& observer) {
     if constexpr (requires { observer.follow_state(std::as_const(scene)); })
       observer.follow_state(std::as_const(scene));
   };

@@ -24,7 +24,6 @@ template <int D, real_scalar T = double>
 class SimplexMesh {
  public:
   static constexpr int dimension = D;
-  static constexpr int nodes_per_cell = D + 1;
   using scalar = T;
   using Point = Vec<T, D>;
   using CellNodes = std::array<Index, static_cast<std::size_t>(D + 1)>;

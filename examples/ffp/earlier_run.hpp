@@ -26,14 +26,12 @@ struct EarlierRun {
 
 namespace detail {
 
-using arenite::shared_detail::join;
-
 /// The first input that differs: "velocity_m_s is 5.6 there, 6 here".
 inline std::string first_difference(const nlohmann::ordered_json& there, const nlohmann::ordered_json& here) {
   for (const auto& [key, value] : here.items())
     if (!there.contains(key) || there[key] != value)
-      return join(key, " is ", there.contains(key) ? json_text(there[key]) : "nothing", " there, ",
-                  json_text(value), " here");
+      return joined_text(key, " is ", there.contains(key) ? json_text(there[key]) : "nothing", " there, ",
+                         json_text(value), " here");
   return "the file of the mesh has changed";
 }
 
@@ -42,12 +40,11 @@ inline std::string first_difference(const nlohmann::ordered_json& there, const n
 /// Looks into `options.out`; a folder without a summary has no earlier run. Throws `error` that names
 /// `--resume` if the run there has other inputs, or if its summary cannot be read.
 inline EarlierRun earlier_run(const DropOptions& options) {
-  using detail::join;
   const std::filesystem::path folder{options.out};
   EarlierRun found;
   if (!std::filesystem::exists(folder / "summary.json")) return found;
   const auto refuse = [&](const std::string& rule) {
-    throw error(join("--resume: ", shown((folder / "summary.json").string()), ": ", rule));
+    throw error(joined_text("--resume: ", shown((folder / "summary.json").string()), ": ", rule));
   };
   std::ifstream file{folder / "summary.json"};
   const auto summary = nlohmann::ordered_json::parse(file, nullptr, false);

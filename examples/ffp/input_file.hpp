@@ -58,8 +58,7 @@ inline bool is_no_option(const std::string& key, const nlohmann::json& value, co
   if (key == "mesh") return value == "generated";
   if (key == "fillet_m") return value == 0 && all.value("shoulder", "") != "fillet";
   if (key != "gravity_m_s2") return false;
-  require(value == standard_gravity, "gravity_m_s2", value.dump(),
-          arenite::shared_detail::join("must be ", standard_gravity));
+  require(value == standard_gravity, "gravity_m_s2", value.dump(), joined_text("must be ", standard_gravity));
   return true;
 }
 
@@ -68,9 +67,8 @@ inline bool is_no_option(const std::string& key, const nlohmann::json& value, co
 /// The inputs in a file as words of the command line. Takes an object of inputs, or one that has them as
 /// "inputs". Throws `error` that names `--input`, the file and the key.
 inline std::vector<std::string> words_of_input(const std::string& path) {
-  using detail::join;
   const auto refuse = [&](const std::string& rule) -> void {
-    throw error(join("--input = ", shown(path), ": ", rule));
+    throw error(joined_text("--input = ", shown(path), ": ", rule));
   };
   std::ifstream file{path};
   if (!file || file.peek() == std::ifstream::traits_type::eof()) refuse("must be a file that can be read");

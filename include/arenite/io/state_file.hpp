@@ -64,16 +64,15 @@ inline constexpr const char* byte_order() {
 /// `error` for a name or a term with a line break.
 inline void write_state_file(const std::filesystem::path& path, const std::vector<StateTerm>& terms,
                              const std::vector<StateEntry>& entries) {
-  using shared_detail::join;
-  std::string head = join(shared_detail::state_magic, shared_detail::state_format,
-                          "\nbyte order: ", shared_detail::byte_order(), "\n");
+  std::string head = joined_text(shared_detail::state_magic, shared_detail::state_format,
+                                 "\nbyte order: ", shared_detail::byte_order(), "\n");
   const auto line = [&](const std::string& text) {
     require(text.find_first_of("\r\n") == std::string::npos, "state", text, "must not hold a line break");
     head += text + "\n";
   };
   for (const auto& [key, value] : terms) line(key + ": " + value);
-  line(join("values: ", entries.size()));
-  for (const auto& entry : entries) line(join(entry.type(), " ", entry.count, " ", entry.name));
+  line(joined_text("values: ", entries.size()));
+  for (const auto& entry : entries) line(joined_text(entry.type(), " ", entry.count, " ", entry.name));
   head += "\n";
   shared_detail::replace_file(
       path,
@@ -99,7 +98,7 @@ class StateFile {
   explicit StateFile(const std::filesystem::path& path) : path_{path} {
     errno = 0;
     file_.open(path, std::ios::binary);
-    if (!file_) refuse(join("cannot be read (", std::generic_category().message(errno), ")"));
+    if (!file_) refuse(joined_text("cannot be read (", std::generic_category().message(errno), ")"));
     read_head();
     check_whole();
   }
@@ -123,12 +122,10 @@ class StateFile {
 
   /// Throws `error` "state file = path: rule".
   [[noreturn]] void refuse(const std::string& rule) const {
-    throw error(join("state file = ", path_.string(), ": ", rule));
+    throw error(joined_text("state file = ", path_.string(), ": ", rule));
   }
 
  private:
-  static std::string join(const auto&... parts) { return shared_detail::join(parts...); }
-
   std::string next_line() {
     std::string line;
     std::getline(file_, line);
@@ -143,12 +140,13 @@ class StateFile {
     if (!file_ || std::string_view(begin.data(), begin.size()) != magic)
       refuse("is no state file of Arenite: it must begin with \"arenite state\"");
     if (const std::string format = next_line(); format != shared_detail::state_format)
-      refuse(join("has the format ", format, "; this program reads ", shared_detail::state_format));
+      refuse(joined_text("has the format ", format, "; this program reads ", shared_detail::state_format));
     std::size_t values = 0;
     for (bool more = true; more;) {
       const std::string line = next_line();
       const auto colon = line.find(": ");
-      if (colon == std::string::npos) refuse(join("is damaged: \"", line.substr(0, 60), "\" in its head"));
+      if (colon == std::string::npos)
+        refuse(joined_text("is damaged: \"", line.substr(0, 60), "\" in its head"));
       const std::string key = line.substr(0, colon), value = line.substr(colon + 2);
       if (key == "byte order" && value != shared_detail::byte_order())
         refuse("was written by a machine of the other byte order, " + value);
@@ -167,16 +165,17 @@ class StateFile {
     std::size_t number = 0;
     const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), number);
     if (code != std::errc{} || end != text.data() + text.size() || number > std::size_t{1} << 48)
-      refuse(join("is damaged: \"", text.substr(0, 60), "\" is no number"));
+      refuse(joined_text("is damaged: \"", text.substr(0, 60), "\" is no number"));
     return number;
   }
   StateEntry entry_in(const std::string& line) const {
     const auto type = line.find(' '), count = line.find(' ', type + 1);
     if (type == std::string::npos || type < 2 || count == std::string::npos)
-      refuse(join("is damaged: \"", line.substr(0, 60), "\" is no value"));
+      refuse(joined_text("is damaged: \"", line.substr(0, 60), "\" is no value"));
     StateEntry entry{line.substr(count + 1), line[0], number_in(line.substr(1, type - 1)),
                      number_in(line.substr(type + 1, count - type - 1))};
-    if (entry.bytes == 0 || entry.bytes > 16) refuse(join("is damaged: numbers of ", entry.bytes, " bytes"));
+    if (entry.bytes == 0 || entry.bytes > 16)
+      refuse(joined_text("is damaged: numbers of ", entry.bytes, " bytes"));
     return entry;
   }
 
@@ -190,8 +189,8 @@ class StateFile {
       if (end > there) break;
     }
     end += sizeof(std::uint64_t);
-    if (there < end) refuse(join("is truncated: ", there, " bytes are left"));
-    if (there > end) refuse(join("is damaged: ", there - end, " bytes follow its end"));
+    if (there < end) refuse(joined_text("is truncated: ", there, " bytes are left"));
+    if (there > end) refuse(joined_text("is damaged: ", there - end, " bytes follow its end"));
     file_.seekg(0);
     Hash hash;
     std::vector<char> piece(1 << 20);

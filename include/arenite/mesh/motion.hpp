@@ -32,7 +32,7 @@ struct LedByBody {
     double along = momentum(body)[axis], all = mass(body);
     sum_over(others, along, all);
     if (all == 0)
-      throw run_error(shared_detail::join(
+      throw run_error(joined_text(
           "body ", which.word().empty() ? std::to_string(which.number) : std::string(which.word()),
           ", which leads the mesh, has lost all of its points"));
     return before + static_cast<T>(static_cast<double>(dt) * along / all);
@@ -112,7 +112,7 @@ class BoundMotion {
     try {
       move(scene.mesh, travel());
     } catch (const run_error& e) {
-      throw run_error(shared_detail::join("t = ", scene.time + dt, " s: ", e.what()));
+      throw run_error(joined_text("t = ", scene.time + dt, " s: ", e.what()));
     }
   }
   template <class F>
@@ -130,14 +130,14 @@ class BoundMotion {
     travel_ = travel;
     const double below = 1 + static_cast<double>(travel) / (motion_.moving_from - motion_.fixed_below);
     if (!(below > motion_.least))
-      throw run_error(shared_detail::join(
-          "the compressing zone below ", motion_.moving_from, " m is used up after a travel of ", travel,
-          " m: ", below * 100, " % of its height is left, the limit is ", motion_.least * 100, " %"));
+      throw run_error(joined_text("the compressing zone below ", motion_.moving_from,
+                                  " m is used up after a travel of ", travel, " m: ", below * 100,
+                                  " % of its height is left, the limit is ", motion_.least * 100, " %"));
     if (std::isfinite(motion_.fixed_above)) {
       const double above = 1 - static_cast<double>(travel) / (motion_.fixed_above - motion_.moving_to);
       if (!(above > motion_.least))
-        throw run_error(shared_detail::join("the zone above ", motion_.moving_to,
-                                            " m is used up after a travel of ", travel, " m"));
+        throw run_error(joined_text("the zone above ", motion_.moving_to, " m is used up after a travel of ",
+                                    travel, " m"));
     }
     const Index bad = mesh.move(nodes_, cells_, [&](Index i) {
       auto x = mesh.position(i);
@@ -145,9 +145,8 @@ class BoundMotion {
       return x;
     });
     if (bad != none)
-      throw run_error(shared_detail::join("cell ", bad, " at (",
-                                          mesh.position(mesh.nodes(bad)[0]).transpose(),
-                                          ") m turned inside out after a travel of ", travel, " m"));
+      throw run_error(joined_text("cell ", bad, " at (", mesh.position(mesh.nodes(bad)[0]).transpose(),
+                                  ") m turned inside out after a travel of ", travel, " m"));
   }
 
  private:

@@ -51,8 +51,8 @@ std::string mesh_words(const Scene& scene) {
   }
   for (Index c = 0; c < scene.mesh.cell_count(); ++c)
     for (const Index i : typename Shape::template Cell<typename Scene::Mesh>(scene.mesh, c).nodes) add(i);
-  return shared_detail::join(Shape::node_count(scene.mesh), " nodes, ", scene.mesh.cell_count(), " cells, ",
-                             hash.digits());
+  return joined_text(Shape::node_count(scene.mesh), " nodes, ", scene.mesh.cell_count(), " cells, ",
+                     hash.digits());
 }
 
 template <class Scene>
@@ -63,8 +63,8 @@ std::vector<StateTerm> state_terms(const Scene& scene, const std::string& recipe
       {"kinematics", type_words<typename Scene::Kinematics>()},
       {"mesh", type_words<typename Scene::Mesh>() + ", " + mesh_words(scene)},
       {"numerics",
-       shared_detail::join(type_words<typename N::Shape>(), ", ", type_words<typename N::Transfer>(), ", ",
-                           type_words<typename N::Order>(), ", ", type_words<typename N::AntiLocking>())}};
+       joined_text(type_words<typename N::Shape>(), ", ", type_words<typename N::Transfer>(), ", ",
+                   type_words<typename N::Order>(), ", ", type_words<typename N::AntiLocking>())}};
   std::size_t number = 0;
   scene.for_each_body([&](const auto& body, const auto&) {
     terms.emplace_back("body " + Scene::body_name(number++),
@@ -79,7 +79,7 @@ template <class Scene, class F, class... Observers>
 void visit_run(Scene& scene, F&& f, Observers&... observers) {
   for_each_state(scene, f);
   std::size_t number = 0;
-  (visit_state_of(observers, shared_detail::join("observers/", number++), f), ...);
+  (visit_state_of(observers, joined_text("observers/", number++), f), ...);
 }
 
 /// A value of a state as an entry of a file.
@@ -116,7 +116,6 @@ void save_state(const Scene& scene, const SavedState& to, const Observers&... ob
 /// if the file is foreign, truncated or damaged, or of another composition, mesh, recipe or set of observers.
 template <class Scene, class... Observers>
 void restore_state(Scene& scene, const SavedState& from, Observers&... observers) {
-  using shared_detail::join;
   StateFile file(from.path);
   const auto wanted = detail::state_terms(scene, from.recipe);
   for (std::size_t k = 0; k < std::max(wanted.size(), file.terms().size()); ++k) {
@@ -124,8 +123,8 @@ void restore_state(Scene& scene, const SavedState& from, Observers&... observers
         &here = k < wanted.size() ? wanted[k] : none_there,
         &there = k < file.terms().size() ? file.terms()[k] : none_there;
     if (here != there)
-      file.refuse(join("is of another run: ", there.first, ": ", there.second, "; this one has ", here.first,
-                       ": ", here.second));
+      file.refuse(joined_text("is of another run: ", there.first, ": ", there.second, "; this one has ",
+                              here.first, ": ", here.second));
   }
   std::size_t known = 0;
   detail::visit_run(
@@ -133,16 +132,16 @@ void restore_state(Scene& scene, const SavedState& from, Observers&... observers
       [&](std::string_view name, auto& value) {
         const StateEntry here = detail::entry_of(name, value);
         const StateEntry* there = file.find(name);
-        if (there == nullptr) file.refuse(join("has no ", name, ", which this run has"));
+        if (there == nullptr) file.refuse(joined_text("has no ", name, ", which this run has"));
         if (there->type() != here.type())
-          file.refuse(join(name, " is ", there->type(), "; in this run it is ", here.type()));
+          file.refuse(joined_text(name, " is ", there->type(), "; in this run it is ", here.type()));
         if (!resizable_state_array<std::remove_reference_t<decltype(value)>> && there->count != here.count)
-          file.refuse(join(name, " has ", there->count, " numbers; in this run it has ", here.count));
+          file.refuse(joined_text(name, " has ", there->count, " numbers; in this run it has ", here.count));
         ++known;
       },
       observers...);
   if (known != file.entries().size())
-    file.refuse(join("holds ", file.entries().size(), " values; this run has ", known));
+    file.refuse(joined_text("holds ", file.entries().size(), " values; this run has ", known));
   detail::visit_run(
       scene,
       [&](std::string_view name, auto& value) {

@@ -134,7 +134,7 @@ class VtuSeries {
     std::error_code code;
     if (prefix.has_parent_path()) std::filesystem::create_directories(prefix.parent_path(), code);
     require(!code, "vtu: folder", prefix.parent_path().string(),
-            shared_detail::join("cannot be made: ", code.message()));
+            joined_text("cannot be made: ", code.message()));
     return prefix;
   }
 
@@ -144,7 +144,7 @@ class VtuSeries {
     std::vector<std::string> names;
     for (std::size_t k = 0; k < Scene::body_count; ++k)
       names.push_back(k < options_.body_names.size() ? options_.body_names[k]
-                      : Scene::body_names[k].empty() ? shared_detail::join("body", k)
+                      : Scene::body_names[k].empty() ? joined_text("body", k)
                                                      : Scene::body_name(k));
     if constexpr (is_simplex_mesh<typename Scene::Mesh>) {
       if (options_.mesh) names.emplace_back("mesh");

@@ -32,6 +32,7 @@ ARENITE_ROLE(two_packs_at_once)
 ARENITE_ROLE(linear)
 ARENITE_ROLE(names)
 // Of transfers (transfer/transfer.hpp).
+ARENITE_ROLE(in_step)
 ARENITE_ROLE(hand)
 ARENITE_ROLE(take)
 // Of laws and parts.

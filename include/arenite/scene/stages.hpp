@@ -166,11 +166,12 @@ void smooth_light_nodes(Scene& scene, [[maybe_unused]] double dt,
 template <class Scene, class Others = const Alone>
 void map_back(Scene& scene, [[maybe_unused]] double dt, [[maybe_unused]] Others& others = no_others) {
   if constexpr (Scene::NumericsType::maps_back) {
+    const auto numerics = scene.numerics.in_step(dt);
     scene.for_each_body(
-        [&](auto& body, auto& field) { map_back(scene.numerics, scene.mesh, scene.blocks, body, field); });
+        [&](auto& body, auto& field) { map_back(numerics, scene.mesh, scene.blocks, body, field); });
     for (auto& field : scene.fields) {
       if constexpr (!Others::alone) detail::sum_nodes(others, field.mapped);
-      finish_map_back<Scene::centres_stress>(scene.numerics, field);
+      finish_map_back<Scene::centres_stress>(numerics, field);
       if constexpr (!has_light_nodes<typename Scene::Shape>)
         exchange_at_faces<typename Scene::Shape>(scene.mesh, field, field.mapped, typename Scene::T(0));
     }
@@ -199,6 +200,7 @@ void g2p(Scene& scene, double dt, [[maybe_unused]] Others& others = no_others) {
   using K = typename Scene::Kinematics;
   using N = typename Scene::NumericsType;
   const auto step = static_cast<typename Scene::T>(dt);
+  const auto numerics = scene.numerics.in_step(dt);
   scene.finite = true;
   scene.for_each_body([&](auto& body, const auto& field) {
     if constexpr (N::AntiLocking::averages_strain) {
@@ -207,7 +209,7 @@ void g2p(Scene& scene, double dt, [[maybe_unused]] Others& others = no_others) {
       scene.average.use(scene.mesh, scene.blocks, body);
     }
     const G2pSums sums =
-        g2p<K, Scene::Needs::stress_work>(scene.numerics, scene.mesh, body, field, step, scene.average);
+        g2p<K, Scene::Needs::stress_work>(numerics, scene.mesh, body, field, step, scene.average);
     body.opened_volume += sums.opened_volume;
     body.finite = std::isfinite(sums.check);
     scene.finite = scene.finite && body.finite;

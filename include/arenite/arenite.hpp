@@ -14,6 +14,7 @@
 #include <arenite/law/mohr_coulomb.hpp>
 #include <arenite/law/with_deviatoric_strain.hpp>
 #include <arenite/load/body_force.hpp>
+#include <arenite/load/damping.hpp>
 #include <arenite/load/face_traction.hpp>
 #include <arenite/load/point_load.hpp>
 #include <arenite/load/point_traction.hpp>
@@ -28,3 +29,4 @@
 #include <arenite/rigid/rigid_body.hpp>
 #include <arenite/scene/insert_remove.hpp>
 #include <arenite/scene/run.hpp>
+#include <arenite/scene/settle.hpp>

@@ -19,10 +19,12 @@ double wave() { return std::sqrt(rubber().wave_modulus() / rubber().density()); 
 double displacement(double at, double time) {
   return amplitude * std::sin(k * at) * std::sin(wave() * k * time);
 }
+double stretch(double at, double time) {
+  return 1 + amplitude * k * std::cos(k * at) * std::sin(wave() * k * time);
+}
 double body_force(double at, double time) {
-  const double u = displacement(at, time), c2 = square(wave()),
-               stretch = 1 + amplitude * k * std::cos(k * at) * std::sin(wave() * k * time);
-  return -c2 * k * k * u + c2 * k * k * u / stretch;
+  const double u = displacement(at, time), c2 = square(wave());
+  return -c2 * k * k * u + c2 * k * k * u / stretch(at, time);
 }
 
 struct Manufactured {
@@ -31,8 +33,8 @@ struct Manufactured {
     const auto& points = scene.body().points;
     for (std::size_t p = 0; p < points.size(); ++p) {
       const Vec<double, 2> x = points.position[p];
-      double at = x[0];
-      for (int i = 0; i < 20; ++i) at = x[0] - displacement(at, scene.time);
+      double at = x[0];  // of the matter that is here now, by Newton's iteration
+      for (int i = 0; i < 4; ++i) at -= (at + displacement(at, scene.time) - x[0]) / stretch(at, scene.time);
       const typename Scene::Shape::template Cell<typename Scene::Mesh> cell(scene.mesh, points.cell[p]);
       const auto w = cell.weights(x);
       const double f = points.mass[p] * body_force(at, scene.time);

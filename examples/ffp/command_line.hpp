@@ -46,13 +46,13 @@ class DropOptionAdder {
   template <class Number>
   void number(const std::string& name, Number& to, const char* metavar, const Range& range,
               const std::string& help) {
-    add(name, metavar, join(help, ", in ", range.text(), " (default ", to, ")"),
+    add(name, metavar, joined_text(help, ", in ", range.text(), " (default ", to, ")"),
         parse_into<Number>(name, to));
   }
   template <class Number>
   void number(const std::string& name, std::optional<Number>& to, const char* metavar, const Range& range,
               const std::string& help) {
-    add(name, metavar, join(help, ", in ", range.text()), parse_into<Number>(name, to));
+    add(name, metavar, joined_text(help, ", in ", range.text()), parse_into<Number>(name, to));
   }
   void counts(const std::string& name, std::optional<int>& to, const std::string& help) {
     add(name, "N", help, parse_into<int>(name, to));
@@ -78,7 +78,7 @@ class DropOptionAdder {
               to = meaning;
               return;
             }
-          throw error(join(name, " = ", shown(given), ": ", rule));
+          throw error(joined_text(name, " = ", shown(given), ": ", rule));
         });
   }
   void flag(const std::string& name, bool& to, const std::string& help) {
@@ -147,12 +147,12 @@ inline std::optional<DropOptions> read_command_line(std::vector<std::string> wor
   } catch (const CLI::ArgumentMismatch&) {  // only the last word can be an option without its value
     throw error(shown(words.back()) + " = : needs a value");
   } catch (const CLI::ParseError& e) {
-    throw error(detail::join("command line: ", shown(e.what())));
+    throw error(joined_text("command line: ", shown(e.what())));
   }
   for (const auto& word : app.remaining(true))
-    throw error(detail::join(shown(word),
-                             word.starts_with("-") ? ": no such option" : ": a word without an option",
-                             "; see arenite-ffp drop --help"));
+    throw error(joined_text(shown(word),
+                            word.starts_with("-") ? ": no such option" : ": a word without an option",
+                            "; see arenite-ffp drop --help"));
   if (!drop.parsed()) throw error("command: must be drop, as in arenite-ffp drop --help");
   check(options);
   return options;

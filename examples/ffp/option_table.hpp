@@ -81,8 +81,7 @@ void visit_options(Options& o, Visitor& v) {
   v.number("--end", o.end, "S", above(0, 10, "s"), "End of the run");
   v.number("--threads", o.threads, "N", Range{0, 1024}, "Threads, 0 for all");
   v.number("--fields-every", o.fields_every, "S", Range{0, 10, "s"},
-           arenite::shared_detail::join("Time between field files, 0 for none, at most ", most_fields,
-                                        " sets in a run"));
+           joined_text("Time between field files, 0 for none, at most ", most_fields, " sets in a run"));
   v.text("--out", o.out, "DIR", "Folder of the results; those of an earlier run in it are removed");
   v.number(
       "--watch-energy", o.watch_energy, "SHARE", above(0, 1e6),
@@ -98,8 +97,6 @@ void visit_options(Options& o, Visitor& v) {
 }
 
 namespace detail {
-
-using arenite::shared_detail::join;
 
 /// Tests each number against its range.
 struct RangeCheck {
@@ -124,14 +121,13 @@ struct RangeCheck {
 
 /// Throws `error("--option = value: rule")` at the first value that breaks a rule.
 inline void check(const DropOptions& o) {
-  using detail::join;
   detail::RangeCheck ranges;
   visit_options(o, ranges);
   require(o.dilatancy <= o.friction, "--dilatancy", o.dilatancy,
-          join("must lie in [0, ", o.friction, "] deg, from nothing to the sand's angle of friction"));
+          joined_text("must lie in [0, ", o.friction, "] deg, from nothing to the sand's angle of friction"));
   require(o.k0 || (o.earth_pressure() >= 0 && o.earth_pressure() <= 3), "--poisson", exactly(o.poisson),
-          join("must give an earth pressure at rest poisson / (1 - poisson) in [0, 3], not ",
-               o.earth_pressure(), ", unless --k0 is given"));
+          joined_text("must give an earth pressure at rest poisson / (1 - poisson) in [0, 3], not ",
+                      o.earth_pressure(), ", unless --k0 is given"));
   if (!o.mesh.empty())
     require(std::ifstream{o.mesh}.peek() != std::ifstream::traits_type::eof(), "--mesh", shown(o.mesh),
             "must be a file that can be read");
@@ -146,8 +142,8 @@ inline void check(const DropOptions& o) {
     require(among(triangle_points), "--points-per-element", n,
             "must be " + listed(triangle_points) + " in triangles");
   require(o.fields_every == 0 || o.end / o.fields_every <= most_fields, "--fields-every", o.fields_every,
-          join("must be 0, for none, or at least ", o.end / most_fields, " s, for ", most_fields,
-               " sets of files until --end = ", o.end, " s"));
+          joined_text("must be 0, for none, or at least ", o.end / most_fields, " s, for ", most_fields,
+                      " sets of files until --end = ", o.end, " s"));
   require(!o.out.empty(), "--out", "\"\"", "must name a folder");
 }
 

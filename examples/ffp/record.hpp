@@ -158,7 +158,7 @@ class Run {
   }
 
   std::string at_time(const std::string& what) const {
-    return arenite::shared_detail::join("t = ", scene_.time, " s: ", what);
+    return joined_text("t = ", scene_.time, " s: ", what);
   }
 
   void write_summary(const std::string& status) {
@@ -186,7 +186,7 @@ class Run {
       write_summary(status);
       told += "; files: " + shown(o_.out);
     } catch (const error& e) {
-      told += arenite::shared_detail::join("; nor can the summary be written: ", e.what());
+      told += joined_text("; nor can the summary be written: ", e.what());
     }
     throw Ended(told, exit_code);
   }
@@ -218,14 +218,14 @@ void record(const DropOptions& o, const Make& make) {
       return make();
     } catch (const error& e) {
       if (o.mesh.empty()) throw;
-      throw error(arenite::shared_detail::join("--mesh = ", shown(o.mesh), ": ", e.what()));
+      throw error(joined_text("--mesh = ", shown(o.mesh), ": ", e.what()));
     }
   }();
   const StepCount expected = accepted_step_count(scene, o);
   Run<Model, decltype(scene)> run(scene, o, expected, warnings);
   if (!o.quiet)
-    say(arenite::shared_detail::join("about ", rounded(expected.steps), " steps of ",
-                                     rounded(expected.length), " s, ", scene.point_count(), " points"));
+    say(joined_text("about ", rounded(expected.steps), " steps of ", rounded(expected.length), " s, ",
+                    scene.point_count(), " points"));
   run.go();
 }
 

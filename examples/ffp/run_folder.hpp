@@ -84,8 +84,8 @@ class RunFolder {
     const int reason = errno;
     if (reason == EACCES || reason == EAGAIN) {
       ::fcntl(lock_, F_GETLK, &whole);
-      throw error(arenite::shared_detail::join("--out = ", name_, ": is in use by the drop with process id ",
-                                               whole.l_type == F_UNLCK ? 0 : whole.l_pid));
+      throw error(joined_text("--out = ", name_, ": is in use by the drop with process id ",
+                              whole.l_type == F_UNLCK ? 0 : whole.l_pid));
     }
     std::fprintf(
         stderr,

@@ -35,13 +35,12 @@ StepCount step_count(const Scene& scene, const DropOptions& o) {
 /// The option, and its value, that adds most to the number of steps, beside the default drop. `smallest`: the
 /// least size of a mesh's cells, m.
 inline std::string cause_of_steps(const DropOptions& o, double smallest) {
-  using arenite::shared_detail::join;
   const DropOptions usual;
   const auto stiffness = [](double poisson) {  // constrained over Young's modulus
     return (1 - poisson) / ((1 + poisson) * (1 - 2 * poisson));
   };
   const auto option = [](const char* name, double value, double factor) {
-    return std::pair{factor, join(name, " = ", exactly(value))};
+    return std::pair{factor, joined_text(name, " = ", exactly(value))};
   };
   const bool elastic = o.device == DeviceKind::elastic;
   const double none = 0;
@@ -58,7 +57,7 @@ inline std::string cause_of_steps(const DropOptions& o, double smallest) {
       option("--mass", o.mass, elastic ? std::sqrt(usual.mass / o.mass) : none),
       option("--cell", o.cell, o.mesh.empty() ? usual.cell / o.cell : none),
       std::pair{o.mesh.empty() ? none : usual.cell / smallest,
-                join("--mesh = ", shown(o.mesh), " (smallest cell ", rounded(smallest), " m)")}};
+                joined_text("--mesh = ", shown(o.mesh), " (smallest cell ", rounded(smallest), " m)")}};
   return std::max_element(causes.begin(), causes.end(),
                           [](const auto& a, const auto& b) { return a.first < b.first; })
       ->second;
@@ -72,9 +71,9 @@ StepCount accepted_step_count(const Scene& scene, const DropOptions& o) {
   if (count.steps <= most_steps || o.force) return count;
   auto smallest = scene.mesh.size(0);
   for (Index c = 1; c < scene.mesh.cell_count(); ++c) smallest = std::min(smallest, scene.mesh.size(c));
-  throw error(arenite::shared_detail::join(
-      cause_of_steps(o, smallest), ": makes the run take about ", rounded(count.steps), " steps of ",
-      rounded(count.length), " s; must be at most ", rounded(most_steps), " steps, or --force be given"));
+  throw error(joined_text(cause_of_steps(o, smallest), ": makes the run take about ", rounded(count.steps),
+                          " steps of ", rounded(count.length), " s; must be at most ", rounded(most_steps),
+                          " steps, or --force be given"));
 }
 
 }  // namespace arenite::ffp

@@ -1,6 +1,7 @@
 // Walls: which nodes they catch, what they block, what they refuse.
 #include "catch.hpp"
 
+#include <arenite/boundary/gravity.hpp>
 #include <arenite/boundary/walls.hpp>
 #include <arenite/kinematics/kinematics.hpp>
 
@@ -35,6 +36,11 @@ SimplexMesh<2> named_mesh() {
     if (data.nodes[i][1] == 0) data.node_sets["base"].push_back(i);
   return SimplexMesh<2>(data);
 }
+
+struct Plane {  // what `bind_part` asks of a site
+  using T = float;
+  static constexpr int D = 2;
+};
 
 }  // namespace
 
@@ -133,6 +139,8 @@ TEST_CASE("walls that mean nothing are refused") {
   REQUIRE(refuses(left(symmetry({0, 0, 1})),
                   "symmetry.normal = 0 0: must have a length in the scene's dimensions"));
   REQUIRE(refuses(left(symmetry({std::nan(""), 0, 0})), "symmetry.normal = nan   0: must have a length"));
+  REQUIRE(refuses(left(symmetry({1, 0, 1})),
+                  "symmetry.normal = 1: must be zero along an axis that the scene does not have"));
   REQUIRE(
       refuses(left(free_along(2)), "free_along.axis = 0 0: must have a length in the scene's dimensions"));
   REQUIRE(
@@ -140,6 +148,16 @@ TEST_CASE("walls that mean nothing are refused") {
   const auto mesh = named_mesh();
   REQUIRE(throws([&] { resolve<LinearSimplex>(mesh, walls(on("crown", fixed))); },
                  "node set = crown: must be one of: base"));
+}
+
+TEST_CASE("gravity has the components of the scene") {
+  REQUIRE(bind_part(gravity({0, -9.5}), Plane{}).acceleration(0) == Vec<float, 2>(0, -9.5f));
+  REQUIRE(throws([] { bind_part(gravity({0, std::nan("")}), Plane{}); }, "gravity = nan: must be finite"));
+  REQUIRE(throws(
+      [] {
+        bind_part(gravity({0, -9.81, 1}), Plane{});
+      },
+      "gravity = 1: must be zero along an axis that the scene does not have"));
 }
 
 TEST_CASE("constrained velocities lose what is blocked, and the wall gives the impulse") {

@@ -1,4 +1,5 @@
 // must print: Scene: no such body
+// errors: 1
 // A name that no body has.
 #include <arenite/arenite.hpp>
 

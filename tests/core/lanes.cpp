@@ -144,7 +144,7 @@ void check_transpose() {
   std::array<Pack<T, W>, Size> rows;
   for (std::size_t r = 0; r < Size; ++r)
     for (int k = 0; k < W; ++k) rows[r].set(k, static_cast<T>(100 * r + static_cast<std::size_t>(k)));
-  detail::transpose<1>(rows);
+  transpose_lanes(rows);
   for (std::size_t r = 0; r < Size; ++r)
     for (std::size_t k = 0; k < W; ++k)
       REQUIRE(rows[r][static_cast<int>(k)] == static_cast<T>(100 * (k % Size) + k / Size * Size + r));
@@ -161,6 +161,6 @@ TEST_CASE("squares of lanes are transposed, and packs joined") {
   check_transpose<float, 16, 16>();
   Pack<double, 4> a(1), b(2);
   a.set(3, 7);
-  const auto both = detail::joined(a, b);
+  const auto both = join_packs(a, b);
   REQUIRE((both[0] == 1 && both[3] == 7 && both[4] == 2 && both[7] == 2));
 }

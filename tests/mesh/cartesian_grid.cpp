@@ -10,6 +10,7 @@ TEST_CASE("cells are numbered with x running fastest") {
   REQUIRE(grid.cell_count() == 4 * 6 * 2);
   REQUIRE(grid.volume(0) == 0.125);
   REQUIRE(grid.size(0) == 0.5);
+  REQUIRE(grid.node_size(0) == 0.5);
   REQUIRE(grid.place(1) == std::array<Index, 3>{1, 0, 0});
   REQUIRE(grid.place(4) == std::array<Index, 3>{0, 1, 0});
   REQUIRE(grid.place(24) == std::array<Index, 3>{0, 0, 1});

@@ -132,7 +132,7 @@ TEST_CASE("Energy that a law makes: first a warning, then the end, with and with
     CHECK(watch.warnings() == s.warnings);
     CHECK(s.warnings[0].find("t = ") == 0);
     CHECK(has(s.warnings[0], "s: energy_gain = 0.0"));
-    CHECK(has(s.error, shared_detail::join("t = ", scene.time, " s: energy_gain = 0.1")));
+    CHECK(has(s.error, joined_text("t = ", scene.time, " s: energy_gain = 0.1")));
     CHECK(has(s.error, "the limit is 0.1; the fastest point: body 0 at ("));
     const Watched& w = of(watch, "energy_gain");
     CHECK(w.worst > 0.1);
@@ -180,7 +180,7 @@ TEST_CASE("Energy put in behind the scene's back, or taken away") {
     const Said s = said([&] { run(scene, {.end = 0.002}, watch); });
     CAPTURE(s.error);
     const Watched& w = of(watch, factor > 1 ? "energy_gain" : "energy_loss");
-    CHECK(has(s.error, shared_detail::join("t = 0.002 s: ", w.name, " = ", w.worst)));
+    CHECK(has(s.error, joined_text("t = 0.002 s: ", w.name, " = ", w.worst)));
     CHECK(std::abs(w.worst - std::abs(factor * factor - 1)) <= 0.05);
   }
   // What was lost before hides no gain.
@@ -265,10 +265,9 @@ TEST_CASE("Volume, stress and lost points: a tenth warns once, the limit stops, 
   CHECK(said([&] { watch.look(scene); }).warnings.empty());  // once
   swell(1.6);
   CHECK(has(said([&] { watch.look(scene); }).error,
-            shared_detail::join("body 0: mean V/V0 = ", mean_volume_ratio(body))));
+            joined_text("body 0: mean V/V0 = ", mean_volume_ratio(body))));
   swell(0.4);
-  CHECK(has(said([&] { watch.look(scene); }).error,
-            shared_detail::join("volume = ", 1 - mean_volume_ratio(body))));
+  CHECK(has(said([&] { watch.look(scene); }).error, joined_text("volume = ", 1 - mean_volume_ratio(body))));
   swell(1);
 
   // Outside by a share: yield = share, as the law has it.
@@ -303,8 +302,7 @@ TEST_CASE("Volume, stress and lost points: a tenth warns once, the limit stops, 
   body.lost = points.size() / 50;
   s = said([&] { watch.look(scene); });
   REQUIRE(s.warnings.size() == 1);
-  CHECK(has(s.warnings[0],
-            shared_detail::join("body 0: ", body.lost, " of ", body.lost + points.size(), " points")));
+  CHECK(has(s.warnings[0], joined_text("body 0: ", body.lost, " of ", body.lost + points.size(), " points")));
   body.lost = points.size() / 5;
   CHECK(has(said([&] { watch.look(scene); }).error, "lost = 0.16"));
   body.lost = 0;

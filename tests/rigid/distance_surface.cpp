@@ -118,7 +118,7 @@ auto plainly_visited(const M& mesh, const Distance& distance, double reach,
   for (Index i = 0; i < Shape::node_count(mesh); ++i) {
     if (!has_mass[i]) continue;
     const V x = Shape::node_position(mesh, i) - displacement;
-    const double cell = node_size(mesh, i);
+    const double cell = mesh.node_size(i);
     if (distance(x) > reach * cell) continue;
     V slope;
     for (int k = 0; k < M::dimension; ++k) {

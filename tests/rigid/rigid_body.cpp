@@ -221,4 +221,22 @@ TEST_CASE("bad motions are refused") {
                  "Guided.velocity = nan: must be finite"));
   REQUIRE(throws([] { BoundGuided<double, 2>(Guided{.mass = 1, .load = std::nan("")}); },
                  "Guided.load = nan: must be finite"));
+  const auto along = [](const std::array<double, 3>& axis) {
+    return [axis] { BoundGuided<double, 2>(Guided{.mass = 1, .axis = axis}); };
+  };
+  const double inf = std::numeric_limits<double>::infinity();
+  REQUIRE_NOTHROW(along({3, 4, 0})());
+  REQUIRE(throws(along({0, 0, 1}), "Guided.axis = 0 0: must have a length in the scene's dimensions"));
+  REQUIRE(throws(along({0, inf, 0}), "Guided.axis = inf: must be finite"));
+  REQUIRE(
+      throws(along({0, 1, 1}), "Guided.axis = 1: must be zero along an axis that the scene does not have"));
+  const auto driven = [](const std::array<double, 3>& velocity) {
+    return [velocity] {
+      const BoundPrescribed<double, 2> motion(Prescribed{[velocity](double) { return velocity; }});
+      motion.free_velocity({0, 0}, {0, 0}, 0, 0);
+    };
+  };
+  REQUIRE(throws(driven({0, std::nan(""), 0}), "Prescribed.velocity = nan: must be finite"));
+  REQUIRE(throws(driven({0, 0, 2}),
+                 "Prescribed.velocity = 2: must be zero along an axis that the scene does not have"));
 }

@@ -18,7 +18,7 @@ struct Pic {
   }
   struct Taken {
     static constexpr bool needs_moments = false;
-    detail::Nothing velocity{};  // what points take are the new velocities of the nodes
+    Nothing velocity{};  // what points take are the new velocities of the nodes
     template <class Cell, class Point, class X, class Sums>
     auto operator()(const Cell&, const Point& p, const X&, const Sums& sums) const {
       p.set_velocity(sums.value);

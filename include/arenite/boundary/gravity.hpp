@@ -1,13 +1,10 @@
 // Gravity: one acceleration for all matter.
 #pragma once
 
-#include <algorithm>
 #include <array>
-#include <cmath>
-#include <initializer_list>
 
-#include <arenite/core/error.hpp>
 #include <arenite/core/tensor.hpp>
+#include <arenite/core/vector_argument.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
@@ -16,12 +13,7 @@ struct Gravity {
   std::array<double, 3> g{};
 };
 /// `gravity({0, -9.81})`: as many components as the scene has dimensions, or fewer.
-inline Gravity gravity(std::initializer_list<double> g) {
-  require(g.size() <= 3, "gravity: components", g.size(), "must be at most 3");
-  Gravity out;
-  std::copy(g.begin(), g.end(), out.g.begin());
-  return out;
-}
+constexpr Gravity gravity(const std::array<double, 3>& g) { return {g}; }
 
 /// Gravity in a scene: a part that accelerates.
 template <class T, int D>
@@ -32,16 +24,7 @@ struct BoundGravity {
 
 template <class Site>
 BoundGravity<typename Site::T, Site::D> bind_part(const Gravity& gravity, const Site&) {
-  BoundGravity<typename Site::T, Site::D> bound;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const double g = gravity.g[k];
-    require(std::isfinite(g), "gravity", g, "must be finite");
-    if (k < Site::D)
-      bound.g[static_cast<int>(k)] = static_cast<typename Site::T>(g);
-    else
-      require(g == 0, "gravity", g, "must be zero along an axis that the scene does not have");
-  }
-  return bound;
+  return {vector_argument<typename Site::T, Site::D>("gravity", gravity.g)};
 }
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include <arenite/boundary/constraints.hpp>
+#include <arenite/core/vector_argument.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
@@ -72,15 +73,13 @@ struct Walls {
     using V = Vec<double, D>;
     using Kind = Condition::Kind;
     const Condition& c = wall.condition;
-    V direction;
-    for (int k = 0; k < D; ++k) direction[k] = c.direction[static_cast<std::size_t>(k)];
     require(wall.axis < D, "Wall.axis", wall.axis, "must be an axis of the scene");
     require(wall.axis >= 0 || c.kind != Kind::face_normal, "Wall.condition", "roller",
             "needs a face (left, right, ..); elsewhere name the plane: symmetry(normal)");
+    V direction = V::Zero();
     if (c.kind == Kind::normal || c.kind == Kind::all_but)
-      require(direction.allFinite() && direction.norm() > 0,
-              c.kind == Kind::normal ? "symmetry.normal" : "free_along.axis", direction.transpose(),
-              "must have a length in the scene's dimensions");
+      direction = direction_argument<double, D>(
+          c.kind == Kind::normal ? "symmetry.normal" : "free_along.axis", c.direction);
     require(wall.axis >= 0 || !wall.set.empty() || wall.test, "Wall.set", wall.set,
             "must name a node set (or the wall a face or a test)");
     Index caught = 0;
@@ -96,8 +95,8 @@ struct Walls {
       if constexpr (is_simplex_mesh<M>) {
         for (const Index i : nodes.mesh().node_set(wall.set)) take(i);
       } else {
-        throw error(shared_detail::join("Wall.set = ", wall.set,
-                                        ": a Cartesian grid has no node sets; use faces or where(test)"));
+        throw error(joined_text("Wall.set = ", wall.set,
+                                ": a Cartesian grid has no node sets; use faces or where(test)"));
       }
     } else {
       for (Index i = 0; i < nodes.size(); ++i) {
@@ -107,9 +106,7 @@ struct Walls {
           const double face = (wall.upper ? nodes.upper() : nodes.lower())[wall.axis];
           if (std::abs(x[wall.axis] - face) <= nodes.near()) take(i);
         } else {
-          std::array<double, 3> at{};
-          for (int k = 0; k < D; ++k) at[static_cast<std::size_t>(k)] = x[k];
-          if (wall.test(at)) take(i);
+          if (wall.test(in_space(x))) take(i);
         }
       }
     }

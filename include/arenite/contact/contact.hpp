@@ -192,7 +192,7 @@ struct BoundCoulomb {
   }
   template <class Scene>
   ContactTally exchange_impulses(Scene& scene, double dt) {
-    const auto size = [&](Index i) { return node_size(scene.mesh, i); };
+    const auto size = [&](Index i) { return scene.mesh.node_size(i); };
     const auto tally =
         exchange(*this, normals, scene.fields, impulse, pairs, static_cast<T>(dt), size, scene.node_owner());
     dissipated += tally.dissipation;

@@ -4,10 +4,10 @@
 
 #include <cstddef>
 #include <span>
-#include <utility>
+#include <type_traits>
 #include <vector>
 
-#include <arenite/core/tensor.hpp>
+#include <arenite/core/scalar.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 

@@ -22,9 +22,9 @@ class run_error : public error {
   using error::error;
 };
 
-namespace shared_detail {
+/// The parts one behind the other as text, numbers with ten digits: what messages are made of.
 template <class... Parts>
-std::string join(const Parts&... parts) {
+std::string joined_text(const Parts&... parts) {
   std::ostringstream text;
   text.precision(10);
   (text << ... << parts);
@@ -33,17 +33,16 @@ std::string join(const Parts&... parts) {
 
 /// "(1, 2, 3)" of a vector's components.
 template <class Vector>
-std::string listed(const Vector& v) {
+std::string vector_text(const Vector& v) {
   std::string text = "(";
-  for (int k = 0; k < static_cast<int>(v.size()); ++k) text += join(k > 0 ? ", " : "", v[k]);
+  for (int k = 0; k < static_cast<int>(v.size()); ++k) text += joined_text(k > 0 ? ", " : "", v[k]);
   return text + ")";
 }
-}  // namespace shared_detail
 
 /// Throws `error("name = value: rule")` unless `holds`. Write the condition so that NaN fails it.
 template <class Value>
 void require(bool holds, std::string_view name, const Value& value, std::string_view rule) {
-  if (!holds) throw error(shared_detail::join(name, " = ", value, ": ", rule));
+  if (!holds) throw error(joined_text(name, " = ", value, ": ", rule));
 }
 
 }  // namespace arenite

@@ -86,23 +86,10 @@ constexpr void repeat(F&& f) {
   }
 }
 
-namespace detail {
-
-/// One step of many sums at once: the lower half of each group of `Group` lanes becomes the sum of a's
-/// halves, the upper half that of b's. One operand is a blend, for which processors have more ports than for
-/// moves between lanes.
-template <int Group, class T, int W, std::size_t... I>
-Pack<T, W> fold(const Pack<T, W>& a, const Pack<T, W>& b, std::index_sequence<I...>) {
-  constexpr auto upper = [](std::size_t lane) { return (lane & (Group / 2)) != 0; };
-  return Pack<T, W>::from(
-      __builtin_shufflevector(a.lanes(), b.lanes(), (upper(I) ? I + W : I)...) +
-      __builtin_shufflevector(a.lanes(), b.lanes(), (upper(I) ? I + W - Group / 2 : I + Group / 2)...));
-}
-
 /// Transposes the squares of `Size` rows by `Size` neighbouring lanes: exchanges the blocks of `Block` lanes
 /// off the diagonals of squares of two blocks by two, then larger ones.
-template <int Block, class T, int W, std::size_t Size>
-void transpose(std::array<Pack<T, W>, Size>& row) {
+template <int Block = 1, class T, int W, std::size_t Size>
+void transpose_lanes(std::array<Pack<T, W>, Size>& row) {
   if constexpr (Block < static_cast<int>(Size)) {
     [&]<std::size_t... I>(std::index_sequence<I...>) {
       repeat<Size>([&](std::size_t r) {
@@ -114,17 +101,30 @@ void transpose(std::array<Pack<T, W>, Size>& row) {
       });
     }
     (std::make_index_sequence<static_cast<std::size_t>(W)>{});
-    transpose<2 * Block>(row);
+    transpose_lanes<2 * Block>(row);
   }
 }
 
-/// Two packs as one.
+/// Two packs as one, the lanes of `a` first.
 template <class T, int W>
-Pack<T, 2 * W> joined(const Pack<T, W>& a, const Pack<T, W>& b) {
+Pack<T, 2 * W> join_packs(const Pack<T, W>& a, const Pack<T, W>& b) {
   return [&]<std::size_t... I>(std::index_sequence<I...>) {
     return Pack<T, 2 * W>::from(__builtin_shufflevector(a.lanes(), b.lanes(), I...));
   }
   (std::make_index_sequence<static_cast<std::size_t>(2 * W)>{});
+}
+
+namespace detail {
+
+/// One step of many sums at once: the lower half of each group of `Group` lanes becomes the sum of a's
+/// halves, the upper half that of b's. One operand is a blend, for which processors have more ports than for
+/// moves between lanes.
+template <int Group, class T, int W, std::size_t... I>
+Pack<T, W> fold(const Pack<T, W>& a, const Pack<T, W>& b, std::index_sequence<I...>) {
+  constexpr auto upper = [](std::size_t lane) { return (lane & (Group / 2)) != 0; };
+  return Pack<T, W>::from(
+      __builtin_shufflevector(a.lanes(), b.lanes(), (upper(I) ? I + W : I)...) +
+      __builtin_shufflevector(a.lanes(), b.lanes(), (upper(I) ? I + W - Group / 2 : I + Group / 2)...));
 }
 
 /// Greatest lane, by halves: the greatest of each lane and the one half the lanes away.

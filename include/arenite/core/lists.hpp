@@ -1,5 +1,5 @@
 // Lists of numbers, one for each row, in one array (compressed sparse rows): cells at the nodes, cells in the
-// buckets of a search, blocks of a colour.
+// buckets of a search, blocks of a colour, unsorted points of a cell.
 #pragma once
 
 #include <algorithm>
@@ -10,6 +10,15 @@
 #include <arenite/core/scalar.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
+
+/// Where each of `rows` lists begins in one array, and the last one ends: `start` [rows + 1], in the memory
+/// that is there if it suffices. `visit(count)` calls `count(row)` for each entry, row below `rows`.
+template <class Visit>
+void begin_rows(std::vector<Index>& start, std::size_t rows, Visit&& visit) {
+  start.assign(rows + 1, 0);
+  visit([&](std::size_t row) { ++start[row + 1]; });
+  for (std::size_t row = 0; row < rows; ++row) start[row + 1] += start[row];
+}
 
 /// Made by a counting sort: the entries of a row keep the order in which they were named.
 class Lists {
@@ -26,9 +35,7 @@ class Lists {
   /// The same, in the memory that is there if it suffices.
   template <class Visit>
   void build(std::size_t rows, Visit&& visit) {
-    start_.assign(rows + 1, 0);
-    visit([&](std::size_t row, Index) { ++start_[row + 1]; });
-    for (std::size_t row = 0; row < rows; ++row) start_[row + 1] += start_[row];
+    begin_rows(start_, rows, [&](auto&& count) { visit([&](std::size_t row, Index) { count(row); }); });
     values_.resize(start_.back());
     // Each row's start moves up to its end, which is the start of the next.
     visit([&](std::size_t row, Index value) { values_[start_[row]++] = value; });
@@ -36,7 +43,14 @@ class Lists {
     start_[0] = 0;
   }
 
+  /// Takes the memory of so many entries.
+  void reserve(std::size_t entries) { values_.reserve(entries); }
+
   std::size_t size() const { return start_.size() - 1; }
+  /// Entries of all rows before this one.
+  Index before(std::size_t row) const { return start_[row]; }
+  /// Entries of all rows, row by row.
+  std::span<const Index> values() const { return values_; }
   std::span<const Index> operator[](std::size_t row) const {
     return {values_.data() + start_[row], values_.data() + start_[row + 1]};
   }

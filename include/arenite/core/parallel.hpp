@@ -50,8 +50,6 @@ void parallel_chunks(std::size_t n, F&& f) {
                [&](std::size_t k) { f(k * chunk_size, std::min(n, (k + 1) * chunk_size)); });
 }
 
-namespace detail {
-
 /// Parts of a reduction, in memory that stays from one to the next: a step allocates nothing. A reduction
 /// within one of the same type gets memory of its own.
 template <class R>
@@ -88,15 +86,13 @@ class ReductionParts {
   std::vector<R>* data_;
 };
 
-}  // namespace detail
-
 /// Joins `f(begin, end)` of all chunks of [0, n) in order: `value = join(value, part)`, from `start`.
 template <class R, class F, class Join>
 R parallel_reduce(std::size_t n, R start, F&& f, Join&& join) {
   const std::size_t chunks = (n + chunk_size - 1) / chunk_size;
   if (chunks == 0) return start;
   if (chunks == 1) return join(start, f(std::size_t{0}, n));
-  detail::ReductionParts<R> part(chunks, start);
+  ReductionParts<R> part(chunks, start);
   parallel_for(chunks, n >= least_items,
                [&](std::size_t k) { part[k] = f(k * chunk_size, std::min(n, (k + 1) * chunk_size)); });
   for (const R& p : part) start = join(start, p);

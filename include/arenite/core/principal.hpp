@@ -27,6 +27,10 @@ constexpr Sym<T, 3> adjugate(const Sym<T, 3>& a) {
            a[4] * a[5] - a[3] * a[2], a[3] * a[5] - a[4] * a[0], a[3] * a[4] - a[1] * a[5]}};
 }
 
+/// Below this, Pa, a difference of stresses counts as none: far below the round-off of any stress, far above
+/// the smallest float.
+inline constexpr double smallest_divisor = 1e-30;
+
 namespace detail {
 
 /// Type of one lane: T itself, or that of a pack's lanes.
@@ -42,10 +46,7 @@ struct ScalarOf<T> {
 template <class T>
 using scalar_of = typename ScalarOf<T>::type;
 
-/// Below this a difference counts as none: far below the round-off of any stress, far above the smallest
-/// float.
-inline constexpr double smallest_divisor = 1e-30;
-/// The same for a square.
+/// `smallest_divisor` for a square, Pa2.
 template <class T>
 inline constexpr double smallest_square = sizeof(scalar_of<T>) == 8 ? 1e-60 : 1e-30;
 

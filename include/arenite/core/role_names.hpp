@@ -7,19 +7,21 @@
 
 #include <arenite/core/instruction_set.hpp>
 
-namespace arenite::inline ARENITE_INSTRUCTION_SET::detail {
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 /// names_<role><P>: whether P, a class that is not final, has any member of that name. Beside a second base
 /// with such a member the name is ambiguous.
 #define ARENITE_ROLE(role)                                                        \
+  namespace detail {                                                              \
   struct Has_##role {                                                             \
     int role;                                                                     \
   };                                                                              \
   template <class P>                                                              \
   struct With_##role : P, Has_##role {};                                          \
+  }                                                                               \
   template <class P>                                                              \
   concept names_##role = std::is_class_v<P> && !std::is_final_v<P> && !requires { \
-    &With_##role<P>::role;                                                        \
+    &detail::With_##role<P>::role;                                                \
   };
 // Of laws (law/roles.hpp).
 ARENITE_ROLE(is_open)
@@ -50,4 +52,4 @@ ARENITE_ROLE(visit_state)
 ARENITE_ROLE(follow_state)
 #undef ARENITE_ROLE
 
-}  // namespace arenite::inline ARENITE_INSTRUCTION_SET::detail
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -56,13 +56,11 @@ constexpr T square(T x) {
   return x * x;
 }
 
-namespace detail {
-/// Stands in for a member that a composition does not need.
+/// Stands in for a member, or for a value, that a composition does not need; made of anything.
 struct Nothing {
   Nothing() = default;
   template <class... Any>
   constexpr explicit Nothing(const Any&...) {}
 };
-}  // namespace detail
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

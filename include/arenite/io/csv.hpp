@@ -57,7 +57,7 @@ class CsvWriter {
   void put_row(const Values& values) {
     if (values.size() != columns_)
       require(false, "values in a row", values.size(),
-              shared_detail::join("must be ", columns_, ", the number of columns of ", path_.string()));
+              joined_text("must be ", columns_, ", the number of columns of ", path_.string()));
     line_.clear();
     for (std::size_t i = 0; i < values.size(); ++i) {
       if (i > 0) line_ += ',';

@@ -66,7 +66,7 @@ MeshData<D> read_gmsh_bytes(std::string_view bytes, std::string name) {
     const std::string section = in.open_section();
     if (section.empty()) break;
     const auto must_follow = [&](std::string_view other) {
-      in.check(seen.contains(other), "section", "$" + section, join("must stand behind $", other));
+      in.check(seen.contains(other), "section", "$" + section, joined_text("must stand behind $", other));
     };
     if (section != "MeshFormat" && section != "Comments") must_follow("MeshFormat");
     const bool v4 = format == GmshFormat::v4_1;
@@ -97,7 +97,7 @@ MeshData<D> read_gmsh_bytes(std::string_view bytes, std::string name) {
     in.close_section();
   }
   for (const char* needed : {"MeshFormat", "Nodes", "Elements"})
-    if (!seen.contains(needed)) in.refuse("section", join("$", needed), "is missing");
+    if (!seen.contains(needed)) in.refuse("section", joined_text("$", needed), "is missing");
   return std::move(mesh).finish(in);
 }
 
@@ -110,7 +110,7 @@ inline std::string read_all(std::istream& in, const std::string& name) {
     in.read(bytes.data() + used, static_cast<std::streamsize>(bytes.size() - used));
     used += static_cast<std::size_t>(in.gcount());
   }
-  if (in.bad()) throw error(join("mesh = ", name, ": cannot be read"));
+  if (in.bad()) throw error(joined_text("mesh = ", name, ": cannot be read"));
   bytes.resize(used);
   return bytes;
 }

@@ -34,16 +34,17 @@ class GmshInput {
   template <class Value>
   [[noreturn]] void fail(std::string_view name, const Value& value, std::string_view rule) const {
     const std::string place =
-        binary_ ? join("byte ", last_)
-                : join("line ", 1 + std::count(bytes_.begin(), bytes_.begin() + std::ptrdiff_t(last_), '\n'));
-    const std::string section = section_.empty() ? "" : join(", $", section_);
-    throw error(join(name_, section, ", ", place, ": ", name, " = ", value, ": ", rule));
+        binary_ ? joined_text("byte ", last_)
+                : joined_text("line ",
+                              1 + std::count(bytes_.begin(), bytes_.begin() + std::ptrdiff_t(last_), '\n'));
+    const std::string section = section_.empty() ? "" : joined_text(", $", section_);
+    throw error(joined_text(name_, section, ", ", place, ": ", name, " = ", value, ": ", rule));
   }
 
   /// The same for what is wrong with the mesh as a whole: "file: name = value: rule".
   template <class Value>
   [[noreturn]] void refuse(std::string_view name, const Value& value, std::string_view rule) const {
-    throw error(join(name_, ": ", name, " = ", value, ": ", rule));
+    throw error(joined_text(name_, ": ", name, " = ", value, ": ", rule));
   }
 
   template <class Value>
@@ -71,7 +72,7 @@ class GmshInput {
     skip_blanks();
     last_ = at_;
     const std::string_view line = rest_of_line();
-    check(line == "$End" + section_, "line", quote(line), join("must be $End", section_));
+    check(line == "$End" + section_, "line", quote(line), joined_text("must be $End", section_));
     section_.clear();
   }
 
@@ -81,7 +82,7 @@ class GmshInput {
     std::size_t found = at_;
     while (true) {
       found = bytes_.find(end, found);
-      check(found != std::string_view::npos, "section", "$" + section_, join("ends without ", end));
+      check(found != std::string_view::npos, "section", "$" + section_, joined_text("ends without ", end));
       const std::size_t after = found + end.size();
       if (after == bytes_.size() || is_blank(bytes_[after])) break;
       found = after;

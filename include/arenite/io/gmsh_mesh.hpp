@@ -55,7 +55,7 @@ class GmshMesh {
     for (std::size_t i = 0; i < 3; ++i) {
       x[i] = in.real(axis[i]);
       if (!std::isfinite(x[i]))
-        in.fail(join(axis[i], " of node ", tags_[positions_.size()]), x[i], "must be finite");
+        in.fail(joined_text(axis[i], " of node ", tags_[positions_.size()]), x[i], "must be finite");
     }
     positions_.push_back(x);
     in.end_row("position of the node");
@@ -85,7 +85,7 @@ class GmshMesh {
       rule = "must be of first order (Gmsh: Mesh.ElementOrder = 1)";
     else if (found->dim == D && found->nodes != D + 1)
       rule = D == 2 ? "the cells must be triangles" : "the cells must be tetrahedra";
-    if (rule != nullptr) in.fail("type of element", join(number, " (", found->name, ")"), rule);
+    if (rule != nullptr) in.fail("type of element", joined_text(number, " (", found->name, ")"), rule);
     return *found;
   }
 
@@ -145,7 +145,8 @@ class GmshMesh {
       for (Index& node : cell) node = number[node];
     for (const auto& [group, nodes] : sets_) {
       const auto name = names_.find(group);
-      const std::string key = name != names_.end() ? name->second : join(group.first, ":", group.second);
+      const std::string key =
+          name != names_.end() ? name->second : joined_text(group.first, ":", group.second);
       for (const Index node : nodes)
         if (number[node] != none) result_.node_sets[key].push_back(number[node]);
     }
@@ -206,7 +207,7 @@ class GmshMesh {
       const auto twice = std::adjacent_find(sorted.begin(), sorted.end());
       if (twice == sorted.end()) continue;
       std::string nodes;
-      for (const Index node : *twice) nodes += join(nodes.empty() ? "" : " ", tags_[node]);
+      for (const Index node : *twice) nodes += joined_text(nodes.empty() ? "" : " ", tags_[node]);
       in.refuse("nodes of a cell", nodes,
                 "the cell is given twice (is it in two physical groups? It has one region)");
     }
@@ -227,8 +228,9 @@ class GmshMesh {
     const double tolerance = 1e-9 * std::max(high[0] - low[0], high[1] - low[1]);
     for (std::size_t i = 0; i < number.size(); ++i)
       if (number[i] != none && !(std::abs(positions_[i][2] - positions_[first][2]) <= tolerance))
-        in.refuse(join("z of node ", tags_[i]), positions_[i][2],
-                  join("must be ", positions_[first][2], ", as all nodes of a plane mesh share one z"));
+        in.refuse(
+            joined_text("z of node ", tags_[i]), positions_[i][2],
+            joined_text("must be ", positions_[first][2], ", as all nodes of a plane mesh share one z"));
   }
 
   std::vector<std::uint64_t> tags_;                         // [nodes] ascending once `end_nodes` is done

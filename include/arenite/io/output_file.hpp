@@ -41,9 +41,10 @@ namespace shared_detail {
 
 /// Throws "output = path: what (reason of the operating system)".
 [[noreturn]] inline void fail_output(const std::filesystem::path& path, std::string_view what, int reason) {
-  throw output_error(join("output = ", path.string(), ": ", what, " (",
-                          reason != 0 ? std::generic_category().message(reason) : "unknown reason", ")"),
-                     reason);
+  throw output_error(
+      joined_text("output = ", path.string(), ": ", what, " (",
+                  reason != 0 ? std::generic_category().message(reason) : "unknown reason", ")"),
+      reason);
 }
 
 /// Calls `write(std::ostream&)` on "path.part" and renames it to `path`, so that `path` is at any time

@@ -24,17 +24,17 @@ struct PvdEntry {
 /// refuses.
 inline void write_pvd(const std::filesystem::path& path, std::span<const PvdEntry> entries) {
   const std::filesystem::path folder = std::filesystem::absolute(path).parent_path();
-  std::string text = shared_detail::join(
-      "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"1.0\" byte_order=\"",
-      shared_detail::vtk_byte_order(), "\">\n<Collection>\n");
+  std::string text =
+      joined_text("<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"1.0\" byte_order=\"",
+                  shared_detail::vtk_byte_order(), "\">\n<Collection>\n");
   for (const PvdEntry& e : entries) {
     require(std::isfinite(e.time), "time of a step", e.time, "must be finite");
     const auto file =
         std::filesystem::absolute(e.file).lexically_normal().lexically_proximate(folder.lexically_normal());
     text += "<DataSet timestep=\"";
     shared_detail::append_number(text, e.time);
-    text += shared_detail::join("\" part=\"", e.part, "\" file=\"",
-                                shared_detail::xml_escape(file.generic_string()), "\"/>\n");
+    text += joined_text("\" part=\"", e.part, "\" file=\"", shared_detail::xml_escape(file.generic_string()),
+                        "\"/>\n");
   }
   text += "</Collection>\n</VTKFile>\n";
   shared_detail::replace_file(path, [&](std::ostream& out) { out << text; });

@@ -125,7 +125,7 @@ class Frictional : public Memory {
   Surface<double> surface_;                     // of the parameters
   double greatest_volume_ratio_, given_slope_;  // -
   [[no_unique_address]] Friction friction_;
-  [[no_unique_address]] std::conditional_t<constant, detail::Nothing, Parameters> parameters_;
+  [[no_unique_address]] std::conditional_t<constant, Nothing, Parameters> parameters_;
 };
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -5,7 +5,8 @@
 #include <arenite/core/role_names.hpp>
 #include <arenite/law/law.hpp>
 
-namespace arenite::inline ARENITE_INSTRUCTION_SET::detail {
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
+namespace detail {
 
 /// By the type of its address: the use of a member that is not static would be an error of its own.
 template <class L>
@@ -18,10 +19,12 @@ constexpr bool max_pack_width_is_right() {
     return false;
 }
 
+}  // namespace detail
+
 /// Stops the compiler with the cure for a law that `constitutive_law` lets pass and that would not do what
 /// its members say.
 template <class L, class T, int D>
-constexpr bool check_roles() {
+constexpr bool check_law() {
   using History = typename L::template History<T>;
   static_assert(!std::is_final_v<L>, "law: must not be final");
   // An overload makes the address of a member ambiguous.
@@ -39,7 +42,7 @@ constexpr bool check_roles() {
             { law.greatest_volume_ratio() } -> std::convertible_to<double>;
           },
       "law: one that returns Inelastic needs double greatest_volume_ratio() const");
-  static_assert(max_pack_width_is_right<L>(),
+  static_assert(detail::max_pack_width_is_right<L>(),
                 "law: max_pack_width must be static constexpr int, and positive");
   static_assert(
       !names_two_packs_at_once<L> || requires { typename std::bool_constant<L::two_packs_at_once>; },
@@ -54,4 +57,4 @@ constexpr bool check_roles() {
   return true;
 }
 
-}  // namespace arenite::inline ARENITE_INSTRUCTION_SET::detail
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -100,7 +100,7 @@ class Blocks {
   /// Joins `f(begin, end)` over all blocks of cells, in order.
   template <class R, class F, class Join>
   R reduce_blocks(R start, F&& f, Join&& join) const {
-    detail::ReductionParts<R> part(count(), start);
+    ReductionParts<R> part(count(), start);
     for_each_block([&](std::size_t b, Index first, Index last) { part[b] = f(first, last); });
     for (const R& p : part) start = join(start, p);
     return start;

@@ -38,11 +38,11 @@ class CartesianGrid {
     double total = 1;
     for (std::size_t k = 0; k < D; ++k) {
       const double extent = p.upper[k] - p.lower[k];
-      require(extent > 0 && std::isfinite(extent), shared_detail::join("CartesianGrid.upper[", k, "]"),
-              p.upper[k], shared_detail::join("must be finite and exceed lower = ", p.lower[k]));
+      require(extent > 0 && std::isfinite(extent), joined_text("CartesianGrid.upper[", k, "]"), p.upper[k],
+              joined_text("must be finite and exceed lower = ", p.lower[k]));
       const double cells = std::round(extent / p.cell);
       require(cells >= 1 && std::abs(cells * p.cell - extent) <= 1e-6 * p.cell, "CartesianGrid.cell", p.cell,
-              shared_detail::join("must divide the extent ", extent, " along axis ", k));
+              joined_text("must divide the extent ", extent, " along axis ", k));
       lower_[static_cast<int>(k)] = static_cast<T>(p.lower[k]);
       total *= cells;
       require(total < 2147483648.0, "CartesianGrid.cell", p.cell, "gives more than 2^31 cells");
@@ -65,8 +65,10 @@ class CartesianGrid {
   T edge() const { return edge_; }
   /// 1 / edge, 1/m.
   T inverse_edge() const { return inverse_edge_; }
-  /// Size that the stable step is made from, m.
+  /// Size of a cell, that the stable step is made from: its edge, m.
   T size(Index) const { return edge_; }
+  /// Smallest size of the cells at a node, of any shape function, m.
+  T node_size(Index) const { return edge_; }
   /// Area or volume of a cell, m^D.
   T volume(Index) const { return D == 2 ? edge_ * edge_ : edge_ * edge_ * edge_; }
   const Point& lower() const { return lower_; }

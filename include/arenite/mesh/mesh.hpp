@@ -11,7 +11,8 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 /// - `walk(x, hint)`: the cell of x, or `none`; `search(x)`: the same without a hint, slower, right
 /// everywhere.
 /// - `holder(cell).holds(x)`: whether one cell holds x [D], a `std::array` of scalars or of packs;
-/// - `size(cell)`: length for the stable step, m; `volume(cell)`: area or volume, m^D.
+/// - `size(cell)`: length for the stable step, m; `volume(cell)`: area or volume, m^D;
+/// - `node_size(node)`: smallest size of the cells at a node, of any shape function, m.
 template <class M>
 concept mesh_type =
     requires(M m, const M cm, const typename M::Point x, Index cell,
@@ -23,6 +24,7 @@ concept mesh_type =
   { cm.holder(cell).holds(place) } -> std::same_as<bool>;
   { cm.size(cell) } -> std::convertible_to<typename M::scalar>;
   { cm.volume(cell) } -> std::convertible_to<typename M::scalar>;
+  { cm.node_size(cell) } -> std::convertible_to<typename M::scalar>;
 };
 
 /// Whether M is a `SimplexMesh`.
@@ -30,14 +32,5 @@ template <class M>
 inline constexpr bool is_simplex_mesh = false;
 template <int D, class T>
 inline constexpr bool is_simplex_mesh<SimplexMesh<D, T>> = true;
-
-/// Size of the cells at a node, the smallest if they differ, m.
-template <class M>
-typename M::scalar node_size(const M& mesh, [[maybe_unused]] Index node) {
-  if constexpr (is_simplex_mesh<M>)
-    return mesh.node_size(node);
-  else
-    return mesh.edge();
-}
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -32,7 +32,7 @@ struct LedByBody {
     double along = momentum(body)[axis], all = mass(body);
     sum_over(others, along, all);
     if (all == 0)
-      throw run_error(shared_detail::join(
+      throw run_error(joined_text(
           "body ", which.word().empty() ? std::to_string(which.number) : std::string(which.word()),
           ", which leads the mesh, has lost all of its points"));
     return before + static_cast<T>(static_cast<double>(dt) * along / all);
@@ -42,6 +42,7 @@ struct LedByBody {
 /// Nodes move along one axis by a share of the leader's travel that depends on their initial place on the
 /// axis: 0 up to `fixed_below`, then linearly up to 1 at `moving_from`, 1 up to `moving_to`, then linearly
 /// down to 0 at `fixed_above`; without the last two everything above `moving_from` moves. Heights in m.
+/// Values are checked when the scene is made, which throws `error`.
 template <class Leader = LedByRigid<>>
 struct MovingMesh {
   Leader leader{};
@@ -51,20 +52,6 @@ struct MovingMesh {
   double fixed_above = std::numeric_limits<double>::infinity();
   int axis = 1;
   double least = 0.05;  ///< a zone that is squeezed to less than this share of its height stops the run
-
-  void check(int dimension) const {
-    require(axis >= 0 && axis < dimension, "MovingMesh.axis", axis, "must be an axis of the mesh");
-    require(std::isfinite(fixed_below), "MovingMesh.fixed_below", fixed_below, "must be given");
-    require(moving_from > fixed_below && std::isfinite(moving_from), "MovingMesh.moving_from", moving_from,
-            "must be given, above fixed_below");
-    require(moving_to >= moving_from, "MovingMesh.moving_to", moving_to, "must not lie below moving_from");
-    const bool open = std::isinf(moving_to) && std::isinf(fixed_above);
-    require(open || fixed_above > moving_to, "MovingMesh.fixed_above", fixed_above,
-            "must lie above moving_to");
-    require(open || std::isfinite(fixed_above), "MovingMesh.fixed_above", fixed_above,
-            "must be given with moving_to");
-    require(least > 0 && least < 1, "MovingMesh.least", least, "must lie in (0, 1)");
-  }
 
   /// Share of the leader's travel that a node at height y takes.
   double fraction(double y) const {
@@ -86,8 +73,8 @@ class BoundMotion {
   using OnlyOne = MeshMotion;
   static constexpr std::string_view state_name = "mesh_motion";
 
-  BoundMotion(const MovingMesh<Leader>& motion, const SimplexMesh<D, T>& mesh) : motion_{motion} {
-    motion_.check(D);
+  /// Throws `error` for an axis, heights or a share that cannot be.
+  BoundMotion(const MovingMesh<Leader>& motion, const SimplexMesh<D, T>& mesh) : motion_{checked(motion)} {
     std::vector<bool> touched(mesh.cell_count());
     for (Index i = 0; i < mesh.node_count(); ++i) {
       const double s = motion_.fraction(static_cast<double>(mesh.position(i)[motion_.axis]));
@@ -125,7 +112,7 @@ class BoundMotion {
     try {
       move(scene.mesh, travel());
     } catch (const run_error& e) {
-      throw run_error(shared_detail::join("t = ", scene.time + dt, " s: ", e.what()));
+      throw run_error(joined_text("t = ", scene.time + dt, " s: ", e.what()));
     }
   }
   template <class F>
@@ -143,14 +130,14 @@ class BoundMotion {
     travel_ = travel;
     const double below = 1 + static_cast<double>(travel) / (motion_.moving_from - motion_.fixed_below);
     if (!(below > motion_.least))
-      throw run_error(shared_detail::join(
-          "the compressing zone below ", motion_.moving_from, " m is used up after a travel of ", travel,
-          " m: ", below * 100, " % of its height is left, the limit is ", motion_.least * 100, " %"));
+      throw run_error(joined_text("the compressing zone below ", motion_.moving_from,
+                                  " m is used up after a travel of ", travel, " m: ", below * 100,
+                                  " % of its height is left, the limit is ", motion_.least * 100, " %"));
     if (std::isfinite(motion_.fixed_above)) {
       const double above = 1 - static_cast<double>(travel) / (motion_.fixed_above - motion_.moving_to);
       if (!(above > motion_.least))
-        throw run_error(shared_detail::join("the zone above ", motion_.moving_to,
-                                            " m is used up after a travel of ", travel, " m"));
+        throw run_error(joined_text("the zone above ", motion_.moving_to, " m is used up after a travel of ",
+                                    travel, " m"));
     }
     const Index bad = mesh.move(nodes_, cells_, [&](Index i) {
       auto x = mesh.position(i);
@@ -158,12 +145,27 @@ class BoundMotion {
       return x;
     });
     if (bad != none)
-      throw run_error(shared_detail::join("cell ", bad, " at (",
-                                          mesh.position(mesh.nodes(bad)[0]).transpose(),
-                                          ") m turned inside out after a travel of ", travel, " m"));
+      throw run_error(joined_text("cell ", bad, " at (", mesh.position(mesh.nodes(bad)[0]).transpose(),
+                                  ") m turned inside out after a travel of ", travel, " m"));
   }
 
  private:
+  static const MovingMesh<Leader>& checked(const MovingMesh<Leader>& m) {
+    require(m.axis >= 0 && m.axis < D, "MovingMesh.axis", m.axis, "must be an axis of the mesh");
+    require(std::isfinite(m.fixed_below), "MovingMesh.fixed_below", m.fixed_below, "must be given");
+    require(m.moving_from > m.fixed_below && std::isfinite(m.moving_from), "MovingMesh.moving_from",
+            m.moving_from, "must be given, above fixed_below");
+    require(m.moving_to >= m.moving_from, "MovingMesh.moving_to", m.moving_to,
+            "must not lie below moving_from");
+    const bool open = std::isinf(m.moving_to) && std::isinf(m.fixed_above);
+    require(open || m.fixed_above > m.moving_to, "MovingMesh.fixed_above", m.fixed_above,
+            "must lie above moving_to");
+    require(open || std::isfinite(m.fixed_above), "MovingMesh.fixed_above", m.fixed_above,
+            "must be given with moving_to");
+    require(m.least > 0 && m.least < 1, "MovingMesh.least", m.least, "must lie in (0, 1)");
+    return m;
+  }
+
   MovingMesh<Leader> motion_;
   std::vector<Index> nodes_;
   std::vector<Index> cells_;             // those whose shape changes

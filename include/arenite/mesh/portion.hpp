@@ -36,7 +36,7 @@ struct MeshPortion {
   Index cell_here(std::uint64_t whole) const {
     const auto at = std::ranges::lower_bound(whole_cell, whole);
     if (at == whole_cell.end() || *at != whole)
-      throw run_error(shared_detail::join("cell ", whole, " of the whole mesh is not in portion ", number));
+      throw run_error(joined_text("cell ", whole, " of the whole mesh is not in portion ", number));
     return static_cast<Index>(at - whole_cell.begin());
   }
 
@@ -80,13 +80,120 @@ struct MeshPortion {
   }
 };
 
-namespace detail {
+/// `owns(cell)`: whether a portion holds the points of a cell.
 template <int D>
 struct OwnedCells {
   static constexpr bool is_whole = false;
   const MeshPortion<D>& portion;
   bool operator()(Index c) const { return portion.owns_cell(c); }
 };
+
+namespace detail {
+
+/// Makes one portion of a mesh, step by step.
+template <int D>
+class PortionMaker {
+ public:
+  PortionMaker(const MeshData<D>& whole, const std::vector<int>& owner, int number)
+      : whole_{whole}, owner_{owner}, number_{number} {}
+
+  std::pair<MeshData<D>, MeshPortion<D>> make() {
+    find_owners();
+    portion_.number = number_;
+    keep_nodes();
+    keep_cells();
+    find_cuts();
+    keep_names();
+    return {std::move(mesh_), std::move(portion_)};
+  }
+
+ private:
+  static constexpr int nobody = std::numeric_limits<int>::max();
+  static constexpr auto dim = static_cast<std::size_t>(D);
+
+  /// Least owner of the cells at each node, and the nodes of cells that the portion owns.
+  void find_owners() {
+    touched_.resize(whole_.nodes.size());
+    node_owner_.assign(whole_.nodes.size(), nobody);
+    for (std::size_t c = 0; c < whole_.cells.size(); ++c)
+      for (const Index i : whole_.cells[c]) {
+        touched_[i] = touched_[i] || owner_[c] == number_;
+        node_owner_[i] = std::min(node_owner_[i], owner_[c]);
+      }
+  }
+
+  /// Whether a cell is one of the portion's own, or a ghost: it shares a node with one of its own.
+  bool is_here(std::size_t cell) const {
+    return std::ranges::any_of(whole_.cells[cell], [&](Index i) { return touched_[i]; });
+  }
+
+  /// Numbers the nodes of the cells that are here, and finds the box around the whole.
+  void keep_nodes() {
+    std::vector<bool> kept(whole_.nodes.size());
+    for (std::size_t c = 0; c < whole_.cells.size(); ++c)
+      if (is_here(c))
+        for (const Index i : whole_.cells[c]) kept[i] = true;
+    portion_.lower = Vec<double, D>::Constant(std::numeric_limits<double>::infinity());
+    portion_.upper = -portion_.lower;
+    local_.assign(whole_.nodes.size(), none);
+    for (std::size_t i = 0; i < whole_.nodes.size(); ++i) {
+      if (node_owner_[i] != nobody) {  // a cell has it
+        portion_.lower = portion_.lower.cwiseMin(whole_.nodes[i]);
+        portion_.upper = portion_.upper.cwiseMax(whole_.nodes[i]);
+      }
+      if (!kept[i]) continue;
+      local_[i] = static_cast<Index>(mesh_.nodes.size());
+      mesh_.nodes.push_back(whole_.nodes[i]);
+      portion_.whole_node.push_back(i);
+      portion_.node_owner.push_back(node_owner_[i]);
+    }
+  }
+
+  void keep_cells() {
+    for (std::size_t c = 0; c < whole_.cells.size(); ++c) {
+      if (!is_here(c)) continue;
+      auto cell = whole_.cells[c];
+      for (Index& i : cell) i = local_[i];
+      mesh_.cells.push_back(cell);
+      mesh_.region.push_back(whole_.region.empty() ? 0 : whole_.region[c]);
+      portion_.owner.push_back(owner_[c]);
+      portion_.whole_cell.push_back(c);
+    }
+  }
+
+  /// The faces that a cell elsewhere has in common with a ghost cell: all of their nodes are here.
+  void find_cuts() {
+    for (std::size_t c = 0; c < whole_.cells.size(); ++c) {
+      if (is_here(c)) continue;
+      for (std::size_t k = 0; k <= dim; ++k) {
+        std::array<Index, dim> face{};
+        for (std::size_t j = 0, at = 0; j <= dim; ++j)
+          if (j != k) face[at++] = local_[whole_.cells[c][j]];
+        std::ranges::sort(face);
+        if (face.back() != none) portion_.cuts.insert(face);
+      }
+    }
+  }
+
+  void keep_names() {
+    mesh_.region_names = whole_.region_names;
+    for (const auto& [name, nodes] : whole_.node_sets) {
+      auto& here = mesh_.node_sets[name];
+      for (const Index i : nodes)
+        if (local_[i] != none) here.push_back(local_[i]);
+    }
+  }
+
+  const MeshData<D>& whole_;
+  const std::vector<int>& owner_;
+  int number_;
+  std::vector<bool> touched_{};    // [nodes of the whole] by a cell of the portion's own
+  std::vector<int> node_owner_{};  // [nodes of the whole] `nobody` where no cell has it
+  std::vector<Index> local_{};     // [nodes of the whole] number here, or none
+  MeshData<D> mesh_{};
+  MeshPortion<D> portion_{};
+};
+
 }  // namespace detail
 
 /// Part number `number` of a mesh whose cells belong to the parts `owner` [cells]: its own cells and the
@@ -96,66 +203,7 @@ template <int D>
 std::pair<MeshData<D>, MeshPortion<D>> split_mesh(const MeshData<D>& whole, const std::vector<int>& owner,
                                                   int number) {
   require(owner.size() == whole.cells.size(), "split_mesh.owner", owner.size(), "must have one entry a cell");
-  const auto none_yet = std::numeric_limits<int>::max();
-  std::vector<bool> touched(whole.nodes.size()), kept(whole.nodes.size());
-  std::vector<int> node_owner(whole.nodes.size(), none_yet);
-  for (std::size_t c = 0; c < whole.cells.size(); ++c)
-    for (const Index i : whole.cells[c]) {
-      touched[i] = touched[i] || owner[c] == number;
-      node_owner[i] = std::min(node_owner[i], owner[c]);
-    }
-  std::pair<MeshData<D>, MeshPortion<D>> part;
-  auto& mesh = part.first;
-  auto& portion = part.second;
-  const auto is_here = [&](std::size_t c) {
-    return std::ranges::any_of(whole.cells[c], [&](Index i) { return touched[i]; });
-  };
-  for (std::size_t c = 0; c < whole.cells.size(); ++c)
-    if (is_here(c))
-      for (const Index i : whole.cells[c]) kept[i] = true;
-  portion.number = number;
-  portion.lower = Vec<double, D>::Constant(std::numeric_limits<double>::infinity());
-  portion.upper = -portion.lower;
-  std::vector<Index> local(whole.nodes.size(), none);
-  for (std::size_t i = 0; i < whole.nodes.size(); ++i) {
-    if (node_owner[i] != none_yet) {
-      portion.lower = portion.lower.cwiseMin(whole.nodes[i]);
-      portion.upper = portion.upper.cwiseMax(whole.nodes[i]);
-    }
-    if (!kept[i]) continue;
-    local[i] = static_cast<Index>(mesh.nodes.size());
-    mesh.nodes.push_back(whole.nodes[i]);
-    portion.whole_node.push_back(i);
-    portion.node_owner.push_back(node_owner[i]);
-  }
-  const auto each_face = [&](const auto& cell, auto&& f) {
-    for (std::size_t k = 0; k <= D; ++k) {
-      std::array<Index, static_cast<std::size_t>(D)> face{};
-      for (std::size_t j = 0, at = 0; j <= D; ++j)
-        if (j != k) face[at++] = local[cell[j]];
-      std::ranges::sort(face);
-      if (face.back() != none) f(face);
-    }
-  };
-  for (std::size_t c = 0; c < whole.cells.size(); ++c) {
-    if (!is_here(c)) continue;
-    auto cell = whole.cells[c];
-    for (Index& i : cell) i = local[i];
-    mesh.cells.push_back(cell);
-    mesh.region.push_back(whole.region.empty() ? 0 : whole.region[c]);
-    portion.owner.push_back(owner[c]);
-    portion.whole_cell.push_back(c);
-  }
-  // A face of a ghost cell that a cell elsewhere has, too.
-  for (std::size_t c = 0; c < whole.cells.size(); ++c)
-    if (!is_here(c)) each_face(whole.cells[c], [&](const auto& face) { portion.cuts.insert(face); });
-  mesh.region_names = whole.region_names;
-  for (const auto& [name, nodes] : whole.node_sets) {
-    auto& here = mesh.node_sets[name];
-    for (const Index i : nodes)
-      if (local[i] != none) here.push_back(local[i]);
-  }
-  return part;
+  return detail::PortionMaker<D>(whole, owner, number).make();
 }
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

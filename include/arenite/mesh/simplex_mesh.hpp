@@ -24,7 +24,6 @@ template <int D, real_scalar T = double>
 class SimplexMesh {
  public:
   static constexpr int dimension = D;
-  static constexpr int nodes_per_cell = D + 1;
   using scalar = T;
   using Point = Vec<T, D>;
   using CellNodes = std::array<Index, static_cast<std::size_t>(D + 1)>;
@@ -191,15 +190,14 @@ class SimplexMesh {
 
   void add_cell(std::size_t c, CellNodes nodes) {
     for (const Index i : nodes)
-      require(i < node_count(), shared_detail::join("SimplexMesh.cells[", c, "]"), i,
-              "must be a node of the mesh");
+      require(i < node_count(), joined_text("SimplexMesh.cells[", c, "]"), i, "must be a node of the mesh");
     const auto edges = edge_matrix(nodes);
     T longest = 0;
     for (int k = 0; k < D; ++k) longest = std::max(longest, edges.col(k).stableNorm());
-    if (longest > 0) detail::check_edge<T>(shared_detail::join("SimplexMesh.cells[", c, "].edge"), longest);
+    if (longest > 0) detail::check_edge<T>(joined_text("SimplexMesh.cells[", c, "].edge"), longest);
     const T volume = edges.determinant();
     require(std::abs(volume) > detail::flattest<T> * std::pow(longest, D),
-            shared_detail::join("SimplexMesh.cells[", c, "].volume"), volume, "a cell must not be flat");
+            joined_text("SimplexMesh.cells[", c, "].volume"), volume, "a cell must not be flat");
     if (volume < 0) std::swap(nodes[D - 1], nodes[D]);
     cells_.push_back(nodes);
   }
@@ -229,7 +227,7 @@ class SimplexMesh {
     if (found != map.end()) return found->second;
     std::string known;
     for (const auto& [key, value] : map) known += (known.empty() ? "" : ", ") + key;
-    throw error(shared_detail::join("SimplexMesh: ", kind, " = ", name, ": must be one of: ", known));
+    throw error(joined_text("SimplexMesh: ", kind, " = ", name, ": must be one of: ", known));
   }
 
   std::map<std::string, int> region_names_;

@@ -100,7 +100,7 @@ class VtuSeries {
     int part = 0;
     scene.for_each_body([&](const auto& body, const auto&) {
       const std::string name = number < options_.body_names.size() ? options_.body_names[number]
-                               : Scene::body_names[number].empty() ? shared_detail::join("body", number)
+                               : Scene::body_names[number].empty() ? joined_text("body", number)
                                                                    : Scene::body_name(number);
       write(scene.time, name, part++, points_vtu(body));
       ++number;
@@ -119,7 +119,7 @@ class VtuSeries {
     std::error_code code;
     if (prefix.has_parent_path()) std::filesystem::create_directories(prefix.parent_path(), code);
     require(!code, "vtu: folder", prefix.parent_path().string(),
-            shared_detail::join("cannot be made: ", code.message()));
+            joined_text("cannot be made: ", code.message()));
     return prefix;
   }
 

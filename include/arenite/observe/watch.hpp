@@ -35,7 +35,7 @@ class Watch {
                {"lost", "share of a body's points that left the mesh", limits.lost}}},
         every_{limits.every} {
     for (const Watched& w : seen_)
-      require(w.limit > 0, shared_detail::join("WatchLimits.", w.name), w.limit,
+      require(w.limit > 0, joined_text("WatchLimits.", w.name), w.limit,
               "must be positive; infinity switches it off");
     require(every_ > 0, "WatchLimits.every", every_, "must be positive");
   }
@@ -117,8 +117,8 @@ class Watch {
     const Spot at = spot();
     w.place = at.place;
     if (!stops && w.warned) return;
-    const std::string text = shared_detail::join("t = ", time, " s: ", w.name, " = ", value, " (", w.meaning,
-                                                 "): the limit is ", w.limit, "; ", at.text);
+    const std::string text = joined_text("t = ", time, " s: ", w.name, " = ", value, " (", w.meaning,
+                                         "): the limit is ", w.limit, "; ", at.text);
     if (stops) throw run_error(text);
     w.warned = true;
     warnings_.push_back(text);
@@ -151,8 +151,8 @@ class Watch {
       };
       const std::size_t p = extreme(body, [&](std::size_t k) { return std::abs(local(k) - 1); });
       Spot s = at(body, p);
-      s.text = shared_detail::join(body_of<Scene>(number), ": mean V/V0 = ", ratio);
-      if (p < body.points.size()) s.text += shared_detail::join(", ", local(p), " at ", written(body, p));
+      s.text = joined_text(body_of<Scene>(number), ": mean V/V0 = ", ratio);
+      if (p < body.points.size()) s.text += joined_text(", ", local(p), " at ", written(body, p));
       return s;
     });
   }
@@ -163,7 +163,7 @@ class Watch {
     if (all == 0) return;
     judge(lost, scene.time, static_cast<double>(body.lost) / static_cast<double>(all), number, [&] {
       return Spot{Watched::nowhere,
-                  shared_detail::join(body_of<Scene>(number), ": ", body.lost, " of ", all, " points")};
+                  joined_text(body_of<Scene>(number), ": ", body.lost, " of ", all, " points")};
     });
   }
 
@@ -204,7 +204,7 @@ class Watch {
           [](const Worst& a, const Worst& b) { return b.value > a.value ? b : a; });
       judge(strength, scene.time, worst.value, number, [&] {
         Spot s = at(body, worst.point);
-        s.text = shared_detail::join(body_of<Scene>(number), " at ", written(body, worst.point));
+        s.text = joined_text(body_of<Scene>(number), " at ", written(body, worst.point));
         return s;
       });
     }
@@ -221,8 +221,8 @@ class Watch {
       if (p < body.points.size() && speed(p) > most) {
         most = speed(p);
         s = at(body, p);
-        s.text = shared_detail::join("the fastest point: ", body_of<Scene>(number), " at ", written(body, p),
-                                     ", ", most, " m/s");
+        s.text = joined_text("the fastest point: ", body_of<Scene>(number), " at ", written(body, p), ", ",
+                             most, " m/s");
       }
       ++number;
     });
@@ -254,7 +254,7 @@ class Watch {
   }
   template <class B>
   static std::string written(const B& body, std::size_t p) {
-    return shared_detail::listed(body.points.position[p]) + " m";
+    return vector_text(body.points.position[p]) + " m";
   }
 
   static constexpr std::size_t never = std::numeric_limits<std::size_t>::max() / 2;

@@ -110,7 +110,7 @@ class WatchedEnergy {
       const Vec<double, Scene::D> g = scene.acceleration().template cast<double>();
       scene.for_each_body([&](const auto& body, const auto&) {
         h.strain += strain_energy(body);
-        h.potential -= detail::sum_points(body, 0.0, [&](std::size_t p) {
+        h.potential -= sum_points(body, 0.0, [&](std::size_t p) {
           double along = 0;
           for (int k = 0; k < Scene::D; ++k)
             along += g[k] * static_cast<double>(body.points.position.column(static_cast<std::size_t>(k))[p]);

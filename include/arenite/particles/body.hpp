@@ -10,6 +10,7 @@
 #include <string>
 
 #include <arenite/core/name.hpp>
+#include <arenite/core/vector_argument.hpp>
 #include <arenite/kinematics/kinematics.hpp>
 #include <arenite/law/roles.hpp>
 #include <arenite/mesh/mesh.hpp>
@@ -88,7 +89,7 @@ struct Body {
       "Body: the law must provide History, density(), wave_modulus(), update(stress, step, history) "
       "where step is a StrainStep, and elastic_energy(stress) or elastic_energy(stress, history); see "
       "arenite/law/law.hpp");
-  static_assert(detail::check_roles<L, T, D>());
+  static_assert(check_law<L, T, D>());
   static constexpr bool has_dilation = Points<T, D, L, Extra>::has_dilation;
   static constexpr bool knows_opening = arenite::knows_opening<L, T>;
   L law;
@@ -111,6 +112,16 @@ struct Body {
   std::vector<Sym<T, D>> cell_stress{};
 };
 
+/// Numbers of the regions of a simplex mesh that a region names. Throws `error` for a name that the mesh does
+/// not have.
+template <class M>
+std::vector<int> region_numbers([[maybe_unused]] const M& mesh, [[maybe_unused]] const AnyRegion& region) {
+  std::vector<int> numbers;
+  if constexpr (is_simplex_mesh<M>)
+    for (const auto& name : region.cells) numbers.push_back(mesh.region_number(name));
+  return numbers;
+}
+
 namespace detail {
 
 /// Gives the points the initial values of `FillOptions::history`. Throws `error` for one that the law's
@@ -126,23 +137,11 @@ void begin_history(Points<T, D, L, E>& points, const FillOptions& options) {
     require(!name.empty() && k < names.size(), "FillOptions.history", name,
             known.empty() ? "the law's history has no member with a name" : "must be one of: " + known);
     for (std::size_t p = 0; p < points.size(); ++p) {
-      const auto x = points.position[p];
-      std::array<double, 3> at{};
-      for (int i = 0; i < D; ++i) at[static_cast<std::size_t>(i)] = static_cast<double>(x[i]);
-      const double value = value_at(at);
+      const double value = value_at(in_space<T, D>(points.position[p]));
       require(std::isfinite(value), "FillOptions.history, " + name, value, "must be finite");
       points.history[k][p] = static_cast<T>(value);
     }
   }
-}
-
-/// Numbers of the mesh regions that a region names.
-template <class M>
-std::vector<int> region_numbers([[maybe_unused]] const M& mesh, [[maybe_unused]] const AnyRegion& region) {
-  std::vector<int> numbers;
-  if constexpr (is_simplex_mesh<M>)
-    for (const auto& name : region.cells) numbers.push_back(mesh.region_number(name));
-  return numbers;
 }
 
 }  // namespace detail
@@ -170,16 +169,8 @@ auto make_body(const M& mesh, const Fill<L, name>& recipe, const Owns& owns = {}
     require(o.stress->axis >= 0 && o.stress->axis < D, "Geostatic.axis", o.stress->axis,
             "must be an axis of the scene");
   }
-  Vec<T, D> velocity;
-  for (std::size_t k = 0; k < 3; ++k) {
-    require(std::isfinite(o.velocity[k]), "FillOptions.velocity", o.velocity[k], "must be finite");
-    if (k < D)
-      velocity[static_cast<int>(k)] = static_cast<T>(o.velocity[k]);
-    else
-      require(o.velocity[k] == 0, "FillOptions.velocity", o.velocity[k],
-              "must be zero along an axis that the scene does not have");
-  }
-  const auto numbers = detail::region_numbers(mesh, recipe.region);
+  const auto velocity = vector_argument<T, D>("FillOptions.velocity", o.velocity);
+  const auto numbers = region_numbers(mesh, recipe.region);
   for (Index c = 0; c < mesh.cell_count(); ++c) {
     if (!owns(c)) continue;
     if constexpr (is_simplex_mesh<M>) {

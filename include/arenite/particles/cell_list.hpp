@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <arenite/core/error.hpp>
+#include <arenite/core/lists.hpp>
 #include <arenite/core/scalar.hpp>
 #include <arenite/mesh/blocks.hpp>
 
@@ -27,9 +28,9 @@ class CellList {
   void build(const std::vector<Index>& cell, Index cell_count) {
     require(std::is_sorted(cell.begin(), cell.end()), "CellList: points", cell.size(),
             "must be sorted by cell");
-    start_.assign(cell_count + 1, 0);
-    for (const Index c : cell) ++start_[c + 1];
-    for (std::size_t c = 1; c < start_.size(); ++c) start_[c] += start_[c - 1];
+    begin_rows(start_, cell_count, [&](auto&& count) {
+      for (const Index c : cell) count(c);
+    });
     owned_.resize(cell_count);
     own_all();
     reserve(cell.size());
@@ -47,14 +48,13 @@ class CellList {
   const std::vector<Index>& order(const Blocks& blocks) {
     next_.assign(start_.size(), 0);
     for (Index c = 0; c < owned_.size(); ++c)
-      next_[c + 1] = next_[c] + owned_[c] + unsorted_start_[c + 1] - unsorted_start_[c];
+      next_[c + 1] = next_[c] + owned_[c] + static_cast<Index>(unsorted_[c].size());
     order_.resize(next_.back());
     blocks.for_each_block([&](std::size_t, Index begin, Index end) {
       for (Index c = begin; c < end; ++c) {
-        const auto own = order_.begin() + next_[c], unsorted = own + owned_[c];
-        std::iota(own, unsorted, start_[c]);
-        std::copy(unsorted_.begin() + unsorted_start_[c], unsorted_.begin() + unsorted_start_[c + 1],
-                  unsorted);
+        const auto own = order_.begin() + next_[c], behind = own + owned_[c];
+        std::iota(own, behind, start_[c]);
+        std::ranges::copy(unsorted_[c], behind);
       }
     });
     return order_;
@@ -90,14 +90,10 @@ class CellList {
 
   /// Lists the unsorted points by cell; those of cell `none` are left out.
   void list_unsorted(const std::vector<Index>& cell) {
-    unsorted_start_.assign(unsorted_start_.size(), 0);
-    for (const Index p : all_unsorted_)
-      if (cell[p] != none) ++unsorted_start_[cell[p] + 1];
-    for (std::size_t c = 1; c < unsorted_start_.size(); ++c) unsorted_start_[c] += unsorted_start_[c - 1];
-    unsorted_.resize(unsorted_start_.back());
-    next_.assign(unsorted_start_.begin(), unsorted_start_.end());
-    for (const Index p : all_unsorted_)
-      if (cell[p] != none) unsorted_[next_[cell[p]]++] = p;
+    unsorted_.build(owned_.size(), [&](auto&& add) {
+      for (const Index p : all_unsorted_)
+        if (cell[p] != none) add(cell[p], p);
+    });
   }
 
   /// Where the run of neighbours ends that point p of a cell belongs to: an unsorted point is alone.
@@ -106,7 +102,7 @@ class CellList {
   }
 
   /// Entries of the lists of all cells before this one: its own begin here when they stand in one row.
-  std::size_t offset(Index cell) const { return std::size_t{start_[cell]} + unsorted_start_[cell]; }
+  std::size_t offset(Index cell) const { return std::size_t{start_[cell]} + unsorted_.before(cell); }
 
   std::size_t unsorted() const { return all_unsorted_.size(); }
   /// The unsorted points of all cells, in the order of their moves.
@@ -115,8 +111,8 @@ class CellList {
   /// Calls `f(point, count)` for the points of a cell, at most `Width` neighbours at a time.
   template <int Width, class F>
   void for_packs(Index cell, F&& f) const {
-    Index p = start_[cell], g = unsorted_start_[cell];
-    const Index end = p + owned_[cell], unsorted_end = unsorted_start_[cell + 1];
+    Index p = start_[cell], g = unsorted_.before(cell);
+    const Index end = p + owned_[cell], unsorted_end = unsorted_.before(cell + 1);
     for (;;) {  // one call of f, so that it is compiled into the loop once
       Index first, left;
       if (p < end) {
@@ -124,7 +120,7 @@ class CellList {
         left = end - p;
         p += Width;
       } else if (g < unsorted_end) {
-        first = unsorted_[g++];
+        first = unsorted_.values()[g++];
         left = 1;
       } else {
         break;
@@ -166,11 +162,11 @@ class CellList {
     const Index *unsorted_, *unsorted_end_;
   };
   Range operator[](Index cell) const {
-    return {start_[cell], start_[cell] + owned_[cell], unsorted_.data() + unsorted_start_[cell],
-            unsorted_.data() + unsorted_start_[cell + 1]};
+    const auto unsorted = unsorted_[cell];
+    return {start_[cell], start_[cell] + owned_[cell], unsorted.data(), unsorted.data() + unsorted.size()};
   }
   bool empty(Index cell) const {
-    return owned_[cell] == 0 && unsorted_start_[cell] == unsorted_start_[cell + 1];
+    return owned_[cell] == 0 && unsorted_.before(cell) == unsorted_.before(cell + 1);
   }
 
   /// Runs and unsorted points; the rest follows from them and the points' cells.
@@ -200,31 +196,28 @@ class CellList {
       for (std::size_t p = start_.back(); p < cell.size(); ++p) fits = fits && is_unsorted[p];
     }
     require(fits, "state: cells", cell_count, "runs and unsorted must list each point once");
-    unsorted_start_.resize(start_.size());
     list_unsorted(cell);
   }
 
   std::size_t bytes() const {
-    return (start_.size() + owned_.size() + unsorted_start_.size() + unsorted_.size() + all_unsorted_.size() +
-            next_.size() + order_.size()) *
-           sizeof(Index);
+    return (start_.size() + owned_.size() + all_unsorted_.size() + next_.size() + order_.size()) *
+               sizeof(Index) +
+           unsorted_.bytes();
   }
 
  private:
   /// Lists the points as `start_` has them, without unsorted points.
   void own_all() {
     for (std::size_t c = 0; c < owned_.size(); ++c) owned_[c] = start_[c + 1] - start_[c];
-    unsorted_start_.assign(start_.size(), 0);
-    unsorted_.clear();
     all_unsorted_.clear();
+    unsorted_.build(owned_.size(), [](auto&&) {});
   }
 
-  std::vector<Index> start_;           // [cells + 1] first point of each cell's run
-  std::vector<Index> owned_;           // [cells] points of the run that are still in the cell
-  std::vector<Index> unsorted_start_;  // [cells + 1] into unsorted_
-  std::vector<Index> unsorted_;        // by cell
-  std::vector<Index> all_unsorted_;    // in the order of their moves
-  std::vector<Index> next_, order_;    // scratch
+  std::vector<Index> start_;         // [cells + 1] first point of each cell's run
+  std::vector<Index> owned_;         // [cells] points of the run that are still in the cell
+  Lists unsorted_;                   // [cells]
+  std::vector<Index> all_unsorted_;  // in the order of their moves
+  std::vector<Index> next_, order_;  // scratch
 };
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

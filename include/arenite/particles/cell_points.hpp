@@ -68,9 +68,9 @@ std::vector<Vec<double, D + 1>> simplex_points(int n) {
     if constexpr (D == 2)
       if (n == k * k) return detail::triangle_centroids(k);
   }
-  throw error(shared_detail::join("per_cell = ", n,
-                                  D == 2 ? ": must be 1, 3, 6, 10, 15, 21, 28 or the square of 1 to 7"
-                                         : ": must be 1, 4, 10, 20, 35, 56 or 84"));
+  throw error(joined_text("per_cell = ", n,
+                          D == 2 ? ": must be 1, 3, 6, 10, 15, 21, 28 or the square of 1 to 7"
+                                 : ": must be 1, 4, 10, 20, 35, 56 or 84"));
 }
 
 /// Positions in the unit cell [0, 1]^D of n points on an even lattice; n must be a D-th power. Throws `error`

@@ -48,12 +48,10 @@ auto take_out(B& body, Index cell_count, Leaves&& leaves, Take&& take) {
 template <class B>
 void check_point(const B& body, const typename B::Point& point, std::size_t number) {
   const auto name = [&](const char* member) {
-    return shared_detail::join("point ", number, " to be added: ", member);
+    return joined_text("point ", number, " to be added: ", member);
   };
-  require(point.position.allFinite(), name("position"), shared_detail::listed(point.position),
-          "must be finite");
-  require(point.velocity.allFinite(), name("velocity"), shared_detail::listed(point.velocity),
-          "must be finite");
+  require(point.position.allFinite(), name("position"), vector_text(point.position), "must be finite");
+  require(point.velocity.allFinite(), name("velocity"), vector_text(point.velocity), "must be finite");
   require(point.volume > 0 && std::isfinite(point.volume), name("volume"), point.volume,
           "must be given, positive");
   require(std::isnan(point.mass) || (point.mass > 0 && std::isfinite(point.mass)), name("mass"), point.mass,
@@ -99,8 +97,8 @@ auto add_points(B& body, M& mesh, const std::vector<typename B::Point>& added, I
   for (std::size_t k = 0; k < added.size(); ++k) {
     check_point(body, added[k], k);
     cell.push_back(mesh.search(added[k].position));
-    require(cell.back() != none, shared_detail::join("point ", k, " to be added: position"),
-            shared_detail::listed(added[k].position), "must lie in the mesh");
+    require(cell.back() != none, joined_text("point ", k, " to be added: position"),
+            vector_text(added[k].position), "must lie in the mesh");
   }
   return append_points(body, added, cell, id);
 }

@@ -9,7 +9,6 @@
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
-namespace detail {
 /// Sum of `f(point)` over the points of a body. Each chunk keeps eight partial sums, as each addition to a
 /// single one would have to wait for the one before.
 template <class B, class Value, class F>
@@ -30,13 +29,12 @@ Value sum_points(const B& body, Value zero, F&& f) {
       },
       std::plus<>{});
 }
-}  // namespace detail
 
 /// Kinetic energy of the points' velocities, J; that of their velocity gradients is
 /// `gradient_kinetic_energy`.
 template <class B>
 double kinetic_energy(const B& body) {
-  return detail::sum_points(body, 0.0, [&](std::size_t p) {
+  return sum_points(body, 0.0, [&](std::size_t p) {
     return 0.5 * static_cast<double>(body.points.mass[p] * body.points.velocity[p].squaredNorm());
   });
 }
@@ -80,7 +78,7 @@ double gradient_kinetic_energy(const M& mesh, const Blocks& blocks, const B& bod
 /// Recoverable energy, J.
 template <class B>
 double strain_energy(const B& body) {
-  return detail::sum_points(body, 0.0, [&](std::size_t p) {
+  return sum_points(body, 0.0, [&](std::size_t p) {
     return static_cast<double>(body.points.volume[p] * elastic_energy_of(body.law, body.points.stress[p],
                                                                          body.points.load_history(p)));
   });
@@ -89,25 +87,23 @@ double strain_energy(const B& body) {
 /// Momentum, kg m/s, shape [D].
 template <class L, class T, int D, ExtraColumns E>
 Vec<double, D> momentum(const Body<L, T, D, E>& body) {
-  return detail::sum_points(
-      body, Vec<double, D>(Vec<double, D>::Zero()), [&](std::size_t p) -> Vec<double, D> {
-        return static_cast<double>(body.points.mass[p]) * body.points.velocity[p].template cast<double>();
-      });
+  return sum_points(body, Vec<double, D>(Vec<double, D>::Zero()), [&](std::size_t p) -> Vec<double, D> {
+    return static_cast<double>(body.points.mass[p]) * body.points.velocity[p].template cast<double>();
+  });
 }
 
 /// Mass of the points, kg.
 template <class B>
 double mass(const B& body) {
-  return detail::sum_points(body, 0.0,
-                            [&](std::size_t p) { return static_cast<double>(body.points.mass[p]); });
+  return sum_points(body, 0.0, [&](std::size_t p) { return static_cast<double>(body.points.mass[p]); });
 }
 
 /// Mean of V / V0, voids that opened included: how much the body has swollen, -. No other measure shows
 /// slow swelling.
 template <class B>
 double mean_volume_ratio(const B& body) {
-  const double volume = detail::sum_points(
-      body, 0.0, [&](std::size_t p) { return static_cast<double>(body.points.volume[p]); });
+  const double volume =
+      sum_points(body, 0.0, [&](std::size_t p) { return static_cast<double>(body.points.volume[p]); });
   const double initial = body.initial_volume - body.lost_mass / body.law.density();
   return initial > 0 ? (volume + body.opened_volume) / initial : 1.0;
 }

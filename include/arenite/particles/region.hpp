@@ -12,6 +12,7 @@
 
 #include <arenite/core/error.hpp>
 #include <arenite/core/tensor.hpp>
+#include <arenite/core/vector_argument.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
@@ -79,20 +80,14 @@ struct AnyRegion {
           any.upper[k] = region.upper[k];
         }
       }
-      any.test = [r = std::move(region)](const Position& at) -> bool {
-        Vec<double, D> x;
-        for (std::size_t k = 0; k < D; ++k) x[static_cast<int>(k)] = at[k];
-        return r.contains(x);
-      };
+      any.test = [r = std::move(region)](const Position& at) -> bool { return r.contains(in_scene<D>(at)); };
     }
     return any;
   }
 
   template <class T, int D>
   bool contains(const Vec<T, D>& x) const {
-    Position at{};
-    for (std::size_t k = 0; k < D; ++k) at[k] = static_cast<double>(x[static_cast<int>(k)]);
-    return test(at);
+    return test(in_space(x));
   }
 };
 

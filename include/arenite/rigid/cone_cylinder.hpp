@@ -28,7 +28,7 @@ class ConeCylinder {
     require(p.apex > 0 && p.apex < pi, "ConeCylinder.apex", p.apex, "must lie in (0, pi) rad");
     const double cone = p.radius / std::tan(p.apex / 2);
     require(p.length >= cone && std::isfinite(p.length), "ConeCylinder.length", p.length,
-            shared_detail::join("must reach the cone's height ", cone));
+            joined_text("must reach the cone's height ", cone));
     require(std::isfinite(p.tip), "ConeCylinder.tip", p.tip, "must be finite");
     outline_ = {{{0, 0}, {p.radius, cone}, {p.radius, p.length}, {0, p.length}}};
   }

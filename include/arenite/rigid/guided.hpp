@@ -8,6 +8,7 @@
 #include <arenite/core/alone.hpp>
 #include <arenite/core/error.hpp>
 #include <arenite/core/tensor.hpp>
+#include <arenite/core/vector_argument.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
@@ -78,8 +79,7 @@ struct BoundGuided {
     require(g.mass > 0 && std::isfinite(g.mass), "Guided.mass", g.mass, "must be given, positive");
     require(std::isfinite(g.velocity), "Guided.velocity", g.velocity, "must be finite");
     require(std::isfinite(g.load), "Guided.load", g.load, "must be finite");
-    for (std::size_t k = 0; k < D; ++k) axis[static_cast<int>(k)] = static_cast<T>(g.axis[k]);
-    require(axis.norm() > 0, "Guided.axis", axis.transpose(), "must have a length in the scene's dimensions");
+    axis = direction_argument<T, D>("Guided.axis", g.axis);
     require(!hoop || axis[0] == 0, "Guided.axis", axis.transpose(),
             "must be the axis of symmetry (0, 1) in an axisymmetric scene");
     axis.normalize();

@@ -8,11 +8,12 @@
 #include <utility>
 
 #include <arenite/core/tensor.hpp>
+#include <arenite/core/vector_argument.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 /// A motion given in time: `velocity(t)` returns the velocity {x, y, z}, m/s, at time t, s. No impulse
-/// changes it; the work of the drive is booked.
+/// changes it; the work of the drive is booked. Each velocity is checked when it is asked for.
 struct Prescribed {
   std::function<std::array<double, 3>(double)> velocity;
 
@@ -42,10 +43,7 @@ struct BoundPrescribed {
 
   V start() const { return V::Zero(); }
   V free_velocity(const V&, const V&, T time, T) const {
-    const auto v = velocity(static_cast<double>(time));
-    V out;
-    for (int k = 0; k < D; ++k) out[k] = static_cast<T>(v[static_cast<std::size_t>(k)]);
-    return out;
+    return vector_argument<T, D>("Prescribed.velocity", velocity(static_cast<double>(time)));
   }
   template <class Body>
   V velocity_in_contact(const Body&, const V& free_velocity) const {

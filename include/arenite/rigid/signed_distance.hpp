@@ -10,6 +10,7 @@
 #include <utility>
 
 #include <arenite/core/tensor.hpp>
+#include <arenite/core/vector_argument.hpp>
 #include <arenite/particles/region.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
@@ -36,11 +37,7 @@ class AnyDistance {
     else if constexpr (requires { distance.bounds(); })
       any.set_bounds(distance.bounds());
     any.at_ = [f = std::move(distance)](std::span<const Position> x, double* out) {
-      for (const Position& p : x) {
-        Vec<double, D> at;
-        for (std::size_t k = 0; k < D; ++k) at[static_cast<int>(k)] = p[k];
-        *out++ = f(at);
-      }
+      for (const Position& p : x) *out++ = f(in_scene<D>(p));
     };
     return any;
   }

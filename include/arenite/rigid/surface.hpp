@@ -11,6 +11,7 @@
 #include <arenite/contact/region_surface.hpp>
 #include <arenite/core/bind.hpp>
 #include <arenite/core/parallel.hpp>
+#include <arenite/core/vector_argument.hpp>
 #include <arenite/rigid/signed_distance.hpp>
 #include <arenite/shape/shape.hpp>
 
@@ -160,10 +161,8 @@ class BoundDistanceSurface {
     for (std::size_t n = begin; n < end; ++n) {
       const auto i = static_cast<Index>(n);
       if (!has_mass(i)) continue;
-      const Vec<double, D> x = (Shape::node_position(mesh, i) - displacement).template cast<double>();
-      Position at{};
-      for (std::size_t k = 0; k < D; ++k) at[k] = x[static_cast<int>(k)];
-      const auto size = static_cast<double>(node_size(mesh, i));
+      const Position at = in_space<T, D>(Shape::node_position(mesh, i) - displacement);
+      const auto size = static_cast<double>(mesh.node_size(i));
       if (is_beyond(at, size)) continue;
       node[count] = i;
       cell[count] = size;

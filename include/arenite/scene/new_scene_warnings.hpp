@@ -51,10 +51,9 @@ void warn_bounds(const M& mesh, const AnyRegion& region, const std::string& name
       within *= (std::min(to, upper[k]) - std::max(from, lower[k])) / (to - from);
     }
     if (beyond)
-      warn(shared_detail::join("body ", name, ": ", std::round(1000 * (1 - within)) / 10,
-                               " % of its region lies outside of the mesh, which reaches from ",
-                               shared_detail::listed(lower), " to ", shared_detail::listed(upper),
-                               " m, and is not filled"));
+      warn(joined_text("body ", name, ": ", std::round(1000 * (1 - within)) / 10,
+                       " % of its region lies outside of the mesh, which reaches from ", vector_text(lower),
+                       " to ", vector_text(upper), " m, and is not filled"));
   }
 }
 
@@ -78,9 +77,9 @@ void warn_overlap(const M& mesh, const std::string& name, const B& body, const F
   const std::size_t in_other = points_within(mesh, body, other_fill.region),
                     in_this = points_within(mesh, other, fill.region);
   if (in_other + in_this == 0) return;
-  warn(shared_detail::join("bodies ", name, " and ", other_name, " lie in one place: ", in_other, " of the ",
-                           body.points.size(), " points of body ", name, " are in the region of body ",
-                           other_name, ", and ", in_this, " of ", other.points.size(), " the other way"));
+  warn(joined_text("bodies ", name, " and ", other_name, " lie in one place: ", in_other, " of the ",
+                   body.points.size(), " points of body ", name, " are in the region of body ", other_name,
+                   ", and ", in_this, " of ", other.points.size(), " the other way"));
 }
 
 /// Warns if gravity pulls and nothing can hold: no constraint blocks a part of it, and no part holds but
@@ -101,8 +100,8 @@ void warn_no_support(const Scene& scene) {
       held = held || adds_force<P, Scene> || (exchanges_impulses<P, Scene> && exchange_rank<P> > 0);
   });
   if (!held)
-    warn(shared_detail::join("gravity ", shared_detail::listed(g),
-                             " m/s2 acts, but no wall and no rigid body holds along it: everything falls"));
+    warn(joined_text("gravity ", vector_text(g),
+                     " m/s2 acts, but no wall and no rigid body holds along it: everything falls"));
 }
 
 /// All warnings about a new scene and the recipes of its bodies.

@@ -43,8 +43,7 @@ void run_steps(Scene& scene, const RunOptions& options, Others& others, Observer
     if constexpr (!Others::alone) stable = others.least(stable);
     double dt = std::min(options.courant * stable, options.max_step);
     if (!(dt > 1e-12 * span))
-      throw run_error(
-          shared_detail::join("t = ", scene.time, " s: the stable step has shrunk to ", dt, " s"));
+      throw run_error(joined_text("t = ", scene.time, " s: the stable step has shrunk to ", dt, " s"));
     const double left = options.end - scene.time;
     const bool last = dt >= left * (1 - 1e-9);
     if (last)
@@ -70,7 +69,7 @@ template <class Scene, class Others, class... Observers>
 void run_with(Others& others, Scene& scene, const RunOptions& options, Observers&&... observers) {
   require(std::isfinite(options.end), "RunOptions.end", options.end, "must be given");
   require(options.end >= scene.time, "RunOptions.end", options.end,
-          shared_detail::join("must not lie before the scene's time ", scene.time));
+          joined_text("must not lie before the scene's time ", scene.time));
   require(options.courant > 0, "RunOptions.courant", options.courant, "must be positive");
   require(options.courant <= 1, "RunOptions.courant", options.courant,
           "must be at most 1: larger steps are unstable");

@@ -81,7 +81,7 @@ struct Scene {
   template <class... G>
   requires(std::same_as<std::tuple<erased_t<G>...>, std::tuple<Given...>>)
       Scene(K kinematics_value, M mesh_value, N numerics_value, const G&... given)
-      : Scene(detail::Nothing{}, std::move(kinematics_value), std::move(mesh_value), numerics_value,
+      : Scene(Nothing{}, std::move(kinematics_value), std::move(mesh_value), numerics_value,
               erased<M>(given)...) {}
 
   K kinematics;
@@ -93,13 +93,11 @@ struct Scene {
   std::array<Field, field_count> fields;      ///< node fields: one, or one a body
   BodyTuple bodies;                           ///< deformable bodies
   std::vector<Constraint<T, D>> constraints;  ///< of all parts
-  [[no_unique_address]] std::conditional_t<Needs::drives, std::vector<Drive<T, D>>, detail::Nothing>
+  [[no_unique_address]] std::conditional_t<Needs::drives, std::vector<Drive<T, D>>, Nothing>
       drives{};  ///< nodes that parts move
-  [[no_unique_address]] std::conditional_t<N::AntiLocking::averages_strain, VolumetricAverage<T>,
-                                           detail::Nothing>
+  [[no_unique_address]] std::conditional_t<N::AntiLocking::averages_strain, VolumetricAverage<T>, Nothing>
       average{};
-  [[no_unique_address]] std::conditional_t<N::smooths_light_nodes, LightNodes<T, D>, detail::Nothing>
-      light_nodes{};
+  [[no_unique_address]] std::conditional_t<N::smooths_light_nodes, LightNodes<T, D>, Nothing> light_nodes{};
 
   double time = 0;       ///< s
   double time_step = 0;  ///< of the last step, s
@@ -217,7 +215,7 @@ struct Scene {
   }
   auto cell_owner() const {
     if constexpr (is_portion)
-      return detail::OwnedCells<D>{portion()};
+      return OwnedCells<D>{portion()};
     else
       return OwnsAllCells{};
   }
@@ -258,7 +256,7 @@ struct Scene {
     static_assert(k < body_count,
                   "Scene: no such body; say body<\"name\">() of fill<\"name\">(..), or "
                   "body<number>(); body() is the only one");
-    return k;
+    return k < body_count ? k : 0;  // one sentence is enough
   }
   template <Name which>
   static constexpr std::size_t rigid_place() {
@@ -267,15 +265,18 @@ struct Scene {
     static_assert(k < rigid_count,
                   "Scene: no such rigid body; say rigid<\"name\">() of rigid<\"name\">(..), "
                   "or rigid<number>(); rigid() is the only one");
-    return found.first[k];
+    if constexpr (rigid_count > 0)
+      return found.first[k < rigid_count ? k : 0];
+    else
+      return 0;
   }
   template <std::size_t Place>
   static constexpr std::size_t part_place() {
     static_assert(Place < part_count, "Scene: no part was made of such a recipe");
-    return Place;
+    return Place < part_count ? Place : 0;
   }
 
-  Scene(detail::Nothing, K kinematics_value, M mesh_value, N numerics_value, Given... given);
+  Scene(Nothing, K kinematics_value, M mesh_value, N numerics_value, Given... given);
 
   static Parts bind(const M& mesh, const K& kinematics, const Given&... given) {
     static_assert(detail::check_all_roles<Scene>(std::type_identity<Parts>{}));
@@ -343,6 +344,9 @@ struct Scene {
 template <class K, class M, class N, class... Given>
 Scene(K, M, N, Given...) -> Scene<detail::refused_unless<detail::is_complete_scene<K, M, N, Given...>(), K>,
                                   M, N, erased_t<Given>...>;
+/// Two values cannot be a scene: without this guide the compiler would say so in words of its own.
+template <class K, class M>
+Scene(K, M) -> Scene<detail::refused_unless<detail::is_complete_scene<K, M, void>(), K>, M, void>;
 
 /// In the place of a scene that the compiler has refused: one sentence is enough.
 template <class M, class N, class... Given>
@@ -353,8 +357,7 @@ struct Scene<detail::Refused, M, N, Given...> {
 // Not within the class: there it would be inline, and compiled again in each unit in spite of an `extern
 // template`.
 template <class K, class M, class N, class... Given>
-Scene<K, M, N, Given...>::Scene(detail::Nothing, K kinematics_value, M mesh_value, N numerics_value,
-                                Given... given)
+Scene<K, M, N, Given...>::Scene(Nothing, K kinematics_value, M mesh_value, N numerics_value, Given... given)
     : kinematics{kinematics_value},
       mesh{std::move(mesh_value)},
       numerics{numerics_value},

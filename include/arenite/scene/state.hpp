@@ -29,20 +29,18 @@ std::array<std::string, sizeof...(P)> part_paths(std::type_identity<std::tuple<P
     const std::size_t place = number++;
     if constexpr (is_rigid<Q>) {
       const std::size_t among = rigid++;
-      return Q::name.word().empty() ? shared_detail::join("rigids/", among)
-                                    : shared_detail::join("rigids/", Q::name.word());
+      return Q::name.word().empty() ? joined_text("rigids/", among) : joined_text("rigids/", Q::name.word());
     } else if constexpr (requires { std::string_view(Q::state_name); }) {
       return std::string(Q::state_name);
     } else {
-      return shared_detail::join("parts/", place);
+      return joined_text("parts/", place);
     }
   };
   const std::array<std::string, sizeof...(P)> wanted{path(std::type_identity<P>{})...};
   auto paths = wanted;
   for (std::size_t k = 0; k < wanted.size(); ++k)
     if (std::ranges::count(wanted, wanted[k]) > 1)
-      paths[k] =
-          shared_detail::join(wanted[k], "/", std::count(wanted.begin(), wanted.begin() + k, wanted[k]));
+      paths[k] = joined_text(wanted[k], "/", std::count(wanted.begin(), wanted.begin() + k, wanted[k]));
   return paths;
 }
 
@@ -76,12 +74,11 @@ void visit_scene(Scene& scene, const F& f) {
   f("contact_tally/limited_momentum", tally.limited_momentum);
   std::size_t number = 0;
   scene.for_each_body([&](auto& body, auto&) {
-    visit_body(body, StateUnder(f, shared_detail::join("bodies/", Scene::body_name(number++))));
+    visit_body(body, StateUnder(f, joined_text("bodies/", Scene::body_name(number++))));
   });
   if constexpr (reads_last_nodes<Scene>(std::type_identity<typename Scene::Parts>{}))
     for (std::size_t k = 0; k < scene.fields.size(); ++k) {
-      StateUnder nodes(f,
-                       Scene::field_count > 1 ? shared_detail::join("nodes/", Scene::body_name(k)) : "nodes");
+      StateUnder nodes(f, Scene::field_count > 1 ? joined_text("nodes/", Scene::body_name(k)) : "nodes");
       nodes("mass", scene.fields[k].mass);
       nodes("velocity", scene.fields[k].velocity.numbers());
     }
@@ -121,7 +118,7 @@ void follow_state(Scene& scene) {
   scene.for_each_body([&](auto& body, auto&) {
     body.points.for_each_column([&](const auto& column) {
       require(column.size() == body.points.size(), "state: points", column.size(),
-              shared_detail::join("must be as many in each column of a body: ", body.points.size()));
+              joined_text("must be as many in each column of a body: ", body.points.size()));
     });
     body.cells.follow_state(body.points.cell, scene.mesh.cell_count());
     body.cells.reserve(body.points.size());

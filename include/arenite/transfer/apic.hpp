@@ -23,7 +23,7 @@ struct Apic {
   /// zero, and B of the position before over D of the next would give huge velocities.
   struct Taken {
     static constexpr bool needs_moments = true;
-    detail::Nothing velocity{};
+    Nothing velocity{};
 
     template <class Cell, class Point, class X, class Sums>
     auto operator()(const Cell& cell, const Point& p, const X& x, const Sums& sums) const {

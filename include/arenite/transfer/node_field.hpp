@@ -51,7 +51,7 @@ const Rows& either(const Rows& own, const Rows&) {
   return own;
 }
 template <class Rows>
-const Rows& either(const detail::Nothing&, const Rows& instead) {
+const Rows& either(const Nothing&, const Rows& instead) {
   return instead;
 }
 
@@ -126,7 +126,6 @@ class NodeVectors {
 /// the gradient of mass, for contact normals. What is not asked for is not stored.
 template <real_scalar T, int D, bool Mapped, bool Gradient>
 struct NodeField {
-  static constexpr bool has_mapped = Mapped;
   static constexpr bool has_mass_gradient = Gradient;
 
   std::vector<NodeSums<T, D>> collected;  ///< [nodes] what `p2g` sums and `update_grid` reads

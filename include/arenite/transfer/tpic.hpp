@@ -26,7 +26,7 @@ struct Tpic {
   struct Taken {
     static constexpr bool needs_moments = false;
     std::array<T, D * D> gradient;  ///< L = sum v_i (grad w_i)^T, column by column, 1/s
-    detail::Nothing velocity{};
+    Nothing velocity{};
 
     template <class Cell, class Point, class X, class Sums>
     auto operator()(const Cell&, const Point& p, const X&, const Sums& sums) const {

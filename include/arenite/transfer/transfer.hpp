@@ -33,7 +33,7 @@ concept transfer_type = requires(const Transfer transfer) {
   { Transfer::affine } -> std::convertible_to<bool>;
   { Transfer::template fits<Shape> } -> std::convertible_to<bool>;
 }
-&&detail::names_hand<Transfer>&& detail::names_take<Transfer>;
+&&names_hand<Transfer>&& names_take<Transfer>;
 
 /// See above.
 template <class Transfer, class Shape>

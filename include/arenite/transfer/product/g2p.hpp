@@ -33,11 +33,11 @@ template <class K, class N, class M, class Points, class Field, class T, class B
   using P = lanes_of<T, width>;
   const Cell cell(mesh, c);
   const Rows v(cell, nodes.velocity);
-  const std::conditional_t<N::maps_back, Rows, detail::Nothing> mapped(cell, nodes.strain_velocity());
+  const std::conditional_t<N::maps_back, Rows, Nothing> mapped(cell, nodes.strain_velocity());
   const auto& u = either(mapped, v);
   const auto take = numerics.transfer.take(cell, nodes);
   // What is taken of v itself costs no sum of its own.
-  constexpr bool takes_of_v = !N::maps_back && std::same_as<decltype(take.velocity), detail::Nothing>;
+  constexpr bool takes_of_v = !N::maps_back && std::same_as<decltype(take.velocity), Nothing>;
   P check(0);
   for_each_pack<width>(points, begin, end, [&](const auto& p) {
     const auto x = p.position();

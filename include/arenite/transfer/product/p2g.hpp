@@ -25,7 +25,7 @@ template <class K, class N, class M, class B, class Field>
   const Cell cell(mesh, c);
   Sums rows;
   [[maybe_unused]] P of_cell(0);
-  [[maybe_unused]] std::conditional_t<Field::has_mass_gradient, Gradients, detail::Nothing> gradients;
+  [[maybe_unused]] std::conditional_t<Field::has_mass_gradient, Gradients, Nothing> gradients;
   const auto spread = [&] {
     rows.spread([&](std::size_t i, std::size_t lane, const auto& sum) {
       using L = std::remove_cvref_t<decltype(sum)>;

@@ -20,17 +20,16 @@ void store_rows(const std::array<P, Lanes>& column, T* to) {
     static_assert(width == 4);
     repeat<Lanes / 8>([&](std::size_t eight) {
       std::array<Pack<T, 8>, 4> row;
-      repeat<4>([&](std::size_t k) {
-        row[k] = arenite::detail::joined(column[8 * eight + k], column[8 * eight + k + 4]);
-      });
-      arenite::detail::transpose<1>(row);
+      repeat<4>(
+          [&](std::size_t k) { row[k] = join_packs(column[8 * eight + k], column[8 * eight + k + 4]); });
+      transpose_lanes(row);
       repeat<4>([&](std::size_t r) { row[r].store(to + r * Lanes + 8 * eight); });
     });
   } else {
     repeat<Lanes / Width>([&](std::size_t k) {
       std::array<P, width> row;
       repeat<width>([&](std::size_t r) { row[r] = column[k * width + r]; });
-      arenite::detail::transpose<1>(row);
+      transpose_lanes(row);
       repeat<width>([&](std::size_t r) { row[r].store(to + r * Lanes + k * width); });
     });
   }

@@ -1,0 +1,56 @@
+// Vectors of a user, always {x, y, z}, and those of a scene, which have as many components as the scene has
+// dimensions.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <string_view>
+
+#include <arenite/core/error.hpp>
+#include <arenite/core/tensor.hpp>
+
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
+
+/// The vector [D] that a user gave as the parameter `name`. Throws `error` unless all components are finite
+/// and those along axes that the scene does not have are zero.
+template <class T, int D>
+Vec<T, D> vector_argument(std::string_view name, const std::array<double, 3>& given) {
+  Vec<T, D> v;
+  for (int k = 0; k < 3; ++k) {
+    const double component = given[static_cast<std::size_t>(k)];
+    require(std::isfinite(component), name, component, "must be finite");
+    if (k < D)
+      v[k] = static_cast<T>(component);
+    else
+      require(component == 0, name, component, "must be zero along an axis that the scene does not have");
+  }
+  return v;
+}
+
+/// The same for a direction, which must have a length; it is not made a unit vector.
+template <class T, int D>
+Vec<T, D> direction_argument(std::string_view name, const std::array<double, 3>& given) {
+  Vec<T, D> v;
+  for (int k = 0; k < D; ++k) v[k] = static_cast<T>(given[static_cast<std::size_t>(k)]);
+  require(v.norm() > 0, name, v.transpose(), "must have a length in the scene's dimensions");
+  return vector_argument<T, D>(name, given);
+}
+
+/// {x, y, z} of a vector of the scene, z = 0 in two dimensions: what functions of a user are given.
+template <class T, int D>
+std::array<double, 3> in_space(const Vec<T, D>& v) {
+  std::array<double, 3> all{};
+  for (int k = 0; k < D; ++k) all[static_cast<std::size_t>(k)] = static_cast<double>(v[k]);
+  return all;
+}
+
+/// The vector [D] of the first components of {x, y, z}: the way back from `in_space`.
+template <int D>
+Vec<double, D> in_scene(const std::array<double, 3>& all) {
+  Vec<double, D> v;
+  for (int k = 0; k < D; ++k) v[k] = all[static_cast<std::size_t>(k)];
+  return v;
+}
+
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -98,15 +98,15 @@ fi
 if chosen asan; then
   prepare_python
   # clang++, which takes a tenth of g++ 12's time for the kernels under the sanitizers; -O0, a third of what it takes for -O1 (but
-  # for the tests that run long, tests/CMakeLists.txt). Left out is what the other stages do with the same code: snippets that
-  # clang++ must refuse, the installed package, units for other instruction sets, which take their own flags, and the driver, which
-  # is what the tests of the library test, put together.
+  # for the tests that run long, tests/CMakeLists.txt). Left out is what says nothing more under them: how the library is
+  # built, which the stages before check with the same compilers, and the driver, which is what the tests of the library test, put
+  # together.
   sanitize="-fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer"
   # A quarter of the random scenes.
   ARENITE_EXTREMES="1 25" run_stage "clang++ sanitizers" asan "" -DCMAKE_CXX_COMPILER=clang++ -DCMAKE_BUILD_TYPE=Debug \
     -DCMAKE_CXX_FLAGS="$sanitize -D_GLIBCXX_ASSERTIONS" -DCMAKE_CXX_FLAGS_DEBUG="-O0" -DARENITE_WERROR=OFF \
-    -DARENITE_BENCHMARKS=OFF -DARENITE_EXAMPLES=OFF -DARENITE_INSTALL=OFF -DARENITE_FUZZ=ON -DARENITE_TEST_HEADERS=OFF \
-    -DARENITE_TEST_HEAVY=OFF -DARENITE_TEST_COMPILE=OFF -DARENITE_TEST_FLAGS=OFF
+    -DARENITE_BENCHMARKS=OFF -DARENITE_EXAMPLES=OFF -DARENITE_FUZZ=ON -DARENITE_TEST_HEADERS=OFF -DARENITE_TEST_HEAVY=OFF \
+    -DARENITE_TEST_BUILDS=OFF
 fi
 if chosen format; then
   printf '\n=== format\n'

@@ -84,6 +84,7 @@ measure scaling scaling ${short[@]+"${short[@]}"} ${scaling[@]+"${scaling[@]}"}
 measure laws laws --benchmark_min_time=$law_time
 if ! $quick; then
   for kernels in simplex bspline contact; do measure stages_$kernels stages_$kernels; done
+  measure saved_state saved_state
 fi
 measure machine machine_after
 cat /proc/loadavg > "$raw/load_after" 2> /dev/null || true

@@ -11,8 +11,10 @@
 #include <system_error>
 #include <vector>
 
+#include <arenite/version.hpp>
+
+#include "input_file.hpp"
 #include "option_table.hpp"
-#include "version.hpp"
 
 namespace arenite::ffp {
 
@@ -103,6 +105,24 @@ class DropOptionAdder {
   std::vector<std::string> flags_;
 };
 
+/// Takes `--input FILE` out of the words and puts the words that the file stands for behind "drop". Throws
+/// `error` if it is given twice, without its file, or with one that cannot be used.
+inline void take_input(std::vector<std::string>& words) {
+  const auto is_input = [](const std::string& w) { return w == "--input" || w.starts_with("--input="); };
+  const auto at = std::ranges::find_if(words, is_input);
+  if (at == words.end()) return;
+  const bool apart = *at == "--input";
+  if (apart && at + 1 == words.end()) throw error("--input = : needs a value");
+  const std::string path = apart ? *(at + 1) : at->substr(8);
+  require(!path.empty() && !path.starts_with("--"), "--input", shown(path), "must be a name of a file");
+  const auto behind = words.erase(at, at + (apart ? 2 : 1));
+  require(std::none_of(behind, words.end(), is_input), "--input", shown(path), "is given twice");
+  const auto command = std::ranges::find(words, "drop");
+  if (command == words.end()) return;
+  const auto of_file = words_of_input(path);
+  words.insert(command + 1, of_file.begin(), of_file.end());
+}
+
 }  // namespace detail
 
 /// Options of `arenite-ffp <words>`, checked; nothing if `--help` or `--version` was asked for and written to
@@ -113,10 +133,15 @@ inline std::optional<DropOptions> read_command_line(std::vector<std::string> wor
   CLI::App app{"Drops a free-fall penetrometer into dry sand, by the material point method.", "arenite-ffp"};
   CLI::App& drop = *app.add_subcommand("drop", "Run one drop; without options the paper's case");
   for (CLI::App* each : {&app, &drop})
-    each->set_version_flag("--version", version, "Print the version and exit");
+    each->set_version_flag("--version", std::string(library_version), "Print the version and exit");
   drop.get_formatter()->column_width(46);
   detail::DropOptionAdder adder{drop};
   visit_options(options, adder);
+  drop.add_option(
+          "--input",
+          "Inputs as JSON, by the keys of \"inputs\" in summary.json, or such a file; options given here win")
+      ->type_name("FILE.json")
+      ->group("Run");
   app.allow_extras();
   drop.allow_extras();
   drop.footer(
@@ -128,6 +153,7 @@ inline std::optional<DropOptions> read_command_line(std::vector<std::string> wor
       "Exit code: 0 done; 1 the run failed physically, or its files could not be written; 2 an option, a "
       "mesh\n"
       "or the folder cannot be used; 130 and 143 interrupted by SIGINT and SIGTERM.");
+  if (std::ranges::find(words, "--help") == words.end()) detail::take_input(words);
   for (const auto& word : words) {  // what CLI11 would take in silence
     for (const std::string& flag : adder.flags())
       require(!word.starts_with(flag + "="), flag, shown(word.substr(std::min(word.size(), flag.size() + 1))),
@@ -142,7 +168,7 @@ inline std::optional<DropOptions> read_command_line(std::vector<std::string> wor
     answer << (drop.parsed() ? drop.help("arenite-ffp") : app.help());
     return std::nullopt;
   } catch (const CLI::CallForVersion&) {
-    answer << "arenite-ffp " << version << '\n';
+    answer << "arenite-ffp " << library_version << '\n';
     return std::nullopt;
   } catch (const CLI::ArgumentMismatch&) {  // only the last word can be an option without its value
     throw error(shown(words.back()) + " = : needs a value");

@@ -82,6 +82,11 @@ void visit_options(Options& o, Visitor& v) {
   v.number("--threads", o.threads, "N", Range{0, 1024}, "Threads, 0 for all");
   v.number("--fields-every", o.fields_every, "S", Range{0, 10, "s"},
            joined_text("Time between field files, 0 for none, at most ", most_fields, " sets in a run"));
+  v.number("--checkpoint-every", o.checkpoint_every, "S", Range{0, 10, "s"},
+           "Time between saved states, 0 for none but when the run is interrupted");
+  v.flag(
+      "--resume", o.resume,
+      "Go on from the state saved last in DIR, by a run of the same inputs; a finished one is left as it is");
   v.text("--out", o.out, "DIR", "Folder of the results; those of an earlier run in it are removed");
   v.number(
       "--watch-energy", o.watch_energy, "SHARE", above(0, 1e6),

@@ -71,6 +71,8 @@ struct DropOptions {
   double end = 0.1;          ///< s
   int threads = 0;           ///< 0: the environment's ARENITE_THREADS, else one for each processor
   double fields_every = 0.02;   ///< s; 0: no fields
+  double checkpoint_every = 0;  ///< s; 0: a state is saved only when the run is interrupted
+  bool resume = false;          ///< goes on from the state saved last in `out`
   std::string out = "out/ffp";  ///< folder of the results
   bool quiet = false;           ///< nothing on the terminal but errors and warnings
   double watch_energy = 0.1;    ///< a run stops past it: energy that nothing put in, over all put in

@@ -17,10 +17,12 @@
 
 #include <arenite/observe/every.hpp>
 #include <arenite/observe/progress.hpp>
+#include <arenite/observe/saved_state.hpp>
 #include <arenite/observe/vtu.hpp>
 #include <arenite/observe/watch.hpp>
 
 #include "drop.hpp"
+#include "earlier_run.hpp"
 #include "history_row.hpp"
 #include "results.hpp"
 #include "run_folder.hpp"
@@ -59,11 +61,12 @@ template <class Model, class Scene>
 class Run {
  public:
   /// Takes the folder; throws `error` if it cannot.
-  Run(Scene& scene, const DropOptions& options, const StepCount& expected, const WarningLog& warnings)
+  Run(Scene& scene, const DropOptions& options, const StepCount& expected, WarningLog& warnings,
+      RunFolder::Earlier earlier)
       : scene_{scene},
         o_{options},
         warnings_{warnings},
-        folder_{options.out},
+        folder_{options.out, earlier},
         progress_{options.end, {.tenths = true}} {
     numbers_.started = utc_now();
     numbers_.process = ::getpid();
@@ -73,23 +76,49 @@ class Run {
     if (!o_.no_watch)
       watch_.emplace(
           WatchLimits{.energy_gain = o_.watch_energy, .volume = o_.watch_volume, .lost = o_.watch_lost});
+    if (o_.checkpoint_every > 0) due_state_ = every(o_.checkpoint_every, [this](const Scene&) { save(); });
+  }
+
+  /// Goes on from the state that an earlier run of the folder saved. Throws `error` if it cannot be used; the
+  /// folder is then as it was.
+  void resume(EarlierRun earlier) {
+    open_fields(true);
+    restore_state(scene_, state_file(), *this);
+    warnings_.add_earlier(std::move(earlier.warnings));
+    numbers_.started = earlier.started;
+    numbers_.resumed_at_s = std::move(earlier.resumed_at_s);
+    numbers_.resumed_at_s.push_back(scene_.time);
+    wall_before_ = earlier.wall_s;
+    if (!o_.quiet) say(joined_text("resumed at t = ", scene_.time, " s, step ", scene_.steps));
+  }
+
+  /// What it carries from step to step: the rows so far, and what its observers carry.
+  template <class F>
+  void visit_state(F&& f) {
+    RowNumbers rows(rows_);
+    f("history", rows);
+    f("point_steps", numbers_.point_steps);
+    if (watch_) watch_->visit_state(StateUnder(f, "watch"));
+    if (fields_) fields_->visit_state(StateUnder(f, "fields"));
+  }
+  void follow_state(const Scene& scene) {
+    if (fields_) fields_->follow_state(scene);
   }
 
   /// Runs to `o.end` and writes all files. Throws `Ended` if another end comes first; the files are then
   /// those of the run until there.
   void go() {
+    begin_ = Clock::now();
     try {
       write_summary("running");
       history_.emplace(folder_.path() / "history.csv");
-      if (o_.fields_every > 0) {
-        series_.emplace(
-            folder_.path() / "fields",
-            VtuOptions{.body_names = {"soil", "device_points"}, .mesh = true, .region = "device"});
-        due_fields_ = every(o_.fields_every, [this](const Scene& s) { write_fields(s); });
-      }
-      begin_ = Clock::now();
+      for (const HistoryRow& row : rows_) history_->write(row);
+      open_fields();
+      writing_ += Clock::now() - begin_;
       arenite::run(scene_, {.end = o_.end, .courant = o_.courant}, *this);
       write_summary("done");
+      std::error_code ignored;  // it only takes space
+      std::filesystem::remove(folder_.path() / state_file_name, ignored);
     } catch (const Interruption& e) {
       end("interrupted", at_time(e.what()), e.exit_code());
     } catch (const run_error& e) {  // tells the time itself
@@ -104,11 +133,12 @@ class Run {
 
   /// Takes a step down, and stops the run if there is reason.
   void operator()(const Scene& scene) {
+    if (scene.steps < rows_.size()) return;  // taken down before its state was saved
     const auto from = Clock::now();
     const HistoryRow row = history_row(scene, rows_.empty() ? nullptr : &rows_.back(), Model::whole);
     history_->write(row);
     rows_.push_back(row);  // so that the summary is that of the file
-    if (due_fields_) due_fields_(scene);
+    if (fields_) (*fields_)(scene);
     if (scene.steps > 0) numbers_.point_steps += static_cast<double>(scene.point_count());
     if (!o_.quiet) {
       tell_pace(scene);
@@ -116,8 +146,14 @@ class Run {
     }
     stop_if([&] {
       if (watch_) (*watch_)(scene);
-      if (scene.time < o_.end) signals_.check();
     });
+    if (scene.time < o_.end) {
+      if (signals_.has_come())
+        save();
+      else if (due_state_)
+        due_state_(scene);
+      stop_if([&] { signals_.check(); });
+    }
     writing_ += Clock::now() - from;
   }
   void finish(const Scene& scene) {
@@ -136,14 +172,43 @@ class Run {
     try {
       check();
     } catch (...) {
-      if (series_ && fields_of_ != scene_.steps) write_fields(scene_);
+      if (fields_) fields_->called().write_once(scene_);
       throw;
     }
   }
 
-  void write_fields(const Scene& scene) {
-    (*series_)(scene);
-    fields_of_ = scene.steps;
+  /// Field files of a step, once.
+  struct Fields {
+    VtuSeries series;
+    std::optional<std::size_t> last{};  ///< step with files
+
+    void operator()(const Scene& scene) {
+      series(scene);
+      last = scene.steps;
+    }
+    void write_once(const Scene& scene) {
+      if (last != scene.steps) (*this)(scene);
+    }
+    template <class F>
+    void visit_state(F&& f) {
+      series.visit_state(f);
+    }
+    void follow_state(const Scene& scene) { series.follow_state(scene); }
+  };
+  void open_fields(bool resumed = false) {
+    if (o_.fields_every > 0 && !fields_)
+      fields_.emplace(o_.fields_every,
+                      Fields{VtuSeries(folder_.path() / "fields", {.body_names = {"soil", "device_points"},
+                                                                   .mesh = true,
+                                                                   .region = "device",
+                                                                   .keep_list = resumed})});
+  }
+
+  SavedState state_file() const { return {folder_.path() / state_file_name, hash_of_inputs(o_)}; }
+  /// Saves the state of this step, and in the summary how the run stands.
+  void save() {
+    write_summary("running");
+    save_state(scene_, state_file(), *this);
   }
 
   /// Says how long the run will take, once some steps have shown it; the first ones take longer than the
@@ -167,7 +232,7 @@ class Run {
     if (!rows_.empty()) {
       figures = figures_of(rows_);
       numbers_.steps = static_cast<long>(rows_.size()) - 1;
-      numbers_.wall_s = seconds(Clock::now() - begin_ - writing_);
+      numbers_.wall_s = wall_before_ + seconds(Clock::now() - begin_ - writing_);
     }
     numbers_.lost_points = static_cast<long>(scene_.lost_points());
     numbers_.limited_velocities = static_cast<long>(scene_.limited);
@@ -193,26 +258,32 @@ class Run {
 
   Scene& scene_;
   const DropOptions& o_;
-  const WarningLog& warnings_;
+  WarningLog& warnings_;
   RunFolder folder_;
   StopSignals signals_;
   Progress progress_;
   std::optional<Watch> watch_;
   std::optional<HistoryFile> history_;
-  std::optional<VtuSeries> series_;
-  std::function<void(const Scene&)> due_fields_;
-  std::optional<std::size_t> fields_of_;  ///< the last step with fields
+  std::optional<Every<Fields>> fields_;
+  std::function<void(const Scene&)> due_state_;
   std::vector<HistoryRow> rows_;
   RunNumbers numbers_;
   Clock::time_point begin_{}, pace_from_{};
   Clock::duration writing_{};  ///< time of the output
+  double wall_before_ = 0;     ///< of the steps before it was resumed, s
 };
 
 /// Makes a scene and runs it. `make()` returns the scene; what it throws about a mesh that was read names its
 /// file.
 template <class Model, class Make>
 void record(const DropOptions& o, const Make& make) {
-  const WarningLog warnings;
+  EarlierRun earlier;
+  if (o.resume) earlier = earlier_run(o);
+  if (earlier.finished) {
+    if (!o.quiet) say(joined_text("the run in ", shown(o.out), " is finished; nothing to do"));
+    return;
+  }
+  WarningLog warnings;
   auto scene = [&] {
     try {
       return make();
@@ -222,10 +293,15 @@ void record(const DropOptions& o, const Make& make) {
     }
   }();
   const StepCount expected = accepted_step_count(scene, o);
-  Run<Model, decltype(scene)> run(scene, o, expected, warnings);
+  Run<Model, decltype(scene)> run(scene, o, expected, warnings,
+                                  earlier.has_state ? RunFolder::Earlier::kept : RunFolder::Earlier::removed);
   if (!o.quiet)
     say(joined_text("about ", rounded(expected.steps), " steps of ", rounded(expected.length), " s, ",
                     scene.point_count(), " points"));
+  if (earlier.has_state)
+    run.resume(std::move(earlier));
+  else if (o.resume && !o.quiet)
+    say(joined_text("no state is saved in ", shown(o.out), ": from the start"));
   run.go();
 }
 

@@ -14,25 +14,27 @@
 #include <string>
 #include <vector>
 
+#include <arenite/core/hash.hpp>
 #include <arenite/io/output_file.hpp>
 #include <arenite/transfer/numerics.hpp>
+#include <arenite/version.hpp>
 
 #include "history.hpp"
 #include "options.hpp"
 #include "peaks.hpp"
-#include "version.hpp"
 #include "words.hpp"
 
 namespace arenite::ffp {
 
 /// The run itself: how it stands, and what the stepping loop counts.
 struct RunNumbers {
-  std::string status = "done";  ///< or "running", "failed", "interrupted", "disk-full"
-  std::string failure{};        ///< when, where and why it ended early; empty: it did not
-  std::string started{};        ///< UTC, ISO 8601
-  long process = 0;             ///< id
-  long points = 0;              ///< material points of sand and device
-  long expected_steps = 0;      ///< as told before the first
+  std::string status = "done";         ///< or "running", "failed", "interrupted", "disk-full"
+  std::string failure{};               ///< when, where and why it ended early; empty: it did not
+  std::string started{};               ///< UTC, ISO 8601
+  long process = 0;                    ///< id
+  std::vector<double> resumed_at_s{};  ///< times at which the run went on from a saved state
+  long points = 0;                     ///< material points of sand and device
+  long expected_steps = 0;             ///< as told before the first
   long steps = 0;
   double wall_s = 0;       ///< of the stepping loop, without output
   double point_steps = 0;  ///< sum over steps of the points moved
@@ -151,19 +153,18 @@ inline std::string json_text(const nlohmann::ordered_json& j, int indent = -1) {
   return j.dump(indent, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
 }
 
-/// 64-bit FNV-1a hash of all inputs and of the mesh file's content, as 16 hexadecimal digits: equal for runs
-/// of the same input. http://www.isthe.com/chongo/tech/comp/fnv
+/// Hash of all inputs and of the mesh file's content, as 16 hexadecimal digits: equal for runs of the same
+/// input.
 inline std::string hash_of_inputs(const DropOptions& o) {
-  std::uint64_t hash = 0xcbf29ce484222325;
-  const auto add = [&](char c) { hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3; };
-  for (const char c : json_text(inputs_of(o))) add(c);
+  Hash hash;
+  const std::string inputs = json_text(inputs_of(o));
+  hash.add(inputs.data(), inputs.size());
   if (!o.mesh.empty()) {
     std::ifstream file{o.mesh, std::ios::binary};
-    std::for_each(std::istreambuf_iterator<char>(file), {}, add);
+    const std::string content{std::istreambuf_iterator<char>(file), {}};
+    hash.add(content.data(), content.size());
   }
-  std::string digits;
-  for (int shift = 60; shift >= 0; shift -= 4) digits += "0123456789abcdef"[(hash >> shift) & 15];
-  return digits;
+  return hash.digits();
 }
 
 /// summary.json as a value. Without figures (the run has no row yet) it holds how the run stands and its
@@ -173,9 +174,10 @@ inline nlohmann::ordered_json summary_of(const DropOptions& options,
   nlohmann::ordered_json j;
   j["status"] = run.status;
   if (!run.failure.empty()) j["failure"] = run.failure;
-  j["version"] = version;
+  j["version"] = library_version;
   j["started"] = run.started;
   j["process_id"] = run.process;
+  if (!run.resumed_at_s.empty()) j["resumed_at_s"] = run.resumed_at_s;
   j["inputs_hash"] = hash_of_inputs(options);
   if (figures) {
     const DropFigures& f = *figures;

@@ -21,12 +21,15 @@
 
 namespace arenite::ffp {
 
+/// The state of a run that has not come to its end, in its folder.
+inline constexpr const char* state_file_name = "checkpoint.state";
+
 /// Whether a file of this name is one that a drop writes, or one of the pictures that plot.py draws of it:
 /// what a new run removes. ".part" is what a killed run may leave of each.
 inline bool is_result(std::string_view name) {
   if (name.ends_with(".part")) name.remove_suffix(5);
   for (const std::string_view own :
-       {"summary.json", "history.csv", "fields.pvd", "histories.png", "strain.png"})
+       {"summary.json", "history.csv", "fields.pvd", "histories.png", "strain.png", state_file_name})
     if (name == own) return true;
   for (const std::string_view part :
        {"fields_soil_", "fields_device_points_", "fields_mesh_", "fields_device_"})
@@ -43,8 +46,12 @@ inline bool is_result(std::string_view name) {
 /// a disk that is full.
 class RunFolder {
  public:
+  /// What becomes of the results of an earlier run.
+  enum class Earlier { removed, kept };
+
   /// Throws `error` that names `--out` if the folder cannot be made or written to, or is in use.
-  explicit RunFolder(const std::string& out) : path_{out}, name_{shown(out)} {
+  explicit RunFolder(const std::string& out, Earlier earlier = Earlier::removed)
+      : path_{out}, name_{shown(out)} {
     std::error_code code;
     std::filesystem::create_directories(path_, code);
     require(!code, "--out", name_, "the folder cannot be made: " + code.message());
@@ -53,7 +60,7 @@ class RunFolder {
             "no files can be made there: " + std::generic_category().message(errno));
     try {
       lock();
-      remove_results();
+      if (earlier == Earlier::removed) remove_results();
     } catch (...) {
       ::close(lock_);
       throw;

@@ -41,6 +41,7 @@ class StopSignals {
     for (int k = 0; k < 2; ++k) ::sigaction(signals_[k], &before_[k], nullptr);
   }
 
+  bool has_come() const { return noted_ != 0; }
   /// Throws `Interruption` once a signal has come.
   void check() const {
     if (noted_ != 0) throw Interruption(noted_);

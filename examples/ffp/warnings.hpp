@@ -1,6 +1,7 @@
 // The warnings of one run: said as they come, and kept for the summary.
 #pragma once
 
+#include <algorithm>
 #include <string>
 #include <utility>
 #include <vector>
@@ -25,6 +26,12 @@ class WarningLog {
   ~WarningLog() { on_warning(std::move(before_)); }
 
   const std::vector<std::string>& texts() const { return texts_; }
+  /// Puts those of an earlier part of the run in front; one that both have is kept once.
+  void add_earlier(std::vector<std::string> earlier) {
+    for (auto& text : texts_)
+      if (std::ranges::find(earlier, text) == earlier.end()) earlier.push_back(std::move(text));
+    texts_ = std::move(earlier);
+  }
 
  private:
   std::vector<std::string> texts_;

@@ -3,7 +3,9 @@
 
 #include <arenite/core/requirements.hpp>
 
+#include <arenite/boundary/driven.hpp>
 #include <arenite/boundary/gravity.hpp>
+#include <arenite/boundary/reactions.hpp>
 #include <arenite/boundary/walls.hpp>
 #include <arenite/contact/contact.hpp>
 #include <arenite/core/units.hpp>
@@ -11,6 +13,10 @@
 #include <arenite/law/linear_elastic.hpp>
 #include <arenite/law/mohr_coulomb.hpp>
 #include <arenite/law/with_deviatoric_strain.hpp>
+#include <arenite/load/body_force.hpp>
+#include <arenite/load/face_traction.hpp>
+#include <arenite/load/point_load.hpp>
+#include <arenite/load/point_traction.hpp>
 #include <arenite/mesh/motion.hpp>
 #include <arenite/observe/contact_force.hpp>
 #include <arenite/observe/energy.hpp>

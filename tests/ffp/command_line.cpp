@@ -286,7 +286,7 @@ TEST_CASE("help goes to the stream and names every option") {
        {std::vector<std::string>{"--version"}, {"drop", "--version"}}) {
     std::ostringstream answer;
     REQUIRE(!read_command_line(words, answer).has_value());
-    REQUIRE(answer.str() == std::string{"arenite-ffp "} + version + "\n");
+    REQUIRE(answer.str() == std::string{"arenite-ffp "} + std::string(library_version) + "\n");
   }
   std::ostringstream top;
   REQUIRE(!read_command_line({"--help"}, top).has_value());

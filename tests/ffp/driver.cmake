@@ -6,7 +6,7 @@ if(NOT ARENITE_EXAMPLES OR NOT CLI11_FOUND OR NOT nlohmann_json_FOUND OR NOT Pyt
   return()
 endif()
 
-foreach(class Drops SameBits Mistakes Widths Words Meshes Failures Ends Killed CommandLine Study)
+foreach(class Drops SameBits Mistakes Widths Words Meshes Failures Ends Killed Resumed Inputs CommandLine Study)
   set(scratch ${CMAKE_CURRENT_BINARY_DIR}/scratch/ffp.driver_${class})
   file(MAKE_DIRECTORY ${scratch})
   add_test(NAME ffp.driver_${class}

@@ -204,7 +204,7 @@ class DriverTest(unittest.TestCase):
             elif name == "summary.json":
                 self.assertIn(summary(folder)["status"], ("running", "done", "failed", "interrupted", "disk-full"))
             else:
-                self.assertTrue(name == ".arenite-ffp.lock" or name.endswith(".part"), name)
+                self.assertTrue(name in (".arenite-ffp.lock", "checkpoint.state") or name.endswith(".part"), name)
 
     def assert_summary(self, found, columns):
         for key in KEYS:
@@ -673,14 +673,151 @@ class Killed(DriverTest):
         whole = time.monotonic() - begin
         killed, moments = 0, 50 if whole < 1 else 20  # fewer under a sanitizer
         for moment in range(moments):
+            begin = time.monotonic()
             driver = subprocess.Popen([DRIVER, "drop", *options, "--out", "killed"], stderr=subprocess.DEVNULL)
-            time.sleep(whole * moment / moments)
-            driver.kill()
+            try:
+                driver.wait(whole * moment / moments)
+                whole = min(whole, time.monotonic() - begin)  # it was faster than the run before it
+            except subprocess.TimeoutExpired:
+                driver.kill()
             killed += driver.wait() == -signal.SIGKILL
             self.assert_readable("killed")
         self.assertGreater(killed, moments // 2)
         self.run_drop("killed", *options)
         self.assertFalse([name for name in os.listdir("killed") if name.endswith(".part")])
+
+
+class Resumed(DriverTest):
+    """A run that was stopped goes on from its last saved state, to the byte as if it had never been stopped."""
+
+    CASES = {
+        "resumed_rigid": ["--cell", "0.02", "--points-per-element", "10", "--end", "0.06", "--fields-every", "0.004"],
+        "resumed_elastic": [*COARSE, "--device", "elastic", "--end", "0.05", "--fields-every", "0.01"],
+    }
+
+    def assert_same_files(self, folder, whole):
+        names = sorted(os.listdir(whole))
+        self.assertEqual(sorted(os.listdir(folder)), names)
+        for name in names:
+            if name not in ("summary.json", ".arenite-ffp.lock"):
+                self.assertEqual(content(folder, name), content(whole, name), name)
+        a, b = summary(folder), summary(whole)
+        for key in set(a) | set(b):
+            if key not in ("started", "process_id", "wall_s", "point_steps_per_s", "resumed_at_s", "threads"):
+                self.assertEqual(a[key], b[key], key)
+        return a
+
+    def test_stopped_again_and_again(self):
+        for folder, options in self.CASES.items():
+            whole = folder + "_whole"
+            begin = time.monotonic()
+            self.run_drop(whole, *options)
+            spent = time.monotonic() - begin
+            for how in (signal.SIGKILL, signal.SIGINT):
+                shutil.rmtree(folder, ignore_errors=True)
+                stopped = 0
+                for attempt in range(12):
+                    driver = subprocess.Popen(
+                        [DRIVER, "drop", *options, "--quiet", "--out", folder, "--resume", "--checkpoint-every", "0.002",
+                         "--threads", str(1 + attempt % 3)], stderr=subprocess.DEVNULL)
+                    if attempt < 11:
+                        time.sleep(0.25 * spent)
+                        driver.send_signal(how)
+                    code = driver.wait()
+                    stopped += code != 0
+                    self.assertIn(code, (0, -signal.SIGKILL, 130, -signal.SIGINT))
+                    self.assert_readable(folder)
+                    if code == 0:
+                        break
+                found = self.assert_same_files(folder, whole)
+                self.assertGreater(stopped, 0)
+                self.assertEqual(found["status"], "done")
+                self.assertEqual(found["resumed_at_s"], sorted(found["resumed_at_s"]))
+
+    def test_finished(self):
+        self.run_drop("finished", *SHORT)
+        before = content("finished", "summary.json")
+        code, out, err = drop(*SHORT, "--out", "finished", "--resume")
+        self.assertEqual((code, out, err), (0, "", "arenite-ffp: the run in finished is finished; nothing to do\n"))
+        self.assertEqual(content("finished", "summary.json"), before)
+        code, out, err = drop(*SHORT, "--out", "finished", "--resume", "--delta", "21")
+        self.assertEqual((code, out), (2, ""))
+        self.assertIn("is of a run with other inputs: delta_deg is 20.0 there, 21.0 here", err)
+        self.assertEqual(content("finished", "summary.json"), before)
+
+    def test_from_the_start(self):
+        shutil.rmtree("anew", ignore_errors=True)
+        code, out, err = drop(*SHORT, "--out", "anew", "--resume")
+        self.assertEqual(code, 0, err)
+        self.assertIn("no state is saved in anew: from the start", err)
+        self.assertNotIn("resumed_at_s", summary("anew"))
+
+    def test_refused(self):
+        """A state that cannot be used: exit code 2, one sentence, nothing touched."""
+        shutil.rmtree("bad_state", ignore_errors=True)
+        options = [*COARSE, "--end", "10", "--fields-every", "1", "--quiet", "--checkpoint-every", "0.001", "--out", "bad_state"]
+        driver = subprocess.Popen([DRIVER, "drop", *options], stderr=subprocess.DEVNULL)
+        while not os.path.exists("bad_state/checkpoint.state"):
+            time.sleep(0.01)
+        driver.kill()
+        driver.wait()
+        good = content("bad_state", "checkpoint.state")
+        files = sorted(os.listdir("bad_state"))
+        for bad, reason in ((good[: len(good) // 2], "is truncated"), (good[:-9] + b"x" + good[-8:], "is damaged"),
+                            (b"something", "is no state file of Arenite"), (good.replace(b"recipe: ", b"recipe: 1", 1), "is damaged")):
+            with open("bad_state/checkpoint.state", "wb") as file:
+                file.write(bad)
+            before = {name: content("bad_state", name) for name in files}
+            code, out, err = drop(*options, "--resume")
+            self.assertEqual((code, out, err.count("\n")), (2, "", 1), err)
+            self.assertTrue(err.startswith("arenite-ffp: state file = bad_state/checkpoint.state: " + reason), err)
+            self.assertEqual({name: content("bad_state", name) for name in sorted(os.listdir("bad_state")) if not name.startswith(".")}, {
+                name: data for name, data in before.items() if not name.startswith(".")})
+
+
+class Inputs(DriverTest):
+    """Inputs as JSON."""
+
+    def write(self, inputs):
+        with open("case.json", "w") as file:
+            file.write(inputs if isinstance(inputs, str) else json.dumps(inputs))
+
+    def test_a_summary_is_taken_back(self):
+        for name, options in (("taken", SHORT), ("taken_odd", [*SHORT, "--shoulder", "fillet", "--fillet", "0.011", "--no-slip",
+                                                              "--k0", "0.45", "--young", "6.1e6", "--anti-locking", "off", "--flip", "0.99"]),
+                              ("taken_elastic", [*SHORT, "--device", "elastic"])):
+            _, found = self.run_drop(name, *options)
+            _, again = self.run_drop(name + "_again", "--input", f"{name}/summary.json")
+            self.assertEqual(again["inputs"], found["inputs"])
+            self.assertEqual(again["inputs_hash"], found["inputs_hash"])
+            self.assertEqual(content(name + "_again"), content(name))
+
+    def test_what_is_typed_wins(self):
+        self.write({"inputs": {"delta_deg": 33, "cell_m": 0.04, "points_per_element": 10, "end_s": 0.002, "threads": 1, "quiet": True}})
+        for options in (["--input", "case.json", "--delta", "22"], ["--delta", "22", "--input=case.json"]):
+            code, out, err = drop(*options, "--out", "typed")
+            self.assertEqual((code, out, err), (0, "", ""))
+            self.assertEqual(summary("typed")["inputs"]["delta_deg"], 22)
+            self.assertEqual(summary("typed")["inputs"]["end_s"], 0.002)
+
+    def test_mistakes(self):
+        for inputs, sentence in (
+            ({"delta": 20}, "--input = case.json: delta: no such input"),
+            ({"delta_deg": "steep"}, "--delta = steep: must be a number"),
+            ({"delta_deg": [20]}, "--input = case.json: delta_deg = [20]: must be a number or a word"),
+            ({"no_slip": 1}, "--input = case.json: no_slip = 1: must be true or false"),
+            ({"delta_deg": 99}, "--delta = 99: must lie in [0, 60] deg"),
+            ({"gravity_m_s2": 1.62}, "--input = case.json: gravity_m_s2 = 1.62: must be 9.81"),
+            ({"mesh": "--force"}, "--mesh = --force: must be a name"),
+            ("[1, 2]", "--input = case.json: must hold an object"),
+            ("{", "--input = case.json: is no JSON"),
+            ("", "--input = case.json: must be a file that can be read"),
+        ):
+            self.write(inputs)
+            self.assert_refused(sentence, "--input", "case.json")
+        self.assert_refused("--input = absent.json: must be a file that can be read", "--input", "absent.json")
+        self.assert_refused("--input = case.json: is given twice", "--input", "case.json", "--input=case.json")
+        self.assert_refused("--input = : needs a value", "--input")
 
 
 class CommandLine(DriverTest):

@@ -46,9 +46,10 @@ TEST_CASE("numbers in messages") {
 }
 
 TEST_CASE("what a drop writes, and nothing else, is a result") {
-  for (const char* own : {"summary.json", "history.csv", "fields.pvd", "fields_soil_0000.vtu",
-                          "fields_device_points_0012.vtu", "fields_mesh_12345.vtu", "fields_device_0003.vtu",
-                          "history.csv.part", "fields_soil_0000.vtu.part", "histories.png", "strain.png"})
+  for (const char* own :
+       {"summary.json", "history.csv", "fields.pvd", "fields_soil_0000.vtu", "fields_device_points_0012.vtu",
+        "fields_mesh_12345.vtu", "fields_device_0003.vtu", "history.csv.part", "fields_soil_0000.vtu.part",
+        "histories.png", "strain.png", "checkpoint.state", "checkpoint.state.part"})
     REQUIRE(is_result(own));
   for (const char* foreign : {"notes.txt", "history.csv.bak", "my_history.csv", "fields_soil_.vtu",
                               "fields_soil_00x0.vtu", "fields_soil_000.vtu", "fields_sand_0000.vtu",

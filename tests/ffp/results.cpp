@@ -120,7 +120,7 @@ TEST_CASE("figures and summary of a braking that is known: v = 5.6 cos(w t), so 
   REQUIRE(j["inputs"]["points_per_element"] == 10);
   REQUIRE(j.dump().find("\"second_peak_deceleration_g\":null") != std::string::npos);
   REQUIRE(j["status"] == "done");
-  REQUIRE(j["version"] == version);
+  REQUIRE(j["version"] == library_version);
   // Before the first row: how it stands, and the inputs.
   const auto running = summary_of(options, std::nullopt, {.status = "running", .process = 7});
   REQUIRE(running["status"] == "running");

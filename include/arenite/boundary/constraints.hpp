@@ -127,6 +127,9 @@ class NodeConstraints {
     part.constrain(*this);
   }
 
+  /// What is blocked at node i.
+  const detail::Blocked<D>& blocked(Index i) const { return blocked_[i]; }
+
   /// The constrained nodes, ascending.
   std::vector<Constraint<T, D>> constraints() const {
     std::vector<Constraint<T, D>> all;
@@ -160,37 +163,50 @@ std::vector<Constraint<typename M::scalar, M::dimension>> resolve(const M& mesh,
   return nodes.constraints();
 }
 
+/// Nobody asks for the impulses of single nodes.
+struct NoTaker {
+  template <class V>
+  constexpr void operator()(Index, const V&) const {}
+};
+
 /// Removes the blocked part of the velocities of a field. Returns the impulse that this gave to the nodes
-/// that `owns(node)`, N s.
-template <class T, int D, class Velocities, class Owns = OwnsAll>
+/// that `owns(node)`, N s; `take(node, impulse)` gets that of each.
+template <class T, int D, class Velocities, class Owns = OwnsAll, class Take = NoTaker>
 Vec<T, D> constrain(const std::vector<Constraint<T, D>>& constraints, const std::vector<T>& mass,
-                    Velocities& velocity, const Owns& owns = {}) {
+                    Velocities& velocity, const Owns& owns = {}, const Take& take = {}) {
   Vec<T, D> impulse = Vec<T, D>::Zero();
   for (const auto& c : constraints) {
     if (mass[c.node] == 0) continue;
     const Vec<T, D> allowed = c.projector * velocity[c.node];
-    if (owns(c.node)) impulse += mass[c.node] * (allowed - velocity[c.node]);
+    if (owns(c.node)) {
+      const Vec<T, D> given = mass[c.node] * (allowed - velocity[c.node]);
+      impulse += given;
+      take(c.node, given);
+    }
     velocity[c.node] = allowed;
   }
   return impulse;
 }
 
 /// The same with nodes that are driven to their targets. Returns the work of the drives, J, too.
-template <class T, int D, class Velocities, class Owns = OwnsAll>
+template <class T, int D, class Velocities, class Owns = OwnsAll, class Take = NoTaker>
 std::pair<Vec<T, D>, double> constrain(const std::vector<Constraint<T, D>>& constraints,
                                        const std::vector<Drive<T, D>>& drives, const std::vector<T>& mass,
-                                       Velocities& velocity, const Owns& owns = {}) {
+                                       Velocities& velocity, const Owns& owns = {}, const Take& take = {}) {
   double work = 0;  // impulses of a node times its target: what is allowed is normal to both
   const auto book = [&](T sign) {
     for (const auto& d : drives)
       if (owns(d.node)) work += static_cast<double>(sign * mass[d.node] * d.target.dot(velocity[d.node]));
   };
   book(-1);
-  Vec<T, D> impulse = constrain(constraints, mass, velocity, owns);
+  Vec<T, D> impulse = constrain(constraints, mass, velocity, owns, take);
   for (const auto& d : drives) {
     if (mass[d.node] == 0) continue;
     velocity[d.node] += d.target;
-    if (owns(d.node)) impulse += mass[d.node] * d.target;
+    if (!owns(d.node)) continue;
+    const Vec<T, D> given = mass[d.node] * d.target;
+    impulse += given;
+    take(d.node, given);
   }
   book(1);
   return {impulse, work};

@@ -39,7 +39,21 @@ struct Wall {
   std::string set{};                                         ///< name of a node set of a simplex mesh
   std::function<bool(const std::array<double, 3>&)> test{};  ///< any test of a node's position, m
   Condition condition = fixed;
+  std::string given_name{};  ///< where there is no better one
+
+  /// What the wall is called: its face, its node set, or the name given.
+  std::string name() const {
+    static constexpr std::array<const char*, 6> faces{"left", "right", "bottom", "top", "front", "back"};
+    if (!given_name.empty()) return given_name;
+    if (axis >= 0 && axis < 3) return faces[static_cast<std::size_t>(2 * axis + upper)];
+    return set.empty() ? "where" : set;
+  }
 };
+/// `named("platen", where(..))`: the wall under a name of its own, by which its reaction is read.
+inline Wall named(std::string name, Wall wall) {
+  wall.given_name = std::move(name);
+  return wall;
+}
 
 /// Faces of the box around the mesh: `left` and `right` at the ends of x (the inner and outer radius),
 /// `bottom` and `top` of y, `front` and `back` of z.
@@ -61,6 +75,7 @@ inline Wall where(std::function<bool(const std::array<double, 3>&)> test, Condit
 struct Walls {
   std::vector<Wall> list;
 
+  const std::vector<Wall>& walls_here() const { return list; }
   template <class Shape, class M>
   void constrain(NodeConstraints<Shape, M>& nodes) const {
     for (const Wall& wall : list) catch_nodes(wall, nodes);

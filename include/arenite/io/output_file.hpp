@@ -16,6 +16,11 @@
 
 #include <arenite/core/error.hpp>
 
+#if __has_include(<unistd.h>) && __has_include(<fcntl.h>)
+#include <fcntl.h>
+#include <unistd.h>
+#endif
+
 namespace arenite {
 
 /// A file that the operating system does not take.
@@ -47,11 +52,31 @@ namespace shared_detail {
       reason);
 }
 
+/// How far a new file must have come before it takes the place of the old one.
+enum class Sync {
+  none,  ///< handed to the operating system: safe when the process dies
+  disk   ///< written to the disk: safe when the machine stops (POSIX; elsewhere as `none`)
+};
+
+/// Waits until a file, or the entries of a folder, are on the disk. Returns the operating system's number for
+/// the reason if they cannot be written, else 0; where the system does not tell, 0.
+inline int sync_to_disk([[maybe_unused]] const std::filesystem::path& path) {
+#if __has_include(<unistd.h>) && __has_include(<fcntl.h>)
+  const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  if (file < 0) return 0;
+  const int reason = ::fsync(file) == 0 ? 0 : errno;
+  ::close(file);
+  return reason == EINVAL || reason == EROFS ? 0 : reason;  // no such thing there, for a folder
+#else
+  return 0;
+#endif
+}
+
 /// Calls `write(std::ostream&)` on "path.part" and renames it to `path`, so that `path` is at any time
 /// absent, the old file, or the new one. The folder must exist. Throws `output_error` if it cannot be
 /// written; "path.part" is gone then.
 template <class Write>
-void replace_file(const std::filesystem::path& path, Write&& write) {
+void replace_file(const std::filesystem::path& path, Write&& write, Sync sync = Sync::none) {
   std::filesystem::path part = path;
   part += ".part";
   errno = 0;
@@ -70,8 +95,9 @@ void replace_file(const std::filesystem::path& path, Write&& write) {
     discard();
     throw;
   }
-  if (!file) {
-    const int reason = errno;
+  int reason = file ? 0 : errno;
+  if (file && sync == Sync::disk) reason = sync_to_disk(part);
+  if (!file || reason != 0) {
     discard();
     fail_output(path, "cannot be written; is the disk full?", reason);
   }
@@ -81,6 +107,8 @@ void replace_file(const std::filesystem::path& path, Write&& write) {
     discard();
     fail_output(path, "cannot be put in place", status.value());
   }
+  if (sync == Sync::disk)
+    sync_to_disk(path.has_parent_path() ? path.parent_path() : ".");  // as far as it goes
 }
 
 /// Appends the shortest text that reads back as the same double ("nan", "inf" and "-inf" for what is no

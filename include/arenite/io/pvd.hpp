@@ -44,7 +44,10 @@ inline void write_pvd(const std::filesystem::path& path, std::span<const PvdEntr
 class PvdWriter {
  public:
   /// Writes the empty list, so that a folder that cannot be written to shows at once. Throws `error` then.
-  explicit PvdWriter(std::filesystem::path path) : path_(std::move(path)) { write_pvd(path_, entries_); }
+  /// `keep`: leaves a list that is there as it is for now.
+  explicit PvdWriter(std::filesystem::path path, bool keep = false) : path_(std::move(path)) {
+    if (!keep) write_pvd(path_, entries_);
+  }
 
   /// Adds a file that is complete. Throws `error` if the list cannot be written; the former list stays then.
   void add(double time, std::filesystem::path file, int part = 0) {
@@ -55,6 +58,12 @@ class PvdWriter {
       entries_.pop_back();
       throw;
     }
+  }
+
+  /// Writes another list in the place of this one. Throws as `add` does.
+  void replace(std::vector<PvdEntry> entries) {
+    write_pvd(path_, entries);
+    entries_ = std::move(entries);
   }
 
   const std::filesystem::path& path() const { return path_; }

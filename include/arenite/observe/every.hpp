@@ -36,11 +36,18 @@ class Every {
     if constexpr (fits) f_(scene);
   }
 
+  /// What it calls.
+  F& called() { return f_; }
+
   /// State of what it calls, too, if that has some.
   template <class G>
   void visit_state(G&& g) {
     g("due", due_);
     if constexpr (requires { f_.visit_state(g); }) f_.visit_state(StateUnder(g, "called"));
+  }
+  template <class Scene>
+  void follow_state(const Scene& scene) {
+    if constexpr (requires { f_.follow_state(scene); }) f_.follow_state(scene);
   }
 
  private:

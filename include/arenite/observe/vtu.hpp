@@ -82,6 +82,7 @@ struct VtuOptions {
   std::vector<std::string> body_names{};
   bool mesh = false;
   std::string region{};
+  bool keep_list = false;  ///< leaves a list that is there until the first files: for a run that goes on
 };
 
 /// Observer that writes the points of each body as PREFIX_body0_0000.vtu, .., the listed parts of the mesh,
@@ -92,26 +93,40 @@ class VtuSeries {
   explicit VtuSeries(std::filesystem::path prefix, VtuOptions options = {})
       : prefix_{std::move(prefix)},
         options_{std::move(options)},
-        pvd_{make_folder(prefix_).string() + ".pvd"} {}
+        pvd_{make_folder(prefix_).string() + ".pvd", options_.keep_list} {}
 
   template <class Scene>
   void operator()(const Scene& scene) {
-    std::size_t number = 0;
-    int part = 0;
-    scene.for_each_body([&](const auto& body, const auto&) {
-      const std::string name = number < options_.body_names.size() ? options_.body_names[number]
-                               : Scene::body_names[number].empty() ? joined_text("body", number)
-                                                                   : Scene::body_name(number);
-      write(scene.time, name, part++, points_vtu(body));
-      ++number;
-    });
+    const std::size_t frame = times_.size();
+    std::size_t part = 0;
+    const auto names = parts_of(scene);
+    const auto put = [&](const VtuData& data) {
+      const auto file = file_of(names[part], frame);
+      write_vtu(file, data);
+      pvd_.add(scene.time, file, static_cast<int>(part++));
+    };
+    scene.for_each_body([&](const auto& body, const auto&) { put(points_vtu(body)); });
     if constexpr (is_simplex_mesh<typename Scene::Mesh>) {
-      if (options_.mesh) write(scene.time, "mesh", part++, mesh_vtu(scene.mesh));
-      if (!options_.region.empty())
-        write(scene.time, options_.region, part++,
-              mesh_vtu(scene.mesh, scene.mesh.region_number(options_.region)));
+      if (options_.mesh) put(mesh_vtu(scene.mesh));
+      if (!options_.region.empty()) put(mesh_vtu(scene.mesh, scene.mesh.region_number(options_.region)));
     }
-    ++frame_;
+    times_.push_back(scene.time);
+  }
+
+  /// Times of the files so far, s.
+  template <class F>
+  void visit_state(F&& f) {
+    f("times", times_);
+  }
+  /// Lists the files of an earlier part of the run, which must be there.
+  template <class Scene>
+  void follow_state(const Scene& scene) {
+    const auto names = parts_of(scene);
+    std::vector<PvdEntry> entries;
+    for (std::size_t frame = 0; frame < times_.size(); ++frame)
+      for (std::size_t part = 0; part < names.size(); ++part)
+        entries.push_back({times_[frame], file_of(names[part], frame), static_cast<int>(part)});
+    pvd_.replace(std::move(entries));
   }
 
  private:
@@ -123,18 +138,30 @@ class VtuSeries {
     return prefix;
   }
 
-  void write(double time, const std::string& name, int part, const VtuData& data) {
-    std::string digits = std::to_string(frame_);
+  /// Names of a frame's files.
+  template <class Scene>
+  std::vector<std::string> parts_of(const Scene&) const {
+    std::vector<std::string> names;
+    for (std::size_t k = 0; k < Scene::body_count; ++k)
+      names.push_back(k < options_.body_names.size() ? options_.body_names[k]
+                      : Scene::body_names[k].empty() ? joined_text("body", k)
+                                                     : Scene::body_name(k));
+    if constexpr (is_simplex_mesh<typename Scene::Mesh>) {
+      if (options_.mesh) names.emplace_back("mesh");
+      if (!options_.region.empty()) names.push_back(options_.region);
+    }
+    return names;
+  }
+  std::filesystem::path file_of(const std::string& name, std::size_t frame) const {
+    std::string digits = std::to_string(frame);
     digits.insert(0, digits.size() < 4 ? 4 - digits.size() : 0, '0');
-    const std::filesystem::path file = prefix_.string() + "_" + name + "_" + digits + ".vtu";
-    write_vtu(file, data);
-    pvd_.add(time, file, part);
+    return prefix_.string() + "_" + name + "_" + digits + ".vtu";
   }
 
   std::filesystem::path prefix_;
   VtuOptions options_;
   PvdWriter pvd_;
-  std::size_t frame_ = 0;
+  std::vector<double> times_;  // [frames] s
 };
 
 /// Observer that writes files `prefix`_..: see `VtuSeries`.

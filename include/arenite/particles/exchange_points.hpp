@@ -62,6 +62,7 @@ void check_point(const B& body, const typename B::Point& point, std::size_t numb
   std::apply(
       [&](const auto&... h) { (require(std::isfinite(h), name("history"), h, "must be finite"), ...); },
       point.history.members());
+  for (const auto& value : point.kept) require(std::isfinite(value), name("kept"), value, "must be finite");
   require(body.points.size() + number < none - 1, name("number"), body.points.size() + number,
           "a body holds fewer than 2^32 points");
 }

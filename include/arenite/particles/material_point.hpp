@@ -2,6 +2,7 @@
 // those that join a body or leave it.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <limits>
 
@@ -12,8 +13,8 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 /// No id: where a scene has none, and before a point gets one.
 inline constexpr std::uint64_t no_id = std::numeric_limits<std::uint64_t>::max();
 
-/// One point over scalar T in D dimensions, with a law's history.
-template <real_scalar T, int D, class History>
+/// One point over scalar T in D dimensions, with a law's history and `Kept` numbers that parts keep with it.
+template <real_scalar T, int D, class History, std::size_t Kept = 0>
 struct MaterialPoint {
   Vec<T, D> position = Vec<T, D>::Constant(std::numeric_limits<T>::quiet_NaN());  ///< m
   Vec<T, D> velocity = Vec<T, D>::Zero();                                         ///< m/s
@@ -23,6 +24,7 @@ struct MaterialPoint {
   History history{};
   Mat<T, D> motion = Mat<T, D>::Zero();  ///< velocity gradient of APIC or TPIC, 1/s; else without meaning
   T dilation = 0;                        ///< plastic volumetric strain of the last step, -
+  std::array<T, Kept> kept{};            ///< see `point_columns`
   std::uint64_t id = no_id;              ///< where the scene has `PointIds`
 };
 

@@ -22,6 +22,7 @@ struct ExtraColumns {
   bool affine = false;    ///< a point carries a velocity field (APIC, TPIC)
   bool dilation = false;  ///< a strain average needs the dilation, where the law has one
   bool ids = false;       ///< points have ids (`PointIds`)
+  int kept = 0;           ///< numbers that parts keep with each point
 };
 
 /// Columns of material points: law L gives the history, `Extra` what else the composition needs. Mass and
@@ -33,7 +34,8 @@ class Points {
   using scalar = T;
   static constexpr int dimension = D;
   using History = typename L::template History<T>;
-  using Point = MaterialPoint<T, D, History>;
+  static constexpr auto kept_size = static_cast<std::size_t>(Extra.kept);
+  using Point = MaterialPoint<T, D, History, kept_size>;
   static constexpr std::size_t history_size = arenite::history_size<History>;
   static constexpr bool affine = Extra.affine, has_ids = Extra.ids;
   static constexpr bool has_dilation = [] {
@@ -47,11 +49,12 @@ class Points {
   Column<T> volume;              ///< volume that bears stress, m3: opened voids do not count
   TensorColumns<T, D> stress;    ///< Cauchy stress, Pa, tension positive
   std::array<Column<T>, history_size>
-      history;                    ///< columns of the law's history, in the order of its `members()`
-  MatrixColumns<T, D> motion;     ///< [n if affine] velocity gradient of APIC or TPIC, 1/s
-  Column<T> dilation;             ///< [n if has_dilation] plastic volumetric strain of the last step, -
-  std::vector<std::uint64_t> id;  ///< [n if has_ids]
-  std::vector<Index> cell;        ///< cell that holds the point
+      history;                 ///< columns of the law's history, in the order of its `members()`
+  MatrixColumns<T, D> motion;  ///< [n if affine] velocity gradient of APIC or TPIC, 1/s
+  Column<T> dilation;          ///< [n if has_dilation] plastic volumetric strain of the last step, -
+  std::array<Column<T>, kept_size> kept;  ///< what parts keep with each point (`point_columns`)
+  std::vector<std::uint64_t> id;          ///< [n if has_ids]
+  std::vector<Index> cell;                ///< cell that holds the point
 
   std::size_t size() const { return mass.size(); }
 
@@ -70,6 +73,7 @@ class Points {
         start.members());
     if constexpr (affine) motion.push_back(Mat<T, D>::Zero());
     if constexpr (has_dilation) dilation.push_back(T(0));
+    for (auto& column : kept) column.push_back(T(0));
     if constexpr (has_ids) id.push_back(no_id);
     cell.push_back(c);
   }
@@ -79,6 +83,7 @@ class Points {
     store_history(p, point.history);
     if constexpr (affine) motion.set(p, point.motion);
     if constexpr (has_dilation) dilation[p] = point.dilation;
+    for (std::size_t k = 0; k < kept_size; ++k) kept[k][p] = point.kept[k];
     if constexpr (has_ids) id[p] = point.id;
   }
 
@@ -87,6 +92,7 @@ class Points {
     Point point{position[p], velocity[p], volume[p], mass[p], stress[p], load_history(p)};
     if constexpr (affine) point.motion = motion[p];
     if constexpr (has_dilation) point.dilation = dilation[p];
+    for (std::size_t k = 0; k < kept_size; ++k) point.kept[k] = kept[k][p];
     if constexpr (has_ids) point.id = id[p];
     return point;
   }
@@ -157,6 +163,7 @@ class Points {
     if constexpr (affine)
       each("motion", motion, D * D, [&](std::size_t k) { return axes(k % D) + axes(k / D); });
     if constexpr (has_dilation) f("dilation", dilation);
+    for (std::size_t k = 0; k < kept_size; ++k) f("kept/" + std::to_string(k), kept[k]);
     if constexpr (has_ids) f("id", id);
     f("cell", cell);
   }
@@ -216,7 +223,8 @@ class Points {
 
   /// Bytes of columns a point.
   static constexpr std::size_t bytes_per_point() {
-    return (2 * D + 2 + Sym<T, D>::size + history_size + (affine ? D * D : 0) + has_dilation) * sizeof(T) +
+    return (2 * D + 2 + Sym<T, D>::size + history_size + (affine ? D * D : 0) + has_dilation + kept_size) *
+               sizeof(T) +
            sizeof(Index) + has_ids * sizeof(std::uint64_t);
   }
 
@@ -232,6 +240,7 @@ class Points {
     if constexpr (affine)
       for (std::size_t k = 0; k < D * D; ++k) f(self.motion.column(k));
     if constexpr (has_dilation) f(self.dilation);
+    for (auto& column : self.kept) f(column);
     if constexpr (has_ids) f(self.id);
     f(self.cell);
   }

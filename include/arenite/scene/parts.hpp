@@ -139,8 +139,10 @@ struct needs_of<std::tuple<P...>> {
   static constexpr bool own_fields = (separates_bodies<P> || ...);
   static constexpr bool mass_gradient = (needs_mass_gradient<P> || ...);
   static constexpr bool point_ids = (needs_point_ids<P> || ...);
+  static constexpr int point_columns = (0 + ... + arenite::point_columns<P>);
   static constexpr bool drives = (names_driven_velocity<P> || ...);
   static constexpr bool stress_work = (names_take_stress_work<P> || ...);
+  static constexpr bool wall_impulses = (names_take_wall_impulse<P> || ...);
   static constexpr bool exchange = (names_exchange_impulses<P> || ...);
 };
 

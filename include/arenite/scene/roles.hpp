@@ -41,7 +41,9 @@ concept drives_nodes = requires(const P& part, const typename S::V& position) {
 };
 
 /// After P2G: adds forces, N, by `field.collected[node].add_force(f)`; `scene.fields` hold mass (collected)
-/// and force of this step, and the velocities at the end of the one before. dt: s.
+/// and force of this step, and the velocities at the end of the one before. dt: s. In a scene over a portion
+/// of a mesh nodes hold the sums of all portions, and what is added must be the same in all: a part whose
+/// forces follow from its own points sums them with the exchange, a third argument.
 template <class P, class S>
 concept adds_force = requires(P& part, S& scene) {
   { part.add_force(scene, 0.0) } -> std::same_as<void>;
@@ -76,6 +78,13 @@ concept holds_mapped = requires(P& part, S& scene) {
 template <class P, class S>
 concept takes_stress_work = requires(P& part) {
   { part.take_stress_work(0.0) } -> std::same_as<void>;
+};
+
+/// Wherever velocities at the end of the step are constrained, up to three times a step: the impulse that the
+/// constraints gave to a node, N s, for each node that they changed and the scene owns.
+template <class P, class S>
+concept takes_wall_impulse = requires(P& part, const typename S::V& impulse) {
+  { part.take_wall_impulse(Index{}, impulse) } -> std::same_as<void>;
 };
 
 /// After G2P: follows the matter, or moves the mesh. Velocities of fields and points are those of the end of
@@ -126,8 +135,9 @@ concept follows_state = requires(P& part, S& scene) {
 };
 
 /// What a part needs of the scene it says by static constants: `separates_bodies` (a velocity field for each
-/// body instead of one for all), `needs_mass_gradient` (of each field), `needs_point_ids`; a type `OnlyOne`
-/// names a kind of which a scene has one at most.
+/// body instead of one for all), `needs_mass_gradient` (of each field), `needs_point_ids`, `point_columns`
+/// (how many numbers it keeps with each point, zero at first: `points.kept[k]`, k from
+/// `first_point_column(scene, *this)` on); a type `OnlyOne` names a kind of which a scene has one at most.
 template <class P>
 inline constexpr bool separates_bodies = [] {
   if constexpr (requires { P::separates_bodies; })
@@ -150,6 +160,24 @@ inline constexpr bool needs_point_ids = [] {
     return false;
 }();
 template <class P>
+inline constexpr int point_columns = [] {
+  if constexpr (requires { P::point_columns; })
+    return P::point_columns;
+  else
+    return 0;
+}();
+/// The first of the columns of a part of this scene. Call it in `connect`.
+template <class Scene, class Part>
+std::size_t first_point_column(const Scene& scene, const Part& part) {
+  int before = 0;
+  bool found = false;
+  scene.for_each_part([&](const auto& other) {
+    found = found || static_cast<const void*>(&other) == static_cast<const void*>(&part);
+    if (!found) before += point_columns<std::remove_cvref_t<decltype(other)>>;
+  });
+  return static_cast<std::size_t>(before);
+}
+template <class P>
 inline constexpr int exchange_rank = [] {
   if constexpr (requires { P::exchange_rank; })
     return P::exchange_rank;
@@ -162,8 +190,8 @@ namespace detail {
 template <class P>
 inline constexpr bool plays_a_role =
     names_constrain<P> || names_add_force<P> || names_acceleration<P> || names_exchange_impulses<P> ||
-    names_hold_mapped<P> || names_take_stress_work<P> || names_follow_motion<P> || names_stable_step<P> ||
-    requires {
+    names_hold_mapped<P> || names_take_stress_work<P> || names_take_wall_impulse<P> ||
+    names_follow_motion<P> || names_stable_step<P> || requires {
   P::separates_bodies;
 }
 || requires { P::needs_point_ids; }
@@ -175,7 +203,7 @@ constexpr bool check_part() {
   static_assert(plays_a_role<P>,
                 "Scene: a part plays no role; a part is bodies(..), or a class that is not final with one of "
                 "add_force, acceleration, constrain, exchange_impulses, hold_mapped, follow_motion, "
-                "stable_step, take_stress_work; see arenite/scene/roles.hpp");
+                "stable_step, take_stress_work, take_wall_impulse; see arenite/scene/roles.hpp");
   static_assert(!names_connect<P> || connects<P, S>, "part: connect must be void connect(Scene& scene)");
   static_assert(!names_constrain<P> || constrains<P, S>,
                 "part: constrain must be void constrain(Nodes& nodes) const");
@@ -192,6 +220,9 @@ constexpr bool check_part() {
                 "part: hold_mapped must be double hold_mapped(Scene& scene, double dt)");
   static_assert(!names_take_stress_work<P> || takes_stress_work<P, S>,
                 "part: take_stress_work must be void take_stress_work(double joules)");
+  static_assert(
+      !names_take_wall_impulse<P> || takes_wall_impulse<P, S>,
+      "part: take_wall_impulse must be void take_wall_impulse(Index node, const Vec<T, D>& impulse)");
   static_assert(!names_follow_motion<P> || follows_motion<P, S>,
                 "part: follow_motion must be void follow_motion(Scene& scene, double dt)");
   static_assert(!names_stable_step<P> || bounds_step<P, S>,

@@ -60,7 +60,7 @@ struct Scene {
 
   using Needs = detail::needs_of<Parts>;
   static constexpr ExtraColumns extra_columns{N::extra_columns.affine, N::extra_columns.dilation,
-                                              Needs::point_ids};
+                                              Needs::point_ids, Needs::point_columns};
 
  private:
   using BodiesOf = detail::bodies_of<M, extra_columns, Fills>;

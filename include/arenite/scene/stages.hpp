@@ -26,20 +26,25 @@ void p2g(Scene& scene, [[maybe_unused]] Others& others = no_others) {
 }
 
 /// Forces of parts (`add_force`). dt: s.
-template <class Scene>
-void add_forces(Scene& scene, double dt) {
+template <class Scene, class Others = const Alone>
+void add_forces(Scene& scene, double dt, [[maybe_unused]] Others& others = no_others) {
   scene.for_each_part([&](auto& part) {
-    if constexpr (adds_force<std::remove_reference_t<decltype(part)>, Scene>) part.add_force(scene, dt);
+    if constexpr (adds_force<std::remove_reference_t<decltype(part)>, Scene>) {
+      if constexpr (requires { part.add_force(scene, dt, others); })
+        part.add_force(scene, dt, others);
+      else
+        part.add_force(scene, dt);
+    }
   });
 }
 
 namespace detail {
 
 /// Takes velocities of a field to what the parts allow, and drive to at the end of the step. Returns the
-/// impulse, N s, and the work of the drives, J.
-template <class Scene, class Field, class Velocities>
+/// impulse, N s, and the work of the drives, J; `take(node, impulse)` gets what each node got.
+template <class Scene, class Field, class Velocities, class Take = NoTaker>
 std::pair<typename Scene::V, double> allow(Scene& scene, const Field& field, Velocities& velocity,
-                                           [[maybe_unused]] double dt) {
+                                           [[maybe_unused]] double dt, const Take& take = {}) {
   if constexpr (Scene::Needs::drives) {
     std::size_t number = 0;
     scene.for_each_part([&](const auto& part) {
@@ -51,10 +56,24 @@ std::pair<typename Scene::V, double> allow(Scene& scene, const Field& field, Vel
                 part.driven_velocity(Scene::Shape::node_position(scene.mesh, drive.node), scene.time + dt);
       ++number;
     });
-    return constrain(scene.constraints, scene.drives, field.mass, velocity, scene.node_owner());
+    return constrain(scene.constraints, scene.drives, field.mass, velocity, scene.node_owner(), take);
   } else {
-    return {constrain(scene.constraints, field.mass, velocity, scene.node_owner()), 0};
+    return {constrain(scene.constraints, field.mass, velocity, scene.node_owner(), take), 0};
   }
+}
+
+/// What hands the impulse of constraints on a node to the parts that ask for it (`take_wall_impulse`).
+template <class Scene>
+auto taker_of_wall_impulses([[maybe_unused]] Scene& scene) {
+  if constexpr (Scene::Needs::wall_impulses)
+    return [&scene](Index node, const typename Scene::V& impulse) {
+      scene.for_each_part([&](auto& part) {
+        if constexpr (takes_wall_impulse<std::remove_reference_t<decltype(part)>, Scene>)
+          part.take_wall_impulse(node, impulse);
+      });
+    };
+  else
+    return NoTaker{};
 }
 
 /// Calls `f(part)` for the parts that exchange impulses, of the ranks from `first` to `last`.
@@ -113,7 +132,8 @@ void update_grid(Scene& scene, double dt, [[maybe_unused]] Others& others = no_o
 template <class Scene>
 void constrain(Scene& scene, double dt) {
   for (auto& field : scene.fields) {
-    const auto [impulse, work] = detail::allow(scene, field, field.velocity, dt);
+    const auto [impulse, work] =
+        detail::allow(scene, field, field.velocity, dt, detail::taker_of_wall_impulses(scene));
     scene.wall_impulse += impulse;
     scene.driving_work += work;
   }
@@ -166,11 +186,12 @@ void smooth_light_nodes(Scene& scene, [[maybe_unused]] double dt,
 template <class Scene, class Others = const Alone>
 void map_back(Scene& scene, [[maybe_unused]] double dt, [[maybe_unused]] Others& others = no_others) {
   if constexpr (Scene::NumericsType::maps_back) {
+    const auto numerics = scene.numerics.in_step(dt);
     scene.for_each_body(
-        [&](auto& body, auto& field) { map_back(scene.numerics, scene.mesh, scene.blocks, body, field); });
+        [&](auto& body, auto& field) { map_back(numerics, scene.mesh, scene.blocks, body, field); });
     for (auto& field : scene.fields) {
       if constexpr (!Others::alone) detail::sum_nodes(others, field.mapped);
-      finish_map_back<Scene::centres_stress>(scene.numerics, field);
+      finish_map_back<Scene::centres_stress>(numerics, field);
       if constexpr (!has_light_nodes<typename Scene::Shape>)
         exchange_at_faces<typename Scene::Shape>(scene.mesh, field, field.mapped, typename Scene::T(0));
     }
@@ -199,6 +220,7 @@ void g2p(Scene& scene, double dt, [[maybe_unused]] Others& others = no_others) {
   using K = typename Scene::Kinematics;
   using N = typename Scene::NumericsType;
   const auto step = static_cast<typename Scene::T>(dt);
+  const auto numerics = scene.numerics.in_step(dt);
   scene.finite = true;
   scene.for_each_body([&](auto& body, const auto& field) {
     if constexpr (N::AntiLocking::averages_strain) {
@@ -207,7 +229,7 @@ void g2p(Scene& scene, double dt, [[maybe_unused]] Others& others = no_others) {
       scene.average.use(scene.mesh, scene.blocks, body);
     }
     const G2pSums sums =
-        g2p<K, Scene::Needs::stress_work>(scene.numerics, scene.mesh, body, field, step, scene.average);
+        g2p<K, Scene::Needs::stress_work>(numerics, scene.mesh, body, field, step, scene.average);
     body.opened_volume += sums.opened_volume;
     body.finite = std::isfinite(sums.check);
     scene.finite = scene.finite && body.finite;

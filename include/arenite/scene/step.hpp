@@ -15,7 +15,7 @@ void step(Scene& scene, double dt, Others& others) {
                 "step: a scene over a MeshPortion needs the exchange with the other portions, others none");
   relocate(scene, others);           // find the cell of each point
   p2g(scene, others);                // P2G: mass, momentum, internal force
-  add_forces(scene, dt);             // springs, tractions, ..
+  add_forces(scene, dt, others);     // springs, tractions, ..
   centre_stress(scene, dt, others);  // elastic bodies, MUSL on simplices: forces of the middle of the step
   update_grid(scene, dt, others);    // nodal momentum balance
   constrain(scene, dt);              // fixities, rollers, symmetry planes

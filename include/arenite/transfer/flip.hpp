@@ -1,6 +1,9 @@
 // FLIP and PIC.
 #pragma once
 
+#include <cmath>
+#include <limits>
+
 #include <arenite/core/checked.hpp>
 #include <arenite/transfer/node_field.hpp>
 #include <arenite/transfer/velocity_field.hpp>
@@ -9,7 +12,9 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 /// PIC and FLIP in any blend: v_p = fraction (v_p + sum w (v_i^new - v_i^old)) + (1 - fraction) sum w
 /// v_i^new. FLIP (fraction 1; Brackbill and Ruppel 1986, doi:10.1016/0021-9991(86)90211-1) keeps energy and
-/// noise, PIC (fraction 0; Harlow 1964) damps both, at a rate that grows with the number of steps.
+/// noise, PIC (fraction 0; Harlow 1964) damps both, at a rate that grows with the number of steps. With a
+/// time constant the fraction of a step dt is fraction exp(-dt / time), so that what points keep to
+/// themselves decays in time, whatever the step.
 struct Flip {
   static constexpr bool affine = false;
   struct FractionRule {
@@ -17,9 +22,21 @@ struct Flip {
     static constexpr const char* bounds = "must lie in [0, 1]";
     static bool holds(double fraction) { return fraction >= 0 && fraction <= 1; }
   };
-  Checked<FractionRule> fraction = 1.0;  ///< FLIP fraction, 0 to 1
+  struct TimeRule {
+    static constexpr const char* name = "Flip.time";
+    static constexpr const char* bounds = "must be positive";
+    static bool holds(double time) { return time > 0; }
+  };
+  Checked<FractionRule> fraction = 1.0;                              ///< FLIP fraction, 0 to 1
+  Checked<TimeRule> time = std::numeric_limits<double>::infinity();  ///< time constant, s
   template <class Shape>
   static constexpr bool fits = true;
+
+  /// The transfer of a step dt, s.
+  Flip in_step(double dt) const {
+    if (std::isinf(double(time))) return *this;
+    return {.fraction = fraction * std::exp(-dt / time), .time = time};
+  }
 
   /// A point hands over its velocity: momentum_i += m w_i v_p.
   template <class Point>

@@ -91,6 +91,19 @@ struct Numerics {
       return std::sqrt((maps_back ? 4.0 : 2.0) / (Shape::steepness * D));
   }
 
+  /// The numerics of a step dt, s: a transfer may depend on it.
+  Numerics in_step([[maybe_unused]] double dt) const {
+    static_assert(
+        !names_in_step<Transfer> ||
+            requires(const Transfer t) {
+              { t.in_step(0.0) } -> std::same_as<Transfer>;
+            },
+        "transfer: in_step must be Transfer in_step(double dt) const");
+    Numerics of_step = *this;
+    if constexpr (names_in_step<Transfer>) of_step.transfer = transfer.in_step(dt);
+    return of_step;
+  }
+
   Transfer transfer{};
   AntiLocking anti_locking{};
 };

@@ -17,6 +17,7 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 // - `returns_unchanged<Shape>` (optional, else false): whether points hand back to each node the
 //   velocity that they took from it, so that MUSL is USL; a transfer derived from another one must say it
 //   anew;
+// - `in_step(dt)` (optional): the transfer of a step dt, s, where it depends on that;
 // - `hand(p)`: the `VelocityField` that a point p, a `PointPack`, hands to its nodes (P2G);
 // - `taken_velocity(nodes, i)` (optional): the vector d_i, below, of one node, as a pack: MUSL on linear
 //   simplices needs no more of it;

@@ -1,0 +1,68 @@
+// A run that was begun earlier in the same folder: what --resume finds there.
+#pragma once
+
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "options.hpp"
+#include "results.hpp"
+#include "run_folder.hpp"
+#include "words.hpp"
+
+namespace arenite::ffp {
+
+/// How an earlier run of the same inputs stands.
+struct EarlierRun {
+  bool finished = false;
+  bool has_state = false;  ///< one was saved to go on from
+  std::string started{};   ///< UTC
+  double wall_s = 0;       ///< that its steps took
+  std::vector<std::string> warnings{};
+  std::vector<double> resumed_at_s{};  ///< times of the states that it was resumed from
+};
+
+namespace detail {
+
+/// The first input that differs: "velocity_m_s is 5.6 there, 6 here".
+inline std::string first_difference(const nlohmann::ordered_json& there, const nlohmann::ordered_json& here) {
+  for (const auto& [key, value] : here.items())
+    if (!there.contains(key) || there[key] != value)
+      return joined_text(key, " is ", there.contains(key) ? json_text(there[key]) : "nothing", " there, ",
+                         json_text(value), " here");
+  return "the file of the mesh has changed";
+}
+
+}  // namespace detail
+
+/// Looks into `options.out`; a folder without a summary has no earlier run. Throws `error` that names
+/// `--resume` if the run there has other inputs, or if its summary cannot be read.
+inline EarlierRun earlier_run(const DropOptions& options) {
+  const std::filesystem::path folder{options.out};
+  EarlierRun found;
+  if (!std::filesystem::exists(folder / "summary.json")) return found;
+  const auto refuse = [&](const std::string& rule) {
+    throw error(joined_text("--resume: ", shown((folder / "summary.json").string()), ": ", rule));
+  };
+  std::ifstream file{folder / "summary.json"};
+  const auto summary = nlohmann::ordered_json::parse(file, nullptr, false);
+  try {
+    if (summary.is_discarded()) refuse("is no summary of a drop");
+    if (summary.at("inputs_hash") != hash_of_inputs(options))
+      refuse("is of a run with other inputs: " +
+             detail::first_difference(summary.at("inputs"), inputs_of(options)));
+    found.finished = summary.at("status") == "done";
+    found.started = summary.at("started");
+    found.wall_s = summary.value("wall_s", 0.0);
+    found.warnings = summary.value("warnings", found.warnings);
+    found.resumed_at_s = summary.value("resumed_at_s", found.resumed_at_s);
+  } catch (const nlohmann::json::exception&) {
+    refuse("is no summary of a drop");
+  }
+  found.has_state = std::filesystem::exists(folder / state_file_name);
+  return found;
+}
+
+}  // namespace arenite::ffp

@@ -1,0 +1,51 @@
+// Driven walls: nodes that move as prescribed.
+#pragma once
+
+#include <string>
+#include <utility>
+
+#include <arenite/boundary/place_function.hpp>
+#include <arenite/boundary/walls.hpp>
+
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
+
+/// A wall whose nodes have a prescribed velocity, m/s, along the directions that the wall blocks: with
+/// `roller` the normal one alone, so that matter slides along the moving wall; with `fixed` all. See
+/// `driven`.
+struct Driven {
+  Wall wall;
+  VectorFunction velocity;
+};
+
+/// `driven(top(roller), {0, -0.1})`, a velocity in time `driven(top(roller), {0, -1}, Ramp{..})`, or any
+/// function of time, or of place and time, that returns (x, y, z). It moves the velocities of nodes, not the
+/// nodes: on a mesh that rests it is a wall through which matter enters or leaves, and right while the motion
+/// is small beside a cell. The work is booked (`Energies::external`).
+inline Driven driven(Wall wall, VectorFunction velocity) { return {std::move(wall), std::move(velocity)}; }
+inline Driven driven(Wall wall, const Triple& direction, const ScalarFunction& speed) {
+  return {std::move(wall), VectorFunction(direction, speed)};
+}
+
+/// A driven wall in a scene: a part that constrains and drives.
+template <class T, int D>
+struct BoundDriven {
+  Walls walls;
+  VectorFunction velocity;
+  std::string name;
+
+  const std::vector<Wall>& walls_here() const { return walls.list; }
+  template <class Nodes>
+  void constrain(Nodes& nodes) const {
+    walls.constrain(nodes);
+  }
+  Vec<T, D> driven_velocity(const Vec<T, D>& position, double time) const {
+    return value_at(velocity, position, time, name);
+  }
+};
+
+template <class Site>
+BoundDriven<typename Site::T, Site::D> bind_part(const Driven& driven, const Site&) {
+  return {{{driven.wall}}, driven.velocity, "velocity of the wall " + driven.wall.name()};
+}
+
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

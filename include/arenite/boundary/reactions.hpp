@@ -1,0 +1,145 @@
+// Reactions: what each wall gives to the matter.
+#pragma once
+
+#include <Eigen/QR>
+#include <algorithm>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <arenite/boundary/walls.hpp>
+#include <arenite/core/alone.hpp>
+
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
+
+/// A part that reads what each wall of the scene gives, by name (`Wall::name`): `reaction(scene, "bottom")`.
+/// Walls of one name are read together; axisymmetry blocks as "axisymmetric", another part that constrains by
+/// the number that it has among the parts, "part 2". Without it nothing is computed.
+struct Reactions {
+  struct ReactionsOfWalls;
+  using OnlyOne = ReactionsOfWalls;
+};
+
+/// Of a wall on the matter.
+template <class T, int D>
+struct Reaction {
+  Vec<T, D> force;    ///< mean of the last step, N
+  Vec<T, D> impulse;  ///< since the start, N s
+};
+
+/// The impulse on a node is divided among the walls there: each gives along the directions that it blocks.
+/// What several block goes to the first of them; walls that stand askew each give along their own normals.
+template <class T, int D>
+class BoundReactions {
+ public:
+  using OnlyOne = Reactions::ReactionsOfWalls;
+  static constexpr std::string_view state_name = "reactions";
+  using V = Vec<T, D>;
+
+  template <class Scene>
+  void connect(const Scene& scene) {
+    typename Scene::Nodes nodes(scene.mesh);
+    if constexpr (Scene::is_portion) nodes.set_whole(scene.portion().lower, scene.portion().upper);
+    std::size_t number = 0;
+    scene.for_each_part([&](const auto& part) {
+      const std::size_t k = number++;
+      if constexpr (requires { part.walls_here(); })
+        for (const Wall& wall : part.walls_here()) nodes.add(Walls{{wall}}, number_of(wall.name()));
+      else if constexpr (requires { part.constrain(nodes); })
+        nodes.add(part, number_of(name_of(part, k)));
+    });
+    place_.assign(nodes.size(), none);
+    for (Index i = 0; i < nodes.size(); ++i) {
+      const auto& blocked = nodes.blocked(i);
+      if (blocked.count == 0) continue;
+      Share share{blocked.count, blocked.named.template cast<T>(), {}, blocked.part};
+      const auto named = blocked.named.leftCols(blocked.count).eval();
+      share.along.topRows(blocked.count) =
+          named.colPivHouseholderQr().solve(Mat<double, D>::Identity()).template cast<T>();
+      place_[i] = static_cast<Index>(shares_.size());
+      shares_.push_back(share);
+    }
+    for (auto* sums : {&now_, &last_, &impulse_}) sums->assign(names_.size() * dim, 0);
+  }
+
+  void take_wall_impulse(Index node, const V& impulse) {
+    const Share& share = shares_[place_[node]];
+    for (int k = 0; k < share.count; ++k) {
+      const V part = share.along.row(k).dot(impulse) * share.named.col(k);
+      double* const sum = now_.data() + share.wall[static_cast<std::size_t>(k)] * dim;
+      for (std::size_t d = 0; d < dim; ++d) sum[d] += static_cast<double>(part[static_cast<int>(d)]);
+    }
+  }
+  template <class Scene>
+  void follow_motion(Scene&, double) {
+    for (std::size_t k = 0; k < now_.size(); ++k) impulse_[k] += last_[k] = now_[k];
+    std::ranges::fill(now_, 0);
+  }
+  template <class F>
+  void visit_state(F&& f) {
+    f("last", last_);
+    f("impulse", impulse_);
+  }
+
+  /// Names of all walls, each once.
+  const std::vector<std::string>& names() const { return names_; }
+  /// Impulses of a wall in the last step and since the start, N s. Throws `error` that names all walls if
+  /// there is none of that name.
+  std::pair<V, V> impulses(std::string_view wall) const {
+    const auto at = static_cast<std::size_t>(std::ranges::find(names_, wall) - names_.begin());
+    std::string known;
+    for (const auto& name : names_) known += (known.empty() ? "" : ", ") + name;
+    require(at < names_.size(), "reaction: wall", wall, "must be one of: " + known);
+    std::pair<V, V> both;
+    for (std::size_t d = 0; d < dim; ++d) {
+      both.first[static_cast<int>(d)] = static_cast<T>(last_[at * dim + d]);
+      both.second[static_cast<int>(d)] = static_cast<T>(impulse_[at * dim + d]);
+    }
+    return both;
+  }
+
+ private:
+  static constexpr auto dim = static_cast<std::size_t>(D);
+  struct Share {
+    int count;
+    Mat<T, D> named;                    // columns: directions, as walls block them
+    Mat<T, D> along;                    // rows: the share of an impulse along each
+    std::array<std::size_t, dim> wall;  // that blocks each
+  };
+
+  std::size_t number_of(const std::string& name) {
+    const auto at = static_cast<std::size_t>(std::ranges::find(names_, name) - names_.begin());
+    if (at == names_.size()) names_.push_back(name);
+    return at;
+  }
+  template <class Part>
+  static std::string name_of(const Part& part, std::size_t number) {
+    if constexpr (requires { std::string(part.name); })
+      return part.name;
+    else
+      return joined_text("part ", number);
+  }
+
+  std::vector<std::string> names_;
+  std::vector<Index> place_;  // [nodes] in shares_, or none
+  std::vector<Share> shares_;
+  std::vector<double> now_, last_, impulse_;  // [walls x D] N s
+};
+
+template <class Site>
+BoundReactions<typename Site::T, Site::D> bind_part(const Reactions&, const Site&) {
+  return {};
+}
+
+/// What a wall gives to the matter. Needs a scene with `Reactions`. Of a scene over a portion of a mesh: of
+/// all portions, through `others`.
+template <class Scene, class Others = const Alone>
+auto reaction(const Scene& scene, std::string_view wall, [[maybe_unused]] Others& others = no_others) {
+  static_assert(Scene::template has_part<Reactions>, "reaction: name Reactions{} among the scene's parts");
+  auto [last, impulse] = scene.template part<Reactions>().impulses(wall);
+  sum_over(others, last, impulse);
+  if (scene.time_step > 0) last /= static_cast<typename Scene::T>(scene.time_step);
+  return Reaction<typename Scene::T, Scene::D>{last, impulse};
+}
+
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

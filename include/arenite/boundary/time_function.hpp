@@ -1,0 +1,70 @@
+// Functions of time: loads and motions that are given by a few numbers, where a lambda would be as long.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <initializer_list>
+#include <limits>
+#include <utility>
+#include <vector>
+
+#include <arenite/core/error.hpp>
+
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
+
+/// A function of time, s, linear between the rows {time, value}, constant before the first and behind the
+/// last: `Table{{0, 0}, {0.1, 5_kPa}, {0.3, 0}}`. Two rows of one time are a jump: the second holds there.
+class Table {
+ public:
+  using Row = std::pair<double, double>;
+
+  /// Throws `error` unless there is a row, all numbers are finite, and times do not fall.
+  Table(std::initializer_list<Row> rows) : Table(std::vector<Row>(rows)) {}
+  explicit Table(std::vector<Row> rows) : rows_{std::move(rows)} {
+    require(!rows_.empty(), "Table.rows", rows_.size(), "must be at least one");
+    for (std::size_t k = 0; k < rows_.size(); ++k) {
+      const auto [time, value] = rows_[k];
+      require(std::isfinite(time), joined_text("Table.time[", k, "]"), time, "must be finite");
+      require(std::isfinite(value), joined_text("Table.value[", k, "]"), value, "must be finite");
+      if (k > 0)
+        require(time >= rows_[k - 1].first, joined_text("Table.time[", k, "]"), time,
+                joined_text("must not lie before the one above, ", rows_[k - 1].first));
+    }
+  }
+
+  double operator()(double time) const {
+    const auto after = std::upper_bound(rows_.begin(), rows_.end(), time,
+                                        [](double t, const Row& row) { return t < row.first; });
+    if (after == rows_.begin()) return after->second;
+    const auto before = after - 1;
+    if (after == rows_.end()) return before->second;
+    const double share = (time - before->first) / (after->first - before->first);
+    return before->second + share * (after->second - before->second);
+  }
+
+ private:
+  std::vector<Row> rows_;
+};
+
+/// From one value to another, linearly in time, constant before and behind: `Ramp{.to = 100_kPa, .over =
+/// 0.2}`.
+struct Ramp {
+  double to = 1;                                           ///< value at the end
+  double over = std::numeric_limits<double>::quiet_NaN();  ///< duration, s; 0: a step at `start`
+  double from = 0;                                         ///< value at the start
+  double start = 0;                                        ///< s
+
+  double operator()(double time) const {
+    if (time >= start + over) return to;
+    return time <= start ? from : from + (to - from) * (time - start) / over;
+  }
+  /// Throws `error` for a number that is not finite, or a duration below zero.
+  void check() const {
+    require(std::isfinite(to), "Ramp.to", to, "must be finite");
+    require(over >= 0 && std::isfinite(over), "Ramp.over", over, "must be given, and not negative");
+    require(std::isfinite(from), "Ramp.from", from, "must be finite");
+    require(std::isfinite(start), "Ramp.start", start, "must be finite");
+  }
+};
+
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -1,0 +1,39 @@
+// Failure: what a user's function threw in a parallel loop, where nothing may be thrown, to throw it behind.
+#pragma once
+
+#include <cstddef>
+#include <exception>
+#include <limits>
+#include <mutex>
+
+#include <arenite/core/instruction_set.hpp>
+
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
+
+/// Keeps the exception of the item of the least number: the same on any number of threads.
+class Failure {
+ public:
+  /// Calls `f()` for item number `item`.
+  template <class F>
+  void guard(std::size_t item, F&& f) noexcept {
+    try {
+      f();
+    } catch (...) {
+      const std::lock_guard lock(mutex_);
+      if (item >= item_) return;
+      item_ = item;
+      thrown_ = std::current_exception();
+    }
+  }
+  /// Throws it, if there is one.
+  void rethrow() const {
+    if (thrown_) std::rethrow_exception(thrown_);
+  }
+
+ private:
+  std::mutex mutex_;
+  std::size_t item_ = std::numeric_limits<std::size_t>::max();
+  std::exception_ptr thrown_;
+};
+
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -1,0 +1,98 @@
+// Traction on faces of the mesh.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include <arenite/core/part_energy.hpp>
+#include <arenite/load/grid_faces.hpp>
+#include <arenite/load/simplex_faces.hpp>
+
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
+
+/// A traction, Pa, on faces of the mesh: `traction(top(), {0, -100_kPa})`. It acts on the matter in the cells
+/// behind the faces, and stays where the mesh is. Exact if matter fills those cells up to the faces, as it
+/// does where the mesh moves with it. Where it has moved by a share s of a cell of a resting grid, stresses
+/// are off by up to 3 s in the last cell and by s in the next; where no matter is left in a cell the load is
+/// lost. For a surface that lies or goes elsewhere: `traction(surface(..), ..)`.
+struct FaceTraction {
+  MeshFaces where;
+  SurfaceLoad load;
+};
+
+inline FaceTraction traction(MeshFaces where, VectorFunction t) {
+  return {std::move(where), SurfaceLoad(std::move(t))};
+}
+/// A vector, Pa, times a function of time (or of place and time): `traction(top(), {0, -100_kPa}, Ramp{..})`.
+inline FaceTraction traction(MeshFaces where, const Triple& t, const ScalarFunction& factor) {
+  return {std::move(where), SurfaceLoad(VectorFunction(t, factor))};
+}
+/// A pressure, Pa, against the outward normal: a number, or a function of time, or of place and time.
+inline FaceTraction pressure(MeshFaces where, ScalarFunction p) {
+  return {std::move(where), SurfaceLoad(std::move(p))};
+}
+
+/// The same in a mesh: a part that adds forces, those of the step's begin. `Faces`: `SimplexFaces` or
+/// `GridFaces`.
+template <class T, int D, class Faces>
+class BoundFaceTraction {
+ public:
+  explicit BoundFaceTraction(FaceTraction t)
+      : load_{std::move(t.load)},
+        where_{std::move(t.where)},
+        name_{joined_text(load_.name(), " on ", where_.name())} {}
+
+  template <class Scene>
+  void connect(Scene& scene) {
+    faces_.emplace(scene, where_);
+    require(faces_->size() > 0 || Scene::is_portion, name_ + ": faces", faces_->size(),
+            "must be at least one face of the mesh's hull");
+    nodes_.resize(scene.fields.size());
+    for (auto& nodes : nodes_) nodes.clear(scene.fields[0].size());
+  }
+  template <class Scene, class Others = const Alone>
+  void add_force(Scene& scene, double, Others& others = no_others) {
+    faces_->collect(scene, load_, name_, nodes_, others);
+    for (std::size_t k = 0; k < nodes_.size(); ++k) nodes_[k].add_to(scene.fields[k]);
+  }
+  template <class Scene>
+  void follow_motion(Scene& scene, double dt) {
+    for (std::size_t k = 0; k < nodes_.size(); ++k)
+      work_ += nodes_[k].work(scene.fields[k], dt, scene.node_owner());
+  }
+  PartEnergy count_energy() const { return {.external = work_}; }
+  /// Nothing rests on a load.
+  bool holds_against(const Vec<T, D>&) const { return false; }
+  template <class F>
+  void visit_state(F&& f) {
+    f("work", work_);
+  }
+
+  /// Total force of the last step, N, [D].
+  Vec<T, D> force() const {
+    Vec<T, D> sum = Vec<T, D>::Zero();
+    for (const auto& nodes : nodes_) sum += nodes.total();
+    return sum;
+  }
+
+ private:
+  SurfaceLoad load_;
+  MeshFaces where_;
+  std::string name_;
+  std::optional<Faces> faces_;          // from `connect` on
+  std::vector<NodeForce<T, D>> nodes_;  // [fields]
+  double work_ = 0;                     // since the start, J
+};
+
+template <class Site>
+auto bind_part(const FaceTraction& traction, const Site&) {
+  using T = typename Site::T;
+  using Faces = std::conditional_t<is_simplex_mesh<typename Site::Mesh>, SimplexFaces<T, Site::D>,
+                                   GridFaces<T, Site::D>>;
+  return BoundFaceTraction<T, Site::D, Faces>(traction);
+}
+
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -1,0 +1,68 @@
+// Node force: what a load adds to the nodes of a field in a step, and the work of that.
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include <arenite/core/alone.hpp>
+#include <arenite/transfer/node_field.hpp>
+
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
+
+/// Forces of one load at all nodes of the mesh.
+template <class T, int D>
+class NodeForce {
+ public:
+  NodeVectors<T, D> force;  ///< [nodes] N, of this step
+
+  /// Sets them to zero.
+  void clear(std::size_t nodes) {
+    if (force.size() != nodes) force.assign(nodes, Vec<T, D>::Zero());
+    parallel_chunks(nodes, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) force[i].setZero();
+    });
+  }
+
+  /// Each copy of a node that several scenes share gets the sum of what they put there.
+  template <class Others>
+  void sum([[maybe_unused]] Others& others) {
+    if constexpr (!Others::alone) others.sum_nodes(force.numbers(), force.numbers().size() / force.size());
+  }
+
+  /// Adds them to a field.
+  template <class Field>
+  void add_to(Field& field) const {
+    parallel_chunks(force.size(), [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i)
+        if (acts_at(i)) field.collected[i].add_force(force[i]);
+    });
+  }
+
+  /// Work in the step dt, J, at the nodes that `owns(node)`: forces times the mean of the velocities at its
+  /// begin and end, so that matter gains just this kinetic energy from them.
+  template <class Field, class Owns>
+  double work(const Field& field, double dt, const Owns& owns) const {
+    return parallel_reduce(
+        force.size(), 0.0,
+        [&](std::size_t begin, std::size_t end) {
+          double sum = 0;
+          for (std::size_t i = begin; i < end; ++i)
+            if (acts_at(i) && owns(static_cast<Index>(i)))
+              sum += static_cast<double>(force[i].dot(field.start[i] + field.velocity[i])) * dt / 2;
+          return sum;
+        },
+        std::plus<>{});
+  }
+
+  /// N, [D].
+  Vec<T, D> total() const {
+    Vec<T, D> sum = Vec<T, D>::Zero();
+    for (const auto& f : force) sum += f;
+    return sum;
+  }
+
+ private:
+  bool acts_at(std::size_t i) const { return (force[i].array() != 0).any(); }
+};
+
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -1,0 +1,40 @@
+// What a test computed beside the exact values, for docs/validation.py: tables and curves of a case, in the
+// working folder of the test.
+#pragma once
+
+#include <fstream>
+#include <iomanip>
+#include <string>
+
+namespace arenite::test {
+
+/// Writes validation_<case>.csv, a row for each value, and validation_<case>_curves.csv, a row for each point
+/// of each curve. Text must not hold commas.
+class Validation {
+ public:
+  explicit Validation(const std::string& of_case) : name_{"validation_" + of_case} {}
+
+  void value(const std::string& composition, const std::string& quantity, const std::string& unit,
+             double computed, double exact) {
+    open(values_, ".csv", "composition,quantity,unit,computed,exact");
+    values_ << composition << ',' << quantity << ',' << unit << ',' << computed << ',' << exact << '\n';
+  }
+  /// `x_label`, `y_label`: of the axes, with units; the first call's count.
+  void point(const std::string& curve, const std::string& x_label, double x, const std::string& y_label,
+             double computed, double exact) {
+    open(curves_, "_curves.csv", "curve," + x_label + ',' + y_label + ",exact");
+    curves_ << curve << ',' << x << ',' << computed << ',' << exact << '\n';
+  }
+
+ private:
+  void open(std::ofstream& file, const char* end, const std::string& head) const {
+    if (file.is_open()) return;
+    file.open(name_ + end);
+    file << std::setprecision(9) << head << '\n';
+  }
+
+  std::string name_;
+  std::ofstream values_, curves_;
+};
+
+}  // namespace arenite::test

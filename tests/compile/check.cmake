@@ -1,4 +1,5 @@
-# cmake -D snippet=FILE -P check.cmake -- COMPILER FLAGS...
+# cmake -D snippet=FILE -D library=HEADER -P check.cmake -- COMPILER FLAGS...
+# HEADER includes the library, and was compiled beforehand with the same command.
 # The snippet's first line says what must happen:
 #   // must compile
 #   // must print: SENTENCE        the compiler refuses the snippet, and its first error holds the sentence
@@ -20,11 +21,13 @@ file(READ ${snippet} text)
 string(REGEX MATCH "^[^\n]*" first_line "${text}")
 set(flags)
 if(text MATCHES "\n// compile with: ([^\n]*)")
-  separate_arguments(flags UNIX_COMMAND "${CMAKE_MATCH_1}")
+  separate_arguments(flags UNIX_COMMAND "${CMAKE_MATCH_1}")  # others than those of the precompiled header
+elseif(text MATCHES "^(//[^\n]*\n)*#include <arenite/arenite.hpp>\n")
+  set(flags -include ${library})
 endif()
 
 # Assembly to nowhere, not -fsyntax-only: templates must be instantiated as in any program.
-execute_process(COMMAND ${CMAKE_COMMAND} -E env LC_ALL=C ${command} -O0 ${flags} -S -o /dev/null ${snippet}
+execute_process(COMMAND ${CMAKE_COMMAND} -E env LC_ALL=C ${command} ${flags} -S -o /dev/null ${snippet}
                 RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output)
 
 function(fail sentence)

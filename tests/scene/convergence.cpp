@@ -11,18 +11,20 @@ using namespace arenite;
 namespace {
 
 constexpr double length = 1, amplitude = 0.02, k = pi / length;
-LinearElastic rubber() { return LinearElastic{{.density = 1000, .young = 1e5, .poisson = 0}}; }
-double wave() { return std::sqrt(rubber().wave_modulus() / rubber().density()); }
+const LinearElastic rubber{{.density = 1000, .young = 1e5, .poisson = 0}};
+const double wave = std::sqrt(rubber.wave_modulus() / rubber.density());  // m/s
 
 /// u(X, t) = A sin(k X) sin(w t) of the matter at X, and the acceleration by the body force that it takes:
 /// stress is M ln F of F = 1 + u', so that a = b + c^2 u'' / F.
 double displacement(double at, double time) {
-  return amplitude * std::sin(k * at) * std::sin(wave() * k * time);
+  return amplitude * std::sin(k * at) * std::sin(wave * k * time);
+}
+double stretch(double at, double time) {
+  return 1 + amplitude * k * std::cos(k * at) * std::sin(wave * k * time);
 }
 double body_force(double at, double time) {
-  const double u = displacement(at, time), c2 = square(wave()),
-               stretch = 1 + amplitude * k * std::cos(k * at) * std::sin(wave() * k * time);
-  return -c2 * k * k * u + c2 * k * k * u / stretch;
+  const double u = displacement(at, time), c2 = square(wave);
+  return -c2 * k * k * u + c2 * k * k * u / stretch(at, time);
 }
 
 struct Manufactured {
@@ -31,8 +33,8 @@ struct Manufactured {
     const auto& points = scene.body().points;
     for (std::size_t p = 0; p < points.size(); ++p) {
       const Vec<double, 2> x = points.position[p];
-      double at = x[0];
-      for (int i = 0; i < 20; ++i) at = x[0] - displacement(at, scene.time);
+      double at = x[0];  // of the matter that is here now, by Newton's iteration
+      for (int i = 0; i < 4; ++i) at -= (at + displacement(at, scene.time) - x[0]) / stretch(at, scene.time);
       const typename Scene::Shape::template Cell<typename Scene::Mesh> cell(scene.mesh, points.cell[p]);
       const auto w = cell.weights(x);
       const double f = points.mass[p] * body_force(at, scene.time);
@@ -49,12 +51,12 @@ double error_of(int cells, N numerics = {}) {
   Scene scene{PlaneStrain{},
               CartesianGrid<2>{{.lower = {0, 0}, .upper = {length, h}, .cell = h}},
               numerics,
-              bodies(fill(Box{{0., 0.}, {length, h}}, rubber(), {.per_cell = 4})),
+              bodies(fill(Box{{0., 0.}, {length, h}}, rubber, {.per_cell = 4})),
               walls(left(roller), right(roller), bottom(roller), top(roller)),
               Manufactured{}};
   auto& points = scene.body().points;
   for (std::size_t p = 0; p < points.size(); ++p)
-    points.velocity.set(p, Vec<double, 2>(amplitude * std::sin(k * points.position[p][0]) * wave() * k, 0));
+    points.velocity.set(p, Vec<double, 2>(amplitude * std::sin(k * points.position[p][0]) * wave * k, 0));
   const auto along = [&] {  // points keep their order along the bar
     std::vector<double> x;
     for (const auto& place : points.position) x.push_back(place[0]);
@@ -62,7 +64,7 @@ double error_of(int cells, N numerics = {}) {
     return x;
   };
   const auto start = along();
-  const double end = length / wave();
+  const double end = length / wave;
   const int steps = 10 * cells;
   double worst = 0;
   for (int n = 1; n <= steps; ++n) {

@@ -42,8 +42,8 @@ def table(rows):
     lines = ["| composition | quantity | computed | exact | error |", "|---|---|---|---|---|"]
     for composition, quantity, unit, computed, exact in rows:
         a, b = float(computed), float(exact)
-        error = f"{100 * (a / b - 1):+.2f} %" if b != 0 else f"{a:+.2g} {unit}"
         unit = "" if unit == "-" else f" {unit}"
+        error = f"{100 * (a / b - 1):+.2f} %" if b != 0 else f"{a:+.2g}{unit}"
         lines.append(f"| {composition} | {quantity} | {a:.5g}{unit} | {b:.5g}{unit} | {error} |")
     return lines
 

@@ -7,6 +7,7 @@
 #include "catch.hpp"
 #include "meshes.hpp"
 #include "state_buffer.hpp"
+#include "validation.hpp"
 
 using namespace arenite;
 
@@ -30,7 +31,7 @@ auto column(const Mesh& mesh, const Damping& damping) {
 /// Runs a column to rest (no point changes its cell: they keep their order) and compares with rho g H^2 / (2
 /// M), M the constrained modulus.
 template <class Scene>
-void check_rest(Scene scene, double end) {
+void check_rest(const std::string& name, Scene scene, double end, test::Validation& validation) {
   const auto& points = scene.body().points;
   const auto start = points.position;
   run(scene, {.end = end});
@@ -39,14 +40,21 @@ void check_rest(Scene scene, double end) {
   for (std::size_t p = 0; p < points.size(); ++p)
     if (start[p][1] > start[top][1]) top = p;
   const double at = start[top][1], exact = density * g * (height * at - at * at / 2) / soil().wave_modulus();
-  CHECK(std::abs(start[top][1] - points.position[top][1] - exact) < 0.02 * settlement);
+  const double settled = start[top][1] - points.position[top][1];
+  CHECK(std::abs(settled - exact) < 0.02 * settlement);
+  validation.value(name, "settlement of the highest points", "mm", 1e3 * settled, 1e3 * exact);
   const Energies e = energies(scene);
   CHECK(e.kinetic < 1e-6 * e.external);
   CHECK(e.contact > 0);
   CHECK(std::abs(e.residual) < 0.02 * e.external);
+  validation.value(name, "energy out of balance over the work of gravity", "-", e.residual / e.external, 0);
   double worst = 0;
-  for (std::size_t p = 0; p < points.size(); ++p)
-    worst = std::max(worst, std::abs(points.stress[p][1] + density * g * (height - start[p][1])));
+  for (std::size_t p = 0; p < points.size(); ++p) {
+    const double weight = density * g * (height - start[p][1]);
+    worst = std::max(worst, std::abs(points.stress[p][1] + weight));
+    validation.point(name, "y (m)", start[p][1], "vertical stress (kPa)", points.stress[p][1] / 1e3,
+                     -weight / 1e3);
+  }
   CHECK(worst < 0.06 * density * g * height);
 }
 
@@ -85,9 +93,11 @@ TEST_CASE("A damped column comes to rest at its elastic settlement") {
   using Splines = Numerics<QuadraticBSpline, Flip, Musl>;
   using Triangles = Numerics<LinearSimplex, Flip, Musl>;
   const double omega = pi / 2 * std::sqrt(soil().wave_modulus() / density) / height;  // lowest mode
-  check_rest(column<Splines>(grid, LocalDamping{}), 0.5);
-  check_rest(column<Splines>(grid, ViscousDamping{.rate = 2 * omega}), 0.5);
-  check_rest(column<Triangles>(mesh, LocalDamping{}), 0.5);
+  test::Validation validation("settled_column");
+  check_rest("B-splines; local damping", column<Splines>(grid, LocalDamping{}), 0.5, validation);
+  check_rest("B-splines; viscous damping", column<Splines>(grid, ViscousDamping{.rate = 2 * omega}), 0.5,
+             validation);
+  check_rest("triangles; local damping", column<Triangles>(mesh, LocalDamping{}), 0.5, validation);
 }
 
 TEST_CASE("Settled: forces in balance; without damping the column would go on for ever") {

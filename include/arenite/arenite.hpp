@@ -25,6 +25,7 @@
 #include <arenite/observe/not_included.hpp>
 #include <arenite/observe/watch.hpp>
 #include <arenite/particles/point_ids.hpp>
+#include <arenite/particles/regions.hpp>
 #include <arenite/rigid/cone_cylinder.hpp>
 #include <arenite/rigid/rigid_body.hpp>
 #include <arenite/scene/insert_remove.hpp>

@@ -92,6 +92,31 @@ TEST_CASE("points know their cell, their velocity and their stress of level grou
   REQUIRE(std::abs(solid.points.stress[0][0] + 2000 * 5 * 0.5) < 1e-10);
 }
 
+TEST_CASE("initial stress is any function of the position") {
+  const auto slope = [](const auto& x) {
+    return std::array<double, 6>{-1e3 * x[0], -2e3 * x[1], -500, 100 * x[0] * x[1], 0, 0};
+  };
+  const auto body = body_of<PlaneStrain>(grid, Box<2>{{0, 0}, {2, 1}}, {.per_cell = 4, .stress = slope});
+  for (std::size_t p = 0; p < body.points.size(); ++p) {
+    const Vec<double, 2> x = body.points.position[p];
+    const auto stress = body.points.stress[p];
+    const auto exact = slope(std::array<double, 3>{x[0], x[1], 0});
+    for (std::size_t k = 0; k < 4; ++k) REQUIRE(stress[k] == exact[k]);
+  }
+  const auto refused = [](auto function) -> std::string {
+    try {
+      body_of<PlaneStrain>(grid, Box<2>{{0, 0}, {2, 1}}, {.per_cell = 1, .stress = function});
+    } catch (const error& e) {
+      return e.what();
+    }
+    return "taken";
+  };
+  CHECK(refused([](const auto&) { return std::array<double, 6>{0, NAN, 0, 0, 0, 0}; }) ==
+        "FillOptions.stress, yy at (0.125, 0.125) m = nan: must be finite");
+  CHECK(refused([](const auto&) { return std::array<double, 6>{0, 0, 0, 0, 0, 5}; }) ==
+        "FillOptions.stress, zx at (0.125, 0.125) m = 5: must be zero in two dimensions");
+}
+
 TEST_CASE("a box holds its lower faces and not its upper ones: neighbours share no point") {
   const CartesianGrid<2> odd({.lower = {0, 0}, .upper = {2, 1}, .cell = 1});
   const auto low = body_of<PlaneStrain>(odd, Box{{0., 0.}, {1.5, 1.}}, {.per_cell = 1});

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <limits>
 #include <map>
 #include <optional>
 #include <string>
@@ -17,26 +16,18 @@
 #include <arenite/particles/cell_list.hpp>
 #include <arenite/particles/cell_points.hpp>
 #include <arenite/particles/cell_sums.hpp>
+#include <arenite/particles/initial_stress.hpp>
 #include <arenite/particles/points.hpp>
 #include <arenite/particles/region.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
-/// Initial stress of level ground at rest: vertical stress from the weight above, horizontal stress k0 times
-/// that.
-struct Geostatic {
-  double surface = std::numeric_limits<double>::quiet_NaN();  ///< height of the free surface along `axis`, m
-  double k0 = std::numeric_limits<double>::quiet_NaN();       ///< horizontal over vertical stress, -
-  double gravity = 9.81;                                      ///< m/s2
-  int axis = 1;                                               ///< vertical axis
-};
-
 /// How `fill` makes points. Values are checked when the scene is made, which throws `error`.
 struct FillOptions {
-  int per_cell = 4;                   ///< points a cell or an element
-  std::array<double, 3> velocity{};   ///< initial velocity, m/s
-  std::optional<Geostatic> stress{};  ///< initial stress; none: unstressed
-  bool may_be_empty = false;          ///< whether a region without points is no mistake: some come later
+  int per_cell = 4;                       ///< points a cell or an element
+  std::array<double, 3> velocity{};       ///< initial velocity, m/s
+  std::optional<InitialStress> stress{};  ///< `Geostatic`, or a function of the position; none: unstressed
+  bool may_be_empty = false;              ///< whether a region without points is no mistake: some come later
   /// Initial values of members of the law's history, by name, as functions of the position (x, y, z = 0 in
   /// two dimensions), m; those not named begin as the law says.
   std::map<std::string, std::function<double(const std::array<double, 3>&)>> history{};
@@ -161,14 +152,7 @@ auto make_body(const M& mesh, const Fill<L, name>& recipe, const Owns& owns = {}
   constexpr int D = M::dimension;
   Body<L, T, D, Extra> body{recipe.law, {}, {}};
   const FillOptions& o = recipe.options;
-  if (o.stress) {
-    require(std::isfinite(o.stress->surface), "Geostatic.surface", o.stress->surface, "must be given");
-    require(o.stress->k0 >= 0 && std::isfinite(o.stress->k0), "Geostatic.k0", o.stress->k0,
-            "must be given, and not negative");
-    require(std::isfinite(o.stress->gravity), "Geostatic.gravity", o.stress->gravity, "must be finite");
-    require(o.stress->axis >= 0 && o.stress->axis < D, "Geostatic.axis", o.stress->axis,
-            "must be an axis of the scene");
-  }
+  if (o.stress) o.stress->check(D);
   const auto velocity = vector_argument<T, D>("FillOptions.velocity", o.velocity);
   const auto numbers = region_numbers(mesh, recipe.region);
   for (Index c = 0; c < mesh.cell_count(); ++c) {
@@ -181,15 +165,9 @@ auto make_body(const M& mesh, const Fill<L, name>& recipe, const Owns& owns = {}
     for (const auto& x : places) {
       if (recipe.region.test && !recipe.region.contains(x)) continue;
       const T volume = share * K::thickness(x);
-      Sym<T, D> stress{};
-      if (o.stress) {
-        const auto vertical = static_cast<std::size_t>(o.stress->axis);
-        const double depth = o.stress->surface - static_cast<double>(x[o.stress->axis]);
-        const double pressure = body.law.density() * o.stress->gravity * std::max(0.0, depth);
-        for (std::size_t k = 0; k < 3; ++k)
-          stress[k] = static_cast<T>(-pressure * (k == vertical ? 1.0 : o.stress->k0));
-      }
-      body.points.push_back(x, velocity, static_cast<T>(body.law.density()) * volume, volume, stress, c);
+      const double density = body.law.density();
+      const auto stress = o.stress ? o.stress->at(x, density) : Sym<T, D>{};
+      body.points.push_back(x, velocity, static_cast<T>(density) * volume, volume, stress, c);
       body.initial_volume += static_cast<double>(volume);
     }
   }

@@ -15,14 +15,13 @@
 #include <string>
 #include <vector>
 
-#include <arenite/observe/every.hpp>
 #include <arenite/observe/progress.hpp>
 #include <arenite/observe/saved_state.hpp>
-#include <arenite/observe/vtu.hpp>
 #include <arenite/observe/watch.hpp>
 
 #include "drop.hpp"
 #include "earlier_run.hpp"
+#include "field_files.hpp"
 #include "history_row.hpp"
 #include "results.hpp"
 #include "run_folder.hpp"
@@ -172,36 +171,14 @@ class Run {
     try {
       check();
     } catch (...) {
-      if (fields_) fields_->called().write_once(scene_);
+      if (fields_) fields_->called()(scene_);
       throw;
     }
   }
 
-  /// Field files of a step, once.
-  struct Fields {
-    VtuSeries series;
-    std::optional<std::size_t> last{};  ///< step with files
-
-    void operator()(const Scene& scene) {
-      series(scene);
-      last = scene.steps;
-    }
-    void write_once(const Scene& scene) {
-      if (last != scene.steps) (*this)(scene);
-    }
-    template <class F>
-    void visit_state(F&& f) {
-      series.visit_state(f);
-    }
-    void follow_state(const Scene& scene) { series.follow_state(scene); }
-  };
   void open_fields(bool resumed = false) {
     if (o_.fields_every > 0 && !fields_)
-      fields_.emplace(o_.fields_every,
-                      Fields{VtuSeries(folder_.path() / "fields", {.body_names = {"soil", "device_points"},
-                                                                   .mesh = true,
-                                                                   .region = "device",
-                                                                   .keep_list = resumed})});
+      fields_.emplace(field_files(folder_.path(), o_.fields_every, resumed));
   }
 
   SavedState state_file() const { return {folder_.path() / state_file_name, hash_of_inputs(o_)}; }
@@ -216,7 +193,7 @@ class Run {
   void tell_pace(const Scene& scene) {
     constexpr std::size_t first = 5, last = 25;
     if (scene.steps == first) pace_from_ = Clock::now();
-    if (scene.steps != last) return;
+    if (scene.steps != last || pace_from_ == Clock::time_point{}) return;  // resumed on the way
     const double step = seconds(Clock::now() - pace_from_) / (last - first);
     say("about " + duration(step * static_cast<double>(numbers_.expected_steps)) +
         " at the pace of the first steps");
@@ -264,7 +241,7 @@ class Run {
   Progress progress_;
   std::optional<Watch> watch_;
   std::optional<HistoryFile> history_;
-  std::optional<Every<Fields>> fields_;
+  std::optional<Every<FieldFiles>> fields_;
   std::function<void(const Scene&)> due_state_;
   std::vector<HistoryRow> rows_;
   RunNumbers numbers_;

@@ -15,6 +15,7 @@
 #include <string>
 #include <vector>
 
+#include <arenite/observe/every.hpp>
 #include <arenite/observe/progress.hpp>
 #include <arenite/observe/saved_state.hpp>
 #include <arenite/observe/watch.hpp>

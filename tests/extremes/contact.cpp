@@ -28,7 +28,7 @@ Outcome two_bodies(Draw& d) {
 }
 
 /// A ball, m.
-struct Ball {
+struct DistanceToBall {
   Vec<double, 3> centre;
   double radius;
   double operator()(const Vec<double, 3>& x) const { return (x - centre).norm() - radius; }
@@ -39,8 +39,8 @@ Outcome ball(Draw& d) {
   return judge(d, [&] {
     const auto mesh = grid<3, float>(d);
     const double size = extent(mesh);
-    const Ball shape{size * Vec<double, 3>(0.5, d.random.uniform(0.6, 0.8), 0.5),
-                     d.random.uniform(0.1, 0.3) * size};
+    const DistanceToBall shape{size * Vec<double, 3>(0.5, d.random.uniform(0.6, 0.8), 0.5),
+                               d.random.uniform(0.1, 0.3) * size};
     const double mass = d.density * d.contrast * std::pow(shape.radius, 3);
     Scene scene{ThreeDimensional{},
                 mesh,

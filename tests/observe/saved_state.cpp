@@ -215,9 +215,9 @@ TEST_CASE("A hash is that of the bytes, however they are cut, and of their numbe
     changed.add(other.data(), other.size());
     REQUIRE(changed.value() != whole.value());
   }
-  Hash none, zero;
+  Hash empty, zero;
   zero.add("", 1);
-  CHECK(none.value() != zero.value());
+  CHECK(empty.value() != zero.value());
   CHECK(whole.digits().size() == 16);
 }
 

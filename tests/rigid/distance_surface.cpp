@@ -88,7 +88,7 @@ namespace {
 
 /// A ball that tells a box around it.
 template <int D>
-struct Ball {
+struct DistanceToBall {
   Vec<double, D> centre;
   double radius;
   double operator()(const Vec<double, D>& x) const { return (x - centre).norm() - radius; }
@@ -182,7 +182,7 @@ TEST_CASE("no node is lost to a body's box, to matter or to threads: random bodi
     const double on_grid = 0.025 * static_cast<double>(random() % 20);
     const double radius = k % 2 == 0 ? 0.025 + on_grid : 0.01 + 0.6 * uniform(random);
     const P centre = k % 2 == 0 ? P(-on_grid, on_grid) : P(uniform(random), uniform(random));
-    const Ball<2> disc{centre, radius};
+    const DistanceToBall<2> disc{centre, radius};
     const ConeCylinder cone(
         {.radius = radius, .apex = 0.2 + 2.5 * uniform(random), .length = 9 * radius + 1});
     const auto cone_2d = [&](const auto& mesh, auto shape) {
@@ -193,7 +193,7 @@ TEST_CASE("no node is lost to a body's box, to matter or to threads: random bodi
     };
     found += cone_2d(fine, QuadraticBSpline{});
     found += cone_2d(triangles, LinearSimplex{});
-    const Ball<3> ball{{centre[0], centre[1], 0.3}, radius};
+    const DistanceToBall<3> ball{{centre[0], centre[1], 0.3}, radius};
     const auto matter = random_matter(QuadraticBSpline::node_count(space), random);
     found += compare_visits<QuadraticBSpline>(space, ball, reach, {way[0], way[1], 0.1}, matter);
     found += compare_visits<QuadraticBSpline>(space, cone, reach, {way[0], way[1], 0.1}, matter);
@@ -203,11 +203,11 @@ TEST_CASE("no node is lost to a body's box, to matter or to threads: random bodi
 }
 
 TEST_CASE("a distance is asked only near the body, and where there is matter") {
-  struct Counting : Ball<2> {
+  struct Counting : DistanceToBall<2> {
     std::size_t* calls;
     double operator()(const P& x) const {
       ++*calls;
-      return Ball<2>::operator()(x);
+      return DistanceToBall<2>::operator()(x);
     }
   };
   set_threads(1);

@@ -162,7 +162,9 @@ TEST_CASE("Saved: truncated and damaged files are refused") {
 TEST_CASE("Saved: killed a hundred times while it writes, the last whole file loads") {
   auto scene = make();
   std::filesystem::remove("killed.state");
+  const auto begin = std::chrono::steady_clock::now();
   save_state(scene, "killed.state");
+  const auto one = std::chrono::steady_clock::now() - begin;
   std::mt19937 random(11);
   int written = 0;
   double last = scene.time;
@@ -175,7 +177,7 @@ TEST_CASE("Saved: killed a hundred times while it writes, the last whole file lo
         save_state(scene, "killed.state");
       }
     }
-    std::this_thread::sleep_for(std::chrono::microseconds(200 + random() % 8000));
+    std::this_thread::sleep_for(one * (random() % 80) / 10);  // to eight times what it takes
     ::kill(child, SIGKILL);
     int status = 0;
     REQUIRE(::waitpid(child, &status, 0) == child);

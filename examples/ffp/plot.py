@@ -265,7 +265,7 @@ def paint(axes, drop, field):
     scale = 72 / axes.figure.dpi * box.height / numpy.ptp(axes.get_ylim())  # points of 1/72 inch a metre
     image = None
     for side in (-1, 1):
-        image = axes.p2g(side * r, y, c=strain, s=(1.5 * scale * spacing(r, y)) ** 2, marker="s", linewidths=0, cmap="magma_r",
+        image = axes.scatter(side * r, y, c=strain, s=(1.5 * scale * spacing(r, y)) ** 2, marker="s", linewidths=0, cmap="magma_r",
                              vmin=0, vmax=STRAIN_TOP, rasterized=True)
     x, height = drop.outline(time)
     axes.fill(numpy.concatenate([-x[::-1], x]), numpy.concatenate([height[::-1], height]), facecolor="#d9dde1",

@@ -6,7 +6,14 @@ if(NOT ARENITE_EXAMPLES OR NOT CLI11_FOUND OR NOT nlohmann_json_FOUND OR NOT Pyt
   return()
 endif()
 
-foreach(class Drops SameBits Mistakes Widths Words Meshes Failures Ends Killed Resumed Inputs CommandLine Study)
+execute_process(COMMAND /usr/bin/python3 -c "import matplotlib" RESULT_VARIABLE no_matplotlib OUTPUT_QUIET ERROR_QUIET)
+set(pictures Pictures)
+if(no_matplotlib)
+  set(pictures)
+  arenite_left_out("The test of the driver's pictures" "matplotlib of /usr/bin/python3 (Debian: python3-matplotlib)")
+endif()
+
+foreach(class Drops SameBits Mistakes Widths Words Meshes Failures Ends Killed Resumed Inputs CommandLine Study ${pictures})
   set(scratch ${CMAKE_CURRENT_BINARY_DIR}/scratch/ffp.driver_${class})
   file(MAKE_DIRECTORY ${scratch})
   add_test(NAME ffp.driver_${class}

@@ -463,6 +463,19 @@ class Words(DriverTest):
         self.assertEqual(summary("closed")["status"], "done")
 
 
+class Pictures(DriverTest):
+    """The pictures that examples/ffp/run.sh draws, with Debian's matplotlib."""
+
+    def test_drawn(self):
+        self.run_drop("pictures", *COARSE, "--end", "0.02", "--fields-every", "0.01")
+        script = os.path.join(os.path.dirname(Study.SCRIPT), "plot.py")
+        done = subprocess.run(["/usr/bin/python3", script, "pictures"], capture_output=True, text=True)
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        for name in ("histories.png", "strain.png"):
+            self.assertTrue(content("pictures", name).startswith(b"\x89PNG"), name)
+            self.assertGreater(len(content("pictures", name)), 10000)
+
+
 class Meshes(DriverTest):
     """Gmsh files in the place of the generated mesh."""
 

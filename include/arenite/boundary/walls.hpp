@@ -32,6 +32,14 @@ constexpr Condition free_along(std::size_t axis) {
   return c;
 }
 
+/// What a place on the hull of a mesh is called: the side of the box around it, normal to `axis`, or the node
+/// set, or "where".
+inline std::string place_name(int axis, bool upper, const std::string& set) {
+  static constexpr std::array<const char*, 6> sides{"left", "right", "bottom", "top", "front", "back"};
+  if (axis >= 0 && axis < 3) return sides[static_cast<std::size_t>(2 * axis + upper)];
+  return set.empty() ? "where" : set;
+}
+
 /// One wall: which nodes, and what is blocked there.
 struct Wall {
   int axis = -1;                                             ///< face: normal axis; -1: not a face
@@ -42,12 +50,7 @@ struct Wall {
   std::string given_name{};  ///< where there is no better one
 
   /// What the wall is called: its face, its node set, or the name given.
-  std::string name() const {
-    static constexpr std::array<const char*, 6> faces{"left", "right", "bottom", "top", "front", "back"};
-    if (!given_name.empty()) return given_name;
-    if (axis >= 0 && axis < 3) return faces[static_cast<std::size_t>(2 * axis + upper)];
-    return set.empty() ? "where" : set;
-  }
+  std::string name() const { return given_name.empty() ? place_name(axis, upper, set) : given_name; }
 };
 /// `named("platen", where(..))`: the wall under a name of its own, by which its reaction is read.
 inline Wall named(std::string name, Wall wall) {

@@ -28,33 +28,32 @@ class BoundBodyForce {
 
   template <class Scene>
   void connect(Scene& scene) {
-    nodes_.resize(scene.fields.size());
-    for (auto& nodes : nodes_) nodes.clear(Scene::Shape::node_count(scene.mesh));
+    forces_.connect(scene);
   }
   template <class Scene>
   void add_force(Scene& scene, double) {
     Failure failure;
-    for (std::size_t k = 0; k < nodes_.size(); ++k) {
-      auto& field = scene.fields[k];
+    for (std::size_t k = 0; k < forces_.field.size(); ++k) {
+      const auto& field = scene.fields[k];
+      auto& force = forces_.field[k].force;
       parallel_chunks(field.size(), [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
-          nodes_[k].force[i].setZero();
+          force[i].setZero();
           const T mass = field.collected[i].mass();
           if (mass > 0)
             failure.guard(i, [&] {
               const Vec<T, D> x = Scene::Shape::node_position(scene.mesh, static_cast<Index>(i));
-              nodes_[k].force[i] = mass * value_at(value_, x, scene.time, "body force");
+              force[i] = mass * value_at(value_, x, scene.time, "body force");
             });
         }
       });
-      failure.rethrow();
-      nodes_[k].add_to(field);
     }
+    failure.rethrow();
+    forces_.add_to(scene);
   }
   template <class Scene>
   void follow_motion(Scene& scene, double dt) {
-    for (std::size_t k = 0; k < nodes_.size(); ++k)
-      work_ += nodes_[k].work(scene.fields[k], dt, scene.node_owner());
+    work_ += forces_.work(scene, dt);
   }
   PartEnergy count_energy() const { return {.external = work_}; }
   bool holds_against(const Vec<T, D>&) const { return false; }
@@ -65,8 +64,8 @@ class BoundBodyForce {
 
  private:
   VectorFunction value_;
-  std::vector<NodeForce<T, D>> nodes_;  // [fields]
-  double work_ = 0;                     // since the start, J
+  FieldForces<T, D> forces_;
+  double work_ = 0;  // since the start, J
 };
 
 template <class Site>

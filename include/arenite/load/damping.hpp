@@ -3,7 +3,6 @@
 
 #include <cmath>
 #include <limits>
-#include <vector>
 
 #include <arenite/core/checked.hpp>
 #include <arenite/core/part_energy.hpp>
@@ -60,8 +59,7 @@ class BoundDamping {
 
   template <class Scene>
   void connect(Scene& scene) {
-    nodes_.resize(scene.fields.size());
-    for (auto& nodes : nodes_) nodes.clear(Scene::Shape::node_count(scene.mesh));
+    forces_.connect(scene);
   }
   /// Damps no more, or again.
   void switch_off() { on_ = false; }
@@ -71,9 +69,9 @@ class BoundDamping {
   void add_force(Scene& scene, double dt) {
     if (!on_) return;
     const Vec<T, D> acceleration = scene.acceleration();
-    for (std::size_t k = 0; k < nodes_.size(); ++k) {
-      auto& field = scene.fields[k];
-      auto& force = nodes_[k].force;
+    for (std::size_t k = 0; k < forces_.field.size(); ++k) {
+      const auto& field = scene.fields[k];
+      auto& force = forces_.field[k].force;
       parallel_chunks(field.size(), [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
           const auto& at = field.collected[i];
@@ -83,14 +81,12 @@ class BoundDamping {
                                            Vec<T, D>(at.force() + at.mass() * acceleration), dt);
         }
       });
-      nodes_[k].add_to(field);
     }
+    forces_.add_to(scene);
   }
   template <class Scene>
   void follow_motion(Scene& scene, double dt) {
-    if (!on_) return;
-    for (std::size_t k = 0; k < nodes_.size(); ++k)
-      dissipated_ -= nodes_[k].work(scene.fields[k], dt, scene.node_owner());
+    if (on_) dissipated_ -= forces_.work(scene, dt);
   }
   PartEnergy count_energy() const { return {.dissipated = dissipated_}; }
   bool holds_against(const Vec<T, D>&) const { return false; }
@@ -102,8 +98,8 @@ class BoundDamping {
 
  private:
   Damping damping_;
-  std::vector<NodeForce<T, D>> nodes_;  // [fields]
-  double dissipated_ = 0;               // since the start, J
+  FieldForces<T, D> forces_;
+  double dissipated_ = 0;  // since the start, J
   bool on_ = true;
 };
 

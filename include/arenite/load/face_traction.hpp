@@ -5,7 +5,6 @@
 #include <string>
 #include <type_traits>
 #include <utility>
-#include <vector>
 
 #include <arenite/core/part_energy.hpp>
 #include <arenite/load/grid_faces.hpp>
@@ -50,18 +49,16 @@ class BoundFaceTraction {
     faces_.emplace(scene, where_);
     require(faces_->size() > 0 || Scene::is_portion, name_ + ": faces", faces_->size(),
             "must be at least one face of the mesh's hull");
-    nodes_.resize(scene.fields.size());
-    for (auto& nodes : nodes_) nodes.clear(scene.fields[0].size());
+    forces_.connect(scene);
   }
   template <class Scene, class Others = const Alone>
   void add_force(Scene& scene, double, Others& others = no_others) {
-    faces_->collect(scene, load_, name_, nodes_, others);
-    for (std::size_t k = 0; k < nodes_.size(); ++k) nodes_[k].add_to(scene.fields[k]);
+    faces_->collect(scene, load_, name_, forces_.field, others);
+    forces_.add_to(scene);
   }
   template <class Scene>
   void follow_motion(Scene& scene, double dt) {
-    for (std::size_t k = 0; k < nodes_.size(); ++k)
-      work_ += nodes_[k].work(scene.fields[k], dt, scene.node_owner());
+    work_ += forces_.work(scene, dt);
   }
   PartEnergy count_energy() const { return {.external = work_}; }
   /// Nothing rests on a load.
@@ -72,19 +69,15 @@ class BoundFaceTraction {
   }
 
   /// Total force of the last step, N, [D].
-  Vec<T, D> force() const {
-    Vec<T, D> sum = Vec<T, D>::Zero();
-    for (const auto& nodes : nodes_) sum += nodes.total();
-    return sum;
-  }
+  Vec<T, D> force() const { return forces_.total(); }
 
  private:
   SurfaceLoad load_;
   MeshFaces where_;
   std::string name_;
-  std::optional<Faces> faces_;          // from `connect` on
-  std::vector<NodeForce<T, D>> nodes_;  // [fields]
-  double work_ = 0;                     // since the start, J
+  std::optional<Faces> faces_;  // from `connect` on
+  FieldForces<T, D> forces_;
+  double work_ = 0;  // since the start, J
 };
 
 template <class Site>

@@ -11,6 +11,7 @@
 
 #include <arenite/boundary/constraints.hpp>
 #include <arenite/boundary/place_function.hpp>
+#include <arenite/boundary/walls.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
@@ -22,11 +23,7 @@ struct MeshFaces {
   std::string set{};                          ///< name of a node set of a simplex mesh
   std::function<bool(const Triple&)> test{};  ///< any test of a corner's position, m
 
-  std::string name() const {
-    static constexpr std::array<const char*, 6> sides{"left", "right", "bottom", "top", "front", "back"};
-    if (axis >= 0 && axis < 3) return sides[static_cast<std::size_t>(2 * axis + upper)];
-    return set.empty() ? "where" : set;
-  }
+  std::string name() const { return place_name(axis, upper, set); }
 };
 
 /// Sides of the box around the mesh: `left` and `right` at the ends of x (the inner and outer radius),

@@ -65,4 +65,36 @@ class NodeForce {
   bool acts_at(std::size_t i) const { return (force[i].array() != 0).any(); }
 };
 
+/// Forces of one load in each field of a scene.
+template <class T, int D>
+class FieldForces {
+ public:
+  std::vector<NodeForce<T, D>> field;  ///< [fields]
+
+  /// Makes them, all zero.
+  template <class Scene>
+  void connect(const Scene& scene) {
+    field.resize(scene.fields.size());
+    for (auto& nodes : field) nodes.clear(scene.fields[0].size());
+  }
+  template <class Scene>
+  void add_to(Scene& scene) const {
+    for (std::size_t k = 0; k < field.size(); ++k) field[k].add_to(scene.fields[k]);
+  }
+  /// Work in the step dt, J, at the nodes that the scene owns.
+  template <class Scene>
+  double work(const Scene& scene, double dt) const {
+    double sum = 0;
+    for (std::size_t k = 0; k < field.size(); ++k)
+      sum += field[k].work(scene.fields[k], dt, scene.node_owner());
+    return sum;
+  }
+  /// N, [D].
+  Vec<T, D> total() const {
+    Vec<T, D> sum = Vec<T, D>::Zero();
+    for (const auto& nodes : field) sum += nodes.total();
+    return sum;
+  }
+};
+
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

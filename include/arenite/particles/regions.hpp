@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <concepts>
+#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -93,36 +94,30 @@ template <class R>
 concept region_of_positions =
     !std::same_as<R, Cells> && !std::same_as<R, AnyRegion> && (region_type<R, 2> || region_type<R, 3>);
 
+/// Two regions: `Rule` of whether a, and whether b, contains a position.
+template <class A, class B, class Rule>
+struct Combined {
+  A a;
+  B b;
+  template <int D>
+  requires(region_type<A, D>&& region_type<B, D>) bool contains(const Vec<double, D>& x) const {
+    return Rule{}(a.contains(x), b.contains(x));
+  }
+};
+/// The first and not the second.
+struct AndNot {
+  bool operator()(bool first, bool second) const { return first && !second; }
+};
+
 /// `a | b`: in one of them, or both.
 template <class A, class B>
-struct UnionOf {
-  A a;
-  B b;
-  template <int D>
-  requires(region_type<A, D>&& region_type<B, D>) bool contains(const Vec<double, D>& x) const {
-    return a.contains(x) || b.contains(x);
-  }
-};
+using UnionOf = Combined<A, B, std::logical_or<>>;
 /// `a & b`: in both.
 template <class A, class B>
-struct IntersectionOf {
-  A a;
-  B b;
-  template <int D>
-  requires(region_type<A, D>&& region_type<B, D>) bool contains(const Vec<double, D>& x) const {
-    return a.contains(x) && b.contains(x);
-  }
-};
+using IntersectionOf = Combined<A, B, std::logical_and<>>;
 /// `a - b`: in a, not in b.
 template <class A, class B>
-struct DifferenceOf {
-  A a;
-  B b;
-  template <int D>
-  requires(region_type<A, D>&& region_type<B, D>) bool contains(const Vec<double, D>& x) const {
-    return a.contains(x) && !b.contains(x);
-  }
-};
+using DifferenceOf = Combined<A, B, AndNot>;
 
 template <region_of_positions A, region_of_positions B>
 UnionOf<A, B> operator|(A a, B b) {

@@ -1,11 +1,11 @@
-// Regions: where to put points. A box, a signed distance, the cells of a mesh region, or any test of a
+// Regions: where to put points. A shape, a signed distance, the cells of a mesh region, or any test of a
 // position.
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <concepts>
 #include <functional>
-#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
@@ -13,24 +13,9 @@
 #include <arenite/core/error.hpp>
 #include <arenite/core/tensor.hpp>
 #include <arenite/core/vector_argument.hpp>
+#include <arenite/geometry/shape.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
-
-/// Axis-aligned box: lower <= x < upper, m.
-template <std::size_t D>
-struct Box {
-  std::array<double, D> lower;
-  std::array<double, D> upper;
-  bool contains(const Vec<double, static_cast<int>(D)>& x) const {
-    for (std::size_t k = 0; k < D; ++k)
-      if (!(x[static_cast<int>(k)] >= lower[k] && x[static_cast<int>(k)] < upper[k])) return false;
-    return true;
-  }
-  template <int Other>
-  bool contains(const Vec<double, Other>& x) const = delete;  // a box of another dimension
-};
-template <std::size_t D>
-Box(const double (&)[D], const double (&)[D]) -> Box<D>;
 
 /// Where a signed distance (negative inside) is negative. `Distance`: callable with a position, m.
 template <class Distance>
@@ -39,6 +24,12 @@ struct Inside {
   template <int D>
   bool contains(const Vec<double, D>& x) const {
     return distance(x) < 0;
+  }
+  template <int D>
+  requires(distance_in<Distance, D>) double operator()(const Vec<double, D>& x) const { return distance(x); }
+  template <int D>
+  auto bounds() const {
+    return bounds_of<D>(distance);
   }
 };
 template <class Distance>
@@ -51,8 +42,9 @@ struct Cells {
   explicit Cells(std::vector<std::string> names) : regions{std::move(names)} {}
 };
 
-/// `Cells`, or any class with `bool contains(const Vec<double, D>& x) const`, x in m. Members `lower` and
-/// `upper` [D], m, are its bounds, of which a new scene warns if they reach beyond the mesh.
+/// `Cells`, or any class with `bool contains(const Vec<double, D>& x) const`, x in m: the shapes of
+/// `geometry/`, what is made of several (`particles/regions.hpp`), one of your own. Members `lower` and
+/// `upper` [D], m, or `bounds()` are its bounds, of which a new scene warns if they reach beyond the mesh.
 template <class R, int D>
 concept region_type = std::same_as<R, Cells> || requires(const R r, const Vec<double, D> x) {
   { r.contains(x) } -> std::convertible_to<bool>;
@@ -64,8 +56,8 @@ struct AnyRegion {
   using Position = std::array<double, 3>;
   std::function<bool(const Position&)> test{};  ///< none: the region is `cells`
   std::vector<std::string> cells{};             ///< regions of the mesh
-  bool has_bounds = false;                      ///< whether the region told `lower` and `upper`, m
-  Position lower{}, upper{};
+  bool has_bounds = false;                      ///< whether the region has finite bounds
+  Position lower{}, upper{};                    ///< m
 
   template <int D, class R>
   static AnyRegion of(R region) {
@@ -73,12 +65,12 @@ struct AnyRegion {
     if constexpr (std::same_as<R, Cells>) {
       any.cells = std::move(region.regions);
     } else {
-      if constexpr (requires { region.lower[0] < region.upper[0]; }) {
-        any.has_bounds = true;
-        for (std::size_t k = 0; k < D; ++k) {
-          any.lower[k] = region.lower[k];
-          any.upper[k] = region.upper[k];
-        }
+      const auto box = bounds_of<D>(region);
+      any.has_bounds = true;
+      for (std::size_t k = 0; k < D; ++k) {
+        any.has_bounds = any.has_bounds && std::isfinite(box.lower[k]) && std::isfinite(box.upper[k]);
+        any.lower[k] = box.lower[k];
+        any.upper[k] = box.upper[k];
       }
       any.test = [r = std::move(region)](const Position& at) -> bool { return r.contains(in_scene<D>(at)); };
     }

@@ -1,0 +1,45 @@
+// Box: a region, a signed distance, and the bounds of other shapes.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+#include <arenite/core/tensor.hpp>
+
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
+
+/// Axis-aligned box: lower <= x < upper, m.
+template <std::size_t D>
+struct Box {
+  std::array<double, D> lower;
+  std::array<double, D> upper;
+  bool contains(const Vec<double, static_cast<int>(D)>& x) const {
+    for (std::size_t k = 0; k < D; ++k)
+      if (!(x[static_cast<int>(k)] >= lower[k] && x[static_cast<int>(k)] < upper[k])) return false;
+    return true;
+  }
+  template <int Other>
+  bool contains(const Vec<double, Other>& x) const = delete;  // a box of another dimension
+
+  /// Signed distance, m, exact outside and inside.
+  double operator()(const Vec<double, static_cast<int>(D)>& x) const {
+    double square_outside = 0, deepest = -std::numeric_limits<double>::infinity();
+    for (std::size_t k = 0; k < D; ++k) {
+      const double beyond = std::max(lower[k] - x[static_cast<int>(k)], x[static_cast<int>(k)] - upper[k]);
+      deepest = std::max(deepest, beyond);
+      if (beyond > 0) square_outside += beyond * beyond;
+    }
+    return deepest > 0 ? std::sqrt(square_outside) : deepest;
+  }
+  template <int Other>
+  double operator()(const Vec<double, Other>& x) const = delete;
+
+  Box bounds() const { return *this; }
+};
+template <std::size_t D>
+Box(const double (&)[D], const double (&)[D]) -> Box<D>;
+
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -27,15 +27,25 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 /// Calls `f(i)` for i in [0, n), in any order; on one thread unless `worthwhile`. Each thread begins with a
 /// part of its own, the first item of part t of `parts` being `cut(t, parts)`. `f` must not throw.
 template <class F, class Cut>
-void parallel_for(std::size_t n, bool worthwhile, F&& f, Cut&& cut) {
+void parallel_for(std::size_t n, bool worthwhile, const F& f, const Cut& cut) {
+  if (n == 0) return;
+  // The one place where `f` is compiled: loops are most of what a scene's compilation takes.
+  constexpr auto items = [](const void* body, std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) (*static_cast<const F*>(body))(i);
+  };
   if (worthwhile && n > 1)
-    shared_detail::ThreadPool::instance().run(n, f, cut);
+    shared_detail::ThreadPool::instance().run(
+        n, {items, &f,
+            [](const void* cuts, std::size_t t, std::size_t parts) -> std::size_t {
+              return (*static_cast<const Cut*>(cuts))(t, parts);
+            },
+            &cut});
   else
-    for (std::size_t i = 0; i < n; ++i) f(i);
+    items(&f, 0, n);
 }
 /// The same with parts of equal length.
 template <class F>
-void parallel_for(std::size_t n, bool worthwhile, F&& f) {
+void parallel_for(std::size_t n, bool worthwhile, const F& f) {
   parallel_for(n, worthwhile, f, [n](std::size_t t, std::size_t parts) { return n * t / parts; });
 }
 

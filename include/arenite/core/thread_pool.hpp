@@ -49,8 +49,17 @@ bool wait_awake(Done&& done) {
   return true;
 }
 
+/// A loop without its type, so that the pool is compiled once for all loops.
+struct Loop {
+  void (*items)(const void* body, std::size_t begin, std::size_t end);  ///< runs the items [begin, end)
+  const void* body;
+  /// The first item of part `part` of `parts`.
+  std::size_t (*cut)(const void* cuts, std::size_t part, std::size_t parts);
+  const void* cuts;
+};
+
 /// Why the memory orders do:
-/// - `state_` is the gate. The caller writes the loop (call_, context_, parts_) and then sets `open`. A
+/// - `state_` is the gate. The caller writes the loop (loop_, parts_) and then sets `open`. A
 /// helper
 ///   signs in with an acquiring addition, and touches the loop only if that saw `open`: so it sees all that
 ///   was written. It signs out with a releasing subtraction, and the caller goes on once it has acquired 0:
@@ -84,27 +93,25 @@ class ThreadPool {
     threads_ = n;
   }
 
-  /// Calls `f(i)` for i in [0, n), on as many threads as come in time; part t of `parts` begins at item
-  /// `cut(t, parts)`. A loop within a loop, and one that starts while another of the program's threads has
-  /// the pool, run on their own thread alone; so do all while helpers do not pay.
-  template <class F, class Cut>
-  void run(std::size_t n, F& f, Cut&& cut) {
+  /// Runs the items [0, n) of a loop, on as many threads as come in time. A loop within a loop, and one that
+  /// starts while another of the program's threads has the pool, run on their own thread alone; so do all
+  /// while helpers do not pay.
+  void run(std::size_t n, const Loop& loop) {
     if (threads_ < 2 || inside() || taken_.test_and_set(std::memory_order_acquire)) {
-      for (std::size_t i = 0; i < n; ++i) f(i);
+      loop.items(loop.body, 0, n);
       return;
     }
     if (helpers_.empty()) start();
     if (!account_.begin_loop()) {
       taken_.clear(std::memory_order_release);
-      for (std::size_t i = 0; i < n; ++i) f(i);
+      loop.items(loop.body, 0, n);
       return;
     }
     inside() = true;
-    call_ = [](void* context, std::size_t i) { (*static_cast<F*>(context))(i); };
-    context_ = &f;
+    loop_ = loop;
     const auto parts = static_cast<std::size_t>(threads_);
     for (std::size_t t = 0, begin = 0; t < parts; ++t) {
-      const std::size_t end = t + 1 == parts ? n : cut(t + 1, parts);
+      const std::size_t end = t + 1 == parts ? n : loop.cut(loop.cuts, t + 1, parts);
       parts_[t].items.store(pack(begin, end), std::memory_order_relaxed);
       begin = end;
     }
@@ -159,7 +166,8 @@ class ThreadPool {
         if (next >= end) break;
         const std::uint64_t rest = k == 0 ? pack(next + 1, end) : pack(next, end - 1);
         if (!items.compare_exchange_weak(left, rest, std::memory_order_relaxed)) continue;
-        call_(context_, k == 0 ? next : end - 1);
+        const std::size_t item = k == 0 ? next : end - 1;
+        loop_.items(loop_.body, item, item + 1);
         ++taken;
         left = items.load(std::memory_order_relaxed);
       }
@@ -215,9 +223,7 @@ class ThreadPool {
   HelperAccount<> account_;  // of who has the helpers
   std::vector<std::thread> helpers_;
   std::atomic<bool> stopping_{false};
-  // The loop that is open.
-  void (*call_)(void*, std::size_t) = nullptr;
-  void* context_ = nullptr;
+  Loop loop_{};              // that is open
   std::vector<Part> parts_;  // of its items, one a thread
   alignas(64) std::atomic<std::uint32_t> state_{0};
   alignas(64) std::atomic<std::uint32_t> bell_{0};

@@ -9,7 +9,6 @@
 #include <string>
 
 #include <arenite/core/name.hpp>
-#include <arenite/core/vector_argument.hpp>
 #include <arenite/kinematics/kinematics.hpp>
 #include <arenite/law/roles.hpp>
 #include <arenite/mesh/mesh.hpp>
@@ -17,6 +16,7 @@
 #include <arenite/particles/cell_points.hpp>
 #include <arenite/particles/cell_sums.hpp>
 #include <arenite/particles/initial_stress.hpp>
+#include <arenite/particles/initial_velocity.hpp>
 #include <arenite/particles/points.hpp>
 #include <arenite/particles/region.hpp>
 
@@ -25,7 +25,7 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 /// How `fill` makes points. Values are checked when the scene is made, which throws `error`.
 struct FillOptions {
   int per_cell = 4;                       ///< points a cell or an element
-  std::array<double, 3> velocity{};       ///< initial velocity, m/s
+  InitialVelocity velocity{};             ///< (x, y, z), m/s, or a function of the position
   std::optional<InitialStress> stress{};  ///< `Geostatic`, or a function of the position; none: unstressed
   bool may_be_empty = false;              ///< whether a region without points is no mistake: some come later
   /// Initial values of members of the law's history, by name, as functions of the position (x, y, z = 0 in
@@ -153,7 +153,7 @@ auto make_body(const M& mesh, const Fill<L, name>& recipe, const Owns& owns = {}
   Body<L, T, D, Extra> body{recipe.law, {}, {}};
   const FillOptions& o = recipe.options;
   if (o.stress) o.stress->check(D);
-  const auto velocity = vector_argument<T, D>("FillOptions.velocity", o.velocity);
+  if (o.velocity.is_uniform()) o.velocity.at<T, D>(Vec<T, D>::Zero());
   const auto numbers = region_numbers(mesh, recipe.region);
   for (Index c = 0; c < mesh.cell_count(); ++c) {
     if (!owns(c)) continue;
@@ -162,12 +162,15 @@ auto make_body(const M& mesh, const Fill<L, name>& recipe, const Owns& owns = {}
     }
     const auto places = initial_points(mesh, c, o.per_cell);
     const T share = mesh.volume(c) / static_cast<T>(places.size());
+    const double length = std::pow(static_cast<double>(mesh.volume(c)), 1.0 / D);
     for (const auto& x : places) {
       if (recipe.region.test && !recipe.region.contains(x)) continue;
       const T volume = share * K::thickness(x);
       const double density = body.law.density();
       const auto stress = o.stress ? o.stress->at(x, density) : Sym<T, D>{};
-      body.points.push_back(x, velocity, static_cast<T>(density) * volume, volume, stress, c);
+      body.points.push_back(x, o.velocity.at(x), static_cast<T>(density) * volume, volume, stress, c);
+      if constexpr (Extra.affine)
+        body.points.motion.set(body.points.size() - 1, o.velocity.gradient(x, length));
       body.initial_volume += static_cast<double>(volume);
     }
   }

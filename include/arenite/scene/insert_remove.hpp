@@ -39,19 +39,43 @@ auto insert_points(Scene& scene,
   return totals;
 }
 
-/// Removes the points of a body, by name or number, for which `leaves(point)` holds, with a `MaterialPoint`:
-/// `remove_points<"sand">(scene, [](const auto& point) { return point.position[1] > 2; })`. Energy balances
-/// count what they take with them as taken out. Returns that.
+/// Removes the points of a body, by name or number, that lie in a region, or for which `leaves(point)` holds,
+/// with a `MaterialPoint`: `remove_points<"sand">(scene, Box{{0, 1}, {2, 1.5}})` or `.. [](const auto& point)
+/// { return point.stress[1] > 0; })`. Energy balances count what they take with them as taken out. Returns
+/// that.
 template <Name which = "", class Scene, class Leaves>
-auto remove_points(Scene& scene, Leaves&& leaves) {
+auto remove_points(Scene& scene, const Leaves& leaves) {
   auto& body = scene.template body<which>();
   const auto totals = take_out(
-      body, scene.mesh.cell_count(), [&](Index p) -> bool { return leaves(std::as_const(body.points)[p]); },
+      body, scene.mesh.cell_count(),
+      [&](Index p) -> bool {
+        if constexpr (region_type<Leaves, Scene::D>)
+          return leaves.contains(Vec<double, Scene::D>(body.points.position[p].template cast<double>()));
+        else
+          return leaves(std::as_const(body.points)[p]);
+      },
       [](const auto&) {});
   body.removed += totals;
   body.initial_volume -= totals.mass / body.law.density();
   if (regroup(body, scene.blocks)) scene.balance_threads();
   return totals;
+}
+
+/// Fills a region with points of a body of a running scene, as `fill` does when a scene is made:
+/// `insert_points<"fill">(scene, Box{{0, 1}, {2, 1.5}}, {.per_cell = 4})`. The region should be empty:
+/// points that are there stay. `options.velocity`, `.stress` and `.history` are those of the new points.
+/// Throws `error`, with the scene as it was, where `fill` would. Returns what they brought.
+template <Name which = "", class Scene, class Region>
+requires region_type<Region, Scene::D>
+auto insert_points(Scene& scene, Region region, const FillOptions& options = {}) {
+  auto& body = scene.template body<which>();
+  const auto recipe = fill(std::move(region), body.law, options).template erased<typename Scene::Mesh>();
+  const auto made =
+      make_body<typename Scene::Kinematics, Scene::extra_columns>(scene.mesh, recipe, scene.cell_owner());
+  std::vector<typename std::remove_cvref_t<decltype(body)>::Point> points;
+  points.reserve(made.points.size());
+  for (std::size_t p = 0; p < made.points.size(); ++p) points.push_back(made.points[p]);
+  return insert_points<which>(scene, points);
 }
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

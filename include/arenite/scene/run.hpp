@@ -10,13 +10,31 @@
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
+/// What an observer may return, to end a run before its time. Whatever else it returns is ignored.
+enum class RunFlow { go_on, stop };
+
 namespace detail {
-/// Shows the scene to an observer.
+/// Shows the scene to an observer; returns whether it ends the run.
 template <class Scene, class Observer>
-void show(const Scene& scene, Observer& observer) {
+bool show(const Scene& scene, Observer& observer) {
   constexpr bool fits = std::invocable<Observer&, const Scene&>;
   static_assert(fits, "run: an observer is called with the scene: [](const auto& scene) { .. }");
-  if constexpr (fits) observer(scene);
+  if constexpr (fits) {
+    if constexpr (std::same_as<decltype(observer(scene)), RunFlow>)
+      return observer(scene) == RunFlow::stop;
+    else
+      observer(scene);
+  }
+  return false;
+}
+/// Shows it to all; returns whether one of them, in any of the scenes that step together, ends the run.
+template <class Scene, class Others, class... Observers>
+bool show_all(const Scene& scene, Others& others, Observers&... observers) {
+  bool stops = false;
+  ((stops = show(scene, observers) || stops), ...);
+  if constexpr (!Others::alone && (std::same_as<decltype(observers(scene)), RunFlow> || ...))
+    stops = others.least(stops ? 0.0 : 1.0) == 0.0;
+  return stops;
 }
 /// Tells an observer that wants to know it that a run has reached its end.
 template <class Scene, class Observer>
@@ -36,9 +54,9 @@ namespace detail {
 
 template <class Scene, class Others, class... Observers>
 void run_steps(Scene& scene, const RunOptions& options, Others& others, Observers&... observers) {
-  (show(scene, observers), ...);
+  bool stops = show_all(scene, others, observers...);
   const double span = options.end - scene.time;
-  while (scene.time < options.end) {
+  while (scene.time < options.end && !stops) {
     double stable = stable_step(scene);
     if constexpr (!Others::alone) stable = others.least(stable);
     double dt = std::min(options.courant * stable, options.max_step);
@@ -56,7 +74,7 @@ void run_steps(Scene& scene, const RunOptions& options, Others& others, Observer
     else
       step(scene, dt, others);
     if (last) scene.time = options.end;
-    (show(scene, observers), ...);
+    stops = show_all(scene, others, observers...);
   }
   (tell_end(scene, observers), ...);
 }
@@ -87,9 +105,10 @@ void run_with(Others& others, Scene& scene, const RunOptions& options, Observers
 }
 
 /// Steps `scene` until `options.end`, which the last step hits exactly. Each observer is called with the
-/// scene (const) at the start and after every step; one with a member `finish(scene)` is told the end. Throws
-/// `error` for a bad option, `run_error` if the run fails; observers have then seen everything up to the step
-/// before.
+/// scene (const) at the start and after every step; one with a member `finish(scene)` is told the end. An
+/// observer that returns `RunFlow::stop` ends the run there (with several scenes over one mesh: in all of
+/// them, which then need an observer that returns a `RunFlow` each). Throws `error` for a bad option,
+/// `run_error` if the run fails; observers have then seen everything up to the step before.
 template <class Scene, class... Observers>
 void run(Scene& scene, const RunOptions& options, Observers&&... observers) {
   run_with(no_others, scene, options, observers...);

@@ -45,19 +45,13 @@ void settle(Scene& scene, const SettleOptions& options, Observers&&... observers
   require(options.ratio > 0, "SettleOptions.ratio", options.ratio, "must be positive");
   require(options.end > scene.time && std::isfinite(options.end), "SettleOptions.end", options.end,
           joined_text("must be given, and lie behind the scene's time ", scene.time));
-  struct Settled {};
   int below = 0;
   const auto check = [&, from = scene.steps](const Scene& s) {
-    if (s.steps == from) return;
-    below = out_of_balance(s) <= options.ratio ? below + 1 : 0;
-    if (below == 10) throw Settled{};
+    if (s.steps > from) below = out_of_balance(s) <= options.ratio ? below + 1 : 0;
+    return below < 10 ? RunFlow::go_on : RunFlow::stop;
   };
-  try {
-    run(scene, {.end = options.end, .courant = options.courant}, observers..., check);
-  } catch (const Settled&) {
-    (detail::tell_end(std::as_const(scene), observers), ...);
-    return;
-  }
+  run(scene, {.end = options.end, .courant = options.courant}, observers..., check);
+  if (below == 10) return;
   throw run_error(joined_text("t = ", scene.time, " s: settle: forces are out of balance by ",
                               out_of_balance(scene), ", not at most ", options.ratio,
                               "; more time, or a part that damps (LocalDamping)?"));

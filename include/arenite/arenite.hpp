@@ -9,6 +9,7 @@
 #include <arenite/boundary/walls.hpp>
 #include <arenite/contact/contact.hpp>
 #include <arenite/core/units.hpp>
+#include <arenite/geometry/triangle_surface.hpp>
 #include <arenite/law/drucker_prager.hpp>
 #include <arenite/law/linear_elastic.hpp>
 #include <arenite/law/mohr_coulomb.hpp>

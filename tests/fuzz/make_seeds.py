@@ -2,7 +2,7 @@
 
 usage: make_seeds.py FOLDER
 
-FOLDER/read_gmsh: a square and a tetrahedron in formats 2.2 and 4.1, text and binary, behind the byte that chooses
+FOLDER/read_stl: a tetrahedron, text and binary. FOLDER/read_gmsh: a square and a tetrahedron in formats 2.2 and 4.1, text and binary, behind the byte that chooses
 the dimension. FOLDER/simplex_mesh: arrays as simplex_mesh.cpp takes them.
 """
 
@@ -75,13 +75,21 @@ def arrays(kind, small, nodes, cells):
 
 
 folder = pathlib.Path(sys.argv[1])
-for target in ("read_gmsh", "simplex_mesh"):
+for target in ("read_gmsh", "read_stl", "simplex_mesh"):
     (folder / target).mkdir(parents=True, exist_ok=True)
 for name, mesh in (("square", SQUARE), ("tetrahedron", TETRAHEDRON)):
     for binary in (False, True):
         for version, write in (("22", format_22), ("41", format_41)):
             file = folder / "read_gmsh" / f"{name}_{version}_{'binary' if binary else 'text'}"
             file.write_bytes(bytes([mesh is TETRAHEDRON]) + write(*mesh, binary))
+TRIANGLES = [[TETRAHEDRON[0][i] for i in t] for t in ((0, 2, 1), (0, 1, 3), (1, 2, 3), (0, 3, 2))]
+stl = b" " * 80 + struct.pack("<I", 4)
+for corners in TRIANGLES:
+    stl += struct.pack("<12fH", 0, 0, 0, *(x for corner in corners for x in corner), 0)
+(folder / "read_stl" / "binary").write_bytes(stl)
+loops = (" ".join(f"vertex {x} {y} {z}\n" for x, y, z in corners) for corners in TRIANGLES)
+facets = "".join(f"facet normal 0 0 0\nouter loop\n{loop}endloop\nendfacet\n" for loop in loops)
+(folder / "read_stl" / "text").write_text(f"solid s\n{facets}endsolid s\n")
 for kind in range(4):
     nodes, _, cells = TETRAHEDRON if kind % 2 else SQUARE
     plane = [node[:3 if kind % 2 else 2] for node in nodes]

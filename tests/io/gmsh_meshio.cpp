@@ -1,6 +1,8 @@
-// Gmsh files that meshio wrote, in both formats and both modes, against the arrays that meshio was given. The
-// folder that make_meshes.py filled is named by the environment variable ARENITE_TEST_MESHES.
+// Gmsh and STL files that meshio wrote, in all formats and modes, against the arrays that meshio was given.
+// The folder that make_meshes.py filled is named by the environment variable ARENITE_TEST_MESHES.
+#include <arenite/geometry/triangle_surface.hpp>
 #include <arenite/io/gmsh.hpp>
+#include <arenite/io/stl.hpp>
 
 #include <cstdlib>
 #include <filesystem>
@@ -95,4 +97,32 @@ TEST_CASE("tetrahedra that meshio wrote are read number by number") {
 TEST_CASE("a solid mesh is no plane mesh, and the other way round") {
   REQUIRE_THROWS_AS(read_gmsh<2>(folder() / "solid_41_binary.msh"), error);
   REQUIRE_THROWS_AS(read_gmsh<3>(folder() / "plane_41_binary.msh"), error);
+}
+
+TEST_CASE("closed surfaces that meshio wrote as STL are read number by number") {
+  for (const char* file : {"surface_text.stl", "surface_binary.stl"}) {
+    INFO(file);
+    const TriangleData data = read_stl(folder() / file);
+    std::ifstream in(folder() / "surface.txt");
+    std::string word;
+    std::size_t count = 0;
+    REQUIRE((in >> word >> count && word == "vertices"));
+    REQUIRE(data.vertices.size() == count);
+    for (const auto& vertex : data.vertices)
+      for (int k = 0; k < 3; ++k) {
+        in >> word;
+        REQUIRE(vertex[k] == std::strtod(word.c_str(), nullptr));
+      }
+    REQUIRE((in >> word >> count && word == "triangles"));
+    REQUIRE(data.triangles.size() == count);
+    for (const auto& triangle : data.triangles)
+      for (const Index i : triangle) {
+        Index expected = none;
+        in >> expected;
+        REQUIRE(i == expected);
+      }
+    REQUIRE(in.good());
+    // Unit cells of 0.1 m with corners that are off by at most a tenth of it.
+    CHECK(mass_properties(TriangleSurface(data)).mass == Approx(0.3 * 0.3 * 0.2).epsilon(0.1));
+  }
 }

@@ -6,7 +6,8 @@ For each mesh (plane: triangles, solid: tetrahedra): NAME_22_text.msh, NAME_22_b
 NAME_41_binary.msh and NAME.txt, the reference: words and numbers separated by blanks, namely
     nodes N, then x y z of each; cells N, then nodes and region of each;
     regions N, then name and tag of each; sets N, then name, length and nodes of each.
-Meshio is the independent writer; the reference is made from the arrays, not from a file.
+Also surface_text.stl and surface_binary.stl, closed surfaces of triangles, and surface.txt: vertices N, then x y z of
+each; triangles N, then corners of each. Meshio is the independent writer; the reference is made from the arrays, not from a file.
 """
 
 import itertools
@@ -121,6 +122,33 @@ def write(folder, name, nodes, blocks, names, dim):
             print(word(key), len(members), *members, file=out)
 
 
+def surface(folder):
+    """The hull of the solid as STL: meshio writes text with all digits and binary files with single precision."""
+    nodes, cells, _ = grid(3, 3, 2)
+    nodes = nodes.astype(np.float32).astype(float)
+    faces = {}
+    for a, b, c, d in cells.tolist():
+        if np.linalg.det(nodes[[b, c, d]] - nodes[a]) < 0:
+            b, c = c, b
+        for face in ((a, c, b), (a, b, d), (b, c, d), (a, d, c)):
+            if not faces.pop(tuple(sorted(face)), None):
+                faces[tuple(sorted(face))] = face
+    triangles = np.array(list(faces.values()))
+    number = {}  # in the order in which corners come first
+    for node in triangles.ravel().tolist():
+        number.setdefault(node, len(number))
+    mesh = meshio.Mesh(nodes, [("triangle", triangles)])
+    meshio.stl.write(folder / "surface_text.stl", mesh, binary=False)
+    meshio.stl.write(folder / "surface_binary.stl", mesh, binary=True)
+    with open(folder / "surface.txt", "w") as out:
+        print("vertices", len(number), file=out)
+        for x in nodes[list(number)].tolist():
+            print(*map(repr, x), file=out)
+        print("triangles", len(triangles), file=out)
+        for triangle in triangles.tolist():
+            print(*[number[i] for i in triangle], file=out)
+
+
 def main():
     if len(sys.argv) != 2:
         sys.exit("usage: make_meshes.py FOLDER")
@@ -128,6 +156,7 @@ def main():
     folder.mkdir(parents=True, exist_ok=True)
     write(folder, "plane", *plane())
     write(folder, "solid", *solid())
+    surface(folder)
 
 
 if __name__ == "__main__":

@@ -1,10 +1,8 @@
 // Gmsh meshes in: formats 2.2 and 4.1, text and binary.
 #pragma once
 
-#include <algorithm>
 #include <cstdint>
 #include <filesystem>
-#include <fstream>
 #include <istream>
 #include <set>
 #include <string>
@@ -19,7 +17,7 @@ namespace shared_detail {
 enum class GmshFormat { v2_2, v4_1 };
 
 /// $MeshFormat: version, 0 (text) or 1 (binary), size in bytes of a number; a binary file adds the int 1.
-inline GmshFormat read_gmsh_format(GmshInput& in) {
+inline GmshFormat read_gmsh_format(MeshInput& in) {
   const double version = in.text<double>("version");
   in.check(version == 2.2 || version == 4.1, "version", version,
            "must be 2.2 or 4.1 (Gmsh: Mesh.MshFileVersion = 4.1)");
@@ -42,14 +40,14 @@ inline GmshFormat read_gmsh_format(GmshInput& in) {
 
 /// $PhysicalNames, text in a binary file too: number, then a line `dimension tag "name"` each.
 template <int D>
-void read_gmsh_names(GmshInput& in, GmshMesh<D>& mesh) {
+void read_gmsh_names(MeshInput& in, GmshMesh<D>& mesh) {
   const auto count = in.text<std::uint64_t>("number of names");
   in.end_line("number of names");
   for (std::uint64_t i = 0; i < count; ++i) {
     const int dim = in.text<int>("dimension of the group");
     const int tag = in.text<int>("tag of the group");
     const std::string_view name = in.rest_of_line();
-    in.check(name.size() > 2 && name.front() == '"' && name.back() == '"', "name", GmshInput::quote(name),
+    in.check(name.size() > 2 && name.front() == '"' && name.back() == '"', "name", MeshInput::quote(name),
              "must stand between double quotes");
     mesh.name_group(in, dim, tag, std::string(name.substr(1, name.size() - 2)));
   }
@@ -57,7 +55,7 @@ void read_gmsh_names(GmshInput& in, GmshMesh<D>& mesh) {
 
 template <int D>
 MeshData<D> read_gmsh_bytes(std::string_view bytes, std::string name) {
-  GmshInput in(bytes, std::move(name));
+  MeshInput in(bytes, std::move(name));
   GmshMesh<D> mesh;
   GmshEntities entities;
   GmshFormat format{};
@@ -101,20 +99,6 @@ MeshData<D> read_gmsh_bytes(std::string_view bytes, std::string name) {
   return std::move(mesh).finish(in);
 }
 
-/// All that is left in a stream.
-inline std::string read_all(std::istream& in, const std::string& name) {
-  std::string bytes;
-  std::size_t used = 0;
-  while (in) {
-    if (used == bytes.size()) bytes.resize(std::max<std::size_t>(std::size_t{1} << 16, 2 * used));
-    in.read(bytes.data() + used, static_cast<std::streamsize>(bytes.size() - used));
-    used += static_cast<std::size_t>(in.gcount());
-  }
-  if (in.bad()) throw error(joined_text("mesh = ", name, ": cannot be read"));
-  bytes.resize(used);
-  return bytes;
-}
-
 }  // namespace shared_detail
 
 /// Reads a Gmsh mesh of triangles (D = 2) or tetrahedra (D = 3) from format 2.2 or 4.1, text or binary.
@@ -145,12 +129,8 @@ MeshData<D> read_gmsh(std::istream& in, std::string name = "Gmsh stream") {
 /// The same from a file.
 template <int D>
 MeshData<D> read_gmsh(const std::filesystem::path& path) {
-  std::error_code status;
-  require(std::filesystem::exists(path, status), "mesh", path.string(), "no such file");
-  require(!std::filesystem::is_directory(path, status), "mesh", path.string(), "is a folder, not a file");
-  std::ifstream file(path, std::ios::binary);
-  require(file.is_open(), "mesh", path.string(), "cannot be opened");
-  return read_gmsh<D>(file, path.string());
+  static_assert(D == 2 || D == 3, "read_gmsh<D>: D must be 2 (triangles) or 3 (tetrahedra)");
+  return shared_detail::read_gmsh_bytes<D>(shared_detail::read_all(path), path.string());
 }
 
 }  // namespace arenite

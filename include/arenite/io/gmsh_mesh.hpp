@@ -16,8 +16,8 @@
 
 #include <arenite/core/lists.hpp>
 #include <arenite/core/scalar.hpp>
-#include <arenite/io/gmsh_input.hpp>
 #include <arenite/io/gmsh_kinds.hpp>
+#include <arenite/io/mesh_input.hpp>
 #include <arenite/mesh/mesh_data.hpp>
 
 namespace arenite::shared_detail {
@@ -29,12 +29,12 @@ class GmshMesh {
   using Nodes = std::array<Index, 4>;  ///< of one element; the longest are tetrahedron and quadrangle
 
   /// The physical group `tag` of dimension `dim` is called `name`.
-  void name_group(const GmshInput& in, int dim, int tag, const std::string& name) {
+  void name_group(const MeshInput& in, int dim, int tag, const std::string& name) {
     in.check(dim >= 0 && dim <= 3, "dimension of the group", dim, "must be 0, 1, 2 or 3");
     in.check(tag >= 1, "tag of the group", tag, "must be at least 1");
     in.check(names_.emplace(std::pair(dim, tag), name).second, "tag of the group", tag, "is named twice");
     if (dim == D)
-      in.check(result_.region_names.emplace(name, tag).second, "name", GmshInput::quote(name),
+      in.check(result_.region_names.emplace(name, tag).second, "name", MeshInput::quote(name),
                "is the name of two regions");
   }
 
@@ -43,13 +43,13 @@ class GmshMesh {
     positions_.reserve(count);
   }
 
-  void add_tag(const GmshInput& in, std::uint64_t tag) {
+  void add_tag(const MeshInput& in, std::uint64_t tag) {
     in.check(tag >= 1, "tag of the node", tag, "must be at least 1");
     tags_.push_back(tag);
   }
 
   /// Reads the position of the next node that has none yet.
-  void read_position(GmshInput& in) {
+  void read_position(MeshInput& in) {
     std::array<double, 3> x{};
     constexpr std::array<const char*, 3> axis{"x", "y", "z"};
     for (std::size_t i = 0; i < 3; ++i) {
@@ -62,7 +62,7 @@ class GmshMesh {
   }
 
   /// Sorts the nodes by tag, so that a mesh is the same whatever format it was saved in.
-  void end_nodes(const GmshInput& in) {
+  void end_nodes(const MeshInput& in) {
     in.check(tags_.size() < none, "number of nodes", tags_.size(), "must be less than 2^32 - 1");
     if (!std::is_sorted(tags_.begin(), tags_.end())) sort_nodes();
     const auto twice = std::adjacent_find(tags_.begin(), tags_.end());
@@ -74,7 +74,7 @@ class GmshMesh {
   }
 
   /// The kind of element under Gmsh's number, if this mesh can take it.
-  const GmshKind& kind(const GmshInput& in, int number) const {
+  const GmshKind& kind(const MeshInput& in, int number) const {
     const auto found = std::find_if(gmsh_kinds.begin(), gmsh_kinds.end(),
                                     [&](const GmshKind& k) { return k.number == number; });
     in.check(found != gmsh_kinds.end(), "type of element", number, "is no known type");
@@ -95,7 +95,7 @@ class GmshMesh {
   }
 
   /// Index of the node with this tag.
-  Index node(const GmshInput& in, std::uint64_t tag) const {
+  Index node(const MeshInput& in, std::uint64_t tag) const {
     Index i = none;
     if (!index_.empty()) {
       if (tag >= tags_.front() && tag <= tags_.back()) i = index_[tag - tags_.front()];
@@ -108,7 +108,7 @@ class GmshMesh {
   }
 
   /// Adds an element of the physical groups `groups` (0: none). A cell may be in one group only: its region.
-  void add_element(const GmshInput& in, const GmshKind& kind, std::span<const int> groups,
+  void add_element(const MeshInput& in, const GmshKind& kind, std::span<const int> groups,
                    const Nodes& nodes) {
     if (kind.dim < D) {
       for (const int group : groups) {
@@ -129,7 +129,7 @@ class GmshMesh {
     result_.region.push_back(groups.empty() ? 0 : unsigned_tag(in, groups.front()));
   }
 
-  MeshData<D> finish(const GmshInput& in) && {
+  MeshData<D> finish(const MeshInput& in) && {
     if (result_.cells.empty())
       in.refuse("cells", 0, D == 2 ? "the mesh must hold triangles" : "the mesh must hold tetrahedra");
     refuse_repeated_cells(in);
@@ -159,7 +159,7 @@ class GmshMesh {
 
  private:
   /// Gmsh gives a group a negative tag on an entity that the group holds reversed: the group is the same.
-  static int unsigned_tag(const GmshInput& in, int tag) {
+  static int unsigned_tag(const MeshInput& in, int tag) {
     in.check(tag > -2147483647, "physical tag", tag, "must fit an int without its sign");
     return std::abs(tag);
   }
@@ -191,7 +191,7 @@ class GmshMesh {
   }
 
   /// Format 2.2 repeats an element for each of its physical groups; a mesh must not hold a cell twice.
-  void refuse_repeated_cells(const GmshInput& in) const {
+  void refuse_repeated_cells(const MeshInput& in) const {
     const Lists by_lowest_node(tags_.size(), [&](auto&& add) {
       for (std::size_t c = 0; c < result_.cells.size(); ++c)
         add(*std::min_element(result_.cells[c].begin(), result_.cells[c].end()), static_cast<Index>(c));
@@ -214,7 +214,7 @@ class GmshMesh {
   }
 
   /// All nodes of a plane mesh share one z, to 1e-9 of the mesh's size.
-  void refuse_curved(const GmshInput& in, const std::vector<Index>& number) const {
+  void refuse_curved(const MeshInput& in, const std::vector<Index>& number) const {
     std::array<double, 2> low{}, high{};
     std::size_t first = number.size();
     for (std::size_t i = 0; i < number.size(); ++i) {

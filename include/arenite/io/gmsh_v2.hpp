@@ -10,7 +10,7 @@
 namespace arenite::shared_detail {
 
 template <int D>
-void read_v2_nodes(GmshInput& in, GmshMesh<D>& mesh) {
+void read_v2_nodes(MeshInput& in, GmshMesh<D>& mesh) {
   const auto count = in.text<std::uint64_t>("number of nodes");
   in.end_line("number of nodes");
   in.check_count("number of nodes", count, in.binary() ? 28 : 8);
@@ -25,7 +25,7 @@ void read_v2_nodes(GmshInput& in, GmshMesh<D>& mesh) {
 
 /// One element: its tags, of which the first is the physical group, and its nodes.
 template <int D>
-void read_v2_element(GmshInput& in, GmshMesh<D>& mesh, const GmshKind& kind, int tags) {
+void read_v2_element(MeshInput& in, GmshMesh<D>& mesh, const GmshKind& kind, int tags) {
   int group = 0;
   for (int t = 0; t < tags; ++t) {
     const int tag = in.integer("tag of the element");
@@ -42,7 +42,7 @@ void read_v2_element(GmshInput& in, GmshMesh<D>& mesh, const GmshKind& kind, int
 }
 
 template <int D>
-void read_v2_elements(GmshInput& in, GmshMesh<D>& mesh) {
+void read_v2_elements(MeshInput& in, GmshMesh<D>& mesh) {
   const auto count = in.text<std::uint64_t>("number of elements");
   in.end_line("number of elements");
   in.check_count("number of elements", count, 8);

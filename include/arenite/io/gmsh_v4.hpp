@@ -15,7 +15,7 @@ namespace arenite::shared_detail {
 /// Physical groups of each model entity, by (dimension, tag); nothing in a file without $Entities.
 using GmshEntities = std::optional<std::map<std::pair<int, int>, std::vector<int>>>;
 
-inline GmshEntities read_v4_entities(GmshInput& in) {
+inline GmshEntities read_v4_entities(MeshInput& in) {
   GmshEntities entities(std::in_place);
   std::array<std::uint64_t, 4> count{};
   for (auto& n : count) n = in.size("number of entities");
@@ -43,7 +43,7 @@ struct GmshBlocks {
   std::uint64_t items = 0;
 };
 
-inline GmshBlocks read_v4_blocks(GmshInput& in, std::string_view items, std::size_t least_bytes) {
+inline GmshBlocks read_v4_blocks(MeshInput& in, std::string_view items, std::size_t least_bytes) {
   GmshBlocks header;
   header.blocks = in.size("number of blocks");
   header.items = in.size(items);
@@ -55,7 +55,7 @@ inline GmshBlocks read_v4_blocks(GmshInput& in, std::string_view items, std::siz
 }
 
 /// Number of items of a block, of which `left` are left in the section.
-inline std::uint64_t read_v4_block_size(GmshInput& in, std::uint64_t left) {
+inline std::uint64_t read_v4_block_size(MeshInput& in, std::uint64_t left) {
   const std::uint64_t count = in.size("items of the block");
   in.check(count <= left, "items of the block", count,
            joined_text("must be at most ", left, ", what is left of the section"));
@@ -64,7 +64,7 @@ inline std::uint64_t read_v4_block_size(GmshInput& in, std::uint64_t left) {
 }
 
 template <int D>
-void read_v4_nodes(GmshInput& in, GmshMesh<D>& mesh) {
+void read_v4_nodes(MeshInput& in, GmshMesh<D>& mesh) {
   const auto header = read_v4_blocks(in, "number of nodes", in.size_bytes() + (in.binary() ? 24 : 6));
   mesh.reserve_nodes(header.items);
   std::uint64_t left = header.items;
@@ -84,7 +84,7 @@ void read_v4_nodes(GmshInput& in, GmshMesh<D>& mesh) {
 }
 
 template <int D>
-void read_v4_elements(GmshInput& in, GmshMesh<D>& mesh, const GmshEntities& entities) {
+void read_v4_elements(MeshInput& in, GmshMesh<D>& mesh, const GmshEntities& entities) {
   const auto header = read_v4_blocks(in, "number of elements", 2 * in.size_bytes());
   mesh.reserve_cells(header.items);
   const std::vector<int> no_groups;

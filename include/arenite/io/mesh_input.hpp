@@ -1,6 +1,6 @@
-// The bytes of a Gmsh file, read forwards as text or as binary numbers. Every number is checked against the
-// end of the file, and whatever is wrong is reported with file, section, and line (text) or byte (binary): a
-// file is a user's input, so no content of it may do worse than throw.
+// The bytes of a mesh file, Gmsh or STL, read forwards as text or as binary numbers. Every number is checked
+// against the end of the file, and whatever is wrong is reported with file, section, and line (text) or byte
+// (binary): a file is a user's input, so no content of it may do worse than throw.
 #pragma once
 
 #include <algorithm>
@@ -9,6 +9,9 @@
 #include <concepts>
 #include <cstdint>
 #include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <istream>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -17,10 +20,10 @@
 
 namespace arenite::shared_detail {
 
-class GmshInput {
+class MeshInput {
  public:
   /// Views `bytes`, which must outlive this; `name` stands for the file in messages.
-  GmshInput(std::string_view bytes, std::string name) : bytes_(bytes), name_(std::move(name)) {}
+  MeshInput(std::string_view bytes, std::string name) : bytes_(bytes), name_(std::move(name)) {}
 
   bool binary() const { return binary_; }
   /// Says that what follows $MeshFormat is binary, with tags and counts of `size_bytes` (4 or 8) in
@@ -52,7 +55,7 @@ class GmshInput {
     if (!holds) fail(name, value, rule);
   }
 
-  // --- sections ---
+  // --- sections of a Gmsh file ---
 
   /// Skips blanks and reads "$Name"; empty at the end of the file.
   std::string open_section() {
@@ -106,6 +109,13 @@ class GmshInput {
     return line;
   }
 
+  /// The next word, in this line or below; empty at the end of the file.
+  std::string_view word() {
+    skip_blanks();
+    while (at_ < bytes_.size() && !is_blank(bytes_[at_])) ++at_;
+    return bytes_.substr(last_, at_ - last_);
+  }
+
   /// Refuses anything more on this line. (In a binary file lines hold the format, the names and the counts
   /// of 2.2.)
   void end_line(std::string_view name) {
@@ -121,7 +131,7 @@ class GmshInput {
   /// A number written as text.
   template <class T>
   T text(std::string_view name) {
-    const std::string_view word = next_word();
+    const std::string_view word = this->word();
     check(!word.empty(), name, "nothing", "the file ends before this number");
     T value{};
     const std::size_t sign = word.size() > 1 && word[0] == '+' && word[1] != '-' ? 1 : 0;
@@ -183,12 +193,6 @@ class GmshInput {
     last_ = at_;
   }
 
-  std::string_view next_word() {
-    skip_blanks();
-    while (at_ < bytes_.size() && !is_blank(bytes_[at_])) ++at_;
-    return bytes_.substr(last_, at_ - last_);
-  }
-
   std::string_view bytes_;
   std::string name_;
   std::string section_;         // name of the open section
@@ -197,5 +201,29 @@ class GmshInput {
   std::size_t size_bytes_ = 8;  // of a size_t in a binary file
   bool binary_ = false;
 };
+
+/// All that is left in a stream; `name` stands for it in messages.
+inline std::string read_all(std::istream& in, const std::string& name) {
+  std::string bytes;
+  std::size_t used = 0;
+  while (in) {
+    if (used == bytes.size()) bytes.resize(std::max<std::size_t>(std::size_t{1} << 16, 2 * used));
+    in.read(bytes.data() + used, static_cast<std::streamsize>(bytes.size() - used));
+    used += static_cast<std::size_t>(in.gcount());
+  }
+  if (in.bad()) throw error(joined_text("mesh = ", name, ": cannot be read"));
+  bytes.resize(used);
+  return bytes;
+}
+
+/// All of a file. Throws `error` if it cannot be read.
+inline std::string read_all(const std::filesystem::path& path) {
+  std::error_code status;
+  require(std::filesystem::exists(path, status), "mesh", path.string(), "no such file");
+  require(!std::filesystem::is_directory(path, status), "mesh", path.string(), "is a folder, not a file");
+  std::ifstream file(path, std::ios::binary);
+  require(file.is_open(), "mesh", path.string(), "cannot be opened");
+  return read_all(file, path.string());
+}
 
 }  // namespace arenite::shared_detail

@@ -1,0 +1,17 @@
+// Triangles as data: what readers return and a `TriangleSurface` is made of.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include <arenite/core/tensor.hpp>
+
+namespace arenite {
+
+/// Triangles in space. Each names three vertices, counter-clockwise as seen from outside of the body.
+struct TriangleData {
+  std::vector<Vec<double, 3>> vertices;         ///< m
+  std::vector<std::array<Index, 3>> triangles;  ///< vertex numbers from 0
+};
+
+}  // namespace arenite

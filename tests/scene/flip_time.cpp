@@ -1,5 +1,5 @@
-// FLIP with a time constant: what points keep to themselves, that is, what the nodes do not see, decays as
-// exp(-t / time) on any steps. Two points in one place with opposite velocities move no node.
+// FLIP, XPIC and FMPM with a time constant: what points keep to themselves, that is, what the nodes do not
+// see, decays as exp(-t / time) on any steps. Two points in one place with opposite velocities move no node.
 #include <arenite/arenite.hpp>
 
 #include "catch.hpp"
@@ -10,9 +10,9 @@ using namespace arenite;
 namespace {
 
 /// Points of every cell, pairwise in one place with opposite velocities.
-template <class Order, class Shape, class Mesh>
+template <class Order, class Shape, class Transfer = Flip, class Mesh>
 auto pairs(const Mesh& mesh, double time) {
-  Scene scene{PlaneStrain{}, Mesh(mesh), Numerics<Shape, Flip, Order>{.transfer = {.time = time}},
+  Scene scene{PlaneStrain{}, Mesh(mesh), Numerics<Shape, Transfer, Order>{.transfer = {.time = time}},
               bodies(fill(Box{{0.2, 0.2}, {0.8, 0.8}},
                           LinearElastic{{.density = 1000, .young = 1e4, .poisson = 0.3}}, {.per_cell = 4}))};
   auto& points = scene.body().points;
@@ -50,6 +50,8 @@ TEST_CASE("what points keep to themselves decays in time, not by steps") {
     check(pairs<Musl, QuadraticBSpline>(grid, time), time);
     check(pairs<Usl, LinearSimplex>(mesh, time), time);
     check(pairs<Musl, LinearSimplex>(mesh, time), time);
+    check(pairs<Musl, QuadraticBSpline, Xpic>(grid, time), time);
+    check(pairs<Usl, LinearSimplex, Fmpm>(mesh, time), time);
   }
   CHECK_THROWS_WITH((Flip{.time = 0}), Catch::Matchers::Contains("Flip.time = 0: must be positive"));
 }

@@ -4,6 +4,7 @@
 #include <arenite/law/linear_elastic.hpp>
 #include <arenite/transfer/g2p.hpp>
 #include <arenite/transfer/map_back.hpp>
+#include <arenite/transfer/node_sweeps.hpp>
 #include <arenite/transfer/p2g.hpp>
 #include <numeric>
 
@@ -22,7 +23,7 @@ struct RandomBody {
   using T = typename M::scalar;
   using Cell = typename Shape::template Cell<M>;
   static constexpr int D = M::dimension;
-  using Field = NodeField<T, D, HasMapped, true>;
+  using Field = NodeField<T, D, HasMapped, true, true>;
 
   M mesh;
   Blocks blocks;
@@ -116,6 +117,16 @@ struct Setup : RandomBody<typename N_::Shape, M_, N_::extra_columns, N_::maps_ba
     nodes.clear();
     arenite::p2g<K>(numerics, mesh, blocks, body, nodes);
   }
+  void sweep_nodes() {
+    if constexpr (N::sweeps_nodes) {
+      start_sweeps(numerics, nodes);
+      for (int k = 0; k < numerics.transfer.sweeps(); ++k) {
+        sweep(numerics, mesh, blocks, body, nodes);
+        finish_sweep(numerics, nodes);
+        add_residual(nodes);
+      }
+    }
+  }
   void map_back() {
     if constexpr (N::maps_back) {
       arenite::map_back(numerics, mesh, blocks, body, nodes);
@@ -132,6 +143,7 @@ struct Setup : RandomBody<typename N_::Shape, M_, N_::extra_columns, N_::maps_ba
   }
   /// New velocities of the points, and nothing else: a step without length neither moves nor strains.
   void gather() {
+    sweep_nodes();
     map_back();
     if constexpr (!N::maps_back_by_points) g2p(0);
   }

@@ -33,6 +33,7 @@ ARENITE_ROLE(linear)
 ARENITE_ROLE(names)
 // Of transfers (transfer/transfer.hpp).
 ARENITE_ROLE(in_step)
+ARENITE_ROLE(sweeps)
 ARENITE_ROLE(hand)
 ARENITE_ROLE(take)
 // Of laws and parts.

@@ -19,6 +19,7 @@
 #include <arenite/transfer/g2p.hpp>
 #include <arenite/transfer/light_nodes.hpp>
 #include <arenite/transfer/map_back.hpp>
+#include <arenite/transfer/node_sweeps.hpp>
 #include <arenite/transfer/numerics.hpp>
 #include <arenite/transfer/p2g.hpp>
 #include <arenite/transfer/simplex/centred_stress.hpp>
@@ -70,7 +71,7 @@ struct Scene {
   static constexpr auto body_names = BodiesOf::names;  ///< empty where a body has none
   static constexpr std::size_t field_count = Needs::own_fields ? body_count : 1;
   static constexpr std::size_t rigid_count = detail::rigids_of<Parts>::count;
-  using Field = NodeField<T, D, N::maps_back, Needs::mass_gradient>;
+  using Field = NodeField<T, D, N::maps_back, Needs::mass_gradient, N::sweeps_nodes>;
   /// Whether stresses are taken at the middle of the step: where all laws are linear (see `add_half_step`).
   static constexpr bool centres_stress = BodiesOf::template centres_stress<N>;
 

@@ -113,6 +113,64 @@ void centre_stress(Scene& scene, [[maybe_unused]] double dt, [[maybe_unused]] Ot
   }
 }
 
+namespace detail {
+
+/// The average of the volumetric strain of a body, where the numerics have one.
+template <class Scene, class B, class Field, class Others>
+void average_strains([[maybe_unused]] Scene& scene, [[maybe_unused]] B& body,
+                     [[maybe_unused]] const Field& field, [[maybe_unused]] double dt,
+                     [[maybe_unused]] Others& others) {
+  using N = typename Scene::NumericsType;
+  if constexpr (N::AntiLocking::averages_strain) {
+    scene.average.template sum<typename Scene::Kinematics, N>(scene.mesh, scene.blocks, body, field,
+                                                              static_cast<typename Scene::T>(dt));
+    if constexpr (!Others::alone) others.sum_nodes(scene.average.numbers(), 2);
+    scene.average.use(scene.mesh, scene.blocks, body);
+  }
+}
+
+/// Books what a pass over the points of a body has summed. `was_finite`: whether it was before.
+template <class Scene, class B>
+void book_sums(Scene& scene, B& body, const G2pSums& sums, bool was_finite = true) {
+  body.opened_volume += sums.opened_volume;
+  body.finite = was_finite && std::isfinite(sums.check);
+  scene.finite = scene.finite && body.finite;
+  scene.for_each_part([&](auto& part) {
+    if constexpr (takes_stress_work<std::remove_reference_t<decltype(part)>, Scene>)
+      part.take_stress_work(sums.work);
+  });
+}
+
+}  // namespace detail
+
+/// USF: stresses ahead of the forces, from the velocities that the points handed over; then P2G of the new
+/// ones. dt: s.
+template <class Scene, class Others = const Alone>
+void update_stress_first(Scene& scene, [[maybe_unused]] double dt,
+                         [[maybe_unused]] Others& others = no_others) {
+  if constexpr (Scene::NumericsType::strains_first) {
+    using T = typename Scene::T;
+    for (auto& field : scene.fields) {
+      start_velocities(field, least_mass<T>);
+      if constexpr (has_light_nodes<typename Scene::Shape>)
+        detail::change_velocities(others, field, [&](auto to) {
+          exchange_with_neighbours<typename Scene::Shape>(scene.mesh, field, T(0), scene.node_owner(), to);
+        });
+      else
+        exchange_at_faces<typename Scene::Shape>(scene.mesh, field, field.velocity, T(0));
+      detail::allow(scene, field, field.velocity, 0);
+    }
+    scene.finite = true;
+    scene.for_each_body([&](auto& body, const auto& field) {
+      detail::average_strains(scene, body, field, dt, others);
+      detail::book_sums(scene, body,
+                        update_stress<typename Scene::Kinematics, Scene::Needs::stress_work>(
+                            scene.numerics, scene.mesh, body, field, static_cast<T>(dt), scene.average));
+    });
+    p2g(scene, others);
+  }
+}
+
 /// Grid update: v = v^old + dt (f / m + a), with the parts' accelerations. dt: s.
 template <class Scene, class Others = const Alone>
 void update_grid(Scene& scene, double dt, [[maybe_unused]] Others& others = no_others) {
@@ -182,6 +240,28 @@ void smooth_light_nodes(Scene& scene, [[maybe_unused]] double dt,
   }
 }
 
+/// Node sweeps of a transfer that asks for them (XPIC, FMPM): the correction of the nodes' velocities. What
+/// constraints take of it is an impulse of the walls. dt: s.
+template <class Scene, class Others = const Alone>
+void sweep_nodes(Scene& scene, [[maybe_unused]] double dt, [[maybe_unused]] Others& others = no_others) {
+  if constexpr (Scene::NumericsType::sweeps_nodes) {
+    const auto numerics = scene.numerics.in_step(dt);
+    for (auto& field : scene.fields) start_sweeps(numerics, field);
+    for (int sweep = 0; sweep < numerics.transfer.sweeps(); ++sweep) {
+      scene.for_each_body([&](const auto& body, auto& field) {
+        arenite::sweep(numerics, scene.mesh, scene.blocks, body, field);
+      });
+      for (auto& field : scene.fields) {
+        if constexpr (!Others::alone) detail::sum_nodes(others, field.given);
+        finish_sweep(numerics, field);
+        scene.wall_impulse += constrain(scene.constraints, field.mass, field.residual, scene.node_owner(),
+                                        detail::taker_of_wall_impulses(scene));
+        add_residual(field);
+      }
+    }
+  }
+}
+
 /// MUSL: velocities mapped back from the points, held to what contact and constraints enforced. dt: s.
 template <class Scene, class Others = const Alone>
 void map_back(Scene& scene, [[maybe_unused]] double dt, [[maybe_unused]] Others& others = no_others) {
@@ -217,26 +297,17 @@ void map_back(Scene& scene, [[maybe_unused]] double dt, [[maybe_unused]] Others&
 /// G2P and the law, body by body; hands the work of the stresses to the parts that ask for it. dt: s.
 template <class Scene, class Others = const Alone>
 void g2p(Scene& scene, double dt, [[maybe_unused]] Others& others = no_others) {
-  using K = typename Scene::Kinematics;
   using N = typename Scene::NumericsType;
-  const auto step = static_cast<typename Scene::T>(dt);
   const auto numerics = scene.numerics.in_step(dt);
-  scene.finite = true;
+  if constexpr (!N::strains_first) scene.finite = true;
   scene.for_each_body([&](auto& body, const auto& field) {
-    if constexpr (N::AntiLocking::averages_strain) {
-      scene.average.template sum<K, N>(scene.mesh, scene.blocks, body, field, step);
-      if constexpr (!Others::alone) others.sum_nodes(scene.average.numbers(), 2);
-      scene.average.use(scene.mesh, scene.blocks, body);
-    }
-    const G2pSums sums =
-        g2p<K, Scene::Needs::stress_work>(numerics, scene.mesh, body, field, step, scene.average);
-    body.opened_volume += sums.opened_volume;
-    body.finite = std::isfinite(sums.check);
-    scene.finite = scene.finite && body.finite;
-    scene.for_each_part([&](auto& part) {
-      if constexpr (takes_stress_work<std::remove_reference_t<decltype(part)>, Scene>)
-        part.take_stress_work(sums.work);
-    });
+    if constexpr (!N::strains_first) detail::average_strains(scene, body, field, dt, others);
+    const G2pSums sums = g2p<typename Scene::Kinematics, Scene::Needs::stress_work>(
+        numerics, scene.mesh, body, field, static_cast<typename Scene::T>(dt), scene.average);
+    if constexpr (N::strains_first)
+      detail::book_sums(scene, body, sums, body.finite);
+    else
+      detail::book_sums(scene, body, sums);
   });
 }
 

@@ -13,14 +13,16 @@ template <class Scene, class Others>
 void step(Scene& scene, double dt, Others& others) {
   static_assert(Scene::is_portion != Others::alone,
                 "step: a scene over a MeshPortion needs the exchange with the other portions, others none");
-  relocate(scene, others);           // find the cell of each point
-  p2g(scene, others);                // P2G: mass, momentum, internal force
-  add_forces(scene, dt, others);     // springs, tractions, ..
+  relocate(scene, others);                 // find the cell of each point
+  p2g(scene, others);                      // P2G: mass, momentum, internal force
+  update_stress_first(scene, dt, others);  // USF: strains and stresses ahead of the forces
+  add_forces(scene, dt, others);           // springs, tractions, ..
   centre_stress(scene, dt, others);  // elastic bodies, MUSL on simplices: forces of the middle of the step
   update_grid(scene, dt, others);    // nodal momentum balance
   constrain(scene, dt);              // fixities, rollers, symmetry planes
   exchange(scene, dt, others);       // body against body, rigid body against bodies: impulses that cancel
   smooth_light_nodes(scene, dt, others);  // nodes at a body's edge that have force and hardly any mass
+  sweep_nodes(scene, dt, others);         // XPIC, FMPM: what the lumped mass does to the nodes' velocities
   map_back(scene, dt, others);  // MUSL: node velocities for the strains, as the points would hand them back
   g2p(scene, dt, others);       // G2P: velocities, strains, positions; stresses by the law of each body
   follow(scene, dt, others);    // what moves with the matter: the mesh, springs, ..

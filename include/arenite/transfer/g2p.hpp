@@ -4,16 +4,19 @@
 
 #include <arenite/transfer/law_pass.hpp>
 #include <arenite/transfer/product/g2p.hpp>
+#include <arenite/transfer/product/strain.hpp>
 #include <arenite/transfer/simplex/g2p.hpp>
+#include <arenite/transfer/simplex/strain.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
-/// Gives each point its new velocity (unless `map_back` did), updates its stress, history and volume by the
-/// law of its body, and moves it with the node velocities. `average`: that of this body, where the numerics
-/// have one. `TracksWork`: whether the work of the stresses is summed.
-template <class K, bool TracksWork, class N, class M, class B, class Field, class Average>
-G2pSums g2p(const N& numerics, const M& mesh, B& body, const Field& nodes, typename M::scalar dt,
-            const Average& average) {
+namespace detail {
+
+/// Calls `run(cell, first, last, buffer, origin)` for the runs of points of one cell as they lie in memory,
+/// which returns a part of the check; where `UpdatesStress`, the law takes the strains that it left in the
+/// buffer.
+template <bool TracksWork, bool UpdatesStress, class N, class M, class B, class Run>
+G2pSums pass_over_points(const N&, const M&, B& body, typename M::scalar dt, Run&& run) {
   using T = typename M::scalar;
   constexpr bool stores_bearing = TracksWork && N::AntiLocking::averages_stress;
   using Buffer = StrainBuffer<T, M::dimension, stores_bearing>;
@@ -29,21 +32,52 @@ G2pSums g2p(const N& numerics, const M& mesh, B& body, const Field& nodes, typen
           for (std::size_t p = begin; p < end;) {
             const Index c = points.cell[p];
             const std::size_t next = std::min<std::size_t>(end, body.cells.run_end(static_cast<Index>(p), c));
-            if constexpr (N::Shape::constant_gradient)
-              chunk.check += static_cast<double>(
-                  simplex::g2p<K>(numerics, mesh, c, points, p, next, nodes, dt, average, buffer, begin));
-            else
-              chunk.check += static_cast<double>(
-                  product::g2p<K>(numerics, mesh, c, points, p, next, nodes, dt, buffer, begin));
+            chunk.check += static_cast<double>(run(c, p, next, buffer, begin));
             if constexpr (stores_bearing)
               buffer.store_bearing(p - begin, next - p, body.cell_sums[c].bearing);
             p = next;
           }
-          law_pass<TracksWork, N::template width<T>>(law, points, begin, end, buffer, dt, chunk);
+          if constexpr (UpdatesStress)
+            law_pass<TracksWork, N::template width<T>>(law, points, begin, end, buffer, dt, chunk);
         }
         return chunk;
       },
       std::plus<>{});
+}
+
+}  // namespace detail
+
+/// Gives each point its new velocity (unless `map_back` did), updates its stress, history and volume by the
+/// law of its body (unless `update_stress` did), and moves it with the node velocities. `average`: that of
+/// this body, where the numerics have one. `TracksWork`: whether the work of the stresses is summed.
+template <class K, bool TracksWork, class N, class M, class B, class Field, class Average>
+G2pSums g2p(const N& numerics, const M& mesh, B& body, const Field& nodes, typename M::scalar dt,
+            const Average& average) {
+  auto& points = body.points;
+  return detail::pass_over_points<TracksWork, !N::strains_first>(
+      numerics, mesh, body, dt,
+      [&](Index c, std::size_t first, std::size_t last, auto& buffer, std::size_t origin) {
+        if constexpr (N::Shape::constant_gradient)
+          return simplex::g2p<K>(numerics, mesh, c, points, first, last, nodes, dt, average, buffer, origin);
+        else
+          return product::g2p<K>(numerics, mesh, c, points, first, last, nodes, dt, buffer, origin);
+      });
+}
+
+/// Updates stress, history and volume of the points by the law of their body, and nothing else.
+template <class K, bool TracksWork, class N, class M, class B, class Field, class Average>
+G2pSums update_stress(const N& numerics, const M& mesh, B& body, const Field& nodes, typename M::scalar dt,
+                      const Average& average) {
+  auto& points = body.points;
+  return detail::pass_over_points<TracksWork, true>(
+      numerics, mesh, body, dt,
+      [&](Index c, std::size_t first, std::size_t last, auto& buffer, std::size_t origin) {
+        if constexpr (N::Shape::constant_gradient)
+          simplex::strain<K, N>(mesh, c, points, first, last, nodes, dt, average, buffer, origin);
+        else
+          product::strain<K, N>(mesh, c, points, first, last, nodes, dt, buffer, origin);
+        return 0;
+      });
 }
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -27,7 +27,7 @@ void map_back(const N& numerics, const M& mesh, const Blocks& blocks, B& body, F
 /// Turns what was added into velocity. `Centred`: into the mean of what the points hand to the nodes at the
 /// begin and at the end of the step (see `add_half_step`).
 template <bool Centred, class N, class Field>
-void finish_map_back(const N&, Field& nodes) {
+void finish_map_back([[maybe_unused]] const N& numerics, Field& nodes) {
   parallel_chunks(nodes.size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       if (nodes.mass[i] > 0)
@@ -37,7 +37,12 @@ void finish_map_back(const N&, Field& nodes) {
             nodes.velocity[i];  // of a node without mass that has a force: that of its neighbours
       else
         nodes.mapped[i].setZero();
-      if constexpr (!N::maps_back_by_points) nodes.mapped[i] += nodes.velocity[i];
+      if constexpr (!N::maps_back_by_points) {
+        if constexpr (requires { numerics.transfer.returned_velocity(nodes, Index{}); })
+          nodes.mapped.add(i, numerics.transfer.returned_velocity(nodes, static_cast<Index>(i)));
+        else
+          nodes.mapped[i] += nodes.velocity[i];
+      }
       if constexpr (Centred) nodes.mapped[i] = (nodes.start[i] + nodes.mapped[i]) / 2;
     }
   });

@@ -55,6 +55,14 @@ const Rows& either(const Nothing&, const Rows& instead) {
   return instead;
 }
 
+/// Sums that points take of the nodes, and sums of other vectors beside.
+template <class Sums, class Value>
+struct SumsAndAlso : Sums {
+  Value also;
+};
+template <class Sums, class Value>
+SumsAndAlso(Sums, Value) -> SumsAndAlso<Sums, Value>;
+
 /// A vector for each node, padded to a whole pack, so that one load reads and one store writes it.
 template <class T, int D>
 class NodeVectors {
@@ -123,8 +131,9 @@ class NodeVectors {
 };
 
 /// Columns over all nodes of the mesh. `Mapped`: a second velocity for the stress update (MUSL); `Gradient`:
-/// the gradient of mass, for contact normals. What is not asked for is not stored.
-template <real_scalar T, int D, bool Mapped, bool Gradient>
+/// the gradient of mass, for contact normals. `Swept`: what node sweeps make. What is not asked for is not
+/// stored.
+template <real_scalar T, int D, bool Mapped, bool Gradient, bool Swept = false>
 struct NodeField {
   static constexpr bool has_mass_gradient = Gradient;
 
@@ -134,6 +143,9 @@ struct NodeField {
   NodeVectors<T, D> velocity;             ///< [nodes] velocity at the step's end, m/s
   NodeVectors<T, D> mapped;         ///< [nodes if Mapped] momentum, then velocity for the stress update, m/s
   NodeVectors<T, D> mass_gradient;  ///< [nodes if Gradient] sum of m grad N, kg/m: points out of the body
+  NodeVectors<T, D> correction;     ///< [nodes if Swept] sum of the residuals of all sweeps, m/s
+  NodeVectors<T, D> residual;       ///< [nodes if Swept] of the last sweep, m/s
+  NodeVectors<T, D> given;          ///< [nodes if Swept] what points hand back in a sweep, kg m/s
 
   explicit NodeField(Index nodes)
       : collected(nodes),
@@ -141,7 +153,10 @@ struct NodeField {
         start(nodes, Vec<T, D>::Zero()),
         velocity(start),
         mapped(Mapped ? nodes : 0, Vec<T, D>::Zero()),
-        mass_gradient(Gradient ? nodes : 0, Vec<T, D>::Zero()) {}
+        mass_gradient(Gradient ? nodes : 0, Vec<T, D>::Zero()),
+        correction(Swept ? nodes : 0, Vec<T, D>::Zero()),
+        residual(correction),
+        given(correction) {}
 
   std::size_t size() const { return mass.size(); }
 
@@ -165,7 +180,7 @@ struct NodeField {
 
   std::size_t bytes() const {
     return size() * (sizeof(NodeSums<T, D>) + sizeof(T)) + start.bytes() + velocity.bytes() + mapped.bytes() +
-           mass_gradient.bytes();
+           mass_gradient.bytes() + correction.bytes() + residual.bytes() + given.bytes();
   }
 };
 

@@ -46,14 +46,23 @@ struct Numerics {
   /// Whether the points take their velocities where they are mapped back, in a pass before that of the
   /// strains; linear simplices need no such pass (see `map_back`).
   static constexpr bool maps_back_by_points = maps_back && !Shape::constant_gradient;
+  /// Whether points are strained ahead of the forces, with what they hand over at the begin of the step.
+  static constexpr bool strains_first = Order::strains_first;
+  /// Whether the velocities for the strains went through the points, which see of a light node as much as it
+  /// weighs.
+  static constexpr bool strains_by_points =
+      maps_back || (strains_first && !returns_unchanged<Transfer, Shape>);
   /// Whether the light nodes at a body's edge exchange momentum with their neighbours (see `LightNodes`).
-  /// MUSL's light nodes take their strains from what their neighbours move.
-  static constexpr bool smooths_light_nodes = has_light_nodes<Shape> && !maps_back;
-  static constexpr bool needs_edge_mass = maps_back && Shape::constant_gradient;
+  /// Those of MUSL and USF take their strains from what their neighbours move.
+  static constexpr bool smooths_light_nodes = has_light_nodes<Shape> && !strains_by_points;
+  /// Whether vectors of the nodes are swept over the points (see `start_sweeps`).
+  static constexpr bool sweeps_nodes = names_sweeps<Transfer>;
+  static constexpr bool needs_edge_mass = (maps_back || sweeps_nodes) && Shape::constant_gradient;
   /// Whether the stresses of bodies with laws L are taken at the middle of the step (see `add_half_step`).
   template <class... L>
-  static constexpr bool centres_stress = needs_edge_mass && !AntiLocking::averages_strain &&
-                                         !AntiLocking::averages_stress && (is_linear<L> && ...);
+  static constexpr bool centres_stress =
+      maps_back&& Shape::constant_gradient && !AntiLocking::averages_strain &&
+      !AntiLocking::averages_stress && (is_linear<L> && ...);
   static constexpr bool needs_cell_sums =
       needs_edge_mass || AntiLocking::averages_strain || AntiLocking::averages_stress;
   static constexpr ExtraColumns extra_columns{.affine = Transfer::affine,
@@ -64,7 +73,13 @@ struct Numerics {
                 "simplex: use Tpic there); "
                 "Tpic needs linear simplices (use Apic on B-splines)");
   static_assert(
-      !needs_edge_mass || !Transfer::affine,
+      !sweeps_nodes ||
+          requires(const Transfer t) {
+            { t.sweeps() } -> std::same_as<int>;
+          },
+      "transfer: sweeps must be int sweeps() const, beside swept(nodes, i)");
+  static_assert(
+      !(maps_back && Shape::constant_gradient) || !Transfer::affine,
       "Numerics: on linear simplices MUSL maps back velocities without a gradient; use Usl, or let the "
       "transfer say returns_unchanged<Shape> if its points hand each node just what it gave them");
   static_assert(
@@ -78,17 +93,17 @@ struct Numerics {
   /// the stiffness K / m and the map S / m of velocities to points and back (symmetric, 0 <= S <= m): USL
   /// u' = u + v - K u, v' = v - S K u (FLIP) or v' = S (v - K u) (PIC, APIC), in units of the step. Taken
   /// along an eigenvector these are quadratic equations with s in [0, 1] for S, and stable for all s if
-  /// omega^2 dt^2 <= 2; MUSL, and TPIC with S = m, if <= 4. On splines omega^2 <= 6 D M / rho / h^2 for any
-  /// points, filled or few: a point adds V (C : grad u)^2 to K u^2 and m sum w u^2 to the mass, sum (w')^2 /
-  /// w along each axis is at most 6 / h^2 (quadratic ones, at a cell's face; in general the shape's
+  /// omega^2 dt^2 <= 2; MUSL, USF, and TPIC with S = m, if <= 4. On splines omega^2 <= 6 D M / rho / h^2 for
+  /// any points, filled or few: a point adds V (C : grad u)^2 to K u^2 and m sum w u^2 to the mass, sum
+  /// (w')^2 / w along each axis is at most 6 / h^2 (quadratic ones, at a cell's face; in general the shape's
   /// `steepness`), and the stiffest strain, the volumetric one, at most D M. Where light nodes set the limit
   /// it is measured (docs/decisions.md).
   template <int D>
   static double courant_limit() {
     if constexpr (has_light_nodes<Shape>)
-      return Shape::courant_limit(maps_back);
+      return Shape::courant_limit(strains_by_points);
     else
-      return std::sqrt((maps_back ? 4.0 : 2.0) / (Shape::steepness * D));
+      return std::sqrt((strains_by_points ? 4.0 : 2.0) / (Shape::steepness * D));
   }
 
   /// The numerics of a step dt, s: a transfer may depend on it.

@@ -45,11 +45,38 @@ std::vector<NodeSums<T, D>> p2g(const N& numerics, const M& mesh, const B& body)
   return sums;
 }
 
-/// Sums over the nodes of a cell that a transfer takes at x: of the vectors d_i, and with the moments x_i -
-/// x.
+/// The correction of a transfer with node sweeps: sum_{l=1}^{sweeps} (I - S+ S)^l u, without constraints,
+/// with (S+ S u)_i = sum_p m w_i sum_j w_j u_j / m_i.
+template <class N, class M, class B, class Field, class T = typename M::scalar, int D = M::dimension>
+std::vector<Vec<T, D>> correction(const N& numerics, const M& mesh, const B& body, const Field& nodes) {
+  const Vec<T, D> zero = Vec<T, D>::Zero();
+  std::vector<Vec<T, D>> sum(nodes.size(), zero), residual = sum;
+  for (std::size_t i = 0; i < nodes.size(); ++i)
+    for (int k = 0; k < D; ++k) residual[i][k] = numerics.transfer.swept(nodes, static_cast<Index>(i))[k];
+  for (int sweep = 0; sweep < numerics.transfer.sweeps(); ++sweep) {
+    std::vector<Vec<T, D>> given(nodes.size(), zero);
+    for (std::size_t p = 0; p < body.points.size(); ++p) {
+      const typename N::Shape::template Cell<M> cell(mesh, body.points.cell[p]);
+      const auto w = cell.weights(body.points.position[p]);
+      Vec<T, D> at_point = zero;
+      for (std::size_t j = 0; j < cell.size; ++j)
+        at_point += w[static_cast<int>(j)] * residual[cell.nodes[j]];
+      for (std::size_t i = 0; i < cell.size; ++i)
+        given[cell.nodes[i]] += body.points.mass[p] * w[static_cast<int>(i)] * at_point;
+    }
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+      residual[i] = nodes.mass[i] > 0 ? Vec<T, D>(residual[i] - given[i] / nodes.mass[i]) : zero;
+      sum[i] += residual[i];
+    }
+  }
+  return sum;
+}
+
+/// Sums over the nodes of a cell that a transfer takes at x: of the vectors d_i, of others beside, and with
+/// the moments x_i - x.
 template <class T, int D>
 struct TakenSums {
-  std::array<T, D> value{};
+  std::array<T, D> value{}, also{};
   std::array<std::array<T, D>, D> moment_sums{};
   const auto& moments() const { return moment_sums; }
 };
@@ -69,6 +96,7 @@ auto take(const N& numerics, const Cell& cell, Points& points, std::size_t p, co
     for (std::size_t k = 0; k < D; ++k) {
       const auto n = static_cast<int>(i);
       sums.value[k] += w[n] * d[i][k];
+      if constexpr (requires { transfer.also; }) sums.also[k] += w[n] * transfer.also[i][k];
       for (int a = 0; a < D; ++a)
         sums.moment_sums[static_cast<std::size_t>(a)][k] += w[n] * d[i][k] * (node(a, n) - x[a]);
     }

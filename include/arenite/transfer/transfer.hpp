@@ -5,9 +5,12 @@
 #include <concepts>
 
 #include <arenite/core/role_names.hpp>
+#include <arenite/transfer/aflip.hpp>
 #include <arenite/transfer/apic.hpp>
 #include <arenite/transfer/flip.hpp>
+#include <arenite/transfer/fmpm.hpp>
 #include <arenite/transfer/tpic.hpp>
+#include <arenite/transfer/xpic.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
@@ -19,14 +22,21 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 //   anew;
 // - `in_step(dt)` (optional): the transfer of a step dt, s, where it depends on that;
 // - `hand(p)`: the `VelocityField` that a point p, a `PointPack`, hands to its nodes (P2G);
+// - `sweeps()` and `swept(nodes, i)` (optional, together): how many node sweeps it needs, and of which vector
+//   u_i of node i, as a pack: `nodes.correction` then holds sum_{l=1}^{sweeps} (I - S+ S)^l u for `take`,
+//   with S the interpolation to the points and S+ the lumped mapping back (`node_sweeps.hpp`);
+// - `returned_velocity(nodes, i)` (optional, else the new velocity): s v_i^old + d_i where points take v_p =
+// s
+//   v_p + sum w_i d_i, as a pack: for MUSL on linear simplices;
 // - `taken_velocity(nodes, i)` (optional): the vector d_i, below, of one node, as a pack: MUSL on linear
 //   simplices needs no more of it;
 // - `take(cell, nodes)`: what the points of a cell do in G2P, made once a cell:
 //   - `velocity`: the vectors d_i of its nodes of which points take sums, `NodeRows`; or `Nothing`: the new
 //     velocities of the nodes;
+//   - `also` (optional): vectors of which points take sum w_i also_i beside;
 //   - `needs_moments`: whether it needs sum w_i d_i (x_i - x_p)^T, beside sum w_i d_i;
-//   - `(cell, p, x, sums)`: gives point p at x what it takes of `sums.value` [D] and, if it needs them, of
-//     `sums.moments()` [D][D], axis by axis; returns the field that it hands over from then on.
+//   - `(cell, p, x, sums)`: gives point p at x what it takes of `sums.value` [D], `sums.also` [D] and, if it
+//     needs them, `sums.moments()` [D][D], axis by axis; returns the field that it hands over from then on.
 
 /// The members above, as far as they can be asked for without a kernel.
 template <class Transfer, class Shape>
@@ -45,9 +55,22 @@ inline constexpr bool returns_unchanged = [] {
     return false;
 }();
 
+// The order of the stress update: `maps_back`, whether strains are taken from velocities that the points hand
+// back at the end of the step; `strains_first`, whether they come ahead of the forces.
+
 /// Update of stress last, from the nodal velocities of the step (update stress last, USL).
 struct Usl {
   static constexpr bool maps_back = false;
+  static constexpr bool strains_first = false;
+};
+
+/// Update of stress first, from the velocities that the points hand over at the begin of the step, so that
+/// the forces are those of the new stress (update stress first, USF; Bardenhagen 2002,
+/// doi:10.1006/jcph.2002.7103). It strains as MUSL does, but with the weights behind the motion in place of
+/// those ahead of it, and keeps energy with FLIP. P2G runs twice.
+struct Usf {
+  static constexpr bool maps_back = false;
+  static constexpr bool strains_first = true;
 };
 
 /// Update of stress last, from point velocities mapped back to the nodes once more (modified USL; Sulsky,
@@ -56,6 +79,7 @@ struct Usl {
 /// (`add_half_step`).
 struct Musl {
   static constexpr bool maps_back = true;
+  static constexpr bool strains_first = false;
 };
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -9,20 +9,30 @@
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 namespace product {
 
-/// Sums over node vectors with the functions of `line`, with moments if a transfer needs them.
+/// Sums over node vectors with the functions of `line`: with moments if a transfer needs them, and with those
+/// over its vectors `also`.
 template <class Take, class Line, class Rows, class... Kinds>
-auto taken_sums(const Take&, const Line& line, const Rows& rows, const Kinds&... kind) {
-  if constexpr (Take::needs_moments)
-    return line.sum(rows, kind..., line.moment);
-  else
-    return line.sum(rows, kind...);
+auto taken_sums(const Take& take, const Line& line, const Rows& rows, const Kinds&... kind) {
+  const auto sums = [&] {
+    if constexpr (Take::needs_moments)
+      return line.sum(rows, kind..., line.moment);
+    else
+      return line.sum(rows, kind...);
+  };
+  if constexpr (requires { take.also; }) {
+    keep_in_memory(take.also);
+    return SumsAndAlso{sums(), line.sum(take.also).value};
+  } else {
+    return sums();
+  }
 }
 
 /// G2P of a run of points of a cell, with weights w_i at x_p, the new node velocities v_i, and u_i, those for
 /// the strains (the same, unless MUSL maps others back):
 ///   v_p, C_p: as the transfer takes them (with MUSL: in `map_back`)     x_p += dt sum w_i v_i
 ///   de = sym(dt sum u_i (grad w_i)^T), in axisymmetry de_hoop = dt sum w_i u_r,i / r_p
-/// Strains go into `buffer`, that of point `origin` first. Returns a sum of the positions.
+/// Strains go into `buffer`, that of point `origin` first (USF took them before). Returns a sum of the
+/// positions.
 template <class K, class N, class M, class Points, class Field, class T, class Buffer>
 [[gnu::flatten]] T g2p(const N& numerics, const M& mesh, Index c, Points& points, std::size_t begin,
                        std::size_t end, const Field& nodes, T dt, Buffer& buffer, std::size_t origin) {
@@ -60,7 +70,7 @@ template <class K, class N, class M, class Points, class Field, class T, class B
     else if constexpr (!N::maps_back)
       take(cell, p, x, taken_sums(take, line, take.velocity));
     if constexpr (K::hoop) step.strain[2] = P(dt) * sums.value[0] * reciprocal(x[0]);
-    buffer.store(p.first - origin, step);
+    if constexpr (!N::strains_first) buffer.store(p.first - origin, step);
     check += move_points(p, x, moving_velocity, dt);
   });
   return lane_sums(std::array<P, 1>{check})[0];

@@ -44,7 +44,8 @@ StrainStep<T, Cell::D> cell_step(const Cell& cell, const Rows& u, T dt) {
 /// the strains (the same, unless MUSL maps others back):
 ///   v_p, L_p: as the transfer takes them     x_p += dt sum w_i v_i
 ///   de = sym(dt sum u_i (grad w_i)^T), in axisymmetry de_hoop = dt sum w_i u_r,i / r_p
-/// Strains go into `buffer`, that of point `origin` first. Returns a sum of the positions.
+/// Strains go into `buffer`, that of point `origin` first (USF took them before). Returns a sum of the
+/// positions.
 template <class K, class N, class M, class Points, class Field, class T, class Average, class Buffer>
 [[gnu::flatten]] T g2p(const N& numerics, const M& mesh, Index c, Points& points, std::size_t begin,
                        std::size_t end, const Field& nodes, T dt, const Average& average, Buffer& buffer,
@@ -63,12 +64,16 @@ template <class K, class N, class M, class Points, class Field, class T, class A
     const auto w = cell.weights(x);
     const auto moving_velocity = interpolate(w, v);
     auto step = in_all_lanes<P>(of_cell);
-    take(cell, p, x, ValueSum{interpolate(w, either(take.velocity, v))});
+    const ValueSum taken{interpolate(w, either(take.velocity, v))};
+    if constexpr (requires { take.also; })
+      take(cell, p, x, SumsAndAlso{taken, interpolate(w, take.also)});
+    else
+      take(cell, p, x, taken);
     if constexpr (K::hoop) {
       step.strain[2] = P(dt) * interpolate(w, u)[0] * reciprocal(x[0]);
       step.strain = averaged<N>(step.strain, average, c);
     }
-    buffer.store(p.first - origin, step);
+    if constexpr (!N::strains_first) buffer.store(p.first - origin, step);
     check += move_points(p, x, moving_velocity, dt);
   });
   return lane_sums(std::array<P, 1>{check})[0];

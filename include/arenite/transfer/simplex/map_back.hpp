@@ -3,6 +3,7 @@
 
 #include <arenite/particles/cell_sums.hpp>
 #include <arenite/transfer/node_field.hpp>
+#include <arenite/transfer/simplex/sweep.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 namespace simplex {
@@ -19,7 +20,9 @@ struct CellNodes {
 /// v_p = s v_p + sum_j w_j d_j. Handed back, node i gets sum_p m w_i v_p = s m_i v_i^old + sum_j M_ij d_j
 /// with the edge masses M_ij = sum_p m w_i w_j. Since sum_j M_ij = m_i, that is
 ///   m_i v_i + sum_j M_ij (d_j - d_i)
-/// of which the second term, an exchange along each edge, is added to `nodes.mapped`.
+/// of which the second term, an exchange along each edge, is added to `nodes.mapped`. (A transfer with s
+/// v_i^old
+/// + d_i other than v_i has `returned_velocity`.)
 template <class N, class M, class B, class Field>
 [[gnu::flatten]] void map_back(const N& numerics, const M& mesh, const B& body, Index c, Field& nodes) {
   using T = typename M::scalar;
@@ -27,8 +30,7 @@ template <class N, class M, class B, class Field>
   using Cell = CellNodes<M>;
   const Cell cell{mesh.nodes(c)};
   const auto transfer = numerics.transfer;  // a copy: its parameters stay in registers
-  const auto& edge_mass = body.cell_sums[c].edge_mass;
-  std::array<V, Cell::size> d, gain;
+  std::array<V, Cell::size> d;
   if constexpr (requires { numerics.transfer.taken_velocity(nodes, c); }) {
     repeat<Cell::size>([&](std::size_t i) { d[i] = transfer.taken_velocity(nodes, cell.nodes[i]); });
   } else {
@@ -36,13 +38,7 @@ template <class N, class M, class B, class Field>
     const auto take = transfer.take(cell, nodes);
     repeat<Cell::size>([&](std::size_t i) { d[i] = either(take.velocity, v).pack(i); });
   }
-  repeat<Cell::size>([&](std::size_t i) { gain[i] = V(0); });
-  for_each_edge<Cell::size>([&](std::size_t e, std::size_t i, std::size_t j) {
-    const V exchanged = V(edge_mass[e]) * (d[j] - d[i]);
-    gain[i] += exchanged;
-    gain[j] -= exchanged;
-  });
-  repeat<Cell::size>([&](std::size_t i) { nodes.mapped.add(cell.nodes[i], gain[i]); });
+  exchange_along_edges(cell.nodes, body.cell_sums[c].edge_mass, d, nodes.mapped);
 }
 
 }  // namespace simplex

@@ -1,0 +1,38 @@
+// Node sweep on linear simplices, from the edge masses of the cells instead of a pass over the points.
+#pragma once
+
+#include <arenite/particles/cell_sums.hpp>
+#include <arenite/transfer/node_field.hpp>
+
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
+namespace simplex {
+
+/// What node i gets of the vectors r_j [nodes of the cell] along the edges of a cell, with the edge masses
+/// M_ij = sum_p m w_i w_j, added to `to`:
+///   sum_j M_ij (r_j - r_i)
+template <std::size_t Size, class V, class EdgeMass, class Vectors>
+void exchange_along_edges(const std::array<Index, Size>& nodes, const EdgeMass& edge_mass,
+                          const std::array<V, Size>& r, Vectors& to) {
+  std::array<V, Size> gain;
+  repeat<Size>([&](std::size_t i) { gain[i] = V(0); });
+  for_each_edge<Size>([&](std::size_t e, std::size_t i, std::size_t j) {
+    const V exchanged = V(edge_mass[e]) * (r[j] - r[i]);
+    gain[i] += exchanged;
+    gain[j] -= exchanged;
+  });
+  repeat<Size>([&](std::size_t i) { to.add(nodes[i], gain[i]); });
+}
+
+/// Adds to `nodes.given` what the points of a cell hand back of the vectors r_i in `nodes.residual`, less
+/// m_i r_i: since sum_j M_ij = m_i, an exchange along the edges.
+template <class M, class B, class Field>
+[[gnu::flatten]] void sweep(const M& mesh, const B& body, Index c, Field& nodes) {
+  constexpr std::size_t size = static_cast<std::size_t>(M::dimension) + 1;
+  std::array<NodePack<typename M::scalar, M::dimension>, size> r;
+  const auto& of_cell = mesh.nodes(c);
+  repeat<size>([&](std::size_t i) { r[i] = nodes.residual.pack(of_cell[i]); });
+  exchange_along_edges(of_cell, body.cell_sums[c].edge_mass, r, nodes.given);
+}
+
+}  // namespace simplex
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -1,0 +1,24 @@
+// XPIC: extended particle-in-cell.
+#pragma once
+
+#include <arenite/transfer/swept_flip.hpp>
+
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
+
+/// What XPIC sweeps: the velocities that the points handed over.
+struct XpicStart {
+  static constexpr const char *order_name = "Xpic.order", *time_name = "Xpic.time";
+  template <class Nodes>
+  static const auto& of(const Nodes& nodes) {
+    return nodes.start;
+  }
+};
+
+/// Extended particle-in-cell of order m (Hammerquist and Nairn 2017, Comput. Methods Appl. Mech. Eng. 318,
+/// 724-738):
+///   v_p = v_p + sum w_i (v_i^new - v_i^old) - (I - S S+)^m v_p
+/// FLIP, of which the noise that the nodes do not see is damped, and the higher the order the less of
+/// anything else. Accelerations come as FLIP's.
+using Xpic = SweptFlip<XpicStart>;
+
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

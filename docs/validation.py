@@ -1,10 +1,11 @@
 #!/usr/bin/env python3
 """Brings docs/validation.md up to date: tables and pictures of what the tests computed beside the exact values.
 
-    validation.py FOLDER     FOLDER holds the tests' working folders: tests/scratch of a build
+    validation.py FOLDER     FOLDER holds the working folders of tests and examples: a build, or tests/scratch in it
 
 A test writes validation_<case>.csv (columns composition, quantity, unit, computed, exact) and
-validation_<case>_curves.csv (curve, x, y, exact; the heads of x and y label the axes): tests/support/validation.hpp.
+validation_<case>_curves.csv (curve, x, y, exact; the heads of x and y label the axes): tests/support/validation.hpp;
+validation_<case>_map.csv (x, y, value; the heads label axes and colours) is drawn as points.
 In validation.md the lines between <!-- case: NAME --> and <!-- end --> are replaced. To add a case write the two
 comments and a paragraph, and run the test and this script. Needs matplotlib."""
 
@@ -73,6 +74,22 @@ def draw(header, rows, path):
     pyplot.close(figure)
 
 
+def draw_map(header, rows, path):
+    """Points in the plane, coloured by a value."""
+    x, y, value = (list(map(float, column)) for column in zip(*rows))
+    extent = [max(x) - min(x), max(y) - min(y)]
+    figure, axes = pyplot.subplots(figsize=(7, 7 * extent[1] / extent[0] + 0.6), constrained_layout=True)
+    size = 0.8 * (7 * 72) ** 2 / len(x) * extent[1] / extent[0]
+    dots = axes.scatter(x, y, c=value, s=size, marker="s", linewidths=0, cmap="viridis")
+    axes.set_aspect("equal")
+    axes.spines[["top", "right"]].set_visible(False)
+    axes.set_xlabel(header[0])
+    axes.set_ylabel(header[1])
+    figure.colorbar(dots, label=header[2], shrink=0.8)
+    figure.savefig(path, dpi=110)
+    pyplot.close(figure)
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("folder", type=pathlib.Path)
@@ -85,7 +102,8 @@ def main():
         lines = [match.group(0).splitlines()[0], ""]
         _, values = rows_of(folder, f"validation_{name}.csv")
         header, points = rows_of(folder, f"validation_{name}_curves.csv")
-        if not values and not points:
+        map_header, cells = rows_of(folder, f"validation_{name}_map.csv")
+        if not values and not points and not cells:
             print(f"validation.py: {name}: no file of it in {folder}; left as it was", file=sys.stderr)
             return match.group(0)
         if values:
@@ -94,6 +112,10 @@ def main():
             picture = f"images/validation_{name}.png"
             draw(header, points, HERE / picture)
             lines += [f"![{name.replace('_', ' ')}: computed and exact]({picture})", ""]
+        if cells:
+            picture = f"images/validation_{name}_map.png"
+            draw_map(map_header, cells, HERE / picture)
+            lines += [f"![{name.replace('_', ' ')}: {map_header[2]}]({picture})", ""]
         print(name)
         return "\n".join(lines + ["<!-- end -->"])
 

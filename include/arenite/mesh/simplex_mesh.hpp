@@ -164,6 +164,7 @@ class SimplexMesh {
   template <class Position>
   Index move(std::span<const Index> nodes, std::span<const Index> cells, Position&& position) {
     bins_fresh_ = false;
+    ++moves_;
     parallel_chunks(nodes.size(), [&](std::size_t begin, std::size_t end) {
       for (std::size_t k = begin; k < end; ++k) position_[nodes[k]] = position(nodes[k]);
     });
@@ -177,6 +178,9 @@ class SimplexMesh {
         },
         [](Index a, Index b) { return a != none ? a : b; });
   }
+
+  /// How often nodes were moved.
+  std::size_t moves() const { return moves_; }
 
   /// Bytes of all arrays.
   std::size_t bytes() const {
@@ -240,6 +244,7 @@ class SimplexMesh {
   Lists node_cells_;
   CellBins<D, T> bins_;
   bool bins_fresh_ = false;
+  std::size_t moves_ = 0;
 };
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

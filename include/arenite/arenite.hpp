@@ -8,12 +8,14 @@
 #include <arenite/boundary/reactions.hpp>
 #include <arenite/boundary/walls.hpp>
 #include <arenite/contact/contact.hpp>
+#include <arenite/contact/frictional_wall.hpp>
 #include <arenite/core/units.hpp>
 #include <arenite/geometry/triangle_surface.hpp>
 #include <arenite/law/drucker_prager.hpp>
 #include <arenite/law/linear_elastic.hpp>
 #include <arenite/law/mohr_coulomb.hpp>
 #include <arenite/law/with_deviatoric_strain.hpp>
+#include <arenite/load/absorbing.hpp>
 #include <arenite/load/body_force.hpp>
 #include <arenite/load/damping.hpp>
 #include <arenite/load/face_traction.hpp>

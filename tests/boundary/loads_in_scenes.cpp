@@ -62,6 +62,7 @@ auto loaded(M mesh, N numerics, const More&... more) {
                body_force(swirl),
                point_load("block", {0.5, 0.4}, {300, 100}),
                gravity({0, -9.81}, Ramp{.over = 0.02}),
+               absorbing(right(), {.support = Support::first_reaction}),
                Reactions{},
                TrackEnergy{},
                more...};

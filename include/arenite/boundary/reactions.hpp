@@ -47,6 +47,7 @@ class BoundReactions {
         for (const Wall& wall : part.walls_here()) nodes.add(Walls{{wall}}, number_of(wall.name()));
       else if constexpr (requires { part.constrain(nodes); })
         nodes.add(part, number_of(name_of(part, k)));
+      if constexpr (requires { part.given_impulse(); }) givers_.push_back(number_of(part.wall_name()));
     });
     place_.assign(nodes.size(), none);
     for (Index i = 0; i < nodes.size(); ++i) {
@@ -71,7 +72,15 @@ class BoundReactions {
     }
   }
   template <class Scene>
-  void follow_motion(Scene&, double) {
+  void follow_motion(const Scene& scene, double) {
+    std::size_t giver = 0;
+    scene.for_each_part([&](const auto& part) {
+      if constexpr (requires { part.given_impulse(); }) {
+        const V given = part.given_impulse();
+        double* const sum = now_.data() + givers_[giver++] * dim;
+        for (std::size_t d = 0; d < dim; ++d) sum[d] += static_cast<double>(given[static_cast<int>(d)]);
+      }
+    });
     for (std::size_t k = 0; k < now_.size(); ++k) impulse_[k] += last_[k] = now_[k];
     std::ranges::fill(now_, 0);
   }
@@ -123,6 +132,7 @@ class BoundReactions {
   std::vector<std::string> names_;
   std::vector<Index> place_;  // [nodes] in shares_, or none
   std::vector<Share> shares_;
+  std::vector<std::size_t> givers_;           // numbers of the parts that give impulses themselves
   std::vector<double> now_, last_, impulse_;  // [walls x D] N s
 };
 

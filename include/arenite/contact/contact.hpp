@@ -13,7 +13,7 @@
 #include <arenite/contact/coulomb.hpp>
 #include <arenite/contact/hold.hpp>
 #include <arenite/contact/normals.hpp>
-#include <arenite/contact/tally.hpp>
+#include <arenite/core/contact_tally.hpp>
 #include <arenite/core/part_energy.hpp>
 #include <arenite/transfer/node_field.hpp>
 

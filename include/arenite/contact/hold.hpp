@@ -1,6 +1,8 @@
 // Hold: how the mapped velocities of MUSL keep what contact enforced.
 #pragma once
 
+#include <type_traits>
+
 #include <arenite/core/tensor.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
@@ -27,6 +29,28 @@ Held<T, D> hold(const Vec<T, D>& apart, const Vec<T, D>& twice, const Vec<T, D>&
                 const Vec<T, D>& impulse, const Vec<T, D>& force, T dt) {
   const Vec<T, D> removed = sticks ? apart : Vec<T, D>(apart.dot(normal) * normal);
   return {removed, -static_cast<double>(impulse.dot(twice) / 2 + dt * force.dot(removed))};
+}
+
+/// Holds the mapped velocities of MUSL to what nodes were given by a rigid body or a wall (see `hold`); a
+/// touched node has `field`, `node`, the unit `normal`, the `impulse`, N s, and whether it `sticks`. Returns
+/// the energy that this dissipates, J. `Centred`: what is mapped is the mean over the step already.
+template <bool Centred, class Touched, class Fields, class T>
+double hold_touched(const Touched& touched, Fields& fields, T dt) {
+  double dissipation = 0;
+  for (const auto& t : touched) {
+    if (t.impulse.squaredNorm() == 0) continue;
+    using V = std::remove_cvref_t<decltype(t.normal)>;
+    auto& field = fields[t.field];
+    auto& v = field.mapped[t.node];
+    const V apart = v - field.velocity[t.node];
+    V twice = apart;
+    if constexpr (Centred) twice += v - field.start[t.node];
+    const auto held = hold<T, V::RowsAtCompileTime>(apart, twice, t.normal, t.sticks, t.impulse,
+                                                    field.collected[t.node].force(), dt);
+    dissipation += held.dissipation;
+    v -= held.removed;
+  }
+  return dissipation;
 }
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -111,6 +111,25 @@ void for_each_hull_face(const Scene& scene, F&& f) {
   }
 }
 
+/// Calls `f(node)` for the nodes whose functions have a value on a face.
+template <class Scene, class T, int D, class F>
+void for_each_face_node(const Scene& scene, const HullFace<T, D>& face, F&& f) {
+  if constexpr (is_simplex_mesh<typename Scene::Mesh>) {
+    for (const Index i : face.node) f(i);
+  } else {
+    const typename Scene::Shape::template Cell<typename Scene::Mesh> cell(scene.mesh, face.cell);
+    Vec<T, D> centre = Vec<T, D>::Zero();
+    for (const auto& x : face.corner) centre += x / static_cast<T>(face.corner.size());
+    std::array<bool, Scene::Shape::template Cell<typename Scene::Mesh>::size> has{};
+    for (const auto& x : face.corner) {  // beside each corner, where narrow functions have a value, too
+      const auto w = cell.weights(centre + T(0.9) * (x - centre));
+      for (std::size_t i = 0; i < has.size(); ++i) has[i] = has[i] || w[static_cast<int>(i)] > T(1e-5);
+    }
+    for (std::size_t i = 0; i < has.size(); ++i)
+      if (has[i]) f(cell.nodes[i]);
+  }
+}
+
 /// Whether a face is among those meant. Throws `error` for a side, or a set, that the mesh does not have.
 template <class Scene>
 auto face_test(const Scene& scene, const MeshFaces& where) {

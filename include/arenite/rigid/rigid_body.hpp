@@ -8,9 +8,9 @@
 
 #include <arenite/contact/coulomb.hpp>
 #include <arenite/contact/hold.hpp>
-#include <arenite/contact/tally.hpp>
 #include <arenite/core/alone.hpp>
 #include <arenite/core/bind.hpp>
+#include <arenite/core/contact_tally.hpp>
 #include <arenite/core/name.hpp>
 #include <arenite/core/part_energy.hpp>
 #include <arenite/core/state_value.hpp>
@@ -144,29 +144,6 @@ ContactTally collide(const M& mesh, R& body, Fields& fields, const Vec<T, D>& ac
   return {.dissipation = dissipation, .nodes = body.contact_nodes};
 }
 
-/// Holds the mapped velocities of MUSL to the body where it gave an impulse (see `hold`). Returns the energy
-/// that this dissipates, J.
-template <bool Centred, class R, class Fields, class T, class Others = const Alone>
-double hold_to(R& body, Fields& fields, T dt, Others& others = no_others) {
-  double dissipation = 0;
-  for (const auto& t : body.touched_nodes) {
-    if (t.impulse.squaredNorm() == 0) continue;
-    using V = std::remove_cvref_t<decltype(t.normal)>;
-    auto& field = fields[t.field];
-    auto& v = field.mapped[t.node];
-    const V apart = v - field.velocity[t.node];
-    V twice = apart;
-    if constexpr (Centred) twice += v - field.start[t.node];
-    const auto held = hold<T, V::RowsAtCompileTime>(apart, twice, t.normal, t.sticks, t.impulse,
-                                                    field.collected[t.node].force(), dt);
-    dissipation += held.dissipation;
-    v -= held.removed;
-  }
-  sum_over(others, dissipation);
-  body.dissipated += dissipation;
-  return dissipation;
-}
-
 namespace detail {
 /// In the place of a body that the compiler has refused.
 struct NoRigidBody {
@@ -246,7 +223,10 @@ struct RigidBody {
   }
   template <class Scene, class Others = const Alone>
   double hold_mapped(Scene& scene, double dt, Others& others = no_others) {
-    return hold_to<Scene::centres_stress>(*this, scene.fields, static_cast<T>(dt), others);
+    double dissipation = hold_touched<Scene::centres_stress>(touched_nodes, scene.fields, static_cast<T>(dt));
+    sum_over(others, dissipation);
+    dissipated += dissipation;
+    return dissipation;
   }
   PartEnergy count_energy() const {
     return {.kinetic = kinetic_energy(), .dissipated = dissipated, .external = driving_work};

@@ -11,7 +11,7 @@
 #include <tuple>
 #include <type_traits>
 
-#include <arenite/contact/tally.hpp>
+#include <arenite/core/contact_tally.hpp>
 #include <arenite/core/part_energy.hpp>
 #include <arenite/core/role_names.hpp>
 #include <arenite/core/tensor.hpp>
@@ -85,6 +85,14 @@ concept takes_stress_work = requires(P& part) {
 template <class P, class S>
 concept takes_wall_impulse = requires(P& part, const typename S::V& impulse) {
   { part.take_wall_impulse(Index{}, impulse) } -> std::same_as<void>;
+};
+
+/// In `Reactions`: the impulse [D], N s, that the part gave to the nodes that the scene owns in this step, as
+/// a wall of the name `wall_name()`.
+template <class P, class S>
+concept gives_wall_impulse = requires(const P& part) {
+  { part.given_impulse() } -> std::convertible_to<typename S::V>;
+  { part.wall_name() } -> std::convertible_to<std::string_view>;
 };
 
 /// After G2P: follows the matter, or moves the mesh. Velocities of fields and points are those of the end of
@@ -223,6 +231,9 @@ constexpr bool check_part() {
   static_assert(
       !names_take_wall_impulse<P> || takes_wall_impulse<P, S>,
       "part: take_wall_impulse must be void take_wall_impulse(Index node, const Vec<T, D>& impulse)");
+  static_assert(!names_given_impulse<P> || gives_wall_impulse<P, S>,
+                "part: given_impulse must be Vec<T, D> given_impulse() const, beside std::string wall_name() "
+                "const");
   static_assert(!names_follow_motion<P> || follows_motion<P, S>,
                 "part: follow_motion must be void follow_motion(Scene& scene, double dt)");
   static_assert(!names_stable_step<P> || bounds_step<P, S>,

@@ -8,7 +8,7 @@
 #include <type_traits>
 
 #include <arenite/boundary/constraints.hpp>
-#include <arenite/contact/tally.hpp>
+#include <arenite/core/contact_tally.hpp>
 #include <arenite/mesh/portion.hpp>
 #include <arenite/particles/measures.hpp>
 #include <arenite/particles/relocate.hpp>

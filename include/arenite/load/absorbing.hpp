@@ -1,0 +1,184 @@
+// Absorbing boundary: faces of the mesh through which waves leave.
+#pragma once
+
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <arenite/core/alone.hpp>
+#include <arenite/core/contact_tally.hpp>
+#include <arenite/core/part_energy.hpp>
+#include <arenite/load/face_impedance.hpp>
+
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
+
+/// What holds the matter at an absorbing boundary at rest.
+enum class Support {
+  none,           ///< nothing: under a load that does not pass, the boundary gives way at load / impedance
+  first_reaction  ///< the forces that keep its nodes in balance in the first step, from then on
+};
+
+/// Numbers that are not given are the law's: its density, sqrt(M / rho) and sqrt(G / rho).
+struct AbsorbingOptions {
+  double density = std::numeric_limits<double>::quiet_NaN();        ///< kg/m3
+  double pressure_wave = std::numeric_limits<double>::quiet_NaN();  ///< speed of pressure waves, m/s
+  double shear_wave = std::numeric_limits<double>::quiet_NaN();     ///< speed of shear waves, m/s
+  Support support = Support::none;
+};
+
+/// Dashpots of rho c_p across and rho c_s along faces of the mesh (Lysmer and Kuhlemeyer 1969, Finite dynamic
+/// model for infinite media, J. Eng. Mech. Div. 95, 859-877). Waves that meet a face at a right angle leave;
+/// docs/validation.md has what comes back of others.
+///
+/// A dashpot has no stiffness. Where the boundary bears a static stress, as under gravity, begin with that
+/// state (`FillOptions::stress`, or a run that settled on walls) and say `.support =
+/// Support::first_reaction`; or name the stress as a `traction` on the same faces. Static loads that come
+/// later must be held by walls elsewhere.
+struct AbsorbingFaces {
+  MeshFaces where;
+  AbsorbingOptions options;
+};
+/// `absorbing(bottom())`, `absorbing(on("far"), {.support = Support::first_reaction})`
+inline AbsorbingFaces absorbing(MeshFaces where, const AbsorbingOptions& options = {}) {
+  return {std::move(where), options};
+}
+
+/// Velocity, m/s, after a step dt in which a node of mass m was driven from `start` to `free` by other forces
+/// and slowed down by dashpots; `z` = dt / m times them, -. Solves v' = a - (z / dt) v with the rational
+/// approximation 1 / (1 + z + z^2 / 2) of exp(-z): of second order, and stable however light the node is.
+template <class T, int D>
+Vec<T, D> dashpot_velocity(const Vec<T, D>& start, const Vec<T, D>& free, const Mat<T, D>& z) {
+  const Mat<T, D> one = Mat<T, D>::Identity(), left = one + z + z * z / 2;
+  return left.inverse() * (free + z * (free - start) / 2);
+}
+
+/// The same in a mesh: a part that gives impulses, and books what they take as dissipated.
+template <class T, int D>
+class BoundAbsorbingFaces {
+ public:
+  using V = Vec<T, D>;
+
+  explicit BoundAbsorbingFaces(AbsorbingFaces a)
+      : options_{a.options}, where_{std::move(a.where)}, name_{where_.name()} {}
+
+  template <class Scene>
+  void connect(Scene& scene) {
+    std::vector<WaveImpedance> of_body;
+    scene.for_each_body([&](const auto& body, const auto&) { of_body.push_back(impedance(body.law)); });
+    faces_.emplace(scene, where_, std::move(of_body));
+    require(faces_->faces() > 0 || Scene::is_portion, "absorbing(" + name_ + "): faces", faces_->faces(),
+            "must be at least one face of the mesh's hull");
+    const std::size_t all = faces_->nodes().size() * Scene::field_count;
+    given_.assign(all, V::Zero());
+    if (options_.support == Support::first_reaction) support_.assign(all * dim, 0);
+  }
+
+  template <class Scene, class Others = const Alone>
+  ContactTally exchange_impulses(Scene& scene, double dt, Others& others = no_others) {
+    faces_->collect(scene, others);
+    if (!supported_ && !support_.empty()) take_first_reaction(scene);
+    const auto step = static_cast<T>(dt);
+    const auto owns = scene.node_owner();
+    impulse_ = V::Zero();
+    for (std::size_t k = 0, at = 0; k < faces_->nodes().size(); ++k)
+      for (std::size_t f = 0; f < Scene::field_count; ++f, ++at) {
+        auto& field = scene.fields[f];
+        const Index i = faces_->nodes()[k];
+        const T m = field.mass[i];
+        given_[at].setZero();
+        if (!(m > 0)) continue;
+        const V free = field.velocity[i] + step / m * support(at);
+        const V after = dashpot_velocity<T, D>(field.start[i], free, step / m * faces_->at(k, f));
+        given_[at] = m * (after - free);
+        if (owns(i)) impulse_ += m * (after - field.velocity[i]);
+        field.velocity[i] = after;
+      }
+    return {};
+  }
+  template <class Scene>
+  void follow_motion(Scene& scene, double dt) {
+    const auto owns = scene.node_owner();
+    for (std::size_t k = 0, at = 0; k < faces_->nodes().size(); ++k)
+      for (std::size_t f = 0; f < Scene::field_count; ++f, ++at) {
+        const Index i = faces_->nodes()[k];
+        if (!owns(i)) continue;
+        const V mean = (scene.fields[f].start[i] + scene.fields[f].velocity[i]) / 2;
+        dissipated_ -= static_cast<double>(given_[at].dot(mean));
+        work_ += static_cast<double>(support(at).dot(mean)) * dt;
+      }
+  }
+  PartEnergy count_energy() const { return {.dissipated = dissipated_, .external = work_}; }
+  bool holds_against(const V&) const { return options_.support != Support::none; }
+  template <class F>
+  void visit_state(F&& f) {
+    f("dissipated", dissipated_);
+    f("work", work_);
+    f("supported", supported_);
+    f("support", support_);
+  }
+
+  /// What `reaction(scene, name)` knows it by, and what it gave to the matter in the last step, N s.
+  const std::string& wall_name() const { return name_; }
+  const V& given_impulse() const { return impulse_; }
+
+ private:
+  static constexpr auto dim = static_cast<std::size_t>(D);
+
+  template <class L>
+  WaveImpedance impedance(const L& law) const {
+    const auto chosen = [&](const char* what, double given, double of_law) {
+      const double value = std::isnan(given) ? of_law : given;
+      require(value >= 0 && std::isfinite(value), "absorbing(" + name_ + ")." + what, value,
+              std::isnan(value) ? "must be given: the law does not tell it" : "must not be negative");
+      return value;
+    };
+    const double rho = law.density();
+    double shear = std::numeric_limits<double>::quiet_NaN();
+    if constexpr (requires { law.elasticity().shear(); }) shear = std::sqrt(law.elasticity().shear() / rho);
+    const double density = chosen("density", options_.density, rho);
+    return {density * chosen("pressure_wave", options_.pressure_wave, std::sqrt(law.wave_modulus() / rho)),
+            density * chosen("shear_wave", options_.shear_wave, shear)};
+  }
+
+  /// N, on the matter of a field at a node.
+  V support(std::size_t at) const {
+    V force = V::Zero();
+    if (!support_.empty())
+      for (std::size_t d = 0; d < dim; ++d)
+        force[static_cast<int>(d)] = static_cast<T>(support_[at * dim + d]);
+    return force;
+  }
+  template <class Scene>
+  void take_first_reaction(const Scene& scene) {
+    const V acceleration = scene.acceleration();
+    for (std::size_t k = 0, at = 0; k < faces_->nodes().size(); ++k)
+      for (std::size_t f = 0; f < Scene::field_count; ++f, ++at) {
+        if ((faces_->at(k, f).array() == 0).all()) continue;  // not of these faces
+        const auto& sums = scene.fields[f].collected[faces_->nodes()[k]];
+        const V force = sums.force() + sums.mass() * acceleration;
+        for (std::size_t d = 0; d < dim; ++d)
+          support_[at * dim + d] = -static_cast<double>(force[static_cast<int>(d)]);
+      }
+    supported_ = true;
+  }
+
+  AbsorbingOptions options_;
+  MeshFaces where_;
+  std::string name_;
+  std::optional<FaceImpedance<T, D>> faces_;  // from `connect` on
+  std::vector<V> given_;         // [nodes of the faces x fields] impulses of the dashpots in this step, N s
+  std::vector<double> support_;  // [nodes of the faces x fields x D] N; empty without
+  V impulse_ = V::Zero();        // of the last step, N s
+  double dissipated_ = 0, work_ = 0;  // since the start, J
+  bool supported_ = false;            // whether the first reaction is known
+};
+
+template <class Site>
+auto bind_part(const AbsorbingFaces& faces, const Site&) {
+  return BoundAbsorbingFaces<typename Site::T, Site::D>(faces);
+}
+
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

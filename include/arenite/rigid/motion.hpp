@@ -1,15 +1,27 @@
-// Motion of a rigid body: the concept. Motions are `Guided` and `Prescribed`, or one of a user's own.
+// Motion of a rigid body: the concepts. Motions are `Guided`, `Prescribed`, `Free` and `PrescribedPose`, or
+// one of a user's own.
 #pragma once
 
 #include <concepts>
 
 #include <arenite/core/tensor.hpp>
+#include <arenite/rigid/pose.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
-/// A motion once bound to a scene (a recipe may have a `bind_part`). V: a vector [D] of the scene; velocities
-/// in m/s, impulses in N s. In a step contact asks for the velocity that the body would have without contact,
-/// for the one with which impulses are found, and, once they are given, for the one after them.
+/// Whether a motion turns its body: it says so by `static constexpr bool rotates = true`.
+template <class M>
+inline constexpr bool rotates = [] {
+  if constexpr (requires { M::rotates; })
+    return M::rotates;
+  else
+    return false;
+}();
+
+/// A motion without rotation, once bound to a scene (a recipe may have a `bind_part`). V: a vector [D] of the
+/// scene; velocities in m/s, impulses in N s. In a step contact asks for the velocity that the body would
+/// have without contact, for the one with which impulses are found, and, once they are given, for the one
+/// after them.
 ///
 /// - `has_mass`: whether impulses change the motion; such a motion has `mass`, kg;
 /// - `start()`: initial velocity, m/s;
@@ -25,7 +37,7 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 /// - `kinetic_energy(v)`: J;
 /// - `holds(acceleration)`: whether the body would not fall with the matter.
 template <class M, class V>
-concept rigid_motion = requires(const M motion, const V v, typename V::Scalar t) {
+concept rigid_motion = !rotates<M> && requires(const M motion, const V v, typename V::Scalar t) {
   { M::has_mass } -> std::convertible_to<bool>;
   { motion.start() } -> std::convertible_to<V>;
   { motion.free_velocity(v, v, t, t) } -> std::convertible_to<V>;
@@ -33,6 +45,31 @@ concept rigid_motion = requires(const M motion, const V v, typename V::Scalar t)
   { motion.mean(v, v) } -> std::convertible_to<V>;
   { motion.drive(v, v, v, v) } -> std::convertible_to<double>;
   { motion.kinetic_energy(v) } -> std::convertible_to<double>;
+  { motion.holds(v) } -> std::convertible_to<bool>;
+};
+
+/// A motion with rotation, `rotates`. Its velocities are twists, velocity of the centre and spin, and its
+/// impulses have their moment about the centre behind them (`Twist`). Beside the members above:
+///
+/// - `centre()`: the point of the body whose velocity is given, at the start, m;
+/// - `free_velocity(body, before, acceleration, time, dt)`: with the body, whose `displacement` and
+///   `orientation` are those of the begin of the step;
+/// - `after(met, free_velocity, total, exchanged)`: `exchanged` are the sums of the magnitudes of impulses
+/// and
+///   of their moments;
+/// - `turn(orientation, velocity, dt)`: turns the orientation through the step and returns the twist there;
+/// - optional `stored_energy(body)`, J, and `damped`, J since the start: of springs and dashpots.
+template <class M, class T, int D>
+concept rotating_motion = rotates<M> &&
+    requires(M motion, const Twist<T, D> u, const Vec<T, D> v, const Vec<T, 2> e, Orientation<D> o, T t) {
+  { M::has_mass } -> std::convertible_to<bool>;
+  { motion.start() } -> std::convertible_to<Twist<T, D>>;
+  { motion.centre() } -> std::convertible_to<Vec<double, D>>;
+  { motion.after(u, u, u, e) } -> std::convertible_to<Twist<T, D>>;
+  { motion.turn(o, u, t) } -> std::convertible_to<Twist<T, D>>;
+  { motion.mean(u, u) } -> std::convertible_to<Twist<T, D>>;
+  { motion.drive(u, u, u, u) } -> std::convertible_to<double>;
+  { motion.kinetic_energy(u) } -> std::convertible_to<double>;
   { motion.holds(v) } -> std::convertible_to<bool>;
 };
 

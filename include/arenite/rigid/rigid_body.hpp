@@ -1,8 +1,7 @@
-// Rigid body in a scene: its state, and its contact with the node fields. The body gains the momentum that
-// the soil loses in a step.
+// Rigid body in a scene: what a user writes, and its state.
 #pragma once
 
-#include <algorithm>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -14,9 +13,13 @@
 #include <arenite/core/name.hpp>
 #include <arenite/core/part_energy.hpp>
 #include <arenite/core/state_value.hpp>
+#include <arenite/rigid/collide.hpp>
+#include <arenite/rigid/free.hpp>
 #include <arenite/rigid/guided.hpp>
 #include <arenite/rigid/motion.hpp>
+#include <arenite/rigid/pose.hpp>
 #include <arenite/rigid/prescribed.hpp>
+#include <arenite/rigid/prescribed_pose.hpp>
 #include <arenite/rigid/surface.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
@@ -69,82 +72,6 @@ auto rigid(Surface surface, Motion motion, Number, Coupling... coupling) {
 }
 
 namespace detail {
-
-template <class Shape, class M, class R, class Fields, class Owns>
-void find_touched_nodes(const M& mesh, R& body, const Fields& fields, const Owns& owns) {
-  using T = typename M::scalar;
-  body.touched_nodes.clear();
-  body.inside_nodes = 0;
-  const auto has_mass = [&](Index node) {
-    return std::ranges::any_of(fields, [&](const auto& field) { return field.mass[node] > 0; });
-  };
-  body.surface.template visit<Shape>(
-      mesh, body.displacement, has_mass,
-      [&](Index node, const auto& normal, bool inside, [[maybe_unused]] T fraction) {
-        if (!owns(node)) return;
-        for (std::size_t f = 0; f < fields.size(); ++f) {
-          const T mass = fields[f].mass[node];
-          if (!(mass > 0)) continue;
-          T moved = 1;
-          if constexpr (R::coupling_through_centre) {
-            const T rigid_mass = fraction * static_cast<T>(body.motion.mass);
-            if (!inside) moved = rigid_mass / (rigid_mass + mass);
-          }
-          body.touched_nodes.push_back({f, node, inside, mass, moved, fields[f].velocity[node], normal});
-          body.inside_nodes += inside;
-        }
-      });
-}
-
-}  // namespace detail
-
-/// Advances the body by dt to `time` and lets it exchange impulses with all fields: its own motion first,
-/// then the impulses with its new velocity. Returns what contact dissipated. Each scene that shares the body
-/// touches the nodes that it owns; sums are taken through `others`, and all know of the whole body.
-template <class Shape, class M, class R, class Fields, class T, int D, class Owns = OwnsAll,
-          class Others = const Alone>
-ContactTally collide(const M& mesh, R& body, Fields& fields, const Vec<T, D>& acceleration, T time, T dt,
-                     const Owns& owns = {}, Others& others = no_others) {
-  detail::find_touched_nodes<Shape>(mesh, body, fields, owns);
-  const Vec<T, D> before = body.velocity,
-                  free_velocity = body.motion.free_velocity(before, acceleration, time, dt);
-  if constexpr (requires { body.motion.velocity_in_contact(body, free_velocity, others); }) {
-    body.velocity = body.motion.velocity_in_contact(body, free_velocity, others);
-  } else {
-    static_assert(Others::alone || !R::is_free,
-                  "Rigid: meet of this motion must take the others to sum with");
-    body.velocity = body.motion.velocity_in_contact(body, free_velocity);
-  }
-  Vec<T, D> total = Vec<T, D>::Zero();  // on the fields
-  T gained = 0;                         // by the fields: impulses times their mean velocities over the step
-  T exchanged = 0;                      // magnitudes of the impulses
-  body.contact_nodes = 0;
-  for (auto& t : body.touched_nodes) {
-    const auto given = body.contact_at(t, body.velocity);
-    const Vec<T, D>& j = given.impulse;
-    if (j.squaredNorm() == 0) continue;
-    t.impulse = j;
-    t.sticks = given.sticks;
-    Vec<T, D>& v = fields[t.field].velocity[t.node];
-    v += j / t.mass;
-    total += j;
-    exchanged += j.norm();
-    gained += j.dot(fields[t.field].start[t.node] + v) / 2;
-    ++body.contact_nodes;
-  }
-  sum_over(others, total, gained, exchanged, body.contact_nodes, body.inside_nodes);
-  body.force = -total / dt;
-  body.impulse -= total;
-  body.velocity = body.motion.after(body.velocity, free_velocity, total, exchanged);
-  const Vec<T, D> mean = body.motion.mean(before, body.velocity);
-  const double dissipation = static_cast<double>(total.dot(mean) - gained);
-  body.dissipated += dissipation;
-  body.driving_work += body.motion.drive(before, free_velocity, mean, total);
-  body.displacement += dt * body.velocity;
-  return {.dissipation = dissipation, .nodes = body.contact_nodes};
-}
-
-namespace detail {
 /// In the place of a body that the compiler has refused.
 struct NoRigidBody {
   static constexpr bool separates_bodies = false;
@@ -152,14 +79,17 @@ struct NoRigidBody {
 }  // namespace detail
 
 /// A rigid body in a scene: a part that exchanges impulses with all fields. Read `displacement`, `velocity`
-/// and `force` after any step.
+/// and `force` after any step; of one that rotates also `position()`, `orientation`, `spin` and `torque`. The
+/// velocity of a body that rotates is that of its centre; spins and moments have one component in the plane.
 template <class T, int D, class Surface, class Motion, class Coupling = RigidVelocity, Name name_ = "">
 struct RigidBody {
   using V = Vec<T, D>;
   static constexpr auto name = name_;
   static constexpr int exchange_rank = 1;
   static constexpr bool is_rigid_body = true, is_shared = true;
-  static constexpr bool is_free = Motion::has_mass;
+  static constexpr bool is_free = Motion::has_mass, rotates = arenite::rotates<Motion>;
+  /// Velocity, or velocity and spin of a body that rotates; impulse, or impulse and its moment.
+  using Velocity = std::conditional_t<rotates, Twist<T, D>, V>;
   static constexpr bool coupling_through_centre = Coupling::through_centre_of_mass;
   static_assert(!coupling_through_centre || (Surface::has_volume_fractions && is_free),
                 "Rigid: CentreOfMass needs a MeshSurface and a Guided motion, which give the body's nodes "
@@ -167,14 +97,18 @@ struct RigidBody {
   Surface surface;
   Motion motion;
   Friction friction;
-  V velocity = motion.start();    ///< m/s
-  V displacement = V::Zero();     ///< since the start, m
-  V force = V::Zero();            ///< mean contact force on the body during the last step, N
-  V impulse = V::Zero();          ///< contact impulse on the body since the start, N s
-  double driving_work = 0;        ///< work of gravity, load or the prescribed motion's drive, J
-  double dissipated = 0;          ///< by contact, since the start, J
-  std::size_t contact_nodes = 0;  ///< nodes that pushed on the body in the last step
-  std::size_t inside_nodes = 0;   ///< nodes inside the body that carried mass in the last step
+  V velocity = linear(motion.start());        ///< m/s
+  V displacement = V::Zero();                 ///< since the start, m
+  V force = V::Zero();                        ///< mean contact force on the body during the last step, N
+  V impulse = V::Zero();                      ///< contact impulse on the body since the start, N s
+  double driving_work = 0;                    ///< work of gravity, load or the prescribed motion's drive, J
+  double dissipated = 0;                      ///< by contact, since the start, J
+  std::size_t contact_nodes = 0;              ///< nodes that pushed on the body in the last step
+  std::size_t inside_nodes = 0;               ///< nodes inside the body that carried mass in the last step
+  Spin<T, D> spin = angular(motion.start());  ///< angular velocity, rad/s
+  Orientation<D> orientation{};               ///< against the start
+  Spin<T, D> torque = Spin<T, D>::Zero();     ///< mean moment of contact about the centre, N m
+  Spin<T, D> angular_impulse = Spin<T, D>::Zero();  ///< of contact since the start, N m s
 
   /// One touched node of one field.
   struct TouchedNode {
@@ -187,10 +121,27 @@ struct RigidBody {
     V normal;      ///< out of the body
     bool sticks = false;    ///< to the body: no relative motion at all
     V impulse = V::Zero();  ///< on the field, N s
+    V arm = V::Zero();      ///< from the centre of a body that rotates, m
   };
   std::vector<TouchedNode> touched_nodes{};  ///< of the last step
 
-  double kinetic_energy() const { return motion.kinetic_energy(velocity); }
+  double kinetic_energy() const { return motion.kinetic_energy(whole_velocity()); }
+
+  /// Of the centre of a body that rotates, m.
+  V position() const requires(rotates) { return motion.centre().template cast<T>() + displacement; }
+  /// Where a surface finds the body: its displacement, or its pose.
+  auto place() const {
+    if constexpr (rotates)
+      return Pose<D>{motion.centre(), displacement.template cast<double>(), orientation.matrix()};
+    else
+      return displacement;
+  }
+  Velocity whole_velocity() const {
+    if constexpr (rotates)
+      return twist<T, D>(velocity, spin);
+    else
+      return velocity;
+  }
 
   /// On a field in the last step, N s.
   V contact_impulse(std::size_t field) const {
@@ -200,12 +151,57 @@ struct RigidBody {
     return sum;
   }
 
-  /// Impulse on the field at a touched node if the body moves with velocity v, m/s.
-  CoulombImpulse<T, D> contact_at(const TouchedNode& t, const V& v) const {
-    if (t.inside) return stick<T, D>(t.start - v, t.mass_ratio * t.mass);
-    return coulomb<T, D>(t.start - v, t.normal, t.mass_ratio * t.mass, friction);
+  /// Velocity of the body at a touched node if it moves with v, m/s.
+  V surface_velocity([[maybe_unused]] const TouchedNode& t, const Velocity& v) const {
+    if constexpr (rotates)
+      return velocity_at<T, D>(v, t.arm);
+    else
+      return v;
   }
-  V impulse_at(const TouchedNode& t, const V& v) const { return contact_at(t, v).impulse; }
+  /// Impulse on the field at a touched node if the body moves with velocity v, m/s.
+  CoulombImpulse<T, D> contact_at(const TouchedNode& t, const Velocity& v) const {
+    const V approach = t.start - surface_velocity(t, v);
+    if (t.inside) return stick<T, D>(approach, t.mass_ratio * t.mass);
+    return coulomb<T, D>(approach, t.normal, t.mass_ratio * t.mass, friction);
+  }
+  V impulse_at(const TouchedNode& t, const Velocity& v) const { return contact_at(t, v).impulse; }
+  /// An impulse on the field at a touched node, N s, with its moment about the centre, N m s.
+  Velocity with_moment([[maybe_unused]] const TouchedNode& t, const V& j) const {
+    if constexpr (rotates)
+      return twist<T, D>(j, moment<T, D>(t.arm, j));
+    else
+      return j;
+  }
+  /// Magnitudes of an impulse, and of its moment.
+  auto size_of([[maybe_unused]] const TouchedNode& t, const V& j) const {
+    if constexpr (rotates)
+      return Vec<T, 2>(j.norm(), j.norm() * t.arm.norm());
+    else
+      return j.norm();
+  }
+  static auto no_size() {
+    if constexpr (rotates)
+      return Vec<T, 2>(0, 0);
+    else
+      return T(0);
+  }
+  /// Books the impulses of a step on the fields.
+  void take_impulse(const Velocity& total, T dt) {
+    force = -linear(total) / dt;
+    impulse -= linear(total);
+    torque = -angular(total) / dt;
+    angular_impulse -= angular(total);
+  }
+  /// Moves through a step with the velocity of its end.
+  void move(const Velocity& v, T dt) {
+    velocity = linear(v);
+    displacement += dt * velocity;
+    if constexpr (rotates) {
+      const Velocity turned = motion.turn(orientation, v, dt);
+      velocity = linear(turned);
+      spin = angular(turned);
+    }
+  }
 
   template <class Scene>
   void connect(const Scene& scene) {
@@ -229,7 +225,10 @@ struct RigidBody {
     return dissipation;
   }
   PartEnergy count_energy() const {
-    return {.kinetic = kinetic_energy(), .dissipated = dissipated, .external = driving_work};
+    PartEnergy e{.kinetic = kinetic_energy(), .dissipated = dissipated, .external = driving_work};
+    if constexpr (requires { motion.stored_energy(*this); }) e.stored = motion.stored_energy(*this);
+    if constexpr (requires { motion.damped; }) e.dissipated += motion.damped;
+    return e;
   }
   template <class F>
   void visit_state(F&& f) {
@@ -241,21 +240,51 @@ struct RigidBody {
     f("dissipated", dissipated);
     f("contact_nodes", contact_nodes);
     f("inside_nodes", inside_nodes);
+    if constexpr (rotates) {
+      f("spin", spin);
+      f("torque", torque);
+      f("angular_impulse", angular_impulse);
+      orientation.visit_state(f);
+    }
     if constexpr (requires { motion.visit_state(f); }) motion.visit_state(StateUnder(f, "motion"));
     if constexpr (requires { surface.visit_state(f); }) surface.visit_state(StateUnder(f, "surface"));
   }
   bool holds_against(const V& acceleration) const { return motion.holds(acceleration); }
+
+ private:
+  static V linear(const Velocity& v) {
+    if constexpr (rotates)
+      return linear_part(v);
+    else
+      return v;
+  }
+  static Spin<T, D> angular([[maybe_unused]] const Velocity& v) {
+    if constexpr (rotates)
+      return angular_part(v);
+    else
+      return Spin<T, D>::Zero();
+  }
 };
 
 template <class S, class M, class C, Name name, class Site>
 auto bind_part(const Rigid<S, M, C, name>& recipe, const Site& site) {
   auto surface = bound(recipe.surface, site);
   auto motion = bound(recipe.motion, site);
-  constexpr bool has_surface = rigid_surface<decltype(surface), typename Site::Shape, typename Site::Mesh>;
-  constexpr bool has_motion = rigid_motion<decltype(motion), Vec<typename Site::T, Site::D>>;
+  using V = Vec<typename Site::T, Site::D>;
+  constexpr bool turns = rotates<decltype(motion)>;
+  using Place = std::conditional_t<turns, Pose<Site::D>, V>;
+  constexpr bool has_surface =
+      rigid_surface<decltype(surface), typename Site::Shape, typename Site::Mesh, V> ||
+      rigid_surface<decltype(surface), typename Site::Shape, typename Site::Mesh, Pose<Site::D>>;
+  constexpr bool fits = rigid_surface<decltype(surface), typename Site::Shape, typename Site::Mesh, Place>;
+  constexpr bool has_motion =
+      rigid_motion<decltype(motion), V> || rotating_motion<decltype(motion), typename Site::T, Site::D>;
   static_assert(has_surface, "Rigid: the surface lacks a member; see arenite/rigid/surface.hpp");
   static_assert(has_motion, "Rigid: the motion lacks a member; see arenite/rigid/motion.hpp");
-  if constexpr (has_surface && has_motion)
+  static_assert(!has_surface || !has_motion || fits,
+                "Rigid: the body rotates, and its surface does not: visit must take a Pose, as that of a "
+                "DistanceSurface does; the nodes of a MeshSurface stay where the mesh is");
+  if constexpr (has_motion && fits)
     return RigidBody<typename Site::T, Site::D, decltype(surface), decltype(motion), C, name>{
         std::move(surface), std::move(motion), recipe.friction};
   else

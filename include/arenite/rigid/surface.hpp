@@ -12,6 +12,7 @@
 #include <arenite/core/bind.hpp>
 #include <arenite/core/parallel.hpp>
 #include <arenite/core/vector_argument.hpp>
+#include <arenite/rigid/pose.hpp>
 #include <arenite/rigid/signed_distance.hpp>
 #include <arenite/shape/shape.hpp>
 
@@ -52,12 +53,13 @@ DistanceSurface(Distance, double) -> DistanceSurface<Distance>;
 
 /// A surface once bound to a scene:
 /// - `has_volume_fractions`: whether its nodes carry fractions of its volume;
-/// - `visit<Shape>(mesh, displacement, has_mass, f)`: calls `f(node, normal, inside, fraction)` for each node
-///   that it touches where the body is now, in an order that does not depend on threads, with the unit normal
-///   out of the body (zero inside); nodes without matter, `!has_mass(node)`, need no call;
+/// - `visit<Shape>(mesh, place, has_mass, f)`: `place` is the body's displacement [D], m, or the `Pose` of a
+///   body that rotates; a surface may take one of them or both. Calls `f(node, normal, inside, fraction)` for
+///   each node that it touches where the body is now, in an order that does not depend on threads, with the
+///   unit normal out of the body (zero inside); nodes without matter, `!has_mass(node)`, need no call;
 /// - optional `connect(scene)`: called once, when all parts of the scene are bound.
-template <class S, class Shape, class M>
-concept rigid_surface = requires(S surface, const M& mesh, const Vec<typename M::scalar, M::dimension> x) {
+template <class S, class Shape, class M, class Place = Vec<typename M::scalar, M::dimension>>
+concept rigid_surface = requires(S surface, const M& mesh, const Place x) {
   { S::has_volume_fractions } -> std::convertible_to<bool>;
   surface.template visit<Shape>(
       mesh, x, [](Index) { return true; },
@@ -108,8 +110,8 @@ class BoundDistanceSurface {
   static constexpr bool has_volume_fractions = false;
 
   /// Visits chunks of nodes on several threads and joins their results in order.
-  template <class Shape, class M, class HasMass, class F>
-  void visit(const M& mesh, const Vec<T, D>& displacement, HasMass&& has_mass, F&& f) {
+  template <class Shape, class M, class Place, class HasMass, class F>
+  void visit(const M& mesh, const Place& place, HasMass&& has_mass, F&& f) {
     const std::size_t nodes = Shape::node_count(mesh);
     found_.resize((nodes + chunk_size - 1) / chunk_size);
     parallel_chunks(nodes, [&](std::size_t begin, std::size_t end) {
@@ -117,7 +119,7 @@ class BoundDistanceSurface {
       found.nodes.clear();
       found.failure = nullptr;
       try {
-        look<Shape>(mesh, displacement, has_mass, begin, end, found.nodes);
+        look<Shape>(mesh, place, has_mass, begin, end, found.nodes);
       } catch (...) {  // out of a user's distance; a loop over threads must not throw
         found.failure = std::current_exception();
       }
@@ -140,19 +142,31 @@ class BoundDistanceSurface {
     std::exception_ptr failure{};
   };
 
-  template <class Shape, class M, class HasMass>
-  void look(const M& mesh, const Vec<T, D>& displacement, HasMass& has_mass, std::size_t begin,
-            std::size_t end, std::vector<Node>& found) const {
+  /// Position in the body's frame, and direction in that of the scene.
+  static Position to_body(const Vec<T, D>& displacement, const Vec<T, D>& x) {
+    return in_space<T, D>(x - displacement);
+  }
+  static Position to_body(const Pose<D>& pose, const Vec<T, D>& x) {
+    return in_space<double, D>(pose.to_body(x.template cast<double>()));
+  }
+  static const Vec<double, D>& to_scene(const Vec<T, D>&, const Vec<double, D>& normal) { return normal; }
+  static Vec<double, D> to_scene(const Pose<D>& pose, const Vec<double, D>& normal) {
+    return pose.to_scene(normal);
+  }
+
+  template <class Shape, class M, class Place, class HasMass>
+  void look(const M& mesh, const Place& place, HasMass& has_mass, std::size_t begin, std::size_t end,
+            std::vector<Node>& found) const {
     constexpr std::size_t block = 64;  // distances asked for in one call
     std::array<Index, block> node;
     std::array<double, block> cell, distance;
-    std::array<Position, block> place;
+    std::array<Position, block> at;
     std::size_t count = 0;
     const auto ask = [&] {
-      surface_.distance.at({place.data(), count}, distance.data());
+      surface_.distance.at({at.data(), count}, distance.data());
       for (std::size_t k = 0; k < count; ++k) {
         if (distance[k] > surface_.reach * cell[k]) continue;
-        const Vec<double, D> normal = slope(place[k], 1e-4 * cell[k]);
+        const Vec<double, D> normal = to_scene(place, slope(at[k], 1e-4 * cell[k]));
         // Where the distance has no slope (deep on an axis) there is no way out: such a node is inside.
         found.push_back({node[k], normal.squaredNorm() == 0, normal.template cast<T>()});
       }
@@ -161,12 +175,12 @@ class BoundDistanceSurface {
     for (std::size_t n = begin; n < end; ++n) {
       const auto i = static_cast<Index>(n);
       if (!has_mass(i)) continue;
-      const Position at = in_space<T, D>(Shape::node_position(mesh, i) - displacement);
+      const Position x = to_body(place, Shape::node_position(mesh, i));
       const auto size = static_cast<double>(mesh.node_size(i));
-      if (is_beyond(at, size)) continue;
+      if (is_beyond(x, size)) continue;
       node[count] = i;
       cell[count] = size;
-      place[count] = at;
+      at[count] = x;
       if (++count == block) ask();
     }
     ask();

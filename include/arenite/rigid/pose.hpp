@@ -1,0 +1,134 @@
+// Pose of a rigid body: where its centre is and how it is turned; velocities of its points and moments of
+// forces on it.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <cmath>
+
+#include <arenite/core/tensor.hpp>
+
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
+
+/// Components of a rotation: one in the plane, about z; three in space.
+template <int D>
+inline constexpr int rotations = D == 2 ? 1 : 3;
+
+/// Angular velocity, rad/s, angular momentum or moment of force, [1] in the plane, [3] in space.
+template <class T, int D>
+using Spin = Vec<T, rotations<D>>;
+
+/// Velocity of a rigid body's centre, m/s, and its angular velocity, rad/s, one behind the other; or impulse,
+/// N s, and angular impulse about the centre, N m s. [3] in the plane, [6] in space.
+template <class T, int D>
+using Twist = Vec<T, D + rotations<D>>;
+
+template <class T, int D>
+Twist<T, D> twist(const Vec<T, D>& linear, const Spin<T, D>& angular) {
+  Twist<T, D> both;
+  both << linear, angular;
+  return both;
+}
+template <class T, int N>
+auto linear_part(const Vec<T, N>& both) {
+  return Vec < T, N == 3 ? 2 : 3 > (both.template head < N == 3 ? 2 : 3 > ());
+}
+template <class T, int N>
+auto angular_part(const Vec<T, N>& both) {
+  return Vec < T, N == 3 ? 1 : 3 > (both.template tail < N == 3 ? 1 : 3 > ());
+}
+
+/// Velocity, m/s, of a rigid body's point at `arm`, m, from its centre.
+template <class T, int D>
+Vec<T, D> velocity_at(const Twist<T, D>& body, const Vec<T, D>& arm) {
+  if constexpr (D == 2)
+    return {body[0] - body[2] * arm[1], body[1] + body[2] * arm[0]};
+  else
+    return linear_part(body) + angular_part(body).cross(arm);
+}
+
+/// Moment of a force or impulse that acts at `arm` from the centre.
+template <class T, int D>
+Spin<T, D> moment(const Vec<T, D>& arm, const Vec<T, D>& force) {
+  if constexpr (D == 2)
+    return Spin<T, D>(arm[0] * force[1] - arm[1] * force[0]);
+  else
+    return arm.cross(force);
+}
+
+/// How a body is turned against its start. In the plane an angle, rad, that counts whole turns; in space a
+/// unit quaternion (w, x, y, z).
+template <int D>
+class Orientation;
+
+template <>
+class Orientation<2> {
+ public:
+  /// Adds a turn, rad.
+  void turn(const Vec<double, 1>& by) { angle_ += by; }
+  double angle() const { return angle_[0]; }
+  /// The turn since the start, rad.
+  Vec<double, 1> rotation_vector() const { return angle_; }
+  Mat<double, 2> matrix() const {
+    const double c = std::cos(angle()), s = std::sin(angle());
+    Mat<double, 2> m;
+    m << c, -s, s, c;
+    return m;
+  }
+  template <class F>
+  void visit_state(F&& f) {
+    f("orientation", angle_);
+  }
+
+ private:
+  Vec<double, 1> angle_ = Vec<double, 1>::Zero();
+};
+
+template <>
+class Orientation<3> {
+ public:
+  using Quaternion = Eigen::Quaternion<double, Eigen::DontAlign>;
+
+  /// Turns by a rotation vector in space, rad.
+  void turn(const Vec<double, 3>& by) {
+    const double angle = by.norm();
+    if (angle > 0) set(Quaternion(Eigen::AngleAxis<double>(angle, by / angle)) * quaternion());
+  }
+  /// Turns by the Cayley transform of a vector in the body's own frame: by the angle 2 atan(|a| / 2).
+  void turn_by_cayley(const Vec<double, 3>& a) {
+    set(quaternion() * Quaternion(1, a[0] / 2, a[1] / 2, a[2] / 2));
+  }
+  Quaternion quaternion() const { return {parts_[0], parts_[1], parts_[2], parts_[3]}; }
+  /// Axis times angle of the turn since the start, rad, at most pi long.
+  Vec<double, 3> rotation_vector() const {
+    const Vec<double, 3> axis = (parts_[0] < 0 ? -1 : 1) * parts_.template tail<3>();
+    const double sine = axis.norm();
+    if (sine == 0) return Vec<double, 3>::Zero();
+    return (2 * std::atan2(sine, std::abs(parts_[0])) / sine) * axis;
+  }
+  Mat<double, 3> matrix() const { return quaternion().toRotationMatrix(); }
+  template <class F>
+  void visit_state(F&& f) {
+    f("orientation", parts_);
+  }
+
+ private:
+  void set(const Quaternion& q) { parts_ = Vec<double, 4>(q.w(), q.x(), q.y(), q.z()).normalized(); }
+  Vec<double, 4> parts_{1, 0, 0, 0};
+};
+
+/// Where a body is now, for its surface: the body's own frame is that of the scene at the start.
+template <int D>
+struct Pose {
+  Vec<double, D> centre;        ///< at the start, m
+  Vec<double, D> displacement;  ///< of the centre since the start, m
+  Mat<double, D> rotation;      ///< from the body's frame to that of the scene
+
+  /// Position in the body's frame of one in the scene, m.
+  Vec<double, D> to_body(const Vec<double, D>& x) const {
+    return centre + rotation.transpose() * (x - displacement - centre);
+  }
+  /// Direction in the scene of one in the body's frame.
+  Vec<double, D> to_scene(const Vec<double, D>& direction) const { return rotation * direction; }
+};
+
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -10,7 +10,6 @@
 #include <arenite/contact/contact.hpp>
 #include <arenite/contact/frictional_wall.hpp>
 #include <arenite/core/units.hpp>
-#include <arenite/geometry/triangle_surface.hpp>
 #include <arenite/law/drucker_prager.hpp>
 #include <arenite/law/linear_elastic.hpp>
 #include <arenite/law/mohr_coulomb.hpp>
@@ -26,6 +25,8 @@
 #include <arenite/observe/energy.hpp>
 #include <arenite/observe/every.hpp>
 #include <arenite/observe/not_included.hpp>
+#include <arenite/observe/probe.hpp>
+#include <arenite/observe/section.hpp>
 #include <arenite/observe/watch.hpp>
 #include <arenite/particles/point_ids.hpp>
 #include <arenite/particles/regions.hpp>

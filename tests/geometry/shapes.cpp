@@ -139,5 +139,5 @@ TEST_CASE("Shapes: what is refused") {
   const auto tilted = placed(Ball({0, 0}, 1), {.turned = {1, 0, 0}});
   CHECK_THROWS_WITH(tilted(Vec<double, 2>(0, 0)), Contains("must move and turn a plane shape in its plane"));
   static_assert(!distance_in<Ball<2>, 3> && !distance_in<Polygon, 3> && !distance_in<Box<3>, 2>);
-  static_assert(region_type<ConeCylinder, 2> && region_type<ConeCylinder, 3> && region_type<Cylinder, 3>);
+  static_assert(region_type<ConeCylinder, 2> && region_type<ConeCylinder, 3> && region_type<Cylinder<3>, 3>);
 }

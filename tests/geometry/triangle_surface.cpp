@@ -8,6 +8,7 @@
 
 #include "catch.hpp"
 #include "sample_surfaces.hpp"
+#include "validation.hpp"
 
 using namespace arenite;
 using namespace arenite::test;
@@ -136,14 +137,25 @@ TEST_CASE("Mass and inertia: closed forms") {
   CHECK((corner.centre - P(0.25, 0.25, 0.25)).norm() < 1e-15);
   CHECK(corner.inertia(0, 0) == Approx(3.0 / 40));
   CHECK(corner.inertia(0, 1) == Approx(1.0 / 80));  // -integral of x y about the centre: 1/16 - 1/20
-  const auto refined = [](int levels) {
-    const auto p = mass_properties(TriangleSurface(ball_surface(levels)), 3 / (4 * pi));
+  Validation validation("surfaces");
+  validation.value("box of 12 triangles", "moment of inertia about x", "kg m2", box.inertia(0, 0), 13000);
+  validation.value("tetrahedron", "product of inertia xy", "kg m2", corner.inertia(0, 1), 1.0 / 80);
+  const auto refined = [&](int levels) {
+    const TriangleData data = ball_surface(levels);
+    const auto p = mass_properties(TriangleSurface(data), 3 / (4 * pi));
     CHECK(p.centre.norm() < 1e-15);
+    const std::string name = joined_text("ball of ", data.triangles.size(), " triangles");
+    if (levels > 2) {
+      validation.value(name, "mass", "kg", p.mass, 1);
+      validation.value(name, "moment of inertia", "kg m2", p.inertia(0, 0), 0.4);
+    }
     return std::array{std::abs(p.mass - 1), (p.inertia - 0.4 * Mat<double, 3>::Identity()).norm()};
   };
-  for (int levels = 2; levels < 5; ++levels) {
-    const auto coarse = refined(levels), fine = refined(levels + 1);
+  auto coarse = refined(2);
+  for (int levels = 3; levels < 6; ++levels) {
+    const auto fine = refined(levels);
     for (std::size_t k = 0; k < 2; ++k) CHECK(std::log2(coarse[k] / fine[k]) == Approx(2).margin(0.15));
+    coarse = fine;
   }
 
   const auto square = mass_properties(Polygon({{4, 5}, {4, 8}, {6, 8}, {6, 5}}), 10);  // clockwise

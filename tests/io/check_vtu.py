@@ -83,7 +83,7 @@ def main():
         sys.exit("usage: check_vtu.py FOLDER")
     folder = pathlib.Path(sys.argv[1])
     try:
-        for name in ("cloud", "cells", "worn", "sand"):
+        for name in ("cloud", "cells", "worn", "numbered", "sand"):
             check(folder / f"{name}.vtu")
         check_series(folder / "series.pvd")
     except AssertionError as difference:

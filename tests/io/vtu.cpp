@@ -209,6 +209,38 @@ TEST_CASE("points of a body with the named members of their history") {
   write("sand.vtu", WithDeviatoricStrain<MohrCoulomb<RemembersOpening>, 2>{sand}, open, {{"opening", 0}});
 }
 
+TEST_CASE("points with the numbers that were asked for") {
+  const CartesianGrid<2> grid({.lower = {0, 0}, .upper = {1, 1}, .cell = 0.5});
+  const Worn law{LinearElasticParameters{.density = 1000, .young = 1e6, .poisson = 0.3}};
+  const auto recipe = fill(Box<2>{{0, 0}, {1, 1}}, law);
+  const auto names = [](const VtuData& data) {
+    std::string all;
+    for (const auto& array : data.point_data) all += array.name + " ";
+    return all;
+  };
+  const auto body = make_body<PlaneStrain>(grid, recipe);
+  const std::string always = "velocity stress pressure volume_ratio ";
+  CHECK(names(points_vtu(body)) == always + "wear age ");
+  CHECK(names(points_vtu(body, {.history = {{"age"}}, .mass = true})) == always + "age mass ");
+  CHECK(names(points_vtu(body, {.history = {{}}})) == always);
+  CHECK_THROWS_WITH(points_vtu(body, {.id = true}), "VtuPoints.id = 1: needs a scene with PointIds{}");
+  auto numbered = make_body<PlaneStrain, ExtraColumns{.ids = true}>(grid, recipe.erased<CartesianGrid<2>>());
+  for (std::size_t p = 0; p < numbered.points.size(); ++p) numbered.points.id[p] = 100 + p;
+  const fs::path file = folder() / "numbered.vtu";
+  write_vtu(file, points_vtu(numbered, {.history = {{}}, .mass = true, .id = true}));
+  Reference reference(file);
+  std::vector<double> mass(numbered.points.mass.begin(), numbered.points.mass.end()), position;
+  for (const auto& x : numbered.points.position) position.insert(position.end(), {x[0], x[1], 0});
+  reference.add("points", "double", "points", 3, position);
+  reference.add("point", "double", "velocity", 3, std::vector<double>(position.size(), 0));
+  reference.add("point", "double", "stress", 6, std::vector<double>(2 * position.size(), 0));
+  reference.add("point", "double", "pressure", 1, std::vector<double>(mass.size(), 0));
+  reference.add("point", "double", "volume_ratio", 1, std::vector<double>(mass.size(), 1));
+  std::vector<std::int64_t> id(numbered.points.id.begin(), numbered.points.id.end());
+  reference.add("point", "double", "mass", 1, mass);
+  reference.add("point", "int64", "id", 1, id);
+}
+
 TEST_CASE("a series is readable after each step") {
   const fs::path list = folder() / "series.pvd";
   const std::vector<double> position{0, 0, 0, 1, 2, 3};

@@ -125,12 +125,60 @@ TEST_CASE("a box holds its lower faces and not its upper ones: neighbours share 
   REQUIRE(high.points.size() == 1);
 }
 
+TEST_CASE("jitter moves points within their sub-cells, by numbers of its own") {
+  const FillOptions even{.per_cell = 4}, moved{.per_cell = 4, .jitter = 1, .seed = 3};
+  const Box<2> all{{0, 0}, {2, 1}};
+  const auto lattice = body_of<PlaneStrain>(grid, all, even), body = body_of<PlaneStrain>(grid, all, moved);
+  REQUIRE(body.points.size() == lattice.points.size());
+  Vec<double, 2> mean = Vec<double, 2>::Zero(), farthest = mean;
+  for (std::size_t p = 0; p < body.points.size(); ++p) {
+    const Vec<double, 2> by = body.points.position[p] - lattice.points.position[p];
+    REQUIRE(by.cwiseAbs().maxCoeff() <= 0.25 / 4);
+    mean += by / static_cast<double>(body.points.size());
+    farthest = farthest.cwiseMax(by.cwiseAbs());
+  }
+  CHECK(mean.norm() < 0.01);
+  CHECK(farthest.minCoeff() > 0.06);
+  // The numbers themselves: splitmix64 of seed, cell and point, computed elsewhere.
+  CHECK(body.points.position[0][0] == Approx(0.09686229371849937).epsilon(1e-14));
+  CHECK(body.points.position[0][1] == Approx(0.10412966552482308).epsilon(1e-14));
+  const auto half = body_of<PlaneStrain>(grid, Box<2>{{1, 0}, {2, 1}}, moved);  // the same points again
+  std::size_t same = 0;
+  for (const auto& x : half.points.position)
+    for (const auto& y : body.points.position) same += x == y;
+  CHECK(same == half.points.size());
+
+  const auto mesh = two_regions();
+  for (const int n : {1, 3, 6, 10, 16}) {
+    const auto in_cells = body_of<PlaneStrain>(
+        mesh, Cells("low"), {.per_cell = n, .jitter = 1, .seed = static_cast<std::uint64_t>(n)});
+    CHECK(volume(in_cells) == Approx(0.5));
+    for (std::size_t p = 0; p < in_cells.points.size(); ++p)
+      REQUIRE(mesh.barycentric(in_cells.points.cell[p], in_cells.points.position[p]).minCoeff() > -1e-14);
+  }
+  // One point in each cell: its mean place is the centroid, its variance that of the cell.
+  MeshData<2> triangle;
+  triangle.nodes = {{0, 0}, {1, 0}, {0, 1}};
+  triangle.cells = {{0, 1, 2}};
+  triangle.region = {0};
+  const SimplexMesh<2> one(triangle);
+  double sum = 0, square_sum = 0;
+  for (std::uint64_t seed = 0; seed < 4000; ++seed) {
+    const auto single = body_of<PlaneStrain>(one, all, {.per_cell = 1, .jitter = 1, .seed = seed});
+    sum += single.points.position[0][0] / 4000;
+    square_sum += square(single.points.position[0][0]) / 4000;
+  }
+  CHECK(sum == Approx(1.0 / 3).epsilon(0.03));
+  CHECK(square_sum - sum * sum == Approx(1.0 / 18).epsilon(0.1));
+}
+
 TEST_CASE("what cannot be filled is refused") {
   const Box<2> all{{0, 0}, {2, 1}};
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const auto refuses = [&](FillOptions o, const std::string& text) {
     return throws([&] { body_of<PlaneStrain>(grid, all, o); }, text);
   };
+  REQUIRE(refuses({.jitter = 1.5}, "FillOptions.jitter = 1.5: must lie in [0, 1]"));
   REQUIRE(throws(
       [] {
         body_of<PlaneStrain>(grid, Box{{5., 5.}, {6., 6.}});

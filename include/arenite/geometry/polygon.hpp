@@ -59,11 +59,11 @@ class Polygon {
   double operator()(const Vec<double, 2>& x) const {
     double nearest2 = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0, before = corners_.size() - 1; i < corners_.size(); before = i++) {
-      const Vec<double, 2> a(corners_[before][0], corners_[before][1]);
-      const Vec<double, 2> along = Vec<double, 2>(corners_[i][0], corners_[i][1]) - a;
-      const double length2 = along.squaredNorm();
-      const double t = length2 > 0 ? std::clamp((x - a).dot(along) / length2, 0.0, 1.0) : 0;
-      nearest2 = std::min(nearest2, (x - a - t * along).squaredNorm());
+      const Corner &a = corners_[before], &b = corners_[i];
+      const double bx = b[0] - a[0], by = b[1] - a[1], px = x[0] - a[0], py = x[1] - a[1];
+      const double length2 = bx * bx + by * by;
+      const double t = length2 > 0 ? std::clamp((px * bx + py * by) / length2, 0.0, 1.0) : 0;
+      nearest2 = std::min(nearest2, square(px - t * bx) + square(py - t * by));
     }
     return contains(x) ? -std::sqrt(nearest2) : std::sqrt(nearest2);
   }

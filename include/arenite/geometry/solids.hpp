@@ -134,12 +134,14 @@ class Capsule {
 };
 
 /// Circular cylinder in space, with flat ends at a and b on its axis, m.
+template <std::size_t D>
 class Cylinder {
  public:
+  static_assert(D == 3, "Cylinder: a and b are {x, y, z}; in the plane take a Box, or a Capsule");
   using Place = Vec<double, 3>;
 
   /// Throws `error` unless the ends are finite and apart, and the radius positive.
-  Cylinder(const std::array<double, 3>& a, const std::array<double, 3>& b, double radius) : radius_{radius} {
+  Cylinder(const std::array<double, D>& a, const std::array<double, D>& b, double radius) : radius_{radius} {
     require(radius > 0 && std::isfinite(radius), "Cylinder.radius", radius, "must be positive");
     const Place from = detail::finite_place("Cylinder.a", a), to = detail::finite_place("Cylinder.b", b);
     require((to - from).norm() > 0, "Cylinder.b", vector_text(to), "must not be a");
@@ -147,6 +149,9 @@ class Cylinder {
     half_ = (to - from).norm() / 2;
     axis_ = (to - from).normalized();
   }
+
+  Cylinder(const double (&a)[D], const double (&b)[D], double radius)
+      : Cylinder(std::to_array(a), std::to_array(b), radius) {}
 
   bool contains(const Place& x) const { return (*this)(x) < 0; }
   double operator()(const Place& x) const {

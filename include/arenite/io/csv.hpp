@@ -24,9 +24,10 @@ namespace arenite {
 /// ignored.
 class CsvWriter {
  public:
-  /// Creates or empties the file. Throws `error` if it cannot be written, or if a column's name is empty,
-  /// given twice, or holds a comma, a quote or a line break.
-  CsvWriter(std::filesystem::path path, std::vector<std::string> columns)
+  /// Creates or empties the file, or keeps the first `kept` bytes of the one that is there, for a run that
+  /// goes on. Throws `error` if it cannot be written, if it does not hold that much or begins with other
+  /// columns, or if a column's name is empty, given twice, or holds a comma, a quote or a line break.
+  CsvWriter(std::filesystem::path path, std::vector<std::string> columns, std::uintmax_t kept = 0)
       : path_(std::move(path)), columns_(columns.size()) {
     require(columns_ > 0, "columns", columns_, "a table needs at least one");
     for (auto name = columns.begin(); name != columns.end(); ++name) {
@@ -35,12 +36,14 @@ class CsvWriter {
       require(std::find(columns.begin(), name, *name) == name, "column", *name, "is given twice");
       line_ += (line_.empty() ? "" : ",") + *name;
     }
+    if (kept > 0) shorten(kept);
     errno = 0;
-    file_.open(path_, std::ios::binary | std::ios::trunc);
+    file_.open(path_, std::ios::binary | (kept > 0 ? std::ios::app : std::ios::trunc));
     if (!file_)
       shared_detail::fail_output(
           path_, "cannot be opened for writing; does the folder exist, and may you write there?", errno);
-    put_line();
+    if (kept == 0) put_line();
+    written_ = kept > 0 ? kept : written_;
   }
 
   /// Appends a row, shape [columns]. Throws `error` if the length differs, `output_error` if it
@@ -51,8 +54,22 @@ class CsvWriter {
   void row(std::initializer_list<double> values) { row(std::span(values.begin(), values.size())); }
 
   const std::filesystem::path& path() const { return path_; }
+  /// Length of the file so far.
+  std::uintmax_t bytes() const { return written_; }
 
  private:
+  /// Leaves the first bytes of a file that has the same columns.
+  void shorten(std::uintmax_t kept) const {
+    std::ifstream there(path_, std::ios::binary);
+    std::string head;
+    std::error_code status;
+    const auto size = std::filesystem::file_size(path_, status);
+    require(!status && size >= kept && std::getline(there, head) && head == line_, "table", path_.string(),
+            joined_text("must be there, with the columns ", line_, ", and hold ", kept, " bytes"));
+    std::filesystem::resize_file(path_, kept, status);
+    if (status) shared_detail::fail_output(path_, "cannot be shortened", status.value());
+  }
+
   template <class Values>
   void put_row(const Values& values) {
     if (values.size() != columns_)

@@ -1,7 +1,10 @@
 // VTU files of a scene: points and mesh, for ParaView.
 #pragma once
 
+#include <algorithm>
+#include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -31,11 +34,19 @@ std::array<T, 6> six(const Sym<T, D>& s) {
 
 }  // namespace detail
 
+/// What of the points goes into a file, besides position, velocity, stress, pressure and V/V0.
+struct VtuPoints {
+  /// Named members of the law's history; none given: all. Bodies whose law lacks one go without.
+  std::optional<std::vector<std::string>> history{};
+  bool mass = false;  ///< kg
+  bool id = false;    ///< of a scene with `PointIds`
+};
+
 /// Points of a body: velocity, stress (xx, yy, zz, xy, yz, zx), mean pressure (compression positive), V/V0,
 /// the deviatoric strain of a `WithDeviatoricStrain` law, and the named members of the law's history. The
 /// body must outlive what is returned.
 template <class L, class T, int D, ExtraColumns E>
-VtuData points_vtu(const Body<L, T, D, E>& body) {
+VtuData points_vtu(const Body<L, T, D, E>& body, const VtuPoints& wanted = {}) {
   const auto& points = body.points;
   const std::size_t n = points.size();
   const T density = static_cast<T>(body.law.density());
@@ -54,8 +65,17 @@ VtuData points_vtu(const Body<L, T, D, E>& body) {
       return L::deviatoric_strain(points.load_history(p));
     }));
   for (std::size_t k = 0; k < points.history.size(); ++k)
-    if (const auto name = history_names<typename L::template History<T>>[k]; !name.empty())
+    if (const auto name = history_names<typename L::template History<T>>[k];
+        !name.empty() && (!wanted.history || std::ranges::count(*wanted.history, name) > 0))
       data.point_data.push_back(vtu_array(std::string(name), 1, points.history[k]));
+  if (wanted.mass) data.point_data.push_back(vtu_array("mass", 1, points.mass));
+  if constexpr (Points<T, D, L, E>::has_ids) {
+    if (wanted.id)
+      data.point_data.push_back(
+          vtu_array("id", n, [&points](std::size_t p) { return static_cast<std::int64_t>(points.id[p]); }));
+  } else {
+    require(!wanted.id, "VtuPoints.id", wanted.id, "needs a scene with PointIds{}");
+  }
   return data;
 }
 
@@ -82,6 +102,7 @@ struct VtuOptions {
   std::vector<std::string> body_names{};
   bool mesh = false;
   std::string region{};
+  VtuPoints points{};      ///< more and fewer numbers of the points
   bool keep_list = false;  ///< leaves a list that is there until the first files: for a run that goes on
 };
 
@@ -105,7 +126,7 @@ class VtuSeries {
       write_vtu(file, data);
       pvd_.add(scene.time, file, static_cast<int>(part++));
     };
-    scene.for_each_body([&](const auto& body, const auto&) { put(points_vtu(body)); });
+    scene.for_each_body([&](const auto& body, const auto&) { put(points_vtu(body, options_.points)); });
     if constexpr (is_simplex_mesh<typename Scene::Mesh>) {
       if (options_.mesh) put(mesh_vtu(scene.mesh));
       if (!options_.region.empty()) put(mesh_vtu(scene.mesh, scene.mesh.region_number(options_.region)));

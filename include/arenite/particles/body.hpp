@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <functional>
 #include <map>
 #include <optional>
@@ -17,6 +18,7 @@
 #include <arenite/particles/cell_sums.hpp>
 #include <arenite/particles/initial_stress.hpp>
 #include <arenite/particles/initial_velocity.hpp>
+#include <arenite/particles/jitter.hpp>
 #include <arenite/particles/points.hpp>
 #include <arenite/particles/region.hpp>
 
@@ -31,6 +33,10 @@ struct FillOptions {
   /// Initial values of members of the law's history, by name, as functions of the position (x, y, z = 0 in
   /// two dimensions), m; those not named begin as the law says.
   std::map<std::string, std::function<double(const std::array<double, 3>&)>> history{};
+  /// Moves each point at random within this share, 0 to 1, of its sub-cell (`jitter_points`); those that it
+  /// takes out of the region are left out, those that it takes into it are put in.
+  double jitter = 0;
+  std::uint64_t seed = 0;  ///< of the jitter
 };
 
 /// What `fill` returns: a region, a law and how to fill; the scene makes a `Body` of it, once it knows the
@@ -154,13 +160,15 @@ auto make_body(const M& mesh, const Fill<L, name>& recipe, const Owns& owns = {}
   const FillOptions& o = recipe.options;
   if (o.stress) o.stress->check(D);
   if (o.velocity.is_uniform()) o.velocity.at<T, D>(Vec<T, D>::Zero());
+  require(o.jitter >= 0 && o.jitter <= 1, "FillOptions.jitter", o.jitter, "must lie in [0, 1]");
   const auto numbers = region_numbers(mesh, recipe.region);
   for (Index c = 0; c < mesh.cell_count(); ++c) {
     if (!owns(c)) continue;
     if constexpr (is_simplex_mesh<M>) {
       if (!recipe.region.test && !std::ranges::count(numbers, mesh.region(c))) continue;
     }
-    const auto places = initial_points(mesh, c, o.per_cell);
+    auto places = initial_points(mesh, c, o.per_cell);
+    jitter_points(mesh, c, o.jitter, o.seed, places);
     const T share = mesh.volume(c) / static_cast<T>(places.size());
     const double length = std::pow(static_cast<double>(mesh.volume(c)), 1.0 / D);
     for (const auto& x : places) {

@@ -2,9 +2,13 @@
 #pragma once
 
 #include <cmath>
+#include <functional>
 #include <limits>
+#include <vector>
 
 #include <arenite/core/checked.hpp>
+#include <arenite/core/contact_tally.hpp>
+#include <arenite/core/parallel.hpp>
 #include <arenite/core/part_energy.hpp>
 #include <arenite/load/node_force.hpp>
 
@@ -23,8 +27,9 @@ struct ViscousDamping {
 
 /// Local damping (Cundall 1987): at each node and along each axis a force of `factor` times the force out of
 /// balance there, against the velocity. It does not slow a steady motion down, and needs no frequency: each
-/// mode loses about the share 4 factor / (1 + factor) of its energy in a cycle. Gravity and the forces of
-/// parts named before this one are counted as forces, so name it last.
+/// mode loses about the share 4 factor / (1 + factor) of its energy in a cycle. The force out of balance is
+/// that of the whole step, impulses of contact and of walls with it: what is held in balance, a footing that
+/// goes down slowly say, is not damped.
 struct LocalDamping {
   struct FactorRule {
     static constexpr const char* name = "LocalDamping.factor";
@@ -34,52 +39,48 @@ struct LocalDamping {
   Checked<FactorRule> factor = 0.7;
 };
 
-/// Force of viscous damping on a node, N: of the step dt, s, mass m, kg, and momentum at its begin, kg m/s.
-template <class T, int D>
-Vec<T, D> damping_force(const ViscousDamping& d, const Vec<T, D>& momentum, const Vec<T, D>&, double dt) {
-  return static_cast<T>(std::expm1(-d.rate * dt) / dt) * momentum;
-}
-/// The same of local damping; `out_of_balance`: the force on the node, N.
-template <class T, int D>
-Vec<T, D> damping_force(const LocalDamping& d, const Vec<T, D>& momentum, const Vec<T, D>& out_of_balance,
-                        double) {
-  Vec<T, D> force;
-  for (int k = 0; k < D; ++k) {
-    const T size = static_cast<T>(d.factor) * std::abs(out_of_balance[k]);
-    force[k] = momentum[k] > 0 ? -size : momentum[k] < 0 ? size : T(0);
-  }
-  return force;
-}
-
-/// Either in a mesh: a part that adds forces, and books what they take as dissipated.
-template <class T, int D, class Damping>
-class BoundDamping {
+/// What both have in common: they can be switched off, and book what they take as dissipated.
+class DampingBooks {
  public:
-  explicit BoundDamping(const Damping& d) : damping_{d} {}
+  /// Damps no more, or again.
+  void switch_off() { on_ = false; }
+  void switch_on() { on_ = true; }
+
+  PartEnergy count_energy() const { return {.dissipated = dissipated_}; }
+  template <class V>
+  bool holds_against(const V&) const {
+    return false;
+  }
+  template <class F>
+  void visit_state(F&& f) {
+    f("dissipated", dissipated_);
+    f("on", on_);
+  }
+
+ protected:
+  double dissipated_ = 0;  // since the start, J
+  bool on_ = true;
+};
+
+/// Viscous damping in a mesh: a part that adds forces.
+template <class T, int D>
+class BoundViscousDamping : public DampingBooks {
+ public:
+  explicit BoundViscousDamping(const ViscousDamping& d) : rate_{d.rate} {}
 
   template <class Scene>
   void connect(Scene& scene) {
     forces_.connect(scene);
   }
-  /// Damps no more, or again.
-  void switch_off() { on_ = false; }
-  void switch_on() { on_ = true; }
-
   template <class Scene>
   void add_force(Scene& scene, double dt) {
     if (!on_) return;
-    const Vec<T, D> acceleration = scene.acceleration();
+    const auto factor = static_cast<T>(std::expm1(-rate_ * dt) / dt);
     for (std::size_t k = 0; k < forces_.field.size(); ++k) {
       const auto& field = scene.fields[k];
       auto& force = forces_.field[k].force;
       parallel_chunks(field.size(), [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) {
-          const auto& at = field.collected[i];
-          force[i].setZero();
-          if (at.mass() > 0)
-            force[i] = damping_force<T, D>(damping_, at.momentum(),
-                                           Vec<T, D>(at.force() + at.mass() * acceleration), dt);
-        }
+        for (std::size_t i = begin; i < end; ++i) force[i] = factor * field.collected[i].momentum();
       });
     }
     forces_.add_to(scene);
@@ -88,28 +89,80 @@ class BoundDamping {
   void follow_motion(Scene& scene, double dt) {
     if (on_) dissipated_ -= forces_.work(scene, dt);
   }
-  PartEnergy count_energy() const { return {.dissipated = dissipated_}; }
-  bool holds_against(const Vec<T, D>&) const { return false; }
-  template <class F>
-  void visit_state(F&& f) {
-    f("dissipated", dissipated_);
-    f("on", on_);
+
+ private:
+  double rate_;
+  FieldForces<T, D> forces_;
+};
+
+/// Local damping in a mesh: a part that changes velocities once all other parts have.
+template <class T, int D>
+class BoundLocalDamping : public DampingBooks {
+ public:
+  explicit BoundLocalDamping(const LocalDamping& d) : factor_{static_cast<T>(d.factor)} {}
+
+  template <class Scene>
+  void connect(Scene& scene) {
+    taken_.resize(Scene::field_count);
+    for (std::size_t k = 0; k < taken_.size(); ++k) taken_[k].assign(scene.fields[k].size(), V::Zero());
+  }
+  template <class Scene>
+  ContactTally exchange_impulses(Scene& scene, double) {
+    if (on_)
+      for (std::size_t k = 0; k < taken_.size(); ++k) damp(scene.fields[k], taken_[k]);
+    return {};
+  }
+  template <class Scene>
+  void follow_motion(const Scene& scene, double) {
+    if (!on_) return;
+    const auto owns = scene.node_owner();
+    for (std::size_t k = 0; k < taken_.size(); ++k) {
+      const auto& field = scene.fields[k];
+      dissipated_ += parallel_reduce(
+          field.size(), 0.0,
+          [&](std::size_t begin, std::size_t end) {
+            double sum = 0;
+            for (std::size_t i = begin; i < end; ++i)
+              if (field.mass[i] > 0 && owns(static_cast<Index>(i)))
+                sum += static_cast<double>(field.mass[i] *
+                                           taken_[k][i].dot(field.start[i] + field.velocity[i])) /
+                       2;
+            return sum;
+          },
+          std::plus<>{});
+    }
   }
 
  private:
-  Damping damping_;
-  FieldForces<T, D> forces_;
-  double dissipated_ = 0;  // since the start, J
-  bool on_ = true;
+  using V = Vec<T, D>;
+
+  template <class Field>
+  void damp(Field& field, std::vector<V>& taken) const {
+    parallel_chunks(field.size(), [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) {
+        taken[i].setZero();
+        if (!(field.mass[i] > 0)) continue;
+        const V before = field.start[i], change = field.velocity[i] - before;
+        for (int d = 0; d < D; ++d) {
+          const T size = factor_ * std::abs(change[d]);
+          taken[i][d] = before[d] > 0 ? size : before[d] < 0 ? -size : T(0);
+        }
+        field.velocity[i] -= taken[i];
+      }
+    });
+  }
+
+  T factor_;
+  std::vector<std::vector<V>> taken_;  // [fields][nodes] in the last step, m/s
 };
 
 template <class Site>
 auto bind_part(const ViscousDamping& d, const Site&) {
-  return BoundDamping<typename Site::T, Site::D, ViscousDamping>(d);
+  return BoundViscousDamping<typename Site::T, Site::D>(d);
 }
 template <class Site>
 auto bind_part(const LocalDamping& d, const Site&) {
-  return BoundDamping<typename Site::T, Site::D, LocalDamping>(d);
+  return BoundLocalDamping<typename Site::T, Site::D>(d);
 }
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

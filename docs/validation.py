@@ -6,7 +6,7 @@
 A test writes validation_<case>.csv (columns composition, quantity, unit, computed, exact) and
 validation_<case>_curves.csv (curve, x, y, exact; the heads of x and y label the axes): tests/support/validation.hpp;
 validation_<case>_map.csv (x, y, value; the heads label axes and colours) is drawn as points.
-In validation.md the lines between <!-- case: NAME --> and <!-- end --> are replaced. To add a case write the two
+In validation.md the lines between <!-- case: NAME --> and <!-- end: NAME --> are replaced. To add a case write the two
 comments and a paragraph, and run the test and this script. Needs matplotlib."""
 
 import argparse
@@ -117,9 +117,9 @@ def main():
             draw_map(map_header, cells, HERE / picture)
             lines += [f"![{name.replace('_', ' ')}: {map_header[2]}]({picture})", ""]
         print(name)
-        return "\n".join(lines + ["<!-- end -->"])
+        return "\n".join(lines + [f"<!-- end: {name} -->"])
 
-    page.write_text(re.sub(r"<!-- case: (\w+) -->\n.*?<!-- end -->", block, text, flags=re.DOTALL))
+    page.write_text(re.sub(r"<!-- case: (\w+) -->\n.*?<!-- end: \1 -->", block, text, flags=re.DOTALL))
 
 
 if __name__ == "__main__":

@@ -59,6 +59,15 @@ void distance(benchmark::State& state) {
 }
 BENCHMARK(distance)->ArgsProduct({{8, 32, 128}, {2, 90}})->ArgNames({"n", "shell"});
 
+void contains(benchmark::State& state) {
+  const TriangleSurface surface(ball(static_cast<Index>(state.range(0))));
+  const auto x = places(static_cast<double>(state.range(1)));
+  std::size_t k = 0;
+  for (auto _ : state) benchmark::DoNotOptimize(surface.contains(x[k++ % x.size()]));
+  state.counters["triangles"] = static_cast<double>(surface.data().triangles.size());
+}
+BENCHMARK(contains)->ArgsProduct({{8, 32, 128}, {2, 90}})->ArgNames({"n", "shell"});
+
 void distance_to_all(benchmark::State& state) {
   const TriangleData data = ball(static_cast<Index>(state.range(0)));
   const auto x = places(2);

@@ -53,7 +53,9 @@ double worst(const TriangleData& data, double size, int places) {
     for (const auto& t : data.triangles)
       nearest =
           std::min(nearest, distance_to(data.vertices[t[0]], data.vertices[t[1]], data.vertices[t[2]], x));
-    off = std::max(off, std::abs(surface(x) - (winding(data, x) > 0.5 ? -nearest : nearest)));
+    const bool inside = winding(data, x) > 0.5;
+    off = std::max(off, std::abs(surface(x) - (inside ? -nearest : nearest)));
+    REQUIRE(surface.contains(x) == inside);
   }
   return off;
 }
@@ -121,6 +123,26 @@ TEST_CASE("Triangle surface: a box is the box, a fine ball the ball") {
   }
   static_assert(distance_in<TriangleSurface, 3> && region_type<TriangleSurface, 3>);
   static_assert(!region_type<TriangleSurface, 2>);
+}
+
+TEST_CASE("Triangle surface: neighbours share no position and leave none out") {
+  // A cube of four by four by four cubes, and places on their faces, edges and corners.
+  std::vector<TriangleSurface> cubes;
+  for (int i = 0; i < 64; ++i) {
+    const P low(i % 4, i / 4 % 4, i / 16);
+    const P high = low + P::Ones();
+    cubes.emplace_back(box_surface(low / 4, high / 4));
+  }
+  std::mt19937 random(9);
+  std::uniform_int_distribution<int> lattice(1, 15);
+  std::uniform_real_distribution<double> uniform(0, 1);
+  for (int n = 0; n < 2000; ++n) {
+    P x(lattice(random) / 16.0, lattice(random) / 16.0, lattice(random) / 16.0);
+    if (n % 2 == 1) x[n % 3] = uniform(random);
+    int holders = 0;
+    for (const auto& cube : cubes) holders += cube.contains(x);
+    REQUIRE(holders == 1);
+  }
 }
 
 TEST_CASE("Mass and inertia: closed forms") {

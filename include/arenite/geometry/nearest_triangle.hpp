@@ -1,11 +1,13 @@
-// The nearest of many triangles, by a tree of boxes around them.
+// The nearest of many triangles, and those that a ray crosses, by a tree of boxes around them.
 #pragma once
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <limits>
 #include <numeric>
+#include <utility>
 #include <vector>
 
 #include <arenite/core/tensor.hpp>
@@ -40,6 +42,25 @@ inline TrianglePlace nearest_on_triangle(const Vec<double, 3>& a, const Vec<doub
   if (va <= 0 && d4 >= d3 && d5 >= d6) return {a + ab + (d4 - d3) / (d4 - d3 + d5 - d6) * (ac - ab), 4};
   const double all = va + vb + vc;
   return {a + vb / all * ab + vc / all * ac, 6};
+}
+
+/// Whether the ray from x along the first axis crosses a triangle. Seen along the ray each place belongs to
+/// one of two triangles at their common edge, as with polygons, so that a closed surface is crossed an odd
+/// number of times from inside, but for round-off where x lies on it.
+inline bool is_crossed(const std::array<Vec<double, 3>, 3>& corner, const Vec<double, 3>& x) {
+  bool seen = false;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Vec<double, 3>*a = &corner[k], *b = &corner[(k + 1) % 3];
+    if ((*a)[2] > (*b)[2]) std::swap(a, b);  // the same in both triangles
+    if ((*a)[2] > x[2] || x[2] >= (*b)[2]) continue;
+    const double across = ((*b)[1] - (*a)[1]) * (x[2] - (*a)[2]) - (x[1] - (*a)[1]) * ((*b)[2] - (*a)[2]);
+    if (across > 0) seen = !seen;
+  }
+  if (!seen) return false;
+  const auto [least, most] = std::minmax({corner[0][0], corner[1][0], corner[2][0]});
+  if (x[0] < least || x[0] > most) return x[0] < least;
+  const Vec<double, 3> normal = (corner[1] - corner[0]).cross(corner[2] - corner[0]);
+  return normal.dot(x - corner[0]) * normal[0] < 0;
 }
 
 /// A tree of boxes: halves of the triangles along the longest axis, down to a few.
@@ -82,6 +103,30 @@ class TriangleTree {
       if (near.distance2 < best.distance2) open[count++] = near;
     }
     return best;
+  }
+
+  /// Whether the ray from x along the first axis crosses an odd number of the triangles, of which the tree
+  /// was made.
+  bool crosses_odd(const TriangleData& data, const Vec<double, 3>& x) const {
+    std::array<Index, 64> open;
+    std::size_t count = 0;
+    bool odd = false;
+    open[count++] = 0;
+    while (count > 0) {
+      const Index top = open[--count];
+      const Node& box = boxes_[top];
+      if (x[0] > box.upper[0] || x[1] < box.lower[1] || x[1] > box.upper[1] || x[2] < box.lower[2] ||
+          x[2] > box.upper[2])
+        continue;
+      for (Index i = box.first; i < box.first + box.count; ++i) {
+        const auto& [a, b, c] = data.triangles[facets_[i].triangle];
+        odd = odd != is_crossed({data.vertices[a], data.vertices[b], data.vertices[c]}, x);
+      }
+      if (box.count > 0) continue;
+      open[count++] = box.second;
+      open[count++] = top + 1;
+    }
+    return odd;
   }
 
  private:

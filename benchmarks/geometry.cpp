@@ -113,7 +113,7 @@ void near(benchmark::State& state, const M& mesh, Search& search) {
   std::size_t found = 0;
   for (auto _ : state) {
     search.move();
-    near.find<Shape>(mesh, {0.4, search.at, 0.4}, {0.5, search.at + 0.1, 0.5}, 0.5);
+    near.find<Shape>(mesh, Box<3>{{0.4, search.at, 0.4}, {0.5, search.at + 0.1, 0.5}}, 0.5);
     found = 0;
     for (std::size_t k = 0; k < near.size(); ++k) {
       const P x = Shape::node_position(mesh, near[k]);

@@ -138,6 +138,6 @@ TEST_CASE("Shapes: what is refused") {
   CHECK_THROWS_WITH(Cylinder({0, 0, 1}, {0, 0, 1}, 1), Contains("Cylinder.b = (0, 0, 1): must not be a"));
   const auto tilted = placed(Ball({0, 0}, 1), {.turned = {1, 0, 0}});
   CHECK_THROWS_WITH(tilted(Vec<double, 2>(0, 0)), Contains("must move and turn a plane shape in its plane"));
-  static_assert(!distance_in<Ball<2>, 3> && !distance_in<Polygon, 3> && !distance_in<Box<3>, 2>);
+  static_assert(!signed_distance<Ball<2>, 3> && !signed_distance<Polygon, 3> && !signed_distance<Box<3>, 2>);
   static_assert(region_type<ConeCylinder, 2> && region_type<ConeCylinder, 3> && region_type<Cylinder<3>, 3>);
 }

@@ -121,7 +121,7 @@ TEST_CASE("Triangle surface: a box is the box, a fine ball the ball") {
     if (before > 0) CHECK(std::log2(before / off) == Approx(2).margin(0.3));
     before = off;
   }
-  static_assert(distance_in<TriangleSurface, 3> && region_type<TriangleSurface, 3>);
+  static_assert(signed_distance<TriangleSurface, 3> && region_type<TriangleSurface, 3>);
   static_assert(!region_type<TriangleSurface, 2>);
 }
 

@@ -2,6 +2,7 @@
 #include "catch.hpp"
 
 #include <arenite/core/units.hpp>
+#include <arenite/geometry/solids.hpp>
 #include <arenite/rigid/cone_cylinder.hpp>
 #include <arenite/rigid/surface.hpp>
 #include <random>
@@ -239,4 +240,40 @@ TEST_CASE("what a distance throws comes through, on any number of threads") {
     CHECK_THROWS_WITH(touched<QuadraticBSpline>(fine, DistanceSurface{broken}, P(0, 0)), "off the table");
     CHECK(!touched<QuadraticBSpline>(fine, DistanceSurface{broken}, P(0, 2)).empty());
   }
+}
+
+namespace {
+
+/// Sends a bar through a mesh, turning, and compares the nodes that one surface touches, call after call,
+/// with a walk over all nodes.
+template <class Shape, class M>
+int touched_on_the_way(const M& mesh) {
+  const RoundedBox bar({-0.15, -0.05}, {0.15, 0.05}, 0.02);
+  const double reach = 0.5;
+  BoundDistanceSurface<double, 2> bound(erased<M>(DistanceSurface{bar, reach}));
+  int touched = 0;
+  for (int k = 0; k < 200; ++k) {
+    const double angle = 0.03 * k, c = std::cos(angle), s = std::sin(angle);
+    Pose<2> pose{P(0.01, 0.02), P(0.1 + 0.004 * k, 0.3 + 0.002 * k), {}};
+    pose.rotation << c, -s, s, c;
+    std::vector<Index> found, expected;
+    const auto has_mass = [](Index i) { return i % 7 != 0; };
+    bound.template visit<Shape>(mesh, pose, has_mass,
+                                [&](Index i, const P&, bool, double) { found.push_back(i); });
+    for (Index i = 0; i < Shape::node_count(mesh); ++i) {
+      const P x = pose.to_body(Shape::node_position(mesh, i));
+      if (has_mass(i) && bar(x) <= reach * mesh.node_size(i)) expected.push_back(i);
+    }
+    REQUIRE(found == expected);
+    touched += static_cast<int>(found.size());
+  }
+  return touched;
+}
+
+}  // namespace
+
+TEST_CASE("a body that moves and turns touches the nodes that a walk over all finds, in their order") {
+  const CartesianGrid<2> fine({.lower = {0, 0}, .upper = {1, 1}, .cell = 0.02});
+  CHECK(touched_on_the_way<QuadraticBSpline>(fine) > 10000);
+  CHECK(touched_on_the_way<LinearSimplex>(sample_mesh<2>(30)) > 1000);
 }

@@ -18,7 +18,8 @@ double largest_share(const M& mesh, double size) {
   std::mt19937 random(4);
   std::uniform_real_distribution<double> uniform(0, 1);
   NodesNear<T, D> near;
-  std::array<double, 3> lower{}, upper{};
+  Box<std::size_t{D}> box{};
+  auto& [lower, upper] = box;
   double share = 0;
   for (int n = 0; n < 300; ++n) {
     for (std::size_t k = 0; k < D; ++k) {
@@ -27,7 +28,7 @@ double largest_share(const M& mesh, double size) {
       upper[k] = lower[k] + (n % 7 == 0 ? 0.5 : 1) * size;
     }
     const double reach = n % 2 == 0 ? 0 : 0.5;
-    near.template find<Shape>(mesh, lower, upper, reach);
+    near.template find<Shape>(mesh, box, reach);
     std::set<Index> named;
     for (std::size_t k = 0; k < near.size(); ++k) {
       if (k > 0) REQUIRE(near[k - 1] < near[k]);
@@ -47,9 +48,13 @@ double largest_share(const M& mesh, double size) {
     share = std::max(share, static_cast<double>(near.size()) / nodes);
   }
   const double infinite = std::numeric_limits<double>::infinity();
-  near.template find<Shape>(mesh, {-infinite, -infinite, -infinite}, {infinite, infinite, infinite}, 0.5);
+  lower.fill(-infinite);
+  upper.fill(infinite);
+  near.template find<Shape>(mesh, box, 0.5);
   REQUIRE(near.size() == Shape::node_count(mesh));
-  near.template find<Shape>(mesh, {2, 2, 2}, {3, 3, 3}, 0.5);
+  lower.fill(2);
+  upper.fill(3);
+  near.template find<Shape>(mesh, box, 0.5);
   REQUIRE(near.size() == 0);
   return share;
 }
@@ -78,7 +83,7 @@ TEST_CASE("Nodes near a box: a mesh that moves is followed") {
   auto mesh = simplices<2>(20);
   NodesNear<double, 2> near;
   const auto found = [&] {
-    near.find<LinearSimplex>(mesh, {0.4, 0.4, 0}, {0.6, 0.6, 0}, 0);
+    near.find<LinearSimplex>(mesh, Box<2>{{0.4, 0.4}, {0.6, 0.6}}, 0);
     return near.size();
   };
   const auto few = found();

@@ -42,4 +42,24 @@ struct Box {
 template <std::size_t D>
 Box(const double (&)[D], const double (&)[D]) -> Box<D>;
 
+/// Box around rotation * x + shift of all x in a box, whose sides may lie at infinity.
+template <int D>
+Box<std::size_t{D}> moved_box(const Box<std::size_t{D}>& box, const Mat<double, D>& rotation,
+                              const Vec<double, D>& shift) {
+  Box<std::size_t{D}> moved;
+  for (int i = 0; i < D; ++i) {
+    double low = shift[i], high = shift[i];
+    for (int k = 0; k < D; ++k) {
+      if (rotation(i, k) == 0) continue;
+      const double a = rotation(i, k) * box.lower[static_cast<std::size_t>(k)];
+      const double b = rotation(i, k) * box.upper[static_cast<std::size_t>(k)];
+      low += std::min(a, b);
+      high += std::max(a, b);
+    }
+    moved.lower[static_cast<std::size_t>(i)] = low;
+    moved.upper[static_cast<std::size_t>(i)] = high;
+  }
+  return moved;
+}
+
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

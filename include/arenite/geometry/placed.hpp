@@ -30,7 +30,7 @@ class Placed {
         is_plane_{p.at[2] == 0 && p.turned[0] == 0 && p.turned[1] == 0} {}
 
   template <int D>
-  requires(distance_in<Shape, D>) double operator()(const Vec<double, D>& x) const {
+  requires(signed_distance<Shape, D>) double operator()(const Vec<double, D>& x) const {
     return shape_(own_place(x));
   }
   template <int D>
@@ -41,21 +41,7 @@ class Placed {
 
   template <int D>
   Box<std::size_t{D}> bounds() const {
-    const auto own = bounds_of<D>(shape_);
-    Box<std::size_t{D}> box;
-    for (int i = 0; i < D; ++i) {
-      double low = at_[i], high = at_[i];
-      for (int k = 0; k < D; ++k) {
-        if (turn_(i, k) == 0) continue;
-        const double a = turn_(i, k) * own.lower[static_cast<std::size_t>(k)];
-        const double b = turn_(i, k) * own.upper[static_cast<std::size_t>(k)];
-        low += std::min(a, b);
-        high += std::max(a, b);
-      }
-      box.lower[static_cast<std::size_t>(i)] = low;
-      box.upper[static_cast<std::size_t>(i)] = high;
-    }
-    return box;
+    return moved_box<D>(bounds_of<D>(shape_), turn_.template topLeftCorner<D, D>(), at_.template head<D>());
   }
 
  private:

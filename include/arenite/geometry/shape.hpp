@@ -8,11 +8,13 @@
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
-/// Callable with a position [D], m: the distance to its surface, m, negative inside. The shapes of
-/// `geometry/` also have `contains(x)`, so that they are regions, and `bounds()` or `bounds<D>()`.
-template <class S, int D>
-concept distance_in = requires(const S shape, const Vec<double, D> x) {
-  { shape(x) } -> std::convertible_to<double>;
+/// Callable with a position [D], m: the distance to the body, m, negative inside. It is called from several
+/// threads at once. Optional `bounds()`, or `bounds<D>()` where it serves both dimensions: a `Box<D>` around
+/// the body; outside of it the distance must not be smaller than that to the box. The shapes of `geometry/`
+/// also have `contains(x)`, so that they are regions.
+template <class F, int D>
+concept signed_distance = requires(const F f, const Vec<double, D> x) {
+  { f(x) } -> std::convertible_to<double>;
 };
 
 /// Box around a shape, m: its `bounds()`, `bounds<D>()`, or `lower` and `upper`; infinite if it has none.

@@ -26,7 +26,9 @@ struct Inside {
     return distance(x) < 0;
   }
   template <int D>
-  requires(distance_in<Distance, D>) double operator()(const Vec<double, D>& x) const { return distance(x); }
+  requires(signed_distance<Distance, D>) double operator()(const Vec<double, D>& x) const {
+    return distance(x);
+  }
   template <int D>
   auto bounds() const {
     return bounds_of<D>(distance);

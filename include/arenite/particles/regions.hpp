@@ -29,7 +29,7 @@ struct Combined {
     return Rule::contains(a.contains(x), b.contains(x));
   }
   template <int D>
-  requires(distance_in<A, D>&& distance_in<B, D>) double operator()(const Vec<double, D>& x) const {
+  requires(signed_distance<A, D>&& signed_distance<B, D>) double operator()(const Vec<double, D>& x) const {
     return Rule::distance(a(x), b(x));
   }
   template <int D>

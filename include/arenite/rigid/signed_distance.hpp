@@ -2,8 +2,8 @@
 // does not depend on the body's shape.
 #pragma once
 
+#include <algorithm>
 #include <array>
-#include <concepts>
 #include <functional>
 #include <limits>
 #include <span>
@@ -11,17 +11,9 @@
 
 #include <arenite/core/tensor.hpp>
 #include <arenite/core/vector_argument.hpp>
-#include <arenite/particles/region.hpp>
+#include <arenite/geometry/shape.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
-
-/// Callable with a position [D], m: the distance to the body, m, negative inside. It is called from several
-/// threads at once. Optional `bounds()`, or `bounds<D>()` where it serves both dimensions: a `Box<D>` around
-/// the body; outside of it the distance must not be smaller than that to the box.
-template <class F, int D>
-concept signed_distance = requires(const F f, const Vec<double, D> x) {
-  { f(x) } -> std::convertible_to<double>;
-};
 
 /// A signed distance whose type is not known; made by `AnyDistance::of<D>`. Positions are (x, y, z), z = 0 in
 /// two dimensions.
@@ -32,10 +24,7 @@ class AnyDistance {
   template <int D, class F>
   static AnyDistance of(F distance) {
     AnyDistance any;
-    if constexpr (requires { distance.template bounds<D>(); })
-      any.set_bounds(distance.template bounds<D>());
-    else if constexpr (requires { distance.bounds(); })
-      any.set_bounds(distance.bounds());
+    any.set_bounds(bounds_of<D>(distance));
     any.at_ = [f = std::move(distance)](std::span<const Position> x, double* out) {
       for (const Position& p : x) *out++ = f(in_scene<D>(p));
     };
@@ -44,7 +33,15 @@ class AnyDistance {
 
   /// Distances at some positions: one call for a block of them.
   void at(std::span<const Position> x, double* out) const { at_(x, out); }
-  /// Corners of a box around the body, m; infinite where nothing is known.
+  /// Box around the body, m; infinite where nothing is known.
+  template <int D>
+  Box<std::size_t{D}> bounds() const {
+    Box<std::size_t{D}> box;
+    std::copy_n(lower_.begin(), D, box.lower.begin());
+    std::copy_n(upper_.begin(), D, box.upper.begin());
+    return box;
+  }
+  /// Its corners.
   const Position& lower() const { return lower_; }
   const Position& upper() const { return upper_; }
 

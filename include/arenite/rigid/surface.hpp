@@ -2,8 +2,10 @@
 // signed distance.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <exception>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -14,6 +16,7 @@
 #include <arenite/core/vector_argument.hpp>
 #include <arenite/rigid/pose.hpp>
 #include <arenite/rigid/signed_distance.hpp>
+#include <arenite/shape/nodes_near.hpp>
 #include <arenite/shape/shape.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
@@ -109,24 +112,28 @@ class BoundDistanceSurface {
   }
   static constexpr bool has_volume_fractions = false;
 
-  /// Visits chunks of nodes on several threads and joins their results in order.
+  /// Visits the nodes near the body, in chunks on several threads, and joins their results in order.
   template <class Shape, class M, class Place, class HasMass, class F>
   void visit(const M& mesh, const Place& place, HasMass&& has_mass, F&& f) {
-    const std::size_t nodes = Shape::node_count(mesh);
-    found_.resize((nodes + chunk_size - 1) / chunk_size);
-    parallel_chunks(nodes, [&](std::size_t begin, std::size_t end) {
-      Found& found = found_[begin / chunk_size];
+    const auto box = box_in_scene(place);
+    // Of a body that is turned the reach from its box is up to sqrt(D) times as far along an axis.
+    near_.template find<Shape>(mesh, box, std::sqrt(double{D}) * surface_.reach);
+    const std::size_t nodes = near_.size(), chunks = (nodes + chunk - 1) / chunk;
+    if (found_.size() < chunks) found_.resize(chunks);
+    parallel_for(chunks, nodes >= least_items / 4, [&](std::size_t k) {
+      Found& found = found_[k];
       found.nodes.clear();
       found.failure = nullptr;
       try {
-        look<Shape>(mesh, place, has_mass, begin, end, found.nodes);
+        look<Shape>(mesh, place, has_mass, k * chunk, std::min(nodes, (k + 1) * chunk), found.nodes);
       } catch (...) {  // out of a user's distance; a loop over threads must not throw
         found.failure = std::current_exception();
       }
     });
-    for (const Found& found : found_)
+    const std::span all(found_.data(), chunks);
+    for (const Found& found : all)
       if (found.failure) std::rethrow_exception(found.failure);
-    for (const Found& found : found_)
+    for (const Found& found : all)
       for (const auto& n : found.nodes) f(n.node, n.normal, n.inside, T(0));
   }
 
@@ -137,7 +144,8 @@ class BoundDistanceSurface {
     bool inside;
     Vec<T, D> normal;
   };
-  struct Found {  ///< in a chunk of nodes
+  static constexpr std::size_t chunk = 256;  // nodes; a distance may cost much
+  struct Found {                             ///< in a chunk of nodes
     std::vector<Node> nodes{};
     std::exception_ptr failure{};
   };
@@ -152,6 +160,16 @@ class BoundDistanceSurface {
   static const Vec<double, D>& to_scene(const Vec<T, D>&, const Vec<double, D>& normal) { return normal; }
   static Vec<double, D> to_scene(const Pose<D>& pose, const Vec<double, D>& normal) {
     return pose.to_scene(normal);
+  }
+
+  /// Box about the body where it is now, m.
+  Box<std::size_t{D}> box_in_scene(const Vec<T, D>& displacement) const {
+    return moved_box<D>(surface_.distance.bounds<D>(), Mat<double, D>::Identity(),
+                        displacement.template cast<double>());
+  }
+  Box<std::size_t{D}> box_in_scene(const Pose<D>& pose) const {
+    return moved_box<D>(surface_.distance.bounds<D>(), pose.rotation,
+                        pose.centre + pose.displacement - pose.rotation * pose.centre);
   }
 
   template <class Shape, class M, class Place, class HasMass>
@@ -173,7 +191,7 @@ class BoundDistanceSurface {
       count = 0;
     };
     for (std::size_t n = begin; n < end; ++n) {
-      const auto i = static_cast<Index>(n);
+      const Index i = near_[n];
       if (!has_mass(i)) continue;
       const Position x = to_body(place, Shape::node_position(mesh, i));
       const auto size = static_cast<double>(mesh.node_size(i));
@@ -210,7 +228,8 @@ class BoundDistanceSurface {
   }
 
   DistanceSurface<> surface_;
-  std::vector<Found> found_{};  // [chunks of nodes], memory from step to step
+  NodesNear<T, D> near_{};
+  std::vector<Found> found_{};  // [chunks of nodes, or more], memory from step to step
 };
 
 template <class Distance, class Site>

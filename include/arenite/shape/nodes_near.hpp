@@ -9,6 +9,7 @@
 #include <vector>
 
 #include <arenite/core/lists.hpp>
+#include <arenite/geometry/box.hpp>
 #include <arenite/shape/shape.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
@@ -57,12 +58,11 @@ class NodeBins {
   double largest_size() const { return static_cast<double>(largest_); }
 
   /// Appends the nodes of all bins that a box touches, in no order.
-  void collect(const std::array<double, 3>& lower, const std::array<double, 3>& upper,
-               std::vector<Index>& found) const {
+  void collect(const Box<std::size_t{D}>& box, std::vector<Index>& found) const {
     std::array<Index, 3> first{}, last{};
     for (std::size_t k = 0; k < D; ++k) {
-      first[k] = slot(lower[k], k);
-      last[k] = slot(upper[k], k);
+      first[k] = slot(box.lower[k], k);
+      last[k] = slot(box.upper[k], k);
     }
     for (Index z = first[2]; z <= last[2]; ++z)
       for (Index y = first[1]; y <= last[1]; ++y) {
@@ -92,12 +92,10 @@ class NodeBins {
 template <class T, int D>
 class NodesNear {
  public:
-  using Position = std::array<double, 3>;
-
   /// Looks for the nodes no farther from a box than `sizes` times their `node_size`, along each axis. Its
   /// sides, m, may lie at infinity. Names perhaps other nodes, too.
   template <class Shape, class M>
-  void find(const M& mesh, Position lower, Position upper, double sizes) {
+  void find(const M& mesh, Box<std::size_t{D}> box, double sizes) {
     const Index nodes = Shape::node_count(mesh);
     double largest = 0;
     if constexpr (is_simplex_mesh<M>) {
@@ -119,23 +117,25 @@ class NodesNear {
     // Round-off must not lose a node: 1e-3 cells more. And one cell more, for the calls that follow.
     bool is_inside = true;
     for (std::size_t k = 0; k < D; ++k) {
-      lower[k] -= (sizes + 1e-3) * largest;
-      upper[k] += (sizes + 1e-3) * largest;
-      is_inside = is_inside && lower[k] >= lower_[k] && upper[k] <= upper_[k];
-      is_inside = is_inside && lower[k] - 2 * largest <= lower_[k] && upper[k] + 2 * largest >= upper_[k];
+      double &lower = box.lower[k], &upper = box.upper[k];
+      lower -= (sizes + 1e-3) * largest;
+      upper += (sizes + 1e-3) * largest;
+      is_inside = is_inside && lower >= searched_.lower[k] && upper <= searched_.upper[k];
+      is_inside = is_inside && lower - 2 * largest <= searched_.lower[k];
+      is_inside = is_inside && upper + 2 * largest >= searched_.upper[k];
     }
     if (is_inside) return;
     for (std::size_t k = 0; k < D; ++k) {
-      lower_[k] = lower[k] - largest;
-      upper_[k] = upper[k] + largest;
+      searched_.lower[k] = box.lower[k] - largest;
+      searched_.upper[k] = box.upper[k] + largest;
     }
     found_.clear();
     if constexpr (is_simplex_mesh<M>) {
-      bins_.collect(lower_, upper_, found_);
+      bins_.collect(searched_, found_);
       std::erase_if(found_, [&](Index i) {
         for (std::size_t k = 0; k < D; ++k) {
           const auto x = static_cast<double>(mesh.position(i)[static_cast<int>(k)]);
-          if (x < lower_[k] || x > upper_[k]) return true;
+          if (x < searched_.lower[k] || x > searched_.upper[k]) return true;
         }
         return false;
       });
@@ -154,8 +154,8 @@ class NodesNear {
 
  private:
   void forget() {
-    lower_.fill(std::numeric_limits<double>::infinity());
-    upper_.fill(-std::numeric_limits<double>::infinity());
+    searched_.lower.fill(std::numeric_limits<double>::infinity());
+    searched_.upper.fill(-std::numeric_limits<double>::infinity());
   }
 
   /// The nodes of a grid: a range of numbers along each axis, on which places ascend.
@@ -171,8 +171,8 @@ class NodesNear {
       on_axis[k] = Shape::node_count(grid, static_cast<int>(k));
       first[k] = 0;
       last[k] = on_axis[k];
-      while (first[k] < last[k] && at(first[k]) < lower_[k]) ++first[k];
-      while (first[k] < last[k] && at(last[k] - 1) > upper_[k]) --last[k];
+      while (first[k] < last[k] && at(first[k]) < searched_.lower[k]) ++first[k];
+      while (first[k] < last[k] && at(last[k] - 1) > searched_.upper[k]) --last[k];
       takes_all_ = takes_all_ && last[k] - first[k] == on_axis[k];
       stride *= on_axis[k];
     }
@@ -182,8 +182,8 @@ class NodesNear {
         for (Index x = first[0]; x < last[0]; ++x) found_.push_back((z * on_axis[1] + y) * on_axis[0] + x);
   }
 
-  std::vector<Index> found_{};  // in the box from lower_ to upper_
-  Position lower_{}, upper_{};
+  std::vector<Index> found_{};  // in the box `searched_`
+  Box<std::size_t{D}> searched_{};
   bool takes_all_ = false;
   Index nodes_ = 0;        // of the mesh
   std::size_t moves_ = 0;  // of the mesh, at the last call

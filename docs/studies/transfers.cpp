@@ -113,26 +113,28 @@ void order(const char* name, const Motion& motion, double greatest, int cells, d
            const N& numerics) {
   std::printf("| %s |", name);
   double last = 0;
-  for (int n = cells; n <= 4 * cells; n *= 2) {
-    double error;
-    if constexpr (N::Shape::constant_gradient) {
-      const auto along = static_cast<Index>(n);
-      error = error_of(motion, SimplexMesh<2>(triangles(motion.lower, motion.upper, along, along)), 3,
-                       numerics, courant);
-    } else {
-      const double edge = (motion.upper[0] - motion.lower[0]) / n;
-      error = error_of(motion,
-                       CartesianGrid<2>({.lower = {motion.lower[0], motion.lower[1]},
-                                         .upper = {motion.upper[0], motion.upper[1]},
-                                         .cell = edge}),
-                       4, numerics, courant);
+  for (int n = cells; n <= 4 * cells; n *= 2) try {
+      double error;
+      if constexpr (N::Shape::constant_gradient) {
+        const auto along = static_cast<Index>(n);
+        error = error_of(motion, SimplexMesh<2>(triangles(motion.lower, motion.upper, along, along)), 3,
+                         numerics, courant);
+      } else {
+        const double edge = (motion.upper[0] - motion.lower[0]) / n;
+        error = error_of(motion,
+                         CartesianGrid<2>({.lower = {motion.lower[0], motion.lower[1]},
+                                           .upper = {motion.upper[0], motion.upper[1]},
+                                           .cell = edge}),
+                         4, numerics, courant);
+      }
+      std::printf(" %.4f", error / greatest);
+      if (last > 0) std::printf(" (%.2f)", std::log2(last / error));
+      std::printf(" |");
+      std::fflush(stdout);
+      last = error;
+    } catch (const arenite::error&) {
+      std::printf(" stopped |");
     }
-    std::printf(" %.4f", error / greatest);
-    if (last > 0) std::printf(" (%.2f)", std::log2(last / error));
-    std::printf(" |");
-    std::fflush(stdout);
-    last = error;
-  }
   std::printf("\n");
 }
 

@@ -21,6 +21,8 @@
 #include <arenite/load/point_load.hpp>
 #include <arenite/load/point_traction.hpp>
 #include <arenite/mesh/motion.hpp>
+#include <arenite/mesh/periodic_grid.hpp>
+#include <arenite/mesh/rectilinear_grid.hpp>
 #include <arenite/observe/contact_force.hpp>
 #include <arenite/observe/energy.hpp>
 #include <arenite/observe/every.hpp>

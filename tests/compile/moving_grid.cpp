@@ -1,4 +1,4 @@
-// must print: MovingMesh: only a simplex mesh moves
+// must print: MovingMesh: a simplex mesh or a RectilinearGrid moves, a CartesianGrid rests
 // A grid stays where it is.
 #include <arenite/arenite.hpp>
 

@@ -39,7 +39,7 @@ TEST_CASE("shares: none, growing, all, shrinking, none") {
 TEST_CASE("nodes move by their share of the travel, from where they were at the start") {
   auto mesh = tall_mesh();
   const auto before = mesh.positions();
-  BoundMotion<2, double, LedByRigid<0>> motion(zones, mesh);
+  BoundMotion<SimplexMesh<2>, LedByRigid<0>> motion(zones, mesh);
   for (const double travel : {-0.1, -0.35, 0.0, 0.2}) {
     motion.move(mesh, travel);
     REQUIRE(motion.travel() == travel);
@@ -56,7 +56,7 @@ TEST_CASE("nodes move by their share of the travel, from where they were at the 
 
 TEST_CASE("a zone that is used up stops the run") {
   auto mesh = tall_mesh();
-  BoundMotion<2, double, LedByRigid<0>> motion(zones, mesh);
+  BoundMotion<SimplexMesh<2>, LedByRigid<0>> motion(zones, mesh);
   REQUIRE_NOTHROW(motion.move(mesh, -0.75));
   REQUIRE(throws<run_error>([&] { motion.move(mesh, -0.77); },
                             "the compressing zone below 1 m is used up after a travel of -0.77 m: 3.75 % of "
@@ -71,7 +71,7 @@ TEST_CASE("a cell that turns inside out is named") {
   // Two nodes on one diagonal edge straddle the kink at 0.3: below a hinge that tight a long cell flips.
   const MeshData<2> data{{{0, 0}, {1, 0.5}, {2, 0.9}, {0, 2}}, {{{0, 1, 2}}, {{0, 2, 3}}}, {}, {}, {}};
   SimplexMesh<2> mesh(data);
-  BoundMotion<2, double, LedByRigid<0>> motion({.fixed_below = 0.4, .moving_from = 0.9}, mesh);
+  BoundMotion<SimplexMesh<2>, LedByRigid<0>> motion({.fixed_below = 0.4, .moving_from = 0.9}, mesh);
   REQUIRE(throws<run_error>([&] { motion.move(mesh, 0.5); },
                             "cell 0 at (0 0) m turned inside out after a travel of 0.5 m"));
 }
@@ -79,7 +79,7 @@ TEST_CASE("a cell that turns inside out is named") {
 TEST_CASE("bad zones are refused") {
   const auto mesh = tall_mesh();
   const auto refuses = [&](MovingMesh<> m, const std::string& text) {
-    return throws([&] { BoundMotion<2, double, LedByRigid<0>> motion(m, mesh); }, text);
+    return throws([&] { BoundMotion<SimplexMesh<2>, LedByRigid<0>> motion(m, mesh); }, text);
   };
   const double inf = std::numeric_limits<double>::infinity();
   REQUIRE(refuses({}, "MovingMesh.fixed_below = nan: must be given"));
@@ -107,7 +107,8 @@ TEST_CASE("the mesh moves along the axis that it is told") {
   o.cells = {4, 2, 2};
   SimplexMesh<3, float> mesh(sample_data(o));
   const auto before = mesh.positions();
-  BoundMotion<3, float, LedByBody<1>> motion({.fixed_below = 0, .moving_from = 0.5, .axis = 0}, mesh);
+  BoundMotion<SimplexMesh<3, float>, LedByBody<1>> motion({.fixed_below = 0, .moving_from = 0.5, .axis = 0},
+                                                          mesh);
   motion.move(mesh, 0.25f);
   float off = 0;
   for (Index i = 0; i < mesh.node_count(); ++i) {

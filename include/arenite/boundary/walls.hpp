@@ -92,6 +92,8 @@ struct Walls {
     using Kind = Condition::Kind;
     const Condition& c = wall.condition;
     require(wall.axis < D, "Wall.axis", wall.axis, "must be an axis of the scene");
+    require(wall.axis < 0 || !is_periodic<M>(wall.axis), "Wall.axis", wall.axis,
+            "is periodic: the mesh has no face there");
     require(wall.axis >= 0 || c.kind != Kind::face_normal, "Wall.condition", "roller",
             "needs a face (left, right, ..); elsewhere name the plane: symmetry(normal)");
     V direction = V::Zero();

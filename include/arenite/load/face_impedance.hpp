@@ -77,9 +77,8 @@ class FaceImpedance {
 
  private:
   struct Face {
-    int axis;                                             // of a grid's: normal to it
-    T place;                                              // on the axis, m
-    T area;                                               // of a grid's, thickness included, m2
+    int axis;  // of a grid's: normal to it
+    bool upper;
     std::array<Index, static_cast<std::size_t>(D)> node;  // of a simplex's
   };
 
@@ -92,17 +91,8 @@ class FaceImpedance {
 
   template <class Scene>
   static Face kept(const Scene& scene, const HullFace<T, D>& face, std::vector<bool>& touched) {
-    Face f{face.axis, 0, 0, face.node};
     for_each_face_node(scene, face, [&](Index i) { touched[i] = true; });
-    if constexpr (!is_simplex_mesh<typename Scene::Mesh>) {
-      Vec<T, D> centre = Vec<T, D>::Zero();
-      for (const auto& x : face.corner) centre += x / static_cast<T>(face.corner.size());
-      f.place = centre[face.axis];
-      f.area = Scene::Kinematics::thickness(centre);
-      for (int k = 0; k < D; ++k)
-        if (k != face.axis) f.area *= face.corner.back()[k] - face.corner.front()[k];
-    }
-    return f;
+    return {face.axis, face.upper, face.node};
   }
 
   static Matrix along(const Vec<T, D>& normal, const WaveImpedance& z) {
@@ -129,10 +119,11 @@ class FaceImpedance {
       for (std::size_t i = 0; i < D; ++i) to(face.node[i], field) += size * (sum + thickness[i]) * unit;
     } else {
       const typename Scene::Shape::template Cell<typename Scene::Mesh> cell(scene.mesh, c);
-      const Matrix unit = face.area / matter * along(Vec<T, D>::Unit(face.axis), z);
+      const auto [place, area] = grid_face<typename Scene::Kinematics>(scene.mesh, c, face.axis, face.upper);
+      const Matrix unit = area / matter * along(Vec<T, D>::Unit(face.axis), z);
       for (const Index p : body.cells[c]) {
         Vec<T, D> x = body.points.position[p];
-        x[face.axis] = face.place;
+        x[face.axis] = place;
         const auto w = cell.weights(x);
         for (std::size_t i = 0; i < cell.nodes.size(); ++i)
           if (place_[cell.nodes[i]] != none)

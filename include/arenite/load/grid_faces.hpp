@@ -26,12 +26,7 @@ class GridFaces {
     std::vector<Index> cell;
     for_each_hull_face(scene, [&](const HullFace<T, D>& face) {
       if (!is_meant(face)) return;
-      Face kept{face.axis, face.corner[0][face.axis],
-                (face.upper ? T(1) : T(-1)) * Vec<T, D>(Vec<T, D>::Unit(face.axis))};
-      Vec<T, D> centre = Vec<T, D>::Zero();
-      for (const auto& x : face.corner) centre += x / static_cast<T>(face.corner.size());
-      kept.area *= scene.mesh.volume(face.cell) / scene.mesh.edge() * Scene::Kinematics::thickness(centre);
-      faces_.push_back(kept);
+      faces_.push_back({face.axis, face.upper});
       cell.push_back(face.cell);
     });
     of_cell_.build(scene.mesh.cell_count(), [&](auto&& add) {
@@ -57,11 +52,14 @@ class GridFaces {
       std::size_t number = 0;
       scene.for_each_body([&](const auto& body, const auto&) {
         auto& force = nodes[Scene::field_of(number++)].force;
-        for (const Index k : of_cell_[c])
+        for (const Index k : of_cell_[c]) {
+          const auto [axis, upper] = faces_[k];
+          const auto [place, size] = grid_face<typename Scene::Kinematics>(scene.mesh, c, axis, upper);
+          const Vec<T, D> outward = (upper ? size : -size) * Vec<T, D>(Vec<T, D>::Unit(axis));
           for (const Index p : body.cells[c]) {
             Vec<T, D> x = body.points.position[p];
-            x[faces_[k].axis] = faces_[k].place;
-            const Vec<T, D> area = body.points.volume[p] / matter * faces_[k].area;
+            x[axis] = place;
+            const Vec<T, D> area = body.points.volume[p] / matter * outward;
             failure.guard(c, [&] {
               const Vec<T, D> f = load.force(x, area, scene.time, name);
               const auto w = cell.weights(x);
@@ -69,6 +67,7 @@ class GridFaces {
                 force[cell.nodes[i]] += w[static_cast<int>(i)] * f;
             });
           }
+        }
       });
     });
     failure.rethrow();
@@ -77,8 +76,7 @@ class GridFaces {
  private:
   struct Face {
     int axis;
-    T place;         // on the axis, m
-    Vec<T, D> area;  // outward, thickness included, m2
+    bool upper;
   };
   std::vector<Face> faces_;
   Lists of_cell_;  // [cells] numbers of faces

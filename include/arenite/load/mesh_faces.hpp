@@ -93,7 +93,8 @@ void for_each_hull_face(const Scene& scene, F&& f) {
         f(face);
       }
     } else {
-      for (int k = 0; k < D; ++k)
+      for (int k = 0; k < D; ++k) {
+        if (is_periodic<M>(k)) continue;
         for (const bool upper : {false, true}) {
           const Index at = mesh.place(c)[static_cast<std::size_t>(k)];
           if (upper ? at + 1 != mesh.cells(k) : at != 0) continue;
@@ -101,14 +102,28 @@ void for_each_hull_face(const Scene& scene, F&& f) {
           for (std::size_t n = 0; n < (std::size_t{1} << (dim - 1)); ++n) {
             Vec<T, D> x = mesh.corner(c);
             for (int a = 0, bit = 0; a < D; ++a)
-              if (a != k) x[a] += static_cast<T>((n >> bit++) & 1) * mesh.edge();
+              if (a != k) x[a] += static_cast<T>((n >> bit++) & 1) * mesh.extent(c)[a];
             x[k] = upper ? mesh.upper(k) : mesh.lower()[k];
             face.corner.push_back(x);
           }
           f(face);
         }
+      }
     }
   }
+}
+
+/// Where a grid's face is now: its place on the axis, m, and its area, thickness included, m2. It moves with
+/// the grid.
+template <class K, class M>
+std::pair<typename M::scalar, typename M::scalar> grid_face(const M& grid, Index cell, int axis, bool upper) {
+  const auto edges = grid.extent(cell);
+  typename M::Point centre = grid.corner(cell) + edges / 2;
+  centre[axis] = upper ? grid.upper(axis) : grid.lower()[axis];
+  auto area = K::thickness(centre);
+  for (int k = 0; k < M::dimension; ++k)
+    if (k != axis) area *= edges[k];
+  return {centre[axis], area};
 }
 
 /// Calls `f(node)` for the nodes whose functions have a value on a face.
@@ -138,6 +153,8 @@ auto face_test(const Scene& scene, const MeshFaces& where) {
   typename Scene::Nodes nodes(scene.mesh);  // knows the box around the mesh
   if constexpr (Scene::is_portion) nodes.set_whole(scene.portion().lower, scene.portion().upper);
   require(where.axis < D, "MeshFaces.axis", where.axis, "must be an axis of the scene");
+  require(where.axis < 0 || !is_periodic<typename Scene::Mesh>(where.axis), "MeshFaces.axis", where.axis,
+          "is periodic: the mesh has no face there");
   require(where.axis >= 0 || !where.set.empty() || where.test, "MeshFaces.set", where.set,
           "must name a node set (or the faces a side or a test)");
   std::vector<bool> in_set;

@@ -84,6 +84,8 @@ class CartesianGrid {
     return at;
   }
 
+  /// Edges of a cell, m.
+  Point extent(Index) const { return Point::Constant(edge_); }
   /// Lower corner of a cell, m.
   Point corner(Index cell) const {
     const auto at = place(cell);

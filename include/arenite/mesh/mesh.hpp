@@ -33,4 +33,30 @@ inline constexpr bool is_simplex_mesh = false;
 template <int D, class T>
 inline constexpr bool is_simplex_mesh<SimplexMesh<D, T>> = true;
 
+/// `knots(i, j)`: the place of line i + j along an axis of a grid, m, or of the face beyond which it would
+/// lie.
+template <class K>
+concept grid_knots = requires(const K& knots, Index i, int shift) {
+  { knots(i, shift) } -> std::floating_point;
+};
+
+/// Whether M is a grid whose cells differ in their edges (`RectilinearGrid`).
+template <class M>
+inline constexpr bool is_rectilinear = requires {
+  typename M::Knots;
+};
+
+/// Whether an axis of a grid is periodic (`PeriodicGrid`), or any is.
+template <class M>
+constexpr bool is_periodic(int axis) {
+  if constexpr (requires { M::periodic_axes; })
+    return ((M::periodic_axes >> axis) & 1) != 0;
+  else
+    return false;
+}
+template <class M>
+constexpr bool is_periodic() {
+  return is_periodic<M>(0) || is_periodic<M>(1) || is_periodic<M>(2);
+}
+
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

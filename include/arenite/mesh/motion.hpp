@@ -10,6 +10,7 @@
 #include <arenite/core/alone.hpp>
 #include <arenite/core/name.hpp>
 #include <arenite/mesh/mesh.hpp>
+#include <arenite/mesh/rectilinear_grid.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
@@ -39,10 +40,11 @@ struct LedByBody {
   }
 };
 
-/// Nodes move along one axis by a share of the leader's travel that depends on their initial place on the
-/// axis: 0 up to `fixed_below`, then linearly up to 1 at `moving_from`, 1 up to `moving_to`, then linearly
-/// down to 0 at `fixed_above`; without the last two everything above `moving_from` moves. Heights in m.
-/// Values are checked when the scene is made, which throws `error`.
+/// Nodes of a simplex mesh, or lines of a `RectilinearGrid`, move along one axis by a share of the leader's
+/// travel that depends on their initial place on the axis: 0 up to `fixed_below`, then linearly up to 1 at
+/// `moving_from`, 1 up to `moving_to`, then linearly down to 0 at `fixed_above`; without the last two
+/// everything above `moving_from` moves. Heights in m. Values are checked when the scene is made, which
+/// throws `error`.
 template <class Leader = LedByRigid<>>
 struct MovingMesh {
   Leader leader{};
@@ -66,34 +68,26 @@ struct MovingMesh {
 struct MeshMotion;
 
 /// A moving mesh in its mesh: reference positions and shares of the nodes that move, and the cells that
-/// change their shape with them. A part that follows the motion.
-template <int D, class T, class Leader>
+/// change their shape with them; of a grid those of the lines across the axis. A part that follows the
+/// motion.
+template <class M, class Leader>
 class BoundMotion {
+  static constexpr int D = M::dimension;
+  using T = typename M::scalar;
+
  public:
   using OnlyOne = MeshMotion;
   static constexpr std::string_view state_name = "mesh_motion";
 
   /// Throws `error` for an axis, heights or a share that cannot be.
-  BoundMotion(const MovingMesh<Leader>& motion, const SimplexMesh<D, T>& mesh) : motion_{checked(motion)} {
-    std::vector<bool> touched(mesh.cell_count());
-    for (Index i = 0; i < mesh.node_count(); ++i) {
-      const double s = motion_.fraction(static_cast<double>(mesh.position(i)[motion_.axis]));
-      if (s == 0) continue;
-      nodes_.push_back(i);
-      for (const Index c : mesh.cells_at(i)) touched[c] = true;
-    }
-    fraction_.assign(mesh.node_count(), T(0));
-    reference_.assign(mesh.node_count(), T(0));
-    for (const Index i : nodes_) {
-      reference_[i] = mesh.position(i)[motion_.axis];
-      fraction_[i] = static_cast<T>(motion_.fraction(static_cast<double>(reference_[i])));
-    }
-    for (Index c = 0; c < mesh.cell_count(); ++c) {
-      if (!touched[c]) continue;
-      bool as_one = true;
-      for (const Index i : mesh.nodes(c)) as_one = as_one && fraction_[i] == fraction_[mesh.nodes(c)[0]];
-      if (!as_one) cells_.push_back(c);
-    }
+  BoundMotion(const MovingMesh<Leader>& motion, const M& mesh) : motion_{checked(motion)} {
+    if constexpr (is_simplex_mesh<M>)
+      find_nodes(mesh);
+    else
+      for (const T y : mesh.lines(motion_.axis)) {
+        reference_.push_back(y);
+        fraction_.push_back(static_cast<T>(motion_.fraction(static_cast<double>(y))));
+      }
   }
 
   int axis() const { return motion_.axis; }
@@ -126,7 +120,7 @@ class BoundMotion {
 
   /// Moves the mesh to a travel of the leader. Throws `run_error` where a zone is used up or a cell loses its
   /// volume.
-  void move(SimplexMesh<D, T>& mesh, T travel) {
+  void move(M& mesh, T travel) {
     travel_ = travel;
     const double below = 1 + static_cast<double>(travel) / (motion_.moving_from - motion_.fixed_below);
     if (!(below > motion_.least))
@@ -139,6 +133,38 @@ class BoundMotion {
         throw run_error(joined_text("the zone above ", motion_.moving_to, " m is used up after a travel of ",
                                     travel, " m"));
     }
+    if constexpr (is_simplex_mesh<M>)
+      move_nodes(mesh, travel);
+    else if (const Index bad =
+                 mesh.move(motion_.axis, [&](Index i) { return reference_[i] + fraction_[i] * travel; });
+             bad != none)
+      throw run_error(joined_text("line ", bad, " of the grid along axis ", motion_.axis,
+                                  " met the one before after a travel of ", travel, " m"));
+  }
+
+ private:
+  void find_nodes(const M& mesh) {
+    std::vector<bool> touched(mesh.cell_count());
+    for (Index i = 0; i < mesh.node_count(); ++i) {
+      const double s = motion_.fraction(static_cast<double>(mesh.position(i)[motion_.axis]));
+      if (s == 0) continue;
+      nodes_.push_back(i);
+      for (const Index c : mesh.cells_at(i)) touched[c] = true;
+    }
+    fraction_.assign(mesh.node_count(), T(0));
+    reference_.assign(mesh.node_count(), T(0));
+    for (const Index i : nodes_) {
+      reference_[i] = mesh.position(i)[motion_.axis];
+      fraction_[i] = static_cast<T>(motion_.fraction(static_cast<double>(reference_[i])));
+    }
+    for (Index c = 0; c < mesh.cell_count(); ++c) {
+      if (!touched[c]) continue;
+      bool as_one = true;
+      for (const Index i : mesh.nodes(c)) as_one = as_one && fraction_[i] == fraction_[mesh.nodes(c)[0]];
+      if (!as_one) cells_.push_back(c);
+    }
+  }
+  void move_nodes(M& mesh, T travel) {
     const Index bad = mesh.move(nodes_, cells_, [&](Index i) {
       auto x = mesh.position(i);
       x[motion_.axis] = reference_[i] + fraction_[i] * travel;
@@ -148,8 +174,6 @@ class BoundMotion {
       throw run_error(joined_text("cell ", bad, " at (", mesh.position(mesh.nodes(bad)[0]).transpose(),
                                   ") m turned inside out after a travel of ", travel, " m"));
   }
-
- private:
   static const MovingMesh<Leader>& checked(const MovingMesh<Leader>& m) {
     require(m.axis >= 0 && m.axis < D, "MovingMesh.axis", m.axis, "must be an axis of the mesh");
     require(std::isfinite(m.fixed_below), "MovingMesh.fixed_below", m.fixed_below, "must be given");
@@ -169,14 +193,25 @@ class BoundMotion {
   MovingMesh<Leader> motion_;
   std::vector<Index> nodes_;
   std::vector<Index> cells_;             // those whose shape changes
-  std::vector<T> fraction_, reference_;  // [nodes of the mesh]
+  std::vector<T> fraction_, reference_;  // [nodes of the mesh, or lines of the grid]
   T travel_ = 0;
 };
 
+namespace detail {
+/// In the place of a motion that the compiler has refused.
+struct NoMotion {
+  static constexpr bool separates_bodies = false;
+};
+}  // namespace detail
+
 template <class Leader, class Site>
 auto bind_part(const MovingMesh<Leader>& motion, const Site& site) {
-  static_assert(is_simplex_mesh<typename Site::Mesh>, "MovingMesh: only a simplex mesh moves");
-  return BoundMotion<Site::D, typename Site::T, Leader>(motion, site.mesh);
+  constexpr bool moves = is_simplex_mesh<typename Site::Mesh> || is_rectilinear<typename Site::Mesh>;
+  static_assert(moves, "MovingMesh: a simplex mesh or a RectilinearGrid moves, a CartesianGrid rests");
+  if constexpr (moves)
+    return BoundMotion<typename Site::Mesh, Leader>(motion, site.mesh);
+  else
+    return detail::NoMotion{};  // one sentence is enough
 }
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

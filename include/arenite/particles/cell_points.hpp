@@ -104,7 +104,7 @@ std::vector<typename M::Point> initial_points(const M& mesh, Index cell, int n) 
     }
   } else {
     for (const auto& s : lattice_points<D>(n))
-      points.push_back(mesh.corner(cell) + mesh.edge() * s.template cast<T>());
+      points.push_back(mesh.corner(cell) + mesh.extent(cell).cwiseProduct(s.template cast<T>()));
   }
   return points;
 }

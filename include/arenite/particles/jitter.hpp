@@ -77,7 +77,7 @@ void jitter_points(const M& mesh, Index cell, double share, std::uint64_t seed,
                      mesh.position(mesh.nodes(cell)[static_cast<std::size_t>(k)]);
     } else {
       for (int k = 0; k < D; ++k)
-        points[p][k] += scale * mesh.edge() * static_cast<T>(random.uniform() - 0.5);
+        points[p][k] += scale * mesh.extent(cell)[k] * static_cast<T>(random.uniform() - 0.5);
     }
   }
 }

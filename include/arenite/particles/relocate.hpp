@@ -7,12 +7,13 @@
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 namespace detail {
 
-/// Lists the points of a block's cells that have left their cells, from `moves` on; returns how many.
+/// Lists the points of a block's cells that have left their cells, from `moves` on; returns how many. Those
+/// that left a periodic mesh come back into its box.
 template <int Width, class B, class M>
-Index find_moves(const B& body, const M& mesh, Index begin, Index end, CellList::Move* moves) {
+Index find_moves(B& body, const M& mesh, Index begin, Index end, CellList::Move* moves) {
   using T = typename M::scalar;
   using P = lanes_of<T, Width>;
-  const auto& points = body.points;
+  auto& points = body.points;
   Index count = 0;
   for (Index c = begin; c < end; ++c) {
     if (body.cells.empty(c)) continue;
@@ -24,6 +25,8 @@ Index find_moves(const B& body, const M& mesh, Index begin, Index end, CellList:
       for (int k = 0; k < n; ++k) {
         if (in_lane(inside, k)) continue;
         const Index p = first + static_cast<Index>(k);
+        if constexpr (requires { mesh.wrapped(points.position[p]); })
+          points.position.set(p, mesh.wrapped(points.position[p]));
         const Index cell = mesh.walk(points.position[p], c);
         if (cell != c) moves[count++] = {p, cell};
       }

@@ -25,14 +25,26 @@ class CubicBSplineLine {
   static T place(Index i, Index cells) {
     return (knot(i, -2, cells) + knot(i, -1, cells) + knot(i, 0, cells)) / 3;
   }
+  template <grid_knots Knots>
+  static T place(Index i, const Knots& at) {
+    return (at(i, -2) + at(i, -1) + at(i, 0)) / 3;
+  }
 
   CubicBSplineLine(Index cell, Index cells) {
     for (int j = 0; j < 2; ++j) {
       before_[static_cast<std::size_t>(j)] = static_cast<T>(cell) - knot(cell, -1 - j, cells);
       after_[static_cast<std::size_t>(j)] = knot(cell, 2 + j, cells) - static_cast<T>(cell);
     }
-    quadratic_ = {1 / (1 + before_[0]), 1 / after_[0]};
-    cubic_ = {1 / (1 + before_[1]), 1 / (after_[0] + before_[0]), 1 / after_[1]};
+    take_spans();
+  }
+  template <grid_knots Knots>
+  CubicBSplineLine(Index cell, const Knots& at) {
+    const T edge = at(cell, 1) - at(cell, 0);
+    for (int j = 0; j < 2; ++j) {
+      before_[static_cast<std::size_t>(j)] = (at(cell, 0) - at(cell, -1 - j)) / edge;
+      after_[static_cast<std::size_t>(j)] = (at(cell, 2 + j) - at(cell, 0)) / edge;
+    }
+    take_spans();
   }
 
   // By the recurrence of Cox and de Boor from the quadratic functions of the cell [0, 1], whose knots outside
@@ -49,9 +61,16 @@ class CubicBSplineLine {
     for (P& value : q) value = value * P(3 * scale);
     return {-q[0], q[0] - q[1], q[1] - q[2], q[2]};
   }
-  T inverse_inertia() const { return before_[1] == 2 && after_[1] == 3 ? T(3) : T(0); }
+  T inverse_inertia() const {
+    return before_[0] == 1 && before_[1] == 2 && after_[0] == 2 && after_[1] == 3 ? T(3) : T(0);
+  }
 
  private:
+  void take_spans() {
+    quadratic_ = {1 / (1 + before_[0]), 1 / after_[0]};
+    cubic_ = {1 / (1 + before_[1]), 1 / (after_[0] + before_[0]), 1 / after_[1]};
+  }
+
   static T knot(Index i, int shift, Index cells) {
     const auto at = static_cast<std::int64_t>(i) + shift;
     return static_cast<T>(std::clamp<std::int64_t>(at, 0, cells));
@@ -70,7 +89,7 @@ class CubicBSplineLine {
   std::array<T, 3> cubic_;           // 1 / the support of the quadratic functions
 };
 
-/// Cubic B-splines on a `CartesianGrid`; see `ProductShape` for its members.
+/// Cubic B-splines on a grid; see `ProductShape` for its members.
 struct CubicBSpline : ProductShape<CubicBSplineLine> {
   static constexpr const char* name = "CubicBSpline";
 };

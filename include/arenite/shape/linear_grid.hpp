@@ -19,7 +19,14 @@ struct LinearGridLine {
 
   static T place(Index i, Index) { return static_cast<T>(i); }
 
+  template <grid_knots Knots>
+  static T place(Index i, const Knots& knot) {
+    return knot(i, 0);
+  }
+
   LinearGridLine(Index, Index) {}
+  template <grid_knots Knots>
+  LinearGridLine(Index, const Knots&) {}
 
   template <class P>
   std::array<P, 2> values(const P& s) const {
@@ -32,7 +39,7 @@ struct LinearGridLine {
   T inverse_inertia() const { return 0; }
 };
 
-/// Linear functions on a `CartesianGrid`; see `ProductShape` for its members.
+/// Linear functions on a grid; see `ProductShape` for its members.
 struct LinearGrid : ProductShape<LinearGridLine> {
   /// Measured: docs/decisions.md.
   static constexpr double courant_limit(bool maps_back) { return maps_back ? 0.5 : 0.35; }

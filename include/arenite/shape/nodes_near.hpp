@@ -112,6 +112,10 @@ class NodesNear {
     } else {
       if (nodes_ != nodes) forget();
       nodes_ = nodes;
+      if constexpr (is_rectilinear<M>) {
+        if (moves_ != mesh.moves()) forget();
+        moves_ = mesh.moves();
+      }
       largest = static_cast<double>(mesh.node_size(0));
     }
     // Round-off must not lose a node: 1e-3 cells more. And one cell more, for the calls that follow.
@@ -158,7 +162,8 @@ class NodesNear {
     searched_.upper.fill(-std::numeric_limits<double>::infinity());
   }
 
-  /// The nodes of a grid: a range of numbers along each axis, on which places ascend.
+  /// The nodes of a grid: a range of numbers along each axis, on which places ascend (but for the first of a
+  /// periodic one, which is then always named).
   template <class Shape, class M>
   void collect_ranges(const M& grid) {
     std::array<Index, 3> first{}, last{1, 1, 1}, on_axis{1, 1, 1};

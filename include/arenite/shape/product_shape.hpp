@@ -1,4 +1,4 @@
-// Shape functions on a Cartesian grid that are products along the axes: what they share. Those of one cell
+// Shape functions on a grid that are products along the axes: what they share. Those of one cell
 // along one axis (a line) define them.
 #pragma once
 
@@ -6,7 +6,9 @@
 #include <array>
 #include <cstddef>
 #include <limits>
+#include <type_traits>
 
+#include <arenite/core/error.hpp>
 #include <arenite/core/lanes.hpp>
 #include <arenite/core/tensor.hpp>
 #include <arenite/mesh/mesh.hpp>
@@ -24,6 +26,9 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 /// (`exchange_at_faces`);
 /// - `place(i, cells)`: of node i along an axis, where linear fields are reproduced; nodes on the faces at 0
 ///   and at `cells`, and perhaps some beyond;
+/// - on a `RectilinearGrid` also `place(i, knots)`, m, and `Line(cell, knots)`, where `knots(i, j)` is the
+/// place
+///   of line i + j of the grid, m, that of the face beyond it;
 /// - `Line(cell, cells)`; `values(s)` [N] and `slopes(s, scale)` [N], the derivatives times a scale, for s a
 ///   scalar or a pack;
 /// - `inverse_inertia()`: 1 / sum w (x_i - x)^2 if that is the same everywhere in the cell, else 0.
@@ -38,30 +43,54 @@ struct ProductShape {
   static constexpr Index halo = static_cast<Index>(nodes_per_axis) - 1;
 
   template <class M>
-  static constexpr bool fits = !is_simplex_mesh<M>;
+  static constexpr bool fits = [] {
+    if constexpr (is_rectilinear<M>)
+      return std::is_constructible_v<Line<typename M::scalar>, Index, typename M::Knots>;
+    else
+      return !is_simplex_mesh<M>;
+  }();
 
-  /// Nodes along an axis.
+  /// Nodes along an axis. A periodic one has as many as cells: cell c carries those from number c on, round
+  /// the axis.
   template <class M>
   static Index node_count(const M& grid, int axis) {
-    return grid.cells(axis) + halo;
+    return is_periodic<M>(axis) ? grid.cells(axis) : grid.cells(axis) + halo;
   }
   template <class M>
   static Index node_count(const M& grid) {
     Index n = 1;
-    for (int k = 0; k < M::dimension; ++k) n *= node_count(grid, k);
+    for (int k = 0; k < M::dimension; ++k) {
+      require(!is_periodic<M>(k) || grid.cells(k) > halo, "periodic: cells", grid.cells(k),
+              joined_text("must be at least ", halo + 1, " along a periodic axis"));
+      n *= node_count(grid, k);
+    }
     return n;
   }
 
   template <class M>
   static typename M::Point node_position(const M& grid, Index node) {
-    using T = typename M::scalar;
     typename M::Point x;
     for (int k = 0; k < M::dimension; ++k) {
       const Index nodes_on_axis = node_count(grid, k);
-      x[k] = grid.lower()[k] + grid.edge() * Line<T>::place(node % nodes_on_axis, grid.cells(k));
+      x[k] = grid.lower()[k] + place(grid, k, node % nodes_on_axis);
       node /= nodes_on_axis;
     }
+    if constexpr (is_periodic<M>()) return grid.wrapped(x);
     return x;
+  }
+
+  /// Place of the node of number i along an axis, from the grid's lower corner, m; on a periodic one as if it
+  /// went on: node n lies one period behind node 0.
+  template <class M>
+  static auto place(const M& grid, int axis, Index i) {
+    using T = typename M::scalar;
+    const Index cells = grid.cells(axis);
+    if constexpr (is_rectilinear<M>)
+      return Line<T>::place(i, grid.knots(axis)) - grid.lower()[axis];
+    else if (is_periodic<M>(axis))
+      return grid.edge() * (Line<T>::place(i + halo, cells + 2 * halo) - static_cast<T>(halo));
+    else
+      return grid.edge() * Line<T>::place(i, cells);
   }
 
   /// Calls `f(j)` for the nodes j != i of each cell at node i: once for each cell that they share.
@@ -70,16 +99,20 @@ struct ProductShape {
     constexpr int D = M::dimension;
     std::array<Index, D> from, to, cell;
     Index rest = i;
-    for (std::size_t k = 0; k < D; ++k) {
-      const Index nodes_on_axis = node_count(grid, static_cast<int>(k)), at = rest % nodes_on_axis;
+    for (int k = 0; k < D; ++k) {
+      const auto a = static_cast<std::size_t>(k);
+      const Index nodes_on_axis = node_count(grid, k), at = rest % nodes_on_axis;
       rest /= nodes_on_axis;
-      from[k] = at < halo ? 0 : at - halo;
-      to[k] = std::min(at + 1, grid.cells(static_cast<int>(k)));
+      from[a] = is_periodic<M>(k) ? at + grid.cells(k) - halo : at < halo ? 0 : at - halo;
+      to[a] = is_periodic<M>(k) ? from[a] + halo + 1 : std::min(at + 1, grid.cells(k));
     }
     cell = from;
     for (std::size_t k = 0; k < D;) {
       Index number = 0;
-      for (std::size_t a = D; a-- > 0;) number = number * grid.cells(static_cast<int>(a)) + cell[a];
+      for (std::size_t a = D; a-- > 0;) {
+        const Index cells = grid.cells(static_cast<int>(a));
+        number = number * cells + (is_periodic<M>(static_cast<int>(a)) ? cell[a] % cells : cell[a]);
+      }
       for (const Index j : Cell<M>(grid, number).nodes)
         if (j != i) f(j);
       for (k = 0; k < D && ++cell[k] == to[k]; ++k) cell[k] = from[k];
@@ -144,7 +177,7 @@ struct ProductShape {
     template <class P>
     std::array<std::array<P, nodes_per_axis>, D> line_slopes(const std::array<P, D>& x) const {
       std::array<std::array<P, nodes_per_axis>, D> slope;
-      repeat<D>([&](std::size_t k) { slope[k] = line_[k].slopes(local(k, x), per_metre_); });
+      repeat<D>([&](std::size_t k) { slope[k] = line_[k].slopes(local(k, x), per_metre_[k]); });
       return slope;
     }
 
@@ -166,7 +199,7 @@ struct ProductShape {
       std::array<P, D> inverse;
       for (std::size_t k = 0; k < D; ++k) {
         if (const T even = line_[k].inverse_inertia(); even > 0) {
-          inverse[k] = P(even * per_metre_ * per_metre_);
+          inverse[k] = P(even * per_metre_[k] * per_metre_[k]);
           continue;
         }
         const P offset = x[k] - P(lower_[static_cast<int>(k)]);
@@ -174,7 +207,7 @@ struct ProductShape {
         P inertia(0);
         for (std::size_t i = 0; i < nodes_per_axis; ++i)
           inertia += w[i] * square(P(P(along_[k][i]) - offset));
-        const auto some = inertia > P(std::numeric_limits<T>::epsilon() * edge_ * edge_);
+        const auto some = inertia > P(std::numeric_limits<T>::epsilon() * edge_[k] * edge_[k]);
         inverse[k] = select(some, P(P(1) / select(some, inertia, P(1))), P(0));
       }
       return inverse;
@@ -187,23 +220,42 @@ struct ProductShape {
     Cell(const M& grid, const std::array<Index, D>& place, std::index_sequence<K...>)
         : lower_{grid.lower()},
           corner_{lower_},
-          edge_{grid.edge()},
-          per_metre_{grid.inverse_edge()},
-          line_{Line<T>(place[K], grid.cells(static_cast<int>(K)))...} {
-      std::array<Index, D> stride;
-      Index first = 0;
+          edge_(grid, place),
+          per_metre_(grid, place),
+          line_{line(grid, static_cast<int>(K), place[K])...} {
+      std::array<std::array<Index, nodes_per_axis>, D>
+          number;  // of the nodes along each axis, times its stride
+      Index stride = 1;
       for (std::size_t k = 0; k < D; ++k) {
-        stride[k] = k == 0 ? 1 : stride[k - 1] * node_count(grid, static_cast<int>(k - 1));
-        first += place[k] * stride[k];
-        corner_[static_cast<int>(k)] += edge_ * static_cast<T>(place[k]);
-        for (std::size_t i = 0; i < nodes_per_axis; ++i)
-          along_[k][i] =
-              edge_ * Line<T>::place(place[k] + static_cast<Index>(i), grid.cells(static_cast<int>(k)));
+        const auto axis = static_cast<int>(k);
+        const Index count = node_count(grid, axis);
+        corner_[axis] = corner_of(grid, axis, place[k]);
+        for (std::size_t i = 0; i < nodes_per_axis; ++i) {
+          const Index at = place[k] + static_cast<Index>(i);
+          along_[k][i] = ProductShape::place(grid, axis, at);
+          number[k][i] = stride * (is_periodic<M>(axis) && at >= count ? at - count : at);
+        }
+        stride *= count;
       }
       repeat<size>([&](std::size_t i) {
-        nodes[i] = first;
-        repeat<D>([&](std::size_t k) { nodes[i] += static_cast<Index>(digit(i, k)) * stride[k]; });
+        nodes[i] = 0;
+        repeat<D>([&](std::size_t k) { nodes[i] += number[k][digit(i, k)]; });
       });
+    }
+
+    static Line<T> line(const M& grid, int axis, Index at) {
+      if constexpr (is_rectilinear<M>)
+        return Line<T>(at, grid.knots(axis));
+      else if (is_periodic<M>(axis))  // as in the middle of a longer axis
+        return Line<T>(at + halo, grid.cells(axis) + 2 * halo);
+      else
+        return Line<T>(at, grid.cells(axis));
+    }
+    T corner_of(const M& grid, int axis, Index at) const {
+      if constexpr (is_rectilinear<M>)
+        return grid.line(axis, at);
+      else
+        return lower_[axis] + edge_[0] * static_cast<T>(at);
     }
 
     static constexpr std::size_t digit(std::size_t i, std::size_t k) {
@@ -219,7 +271,7 @@ struct ProductShape {
     // Place along axis k in the cell, 0 to 1.
     template <class P>
     P local(std::size_t k, const std::array<P, D>& x) const {
-      return (x[k] - P(corner_[static_cast<int>(k)])) * P(per_metre_);
+      return (x[k] - P(corner_[static_cast<int>(k)])) * P(per_metre_[k]);
     }
 
     static std::array<T, size> products(const std::array<std::array<T, nodes_per_axis>, D>& f) {
@@ -232,8 +284,27 @@ struct ProductShape {
       return p;
     }
 
+    // Edges of the cell along each axis, m, or their inverses, 1/m: one number where they are all the same.
+    template <bool Inverse>
+    struct Edges {
+      static constexpr std::size_t count = is_rectilinear<M> ? static_cast<std::size_t>(D) : 1;
+      std::array<T, count> value;
+      Edges(const M& grid, const std::array<Index, D>& place) {
+        if constexpr (is_rectilinear<M>)
+          for (std::size_t k = 0; k < count; ++k) {
+            const auto axis = static_cast<int>(k);
+            const T edge = grid.line(axis, place[k] + 1) - grid.line(axis, place[k]);
+            value[k] = Inverse ? 1 / edge : edge;
+          }
+        else
+          value[0] = Inverse ? grid.inverse_edge() : grid.edge();
+      }
+      T operator[](std::size_t k) const { return value[count == 1 ? 0 : k]; }
+    };
+
     Vec<T, D> lower_, corner_;
-    T edge_, per_metre_;
+    Edges<false> edge_;
+    Edges<true> per_metre_;
     std::array<Line<T>, D> line_;
     std::array<std::array<T, nodes_per_axis>, D> along_;  // of the nodes from the grid's lower corner, m
   };

@@ -25,6 +25,10 @@ class QuadraticBSplineLine {
     const auto knot = [cells](Index j) { return static_cast<T>(j <= 2 ? 0 : std::min(j - 2, cells)); };
     return (knot(i + 1) + knot(i + 2)) / 2;
   }
+  template <grid_knots Knots>
+  static T place(Index i, const Knots& knot) {
+    return (knot(i, -1) + knot(i, 0)) / 2;
+  }
 
   QuadraticBSplineLine(Index cell, Index cells)
       : before_{cell == 0 ? T(0) : T(1)},
@@ -32,8 +36,18 @@ class QuadraticBSplineLine {
         first_{1 / (1 + before_)},
         last_{1 / (1 + after_)} {}
 
+  template <grid_knots Knots>
+  QuadraticBSplineLine(Index cell, const Knots& knot) {
+    const T edge = knot(cell, 1) - knot(cell, 0);
+    before_ = (knot(cell, 0) - knot(cell, -1)) / edge;
+    after_ = (knot(cell, 2) - knot(cell, 1)) / edge;
+    first_ = 1 / (1 + before_);
+    last_ = 1 / (1 + after_);
+  }
+
   // By the recurrence of Cox and de Boor, written out for a cell [0, 1] whose neighbouring spans `before_`
-  // and `after_` are 0 (at the boundary) or 1; `first_` and `last_` are 1 / (1 + span).
+  // and `after_` are 0 (at the boundary) or 1, or any on a rectilinear grid; `first_` and `last_` are 1 / (1
+  // + span).
   template <class P>
   std::array<P, 3> values(const P& s) const {
     const P t = P(1) - s, low = t * P(first_), high = s * P(last_);
@@ -45,13 +59,13 @@ class QuadraticBSplineLine {
     const P low = (s - P(1)) * P(2 * first_ * scale), high = s * P(2 * last_ * scale);
     return {low, -(low + high), high};
   }
-  T inverse_inertia() const { return before_ + after_ == 2 ? T(4) : T(0); }
+  T inverse_inertia() const { return before_ == 1 && after_ == 1 ? T(4) : T(0); }
 
  private:
   T before_, after_, first_, last_;
 };
 
-/// Quadratic B-splines on a `CartesianGrid`; see `ProductShape` for its members.
+/// Quadratic B-splines on a grid; see `ProductShape` for its members.
 struct QuadraticBSpline : ProductShape<QuadraticBSplineLine> {
   static constexpr const char* name = "QuadraticBSpline";
 };

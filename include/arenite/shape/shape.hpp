@@ -6,6 +6,7 @@
 #include <arenite/shape/linear_grid.hpp>
 #include <arenite/shape/linear_simplex.hpp>
 #include <arenite/shape/quadratic_bspline.hpp>
+#include <arenite/shape/ugimp.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 

@@ -46,7 +46,8 @@ std::size_t exchange_at_faces(const M& grid, const Field& nodes, NodeVectors<T, 
   for (int k = 0; k < D; ++k) {
     const Index nodes_on_axis = Shape::node_count(grid, k), length = stride * nodes_on_axis;
     const Index face = Shape::face_node(grid.cells(k));
-    for (Index slab = 0; slab < static_cast<Index>(nodes.size()); slab += length)
+    for (Index slab = is_periodic<M>(k) ? static_cast<Index>(nodes.size()) : 0;
+         slab < static_cast<Index>(nodes.size()); slab += length)
       for (Index i = slab; i < slab + stride; ++i) {
         const Index low = i + face * stride, high = i + (nodes_on_axis - 1 - face) * stride;
         exchange(low, low + stride);

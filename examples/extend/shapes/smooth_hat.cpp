@@ -1,6 +1,6 @@
 // An elastic bar on a shape function of your own: fixed at one end, free at the other, in its first mode. The
-// library does not change; ugimp.hpp has the functions of a cell along one axis, and nothing else.
-#include "ugimp.hpp"
+// library does not change; smooth_hat.hpp has the functions of a cell along one axis, and nothing else.
+#include "smooth_hat.hpp"
 
 #include <cstdio>
 using namespace arenite;
@@ -9,7 +9,8 @@ int main() {
   const double length = 1, h = 0.1, k = pi / 2;
   const LinearElastic steel{{.density = 1000, .young = 1e5, .poisson = 0.25}};
   Scene scene{PlaneStrain{}, CartesianGrid<2>{{.lower = {0, 0}, .upper = {length + 4 * h, h}, .cell = h}},
-              Numerics<UGimp, Apic, Usl>{}, bodies(fill(Box{{0., 0.}, {length, h}}, steel, {.per_cell = 4})),
+              Numerics<SmoothHat, Apic, Usl>{},
+              bodies(fill(Box{{0., 0.}, {length, h}}, steel, {.per_cell = 4})),
               walls(left(roller), bottom(roller), top(roller))};
   auto& points = scene.body().points;
   for (std::size_t p = 0; p < points.size(); ++p)

@@ -1,7 +1,8 @@
-// A shape function of your own on a grid: uniform GIMP (Bardenhagen and Kober 2004, The generalized
-// interpolation material point method, CMES 5, 477-496), hats averaged over a point's domain, here half a
-// cell wide. Where a domain would reach across a face of the grid it ends there on both sides of the point:
-// then unity and linear fields hold up to the faces, and a wall is exactly the nodes on it.
+// A shape function of your own on a grid, written out: uniform GIMP, which the library has as `UGimp`
+// (Bardenhagen and Kober 2004, The generalized interpolation material point method, CMES 5, 477-496), hats
+// averaged over a point's domain, here half a cell wide. Where a domain would reach across a face of the grid
+// it ends there on both sides of the point: then unity and linear fields hold up to the faces, and a wall is
+// exactly the nodes on it.
 #pragma once
 
 #include <arenite/arenite.hpp>
@@ -9,7 +10,7 @@
 /// The functions of one cell along one axis, in cell edges (arenite/shape/product_shape.hpp): of the nodes
 /// one cell behind it, at its ends, and one cell ahead. A grid of n cells thus has a node beyond each face.
 template <class T>
-class UGimpLine {
+class SmoothHatLine {
  public:
   static constexpr std::size_t nodes = 4;
   // Largest sum of slope^2 / value, at a quarter of a cell: 4 + 4 + 4/3. The stable step follows.
@@ -19,7 +20,7 @@ class UGimpLine {
 
   static T place(arenite::Index i, arenite::Index) { return static_cast<T>(i) - 1; }
 
-  UGimpLine(arenite::Index cell, arenite::Index cells)
+  SmoothHatLine(arenite::Index cell, arenite::Index cells)
       : before_{cell == 0 ? T(0) : T(1)}, after_{cell + 1 == cells ? T(0) : T(1)} {}
 
   /// [4] at s, 0 to 1 through the cell, a number or a pack of them: hats, and what their kinks lose.
@@ -52,6 +53,6 @@ class UGimpLine {
   T before_, after_;  // 1, or 0 if there is no cell
 };
 
-struct UGimp : arenite::ProductShape<UGimpLine> {
-  static constexpr const char* name = "UGimp";
+struct SmoothHat : arenite::ProductShape<SmoothHatLine> {
+  static constexpr const char* name = "SmoothHat";
 };

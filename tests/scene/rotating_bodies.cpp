@@ -118,12 +118,9 @@ TEST_CASE("A cylinder rolls down an elastic bed with 2/3 g sin") {
   auto scene = rolling(slope, 3e6);
   const auto& body = scene.rigid();
   test::Validation table("rolling");
-  double at = 0, speed = 0, spin = 0, next = 0;
+  double at = 0, speed = 0, spin = 0;
   run(scene, {.end = end, .courant = 0.4}, [&](const auto& s) {
     if (s.time <= end / 2) at = s.time, speed = body.velocity[0], spin = body.spin[0];
-    if (s.time < next) return;
-    next += end / 60;
-    table.point("cylinder on a bed", "time in s", s.time, "speed in m/s", body.velocity[0], exact * s.time);
   });
   const double found = (body.velocity[0] - speed) / (scene.time - at);
   const double turned = (body.spin[0] - spin) / (scene.time - at);

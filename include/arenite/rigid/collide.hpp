@@ -6,8 +6,8 @@
 #include <type_traits>
 
 #include <arenite/contact/hold.hpp>
-#include <arenite/core/contact_tally.hpp>
 #include <arenite/core/alone.hpp>
+#include <arenite/core/contact_tally.hpp>
 #include <arenite/rigid/pose.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {

@@ -60,7 +60,7 @@ class BoundFree {
       if constexpr (D == 2)
         inertia_(0, 0) = f.inertia.about_z();
       else
-        inertia_ = f.inertia.tensor();
+        inertia_ = f.inertia.template tensor<D>();
     }
     momentum_ = inertia_ * spin_;
   }

@@ -15,8 +15,9 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 ///     I W + dt/2 W x (I W) = R^T L,   R <- R cay(dt W)
 ///
 /// The angular momentum in space is not touched, the energy kept to round-off, and the motion reversible.
-inline void rotate_freely(Orientation<3>& orientation, const Mat<double, 3>& inertia,
-                          const Vec<double, 3>& angular_momentum, double dt, int halvings = 20) {
+template <int D>
+requires(D == 3) void rotate_freely(Orientation<D>& orientation, const Mat<double, D>& inertia,
+                                    const Vec<double, D>& angular_momentum, double dt, int halvings = 20) {
   const Vec<double, 3> start = orientation.matrix().transpose() * angular_momentum;
   const auto matrix_of = [](const Vec<double, 3>& a) {
     Mat<double, 3> m;

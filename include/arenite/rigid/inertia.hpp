@@ -25,12 +25,15 @@ class Inertia {
     std::copy(parts.begin(), parts.end(), parts_.begin());
     if (parts.size() == 1) parts_[1] = parts_[2] = parts_[0];
   }
-  Inertia(const Mat<double, 3>& m) : parts_{m(0, 0), m(1, 1), m(2, 2), m(0, 1), m(1, 2), m(0, 2)} {}
+  template <class Tensor>
+  requires(Tensor::RowsAtCompileTime == 3 && Tensor::ColsAtCompileTime == 3) Inertia(const Tensor& m)
+      : parts_{m(0, 0), m(1, 1), m(2, 2), m(0, 1), m(1, 2), m(0, 2)} {}
 
   double about_z() const { return parts_[2]; }
-  Mat<double, 3> tensor() const {
+  template <int D = 3>
+  Mat<double, D> tensor() const {
     const auto& [xx, yy, zz, xy, yz, zx] = parts_;
-    Mat<double, 3> m;
+    Mat<double, D> m;
     m << xx, xy, zx, xy, yy, yz, zx, yz, zz;
     return m;
   }
@@ -39,18 +42,20 @@ class Inertia {
   template <int D>
   void check() const {
     require(std::isfinite(about_z()) && about_z() > 0, "Free.inertia", about_z(), "must be given, positive");
-    if (D == 2) return;
-    const Mat<double, 3> m = tensor();
-    require(m.allFinite() && is_positive(m, 0), "Free.inertia", vector_text(m.diagonal()),
-            "must be finite and positive definite");
-    const Mat<double, 3> of_mass = m.trace() / 2 * Mat<double, 3>::Identity() - m;  // integral of r r^T dm
-    require(is_positive(of_mass, 1e-9 * m.trace()), "Free.inertia", vector_text(m.diagonal()),
-            "must be that of a body: no principal moment is greater than the other two together");
+    if constexpr (D == 3) {
+      const Mat<double, D> m = tensor<D>();
+      require(m.allFinite() && is_positive<D>(m, 0), "Free.inertia", vector_text(m.diagonal()),
+              "must be finite and positive definite");
+      const Mat<double, 3> of_mass = m.trace() / 2 * Mat<double, D>::Identity() - m;  // integral of r r^T dm
+      require(is_positive<D>(of_mass, 1e-9 * m.trace()), "Free.inertia", vector_text(m.diagonal()),
+              "must be that of a body: no principal moment is greater than the other two together");
+    }
   }
 
  private:
   /// Whether all principal values lie above -margin.
-  static bool is_positive(Mat<double, 3> m, double margin) {
+  template <int D>
+  static bool is_positive(Mat<double, D> m, double margin) {
     m.diagonal().array() += margin;
     const double second = m(0, 0) * m(1, 1) - m(0, 1) * m(1, 0);
     const double third = m(0, 0) * (m(1, 1) * m(2, 2) - m(1, 2) * m(2, 1)) -

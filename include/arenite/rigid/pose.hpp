@@ -58,62 +58,58 @@ Spin<T, D> moment(const Vec<T, D>& arm, const Vec<T, D>& force) {
 /// How a body is turned against its start. In the plane an angle, rad, that counts whole turns; in space a
 /// unit quaternion (w, x, y, z).
 template <int D>
-class Orientation;
+class Orientation {
+  using Parts = Vec<double, D == 2 ? 1 : 4>;
 
-template <>
-class Orientation<2> {
- public:
-  /// Adds a turn, rad.
-  void turn(const Vec<double, 1>& by) { angle_ += by; }
-  double angle() const { return angle_[0]; }
-  /// The turn since the start, rad.
-  Vec<double, 1> rotation_vector() const { return angle_; }
-  Mat<double, 2> matrix() const {
-    const double c = std::cos(angle()), s = std::sin(angle());
-    Mat<double, 2> m;
-    m << c, -s, s, c;
-    return m;
-  }
-  template <class F>
-  void visit_state(F&& f) {
-    f("orientation", angle_);
-  }
-
- private:
-  Vec<double, 1> angle_ = Vec<double, 1>::Zero();
-};
-
-template <>
-class Orientation<3> {
  public:
   using Quaternion = Eigen::Quaternion<double, Eigen::DontAlign>;
 
-  /// Turns by a rotation vector in space, rad.
-  void turn(const Vec<double, 3>& by) {
-    const double angle = by.norm();
-    if (angle > 0) set(Quaternion(Eigen::AngleAxis<double>(angle, by / angle)) * quaternion());
+  /// Turns by a rotation vector in space, rad; in the plane by an angle.
+  void turn(const Spin<double, D>& by) {
+    if constexpr (D == 2) {
+      parts_ += by;
+    } else {
+      const double angle = by.norm();
+      if (angle > 0) set(Quaternion(Eigen::AngleAxis<double>(angle, by / angle)) * quaternion());
+    }
   }
   /// Turns by the Cayley transform of a vector in the body's own frame: by the angle 2 atan(|a| / 2).
-  void turn_by_cayley(const Vec<double, 3>& a) {
+  void turn_by_cayley(const Vec<double, 3>& a) requires(D == 3) {
     set(quaternion() * Quaternion(1, a[0] / 2, a[1] / 2, a[2] / 2));
   }
-  Quaternion quaternion() const { return {parts_[0], parts_[1], parts_[2], parts_[3]}; }
-  /// Axis times angle of the turn since the start, rad, at most pi long.
-  Vec<double, 3> rotation_vector() const {
-    const Vec<double, 3> axis = (parts_[0] < 0 ? -1 : 1) * parts_.template tail<3>();
-    const double sine = axis.norm();
-    if (sine == 0) return Vec<double, 3>::Zero();
-    return (2 * std::atan2(sine, std::abs(parts_[0])) / sine) * axis;
+  double angle() const requires(D == 2) { return parts_[0]; }
+  Quaternion quaternion() const requires(D == 3) { return {parts_[0], parts_[1], parts_[2], parts_[3]}; }
+  /// Axis times angle of the turn since the start, rad; in space at most pi long.
+  Spin<double, D> rotation_vector() const {
+    if constexpr (D == 2) {
+      return parts_;
+    } else {
+      const Vec<double, 3> axis = (parts_[0] < 0 ? -1 : 1) * parts_.template tail<3>();
+      const double sine = axis.norm();
+      if (sine == 0) return Vec<double, 3>::Zero();
+      return (2 * std::atan2(sine, std::abs(parts_[0])) / sine) * axis;
+    }
   }
-  Mat<double, 3> matrix() const { return quaternion().toRotationMatrix(); }
+  /// From the body's frame to that of the scene.
+  Mat<double, D> matrix() const {
+    if constexpr (D == 2) {
+      const double c = std::cos(parts_[0]), s = std::sin(parts_[0]);
+      Mat<double, 2> m;
+      m << c, -s, s, c;
+      return m;
+    } else {
+      return quaternion().toRotationMatrix();
+    }
+  }
   template <class F>
   void visit_state(F&& f) {
     f("orientation", parts_);
   }
 
  private:
-  void set(const Quaternion& q) { parts_ = Vec<double, 4>(q.w(), q.x(), q.y(), q.z()).normalized(); }
-  Vec<double, 4> parts_{1, 0, 0, 0};
+  void set(const Quaternion& q) { parts_ = Parts(q.w(), q.x(), q.y(), q.z()).normalized(); }
+
+  Parts parts_ = (D == 3) * Parts::Unit(0);
 };
 
 /// Where a body is now, for its surface: the body's own frame is that of the scene at the start.

@@ -3,7 +3,7 @@
 
     validation.py FOLDER     FOLDER holds the working folders of tests and examples: a build, or tests/scratch in it
 
-A test writes validation_<case>.csv (columns composition, quantity, unit, computed, exact) and
+A test writes validation_<case>.csv (columns composition, quantity, unit, computed, exact, or another word for what it is held against) and
 validation_<case>_curves.csv (curve, x, y, exact; the heads of x and y label the axes): tests/support/validation.hpp;
 validation_<case>_map.csv (x, y, value; the heads label axes and colours) is drawn as points.
 In validation.md the lines between <!-- case: NAME --> and <!-- end: NAME --> are replaced. To add a case write the two
@@ -39,8 +39,8 @@ def rows_of(folder, name):
     return rows[0], rows[1:]
 
 
-def table(rows):
-    lines = ["| composition | quantity | computed | exact | error |", "|---|---|---|---|---|"]
+def table(header, rows):
+    lines = [f"| composition | quantity | computed | {header[-1]} | error |", "|---|---|---|---|---|"]
     for composition, quantity, unit, computed, exact in rows:
         a, b = float(computed), float(exact)
         unit = "" if unit == "-" else f" {unit}"
@@ -50,7 +50,7 @@ def table(rows):
 
 
 def draw(header, rows, path):
-    """A panel for each curve: computed points over the exact line."""
+    """A panel for each curve: computed points over the line that they are held against."""
     names = list(dict.fromkeys(row[0] for row in rows))
     across = min(2, len(names))
     down = -(-len(names) // across)
@@ -61,8 +61,8 @@ def draw(header, rows, path):
     for place, name, colour in zip(axes.flat, names, COLOURS * len(names)):
         points = sorted(tuple(map(float, row[1:])) for row in rows if row[0] == name)
         x, y, exact = zip(*points)
-        place.plot(x, exact, color="#6b6b6b", linewidth=1.2, label="exact")
-        place.plot(x, y, ".", color=colour, markersize=2.5, label="computed")
+        place.plot(x, exact, color="#6b6b6b", linewidth=1.2, label=header[-1])
+        place.plot(x, y, ".", color=colour, markersize=2.5 if len(x) > 20 else 7, label="computed")
         place.set_title(name, fontsize=10)
         place.spines[["top", "right"]].set_visible(False)
         place.legend(frameon=False, fontsize=8)
@@ -100,18 +100,18 @@ def main():
     def block(match):
         name = match.group(1)
         lines = [match.group(0).splitlines()[0], ""]
-        _, values = rows_of(folder, f"validation_{name}.csv")
+        head, values = rows_of(folder, f"validation_{name}.csv")
         header, points = rows_of(folder, f"validation_{name}_curves.csv")
         map_header, cells = rows_of(folder, f"validation_{name}_map.csv")
         if not values and not points and not cells:
             print(f"validation.py: {name}: no file of it in {folder}; left as it was", file=sys.stderr)
             return match.group(0)
         if values:
-            lines += table(values) + [""]
+            lines += table(head, values) + [""]
         if points:
             picture = f"images/validation_{name}.png"
             draw(header, points, HERE / picture)
-            lines += [f"![{name.replace('_', ' ')}: computed and exact]({picture})", ""]
+            lines += [f"![{name.replace('_', ' ')}: computed and {header[-1]}]({picture})", ""]
         if cells:
             picture = f"images/validation_{name}_map.png"
             draw_map(map_header, cells, HERE / picture)

@@ -52,7 +52,7 @@ double penetration(double density, double height, double cell) {
 }  // namespace
 
 int main() {
-  test::Validation validation("ball_in_sand");
+  test::Validation validation("ball_in_sand", "measured");
   for (const double cell : {diameter / 10, diameter / 20})
     for (const double density : {700.0, 2500.0, 7800.0})
       for (const double height : {0.05, 0.2, 0.5}) {

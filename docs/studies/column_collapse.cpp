@@ -67,7 +67,7 @@ double collapse(double a, double cell) {
 }  // namespace
 
 int main() {
-  test::Validation validation("column_collapse");
+  test::Validation validation("column_collapse", "measured");
   const auto compare = [&](const char* kind, bool is_plane, const char* memory, double cell, auto&& compute) {
     for (const double a : {0.5, 1.0, 2.0, 5.0}) {
       const double computed = compute(a);

@@ -1,10 +1,11 @@
-// What a test computed beside the exact values, for docs/validation.py: tables and curves of a case, in the
-// working folder of the test.
+// What a test computed beside exact or measured values, for docs/validation.py: tables and curves of a case,
+// in the working folder of the test.
 #pragma once
 
 #include <fstream>
 #include <iomanip>
 #include <string>
+#include <utility>
 
 namespace arenite::test {
 
@@ -12,17 +13,19 @@ namespace arenite::test {
 /// of each curve. Text must not hold commas.
 class Validation {
  public:
-  explicit Validation(const std::string& of_case) : name_{"validation_" + of_case} {}
+  /// `reference`: what the computed values are held against, the word in tables and pictures.
+  explicit Validation(const std::string& of_case, std::string reference = "exact")
+      : name_{"validation_" + of_case}, reference_{std::move(reference)} {}
 
   void value(const std::string& composition, const std::string& quantity, const std::string& unit,
              double computed, double exact) {
-    open(values_, ".csv", "composition,quantity,unit,computed,exact");
+    open(values_, ".csv", "composition,quantity,unit,computed," + reference_);
     values_ << composition << ',' << quantity << ',' << unit << ',' << computed << ',' << exact << '\n';
   }
   /// `x_label`, `y_label`: of the axes, with units; the first call's count.
   void point(const std::string& curve, const std::string& x_label, double x, const std::string& y_label,
              double computed, double exact) {
-    open(curves_, "_curves.csv", "curve," + x_label + ',' + y_label + ",exact");
+    open(curves_, "_curves.csv", "curve," + x_label + ',' + y_label + ',' + reference_);
     curves_ << curve << ',' << x << ',' << computed << ',' << exact << '\n';
   }
 
@@ -33,7 +36,7 @@ class Validation {
     file << std::setprecision(9) << head << '\n';
   }
 
-  std::string name_;
+  std::string name_, reference_;
   std::ofstream values_, curves_;
 };
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <string>
 
+#include <arenite/core/error.hpp>
 #include <arenite/rigid/pose.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {

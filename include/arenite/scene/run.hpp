@@ -14,13 +14,18 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 enum class RunFlow { go_on, stop };
 
 namespace detail {
+/// Whether an observer may end a run.
+template <class Observer, class Scene>
+concept ends_runs = requires(Observer& observer, const Scene& scene) {
+  { observer(scene) } -> std::same_as<RunFlow>;
+};
 /// Shows the scene to an observer; returns whether it ends the run.
 template <class Scene, class Observer>
 bool show(const Scene& scene, Observer& observer) {
   constexpr bool fits = std::invocable<Observer&, const Scene&>;
   static_assert(fits, "run: an observer is called with the scene: [](const auto& scene) { .. }");
   if constexpr (fits) {
-    if constexpr (std::same_as<decltype(observer(scene)), RunFlow>)
+    if constexpr (ends_runs<Observer, Scene>)
       return observer(scene) == RunFlow::stop;
     else
       observer(scene);
@@ -32,7 +37,7 @@ template <class Scene, class Others, class... Observers>
 bool show_all(const Scene& scene, Others& others, Observers&... observers) {
   bool stops = false;
   ((stops = show(scene, observers) || stops), ...);
-  if constexpr (!Others::alone && (std::same_as<decltype(observers(scene)), RunFlow> || ...))
+  if constexpr (!Others::alone && (ends_runs<Observers, Scene> || ...))
     stops = others.least(stops ? 0.0 : 1.0) == 0.0;
   return stops;
 }

@@ -85,7 +85,8 @@ auto on_grid(const Condition& sides, const AbsorbingOptions& options, double g =
 
 }  // namespace
 
-TEST_CASE("Of plane waves at a right angle a thousandth of the energy comes back, from 20 cells a wave on") {
+TEST_CASE("Of plane waves at a right angle a thousandth of the energy comes back, from 20 cells a wave on",
+          "[heavy]") {
   test::Validation validation("absorbing");
   const auto check = [&](const char* name, auto&& make, std::vector<double> lengths, bool with_shear = true) {
     for (const bool shear : {false, true}) {
@@ -118,7 +119,8 @@ TEST_CASE("Of plane waves at a right angle a thousandth of the energy comes back
         {0.2});
 }
 
-TEST_CASE("Under gravity a supported boundary holds and absorbs; without support it sinks at g H / c") {
+TEST_CASE("Under gravity a supported boundary holds and absorbs; without support it sinks at g H / c",
+          "[heavy]") {
   const double g = 10;
   auto sinks = on_grid(roller, {}, g);
   run(sinks, {.end = 8 / speed_p, .courant = 0.5});

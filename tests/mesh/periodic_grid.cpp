@@ -170,7 +170,8 @@ using Cubic = Numerics<CubicBSpline, Flip, Musl>;
 }  // namespace
 
 TEST_CASE(
-    "Points that cross cells: with smoother functions the error falls with the cells, with hats it grows") {
+    "Points that cross cells: with smoother functions the error falls with the cells, with hats it grows",
+    "[heavy]") {
   test::Validation validation("cell_crossing");
   const auto errors = [&](const char* name, auto numerics) {
     std::array<double, 3> error{};
@@ -202,7 +203,7 @@ TEST_CASE("Functions on periodic axes: unity, linear fields, no jump at the seam
   CHECK(ring.period(0) == 2);
 }
 
-TEST_CASE("A wave runs round a ring as in a bar without end") {
+TEST_CASE("A wave runs round a ring as in a bar without end", "[heavy]") {
   test::Validation validation("ring");
   check_ring(validation, "linear; FLIP; MUSL", Linear{}, 0.04);
   check_ring(validation, "quadratic; FLIP; MUSL", Quadratic{}, 0.04);

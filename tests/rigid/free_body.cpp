@@ -334,13 +334,15 @@ void meet_at_random() {
 
 }  // namespace
 
-TEST_CASE("A free body gains what matter loses, also of angular momentum, light or heavy; no node moves in") {
+TEST_CASE("A free body gains what matter loses, also of angular momentum, light or heavy; no node moves in",
+          "[heavy]") {
   meet_at_random<2>();
   meet_at_random<3>();
 }
 
 TEST_CASE(
-    "A ball rolls down a slope with 5/7 g sin, a disc with 2/3: contact where they touch, on fixed matter") {
+    "A ball rolls down a slope with 5/7 g sin, a disc with 2/3: contact where they touch, on fixed matter",
+    "[heavy]") {
   const auto roll = [](auto dimension, double share, double across) {
     constexpr int D = dimension;
     using V = Vec<double, D>;

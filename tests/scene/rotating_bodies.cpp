@@ -113,7 +113,7 @@ TEST_CASE(
   set_threads(before);
 }
 
-TEST_CASE("A cylinder rolls down an elastic bed with 2/3 g sin") {
+TEST_CASE("A cylinder rolls down an elastic bed with 2/3 g sin", "[heavy]") {
   const double slope = 20_deg, end = 0.6, exact = 2.0 / 3 * g * std::sin(slope);
   auto scene = rolling(slope, 3e6);
   const auto& body = scene.rigid();

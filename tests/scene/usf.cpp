@@ -142,8 +142,8 @@ TEST_CASE("USF: a bar swings at its frequency, and FLIP keeps its energy") {
   CHECK(kinetic_energy(scene.body()) + strain_energy(scene.body()) > 0.97 * start);
 }
 
-TEST_CASE(
-    "A disc that spins with APIC keeps its angular momentum; it swells with USL, and shrinks with USF") {
+TEST_CASE("A disc that spins with APIC keeps its angular momentum; it swells with USL, and shrinks with USF",
+          "[heavy]") {
   // Points move along the tangent, by w dt of the radius a step: it grows by (1 + (w dt)^2)^(1/2), of which a
   // strain of the velocities at the start of the step sees nothing (USL), one with the weights behind the
   // motion twice as much (USF). What is left is half of w dt times the angle turned.

@@ -31,7 +31,7 @@ struct OneField {
 /// Coulomb friction between bodies, each with a velocity field of its own (Bardenhagen, Brackbill, Sulsky
 /// 2000). It acts at nodes to which both bodies give mass, before their surfaces meet: from 1.5 to 2.5 cells
 /// on with quadratic B-splines, from 0.75 to 1.75 with linear simplices, by where nodes lie
-/// (tests/contact/acting_distance.cpp).
+/// (tests/contact/acting_distance_heavy.cpp).
 template <class Normals = MassGradient>
 struct Coulomb {
   Friction friction;

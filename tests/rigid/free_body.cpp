@@ -64,7 +64,8 @@ using V3 = Vec<double, 3>;
 
 }  // namespace
 
-TEST_CASE("A box tumbles about its middle axis: 100 turns, momentum and energy to round-off, period exact") {
+TEST_CASE("A box tumbles about its middle axis: 100 turns, momentum and energy to round-off, period exact",
+          "[heavy]") {
   // 0.4 x 0.2 x 0.1 m of 12 kg: the middle axis is y.
   const V3 side(0.4, 0.2, 0.1), square = side.cwiseProduct(side);
   const V3 inertia(square[1] + square[2], square[0] + square[2], square[0] + square[1]);  // m / 12 = 1 kg
@@ -123,7 +124,7 @@ TEST_CASE("A box tumbles about its middle axis: 100 turns, momentum and energy t
   table.value("same", "angular momentum; largest relative change", "-", worst_momentum, 0);
 }
 
-TEST_CASE("A symmetric top precesses with L / I1: 100 turns, second order in the step") {
+TEST_CASE("A symmetric top precesses with L / I1: 100 turns, second order in the step", "[heavy]") {
   const double across = 2, about = 3, spin = 5, tilt = 0.4;
   const auto error_of = [&](double dt) {
     auto body = alone<3>({.mass = 1,
@@ -197,7 +198,8 @@ TEST_CASE("Anchored bodies oscillate and die away as closed forms say; all energ
   CHECK(std::abs(energy(damped) / (5 + 9) - 1) <= 1e-12);
 }
 
-TEST_CASE("Springs of rotation keep the energy of a turning body in space, whatever their stiffnesses") {
+TEST_CASE("Springs of rotation keep the energy of a turning body in space, whatever their stiffnesses",
+          "[heavy]") {
   double before = 0;
   for (const double dt : {1e-3, 5e-4}) {
     auto body = alone<3>({.mass = 1,

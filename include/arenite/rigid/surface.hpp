@@ -39,8 +39,8 @@ struct MeshSurface {
 /// | 0.5 | 0.75 to 1.75 cells | 0.4 to 1.25 cells |
 /// | 0 | 0.25 to 1.25 cells | -0.1 to 0.9 cells |
 ///
-/// the same in the plane and in space (tests/contact/acting_distance_heavy.cpp). Matter that is fast against its
-/// waves comes nearer than that: at 2 m/s rubber of 1 MPa by half a cell.
+/// the same in the plane and in space (tests/contact/acting_distance_heavy.cpp). Matter that is fast against
+/// its waves comes nearer than that: at 2 m/s rubber of 1 MPa by half a cell.
 template <class Distance = AnyDistance>
 struct DistanceSurface {
   Distance distance;

@@ -2,9 +2,7 @@
 #pragma once
 
 #include <cmath>
-#include <functional>
 #include <limits>
-#include <vector>
 
 #include <arenite/core/checked.hpp>
 #include <arenite/core/contact_tally.hpp>
@@ -39,18 +37,24 @@ struct LocalDamping {
   Checked<FactorRule> factor = 0.7;
 };
 
-/// What both have in common: they can be switched off, and book what they take as dissipated.
-class DampingBooks {
+/// What both have in common: they can be switched off, and book the work of their forces as dissipated.
+template <class T, int D>
+class Damping {
  public:
+  template <class Scene>
+  void connect(Scene& scene) {
+    forces_.connect(scene);
+  }
   /// Damps no more, or again.
   void switch_off() { on_ = false; }
   void switch_on() { on_ = true; }
 
-  PartEnergy count_energy() const { return {.dissipated = dissipated_}; }
-  template <class V>
-  bool holds_against(const V&) const {
-    return false;
+  template <class Scene>
+  void follow_motion(const Scene& scene, double dt) {
+    if (on_) dissipated_ -= forces_.work(scene, dt);
   }
+  PartEnergy count_energy() const { return {.dissipated = dissipated_}; }
+  bool holds_against(const Vec<T, D>&) const { return false; }
   template <class F>
   void visit_state(F&& f) {
     f("dissipated", dissipated_);
@@ -58,102 +62,68 @@ class DampingBooks {
   }
 
  protected:
-  double dissipated_ = 0;  // since the start, J
+  FieldForces<T, D> forces_;  // of the last step
+  double dissipated_ = 0;     // since the start, J
   bool on_ = true;
 };
 
 /// Viscous damping in a mesh: a part that adds forces.
 template <class T, int D>
-class BoundViscousDamping : public DampingBooks {
+class BoundViscousDamping : public Damping<T, D> {
  public:
   explicit BoundViscousDamping(const ViscousDamping& d) : rate_{d.rate} {}
 
   template <class Scene>
-  void connect(Scene& scene) {
-    forces_.connect(scene);
-  }
-  template <class Scene>
   void add_force(Scene& scene, double dt) {
-    if (!on_) return;
+    if (!this->on_) return;
     const auto factor = static_cast<T>(std::expm1(-rate_ * dt) / dt);
-    for (std::size_t k = 0; k < forces_.field.size(); ++k) {
+    for (std::size_t k = 0; k < Scene::field_count; ++k) {
       const auto& field = scene.fields[k];
-      auto& force = forces_.field[k].force;
+      auto& force = this->forces_.field[k].force;
       parallel_chunks(field.size(), [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) force[i] = factor * field.collected[i].momentum();
       });
     }
-    forces_.add_to(scene);
-  }
-  template <class Scene>
-  void follow_motion(Scene& scene, double dt) {
-    if (on_) dissipated_ -= forces_.work(scene, dt);
+    this->forces_.add_to(scene);
   }
 
  private:
   double rate_;
-  FieldForces<T, D> forces_;
 };
 
 /// Local damping in a mesh: a part that changes velocities once all other parts have.
 template <class T, int D>
-class BoundLocalDamping : public DampingBooks {
+class BoundLocalDamping : public Damping<T, D> {
  public:
   explicit BoundLocalDamping(const LocalDamping& d) : factor_{static_cast<T>(d.factor)} {}
 
   template <class Scene>
-  void connect(Scene& scene) {
-    taken_.resize(Scene::field_count);
-    for (std::size_t k = 0; k < taken_.size(); ++k) taken_[k].assign(scene.fields[k].size(), V::Zero());
-  }
-  template <class Scene>
-  ContactTally exchange_impulses(Scene& scene, double) {
-    if (on_)
-      for (std::size_t k = 0; k < taken_.size(); ++k) damp(scene.fields[k], taken_[k]);
+  ContactTally exchange_impulses(Scene& scene, double dt) {
+    if (this->on_)
+      for (std::size_t k = 0; k < Scene::field_count; ++k)
+        damp(scene.fields[k], static_cast<T>(dt), this->forces_.field[k].force);
     return {};
-  }
-  template <class Scene>
-  void follow_motion(const Scene& scene, double) {
-    if (!on_) return;
-    const auto owns = scene.node_owner();
-    for (std::size_t k = 0; k < taken_.size(); ++k) {
-      const auto& field = scene.fields[k];
-      dissipated_ += parallel_reduce(
-          field.size(), 0.0,
-          [&](std::size_t begin, std::size_t end) {
-            double sum = 0;
-            for (std::size_t i = begin; i < end; ++i)
-              if (field.mass[i] > 0 && owns(static_cast<Index>(i)))
-                sum += static_cast<double>(field.mass[i] *
-                                           taken_[k][i].dot(field.start[i] + field.velocity[i])) /
-                       2;
-            return sum;
-          },
-          std::plus<>{});
-    }
   }
 
  private:
-  using V = Vec<T, D>;
-
-  template <class Field>
-  void damp(Field& field, std::vector<V>& taken) const {
+  template <class Field, class Forces>
+  void damp(Field& field, T dt, Forces& force) const {
     parallel_chunks(field.size(), [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) {
-        taken[i].setZero();
-        if (!(field.mass[i] > 0)) continue;
-        const V before = field.start[i], change = field.velocity[i] - before;
-        for (int d = 0; d < D; ++d) {
-          const T size = factor_ * std::abs(change[d]);
-          taken[i][d] = before[d] > 0 ? size : before[d] < 0 ? -size : T(0);
-        }
-        field.velocity[i] -= taken[i];
+        Vec<T, D> taken = Vec<T, D>::Zero();
+        const Vec<T, D> before = field.start[i], change = field.velocity[i] - before;
+        if (field.mass[i] > 0)
+          for (int d = 0; d < D; ++d) {
+            const T size = factor_ * std::abs(change[d]);
+            taken[d] = before[d] > 0 ? size : before[d] < 0 ? -size : T(0);
+          }
+        field.velocity[i] -= taken;
+        force[i] = -field.mass[i] / dt * taken;
       }
     });
   }
 
   T factor_;
-  std::vector<std::vector<V>> taken_;  // [fields][nodes] in the last step, m/s
 };
 
 template <class Site>

@@ -3,24 +3,11 @@
 #include "catch.hpp"
 #include "joined_scenes.hpp"
 #include "loaded_bar.hpp"
+#include "message.hpp"
 #include "state_buffer.hpp"
 
 using namespace arenite;
 using test::bar_on_grid, test::bar_on_triangles, test::h, test::on_points;
-
-namespace {
-
-template <class F>
-std::string message(F&& f) {
-  try {
-    f();
-  } catch (const std::exception& e) {
-    return e.what();
-  }
-  return "nothing thrown";
-}
-
-}  // namespace
 
 TEST_CASE("A table of time is linear between its rows and constant outside; a ramp is one of two") {
   const Table table{{1, 2}, {2, 4}, {2, 10}, {4, 0}};
@@ -34,12 +21,16 @@ TEST_CASE("A table of time is linear between its rows and constant outside; a ra
   CHECK(ramp(2) == 4);
   CHECK(ramp(3) == 6);
   CHECK(Ramp{.to = 3, .over = 0}(0) == 3);
-  CHECK(message([] {
+  CHECK(test::message<std::exception>([] {
           Table{{0, 1}, {2, 1}, {1, 1}};
         }) == "Table.time[2] = 1: must not lie before the one above, 2");
-  CHECK(message([] { Table{{0, std::nan("")}}; }) == "Table.value[0] = nan: must be finite");
-  CHECK(message([] { Table{std::vector<Table::Row>{}}; }) == "Table.rows = 0: must be at least one");
-  CHECK(message([] { ScalarFunction{Ramp{.to = 1}}; }) == "Ramp.over = nan: must be given, and not negative");
+  CHECK(test::message<std::exception>([] {
+          Table{{0, std::nan("")}};
+        }) == "Table.value[0] = nan: must be finite");
+  CHECK(test::message<std::exception>([] { Table{std::vector<Table::Row>{}}; }) ==
+        "Table.rows = 0: must be at least one");
+  CHECK(test::message<std::exception>([] { ScalarFunction{Ramp{.to = 1}}; }) ==
+        "Ramp.over = nan: must be given, and not negative");
 }
 
 namespace {
@@ -136,22 +127,24 @@ TEST_CASE("Same bits with every kind of load on 1, 2 and 3 threads; a state rest
 }
 
 TEST_CASE("Bad loads name value and rule, when the scene is made or at run time") {
-  CHECK(message([] { traction(top(), {0, std::nan("")}); }) == "component 1 = nan: must be finite");
-  CHECK(message([] {
+  CHECK(test::message<std::exception>([] {
+          traction(top(), {0, std::nan("")});
+        }) == "component 1 = nan: must be finite");
+  CHECK(test::message<std::exception>([] {
           gravity({0, -9.81}, [](const Triple&, double) { return 1.0; });
         }) == "gravity: factor = f(x, t): must be a function of time alone; use body_force");
   const auto make = [](const auto& part) { return bar_on_grid(part); };
-  CHECK(message([&] {
+  CHECK(test::message<std::exception>([&] {
           make(traction(front(), {0, 0, 1}));
         }) == "MeshFaces.axis = 2: must be an axis of the scene");
-  CHECK(message([&] {
+  CHECK(test::message<std::exception>([&] {
           make(traction(on("crown"), {0, 1}));
         }) == "MeshFaces.set = crown: a Cartesian grid has no node sets; use sides or where(test)");
-  CHECK(message([&] {
+  CHECK(test::message<std::exception>([&] {
           make(traction(where([](const Triple&) { return false; }), {0, 1}));
         }) == "traction on where: faces = 0: must be at least one face of the mesh's hull");
   const auto on = [&](Box<2> box, double thickness, std::initializer_list<double> normal) {
-    return message([&] {
+    return test::message<std::exception>([&] {
       make(traction(surface(box, {.normal = VectorFunction(normal), .thickness = thickness}), {0, 1}));
     });
   };
@@ -161,7 +154,7 @@ TEST_CASE("Bad loads name value and rule, when the scene is made or at run time"
   CHECK(on({{1.5, 0}, {2, 1}}, 0.1, {0, 1}) ==
         "traction on the surface of a body: points = 0: must be at least one point of the body");
   const auto at_run_time = [&](auto part) {
-    return message([&] {
+    return test::message<std::exception>([&] {
       auto scene = make(part);
       step(scene, 1e-5);
       step(scene, 1e-5);
@@ -173,7 +166,7 @@ TEST_CASE("Bad loads name value and rule, when the scene is made or at run time"
   CHECK(at_run_time(pressure(right(), [](const Triple& x, double t) {
           return t > 0 && x[1] < h / 2 ? std::nan("") : 1.0;
         })) == joined_text("t = 1e-05 s: pressure on right at (1, ", h / 4, ") m = nan: must be finite"));
-  CHECK(message([&] {
+  CHECK(test::message<std::exception>([&] {
           BoundGravityInTime<double, 2>{gravity({0, -1}, breaks).g}.acceleration(2);
         }) == "t = 2 s: gravity = (nan, nan): must be finite");
 }

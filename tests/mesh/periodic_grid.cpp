@@ -3,6 +3,7 @@
 #include <random>
 
 #include "catch.hpp"
+#include "message.hpp"
 #include "state_buffer.hpp"
 #include "validation.hpp"
 
@@ -226,18 +227,10 @@ TEST_CASE("Rings: the same bits on any number of threads and after a restored st
   one.restore(b);
   for (int k = 0; k < 10; ++k) step(a, 1e-5), step(b, 1e-5);
   CHECK(test::StateBuffer::first_difference(test::StateBuffer(a), test::StateBuffer(b)) == "");
-  const auto message = [](auto&& f) -> std::string {
-    try {
-      f();
-    } catch (const error& e) {
-      return e.what();
-    }
-    return "nothing thrown";
-  };
   const auto small = periodic<0>(CartesianGrid<2>{{.lower = {0, 0}, .upper = {2, 4}, .cell = 1}});
-  CHECK(message([&] { QuadraticBSpline::node_count(small); }) ==
+  CHECK(test::message([&] { QuadraticBSpline::node_count(small); }) ==
         "periodic: cells = 2: must be at least 3 along a periodic axis");
-  CHECK(message([&] { resolve<LinearGrid>(small, walls(right(fixed))); }) ==
+  CHECK(test::message([&] { resolve<LinearGrid>(small, walls(right(fixed))); }) ==
         "Wall.axis = 0: is periodic: the mesh has no face there");
 }
 

@@ -3,6 +3,7 @@
 #include <random>
 
 #include "catch.hpp"
+#include "message.hpp"
 #include "state_buffer.hpp"
 #include "validation.hpp"
 
@@ -89,15 +90,6 @@ void check_search(const Grid& grid) {
   }
 }
 
-std::string message(auto&& f) {
-  try {
-    f();
-  } catch (const std::exception& e) {
-    return e.what();
-  }
-  return "nothing thrown";
-}
-
 }  // namespace
 
 TEST_CASE("Functions between lines at any distances: unity, linear fields, gradients, no less stable") {
@@ -128,13 +120,13 @@ TEST_CASE("Search between lines; lines that grow; refused ones") {
     if (lines[i - 1] >= 0 && lines[i] <= 1) CHECK(std::abs(now - 0.1) <= 1e-12);
   }
   CHECK(lines.size() < 35);
-  CHECK(message([] {
+  CHECK(test::message<std::exception>([] {
           RectilinearGrid<2>{{.x = {0, 1}, .y = {0}}};
         }) == "RectilinearGrid.y = 1: must be at least two lines");
-  CHECK(message([] {
+  CHECK(test::message<std::exception>([] {
           RectilinearGrid<2>{{.x = {0, 1, 0.5}, .y = {0, 1}}};
         }).find("RectilinearGrid.x[2]: distance = -0.5: must lie between") == 0);
-  CHECK(message([] {
+  CHECK(test::message<std::exception>([] {
           const std::vector<double> l = GrowingLines{.lower = 0, .upper = 1, .cell = 0.1, .growth = 3};
         }) == "GrowingLines.growth = 3: must lie in [1, 2]");
 }
@@ -238,7 +230,7 @@ TEST_CASE("A grid moves with a body: what drifts is as what rests, and no point 
   CHECK(test::StateBuffer::first_difference(test::StateBuffer(again), test::StateBuffer(drifts)) == "");
   // A part of the grid that is squeezed until nothing is left of it.
   auto stops = bar(grid, -100, MovingMesh<LedByBody<0>>{.fixed_below = -0.6, .moving_from = -0.2});
-  CHECK(message([&] {
+  CHECK(test::message<std::exception>([&] {
           run(stops, {.end = 1, .courant = 0.5});
         }).find("the compressing zone below -0.2 m is used up") != std::string::npos);
 }

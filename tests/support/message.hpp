@@ -1,0 +1,20 @@
+// What an exception says.
+#pragma once
+
+#include <arenite/core/error.hpp>
+#include <string>
+
+namespace arenite::test {
+
+/// What `f` throws, if it is an `Exception`; others pass through.
+template <class Exception = error, class F>
+std::string message(F&& f) {
+  try {
+    f();
+  } catch (const Exception& e) {
+    return e.what();
+  }
+  return "nothing thrown";
+}
+
+}  // namespace arenite::test

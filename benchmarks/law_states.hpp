@@ -10,11 +10,7 @@
 namespace arenite::bench {
 
 inline constexpr double density = 1540, young = 5e6, poisson = 0.33, friction = 40 * pi / 180;
-
-template <class Law, class T, int D>
-concept can_yield = requires(const Law law, const Sym<T, D> s) {
-  law.yield(s);
-};
+inline constexpr double time_step = 1e-5;  // s
 
 /// Columns of points: stress and strain before a step, and room for what the step makes of them, so that
 /// each pass starts from the same states. 4160 points: too many for a branch predictor to learn, few enough
@@ -76,7 +72,7 @@ LawStates<T, D> law_states(const Law& law, double yielding) {
     });
   };
   double low = 0.2, high = 4;
-  if constexpr (can_yield<Law, T, D>) {
+  if constexpr (knows_yield<Law, T, D>) {
     const auto elastic = law.elasticity();
     for (int k = 0; k < 30 && yielding > 0; ++k) {
       const double ratio = (low + high) / 2;
@@ -84,7 +80,7 @@ LawStates<T, D> law_states(const Law& law, double yielding) {
       for (std::size_t p = 0; p < states.n; ++p) {
         const auto inc = states.step_of(p);
         const Sym<T, D> trial = turned(scaled(p, ratio), inc.spin) + elastic.stress(inc.strain);
-        count += law.yield(trial) > T(0);
+        count += yield_of(law, trial, typename Law::template History<T>{}) > T(0);
       }
       (static_cast<double>(count) < yielding * static_cast<double>(states.n) ? low : high) = ratio;
     }
@@ -117,6 +113,7 @@ template <int W, class T, int D, class Law>
     Sym<Value, D> stress = all(states.stress);
     StrainStep<Value, D> inc;
     inc.strain = all(states.strain);
+    inc.dt = time_step;
     for (std::size_t i = 0; i < states.spins; ++i) inc.spin[i] = take(states.spin[i], p);
     typename Law::template History<Value> history{};
     const auto each_memory = [&](auto&& f) {

@@ -54,7 +54,7 @@ void add_width(const std::string& name, const Law& law, double yielding) {
 /// A law on elastic states and, if it yields, on states of which 60 % do.
 template <class T, int D, class Law>
 void add(const std::string& word, const Law& law) {
-  constexpr bool yields = can_yield<Law, T, D>;
+  constexpr bool yields = knows_yield<Law, T, D>;
   for (const double yielding : {0.0, 0.6}) {
     if (yielding > 0 && !yields) continue;
     const std::string name = joined_text("law/", word, "/", D, "d/", sizeof(T) == 4 ? "float" : "double", "/",
@@ -140,7 +140,9 @@ int main(int argc, char** argv) {
   add_all("linear_elastic", elastic);
   add_all("mohr_coulomb", MohrCoulomb<>{sand});
   add_all("mohr_coulomb_remembers", MohrCoulomb<RemembersOpening>{sand, RemembersOpening{}});
+  add_all("mohr_coulomb_linear_rate", MohrCoulomb{sand, ForgetsOpening{}, LinearRateFriction{}});
   add_all("drucker_prager", DruckerPrager<>{grains});
+  add_all("drucker_prager_linear_rate", DruckerPrager{grains, ForgetsOpening{}, LinearRateFriction{}});
   add_all("drucker_prager_remembers", DruckerPrager<RemembersOpening>{grains, RemembersOpening{}});
 
   const auto rivals = [&]<class T>(T) {

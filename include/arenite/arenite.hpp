@@ -10,8 +10,10 @@
 #include <arenite/contact/contact.hpp>
 #include <arenite/contact/frictional_wall.hpp>
 #include <arenite/core/units.hpp>
+#include <arenite/law/drive.hpp>
 #include <arenite/law/drucker_prager.hpp>
 #include <arenite/law/linear_elastic.hpp>
+#include <arenite/law/linear_rate_friction.hpp>
 #include <arenite/law/mohr_coulomb.hpp>
 #include <arenite/law/with_deviatoric_strain.hpp>
 #include <arenite/load/absorbing.hpp>

@@ -51,20 +51,20 @@ class DruckerPragerSurface {
     N per_sin;  // eta / sin(phi)
     if (p.cone == Cone::plane_strain) {
       flow_ = sin_flow / std::sqrt(1 + sin_flow * sin_flow / 3);
-      per_sin = N(1) / (N(std::sqrt(1 - flow_ * flow_ / 3)) + N(flow_) * angle.sin / N(3));
+      per_sin = reciprocal(N(N(std::sqrt(1 - flow_ * flow_ / 3)) + N(flow_ / 3) * angle.sin));
     } else {
       const double sign = p.cone == Cone::compression ? -1 : 1;
       flow_ = 6 * sin_flow / (root * (3 + sign * sin_flow));
-      per_sin = N(6) / (N(root) * (N(3) + N(sign) * angle.sin));
+      per_sin = N(6 / root) * reciprocal(N(N(3) + N(sign) * angle.sin));
     }
     slope_ = per_sin * angle.sin;
     strength_ = per_sin * N(p.cohesion) * angle.cos;
-    const N apex = N(p.cohesion) / angle.tan;
+    const N apex = p.cohesion > 0 ? N(N(p.cohesion) / angle.tan) : N(0);
     limit_ = min(N(p.tension), apex);
     cuts_ = any_of(limit_ < apex);
     q_at_limit_ = strength_ - slope_ * limit_;
     cut_dilation_ = bulk_ * flow_ / elasticity.shear();
-    const N rate = N(1) / (N(elasticity.shear()) + N(bulk_) * slope_ * N(flow_));
+    const N rate = reciprocal(N(N(elasticity.shear()) + N(bulk_ * flow_) * slope_));
     p_change_ = rate * N(bulk_) * N(flow_);
     q_kept_ = p_change_ * slope_;
   }

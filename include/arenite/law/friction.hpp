@@ -17,15 +17,29 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 ///   T slope(double given, const StrainStep<T, D>& step, History<T>& history) const;
 ///
 /// tan(phi) of a step, >= 0; `given` is that of the law's parameters, `step` what the matter feels of the
-/// step. The law then computes its yield surface anew for each point. A slope that hardens or softens with
-/// strain keeps the strain in its history. It should not fall below the tangent of the dilatancy: plastic
-/// flow would then produce energy.
+/// step. The law then computes its yield surface anew for each point, with slopes up to tan(1.55). A slope
+/// that hardens or softens with strain keeps the strain in its history. It should not fall below the tangent
+/// of the dilatancy: plastic flow would then produce energy.
+///
+/// Optional members of a policy:
+///
+/// - `bool constant() const`: whether its constants make it the same as `ConstantFriction` (a rate term of
+///   0). The law then returns to its one surface, with the same results to the bit; the history is kept up.
 struct ConstantFriction {
   template <class T>
   using History = NoHistory<T>;
 };
 
 namespace detail {
+
+/// Whether a policy by point gives the law's own angle everywhere.
+template <class Friction>
+bool same_as_constant(const Friction& friction) {
+  if constexpr (requires { friction.constant(); })
+    return friction.constant();
+  else
+    return false;
+}
 
 /// Sine, cosine and tangent of an angle of friction: numbers N of one angle, or packs of one for each point.
 template <class N>

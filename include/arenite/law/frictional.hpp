@@ -43,6 +43,19 @@ void check_strength(std::string_view law, const Parameters& p, bool remembers) {
         "a law that remembers its opening needs the cut-off at the apex (leave tension out)");
 }
 
+/// Whether a stress may lie outside the yield surface, by point: outside the cone inscribed in Mohr-Coulomb's
+/// pyramid, which all cones of Drucker-Prager contain, or that of the cut-off. Needs no root and no division:
+/// J2 (1 + 4/3 tan^2 phi) <= (c - p tan phi)^2.
+template <class T, int D>
+auto may_yield(const Sym<T, D>& stress, const T& slope, double cohesion, double tension) {
+  const T p = trace(stress) * T(1.0 / 3);
+  const Sym<T, D> dev = add_isotropic(stress, T(-p));
+  const T j2 = contract(dev, dev) * T(0.5);
+  const T strength = T(cohesion) - slope * p, below = T(tension) - p;
+  return !(strength >= T(0) && j2 * (T(1) + T(4.0 / 3) * slope * slope) <= strength * strength &&
+           below >= T(0) && j2 * T(4.0 / 3) <= below * below);
+}
+
 }  // namespace detail
 
 /// An elastic, perfectly plastic law with a yield surface for friction.
@@ -86,7 +99,7 @@ class Frictional : public Memory {
   Inelastic<T> update(Sym<T, D>& stress, const StrainStep<T, D>& step, History<T>& history) const {
     const auto& carried = Memory::carried(stress, step, history);
     stress = turned(stress, carried.spin) + elasticity_.stress(carried.strain);
-    Inelastic<T> parts = surface_in(carried, history).return_to_yield(stress);
+    Inelastic<T> parts = return_to_yield(stress, carried, history);
     Memory::open(parts.opening, history);
     if constexpr (Memory::remembers)
       parts.opening = parts.opening + trace(step.strain) - trace(carried.strain);
@@ -99,31 +112,47 @@ class Frictional : public Memory {
   }
 
   /// How far a stress lies outside the yield surface (> 0) or within (< 0), -; 0 at no stress. With friction
-  /// by point that of matter at rest.
+  /// by point that of a step without strain and time.
   template <class T, int D>
   T yield(const Sym<T, D>& stress) const requires constant {
     return surface_.yield(stress);
   }
   template <class T, int D>
   T yield(const Sym<T, D>& stress, History<T> history) const requires(!constant) {
-    return surface_in(StrainStep<T, D>{}, history).yield(stress);
+    if (detail::same_as_constant(friction_)) return surface_.yield(stress);
+    return surface_of(slope_of_point(StrainStep<T, D>{}, history)).yield(stress);
   }
 
  private:
-  /// The surface of each point, or the one of all.
   template <class T, int D>
-  decltype(auto) surface_in([[maybe_unused]] const StrainStep<T, D>& step,
-                            [[maybe_unused]] History<T>& history) const {
-    if constexpr (constant)
-      return (surface_);
-    else
-      return Surface<T>(parameters_, elasticity_,
-                        detail::friction_of_slope(friction_.slope(given_slope_, step, history)));
+  Inelastic<T> return_to_yield(Sym<T, D>& stress, [[maybe_unused]] const StrainStep<T, D>& step,
+                               [[maybe_unused]] History<T>& history) const {
+    if constexpr (constant) {
+      return surface_.return_to_yield(stress);
+    } else {
+      const T slope = slope_of_point(step, history);
+      if (detail::same_as_constant(friction_)) return surface_.return_to_yield(stress);
+      if (!any_of(detail::may_yield(stress, slope, parameters_.cohesion, parameters_.tension)))
+        return {T(0), T(0)};
+      return surface_of(slope).return_to_yield(stress);
+    }
+  }
+
+  template <class T, int D>
+  T slope_of_point(const StrainStep<T, D>& step, History<T>& history) const {
+    using std::min;
+    return min(T(friction_.slope(given_slope_, step, history)), T(greatest_slope_));
+  }
+
+  template <class T>
+  Surface<T> surface_of(const T& slope) const {
+    return {parameters_, elasticity_, detail::friction_of_slope(slope)};
   }
 
   Elasticity elasticity_;
   Surface<double> surface_;                     // of the parameters
   double greatest_volume_ratio_, given_slope_;  // -
+  double greatest_slope_ = std::tan(detail::greatest_friction);
   [[no_unique_address]] Friction friction_;
   [[no_unique_address]] std::conditional_t<constant, Nothing, Parameters> parameters_;
 };

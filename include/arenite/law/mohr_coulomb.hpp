@@ -44,18 +44,19 @@ class MohrCoulombSurface {
     nu_ = elasticity.poisson();
     sin_ = angle.sin;
     cohesive_ = N(p.cohesion) * angle.cos;
-    inscribed_ = N(1) + sin_ * sin_ / N(3);
-    slope_ = (N(1) + sin_) / (N(1) - sin_);
-    strength_ = N(2) * cohesive_ / (N(1) - sin_);
-    apex_ = N(p.cohesion) / angle.tan;
+    inscribed_ = N(1) + sin_ * sin_ * N(1.0 / 3);
+    const N per_difference = reciprocal(N(N(1) - sin_));
+    slope_ = (N(1) + sin_) * per_difference;
+    strength_ = N(2) * cohesive_ * per_difference;
+    apex_ = p.cohesion > 0 ? N(N(p.cohesion) / angle.tan) : N(0);
     dilates_ = p.dilatancy > 0;
     cuts_ = any_of(N(tension_) < apex_);
     corner_ = slope_ * N(tension_) - strength_;
     dilation_ = (flow - 1) * (1 + nu_) / (1 - 2 * nu_);
     const double shear2 = 2 * elasticity.shear(), iso = elasticity.lame() * (flow - 1);
     const std::array<double, 3> r{iso + shear2 * flow, iso, iso - shear2};
-    const N excess = slope_ * N(r[0]) - N(r[2]);
-    for (std::size_t i = 0; i < 3; ++i) plane_[i] = N(r[i]) / excess;
+    const N per_excess = reciprocal(N(slope_ * N(r[0]) - N(r[2])));
+    for (std::size_t i = 0; i < 3; ++i) plane_[i] = N(r[i]) * per_excess;
     extension_ = Edge({N(1), N(1), slope_}, {1, 1, flow}, {N(0), N(0), -strength_}, nu_);
     compression_ = Edge({N(1), slope_, slope_}, {1, flow, flow}, {N(0), -strength_, -strength_}, nu_);
   }
@@ -129,8 +130,9 @@ class MohrCoulombSurface {
         along += N(n[i]) * line[i];
       }
       offset = N(0);
+      const N per_along = reciprocal(along);
       for (std::size_t i = 0; i < 3; ++i) {
-        weight[i] = N(n[i]) / along;
+        weight[i] = N(n[i]) * per_along;
         offset -= weight[i] * base[i];
       }
     }

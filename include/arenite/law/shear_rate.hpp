@@ -1,0 +1,59 @@
+// Shear rate of a point, smoothed over a given time: what friction and stiffness that depend on the rate
+// share.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <string_view>
+#include <tuple>
+
+#include <arenite/law/elasticity.hpp>
+#include <arenite/law/law.hpp>
+
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
+
+/// sqrt(2 e:e) of the deviatoric strain rate e, 1/s: in simple shear the rate of the angle gamma. 0 where no
+/// time passes.
+template <class T, int D>
+T shear_rate(const StrainStep<T, D>& step) {
+  using std::sqrt;
+  const Sym<T, D> e = deviator(step.strain);
+  return sqrt(T(T(2) * contract(e, e))) * T(step.per_time());
+}
+
+/// History of a policy that depends on the shear rate.
+template <class T>
+struct ShearRateHistory {
+  T shear_rate{0};  ///< smoothed, 1/s
+  static constexpr std::array names{"shear_rate"};
+  constexpr auto members() { return std::tie(shear_rate); }
+  constexpr auto members() const { return std::tie(shear_rate); }
+};
+
+/// Exponential filter of the shear rate: in a step of dt the smoothed rate r moves towards that of the step
+/// by 1 - exp(-dt/time) of their difference, however long the step.
+class RateFilter {
+ public:
+  /// `time` [s]: 0 takes the rate of each step as it is. `policy` is the name that an error message shows.
+  RateFilter(std::string_view policy, double time) : time_(time) {
+    detail::check(time >= 0 && std::isfinite(time), policy, "smoothing", time, "must not be negative (s)");
+  }
+
+  double time() const { return time_; }  ///< s
+
+  /// The smoothed rate with this step, 1/s, which it puts into the history. A step without time keeps it.
+  template <class T, int D>
+  T update(const StrainStep<T, D>& step, ShearRateHistory<T>& history) const {
+    if (!(step.dt > 0)) return history.shear_rate;
+    const T now = shear_rate(step);
+    history.shear_rate =
+        time_ > 0 ? T(history.shear_rate + (now - history.shear_rate) * T(1 - std::exp(-step.dt / time_)))
+                  : now;
+    return history.shear_rate;
+  }
+
+ private:
+  double time_;
+};
+
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -13,5 +13,6 @@ configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/arenite-config.cmake.i
 # Before 1.0 a minor version may break what came before it.
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/arenite-config-version.cmake
                                  COMPATIBILITY SameMinorVersion ARCH_INDEPENDENT)
-install(FILES ${PROJECT_SOURCE_DIR}/cmake/compositions.cmake ${PROJECT_BINARY_DIR}/arenite-config.cmake ${PROJECT_BINARY_DIR}/arenite-config-version.cmake
+install(FILES ${PROJECT_SOURCE_DIR}/cmake/compositions.cmake ${PROJECT_SOURCE_DIR}/cmake/hdf5.cmake
+              ${PROJECT_BINARY_DIR}/arenite-config.cmake ${PROJECT_BINARY_DIR}/arenite-config-version.cmake
         DESTINATION ${package_dir})

@@ -40,8 +40,9 @@ if chosen gcc || chosen clang || chosen asan; then
   need libcli11-dev "options of the driver arenite-ffp"
   need nlohmann-json3-dev "the driver's summary.json"
   need libbenchmark-dev "the benchmarks must compile"
+  need libhdf5-dev "states and series in HDF5 files"
   need python3-matplotlib "the driver's pictures are drawn"
-  need python3-venv "meshio, in a virtual environment, writes and reads the files that the readers and writers are tested on"
+  need python3-venv "meshio and h5py, in a virtual environment, write and read the files that the readers and writers are tested on"
 fi
 if chosen clang || chosen asan; then
   need clang "the second compiler" clang++

@@ -59,13 +59,11 @@ inline constexpr const char* byte_order() {
 }
 }  // namespace shared_detail
 
-/// Writes a state file, such that at any time `path` is absent, the old file or the new one, on the disk as a
-/// whole, whenever the process is killed or the machine stops. Throws `output_error` if it cannot be written,
-/// `error` for a name or a term with a line break.
-inline void write_state_file(const std::filesystem::path& path, const std::vector<StateTerm>& terms,
-                             const std::vector<StateEntry>& entries) {
-  std::string head = joined_text(shared_detail::state_magic, shared_detail::state_format,
-                                 "\nbyte order: ", shared_detail::byte_order(), "\n");
+namespace shared_detail {
+
+/// The head. Throws `error` for a name or a term with a line break.
+inline std::string state_head(const std::vector<StateTerm>& terms, const std::vector<StateEntry>& entries) {
+  std::string head = joined_text(state_magic, state_format, "\nbyte order: ", byte_order(), "\n");
   const auto line = [&](const std::string& text) {
     require(text.find_first_of("\r\n") == std::string::npos, "state", text, "must not hold a line break");
     head += text + "\n";
@@ -73,7 +71,17 @@ inline void write_state_file(const std::filesystem::path& path, const std::vecto
   for (const auto& [key, value] : terms) line(key + ": " + value);
   line(joined_text("values: ", entries.size()));
   for (const auto& entry : entries) line(joined_text(entry.type(), " ", entry.count, " ", entry.name));
-  head += "\n";
+  return head + "\n";
+}
+
+}  // namespace shared_detail
+
+/// Writes a state file, such that at any time `path` is absent, the old file or the new one, on the disk as a
+/// whole, whenever the process is killed or the machine stops. Throws `output_error` if it cannot be written,
+/// `error` for a name or a term with a line break.
+inline void write_state_file(const std::filesystem::path& path, const std::vector<StateTerm>& terms,
+                             const std::vector<StateEntry>& entries) {
+  const std::string head = shared_detail::state_head(terms, entries);
   shared_detail::replace_file(
       path,
       [&](std::ostream& out) {

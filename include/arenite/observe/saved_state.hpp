@@ -94,30 +94,20 @@ StateEntry entry_of(std::string_view name, Value& value) {
     return entry(value.data(), static_cast<std::size_t>(value.size()));
 }
 
-}  // namespace detail
-
-/// Saves the state of a scene, and of observers that have a `visit_state` (`Every`, `Watch`, ..), between two
-/// steps: in the run's loop, or as an observer, which then must be the last one. At any time the file is the
-/// old or the new one as a whole. Throws `output_error` if it cannot be written.
+/// All values, where they are.
 template <class Scene, class... Observers>
-void save_state(const Scene& scene, const SavedState& to, const Observers&... observers) {
+std::vector<StateEntry> state_entries(const Scene& scene, const Observers&... observers) {
   std::vector<StateEntry> entries;
-  detail::visit_run(
-      scene,
-      [&](std::string_view name, const auto& value) { entries.push_back(detail::entry_of(name, value)); },
+  visit_run(
+      scene, [&](std::string_view name, const auto& value) { entries.push_back(entry_of(name, value)); },
       observers...);
-  write_state_file(to.path, detail::state_terms(scene, to.recipe), entries);
+  return entries;
 }
 
-/// Puts a saved state into a scene of the same recipe, and into the same observers in the same order (who has
-/// a `follow_state(scene)` is then asked to renew what follows from it); the run
-/// then goes on with the same bits, on any number of threads. Parameters (of laws, gravity, contact) are
-/// those of the scene, not of the file. Throws `error` that names file and reason, with the scene as it was,
-/// if the file is foreign, truncated or damaged, or of another composition, mesh, recipe or set of observers.
-template <class Scene, class... Observers>
-void restore_state(Scene& scene, const SavedState& from, Observers&... observers) {
-  StateFile file(from.path);
-  const auto wanted = detail::state_terms(scene, from.recipe);
+/// Throws the refusal of a state file of another run: its head, or its values, are not those of this one.
+template <class File, class Scene, class... Observers>
+void refuse_other_run(const File& file, Scene& scene, const std::string& recipe, Observers&... observers) {
+  const auto wanted = state_terms(scene, recipe);
   for (std::size_t k = 0; k < std::max(wanted.size(), file.terms().size()); ++k) {
     const StateTerm none_there{"nothing", "more"},
         &here = k < wanted.size() ? wanted[k] : none_there,
@@ -127,10 +117,10 @@ void restore_state(Scene& scene, const SavedState& from, Observers&... observers
                               here.first, ": ", here.second));
   }
   std::size_t known = 0;
-  detail::visit_run(
+  visit_run(
       scene,
       [&](std::string_view name, auto& value) {
-        const StateEntry here = detail::entry_of(name, value);
+        const StateEntry here = entry_of(name, value);
         const StateEntry* there = file.find(name);
         if (there == nullptr) file.refuse(joined_text("has no ", name, ", which this run has"));
         if (there->type() != here.type())
@@ -142,7 +132,13 @@ void restore_state(Scene& scene, const SavedState& from, Observers&... observers
       observers...);
   if (known != file.entries().size())
     file.refuse(joined_text("holds ", file.entries().size(), " values; this run has ", known));
-  detail::visit_run(
+}
+
+/// Restores from a file that is open, in whichever container: `terms`, `entries`, `find`, `read`, `refuse`.
+template <class File, class Scene, class... Observers>
+void restore_from(File&& file, Scene& scene, const std::string& recipe, Observers&... observers) {
+  refuse_other_run(file, scene, recipe, observers...);
+  visit_run(
       scene,
       [&](std::string_view name, auto& value) {
         const StateEntry& entry = *file.find(name);
@@ -161,6 +157,27 @@ void restore_state(Scene& scene, const SavedState& from, Observers&... observers
       observer.follow_state(std::as_const(scene));
   };
   (follow(observers), ...);
+}
+
+}  // namespace detail
+
+/// Saves the state of a scene, and of observers that have a `visit_state` (`Every`, `Watch`, ..), between two
+/// steps: in the run's loop, or as an observer, which then must be the last one. At any time the file is the
+/// old or the new one as a whole. Throws `output_error` if it cannot be written.
+template <class Scene, class... Observers>
+void save_state(const Scene& scene, const SavedState& to, const Observers&... observers) {
+  write_state_file(to.path, detail::state_terms(scene, to.recipe),
+                   detail::state_entries(scene, observers...));
+}
+
+/// Puts a saved state into a scene of the same recipe, and into the same observers in the same order (who has
+/// a `follow_state(scene)` is then asked to renew what follows from it); the run
+/// then goes on with the same bits, on any number of threads. Parameters (of laws, gravity, contact) are
+/// those of the scene, not of the file. Throws `error` that names file and reason, with the scene as it was,
+/// if the file is foreign, truncated or damaged, or of another composition, mesh, recipe or set of observers.
+template <class Scene, class... Observers>
+void restore_state(Scene& scene, const SavedState& from, Observers&... observers) {
+  detail::restore_from(StateFile(from.path), scene, from.recipe, observers...);
 }
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

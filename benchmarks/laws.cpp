@@ -140,10 +140,20 @@ int main(int argc, char** argv) {
   add_all("linear_elastic", elastic);
   add_all("mohr_coulomb", MohrCoulomb<>{sand});
   add_all("mohr_coulomb_remembers", MohrCoulomb<RemembersOpening>{sand, RemembersOpening{}});
-  add_all("mohr_coulomb_linear_rate", MohrCoulomb{sand, ForgetsOpening{}, LinearRateFriction{}});
   add_all("drucker_prager", DruckerPrager<>{grains});
-  add_all("drucker_prager_linear_rate", DruckerPrager{grains, ForgetsOpening{}, LinearRateFriction{}});
   add_all("drucker_prager_remembers", DruckerPrager<RemembersOpening>{grains, RemembersOpening{}});
+  const auto add_friction = [&](const std::string& word, const auto& policy) {
+    add<double, 3>("mohr_coulomb_" + word, MohrCoulomb{sand, ForgetsOpening{}, policy});
+    add<double, 2>("mohr_coulomb_" + word, MohrCoulomb{sand, ForgetsOpening{}, policy});
+    add<double, 3>("drucker_prager_" + word, DruckerPrager{grains, ForgetsOpening{}, policy});
+    add<double, 2>("drucker_prager_" + word, DruckerPrager{grains, ForgetsOpening{}, policy});
+  };
+  const SofteningParameters softening{.residual_friction = 0.9 * friction, .decay = 8};
+  add_friction("linear_rate", LinearRateFriction{});
+  add_friction("inertial", InertialFriction{});
+  add_friction("logarithmic", LogarithmicFriction{});
+  add_friction("softening", SofteningFriction{softening});
+  add_friction("rate_softening", RateSofteningFriction{{.softening = softening}});
 
   const auto rivals = [&]<class T>(T) {
     const rival::MohrCoulomb<T> mohr_coulomb(density, young, poisson, friction);

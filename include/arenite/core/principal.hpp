@@ -33,19 +33,6 @@ inline constexpr double smallest_divisor = 1e-30;
 
 namespace detail {
 
-/// Type of one lane: T itself, or that of a pack's lanes.
-template <class T>
-struct ScalarOf {
-  using type = T;
-};
-template <class T>
-requires requires { typename T::scalar; }
-struct ScalarOf<T> {
-  using type = typename T::scalar;
-};
-template <class T>
-using scalar_of = typename ScalarOf<T>::type;
-
 /// `smallest_divisor` for a square, Pa2.
 template <class T>
 inline constexpr double smallest_square = sizeof(scalar_of<T>) == 8 ? 1e-60 : 1e-30;

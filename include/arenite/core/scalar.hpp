@@ -56,6 +56,23 @@ constexpr T square(T x) {
   return x * x;
 }
 
+namespace detail {
+
+/// Type of one lane: T itself, or that of a pack's lanes.
+template <class T>
+struct ScalarOf {
+  using type = T;
+};
+template <class T>
+requires requires { typename T::scalar; }
+struct ScalarOf<T> {
+  using type = typename T::scalar;
+};
+template <class T>
+using scalar_of = typename ScalarOf<T>::type;
+
+}  // namespace detail
+
 /// Stands in for a member, or for a value, that a composition does not need; made of anything.
 struct Nothing {
   Nothing() = default;

@@ -40,38 +40,41 @@ namespace detail {
 /// - yield: q + eta p <= kappa;
 /// - potential: q + eta' p;
 /// - cut-off: p <= tension, with purely volumetric flow.
-template <class N>
+/// `Flow`: numbers of the dilatancy, double or N.
+template <class N, class Flow>
 class DruckerPragerSurface {
  public:
   DruckerPragerSurface(const DruckerPragerParameters& p, const Elasticity& elasticity,
-                       const FrictionAngle<N>& angle)
+                       const FrictionAngle<N>& angle, const Flow& sin_dilatancy)
       : bulk_(elasticity.bulk()), cohesion_(p.cohesion) {
-    using std::min;
-    const double sin_flow = std::sin(p.dilatancy), root = std::sqrt(3.0);
+    using std::min, std::sqrt;
+    const double root = std::sqrt(3.0);
     N per_sin;  // eta / sin(phi)
     if (p.cone == Cone::plane_strain) {
-      flow_ = sin_flow / std::sqrt(1 + sin_flow * sin_flow / 3);
-      per_sin = reciprocal(N(N(std::sqrt(1 - flow_ * flow_ / 3)) + N(flow_ / 3) * angle.sin));
+      flow_ = sin_dilatancy / sqrt(Flow(Flow(1) + sin_dilatancy * sin_dilatancy / Flow(3)));
+      per_sin =
+          reciprocal(N(N(sqrt(Flow(Flow(1) - flow_ * flow_ / Flow(3)))) + N(flow_ / Flow(3)) * angle.sin));
     } else {
       const double sign = p.cone == Cone::compression ? -1 : 1;
-      flow_ = 6 * sin_flow / (root * (3 + sign * sin_flow));
+      flow_ = Flow(6) * sin_dilatancy / (Flow(root) * (Flow(3) + Flow(sign) * sin_dilatancy));
       per_sin = N(6 / root) * reciprocal(N(N(3) + N(sign) * angle.sin));
     }
+    dilates_ = any_of(sin_dilatancy > Flow(0));
     slope_ = per_sin * angle.sin;
     strength_ = per_sin * N(p.cohesion) * angle.cos;
     const N apex = p.cohesion > 0 ? N(N(p.cohesion) / angle.tan) : N(0);
     limit_ = min(N(p.tension), apex);
     cuts_ = any_of(limit_ < apex);
     q_at_limit_ = strength_ - slope_ * limit_;
-    cut_dilation_ = bulk_ * flow_ / elasticity.shear();
-    const N rate = reciprocal(N(N(elasticity.shear()) + N(bulk_ * flow_) * slope_));
+    cut_dilation_ = Flow(bulk_) * flow_ / Flow(elasticity.shear());
+    const N rate = reciprocal(N(N(elasticity.shear()) + N(Flow(bulk_) * flow_) * slope_));
     p_change_ = rate * N(bulk_) * N(flow_);
     q_kept_ = p_change_ * slope_;
   }
 
-  const N& slope() const { return slope_; }        ///< eta, -
-  double flow_slope() const { return flow_; }      ///< eta', -
-  const N& strength() const { return strength_; }  ///< kappa, Pa
+  const N& slope() const { return slope_; }         ///< eta, -
+  const Flow& flow_slope() const { return flow_; }  ///< eta', -
+  const N& strength() const { return strength_; }   ///< kappa, Pa
 
   /// Takes a trial stress [Pa] back to the yield surface, in place; one within it stays bit for bit. Returns
   /// what opened and what dilated, -: the opening is the volumetric plastic strain of a return to the apex,
@@ -106,7 +109,7 @@ class DruckerPragerSurface {
     if (cuts_) opening = max(T(opening - max(T(q - T(q_at_limit_)), T(0)) * T(cut_dilation_)), T(0));
     const T per_stress = T(1 / bulk_);
     opening = select(returns && beyond, T(opening * per_stress), T(0));
-    if (flow_ == 0) return {opening, T(0)};
+    if (!dilates_) return {opening, T(0)};
     return {opening, select(returns, T((p - p_back) * per_stress - opening), T(0))};
   }
 
@@ -122,13 +125,15 @@ class DruckerPragerSurface {
   }
 
  private:
-  double bulk_, cohesion_, flow_;  // Pa, Pa; eta', -
-  N slope_, strength_;             // eta, -; kappa, Pa
-  N p_change_, q_kept_;            // of p to the cone, and what q keeps, per unit of yield function, -
-  N limit_;                        // the lower of apex and cut-off, Pa
-  bool cuts_;                      // whether the cut-off lies below the apex
-  N q_at_limit_;                   // q where the cut-off meets the cone, Pa
-  double cut_dilation_;            // K eta' / G, -
+  double bulk_, cohesion_;  // Pa
+  Flow flow_;               // eta', -
+  bool dilates_;            // whether an angle of dilatancy is positive
+  N slope_, strength_;      // eta, -; kappa, Pa
+  N p_change_, q_kept_;     // of p to the cone, and what q keeps, per unit of yield function, -
+  N limit_;                 // the lower of apex and cut-off, Pa
+  bool cuts_;               // whether the cut-off lies below the apex
+  N q_at_limit_;            // q where the cut-off meets the cone, Pa
+  Flow cut_dilation_;       // K eta' / G, -
 };
 
 }  // namespace detail

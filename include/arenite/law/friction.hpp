@@ -9,28 +9,46 @@
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
+/// Angles of a law's parameters, as a policy is given them.
+struct GivenAngles {
+  double friction, dilatancy;     ///< rad
+  double slope, dilatancy_slope;  ///< their tangents
+};
+
 /// The angle of the law's parameters, everywhere and always. Stores nothing.
 ///
-/// Another policy has a `History<T>` of its own (see law.hpp) and
+/// Another policy has a `History<T>` of its own (see law.hpp) and one of
 ///
 ///   template <class T, int D>
 ///   T slope(double given, const StrainStep<T, D>& step, History<T>& history) const;
+///   template <class T, int D>
+///   T slope(const GivenAngles& given, const StrainStep<T, D>& step, const Sym<T, D>& trial,
+///           History<T>& history) const;
 ///
 /// tan(phi) of a step, >= 0; `given` is that of the law's parameters, `step` what the matter feels of the
-/// step. The law then computes its yield surface anew for each point, with slopes up to tan(1.55). A slope
-/// that hardens or softens with strain keeps the strain in its history. It should not fall below the tangent
-/// of the dilatancy: plastic flow would then produce energy.
+/// step, `trial` the elastic trial stress, Pa. The law then computes its yield surface anew for each point,
+/// with slopes up to tan(1.55).
 ///
 /// Optional members of a policy:
 ///
+/// - `T dilatancy_slope(const GivenAngles& given, const History<T>& history) const`: tan(psi) of the point,
+///   >= 0; asked after `slope`, and never more than its answer: plastic flow would else produce energy. A
+///   policy without it has the dilatancy of the law's parameters, and must keep its slope above it.
+/// - `void flow(const T& strain, History<T>& history) const`: is told the deviatoric plastic strain of the
+///   step, sqrt(2/3 e:e), -. What hardens or softens with it does so from the next step on.
 /// - `bool constant() const`: whether its constants make it the same as `ConstantFriction` (a rate term of
 ///   0). The law then returns to its one surface, with the same results to the bit; the history is kept up.
+/// - `void check(const GivenAngles& given) const`: throws `error` if its constants do not go with the law's.
 struct ConstantFriction {
   template <class T>
   using History = NoHistory<T>;
 };
 
 namespace detail {
+
+/// Greatest angle of friction, rad: 88.8 deg. The round-off of a return grows with 1 / (pi/2 - friction); in
+/// float it is here 3e-5 of the trial stress.
+inline constexpr double greatest_friction = 1.55;
 
 /// Whether a policy by point gives the law's own angle everywhere.
 template <class Friction>

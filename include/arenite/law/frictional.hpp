@@ -15,10 +15,6 @@
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 namespace detail {
 
-/// Greatest angle of friction, rad: 88.8 deg. The round-off of a return grows with 1 / (pi/2 - friction); in
-/// float it is here 3e-5 of the trial stress.
-inline constexpr double greatest_friction = 1.55;
-
 /// Mean stress at the tip of the yield surface, c cot(phi), Pa; infinite without friction.
 inline double apex(double friction, double cohesion) {
   return friction > 0 ? cohesion / std::tan(friction) : std::numeric_limits<double>::infinity();
@@ -60,11 +56,12 @@ auto may_yield(const Sym<T, D>& stress, const T& slope, double cohesion, double 
 
 /// An elastic, perfectly plastic law with a yield surface for friction.
 ///
-/// @tparam Surface   yield surface over numbers N, made of parameters, elasticity and angle of friction, with
+/// @tparam Surface   yield surface over numbers N of its friction and numbers of its dilatancy, made of
+///                   parameters, elasticity, angle of friction and sine of the dilatancy, with
 ///                   `return_to_yield(stress)` and `yield(stress)`
 /// @tparam Memory    ForgetsOpening or RemembersOpening: what separated matter does when compressed again
 /// @tparam Friction  ConstantFriction, or a policy by point (friction.hpp)
-template <template <class> class Surface, class Parameters, class Memory, class Friction>
+template <template <class, class> class Surface, class Parameters, class Memory, class Friction>
 class Frictional : public Memory {
   static constexpr bool constant = std::is_same_v<Friction, ConstantFriction>;
 
@@ -79,19 +76,20 @@ class Frictional : public Memory {
   Frictional(std::string_view name, const Parameters& p, const Memory& memory, const Friction& friction)
       : Memory(memory),
         elasticity_(name, p.density, p.young, p.poisson),
-        surface_(p, elasticity_, detail::friction_angle(p.friction)),
+        surface_(p, elasticity_, detail::friction_angle(p.friction), std::sin(p.dilatancy)),
         greatest_volume_ratio_(p.greatest_volume_ratio),
-        given_slope_(std::tan(p.friction)),
+        given_{p.friction, p.dilatancy, std::tan(p.friction), std::tan(p.dilatancy)},
         friction_(friction),
         parameters_(p) {
     detail::check_strength(name, p, Memory::remembers);
+    if constexpr (requires { friction.check(given_); }) friction.check(given_);
   }
 
   double density() const { return elasticity_.density(); }            ///< kg/m3
   double wave_modulus() const { return elasticity_.wave_modulus(); }  ///< Pa
   const Elasticity& elasticity() const { return elasticity_; }
   /// That of the parameters' angle of friction.
-  const Surface<double>& surface() const { return surface_; }
+  const Surface<double, double>& surface() const { return surface_; }
   double greatest_volume_ratio() const { return greatest_volume_ratio_; }  ///< V / V0, -
 
   /// See law.hpp. With memory the returned opening is negative in a step that closes.
@@ -120,7 +118,8 @@ class Frictional : public Memory {
   template <class T, int D>
   T yield(const Sym<T, D>& stress, History<T> history) const requires(!constant) {
     if (detail::same_as_constant(friction_)) return surface_.yield(stress);
-    return surface_of(slope_of_point(StrainStep<T, D>{}, history)).yield(stress);
+    const T slope = slope_of_point(stress, StrainStep<T, D>{}, history);
+    return surface_of_point(slope, history).yield(stress);
   }
 
  private:
@@ -130,28 +129,52 @@ class Frictional : public Memory {
     if constexpr (constant) {
       return surface_.return_to_yield(stress);
     } else {
-      const T slope = slope_of_point(step, history);
-      if (detail::same_as_constant(friction_)) return surface_.return_to_yield(stress);
-      if (!any_of(detail::may_yield(stress, slope, parameters_.cohesion, parameters_.tension)))
+      const T slope = slope_of_point(stress, step, history);
+      const bool same = detail::same_as_constant(friction_);
+      if (!same && !any_of(detail::may_yield(stress, slope, parameters_.cohesion, parameters_.tension)))
         return {T(0), T(0)};
-      return surface_of(slope).return_to_yield(stress);
+      [[maybe_unused]] const Sym<T, D> trial = stress;
+      const Inelastic<T> parts =
+          same ? surface_.return_to_yield(stress) : surface_of_point(slope, history).return_to_yield(stress);
+      if constexpr (requires { friction_.flow(slope, history); }) {
+        using std::sqrt;
+        const Sym<T, D> plastic = deviator(trial - stress);  // strain times 2 G, Pa
+        friction_.flow(
+            T(sqrt(contract(plastic, plastic)) * T(std::sqrt(2.0 / 3) / (2 * elasticity_.shear()))), history);
+      }
+      return parts;
     }
   }
 
+  /// tan(phi) of each point.
   template <class T, int D>
-  T slope_of_point(const StrainStep<T, D>& step, History<T>& history) const {
+  T slope_of_point(const Sym<T, D>& trial, const StrainStep<T, D>& step, History<T>& history) const {
     using std::min;
-    return min(T(friction_.slope(given_slope_, step, history)), T(greatest_slope_));
+    const T greatest = T(greatest_slope_);
+    if constexpr (requires { friction_.slope(given_, step, trial, history); })
+      return min(T(friction_.slope(given_, step, trial, history)), greatest);
+    else
+      return min(T(friction_.slope(given_.slope, step, history)), greatest);
   }
 
+  /// The surface of each point.
   template <class T>
-  Surface<T> surface_of(const T& slope) const {
-    return {parameters_, elasticity_, detail::friction_of_slope(slope)};
+  auto surface_of_point(const T& slope, [[maybe_unused]] const History<T>& history) const {
+    using std::min;
+    const auto angle = detail::friction_of_slope(slope);
+    if constexpr (requires { friction_.dilatancy_slope(given_, history); }) {
+      const T flow = min(T(friction_.dilatancy_slope(given_, history)), slope);
+      return Surface<T, T>(parameters_, elasticity_, angle, detail::friction_of_slope(flow).sin);
+    } else {
+      return Surface<T, double>(parameters_, elasticity_, angle, sin_dilatancy_);
+    }
   }
 
   Elasticity elasticity_;
-  Surface<double> surface_;                     // of the parameters
-  double greatest_volume_ratio_, given_slope_;  // -
+  Surface<double, double> surface_;  // of the parameters
+  double greatest_volume_ratio_;     // -
+  GivenAngles given_;
+  double sin_dilatancy_ = std::sin(given_.dilatancy);
   double greatest_slope_ = std::tan(detail::greatest_friction);
   [[no_unique_address]] Friction friction_;
   [[no_unique_address]] std::conditional_t<constant, Nothing, Parameters> parameters_;

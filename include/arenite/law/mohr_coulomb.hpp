@@ -34,13 +34,14 @@ namespace detail {
 /// - yield: k s1 - s3 <= sc, k = (1 + sin phi)/(1 - sin phi), sc = 2 c cos(phi)/(1 - sin phi);
 /// - potential: k' s1 - s3, where k' is the k of the dilatancy;
 /// - cut-off: s1 <= tension, with flow along its normals (Rankine).
-template <class N>
+/// `Flow`: numbers of the dilatancy, double or N.
+template <class N, class Flow>
 class MohrCoulombSurface {
  public:
   MohrCoulombSurface(const MohrCoulombParameters& p, const Elasticity& elasticity,
-                     const FrictionAngle<N>& angle)
+                     const FrictionAngle<N>& angle, const Flow& sin_dilatancy)
       : tension_(p.tension), cohesion_(p.cohesion), three_bulk_(3 * elasticity.bulk()) {
-    const double flow = (1 + std::sin(p.dilatancy)) / (1 - std::sin(p.dilatancy));  // k'
+    const Flow flow = (Flow(1) + sin_dilatancy) / (Flow(1) - sin_dilatancy);  // k'
     nu_ = elasticity.poisson();
     sin_ = angle.sin;
     cohesive_ = N(p.cohesion) * angle.cos;
@@ -49,16 +50,16 @@ class MohrCoulombSurface {
     slope_ = (N(1) + sin_) * per_difference;
     strength_ = N(2) * cohesive_ * per_difference;
     apex_ = p.cohesion > 0 ? N(N(p.cohesion) / angle.tan) : N(0);
-    dilates_ = p.dilatancy > 0;
+    dilates_ = any_of(sin_dilatancy > Flow(0));
     cuts_ = any_of(N(tension_) < apex_);
     corner_ = slope_ * N(tension_) - strength_;
-    dilation_ = (flow - 1) * (1 + nu_) / (1 - 2 * nu_);
-    const double shear2 = 2 * elasticity.shear(), iso = elasticity.lame() * (flow - 1);
-    const std::array<double, 3> r{iso + shear2 * flow, iso, iso - shear2};
+    dilation_ = (flow - Flow(1)) * Flow(1 + nu_) / Flow(1 - 2 * nu_);
+    const Flow shear2 = Flow(2 * elasticity.shear()), iso = Flow(elasticity.lame()) * (flow - Flow(1));
+    const std::array<Flow, 3> r{iso + shear2 * flow, iso, iso - shear2};
     const N per_excess = reciprocal(N(slope_ * N(r[0]) - N(r[2])));
     for (std::size_t i = 0; i < 3; ++i) plane_[i] = N(r[i]) * per_excess;
-    extension_ = Edge({N(1), N(1), slope_}, {1, 1, flow}, {N(0), N(0), -strength_}, nu_);
-    compression_ = Edge({N(1), slope_, slope_}, {1, flow, flow}, {N(0), -strength_, -strength_}, nu_);
+    extension_ = Edge({N(1), N(1), slope_}, {Flow(1), Flow(1), flow}, {N(0), N(0), -strength_}, nu_);
+    compression_ = Edge({N(1), slope_, slope_}, {Flow(1), flow, flow}, {N(0), -strength_, -strength_}, nu_);
   }
 
   /// Takes a trial stress [Pa] back to the yield surface, in place; one within it stays bit for bit. Returns
@@ -120,13 +121,13 @@ class MohrCoulombSurface {
     N offset{};
 
     Edge() = default;
-    Edge(const std::array<N, 3>& line, const std::array<double, 3>& potential, const std::array<N, 3>& base,
+    Edge(const std::array<N, 3>& line, const std::array<Flow, 3>& potential, const std::array<N, 3>& base,
          double nu) {
-      const double sum = nu * (potential[0] + potential[1] + potential[2]);
-      std::array<double, 3> n{};
+      const Flow sum = Flow(nu) * (potential[0] + potential[1] + potential[2]);
+      std::array<Flow, 3> n{};
       N along(0);
       for (std::size_t i = 0; i < 3; ++i) {
-        n[i] = (1 + nu) * potential[i] - sum;
+        n[i] = Flow(1 + nu) * potential[i] - sum;
         along += N(n[i]) * line[i];
       }
       offset = N(0);
@@ -199,8 +200,8 @@ class MohrCoulombSurface {
   double tension_;                // Pa
   bool cuts_;                     // whether the cut-off lies below the apex
   N corner_;                      // s3 where it meets the pyramid, Pa
-  double dilation_;               // (k' - 1) 3 K / (2 G)
-  bool dilates_;                  // whether the angle of dilatancy is positive
+  Flow dilation_;                 // (k' - 1) 3 K / (2 G)
+  bool dilates_;                  // whether an angle of dilatancy is positive
   N sin_, cohesive_, inscribed_;  // sin(phi); c cos(phi), Pa; 1 + sin^2(phi)/3
   double cohesion_;               // Pa
   std::array<N, 3> plane_;  // change of the stresses on the way to the plane, per unit of yield function

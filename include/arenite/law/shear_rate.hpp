@@ -2,11 +2,14 @@
 // share.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <string_view>
 #include <tuple>
 
+#include <arenite/core/elementary.hpp>
 #include <arenite/law/elasticity.hpp>
 #include <arenite/law/law.hpp>
 
@@ -55,5 +58,17 @@ class RateFilter {
  private:
   double time_;
 };
+
+/// Throws `error` unless a reference rate, 1/s, is one whose reciprocal is a number in float, too.
+inline void check_reference_rate(std::string_view policy, double rate) {
+  detail::check(rate >= 1e-30 && rate <= 1e30, policy, "reference_rate", rate, "must be positive (1/s)");
+}
+
+/// Decades by which a rate exceeds the reference, log10(rate / reference); 0 below it.
+template <class T>
+T decades_above(const T& rate, double reference) {
+  using std::max;
+  return lane_log(T(max(T(rate * T(1 / reference)), T(1)))) * T(1 / std::numbers::ln10);
+}
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

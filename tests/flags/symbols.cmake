@@ -1,7 +1,7 @@
 # cmake -D nm=NM -D first=OBJECT -D second=OBJECT -P symbols.cmake
 # Fails if two objects that were compiled for other instruction sets define a weak symbol of Arenite's both, of which the
 # linker would keep one. The exceptions are what a program has once: errors, the pool, meshes as data, files.
-set(once "shared_detail::|error|joined_text|vector_text|Hash|StateFile|state_file|type_words|require<|MeshData<|TriangleData|read_gmsh|read_stl|[Vv]tu|Vtu|Pvd|[Hh]df5|CsvWriter|::threads\\(\\)|::warn\\(|on_warning|warning_count|set_threads|::none|arenite::test::")
+set(once "shared_detail::|error|joined_text|vector_text|Hash|StateFile|state_file|type_words|require<|MeshData<|TriangleData|read_gmsh|read_stl|[Vv]tu|Vtu|Pvd|[Hh]df5|Vtkhdf|CsvWriter|::threads\\(\\)|::warn\\(|on_warning|warning_count|set_threads|::none|arenite::test::")
 foreach(object first second)
   execute_process(COMMAND ${nm} -C --defined-only ${${object}} OUTPUT_VARIABLE text COMMAND_ERROR_IS_FATAL ANY)
   string(REPLACE ";" "," text "${text}")

@@ -3,6 +3,7 @@
 #include <arenite/arenite.hpp>
 #include <arenite/mesh/box_mesh.hpp>
 #include <arenite/observe/saved_hdf5.hpp>
+#include <arenite/observe/vtkhdf.hpp>
 #include <chrono>
 #include <fstream>
 #include <random>
@@ -132,4 +133,37 @@ TEST_CASE("Saved as HDF5: truncated and damaged files are refused") {
     refused(damaged, "");
   }
   CHECK(StateBuffer::first_difference(StateBuffer(other), before) == "");
+}
+
+TEST_CASE("VTKHDF: a run in one file, with points that get lost; resumed it goes on with the same steps") {
+  const VtuOptions options{.mesh = true, .points = {.mass = true, .id = true}};
+  auto scene = make();
+  VtuSeries pieces("series/run", options);  // for check_hdf_files.py
+  VtkhdfSeries series("series/run", options);
+  const auto frame = [&](int count) {
+    steps(scene, count);
+    pieces(std::as_const(scene));
+    series(std::as_const(scene));
+  };
+  frame(3);
+  frame(5);
+  remove_points<"sand">(scene, Box{{0., 0.3}, {0.3, 0.4}});
+  frame(5);
+  save_state(scene, Hdf5State{"series.h5"}, series);
+  frame(5);
+  VtkhdfSeries resumed("series/run", options);  // without the last step, which is written again
+  restore_state(scene, Hdf5State{"series.h5"}, resumed);
+  steps(scene, 5);
+  resumed(std::as_const(scene));
+  const auto rows = [](const std::string& file, const std::string& name) {
+    return count_rows(Hdf5File(file, Hdf5Access::read), name);
+  };
+  CHECK(rows("series/run_sand.vtkhdf", "VTKHDF/Steps/Values") == 4);
+  CHECK(rows("series/run_sand.vtkhdf", "VTKHDF/NumberOfPoints") == 3);  // at first, without some, resumed
+  CHECK(rows("series/run_mesh.vtkhdf", "VTKHDF/Points") == 2 * 231);    // as it does not move; resumed
+  VtkhdfWriter missing("series/none.vtkhdf", true);
+  CHECK_THROWS_WITH(missing.keep(2), Contains("none.vtkhdf: cannot be read"));
+  VtkhdfWriter shorter("series/run_sand.vtkhdf", true);
+  CHECK_THROWS_WITH(shorter.keep(9), Contains("has 4 steps, and must have 9"));
+  CHECK_THROWS_AS(VtkhdfWriter("no/such/folder/a.vtkhdf"), output_error);
 }

@@ -1,6 +1,6 @@
 // HDF5 files by the HDF Group's C library: handles that close themselves, groups and attributes, and errors
-// that name the file and the reason. Needs HDF5 1.10 or newer (CMake: arenite::hdf5). Files are of the oldest
-// format that holds them, and hold no times: equal contents are equal bytes.
+// that name the file and the reason. Needs HDF5 1.10.7 or newer (CMake: arenite::hdf5). Files are of the
+// oldest format that holds them, and hold no times: equal contents are equal bytes.
 #pragma once
 
 #include <hdf5.h>
@@ -109,14 +109,14 @@ class Hdf5File {
     if (const auto end = name.find_last_of('/'); end != std::string::npos) make_group(name.substr(0, end));
   }
 
-  /// A text of fixed length as an attribute of a group or of the file.
+  /// A text of fixed length as an attribute of a group or of the file, which must not be there yet.
   void put_text(const std::string& where, const std::string& name, std::string_view value) const {
     const Hdf5Handle type = handle(H5Tcopy(H5T_C_S1), H5Tclose, name, "has no type");
     check(H5Tset_size(type, std::max<std::size_t>(value.size(), 1)), name, "cannot be as long");
     check(H5Tset_strpad(type, H5T_STR_NULLPAD), name, "has no type");
     put_attribute(where, name, type, {}, value.empty() ? "" : value.data());
   }
-  /// Integers as an attribute, anew if it is there; `scalar`: one, without a shape.
+  /// Integers as an attribute, or as its new values; `scalar`: one, without a shape.
   void put_integers(const std::string& where, const std::string& name, std::span<const std::int64_t> values,
                     bool scalar = false) const {
     put_attribute(where, name, H5T_NATIVE_INT64,
@@ -184,6 +184,8 @@ class Hdf5File {
       check(H5Pset_fapl_core(by, std::size_t{1} << 24, false), "", "takes no properties");
       check(H5Pset_userblock(made_by, image_start), "", "takes no properties");
     }
+    if (access_ == Hdf5Access::change)  // who reads it meanwhile may
+      check(H5Pset_file_locking(by, false, true), "", "takes no properties");
     const std::string name = path_.string();
     if (access_ == Hdf5Access::create || access_ == Hdf5Access::image)
       return handle(H5Fcreate(name.c_str(), H5F_ACC_TRUNC, made_by, by), H5Fclose, "",
@@ -199,12 +201,14 @@ class Hdf5File {
                      const std::vector<hsize_t>& shape, const void* values) const {
     const Hdf5Handle owner =
         handle(H5Oopen(file_, where.c_str(), H5P_DEFAULT), H5Oclose, where, "cannot be opened");
-    if (H5Aexists(owner, name.c_str()) > 0) check(H5Adelete(owner, name.c_str()), name, "cannot be changed");
     const Hdf5Handle space =
         handle(shape.empty() ? H5Screate(H5S_SCALAR) : H5Screate_simple(1, shape.data(), nullptr), H5Sclose,
                name, "has no shape");
-    const Hdf5Handle made = handle(H5Acreate2(owner, name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT),
-                                   H5Aclose, name, "cannot be made");
+    const bool there = H5Aexists(owner, name.c_str()) > 0;
+    const Hdf5Handle made =
+        handle(there ? H5Aopen(owner, name.c_str(), H5P_DEFAULT)
+                     : H5Acreate2(owner, name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT),
+               H5Aclose, name, "cannot be made");
     check(H5Awrite(made, type, values), name, "cannot be written");
   }
 

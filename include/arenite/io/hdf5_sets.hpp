@@ -49,9 +49,12 @@ inline Hdf5Handle hdf5_native(const Hdf5File& file, Hdf5Type type, const std::st
 inline Hdf5Handle hdf5_open_set(const Hdf5File& file, const std::string& name) {
   return file.handle(H5Dopen2(file, name.c_str(), H5P_DEFAULT), H5Dclose, name, "cannot be opened");
 }
-/// Rows and columns; 1 column where there is one dimension.
+inline Hdf5Handle hdf5_space(const Hdf5File& file, hid_t set, const std::string& name) {
+  return file.handle(H5Dget_space(set), H5Sclose, name, "has no shape");
+}
+/// Rows and columns; where there is one dimension, 1 column.
 inline std::array<hsize_t, 2> hdf5_shape(const Hdf5File& file, hid_t set, const std::string& name) {
-  const Hdf5Handle space = file.handle(H5Dget_space(set), H5Sclose, name, "has no shape");
+  const Hdf5Handle space = hdf5_space(file, set, name);
   std::array<hsize_t, 2> shape{1, 1};
   const int dimensions = file.check(H5Sget_simple_extent_ndims(space), name, "has no shape");
   if (dimensions > 2) file.refuse(name + " has more than two dimensions");
@@ -114,6 +117,43 @@ inline Hdf5Type type_of_numbers(const Hdf5File& file, const std::string& name) {
 inline std::size_t count_of_numbers(const Hdf5File& file, const std::string& name) {
   const auto shape = shared_detail::hdf5_shape(file, shared_detail::hdf5_open_set(file, name), name);
   return static_cast<std::size_t>(shape[0] * shape[1]);
+}
+
+/// Makes an empty data set of rows of `columns` numbers (1: one dimension) that grows, kept on the disk in
+/// pieces of so many rows.
+inline void make_rows(const Hdf5File& file, const std::string& name, Hdf5Type type, std::size_t columns,
+                      std::size_t rows_of_piece) {
+  file.make_group_of(name);
+  const int dimensions = columns == 1 ? 1 : 2;
+  const std::array<hsize_t, 2> empty{0, columns}, most{H5S_UNLIMITED, columns}, piece{rows_of_piece, columns};
+  const Hdf5Handle space = file.handle(H5Screate_simple(dimensions, empty.data(), most.data()), H5Sclose,
+                                       name, "has no shape"),
+                   number = shared_detail::hdf5_native(file, type, name),
+                   made_by = file.creation(H5P_DATASET_CREATE);
+  file.check(H5Pset_chunk(made_by, dimensions, piece.data()), name, "has no such pieces");
+  file.handle(H5Dcreate2(file, name.c_str(), number, space, H5P_DEFAULT, made_by, H5P_DEFAULT), H5Dclose,
+              name, "cannot be made");
+}
+inline std::size_t count_rows(const Hdf5File& file, const std::string& name) {
+  return static_cast<std::size_t>(
+      shared_detail::hdf5_shape(file, shared_detail::hdf5_open_set(file, name), name)[0]);
+}
+/// Keeps the first rows, and writes `count` rows behind them.
+inline void put_rows(const Hdf5File& file, const std::string& name, Hdf5Type type, std::size_t kept,
+                     std::size_t count, const void* numbers) {
+  const Hdf5Handle set = shared_detail::hdf5_open_set(file, name);
+  const hsize_t columns = shared_detail::hdf5_shape(file, set, name)[1];
+  const std::array<hsize_t, 2> all{kept + count, columns}, begin{kept, 0}, size{count, columns};
+  file.check(H5Dset_extent(set, all.data()), name, "cannot grow");
+  if (count == 0) return;
+  const Hdf5Handle there = shared_detail::hdf5_space(file, set, name),
+                   here = file.handle(H5Screate_simple(columns == 1 ? 1 : 2, size.data(), nullptr), H5Sclose,
+                                      name, "has no shape"),
+                   number = shared_detail::hdf5_native(file, type, name);
+  file.check(H5Sselect_hyperslab(there, H5S_SELECT_SET, begin.data(), nullptr, size.data(), nullptr), name,
+             "has no such rows");
+  file.check(H5Dwrite(set, number, here, there, H5P_DEFAULT, numbers), name,
+             "cannot be written; is the disk full?");
 }
 
 }  // namespace arenite

@@ -8,6 +8,7 @@
 #include <cerrno>
 #include <charconv>
 #include <cmath>
+#include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <string>
@@ -67,6 +68,24 @@ inline int sync_to_disk([[maybe_unused]] const std::filesystem::path& path) {
   const int reason = ::fsync(file) == 0 ? 0 : errno;
   ::close(file);
   return reason == EINVAL || reason == EROFS ? 0 : reason;  // no such thing there, for a folder
+#else
+  return 0;
+#endif
+}
+
+/// Makes a file longer by bytes that the disk then has (POSIX). Returns the operating system's number for the
+/// reason if it has not, with the file as it was, else 0; where the system cannot tell, 0.
+inline int reserve_on_disk([[maybe_unused]] const std::filesystem::path& path,
+                           [[maybe_unused]] std::uintmax_t bytes) {
+#if __has_include(<unistd.h>) && __has_include(<fcntl.h>)
+  const int file = ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
+  if (file < 0) return errno;
+  const ::off_t size = ::lseek(file, 0, SEEK_END);
+  int reason = ::posix_fallocate(file, size, static_cast<::off_t>(bytes));
+  if (reason == EOPNOTSUPP || reason == EINVAL || reason == ENODEV) reason = 0;
+  if (reason != 0 && ::ftruncate(file, size) != 0) reason = errno;
+  ::close(file);
+  return reason;
 #else
   return 0;
 #endif

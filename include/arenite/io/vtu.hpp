@@ -104,6 +104,20 @@ std::vector<VtuArray> vtu_topology(const std::vector<VtuCells>& blocks, std::siz
           own("types", std::move(types))};
 }
 
+/// Throws `error` unless all shapes fit; returns the number of all corners of cells.
+inline std::size_t check_vtu_data(const VtuData& data) {
+  require(data.points.components == 3 && data.points.type.starts_with("Float"), "components of the points",
+          data.points.components, "points must be [n x 3], double or float");
+  std::size_t cells = 0, corners = 0;
+  for (const VtuCells& block : data.cells) {
+    cells += block.items;
+    corners += block.items * block.points;
+  }
+  check_vtu_arrays(data.point_data, data.points.items, "points");
+  check_vtu_arrays(data.cell_data, cells, "cells");
+  return corners;
+}
+
 /// Declares arrays in the XML part; `offset` is that of the next array in the appended data.
 inline void declare_vtu_arrays(std::ostream& out, std::string_view element, std::span<const VtuArray> arrays,
                                std::uint64_t& offset) {
@@ -142,20 +156,12 @@ inline void append_vtu_arrays(std::ostream& out, std::span<const VtuArray> array
 /// complete. Throws `error`: shapes that do not fit, a cell's point that is not there, or a disk that does
 /// not take the file.
 inline void write_vtu(const std::filesystem::path& path, const VtuData& data) {
-  const std::size_t points = data.points.items;
-  require(data.points.components == 3 && data.points.type.starts_with("Float"), "components of the points",
-          data.points.components, "points must be [n x 3], double or float");
-  std::size_t cells = 0, corners = 0;
-  for (const VtuCells& block : data.cells) {
-    cells += block.items;
-    corners += block.items * block.points;
-  }
-  shared_detail::check_vtu_arrays(data.point_data, points, "points");
-  shared_detail::check_vtu_arrays(data.cell_data, cells, "cells");
+  const std::size_t points = data.points.items, corners = shared_detail::check_vtu_data(data);
   constexpr std::size_t most = 2147483647;
   const auto topology = std::max(points, corners) <= most
                             ? shared_detail::vtu_topology<std::int32_t>(data.cells, points)
                             : shared_detail::vtu_topology<std::int64_t>(data.cells, points);
+  const std::size_t cells = topology.back().items;
   VtuArray positions = data.points;
   positions.name = "Points";
   const std::span<const VtuArray> position(&positions, 1);

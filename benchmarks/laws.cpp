@@ -154,6 +154,9 @@ int main(int argc, char** argv) {
   add_friction("logarithmic", LogarithmicFriction{});
   add_friction("softening", SofteningFriction{softening});
   add_friction("rate_softening", RateSofteningFriction{{.softening = softening}});
+  const MohrCoulomb stiffening{sand, ForgetsOpening{}, ConstantFriction{}, PressureStiffness{}};
+  add<double, 3>("mohr_coulomb_stiffening", stiffening);
+  add<double, 2>("mohr_coulomb_stiffening", stiffening);
 
   const auto rivals = [&]<class T>(T) {
     const rival::MohrCoulomb<T> mohr_coulomb(density, young, poisson, friction);

@@ -19,6 +19,7 @@
 #include <arenite/law/mohr_coulomb.hpp>
 #include <arenite/law/rate_softening_friction.hpp>
 #include <arenite/law/softening_friction.hpp>
+#include <arenite/law/stiffness.hpp>
 #include <arenite/law/with_deviatoric_strain.hpp>
 #include <arenite/load/absorbing.hpp>
 #include <arenite/load/body_force.hpp>

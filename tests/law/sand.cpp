@@ -1,61 +1,13 @@
-// Friction by point that the library has (rate, pressure, softening): closed forms on driven paths, the same
-// bits as the constant friction when turned off and in packs, no plastic work below zero, refusals.
-#include <arenite/core/lanes.hpp>
-#include <arenite/core/units.hpp>
-#include <arenite/law/drive.hpp>
-#include <arenite/law/drucker_prager.hpp>
-#include <arenite/law/inertial_friction.hpp>
-#include <arenite/law/linear_rate_friction.hpp>
-#include <arenite/law/logarithmic_friction.hpp>
-#include <arenite/law/mohr_coulomb.hpp>
-#include <arenite/law/rate_softening_friction.hpp>
-#include <cstring>
+// Friction and stiffness by point that the library has (rate, pressure, softening): closed forms on driven
+// paths.
+#include "sand.hpp"
 
 #include "catch.hpp"
-#include "message.hpp"
-#include "states.hpp"
 
 using namespace arenite;
 using namespace arenite::test;
 
 namespace {
-
-const MohrCoulombParameters pyramid{.density = 1540, .young = 20_MPa, .poisson = 0.3, .friction = 35_deg};
-const DruckerPragerParameters cone{.density = 1540, .young = 20_MPa, .poisson = 0.3, .friction = 35_deg};
-
-template <class Friction>
-auto mohr_coulomb(const Friction& friction, const MohrCoulombParameters& p = pyramid) {
-  return MohrCoulomb<ForgetsOpening, Friction>{p, {}, friction};
-}
-template <class Friction>
-auto drucker_prager(const Friction& friction, const DruckerPragerParameters& p = cone) {
-  return DruckerPrager<ForgetsOpening, Friction>{p, {}, friction};
-}
-
-/// Simple shear in plane strain by `gamma` at a rate, 1/s, under constant mean stress -p: all normal stresses
-/// begin alike and the matter does not dilate, so that it is at constant volume.
-template <class Law>
-auto simple_shear(const Law& law, double p, double gamma, double rate, int steps) {
-  DrivenPoint<Law, 2> point{.stress = {{-p, -p, -p, 0}}};
-  drive(law, point,
-        DriveStage<2>{
-            .components = {{{}, {}, {}, strain_by(gamma / 2)}}, .duration = gamma / rate, .steps = steps},
-        [](const auto&) {});
-  return point;
-}
-
-/// Triaxial compression along y at a rate of the axial strain, 1/s, at a cell pressure.
-template <class Law>
-auto triaxial(const Law& law, double pressure, double shortening, double rate, int steps) {
-  DrivenPoint<Law, 3> point{.stress = {{-pressure, -pressure, -pressure, 0, 0, 0}}};
-  const auto cell = stress_to(-pressure);
-  drive(law, point,
-        DriveStage<3>{.components = {{cell, strain_by(-shortening), cell, {}, {}, {}}},
-                      .duration = shortening / rate,
-                      .steps = steps},
-        [](const auto&) {});
-  return point;
-}
 
 double sin_of_slope(double slope) { return std::sin(std::atan(slope)); }
 
@@ -109,8 +61,6 @@ TEST_CASE("a smoothed rate follows a sudden one exponentially, whatever the step
 }
 
 namespace {
-
-const SofteningParameters soft{.residual_friction = 31_deg, .residual_dilatancy = 1_deg, .decay = 8};
 
 /// A value that falls from its peak to the residual one.
 double softened(double peak, double residual, double plastic) {
@@ -245,225 +195,65 @@ TEST_CASE("softening and rate together contain softening alone and rate alone") 
 
 namespace {
 
-/// A step at random, from a stress at random, in each lane.
-template <class P, int D>
-struct Lanes {
-  Sym<P, D> stress;
-  StrainStep<P, D> step;
-};
-
-template <class P>
-void set(P& to, int k, double value) {
-  if constexpr (is_pack<P>)
-    to.set(k, static_cast<typename P::scalar>(value));
-  else
-    to = static_cast<P>(value);
-}
-template <class P>
-auto lane(const P& value, int k) {
-  if constexpr (is_pack<P>)
-    return value[k];
-  else
-    return value;
-}
-
-template <class P, int D>
-Lanes<P, D> random_lanes(std::mt19937& random) {
-  std::uniform_real_distribution<double> uniform(-1, 1);
-  Lanes<P, D> lanes;
-  lanes.step.dt = 1e-4;
-  for (int k = 0; k < lane_count<P>; ++k) {
-    const auto s = trial_state<D>(random, 1e3);
-    for (std::size_t i = 0; i < s.size; ++i) {
-      set(lanes.stress[i], k, s[i]);
-      set(lanes.step.strain[i], k, 1e-3 * uniform(random));
-    }
-    for (auto& spin : lanes.step.spin) set(spin, k, 0.1 * uniform(random));
-  }
-  return lanes;
-}
-
-template <class T>
-bool same_bits(const T& a, const T& b) {
-  return std::memcmp(&a, &b, sizeof(T)) == 0;
-}
-
-/// Ten steps by both laws give the same bits.
-template <class P, int D, class A, class B>
-void check_same_bits(const A& plain, const B& off) {
-  std::mt19937 random(5);
-  for (int round = 0; round < 100; ++round) {
-    typename A::template History<P> nothing{};
-    typename B::template History<P> history{};
-    auto [stress, step] = random_lanes<P, D>(random);
-    auto same = stress;
-    for (int k = 0; k < 10; ++k) {
-      const auto a = plain.update(stress, step, nothing);
-      const auto b = off.update(same, step, history);
-      for (int l = 0; l < lane_count<P>; ++l) {
-        for (std::size_t i = 0; i < stress.size; ++i)
-          REQUIRE(same_bits(lane(stress[i], l), lane(same[i], l)));
-        REQUIRE(same_bits(lane(a.opening, l), lane(b.opening, l)));
-        REQUIRE(same_bits(lane(a.dilation, l), lane(b.dilation, l)));
-      }
-    }
-  }
-}
-
-template <class Friction>
-void check_off(const Friction& off) {
-  auto p = pyramid;
-  auto c = cone;
-  p.dilatancy = c.dilatancy = 9_deg;
-  p.cohesion = c.cohesion = 1_kPa;
-  p.tension = 300;
-  check_same_bits<double, 3>(MohrCoulomb{p}, mohr_coulomb(off, p));
-  check_same_bits<float, 2>(MohrCoulomb{p}, mohr_coulomb(off, p));
-  check_same_bits<Pack<double, 4>, 2>(MohrCoulomb{p}, mohr_coulomb(off, p));
-  check_same_bits<double, 2>(DruckerPrager{c}, drucker_prager(off, c));
-  check_same_bits<Pack<float, 8>, 3>(DruckerPrager{c}, drucker_prager(off, c));
-}
-
-/// Packs compute what scalars do: to the bit, unless packs of this instruction set use estimates of
-/// reciprocals or the compiler contracts products and sums.
-template <class P, int D, class Law>
-void check_packs(const Law& law) {
-  using T = typename P::scalar;
-  std::mt19937 random(6);
-  for (int round = 0; round < 100; ++round) {
-    typename Law::template History<P> history{};
-    auto [stress, step] = random_lanes<P, D>(random);
-    const auto begin = stress;
-    for (int k = 0; k < 10; ++k) law.update(stress, step, history);
-    for (int l = 0; l < lane_count<P>; ++l) {
-      StrainStep<T, D> alone{
-          .strain = Sym<T, D>::each([&, &s = step](std::size_t i) { return s.strain[i][l]; }), .dt = step.dt};
-      for (std::size_t i = 0; i < alone.spin.size(); ++i) alone.spin[i] = step.spin[i][l];
-      auto expected = Sym<T, D>::each([&](std::size_t i) { return begin[i][l]; });
-      typename Law::template History<T> of_one{};
-      for (int k = 0; k < 10; ++k) law.update(expected, alone, of_one);
-      for (std::size_t i = 0; i < stress.size; ++i) {
-#if defined(__AVX512F__) || defined(__FMA__)
-        REQUIRE(std::abs(stress[i][l] - expected[i]) <= 1e5 * 1e3 * std::numeric_limits<T>::epsilon());
-#else
-        REQUIRE(same_bits(stress[i][l], expected[i]));
-#endif
-      }
-    }
-  }
-}
-
-template <class Friction>
-void check_all_packs(const Friction& friction) {
-  auto p = pyramid;
-  auto c = cone;
-  p.dilatancy = c.dilatancy = 9_deg;
-  p.cohesion = 1_kPa;
-  p.tension = 300;
-  check_packs<Pack<double, 2>, 3>(mohr_coulomb(friction, p));
-  check_packs<PackPair<Pack<double, 4>>, 2>(mohr_coulomb(friction, p));
-  check_packs<Pack<float, 8>, 3>(drucker_prager(friction, c));
-}
-
-/// Plastic work of random steps is never negative, and no number infinite.
-template <class P, class Law>
-void check_plastic_work(const Law& law, double extremes) {
-  std::mt19937 random(7);
-  std::uniform_real_distribution<double> uniform(-1, 1);
-  for (int round = 0; round < 300; ++round) {
-    Sym<P, 3> stress;
-    typename Law::template History<P> history{};
-    for (int k = 0; k < 20; ++k) {
-      StrainStep<P, 3> step;
-      step.dt = std::pow(10, -4 + 2 * uniform(random));
-      const double size = std::pow(10, -4 + extremes * uniform(random)), volume = 0.3 * uniform(random);
-      for (std::size_t i = 0; i < 6; ++i)
-        step.strain[i] = static_cast<P>(size * (uniform(random) + (i < 3 ? volume : 0)));
-      const auto trial = stress + law.elasticity().stress(step.strain);
-      law.update(stress, step, history);
-      REQUIRE(std::apply([](const auto&... member) { return (std::isfinite(member) && ...); },
-                         history.members()));
-      REQUIRE(std::isfinite(contract(stress, stress)));
-      const auto plastic = trial - stress;  // the stiffness times the plastic strain
-      const double dev =
-          static_cast<double>(contract(stress, deviator(plastic))) / (2 * law.elasticity().shear());
-      const double vol = static_cast<double>(trace(stress) * trace(plastic)) / (9 * law.elasticity().bulk());
-      const double scale = static_cast<double>(contract(trial, trial)) / law.elasticity().shear();
-      REQUIRE(dev + vol >= -1e3 * static_cast<double>(std::numeric_limits<P>::epsilon()) * scale);
-    }
-  }
-}
-
-template <class Friction>
-void check_all_plastic_work(const Friction& friction) {
-  auto p = pyramid;
-  auto c = cone;
-  p.dilatancy = c.dilatancy = 35_deg;
-  c.cone = Cone::extension;
-  for (const double extremes : {2.0, 5.0}) {
-    check_plastic_work<double>(mohr_coulomb(friction), extremes);
-    check_plastic_work<double>(mohr_coulomb(friction, p), extremes);
-    check_plastic_work<float>(mohr_coulomb(friction, p), extremes);
-    check_plastic_work<double>(drucker_prager(friction), extremes);
-    check_plastic_work<double>(drucker_prager(friction, c), extremes);
-  }
+/// From isotropic stress -p through strains, each component evenly.
+auto strained(double p, const Sym<double, 2>& strain, int steps) {
+  DrivenPoint<std::remove_const_t<decltype(stiffening)>, 2> point{.stress = {{-p, -p, -p, 0}}};
+  DriveStage<2> stage{.steps = steps};
+  for (std::size_t i = 0; i < 4; ++i) stage.components[i] = strain_by(strain[i]);
+  drive(stiffening, point, stage, [](const auto&) {});
+  return point;
 }
 
 }  // namespace
 
-TEST_CASE("turned off, a policy by point gives the same bits as constant friction") {
-  check_off(LinearRateFriction{{.time = 0}});
-  check_off(InertialFriction{{.rise = 0}});
-  check_off(LogarithmicFriction{{.per_decade = 0}});
-  check_off(SofteningFriction{{.residual_friction = 20_deg, .decay = 0}});
-  check_off(RateSofteningFriction{{.softening = {.residual_friction = 20_deg, .decay = 0},
-                                   .friction_per_decade = 0,
-                                   .dilatancy_per_decade = 0}});
+TEST_CASE("stiffness by pressure: isotropic compression, its energy, and the speed of waves") {
+  const double p0 = 20_kPa, bulk = pyramid.young / (3 * (1 - 2 * pyramid.poisson)), ref = 100_kPa;
+  for (const double volume : {-2e-3, 4e-4}) {
+    const Sym<double, 2> strain{{volume / 3, volume / 3, volume / 3, 0}};
+    const auto once = strained(p0, strain, 2000), twice = strained(p0, strain, 4000),
+               begin = strained(p0, {}, 1);
+    // dp / dv = K (p / p_ref)^(1/2)
+    const double p = square(std::sqrt(p0) - 0.5 * bulk / std::sqrt(ref) * volume);
+    CHECK(-2 * twice.stress[0] + once.stress[0] == Approx(p).epsilon(1e-6));
+    const auto energy = [](const auto& point) {
+      return stiffening.elastic_energy(point.stress, point.history);
+    };
+    CHECK(2 * (energy(twice) - twice.work) - (energy(once) - once.work) ==
+          Approx(energy(begin)).epsilon(1e-6));
+    const double there = trace(twice.stress) / -3;
+    CHECK(stiffening.wave_modulus(twice.stress, twice.history) ==
+          Approx(stiffening.elasticity().wave_modulus() * std::sqrt(there / ref)).epsilon(1e-12));
+  }
+  const Sym<double, 2> tension{{10, 10, 10, 0}};
+  CHECK(stiffening.wave_modulus(tension, NoHistory<double>{}) ==
+        Approx(stiffening.elasticity().wave_modulus() * std::sqrt(0.02)).epsilon(1e-12));
+  CHECK(stiffening.elastic_energy(tension, NoHistory<double>{}) ==
+        Approx(100 / (2 * bulk * std::sqrt(0.02))).epsilon(1e-12));
 }
 
-TEST_CASE("packs compute what scalars do") {
-  check_all_packs(LinearRateFriction{{.time = 1e-2, .smoothing = 1e-3}});
-  check_all_packs(InertialFriction{{.grain_size = 5e-3}});
-  check_all_packs(LogarithmicFriction{});
-  check_all_packs(SofteningFriction{soft});
-  check_all_packs(RateSofteningFriction{{.softening = soft}});
+TEST_CASE("stiffness by pressure: what a closed cycle of shear and pressure makes of energy") {
+  // Sheared under p_2, unsheared under p_1: W = tau^2 / 2 G_ref (1 / f_2 - 1 / f_1), put in by who moves it.
+  const double p1 = 50_kPa, p2 = 100_kPa, tau = 20_kPa;
+  const auto work = [&](int steps) {
+    DrivenPoint<std::remove_const_t<decltype(stiffening)>, 2> point{.stress = {{-p1, -p1, -p1, 0}}};
+    for (const auto& [p, t] : {std::pair{p2, 0.0}, {p2, tau}, {p1, tau}, {p1, 0.0}}) {
+      const DriveStage<2> stage{.components = {{stress_to(-p), stress_to(-p), stress_to(-p), stress_to(t)}},
+                                .steps = steps};
+      drive(stiffening, point, stage, [](const auto&) {});
+    }
+    return point.work;
+  };
+  const double exact = tau * tau / (2 * stiffening.elasticity().shear()) * (1 - std::sqrt(2.0));
+  CHECK(2 * work(2000) - work(1000) == Approx(exact).epsilon(1e-5));
 }
 
-TEST_CASE("no plastic work below zero") {
-  check_all_plastic_work(LinearRateFriction{{.time = 1e-3, .smoothing = 1e-3}});
-  check_all_plastic_work(LinearRateFriction{{.time = 1e9}});
-  check_all_plastic_work(InertialFriction{{.rise = 1e3, .reference_inertia = 1e-9, .grain_size = 1}});
-  check_all_plastic_work(LogarithmicFriction{{.per_decade = 10}});
-  SofteningParameters extreme{.residual_friction = 1e-9, .decay = 1e4};
-  check_all_plastic_work(SofteningFriction{extreme});
-  check_all_plastic_work(
-      RateSofteningFriction{{.softening = extreme, .friction_per_decade = 0, .dilatancy_per_decade = 5}});
-}
-
-TEST_CASE("constants that make no sense are refused") {
-  CHECK(message([] { LinearRateFriction{{.time = -1}}; }) ==
-        "LinearRateFriction.time = -1: must not be negative (s)");
-  CHECK(message([] { LinearRateFriction{{.smoothing = -1}}; }) ==
-        "LinearRateFriction.smoothing = -1: must not be negative (s)");
-  CHECK(message([] { InertialFriction{{.rise = -0.1}}; }) ==
-        "InertialFriction.rise = -0.1: must not be negative");
-  CHECK(message([] { InertialFriction{{.grain_size = 0}}; }) ==
-        "InertialFriction.grain_size = 0: must be positive (m)");
-  CHECK(message([] { LogarithmicFriction{{.reference_rate = 0}}; }) ==
-        "LogarithmicFriction.reference_rate = 0: must be positive (1/s)");
-  CHECK(message([] { SofteningFriction{{.decay = 8}}; }) ==
-        "SofteningFriction.residual_friction = nan: must be given");
-  CHECK(
-      message([] { SofteningFriction{{.residual_friction = 0.5, .decay = 8, .cell_size = 0.01}}; }) ==
-      "SofteningFriction.reference_size = 0: must be positive (m) where cell_size is, and 0 where it is not");
-  const SofteningFriction too_strong{{.residual_friction = 0.7, .decay = 8}};
-  CHECK(message([&] { mohr_coulomb(too_strong); }) ==
-        "SofteningFriction.residual_friction = 0.7: must not exceed the law's friction");
-  const SofteningFriction too_loose{{.residual_friction = 0.5, .residual_dilatancy = 0.1, .decay = 8}};
-  CHECK(message([&] { drucker_prager(too_loose); }) ==
-        "SofteningFriction.residual_dilatancy = 0.1: must not exceed the law's dilatancy");
-  const DrivenPoint<MohrCoulomb<>, 2> start{.stress = {{-1, -1, -1, 0}}};
-  const DriveStage<2> beyond{.components = {{stress_to(-1), stress_to(-9), stress_to(-1), {}}}};
-  CHECK(message<run_error>([&] { drive(MohrCoulomb{pyramid}, std::vector{beyond}, start); }).substr(0, 12) ==
-        "drive: step ");
+TEST_CASE("stiffness by pressure leaves the strength, and scales the strain to it") {
+  const double sin = std::sin(35_deg), ratio = (1 + sin) / (1 - sin);
+  CHECK(triaxial(stiffening, 10_kPa, 0.05, 1, 500).stress[1] == Approx(-10_kPa * ratio).epsilon(1e-6));
+  // With friction that softens, the plastic strain is what the elastic strain leaves of the whole.
+  const MohrCoulomb<ForgetsOpening, SofteningFriction, PressureStiffness> both{
+      pyramid, {}, SofteningFriction{{.residual_friction = 31_deg, .decay = 8}}, hypoelastic};
+  const auto end = simple_shear(both, 10_kPa, 0.1, 1, 1000);
+  const double shear = both.elasticity().shear() * std::sqrt(0.1);
+  CHECK(end.history.plastic_strain == Approx((0.1 - end.stress[3] / shear) / std::sqrt(3.0)).epsilon(1e-9));
 }

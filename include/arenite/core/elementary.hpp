@@ -99,13 +99,15 @@ T lane_exp_minus(const T& x) {
   const T r = (T(0) - y - n * T(high)) - n * T(low), z = r * r;
   const T even = T(1) + z * (T(1.0 / 9) + z * T(1.0 / 1008));
   const T odd = r * (T(0.5) + z * (T(1.0 / 72) + z * T(1.0 / 30240)));
-  return detail::times_power_of_two(T((even + odd) / (even - odd)), n);
+  using detail::times_power_of_two;
+  return times_power_of_two(T((even + odd) / (even - odd)), n);
 }
 
 /// The natural logarithm of x, normal and positive, by the series of atanh.
 template <class T>
 T lane_log(const T& x) {
-  auto [m, power] = detail::split_power(x);
+  using detail::split_power;
+  auto [m, power] = split_power(x);
   const auto above = m > T(1.4142135623730951);
   m = select(above, T(m * T(0.5)), m);
   power = select(above, T(power + T(1)), power);

@@ -192,7 +192,9 @@ auto lane_sums(const std::array<P, N>& packs) {
 /// The greatest of the lanes.
 template <class P>
 auto greatest_lane(const P& a) {
-  if constexpr (is_pack<P>) {
+  if constexpr (requires { typename P::Half; }) {
+    return greatest_lane(max(a.low(), a.high()));
+  } else if constexpr (is_pack<P>) {
     return detail::greatest(a);
   } else {
     return a;

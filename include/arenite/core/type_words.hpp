@@ -29,8 +29,8 @@ struct TypeWords {
 }  // namespace shared_detail
 
 /// A type as it is written, without namespaces, but with all template arguments, the same from all compilers:
-/// "MohrCoulomb<ForgetsOpening,ConstantFriction>", "CartesianGrid<2,double>". Of templates with other
-/// arguments than types, and a number before or behind one, the name alone.
+/// "MohrCoulomb<ForgetsOpening,ConstantFriction,ConstantStiffness>", "CartesianGrid<2,double>". Of templates
+/// with other arguments than types, and a number before or behind one, the name alone.
 template <class T>
 std::string type_words() {
   return shared_detail::TypeWords<T>::text();

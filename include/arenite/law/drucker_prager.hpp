@@ -140,13 +140,14 @@ class DruckerPragerSurface {
 
 /// Drucker-Prager law. A trial stress returns to cone and cut-off at once (Koiter's rule). What opened: as in
 /// mohr_coulomb.hpp.
-template <class Memory = ForgetsOpening, class Friction = ConstantFriction>
+template <class Memory = ForgetsOpening, class Friction = ConstantFriction,
+          class Stiffness = ConstantStiffness>
 class DruckerPrager
-    : public Frictional<detail::DruckerPragerSurface, DruckerPragerParameters, Memory, Friction> {
+    : public Frictional<detail::DruckerPragerSurface, DruckerPragerParameters, Memory, Friction, Stiffness> {
  public:
   explicit DruckerPrager(const DruckerPragerParameters& p, const Memory& memory = {},
-                         const Friction& friction = {})
-      : DruckerPrager::Frictional("DruckerPrager", p, memory, friction) {}
+                         const Friction& friction = {}, const Stiffness& stiffness = {})
+      : DruckerPrager::Frictional("DruckerPrager", p, memory, friction, stiffness) {}
 };
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

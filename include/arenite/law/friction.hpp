@@ -31,6 +31,11 @@ struct GivenAngles {
 ///
 /// Optional members of a policy:
 ///
+/// - `void follow(const StrainStep<T, D>& step, History<T>& history) const`: called once in each step, before
+///   all else: what the history keeps of each step, such as a smoothed rate.
+/// - `double least_slope(const GivenAngles& given) const`: a lower bound of the slope. Where all points of a
+///   pack lie within the cone of it `slope` is not asked for, so that what changes in each step belongs into
+///   `follow`. Worth it for slopes that cost more than a few operations.
 /// - `T dilatancy_slope(const GivenAngles& given, const History<T>& history) const`: tan(psi) of the point,
 ///   >= 0; asked after `slope`, and never more than its answer: plastic flow would else produce energy. A
 ///   policy without it has the dilatancy of the law's parameters, and must keep its slope above it.

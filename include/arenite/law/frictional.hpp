@@ -11,6 +11,7 @@
 #include <arenite/law/friction.hpp>
 #include <arenite/law/jaumann.hpp>
 #include <arenite/law/separation.hpp>
+#include <arenite/law/stiffness.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 namespace detail {
@@ -39,6 +40,11 @@ void check_strength(std::string_view law, const Parameters& p, bool remembers) {
         "a law that remembers its opening needs the cut-off at the apex (leave tension out)");
 }
 
+/// History B of a policy beside A, unless there is none or A holds it already.
+template <class T, class A, class B>
+using WithHistory =
+    std::conditional_t<std::is_same_v<B, NoHistory<T>> || std::is_base_of_v<B, A>, A, JoinedHistory<A, B>>;
+
 /// Whether a stress may lie outside the yield surface, by point: outside the cone inscribed in Mohr-Coulomb's
 /// pyramid, which all cones of Drucker-Prager contain, or that of the cut-off. Needs no root and no division:
 /// J2 (1 + 4/3 tan^2 phi) <= (c - p tan phi)^2.
@@ -61,33 +67,36 @@ auto may_yield(const Sym<T, D>& stress, const T& slope, double cohesion, double 
 ///                   `return_to_yield(stress)` and `yield(stress)`
 /// @tparam Memory    ForgetsOpening or RemembersOpening: what separated matter does when compressed again
 /// @tparam Friction  ConstantFriction, or a policy by point (friction.hpp)
-template <template <class, class> class Surface, class Parameters, class Memory, class Friction>
-class Frictional : public Memory {
+/// @tparam Stiffness ConstantStiffness, or a policy by point (stiffness.hpp)
+template <template <class, class> class Surface, class Parameters, class Memory, class Friction,
+          class Stiffness>
+class Frictional : public Memory, public detail::ElasticPart<Stiffness> {
+  using Elastic = detail::ElasticPart<Stiffness>;
   static constexpr bool constant = std::is_same_v<Friction, ConstantFriction>;
+  static constexpr bool constant_stiffness = std::is_same_v<Stiffness, ConstantStiffness>;
+  static constexpr bool bounded = requires(const Friction f, GivenAngles g) { f.least_slope(g); };
 
  public:
+  using Elastic::elasticity;
   template <class T>
-  using History = std::conditional_t<
-      constant ||
-          std::is_same_v<typename Memory::template History<T>, typename Friction::template History<T>>,
-      typename Memory::template History<T>,
-      JoinedHistory<typename Memory::template History<T>, typename Friction::template History<T>>>;
+  using History = detail::WithHistory<
+      T, detail::WithHistory<T, typename Memory::template History<T>, typename Friction::template History<T>>,
+      typename Stiffness::template History<T>>;
 
-  Frictional(std::string_view name, const Parameters& p, const Memory& memory, const Friction& friction)
+  Frictional(std::string_view name, const Parameters& p, const Memory& memory, const Friction& friction,
+             const Stiffness& stiffness)
       : Memory(memory),
-        elasticity_(name, p.density, p.young, p.poisson),
-        surface_(p, elasticity_, detail::friction_angle(p.friction), std::sin(p.dilatancy)),
+        Elastic(Elasticity(name, p.density, p.young, p.poisson), stiffness),
+        surface_(p, elasticity(), detail::friction_angle(p.friction), std::sin(p.dilatancy)),
         greatest_volume_ratio_(p.greatest_volume_ratio),
         given_{p.friction, p.dilatancy, std::tan(p.friction), std::tan(p.dilatancy)},
         friction_(friction),
         parameters_(p) {
     detail::check_strength(name, p, Memory::remembers);
     if constexpr (requires { friction.check(given_); }) friction.check(given_);
+    if constexpr (bounded) least_slope_ = friction.least_slope(given_);
   }
 
-  double density() const { return elasticity_.density(); }            ///< kg/m3
-  double wave_modulus() const { return elasticity_.wave_modulus(); }  ///< Pa
-  const Elasticity& elasticity() const { return elasticity_; }
   /// That of the parameters' angle of friction.
   const Surface<double, double>& surface() const { return surface_; }
   double greatest_volume_ratio() const { return greatest_volume_ratio_; }  ///< V / V0, -
@@ -96,17 +105,21 @@ class Frictional : public Memory {
   template <class T, int D>
   Inelastic<T> update(Sym<T, D>& stress, const StrainStep<T, D>& step, History<T>& history) const {
     const auto& carried = Memory::carried(stress, step, history);
-    stress = turned(stress, carried.spin) + elasticity_.stress(carried.strain);
-    Inelastic<T> parts = return_to_yield(stress, carried, history);
+    Inelastic<T> parts;
+    if constexpr (constant_stiffness) {
+      stress = turned(stress, carried.spin) + elasticity().stress(carried.strain);
+      parts = return_to_yield(stress, carried, history, T(1));
+    } else {
+      // f times the moduli: the same as f times the strain, and 1/f of the plastic strain.
+      const T factor = Elastic::stiffness_factor(stress, history), compliance = reciprocal(factor);
+      stress = turned(stress, carried.spin) + elasticity().stress(carried.strain * factor);
+      parts = return_to_yield(stress, carried, history, compliance);
+      parts = {parts.opening * compliance, parts.dilation * compliance};
+    }
     Memory::open(parts.opening, history);
     if constexpr (Memory::remembers)
       parts.opening = parts.opening + trace(step.strain) - trace(carried.strain);
     return parts;
-  }
-
-  template <class T, int D>
-  T elastic_energy(const Sym<T, D>& stress) const {
-    return elasticity_.energy(stress);
   }
 
   /// How far a stress lies outside the yield surface (> 0) or within (< 0), -; 0 at no stress. With friction
@@ -123,27 +136,36 @@ class Frictional : public Memory {
   }
 
  private:
+  /// `compliance`: over that of the parameters' moduli, -.
   template <class T, int D>
   Inelastic<T> return_to_yield(Sym<T, D>& stress, [[maybe_unused]] const StrainStep<T, D>& step,
-                               [[maybe_unused]] History<T>& history) const {
+                               [[maybe_unused]] History<T>& history,
+                               [[maybe_unused]] const T& compliance) const {
     if constexpr (constant) {
       return surface_.return_to_yield(stress);
     } else {
-      const T slope = slope_of_point(stress, step, history);
+      if constexpr (requires { friction_.follow(step, history); }) friction_.follow(step, history);
       const bool same = detail::same_as_constant(friction_);
-      if (!same && !any_of(detail::may_yield(stress, slope, parameters_.cohesion, parameters_.tension)))
-        return {T(0), T(0)};
+      if constexpr (bounded)
+        if (!any_of(may_yield(stress, T(least_slope_)))) return {T(0), T(0)};
+      const T slope = slope_of_point(stress, step, history);
+      if (!same && !any_of(may_yield(stress, slope))) return {T(0), T(0)};
       [[maybe_unused]] const Sym<T, D> trial = stress;
       const Inelastic<T> parts =
           same ? surface_.return_to_yield(stress) : surface_of_point(slope, history).return_to_yield(stress);
       if constexpr (requires { friction_.flow(slope, history); }) {
         using std::sqrt;
-        const Sym<T, D> plastic = deviator(trial - stress);  // strain times 2 G, Pa
-        friction_.flow(
-            T(sqrt(contract(plastic, plastic)) * T(std::sqrt(2.0 / 3) / (2 * elasticity_.shear()))), history);
+        const Sym<T, D> plastic = deviator(trial - stress);  // strain times 2 G of the point, Pa
+        const T per_stress = T(std::sqrt(2.0 / 3) / (2 * elasticity().shear())) * compliance;
+        friction_.flow(T(sqrt(contract(plastic, plastic)) * per_stress), history);
       }
       return parts;
     }
+  }
+
+  template <class T, int D>
+  auto may_yield(const Sym<T, D>& stress, const T& slope) const {
+    return detail::may_yield(stress, slope, parameters_.cohesion, parameters_.tension);
   }
 
   /// tan(phi) of each point.
@@ -164,18 +186,17 @@ class Frictional : public Memory {
     const auto angle = detail::friction_of_slope(slope);
     if constexpr (requires { friction_.dilatancy_slope(given_, history); }) {
       const T flow = min(T(friction_.dilatancy_slope(given_, history)), slope);
-      return Surface<T, T>(parameters_, elasticity_, angle, detail::friction_of_slope(flow).sin);
+      return Surface<T, T>(parameters_, elasticity(), angle, detail::friction_of_slope(flow).sin);
     } else {
-      return Surface<T, double>(parameters_, elasticity_, angle, sin_dilatancy_);
+      return Surface<T, double>(parameters_, elasticity(), angle, sin_dilatancy_);
     }
   }
 
-  Elasticity elasticity_;
   Surface<double, double> surface_;  // of the parameters
   double greatest_volume_ratio_;     // -
   GivenAngles given_;
   double sin_dilatancy_ = std::sin(given_.dilatancy);
-  double greatest_slope_ = std::tan(detail::greatest_friction);
+  double least_slope_ = 0, greatest_slope_ = std::tan(detail::greatest_friction);
   [[no_unique_address]] Friction friction_;
   [[no_unique_address]] std::conditional_t<constant, Nothing, Parameters> parameters_;
 };

@@ -53,10 +53,16 @@ class InertialFriction {
   bool constant() const { return rise_ == 0; }
 
   template <class T, int D>
-  T slope(const GivenAngles& given, const StrainStep<T, D>& step, const Sym<T, D>& trial,
-          History<T>& history) const {
+  void follow(const StrainStep<T, D>& step, History<T>& history) const {
+    filter_.update(step, history);
+  }
+  double least_slope(const GivenAngles& given) const { return given.slope; }
+
+  template <class T, int D>
+  T slope(const GivenAngles& given, const StrainStep<T, D>&, const Sym<T, D>& trial,
+          const History<T>& history) const {
     using std::max, std::sqrt;
-    const T flowing = filter_.update(step, history) * T(grain_);  // I sqrt(p), as p may be 0
+    const T flowing = history.shear_rate * T(grain_);  // I sqrt(p), as p may be 0
     const T pressure = max(T(trace(trial) * T(-1.0 / 3)), T(0));
     const T sum = T(reference_) * sqrt(pressure) + flowing;
     return T(given.slope) + T(rise_) * flowing / max(sum, T(1e-30));

@@ -34,8 +34,12 @@ class LinearRateFriction {
   bool constant() const { return time_ == 0; }
 
   template <class T, int D>
-  T slope(double given, const StrainStep<T, D>& step, History<T>& history) const {
-    return T(given) + T(time_) * filter_.update(step, history);
+  void follow(const StrainStep<T, D>& step, History<T>& history) const {
+    filter_.update(step, history);
+  }
+  template <class T, int D>
+  T slope(double given, const StrainStep<T, D>&, const History<T>& history) const {
+    return T(given) + T(time_) * history.shear_rate;
   }
 
  private:

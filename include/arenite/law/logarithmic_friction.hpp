@@ -36,10 +36,16 @@ class LogarithmicFriction {
   bool constant() const { return per_decade_ == 0; }
 
   template <class T, int D>
-  T slope(const GivenAngles& given, const StrainStep<T, D>& step, const Sym<T, D>&,
-          History<T>& history) const {
+  void follow(const StrainStep<T, D>& step, History<T>& history) const {
+    filter_.update(step, history);
+  }
+  double least_slope(const GivenAngles& given) const { return given.slope; }
+
+  template <class T, int D>
+  T slope(const GivenAngles& given, const StrainStep<T, D>&, const Sym<T, D>&,
+          const History<T>& history) const {
     using std::min;
-    const T decades = decades_above(filter_.update(step, history), reference_);
+    const T decades = decades_above(history.shear_rate, reference_);
     const T angle = T(given.friction) + T(given.friction * per_decade_) * decades;
     return lane_tan(T(min(angle, T(detail::greatest_friction))));
   }

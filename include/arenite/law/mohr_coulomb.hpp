@@ -218,14 +218,16 @@ class MohrCoulombSurface {
 /// apex grains have lost contact and nothing tells dilatancy from separation; all of it counts as opening,
 /// though psi > 0 would ascribe a part to shear. Dilation on planes and edges is a property of the packing
 /// and swells the matter.
-template <class Memory = ForgetsOpening, class Friction = ConstantFriction>
-class MohrCoulomb : public Frictional<detail::MohrCoulombSurface, MohrCoulombParameters, Memory, Friction> {
+template <class Memory = ForgetsOpening, class Friction = ConstantFriction,
+          class Stiffness = ConstantStiffness>
+class MohrCoulomb
+    : public Frictional<detail::MohrCoulombSurface, MohrCoulombParameters, Memory, Friction, Stiffness> {
  public:
   static constexpr bool two_packs_at_once = true;
 
   explicit MohrCoulomb(const MohrCoulombParameters& p, const Memory& memory = {},
-                       const Friction& friction = {})
-      : MohrCoulomb::Frictional("MohrCoulomb", p, memory, friction) {}
+                       const Friction& friction = {}, const Stiffness& stiffness = {})
+      : MohrCoulomb::Frictional("MohrCoulomb", p, memory, friction, stiffness) {}
 };
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

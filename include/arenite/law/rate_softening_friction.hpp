@@ -45,11 +45,16 @@ class RateSofteningFriction {
     return softening_.decay() == 0 && friction_per_decade_ == 0 && dilatancy_per_decade_ == 0;
   }
   void check(const GivenAngles& given) const { softening_.check_given(given); }
+  double least_slope(const GivenAngles&) const { return softening_.least_slope(); }
 
   template <class T, int D>
-  T slope(const GivenAngles& given, const StrainStep<T, D>& step, const Sym<T, D>&,
-          History<T>& history) const {
-    return softening_.slope(peak(given.friction, friction_per_decade_, filter_.update(step, history)),
+  void follow(const StrainStep<T, D>& step, History<T>& history) const {
+    filter_.update(step, history);
+  }
+  template <class T, int D>
+  T slope(const GivenAngles& given, const StrainStep<T, D>&, const Sym<T, D>&,
+          const History<T>& history) const {
+    return softening_.slope(peak(given.friction, friction_per_decade_, history.shear_rate),
                             softening_.left(history));
   }
   template <class T>

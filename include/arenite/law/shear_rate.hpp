@@ -44,15 +44,14 @@ class RateFilter {
 
   double time() const { return time_; }  ///< s
 
-  /// The smoothed rate with this step, 1/s, which it puts into the history. A step without time keeps it.
+  /// Takes a step into the smoothed rate of a history. A step without time leaves it.
   template <class T, int D>
-  T update(const StrainStep<T, D>& step, ShearRateHistory<T>& history) const {
-    if (!(step.dt > 0)) return history.shear_rate;
+  void update(const StrainStep<T, D>& step, ShearRateHistory<T>& history) const {
+    if (!(step.dt > 0)) return;
     const T now = shear_rate(step);
     history.shear_rate =
         time_ > 0 ? T(history.shear_rate + (now - history.shear_rate) * T(1 - std::exp(-step.dt / time_)))
                   : now;
-    return history.shear_rate;
   }
 
  private:

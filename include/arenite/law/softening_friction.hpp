@@ -60,6 +60,9 @@ class Softening {
           parameters_.residual_dilatancy, "must not exceed the law's dilatancy");
   }
 
+  /// tan(phi) when all is softened.
+  double least_slope() const { return std::tan(parameters_.residual_friction); }
+
   /// exp(-eta eps_p)
   template <class T>
   T left(const PlasticStrainHistory<T>& history) const {
@@ -109,9 +112,11 @@ class SofteningFriction {
 
   bool constant() const { return softening_.decay() == 0; }
   void check(const GivenAngles& given) const { softening_.check_given(given); }
+  double least_slope(const GivenAngles&) const { return softening_.least_slope(); }
 
   template <class T, int D>
-  T slope(const GivenAngles& given, const StrainStep<T, D>&, const Sym<T, D>&, History<T>& history) const {
+  T slope(const GivenAngles& given, const StrainStep<T, D>&, const Sym<T, D>&,
+          const History<T>& history) const {
     return softening_.slope(T(given.friction), softening_.left(history));
   }
   template <class T>

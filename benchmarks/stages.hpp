@@ -30,7 +30,7 @@ void take_stages(Scene& scene, Timed&& timed) {
   } else {
     const double dt = 0.4 * stable_step(scene);
     timed(Stage::relocate, [&] { relocate(scene); });
-    timed(Stage::scatter, [&] { p2g(scene); });
+    timed(Stage::scatter, [&] { p2g(scene, dt); });
     timed(Stage::nodes, [&] {
       add_forces(scene, dt);
       centre_stress(scene, dt);

@@ -65,7 +65,7 @@ TEMPLATE_TEST_CASE("A thin layer along a face makes no energy, on walls and free
 TEST_CASE("The exchange at faces keeps momentum, and lets the energy of the nodes fall") {
   auto scene = layer<Numerics<QuadraticBSpline, Flip, Usl>>(1, false, 0.1);
   relocate(scene);
-  p2g(scene);
+  p2g(scene, 1e-4);
   update_grid(scene, 1e-4);
   auto& nodes = scene.fields[0];
   Vec<double, 2> before = Vec<double, 2>::Zero(), after = before;
@@ -92,7 +92,7 @@ TEST_CASE("Where a body fills the cells at a face no node is light") {
     Scene scene{PlaneStrain{}, grid(), Numerics<QuadraticBSpline, Apic, Usl>{},
                 bodies(fill(Box{{0., 0.}, {1., 0.5}}, rubber, {.per_cell = per_cell}))};
     relocate(scene);
-    p2g(scene);
+    p2g(scene, 1e-4);
     update_grid(scene, 1e-4);
     CHECK(exchange_at_faces<QuadraticBSpline>(scene.mesh, scene.fields[0], scene.fields[0].velocity, 1e-4) ==
           0);
@@ -135,7 +135,7 @@ TEMPLATE_TEST_CASE("The force of points exactly on a face is handed on, not lost
     stress[1] = -1e4;
     points.stress.set(0, stress);
     relocate(scene);
-    p2g(scene);
+    p2g(scene, 1e-4);
     const double dt = 1e-4;
     update_grid(scene, dt);
     smooth_light_nodes(scene, dt);

@@ -29,6 +29,7 @@ inline Driven driven(Wall wall, const Triple& direction, const ScalarFunction& s
 /// A driven wall in a scene: a part that constrains and drives.
 template <class T, int D>
 struct BoundDriven {
+  static constexpr bool reads_start_state = false;
   Walls walls;
   VectorFunction velocity;
   std::string name;

@@ -21,6 +21,7 @@ constexpr Gravity gravity(const std::array<double, 3>& g) { return {g}; }
 /// Gravity in a scene: a part that accelerates.
 template <class T, int D>
 struct BoundGravity {
+  static constexpr bool reads_start_state = false;
   Vec<T, D> g;
   Vec<T, D> acceleration(double) const { return g; }
 };
@@ -46,6 +47,7 @@ requires(PlaceFunction<Triple>::of_time<F>) GravityInTime gravity(F g) { return 
 
 template <class T, int D>
 struct BoundGravityInTime {
+  static constexpr bool reads_start_state = false;
   VectorFunction g;
   Vec<T, D> acceleration(double time) const {
     return value_at(g, Vec<T, D>(Vec<T, D>::Zero()), time, "gravity");

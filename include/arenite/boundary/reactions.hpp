@@ -34,6 +34,7 @@ class BoundReactions {
  public:
   using OnlyOne = Reactions::ReactionsOfWalls;
   static constexpr std::string_view state_name = "reactions";
+  static constexpr bool reads_start_state = false;
   using V = Vec<T, D>;
 
   template <class Scene>

@@ -76,6 +76,7 @@ inline Wall where(std::function<bool(const std::array<double, 3>&)> test, Condit
 /// Walls of a scene: a part that constrains. Throws `error` for a wall that catches no node, a face beyond
 /// the dimension, a roller that is no face, or a direction that is none.
 struct Walls {
+  static constexpr bool reads_start_state = false;
   std::vector<Wall> list;
 
   const std::vector<Wall>& walls_here() const { return list; }

@@ -23,6 +23,7 @@ struct PlaneStrain {
 struct Axisymmetric {
   static constexpr int dimension = 2;
   static constexpr bool hoop = true;
+  static constexpr bool reads_start_state = false;
   static constexpr const char* name = "axisymmetric";
   /// Circumference 2 pi r, m.
   template <class T>

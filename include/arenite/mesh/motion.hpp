@@ -78,6 +78,7 @@ class BoundMotion {
  public:
   using OnlyOne = MeshMotion;
   static constexpr std::string_view state_name = "mesh_motion";
+  static constexpr bool reads_start_state = false;
 
   /// Throws `error` for an axis, heights or a share that cannot be.
   BoundMotion(const MovingMesh<Leader>& motion, const M& mesh) : motion_{checked(motion)} {

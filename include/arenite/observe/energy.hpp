@@ -14,6 +14,7 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 struct TrackEnergy {
   using OnlyOne = TrackEnergy;
   static constexpr std::string_view state_name = "energy";
+  static constexpr bool reads_start_state = false;
   double initial_kinetic = 0;  ///< of bodies and parts
   double initial_strain = 0;   ///< recoverable, from initial stresses
   double initial_stored = 0;   ///< recoverable, in parts

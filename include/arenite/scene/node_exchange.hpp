@@ -9,9 +9,9 @@
 namespace arenite::inline ARENITE_INSTRUCTION_SET::detail {
 
 /// All numbers of an array of nodes.
-template <class T, int D>
-std::span<T> numbers_of(std::vector<NodeSums<T, D>>& sums) {
-  static_assert(sizeof(NodeSums<T, D>) == sizeof(sums[0].lane));
+template <class Sums>
+auto numbers_of(std::vector<Sums>& sums) -> std::span<typename decltype(Sums::lane)::value_type> {
+  static_assert(sizeof(Sums) == sizeof(sums[0].lane));
   return {sums.data()->lane.data(), sums.size() * sums[0].lane.size()};
 }
 template <class T, int D>

@@ -143,6 +143,7 @@ struct needs_of<std::tuple<P...>> {
   static constexpr bool drives = (names_driven_velocity<P> || ...);
   static constexpr bool stress_work = (names_take_stress_work<P> || ...);
   static constexpr bool wall_impulses = (names_take_wall_impulse<P> || ...);
+  static constexpr bool start_state = (reads_start_state<P> || ...);
   static constexpr bool exchange = (names_exchange_impulses<P> || ...);
 };
 

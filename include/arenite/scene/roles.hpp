@@ -174,6 +174,16 @@ inline constexpr int point_columns = [] {
   else
     return 0;
 }();
+/// Whether a part may read, of the nodes, the velocity at the start of the step (`field.start`) or the force
+/// (`field.collected[i].force()`). It may, unless it says `static constexpr bool reads_start_state = false`.
+/// Where no part, nor the numerics, do, B-splines sum momentum and force in one.
+template <class P>
+inline constexpr bool reads_start_state = [] {
+  if constexpr (requires { P::reads_start_state; })
+    return P::reads_start_state;
+  else
+    return true;
+}();
 /// The first of the columns of a part of this scene. Call it in `connect`.
 template <class Scene, class Part>
 std::size_t first_point_column(const Scene& scene, const Part& part) {
@@ -220,6 +230,8 @@ constexpr bool check_part() {
                 "time) const, beside constrain");
   static_assert(!names_add_force<P> || adds_force<P, S>,
                 "part: add_force must be void add_force(Scene& scene, double dt)");
+  static_assert(!names_add_force<P> || reads_start_state<P>,
+                "part: one that adds forces must not say reads_start_state = false");
   static_assert(!names_acceleration<P> || accelerates<P, S>,
                 "part: acceleration must be Vec<T, D> acceleration(double time) const");
   static_assert(!names_exchange_impulses<P> || exchanges_impulses<P, S>,

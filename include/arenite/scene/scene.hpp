@@ -71,7 +71,9 @@ struct Scene {
   static constexpr auto body_names = BodiesOf::names;  ///< empty where a body has none
   static constexpr std::size_t field_count = Needs::own_fields ? body_count : 1;
   static constexpr std::size_t rigid_count = detail::rigids_of<Parts>::count;
-  using Field = NodeField<T, D, N::maps_back, Needs::mass_gradient, N::sweeps_nodes>;
+  /// Whether nodes hold the velocity at the start of the step and the force, apart.
+  static constexpr bool has_start_state = N::reads_start_state || Needs::start_state;
+  using Field = NodeField<T, D, N::maps_back, Needs::mass_gradient, N::sweeps_nodes, has_start_state>;
   /// Whether stresses are taken at the middle of the step: where all laws are linear (see `add_half_step`).
   static constexpr bool centres_stress = BodiesOf::template centres_stress<N>;
 

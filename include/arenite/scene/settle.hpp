@@ -13,6 +13,9 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 /// over the sum of the greater of force (internal and of parts) and weight. 0 where nothing acts.
 template <class Scene>
 double out_of_balance(const Scene& scene) {
+  static_assert(Scene::has_start_state,
+                "out_of_balance: the scene does not keep the forces of its nodes: name a part that damps, "
+                "LocalDamping{} or ViscousDamping{..}");
   using V = typename Scene::V;
   const V acceleration = scene.acceleration();
   const auto owns = scene.node_owner();

@@ -11,12 +11,14 @@
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
-/// P2G: clears the fields and collects mass, momentum and internal force of all bodies.
+/// P2G: clears the fields and collects mass, momentum and internal force of all bodies; where nothing reads
+/// them apart the momentum with the impulse of the force over the step dt, s.
 template <class Scene, class Others = const Alone>
-void p2g(Scene& scene, [[maybe_unused]] Others& others = no_others) {
+void p2g(Scene& scene, double dt, [[maybe_unused]] Others& others = no_others) {
   for (auto& field : scene.fields) field.clear();
   scene.for_each_body([&](auto& body, auto& field) {
-    p2g<typename Scene::Kinematics>(scene.numerics, scene.mesh, scene.blocks, body, field);
+    p2g<typename Scene::Kinematics>(scene.numerics, scene.mesh, scene.blocks, body, field,
+                                    static_cast<typename Scene::T>(dt));
   });
   if constexpr (!Others::alone)
     for (auto& field : scene.fields) {
@@ -167,7 +169,7 @@ void update_stress_first(Scene& scene, [[maybe_unused]] double dt,
                         update_stress<typename Scene::Kinematics, Scene::Needs::stress_work>(
                             scene.numerics, scene.mesh, body, field, static_cast<T>(dt), scene.average));
     });
-    p2g(scene, others);
+    p2g(scene, dt, others);
   }
 }
 

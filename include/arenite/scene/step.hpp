@@ -14,7 +14,7 @@ void step(Scene& scene, double dt, Others& others) {
   static_assert(Scene::is_portion != Others::alone,
                 "step: a scene over a MeshPortion needs the exchange with the other portions, others none");
   relocate(scene, others);                 // find the cell of each point
-  p2g(scene, others);                      // P2G: mass, momentum, internal force
+  p2g(scene, dt, others);                  // P2G: mass, momentum, internal force
   update_stress_first(scene, dt, others);  // USF: strains and stresses ahead of the forces
   add_forces(scene, dt, others);           // springs, tractions, ..
   centre_stress(scene, dt, others);  // elastic bodies, MUSL on simplices: forces of the middle of the step

@@ -10,6 +10,7 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 /// Keeps angular momentum to round-off where D is the same everywhere: not in the outermost cells of a grid.
 struct Apic {
   static constexpr bool affine = true;
+  static constexpr bool reads_start_state = false;
   /// D is singular for a point at a node of a linear simplex.
   template <class Shape>
   static constexpr bool fits = !Shape::constant_gradient;

@@ -80,7 +80,8 @@ struct ChannelList {
 template <class Values, class Slopes>
 struct NodeLanes {
   static constexpr std::size_t slopes = (Values::size + 3) / 4 * 4,
-                               size = (slopes + Slopes::size + 7) / 8 * 8;
+                               size =
+                                   Slopes::size == 0 && slopes == 4 ? 4 : (slopes + Slopes::size + 7) / 8 * 8;
   template <class Name>
   static constexpr std::size_t count(Name name) {
     return Values::count(name) + Slopes::count(name);

@@ -33,7 +33,7 @@ std::size_t exchange_at_faces(const M& grid, const Field& nodes, NodeVectors<T, 
     if (!(m < enough)) return;
     ++count;
     if (m == 0) {
-      const Vec<T, D> impulse = dt * nodes.collected[beside].force();
+      const Vec<T, D> impulse = impulse_of_forces(nodes.collected[beside], dt);
       velocity[beside] = velocity[face] + impulse / enough;
       velocity[face] += impulse / on_face;
       return;

@@ -131,16 +131,18 @@ class NodeVectors {
 };
 
 /// Columns over all nodes of the mesh. `Mapped`: a second velocity for the stress update (MUSL); `Gradient`:
-/// the gradient of mass, for contact normals. `Swept`: what node sweeps make. What is not asked for is not
-/// stored.
-template <real_scalar T, int D, bool Mapped, bool Gradient, bool Swept = false>
+/// the gradient of mass, for contact normals. `Swept`: what node sweeps make. `StartState`: the velocity at
+/// the start of the step and the force, apart (`reads_start_state`). What is not asked for is not stored.
+template <real_scalar T, int D, bool Mapped, bool Gradient, bool Swept = false, bool StartState = true>
 struct NodeField {
-  static constexpr bool has_mass_gradient = Gradient;
+  static constexpr bool has_mass_gradient = Gradient, has_start_state = StartState;
+  using Sums = std::conditional_t<StartState, NodeSums<T, D>, NodeMomentum<T, D>>;
 
-  std::vector<NodeSums<T, D>> collected;  ///< [nodes] what `p2g` sums and `update_grid` reads
-  std::vector<T> mass;                    ///< [nodes] kg
-  NodeVectors<T, D> start;                ///< [nodes] velocity at the step's begin, m/s
-  NodeVectors<T, D> velocity;             ///< [nodes] velocity at the step's end, m/s
+  std::vector<Sums> collected;  ///< [nodes] what `p2g` sums and `update_grid` reads
+  std::vector<T> mass;          ///< [nodes] kg
+  [[no_unique_address]] std::conditional_t<StartState, NodeVectors<T, D>, Nothing>
+      start;                        ///< [nodes if StartState] velocity at the step's begin, m/s
+  NodeVectors<T, D> velocity;       ///< [nodes] velocity at the step's end, m/s
   NodeVectors<T, D> mapped;         ///< [nodes if Mapped] momentum, then velocity for the stress update, m/s
   NodeVectors<T, D> mass_gradient;  ///< [nodes if Gradient] sum of m grad N, kg/m: points out of the body
   NodeVectors<T, D> correction;     ///< [nodes if Swept] sum of the residuals of all sweeps, m/s
@@ -151,7 +153,7 @@ struct NodeField {
       : collected(nodes),
         mass(nodes, T(0)),
         start(nodes, Vec<T, D>::Zero()),
-        velocity(start),
+        velocity(nodes, Vec<T, D>::Zero()),
         mapped(Mapped ? nodes : 0, Vec<T, D>::Zero()),
         mass_gradient(Gradient ? nodes : 0, Vec<T, D>::Zero()),
         correction(Swept ? nodes : 0, Vec<T, D>::Zero()),
@@ -179,7 +181,7 @@ struct NodeField {
   }
 
   std::size_t bytes() const {
-    return size() * (sizeof(NodeSums<T, D>) + sizeof(T)) + start.bytes() + velocity.bytes() + mapped.bytes() +
+    return size() * (sizeof(Sums) + sizeof(T)) + (StartState ? 2 : 1) * velocity.bytes() + mapped.bytes() +
            mass_gradient.bytes() + correction.bytes() + residual.bytes() + given.bytes();
   }
 };

@@ -37,4 +37,28 @@ struct alignas(8 * sizeof(T)) NodeSums {
   friend bool operator==(const NodeSums&, const NodeSums&) = default;
 };
 
+/// Impulse of the forces over a step dt, s, on a node without mass, N s.
+template <class T, int D>
+Vec<T, D> impulse_of_forces(const NodeSums<T, D>& sums, T dt) {
+  return dt * sums.force();
+}
+
+/// Momentum and mass alone: where nothing reads the velocity at the start of the step nor the force
+/// (`reads_start_state`), the impulse of the internal force over the step is part of the momentum.
+template <class T, int D>
+struct alignas(4 * sizeof(T)) NodeMomentum {
+  std::array<T, 4> lane{};
+
+  Vec<T, D> momentum() const { return Eigen::Map<const Vec<T, D>>(lane.data()); }  ///< kg m/s
+  T mass() const { return lane[D]; }                                               ///< kg
+
+  friend bool operator==(const NodeMomentum&, const NodeMomentum&) = default;
+};
+
+/// Of the whole step, or none for dt = 0.
+template <class T, int D>
+Vec<T, D> impulse_of_forces(const NodeMomentum<T, D>& sums, T dt) {
+  return dt > 0 ? sums.momentum() : Vec<T, D>(Vec<T, D>::Zero());
+}
+
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -57,6 +57,10 @@ struct Numerics {
   static constexpr bool smooths_light_nodes = has_light_nodes<Shape> && !strains_by_points;
   /// Whether vectors of the nodes are swept over the points (see `start_sweeps`).
   static constexpr bool sweeps_nodes = names_sweeps<Transfer>;
+  /// Whether velocities at the start of the step or forces of the nodes are read, by the transfer or at light
+  /// nodes; the kernels of simplices do not sum them as one.
+  static constexpr bool reads_start_state = Shape::constant_gradient || has_light_nodes<Shape> ||
+                                            strains_first || sweeps_nodes || takes_start_state<Transfer>;
   static constexpr bool needs_edge_mass = (maps_back || sweeps_nodes) && Shape::constant_gradient;
   /// Whether the stresses of bodies with laws L are taken at the middle of the step (see `add_half_step`).
   template <class... L>

@@ -11,15 +11,19 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 /// For each node: sum of w m, w m v (with the affine part), and the internal force -sum V sigma grad N (with
 /// the hoop stress in axisymmetry), as in Sulsky, Chen, Schreyer 1994 (doi:10.1016/0045-7825(94)90112-0). The
 /// field must have been cleared. Of the body, the cell sums are renewed, where there are points, and where
-/// the numerics average stresses, the points of filled cells take the mean.
+/// the numerics average stresses, the points of filled cells take the mean. A field without a start state
+/// collects mass and momentum with the impulse of the force over the step dt, s.
 template <class K, class N, class M, class B, class Field>
-void p2g(const N& numerics, const M& mesh, const Blocks& blocks, B& body, Field& nodes) {
+void p2g(const N& numerics, const M& mesh, const Blocks& blocks, B& body, Field& nodes,
+         [[maybe_unused]] typename M::scalar dt = 0) {
   if constexpr (N::needs_cell_sums) body.cell_sums.resize(mesh.cell_count());
   if constexpr (N::template centres_stress<decltype(body.law)>) body.cell_stress.resize(mesh.cell_count());
   blocks.for_each_colored([&](Index c) {
     if (body.cells.empty(c)) return;
     if constexpr (N::Shape::constant_gradient)
       simplex::p2g<K>(numerics, mesh, body, c, nodes);
+    else if constexpr (!Field::has_start_state)
+      product::p2g_with_impulse<K>(numerics, mesh, body, c, nodes, dt);
     else
       product::p2g<K>(numerics, mesh, body, c, nodes);
   });
@@ -34,14 +38,18 @@ void update_grid(Field& nodes, const Vec<T, D>& gravity, T dt, T mass_floor) {
       const auto& sums = nodes.collected[i];
       if (sums.mass() <= mass_floor) {
         nodes.mass[i] = 0;
-        nodes.start[i].setZero();
+        if constexpr (Field::has_start_state) nodes.start[i].setZero();
         nodes.velocity[i].setZero();
         continue;
       }
       const T inverse = 1 / sums.mass();
       nodes.mass[i] = sums.mass();
-      nodes.start[i] = inverse * sums.momentum();
-      nodes.velocity[i] = nodes.start[i] + dt * (inverse * sums.force() + gravity);
+      if constexpr (Field::has_start_state) {
+        nodes.start[i] = inverse * sums.momentum();
+        nodes.velocity[i] = nodes.start[i] + dt * (inverse * sums.force() + gravity);
+      } else {
+        nodes.velocity[i] = inverse * sums.momentum() + dt * gravity;
+      }
     }
   });
 }

@@ -11,6 +11,7 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 /// to invert.
 struct Tpic {
   static constexpr bool affine = true;
+  static constexpr bool reads_start_state = false;
   template <class Shape>
   static constexpr bool fits = Shape::constant_gradient;
   /// sum w_j v_j + L (x_i - x_p) is v_i wherever the point lies in a linear simplex.

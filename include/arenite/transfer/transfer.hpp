@@ -20,6 +20,8 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 // - `returns_unchanged<Shape>` (optional, else false): whether points hand back to each node the
 //   velocity that they took from it, so that MUSL is USL; a transfer derived from another one must say it
 //   anew;
+// - `reads_start_state` (optional, else true): whether `take` reads the velocities of the nodes at the start
+//   of the step, `nodes.start`;
 // - `in_step(dt)` (optional): the transfer of a step dt, s, where it depends on that;
 // - `hand(p)`: the `VelocityField` that a point p, a `PointPack`, hands to its nodes (P2G);
 // - `sweeps()` and `swept(nodes, i)` (optional, together): how many node sweeps it needs, and of which vector
@@ -53,6 +55,15 @@ inline constexpr bool returns_unchanged = [] {
     return Transfer::template returns_unchanged<Shape>;
   else
     return false;
+}();
+
+/// See above.
+template <class Transfer>
+inline constexpr bool takes_start_state = [] {
+  if constexpr (requires { Transfer::reads_start_state; })
+    return Transfer::reads_start_state;
+  else
+    return true;
 }();
 
 // The order of the stress update: `maps_back`, whether strains are taken from velocities that the points hand

@@ -4,6 +4,7 @@
 #include <arenite/transfer/node_field.hpp>
 #include <arenite/transfer/numerics.hpp>
 #include <arenite/transfer/point_pack.hpp>
+#include <arenite/transfer/product/momentum_rows.hpp>
 #include <arenite/transfer/product/rows.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
@@ -70,6 +71,44 @@ template <class K, class N, class M, class B, class Field>
     for (const Index node : cell.nodes)
       nodes.collected[node].lane[NodeSums<T, M::dimension>::reach_lane] += reach;
   }
+}
+
+/// The same where nodes collect mass and the momentum of the end of the step alone (`NodeMomentum`):
+///   mass_i += m_p w_i     momentum_i += m_p w_i v_p(x_i) - dt V_p sigma_p grad w_i
+///   in axisymmetry momentum_r,i -= dt V_p sigma_hoop w_i / r_p
+template <class K, class N, class M, class B, class Field, class T>
+[[gnu::flatten]] void p2g_with_impulse(const N& numerics, const M& mesh, const B& body, Index c, Field& nodes,
+                                       T dt) {
+  using Cell = typename N::Shape::template Cell<M>;
+  constexpr std::size_t D = M::dimension;
+  using Sums = MomentumRows<Cell, N::template width<T>>;
+  using P = typename Sums::P;
+  const Cell cell(mesh, c);
+  Sums rows;
+  const auto spread = [&] {
+    rows.spread([&](std::size_t i, std::size_t lane, const auto& sum) {
+      using L = std::remove_cvref_t<decltype(sum)>;
+      T* const to = nodes.collected[cell.nodes[i]].lane.data() + lane;
+      store_lanes(to, lane_count<L>, L(load_lanes<L>(to, lane_count<L>) + sum));
+    });
+  };
+  std::size_t left = body.cells[c].size();
+  for_each_pack<Sums::width>(body.cells, c, body.points, [&](const auto& p) {
+    const auto x = p.position();
+    const auto field = numerics.transfer.hand(p);
+    const auto stress = p.stress();
+    const P factor = P(-dt) * p.volume();
+    const Lines<P, Cell> line(cell, x);
+    std::array<P, D> impulse;
+    std::array<P, D * D> slope;
+    repeat<D>([&](std::size_t d) { impulse[d] = P(0); });
+    if constexpr (K::hoop) impulse[0] = factor * stress[2] * reciprocal(x[0]);
+    repeat<D * D>(
+        [&](std::size_t k) { slope[k] = factor * stress[Sym<P, M::dimension>::index(k % D, k / D)]; });
+    rows.push(p.count, p.mass(), field, impulse, slope, line);
+    left -= static_cast<std::size_t>(p.count);  // one call of `spread`, as above
+    if (rows.full() || left == 0) spread();
+  });
 }
 
 }  // namespace product

@@ -8,13 +8,39 @@
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 namespace product {
 
-/// Writes columns of neighbouring points, eights of them, as rows, one a point. `P`: packs as wide as those
-/// of the rows, or of four lanes.
-template <std::size_t Width, class T, class P, std::size_t Lanes>
-void store_rows(const std::array<P, Lanes>& column, T* to) {
-  static_assert(Lanes % 8 == 0);
+/// Writes four columns of neighbouring points as rows of four lanes, one a point.
+template <class T, class P>
+void store_quads(std::array<P, 4> column, T* to) {
   constexpr std::size_t width = static_cast<std::size_t>(lane_count<P>);
   if constexpr (width == 1) {
+    repeat<4>([&](std::size_t k) { to[k] = column[k]; });
+  } else if constexpr (width < 4) {
+    static_assert(width == 2);
+    repeat<2>([&](std::size_t k) {
+      std::array<P, 2> half{column[2 * k], column[2 * k + 1]};
+      transpose_lanes(half);
+      repeat<2>([&](std::size_t r) { half[r].store(to + 4 * r + 2 * k); });
+    });
+  } else {
+    transpose_lanes(column);  // row r holds points r, r + 4, ..
+    repeat<4>([&](std::size_t r) {
+      std::array<T, width> rows;
+      column[r].store(rows.data());
+      repeat<width / 4>(
+          [&](std::size_t k) { Pack<T, 4>::load(rows.data() + 4 * k).store(to + 4 * (4 * k + r)); });
+    });
+  }
+}
+
+/// Writes columns of neighbouring points, four or eights of them, as rows, one a point. `P`: packs as wide as
+/// those of the rows, or of four lanes.
+template <std::size_t Width, class T, class P, std::size_t Lanes>
+void store_rows(const std::array<P, Lanes>& column, T* to) {
+  static_assert(Lanes == 4 || Lanes % 8 == 0);
+  constexpr std::size_t width = static_cast<std::size_t>(lane_count<P>);
+  if constexpr (Lanes == 4) {
+    store_quads(column, to);
+  } else if constexpr (width == 1) {
     for (std::size_t k = 0; k < Lanes; ++k) to[k] = column[k];
   } else if constexpr (width < Width) {
     static_assert(width == 4);
@@ -45,7 +71,7 @@ class Rows {
   using T = typename Cell::T;
   static constexpr std::size_t D = Cell::D, N = Cell::nodes_per_axis, lanes = Lanes::size;
   // Lanes computed at once, a register's.
-  static constexpr std::size_t at_once = static_cast<std::size_t>(std::min(Width, 8));
+  static constexpr std::size_t at_once = std::min<std::size_t>({static_cast<std::size_t>(Width), 8, lanes});
   using L = lanes_of<T, static_cast<int>(at_once)>;
 
  public:

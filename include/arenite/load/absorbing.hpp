@@ -30,8 +30,10 @@ struct AbsorbingOptions {
 };
 
 /// Dashpots of rho c_p across and rho c_s along faces of the mesh (Lysmer and Kuhlemeyer 1969, Finite dynamic
-/// model for infinite media, J. Eng. Mech. Div. 95, 859-877). Waves that meet a face at a right angle leave;
-/// docs/validation.md has what comes back of others.
+/// model for infinite media, J. Eng. Mech. Div. 95, 859-877). Waves that meet a face at a right angle leave.
+/// Of others that of the closed form comes back, by the angle to the normal: pressure waves 0.2 % of the
+/// energy at 40 deg, 4 % at 60, 12 % at 70; shear waves, at a Poisson ratio of 0.25, 4 % at 30 deg and 5 % at
+/// 50 (docs/validation.md).
 ///
 /// A dashpot has no stiffness. Where the boundary bears a static stress, as under gravity, begin with that
 /// state (`FillOptions::stress`, or a run that settled on walls) and say `.support =

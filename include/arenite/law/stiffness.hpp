@@ -86,7 +86,8 @@ class PressureStiffness {
   /// x^n
   template <class T>
   T power(const T& x) const {
-    using std::abs;
+    using std::abs, std::sqrt;
+    if (exponent_ == 0.5) return sqrt(x);
     const T log = lane_log(x) * T(exponent_), inverse = lane_exp_minus(T(abs(log)));
     return select(log > T(0), T(T(1) / inverse), inverse);
   }

@@ -18,6 +18,7 @@
 #include <arenite/law/logarithmic_friction.hpp>
 #include <arenite/law/mohr_coulomb.hpp>
 #include <arenite/law/rate_softening_friction.hpp>
+#include <arenite/law/rate_stiffness.hpp>
 #include <arenite/law/softening_friction.hpp>
 #include <arenite/law/stiffness.hpp>
 #include <arenite/law/with_deviatoric_strain.hpp>

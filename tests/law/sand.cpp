@@ -257,3 +257,36 @@ TEST_CASE("stiffness by pressure leaves the strength, and scales the strain to i
   const double shear = both.elasticity().shear() * std::sqrt(0.1);
   CHECK(end.history.plastic_strain == Approx((0.1 - end.stress[3] / shear) / std::sqrt(3.0)).epsilon(1e-9));
 }
+
+TEST_CASE(
+    "stiffness by rate and plastic strain: the path, the waves, and what a closed cycle makes of energy") {
+  const RateSofteningFriction kept{
+      {.softening = {.residual_friction = 35_deg, .decay = 0}, .friction_per_decade = 0}};
+  const RateStiffness by_rate{{.per_decade = 0.1, .residual = 0.6, .decay = 5}};
+  using Law = MohrCoulomb<ForgetsOpening, RateSofteningFriction, RateStiffness>;
+  const Law law{pyramid, {}, kept, by_rate};
+  const double shear = law.elasticity().shear(), gamma = 1e-4;
+  const auto sheared = [&](auto& point, double by, double rate) {
+    drive(
+        law, point,
+        DriveStage<2>{
+            .components = {{{}, {}, {}, strain_by(by / 2)}}, .duration = std::abs(by) / rate, .steps = 10000},
+        [](const auto&) {});
+  };
+  const auto factor = [](double rate) { return 1 + 0.1 * std::log10(rate / 2.1e-5); };
+  DrivenPoint<Law, 2> point{.stress = {{-10_kPa, -10_kPa, -10_kPa, 0}}};
+  sheared(point, gamma, 10);
+  // The rate of a step counts from the next one on: one step of 10,000 has the moduli of matter at rest.
+  CHECK(point.stress[3] == Approx(shear * gamma * factor(10)).epsilon(1e-4));
+  CHECK(law.wave_modulus(point.stress, point.history) ==
+        Approx(law.elasticity().wave_modulus() * factor(10)).epsilon(1e-12));
+  const double tau = point.stress[3];
+  sheared(point, -tau / (shear * factor(0.1)), 0.1);
+  CHECK(std::abs(point.stress[3]) <= 1e-4 * tau);
+  CHECK(point.work == Approx(tau * tau / (2 * shear) * (1 / factor(10) - 1 / factor(0.1))).epsilon(1e-3));
+  // With plastic strain the moduli fall to the residual ones.
+  sheared(point, 0.5, 10);
+  const double left = std::exp(-5 * point.history.plastic_strain);
+  CHECK(law.wave_modulus(point.stress, point.history) ==
+        Approx(law.elasticity().wave_modulus() * (0.6 + (factor(10) - 0.6) * left)).epsilon(1e-12));
+}

@@ -204,6 +204,11 @@ TEST_CASE("packs compute what scalars do") {
   check_all_packs(SofteningFriction{soft});
   check_all_packs(RateSofteningFriction{{.softening = soft}});
   check_packs<Pack<double, 4>, 3>(stiffening);
+  check_packs<Pack<double, 2>, 2>(MohrCoulomb<ForgetsOpening, RateSofteningFriction, RateStiffness>{
+      pyramid,
+      {},
+      RateSofteningFriction{{.softening = {.residual_friction = 31_deg, .decay = 8}}},
+      RateStiffness{{.decay = 3}}});
 }
 
 TEST_CASE("no plastic work below zero") {
@@ -247,6 +252,7 @@ TEST_CASE("constants that make no sense are refused") {
         "SofteningFriction.residual_dilatancy = 0.1: must not exceed the law's dilatancy");
   CHECK(message([] { PressureStiffness{{.exponent = 1.5}}; }) ==
         "PressureStiffness.exponent = 1.5: must lie in [0, 1]");
+  CHECK(message([] { RateStiffness{{.residual = 0}}; }) == "RateStiffness.residual = 0: must lie in (0, 1]");
   CHECK(message([] { PressureStiffness{{.lowest_pressure = 0}}; }) ==
         "PressureStiffness.lowest_pressure = 0: must be positive (Pa)");
   const DrivenPoint<MohrCoulomb<>, 2> start{.stress = {{-1, -1, -1, 0}}};

@@ -83,6 +83,12 @@ class Frictional : public Memory, public detail::ElasticPart<Stiffness> {
       T, detail::WithHistory<T, typename Memory::template History<T>, typename Friction::template History<T>>,
       typename Stiffness::template History<T>>;
 
+  static_assert(
+      !requires { requires Stiffness::reads_friction_history; } ||
+          std::is_base_of_v<typename Stiffness::template History<double>,
+                            typename Friction::template History<double>>,
+      "Stiffness: reads a history that the friction policy must keep, such as RateSofteningFriction");
+
   Frictional(std::string_view name, const Parameters& p, const Memory& memory, const Friction& friction,
              const Stiffness& stiffness)
       : Memory(memory),

@@ -23,7 +23,8 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 ///
 /// by how much all moduli of a point, in its stress at the begin of the step, exceed those of the law's
 /// parameters, -, positive; and the elastic energy of the unit volume, J/m3. Poisson's ratio is that of the
-/// parameters. A history that the friction policy has too is one and the same, kept up by that policy.
+/// parameters. A history that the friction policy has too is one and the same, kept up by that policy; with
+/// `static constexpr bool reads_friction_history = true` the compiler refuses another friction policy.
 struct ConstantStiffness {
   template <class T>
   using History = NoHistory<T>;

@@ -1,5 +1,6 @@
 // What a run is asked for: tables of named columns, probes, section forces.
 #include <arenite/arenite.hpp>
+#include <arenite/mesh/box_mesh.hpp>
 #include <arenite/observe/csv.hpp>
 #include <arenite/observe/probe.hpp>
 #include <arenite/observe/section.hpp>
@@ -79,6 +80,31 @@ TEST_CASE("Section force: the weight above, the pressure beside, a part of the c
                     Catch::Matchers::Contains("Section.thickness = nan: must be given"));
   CHECK_THROWS_WITH(section_force(scene, {.normal = {0, 0, 1}, .thickness = 1}),
                     Catch::Matchers::Contains("Section.normal"));
+}
+
+TEST_CASE(
+    "Nodal section force: a cantilever on coarse triangles, in balance with the weight beyond the cut") {
+  Scene beam{PlaneStrain{},
+             SimplexMesh<2>(box_mesh<2>({{0, 0}, {1.2, 0.6}, {12, 6}})),
+             Numerics<LinearSimplex>{},
+             bodies(fill(Box{{0., 0.2}, {1., 0.4}},
+                         LinearElastic{{.density = 1000, .young = 1e7, .poisson = 0.3}}, {.per_cell = 3})),
+             walls(left(fixed)),
+             gravity({0, -1}),
+             LocalDamping{}};
+  settle(beam, {.ratio = 1e-5, .end = 60});
+  for (const double x : {0.25, 0.5, 0.525}) {
+    CAPTURE(x);
+    const double weight = 0.2 * (1 - x) * 1000;
+    const auto force =
+        nodal_section_force(beam, {.through = {x, 0, 0}, .normal = {1, 0, 0}, .thickness = 0.2});
+    CHECK(std::abs(-force[1] / weight - 1) <= 5e-4);
+    const auto back =
+        nodal_section_force(beam, {.through = {x, 0, 0}, .normal = {-2, 0, 0}, .thickness = 0.2});
+    CHECK((force + back).norm() <= 1e-9 * weight);
+  }
+  CHECK_THROWS_WITH(nodal_section_force(beam, {.normal = {1, 0, 0}}),
+                    Catch::Matchers::Contains("Section.thickness = nan"));
 }
 
 TEST_CASE("Table: named columns at intervals, numbers that read back, a run that goes on") {

@@ -71,7 +71,8 @@ run_stage() {
   shift 3
   local start=$SECONDS
   printf '\n=== %s\n' "$name"
-  cmake -S "$root" -B "$folder" -G Ninja -DARENITE_TEST_PYTHON="$venv/bin/python" -DARENITE_REQUIRE_ALL=ON "$@" > "$folder.log" 2>&1 < /dev/null ||
+  cmake -S "$root" -B "$folder" -G Ninja -DARENITE_TEST_PYTHON="$venv/bin/python" -DARENITE_REQUIRE_ALL=ON \
+    -DARENITE_TEST_TOGETHER=8 "$@" > "$folder.log" 2>&1 < /dev/null ||
     { tail -n 30 "$folder.log" >&2 && fail "stage $name: configuring failed (log: $folder.log)"; }
   # Errors and warnings of the compiler, not the list of commands that it ran.
   cmake --build "$folder" -j "$jobs" -- --quiet -k 0 < /dev/null || fail "stage $name: building failed"

@@ -254,7 +254,7 @@ TEST_CASE("without friction there is no apex: any history stays finite, and shea
   check(0.0, 1e-12);
 }
 
-TEST_CASE("bad constants are named with their rule") {
+TEST_CASE("bad constants of Drucker-Prager are named with their rule") {
   const auto message = [](const DruckerPragerParameters& p) -> std::string {
     try {
       DruckerPrager law(p);

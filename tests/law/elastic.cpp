@@ -125,7 +125,7 @@ TEST_CASE("objectivity: stretched in a turning frame, the stress turns with it")
   REQUIRE((full(turning) - r * full(still) * r.transpose()).norm() <= 1e-12 * full(still).norm());
 }
 
-TEST_CASE("bad constants are named with their rule") {
+TEST_CASE("bad constants of elastic laws are named with their rule") {
   REQUIRE(message({.density = 1, .young = 1, .poisson = 0.6}) ==
           "LinearElastic.poisson = 0.6: must lie in (-1, 0.5)");
   REQUIRE(message({.density = 1, .young = 1, .poisson = -1}) ==

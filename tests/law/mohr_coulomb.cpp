@@ -81,7 +81,7 @@ TEST_CASE("oedometer: at rest until K0 meets the active limit") {
   REQUIRE(std::abs(ratio(0.1, 30_deg) - 1.0 / 3) <= 1e-13);
 }
 
-TEST_CASE("bad constants are named with their rule") {
+TEST_CASE("bad constants of Mohr-Coulomb are named with their rule") {
   const MohrCoulombParameters good{.density = 1, .young = 1, .poisson = 0.3, .friction = 0.5};
   auto p = good;
   REQUIRE(message(p).empty());

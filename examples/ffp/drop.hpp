@@ -1,5 +1,5 @@
-// One drop, end to end: what `arenite-ffp drop` does once its options are read. Each combination of
-// kinematics and device is compiled in a file of its own.
+// One drop, end to end: what `arenite-ffp drop` does once its options are read. Each
+// kinematics is compiled in a file of its own.
 #pragma once
 
 #include <stdexcept>
@@ -25,9 +25,7 @@ class Ended : public std::runtime_error {
 /// complete up to then.
 void drop(const DropOptions& options);
 
-void drop_axisymmetric_rigid(const DropOptions& options);
-void drop_axisymmetric_elastic(const DropOptions& options);
-void drop_slice_rigid(const DropOptions& options);
-void drop_slice_elastic(const DropOptions& options);
+void drop_axisymmetric(const DropOptions& options);
+void drop_slice(const DropOptions& options);
 
 }  // namespace arenite::ffp

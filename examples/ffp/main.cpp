@@ -14,11 +14,7 @@ namespace arenite::ffp {
 
 void drop(const DropOptions& o) {
   set_threads(o.threads);
-  const bool rigid = o.device == DeviceKind::rigid;
-  if (o.kinematics == Kinematics::slice)
-    rigid ? drop_slice_rigid(o) : drop_slice_elastic(o);
-  else
-    rigid ? drop_axisymmetric_rigid(o) : drop_axisymmetric_elastic(o);
+  o.kinematics == Kinematics::slice ? drop_slice(o) : drop_axisymmetric(o);
 }
 
 }  // namespace arenite::ffp

@@ -13,6 +13,7 @@
 #include "history.hpp"
 #include "mesh_slice.hpp"
 #include "options.hpp"
+#include "sand_friction.hpp"
 
 namespace arenite::ffp {
 
@@ -79,20 +80,23 @@ SimplexMesh<Model::dimension> mesh_of(const DropOptions& o) {
   return mesh;
 }
 
-template <int D>
-WithDeviatoricStrain<MohrCoulomb<>, D> sand_of(const DropOptions& o) {
-  return WithDeviatoricStrain<MohrCoulomb<>, D>{MohrCoulomb{{.density = o.unit_weight / standard_gravity,
-                                                             .young = o.young,
-                                                             .poisson = o.poisson,
-                                                             .friction = o.friction * pi / 180,
-                                                             .cohesion = o.cohesion,
-                                                             .dilatancy = o.dilatancy * pi / 180}}};
+inline MohrCoulombParameters sand_of(const DropOptions& o) {
+  return {.density = o.unit_weight / standard_gravity,
+          .young = o.young,
+          .poisson = o.poisson,
+          .friction = o.friction * pi / 180,
+          .cohesion = o.cohesion,
+          .dilatancy = o.dilatancy * pi / 180};
+}
+inline MohrCoulomb<> plain_sand(const DropOptions& o) { return MohrCoulomb{sand_of(o)}; }
+inline auto sand_with_law(const DropOptions& o) {
+  return MohrCoulomb{sand_of(o), ForgetsOpening{}, friction_of(o.law, o.cell)};
 }
 
-template <int D>
-auto soil_of(const DropOptions& o) {
+template <int D, class Law>
+auto soil_of(const DropOptions& o, const Law& law) {
   return fill<"soil">(
-      Cells("soil"), sand_of<D>(o),
+      Cells("soil"), WithDeviatoricStrain<Law, D>{law},
       {.per_cell = o.points_in_element(),
        .stress = Geostatic{.surface = 0, .k0 = o.earth_pressure(), .gravity = standard_gravity}});
 }
@@ -108,18 +112,19 @@ MovingMesh<Leader> motion_of(const DropOptions& o, const Mesh& mesh) {
 
 template <class AntiLocking>
 Numerics<LinearSimplex, Flip, Musl, AntiLocking> numerics_of(const DropOptions& o) {
-  return {.transfer = {.fraction = o.flip}, .anti_locking = {}};
+  const double time = o.flip_time > 0 ? o.flip_time : std::numeric_limits<double>::infinity();
+  return {.transfer = {.fraction = o.flip, .time = time}, .anti_locking = {}};
 }
 
 /// A rigid penetrometer; `Coupling` tells how the sand meets it.
-template <class Model, class AntiLocking, class Coupling>
-auto rigid_scene(const DropOptions& o) {
+template <class Model, class AntiLocking, class Coupling, class Law>
+auto rigid_scene(const DropOptions& o, const Law& law) {
   auto mesh = mesh_of<Model>(o);
   const auto motion = motion_of<LedByRigid<"device">>(o, mesh);
   return Scene{typename Model::Kinematics{},
                std::move(mesh),
                numerics_of<AntiLocking>(o),
-               bodies(soil_of<Model::Kinematics::dimension>(o)),
+               bodies(soil_of<Model::Kinematics::dimension>(o, law)),
                Model::walls(),
                gravity({0, -standard_gravity}),
                rigids(rigid<"device">(MeshSurface{"device"},
@@ -144,7 +149,7 @@ auto elastic_scene(const DropOptions& o) {
       typename Model::Kinematics{},
       std::move(mesh),
       numerics_of<AntiLocking>(o),
-      bodies(soil_of<Model::Kinematics::dimension>(o),
+      bodies(soil_of<Model::Kinematics::dimension>(o, plain_sand(o)),
              fill<"device">(Cells("device"), metal, {.per_cell = 1, .velocity = {0, -o.velocity, 0}})),
       Model::walls(),
       gravity({0, -standard_gravity}),

@@ -60,6 +60,7 @@ void visit_options(Options& o, Visitor& v) {
   v.number("--poisson", o.poisson, "X", between(-1, 0.5), "Poisson's ratio");
   v.number("--unit-weight", o.unit_weight, "N_M3", Range{1000, 100000, "N/m^3"}, "Unit weight");
   v.number("--k0", o.k0, "X", Range{0, 3}, "Earth pressure at rest, of itself poisson / (1 - poisson)");
+  visit_law_options(o.law, v);
   v.group("Contact");
   v.number("--delta", o.delta, "DEG", Range{0, 60, "deg"}, "Angle of friction between sand and penetrometer");
   v.flag("--no-slip", o.no_slip, "Sand sticks to the penetrometer, whatever --delta says");
@@ -76,6 +77,9 @@ void visit_options(Options& o, Visitor& v) {
   v.choice("--anti-locking", switch_words, o.anti_locking,
            "Average volumetric strains over nodes and stresses over filled elements");
   v.number("--flip", o.flip, "SHARE", Range{0, 1}, "Share of FLIP in the velocity update, the rest is PIC");
+  v.number(
+      "--flip-time", o.flip_time, "S", Range{0, 100, "s"},
+      "Time constant of the share of FLIP, which is then --flip exp(-dt / S) whatever the step; 0 for none");
   v.number("--courant", o.courant, "X", above(0, 1), "Time step over the stable one, h / c");
   v.group("Run");
   v.number("--end", o.end, "S", above(0, 10, "s"), "End of the run");
@@ -130,6 +134,10 @@ inline void check(const DropOptions& o) {
   visit_options(o, ranges);
   require(o.dilatancy <= o.friction, "--dilatancy", o.dilatancy,
           joined_text("must lie in [0, ", o.friction, "] deg, from nothing to the sand's angle of friction"));
+  check(o.law, o.friction, o.dilatancy);
+  if (o.law.kind != LawKind::mohr_coulomb)
+    require(o.device == DeviceKind::rigid && o.contact == ContactKind::rigid && o.anti_locking, "--law",
+            word_of(law_words, o.law.kind), "needs --device rigid, --contact rigid and --anti-locking on");
   require(o.k0 || (o.earth_pressure() >= 0 && o.earth_pressure() <= 3), "--poisson", exactly(o.poisson),
           joined_text("must give an earth pressure at rest poisson / (1 - poisson) in [0, 3], not ",
                       o.earth_pressure(), ", unless --k0 is given"));

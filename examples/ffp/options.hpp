@@ -12,6 +12,7 @@
 #include <arenite/core/error.hpp>
 
 #include "geometry.hpp"
+#include "law_options.hpp"
 #include "mesh_axisymmetric.hpp"
 
 namespace arenite::ffp {
@@ -58,6 +59,7 @@ struct DropOptions {
   double unit_weight = 15100;  ///< of the sand, N/m^3
   double cohesion = 0;         ///< of the sand, Pa
   double dilatancy = 0;        ///< of the sand, deg
+  LawOptions law;              ///< of the sand's friction
   std::optional<double> k0;    ///< earth pressure at rest; default poisson / (1 - poisson) (ours)
   double cell = 0.01;          ///< edge of the cells around the cone, m
   double moving_depth = 0.06;  ///< the mesh moves as one from here below the tip upward, m (ours)
@@ -67,6 +69,7 @@ struct DropOptions {
       ContactKind::rigid;    ///< of a rigid device; an elastic one meets the sand through the centre of mass
   bool anti_locking = true;  ///< strains averaged over nodes, stresses over filled elements
   double flip = 1;           ///< share of FLIP in the velocity update, the rest is PIC
+  double flip_time = 0;      ///< s: time constant of the share, flip exp(-dt / time); 0: none
   double courant = 0.5;      ///< time step over the stable estimate h / c
   double end = 0.1;          ///< s
   int threads = 0;           ///< 0: the environment's ARENITE_THREADS, else one for each processor

@@ -132,6 +132,7 @@ inline nlohmann::ordered_json inputs_of(const DropOptions& o) {
   j["young_Pa"] = o.young;
   j["poisson"] = o.poisson;
   j["unit_weight_N_m3"] = o.unit_weight;
+  add_inputs(o.law, j);
   j["k0"] = o.earth_pressure();
   j["gravity_m_s2"] = standard_gravity;
   j["contact"] =
@@ -142,6 +143,7 @@ inline nlohmann::ordered_json inputs_of(const DropOptions& o) {
   j["mesh"] = o.mesh.empty() ? "generated" : o.mesh;
   j["anti_locking"] = word_of(switch_words, o.anti_locking);
   j["flip"] = o.flip;
+  j["flip_time_s"] = o.flip_time;
   j["courant"] = o.courant;
   j["end_s"] = o.end;
   j["fields_every_s"] = o.fields_every;

@@ -89,6 +89,8 @@ TEST_CASE("every option reaches its value") {
                        "off",
                        "--flip",
                        "0.9",
+                       "--flip-time",
+                       "0.1",
                        "--courant",
                        "0.25",
                        "--end",
@@ -122,8 +124,8 @@ TEST_CASE("every option reaches its value") {
   REQUIRE((o.delta == 40 && o.velocity == 4 && o.mass == 8 && o.friction == 36 && o.young == 6e6 &&
            o.poisson == -0.1));
   REQUIRE((o.unit_weight == 16000 && o.cohesion == 1000 && o.dilatancy == 5 && o.cell == 0.02));
-  REQUIRE(
-      (o.points_in_element() == 20 && o.flip == 0.9 && o.courant == 0.25 && o.end == 0.05 && o.threads == 2));
+  REQUIRE((o.points_in_element() == 20 && o.flip == 0.9 && o.flip_time == 0.1 && o.courant == 0.25 &&
+           o.end == 0.05 && o.threads == 2));
   REQUIRE((o.mesh == "file.msh" && o.fields_every == 0 && o.out == "a b" && o.fillet == 0.02));
   REQUIRE((o.moving_depth == 0.1 && o.earth_pressure() == 0.4 && o.device_young == 1e7 &&
            o.device_poisson == 0.2));
@@ -234,6 +236,27 @@ TEST_CASE("any words end in options, help or one short sentence") {
   REQUIRE(refused > 1000);
 }
 
+TEST_CASE("laws of the sand's friction") {
+  REQUIRE(read({}).law.kind == LawKind::mohr_coulomb);
+  REQUIRE(read({"--law", "linear-rate", "--rate-time", "2e-3"}).law.rate_time == 2e-3);
+  REQUIRE(read({"--law", "mu-i", "--grain-size", "1e-3"}).law.grain_size == 1e-3);
+  REQUIRE(read({"--law", "log-rate", "--per-decade", "0.03"}).law.per_decade == 0.03);
+  REQUIRE(read({"--law", "softening", "--residual-friction", "36"}).law.residual == 36);
+  const auto refused = [](std::vector<std::string> words) {
+    words.insert(words.begin(), "drop");
+    return refusal(std::move(words));
+  };
+  REQUIRE(refused({"--law", "softening"}) == "--residual-friction = (none): must be given with this --law");
+  REQUIRE(refused({"--law", "softening-rate", "--residual-friction", "41"}) ==
+          "--residual-friction = 41: must not exceed --friction = 40 deg");
+  REQUIRE(refused({"--law", "softening", "--residual-friction", "36", "--residual-dilatancy", "1"}) ==
+          "--residual-dilatancy = 1: must not exceed --dilatancy = 0 deg");
+  for (const auto& [option, value] :
+       {std::pair{"--device", "elastic"}, {"--contact", "centre-of-mass"}, {"--anti-locking", "off"}})
+    REQUIRE(refused({"--law", "mu-i", option, value}) ==
+            "--law = mu-i: needs --device rigid, --contact rigid and --anti-locking on");
+}
+
 TEST_CASE("every range has both ends") {
   using Case = std::array<const char*, 3>;
   for (const auto& [option, below, above] : {Case{"--delta", "-1", "61"},
@@ -248,6 +271,7 @@ TEST_CASE("every range has both ends") {
                                              Case{"--cell", "0.002", "0.05"},
                                              Case{"--points-per-element", "0", "100"},
                                              Case{"--flip", "-0.1", "1.1"},
+                                             Case{"--flip-time", "-1", "101"},
                                              Case{"--courant", "0", "1.1"},
                                              Case{"--end", "0", "11"},
                                              Case{"--threads", "-1", "2000"},
@@ -255,6 +279,19 @@ TEST_CASE("every range has both ends") {
                                              Case{"--moving-depth", "0", "0.4"},
                                              Case{"--fillet", "0", "0.1"},
                                              Case{"--k0", "-0.1", "4"},
+                                             Case{"--rate-time", "-1", "2"},
+                                             Case{"--rate-smoothing", "-1", "2"},
+                                             Case{"--mu-rise", "-1", "11"},
+                                             Case{"--mu-inertia", "0", "101"},
+                                             Case{"--grain-size", "0", "1"},
+                                             Case{"--grain-density", "0", "1e5"},
+                                             Case{"--per-decade", "-1", "11"},
+                                             Case{"--reference-rate", "0", "1e7"},
+                                             Case{"--dilatancy-per-decade", "-1", "11"},
+                                             Case{"--residual-friction", "0", "61"},
+                                             Case{"--residual-dilatancy", "-1", "61"},
+                                             Case{"--decay", "-1", "1001"},
+                                             Case{"--decay-cell", "0", "2"},
                                              Case{"--device-young", "0", "1e13"},
                                              Case{"--device-poisson", "-1", "0.5"},
                                              Case{"--watch-energy", "0", "1e7"},

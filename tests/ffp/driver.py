@@ -29,8 +29,8 @@ KEYS = """final_penetration_m max_penetration_m peak_deceleration_g peak_time_s 
     peak_reaction_N end_s version started process_id inputs_hash expected_steps warnings watch
     points steps dt_min_s dt_max_s wall_s point_steps_per_s threads register_bytes lost_points energy_residual inputs status""".split()
 INPUTS = """kinematics device velocity_m_s mass_kg shoulder fillet_m device_young_Pa device_poisson delta_deg no_slip
-    friction_deg dilatancy_deg cohesion_Pa young_Pa poisson unit_weight_N_m3 k0 contact cell_m points_per_element
-    moving_depth_m mesh anti_locking flip courant end_s fields_every_s""".split()
+    friction_deg dilatancy_deg cohesion_Pa young_Pa poisson unit_weight_N_m3 law k0 contact cell_m points_per_element
+    moving_depth_m mesh anti_locking flip flip_time_s courant end_s fields_every_s""".split()
 
 
 def drop(*options):
@@ -273,6 +273,24 @@ class Drops(DriverTest):
         self.assert_summary(found, columns)
         device = vtu("elastic/fields_device_points_0002.vtu")
         self.assertGreater(max(abs(s) for s in device["stress"]), 1)
+
+    def test_laws(self):
+        plain, _ = self.run_drop("law_plain", *COARSE, "--fields-every", "0")
+        off, _ = self.run_drop("law_off", *COARSE, "--fields-every", "0", "--law", "linear-rate", "--rate-time", "0")
+        self.assertEqual(off, plain)  # a law without its term is Mohr-Coulomb, to the bit
+        for law, options, stronger in (("linear-rate", [], True), ("mu-i", [], True), ("log-rate", [], True),
+                                       ("softening", ["--residual-friction", "36"], False),
+                                       ("softening-rate", ["--residual-friction", "36", "--dilatancy", "5"], True)):
+            columns, found = self.run_drop("law_" + law, *COARSE, "--fields-every", "0.05", "--law", law, *options)
+            self.assert_consistent(columns)
+            self.assertEqual(found["inputs"]["law"], law)
+            depth = found["final_penetration_m"] - plain["penetration_m"][-1]
+            self.assertGreater(-depth if stronger else depth, 1e-3, law)
+
+    def test_slice_law(self):
+        columns, found = self.run_drop("slice_law", *SLICE, "--law", "mu-i")
+        self.assert_consistent(columns)
+        self.assert_summary(found, columns)
 
     def test_slice(self):
         columns, found = self.run_drop("slice", *SLICE)
@@ -805,7 +823,8 @@ class Inputs(DriverTest):
     def test_a_summary_is_taken_back(self):
         for name, options in (("taken", SHORT), ("taken_odd", [*SHORT, "--shoulder", "fillet", "--fillet", "0.011", "--no-slip",
                                                               "--k0", "0.45", "--young", "6.1e6", "--anti-locking", "off", "--flip", "0.99"]),
-                              ("taken_elastic", [*SHORT, "--device", "elastic"])):
+                              ("taken_elastic", [*SHORT, "--device", "elastic"]),
+                              ("taken_law", [*SHORT, "--law", "softening-rate", "--residual-friction", "35.5", "--decay", "7"])):
             _, found = self.run_drop(name, *options)
             _, again = self.run_drop(name + "_again", "--input", f"{name}/summary.json")
             self.assertEqual(again["inputs"], found["inputs"])

@@ -1,0 +1,5 @@
+// The drop as a slice of tetrahedra. Its devices and laws share kernels, which one unit compiles once.
+#include "drop.hpp"
+#include "drop_with.hpp"
+
+void arenite::ffp::drop_slice(const DropOptions& o) { drop_model<SliceModel>(o); }

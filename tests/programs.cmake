@@ -60,9 +60,9 @@ endfunction()
 
 # arenite_tests(FILES): executables and ctest tests of test files.
 function(arenite_tests)
-  set(left_out)
+  set(left_out "~[.]")
   if(NOT ARENITE_TEST_HEAVY)
-    set(left_out "~[heavy]")
+    string(APPEND left_out "~[heavy]")
   endif()
 
   # Groups of files: of one folder and the same flags.

@@ -36,6 +36,30 @@ auto cone_on_fine_grid() {
   return scene;
 }
 
+/// A rigid box on elastic ground, 30,000 points; `others`: more rigid bodies, and their contact.
+template <class Motion, class... Others>
+auto box_on_ground(const Motion& motion, const Others&... others) {
+  return Scene{PlaneStrain{},
+               CartesianGrid<2>{{.lower = {0, 0}, .upper = {0.6, 0.3}, .cell = 0.004}},
+               Numerics<QuadraticBSpline, Apic, Usl>{},
+               bodies(fill(Box{{0, 0}, {0.6, 0.2}}, elastic(), {.per_cell = 4})),
+               walls(bottom(fixed), left(roller), right(roller)),
+               gravity({0, -9.81}),
+               rigid(DistanceSurface{Box{{0.2, 0.2}, {0.4, 0.25}}}, motion, Friction(20_deg)),
+               others...};
+}
+Free free_box(double height) {
+  return {.mass = 20, .inertia = 20 * (0.04 + 0.0025) / 12, .centre = {0.3, height, 0}};
+}
+/// Two more boxes on top of it, which touch or pass through each other.
+template <class... Contact>
+auto three_boxes(const Contact&... contact) {
+  return box_on_ground(
+      free_box(0.225),
+      rigid(DistanceSurface{Box{{0.2, 0.25}, {0.4, 0.3}}}, free_box(0.275), Friction(20_deg)),
+      rigid(DistanceSurface{Box{{0.2, 0.3}, {0.4, 0.35}}}, free_box(0.325), Friction(20_deg)), contact...);
+}
+
 /// Cells of random points: found from a cell nearby, as relocation does for those that left, and anywhere.
 void add_search(const std::string& name, int hops) {
   benchmark::RegisterBenchmark(
@@ -70,6 +94,11 @@ int main(int argc, char** argv) {
   using namespace arenite::bench;
   add_stages("bspline_2d_apic_usl_coulomb_two_bodies", [] { return sliding_block(1e5); });
   add_stages("bspline_2d_cone_by_distance", [] { return cone_on_fine_grid(); });
+  add_stages("bspline_2d_guided_box", [] { return box_on_ground(Guided{.mass = 20}); });
+  add_stages("bspline_2d_free_box", [] { return box_on_ground(free_box(0.225)); });
+  add_stages("bspline_2d_three_free_boxes", [] { return three_boxes(); });
+  add_stages("bspline_2d_three_free_boxes_rigid_contact",
+             [] { return three_boxes(RigidContact{Friction(20_deg)}); });
   add_stages("axisymmetric_rigid_penetrometer", [] {
     return ffp::rigid_scene<ffp::AxisymmetricModel, NodalAndElementAverage, RigidVelocity>(
         ffp::DropOptions{});

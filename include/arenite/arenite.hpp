@@ -42,6 +42,7 @@
 #include <arenite/particles/regions.hpp>
 #include <arenite/rigid/cone_cylinder.hpp>
 #include <arenite/rigid/rigid_body.hpp>
+#include <arenite/rigid/rigid_contact.hpp>
 #include <arenite/scene/insert_remove.hpp>
 #include <arenite/scene/run.hpp>
 #include <arenite/scene/settle.hpp>

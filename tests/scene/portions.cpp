@@ -146,6 +146,14 @@ void check(const MeshData<2>& data, int count, int steps, Make&& make) {
       CHECK((body.velocity - alone.velocity).norm() <= 1e-12 * alone.velocity.norm());
       CHECK((body.impulse - alone.impulse).norm() <= 1e-12 * alone.impulse.norm());
       CHECK(body.contact_nodes == alone.contact_nodes);
+      if constexpr (std::remove_cvref_t<decltype(body)>::rotates) {
+        CHECK((body.spin - alone.spin).norm() <= 1e-12 * alone.spin.norm());
+        CHECK((body.angular_impulse - alone.angular_impulse).norm() <= 1e-12 * alone.angular_impulse.norm());
+        CHECK((body.displacement - alone.displacement).norm() <= 1e-12 * alone.displacement.norm());
+        CHECK(std::abs(body.orientation.angle() - alone.orientation.angle()) <=
+              1e-12 * std::abs(alone.orientation.angle()));
+        CHECK(std::abs(alone.angular_impulse[0]) > 1);
+      }
     }
   }
   REQUIRE(expected.size() == found.size());
@@ -199,6 +207,30 @@ TEST_CASE("Portions: FLIP, MUSL, both averages, sand, a moving mesh and a rigid 
           TrackEnergy{},
           PointIds{},
           portion...};
+    });
+}
+
+TEST_CASE("Portions: a free rigid body that lands across the cut, tilted, and turns") {
+  const auto data = test::triangles({0, 0}, {1, 1}, 20, 20);
+  for (const int count : {2, 3})
+    check(data, count, 100, [](auto mesh, auto... portion) {
+      return Scene{PlaneStrain{},
+                   mesh,
+                   Numerics<LinearSimplex, Flip, Musl>{},
+                   bodies(fill(Box{{0., 0.}, {1., 0.6}}, rubber(), {.per_cell = 3, .velocity = {1, 0, 0}})),
+                   walls(bottom(fixed), left(roller), right(roller)),
+                   gravity({0, -9.81}),
+                   rigid(DistanceSurface{placed(Box{{-0.2, -0.1}, {0.2, 0.1}},
+                                                {.at = {0.45, 0.78}, .turned = {0, 0, 20_deg}})},
+                         Free{.mass = 300,
+                              .inertia = 5,
+                              .centre = {0.45, 0.78, 0},
+                              .velocity = {1, -2, 0},
+                              .spin = {0, 0, -3}},
+                         Friction(20_deg)),
+                   TrackEnergy{},
+                   PointIds{},
+                   portion...};
     });
 }
 

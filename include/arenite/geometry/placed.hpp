@@ -5,9 +5,11 @@
 #include <cmath>
 #include <cstddef>
 #include <utility>
+#include <vector>
 
 #include <arenite/core/error.hpp>
 #include <arenite/core/vector_argument.hpp>
+#include <arenite/geometry/contact_segment.hpp>
 #include <arenite/geometry/shape.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
@@ -43,8 +45,22 @@ class Placed {
   Box<std::size_t{D}> bounds() const {
     return moved_box<D>(bounds_of<D>(shape_), turn_.template topLeftCorner<D, D>(), at_.template head<D>());
   }
+  template <int D>
+  requires(has_contact_segments<Shape, D>) std::vector<ContactSegment> contact_segments()
+  const {
+    auto all = contact_segments_of<D>(shape_);
+    for (auto& s : all) {
+      s.a = moved(s.a);
+      s.b = moved(s.b);
+    }
+    return all;
+  }
 
  private:
+  std::array<double, 3> moved(const std::array<double, 3>& x) const {
+    const Vec<double, 3> y = turn_ * Vec<double, 3>(x[0], x[1], x[2]) + at_;
+    return {y[0], y[1], y[2]};
+  }
   /// Rodrigues' formula.
   static Mat<double, 3> rotation(const Vec<double, 3>& vector) {
     const double angle = vector.norm();

@@ -11,6 +11,7 @@
 #include <arenite/core/error.hpp>
 #include <arenite/core/tensor.hpp>
 #include <arenite/geometry/box.hpp>
+#include <arenite/geometry/contact_segment.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
@@ -72,6 +73,11 @@ class Polygon {
 
   Box<2> bounds() const { return {lower, upper}; }
   const std::vector<Corner>& corners() const { return corners_; }
+  std::vector<ContactSegment> contact_segments() const {
+    std::vector<ContactSegment> all;
+    for (const auto& [x, y] : corners_) all.push_back({{x, y, 0}, {x, y, 0}, 0});
+    return all;
+  }
 
  private:
   std::vector<Corner> corners_;

@@ -5,10 +5,12 @@
 #include <array>
 #include <cmath>
 #include <string_view>
+#include <vector>
 
 #include <arenite/core/error.hpp>
 #include <arenite/core/tensor.hpp>
 #include <arenite/geometry/box.hpp>
+#include <arenite/geometry/contact_segment.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 namespace detail {
@@ -21,6 +23,14 @@ auto finite_place(std::string_view name, const std::array<double, D>& x) {
     place[static_cast<int>(k)] = x[k];
   }
   return place;
+}
+
+template <int D>
+std::array<double, 3> padded(const Vec<double, D>& x) {
+  if constexpr (D == 2)
+    return {x[0], x[1], 0};
+  else
+    return {x[0], x[1], x[2]};
 }
 
 }  // namespace detail
@@ -51,6 +61,9 @@ class Ball {
   template <int Other>
   double operator()(const Vec<double, Other>& x) const = delete;
   Box<D> bounds() const { return {lower, upper}; }
+  std::vector<ContactSegment> contact_segments() const {
+    return {{detail::padded(centre_), detail::padded(centre_), radius_}};
+  }
 
  private:
   Place centre_;
@@ -89,6 +102,7 @@ class RoundedBox {
     }
     return box;
   }
+  std::vector<ContactSegment> contact_segments() const { return contact_segments_of_box(core_, radius_); }
 
  private:
   Box<D> core_;
@@ -126,6 +140,13 @@ class Capsule {
       box.upper[k] = std::max(from, to) + radius_;
     }
     return box;
+  }
+  /// Both ends, and in space the line between them.
+  std::vector<ContactSegment> contact_segments() const {
+    const auto a = detail::padded(a_), b = detail::padded(Place(a_ + along_));
+    std::vector<ContactSegment> all{{a, a, radius_}, {b, b, radius_}};
+    if constexpr (D == 3) all.push_back({a, b, radius_});
+    return all;
   }
 
  private:
@@ -169,6 +190,20 @@ class Cylinder {
       box.upper[static_cast<std::size_t>(k)] = middle_[k] + reach;
     }
     return box;
+  }
+  /// Of a prism with 32 sides within it: both rims lie up to 0.5 % of the radius too far inside.
+  std::vector<ContactSegment> contact_segments() const {
+    constexpr int sides = 32;
+    const Place beside = axis_.unitOrthogonal(), across = axis_.cross(beside);
+    std::vector<ContactSegment> all;
+    for (int k = 0; k < sides; ++k) {
+      const double angle = 2 * pi * k / sides;
+      const Place out = radius_ * (std::cos(angle) * beside + std::sin(angle) * across);
+      const auto a = detail::padded(Place(middle_ - half_ * axis_ + out));
+      const auto b = detail::padded(Place(middle_ + half_ * axis_ + out));
+      all.insert(all.end(), {{a, a, 0}, {b, b, 0}, {a, b, 0}});
+    }
+    return all;
   }
 
  private:

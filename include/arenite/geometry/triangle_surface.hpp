@@ -12,6 +12,7 @@
 #include <arenite/core/tensor.hpp>
 #include <arenite/geometry/box.hpp>
 #include <arenite/geometry/closed_triangles.hpp>
+#include <arenite/geometry/contact_segment.hpp>
 #include <arenite/geometry/mass_properties.hpp>
 #include <arenite/geometry/nearest_triangle.hpp>
 #include <arenite/geometry/triangle_data.hpp>
@@ -44,6 +45,22 @@ class TriangleSurface {
   bool contains(const Vec<double, Other>& x) const = delete;
 
   Box<3> bounds() const { return is_->box; }
+  /// Vertices, and edges that are not flat or concave.
+  std::vector<ContactSegment> contact_segments() const {
+    std::vector<ContactSegment> all;
+    const auto& [vertices, triangles] = is_->data;
+    const auto place = [](const Place& x) { return std::array<double, 3>{x[0], x[1], x[2]}; };
+    for (const Place& x : vertices) all.push_back({place(x), place(x), 0});
+    for (Index t = 0; t < triangles.size(); ++t)
+      for (std::size_t k = 0; k < 3; ++k) {
+        const auto& [other, side] = is_->neighbours.across(t, k);
+        const Place &a = is_->corner(t, k), &b = is_->corner(t, (k + 1) % 3);
+        const Place opposite = is_->corner(other, (side + 2) % 3) - a;
+        if (t < other && is_->normals[t][6].dot(opposite) < -1e-9 * opposite.norm())
+          all.push_back({place(a), place(b), 0});
+      }
+    return all;
+  }
   const TriangleData& data() const { return is_->data; }
 
  private:

@@ -3,7 +3,7 @@
 #pragma once
 
 #include <algorithm>
-#include <type_traits>
+#include <utility>
 
 #include <arenite/contact/hold.hpp>
 #include <arenite/core/alone.hpp>
@@ -12,10 +12,9 @@
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
-namespace detail {
-
-template <class Shape, class M, class R, class Fields, class Owns>
-void find_touched_nodes(const M& mesh, R& body, const Fields& fields, const Owns& owns) {
+/// The nodes with matter that the body touches where it is now, with the fields' velocities before contact.
+template <class Shape, class M, class R, class Fields, class Owns, class Others>
+void find_touched_nodes(const M& mesh, R& body, const Fields& fields, const Owns& owns, Others& others) {
   using T = typename M::scalar;
   body.touched_nodes.clear();
   body.inside_nodes = 0;
@@ -40,9 +39,81 @@ void find_touched_nodes(const M& mesh, R& body, const Fields& fields, const Owns
           body.inside_nodes += inside;
         }
       });
+  sum_over(others, body.inside_nodes);
 }
 
-}  // namespace detail
+/// The body's velocity at the end of the step without contact.
+template <class R, class T, int D>
+typename R::Velocity free_velocity(R& body, const Vec<T, D>& acceleration, T time, T dt) {
+  if constexpr (R::rotates)
+    return body.motion.free_velocity(body, body.whole_velocity(), acceleration, time, dt);
+  else
+    return body.motion.free_velocity(body.whole_velocity(), acceleration, time, dt);
+}
+
+/// The velocity with which impulses are found.
+template <class R, class Others>
+typename R::Velocity velocity_in_contact(const R& body, const typename R::Velocity& free, Others& others) {
+  if constexpr (requires { body.motion.velocity_in_contact(body, free, others); }) {
+    return body.motion.velocity_in_contact(body, free, others);
+  } else {
+    static_assert(Others::alone || !R::is_free,
+                  "Rigid: meet of this motion must take the others to sum with");
+    return body.motion.velocity_in_contact(body, free);
+  }
+}
+
+/// Impulses of a body on the fields in a step.
+template <class R>
+struct GivenImpulses {
+  using T = typename R::V::Scalar;
+  typename R::Velocity total = R::Velocity::Zero();  ///< N s, with their moments
+  T gained = 0;  ///< impulses times the fields' mean velocities over the step, J
+  decltype(R::no_size()) exchanged = R::no_size();  ///< their magnitudes
+};
+
+/// Gives the fields the impulses of a body that moves with velocity `met`.
+template <class R, class Fields, class Others>
+GivenImpulses<R> give_impulses(R& body, Fields& fields, const typename R::Velocity& met, Others& others) {
+  GivenImpulses<R> given;
+  body.contact_nodes = 0;
+  for (auto& t : body.touched_nodes) {
+    const auto contact = body.contact_at(t, met);
+    const typename R::V& j = contact.impulse;
+    if (j.squaredNorm() == 0) continue;
+    t.impulse = j;
+    t.sticks = contact.sticks;
+    typename R::V& v = fields[t.field].velocity[t.node];
+    v += j / t.mass;
+    given.total += body.with_moment(t, j);
+    given.exchanged += body.size_of(t, j);
+    given.gained += j.dot(fields[t.field].start[t.node] + v) / 2;
+    ++body.contact_nodes;
+  }
+  sum_over(others, given.total, given.gained, given.exchanged, body.contact_nodes);
+  return given;
+}
+
+/// Books the impulses on the fields and moves the body. `free`: its velocity without contact; `pushed`: with
+/// the impulse `push`, N s, of other rigid bodies, too. Returns what contact with the fields dissipated, J,
+/// and the body's mean velocity.
+template <class R, class T>
+std::pair<double, typename R::Velocity> finish_step(R& body, const typename R::Velocity& free,
+                                                    const typename R::Velocity& pushed,
+                                                    const typename R::Velocity& push,
+                                                    const typename R::Velocity& met,
+                                                    const GivenImpulses<R>& given, T dt) {
+  using Velocity = typename R::Velocity;
+  const Velocity before = body.whole_velocity();
+  body.take_impulse(given.total, dt);
+  const Velocity after = body.motion.after(met, pushed, given.total, given.exchanged);
+  const Velocity mean = body.motion.mean(before, after);
+  const double dissipation = static_cast<double>(given.total.dot(mean) - given.gained);
+  body.dissipated += dissipation;
+  body.driving_work += body.motion.drive(before, free, mean, Velocity(given.total - push));
+  body.move(after, dt);
+  return {dissipation, mean};
+}
 
 /// Advances the body by dt to `time` and lets it exchange impulses with all fields: its own motion first,
 /// then the impulses with its new velocity. Returns what contact dissipated. Each scene that shares the body
@@ -51,47 +122,12 @@ template <class Shape, class M, class R, class Fields, class T, int D, class Own
           class Others = const Alone>
 ContactTally collide(const M& mesh, R& body, Fields& fields, const Vec<T, D>& acceleration, T time, T dt,
                      const Owns& owns = {}, Others& others = no_others) {
-  detail::find_touched_nodes<Shape>(mesh, body, fields, owns);
   using Velocity = typename R::Velocity;
-  const Velocity before = body.whole_velocity(), free_velocity = [&]() -> Velocity {
-    if constexpr (R::rotates)
-      return body.motion.free_velocity(body, before, acceleration, time, dt);
-    else
-      return body.motion.free_velocity(before, acceleration, time, dt);
-  }();
-  Velocity met;  // with which impulses are found
-  if constexpr (requires { body.motion.velocity_in_contact(body, free_velocity, others); }) {
-    met = body.motion.velocity_in_contact(body, free_velocity, others);
-  } else {
-    static_assert(Others::alone || !R::is_free,
-                  "Rigid: meet of this motion must take the others to sum with");
-    met = body.motion.velocity_in_contact(body, free_velocity);
-  }
-  Velocity total = Velocity::Zero();  // on the fields
-  T gained = 0;                       // by the fields: impulses times their mean velocities over the step
-  auto exchanged = R::no_size();      // magnitudes of the impulses
-  body.contact_nodes = 0;
-  for (auto& t : body.touched_nodes) {
-    const auto given = body.contact_at(t, met);
-    const Vec<T, D>& j = given.impulse;
-    if (j.squaredNorm() == 0) continue;
-    t.impulse = j;
-    t.sticks = given.sticks;
-    Vec<T, D>& v = fields[t.field].velocity[t.node];
-    v += j / t.mass;
-    total += body.with_moment(t, j);
-    exchanged += body.size_of(t, j);
-    gained += j.dot(fields[t.field].start[t.node] + v) / 2;
-    ++body.contact_nodes;
-  }
-  sum_over(others, total, gained, exchanged, body.contact_nodes, body.inside_nodes);
-  body.take_impulse(total, dt);
-  const Velocity after = body.motion.after(met, free_velocity, total, exchanged);
-  const Velocity mean = body.motion.mean(before, after);
-  const double dissipation = static_cast<double>(total.dot(mean) - gained);
-  body.dissipated += dissipation;
-  body.driving_work += body.motion.drive(before, free_velocity, mean, total);
-  body.move(after, dt);
+  find_touched_nodes<Shape>(mesh, body, fields, owns, others);
+  const Velocity free = free_velocity(body, acceleration, time, dt);
+  const Velocity met = velocity_in_contact(body, free, others);
+  const auto given = give_impulses(body, fields, met, others);
+  const double dissipation = finish_step(body, free, free, Velocity(Velocity::Zero()), met, given, dt).first;
   return {.dissipation = dissipation, .nodes = body.contact_nodes};
 }
 

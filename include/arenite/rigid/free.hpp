@@ -135,6 +135,32 @@ class BoundFree {
   }
   Velocity mean(const Velocity& before, const Velocity& after) const { return (before + after) / 2; }
 
+  /// For the contact of rigid bodies (`RigidContact`). Change of the twist by an impulse and its moment, once
+  /// `free_velocity` was asked for; `added`: how the impulse of the matter opposes the twist, as an inertia.
+  Mat<double, D + rotations<D>> mobility(const Mat<double, D + rotations<D>>& added) const {
+    constexpr int N = D + rotations<D>;
+    const Vec<double, N> can = moves();
+    Mat<double, N> inertia = added;
+    inertia.template topLeftCorner<D, D>().diagonal().array() += mass;
+    inertia.template bottomRightCorner<rotations<D>, rotations<D>>() += in_space_;
+    inertia = can.asDiagonal() * inertia * can.asDiagonal();
+    inertia.diagonal() += Vec<double, N>::Ones() - can;
+    const Mat<double, N> response = can.asDiagonal() * inertia.inverse() * can.asDiagonal();
+    return response;
+  }
+  /// Takes an impulse of another rigid body with its moment, before `after`.
+  void push(const Vec<double, D + rotations<D>>& impulse) {
+    free_momentum_ += angular_part(Vec<double, D + rotations<D>>(impulse.cwiseProduct(moves())));
+  }
+  /// The orientation at the end of a step with this twist.
+  Orientation<D> turned(Orientation<D> orientation, const Vec<double, D + rotations<D>>& u, double dt) const {
+    if constexpr (D == 2)
+      orientation.turn(dt * angular_part(u));
+    else
+      rotate_freely(orientation, inertia_, S(in_space_ * angular_part(u)), dt);
+    return orientation;
+  }
+
   /// Work of gravity, forces and moments, J; that of dashpots is booked as `damped`.
   double drive(const Velocity&, const Velocity&, const Velocity& mean, const Velocity&) {
     const Vec<double, D + rotations<D>> with = mean.template cast<double>();

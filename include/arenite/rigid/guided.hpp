@@ -106,6 +106,12 @@ struct BoundGuided {
     return round_off ? met : V(free_velocity - (total.dot(axis) / m) * axis);
   }
   V mean(const V& before, const V& after) const { return (before + after) / 2; }
+  /// For the contact of rigid bodies (`RigidContact`): change of the velocity by an impulse; `added`: how the
+  /// impulse of the matter opposes the velocity, as a mass.
+  Mat<double, D> mobility(const Mat<double, D>& added) const {
+    const Vec<double, D> along = axis.template cast<double>();
+    return along * along.transpose() / (mass + along.dot(added * along));
+  }
   double drive(const V& before, const V& free_velocity, const V& mean, const V&) const {
     return static_cast<double>(static_cast<T>(mass) * (free_velocity - before).dot(mean));
   }

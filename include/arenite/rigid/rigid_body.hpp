@@ -213,9 +213,12 @@ struct RigidBody {
   }
   template <class Scene, class Others = const Alone>
   ContactTally exchange_impulses(Scene& scene, double dt, Others& others = no_others) {
-    return collide<typename Scene::Shape>(scene.mesh, *this, scene.fields, scene.acceleration(),
-                                          static_cast<T>(scene.time + dt), static_cast<T>(dt),
-                                          scene.node_owner(), others);
+    if constexpr (Scene::Needs::moves_rigid_bodies)
+      return {};
+    else
+      return collide<typename Scene::Shape>(scene.mesh, *this, scene.fields, scene.acceleration(),
+                                            static_cast<T>(scene.time + dt), static_cast<T>(dt),
+                                            scene.node_owner(), others);
   }
   template <class Scene, class Others = const Alone>
   double hold_mapped(Scene& scene, double dt, Others& others = no_others) {

@@ -8,9 +8,11 @@
 #include <limits>
 #include <span>
 #include <utility>
+#include <vector>
 
 #include <arenite/core/tensor.hpp>
 #include <arenite/core/vector_argument.hpp>
+#include <arenite/geometry/contact_segment.hpp>
 #include <arenite/geometry/shape.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
@@ -25,6 +27,8 @@ class AnyDistance {
   static AnyDistance of(F distance) {
     AnyDistance any;
     any.set_bounds(bounds_of<D>(distance));
+    if constexpr (has_contact_segments<F, D>)
+      any.segments_ = [distance] { return contact_segments_of<D>(distance); };
     any.at_ = [f = std::move(distance)](std::span<const Position> x, double* out) {
       for (const Position& p : x) *out++ = f(in_scene<D>(p));
     };
@@ -44,6 +48,10 @@ class AnyDistance {
   /// Its corners.
   const Position& lower() const { return lower_; }
   const Position& upper() const { return upper_; }
+  /// Corners and edges of the shape; none where it offers none.
+  std::vector<ContactSegment> contact_segments() const {
+    return segments_ ? segments_() : std::vector<ContactSegment>{};
+  }
 
  private:
   template <std::size_t D>
@@ -56,6 +64,7 @@ class AnyDistance {
 
   static constexpr double far = std::numeric_limits<double>::infinity();
   std::function<void(std::span<const Position>, double*)> at_{};
+  std::function<std::vector<ContactSegment>()> segments_{};
   Position lower_{-far, -far, -far}, upper_{far, far, far};
 };
 

@@ -122,6 +122,7 @@ class BoundDistanceSurface {
     require(surface_.reach >= 0, "DistanceSurface.reach", surface_.reach, "must not be negative");
   }
   static constexpr bool has_volume_fractions = false;
+  const AnyDistance& distance() const { return surface_.distance; }
 
   /// Visits the nodes near the body, in chunks on several threads, and joins their results in order.
   template <class Shape, class M, class Place, class HasMass, class F>

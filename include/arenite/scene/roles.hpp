@@ -195,6 +195,15 @@ std::size_t first_point_column(const Scene& scene, const Part& part) {
   });
   return static_cast<std::size_t>(before);
 }
+/// A part that says `static constexpr bool moves_rigid_bodies = true` takes the rigid bodies of its scene
+/// through the step in its own `exchange_impulses`; theirs then does nothing.
+template <class P>
+inline constexpr bool moves_rigid_bodies = [] {
+  if constexpr (requires { P::moves_rigid_bodies; })
+    return P::moves_rigid_bodies;
+  else
+    return false;
+}();
 template <class P>
 inline constexpr int exchange_rank = [] {
   if constexpr (requires { P::exchange_rank; })

@@ -1,0 +1,303 @@
+// RigidContact: rigid bodies that touch each other, with friction and without rebound, in one solution with
+// their contact with the matter.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include <arenite/contact/coulomb.hpp>
+#include <arenite/core/alone.hpp>
+#include <arenite/core/contact_tally.hpp>
+#include <arenite/core/error.hpp>
+#include <arenite/core/part_energy.hpp>
+#include <arenite/rigid/collide.hpp>
+#include <arenite/rigid/contact_balance.hpp>
+#include <arenite/rigid/touching_bodies.hpp>
+
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
+
+/// A part of a scene: all of its rigid bodies touch one another, as `DistanceSurface`s. No rebound.
+struct RigidContact {
+  Friction friction;
+  std::vector<RigidPair> pairs{};  ///< exceptions
+};
+
+namespace detail {
+
+/// How the impulses of the matter on a body oppose its velocity, as an inertia [N x N].
+template <class R, class Others>
+auto resistance_of_matter(const R& body, const typename R::Velocity& met, Others& others) {
+  constexpr int D = R::V::RowsAtCompileTime, N = R::Velocity::RowsAtCompileTime;
+  using U = Vec<double, N>;
+  Mat<double, N> sum = Mat<double, N>::Zero();
+  for (const auto& t : body.touched_nodes) {
+    Eigen::Matrix<double, D, N> w;
+    if constexpr (R::rotates)
+      for (int k = 0; k < N; ++k)
+        w.col(k) = velocity_at<double, D>(U::Unit(k), t.arm.template cast<double>());
+    else
+      w.setIdentity();
+    const Vec<double, D> v = w * met.template cast<double>(), approach = t.start.template cast<double>() - v;
+    const Mat<double, D> slope =
+        t.inside ? Mat<double, D>(Mat<double, D>::Identity())
+                 : coulomb_slope<D>(approach, t.normal.template cast<double>(), body.friction);
+    sum += static_cast<double>(t.mass) * (w.transpose() * slope * w);
+  }
+  sum_over(others, sum);
+  return sum;
+}
+
+/// Change of a body's velocity by an impulse, against matter that resists so.
+template <class R, int N>
+Mat<double, N> mobility_of(const R& body, const Mat<double, N>& resistance) {
+  if constexpr (R::is_free) {
+    static_assert(
+        requires { body.motion.mobility(resistance); },
+        "RigidContact: a motion that impulses change must have mobility(added); see arenite/rigid/free.hpp");
+    return body.motion.mobility(resistance);
+  } else {
+    return Mat<double, N>::Zero();
+  }
+}
+
+}  // namespace detail
+
+/// The contact of rigid bodies in D dimensions over scalar T. Read `touches()` after any step.
+///
+/// In a step the bodies first meet the matter alone. Then impulses between them are found that keep the gap
+/// of each point from becoming negative by the end of the step, with the matter's resistance to the bodies'
+/// velocities made linear; the bodies meet the matter again with these, until both agree.
+template <class T, int D>
+class BoundRigidContact {
+ public:
+  using V = Vec<double, D>;
+  static constexpr int N = D + rotations<D>;
+  static constexpr int exchange_rank = 1;
+  static constexpr bool is_shared = true, moves_rigid_bodies = true;
+  using OnlyOne = RigidContact;
+
+  double dissipated = 0;  ///< between rigid bodies, since the start, J
+  int rounds = 0;         ///< how often the bodies met the matter in the last step
+
+  explicit BoundRigidContact(RigidContact recipe) : recipe_{std::move(recipe)} {}
+
+  /// Where bodies touched, or could have, in the last step.
+  const std::vector<RigidTouch<D>>& touches() const { return touching_.touches; }
+  /// Greatest overlap at the begin of a step since the start, m.
+  double deepest() const { return touching_.deepest; }
+
+  template <class Scene>
+  void connect(Scene& scene) {
+    touching_ = {};
+    scene.for_each_rigid([&](auto& body) {
+      using R = std::remove_cvref_t<decltype(body)>;
+      static_assert(
+          requires { body.surface.distance(); },
+          "RigidContact: each rigid body of the scene needs a DistanceSurface");
+      static_assert(!R::coupling_through_centre, "RigidContact: CentreOfMass cannot be joined with it");
+      TouchingBody<D> b;
+      b.name = R::name.word().empty() ? std::to_string(touching_.bodies.size()) : std::string(R::name.word());
+      b.size = std::numeric_limits<double>::infinity();
+      const AnyDistance& distance = body.surface.distance();
+      for (std::size_t k = 0; k < D; ++k)
+        b.size = std::min(b.size, distance.upper()[k] - distance.lower()[k]);
+      touching_.segments.push_back(distance.contact_segments());
+      touching_.bodies.push_back(std::move(b));
+    });
+    touching_.set_pairs(recipe_.friction, recipe_.pairs);
+    look_at(scene);
+    touching_.check_start();
+  }
+
+  template <class Scene, class Others = const Alone>
+  ContactTally exchange_impulses(Scene& scene, double dt, Others& others = no_others) {
+    auto steps = steps_of(scene, std::make_index_sequence<std::tuple_size_v<typename Scene::Parts>>{});
+    look_at(scene);
+    const auto acceleration = scene.acceleration();
+    each(scene, steps, [&](auto& body, auto& s, std::size_t) {
+      find_touched_nodes<typename Scene::Shape>(scene.mesh, body, scene.fields, scene.node_owner(), others);
+      s.free = free_velocity(body, acceleration, static_cast<T>(scene.time + dt), static_cast<T>(dt));
+    });
+    for (auto& b : touching_.bodies) b.impulse.setZero();
+    meet_matter(scene, steps, others);
+    set_ends(scene, dt);
+    touching_.find(dt);
+    rounds = 1;
+    while (rounds < most_rounds && !touching_.is_solved(dt, precision)) {
+      touching_.solve(dt);
+      take_back(scene, steps);
+      meet_matter(scene, steps, others);
+      set_ends(scene, dt);
+      ++rounds;
+    }
+    return finish(scene, steps, dt);
+  }
+
+  PartEnergy count_energy() const { return {.dissipated = dissipated}; }
+  template <class A>
+  bool holds_against(const A&) const {
+    return false;
+  }
+  template <class F>
+  void visit_state(F&& f) {
+    f("dissipated", dissipated);
+    f("deepest", touching_.deepest);
+  }
+
+ private:
+  static constexpr int most_rounds = 12;
+  /// Of velocities and of gaps over the way of a step.
+  static constexpr double precision =
+      std::max(1e-9, 64 * static_cast<double>(std::numeric_limits<T>::epsilon()));
+
+  /// Of one body in a step; of other parts nothing.
+  template <class R>
+  struct Step {
+    typename R::Velocity free, pushed, push, met;
+    GivenImpulses<R> given;
+  };
+  struct NoStep {};
+  template <class P>
+  static auto step_of_part(const P&) {
+    if constexpr (requires { P::is_rigid_body; })
+      return Step<P>{};
+    else
+      return NoStep{};
+  }
+  template <class Scene, std::size_t... I>
+  static auto steps_of(Scene& scene, std::index_sequence<I...>) {
+    return std::make_tuple(step_of_part(std::get<I>(scene.parts))...);
+  }
+  /// Calls `f(body, its step, number)` for each rigid body.
+  template <class Scene, class Steps, class F, std::size_t... I>
+  static void each_of(Scene& scene, Steps& steps, F& f, std::index_sequence<I...>) {
+    std::size_t number = 0;
+    const auto call = [&](auto& part, auto& s) {
+      if constexpr (!std::is_same_v<std::remove_cvref_t<decltype(s)>, NoStep>) f(part, s, number++);
+    };
+    (call(std::get<I>(scene.parts), std::get<I>(steps)), ...);
+  }
+  template <class Scene, class Steps, class F>
+  static void each(Scene& scene, Steps& steps, F&& f) {
+    each_of(scene, steps, f, std::make_index_sequence<std::tuple_size_v<Steps>>{});
+  }
+
+  /// A twist, or a velocity [D] with no spin.
+  template <int size>
+  static Vec<double, N> as_twist(const Vec<T, size>& v) {
+    Vec<double, N> u = Vec<double, N>::Zero();
+    u.template head<size>() = v.template cast<double>();
+    return u;
+  }
+  /// The share of a twist or impulse that a body knows.
+  template <class R>
+  static auto for_body(const Vec<double, N>& u) {
+    constexpr int size = R::Velocity::RowsAtCompileTime;
+    return Vec<double, size>(u.template head<size>());
+  }
+
+  /// Where the bodies are.
+  template <class Scene>
+  void look_at(Scene& scene) {
+    std::size_t k = 0;
+    scene.for_each_rigid([&](auto& body) {
+      auto& b = touching_.bodies[k];
+      b.distance = &body.surface.distance();
+      b.segments = &touching_.segments[k++];
+      b.begin = pose_of(body);
+    });
+  }
+  template <class R>
+  static Pose<D> pose_of(const R& body) {
+    if constexpr (R::rotates)
+      return body.place();
+    else
+      return {V::Zero(), body.displacement.template cast<double>(), Mat<double, D>::Identity()};
+  }
+
+  /// Each body in turn: its velocity in contact with the matter, and the impulses that it gives.
+  template <class Scene, class Steps, class Others>
+  void meet_matter(Scene& scene, Steps& steps, Others& others) {
+    each(scene, steps, [&](auto& body, auto& s, std::size_t k) {
+      using R = std::remove_cvref_t<decltype(body)>;
+      constexpr int size = R::Velocity::RowsAtCompileTime;
+      auto& b = touching_.bodies[k];
+      for (auto& t : body.touched_nodes) t.start = scene.fields[t.field].velocity[t.node];
+      const auto push = for_body<R>(b.impulse);
+      const Mat<double, size> alone = detail::mobility_of(body, Mat<double, size>(Mat<double, size>::Zero()));
+      s.push = push.template cast<T>();
+      s.pushed = s.free + (alone * push).template cast<T>();
+      s.met = velocity_in_contact(body, s.pushed, others);
+      const auto resistance = detail::resistance_of_matter(body, s.met, others);
+      b.mobility.setZero();
+      b.mobility.template topLeftCorner<size, size>() = detail::mobility_of(body, resistance);
+      s.given = give_impulses(body, scene.fields, s.met, others);
+      b.twist = as_twist(s.met);
+    });
+  }
+  /// Takes back what the bodies gave to the matter, the last body first.
+  template <class Scene, class Steps>
+  void take_back(Scene& scene, Steps& steps) {
+    for (std::size_t n = touching_.bodies.size(); n-- > 0;)
+      each(scene, steps, [&](auto& body, auto&, std::size_t k) {
+        if (k != n) return;
+        for (auto& t : body.touched_nodes) {
+          scene.fields[t.field].velocity[t.node] = t.start;
+          t.impulse.setZero();
+          t.sticks = false;
+        }
+      });
+  }
+  template <class Scene>
+  void set_ends(Scene& scene, double dt) {
+    std::size_t k = 0;
+    scene.for_each_rigid([&](auto& body) {
+      using R = std::remove_cvref_t<decltype(body)>;
+      auto& b = touching_.bodies[k++];
+      b.end = b.begin;
+      b.end.displacement += dt * linear_part(b.twist);
+      if constexpr (R::rotates) {
+        auto orientation = body.orientation;
+        if constexpr (requires { body.motion.turned(orientation, b.twist, dt); })
+          orientation = body.motion.turned(orientation, b.twist, dt);
+        else
+          body.motion.turn(orientation, typename R::Velocity(b.twist.template cast<T>()), static_cast<T>(dt));
+        b.end.rotation = orientation.matrix();
+      }
+    });
+    touching_.set_end_gaps();
+  }
+
+  template <class Scene, class Steps>
+  ContactTally finish(Scene& scene, Steps& steps, double dt) {
+    ContactTally tally;
+    each(scene, steps, [&](auto& body, auto& s, std::size_t k) {
+      if constexpr (requires { body.motion.push(touching_.bodies[k].impulse); })
+        body.motion.push(touching_.bodies[k].impulse);
+      const auto [lost, mean] =
+          finish_step(body, s.free, s.pushed, s.push, s.met, s.given, static_cast<T>(dt));
+      const double between = -touching_.bodies[k].impulse.dot(as_twist(mean));
+      dissipated += between;
+      tally += {.dissipation = lost + between, .nodes = body.contact_nodes};
+    });
+    return tally;
+  }
+
+  RigidContact recipe_;
+  TouchingBodies<D> touching_{};
+};
+
+template <class Site>
+auto bind_part(const RigidContact& recipe, const Site&) {
+  return BoundRigidContact<typename Site::T, Site::D>(recipe);
+}
+
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -12,8 +12,9 @@ int main(int argc, char** argv) {
     add_steps("step/drop_axisymmetric/double/arenite",
               {.warm_up = brief ? 20 : 300, .steps = brief ? 10 : 100, .threads = threads, .courant = 0.5},
               [] {
+                const ffp::DropOptions o;
                 return ffp::rigid_scene<ffp::AxisymmetricModel, NodalAndElementAverage, RigidVelocity>(
-                    ffp::DropOptions{});
+                    o, ffp::plain_sand(o));
               });
   return run_benchmarks(argc, argv);
 }

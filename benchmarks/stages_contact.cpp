@@ -100,8 +100,9 @@ int main(int argc, char** argv) {
   add_stages("bspline_2d_three_free_boxes_rigid_contact",
              [] { return three_boxes(RigidContact{Friction(20_deg)}); });
   add_stages("axisymmetric_rigid_penetrometer", [] {
+    const ffp::DropOptions o;
     return ffp::rigid_scene<ffp::AxisymmetricModel, NodalAndElementAverage, RigidVelocity>(
-        ffp::DropOptions{});
+        o, ffp::plain_sand(o));
   });
   for (const int hops : {0, 1, 4, -1}) add_search("tetrahedra_12960", hops);
   return run_benchmarks(argc, argv);

@@ -26,7 +26,7 @@ inline constexpr std::array<std::pair<std::string_view, LawKind>, 6> law_words{
 struct LawOptions {
   LawKind kind = LawKind::mohr_coulomb;
   double rate_time = 1e-3;           ///< s: a regulariser, no property of sand
-  double rate_smoothing = 1e-3;      ///< s
+  double rate_smoothing = 0;         ///< s; 0: none
   double mu_rise = 0.261;            ///< mu_2 - mu_s
   double mu_inertia = 0.279;         ///< I_0
   double grain_size = 0.53e-3;       ///< m
@@ -52,7 +52,7 @@ void visit_law_options(Options& o, Visitor& v) {
   v.number("--rate-time", o.rate_time, "S", Range{0, 1, "s"},
            "linear-rate: tan(phi) grows by this times the shear rate. A regulariser, no property of sand");
   v.number("--rate-smoothing", o.rate_smoothing, "S", Range{0, 1, "s"},
-           "Time over which shear rates are smoothed");
+           "Time over which shear rates are smoothed, 0 for none");
   v.number("--mu-rise", o.mu_rise, "X", Range{0, 10},
            "mu-i: mu_2 - mu_s (Jop et al. 2006, glass beads of 0.53 mm)");
   v.number("--mu-inertia", o.mu_inertia, "X", above(0, 100), "mu-i: I_0 (Jop et al. 2006)");

@@ -20,6 +20,9 @@ enum Region : int { soil = 0, air = 1, device = 2 };
 /// Lengths of the mesh. All follow `cell`, so that a finer mesh is the same mesh, refined.
 struct MeshSizes {
   double cell = 0.01;          ///< edge of a cell around the cone and along its path, m
+  double at_cone = 0;          ///< the same at the cone, at its tip and its shoulder, m; 0: `cell`
+  double refined = 0.02;       ///< cells are as at the cone to this distance from it, m
+  double growth = 0.15;        ///< by how much an edge is longer than one that lies a metre nearer, m/m
   double moving_depth = 0.06;  ///< the mesh moves as one from this depth below the tip upward, m
   double fine_radius = 0.07;   ///< cells are `cell` wide to this distance from the axis or the device, m
   double outer_ratio = 1.8;    ///< width of a cell at the wall over `cell`
@@ -27,6 +30,12 @@ struct MeshSizes {
   /// 0.18.
   double layer_ratio = 1.3;
   double top_ratio = 3;  ///< height of a cell at the top of the model over `cell`
+
+  double cone_cell() const { return at_cone > 0 ? at_cone : cell; }
+  /// Edge of a cell at a distance from the cone, m, where it would be `usual` without refinement.
+  double edge(double distance, double usual) const {
+    return at_cone > 0 ? std::min(usual, at_cone + growth * std::max(0.0, distance - refined)) : usual;
+  }
 };
 
 /// Triangles and the rows that they were made from.
@@ -47,6 +56,8 @@ class AxisymmetricMesher {
     const auto& s = sizes;
     require(s.cell > 0 && s.cell <= chamber.radius / 4, "MeshSizes.cell", s.cell,
             "must be positive and no more than a quarter of the chamber's radius");
+    require(s.at_cone >= 0 && s.at_cone <= s.cell, "MeshSizes.at_cone", s.at_cone,
+            "must lie between 0 and MeshSizes.cell");
     require(s.moving_depth > 0 && s.moving_depth < chamber.soil_depth, "MeshSizes.moving_depth",
             s.moving_depth, "must lie between 0 and the depth of the soil");
     require(s.fine_radius >= 0 && s.fine_radius < chamber.radius, "MeshSizes.fine_radius", s.fine_radius,
@@ -77,7 +88,7 @@ class AxisymmetricMesher {
 
   double width(double x) const {
     const double beyond = std::max(0.0, x - sizes_.fine_radius) / (chamber_.radius - sizes_.fine_radius);
-    return sizes_.cell * (1 + (sizes_.outer_ratio - 1) * beyond);
+    return sizes_.edge(x, sizes_.cell * (1 + (sizes_.outer_ratio - 1) * beyond));
   }
 
   void append(const std::vector<double>& heights) {
@@ -88,14 +99,16 @@ class AxisymmetricMesher {
   void make_row_heights() {
     const double h = sizes_.cell, deep = -sizes_.moving_depth;
     append(even(-chamber_.soil_depth, deep, sizes_.layer_ratio * h));
-    append(even(deep, 0, h));
-    const auto edge = body_.edge_heights(h / 2);
-    append(
-        even(0, edge.front(), h * std::cos(body_.half_angle())));  // edges along the cone are one cell long
+    append(graded(deep, 0, [&](double y) { return sizes_.edge(-y, h); }));
+    const auto edge = body_.edge_heights(sizes_.cone_cell() / 2);
+    // Edges along the cone are one cell long.
+    append(even(0, edge.front(), sizes_.cone_cell() * std::cos(body_.half_angle())));
     append(edge);
     const double from = chamber_.soil_depth / 2;  // the soil that rises around the cylinder stays below
     const auto height = [&](double y) {
-      return h * (1 + (sizes_.top_ratio - 1) * std::max(0.0, y - from) / (chamber_.headroom - from));
+      const double usual =
+          h * (1 + (sizes_.top_ratio - 1) * std::max(0.0, y - from) / (chamber_.headroom - from));
+      return sizes_.edge(y - edge.back(), usual);
     };
     append(graded(edge.back(), body_.length(), height));
     append(graded(body_.length(), chamber_.headroom, height));

@@ -131,6 +131,8 @@ auto rigid_scene(const DropOptions& o, const Law& law) {
                                       Guided{.mass = o.mass / Model::whole, .velocity = -o.velocity},
                                       friction_of(o), Coupling{})),
                motion,
+               SplitPoints<"soil">{.options = {.per_cell = std::max(1.0, o.split_share())},
+                                   .every = o.split_share() > 0 ? std::size_t{10} : 0},
                TrackEnergy{}};
 }
 

@@ -68,6 +68,12 @@ void visit_options(Options& o, Visitor& v) {
            "Contact of the rigid penetrometer, or through the centre-of-mass velocity (the paper's)");
   v.group("Numerics");
   v.number("--cell", o.cell, "M", Range{0.0025, 0.04, "m"}, "Edge of the cells around the cone");
+  v.number(
+      "--cell-at-cone", o.cell_at_cone, "M", Range{0.001, 0.04, "m"},
+      "Edge of the cells at cone, tip and shoulder, which grow to --cell away from them, of itself --cell");
+  v.number("--split", o.split, "N", Range{0, 100},
+           "Split points of sand that stand for more than 1 / N of their cell, 0 for none, of itself 9 with "
+           "--cell-at-cone");
   v.counts("--points-per-element", o.points_per_element,
            "Material points in each element of sand: " + listed(triangle_points) +
                " in triangles (default 28), " + listed(tetrahedron_points) + " in tetrahedra (default 10)");
@@ -135,6 +141,16 @@ inline void check(const DropOptions& o) {
   require(o.dilatancy <= o.friction, "--dilatancy", o.dilatancy,
           joined_text("must lie in [0, ", o.friction, "] deg, from nothing to the sand's angle of friction"));
   check(o.law, o.friction, o.dilatancy);
+  if (o.cell_at_cone) {
+    require(*o.cell_at_cone <= o.cell, "--cell-at-cone", *o.cell_at_cone,
+            joined_text("must not exceed --cell = ", o.cell, " m"));
+    require(o.kinematics == Kinematics::axisymmetric && o.mesh.empty(), "--cell-at-cone", *o.cell_at_cone,
+            "needs --kinematics axisymmetric, and goes without --mesh");
+  }
+  require(o.split_share() == 0 || o.split_share() >= 1, "--split", o.split_share(),
+          "must be 0 or at least 1");
+  require(o.split_share() == 0 || o.device == DeviceKind::rigid, "--split", o.split_share(),
+          "needs --device rigid");
   if (o.law.kind != LawKind::mohr_coulomb)
     require(o.device == DeviceKind::rigid && o.contact == ContactKind::rigid && o.anti_locking, "--law",
             word_of(law_words, o.law.kind), "needs --device rigid, --contact rigid and --anti-locking on");

@@ -52,18 +52,20 @@ struct DropOptions {
   double device_young = 20e6;           ///< of the elastic device, Pa
   double device_poisson = 0.33;         ///< of the elastic device (ours: the sand's)
   Shoulder shoulder = Shoulder::sharp;  ///< edge between cone and cylinder (ours)
-  double fillet = 0.01;        ///< radius of the rounded edge, m; with `Shoulder::fillet` only (ours)
-  double friction = 40;        ///< of the sand, deg
-  double young = 5e6;          ///< of the sand, Pa
-  double poisson = 0.33;       ///< of the sand
-  double unit_weight = 15100;  ///< of the sand, N/m^3
-  double cohesion = 0;         ///< of the sand, Pa
-  double dilatancy = 0;        ///< of the sand, deg
-  LawOptions law;              ///< of the sand's friction
-  std::optional<double> k0;    ///< earth pressure at rest; default poisson / (1 - poisson) (ours)
-  double cell = 0.01;          ///< edge of the cells around the cone, m
-  double moving_depth = 0.06;  ///< the mesh moves as one from here below the tip upward, m (ours)
-  std::string mesh;            ///< Gmsh file in the place of the generated mesh; empty: none
+  double fillet = 0.01;                ///< radius of the rounded edge, m; with `Shoulder::fillet` only (ours)
+  double friction = 40;                ///< of the sand, deg
+  double young = 5e6;                  ///< of the sand, Pa
+  double poisson = 0.33;               ///< of the sand
+  double unit_weight = 15100;          ///< of the sand, N/m^3
+  double cohesion = 0;                 ///< of the sand, Pa
+  double dilatancy = 0;                ///< of the sand, deg
+  LawOptions law;                      ///< of the sand's friction
+  std::optional<double> k0;            ///< earth pressure at rest; default poisson / (1 - poisson) (ours)
+  double cell = 0.01;                  ///< edge of the cells around the cone, m
+  std::optional<double> cell_at_cone;  ///< edge of the cells at the cone itself, m; without: `cell`
+  std::optional<double> split;  ///< points that stand for more than 1 / split of their cell split; 0: none
+  double moving_depth = 0.06;   ///< the mesh moves as one from here below the tip upward, m (ours)
+  std::string mesh;             ///< Gmsh file in the place of the generated mesh; empty: none
   std::optional<int> points_per_element;  ///< in the sand; default: see `points_in_element`
   ContactKind contact =
       ContactKind::rigid;    ///< of a rigid device; an elastic one meets the sand through the centre of mass
@@ -91,7 +93,11 @@ struct DropOptions {
   }
   double earth_pressure() const { return k0.value_or(poisson / (1 - poisson)); }
   Device body() const { return Device{{.fillet = shoulder == Shoulder::fillet ? fillet : 0}}; }
-  MeshSizes mesh_sizes() const { return {.cell = cell, .moving_depth = moving_depth}; }
+  MeshSizes mesh_sizes() const {
+    return {.cell = cell, .at_cone = cell_at_cone.value_or(0), .moving_depth = moving_depth};
+  }
+  /// Sand that comes from coarser cells would thin out in refined ones.
+  double split_share() const { return split.value_or(cell_at_cone ? 9 : 0); }
 };
 
 }  // namespace arenite::ffp

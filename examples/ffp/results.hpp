@@ -138,6 +138,8 @@ inline nlohmann::ordered_json inputs_of(const DropOptions& o) {
   j["contact"] =
       word_of(contact_words, o.device == DeviceKind::elastic ? ContactKind::centre_of_mass : o.contact);
   j["cell_m"] = o.cell;
+  if (o.cell_at_cone) j["cell_at_cone_m"] = *o.cell_at_cone;
+  if (o.split_share() > 0) j["split"] = o.split_share();
   j["points_per_element"] = o.points_in_element();
   j["moving_depth_m"] = o.moving_depth;
   j["mesh"] = o.mesh.empty() ? "generated" : o.mesh;

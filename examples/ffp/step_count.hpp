@@ -55,7 +55,9 @@ inline std::string cause_of_steps(const DropOptions& o, double smallest) {
       option("--device-poisson", o.device_poisson,
              elastic ? std::sqrt(stiffness(o.device_poisson) / stiffness(usual.device_poisson)) : none),
       option("--mass", o.mass, elastic ? std::sqrt(usual.mass / o.mass) : none),
-      option("--cell", o.cell, o.mesh.empty() ? usual.cell / o.cell : none),
+      option("--cell", o.cell, o.mesh.empty() && !o.cell_at_cone ? usual.cell / o.cell : none),
+      option("--cell-at-cone", o.cell_at_cone.value_or(0),
+             o.cell_at_cone ? usual.cell / *o.cell_at_cone : none),
       std::pair{o.mesh.empty() ? none : usual.cell / smallest,
                 joined_text("--mesh = ", shown(o.mesh), " (smallest cell ", rounded(smallest), " m)")}};
   return std::max_element(causes.begin(), causes.end(),

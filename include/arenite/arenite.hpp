@@ -46,3 +46,4 @@
 #include <arenite/scene/insert_remove.hpp>
 #include <arenite/scene/run.hpp>
 #include <arenite/scene/settle.hpp>
+#include <arenite/scene/split_points.hpp>

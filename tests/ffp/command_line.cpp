@@ -269,6 +269,8 @@ TEST_CASE("every range has both ends") {
                                              Case{"--cohesion", "-1", "1e7"},
                                              Case{"--dilatancy", "-1", "41"},
                                              Case{"--cell", "0.002", "0.05"},
+                                             Case{"--cell-at-cone", "0.0009", "0.05"},
+                                             Case{"--split", "-1", "101"},
                                              Case{"--points-per-element", "0", "100"},
                                              Case{"--flip", "-0.1", "1.1"},
                                              Case{"--flip-time", "-1", "101"},

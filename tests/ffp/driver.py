@@ -290,6 +290,14 @@ class Drops(DriverTest):
             else:
                 self.assertGreater(-depth if stronger else depth, 1e-3, law)
 
+    def test_refined(self):
+        """Finer cells at the cone, into which points come that split."""
+        columns, found = self.run_drop("refined", "--cell", "0.04", "--cell-at-cone", "0.015", "--points-per-element", "10",
+                                       "--end", "0.03", "--fields-every", "0")
+        self.assert_consistent(columns)
+        self.assertEqual(found["inputs"]["split"], 9)
+        self.assertGreater(found["point_steps_per_s"] * found["wall_s"], 1.01 * found["points"] * found["steps"])
+
     def test_slice_law(self):
         columns, found = self.run_drop("slice_law", *SLICE, "--law", "mu-i")
         self.assert_consistent(columns)
@@ -318,6 +326,9 @@ class SameBits(DriverTest):
     def test_rigid(self):
         self.check("bits_rigid", *COARSE, "--end", "0.02")
 
+    def test_refined(self):
+        self.check("bits_refined", *COARSE, "--cell-at-cone", "0.02", "--end", "0.01")
+
     def test_centre_of_mass(self):
         self.check("bits_centre", *COARSE, "--end", "0.01", "--contact", "centre-of-mass")
 
@@ -338,6 +349,11 @@ class Mistakes(DriverTest):
         self.assert_refused("--points-per-element = 9: must be 1, 4, 10", "--kinematics", "slice", "--points-per-element", "9")
         self.assert_refused("--wings: no such option", "--wings", "2")
         self.assert_refused("--end = : needs a value\n", "--end")
+        self.assert_refused("--cell-at-cone = 0.02: must not exceed --cell = 0.01 m\n", "--cell-at-cone", "0.02")
+        self.assert_refused("--cell-at-cone = 0.005: needs --kinematics axisymmetric", "--cell-at-cone", "0.005", "--kinematics", "slice")
+        self.assert_refused("--split = 9: needs --device rigid", "--cell-at-cone", "0.005", "--device", "elastic")
+        self.assert_refused("--split = 0.5: must be 0 or at least 1", "--split", "0.5")
+        self.assert_refused("--law = mu-i: needs --device rigid", "--law", "mu-i", "--device", "elastic")
         self.assert_refused("--fields-every = 1e-300: must be 0, for none, or at least 0.0001 s", "--fields-every", "1e-300")
 
     def test_steps(self):
@@ -827,6 +843,7 @@ class Inputs(DriverTest):
         for name, options in (("taken", SHORT), ("taken_odd", [*SHORT, "--shoulder", "fillet", "--fillet", "0.011", "--no-slip",
                                                               "--k0", "0.45", "--young", "6.1e6", "--anti-locking", "off", "--flip", "0.99"]),
                               ("taken_elastic", [*SHORT, "--device", "elastic"]),
+                              ("taken_refined", [*SHORT, "--cell-at-cone", "0.02", "--split", "12"]),
                               ("taken_law", [*SHORT, "--law", "softening-rate", "--residual-friction", "35.5", "--decay", "7"])):
             _, found = self.run_drop(name, *options)
             _, again = self.run_drop(name + "_again", "--input", f"{name}/summary.json")

@@ -116,6 +116,39 @@ TEST_CASE("half-section: cells are as long as asked around the cone and in the z
   }
 }
 
+TEST_CASE("half-section: finer cells at the cone, which grow to the others") {
+  const Device body{{}};
+  for (const double at_cone : {0.005, 0.0025, 0.001}) {
+    INFO(at_cone);
+    const auto mesh = mesh_axisymmetric(body, {}, {.cell = 0.01, .at_cone = at_cone}).data;
+    const auto q = mesh_quality(mesh);
+    REQUIRE(std::abs(q.at("soil").volume - 0.16) < 1e-13);
+    REQUIRE(q.at("soil").min_altitude > 0.69 * at_cone);
+    check_sets(mesh);
+    check_regions(mesh);
+    const auto& surface = mesh.node_sets.at("device_surface");
+    for (std::size_t k = 1; k < surface.size() && mesh.nodes[surface[k]][1] < 0.09; ++k) {
+      const double edge = (mesh.nodes[surface[k]] - mesh.nodes[surface[k - 1]]).norm();
+      REQUIRE((edge > 0.8 * at_cone && edge < 1.25 * at_cone));
+    }
+    for (std::size_t i = 0; i < mesh.cells.size(); ++i) {
+      if (mesh.region[i] == device) continue;
+      const auto& c = mesh.cells[i];
+      double nearest = 1, longest = 0;
+      for (std::size_t k = 0; k < 3; ++k) {
+        const auto &a = mesh.nodes[c[k]], &b = mesh.nodes[c[(k + 1) % 3]];
+        nearest = std::min(nearest, std::hypot(a[0] - body.profile(a[1]), std::min(0.0, a[1])));
+        longest = std::max(longest, (a - b).norm());
+        if (a[1] > 0.09) nearest = 1;
+      }
+      if (nearest < 0.015) REQUIRE(longest < 1.5 * at_cone);
+    }
+  }
+  const auto plain = mesh_axisymmetric(body, {}, {.cell = 0.01}).data,
+             same = mesh_axisymmetric(body, {}, {.cell = 0.01, .at_cone = 0.01}).data;
+  REQUIRE(plain.nodes == same.nodes);
+}
+
 TEST_CASE("half-section: the compressed zone keeps its shape to the depth that a drop reaches") {
   const double cell = 0.01, moving = 0.06;
   const auto mesh = mesh_axisymmetric(Device{{}}, {}, {.cell = cell, .moving_depth = moving}).data;

@@ -83,13 +83,6 @@ double lane(const P& value, int k) {
   else
     return static_cast<double>(value);
 }
-template <class P>
-void set(P& to, int k, double value) {
-  if constexpr (is_pack<P>)
-    to.set(k, static_cast<typename P::scalar>(value));
-  else
-    to = static_cast<P>(value);
-}
 template <class P, int D>
 Sym<double, D> lane(const Sym<P, D>& s, int k) {
   return Sym<double, D>::each([&](std::size_t i) { return lane(s[i], k); });

@@ -21,13 +21,6 @@ struct Lanes {
 };
 
 template <class P>
-void set(P& to, int k, double value) {
-  if constexpr (is_pack<P>)
-    to.set(k, static_cast<typename P::scalar>(value));
-  else
-    to = static_cast<P>(value);
-}
-template <class P>
 auto lane(const P& value, int k) {
   if constexpr (is_pack<P>)
     return value[k];

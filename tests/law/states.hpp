@@ -4,11 +4,21 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <arenite/core/lanes.hpp>
 #include <arenite/law/elasticity.hpp>
 #include <cmath>
 #include <random>
 
 namespace arenite::test {
+
+/// Lane k of a pack, or a scalar.
+template <class P>
+void set(P& to, int k, double value) {
+  if constexpr (is_pack<P>)
+    to.set(k, static_cast<typename P::scalar>(value));
+  else
+    to = static_cast<P>(value);
+}
 
 template <int D>
 Eigen::Matrix3d full(const Sym<double, D>& s) {

@@ -11,11 +11,13 @@
 
 #include "catch.hpp"
 #include "message.hpp"
+#include "saved_files.hpp"
 #include "state_buffer.hpp"
 
 using namespace arenite;
 using Catch::Matchers::Contains;
 using test::StateBuffer;
+using test::steps, test::content_of, test::write;
 
 namespace {
 
@@ -32,22 +34,6 @@ auto make(double friction = 35_deg, Index cells = 20) {
       gravity({0, -9.81}),
       PointIds{},
       TrackEnergy{}};
-}
-
-template <class Scene, class... Observers>
-void steps(Scene& scene, int count, Observers&... observers) {
-  for (int k = 0; k < count; ++k) {
-    step(scene, 0.4 * stable_step(scene));
-    (observers(std::as_const(scene)), ...);
-  }
-}
-
-std::string content_of(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
-void write(const std::string& path, const std::string& content) {
-  std::ofstream(path, std::ios::binary | std::ios::trunc) << content;
 }
 
 }  // namespace

@@ -13,11 +13,13 @@
 #include <thread>
 
 #include "catch.hpp"
+#include "saved_files.hpp"
 #include "state_buffer.hpp"
 
 using namespace arenite;
 using Catch::Matchers::Contains;
 using test::StateBuffer;
+using test::steps, test::content_of, test::write;
 
 namespace {
 
@@ -39,22 +41,6 @@ auto make(double cell = 0.05) {
                    DistanceSurface{[](const auto& x) { return std::hypot(x[0] - 0.3, x[1] - 0.65) - 0.1; }},
                    Guided{.mass = 50, .velocity = -2}, Friction(20_deg))),
                TrackEnergy{}};
-}
-
-template <class Scene, class... Observers>
-void steps(Scene& scene, int count, Observers&... observers) {
-  for (int k = 0; k < count; ++k) {
-    step(scene, 0.4 * stable_step(scene));
-    (observers(std::as_const(scene)), ...);
-  }
-}
-
-std::string content_of(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
-void write(const std::string& path, const std::string& content) {
-  std::ofstream(path, std::ios::binary | std::ios::trunc) << content;
 }
 
 }  // namespace

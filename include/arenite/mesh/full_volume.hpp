@@ -10,11 +10,16 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 template <class K, class M>
 typename M::scalar full_volume(const M& mesh, Index cell) {
   using T = typename M::scalar;
-  if constexpr (!K::hoop) return mesh.volume(cell);
-  typename M::Point centre = M::Point::Zero();
-  for (const Index i : mesh.nodes(cell)) centre += mesh.position(i);
-  centre /= static_cast<T>(mesh.nodes(cell).size());
-  return mesh.volume(cell) * K::thickness(centre);
+  if constexpr (!K::hoop) {
+    return mesh.volume(cell);
+  } else if constexpr (is_simplex_mesh<M>) {
+    typename M::Point centre = M::Point::Zero();
+    for (const Index i : mesh.nodes(cell)) centre += mesh.position(i);
+    centre /= static_cast<T>(mesh.nodes(cell).size());
+    return mesh.volume(cell) * K::thickness(centre);
+  } else {
+    return mesh.volume(cell) * K::thickness(typename M::Point(mesh.corner(cell) + mesh.extent(cell) / 2));
+  }
 }
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -1,4 +1,4 @@
-// End of a step: the clock, and the check that nothing has become NaN.
+// End of a step: the clock, the check that nothing has become NaN, and parts that renew points.
 #pragma once
 
 #include <algorithm>
@@ -21,13 +21,21 @@ bool is_finite(const Points& points, std::size_t p) {
   return finite;
 }
 
+/// Lets parts insert, remove and split points.
+template <class Scene>
+void renew_points(Scene& scene) {
+  scene.for_each_part([&](auto& part) {
+    if constexpr (renews_points<std::remove_cvref_t<decltype(part)>, Scene>) part.renew_points(scene);
+  });
+}
+
 /// Advances the clock. Throws `run_error` that names the first point that is not finite. dt: s.
 template <class Scene>
 void finish(Scene& scene, double dt) {
   scene.time += dt;
   scene.time_step = dt;
   ++scene.steps;
-  if (scene.finite) return;
+  if (scene.finite) return renew_points(scene);
   std::size_t number = 0;
   std::string bodies;  // whose sums are not finite
   scene.for_each_body([&](const auto& body, const auto&) {

@@ -102,6 +102,13 @@ concept follows_motion = requires(P& part, S& scene) {
   { part.follow_motion(scene, 0.0) } -> std::same_as<void>;
 };
 
+/// At the end of a step, once the clock has advanced: may insert, remove and split points
+/// (`insert_points`, `remove_points`, `split_points`).
+template <class P, class S>
+concept renews_points = requires(P& part, S& scene) {
+  { part.renew_points(scene) } -> std::same_as<void>;
+};
+
 /// In `stable_step`: the largest step that the part bears, s.
 template <class P, class S>
 concept bounds_step = requires(const P& part, const S& scene) {
@@ -218,7 +225,7 @@ template <class P>
 inline constexpr bool plays_a_role =
     names_constrain<P> || names_add_force<P> || names_acceleration<P> || names_exchange_impulses<P> ||
     names_hold_mapped<P> || names_take_stress_work<P> || names_take_wall_impulse<P> ||
-    names_follow_motion<P> || names_stable_step<P> || requires {
+    names_follow_motion<P> || names_renew_points<P> || names_stable_step<P> || requires {
   P::separates_bodies;
 }
 || requires { P::needs_point_ids; }
@@ -230,7 +237,7 @@ constexpr bool check_part() {
   static_assert(plays_a_role<P>,
                 "Scene: a part plays no role; a part is bodies(..), or a class that is not final with one of "
                 "add_force, acceleration, constrain, exchange_impulses, hold_mapped, follow_motion, "
-                "stable_step, take_stress_work, take_wall_impulse; see arenite/scene/roles.hpp");
+                "renew_points, stable_step, take_stress_work, take_wall_impulse; see arenite/scene/roles.hpp");
   static_assert(!names_connect<P> || connects<P, S>, "part: connect must be void connect(Scene& scene)");
   static_assert(!names_constrain<P> || constrains<P, S>,
                 "part: constrain must be void constrain(Nodes& nodes) const");
@@ -257,6 +264,8 @@ constexpr bool check_part() {
                 "const");
   static_assert(!names_follow_motion<P> || follows_motion<P, S>,
                 "part: follow_motion must be void follow_motion(Scene& scene, double dt)");
+  static_assert(!names_renew_points<P> || renews_points<P, S>,
+                "part: renew_points must be void renew_points(Scene& scene)");
   static_assert(!names_stable_step<P> || bounds_step<P, S>,
                 "part: stable_step must be double stable_step(const Scene& scene) const");
   static_assert(!names_count_energy<P> || counts_energy<P, S>,

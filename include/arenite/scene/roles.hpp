@@ -234,10 +234,11 @@ inline constexpr bool plays_a_role =
 /// Stops the compiler with the cure for a part that a scene would else leave out in silence.
 template <class P, class S>
 constexpr bool check_part() {
-  static_assert(plays_a_role<P>,
-                "Scene: a part plays no role; a part is bodies(..), or a class that is not final with one of "
-                "add_force, acceleration, constrain, exchange_impulses, hold_mapped, follow_motion, "
-                "renew_points, stable_step, take_stress_work, take_wall_impulse; see arenite/scene/roles.hpp");
+  static_assert(
+      plays_a_role<P>,
+      "Scene: a part plays no role; a part is bodies(..), or a class that is not final with one of "
+      "add_force, acceleration, constrain, exchange_impulses, hold_mapped, follow_motion, "
+      "renew_points, stable_step, take_stress_work, take_wall_impulse; see arenite/scene/roles.hpp");
   static_assert(!names_connect<P> || connects<P, S>, "part: connect must be void connect(Scene& scene)");
   static_assert(!names_constrain<P> || constrains<P, S>,
                 "part: constrain must be void constrain(Nodes& nodes) const");

@@ -1,6 +1,6 @@
 // Names of roles: the optional members of a law, the members of a transfer and of a part by which a scene
-// knows what they do. They are looked for by name first and then by signature: a member with a role's name
-// and another signature would else be left out in silence.
+// knows what they do, and what they say of themselves. They are looked for by name first and then by
+// signature: a member with a role's name and another signature would else be left out in silence.
 #pragma once
 
 #include <type_traits>
@@ -56,5 +56,16 @@ ARENITE_ROLE(holds_against)
 ARENITE_ROLE(visit_state)
 ARENITE_ROLE(follow_state)
 #undef ARENITE_ROLE
+
+/// Whether a part or a transfer may read, of the nodes, the velocity at the start of the step (`field.start`)
+/// or the force (`field.collected[i].force()`). It may, unless it says `static constexpr bool
+/// reads_start_state = false`. Where none does, B-splines sum momentum and force in one.
+template <class P>
+inline constexpr bool reads_start_state = [] {
+  if constexpr (requires { P::reads_start_state; })
+    return P::reads_start_state;
+  else
+    return true;
+}();
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -181,16 +181,6 @@ inline constexpr int point_columns = [] {
   else
     return 0;
 }();
-/// Whether a part may read, of the nodes, the velocity at the start of the step (`field.start`) or the force
-/// (`field.collected[i].force()`). It may, unless it says `static constexpr bool reads_start_state = false`.
-/// Where no part, nor the numerics, do, B-splines sum momentum and force in one.
-template <class P>
-inline constexpr bool reads_start_state = [] {
-  if constexpr (requires { P::reads_start_state; })
-    return P::reads_start_state;
-  else
-    return true;
-}();
 /// The first of the columns of a part of this scene. Call it in `connect`.
 template <class Scene, class Part>
 std::size_t first_point_column(const Scene& scene, const Part& part) {

@@ -60,7 +60,8 @@ struct Numerics {
   /// Whether velocities at the start of the step or forces of the nodes are read, by the transfer or at light
   /// nodes; the kernels of simplices do not sum them as one.
   static constexpr bool reads_start_state = Shape::constant_gradient || has_light_nodes<Shape> ||
-                                            strains_first || sweeps_nodes || takes_start_state<Transfer>;
+                                            strains_first || sweeps_nodes ||
+                                            arenite::reads_start_state<Transfer>;
   static constexpr bool needs_edge_mass = (maps_back || sweeps_nodes) && Shape::constant_gradient;
   /// Whether the stresses of bodies with laws L are taken at the middle of the step (see `add_half_step`).
   template <class... L>

@@ -57,15 +57,6 @@ inline constexpr bool returns_unchanged = [] {
     return false;
 }();
 
-/// See above.
-template <class Transfer>
-inline constexpr bool takes_start_state = [] {
-  if constexpr (requires { Transfer::reads_start_state; })
-    return Transfer::reads_start_state;
-  else
-    return true;
-}();
-
 // The order of the stress update: `maps_back`, whether strains are taken from velocities that the points hand
 // back at the end of the step; `strains_first`, whether they come ahead of the forces.
 

@@ -1,7 +1,9 @@
 // Initial points of a cell: how many, where, and what equal weights integrate exactly.
 #include "catch.hpp"
 
+#include <arenite/mesh/rectilinear_grid.hpp>
 #include <arenite/particles/cell_points.hpp>
+#include <arenite/particles/jitter.hpp>
 
 #include "../mesh/sample_meshes.hpp"
 
@@ -72,6 +74,25 @@ TEST_CASE("lattices of a square and a cube") {
   REQUIRE(lattice_points<3>(27).size() == 27);
   REQUIRE((lattice_points<3>(27)[26] - Vec<double, 3>::Constant(2.5 / 3)).norm() < 1e-15);
   REQUIRE(lattice_points<2>(1)[0] == Vec<double, 2>(0.5, 0.5));
+}
+
+TEST_CASE("points as far apart along all axes of a cell of a grid") {
+  using Counts = std::array<int, 2>;
+  REQUIRE(even_counts<double, 2>(9, {1, 1}) == Counts{3, 3});
+  REQUIRE(even_counts<double, 2>(9, {0.25, 1}) == Counts{2, 6});
+  REQUIRE(even_counts<double, 2>(9, {100, 1}) == Counts{30, 2});
+  REQUIRE(even_counts<double, 2>(1, {100, 1}) == Counts{10, 1});
+  REQUIRE(even_counts<float, 3>(8, {1, 1, 8}) == std::array<int, 3>{2, 2, 8});
+  REQUIRE(throws([] { even_counts<double, 2>(8, {1, 1}); }, "per_cell = 8: must be a square (1, 4, 9, ..)"));
+  const RectilinearGrid<2> grid{{.x = {0, 0.25, 1.25}, .y = {0, 1, 4}}};
+  const auto points = initial_points(grid, 0, 9, true);
+  REQUIRE(points.size() == 12);
+  REQUIRE((points[0] - Vec<double, 2>(0.0625, 1. / 12)).norm() < 1e-15);
+  for (Index c = 0; c < grid.cell_count(); ++c) {
+    auto moved = initial_points(grid, c, 9, true);
+    jitter_points(grid, c, 1, 7, moved, 9, true);
+    for (const auto& x : moved) REQUIRE(grid.walk(x) == c);
+  }
 }
 
 TEST_CASE("other numbers are refused, and the message says which are not") {

@@ -37,6 +37,9 @@ struct FillOptions {
   /// takes out of the region are left out, those that it takes into it are put in.
   double jitter = 0;
   std::uint64_t seed = 0;  ///< of the jitter
+  /// On a grid with cells of unequal edges: about `per_cell`, but as far apart along all axes, so that they
+  /// lie evenly where the matter flows into other cells.
+  bool even = false;
 };
 
 /// What `fill` returns: a region, a law and how to fill; the scene makes a `Body` of it, once it knows the
@@ -160,6 +163,7 @@ auto make_body(const M& mesh, const Fill<L, name>& recipe, const Owns& owns = {}
   const FillOptions& o = recipe.options;
   if (o.stress) o.stress->check(D);
   if (o.velocity.is_uniform()) o.velocity.at<T, D>(Vec<T, D>::Zero());
+  require(!o.even || !is_simplex_mesh<M>, "FillOptions.even", o.even, "goes with a grid alone");
   require(o.jitter >= 0 && o.jitter <= 1, "FillOptions.jitter", o.jitter, "must lie in [0, 1]");
   const auto numbers = region_numbers(mesh, recipe.region);
   for (Index c = 0; c < mesh.cell_count(); ++c) {
@@ -167,8 +171,8 @@ auto make_body(const M& mesh, const Fill<L, name>& recipe, const Owns& owns = {}
     if constexpr (is_simplex_mesh<M>) {
       if (!recipe.region.test && !std::ranges::count(numbers, mesh.region(c))) continue;
     }
-    auto places = initial_points(mesh, c, o.per_cell);
-    jitter_points(mesh, c, o.jitter, o.seed, places);
+    auto places = initial_points(mesh, c, o.per_cell, o.even);
+    jitter_points(mesh, c, o.jitter, o.seed, places, o.per_cell, o.even);
     const T share = mesh.volume(c) / static_cast<T>(places.size());
     const double length = std::pow(static_cast<double>(mesh.volume(c)), 1.0 / D);
     for (const auto& x : places) {

@@ -1,6 +1,8 @@
 // Places of the initial points in a cell: equal weights, and as even as the cell's shape allows.
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -73,25 +75,55 @@ std::vector<Vec<double, D + 1>> simplex_points(int n) {
                                  : ": must be 1, 4, 10, 20, 35, 56 or 84"));
 }
 
-/// Positions in the unit cell [0, 1]^D of n points on an even lattice; n must be a D-th power. Throws `error`
-/// otherwise.
+/// How many of n points on a lattice lie along each axis; n must be a D-th power. Throws `error` otherwise.
 template <int D>
-std::vector<Vec<double, D>> lattice_points(int n) {
+std::array<int, static_cast<std::size_t>(D)> lattice_counts(int n) {
   const int k = static_cast<int>(std::lround(std::pow(n, 1.0 / D)));
   require(n >= 1 && (D == 2 ? k * k : k * k * k) == n, "per_cell", n,
           D == 2 ? "must be a square (1, 4, 9, ..)" : "must be a cube (1, 8, 27, ..)");
-  std::vector<Vec<double, D>> points;
+  std::array<int, static_cast<std::size_t>(D)> along;
+  along.fill(k);
+  return along;
+}
+/// The same for a cell of a grid with these edges, so that points are about as far apart along all axes:
+/// about n in all, and, unless n = 1, two along each axis at least.
+template <class T, int D>
+std::array<int, static_cast<std::size_t>(D)> even_counts(int n, const Vec<T, D>& edges) {
+  auto along = lattice_counts<D>(n);
+  const double apart = std::pow(static_cast<double>(edges.prod()) / n, 1.0 / D);
+  for (std::size_t k = 0; k < along.size(); ++k)
+    along[k] =
+        std::max(n > 1 ? 2 : 1,
+                 static_cast<int>(std::lround(static_cast<double>(edges[static_cast<int>(k)]) / apart)));
+  return along;
+}
+
+/// Positions in the unit cell [0, 1]^D of points on an even lattice with so many along each axis.
+template <std::size_t D>
+std::vector<Vec<double, static_cast<int>(D)>> lattice_points(const std::array<int, D>& along) {
+  int n = 1;
+  for (const int k : along) n *= k;
+  std::vector<Vec<double, static_cast<int>(D)>> points;
   for (int i = 0; i < n; ++i) {
-    Vec<double, D> x;
-    for (int d = 0, rest = i; d < D; ++d, rest /= k) x[d] = (rest % k + 0.5) / k;
+    Vec<double, static_cast<int>(D)> x;
+    int rest = i;
+    for (std::size_t d = 0; d < D; ++d) {
+      x[static_cast<int>(d)] = (rest % along[d] + 0.5) / along[d];
+      rest /= along[d];
+    }
     points.push_back(x);
   }
   return points;
 }
+template <int D>
+std::vector<Vec<double, D>> lattice_points(int n) {
+  return lattice_points(lattice_counts<D>(n));
+}
 
-/// Positions of the n initial points of a cell, m.
+/// Positions of the n initial points of a cell, m; `even`: about n, as `even_counts` has them.
 template <class M>
-std::vector<typename M::Point> initial_points(const M& mesh, Index cell, int n) {
+std::vector<typename M::Point> initial_points(const M& mesh, Index cell, int n,
+                                              [[maybe_unused]] bool even = false) {
   using T = typename M::scalar;
   constexpr int D = M::dimension;
   std::vector<typename M::Point> points;
@@ -103,7 +135,8 @@ std::vector<typename M::Point> initial_points(const M& mesh, Index cell, int n) 
       points.push_back(x);
     }
   } else {
-    for (const auto& s : lattice_points<D>(n))
+    for (const auto& s :
+         lattice_points(even ? even_counts<T, D>(n, mesh.extent(cell)) : lattice_counts<D>(n)))
       points.push_back(mesh.corner(cell) + mesh.extent(cell).cwiseProduct(s.template cast<T>()));
   }
   return points;

@@ -52,32 +52,36 @@ Vec<double, D + 1> random_in_simplex(RandomAt& random) {
 }  // namespace detail
 
 /// Moves the initial points of a cell at random, each as likely to any place in its sub-cell, times `share`
-/// from 0 to 1. On a grid that is its part of the lattice; in a simplex a copy of it about the point, as
-/// large as keeps all points in the cell. The same points on any machine, and in any order of the cells.
+/// from 0 to 1. On a grid that is its part of the lattice, of so many points along each axis (`even`: see
+/// `initial_points`); in a simplex a copy of it about the point, as large as keeps all points in the cell.
+/// The same points on any machine, and in any order of the cells.
 template <class M>
 void jitter_points(const M& mesh, Index cell, double share, std::uint64_t seed,
-                   std::vector<typename M::Point>& points) {
+                   std::vector<typename M::Point>& points, [[maybe_unused]] int per_cell,
+                   [[maybe_unused]] bool even = false) {
   using T = typename M::scalar;
   constexpr int D = M::dimension;
   if (share == 0) return;
-  double size = 1;  // of a sub-cell, in cells
   if constexpr (is_simplex_mesh<M>) {
+    double size = 1;  // of a sub-cell, in cells
     for (const auto& x : points)
       size = std::min(size, (D + 1) * static_cast<double>(mesh.barycentric(cell, x).minCoeff()));
-  } else {
-    size = 1 / std::round(std::pow(static_cast<double>(points.size()), 1.0 / D));
-  }
-  const auto scale = static_cast<T>(share * size);
-  for (std::size_t p = 0; p < points.size(); ++p) {
-    detail::RandomAt random(seed, cell, p);
-    if constexpr (is_simplex_mesh<M>) {
+    const auto scale = static_cast<T>(share * size);
+    for (std::size_t p = 0; p < points.size(); ++p) {
+      detail::RandomAt random(seed, cell, p);
       const auto b = detail::random_in_simplex<D>(random);
       for (int k = 0; k <= D; ++k)
         points[p] += scale * static_cast<T>(b[k] - 1.0 / (D + 1)) *
                      mesh.position(mesh.nodes(cell)[static_cast<std::size_t>(k)]);
-    } else {
+    }
+  } else {
+    const auto edges = mesh.extent(cell);
+    const auto along = even ? even_counts<T, D>(per_cell, edges) : lattice_counts<D>(per_cell);
+    for (std::size_t p = 0; p < points.size(); ++p) {
+      detail::RandomAt random(seed, cell, p);
       for (int k = 0; k < D; ++k)
-        points[p][k] += scale * mesh.extent(cell)[k] * static_cast<T>(random.uniform() - 0.5);
+        points[p][k] += static_cast<T>(share * (1.0 / along[static_cast<std::size_t>(k)])) * edges[k] *
+                        static_cast<T>(random.uniform() - 0.5);
     }
   }
 }

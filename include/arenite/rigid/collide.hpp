@@ -8,6 +8,7 @@
 #include <arenite/contact/hold.hpp>
 #include <arenite/core/alone.hpp>
 #include <arenite/core/contact_tally.hpp>
+#include <arenite/core/tensor.hpp>
 #include <arenite/rigid/pose.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
@@ -60,6 +61,21 @@ typename R::Velocity velocity_in_contact(const R& body, const typename R::Veloci
     static_assert(Others::alone || !R::is_free,
                   "Rigid: meet of this motion must take the others to sum with");
     return body.motion.velocity_in_contact(body, free);
+  }
+}
+
+/// Change of a body's velocity by an impulse, against matter that resists so.
+template <class R, int N>
+Mat<double, N> mobility_of(const R& body, const Mat<double, N>& resistance) {
+  if constexpr (R::is_free) {
+    static_assert(
+        requires { body.motion.mobility(resistance); },
+        "Rigid: for RigidContact and PointContact a motion that impulses change must have mobility(added); "
+        "see "
+        "arenite/rigid/free.hpp");
+    return body.motion.mobility(resistance);
+  } else {
+    return Mat<double, N>::Zero();
   }
 }
 

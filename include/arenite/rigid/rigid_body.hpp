@@ -14,9 +14,11 @@
 #include <arenite/core/part_energy.hpp>
 #include <arenite/core/state_value.hpp>
 #include <arenite/rigid/collide.hpp>
+#include <arenite/rigid/collide_at_points.hpp>
 #include <arenite/rigid/free.hpp>
 #include <arenite/rigid/guided.hpp>
 #include <arenite/rigid/motion.hpp>
+#include <arenite/rigid/point_contact.hpp>
 #include <arenite/rigid/pose.hpp>
 #include <arenite/rigid/prescribed.hpp>
 #include <arenite/rigid/prescribed_pose.hpp>
@@ -36,6 +38,8 @@ struct RigidVelocity {
 struct CentreOfMass {
   static constexpr bool through_centre_of_mass = true;
 };
+
+// The third kind is `PointContact`: at the material points, without the gap of nodes (point_contact.hpp).
 
 /// The recipe that `rigid` makes: surface, motion, friction and kind of contact of one rigid body.
 template <class Surface, class Motion, class Coupling = RigidVelocity, Name name = "">
@@ -94,20 +98,26 @@ struct RigidBody {
   static_assert(!coupling_through_centre || (Surface::has_volume_fractions && is_free),
                 "Rigid: CentreOfMass needs a MeshSurface and a Guided motion, which give the body's nodes "
                 "their masses");
+  /// Whether it touches material points (`PointContact`), not nodes.
+  static constexpr bool touches_points = requires { Coupling::at_points; };
+  static_assert(
+      !touches_points || requires(const Surface s) { s.distance(); },
+      "Rigid: PointContact needs a DistanceSurface, which tells the distance of a point");
   Surface surface;
   Motion motion;
   Friction friction;
-  V velocity = linear(motion.start());        ///< m/s
-  V displacement = V::Zero();                 ///< since the start, m
-  V force = V::Zero();                        ///< mean contact force on the body during the last step, N
-  V impulse = V::Zero();                      ///< contact impulse on the body since the start, N s
-  double driving_work = 0;                    ///< work of gravity, load or the prescribed motion's drive, J
-  double dissipated = 0;                      ///< by contact, since the start, J
-  std::size_t contact_nodes = 0;              ///< nodes that pushed on the body in the last step
-  std::size_t inside_nodes = 0;               ///< nodes inside the body that carried mass in the last step
-  Spin<T, D> spin = angular(motion.start());  ///< angular velocity, rad/s
-  Orientation<D> orientation{};               ///< against the start
-  Spin<T, D> torque = Spin<T, D>::Zero();     ///< mean moment of contact about the centre, N m
+  V velocity = linear(motion.start());  ///< m/s
+  V displacement = V::Zero();           ///< since the start, m
+  V force = V::Zero();                  ///< mean contact force on the body during the last step, N
+  V impulse = V::Zero();                ///< contact impulse on the body since the start, N s
+  double driving_work = 0;              ///< work of gravity, load or the prescribed motion's drive, J
+  double dissipated = 0;                ///< by contact, since the start, J
+  std::size_t contact_nodes = 0;        ///< nodes that pushed on the body in the last step
+  /// Nodes inside the body that carried mass in the last step; `PointContact` does not look for them.
+  std::size_t inside_nodes = 0;
+  Spin<T, D> spin = angular(motion.start());        ///< angular velocity, rad/s
+  Orientation<D> orientation{};                     ///< against the start
+  Spin<T, D> torque = Spin<T, D>::Zero();           ///< mean moment of contact about the centre, N m
   Spin<T, D> angular_impulse = Spin<T, D>::Zero();  ///< of contact since the start, N m s
 
   /// One touched node of one field.
@@ -123,7 +133,12 @@ struct RigidBody {
     V impulse = V::Zero();  ///< on the field, N s
     V arm = V::Zero();      ///< from the centre of a body that rotates, m
   };
-  std::vector<TouchedNode> touched_nodes{};  ///< of the last step
+  /// Of the last step; with `PointContact` those that took an impulse, without normals.
+  std::vector<TouchedNode> touched_nodes{};
+  /// What touched, with `PointContact`.
+  [[no_unique_address]] std::conditional_t<touches_points, PointImpulses<T, D, Velocity::RowsAtCompileTime>,
+                                           Nothing>
+      at_points{};
 
   double kinetic_energy() const { return motion.kinetic_energy(whole_velocity()); }
 
@@ -209,12 +224,20 @@ struct RigidBody {
         !(Scene::is_portion && coupling_through_centre),
         "Rigid: CentreOfMass spreads the body's mass over all of its nodes, and a portion of the mesh "
         "knows some of them; use RigidVelocity");
+    static_assert(
+        !(Scene::is_portion && touches_points),
+        "Rigid: PointContact sweeps over the points of the whole body, and a portion of the mesh has "
+        "some of them; use RigidVelocity");
+    static_assert(!(Scene::NumericsType::maps_back && touches_points),
+                  "Rigid: PointContact needs Usl: it does not hold the velocities that MUSL maps back");
     if constexpr (requires { surface.connect(scene); }) surface.connect(scene);
   }
   template <class Scene, class Others = const Alone>
   ContactTally exchange_impulses(Scene& scene, double dt, Others& others = no_others) {
     if constexpr (Scene::Needs::moves_rigid_bodies)
       return {};
+    else if constexpr (touches_points)
+      return collide_at_points(scene, *this, dt);
     else
       return collide<typename Scene::Shape>(scene.mesh, *this, scene.fields, scene.acceleration(),
                                             static_cast<T>(scene.time + dt), static_cast<T>(dt),
@@ -249,6 +272,7 @@ struct RigidBody {
       f("angular_impulse", angular_impulse);
       orientation.visit_state(f);
     }
+    if constexpr (touches_points) f("deepest_point", at_points.deepest);
     if constexpr (requires { motion.visit_state(f); }) motion.visit_state(StateUnder(f, "motion"));
     if constexpr (requires { surface.visit_state(f); }) surface.visit_state(StateUnder(f, "surface"));
   }

@@ -55,19 +55,6 @@ auto resistance_of_matter(const R& body, const typename R::Velocity& met, Others
   return sum;
 }
 
-/// Change of a body's velocity by an impulse, against matter that resists so.
-template <class R, int N>
-Mat<double, N> mobility_of(const R& body, const Mat<double, N>& resistance) {
-  if constexpr (R::is_free) {
-    static_assert(
-        requires { body.motion.mobility(resistance); },
-        "RigidContact: a motion that impulses change must have mobility(added); see arenite/rigid/free.hpp");
-    return body.motion.mobility(resistance);
-  } else {
-    return Mat<double, N>::Zero();
-  }
-}
-
 }  // namespace detail
 
 /// The contact of rigid bodies in D dimensions over scalar T. Read `touches()` after any step.
@@ -103,6 +90,7 @@ class BoundRigidContact {
           requires { body.surface.distance(); },
           "RigidContact: each rigid body of the scene needs a DistanceSurface");
       static_assert(!R::coupling_through_centre, "RigidContact: CentreOfMass cannot be joined with it");
+      static_assert(!R::touches_points, "RigidContact: PointContact cannot be joined with it");
       TouchingBody<D> b;
       b.name = R::name.word().empty() ? std::to_string(touching_.bodies.size()) : std::string(R::name.word());
       b.size = std::numeric_limits<double>::infinity();
@@ -232,13 +220,13 @@ class BoundRigidContact {
       auto& b = touching_.bodies[k];
       for (auto& t : body.touched_nodes) t.start = scene.fields[t.field].velocity[t.node];
       const auto push = for_body<R>(b.impulse);
-      const Mat<double, size> alone = detail::mobility_of(body, Mat<double, size>(Mat<double, size>::Zero()));
+      const Mat<double, size> alone = mobility_of(body, Mat<double, size>(Mat<double, size>::Zero()));
       s.push = push.template cast<T>();
       s.pushed = s.free + (alone * push).template cast<T>();
       s.met = velocity_in_contact(body, s.pushed, others);
       const auto resistance = detail::resistance_of_matter(body, s.met, others);
       b.mobility.setZero();
-      b.mobility.template topLeftCorner<size, size>() = detail::mobility_of(body, resistance);
+      b.mobility.template topLeftCorner<size, size>() = mobility_of(body, resistance);
       s.given = give_impulses(body, scene.fields, s.met, others);
       b.twist = as_twist(s.met);
     });

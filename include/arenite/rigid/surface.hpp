@@ -40,7 +40,10 @@ struct MeshSurface {
 /// | 0 | 0.25 to 1.25 cells | -0.1 to 0.9 cells |
 ///
 /// the same in the plane and in space (tests/contact/acting_distance_heavy.cpp). Matter that is fast against
-/// its waves comes nearer than that: at 2 m/s rubber of 1 MPa by half a cell.
+/// its waves comes nearer than that: at 2 m/s rubber of 1 MPa by half a cell. With `PointContact` there is no
+/// reach: points push where they are, wherever the nodes lie, so that the matter's face is half a point's
+/// size inside the body, 1/6 of a cell with nine points a cell, 1/4 with four
+/// (tests/rigid/point_contact.cpp).
 template <class Distance = AnyDistance>
 struct DistanceSurface {
   Distance distance;
@@ -124,43 +127,73 @@ class BoundDistanceSurface {
   static constexpr bool has_volume_fractions = false;
   const AnyDistance& distance() const { return surface_.distance; }
 
-  /// Visits the nodes near the body, in chunks on several threads, and joins their results in order.
+  /// Visits the nodes near the body.
   template <class Shape, class M, class Place, class HasMass, class F>
   void visit(const M& mesh, const Place& place, HasMass&& has_mass, F&& f) {
     const auto box = box_in_scene(place);
     // Of a body that is turned the reach from its box is up to sqrt(D) times as far along an axis.
     near_.template find<Shape>(mesh, box, std::sqrt(double{D}) * surface_.reach);
-    const std::size_t nodes = near_.size(), chunks = (nodes + chunk - 1) / chunk;
-    if (found_.size() < chunks) found_.resize(chunks);
-    parallel_for(chunks, nodes >= least_items / 4, [&](std::size_t k) {
-      Found& found = found_[k];
-      found.nodes.clear();
-      found.failure = nullptr;
-      try {
-        look<Shape>(mesh, place, has_mass, k * chunk, std::min(nodes, (k + 1) * chunk), found.nodes);
-      } catch (...) {  // out of a user's distance; a loop over threads must not throw
-        found.failure = std::current_exception();
+    const auto candidates = [&](std::size_t begin, std::size_t end, auto&& take) {
+      for (std::size_t n = begin; n < end; ++n)
+        if (const Index i = near_[n]; has_mass(i))
+          take(i, Shape::node_position(mesh, i), static_cast<double>(mesh.node_size(i)));
+    };
+    search(near_.size(), 256, near_.size() >= least_items / 4, place, surface_.reach, candidates,
+           [&](const Found& n) { f(n.number, n.normal, n.inside, T(0)); });
+  }
+
+  /// Calls `f(point, normal, distance)` for the points of a body (`CellList`) no farther from the surface, m,
+  /// than `reach` sizes of their cells, cell by cell; the normal is zero where the distance has no slope.
+  template <class M, class Place, class B, class F>
+  void visit_points(const M& mesh, const Place& place, const B& body, double reach, F&& f) {
+    const auto candidates = [&](std::size_t begin, std::size_t end, auto&& take) {
+      for (auto c = static_cast<Index>(begin); c < end; ++c) {
+        if (body.cells.empty(c)) continue;
+        const auto size = static_cast<double>(mesh.size(c));
+        for (const Index p : body.cells[c]) take(p, body.points.position[p], size);
       }
-    });
-    const std::span all(found_.data(), chunks);
-    for (const Found& found : all)
-      if (found.failure) std::rethrow_exception(found.failure);
-    for (const Found& found : all)
-      for (const auto& n : found.nodes) f(n.node, n.normal, n.inside, T(0));
+    };
+    search(mesh.cell_count(), 64, body.points.size() >= least_items, place, reach, candidates,
+           [&](const Found& p) { f(p.number, p.normal, p.distance); });
   }
 
  private:
   using Position = AnyDistance::Position;
-  struct Node {
-    Index node;
+  struct Found {
+    Index number;  // of the node or point
     bool inside;
     Vec<T, D> normal;
+    double distance;
   };
-  static constexpr std::size_t chunk = 256;  // nodes; a distance may cost much
-  struct Found {                             ///< in a chunk of nodes
-    std::vector<Node> nodes{};
+  struct Chunk {
+    std::vector<Found> found{};
     std::exception_ptr failure{};
   };
+
+  /// Looks at what is near the surface, in chunks on several threads, and joins the results in order: calls
+  /// `f(found)`. `candidates(begin, end, take)` calls `take(number, position, size of the cell)` for items
+  /// `begin` to `end`.
+  template <class Place, class Candidates, class F>
+  void search(std::size_t items, std::size_t chunk, bool worthwhile, const Place& place, double reach,
+              const Candidates& candidates, F&& f) {
+    const std::size_t chunks = (items + chunk - 1) / chunk;
+    if (chunks_.size() < chunks) chunks_.resize(chunks);
+    parallel_for(chunks, worthwhile, [&](std::size_t k) {
+      Chunk& part = chunks_[k];
+      part.found.clear();
+      part.failure = nullptr;
+      try {
+        look(place, reach, k * chunk, std::min(items, (k + 1) * chunk), candidates, part.found);
+      } catch (...) {  // out of a user's distance; a loop over threads must not throw
+        part.failure = std::current_exception();
+      }
+    });
+    const std::span all(chunks_.data(), chunks);
+    for (const Chunk& part : all)
+      if (part.failure) std::rethrow_exception(part.failure);
+    for (const Chunk& part : all)
+      for (const Found& found : part.found) f(found);
+  }
 
   /// Position in the body's frame, and direction in that of the scene.
   static Position to_body(const Vec<T, D>& displacement, const Vec<T, D>& x) {
@@ -184,41 +217,38 @@ class BoundDistanceSurface {
                         pose.centre + pose.displacement - pose.rotation * pose.centre);
   }
 
-  template <class Shape, class M, class Place, class HasMass>
-  void look(const M& mesh, const Place& place, HasMass& has_mass, std::size_t begin, std::size_t end,
-            std::vector<Node>& found) const {
+  template <class Place, class Candidates>
+  void look(const Place& place, double reach, std::size_t begin, std::size_t end,
+            const Candidates& candidates, std::vector<Found>& found) const {
     constexpr std::size_t block = 64;  // distances asked for in one call
-    std::array<Index, block> node;
+    std::array<Index, block> number;
     std::array<double, block> cell, distance;
     std::array<Position, block> at;
     std::size_t count = 0;
     const auto ask = [&] {
       surface_.distance.at({at.data(), count}, distance.data());
       for (std::size_t k = 0; k < count; ++k) {
-        if (distance[k] > surface_.reach * cell[k]) continue;
+        if (distance[k] > reach * cell[k]) continue;
         const Vec<double, D> normal = to_scene(place, slope(at[k], 1e-4 * cell[k]));
         // Where the distance has no slope (deep on an axis) there is no way out: such a node is inside.
-        found.push_back({node[k], normal.squaredNorm() == 0, normal.template cast<T>()});
+        found.push_back({number[k], normal.squaredNorm() == 0, normal.template cast<T>(), distance[k]});
       }
       count = 0;
     };
-    for (std::size_t n = begin; n < end; ++n) {
-      const Index i = near_[n];
-      if (!has_mass(i)) continue;
-      const Position x = to_body(place, Shape::node_position(mesh, i));
-      const auto size = static_cast<double>(mesh.node_size(i));
-      if (is_beyond(x, size)) continue;
-      node[count] = i;
+    candidates(begin, end, [&](Index i, const Vec<T, D>& position, double size) {
+      const Position x = to_body(place, position);
+      if (is_beyond(x, reach, size)) return;
+      number[count] = i;
       cell[count] = size;
       at[count] = x;
       if (++count == block) ask();
-    }
+    });
     ask();
   }
 
   /// Whether a position is farther from the box around the body than reach, whatever the round-off.
-  bool is_beyond(const Position& x, double cell) const {
-    const double far = (surface_.reach + 1e-3) * cell;
+  bool is_beyond(const Position& x, double reach, double cell) const {
+    const double far = (reach + 1e-3) * cell;
     for (std::size_t k = 0; k < D; ++k)
       if (x[k] < surface_.distance.lower()[k] - far || x[k] > surface_.distance.upper()[k] + far) return true;
     return false;
@@ -241,7 +271,7 @@ class BoundDistanceSurface {
 
   DistanceSurface<> surface_;
   NodesNear<T, D> near_{};
-  std::vector<Found> found_{};  // [chunks of nodes, or more], memory from step to step
+  std::vector<Chunk> chunks_{};  // [chunks, or more], memory from step to step
 };
 
 template <class Distance, class Site>

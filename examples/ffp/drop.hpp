@@ -27,5 +27,6 @@ void drop(const DropOptions& options);
 
 void drop_axisymmetric(const DropOptions& options);
 void drop_slice(const DropOptions& options);
+void drop_grid(const DropOptions& options);
 
 }  // namespace arenite::ffp

@@ -6,36 +6,21 @@
 
 namespace arenite::ffp {
 
-template <class Model, class AntiLocking>
-void drop_rigid(const DropOptions& o) {
-  if (o.contact == ContactKind::rigid)
-    record<Model>(o, [&] { return rigid_scene<Model, AntiLocking, RigidVelocity>(o, plain_sand(o)); });
-  else
-    record<Model>(o, [&] { return rigid_scene<Model, AntiLocking, CentreOfMass>(o, plain_sand(o)); });
-}
-
-template <class Model, class AntiLocking>
-void drop_elastic(const DropOptions& o) {
-  record<Model>(o, [&] { return elastic_scene<Model, AntiLocking>(o); });
-}
-
-/// Laws with friction by point come with the default composition alone (see `check`): each more would be
+/// What differs from the default in more than one way is refused by `check`: each composition more would be
 /// compiled for all.
 template <class Model>
-void drop_with_law(const DropOptions& o) {
-  record<Model>(
-      o, [&] { return rigid_scene<Model, NodalAndElementAverage, RigidVelocity>(o, sand_with_law(o)); });
-}
-
-template <class Model>
 void drop_model(const DropOptions& o) {
-  const bool rigid = o.device == DeviceKind::rigid;
-  if (o.law.kind != LawKind::mohr_coulomb)
-    drop_with_law<Model>(o);
-  else if (o.anti_locking)
-    rigid ? drop_rigid<Model, NodalAndElementAverage>(o) : drop_elastic<Model, NodalAndElementAverage>(o);
+  using Averages = NodalAndElementAverage;
+  if (o.device == DeviceKind::elastic)
+    record<Model>(o, [&] { return elastic_scene<Model, Averages>(o); });
+  else if (o.law.kind != LawKind::mohr_coulomb)
+    record<Model>(o, [&] { return rigid_scene<Model, Averages, RigidVelocity>(o, sand_with_law(o)); });
+  else if (o.contact_kind() == ContactKind::centre_of_mass)
+    record<Model>(o, [&] { return rigid_scene<Model, Averages, CentreOfMass>(o, plain_sand(o)); });
+  else if (o.averages())
+    record<Model>(o, [&] { return rigid_scene<Model, Averages, RigidVelocity>(o, plain_sand(o)); });
   else
-    rigid ? drop_rigid<Model, NoAntiLocking>(o) : drop_elastic<Model, NoAntiLocking>(o);
+    record<Model>(o, [&] { return rigid_scene<Model, NoAntiLocking, RigidVelocity>(o, plain_sand(o)); });
 }
 
 }  // namespace arenite::ffp

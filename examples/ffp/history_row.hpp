@@ -1,6 +1,7 @@
 // A row of the history, read off a scene of the drop.
 #pragma once
 
+#include <limits>
 #include <tuple>
 #include <vector>
 
@@ -29,9 +30,10 @@ DeviceState device_state(const Scene& scene) {
     state.penetration = 0 - body.displacement[1];
     state.velocity = -body.velocity[1];
     state.contact_nodes = body.contact_nodes;
-    for (const auto& touch : body.touched_nodes)
-      if (!touch.inside && body.impulse_at(touch, body.velocity).squaredNorm() > 0)
-        state.touched.push_back(touch.node);
+    if constexpr (is_simplex_mesh<typename Scene::Mesh>)
+      for (const auto& touch : body.touched_nodes)
+        if (!touch.inside && body.impulse_at(touch, body.velocity).squaredNorm() > 0)
+          state.touched.push_back(touch.node);
   } else {
     const auto& device = scene.template body<"device">();
     const auto& contact = scene.template part<Coulomb>();
@@ -68,7 +70,10 @@ HistoryRow history_row(const Scene& scene, const HistoryRow* before, double whol
   row.energy_residual_J = whole * e.residual;
   row.lost_points = static_cast<double>(scene.lost_points());
   row.contact_nodes = static_cast<double>(device.contact_nodes);
-  row.fill_ratio = fill_ratio(scene, soil, device.touched, scene.mesh.region_number("device"));
+  if constexpr (is_simplex_mesh<typename Scene::Mesh>)
+    row.fill_ratio = fill_ratio(scene, soil, device.touched, scene.mesh.region_number("device"));
+  else  // the penetrometer cuts the cells at it
+    row.fill_ratio = std::numeric_limits<double>::quiet_NaN();
   row.mean_volume_ratio = mean_volume_ratio(soil);
   return row;
 }

@@ -73,6 +73,7 @@ class AxisymmetricMesher {
     mesh_.data.region_names = {{"soil", soil}, {"air", air}, {"device", device}};
     columns_ = graded(0, chamber_.radius, [&](double x) { return width(x); });
     make_row_heights();
+    set_tip();
     for (std::size_t j = 0; j < mesh_.row_height.size(); ++j) add_row(static_cast<int>(j));
     for (std::size_t j = 0; j + 1 < rows_.size(); ++j) add_strip(j);
     make_sets();
@@ -101,8 +102,10 @@ class AxisymmetricMesher {
     append(even(-chamber_.soil_depth, deep, sizes_.layer_ratio * h));
     append(graded(deep, 0, [&](double y) { return sizes_.edge(-y, h); }));
     const auto edge = body_.edge_heights(sizes_.cone_cell() / 2);
-    // Edges along the cone are one cell long.
-    append(even(0, edge.front(), sizes_.cone_cell() * std::cos(body_.half_angle())));
+    // Edges along the tip are one cell long, and longer where it is so blunt that rows would be too thin.
+    if (edge.front() > 0)
+      append(graded(0, edge.front(),
+                    [&](double y) { return sizes_.cone_cell() * std::max(0.5, body_.rise(y)); }));
     append(edge);
     const double from = chamber_.soil_depth / 2;  // the soil that rises around the cylinder stays below
     const auto height = [&](double y) {
@@ -114,6 +117,25 @@ class AxisymmetricMesher {
     append(graded(body_.length(), chamber_.headroom, height));
   }
 
+  /// The row at the tip has nodes on the device as far as its flat end reaches, unless that is less than half
+  /// a cell: then a facet leads from the axis to the next row. A parabola, too, is flat in the mesh where
+  /// such a facet would leave the sand at less than 30 deg; the mesh has up to a quarter of a cell too much
+  /// of it there.
+  void set_tip() {
+    const auto& rows = mesh_.row_height;
+    const double next = *std::upper_bound(rows.begin(), rows.end(), 0.0);
+    const double blunt = std::max(body_.flat_radius(), body_.profile(next) - next / std::tan(pi / 6));
+    tip_radius_ = blunt < sizes_.cone_cell() / 2 ? 0 : blunt;
+  }
+
+  /// Radius from which the columns of a row fan out, m: that of the device, and below it that of its flat
+  /// end, so that rows match.
+  double fan_start(double y) const { return y > 0 ? body_.profile(y) : tip_radius_; }
+  /// Edge of the cells inside the device, m.
+  double inner_cell(double y) const {
+    return tip_radius_ > 0 ? std::min(sizes_.cell, sizes_.cone_cell() + std::max(0.0, y) / 2) : sizes_.cell;
+  }
+
   Index add_node(double r, double y, int row, int place) {
     mesh_.data.nodes.emplace_back(r, y);
     mesh_.row_of.push_back(row);
@@ -123,11 +145,11 @@ class AxisymmetricMesher {
 
   void add_row(int j) {
     const double y = mesh_.row_height[static_cast<std::size_t>(j)];
-    const double surface = body_.profile(y);
+    const double surface = fan_start(y);
     Row row;
     int place = 0;
     if (surface > 0) {
-      const int pieces = std::max(1, static_cast<int>(std::lround(surface / sizes_.cell)));
+      const int pieces = std::max(1, static_cast<int>(std::lround(surface / inner_cell(y))));
       for (int i = 0; i < pieces; ++i) row.inside.push_back(add_node(surface * i / pieces, y, j, place++));
     }
     for (const double s :
@@ -136,15 +158,27 @@ class AxisymmetricMesher {
       row.outside.push_back(
           add_node(wall ? s : surface + s * (1 - surface / chamber_.radius), y, j, place++));
     }
-    if (y >= 0) row.inside.push_back(row.outside.front());
+    if (y >= 0) {
+      row.inside.push_back(row.outside.front());
+    } else {
+      row.outside.insert(row.outside.begin(), row.inside.begin(), row.inside.end());
+      row.inside.clear();
+    }
     rows_.push_back(std::move(row));
   }
 
   void add_strip(std::size_t j) {
     const double below = mesh_.row_height[j], above = mesh_.row_height[j + 1];
-    const Region around = above <= 0 ? soil : air;
-    join(rows_[j].outside, rows_[j + 1].outside, around, j);
+    join(rows_[j].outside, above == 0 ? whole(rows_[j + 1]) : rows_[j + 1].outside, above <= 0 ? soil : air,
+         j);
     if (below >= 0) join(rows_[j].inside, rows_[j + 1].inside, above <= body_.length() ? device : air, j);
+  }
+
+  /// All nodes of a row at the device, from the axis to the wall.
+  static std::vector<Index> whole(const Row& row) {
+    auto nodes = row.inside;
+    nodes.insert(nodes.end(), row.outside.begin() + 1, row.outside.end());
+    return nodes;
   }
 
   double distance(Index a, Index b) const { return (mesh_.data.nodes[a] - mesh_.data.nodes[b]).norm(); }
@@ -183,7 +217,10 @@ class AxisymmetricMesher {
       sets["axis"].push_back(row.inside.empty() ? row.outside.front() : row.inside.front());
       sets["wall"].push_back(row.outside.back());
       if (y < 0 || y > body_.length()) continue;
-      sets["device_surface"].push_back(row.outside.front());
+      if (y == 0)
+        sets["device_surface"] = row.inside;
+      else
+        sets["device_surface"].push_back(row.outside.front());
       sets["device"].insert(sets["device"].end(), row.inside.begin(), row.inside.end());
     }
     sets["bottom"] = rows_.front().outside;
@@ -194,6 +231,7 @@ class AxisymmetricMesher {
   Device body_;
   Chamber chamber_;
   MeshSizes sizes_;
+  double tip_radius_ = 0;  ///< how far the device reaches in the row at y = 0, m
   std::vector<double> columns_;
   std::vector<Row> rows_;
   AxisymmetricMesh mesh_;
@@ -203,7 +241,7 @@ class AxisymmetricMesher {
 
 /// Triangles of the half-section r >= 0, counter-clockwise, fitted to the device with its tip at the origin.
 /// Regions: "soil" (y < 0), "device", "air" (the rest). Node sets: "axis", "wall", "bottom", "top", "device"
-/// (all nodes of device cells), "device_surface" (cone and cylinder; the flat top's inner nodes, which soil
+/// (all nodes of device cells), "device_surface" (tip and cylinder; the flat top's inner nodes, which soil
 /// never meets, are left out). Throws `error` if the sizes do not fit the chamber.
 inline AxisymmetricMesh mesh_axisymmetric(const Device& body, const Chamber& chamber = {},
                                           const MeshSizes& sizes = {}) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cstdint>
 #include <limits>
 #include <string>
 #include <utility>
@@ -93,12 +94,15 @@ inline auto sand_with_law(const DropOptions& o) {
   return MohrCoulomb{sand_of(o), ForgetsOpening{}, friction_of(o.law, o.cell)};
 }
 
-template <int D, class Law>
-auto soil_of(const DropOptions& o, const Law& law) {
+template <int D, class Region, class Law>
+auto soil_of(const DropOptions& o, const Region& region, const Law& law) {
   return fill<"soil">(
-      Cells("soil"), WithDeviatoricStrain<Law, D>{law},
+      region, WithDeviatoricStrain<Law, D>{law},
       {.per_cell = o.points_in_element(),
-       .stress = Geostatic{.surface = 0, .k0 = o.earth_pressure(), .gravity = standard_gravity}});
+       .stress = Geostatic{.surface = 0, .k0 = o.earth_pressure(), .gravity = standard_gravity},
+       .jitter = o.jitter,
+       .seed = static_cast<std::uint64_t>(o.jitter_seed),
+       .even = o.on_grid() && o.cell_at_cone.has_value()});
 }
 
 inline Friction friction_of(const DropOptions& o) {
@@ -110,10 +114,18 @@ MovingMesh<Leader> motion_of(const DropOptions& o, const Mesh& mesh) {
   return {.leader = {}, .fixed_below = height_of(mesh, "soil").first, .moving_from = -o.moving_depth};
 }
 
+inline Flip transfer_of(const DropOptions& o) {
+  const double time = o.flip_time_constant();
+  return {.fraction = o.flip, .time = time > 0 ? time : std::numeric_limits<double>::infinity()};
+}
 template <class AntiLocking>
 Numerics<LinearSimplex, Flip, Musl, AntiLocking> numerics_of(const DropOptions& o) {
-  const double time = o.flip_time > 0 ? o.flip_time : std::numeric_limits<double>::infinity();
-  return {.transfer = {.fraction = o.flip, .time = time}, .anti_locking = {}};
+  return {.transfer = transfer_of(o), .anti_locking = {}};
+}
+
+inline SplitPoints<"soil"> splitting_of(const DropOptions& o) {
+  return {.options = {.per_cell = std::max(1.0, o.split_share())},
+          .every = o.split_share() > 0 ? std::size_t{10} : 0};
 }
 
 /// A rigid penetrometer; `Coupling` tells how the sand meets it.
@@ -124,15 +136,14 @@ auto rigid_scene(const DropOptions& o, const Law& law) {
   return Scene{typename Model::Kinematics{},
                std::move(mesh),
                numerics_of<AntiLocking>(o),
-               bodies(soil_of<Model::Kinematics::dimension>(o, law)),
+               bodies(soil_of<Model::Kinematics::dimension>(o, Cells("soil"), law)),
                Model::walls(),
                gravity({0, -standard_gravity}),
                rigids(rigid<"device">(MeshSurface{"device"},
-                                      Guided{.mass = o.mass / Model::whole, .velocity = -o.velocity},
+                                      Guided{.mass = o.device_mass() / Model::whole, .velocity = -o.velocity},
                                       friction_of(o), Coupling{})),
                motion,
-               SplitPoints<"soil">{.options = {.per_cell = std::max(1.0, o.split_share())},
-                                   .every = o.split_share() > 0 ? std::size_t{10} : 0},
+               splitting_of(o),
                TrackEnergy{}};
 }
 
@@ -145,13 +156,14 @@ auto elastic_scene(const DropOptions& o) {
     if (mesh.region(c) == mesh.region_number("device"))
       volume += arenite::full_volume<typename Model::Kinematics>(mesh, c);
   const auto motion = motion_of<LedByBody<"device">>(o, mesh);
-  const LinearElastic metal{
-      {.density = o.mass / Model::whole / volume, .young = o.device_young, .poisson = o.device_poisson}};
+  const LinearElastic metal{{.density = o.device_mass() / Model::whole / volume,
+                             .young = o.device_young,
+                             .poisson = o.device_poisson}};
   return Scene{
       typename Model::Kinematics{},
       std::move(mesh),
       numerics_of<AntiLocking>(o),
-      bodies(soil_of<Model::Kinematics::dimension>(o, plain_sand(o)),
+      bodies(soil_of<Model::Kinematics::dimension>(o, Cells("soil"), plain_sand(o)),
              fill<"device">(Cells("device"), metal, {.per_cell = 1, .velocity = {0, -o.velocity, 0}})),
       Model::walls(),
       gravity({0, -standard_gravity}),

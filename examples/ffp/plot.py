@@ -16,20 +16,11 @@ import textwrap
 
 import numpy
 
-try:
-    import matplotlib
-except ImportError:
-    sys.exit("plot.py: needs matplotlib; on Debian: apt install python3-matplotlib")
-
-matplotlib.use("Agg")
-import matplotlib.pyplot as pyplot  # noqa: E402
-
-from read_vtu import read_pvd, read_vtu  # noqa: E402
+from pictures import COLOURS, REFERENCE, matplotlib, pyplot
+from read_vtu import read_pvd, read_vtu
 
 GRAVITY = 9.81
 WINDOW = 2e-3  # s, of the moving average; as in summary.json
-COLOURS = ["#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#000000"]  # Okabe and Ito
-REFERENCE = "#6b6b6b"
 FIELD_TIMES = [0.0, 0.02, 0.04, 0.08]  # s, of the paper's figure 4
 STRAIN_TOP = 1.0
 SOURCE = ("Paper: simulation of a free-fall penetrometer (FFP) dropped into dry sand with the material point method, 2nd International "

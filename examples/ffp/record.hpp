@@ -135,7 +135,8 @@ class Run {
   void operator()(const Scene& scene) {
     if (scene.steps < rows_.size()) return;  // taken down before its state was saved
     const auto from = Clock::now();
-    const HistoryRow row = history_row(scene, rows_.empty() ? nullptr : &rows_.back(), Model::whole);
+    HistoryRow row = history_row(scene, rows_.empty() ? nullptr : &rows_.back(), Model::whole);
+    row.penetration_m -= tip_above_;
     history_->write(row);
     rows_.push_back(row);  // so that the summary is that of the file
     if (fields_) (*fields_)(scene);
@@ -215,6 +216,10 @@ class Run {
     numbers_.lost_points = static_cast<long>(scene_.lost_points());
     numbers_.limited_velocities = static_cast<long>(scene_.limited);
     auto summary = summary_of(o_, figures, numbers_);
+    scene_.for_each_rigid([&](const auto& device) {
+      if constexpr (requires { device.at_points.deepest; })
+        summary["deepest_point_m"] = device.at_points.deepest;
+    });
     summary["warnings"] = warnings_.texts();
     if (watch_) summary["watch"] = json_of(*watch_);
     arenite::ffp::write_summary(folder_.path() / "summary.json", summary);
@@ -236,6 +241,7 @@ class Run {
 
   Scene& scene_;
   const DropOptions& o_;
+  const double tip_above_ = o_.body().tip_above();  ///< m: of the penetrometer, above what the sand meets
   WarningLog& warnings_;
   RunFolder folder_;
   StopSignals signals_;
@@ -261,7 +267,7 @@ void record(const DropOptions& o, const Make& make) {
     if (!o.quiet) say(joined_text("the run in ", shown(o.out), " is finished; nothing to do"));
     return;
   }
-  WarningLog warnings;
+  WarningLog warnings(o.name);
   auto scene = [&] {
     try {
       return make();

@@ -5,6 +5,7 @@
 """
 
 import json
+import math
 import os
 import sys
 
@@ -26,10 +27,32 @@ def rows(found):
             ("points", f"{found['points']:,}, of which {found['lost_points']:,} left the mesh"),
             ("steps", f"{found['steps']:,} of {found['dt_min_s'] * 1e6:.0f} to {found['dt_max_s'] * 1e6:.0f} us in {found['wall_s']:.1f} s"),
         ]
+    if "uncertainty" in found:
+        table += error_bars(found["uncertainty"])
     warnings = found.get("warnings", [])
     table.append(("warnings", "none" if not warnings else f"{len(warnings)}"))
     table += [("", text) for text in warnings]
     return table
+
+
+def error_bars(bar):
+    """Lines of the drop's error bar: value, uncertainty and its parts, of depth and peak."""
+    table = []
+    for name, key, unit in (("depth with bar", "final_penetration_m", "m"), ("peak with bar", "peak_deceleration_g", "g")):
+        result = bar[key]
+        if result["u"] is None:
+            text = f"{result['value']:.3g} {unit} +- unknown (at least {result['u_at_least']:.2g} {unit})"
+        else:
+            text = f"{with_bar(result['value'], result['u'])} {unit}"
+        parts = ", ".join(f"{part} {'unknown' if u is None else f'{u:.2g}'}" for part, u in result["parts"].items())
+        table += [(name, text + ("" if result["converged"] else ", not converged")), ("", parts)]
+    return table
+
+
+def with_bar(value, u):
+    """"0.195 +- 0.012": two digits of the uncertainty, and the value as far."""
+    decimals = min(max(1 - math.floor(math.log10(u)), 0), 9) if u > 0 else 6
+    return f"{value:.{decimals}f} +- {u:.{decimals}f}"
 
 
 def peak(found, name):

@@ -119,7 +119,8 @@ inline nlohmann::ordered_json inputs_of(const DropOptions& o) {
   j["kinematics"] = word_of(kinematics_words, o.kinematics);
   j["device"] = word_of(device_words, o.device);
   j["velocity_m_s"] = o.velocity;
-  j["mass_kg"] = o.mass;
+  j["tip"] = word_of(tip_words, o.tip);
+  j["mass_kg"] = o.device_mass();
   j["shoulder"] = word_of(shoulder_words, o.shoulder);
   j["fillet_m"] = o.shoulder == Shoulder::fillet ? o.fillet : 0;
   j["device_young_Pa"] = o.device_young;
@@ -135,17 +136,22 @@ inline nlohmann::ordered_json inputs_of(const DropOptions& o) {
   add_inputs(o.law, j);
   j["k0"] = o.earth_pressure();
   j["gravity_m_s2"] = standard_gravity;
-  j["contact"] =
-      word_of(contact_words, o.device == DeviceKind::elastic ? ContactKind::centre_of_mass : o.contact);
+  j["contact"] = word_of(contact_words, o.contact_kind());
+  j["contact_offset_m"] = o.contact_offset;
+  j["mesh_kind"] = word_of(mesh_kind_words, o.mesh_kind);
   j["cell_m"] = o.cell;
   if (o.cell_at_cone) j["cell_at_cone_m"] = *o.cell_at_cone;
   if (o.split_share() > 0) j["split"] = o.split_share();
   j["points_per_element"] = o.points_in_element();
+  if (o.jitter > 0) {
+    j["jitter"] = o.jitter;
+    j["jitter_seed"] = o.jitter_seed;
+  }
   j["moving_depth_m"] = o.moving_depth;
   j["mesh"] = o.mesh.empty() ? "generated" : o.mesh;
-  j["anti_locking"] = word_of(switch_words, o.anti_locking);
+  j["anti_locking"] = word_of(switch_words, o.averages());
   j["flip"] = o.flip;
-  j["flip_time_s"] = o.flip_time;
+  j["flip_time_s"] = o.flip_time_constant();
   j["courant"] = o.courant;
   j["end_s"] = o.end;
   j["fields_every_s"] = o.fields_every;
@@ -214,7 +220,7 @@ inline nlohmann::ordered_json summary_of(const DropOptions& options,
   j["threads"] = run.threads;
   j["register_bytes"] = native_register_bytes;
   j["device_outline_m"] = nlohmann::ordered_json::array();  // (r, y) at t = 0, for pictures
-  for (const auto& x : options.body().outline()) j["device_outline_m"].push_back({x[0], x[1]});
+  for (const auto& x : options.body().instrument().outline()) j["device_outline_m"].push_back({x[0], x[1]});
   j["inputs"] = inputs_of(options);
   return j;
 }

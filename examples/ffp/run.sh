@@ -67,4 +67,8 @@ echo "drawing the pictures: about 10 seconds"
 /usr/bin/python3 "$root/examples/ffp/plot.py" "$out" > /dev/null || fail "drawing the pictures failed"
 printf '\n'
 /usr/bin/python3 "$root/examples/ffp/report.py" "$out"
+if [ -e "$out/reduced.csv" ]; then
+  printf '\nAs practitioners read it (arenite-ffp reduce %s):\n' "$out"
+  "$driver" reduce "$out" || fail "the reduction failed"
+fi
 exit $status

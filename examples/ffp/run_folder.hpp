@@ -29,7 +29,8 @@ inline constexpr const char* state_file_name = "checkpoint.state";
 inline bool is_result(std::string_view name) {
   if (name.ends_with(".part")) name.remove_suffix(5);
   for (const std::string_view own :
-       {"summary.json", "history.csv", "fields.pvd", "histories.png", "strain.png", state_file_name})
+       {"summary.json", "history.csv", "fields.pvd", "histories.png", "strain.png", "reduced.csv",
+        "reduced.json", "reduced.png", "reduced.svg", state_file_name})
     if (name == own) return true;
   for (const std::string_view part :
        {"fields_soil_", "fields_device_points_", "fields_mesh_", "fields_device_"})

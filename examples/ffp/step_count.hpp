@@ -54,7 +54,7 @@ inline std::string cause_of_steps(const DropOptions& o, double smallest) {
              elastic ? std::sqrt(o.device_young / usual.device_young) : none),
       option("--device-poisson", o.device_poisson,
              elastic ? std::sqrt(stiffness(o.device_poisson) / stiffness(usual.device_poisson)) : none),
-      option("--mass", o.mass, elastic ? std::sqrt(usual.mass / o.mass) : none),
+      option("--mass", o.device_mass(), elastic ? std::sqrt(usual.device_mass() / o.device_mass()) : none),
       option("--cell", o.cell, o.mesh.empty() && !o.cell_at_cone ? usual.cell / o.cell : none),
       option("--cell-at-cone", o.cell_at_cone.value_or(0),
              o.cell_at_cone ? usual.cell / *o.cell_at_cone : none),

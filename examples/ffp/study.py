@@ -5,6 +5,7 @@ does to the answer, and what it costs. All of it takes a quarter of an hour on t
     study.py                              all tables; results in out/study
     study.py --only delta cell            some of them; --list says which there are
     study.py --only trade --picture trade.png --options "--friction 36"
+    study.py --page docs/ffp_tables.md    all tables, as that page
 
 Build the driver first (examples/ffp/run.sh does). The picture needs matplotlib, the rest the standard library alone.
 """
@@ -30,6 +31,15 @@ def each(option, values, *others):
     return [(f"{value}", " ".join([*others, f"--{option} {value}"])) for value in values]
 
 
+# Laws of the sand's friction, by `--law`; no constant was fitted (docs/sand.md).
+LAWS = {
+    "linear-rate, 1e-3 s": "--law linear-rate",
+    "mu-i, beads of 0.53 mm": "--law mu-i",
+    "log-rate, 2.7 % a decade": "--law log-rate",
+    "softening, 40 to 36 deg": "--law softening --residual-friction 36",
+    "softening-rate, 39 to 36 deg, psi 10 to 0": "--law softening-rate --friction 39 --residual-friction 36 --dilatancy 10 --dilatancy-per-decade 0.27",
+}
+
 # Each table: what it asks, and its rows: a label, and options of `arenite-ffp drop`.
 TABLES = {
     "delta": ("Friction between sand and penetrometer, deg",
@@ -47,6 +57,12 @@ TABLES = {
         *((f"zone of {depth} m", f"--moving-depth {depth}") for depth in (0.03, 0.04, 0.08, 0.1)),
         ("to 0.3 s", "--end 0.3"),
     ]),
+    "tips": ("Tips", [
+        *((f"{tip}, {cells}", f"--tip {tip} {options}".strip())
+          for cells, options in (("1 cm", ""), ("0.5 cm at the cone", "--cell-at-cone 0.005"))
+          for tip in ("cone", "cone-truncated", "parabolic", "blunt")),
+    ]),
+    "offset": ("Contact offset, m", [(f"{offset}", f"--contact-offset={offset}") for offset in (-0.005, -0.0025, 0.0025, 0.005)]),
     "points": ("Points a triangle", each("points-per-element", [4, 9, 10, 15, 16, 21, 25, 28, 36, 49])),
     "cell": ("Cell size, m", each("cell", [0.02, 0.014, 0.01, 0.007, 0.005])),
     "cell-rough": ("Cell size, m, 40 deg", each("cell", [0.02, 0.014, 0.01, 0.007, 0.005], "--delta 40")),
@@ -64,6 +80,9 @@ TABLES = {
             ("40 deg", "--delta 40"),
             *((f"slice, 2 cm, {n} points", f"{COARSE_SLICE} --points-per-element {n}") for n in (10, 20)),
         ]
+    ]),
+    "law": ("Friction of the sand, constants of the sources", [
+        (f"{label}, {delta} deg", f"{options} --delta {delta}") for label, options in LAWS.items() for delta in (20, 32, 40)
     ]),
     "elastic": ("Elastic penetrometer", [
         (label, f"--device elastic {options}".strip()) for label, options in [
@@ -87,6 +106,12 @@ TABLES = {
         ("40 deg, 10 points", SLICE + " --delta 40"),
         ("elastic, 10 points", SLICE + " --device elastic"),
     ]),
+    "grid": ("The grid, linear rate term of 1e-3 s", [
+        (f"{contact}, {delta} deg, {sizes}", f"--mesh-kind grid --law linear-rate --contact {contact} --delta {delta} --cell {sizes}")
+        for contact, refined in (("rigid", ()), ("points", ("0.01 --cell-at-cone 0.005", "0.01 --cell-at-cone 0.0025",
+                                                            "0.01 --cell-at-cone 0.0025 --split 9")))
+        for delta in (20, 40) for sizes in ("0.02", "0.01", "0.005", *refined)
+    ] + [(f"Mohr-Coulomb, {delta} deg", f"--mesh-kind grid --delta {delta}") for delta in (20, 40)]),
 }
 # The lines of the picture: what a run costs, and what it answers.
 TRADE = {
@@ -98,6 +123,12 @@ TRADE = {
 }
 TABLES["trade"] = ("Speed against accuracy: the drops of the picture",
                    [(f"{line}: {label}", options) for line, rows in TRADE.items() for label, options in rows])
+
+PAGE = """# The penetrometer's drop: what each option does
+
+Appendix of [ffp.md](ffp.md): every drop behind its numbers. `examples/ffp/study.py --page docs/ffp_tables.md` runs them all and writes this page; do
+not edit it. Where nothing else is said: axisymmetric, rigid, delta = 20 deg, cells of 1 cm. Peaks are of the 2 ms mean; the last column is the
+time of the steps."""
 
 
 class Runs:
@@ -154,6 +185,22 @@ class Runs:
         return [max(mean(t, window) for t in time) / GRAVITY for window in windows]
 
 
+def add_run_arguments(parser, out):
+    """Where the driver is, where results go (`out`, a folder in the checkout), and how each drop is run."""
+    parser.add_argument("--driver", metavar="FILE", help="arenite-ffp [that which examples/ffp/run.sh builds]",
+                        default=os.path.join(ROOT, "build", "ffp", "examples", "ffp", "arenite-ffp"))
+    parser.add_argument("--out", metavar="DIR", default=os.path.join(ROOT, out), help=f"folder of the results [{out}]")
+    parser.add_argument("--options", default="", help="options that every drop gets, in quotes")
+    parser.add_argument("--threads", type=int, default=0, help="threads, 0 for all [0]")
+
+
+def runs_of(arguments):
+    """The drops that those arguments ask for; ends the program if there is no driver."""
+    if not os.access(arguments.driver, os.X_OK):
+        sys.exit(f"{os.path.basename(sys.argv[0])}: {arguments.driver}: is no program; examples/ffp/run.sh builds it")
+    return Runs(arguments.driver, arguments.out, arguments.options, arguments.threads)
+
+
 def row(label, found):
     """One line of a table."""
     if found["status"] != "done":
@@ -165,20 +212,21 @@ def row(label, found):
     return (f"| {label} | {found['final_penetration_m']:.4f} | {found['max_penetration_m']:.4f}, "
             f"{found['max_penetration_time_s'] * 1e3:.0f} | {found['peak_deceleration_g']:.1f}, "
             f"{found['peak_time_s'] * 1e3:.1f}, {found['peak_penetration_m']:.3f} | {second} | "
-            f"{found['energy_residual'] * 100:.1f} | {found['points']:,} | {found['steps']:,} of {length} | {found['wall_s']:.1f} |")
+            f"{round(found['energy_residual'] * 100, 1) + 0:.1f} | {found['points']:,} | {found['steps']:,} of {length} | {found['wall_s']:.1f} |")
 
 
 def table(runs, name):
+    """Lines of a table, one by one, as its drops come to their ends."""
     title, rows = TABLES[name]
-    print(f"\n**{title}**\n\n|  | final depth, m | greatest, m, at ms | peak, g, at ms, at m | second peak, g, at ms | "
-          "residual, % | points | steps, us | s |\n" + "|---" * 9 + "|")
+    yield from ("", f"**{title}**", "", "|  | final depth, m | greatest, m, at ms | peak, g, at ms, at m | second peak, g, at ms | "
+                "residual, % | points | steps, us | s |", "|---" * 9 + "|")
     for label, options in rows:
-        print(row(label, runs.drop(options)), flush=True)
+        yield row(label, runs.drop(options))
     if name == "open":
         windows = [0.5e-3, 1e-3, 2e-3, 4e-3]
         found = zip(windows, runs.peaks("", windows))
-        print("\nPeak of the default drop by the window of its mean: " +
-              ", ".join(f"{window * 1e3:g} ms {peak:.1f} g" for window, peak in found))
+        yield from ("", "Peak of the default drop by the window of its mean: " +
+                    ", ".join(f"{window * 1e3:g} ms {peak:.1f} g" for window, peak in found))
 
 
 def drawing():
@@ -219,25 +267,26 @@ def draw(runs, path, pyplot):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--driver", metavar="FILE", help="arenite-ffp [that which examples/ffp/run.sh builds]",
-                        default=os.path.join(ROOT, "build", "ffp", "examples", "ffp", "arenite-ffp"))
-    parser.add_argument("--out", metavar="DIR", default=os.path.join(ROOT, "out", "study"), help="folder of the results [out/study]")
+    add_run_arguments(parser, os.path.join("out", "study"))
     parser.add_argument("--only", metavar="TABLE", nargs="+", choices=list(TABLES), help="these tables [all]")
-    parser.add_argument("--options", default="", help="options that every drop gets, in quotes")
-    parser.add_argument("--threads", type=int, default=0, help="threads, 0 for all [0]")
     parser.add_argument("--picture", metavar="FILE", help="draw the trade of speed for accuracy")
+    parser.add_argument("--page", metavar="FILE.md", help="write the tables as a page, too")
     parser.add_argument("--list", action="store_true", help="say which tables there are, and stop")
     arguments = parser.parse_args()
     if arguments.list:
         for name, (title, rows) in TABLES.items():
             print(f"{name:13} {len(rows):3} drops  {title}")
         return
-    if not os.access(arguments.driver, os.X_OK):
-        sys.exit(f"study.py: {arguments.driver}: is no program; examples/ffp/run.sh builds it")
     pyplot = drawing() if arguments.picture else None
-    runs = Runs(arguments.driver, arguments.out, arguments.options, arguments.threads)
-    for name in arguments.only or TABLES:
-        table(runs, name)
+    runs = runs_of(arguments)
+    lines = [PAGE] if arguments.page else []
+    for name in arguments.only or [name for name in TABLES if name != "trade" or not arguments.page]:  # rows of other tables
+        for line in table(runs, name):
+            print(line, flush=True)
+            lines.append(line)
+    if arguments.page:
+        with open(arguments.page, "w") as file:
+            file.write("\n".join(lines) + "\n")
     if arguments.picture:
         draw(runs, arguments.picture, pyplot)
 

@@ -16,9 +16,10 @@ namespace arenite::ffp {
 /// While it lives, the library's warnings come here.
 class WarningLog {
  public:
-  WarningLog()
-      : before_{on_warning([this](const std::string& text) {
-          say("warning: " + shown(text, 1000));
+  /// `run`: name of the run in front of what is said; empty: none.
+  explicit WarningLog(const std::string& run = "")
+      : before_{on_warning([this, run](const std::string& text) {
+          say((run.empty() ? "" : run + ": ") + "warning: " + shown(text, 1000));
           texts_.push_back(text);
         })} {}
   WarningLog(const WarningLog&) = delete;

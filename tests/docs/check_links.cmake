@@ -13,7 +13,7 @@ foreach(page IN LISTS pages)
     if(link MATCHES "^[a-z]+:")
       continue()
     endif()
-    string(REGEX MATCH "^[^#]*" path "${link}")
+    string(REGEX REPLACE "#.*$" "" path "${link}")  # empty for a heading of the page itself
     set(target ${page})
     if(path)
       set(target ${folder}/${path})

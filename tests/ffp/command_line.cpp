@@ -14,9 +14,8 @@ using namespace arenite::ffp;
 namespace {
 
 DropOptions read(std::vector<std::string> words) {
-  words.insert(words.begin(), "drop");
   std::ostringstream help;
-  auto options = read_command_line(std::move(words), help);
+  auto options = read_drop(std::move(words), help);
   REQUIRE(options.has_value());
   REQUIRE(help.str().empty());
   return *options;
@@ -25,7 +24,7 @@ DropOptions read(std::vector<std::string> words) {
 std::string refusal(std::vector<std::string> words) {
   std::ostringstream help;
   try {
-    read_command_line(std::move(words), help);
+    read_command_line(words, help);
   } catch (const error& e) {
     return e.what();
   }
@@ -40,7 +39,7 @@ TEST_CASE("without options: the paper's case") {
   REQUIRE(o.device == DeviceKind::rigid);
   REQUIRE(o.delta == 20);
   REQUIRE(o.velocity == 5.6);
-  REQUIRE(o.mass == 7.71);
+  REQUIRE(o.device_mass() == 7.71);
   REQUIRE(o.friction == 40);
   REQUIRE(o.young == 5e6);
   REQUIRE(o.poisson == 0.33);
@@ -53,6 +52,8 @@ TEST_CASE("without options: the paper's case") {
   REQUIRE(std::abs(o.earth_pressure() - 0.33 / 0.67) < 1e-15);
   REQUIRE(o.points_in_element() == 28);
   REQUIRE(read({"--kinematics", "slice"}).points_in_element() == 10);
+  REQUIRE((!o.on_grid() && o.contact_kind() == ContactKind::rigid && o.averages() &&
+           o.flip_time_constant() == 0));
 }
 
 TEST_CASE("every option reaches its value") {
@@ -85,8 +86,6 @@ TEST_CASE("every option reaches its value") {
                        "20",
                        "--contact",
                        "centre-of-mass",
-                       "--anti-locking",
-                       "off",
                        "--flip",
                        "0.9",
                        "--flip-time",
@@ -120,7 +119,11 @@ TEST_CASE("every option reaches its value") {
   REQUIRE(o.device == DeviceKind::elastic);
   REQUIRE(o.contact == ContactKind::centre_of_mass);
   REQUIRE(o.shoulder == Shoulder::fillet);
-  REQUIRE((o.no_slip && o.quiet && !o.anti_locking));
+  REQUIRE((o.no_slip && o.quiet && o.averages()));
+  REQUIRE(!read({"--anti-locking", "off"}).averages());
+  for (const auto& [option, value] : {std::pair{"--device", "elastic"}, {"--contact", "centre-of-mass"}})
+    REQUIRE(refusal({"drop", "--anti-locking", "off", option, value}) ==
+            "--anti-locking = off: needs --device rigid and --contact rigid");
   REQUIRE((o.delta == 40 && o.velocity == 4 && o.mass == 8 && o.friction == 36 && o.young == 6e6 &&
            o.poisson == -0.1));
   REQUIRE((o.unit_weight == 16000 && o.cohesion == 1000 && o.dilatancy == 5 && o.cell == 0.02));
@@ -157,6 +160,39 @@ TEST_CASE("a mistake is one sentence with option, value and rule") {
   REQUIRE(refusal({"drop", "--points-per-element", "9", "--kinematics", "slice"})
               .find("--points-per-element = 9: must be") == 0);
   REQUIRE(refusal({"drop", "--points-per-element", "7"}).find("--points-per-element = 7: must be") == 0);
+}
+
+TEST_CASE("each tip has its shape and its mass") {
+  REQUIRE(read({}).tip == Tip::cone);
+  REQUIRE(read({}).body().flat_radius() == 0);
+  REQUIRE(read({"--tip", "cone-truncated"}).body().flat_radius() == 0.0022);
+  REQUIRE(read({"--tip", "cone-truncated"}).device_mass() == 7.71);
+  const auto parabolic = read({"--tip", "parabolic"});
+  REQUIRE(std::abs(parabolic.body().profile(0.0024184) - 0.0024184 * std::sqrt(10.0)) < 1e-15);
+  REQUIRE(parabolic.device_mass() == 9.15);
+  REQUIRE(read({"--tip", "blunt"}).body().cone_height() == 0);
+  REQUIRE(read({"--tip", "blunt"}).device_mass() == 10.30);
+  REQUIRE(read({"--tip", "blunt", "--mass", "9"}).device_mass() == 9);
+  for (const char* tip : {"cone", "cone-truncated", "parabolic", "blunt"})
+    REQUIRE(read({"--tip", tip}).body().length() == 0.631);
+  for (const char* tip : {"parabolic", "blunt"})
+    REQUIRE(refusal({"drop", "--tip", tip, "--shoulder", "fillet"}) ==
+            "--shoulder = fillet: needs --tip cone or cone-truncated");
+  // A small fillet needs cells that see it; one that is no part of the shape does not.
+  const std::vector<std::string> small{"drop", "--fillet", "0.0008", "--shoulder", "fillet"};
+  REQUIRE(refusal(small).find("--fillet = 0.0008: below 0.001 m needs --cell-at-cone of at most 0.000837") ==
+          0);
+  REQUIRE(read({"--fillet", "0.0008", "--shoulder", "fillet", "--cell-at-cone", "0.0008"}).fillet == 0.0008);
+  REQUIRE(read({"--fillet", "0.0008"}).fillet == 0.0008);
+}
+
+TEST_CASE("the surface that the sand meets may lie off the penetrometer's") {
+  const auto o = read({"--contact-offset", "-0.002"});
+  REQUIRE(std::abs(o.body().radius() - 0.04175) < 1e-15);
+  REQUIRE(o.body().instrument().radius() == 0.04375);
+  std::ofstream{"file.msh"} << "$MeshFormat\n";
+  REQUIRE(refusal({"drop", "--contact-offset", "-0.002", "--mesh", "file.msh"}) ==
+          "--contact-offset = -0.002: goes without --mesh");
 }
 
 TEST_CASE("field files without number are refused") {
@@ -221,7 +257,7 @@ TEST_CASE("any words end in options, help or one short sentence") {
     std::ostringstream answer;
     try {
       const auto o = read_command_line(words, answer);
-      if (o) REQUIRE_NOTHROW(check(*o));
+      if (o) REQUIRE_NOTHROW(check(std::get<DropOptions>(*o)));
       REQUIRE(o.has_value() == answer.str().empty());
       ++accepted;
     } catch (const error& e) {
@@ -257,6 +293,47 @@ TEST_CASE("laws of the sand's friction") {
             "--law = mu-i: needs --device rigid, --contact rigid and --anti-locking on");
 }
 
+TEST_CASE("an error bar needs coarser drops") {
+  REQUIRE(read({"--error-bar"}).error_bar);
+  REQUIRE(!read({}).error_bar);
+  REQUIRE(read({"--error-bar", "--cell", "0.02"}).cell == 0.02);
+  REQUIRE(refusal({"drop", "--error-bar", "--cell", "0.021"}) ==
+          "--cell = 0.021: must be at most 0.02 m with --error-bar, which runs drops at twice the cell");
+  std::ofstream{"file.msh"} << "$MeshFormat\n";
+  REQUIRE(refusal({"drop", "--error-bar", "--mesh", "file.msh"}) ==
+          "--mesh = file.msh: goes without --error-bar, which needs coarser meshes");
+}
+
+TEST_CASE("jitter of the points") {
+  const auto o = read({"--jitter", "0.5", "--jitter-seed", "3"});
+  REQUIRE(o.jitter == 0.5);
+  REQUIRE(o.jitter_seed == 3);
+  REQUIRE(read({}).jitter == 0);
+}
+
+TEST_CASE("the grid: defaults of its own, and what it goes without") {
+  const auto o = read({"--mesh-kind", "grid"});
+  REQUIRE((o.on_grid() && o.contact_kind() == ContactKind::points && !o.averages()));
+  REQUIRE((o.points_in_element() == 9 && o.flip_time_constant() == 0.1 && o.split_share() == 0));
+  REQUIRE(read({"--mesh-kind", "grid", "--contact", "rigid"}).contact_kind() == ContactKind::rigid);
+  REQUIRE(read({"--mesh-kind", "grid", "--flip-time", "0"}).flip_time_constant() == 0);
+  REQUIRE(read({"--mesh-kind", "grid", "--cell-at-cone", "0.005"}).split_share() == 4);
+  REQUIRE(read({"--mesh-kind", "grid", "--law", "mu-i"}).law.kind == LawKind::mu_i);
+  std::ofstream{"file.msh"} << "$MeshFormat\n";
+  for (const auto& [option, value] : {std::pair{"--kinematics", "slice"},
+                                      {"--device", "elastic"},
+                                      {"--contact", "centre-of-mass"},
+                                      {"--anti-locking", "on"},
+                                      {"--mesh", "file.msh"}})
+    REQUIRE(
+        refusal({"drop", "--mesh-kind", "grid", option, value}) ==
+        "--mesh-kind = grid: needs --kinematics axisymmetric, --device rigid, --contact points or rigid and "
+        "--anti-locking off, and goes without --mesh");
+  REQUIRE(refusal({"drop", "--mesh-kind", "grid", "--points-per-element", "10"}) ==
+          "--points-per-element = 10: must be 4, 9, 16, 25, 36 or 49 in the cells of a grid");
+  REQUIRE(refusal({"drop", "--contact", "points"}) == "--contact = points: needs --mesh-kind grid");
+}
+
 TEST_CASE("every range has both ends") {
   using Case = std::array<const char*, 3>;
   for (const auto& [option, below, above] : {Case{"--delta", "-1", "61"},
@@ -269,9 +346,11 @@ TEST_CASE("every range has both ends") {
                                              Case{"--cohesion", "-1", "1e7"},
                                              Case{"--dilatancy", "-1", "41"},
                                              Case{"--cell", "0.002", "0.05"},
-                                             Case{"--cell-at-cone", "0.0009", "0.05"},
+                                             Case{"--cell-at-cone", "0.0004", "0.05"},
                                              Case{"--split", "-1", "101"},
                                              Case{"--points-per-element", "0", "100"},
+                                             Case{"--jitter", "-0.1", "1.1"},
+                                             Case{"--jitter-seed", "-1", "1000000001"},
                                              Case{"--flip", "-0.1", "1.1"},
                                              Case{"--flip-time", "-1", "101"},
                                              Case{"--courant", "0", "1.1"},
@@ -279,7 +358,8 @@ TEST_CASE("every range has both ends") {
                                              Case{"--threads", "-1", "2000"},
                                              Case{"--fields-every", "-1", "11"},
                                              Case{"--moving-depth", "0", "0.4"},
-                                             Case{"--fillet", "0", "0.1"},
+                                             Case{"--fillet", "0.0004", "0.1"},
+                                             Case{"--contact-offset", "-0.021", "0.021"},
                                              Case{"--k0", "-0.1", "4"},
                                              Case{"--rate-time", "-1", "2"},
                                              Case{"--rate-smoothing", "-1", "2"},
@@ -314,12 +394,14 @@ TEST_CASE("help goes to the stream and names every option") {
   REQUIRE(!read_command_line({"drop", "--help"}, help).has_value());
   for (const char* option :
        {"--kinematics axisymmetric|slice", "--delta DEG", "--points-per-element N", "--mesh FILE.msh",
-        "--anti-locking on|off", "--contact rigid|centre-of-mass", "--quiet", "Exit code"})
+        "--anti-locking on|off", "--contact rigid|centre-of-mass|points", "--mesh-kind fitted|grid",
+        "--quiet", "Exit code"})
     REQUIRE(help.str().find(option) != std::string::npos);
   // Ranges and defaults are those of the checks.
   for (const char* range : {"Angle of friction, in [1, 60] deg (default 40)", "in (0, 50] m/s (default 5.6)",
                             "in (-1, 0.5) (default 0.33)", "Earth pressure at rest", "in [0, 3]",
-                            "in [0.0025, 0.04] m (default 0.01)", "36 or 49 in triangles (default 28)"})
+                            "in [0.0025, 0.04] m (default 0.01)", "36 or 49 in triangles (default 28)",
+                            "cells of a grid (default 9)"})
     REQUIRE(help.str().find(range) != std::string::npos);
   for (const std::vector<std::string>& words :
        {std::vector<std::string>{"--version"}, {"drop", "--version"}}) {
@@ -329,5 +411,6 @@ TEST_CASE("help goes to the stream and names every option") {
   }
   std::ostringstream top;
   REQUIRE(!read_command_line({"--help"}, top).has_value());
-  REQUIRE(top.str().find("drop") != std::string::npos);
+  for (const char* command : {"drop", "reduce", "paper"})
+    REQUIRE(top.str().find(command) != std::string::npos);
 }

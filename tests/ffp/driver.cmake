@@ -13,7 +13,13 @@ if(no_matplotlib)
   arenite_left_out("The test of the driver's pictures" "matplotlib of /usr/bin/python3 (Debian: python3-matplotlib)")
 endif()
 
-foreach(class Drops SameBits Mistakes Widths Words Meshes Failures Ends Killed Resumed Inputs CommandLine Study ${pictures})
+set(long)
+if(ARENITE_TEST_HEAVY)
+  set(long FineCells)
+endif()
+
+foreach(class Drops SameBits Mistakes Widths Words Meshes Failures Ends Killed Resumed ErrorBar Inputs Reduced Paper CommandLine
+        Study ${pictures} ${long})
   set(scratch ${CMAKE_CURRENT_BINARY_DIR}/scratch/ffp.driver_${class})
   file(MAKE_DIRECTORY ${scratch})
   add_test(NAME ffp.driver_${class}
@@ -21,4 +27,7 @@ foreach(class Drops SameBits Mistakes Widths Words Meshes Failures Ends Killed R
            WORKING_DIRECTORY ${scratch})
   set_tests_properties(ffp.driver_${class} PROPERTIES LABELS ffp TIMEOUT 300 ENVIRONMENT
                        "ARENITE_THREADS=${ARENITE_TEST_THREADS}")
+  if(class IN_LIST long)
+    set_tests_properties(ffp.driver_${class} PROPERTIES LABELS "ffp;heavy" TIMEOUT 900)
+  endif()
 endforeach()

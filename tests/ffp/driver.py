@@ -23,14 +23,15 @@ DRIVER = ""
 GRAVITY = 9.81
 COARSE = ["--cell", "0.04", "--points-per-element", "10"]
 SLICE = ["--kinematics", "slice", "--cell", "0.04", "--points-per-element", "4", "--end", "0.004"]
+GRID = ["--mesh-kind", "grid", "--cell", "0.04"]
 SHORT = [*COARSE, "--end", "0.01", "--fields-every", "0"]
 FIRST_COLUMNS = "time_s,penetration_m,velocity_m_s,acceleration_m_s2,reaction_N,"
 KEYS = """final_penetration_m max_penetration_m peak_deceleration_g peak_time_s peak_penetration_m raw_peak_deceleration_g
     peak_reaction_N end_s version started process_id inputs_hash expected_steps warnings watch
     points steps dt_min_s dt_max_s wall_s point_steps_per_s threads register_bytes lost_points energy_residual inputs status""".split()
-INPUTS = """kinematics device velocity_m_s mass_kg shoulder fillet_m device_young_Pa device_poisson delta_deg no_slip
-    friction_deg dilatancy_deg cohesion_Pa young_Pa poisson unit_weight_N_m3 law k0 contact cell_m points_per_element
-    moving_depth_m mesh anti_locking flip flip_time_s courant end_s fields_every_s""".split()
+INPUTS = """kinematics device velocity_m_s tip mass_kg shoulder fillet_m device_young_Pa device_poisson delta_deg no_slip
+    friction_deg dilatancy_deg cohesion_Pa young_Pa poisson unit_weight_N_m3 law k0 contact contact_offset_m cell_m points_per_element
+    moving_depth_m mesh mesh_kind anti_locking flip flip_time_s courant end_s fields_every_s""".split()
 
 
 def drop(*options):
@@ -157,7 +158,7 @@ class DriverTest(unittest.TestCase):
         self.assertTrue(err.startswith("arenite-ffp: " + sentence), err)
         self.assertFalse(os.path.exists("refused"))
 
-    def assert_consistent(self, columns, mass=7.71, velocity=5.6, balance=1e-9):
+    def assert_consistent(self, columns, mass=7.71, velocity=5.6, balance=1e-9, residual=0.05):
         """What holds for any drop, whatever its numerics."""
         time, depth, speed = columns["time_s"], columns["penetration_m"], columns["velocity_m_s"]
         acceleration, reaction = columns["acceleration_m_s2"], columns["reaction_N"]
@@ -178,12 +179,12 @@ class DriverTest(unittest.TestCase):
         self.assertAlmostEqual(columns["kinetic_energy_J"][0], mass / 2 * velocity**2, delta=1e-9)
         for name in ("plastic_work_J", "contact_dissipation_J"):
             self.assertGreater(columns[name][-1], 0)
-        for i, residual in enumerate(columns["energy_residual_J"]):
+        for i, left in enumerate(columns["energy_residual_J"]):
             kept = sum(columns[n][i] for n in ("kinetic_energy_J", "strain_energy_J", "plastic_work_J", "contact_dissipation_J"))
             # Without the strain energy at rest, which is not a column.
             start = columns["kinetic_energy_J"][0] + columns["strain_energy_J"][0]
-            self.assertAlmostEqual(residual, kept - start - columns["external_work_J"][i], delta=1e-8)
-            self.assertLess(abs(residual), 0.05 * put_in)
+            self.assertAlmostEqual(left, kept - start - columns["external_work_J"][i], delta=1e-8)
+            self.assertLess(abs(left), residual * put_in)
         self.assertEqual(set(columns["lost_points"]), {0})
 
     def assert_readable(self, folder):
@@ -201,10 +202,12 @@ class DriverTest(unittest.TestCase):
                 self.assertTrue(not cut or os.path.getsize(path) % resource.getpagesize() == 0, cut)
                 self.assertEqual({line.count(",") for line in lines}, {15} if lines else set())
                 self.assertNotIn("nan", "".join(lines))
+            elif name in ("reduced.csv", "reduced.json"):
+                self.assertTrue(content(folder, name).endswith(b"\n"))
             elif name == "summary.json":
                 self.assertIn(summary(folder)["status"], ("running", "done", "failed", "interrupted", "disk-full"))
             else:
-                self.assertTrue(name in (".arenite-ffp.lock", "checkpoint.state") or name.endswith(".part"), name)
+                self.assertTrue(name in (".arenite-ffp.lock", "checkpoint.state", "reduced.csv", "reduced.json", "reduced.svg") or name.endswith(".part"), name)
 
     def assert_summary(self, found, columns):
         for key in KEYS:
@@ -261,6 +264,22 @@ class Drops(DriverTest):
         self.assertLess(rough["final_penetration_m"], 0.95 * smooth["final_penetration_m"])
         self.assertFalse(os.path.exists("delta20/fields.pvd"))
 
+    def test_tips(self):
+        depths = {}
+        for tip, mass in (("cone", 7.71), ("cone-truncated", 7.71), ("parabolic", 9.15), ("blunt", 10.3)):
+            columns, found = self.run_drop("tip_" + tip, *COARSE, "--fields-every", "0", "--tip", tip)
+            self.assert_consistent(columns, mass=mass)
+            self.assertEqual((found["inputs"]["tip"], found["inputs"]["mass_kg"]), (tip, mass))
+            depths[tip] = found["final_penetration_m"]
+        self.assertLess(depths["blunt"], 0.9 * depths["cone"])
+
+    def test_contact_offset(self):
+        """The depth is that of the penetrometer's tip, whatever surface the sand meets."""
+        columns, found = self.run_drop("offset", *SHORT, "--contact-offset", "-0.002")
+        self.assertAlmostEqual(columns["penetration_m"][0], 0.004, delta=1e-12)
+        self.assertEqual(found["inputs"]["contact_offset_m"], -0.002)
+        self.assertEqual(found["device_outline_m"][1][0], 0.04375)
+
     def test_centre_of_mass(self):
         columns, found = self.run_drop("centre", *COARSE, "--contact", "centre-of-mass", "--fields-every", "0")
         self.assert_consistent(columns)
@@ -280,12 +299,12 @@ class Drops(DriverTest):
         self.assertEqual(content("law_off"), content("law_plain"))  # a law without its term is Mohr-Coulomb, to the bit
         for law, options, stronger in (("linear-rate", [], True), ("mu-i", [], None), ("log-rate", [], True),
                                        ("softening", ["--residual-friction", "36"], False),
-                                       ("softening-rate", ["--residual-friction", "36", "--dilatancy", "5"], True)):
+                                       ("softening-rate", ["--residual-friction", "36", "--dilatancy", "5"], None)):
             columns, found = self.run_drop("law_" + law, *COARSE, "--fields-every", "0.05", "--law", law, *options)
             self.assert_consistent(columns)
             self.assertEqual(found["inputs"]["law"], law)
             depth = found["final_penetration_m"] - plain["penetration_m"][-1]
-            if stronger is None:  # so little that cells of 4 cm do not tell
+            if stronger is None:  # so little, or stronger and weaker at once, that cells of 4 cm do not tell
                 self.assertTrue(0 < abs(depth) < 0.01, law)
             else:
                 self.assertGreater(-depth if stronger else depth, 1e-3, law)
@@ -296,6 +315,40 @@ class Drops(DriverTest):
                                        "--end", "0.03", "--fields-every", "0")
         self.assert_consistent(columns)
         self.assertEqual(found["inputs"]["split"], 9)
+        self.assertGreater(found["point_steps_per_s"] * found["wall_s"], 1.01 * found["points"] * found["steps"])
+
+    def test_points(self):
+        """Depth and peak hardly depend on the number of points: cells that shear leaves short of points stay filled."""
+        depth, peak = zip(*((columns["penetration_m"][-1], found["peak_deceleration_g"]) for columns, found in (
+            self.run_drop(f"points_{n}", "--cell", "0.02", "--points-per-element", str(n), "--end", "0.04", "--fields-every", "0")
+            for n in (9, 49))))
+        self.assertLess(abs(depth[0] / depth[1] - 1), 0.015)  # 0.6 %; 5 % if only cells filled by 0.9 count
+        self.assertLess(abs(peak[0] / peak[1] - 1), 0.03)  # 1 %; 10 %
+
+    def test_grid(self):
+        columns, found = self.run_drop("grid", *GRID, "--fields-every", "0.05")
+        self.assert_consistent(columns, residual=0.1)  # what the time constant of FLIP takes is booked nowhere
+        self.assert_summary(found, columns)
+        self.assertEqual([found["inputs"][key] for key in ("contact", "anti_locking", "flip_time_s")], ["points", "off", 0.1])
+        self.assertTrue(0.1 < found["final_penetration_m"] < 0.25)
+        self.assertTrue(0 <= found["deepest_point_m"] < 0.03 * 0.04)
+        self.assertTrue(all(f != f for f in columns["fill_ratio"]))
+        files = field_files("grid")
+        self.assertEqual(len(files), 3)  # soil
+        self.assertEqual(len(vtu(files[0][1])["deviatoric_strain"]), found["points"])
+
+    def test_grid_rigid_and_law(self):
+        plain, _ = self.run_drop("grid_nodes", *GRID, "--contact", "rigid", "--end", "0.03", "--fields-every", "0")
+        self.assert_consistent(plain, residual=0.1)
+        columns, found = self.run_drop("grid_law", *GRID, "--contact", "rigid", "--end", "0.03", "--fields-every", "0",
+                                       "--law", "linear-rate", "--rate-time", "5e-3")
+        self.assert_consistent(columns, residual=0.1)
+        self.assertNotIn("deepest_point_m", found)
+        self.assertLess(columns["penetration_m"][-1], plain["penetration_m"][-1] - 1e-3)
+
+    def test_grid_refined(self):
+        columns, found = self.run_drop("grid_refined", *GRID, "--cell-at-cone", "0.02", "--end", "0.03", "--fields-every", "0")
+        self.assert_consistent(columns, residual=0.1)
         self.assertGreater(found["point_steps_per_s"] * found["wall_s"], 1.01 * found["points"] * found["steps"])
 
     def test_slice_law(self):
@@ -329,6 +382,9 @@ class SameBits(DriverTest):
     def test_refined(self):
         self.check("bits_refined", *COARSE, "--cell-at-cone", "0.02", "--end", "0.01")
 
+    def test_grid(self):
+        self.check("bits_grid", *GRID, "--cell-at-cone", "0.02", "--end", "0.01")
+
     def test_centre_of_mass(self):
         self.check("bits_centre", *COARSE, "--end", "0.01", "--contact", "centre-of-mass")
 
@@ -352,6 +408,8 @@ class Mistakes(DriverTest):
         self.assert_refused("--cell-at-cone = 0.02: must not exceed --cell = 0.01 m\n", "--cell-at-cone", "0.02")
         self.assert_refused("--cell-at-cone = 0.005: needs --kinematics axisymmetric", "--cell-at-cone", "0.005", "--kinematics", "slice")
         self.assert_refused("--split = 9: needs --device rigid", "--cell-at-cone", "0.005", "--device", "elastic")
+        self.assert_refused("--mesh-kind = grid: needs --kinematics axisymmetric, --device rigid", "--mesh-kind", "grid", "--device", "elastic")
+        self.assert_refused("--contact = points: needs --mesh-kind grid", "--contact", "points")
         self.assert_refused("--split = 0.5: must be 0 or at least 1", "--split", "0.5")
         self.assert_refused("--law = mu-i: needs --device rigid", "--law", "mu-i", "--device", "elastic")
         self.assert_refused("--fields-every = 1e-300: must be 0, for none, or at least 0.0001 s", "--fields-every", "1e-300")
@@ -508,7 +566,16 @@ class Pictures(DriverTest):
         script = os.path.join(os.path.dirname(Study.SCRIPT), "plot.py")
         done = subprocess.run(["/usr/bin/python3", script, "pictures"], capture_output=True, text=True)
         self.assertEqual(done.returncode, 0, done.stderr)
-        for name in ("histories.png", "strain.png"):
+        self.assertEqual(subprocess.run([DRIVER, "paper", "--quick", "--cell", "0.04", "--law", "mohr-coulomb", "--out", "figures"],
+                                        capture_output=True, stdin=subprocess.DEVNULL).returncode, 0)
+        for number in (3, 4, 5, 6):
+            self.assertGreater(len(content("figures", f"figure{number}.png")), 10000)
+            self.assertIn(b"<svg", content("figures", f"figure{number}.svg"))
+        done = subprocess.run([DRIVER, "reduce", "pictures"], capture_output=True, text=True)
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.assertIn("Pictures: pictures/reduced.png", done.stdout)
+        self.assertIn(b"<svg", content("pictures", "reduced.svg"))
+        for name in ("histories.png", "strain.png", "reduced.png"):
             self.assertTrue(content("pictures", name).startswith(b"\x89PNG"), name)
             self.assertGreater(len(content("pictures", name)), 10000)
 
@@ -694,12 +761,13 @@ class Ends(DriverTest):
         for name in ("notes.txt", "fields.txt", "history.csv.old"):
             with open(os.path.join("again", name), "w") as file:
                 file.write("mine\n")
-        for name in ("histories.png", "fields_soil_0099.vtu", "history.csv.part"):
+        for name in ("histories.png", "reduced.png", "reduced.svg", "fields_soil_0099.vtu", "history.csv.part"):
             with open(os.path.join("again", name), "w") as file:
                 file.write("of an earlier run\n")
         self.run_drop("again", *COARSE, "--end", "0.005", "--fields-every", "0.005")
         self.assertEqual(sorted(os.listdir("again")), sorted(
             [".arenite-ffp.lock", "notes.txt", "fields.txt", "history.csv.old", "history.csv", "summary.json", "fields.pvd",
+             "reduced.csv", "reduced.json",
              *(f"fields_{part}_000{k}.vtu" for part in ("soil", "mesh", "device") for k in (0, 1))]))
         # Refused options leave what is there.
         self.assertEqual(drop("--out", "again", "--courant", "1e-9")[0], 2)
@@ -742,6 +810,7 @@ class Resumed(DriverTest):
 
     CASES = {
         "resumed_rigid": ["--cell", "0.02", "--points-per-element", "10", "--end", "0.06", "--fields-every", "0.004"],
+        "resumed_grid": ["--mesh-kind", "grid", "--cell", "0.03", "--cell-at-cone", "0.02", "--end", "0.04", "--fields-every", "0.01"],
         "resumed_elastic": [*COARSE, "--device", "elastic", "--end", "0.05", "--fields-every", "0.01"],
     }
 
@@ -749,7 +818,7 @@ class Resumed(DriverTest):
         names = sorted(os.listdir(whole))
         self.assertEqual(sorted(os.listdir(folder)), names)
         for name in names:
-            if name not in ("summary.json", ".arenite-ffp.lock"):
+            if name not in ("summary.json", "reduced.json", ".arenite-ffp.lock"):  # these name the folder
                 self.assertEqual(content(folder, name), content(whole, name), name)
         a, b = summary(folder), summary(whole)
         for key in set(a) | set(b):
@@ -832,6 +901,141 @@ class Resumed(DriverTest):
                 name: data for name, data in before.items() if not name.startswith(".")})
 
 
+class ErrorBar(DriverTest):
+    """A drop with the drops around it."""
+
+    OPTIONS = ["--cell", "0.02", "--points-per-element", "10", "--end", "0.03", "--fields-every", "0.01"]
+    NAMES = ["cells-2", "points-6", "points-15", "jitter-1", "jitter-2", "cells-1.41", "offset-in", "offset-out", "flip-time"]
+    RESULTS = ("final_penetration_m", "peak_deceleration_g")
+
+    def run_bar(self, folder, *options):
+        """Runs the drop with its error bar; returns output, errors and summary."""
+        code, out, err = drop(*self.OPTIONS, "--error-bar", "--out", folder, *options)
+        self.assertEqual(code, 0, err)
+        return out, err, summary(folder)
+
+    def companions(self, folder):
+        return {name: summary(os.path.join(folder, "error-bar", name)) for name in self.NAMES}
+
+    def test_parts(self):
+        shutil.rmtree("bar", ignore_errors=True)
+        out, err, found = self.run_bar("bar")
+        self.assertEqual(sorted(os.listdir("bar/error-bar")), sorted(self.NAMES))
+        self.assertEqual([line.split(": ")[-1] for line in err.splitlines() if ": error bar, " in line], self.NAMES)
+        self.assertEqual(len(field_files("bar")), 4 * 3)
+        runs = self.companions("bar")
+        for name, run in runs.items():
+            self.assertEqual(run["status"], "done")
+            self.assertFalse(os.path.exists(os.path.join("bar/error-bar", name, "fields.pvd")))
+        self.assertEqual(runs["points-6"]["inputs"]["points_per_element"], 6)
+        self.assertEqual(runs["jitter-2"]["inputs"]["jitter"], 1)
+        self.assertNotEqual(content("bar/error-bar/jitter-1"), content("bar/error-bar/jitter-2"))
+        for key in self.RESULTS:
+            bar, of = found["uncertainty"][key], {name: run[key] for name, run in runs.items()}
+            self.assertEqual(bar["value"], found[key])
+            spread = [of[name] for name in self.NAMES[:5]]
+            cells = [of["cells-2"], of["cells-1.41"], found[key]]
+            self.assertAlmostEqual(bar["parts"]["points"], (max(spread) - min(spread)) / 2, delta=1e-12)
+            self.assertAlmostEqual(bar["parts"]["contact_offset"], abs(of["offset-in"] - of["offset-out"]) / 2, delta=1e-12)
+            self.assertAlmostEqual(bar["parts"]["flip_time"], abs(of["flip-time"] - of["cells-1.41"]), delta=1e-12)
+            if not bar["converged"]:
+                self.assertAlmostEqual(bar["parts"]["cells"], 3 * (max(cells) - min(cells)), delta=1e-9)
+            self.assertAlmostEqual(bar["u"], sum(u * u for u in bar["parts"].values()) ** 0.5, delta=1e-9)
+            self.assertGreater(bar["u"], 0)
+            self.assertEqual(found["uncertainty"]["runs"]["cells-2"][key], of["cells-2"])
+        depth = found["uncertainty"]["final_penetration_m"]
+        line = next(line for line in out.splitlines() if line.startswith("final penetration "))
+        self.assertAlmostEqual(float(line.split()[2]), depth["value"], delta=0.1 * depth["u"])
+        self.assertAlmostEqual(float(line.split()[4]), depth["u"], delta=0.06 * depth["u"])
+        for key, value in found["uncertainty"].items():
+            if key in self.RESULTS and not value["converged"]:
+                self.assertIn("not converged", out)
+        # A companion is the drop that its inputs say.
+        self.run_drop("bar_cells", "--cell", "0.04", *self.OPTIONS[2:-1], "0")
+        self.assertEqual(content("bar_cells"), content("bar/error-bar/cells-2"))
+        report = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "examples", "ffp", "report.py")
+        done = subprocess.run([sys.executable, report, "bar"], capture_output=True, text=True)
+        self.assertIn(" ".join(line.split()[2:6]).rstrip(","), done.stdout)
+
+    def test_resumed(self):
+        shutil.rmtree("bar_again", ignore_errors=True)
+        _, _, before = self.run_bar("bar_again", "--quiet")
+        runs = self.companions("bar_again")
+        shutil.rmtree("bar_again/error-bar/jitter-1")
+        out, _, found = self.run_bar("bar_again", "--quiet", "--resume")
+        self.assertEqual(out, "")
+        for name, run in self.companions("bar_again").items():
+            if name == "jitter-1":  # anew, to the same end
+                self.assertEqual(run["final_penetration_m"], runs[name]["final_penetration_m"])
+            else:
+                self.assertEqual(run, runs[name])
+        for key in self.RESULTS:
+            self.assertEqual(found["uncertainty"][key], before["uncertainty"][key])
+        # Drops of other inputs are not taken over, and one without the option claims nothing.
+        code, _, err = drop(*self.OPTIONS, "--out", "bar_again", "--delta", "30", "--quiet")
+        self.assertEqual(code, 0, err)
+        self.assertNotIn("uncertainty", summary("bar_again"))
+        _, _, found = self.run_bar("bar_again", "--quiet", "--resume", "--delta", "30")
+        self.assertEqual(self.companions("bar_again")["cells-2"]["inputs"]["delta_deg"], 30)
+
+    def test_unknown(self):
+        """A companion that cannot run makes its parts unknown, not a number."""
+        shutil.rmtree("bar_unknown", ignore_errors=True)
+        os.makedirs("bar_unknown/error-bar")
+        with open("bar_unknown/error-bar/offset-in", "w"):
+            pass  # where a folder should be
+        out, err, found = self.run_bar("bar_unknown")
+        self.assertIn("arenite-ffp: warning: error bar, offset-in: --out = bar_unknown/error-bar/offset-in: ", err)
+        self.assertIn("+- unknown (at least ", out)
+        bar = found["uncertainty"]["final_penetration_m"]
+        self.assertIsNone(bar["u"])
+        self.assertIsNone(bar["parts"]["contact_offset"])
+        self.assertGreater(bar["u_at_least"], 0)
+        self.assertIn("failure", found["uncertainty"]["runs"]["offset-in"])
+
+    def test_interrupted(self):
+        shutil.rmtree("bar_ended", ignore_errors=True)
+        options = [*self.OPTIONS, "--end", "0.1", "--points-per-element", "28", "--error-bar", "--quiet", "--out", "bar_ended"]
+        driver = subprocess.Popen([DRIVER, "drop", *options], stderr=subprocess.PIPE, text=True)
+        while not os.path.exists("bar_ended/error-bar/cells-1.41/history.csv"):
+            self.assertIsNone(driver.poll())
+            time.sleep(0.001)
+        driver.send_signal(signal.SIGINT)
+        self.assertIn("arenite-ffp: error bar, cells-1.41: ", driver.communicate()[1])
+        self.assertEqual(driver.returncode, 130)
+        self.assertEqual(summary("bar_ended")["status"], "done")
+        self.assertNotIn("uncertainty", summary("bar_ended"))
+        self.assertEqual(summary("bar_ended/error-bar/cells-1.41")["status"], "interrupted")
+        self.assertFalse(os.path.exists("bar_ended/error-bar/flip-time"))
+        code, _, err = drop(*options, "--resume")
+        self.assertEqual(code, 0, err)
+        for line in err.splitlines():  # warnings say whose they are
+            self.assertTrue(line.startswith("arenite-ffp: error-bar/"), line)
+        self.assertTrue(summary("bar_ended/error-bar/cells-1.41")["resumed_at_s"])
+        self.assertGreater(summary("bar_ended")["uncertainty"]["peak_deceleration_g"]["u"], 0)
+
+
+class FineCells(DriverTest):
+    """Error bars of drops with cells of 1 cm: each holds what cells of 0.25 cm at the cone gave (docs/ffp.md)."""
+
+    RECORDED = {("mohr-coulomb", 20): (0.1906, 17.75), ("mohr-coulomb", 40): (0.1589, 21.74),
+                ("linear-rate", 20): (0.1792, 18.89), ("linear-rate", 40): (0.1425, 24.67)}
+
+    def test_bars(self):
+        for (law, delta), fine in self.RECORDED.items():
+            with self.subTest(law=law, delta=delta):
+                folder = f"bar_{law}_{delta}"
+                self.run_drop(folder, "--error-bar", "--fields-every", "0", "--law", law, "--delta", str(delta))
+                found = summary(folder)
+                for key, value, widest in zip(ErrorBar.RESULTS, fine, (0.05, 10)):
+                    bar = found["uncertainty"][key]
+                    self.assertLess(abs(bar["value"] - value), bar["u"])
+                    self.assertLess(bar["u"], widest)
+                work = [run["points"] * run["steps"] for run in (found, *map(
+                    summary, sorted(f"{folder}/error-bar/{name}" for name in found["uncertainty"]["runs"])))]
+                self.assertLess(sum(work[1:]), 3 * work[0])  # as the time, but whatever else the machine does
+
+
 class Inputs(DriverTest):
     """Inputs as JSON."""
 
@@ -843,6 +1047,7 @@ class Inputs(DriverTest):
         for name, options in (("taken", SHORT), ("taken_odd", [*SHORT, "--shoulder", "fillet", "--fillet", "0.011", "--no-slip",
                                                               "--k0", "0.45", "--young", "6.1e6", "--anti-locking", "off", "--flip", "0.99"]),
                               ("taken_elastic", [*SHORT, "--device", "elastic"]),
+                              ("taken_grid", [*GRID, "--end", "0.01", "--fields-every", "0"]),
                               ("taken_refined", [*SHORT, "--cell-at-cone", "0.02", "--split", "12"]),
                               ("taken_law", [*SHORT, "--law", "softening-rate", "--residual-friction", "35.5", "--decay", "7"])):
             _, found = self.run_drop(name, *options)
@@ -877,6 +1082,158 @@ class Inputs(DriverTest):
         self.assert_refused("--input = absent.json: must be a file that can be read", "--input", "absent.json")
         self.assert_refused("--input = case.json: is given twice", "--input", "case.json", "--input=case.json")
         self.assert_refused("--input = : needs a value", "--input")
+
+
+class Reduced(DriverTest):
+    """`arenite-ffp reduce`; tests/ffp/reduce.cpp has its numbers."""
+
+    def reduce(self, *words, scripts="nowhere"):
+        """Exit code, standard output and error; without scripts, and so without pictures, unless said."""
+        with unittest.mock.patch.dict(os.environ, {"ARENITE_FFP_SCRIPTS": scripts}):
+            done = subprocess.run([DRIVER, "reduce", *words], capture_output=True, text=True, stdin=subprocess.DEVNULL)
+        return done.returncode, done.stdout, done.stderr
+
+    def reduced(self, folder):
+        with open(os.path.join(folder, "reduced.json")) as file:
+            return json.load(file)
+
+    def test_drop(self):
+        """A drop leaves its reduction, which gives back its depth and its peak; the same again gives the same bytes."""
+        columns, found = self.run_drop("reduced", *COARSE, "--fields-every", "0", "--contact-offset", "0.001")
+        mine = self.reduced("reduced")
+        step = found["dt_max_s"]
+        largest = max(map(abs, columns["acceleration_m_s2"]))
+        self.assertAlmostEqual(mine["depth_cm"] / 100, found["max_penetration_m"], delta=step * 5.6 + largest * step * 0.1)
+        self.assertAlmostEqual(mine["peak_deceleration_g"], found["peak_deceleration_g"], delta=1e-9)
+        self.assertAlmostEqual(mine["peak_depth_cm"] / 100, found["peak_penetration_m"], delta=step * 5.6)
+        self.assertEqual(mine["settings"]["mass_kg"], 7.71)
+        before = {name: content("reduced", name) for name in ("reduced.csv", "reduced.json")}
+        code, out, err = self.reduce("reduced", "--no-picture")
+        self.assertEqual((code, err), (0, ""))
+        self.assertIn(f"{mine['peak_deceleration_g']:.3g} g at", out)
+        self.assertEqual({name: content("reduced", name) for name in before}, before)
+
+    def test_short(self):
+        """A drop that ends before rest: what there is no answer to is null."""
+        self.run_drop("too_short", *COARSE, "--end", "1e-5", "--fields-every", "0")
+        mine = self.reduced("too_short")
+        self.assertIsNone(mine["penetration_time_s"])
+        self.assertIsNone(mine["q_dyn"]["mantle"]["largest_kPa"])
+        self.assertEqual({one["value"] for one in mine["estimates"]}, {None})
+
+    def test_table(self):
+        with open("measured.csv", "w") as file:
+            file.write("time_ms,deceleration_g\n")
+            file.writelines(f"{t * 0.5},{0 if t < 200 else -1 if t < 1200 else 15 if t < 1280 else 0}\n" for t in range(2000))
+        code, out, err = self.reduce("measured.csv", "--out", "measured")
+        self.assertEqual(code, 0)
+        self.assertIn("nothing is drawn; the command: /usr/bin/python3 plot_reduced.py 'measured'", err)
+        self.assertIn("time is time_ms (times 0.001 s), deceleration is deceleration_g", out)
+        self.assertAlmostEqual(self.reduced("measured")["impact_velocity_m_s"], 0.5 * GRAVITY, delta=0.02)
+        self.assertEqual(self.reduce("measured.csv", "--out", "measured", "--quiet", "--no-picture"), (0, "", ""))
+
+    def test_mistakes(self):
+        for words, sentence in (
+            (["absent.csv"], "FILE = absent.csv: there is no such file"),
+            ([], "FILE = (none): must be given"),
+            (["--mass", "0", "x"], "--mass = 0: must lie in"),
+            (["measured.csv", "--out", "measured.csv/below"], "--out = measured.csv/below: the folder cannot be made"),
+        ):
+            if not os.path.exists("measured.csv"):
+                self.test_table()
+            code, out, err = self.reduce(*words)
+            self.assertEqual((code, out, err.count("\n")), (2, "", 1), err)
+            self.assertTrue(err.startswith("arenite-ffp: " + sentence), err)
+
+
+class Paper(DriverTest):
+    """`arenite-ffp paper`: its cases, coarse."""
+
+    COMMAND = ["paper", "--quick", "--cell", "0.04", "--no-pictures", "--threads", "1"]
+
+    def paper(self, *words):
+        done = subprocess.run([DRIVER, *self.COMMAND, *words], capture_output=True, text=True, stdin=subprocess.DEVNULL)
+        return done.returncode, done.stdout, done.stderr
+
+    def found(self, folder):
+        with open(os.path.join(folder, "paper.json")) as file:
+            return json.load(file)
+
+    def setUp(self):
+        shutil.rmtree("paper", ignore_errors=True)
+
+    def test_table(self):
+        """Every case, then nothing to do; the table has the cases' numbers."""
+        code, out, err = self.paper("--out", "paper")
+        self.assertEqual(code, 0, err)
+        found = self.found("paper")
+        self.assertEqual(len(found["cases"]), 14)
+        self.assertEqual({case["status"] for case in found["cases"]}, {"done"})
+        smooth, rough, other = (summary(f"paper/{name}") for name in ("rigid-20", "rigid-40", "rigid-20-log-rate"))
+        self.assertEqual(other["inputs"]["law"], "log-rate")
+        lines = {(one["model"], one["quantity"]): one for one in found["comparisons"]}
+        plain, rate = "half-section, mohr-coulomb", "half-section, log-rate"
+        first = lines[plain, "final penetration, delta = 20 deg"]
+        self.assertEqual((first["paper"], first["bar"]), (20, None))
+        self.assertAlmostEqual(first["ours"], smooth["final_penetration_m"] * 100, delta=1e-9)
+        self.assertAlmostEqual(first["difference"], first["ours"] - 20, delta=1e-9)
+        self.assertAlmostEqual(lines[plain, "fully rough over 20 deg"]["ours"],
+                               rough["final_penetration_m"] / smooth["final_penetration_m"], delta=1e-12)
+        self.assertEqual(lines[rate, "peak deceleration, delta = 20 deg"]["ours"], other["peak_deceleration_g"])
+        columns = history("paper/rigid-20")
+        later = next(k for k, time in enumerate(columns["time_s"]) if time >= 0.025)
+        self.assertTrue(columns["penetration_m"][later - 1] * 100 < lines[plain, "depth at 25 ms, delta = 20 deg"]["ours"]
+                        <= columns["penetration_m"][later] * 100)
+        self.assertIn("elastic penetrometer has only Mohr-Coulomb", out)
+        self.assertNotIn("slice", out)
+        self.assertIn(f"{first['ours']:.3g}", out)
+        self.assertEqual(len(field_files("paper/rigid-20")), 6 * 3)  # those of figure 4
+
+        before = {case["name"]: content(f"paper/{case['name']}", "summary.json") for case in found["cases"]}
+        bar = dict(smooth, uncertainty={"final_penetration_m": {"value": 0.2, "u": 0.0123}})
+        with open("paper/rigid-20/summary.json", "w") as file:
+            json.dump(bar, file)
+        code, again, err = self.paper("--out", "paper")
+        self.assertEqual(code, 0, err)
+        self.assertIn("+-1.23", again)
+        del before["rigid-20"]
+        self.assertEqual({name: content(f"paper/{name}", "summary.json") for name in before}, before)
+
+    def test_interrupted(self):
+        """A signal ends the case at hand with its exit code; the same command goes on, to the same numbers."""
+        driver = subprocess.Popen([DRIVER, *self.COMMAND, "--out", "paper"], stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
+                                  stderr=subprocess.PIPE, text=True)
+        until = time.monotonic() + 60
+        while time.monotonic() < until and driver.poll() is None and not os.path.exists("paper/rigid-24/history.csv"):
+            time.sleep(0.001)
+        driver.send_signal(signal.SIGINT)
+        _, err = driver.communicate()
+        self.assertEqual(driver.returncode, 130, err)
+        self.assertIn("interrupted by SIGINT", err)
+        self.assertIn("the same command goes on", err)
+        status = {case["name"]: case["status"] for case in self.found("paper")["cases"]}
+        self.assertEqual((status["rigid-20"], status["elastic-20"]), ("done", "not run"))
+        code, _, err = self.paper("--out", "paper", "--law", "mohr-coulomb")
+        self.assertEqual(code, 0, err)
+        self.assertEqual(len(self.found("paper")["cases"]), 8)
+        alone = self.run_drop("alone", "--cell", "0.04", "--delta", "24", "--fields-every", "0", "--threads", "1")[1]
+        self.assertEqual(summary("paper/rigid-24")["final_penetration_m"], alone["final_penetration_m"])
+
+    def test_mistakes(self):
+        for words, sentence in (
+            (["--law", "softening"], "--residual-friction = (none): must be given"),
+            (["--cell", "1"], "--cell = 1: must lie in [0.0025, 0.04] m"),
+            (["--wings"], "--wings: no such option; see arenite-ffp paper --help"),
+        ):
+            code, out, err = self.paper("--out", "paper", *words)
+            self.assertEqual((code, out, err), (2, "", "arenite-ffp: " + err[len("arenite-ffp: "):]))
+            self.assertTrue(err.startswith("arenite-ffp: " + sentence), err)
+        self.assertFalse(os.path.exists("paper"))
+        self.run_drop("paper/rigid-20", *SHORT)  # of other inputs
+        code, _, err = self.paper("--out", "paper")
+        self.assertEqual(code, 2)
+        self.assertIn("case rigid-20: --resume: ", err)
+        self.assertIn("--anew runs it again", err)
 
 
 class CommandLine(DriverTest):

@@ -39,11 +39,105 @@ TEST_CASE("a rounded edge touches cone and cylinder") {
   REQUIRE(d.volume() < Device{{}}.volume());
 }
 
+TEST_CASE("other tips: a flat end, a parabola, no tip at all") {
+  const Device cut{{.flat = 0.0022}}, round{{.parabola = 0.024184}}, blunt{{.flat = 0.04375}};
+  REQUIRE(std::abs(cut.cone_height() - (0.04375 - 0.0022) * std::sqrt(3.0)) < 1e-15);
+  REQUIRE(std::abs(round.cone_height() - 0.04375 * 0.04375 / 0.024184) < 1e-15);
+  REQUIRE(blunt.cone_height() == 0);
+  REQUIRE((cut.profile(0) == 0.0022 && round.profile(0) == 0 && blunt.profile(0) == 0.04375));
+  REQUIRE(std::abs(cut.profile(0.03) - 0.0022 - 0.03 / std::sqrt(3.0)) < 1e-15);
+  REQUIRE(std::abs(round.profile(0.03) - std::sqrt(0.024184 * 0.03)) < 1e-15);
+  for (const Device& d : {cut, round, blunt}) {
+    REQUIRE(d.profile(-1e-9) == 0);
+    REQUIRE(d.profile(0.08) == 0.04375);
+    for (const Point2& x : d.outline())
+      if (x[0] > 0) REQUIRE((x[1] == 0 || std::abs(x[0] - d.profile(x[1])) < 1e-12));
+  }
+  const double r = 0.04375, h = cut.cone_height(), k = round.cone_height();
+  const double frustum = pi / 3 * h * (r * r + r * 0.0022 + 0.0022 * 0.0022);
+  REQUIRE(std::abs(cut.volume() - frustum - pi * r * r * (0.631 - h)) < 1e-15);
+  REQUIRE(std::abs(round.volume() / (pi * r * r * (0.631 - k / 2)) - 1) < 1e-4);  // facets inside
+  REQUIRE(std::abs(blunt.volume() - pi * r * r * 0.631) < 1e-15);
+}
+
+TEST_CASE("the surface that the sand meets is parallel to the penetrometer's") {
+  // Any of its points, in the penetrometer's own place, lies at the offset from the penetrometer's line.
+  for (const double offset : {-0.015, -0.003, -0.0005, 0.0005, 0.003, 0.015})
+    for (DeviceShape shape : {DeviceShape{}, DeviceShape{.fillet = 0.02}, DeviceShape{.flat = 0.0022},
+                              DeviceShape{.flat = 0.04375}, DeviceShape{.parabola = 0.024184}}) {
+      INFO("offset " << offset << " fillet " << shape.fillet << " flat " << shape.flat);
+      shape.offset = offset;
+      const Device met{shape}, body = met.instrument();
+      REQUIRE(body.radius() == 0.04375);
+      REQUIRE(std::abs(met.radius() - body.radius() - offset) < 1e-15);
+      const auto line = body.outline();
+      const auto distance = [&](const Point2& x) {
+        double nearest = 1;
+        for (std::size_t k = 1; k + 1 < line.size(); ++k) {
+          const Point2 along = line[k] - line[k - 1], from = x - line[k - 1];
+          const double t = std::clamp(from.dot(along) / along.squaredNorm(), 0.0, 1.0);
+          nearest = std::min(nearest, (from - t * along).norm());
+        }
+        return nearest;
+      };
+      // Above a mitre, which lies further out than the offset.
+      const double low = 0.3 * met.cone_height(), high = 0.8 * met.fillet_start();
+      for (const double y : {low, high, met.cone_height() + 0.05}) {
+        if (y == 0) continue;  // the mitre of a blunt tip
+        const Point2 x{met.profile(y), y - met.tip_above()};
+        REQUIRE(std::abs(distance(x) - std::abs(offset)) < 2e-5);
+        REQUIRE((x[0] > body.profile(x[1])) == (offset > 0));
+      }
+    }
+  REQUIRE(std::abs(Device{{.offset = 0.003}}.tip_above() - 0.006) < 1e-15);
+  REQUIRE(Device{{.flat = 0.0022, .offset = 0.003}}.tip_above() == 0.003);
+  REQUIRE(Device{{.flat = 0.0022, .offset = -0.01}}.flat_radius() == 0);  // nothing is left of it
+  REQUIRE(Device{{.fillet = 0.002, .offset = -0.003}}.edge_heights(1e-4).size() == 1);
+  REQUIRE(std::abs(Device{{.parabola = 0.024184, .offset = 0.003}}.tip_above() - 0.003) < 1e-15);
+}
+
+TEST_CASE("areas in the ground are those of solids, at any depth") {
+  const auto by_pieces = [](const Device& d, double depth) {  // frusta, without the flat end
+    const int n = 20000;
+    double area = 0, r = d.profile(0);
+    for (int k = 1; k <= n; ++k) {
+      const double y = std::min(depth, d.fillet_end() - 1e-12) * k / n, next = d.profile(y);
+      area += pi * (r + next) * std::hypot(next - r, std::min(depth, d.fillet_end()) / n);
+      r = next;
+    }
+    return area;
+  };
+  const double r = 0.04375;
+  for (const DeviceShape& shape :
+       {DeviceShape{}, DeviceShape{.fillet = 0.01}, DeviceShape{.flat = 0.0022},
+        DeviceShape{.flat = 0.0022, .fillet = 0.002}, DeviceShape{.parabola = 0.024184}}) {
+    const Device d{shape};
+    for (const double depth : {0.01, 0.04, 0.0721, 0.0745, 0.1, 0.3}) {
+      INFO("depth " << depth << " flat " << shape.flat << " fillet " << shape.fillet);
+      const double flat = pi * shape.flat * shape.flat;
+      REQUIRE(std::abs(d.mantle_area(depth) - flat - by_pieces(d, depth)) < 2e-5 * d.mantle_area(depth));
+      REQUIRE(d.projected_area(depth) == pi * d.profile(depth) * d.profile(depth));
+    }
+    REQUIRE((d.projected_area(-0.01) == 0 && d.mantle_area(-0.01) == 0));
+    REQUIRE(std::abs(d.projected_area(0.2) - pi * r * r) < 1e-15);
+  }
+  const Device cone{{}}, wide{{.offset = 0.003}}, blunt{{.flat = r}};
+  const double in = 0.03 / std::sqrt(3.0);
+  REQUIRE(std::abs(cone.mantle_area(0.03) - pi * in * std::hypot(in, 0.03)) < 1e-15);
+  REQUIRE(std::abs(cone.mantle_area(0.2) - 2 * cone.projected_area(0.2)) < 1e-15);
+  REQUIRE((wide.mantle_area(0.03) == cone.mantle_area(0.03) && wide.projected_area(1) == pi * r * r));
+  REQUIRE((blunt.projected_area(0) == pi * r * r && blunt.mantle_area(0.1) == pi * r * r));
+}
+
 TEST_CASE("a device that does not fit together is refused") {
   REQUIRE_THROWS_AS(Device{{.radius = 0}}, error);
   REQUIRE_THROWS_AS(Device{{.length = 0.07}}, error);
   REQUIRE_THROWS_AS(Device{{.fillet = -0.01}}, error);
   REQUIRE_THROWS_AS(Device{{.fillet = 0.5}}, error);
+  REQUIRE_THROWS_AS(Device{{.flat = 0.05}}, error);
+  REQUIRE_THROWS_AS((Device{{.flat = 0.04375, .fillet = 0.001}}), error);
+  REQUIRE_THROWS_AS((Device{{.parabola = 0.02, .fillet = 0.001}}), error);
+  REQUIRE_THROWS_AS(Device{{.offset = -0.05}}, error);
 }
 
 TEST_CASE("the moving mesh: whole above, even compression below, fixed at the bottom") {

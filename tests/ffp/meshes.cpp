@@ -1,11 +1,14 @@
 // The meshes of the drop: exact volumes, conforming cells, good shapes at every size, at the start and at
 // full depth.
+#include <array>
 #include <set>
 
 #include <arenite/mesh/simplex_mesh.hpp>
 
+#include "../../examples/ffp/mesh_grid.hpp"
 #include "../../examples/ffp/mesh_quality.hpp"
 #include "../../examples/ffp/mesh_slice.hpp"
+#include "../../examples/ffp/tip.hpp"
 #include "catch.hpp"
 
 using namespace arenite;
@@ -20,7 +23,7 @@ bool contains(const std::vector<Index>& set, Index n) {
 }
 
 template <int D>
-void check_sets(const MeshData<D>& mesh) {
+void check_sets(const MeshData<D>& mesh, const Device& body = Device{{}}) {
   for (const auto& [name, set] : mesh.node_sets) {
     INFO(name);
     REQUIRE(std::is_sorted(set.begin(), set.end()));
@@ -32,7 +35,9 @@ void check_sets(const MeshData<D>& mesh) {
     if (mesh.region[c] == mesh.region_names.at("device"))
       of_device.insert(mesh.cells[c].begin(), mesh.cells[c].end());
   REQUIRE(std::vector<Index>(of_device.begin(), of_device.end()) == mesh.node_sets.at("device"));
-  const Device body{{}};
+  double flat = 0;  // of the device's nodes at its tip
+  for (const Index n : of_device)
+    if (mesh.nodes[n][1] == 0) flat = std::max(flat, mesh.nodes[n].norm());
   for (Index n = 0; n < mesh.nodes.size(); ++n) {
     const auto& x = mesh.nodes[n];
     const double r = D == 3 ? std::hypot(x[0], x[D - 1]) : x[0], y = x[1];
@@ -40,8 +45,10 @@ void check_sets(const MeshData<D>& mesh) {
     REQUIRE(in("wall", n) == (std::abs(r - 0.4) < 1e-12));
     REQUIRE(in("bottom", n) == (y == -0.4));
     REQUIRE(in("top", n) == (y == 0.7));
-    REQUIRE(in("device_surface", n) == (y >= 0 && y <= 0.631 && std::abs(r - body.profile(y)) < 1e-12));
-    if (of_device.contains(n)) REQUIRE(r <= body.profile(y) + 1e-12);
+    const bool on_tip = y == 0 && r <= flat;
+    const bool on_side = y > 0 && y <= body.length() && std::abs(r - body.profile(y)) < 1e-12;
+    REQUIRE(in("device_surface", n) == (on_tip || on_side));
+    if (of_device.contains(n)) REQUIRE((on_tip || r <= body.profile(y) + 1e-12));
   }
 }
 
@@ -149,6 +156,46 @@ TEST_CASE("half-section: finer cells at the cone, which grow to the others") {
   REQUIRE(plain.nodes == same.nodes);
 }
 
+TEST_CASE("half-section: every tip has a mesh, with cells as fine as asked and an offset, too") {
+  struct Case {
+    Tip tip;
+    double soil, air, device;  ///< least altitudes, cells
+  };
+  for (const Case& c : {Case{Tip::cone_truncated, 0.45, 0.42, 0.4}, Case{Tip::parabolic, 0.45, 0.35, 0.35},
+                        Case{Tip::blunt, 0.55, 0.64, 0.6}})
+    for (const auto& [cell, at_cone, offset] : {std::array{0.01, 0.0, -0.0025},
+                                                {0.02, 0.0, 0.0025},
+                                                {0.04, 0.0, 0.0},
+                                                {0.01, 0.004, 0.0},
+                                                {0.01, 0.002, 0.0025}}) {
+      INFO(tip_words[static_cast<std::size_t>(c.tip)].first << " cell " << cell << " at cone " << at_cone
+                                                            << " offset " << offset);
+      DeviceShape shape = shape_of(c.tip);
+      shape.offset = offset;
+      if (c.tip == Tip::cone_truncated) shape.fillet = 0.002;
+      const Device body{shape};
+      const MeshSizes sizes{.cell = cell, .at_cone = at_cone};
+      const auto mesh = mesh_axisymmetric(body, {}, sizes).data;
+      const auto q = mesh_quality(mesh);
+      REQUIRE(std::abs(q.at("soil").volume - 0.16) < 1e-13);
+      REQUIRE(std::abs(q.at("device").volume + q.at("air").volume - 0.28) < 1e-13);
+      for (const auto& [name, region] : q) REQUIRE(region.min_volume > 0);
+      REQUIRE(q.at("soil").min_altitude > c.soil * sizes.cone_cell());
+      REQUIRE(q.at("air").min_altitude > c.air * sizes.cone_cell());
+      REQUIRE(q.at("device").min_altitude > c.device * sizes.cone_cell());
+      check_sets(mesh, body);
+      check_regions(mesh);
+      const SimplexMesh<2> accepted{mesh};
+      double flat = 0;  // of the device in the mesh
+      for (const Index n : mesh.node_sets.at("device"))
+        if (mesh.nodes[n][1] == 0) flat = std::max(flat, mesh.nodes[n][0]);
+      if (c.tip == Tip::parabolic)  // no more than a quarter of a cell too much
+        REQUIRE(flat < body.profile(sizes.cone_cell() / 4));
+      else
+        REQUIRE(flat == (body.flat_radius() < sizes.cone_cell() / 2 ? 0 : body.flat_radius()));
+    }
+}
+
 TEST_CASE("half-section: the compressed zone keeps its shape to the depth that a drop reaches") {
   const double cell = 0.01, moving = 0.06;
   const auto mesh = mesh_axisymmetric(Device{{}}, {}, {.cell = cell, .moving_depth = moving}).data;
@@ -211,10 +258,19 @@ TEST_CASE("slice: about the paper's number of points, exact mirror symmetry, con
   }
 }
 
-TEST_CASE("slice: tetrahedra of every size have volume") {
-  for (const double cell : {0.04, 0.02, 0.007}) {
-    INFO(cell);
-    const Device body{{.fillet = 0.01}};
+TEST_CASE("slice: tetrahedra of every size and tip have volume") {
+  const auto rounded = [](Tip tip) {
+    DeviceShape shape = shape_of(tip);
+    shape.fillet = 0.01;
+    return shape;
+  };
+  using Case = std::pair<double, DeviceShape>;
+  for (const auto& [cell, shape] :
+       {Case{0.04, rounded(Tip::cone)}, Case{0.02, rounded(Tip::cone)}, Case{0.007, rounded(Tip::cone)},
+        Case{0.02, shape_of(Tip::parabolic)}, Case{0.02, shape_of(Tip::blunt)},
+        Case{0.01, rounded(Tip::cone_truncated)}}) {
+    INFO(cell << " flat " << shape.flat);
+    const Device body{shape};
     const MeshSizes sizes{.cell = cell};
     const auto mesh = mesh_slice(mesh_axisymmetric(body, {}, sizes), body, {}, sizes);
     for (const auto& [name, region] : mesh_quality(mesh)) {
@@ -248,4 +304,40 @@ TEST_CASE("sizes that do not fit the chamber are refused") {
   REQUIRE_THROWS_AS(mesh_axisymmetric(body, {}, {.moving_depth = 0.4}), error);
   REQUIRE_THROWS_AS(mesh_axisymmetric(body, {}, {.outer_ratio = 0.5}), error);
   REQUIRE_THROWS_AS(mesh_axisymmetric(body, {.headroom = 0.5}), error);
+}
+
+TEST_CASE("the grid: lines where sand and moving zone begin, cells of the wanted size at the cone") {
+  const Chamber chamber;
+  const Device body{{.fillet = 0.01}};
+  for (const double cell : {0.04, 0.01, 0.0025})
+    for (const double share : {0.0, 0.5, 0.25}) {
+      const MeshSizes sizes{.cell = cell, .at_cone = share * cell};
+      const auto lines = grid_lines(body, chamber, sizes);
+      CAPTURE(cell, share);
+      REQUIRE((lines.x.front() == 0 && lines.x.back() == chamber.radius));
+      REQUIRE((lines.y.front() == -chamber.soil_depth && lines.y.back() == chamber.headroom));
+      for (const double y : {0.0, -sizes.moving_depth}) REQUIRE(std::ranges::count(lines.y, y) == 1);
+      const double wanted = sizes.cone_cell();
+      for (const auto* all : {&lines.x, &lines.y})
+        for (std::size_t i = 1; i < all->size(); ++i) {
+          const double edge = (*all)[i] - (*all)[i - 1], at = (*all)[i - 1];
+          REQUIRE(edge > 0.6 * wanted);
+          REQUIRE(edge < 3.2 * cell);
+          const double end = all == &lines.x ? body.radius() : body.fillet_end();
+          if (at >= 0 && at + edge <= end + sizes.refined) REQUIRE(edge < 1.3 * wanted);
+        }
+    }
+}
+
+TEST_CASE("the section on both sides: the axis is no surface") {
+  const Device body{{}};
+  const auto section = whole_section(body);
+  for (const double r : {0.0, 0.001, 0.01}) {
+    const double to_flank =
+        ((body.cone_height() / 2) * std::tan(body.half_angle()) - r) * std::cos(body.half_angle());
+    REQUIRE(std::abs(section({r, body.cone_height() / 2}) + to_flank) < 1e-15);
+    REQUIRE(std::abs(section({r, 0.4}) + body.radius() - r) < 1e-15);
+    REQUIRE(std::abs(section({r, -0.1}) - std::hypot(r, 0.1)) < 1e-15);
+  }
+  REQUIRE(std::abs(section({0.06, 0.4}) - 0.06 + body.radius()) < 1e-15);
 }

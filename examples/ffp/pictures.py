@@ -1,0 +1,28 @@
+"""What the driver's pictures share: matplotlib, which draws into files, the colours, and how a picture is written."""
+
+import os
+import sys
+
+try:
+    import matplotlib
+except ImportError:
+    sys.exit(f"{os.path.basename(sys.argv[0])}: needs matplotlib; on Debian: apt install python3-matplotlib")
+
+matplotlib.use("Agg")
+import matplotlib.pyplot as pyplot  # noqa: E402
+
+COLOURS = ["#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#000000"]  # Okabe and Ito
+REFERENCE = "#6b6b6b"
+
+
+def save_pictures(figure, folder, name):
+    """Writes name.png and name.svg; returns their paths. Ends the script with a sentence if they cannot be written."""
+    paths = [os.path.join(folder, f"{name}.{kind}") for kind in ("png", "svg")]
+    try:
+        os.makedirs(folder, exist_ok=True)
+        for path in paths:
+            figure.savefig(path, dpi=130)
+    except OSError as problem:
+        sys.exit(f"{os.path.basename(sys.argv[0])}: {problem.filename}: cannot be written: {problem.strerror}")
+    pyplot.close(figure)
+    return paths

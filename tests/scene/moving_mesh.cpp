@@ -56,20 +56,20 @@ double apart(const std::vector<double>& a, const std::vector<double>& b) {
 
 }  // namespace
 
-// Points that change cells jolt linear elements. The jolts do not fall with the cell size, which only makes
-// more of them, but with the number of points: 28 a triangle, and stresses averaged over filled elements.
+// Points that change cells jolt linear elements. Stresses averaged over filled elements leave next to nothing
+// of it (0.6 % of the travel at most), few points or many; with elements that count as filled from 0.9 of
+// their volume on it was 10 %.
 TEST_CASE("Moving mesh: an elastic column swings as on a fixed mesh") {
   const LinearElastic law{{.density = 1500, .young = 1e6, .poisson = 0.3}};
   const MovingMesh<> motion{.fixed_below = 0, .moving_from = 1.0};
   const Numerics<LinearSimplex, Flip, Musl, ElementAverage> numerics{};
   const auto fixed_mesh = history(scene(numerics, law, -1.5, 28), 0.1);
-  CHECK(apart(history(scene(numerics, law, 1.5, 28, motion), 0.1), fixed_mesh) <= 0.05);
+  CHECK(apart(history(scene(numerics, law, 1.5, 28, motion), 0.1), fixed_mesh) <= 0.01);
   const double many = apart(history(scene(numerics, law, -1.5, 28, motion), 0.1), fixed_mesh);
   const double few =
       apart(history(scene(numerics, law, -1.5, 6, motion), 0.1), history(scene(numerics, law, -1.5, 6), 0.1));
-  CAPTURE(many, few);
-  CHECK(many <= 0.12);
-  CHECK(many <= 0.8 * few);
+  CHECK(many <= 0.01);
+  CHECK(few <= 0.01);
   // A mesh that is told to stay is a fixed one, bit for bit.
   CHECK(apart(history(scene(numerics, law, 0, 6, motion), 0.02), history(scene(numerics, law, 0, 6), 0.02)) ==
         0);
@@ -80,7 +80,7 @@ TEST_CASE("Moving mesh: a column of sand settles as on a fixed mesh") {
   const MovingMesh<> motion{.fixed_below = 0, .moving_from = 1.0};
   const Numerics<LinearSimplex, Flip, Musl, ElementAverage> numerics{};
   const auto fixed_mesh = history(scene(numerics, law, -1.5, 28), 0.05);
-  CHECK(apart(history(scene(numerics, law, -1.5, 28, motion), 0.05), fixed_mesh) <= 0.12);
+  CHECK(apart(history(scene(numerics, law, -1.5, 28, motion), 0.05), fixed_mesh) <= 0.01);
 }
 
 TEST_CASE("Moving mesh: the zones move as they are told, and a used-up zone stops the run with its name") {

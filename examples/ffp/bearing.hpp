@@ -43,13 +43,13 @@ struct RateBand {
 inline std::vector<RateBand> rate_bands(double impact_velocity, Medium medium, Soil soil) {
   const bool sand_in_water = medium == Medium::water && soil == Soil::sand;
   const double air = 0.31 * impact_velocity;
-  return {
-      {"0.2 to 0.4", 0.2, 0.4, "custom for penetrometers dropped through water", "sand, in water",
-       sand_in_water},
-      {"1 to 1.5", 1, 1.5, "custom for penetrometers dropped through water", "sand, in water", sand_in_water},
-      {"air", air, air, "Brilli 2023: 0.31 times the impact velocity in m/s", "dry sand, in air",
-       medium == Medium::air && soil == Soil::sand},
-      {"0.1 to 0.3", 0.1, 0.3, "custom for clay", "clay", soil == Soil::clay}};
+  return {{"0.2 to 0.4", 0.2, 0.4, "usual practice for penetrometers dropped through water", "sand, in water",
+           sand_in_water},
+          {"1 to 1.5", 1, 1.5, "usual practice for penetrometers dropped through water", "sand, in water",
+           sand_in_water},
+          {"air", air, air, "Brilli 2023: 0.31 times the impact velocity in m/s", "dry sand, in air",
+           medium == Medium::air && soil == Soil::sand},
+          {"0.1 to 0.3", 0.1, 0.3, "usual practice for clay", "clay", soil == Soil::clay}};
 }
 
 /// Force of the ground on the penetrometer, N: m (a + g) less what the water takes.

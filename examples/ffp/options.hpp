@@ -102,8 +102,9 @@ struct DropOptions {
   std::string name{};           ///< of the run, in front of its warnings; empty: the only one
   bool force = false;           ///< runs however many steps it takes
 
-  /// The paper's 10 in tetrahedra; 28 in triangles, from where on more change depth by 3 % and peak by 7 %:
-  /// 15, 21, 28, 36, 49 give 0.201, 0.196, 0.195, 0.193, 0.190 m and 15.0, 16.7, 16.7, 17.8, 17.9 g.
+  /// The paper's 10 in tetrahedra; 28 in triangles, from where on more change depth by 0.4 % and peak by 1 %:
+  /// 9, 15, 21, 28, 36, 49 give 0.192, 0.189, 0.187, 0.186, 0.187, 0.187 m and 18.2 to 18.5 g; nine in cells
+  /// of a grid.
   int points_in_element() const {
     return points_per_element.value_or(on_grid() ? 9 : kinematics == Kinematics::slice ? 10 : 28);
   }

@@ -138,7 +138,8 @@ class Runs:
         self.driver, self.folder, self.common, self.threads = driver, folder, common, threads
 
     def place(self, options):
-        words = re.sub(r"[^a-z0-9.]+", "-", f"{options} {self.common}".lower()).strip("-")
+        signed = re.sub(r" -(?=[0-9.])", " minus ", f"{options} {self.common}".lower())
+        words = re.sub(r"[^a-z0-9.]+", "-", signed).strip("-")
         return os.path.join(self.folder, words or "default")
 
     def drop(self, options):

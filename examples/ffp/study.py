@@ -138,7 +138,7 @@ class Runs:
         self.driver, self.folder, self.common, self.threads = driver, folder, common, threads
 
     def place(self, options):
-        signed = re.sub(r" -(?=[0-9.])", " minus ", f"{options} {self.common}".lower())
+        signed = re.sub(r"[ =]-(?=[0-9.])", " minus ", f"{options} {self.common}".lower())
         words = re.sub(r"[^a-z0-9.]+", "-", signed).strip("-")
         return os.path.join(self.folder, words or "default")
 

@@ -12,7 +12,7 @@ template <class Model>
 void drop_model(const DropOptions& o) {
   using Averages = NodalAndElementAverage;
   if (o.device == DeviceKind::elastic)
-    record<Model>(o, [&] { return elastic_scene<Model, Averages>(o); });
+    record<Model>(o, [&] { return elastic_scene<Model>(o); });
   else if (o.law.kind != LawKind::mohr_coulomb)
     record<Model>(o, [&] { return rigid_scene<Model, Averages, RigidVelocity>(o, sand_with_law(o)); });
   else if (o.contact_kind() == ContactKind::centre_of_mass)

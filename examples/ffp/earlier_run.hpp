@@ -2,7 +2,6 @@
 #pragma once
 
 #include <filesystem>
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -10,6 +9,7 @@
 #include "options.hpp"
 #include "results.hpp"
 #include "run_folder.hpp"
+#include "summary_file.hpp"
 #include "words.hpp"
 
 namespace arenite::ffp {
@@ -42,12 +42,11 @@ inline std::string first_difference(const nlohmann::ordered_json& there, const n
 inline EarlierRun earlier_run(const DropOptions& options) {
   const std::filesystem::path folder{options.out};
   EarlierRun found;
-  if (!std::filesystem::exists(folder / "summary.json")) return found;
+  if (!std::filesystem::exists(summary_file(folder))) return found;
   const auto refuse = [&](const std::string& rule) {
-    throw error(joined_text("--resume: ", shown((folder / "summary.json").string()), ": ", rule));
+    throw error(joined_text("--resume: ", shown(summary_file(folder).string()), ": ", rule));
   };
-  std::ifstream file{folder / "summary.json"};
-  const auto summary = nlohmann::ordered_json::parse(file, nullptr, false);
+  const auto summary = summary_in(folder);
   try {
     if (summary.is_discarded()) refuse("is no summary of a drop");
     if (summary.at("inputs_hash") != hash_of_inputs(options))

@@ -1,8 +1,6 @@
 #include "error_bar.hpp"
 
 #include <cmath>
-#include <filesystem>
-#include <fstream>
 #include <iostream>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -13,17 +11,12 @@
 #include "results.hpp"
 #include "run_folder.hpp"
 #include "say.hpp"
+#include "summary_file.hpp"
 
 namespace arenite::ffp {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-/// summary.json of a folder; discarded if there is none that can be read.
-Json summary_in(const std::string& folder) {
-  std::ifstream file{std::filesystem::path{folder} / "summary.json"};
-  return Json::parse(file, nullptr, false);
-}
 
 /// A companion after its run.
 struct FinishedRun {
@@ -153,7 +146,7 @@ void drop_with_error_bar(const DropOptions& options) {
   bar["cost"] = cost;
   folder.free_reserve();
   try {
-    write_summary(folder.path() / "summary.json", summary);
+    write_summary(summary_file(folder.path()), summary);
   } catch (const error& e) {
     throw Ended(joined_text("the error bar cannot be written: ", e.what()), 1);
   }

@@ -148,7 +148,7 @@ auto rigid_scene(const DropOptions& o, const Law& law) {
 }
 
 /// A linear elastic penetrometer of one point an element, which the mesh follows.
-template <class Model, class AntiLocking>
+template <class Model>
 auto elastic_scene(const DropOptions& o) {
   auto mesh = mesh_of<Model>(o);
   double volume = 0;
@@ -162,7 +162,7 @@ auto elastic_scene(const DropOptions& o) {
   return Scene{
       typename Model::Kinematics{},
       std::move(mesh),
-      numerics_of<AntiLocking>(o),
+      numerics_of<NodalAndElementAverage>(o),
       bodies(soil_of<Model::Kinematics::dimension>(o, Cells("soil"), plain_sand(o)),
              fill<"device">(Cells("device"), metal, {.per_cell = 1, .velocity = {0, -o.velocity, 0}})),
       Model::walls(),

@@ -19,13 +19,14 @@
 #include "options.hpp"
 #include "paper_cases.hpp"
 #include "paper_options.hpp"
+#include "summary_file.hpp"
 #include "words.hpp"
 
 namespace arenite::ffp {
 
 /// The results of a case as its folder has them.
 struct CaseResult {
-  nlohmann::json summary = nlohmann::json::object();
+  nlohmann::ordered_json summary = nlohmann::ordered_json::object();
   std::vector<double> time, depth, step;  ///< [rows] s, m, s: of the history
 
   bool done() const { return summary.value("status", "") == "done"; }
@@ -51,24 +52,33 @@ struct CaseResult {
   }
 };
 
-/// Reads what a case's folder holds; without a summary the result is empty.
+/// Reads what a case's folder holds; without a summary the result is empty. Throws `error` that names the
+/// history if a row of it is none.
 inline CaseResult result_of_case(const std::filesystem::path& folder) {
   CaseResult result;
-  std::ifstream summary{folder / "summary.json"};
-  result.summary = nlohmann::json::parse(summary, nullptr, false);
-  if (!result.summary.is_object()) result.summary = nlohmann::json::object();
-  std::ifstream history{folder / "history.csv"};
+  if (auto summary = summary_in(folder); summary.is_object()) result.summary = std::move(summary);
+  const auto path = folder / "history.csv";
+  std::ifstream history{path};
   std::string line;
-  std::getline(history, line);
+  if (!std::getline(history, line)) return result;
   const auto header = detail::fields_of(line);
-  for (const auto& [name, column] :
-       {std::pair{"time_s", &result.time}, {"penetration_m", &result.depth}, {"time_step_s", &result.step}}) {
-    const auto place = static_cast<std::size_t>(std::ranges::find(header, name) - header.begin());
-    history.clear();
-    history.seekg(0);
-    std::getline(history, line);
-    while (place < header.size() && std::getline(history, line) && !history.eof())
-      column->push_back(detail::number_of(detail::fields_of(line).at(place)).value_or(0));
+  struct Place {
+    std::size_t column;
+    std::vector<double>& values;
+  };
+  std::vector<Place> places;
+  for (const auto& [name, values] :
+       {std::pair{"time_s", &result.time}, {"penetration_m", &result.depth}, {"time_step_s", &result.step}})
+    if (const auto at = std::ranges::find(header, name); at != header.end())
+      places.push_back({static_cast<std::size_t>(at - header.begin()), *values});
+  while (std::getline(history, line) && !history.eof()) {  // the last row of a killed run may be cut
+    const auto fields = detail::fields_of(line);
+    for (const Place& p : places) {
+      const auto value = p.column < fields.size() ? detail::number_of(fields[p.column]) : std::nullopt;
+      if (!value)
+        throw error(joined_text(shown(path.string()), ": ", shown(line), ": is no row of a history"));
+      p.values.push_back(*value);
+    }
   }
   return result;
 }

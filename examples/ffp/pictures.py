@@ -6,13 +6,20 @@ import sys
 try:
     import matplotlib
 except ImportError:
-    sys.exit(f"{os.path.basename(sys.argv[0])}: needs matplotlib; on Debian: apt install python3-matplotlib")
+    sys.exit(f"{os.path.basename(sys.argv[0])}: needs matplotlib; on Debian: apt install python3-matplotlib, and "
+             "/usr/bin/python3 finds it")
 
 matplotlib.use("Agg")
 import matplotlib.pyplot as pyplot  # noqa: E402
 
 COLOURS = ["#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#000000"]  # Okabe and Ito
 REFERENCE = "#6b6b6b"
+
+
+def legend_below(figure, axes, columns, share):
+    """One legend for all panels, from the lines of one, in the lowest `share` of the figure's height."""
+    figure.legend(*axes.get_legend_handles_labels(), loc="lower center", ncol=columns, frameon=False, fontsize=9)
+    figure.get_layout_engine().set(rect=(0, share, 1, 1 - share))
 
 
 def save_pictures(figure, folder, name):

@@ -10,6 +10,7 @@
 #include "bluedrop_file.hpp"
 #include "history.hpp"
 #include "measurement_table.hpp"
+#include "summary_file.hpp"
 
 namespace arenite::ffp {
 
@@ -27,9 +28,8 @@ inline Measurement read_measurement_of_drop(const std::filesystem::path& folder,
     throw error(
         joined_text(shown(folder.string()), ": must hold summary.json and history.csv of a drop: ", rule));
   };
-  std::ifstream file{folder / "summary.json"};
-  if (!file) refuse("summary.json cannot be read");
-  const auto summary = nlohmann::json::parse(file, nullptr, false);
+  if (!std::ifstream{summary_file(folder)}) refuse("summary.json cannot be read");
+  const auto summary = summary_in(folder);
   if (!std::filesystem::exists(folder / "history.csv")) refuse("there is no history.csv");
   try {
     const auto& inputs = summary.at("inputs");

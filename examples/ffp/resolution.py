@@ -10,6 +10,7 @@ Build the driver first (examples/ffp/run.sh does). The picture needs matplotlib,
 
 import argparse
 import csv
+import itertools
 import math
 import os
 
@@ -18,19 +19,16 @@ import study
 # Edges of the cells in general and at the cone, m: 1 : 2.5, from the coarsest on.
 LEVELS = [(0.02, 0.008), (0.01, 0.004), (0.005, 0.002), (0.0025, 0.001)]
 MESHES = {"fitted": "", "grid": "--mesh-kind grid"}
-QUANTITIES = {"depth at 40 ms, m": (4, 1), "final depth, m": (4, 1), "peak, g": (2, 1)}
+QUANTITIES = {"depth at 40 ms, m": 4, "final depth, m": 4, "peak, g": 2}  # decimals
 
 
 def depth_at(place, time):
     """Depth in a drop's folder at a time of its run, m, between the rows around it."""
     with open(os.path.join(place, "history.csv"), newline="") as file:
-        before = None
-        for row in csv.DictReader(file):
-            now = float(row["time_s"]), float(row["penetration_m"])
-            if now[0] >= time:
-                share = 0 if before is None else (time - before[0]) / (now[0] - before[0])
-                return now[1] if before is None else before[1] + share * (now[1] - before[1])
-            before = now
+        rows = ((float(row["time_s"]), float(row["penetration_m"])) for row in csv.DictReader(file))
+        for (t0, depth0), (t1, depth1) in itertools.pairwise(rows):
+            if t1 >= time:
+                return depth0 + (time - t0) / (t1 - t0) * (depth1 - depth0)
     raise SystemExit(f"resolution.py: {place}: the run ended before {time} s")
 
 
@@ -56,7 +54,7 @@ def numbers(runs, options):
 
 
 def line(name, quantity, values):
-    digits, _ = QUANTITIES[quantity]
+    digits = QUANTITIES[quantity]
     order, limit, bar = convergence(values)
     change = 100 * abs(values[-1] / values[-2] - 1)
     shown = " | ".join(f"{v:.{digits}f}" for v in values)
@@ -65,9 +63,9 @@ def line(name, quantity, values):
 
 
 def draw(found, sizes, path):
-    pyplot = study.drawing()
-    figure, panels = pyplot.subplots(1, 3, figsize=(12, 4.2), constrained_layout=True)
-    looks = {name: ("o-" if "fitted" in name else "s--", "#0072B2" if " 20 " in name else "#D55E00") for name in found}
+    pictures = study.drawing()
+    figure, panels = pictures.pyplot.subplots(1, 3, figsize=(12, 4.2), constrained_layout=True)
+    looks = {name: ("o-" if "fitted" in name else "s--", pictures.COLOURS[" 20 " not in name]) for name in found}
     for axes, (k, quantity) in zip(panels, enumerate(QUANTITIES)):
         for name, rows in found.items():
             marks, colour = looks[name]
@@ -79,8 +77,7 @@ def draw(found, sizes, path):
                 axes.plot([0], [limit], "*", color=colour, markersize=11, clip_on=False)
         axes.set(xlabel="cells at the cone [cm]", ylabel=quantity, xlim=(0, None))
         axes.spines[["top", "right"]].set_visible(False)
-    figure.legend(*panels[0].get_legend_handles_labels(), loc="lower center", ncol=4, frameon=False, fontsize=9)
-    figure.get_layout_engine().set(rect=(0, 0.08, 1, 0.92))
+    pictures.legend_below(figure, panels[0], 4, 0.08)
     figure.savefig(path, dpi=120)
 
 

@@ -231,21 +231,16 @@ def table(runs, name):
 
 
 def drawing():
-    """matplotlib's pyplot, or the end: asked for before the drops are run."""
-    try:
-        import matplotlib
-    except ImportError:
-        sys.exit("study.py: --picture needs matplotlib; on Debian: apt install python3-matplotlib, and /usr/bin/python3 finds it")
-    matplotlib.use("Agg")
-    import matplotlib.pyplot as pyplot
+    """What pictures need (pictures.py), or the end: asked for before the drops are run, and only then."""
+    import pictures
 
-    return pyplot
+    return pictures
 
 
-def draw(runs, path, pyplot):
+def draw(runs, path, pictures):
     """The trade: seconds of each run against its depth and its peak."""
-    figure, panels = pyplot.subplots(1, 2, figsize=(11, 4.6), constrained_layout=True)
-    for (line, rows), colour, marker in zip(TRADE.items(), ["#0072B2", "#D55E00", "#009E73", "#CC79A7", "#000000"], "osD^v"):
+    figure, panels = pictures.pyplot.subplots(1, 2, figsize=(11, 4.6), constrained_layout=True)
+    for (line, rows), colour, marker in zip(TRADE.items(), [*pictures.COLOURS[:4], pictures.COLOURS[6]], "osD^v"):
         drops = [found for found in (runs.drop(options) for _, options in rows) if found["status"] == "done"]
         seconds = [found["wall_s"] for found in drops]
         for axes, key, factor in zip(panels, ("final_penetration_m", "peak_deceleration_g"), (100, 1)):
@@ -261,8 +256,7 @@ def draw(runs, path, pyplot):
         axes.set(xscale="log", xlabel=f"time of the steps [s], {default['threads']} threads", ylabel=text)
         axes.xaxis.set_major_formatter("{x:g}")
         axes.spines[["top", "right"]].set_visible(False)
-    figure.legend(*panels[0].get_legend_handles_labels(), loc="lower center", ncol=3, frameon=False, fontsize=9)
-    figure.get_layout_engine().set(rect=(0, 0.12, 1, 0.88))
+    pictures.legend_below(figure, panels[0], 3, 0.12)
     figure.savefig(path, dpi=120)
 
 
@@ -278,7 +272,7 @@ def main():
         for name, (title, rows) in TABLES.items():
             print(f"{name:13} {len(rows):3} drops  {title}")
         return
-    pyplot = drawing() if arguments.picture else None
+    pictures = drawing() if arguments.picture else None
     runs = runs_of(arguments)
     lines = [PAGE] if arguments.page else []
     for name in arguments.only or [name for name in TABLES if name != "trade" or not arguments.page]:  # rows of other tables
@@ -289,7 +283,7 @@ def main():
         with open(arguments.page, "w") as file:
             file.write("\n".join(lines) + "\n")
     if arguments.picture:
-        draw(runs, arguments.picture, pyplot)
+        draw(runs, arguments.picture, pictures)
 
 
 if __name__ == "__main__":

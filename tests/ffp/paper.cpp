@@ -129,4 +129,12 @@ TEST_CASE("results of a case are read from its folder, as far as it came") {
   REQUIRE(
       (r.time == std::vector<double>{0, 0.1} && r.depth == std::vector<double>{0, 0.5} && r.step[1] == 0.1));
   REQUIRE(!r.depth_at(0.15));
+  std::ofstream{"case/history.csv"} << "time_s,penetration_m,time_step_s\n0,0,0\n0.1,deep,0.1\n";
+  std::string what;
+  try {
+    result_of_case("case");
+  } catch (const arenite::error& e) {
+    what = e.what();
+  }
+  REQUIRE(what == "case/history.csv: 0.1,deep,0.1: is no row of a history");
 }

@@ -5,6 +5,7 @@
 
 import csv
 import json
+import math
 import os
 import pty
 import random
@@ -1288,6 +1289,23 @@ class Study(DriverTest):
         self.assertAlmostEqual(wide, found["peak_deceleration_g"], delta=1e-9 * wide)
         self.assertAlmostEqual(narrow, found["raw_peak_deceleration_g"], delta=0.01 * narrow)
 
+    def test_convergence(self):
+        """What resolution.py repeats of the library's study/convergence.hpp: the numbers of tests/study/convergence.cpp."""
+        with unittest.mock.patch.object(sys, "path", [os.path.dirname(self.SCRIPT), *sys.path]):
+            import resolution
+        for values, expected in (
+            ((0.1, 0.173, 0.184, 0.191), (math.log2(11 / 7), 0.20325, 0.0153125)),  # of the last three
+            ((0.173, 0.181, 0.182), (3, None, 0.027)),
+            ((1, 2, 3), (0, None, 6)),
+            ((23.5, 21.9, 22.3), (None, None, 4.8)),
+            ((23.5, 21.9, 21.9), (None, None, 4.8)),
+        ):
+            for found, exact in zip(resolution.convergence(values), expected):
+                if exact is None:
+                    self.assertIsNone(found, values)
+                else:
+                    self.assertAlmostEqual(found, exact, places=9, msg=values)
+
     def test_mistakes(self):
         code, _, err = self.study("--only", "delta", "--options", "--cell -1")
         self.assertEqual(code, 1)
@@ -1297,4 +1315,5 @@ class Study(DriverTest):
 
 if __name__ == "__main__":
     DRIVER = os.path.abspath(sys.argv.pop(1))
+    signal.signal(signal.SIGINT, signal.default_int_handler)  # a shell's background jobs, and what they start, ignore it
     unittest.main()

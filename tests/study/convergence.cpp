@@ -77,6 +77,28 @@ TEST_CASE("Convergence: results that diverge have a negative order and no limit"
   CHECK(std::abs(*convergence({{1, 1}, {2, 2}, {4, 3}}).order) < 1e-12);
 }
 
+TEST_CASE("Convergence: the numbers by which examples/ffp/resolution.py is tested") {
+  const Convergence c = convergence({{2, 0.173}, {1, 0.184}, {0.5, 0.191}});
+  CHECK(c.converged);
+  CHECK(std::abs(*c.order - std::log2(11.0 / 7)) < 1e-9);
+  CHECK(std::abs(*c.extrapolated - 0.20325) < 1e-9);
+  CHECK(std::abs(c.uncertainty - 0.0153125) < 1e-9);
+  const Convergence fast = convergence({{2, 0.173}, {1, 0.181}, {0.5, 0.182}});
+  CHECK(!fast.converged);
+  CHECK(std::abs(*fast.order - 3) < 1e-9);
+  CHECK(std::abs(fast.uncertainty - 0.027) < 1e-9);
+  const Convergence slow = convergence({{2, 1}, {1, 2}, {0.5, 3}});
+  CHECK(!slow.converged);
+  CHECK(std::abs(*slow.order) < 1e-9);
+  CHECK(std::abs(slow.uncertainty - 6) < 1e-9);
+  for (const double last : {22.3, 21.9}) {
+    const Convergence both_ways = convergence({{2, 23.5}, {1, 21.9}, {0.5, last}});
+    CHECK(!both_ways.converged);
+    CHECK(!both_ways.order);
+    CHECK(std::abs(both_ways.uncertainty - 4.8) < 1e-9);
+  }
+}
+
 TEST_CASE("Convergence: results that go both ways, or stay once, have no order") {
   for (const double middle : {0.9, 1.3, 1.0, 1.2}) {
     const Convergence c = convergence({{4, 1.2}, {2, middle}, {1, 1.0}});

@@ -47,3 +47,4 @@
 #include <arenite/scene/run.hpp>
 #include <arenite/scene/settle.hpp>
 #include <arenite/scene/split_points.hpp>
+#include <arenite/version.hpp>

@@ -1,6 +1,6 @@
-# cmake -D root=FOLDER -P check_links.cmake: each link of README.md and docs/*.md to a file leads to one, and each to a heading
+# cmake -D root=FOLDER -P check_links.cmake: each link of the pages in FOLDER, docs and packaging to a file leads to one, and each to a heading
 # (`page.md#heading`) to a heading of that page.
-file(GLOB pages ${root}/README.md ${root}/docs/*.md)
+file(GLOB pages ${root}/*.md ${root}/docs/*.md ${root}/packaging/*.md)
 set(broken "")
 foreach(page IN LISTS pages)
   get_filename_component(folder ${page} DIRECTORY)

@@ -2,9 +2,10 @@
 # Builds and runs all tests: g++ Release, clang++ Release, clang++ under the address and undefined-behaviour sanitizers, and
 # the format check. On a fresh Debian it installs what is missing. Safe to repeat; works from any folder.
 #
-#   tests/run.sh [--quick] [--asan] [--clang] [--format]
+#   tests/run.sh [--quick] [--asan] [--clang] [--python] [--format]
 #
 #   no option  everything        --quick  g++ Release only      --asan    sanitizers only
+#   --python   Python package only: wheel, clean environment, pytest, mypy
 #   --clang    clang++ only      --format clang-format only     (options add up)
 #
 # Environment: ARENITE_BUILD, where to build (default: build/tests in the checkout).
@@ -22,12 +23,13 @@ for option in "$@"; do
     --quick) stages+=(gcc) ;;
     --asan) stages+=(asan) ;;
     --clang) stages+=(clang) ;;
+    --python) stages+=(python) ;;
     --format) stages+=(format) ;;
     -h | --help) sed -n '2,/^set /{/^set /d;s/^# \{0,1\}//;p}' "${BASH_SOURCE[0]}" && exit ;;
-    *) fail "unknown option $option (known: --quick, --asan, --clang, --format)" ;;
+    *) fail "unknown option $option (known: --quick, --asan, --clang, --python, --format)" ;;
   esac
 done
-[ ${#stages[@]} -gt 0 ] || stages=(gcc clang asan format)
+[ ${#stages[@]} -gt 0 ] || stages=(gcc clang asan python format)
 chosen() { [[ " ${stages[*]} " == *" $1 "* ]]; }
 
 # --- what the machine must have
@@ -45,6 +47,13 @@ if chosen gcc || chosen clang || chosen asan; then
   need libhdf5-dev "states and series in HDF5 files"
   need python3-matplotlib "the driver's pictures are drawn"
   need python3-venv "meshio and h5py, in a virtual environment, write and read the files that the readers and writers are tested on"
+fi
+if chosen python; then
+  need g++ "the compiler of the package, and of compositions on first use" g++
+  need python3-dev "headers of Python" python3-config
+  need python3-venv "clean environments"
+  need libcli11-dev "options of the driver"
+  need nlohmann-json3-dev "the driver's summary.json"
 fi
 if chosen clang || chosen asan; then
   need clang "the second compiler" clang++
@@ -113,10 +122,28 @@ if chosen asan; then
     -DARENITE_BENCHMARKS=OFF -DARENITE_EXAMPLES=OFF -DARENITE_FUZZ=ON -DARENITE_TEST_HEADERS=OFF -DARENITE_TEST_HEAVY=OFF \
     -DARENITE_TEST_BUILDS=OFF
 fi
+if chosen python; then
+  printf '\n=== Python\n'
+  start=$SECONDS
+  clean=$build/python
+  rm -rf "$clean/env" "$clean/wheel" "$clean/cache"
+  mkdir -p "$clean"
+  /usr/bin/python3 -m venv "$clean/env"
+  pip() { "$clean/env/bin/python" -m pip --quiet --disable-pip-version-check "$@" < /dev/null; }
+  pip wheel --no-deps -w "$clean/wheel" -C build-dir="$clean/build" "$root" || fail "stage Python: the wheel was not built"
+  wheel=$(ls "$clean"/wheel/arenite-*.whl)
+  [ "$(stat -c %s "$wheel")" -le 25000000 ] || fail "stage Python: $wheel is larger than 25 MB"
+  pip install "$wheel" -r "$root/python/tests/requirements.txt" || fail "stage Python: the wheel was not installed"
+  # From another folder, so that the installed package is tested.
+  (cd "$clean" && ARENITE_CACHE="$clean/cache" "$clean/env/bin/python" -m pytest -q "$root/python/tests" < /dev/null) ||
+    fail "stage Python: tests failed"
+  (cd "$root" && "$clean/env/bin/python" -m mypy < /dev/null) || fail "stage Python: types do not fit"
+  summary+=("Python: wheel of $(($(stat -c %s "$wheel") / 1000000)) MB, built, installed, tested ($((SECONDS - start)) s)")
+fi
 if chosen format; then
   printf '\n=== format\n'
   cd "$root"
-  unformatted=$(find include tests examples benchmarks \( -name '*.hpp' -o -name '*.cpp' \) | sort | while read -r file; do
+  unformatted=$(find include tests examples benchmarks python \( -name '*.hpp' -o -name '*.cpp' \) | sort | while read -r file; do
     # Not --dry-run: version 14 objects to the comment that it writes itself behind `namespace a::inline B`.
     clang-format "$file" | cmp -s - "$file" || echo "$file"
   done)

@@ -1,0 +1,114 @@
+// Functions of place that the host is asked for once, for all places together: one call of an interpreter
+// costs as much as the arithmetic of a thousand places.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <arenite/core/instruction_set.hpp>
+#include <arenite/host/value.hpp>
+
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
+
+namespace detail {
+
+/// A row of `Count` numbers out of what a function of the host returned for one argument; of three numbers
+/// the last may be missing.
+template <std::size_t Count>
+std::array<double, Count> row_of(const HostArray& out, std::size_t row, std::size_t rows,
+                                 const std::string& name) {
+  const std::size_t n = out.numbers.size() / rows;
+  if (n == 0 || n * rows != out.numbers.size() || n > Count || (Count != 3 && n != Count))
+    throw error(joined_text(name, " = a function that returns ", out.numbers.size(), " numbers for ", rows,
+                            rows == 1 ? " place" : " places", ": must return ", Count == 3 ? "up to " : "",
+                            Count, " for each"));
+  std::array<double, Count> numbers{};
+  std::copy_n(out.numbers.begin() + static_cast<std::ptrdiff_t>(row * n), n, numbers.begin());
+  return numbers;
+}
+
+/// Calls a function of the host with one row.
+template <std::size_t Count>
+std::array<double, Count> call_row(const HostFunction& f, std::vector<double> arguments,
+                                   const std::string& name) {
+  const std::size_t columns = arguments.size();
+  return row_of<Count>(f({std::move(arguments), {1, columns}}), 0, 1, name);
+}
+
+}  // namespace detail
+
+/// What all functions of place have in common: a pass over the places notes them, the host computes the
+/// values, and later passes, in the same order, are handed them out.
+class PlacesNoted {
+ public:
+  using Place = std::array<double, 3>;
+
+  virtual ~PlacesNoted() = default;
+  /// Computes the values at the places noted; from here on they are handed out.
+  virtual void compute() = 0;
+  /// The next pass begins.
+  void rewind() { next_ = 0; }
+
+ protected:
+  bool notes_ = true;
+  std::size_t next_ = 0;
+  std::vector<Place> places_{};
+};
+
+/// A function of place with values of `Count` numbers. A place out of turn is computed on its own.
+template <std::size_t Count>
+class PlacesAtOnce : public PlacesNoted {
+ public:
+  using Row = std::array<double, Count>;
+
+  PlacesAtOnce(HostFunction f, int dimension, std::string name)
+      : f_{std::move(f)}, dimension_{static_cast<std::size_t>(dimension)}, name_{std::move(name)} {}
+
+  Row operator()(const Place& x) {
+    if (notes_) {
+      places_.push_back(x);
+      return {};
+    }
+    for (std::size_t k = next_; k < places_.size(); ++k)
+      if (places_[k] == x) {
+        next_ = k + 1;
+        return values_[k];
+      }
+    return detail::call_row<Count>(f_, {x.begin(), x.begin() + static_cast<std::ptrdiff_t>(dimension_)},
+                                   name_);
+  }
+
+  void note(const std::vector<Place>& places) { places_ = places; }
+  void compute() override {
+    notes_ = false;
+    rewind();
+    if (places_.empty()) return;
+    HostArray at{{}, {places_.size(), dimension_}};
+    at.numbers.reserve(places_.size() * dimension_);
+    for (const Place& x : places_)
+      at.numbers.insert(at.numbers.end(), x.begin(), x.begin() + static_cast<std::ptrdiff_t>(dimension_));
+    const HostArray out = f_(at);
+    values_.resize(places_.size());
+    for (std::size_t p = 0; p < places_.size(); ++p)
+      values_[p] = detail::row_of<Count>(out, p, places_.size(), name_);
+  }
+
+ private:
+  HostFunction f_;
+  std::size_t dimension_;
+  std::string name_;
+  std::vector<Row> values_{};
+};
+
+/// The functions of place of one body: those that say where it is, and those that say what is there.
+struct PlaceFunctions {
+  std::vector<std::shared_ptr<PlacesNoted>> where{}, what{};
+};
+
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -1,0 +1,240 @@
+// Reading: a host's value as a value of the library, by the names of its members; what does not fit is an
+// error that names the place, the value and the rule.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <concepts>
+#include <cstdint>
+#include <limits>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <vector>
+
+#include <arenite/core/checked.hpp>
+#include <arenite/core/error.hpp>
+#include <arenite/core/type_words.hpp>
+#include <arenite/host/members.hpp>
+#include <arenite/host/reading.hpp>
+#include <arenite/host/value.hpp>
+
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
+
+/// How a T is read: `static T read(const Value&, const Reading& at)`. Aggregates are read member by member,
+/// classes with a struct `Parameters` through that; others need a specialisation.
+template <class T>
+struct Reader;
+
+template <class T>
+T read(const Value& value, const Reading& at) {
+  return Reader<T>::read(value, at);
+}
+
+namespace detail {
+
+/// What messages call a type: `MohrCoulombParameters` is MohrCoulomb.
+template <class T>
+std::string spoken_name() {
+  std::string word = type_words<T>();
+  word = word.substr(0, word.find('<'));
+  constexpr std::string_view end = "Parameters";
+  if (word.size() > end.size() && word.ends_with(end)) word.resize(word.size() - end.size());
+  return word;
+}
+
+/// The numbers of a list or an array of one dimension.
+inline std::vector<double> numbers(const Value& value, const Reading& at) {
+  if (const HostArray* a = value.array()) {
+    if (a->shape.size() > 1) at.refuse(value, "must be numbers side by side");
+    return a->numbers;
+  }
+  const auto* list = value.get<Value::List>();
+  if (list == nullptr) at.refuse(value, "must be a list of numbers");
+  std::vector<double> all;
+  for (const Value& v : *list) {
+    const double* x = v.get<double>();
+    if (x == nullptr) at[all.size()].refuse(v, "must be a number");
+    all.push_back(*x);
+  }
+  return all;
+}
+
+/// Whether a value is numbers, and not a function.
+inline bool is_numbers(const Value& value) {
+  return value.array() != nullptr || value.get<Value::List>() != nullptr;
+}
+
+/// Refuses a name that is none of those known.
+template <class Names>
+void refuse_unknown(const Value::Dict& given, const Names& known, const Reading& at) {
+  for (const auto& [key, value] : given) {
+    if (std::ranges::find(known, key) != known.end()) continue;
+    std::string all;
+    for (const auto& k : known) all += (all.empty() ? "" : ", ") + std::string(k);
+    (at / key).refuse(value,
+                      all.empty() ? "is unknown: there is nothing to give" : "is unknown; there are: " + all);
+  }
+}
+
+/// The names of a value; nothing stands for no names.
+inline const Value::Dict& dict(const Value& value, const Reading& at) {
+  static const Value::Dict none_given;
+  if (value.is_none()) return none_given;
+  const auto* given = value.get<Value::Dict>();
+  if (given == nullptr) at.refuse(value, "must be names with values");
+  return *given;
+}
+
+/// Member K of an aggregate: what was given, or as the aggregate has it.
+template <class T, std::size_t K>
+member_type<T, K> read_member(const Value::Dict& given, const Reading& at) {
+  const std::string key(member_names<T>[K]);
+  const auto found = given.find(key);
+  if (found != given.end()) return read<member_type<T, K>>(found->second, at / key);
+  if constexpr (requires { T{}; })
+    return member<K>(T{});
+  else
+    throw error(joined_text((at / key).name, " = nothing: must be given"));
+}
+
+template <class T>
+concept has_parameters = requires {
+  typename T::Parameters;
+}
+&&!std::same_as<T, typename T::Parameters> && std::is_constructible_v<T, const typename T::Parameters&>;
+
+}  // namespace detail
+
+template <class T>
+struct Reader {
+  static T read(const Value& value, const Reading& at) {
+    if constexpr (detail::has_parameters<T>) {
+      return T(arenite::read<typename T::Parameters>(value, at.renamed(detail::spoken_name<T>())));
+    } else {
+      static_assert(std::is_aggregate_v<T>,
+                    "host: specialise Reader<T> for a class that is neither an aggregate nor made of its "
+                    "Parameters");
+      const Value::Dict& given = detail::dict(value, at);
+      detail::refuse_unknown(given, member_names<T>, at);
+      return with_members(given, at, std::make_index_sequence<member_count<T>>{});
+    }
+  }
+
+ private:
+  template <std::size_t... K>
+  static T with_members([[maybe_unused]] const Value::Dict& given, [[maybe_unused]] const Reading& at,
+                        std::index_sequence<K...>) {
+    return T{detail::read_member<T, K>(given, at)...};
+  }
+};
+
+template <>
+struct Reader<Value> {
+  static Value read(const Value& value, const std::string&) { return value; }
+};
+template <>
+struct Reader<bool> {
+  static bool read(const Value& value, const Reading& at) {
+    const bool* b = value.get<bool>();
+    if (b == nullptr) at.refuse(value, "must be true or false");
+    return *b;
+  }
+};
+template <std::floating_point T>
+struct Reader<T> {
+  static T read(const Value& value, const Reading& at) {
+    const double* x = value.get<double>();
+    if (x == nullptr) at.refuse(value, "must be a number");
+    return static_cast<T>(*x);
+  }
+};
+template <std::integral T>
+struct Reader<T> {
+  static T read(const Value& value, const Reading& at) {
+    const double x = arenite::read<double>(value, at);
+    const bool fits = x == std::floor(x) && x >= static_cast<double>(std::numeric_limits<T>::min()) &&
+                      x <= std::min(static_cast<double>(std::numeric_limits<T>::max()), 9007199254740992.0);
+    if (!fits) at.refuse(value, "must be a whole number that fits");
+    return static_cast<T>(x);
+  }
+};
+template <class T>
+requires std::is_enum_v<T>
+struct Reader<T> {
+  static T read(const Value& value, const Reading& at) {
+    return static_cast<T>(arenite::read<int>(value, at));
+  }
+};
+template <>
+struct Reader<std::string> {
+  static std::string read(const Value& value, const Reading& at) {
+    const auto* s = value.get<std::string>();
+    if (s == nullptr) at.refuse(value, "must be a word");
+    return *s;
+  }
+};
+template <class Rule>
+struct Reader<Checked<Rule>> {
+  static Checked<Rule> read(const Value& value, const Reading& at) {
+    return arenite::read<double>(value, at);
+  }
+};
+/// Three numbers may be fewer: as many as the scene has dimensions.
+template <std::size_t N>
+struct Reader<std::array<double, N>> {
+  static std::array<double, N> read(const Value& value, const Reading& at) {
+    const auto given = detail::numbers(value, at);
+    const bool fits = given.size() == N || (N == 3 && given.size() < N && !given.empty());
+    if (!fits) at.refuse(value, joined_text("must be ", N == 3 ? "up to " : "", N, " numbers"));
+    std::array<double, N> a{};
+    std::ranges::copy(given, a.begin());
+    return a;
+  }
+};
+template <class T, std::size_t N>
+requires(!std::is_same_v<T, double>) struct Reader<std::array<T, N>> {
+  static std::array<T, N> read(const Value& value, const Reading& at) {
+    const auto* list = value.get<Value::List>();
+    if (list == nullptr || list->size() != N) at.refuse(value, joined_text("must be a list of ", N));
+    std::array<T, N> all{};
+    for (std::size_t k = 0; k < N; ++k) all[k] = arenite::read<T>((*list)[k], at[k]);
+    return all;
+  }
+};
+template <>
+struct Reader<std::vector<double>> {
+  static std::vector<double> read(const Value& value, const Reading& at) {
+    return detail::numbers(value, at);
+  }
+};
+template <class T>
+struct Reader<std::vector<T>> {
+  static std::vector<T> read(const Value& value, const Reading& at) {
+    const auto* list = value.get<Value::List>();
+    if (list == nullptr) at.refuse(value, "must be a list");
+    std::vector<T> all;
+    for (const Value& v : *list) all.push_back(arenite::read<T>(v, at[all.size()]));
+    return all;
+  }
+};
+template <class T>
+struct Reader<std::optional<T>> {
+  static std::optional<T> read(const Value& value, const Reading& at) {
+    if (value.is_none()) return {};
+    return arenite::read<T>(value, at);
+  }
+};
+template <class T>
+struct Reader<std::map<std::string, T>> {
+  static std::map<std::string, T> read(const Value& value, const Reading& at) {
+    std::map<std::string, T> all;
+    for (const auto& [key, v] : detail::dict(value, at)) all.emplace(key, arenite::read<T>(v, at / key));
+    return all;
+  }
+};
+
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -1,0 +1,36 @@
+// Reading: where in a host's value a reader is, and what the scene to be made tells it.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <arenite/core/error.hpp>
+#include <arenite/host/places_at_once.hpp>
+#include <arenite/host/value.hpp>
+
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
+
+/// What readers are handed: the name of the place for messages, and what the scene knows.
+struct Reading {
+  std::string name{};
+  int dimension = 3;                 ///< of the scene
+  PlaceFunctions* places = nullptr;  ///< where functions of place are collected; none: they are not
+  const std::vector<std::array<double, 3>>* nodes = nullptr;  ///< positions of the mesh's nodes, m; or none
+
+  Reading operator/(std::string_view member) const { return renamed(joined_text(name, ".", member)); }
+  Reading operator[](std::size_t k) const { return renamed(joined_text(name, "[", k, "]")); }
+  Reading renamed(std::string other) const {
+    Reading at = *this;
+    at.name = std::move(other);
+    return at;
+  }
+  /// Throws the refusal of a value there.
+  [[noreturn]] void refuse(const Value& value, std::string_view rule) const {
+    throw error(joined_text(name, " = ", value.text(), ": ", rule));
+  }
+};
+
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

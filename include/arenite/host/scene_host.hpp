@@ -1,0 +1,258 @@
+// Scene host: a scene of any type as a `HostedScene`, made of a host's values.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <tuple>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include <arenite/host/hosted_scene.hpp>
+#include <arenite/host/read_recipes.hpp>
+#include <arenite/observe/energy.hpp>
+#include <arenite/observe/every.hpp>
+#include <arenite/observe/saved_state.hpp>
+#include <arenite/scene/run.hpp>
+#include <arenite/scene/state.hpp>
+
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
+
+/// `values`: names with values: "kinematics", "mesh", "numerics", and "parts", a list in the order of the
+/// scene's type; of `Bodies` a list of fills.
+template <class Scene>
+class SceneHost : public HostedScene {
+ public:
+  static constexpr int D = Scene::D;
+
+  explicit SceneHost(std::unique_ptr<Scene> scene) : scene_{std::move(scene)} {}
+
+  int dimension() const override { return D; }
+  double time() const override { return scene_->time; }
+  double time_step() const override { return scene_->time_step; }
+  std::size_t steps() const override { return scene_->steps; }
+  std::size_t generation() const override { return generation_; }
+  double stable_step() const override { return arenite::stable_step(*scene_); }
+  void step(double dt) override {
+    const Watched watched(*this);
+    require(dt > 0 && std::isfinite(dt), "step: dt", dt, "must be positive (s)");
+    arenite::step(*scene_, dt);
+  }
+
+  void run(const HostedRun& run) override {
+    const Watched watched(*this);
+    std::vector<Every<std::function<void(const Scene&)>>> timers;
+    for (std::size_t k = 0; k < run.periods.size(); ++k)
+      timers.emplace_back(run.periods[k], [this, &run, k](const Scene&) {
+        look_for_moves();
+        run.due(k);
+      });
+    bool first = true;
+    arenite::run(*scene_, {.end = run.end, .courant = run.courant, .max_step = run.max_step},
+                 [&](const Scene& scene) {
+                   for (auto& timer : timers) timer(scene);
+                   look_for_moves();
+                   const bool stops = !first && run.after_step && run.after_step();
+                   first = false;
+                   return stops ? RunFlow::stop : RunFlow::go_on;
+                 });
+  }
+
+  std::vector<HostedState> state() override {
+    std::vector<HostedState> all;
+    for_each_state(*scene_, [&](std::string_view name, auto& value) {
+      const auto add = [&]<class Number>(Number* data, std::size_t count, bool is_array) {
+        all.push_back({std::string(name), kind<Number>(), sizeof(Number), count, is_array, data});
+      };
+      if constexpr (state_number<decltype(value)>)
+        add(&value, 1, false);
+      else
+        add(value.data(), static_cast<std::size_t>(value.size()), true);
+    });
+    return all;
+  }
+  std::size_t body_count() const override { return Scene::body_count; }
+  std::vector<std::string> words() const override {
+    std::vector<std::string> all;
+    for (const auto& [term, text] : detail::state_terms(*scene_, "")) all.push_back(term + ": " + text);
+    return all;
+  }
+
+  HostedNodes nodes(std::size_t body) const override {
+    HostedNodes all;
+    const auto& field = scene_->fields[Scene::field_of(body)];
+    for (Index i = 0; i < Scene::Shape::node_count(scene_->mesh); ++i) {
+      const auto x = Scene::Shape::node_position(scene_->mesh, i);
+      all.mass.push_back(static_cast<double>(field.mass[i]));
+      for (int k = 0; k < D; ++k) {
+        all.position.push_back(static_cast<double>(x[k]));
+        all.velocity.push_back(static_cast<double>(field.velocity[i][k]));
+      }
+    }
+    return all;
+  }
+  HostedCells cells() const override {
+    HostedCells all;
+    if constexpr (is_simplex_mesh<typename Scene::Mesh>) {
+      all.corners = D + 1;
+      for (Index c = 0; c < scene_->mesh.cell_count(); ++c)
+        for (const Index i : scene_->mesh.nodes(c)) all.nodes.push_back(i);
+    }
+    return all;
+  }
+  HostedEnergies energies() const override {
+    if constexpr (tracks_energy<Scene>) {
+      const Energies e = arenite::energies(*scene_);
+      return {e.kinetic, e.strain, e.stored, e.plastic, e.contact, e.external, e.inserted, e.residual};
+    } else {
+      throw error("energies: name TrackEnergy{} among the scene's parts");
+    }
+  }
+  std::array<std::vector<double>, 2> reaction([[maybe_unused]] const std::string& wall) const override {
+    if constexpr (Scene::template has_part<Reactions>) {
+      const auto found = arenite::reaction(*scene_, wall);
+      std::array<std::vector<double>, 2> rows;
+      for (int k = 0; k < D; ++k) {
+        rows[0].push_back(static_cast<double>(found.force[k]));
+        rows[1].push_back(static_cast<double>(found.impulse[k]));
+      }
+      return rows;
+    } else {
+      throw error("reaction: name Reactions{} among the scene's parts");
+    }
+  }
+
+  void save(const std::string& path, const std::string& recipe) const override {
+    save_state(*scene_, SavedState(path, recipe));
+  }
+  void restore(const std::string& path, const std::string& recipe) override {
+    ++generation_;
+    restore_state(*scene_, SavedState(path, recipe));
+  }
+  void follow() override {
+    ++generation_;
+    follow_state(*scene_);
+  }
+  std::unique_ptr<HostedScene> copy() const override {
+    return std::make_unique<SceneHost>(std::make_unique<Scene>(*scene_));
+  }
+
+ private:
+  /// Looks for moves of points when a call ends, however it ends.
+  class Watched {
+   public:
+    explicit Watched(SceneHost& host) : host_{host} { host.look_for_moves(); }
+    ~Watched() { host_.look_for_moves(); }
+    Watched(const Watched&) = delete;
+    Watched& operator=(const Watched&) = delete;
+
+   private:
+    SceneHost& host_;
+  };
+
+  /// A step may change the places of points.
+  void look_for_moves() {
+    if (scene_->steps != seen_) ++generation_;
+    seen_ = scene_->steps;
+  }
+
+  template <class Number>
+  static constexpr char kind() {
+    if constexpr (std::is_same_v<Number, bool>)
+      return 'b';
+    else if constexpr (std::is_floating_point_v<Number>)
+      return 'f';
+    else
+      return std::is_signed_v<Number> ? 'i' : 'u';
+  }
+
+  std::unique_ptr<Scene> scene_;
+  std::size_t generation_ = 0, seen_ = 0;
+};
+
+namespace detail {
+
+/// Reads the recipes of a scene.
+template <class Scene>
+class SceneReader;
+
+template <class K, class M, class N, class... Given>
+class SceneReader<Scene<K, M, N, Given...>> {
+ public:
+  using Made = Scene<K, M, N, Given...>;
+
+  static std::unique_ptr<HostedScene> make(const Value& values) {
+    const Reading at{.name = "Scene", .dimension = Made::D};
+    const auto given = [&](const char* key) { return values.find(key) ? *values.find(key) : Value(); };
+    const M mesh = read<M>(given("mesh"), at / "mesh");
+    std::vector<Triple> nodes;
+    for (Index i = 0; i < Made::Shape::node_count(mesh); ++i)
+      nodes.push_back(in_space<typename M::scalar, Made::D>(Made::Shape::node_position(mesh, i)));
+    Reading in_mesh = at;
+    in_mesh.nodes = &nodes;
+    const Value parts = given("parts");
+    const auto* list = parts.template get<Value::List>();
+    if (list == nullptr || list->size() != sizeof...(Given))
+      at.refuse(parts, joined_text("must be a list of ", sizeof...(Given), " parts"));
+    return make(read<K>(given("kinematics"), at / "kinematics"), mesh,
+                read<N>(given("numerics"), at / "numerics"), *list, in_mesh,
+                std::index_sequence_for<Given...>{});
+  }
+
+ private:
+  template <std::size_t... I>
+  static std::unique_ptr<HostedScene> make(K kinematics, const M& mesh, N numerics, const Value::List& list,
+                                           const Reading& at, std::index_sequence<I...>) {
+    return std::make_unique<SceneHost<Made>>(std::make_unique<Made>(
+        kinematics, mesh, numerics, read_part(std::type_identity<Given>{}, mesh, list[I], at[I])...));
+  }
+  template <class P>
+  static P read_part(std::type_identity<P>, const M&, const Value& value, const Reading& at) {
+    return read<P>(value, at);
+  }
+  template <class... F>
+  static Bodies<F...> read_part(std::type_identity<Bodies<F...>>, const M& mesh, const Value& value,
+                                const Reading& at) {
+    return read_bodies<F...>(mesh, value, at.renamed("bodies"), std::index_sequence_for<F...>{});
+  }
+  template <class... F, std::size_t... I>
+  static Bodies<F...> read_bodies(const M& mesh, const Value& value, const Reading& at,
+                                  std::index_sequence<I...>) {
+    const auto* list = value.get<Value::List>();
+    if (list == nullptr || list->size() != sizeof...(F))
+      at.refuse(value, joined_text("must be a list of ", sizeof...(F), " bodies"));
+    return {std::tuple<F...>{read_fill<F>(mesh, (*list)[I], at[I])...}};
+  }
+  /// Functions of place are asked for once each: where a body is, then what is there.
+  template <class F>
+  static F read_fill(const M& mesh, const Value& value, Reading at) {
+    PlaceFunctions functions;
+    at.places = &functions;
+    F fill = read<F>(value, at);
+    const auto rewind = [&] {
+      for (auto* list : {&functions.where, &functions.what})
+        for (auto& f : *list) f->rewind();
+    };
+    F probe = fill;
+    probe.options.may_be_empty = true;
+    for (auto* stage : {&functions.where, &functions.what}) {
+      if (stage->empty()) continue;
+      make_body<K, Made::extra_columns>(mesh, probe);
+      for (auto& f : *stage) f->compute();
+      rewind();
+    }
+    return fill;
+  }
+};
+
+}  // namespace detail
+
+/// Makes a scene of a host's values. Throws `error` as the scene's own constructor does, and for values that
+/// do not fit its recipes.
+template <class Scene>
+std::unique_ptr<HostedScene> make_hosted(const Value& values) {
+  return detail::SceneReader<Scene>::make(values);
+}
+
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

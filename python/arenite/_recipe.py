@@ -1,0 +1,54 @@
+"""What every recipe has: the C++ type that it names and the values that it carries."""
+
+from __future__ import annotations
+
+import dataclasses
+import inspect
+from typing import Any, Callable, Dict, Union
+
+import numpy as np
+
+
+class Recipe:
+    """A dataclass whose fields are the members of the C++ class of the same name."""
+
+    def cpp(self) -> str:
+        """The C++ type, as a scene's type spells it."""
+        return type(self).__name__
+
+    def value(self) -> Any:
+        """The values of the fields, by name, for the native core."""
+        return {f.name: plain(getattr(self, f.name)) for f in dataclasses.fields(self)}  # type: ignore[arg-type]
+
+
+def plain(x: Any) -> Any:
+    """Recipes within a value as their values."""
+    if isinstance(x, Recipe):
+        return x.value()
+    if isinstance(x, dict):
+        return {key: plain(v) for key, v in x.items()}
+    if isinstance(x, (list, tuple, range)):
+        return [plain(v) for v in x]
+    return x
+
+
+def arguments_of(f: Callable[..., Any]) -> int:
+    """How many positional arguments a function takes; 1 if that is not known."""
+    try:
+        kinds = [p.kind for p in inspect.signature(f).parameters.values() if p.default is inspect.Parameter.empty]
+    except (TypeError, ValueError):
+        return 1
+    return sum(kind in (inspect.Parameter.POSITIONAL_ONLY, inspect.Parameter.POSITIONAL_OR_KEYWORD) for kind in kinds)
+
+
+def function_value(f: Any) -> Any:
+    """A number, vector or recipe as it is; a function `f(t)` or `f(x, t)` so that the core calls it with rows."""
+    if isinstance(f, Recipe) or not callable(f):
+        return plain(f)
+    if arguments_of(f) >= 2:
+        return {"of_place": lambda rows: np.atleast_1d(f(rows[0, :3], float(rows[0, 3])))}
+    return {"of_time": lambda rows: np.atleast_1d(f(float(rows[0, 0])))}
+
+
+Function = Union[float, Any]
+Values = Dict[str, Any]

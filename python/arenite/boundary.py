@@ -1,0 +1,242 @@
+"""Walls, driven walls, contact of bodies, loads and damping."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import Any, Callable, Optional, Sequence, Tuple, Union
+
+from ._recipe import Recipe, function_value, plain
+
+
+@dataclass(frozen=True)
+class Condition(Recipe):
+    """What a wall blocks: `fixed`, `roller`, `symmetry(normal)` or `free_along(axis)`."""
+
+    kind: int
+    direction: Tuple[float, float, float] = (0.0, 0.0, 0.0)
+
+
+fixed = Condition(0)  #: no motion
+roller = Condition(1)  #: no motion across the face
+
+
+def symmetry(normal: Sequence[float]) -> Condition:
+    """No motion across a plane with this normal."""
+    x, y, z = (list(normal) + [0.0, 0.0])[:3]
+    return Condition(2, (x, y, z))
+
+
+def free_along(axis: int) -> Condition:
+    """Motion along this axis alone."""
+    return Condition(3, (float(axis == 0), float(axis == 1), float(axis == 2)))
+
+
+def _condition(condition: Union[str, Condition]) -> Condition:
+    if isinstance(condition, Condition):
+        return condition
+    known = {"fixed": fixed, "roller": roller}
+    if condition not in known:
+        from ._errors import Error
+
+        raise Error(f"Wall.condition = {condition}: must be fixed or roller, symmetry(normal) or free_along(axis)")
+    return known[condition]
+
+
+@dataclass(frozen=True)
+class Wall(Recipe):
+    """Nodes that may not move. Made by `left`, `right`, `bottom`, `top`, `front`, `back`, `on` and `where`."""
+
+    axis: int = -1
+    upper: bool = False
+    set: str = ""
+    test: Optional[Callable[[Any], Any]] = None
+    condition: Union[str, Condition] = fixed
+    given_name: str = ""
+
+    def value(self) -> Any:
+        return {**super().value(), "condition": _condition(self.condition).value()}
+
+    def named(self, name: str) -> "Wall":
+        """The wall under a name of its own, by which its reaction is read."""
+        return Wall(self.axis, self.upper, self.set, self.test, self.condition, name)
+
+
+def left(condition: Union[str, Condition] = fixed) -> Wall:
+    return Wall(0, False, condition=condition)
+
+
+def right(condition: Union[str, Condition] = fixed) -> Wall:
+    return Wall(0, True, condition=condition)
+
+
+def bottom(condition: Union[str, Condition] = fixed) -> Wall:
+    return Wall(1, False, condition=condition)
+
+
+def top(condition: Union[str, Condition] = fixed) -> Wall:
+    return Wall(1, True, condition=condition)
+
+
+def front(condition: Union[str, Condition] = fixed) -> Wall:
+    return Wall(2, False, condition=condition)
+
+
+def back(condition: Union[str, Condition] = fixed) -> Wall:
+    return Wall(2, True, condition=condition)
+
+
+def on(set: str, condition: Union[str, Condition] = fixed) -> Wall:
+    """The nodes of a named set of a simplex mesh."""
+    return Wall(set=set, condition=condition)
+
+
+def where(test: Callable[[Any], Any], condition: Union[str, Condition] = fixed) -> Wall:
+    """The nodes whose positions pass a test: positions [n, 2 or 3], m, in, [n] booleans out, called once."""
+    return Wall(test=test, condition=condition)
+
+
+class Part(Recipe):
+    """What a scene may name beside bodies and walls."""
+
+
+@dataclass(frozen=True)
+class Driven(Part):
+    """A wall whose nodes move: velocity, m/s, a vector, a `Signal`, or a function of time, or of place and time."""
+
+    wall: Wall
+    velocity: Any
+
+    def value(self) -> Any:
+        return {"wall": self.wall.value(), "velocity": function_value(self.velocity)}
+
+
+@dataclass(frozen=True)
+class Coulomb(Part):
+    """Friction between deformable bodies, rad; infinity: no slip."""
+
+    friction: float
+    velocity_limit: float = 0.75
+
+    def cpp(self) -> str:
+        return "Coulomb<>"
+
+    def value(self) -> Any:
+        return {"friction": self.friction, "normals": {}, "velocity_limit": self.velocity_limit}
+
+
+@dataclass(frozen=True)
+class BodyForce(Part):
+    """Acceleration of all matter, m/s2: a vector, or a function of time, or of place and time."""
+
+    force: Any
+
+    def value(self) -> Any:
+        return {"value": function_value(self.force)}
+
+
+def _faces(wall: Wall) -> Any:
+    return {"axis": wall.axis, "upper": wall.upper, "set": wall.set, "test": wall.test}
+
+
+@dataclass(frozen=True)
+class Traction(Part):
+    """Traction, Pa, on faces of the mesh, `Traction(top(), (0, -1e3))`."""
+
+    where: Wall
+    traction: Any
+
+    def cpp(self) -> str:
+        return "FaceTraction"
+
+    def value(self) -> Any:
+        return {"where": _faces(self.where), "load": {"traction": function_value(self.traction)}}
+
+
+@dataclass(frozen=True)
+class Pressure(Part):
+    """Pressure, Pa, against the outward normal of faces of the mesh."""
+
+    where: Wall
+    pressure: Any
+
+    def cpp(self) -> str:
+        return "FaceTraction"
+
+    def value(self) -> Any:
+        return {"where": _faces(self.where), "load": {"pressure": function_value(self.pressure)}}
+
+
+@dataclass(frozen=True)
+class PointLoad(Part):
+    """A force, N, on the point nearest to a place, m; `body`: the number of the body."""
+
+    place: Sequence[float]
+    force: Any
+    body: int = 0
+
+    def value(self) -> Any:
+        return {"body": self.body, "place": list(self.place), "force": function_value(self.force)}
+
+
+@dataclass(frozen=True)
+class FrictionalWall(Part):
+    """Faces at rest with Coulomb friction, rad."""
+
+    where: Wall
+    friction: float
+    separates: bool = True
+
+    def value(self) -> Any:
+        return {"where": _faces(self.where), "friction": self.friction, "options": {"separates": self.separates}}
+
+
+@dataclass(frozen=True)
+class Absorbing(Part):
+    """Dashpots along faces of the mesh (Lysmer and Kuhlemeyer 1969)."""
+
+    where: Wall
+    density: float = float("nan")
+    pressure_wave: float = float("nan")
+    shear_wave: float = float("nan")
+    first_reaction: bool = False
+
+    def cpp(self) -> str:
+        return "AbsorbingFaces"
+
+    def value(self) -> Any:
+        return {"where": _faces(self.where),
+                "options": {"density": self.density, "pressure_wave": self.pressure_wave,
+                            "shear_wave": self.shear_wave, "support": int(self.first_reaction)}}
+
+
+@dataclass(frozen=True)
+class ViscousDamping(Part):
+    rate: float  #: 1/s
+
+
+@dataclass(frozen=True)
+class LocalDamping(Part):
+    factor: float = 0.7
+
+
+@dataclass(frozen=True)
+class OwnPart(Part):
+    """A part of one's own, of a C++ header: an aggregate with these members."""
+
+    type: str
+    path: str
+    members: Any = field(default_factory=dict)
+
+    def cpp(self) -> str:
+        return self.type
+
+    def header(self) -> str:
+        return self.path
+
+    def value(self) -> Any:
+        return plain(self.members)
+
+
+__all__ = ["Absorbing", "BodyForce", "Condition", "Coulomb", "Driven", "FrictionalWall", "LocalDamping", "OwnPart",
+           "PointLoad", "Pressure", "Traction", "ViscousDamping", "Wall", "back", "bottom", "fixed", "free_along",
+           "front", "left", "on", "right", "roller", "symmetry", "top", "where"]

@@ -1,0 +1,98 @@
+"""A law without a scene: one point along a path of strains and stresses."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any, List, Optional, Sequence, Union
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ._recipe import Recipe
+from .laws import Law
+
+
+@dataclass(frozen=True)
+class Stage(Recipe):
+    """One stage: strains [6] over the stage, -, and where `stresses` is not None the stress at its end, Pa, in place
+    of the strain (xx, yy, zz, xy, yz, zx); duration, s; spin over the stage [3], -."""
+
+    strains: Sequence[float] = (0.0,) * 6
+    stresses: Sequence[Optional[float]] = (None,) * 6
+    duration: float = 1.0
+    steps: int = 100
+    spin: Sequence[float] = (0.0, 0.0, 0.0)
+
+    def value(self) -> Any:
+        return {"components": [{"stress": s is not None, "value": e if s is None else s}
+                               for e, s in zip(self.strains, self.stresses)],
+                "duration": self.duration, "steps": self.steps, "spin": list(self.spin)}
+
+
+@dataclass(frozen=True)
+class Path:
+    """States along a path, the first and one after each step. stress, strain [n, 6]; time, opening, dilation, work
+    (J/m3) [n]; history [n, h]."""
+
+    time: NDArray[np.float64]
+    stress: NDArray[np.float64]
+    strain: NDArray[np.float64]
+    history: NDArray[np.float64]
+    opening: NDArray[np.float64]
+    dilation: NDArray[np.float64]
+    work: NDArray[np.float64]
+
+    @property
+    def p(self) -> NDArray[np.float64]:
+        """Mean pressure, Pa, compression positive."""
+        return np.asarray(-self.stress[:, :3].mean(axis=1))
+
+    @property
+    def q(self) -> NDArray[np.float64]:
+        """sqrt(3 J2), Pa."""
+        deviator = self.stress.copy()
+        deviator[:, :3] += self.p[:, None]
+        squares = deviator**2
+        return np.asarray(np.sqrt(1.5 * (squares[:, :3].sum(axis=1) + 2 * squares[:, 3:].sum(axis=1))))
+
+
+@dataclass(frozen=True)
+class Test:
+    """A path from a stress, Pa."""
+
+    stages: Sequence[Stage]
+    stress: Sequence[float] = (0.0,) * 6
+
+
+def triaxial(pressure: float, axial: float, steps: int = 100, duration: float = 1.0) -> Test:
+    """Drained triaxial test: from an isotropic pressure, Pa, the axial strain (y) changes by `axial`, - (negative:
+    compression), at constant pressure on the sides."""
+    return Test([Stage((0, axial, 0, 0, 0, 0), (-pressure, None, -pressure, 0.0, 0.0, 0.0), duration, steps)],
+                (-pressure, -pressure, -pressure, 0, 0, 0))
+
+
+def oedometer(axial: float, pressure: float = 0.0, steps: int = 100, duration: float = 1.0) -> Test:
+    """The axial strain (y) changes by `axial`, -, without strain of the sides."""
+    return Test([Stage((0, axial, 0, 0, 0, 0), duration=duration, steps=steps)],
+                (-pressure, -pressure, -pressure, 0, 0, 0))
+
+
+def simple_shear(pressure: float, gamma: float, steps: int = 100, duration: float = 1.0) -> Test:
+    """x moves along y by gamma, -, at constant stress along y."""
+    return Test([Stage((0, 0, 0, gamma / 2, 0, 0), (None, -pressure, None, None, None, None), duration, steps,
+                       (gamma / 2, 0, 0))], (-pressure, -pressure, -pressure, 0, 0, 0))
+
+
+def drive(law: Law, test: Union[Test, Stage, Sequence[Stage]], stress: Optional[Sequence[float]] = None,
+          history: Sequence[float] = ()) -> Path:
+    """Takes one point of a law along a path. Raises `RunError` where no strain gives the prescribed stress."""
+    if isinstance(test, Test):
+        stages: List[Stage] = list(test.stages)
+        begin = test.stress if stress is None else stress
+    else:
+        stages = [test] if isinstance(test, Stage) else list(test)
+        begin = (0.0,) * 6 if stress is None else stress
+    return Path(**law.native().drive(3, [s.value() for s in stages], list(begin), list(history)))
+
+
+__all__ = ["Path", "Stage", "Test", "drive", "oedometer", "simple_shear", "triaxial"]

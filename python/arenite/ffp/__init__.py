@@ -1,0 +1,20 @@
+"""Free-fall penetrometer dropped into dry sand: drops, sweeps of drops, and records as practitioners read them.
+
+Everything here runs the program `arenite-ffp`. A keyword is an option of the program: `delta=20` is `--delta 20`,
+`cell_at_cone=0.004` is `--cell-at-cone 0.004`; `help("drop")` lists them with units and limits.
+
+    from arenite import ffp
+    drop = ffp.drop(delta=20)
+    drop.summary["final_penetration_m"]
+    drop.plot()
+"""
+
+from ._columns import Columns
+from ._drop import Drop, drop
+from ._help import help
+from ._record import Record, record
+from ._reduction import Reduction, reduce
+from ._sweep import sweep
+from ._table import Table
+
+__all__ = ["Columns", "Drop", "Record", "Reduction", "Table", "drop", "help", "record", "reduce", "sweep"]

@@ -1,0 +1,132 @@
+"""The program `arenite-ffp`: where it is, and how its commands are run, told apart and stopped."""
+
+from __future__ import annotations
+
+import os
+import shutil
+import signal
+import subprocess
+import sys
+import threading
+from pathlib import Path
+from typing import List, NamedTuple, Sequence, Set
+
+from .._errors import Error, RunError
+
+__all__ = ["Ending", "Runs", "program", "run"]
+
+NAME = "arenite-ffp"
+
+
+def program() -> Path:
+    """Path of the program: of the environment's ARENITE_FFP, else in the package's folder `bin`, else on PATH. Raises `Error`
+    if there is none."""
+    given = os.environ.get("ARENITE_FFP")
+    if given:
+        if not _is_program(Path(given)):
+            raise Error(f"ARENITE_FFP = {given}: must be the path of the program {NAME}")
+        return Path(given)
+    own = Path(__file__).resolve().parent.parent / "bin" / NAME
+    if _is_program(own):
+        return own
+    found = shutil.which(NAME)
+    if found is None:
+        raise Error(f"{NAME}: there is no such program in {own.parent} or on PATH; build it (cmake --build DIR --target {NAME}) and set "
+                    "ARENITE_FFP to its path")
+    return Path(found)
+
+
+def _is_program(path: Path) -> bool:
+    return path.is_file() and os.access(path, os.X_OK)
+
+
+class Ending(NamedTuple):
+    """How a command ended."""
+
+    code: int  #: its exit code; minus the signal's number if a signal ended it
+    said: List[str]  #: lines that it wrote on both of its streams
+
+    @property
+    def sentence(self) -> str:
+        """What it said is wrong, without its name in front."""
+        for line in reversed(self.said):
+            if line.startswith(f"{NAME}: ") and not line.startswith(f"{NAME}: warning: "):
+                return line[len(NAME) + 2:]
+        how = f"by signal {-self.code}" if self.code < 0 else f"with exit code {self.code}"
+        return f"{NAME} ended {how} and did not say why"
+
+    def check(self) -> None:
+        """Raises `Error` if an option or a file could not be used, and `RunError` if the run came to another end."""
+        if self.code == 2:
+            raise Error(self.sentence)
+        if self.code != 0:
+            raise RunError(self.sentence)
+
+
+class Runs:
+    """Commands of the program, run by any number of threads, that are stopped together."""
+
+    def __init__(self) -> None:
+        self._lock = threading.Lock()
+        self._running: Set[subprocess.Popen[str]] = set()
+        self._stopped = False
+
+    def run(self, words: Sequence[str], quiet: bool = True) -> Ending:
+        """Runs `arenite-ffp WORDS` and waits for its end. What it says goes to standard error, too, unless `quiet`. On Ctrl-C it
+        is told to stop: a drop finishes its step and its files."""
+        command = [os.fspath(program()), *words]
+        with self._lock:
+            if self._stopped:
+                raise KeyboardInterrupt
+            try:
+                # In a session of its own, so that Ctrl-C on the terminal reaches it once, from here.
+                process = subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+                                           encoding="utf-8", errors="replace", start_new_session=True)
+            except OSError as problem:
+                raise Error(f"{command[0]}: cannot be run: {problem.strerror}") from None
+            self._running.add(process)
+        said: List[str] = []
+        assert process.stdout is not None
+        try:
+            for line in process.stdout:
+                said.append(line.rstrip("\n"))
+                if not quiet:
+                    print(line, end="", file=sys.stderr, flush=True)
+            return Ending(process.wait(), said)
+        except BaseException:
+            _stop(process)
+            raise
+        finally:
+            process.stdout.close()
+            with self._lock:
+                self._running.discard(process)
+
+    def stop(self) -> None:
+        """Tells all that run to stop, and lets no other begin."""
+        self._signal(signal.SIGTERM)
+
+    def kill(self) -> None:
+        """Ends all at once."""
+        self._signal(signal.SIGKILL)
+
+    def _signal(self, number: signal.Signals) -> None:
+        with self._lock:
+            self._stopped = True
+            for process in self._running:
+                process.send_signal(number)
+
+
+def _stop(process: subprocess.Popen[str]) -> None:
+    """Tells it to stop and waits until it has; a second Ctrl-C meanwhile ends it at once."""
+    process.send_signal(signal.SIGTERM)  # it may have inherited that SIGINT is ignored
+    try:
+        process.communicate()  # reads on, so that it cannot wait for a reader
+    except BaseException:
+        process.kill()
+        process.wait()
+        raise
+
+
+def run(words: Sequence[str], quiet: bool = True) -> Ending:
+    """One command on its own: see `Runs.run`."""
+    return Runs().run(words, quiet)

@@ -1,0 +1,93 @@
+"""Bearing resistance, density and strength read off a record of deceleration: the program's command `reduce`."""
+
+from __future__ import annotations
+
+import json
+import os
+from pathlib import Path
+from typing import Any, Dict, Iterator, Mapping, Optional
+
+from .._errors import Error
+from . import _driver
+from ._columns import Columns
+from ._folder import Folder, PathLike
+from ._text import quantity
+from ._words import words_of
+
+__all__ = ["Reduction", "reduce", "reduction_in"]
+
+
+class Reduction(Mapping[str, Any]):
+    """What a record of deceleration comes to: the fields of the program's reduced.json, as `reduction["impact_velocity_m_s"]`;
+    names end with the unit. Bearing resistances are under "q_dyn" and "q_sbc", with the K, source and range of each."""
+
+    def __init__(self, folder: Folder, found: Dict[str, Any]) -> None:
+        self._folder, self._found = folder, found
+        #: The record from the impact on, a row a sample: "time_s", "depth_m", "velocity_m_s", "deceleration_g",
+        #: "q_dyn_mantle_kPa", "q_sbc_K1_kPa" and so on.
+        self.table = Columns(folder, "reduced.csv")
+
+    @property
+    def folder(self) -> Path:
+        """Where reduced.json and reduced.csv lie; a temporary folder goes with this object."""
+        return self._folder.path
+
+    @property
+    def estimates(self) -> Dict[str, Dict[str, Any]]:
+        """What is read off the record, by name, such as "firmness factor": each with "value" (None: the formula has no answer),
+        "unit", "source", "range", "within_range", and "outside", which says why if it is not."""
+        return {one["quantity"]: {key: one[key] for key in one if key != "quantity"} for one in self._found["estimates"]}
+
+    def __getitem__(self, name: str) -> Any:
+        if name not in self._found:
+            raise KeyError(f"{name}: no such number; there are {', '.join(self._found)}")
+        return self._found[name]
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._found)
+
+    def __len__(self) -> int:
+        return len(self._found)
+
+    def __repr__(self) -> str:
+        lines = [f"Reduction of {self['file']}",
+                 f"  impact             {quantity(self['impact_velocity_m_s'], 'm/s')} ({self['impact_velocity_from']})",
+                 f"  depth              {quantity(self['depth_cm'], 'cm')}",
+                 f"  peak deceleration  {quantity(self['peak_deceleration_g'], 'g')} at {quantity(self['peak_depth_cm'], 'cm')}"]
+        for name, estimate in self.estimates.items():
+            unit = "" if estimate["unit"] == "1" else estimate["unit"]
+            outside = "" if estimate["within_range"] else f"; outside its range: {estimate['outside']}"
+            lines.append(f"  {name}: {quantity(estimate['value'], unit).strip()} ({estimate['source']}{outside})")
+        return "\n".join(lines)
+
+
+def reduction_in(folder: Folder) -> Optional[Reduction]:
+    """The reduction that lies in a folder; None if there is none."""
+    path = folder.path / "reduced.json"
+    try:
+        return Reduction(folder, json.loads(path.read_text(encoding="utf-8")))
+    except FileNotFoundError:
+        return None
+    except (OSError, ValueError) as problem:
+        raise Error(f"{path}: cannot be read: {problem}") from None
+
+
+def reduce(file_or_drop: PathLike, *, out: Optional[PathLike] = None, quiet: bool = True, **options: object) -> Reduction:
+    """Reads bearing resistance, density and strength off a record, as `arenite-ffp reduce` does.
+
+    file_or_drop  a table with time and deceleration (CSV), the probe's raw record (.bin), the folder of a drop, or a `Drop`; a
+                  drop's inputs then stand for the options that are not given
+    out           folder of reduced.json and reduced.csv; without, a temporary one that goes with the result
+    quiet         False: the program's table goes to standard error
+    options       of `arenite.ffp.help("reduce")`: `mass=7.71`, `unit_weight=15100`, `medium="water"`; `scale={"18g": 1.6e5}`
+
+    Raises `Error` if an option or the record cannot be used.
+    """
+    file = os.fspath(file_or_drop)
+    folder = Folder(out)
+    words = words_of("reduce", {"no_picture": True, **options, "out": folder.path, "quiet": bool(quiet)})
+    _driver.run(["reduce", f".{os.sep}{file}" if file.startswith("-") else file, *words], quiet).check()
+    found = reduction_in(folder)
+    if found is None:
+        raise Error(f"{folder.path}: there is no reduced.json")
+    return found

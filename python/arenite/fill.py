@@ -1,0 +1,64 @@
+"""Bodies: regions filled with points of a law."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import Any, Callable, Dict, Optional, Sequence, Union
+
+from ._recipe import Recipe, plain
+from .laws import Law
+from .shapes import Region, region_value
+
+
+@dataclass(frozen=True)
+class Geostatic(Recipe):
+    """Stress of level ground at rest: surface, m; k0, -; gravity, m/s2; the vertical axis."""
+
+    surface: float = float("nan")
+    k0: float = float("nan")
+    gravity: float = 9.81
+    axis: int = 1
+
+    def value(self) -> Any:
+        return {"geostatic": Recipe.value(self)}
+
+
+@dataclass(frozen=True)
+class Fill(Recipe):
+    name: str
+    region: Region
+    law: Law
+    per_cell: int = 4
+    velocity: Any = (0.0, 0.0, 0.0)
+    stress: Any = None
+    may_be_empty: bool = False
+    history: Dict[str, Any] = field(default_factory=dict)
+    jitter: float = 0.0
+    seed: int = 0
+    even: bool = False
+
+    def cpp(self) -> str:
+        return f"Fill<{self.law.cpp()}>"
+
+    def value(self) -> Any:
+        names = ("per_cell", "velocity", "stress", "may_be_empty", "history", "jitter", "seed", "even")
+        return {"region": region_value(self.region), "law": self.law.value(),
+                "options": {name: plain(getattr(self, name)) for name in names}}
+
+
+Field = Union[Sequence[float], Callable[[Any], Any]]
+
+
+def fill(name: str, region: Region, law: Law, per_cell: int = 4, velocity: Field = (0.0, 0.0, 0.0),
+         stress: Union[Geostatic, Callable[[Any], Any], None] = None, may_be_empty: bool = False,
+         history: Optional[Dict[str, Any]] = None, jitter: float = 0.0, seed: int = 0, even: bool = False) -> Fill:
+    """Fills a region with points of a law.
+
+    region: a shape, `Cells`, or a test of positions [n, 2 or 3], m, that returns [n] booleans; velocity, m/s: a
+    vector, or a function of positions that returns [n, 2 or 3]; stress, Pa: `Geostatic`, or a function of positions
+    that returns [n, 6] (xx, yy, zz, xy, yz, zx); history: numbers, or functions of positions that return [n], by the
+    name of the law's history. Each function is called once, with all positions."""
+    return Fill(name, region, law, per_cell, velocity, stress, may_be_empty, dict(history or {}), jitter, seed, even)
+
+
+__all__ = ["Fill", "Geostatic", "fill"]

@@ -1,0 +1,219 @@
+"""Constitutive laws. SI units, angles in radians, tension positive; what is not given must be."""
+
+from __future__ import annotations
+
+import dataclasses
+from dataclasses import dataclass, field
+from typing import Any, Dict, Optional, Tuple
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ._recipe import Recipe
+
+NOT_GIVEN = float("nan")
+
+
+class Law(Recipe):
+    """A law; `update` takes arrays of states through a step, for finite elements and the like."""
+
+    def header(self) -> Optional[str]:
+        """The C++ header of a law of one's own."""
+        return None
+
+    def native(self) -> Any:
+        from . import _plugins
+
+        return _plugins.law(self)
+
+    @property
+    def history_names(self) -> Tuple[str, ...]:
+        """Names of the numbers that a point remembers."""
+        return tuple(self.native().history_names())
+
+    @property
+    def wave_modulus(self) -> float:
+        """Density times the square of the fastest wave's speed, Pa."""
+        return float(self.native().wave_modulus())
+
+    def update(self, stress: ArrayLike, strain: ArrayLike, spin: Optional[ArrayLike] = None, dt: float = 0.0,
+               history: Optional[ArrayLike] = None) -> "Updated":
+        """Takes n states through one step.
+
+        stress [n, 6] (xx, yy, zz, xy, yz, zx), Pa, or in the plane [n, 4]; strain of the step of the same shape, -
+        (shear: half of gamma); spin of the step [n, 3] (xy, yz, zx), in the plane [n, 1], -; dt in s; history
+        [n, len(history_names)], by default that of a new point. Returns new arrays."""
+        return Updated(*self.native().update(stress, strain, spin, dt, history))
+
+    def elastic_energy(self, stress: ArrayLike, history: Optional[ArrayLike] = None) -> NDArray[np.float64]:
+        """Recoverable energy of the unit volume [n], J/m3."""
+        energy: NDArray[np.float64] = self.native().elastic_energy(stress, history)
+        return energy
+
+
+@dataclass(frozen=True)
+class Updated:
+    """States after a step: stress [n, 6 or 4], Pa; history [n, h]; opening and dilation [n], -."""
+
+    stress: NDArray[np.float64]
+    history: NDArray[np.float64]
+    opening: NDArray[np.float64]
+    dilation: NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class LinearElastic(Law):
+    """Hooke's law with the Jaumann rate, for small elastic strains and any rotation."""
+
+    density: float = NOT_GIVEN  #: kg/m3
+    young: float = NOT_GIVEN  #: Pa
+    poisson: float = NOT_GIVEN  #: -
+
+
+# --- policies of the frictional laws
+
+
+class Policy(Recipe):
+    pass
+
+
+@dataclass(frozen=True)
+class ForgetsOpening(Policy):
+    """Separated matter bears stress as soon as it is compressed again."""
+
+
+@dataclass(frozen=True)
+class RemembersOpening(Policy):
+    """Separated matter bears no stress until what it had opened is closed."""
+
+    limit: float = 1.0  #: greatest opening that is remembered, a volumetric strain, -
+
+
+@dataclass(frozen=True)
+class ConstantFriction(Policy):
+    """The angle of the law's parameters."""
+
+
+@dataclass(frozen=True)
+class LinearRateFriction(Policy):
+    """tan(phi) + time x shear rate: a regulariser, no property of sand."""
+
+    time: float = 1e-3  #: s
+    smoothing: float = 0.0  #: time over which the rate is smoothed, s
+
+
+@dataclass(frozen=True)
+class InertialFriction(Policy):
+    """mu(I) rheology (Jop, Forterre and Pouliquen 2006)."""
+
+    rise: float = 0.261  #: mu_2 - mu_s, -
+    reference_inertia: float = 0.279  #: I_0, -
+    grain_size: float = 0.53e-3  #: m
+    grain_density: float = 2450.0  #: kg/m3
+    smoothing: float = 0.0  #: s
+
+
+@dataclass(frozen=True)
+class LogarithmicFriction(Policy):
+    """phi (1 + a log10(rate / reference)) (Zambrano-Cruzatty and Yerro 2020)."""
+
+    per_decade: float = 0.027  #: a, -
+    reference_rate: float = 2.1e-5  #: 1/s
+    smoothing: float = 0.0  #: s
+
+
+@dataclass(frozen=True)
+class SofteningFriction(Policy):
+    """Friction and dilatancy fall from the law's to residual ones with the plastic strain, as exp(-decay eps_p)."""
+
+    residual_friction: float = NOT_GIVEN  #: rad
+    residual_dilatancy: float = 0.0  #: rad
+    decay: float = NOT_GIVEN  #: per unit of plastic strain, -
+    cell_size: float = 0.0  #: m; with reference_size it scales the decay
+    reference_size: float = 0.0  #: m
+
+
+@dataclass(frozen=True)
+class ConstantStiffness(Policy):
+    """The moduli of the law's parameters."""
+
+
+@dataclass(frozen=True)
+class PressureStiffness(Policy):
+    """E = E_ref (p / p_ref)^n of the mean pressure (Ohde 1939, Janbu 1963)."""
+
+    exponent: float = 0.5  #: n, -
+    reference_pressure: float = 100e3  #: Pa
+    lowest_pressure: float = 1e3  #: Pa
+
+
+class _Frictional(Law):
+    memory: Policy
+    friction_law: Policy
+    stiffness_law: Policy
+
+    def cpp(self) -> str:
+        given = [self.memory.cpp(), self.friction_law.cpp(), self.stiffness_law.cpp()]
+        usual = ["ForgetsOpening", "ConstantFriction", "ConstantStiffness"]
+        while given and given[-1] == usual[len(given) - 1]:
+            given.pop()
+        return f"{type(self).__name__}<{', '.join(given)}>"
+
+
+@dataclass(frozen=True)
+class MohrCoulomb(_Frictional):
+    """Mohr-Coulomb plasticity, perfectly plastic, with dilatancy and a tension cut-off."""
+
+    density: float = NOT_GIVEN  #: kg/m3
+    young: float = NOT_GIVEN  #: Pa
+    poisson: float = NOT_GIVEN  #: -
+    friction: float = NOT_GIVEN  #: angle of friction, rad
+    cohesion: float = 0.0  #: Pa
+    dilatancy: float = 0.0  #: angle of dilatancy, rad
+    greatest_volume_ratio: float = 1.5  #: V / V0 beyond which the matter dilates no further, -
+    tension: float = float("inf")  #: greatest principal stress, Pa
+    memory: Policy = field(default_factory=ForgetsOpening)
+    friction_law: Policy = field(default_factory=ConstantFriction)
+    stiffness_law: Policy = field(default_factory=ConstantStiffness)
+
+
+@dataclass(frozen=True)
+class DruckerPrager(_Frictional):
+    """Drucker-Prager plasticity through the compression edge of Mohr-Coulomb."""
+
+    density: float = NOT_GIVEN  #: kg/m3
+    young: float = NOT_GIVEN  #: Pa
+    poisson: float = NOT_GIVEN  #: -
+    friction: float = NOT_GIVEN  #: angle of friction, rad
+    cohesion: float = 0.0  #: Pa
+    dilatancy: float = 0.0  #: angle of dilatancy, rad
+    greatest_volume_ratio: float = 1.5  #: -
+    tension: float = float("inf")  #: Pa
+    memory: Policy = field(default_factory=ForgetsOpening)
+    friction_law: Policy = field(default_factory=ConstantFriction)
+    stiffness_law: Policy = field(default_factory=ConstantStiffness)
+
+
+@dataclass(frozen=True)
+class OwnLaw(Law):
+    """A law out of a C++ header, made by `compile`."""
+
+    name: str
+    path: str
+    parameters: Dict[str, Any] = field(default_factory=dict)
+
+    def cpp(self) -> str:
+        return self.name
+
+    def header(self) -> Optional[str]:
+        return self.path
+
+    def value(self) -> Any:
+        return dict(self.parameters)
+
+    def __repr__(self) -> str:
+        return f"{self.name}({', '.join(f'{k}={v!r}' for k, v in self.parameters.items())})"
+
+
+__all__ = [name for name, item in list(globals().items())
+           if isinstance(item, type) and dataclasses.is_dataclass(item)] + ["Law"]

@@ -1,0 +1,32 @@
+"""Laws of one's own, written in C++."""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+from typing import Any, Callable, Union
+
+from . import _compile
+from .laws import OwnLaw
+
+
+def compile(law: Union[str, "os.PathLike[str]"], name: str = "") -> Callable[..., OwnLaw]:
+    """A law out of a C++ header (docs: examples/own_law.cpp): `Viscous = ar.compile(law="viscous.hpp")`, then
+    `Viscous(density=.., ..)` is a law like any other. Its parameters are those of its struct `Parameters`, or its own
+    members if it is an aggregate. It is compiled when it is first used, with the scene that uses it."""
+    path = Path(law).resolve()
+    if not path.is_file():
+        from ._errors import Error
+
+        raise Error(f"compile: law = {law}: there is no such file")
+    found = name or _compile.law_name(path)
+
+    def make(**parameters: Any) -> OwnLaw:
+        return OwnLaw(found, str(path), parameters)
+
+    make.__name__ = make.__qualname__ = found
+    make.__doc__ = f"The law {found} of {path}."
+    return make
+
+
+__all__ = ["compile"]

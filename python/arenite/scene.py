@@ -1,0 +1,243 @@
+"""Scene: bodies, mesh, numerics and parts, made of recipes and stepped by compiled code."""
+
+from __future__ import annotations
+
+import os
+import tempfile
+from typing import Any, Callable, Dict, Iterator, List, Mapping, NamedTuple, Optional, Sequence, Tuple, Union
+
+import numpy as np
+from numpy.typing import NDArray
+
+from . import _plugins
+from ._errors import Error
+from ._recipe import Recipe, function_value
+from .boundary import Wall
+from .fill import Fill
+from .meshes import Mesh
+from .numerics import Numerics
+from .rigid import MovingMesh, Rigid, RigidContact
+from .views import Body, RigidState, State
+
+STOP = True  #: what a function of `run` returns to end the run there
+
+
+class Energies(NamedTuple):
+    """J. residual = kinetic + strain + stored + plastic + contact - (initial + external + inserted)."""
+
+    kinetic: float
+    strain: float
+    stored: float
+    plastic: float
+    contact: float
+    external: float
+    inserted: float
+    residual: float
+
+
+class Nodes(NamedTuple):
+    """Nodes of the mesh: position [n, D], m; mass [n], kg, and velocity [n, D], m/s, of the last step."""
+
+    position: NDArray[np.float64]
+    mass: NDArray[np.float64]
+    velocity: NDArray[np.float64]
+
+
+class Reaction(NamedTuple):
+    """Of a wall on the matter: force [D], N, mean of the last step; impulse [D], N s, since the start."""
+
+    force: List[float]
+    impulse: List[float]
+
+
+class Scene:
+    """A scene, complete when constructed. Raises `Error` where a recipe does not fit.
+
+    kinematics: PlaneStrain(), Axisymmetric() or ThreeDimensional(); bodies: `fill(..)` each; walls; gravity, m/s2: a
+    vector or a function of time; rigids: `Rigid(..)` each; rigid_contact between them; contact: `Coulomb(..)` between
+    deformable bodies (none: they stick); moving_mesh; parts: loads, damping, driven walls and parts of one's own;
+    energy: whether the energy balance is kept; reactions: whether walls' reactions are summed.
+
+    A composition that is not prebuilt is compiled on first use, which takes some ten seconds, and cached."""
+
+    def __init__(self, kinematics: Recipe, mesh: Mesh, numerics: Numerics, *, bodies: Sequence[Fill],
+                 walls: Sequence[Wall] = (), gravity: Any = None, rigids: Sequence[Rigid] = (),
+                 rigid_contact: Optional[RigidContact] = None, contact: Optional[Recipe] = None,
+                 moving_mesh: Optional[MovingMesh] = None, parts: Sequence[Recipe] = (), energy: bool = True,
+                 reactions: bool = False) -> None:
+        self._recipes = dict(kinematics=kinematics, mesh=mesh, numerics=numerics, bodies=list(bodies),
+                             walls=list(walls), gravity=gravity, rigids=list(rigids), rigid_contact=rigid_contact,
+                             contact=contact, moving_mesh=moving_mesh, parts=list(parts), energy=energy,
+                             reactions=reactions)
+        self._take(self._make())
+
+    def _composition(self) -> Tuple[str, Dict[str, Any], List[str]]:
+        """The C++ type, the values of its recipes, and headers of one's own."""
+        r = self._recipes
+        types: List[str] = []
+        values: List[Any] = []
+        if not r["bodies"]:
+            raise Error("Scene: bodies(..) needs at least one fill(..)")
+        names = [b.name for b in r["bodies"]]
+        if len(set(names)) < len(names):
+            raise Error(f"Scene.bodies = {names}: each body must have a name of its own")
+        types.append(f"Bodies<{', '.join(b.cpp() for b in r['bodies'])}>")
+        values.append([b.value() for b in r["bodies"]])
+        if r["walls"]:
+            types.append("Walls")
+            values.append({"list": [w.value() for w in r["walls"]]})
+        if r["gravity"] is not None:
+            given = function_value(r["gravity"])
+            uniform = isinstance(given, (list, np.ndarray))
+            types.append("Gravity" if uniform else "GravityInTime")
+            values.append({"g": given})
+        for part in [r["contact"], *r["rigids"], r["rigid_contact"], *r["parts"], r["moving_mesh"]]:
+            if part is not None:
+                types.append(part.cpp())
+                values.append(part.value())
+        if r["reactions"]:
+            types.append("Reactions")
+            values.append({})
+        if r["energy"]:
+            types.append("TrackEnergy")
+            values.append({})
+        head = [r["kinematics"].cpp(), r["mesh"].cpp(), r["numerics"].cpp()]
+        own = [x.header() for x in [*(b.law for b in r["bodies"]), *r["parts"]] if hasattr(x, "header")]
+        return (f"Scene<{', '.join(head + types)}>",
+                {"kinematics": r["kinematics"].value(), "mesh": r["mesh"].value(), "numerics": r["numerics"].value(),
+                 "parts": values}, sorted({h for h in own if h}))
+
+    def _make(self) -> Any:
+        composition, values, headers = self._composition()
+        return _plugins.scene_plugin(composition, headers).scene(composition, values)
+
+    def _take(self, core: Any) -> None:
+        self._core = core
+        self._state = State(core)
+        #: deformable bodies by name
+        self.bodies: Dict[str, Body] = {b.name: Body(self._state, k, b.name)
+                                        for k, b in enumerate(self._recipes["bodies"])}
+        #: rigid bodies by name, or number where one has no name
+        self.rigids: Dict[Union[str, int], RigidState] = {(b.name or k): RigidState(self._state, k, b.name or str(k))
+                                                          for k, b in enumerate(self._recipes["rigids"])}
+
+    # --- time
+
+    @property
+    def time(self) -> float:
+        """s"""
+        return float(self._core.time())
+
+    @property
+    def time_step(self) -> float:
+        """Of the last step, s."""
+        return float(self._core.time_step())
+
+    @property
+    def step_count(self) -> int:
+        return int(self._core.steps())
+
+    @property
+    def stable_step(self) -> float:
+        """Largest step that is stable now, s."""
+        return float(self._core.stable_step())
+
+    def step(self, dt: float) -> None:
+        """One step of dt, s."""
+        self._core.step(dt)
+
+    def steps(self, courant: float = 0.5, end: float = float("inf"), max_step: float = float("inf")) -> Iterator[float]:
+        """Steps until `end`, s, and yields the duration of each, s: between two of them forces, motions and fields
+        may be changed."""
+        if not 0 < courant <= 1:
+            raise Error(f"steps: courant = {courant}: must lie in (0, 1]")
+        while self.time < end:
+            dt = min(courant * self.stable_step, max_step)
+            left = end - self.time
+            dt = left if dt >= left * (1 - 1e-9) else left / 2 if 2 * dt > left else dt
+            self._core.step(dt)
+            yield dt
+
+    # --- what is there
+
+    @property
+    def energy(self) -> Energies:
+        """The energy balance, J."""
+        return Energies(*self._core.energies())
+
+    def nodes(self, body: Union[int, str] = 0) -> Nodes:
+        """Nodes with the velocity field of a body."""
+        number = body if isinstance(body, int) else list(self.bodies).index(body)
+        return Nodes(*self._core.nodes(number))
+
+    def reaction(self, wall: str) -> Reaction:
+        """Of a wall, by its name or face; the scene must have been made with `reactions=True`."""
+        return Reaction(*self._core.reaction(wall))
+
+    @property
+    def cells(self) -> Optional[NDArray[np.uint64]]:
+        """Nodes of each cell [m, D + 1] of a simplex mesh; None of a grid."""
+        cells: Optional[NDArray[np.uint64]] = self._core.cells()
+        return cells
+
+    @property
+    def state(self) -> Mapping[str, Any]:
+        """Every value that a step reads, by path; copies."""
+        return {path: np.array(column) for path, column in self._state.columns().items()}
+
+    @property
+    def composition(self) -> str:
+        """The C++ type."""
+        return self._composition()[0]
+
+    def __repr__(self) -> str:
+        points = sum(len(b) for b in self.bodies.values())
+        return f"<{self.composition}: {points} points, t = {self.time:g} s after {self.step_count} steps>"
+
+    # --- saved states
+
+    def save(self, path: Union[str, "os.PathLike[str]"], recipe: str = "") -> None:
+        """Saves the state; `restore` of a scene of the same recipes goes on with the same bits."""
+        self._core.save(os.fspath(path), recipe)
+
+    def restore(self, path: Union[str, "os.PathLike[str]"], recipe: str = "") -> None:
+        self._core.restore(os.fspath(path), recipe)
+
+    def copy(self) -> "Scene":
+        other = object.__new__(Scene)
+        other._recipes = self._recipes
+        other._take(self._core.copy())
+        return other
+
+    def __getstate__(self) -> Any:
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "state")
+            self.save(path)
+            with open(path, "rb") as file:
+                return self._recipes, file.read()
+
+    def __setstate__(self, saved: Any) -> None:
+        self._recipes, state = saved
+        self._take(self._make())
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "state")
+            with open(path, "wb") as file:
+                file.write(state)
+            self.restore(path)
+
+
+Observer = Callable[[Scene], Any]
+
+
+def run(scene: Scene, end: float, courant: float = 0.5, max_step: float = float("inf"),
+        every: Optional[Mapping[float, Observer]] = None, after_step: Optional[Observer] = None) -> None:
+    """Steps a scene to `end`, s. `every`: functions of the scene by their period, s, called at the start and at the
+    first step at or after each multiple; `after_step` after each step. One that returns `STOP` ends the run. Raises
+    `RunError` if the run fails physically; Ctrl-C stops it after the step."""
+    every = dict(every or {})
+    observers = list(every.values())
+    after = None if after_step is None else lambda: after_step(scene) is STOP
+    scene._core.run(end, courant, max_step, [float(p) for p in every], lambda k: observers[k](scene) is STOP, after)
+
+
+__all__ = ["Energies", "Nodes", "Reaction", "STOP", "Scene", "run"]

@@ -1,0 +1,394 @@
+// The native core of the Python package: opens shared objects with compositions, and hands their scenes and
+// laws to Python. It knows no composition itself.
+#include <dlfcn.h>
+#include <pybind11/functional.h>
+#include <pybind11/numpy.h>
+#include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
+
+#include <arenite/host/plugin.hpp>
+#include <chrono>
+#include <memory>
+#include <optional>
+#include <type_traits>
+#include <utility>
+
+#include "values.hpp"
+
+namespace arenite::python {
+
+/// Calls `f()` without the interpreter's lock. What a function of Python raised is raised again, in the place
+/// of the error that its missing value led to.
+template <class F>
+std::invoke_result_t<F> without_lock(F&& f) {
+  const CallFromPython call;
+  const py::gil_scoped_release released;
+  try {
+    if constexpr (std::is_void_v<std::invoke_result_t<F>>) {
+      f();
+      Raised::instance().rethrow();
+    } else {
+      auto result = f();
+      Raised::instance().rethrow();
+      return result;
+    }
+  } catch (const error&) {
+    Raised::instance().rethrow();
+    throw;
+  }
+}
+
+/// A scene in Python. One thread uses it at a time, and functions that a step calls not at all.
+class SceneHandle {
+ public:
+  explicit SceneHandle(std::unique_ptr<HostedScene> scene) : scene_{std::move(scene)} {}
+
+  /// Calls `f(scene)` without the interpreter's lock.
+  template <class F>
+  auto outside(F&& f) {
+    const Use use(in_use_);
+    return without_lock([&] { return f(*scene_); });
+  }
+  /// Calls `f(scene)` with it.
+  template <class F>
+  auto inside(F&& f) {
+    const Use use(in_use_);
+    return f(*scene_);
+  }
+
+  /// Runs to `end`; calls `due(k)` when period k is due, and `after_step()` after each step, both between
+  /// steps, where they may use the scene; one that returns true ends the run.
+  void run(double end, double courant, double max_step, std::vector<double> periods, const py::function& due,
+           const std::optional<py::function>& after_step) {
+    HostedRun run{.end = end, .courant = courant, .max_step = max_step, .periods = std::move(periods)};
+    bool stops = false;
+    const auto call = [&](const py::function& f, auto... arguments) {
+      const py::gil_scoped_acquire lock;
+      const Pause pause(in_use_);
+      stops = f(arguments...).template cast<bool>() || stops;
+    };
+    using Clock = std::chrono::steady_clock;
+    auto looked = Clock::now();
+    run.due = [&](std::size_t k) { call(due, k); };
+    run.after_step = [&] {
+      if (after_step) call(*after_step);
+      if (const auto now = Clock::now(); now - looked > std::chrono::milliseconds(20)) {
+        looked = now;
+        const py::gil_scoped_acquire lock;
+        if (PyErr_CheckSignals() != 0) throw py::error_already_set();
+      }
+      return stops;
+    };
+    outside([&](HostedScene& scene) { scene.run(run); });
+  }
+
+  /// The numbers of a value of the state, where they are; Python's side checks that they still are.
+  static py::array column(const HostedState& entry, const py::object& owner) {
+    const std::string type =
+        entry.kind == 'b' ? "?" : std::string(1, entry.kind) + std::to_string(entry.bytes);
+    return py::array(py::dtype(type), std::vector<py::ssize_t>{static_cast<py::ssize_t>(entry.count)},
+                     std::vector<py::ssize_t>{static_cast<py::ssize_t>(entry.bytes)}, entry.data, owner);
+  }
+
+ private:
+  /// The scene at work; the flag is read and written with the interpreter's lock alone.
+  class Use {
+   public:
+    explicit Use(bool& in_use) : in_use_{in_use} {
+      if (in_use)
+        throw error(
+            "Scene: is within a step: neither another thread nor a function that the step calls may "
+            "use it");
+      in_use = true;
+    }
+    ~Use() { in_use_ = false; }
+    Use(const Use&) = delete;
+    Use& operator=(const Use&) = delete;
+
+   private:
+    bool& in_use_;
+  };
+  /// Between two steps of a run.
+  class Pause {
+   public:
+    explicit Pause(bool& in_use) : in_use_{in_use} { in_use = false; }
+    ~Pause() { in_use_ = true; }
+    Pause(const Pause&) = delete;
+    Pause& operator=(const Pause&) = delete;
+
+   private:
+    bool& in_use_;
+  };
+
+  std::unique_ptr<HostedScene> scene_;
+  bool in_use_ = false;
+};
+
+/// A shared object with compositions.
+class PluginHandle {
+ public:
+  explicit PluginHandle(const std::string& path) : path_{path} {
+    void* const object = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
+    if (object == nullptr) throw error(joined_text("arenite: cannot open ", path, ": ", dlerror()));
+    using Find = const Plugin* (*)();
+    const auto find = reinterpret_cast<Find>(dlsym(object, "arenite_plugin"));
+    if (find == nullptr) throw error(joined_text("arenite: ", path, " holds no compositions"));
+    plugin_ = find();
+    if (plugin_->version != library_version)
+      throw error(
+          joined_text("arenite: ", path, " is of version ", plugin_->version, ", not ", library_version));
+    plugin_->on_warning([](const std::string& text) {
+      const py::gil_scoped_acquire lock;
+      const py::object category = py::module_::import("arenite._errors").attr("Warning");
+      if (PyErr_WarnEx(category.ptr(), text.c_str(), 2) == 0) return;
+      if (may_throw()) throw py::error_already_set();
+      py::error_already_set raised;
+      Raised::instance().keep(std::make_exception_ptr(raised));
+    });
+  }
+
+  const Plugin& operator*() const { return *plugin_; }
+  const Plugin* operator->() const { return plugin_; }
+
+  std::vector<std::string> scenes() const { return types(plugin_->scenes); }
+  std::vector<std::string> laws() const { return types(plugin_->laws); }
+
+  SceneHandle scene(const std::string& type, py::handle values) const {
+    const Value given = value_of(values);
+    const auto& maker = find(plugin_->scenes, type);
+    return without_lock([&] { return SceneHandle(maker.make(given)); });
+  }
+  std::shared_ptr<HostedLaw> law(const std::string& type, py::handle values) const {
+    const Value given = value_of(values);
+    const auto& maker = find(plugin_->laws, type);
+    return without_lock([&] { return std::shared_ptr<HostedLaw>(maker.make(given)); });
+  }
+  py::list members(const std::string& type) const {
+    py::list all;
+    for (const auto& [name, start] : find(plugin_->recipes, type).members())
+      all.append(py::make_tuple(name, start));
+    return all;
+  }
+  std::vector<std::string> recipes() const { return types(plugin_->recipes); }
+
+ private:
+  template <class Makers>
+  static std::vector<std::string> types(const Makers& makers) {
+    std::vector<std::string> all;
+    for (const auto& m : makers) all.push_back(m.type);
+    return all;
+  }
+  template <class Makers>
+  const typename Makers::value_type& find(const Makers& makers, const std::string& type) const {
+    for (const auto& m : makers)
+      if (m.type == type) return m;
+    throw error(joined_text("arenite: ", path_, " does not hold ", type));
+  }
+
+  std::string path_;
+  const Plugin* plugin_;
+};
+
+namespace {
+
+using Rows = py::array_t<double, py::array::c_style>;
+using RowsIn = py::array_t<double, py::array::c_style | py::array::forcecast>;
+
+/// Columns of stresses: 4 in the plane, 6 in space.
+int dimension_of(const py::array& stress) {
+  const auto columns = stress.ndim() == 2 ? stress.shape(1) : 0;
+  if (columns != 4 && columns != 6)
+    throw error(joined_text("stress: shape: must be [n, 6], or [n, 4] in the plane"));
+  return columns == 6 ? 3 : 2;
+}
+void check_rows(const char* name, const py::array& a, py::ssize_t n, py::ssize_t columns) {
+  if (a.ndim() == 2 && a.shape(0) == n && a.shape(1) == columns) return;
+  throw error(joined_text(name, ": shape: must be [", n, ", ", columns, "]"));
+}
+
+py::tuple update(const HostedLaw& law, RowsIn stress, RowsIn strain, std::optional<RowsIn> spin, double dt,
+                 std::optional<RowsIn> history) {
+  const int dimension = dimension_of(stress);
+  const py::ssize_t n = stress.shape(0), h = static_cast<py::ssize_t>(law.history_start().size());
+  check_rows("strain", strain, n, stress.shape(1));
+  if (spin) check_rows("spin", *spin, n, dimension == 2 ? 1 : 3);
+  Rows stress_after({n, stress.shape(1)}), history_after({n, h}), opening(n), dilation(n);
+  std::copy_n(stress.data(), stress.size(), stress_after.mutable_data());
+  if (history) {
+    check_rows("history", *history, n, h);
+    std::copy_n(history->data(), history->size(), history_after.mutable_data());
+  } else {
+    const auto start = law.history_start();
+    for (py::ssize_t p = 0; p < n; ++p)
+      std::copy(start.begin(), start.end(), history_after.mutable_data() + p * h);
+  }
+  const HostedUpdate u{.dimension = dimension,
+                       .n = static_cast<std::size_t>(n),
+                       .dt = dt,
+                       .stress = stress_after.mutable_data(),
+                       .strain = strain.data(),
+                       .spin = spin ? spin->data() : nullptr,
+                       .history = history_after.mutable_data(),
+                       .opening = opening.mutable_data(),
+                       .dilation = dilation.mutable_data()};
+  {
+    const py::gil_scoped_release released;
+    law.update(u);
+  }
+  return py::make_tuple(stress_after, history_after, opening, dilation);
+}
+
+py::array_t<double> energy(const HostedLaw& law, RowsIn stress, std::optional<RowsIn> history) {
+  const int dimension = dimension_of(stress);
+  const py::ssize_t n = stress.shape(0), h = static_cast<py::ssize_t>(law.history_start().size());
+  if (history) check_rows("history", *history, n, h);
+  if (!history && h > 0) throw error("history: nothing: must be given for a law that has one");
+  Rows out(n);
+  double* const to = out.mutable_data();
+  const double *s = stress.data(), *m = history ? history->data() : nullptr;
+  const py::gil_scoped_release released;
+  law.elastic_energy(dimension, static_cast<std::size_t>(n), s, m, to);
+  return out;
+}
+
+py::dict drive(const HostedLaw& law, int dimension, py::handle stages, std::vector<double> stress,
+               std::vector<double> history) {
+  const Value given = value_of(stages);
+  if (history.empty()) history = law.history_start();
+  HostedPath path;
+  {
+    const py::gil_scoped_release released;
+    path = law.drive(dimension, given, stress, history);
+  }
+  const auto rows = static_cast<py::ssize_t>(path.rows);
+  py::dict all;
+  const auto add = [&](const char* name, const std::vector<double>& numbers) {
+    const auto columns = rows > 0 ? static_cast<py::ssize_t>(numbers.size()) / rows : 0;
+    all[name] = numpy_of(numbers, {rows, columns});
+  };
+  add("stress", path.stress);
+  add("strain", path.strain);
+  add("history", path.history);
+  all["time"] = numpy_of(path.time, {rows});
+  all["opening"] = numpy_of(path.opening, {rows});
+  all["dilation"] = numpy_of(path.dilation, {rows});
+  all["work"] = numpy_of(path.work, {rows});
+  return all;
+}
+
+}  // namespace
+
+PYBIND11_MODULE(_core, m) {
+  m.doc() = "Native core of arenite: scenes and laws of compositions in shared objects.";
+  m.attr("version") = std::string(library_version);
+  py::register_exception_translator([](std::exception_ptr p) {
+    try {
+      if (p) std::rethrow_exception(p);
+    } catch (const run_error& e) {
+      py::set_error(py::module_::import("arenite._errors").attr("RunError"), e.what());
+    } catch (const error& e) {
+      py::set_error(py::module_::import("arenite._errors").attr("Error"), e.what());
+    }
+  });
+
+  m.def("supports", [](const std::string& feature) -> bool {
+    __builtin_cpu_init();
+    if (feature == "avx2") return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
+    if (feature == "avx512")
+      return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
+             __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512bw");
+    return true;
+  });
+
+  py::class_<Signal>(m, "Signal")
+      .def(py::init<>())
+      .def("get", [](const Signal& s) { return *s.value; })
+      .def("set", [](Signal& s, std::array<double, 3> v) { *s.value = v; });
+
+  py::class_<PluginHandle>(m, "Plugin")
+      .def(py::init<std::string>())
+      .def("scenes", &PluginHandle::scenes)
+      .def("laws", &PluginHandle::laws)
+      .def("recipes", &PluginHandle::recipes)
+      .def("members", &PluginHandle::members)
+      .def("scene", &PluginHandle::scene)
+      .def("law", &PluginHandle::law)
+      .def("set_threads", [](const PluginHandle& p, int n) { p->set_threads(n); })
+      .def("threads", [](const PluginHandle& p) { return p->threads(); });
+
+  py::class_<HostedLaw, std::shared_ptr<HostedLaw>>(m, "Law")
+      .def("density", &HostedLaw::density)
+      .def("wave_modulus", &HostedLaw::wave_modulus)
+      .def("history_names", &HostedLaw::history_names)
+      .def("history_start", &HostedLaw::history_start)
+      .def("update", &update)
+      .def("elastic_energy", &energy)
+      .def("drive", &drive);
+
+  using Scene = HostedScene;
+  const auto getter = [](auto f) {
+    return [f](SceneHandle& h) { return h.inside([&](Scene& s) { return f(s); }); };
+  };
+  py::class_<SceneHandle>(m, "Scene")
+      .def("dimension", getter([](Scene& s) { return s.dimension(); }))
+      .def("time", getter([](Scene& s) { return s.time(); }))
+      .def("time_step", getter([](Scene& s) { return s.time_step(); }))
+      .def("steps", getter([](Scene& s) { return s.steps(); }))
+      .def("generation", getter([](Scene& s) { return s.generation(); }))
+      .def("body_count", getter([](Scene& s) { return s.body_count(); }))
+      .def("words", getter([](Scene& s) { return s.words(); }))
+      .def("stable_step", [](SceneHandle& h) { return h.outside([](Scene& s) { return s.stable_step(); }); })
+      .def("step", [](SceneHandle& h, double dt) { h.outside([&](Scene& s) { s.step(dt); }); })
+      .def("run", &SceneHandle::run)
+      .def("state",
+           [](SceneHandle& h) {
+             py::list all;
+             for (const auto& e : h.inside([](Scene& s) { return s.state(); }))
+               all.append(py::make_tuple(e.name, e.count, e.is_array));
+             return all;
+           })
+      .def("columns",
+           [](py::object self) {
+             auto& h = self.cast<SceneHandle&>();
+             py::dict all;
+             for (const auto& e : h.inside([](Scene& s) { return s.state(); }))
+               all[py::str(e.name)] = h.column(e, self);
+             return all;
+           })
+      .def("nodes",
+           [](SceneHandle& h, std::size_t body) {
+             const HostedNodes n = h.outside([&](Scene& s) { return s.nodes(body); });
+             const auto rows = static_cast<py::ssize_t>(n.mass.size());
+             const py::ssize_t d = h.inside([](Scene& s) { return s.dimension(); });
+             return py::make_tuple(numpy_of(n.position, {rows, d}), numpy_of(n.mass, {rows}),
+                                   numpy_of(n.velocity, {rows, d}));
+           })
+      .def("cells",
+           [](SceneHandle& h) -> py::object {
+             const HostedCells c = h.outside([](Scene& s) { return s.cells(); });
+             if (c.corners == 0) return py::none();
+             py::array_t<std::size_t> a({c.nodes.size() / c.corners, c.corners});
+             std::copy(c.nodes.begin(), c.nodes.end(), a.mutable_data());
+             return a;
+           })
+      .def("energies",
+           [](SceneHandle& h) {
+             const HostedEnergies e = h.outside([](Scene& s) { return s.energies(); });
+             return py::make_tuple(e.kinetic, e.strain, e.stored, e.plastic, e.contact, e.external,
+                                   e.inserted, e.residual);
+           })
+      .def("reaction",
+           [](SceneHandle& h, const std::string& wall) {
+             return h.outside([&](Scene& s) { return s.reaction(wall); });
+           })
+      .def("save", [](SceneHandle& h, const std::string& path,
+                      const std::string& recipe) { h.outside([&](Scene& s) { s.save(path, recipe); }); })
+      .def("restore",
+           [](SceneHandle& h, const std::string& path, const std::string& recipe) {
+             h.outside([&](Scene& s) { s.restore(path, recipe); });
+           })
+      .def("follow", [](SceneHandle& h) { h.outside([](Scene& s) { s.follow(); }); })
+      .def("copy", [](SceneHandle& h) { return SceneHandle(h.outside([](Scene& s) { return s.copy(); })); });
+}
+
+}  // namespace arenite::python

@@ -1,0 +1,49 @@
+// What all compositions of the package take, compiled once for each width of registers: shapes, and the
+// parameters of recipes.
+#include <arenite/host/plugin.hpp>
+#include <arenite/host/read_recipes.hpp>
+
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
+
+namespace detail {
+template HostShape<2> read_shape<2>(const Value&, const Reading&);
+template HostShape<3> read_shape<3>(const Value&, const Reading&);
+}  // namespace detail
+
+namespace {
+
+template <class Parameters>
+shared_detail::Offer parameters(const char* of) {
+  return shared_detail::Offer(Plugin::Recipe{of, &members_of<Parameters>});
+}
+const shared_detail::Offer recipes[]{
+    parameters<LinearElasticParameters>("LinearElastic"),
+    parameters<MohrCoulombParameters>("MohrCoulomb"),
+    parameters<DruckerPragerParameters>("DruckerPrager"),
+    parameters<RemembersOpening::Parameters>("RemembersOpening"),
+    parameters<LinearRateFriction::Parameters>("LinearRateFriction"),
+    parameters<InertialFriction::Parameters>("InertialFriction"),
+    parameters<LogarithmicFriction::Parameters>("LogarithmicFriction"),
+    parameters<SofteningParameters>("SofteningFriction"),
+    parameters<PressureStiffness::Parameters>("PressureStiffness"),
+    parameters<Flip>("Flip"),
+    parameters<Aflip>("Aflip"),
+    parameters<Fmpm>("Fmpm"),
+    parameters<Xpic>("Xpic"),
+    parameters<ElementAverage>("ElementAverage"),
+    parameters<NodalAndElementAverage>("NodalAndElementAverage"),
+    parameters<FillOptions>("Fill"),
+    parameters<Geostatic>("Geostatic"),
+    parameters<Guided>("Guided"),
+    parameters<Free>("Free"),
+    parameters<Anchor>("Anchor"),
+    parameters<PrescribedPose>("PrescribedPose"),
+    parameters<ConeCylinder::Parameters>("ConeCylinder"),
+    parameters<MovingMesh<>>("MovingMesh"),
+    parameters<LocalDamping>("LocalDamping"),
+};
+
+}  // namespace
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET
+
+ARENITE_PLUGIN

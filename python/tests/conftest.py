@@ -1,0 +1,31 @@
+import os
+
+import numpy as np
+import pytest
+
+os.environ.setdefault("MPLBACKEND", "Agg")
+
+
+@pytest.fixture
+def ar():
+    return pytest.importorskip("arenite")
+
+
+@pytest.fixture
+def sand(ar):
+    return ar.MohrCoulomb(density=1540, young=1e6, poisson=0.3, friction=np.radians(35))
+
+
+@pytest.fixture
+def column(ar, sand):
+    """A column of sand, 10 by 15 cm, that collapses."""
+
+    def make(region=None, **more):
+        given = dict(walls=[ar.bottom("fixed"), ar.left("roller")], gravity=(0, -9.81))
+        given.update(more)
+        box = ar.Box((0, 0), (0.1, 0.15)) if region is None else region
+        return ar.Scene(ar.PlaneStrain(), ar.CartesianGrid((0, 0), (0.4, 0.2), cell=0.01),
+                        ar.Numerics(ar.QuadraticBSpline, ar.Apic),
+                        bodies=[ar.fill("sand", box, sand, per_cell=4)], **given)
+
+    return make

@@ -1,0 +1,126 @@
+// Values of a host become recipes: by the names of members, with the sentences of the library where they do
+// not fit.
+#include <arenite/host/plugin.hpp>
+#include <arenite/host/scene_host.hpp>
+
+#include "catch.hpp"
+#include "message.hpp"
+
+using namespace arenite;
+using arenite::test::message;
+
+namespace {
+
+using List = Value::List;
+using Dict = Value::Dict;
+
+Value numbers(std::initializer_list<double> x) {
+  List list;
+  for (const double v : x) list.emplace_back(v);
+  return list;
+}
+
+Dict sand() { return {{"density", 1540.0}, {"young", 1e6}, {"poisson", 0.3}, {"friction", 0.6}}; }
+
+template <class T>
+T given(const Value& value) {
+  return read<T>(value, Reading{.name = "given", .dimension = 2});
+}
+
+}  // namespace
+
+TEST_CASE("members of an aggregate by name", "[host]") {
+  const auto& names = member_names<MohrCoulombParameters>;
+  REQUIRE(names.size() == 8);
+  CHECK(names[0] == "density");
+  CHECK(names[7] == "tension");
+  CHECK(member_names<Free>[7] == "moment");
+  CHECK(member_count<Apic> == 0);
+  const auto parameters = members_of<RemembersOpening::Parameters>();
+  CHECK(parameters == PluginMembers{{"limit", 1.0}});
+}
+
+TEST_CASE("an aggregate takes what is given, and its own for the rest", "[host]") {
+  const auto p = given<MohrCoulombParameters>(sand());
+  CHECK(p.friction == 0.6);
+  CHECK(p.greatest_volume_ratio == 1.5);
+  CHECK(given<Flip>(Dict{{"fraction", 0.9}}).fraction == 0.9);
+  CHECK(given<Guided>(Dict{{"mass", 2.0}, {"axis", numbers({0, -1})}}).axis ==
+        std::array<double, 3>{0, -1, 0});
+}
+
+TEST_CASE("what does not fit is told by place, value and rule", "[host]") {
+  CHECK(message([] { given<Flip>(Dict{{"fraction", 2.0}}); }) == "Flip.fraction = 2: must lie in [0, 1]");
+  CHECK(message([] {
+          given<Flip>(Dict{{"share", 1.0}});
+        }) == "given.share = 1: is unknown; there are: fraction, time");
+  CHECK(message([] {
+          given<Flip>(Dict{{"fraction", std::string("all")}});
+        }) == "given.fraction = all: must be a number");
+  CHECK(message([] {
+          given<Guided>(Dict{{"axis", numbers({1, 2, 3, 4})}});
+        }) == "given.axis = a list of 4: must be up to 3 numbers");
+  CHECK(message([] { given<bool>(1.0); }) == "given = 1: must be true or false");
+  CHECK(message([] { given<int>(1.5); }) == "given = 1.5: must be a whole number that fits");
+  CHECK(message([] {
+          given<AnyDistance>(Dict{{"shape", std::string("Cylinder")}});
+        }) ==
+        "given = Cylinder: must be a shape in 2 dimensions: Box, Ball, RoundedBox, Capsule, ConeCylinder, "
+        "Polygon");
+}
+
+TEST_CASE("a function of place is asked once for all places", "[host]") {
+  int calls = 0;
+  PlacesAtOnce<1> f(
+      [&](const HostArray& x) {
+        ++calls;
+        HostArray out{{}, {x.rows()}};
+        for (std::size_t p = 0; p < x.rows(); ++p)
+          out.numbers.push_back(x.numbers[2 * p] + x.numbers[2 * p + 1]);
+        return out;
+      },
+      2, "f");
+  CHECK(f({1, 2, 0})[0] == 0);  // noted
+  CHECK(f({3, 4, 0})[0] == 0);
+  f.compute();
+  CHECK(f({1, 2, 0})[0] == 3);
+  CHECK(f({3, 4, 0})[0] == 7);
+  f.rewind();
+  CHECK(f({3, 4, 0})[0] == 7);
+  CHECK(calls == 1);
+  CHECK(f({5, 5, 0})[0] == 10);  // out of turn
+  CHECK(calls == 2);
+}
+
+TEST_CASE("a hosted scene has the bits of the scene itself", "[host]") {
+  using Column = Scene<PlaneStrain, CartesianGrid<2>, Numerics<QuadraticBSpline, Apic>,
+                       Bodies<Fill<MohrCoulomb<>>>, Walls, Gravity>;
+  const Value box(
+      Dict{{"shape", std::string("Box")}, {"lower", numbers({0, 0})}, {"upper", numbers({0.1, 0.1})}});
+  const Value wall(Dict{{"axis", 1.0}, {"condition", Dict{{"kind", 0.0}}}});
+  const Value values(
+      Dict{{"mesh", Dict{{"lower", numbers({0, 0})}, {"upper", numbers({0.2, 0.2})}, {"cell", 0.02}}},
+           {"parts", List{Value(List{Value(Dict{{"region", box}, {"law", sand()}})}),
+                          Value(Dict{{"list", List{wall}}}), Value(Dict{{"g", numbers({0, -9.81})}})}}});
+  const auto hosted = make_hosted<Column>(values);
+  Column itself(PlaneStrain{}, CartesianGrid<2>{{.lower = {0, 0}, .upper = {0.2, 0.2}, .cell = 0.02}},
+                Numerics<QuadraticBSpline, Apic>{},
+                bodies(fill(Box{{0, 0}, {0.1, 0.1}},
+                            MohrCoulomb{{.density = 1540, .young = 1e6, .poisson = 0.3, .friction = 0.6}})),
+                walls(bottom(fixed)), gravity({0, -9.81}));
+  const auto before = hosted->generation();
+  hosted->run({.end = 0.01});
+  run(itself, {.end = 0.01});
+  CHECK(hosted->generation() != before);
+  CHECK(hosted->steps() == itself.steps);
+  std::size_t compared = 0;
+  for (const auto& entry : hosted->state())
+    if (entry.name == "bodies/0/points/velocity/y") {
+      const auto& column = itself.body().points.velocity.column(1);
+      CHECK(std::equal(column.begin(), column.end(), static_cast<const double*>(entry.data)));
+      compared = entry.count;
+    }
+  CHECK(compared == itself.point_count());
+  CHECK(message([&] { hosted->step(-1); }) == "step: dt = -1: must be positive (s)");
+  CHECK(message([&] { hosted->energies(); }) == "energies: name TrackEnergy{} among the scene's parts");
+}

@@ -1,5 +1,5 @@
-// The collapsing column of the tests in C++: its points at an end time, s, as hexadecimal numbers; with a second argument the
-// time of its steps, s, and their number.
+// The collapsing column of the tests in C++: its points at an end time, s, as hexadecimal numbers; with a
+// second argument the time of its steps, s, and their number.
 #include <arenite/arenite.hpp>
 #include <chrono>
 #include <cstdio>

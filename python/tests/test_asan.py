@@ -1,0 +1,21 @@
+"""Views of points under the address sanitizer: none of them reads memory that is no longer the scene's."""
+
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+HERE = Path(__file__).parent
+
+
+def test_views(ar, tmp_path):
+    library = subprocess.run(["g++", "-print-file-name=libasan.so"], capture_output=True, text=True).stdout.strip()
+    if not os.path.isabs(library):
+        pytest.skip("g++ has no address sanitizer here")
+    environment = {**os.environ, "ARENITE_CACHE": str(tmp_path), "CXX": "g++ -fsanitize=address -O0 -fno-omit-frame-pointer",
+                   "LD_PRELOAD": library, "ASAN_OPTIONS": "detect_leaks=0"}
+    done = subprocess.run([sys.executable, str(HERE / "views_under_asan.py")], env=environment, capture_output=True, text=True)
+    assert done.returncode == 0 and "done" in done.stdout, done.stderr[-4000:]
+    assert "AddressSanitizer" not in done.stderr

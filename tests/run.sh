@@ -130,7 +130,7 @@ if chosen python; then
   mkdir -p "$clean"
   /usr/bin/python3 -m venv "$clean/env"
   pip() { "$clean/env/bin/python" -m pip --quiet --disable-pip-version-check "$@" < /dev/null; }
-  pip wheel --no-deps -w "$clean/wheel" -C build-dir="$clean/build" "$root" || fail "stage Python: the wheel was not built"
+  pip wheel --no-deps -w "$clean/wheel" --config-settings build-dir="$clean/build" "$root" || fail "stage Python: the wheel was not built"
   wheel=$(ls "$clean"/wheel/arenite-*.whl)
   [ "$(stat -c %s "$wheel")" -le 25000000 ] || fail "stage Python: $wheel is larger than 25 MB"
   pip install "$wheel" -r "$root/python/tests/requirements.txt" || fail "stage Python: the wheel was not installed"

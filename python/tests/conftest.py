@@ -1,9 +1,12 @@
-import os
-
 import numpy as np
 import pytest
 
-os.environ.setdefault("MPLBACKEND", "Agg")
+try:  # here alone: a notebook's kernel chooses its own
+    import matplotlib
+
+    matplotlib.use("Agg")
+except ImportError:
+    pass
 
 
 @pytest.fixture

@@ -49,7 +49,7 @@ def draw_deceleration(curves: Sequence[Curve], axes: Any) -> None:
         axes.plot(curve.time * 1e3, curve.deceleration, color=colour, alpha=0.3, linewidth=0.6)
         axes.plot(curve.time * 1e3, curve.mean, color=colour)
     # The raw deceleration chatters with the contact: the mean decides what is shown.
-    lowest, greatest = min(numpy.nanmin(curve.mean) for curve in curves), max(numpy.nanmax(curve.mean) for curve in curves)
+    lowest, greatest = min(float(numpy.nanmin(c.mean)) for c in curves), max(float(numpy.nanmax(c.mean)) for c in curves)
     room = max(0.25 * (greatest - lowest), 1)
     axes.set(xlabel="time [ms]", ylabel="deceleration [g], its mean as a line", ylim=(lowest - room, greatest + room))
     axes.axhline(0, color="#b9b9b9", linewidth=0.8, zorder=0)

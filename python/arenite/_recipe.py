@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import dataclasses
 import inspect
-from typing import Any, Callable, Dict, Union
+from typing import Any, Callable
 
 import numpy as np
 
@@ -49,6 +49,3 @@ def function_value(f: Any) -> Any:
         return {"of_place": lambda rows: np.atleast_1d(f(rows[0, :3], float(rows[0, 3])))}
     return {"of_time": lambda rows: np.atleast_1d(f(float(rows[0, 0])))}
 
-
-Function = Union[float, Any]
-Values = Dict[str, Any]

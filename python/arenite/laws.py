@@ -147,10 +147,19 @@ class PressureStiffness(Policy):
     lowest_pressure: float = 1e3  #: Pa
 
 
+@dataclass(frozen=True)
 class _Frictional(Law):
-    memory: Policy
-    friction_law: Policy
-    stiffness_law: Policy
+    density: float = NOT_GIVEN  #: kg/m3
+    young: float = NOT_GIVEN  #: Pa
+    poisson: float = NOT_GIVEN  #: -
+    friction: float = NOT_GIVEN  #: angle of friction, rad
+    cohesion: float = 0.0  #: Pa
+    dilatancy: float = 0.0  #: angle of dilatancy, rad
+    greatest_volume_ratio: float = 1.5  #: V / V0 beyond which the matter dilates no further, -
+    tension: float = float("inf")  #: cut-off of the tension, Pa
+    memory: Policy = field(default_factory=ForgetsOpening)
+    friction_law: Policy = field(default_factory=ConstantFriction)
+    stiffness_law: Policy = field(default_factory=ConstantStiffness)
 
     def cpp(self) -> str:
         given = [self.memory.cpp(), self.friction_law.cpp(), self.stiffness_law.cpp()]
@@ -162,36 +171,12 @@ class _Frictional(Law):
 
 @dataclass(frozen=True)
 class MohrCoulomb(_Frictional):
-    """Mohr-Coulomb plasticity, perfectly plastic, with dilatancy and a tension cut-off."""
-
-    density: float = NOT_GIVEN  #: kg/m3
-    young: float = NOT_GIVEN  #: Pa
-    poisson: float = NOT_GIVEN  #: -
-    friction: float = NOT_GIVEN  #: angle of friction, rad
-    cohesion: float = 0.0  #: Pa
-    dilatancy: float = 0.0  #: angle of dilatancy, rad
-    greatest_volume_ratio: float = 1.5  #: V / V0 beyond which the matter dilates no further, -
-    tension: float = float("inf")  #: greatest principal stress, Pa
-    memory: Policy = field(default_factory=ForgetsOpening)
-    friction_law: Policy = field(default_factory=ConstantFriction)
-    stiffness_law: Policy = field(default_factory=ConstantStiffness)
+    """Mohr-Coulomb plasticity, perfectly plastic, with dilatancy and a cut-off of the greatest principal stress."""
 
 
 @dataclass(frozen=True)
 class DruckerPrager(_Frictional):
-    """Drucker-Prager plasticity through the compression edge of Mohr-Coulomb."""
-
-    density: float = NOT_GIVEN  #: kg/m3
-    young: float = NOT_GIVEN  #: Pa
-    poisson: float = NOT_GIVEN  #: -
-    friction: float = NOT_GIVEN  #: angle of friction, rad
-    cohesion: float = 0.0  #: Pa
-    dilatancy: float = 0.0  #: angle of dilatancy, rad
-    greatest_volume_ratio: float = 1.5  #: -
-    tension: float = float("inf")  #: Pa
-    memory: Policy = field(default_factory=ForgetsOpening)
-    friction_law: Policy = field(default_factory=ConstantFriction)
-    stiffness_law: Policy = field(default_factory=ConstantStiffness)
+    """Drucker-Prager plasticity through the compression edge of Mohr-Coulomb, with a cut-off of the mean stress."""
 
 
 @dataclass(frozen=True)
@@ -216,4 +201,4 @@ class OwnLaw(Law):
 
 
 __all__ = [name for name, item in list(globals().items())
-           if isinstance(item, type) and dataclasses.is_dataclass(item)] + ["Law"]
+           if isinstance(item, type) and dataclasses.is_dataclass(item) and name[0] != "_"] + ["Law"]

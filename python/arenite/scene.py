@@ -108,8 +108,8 @@ class Scene:
                  "parts": values}, sorted({h for h in own if h}))
 
     def _make(self) -> Any:
-        composition, values, headers = self._composition()
-        return _plugins.scene_plugin(composition, headers).scene(composition, values)
+        self._type, values, headers = self._composition()
+        return _plugins.scene_plugin(self._type, headers).scene(self._type, values)
 
     def _take(self, core: Any) -> None:
         self._core = core
@@ -188,7 +188,7 @@ class Scene:
     @property
     def composition(self) -> str:
         """The C++ type."""
-        return self._composition()[0]
+        return self._type
 
     def __repr__(self) -> str:
         points = sum(len(b) for b in self.bodies.values())
@@ -205,7 +205,7 @@ class Scene:
 
     def copy(self) -> "Scene":
         other = object.__new__(Scene)
-        other._recipes = self._recipes
+        other._recipes, other._type = self._recipes, self._type
         other._take(self._core.copy())
         return other
 

@@ -313,8 +313,7 @@ PYBIND11_MODULE(_core, m) {
       .def("members", &PluginHandle::members)
       .def("scene", &PluginHandle::scene)
       .def("law", &PluginHandle::law)
-      .def("set_threads", [](const PluginHandle& p, int n) { p->set_threads(n); })
-      .def("threads", [](const PluginHandle& p) { return p->threads(); });
+      .def("set_threads", [](const PluginHandle& p, int n) { p->set_threads(n); });
 
   py::class_<HostedLaw, std::shared_ptr<HostedLaw>>(m, "Law")
       .def("density", &HostedLaw::density)
@@ -330,23 +329,13 @@ PYBIND11_MODULE(_core, m) {
     return [f](SceneHandle& h) { return h.inside([&](Scene& s) { return f(s); }); };
   };
   py::class_<SceneHandle>(m, "Scene")
-      .def("dimension", getter([](Scene& s) { return s.dimension(); }))
       .def("time", getter([](Scene& s) { return s.time(); }))
       .def("time_step", getter([](Scene& s) { return s.time_step(); }))
       .def("steps", getter([](Scene& s) { return s.steps(); }))
       .def("generation", getter([](Scene& s) { return s.generation(); }))
-      .def("body_count", getter([](Scene& s) { return s.body_count(); }))
-      .def("words", getter([](Scene& s) { return s.words(); }))
       .def("stable_step", [](SceneHandle& h) { return h.outside([](Scene& s) { return s.stable_step(); }); })
       .def("step", [](SceneHandle& h, double dt) { h.outside([&](Scene& s) { s.step(dt); }); })
       .def("run", &SceneHandle::run)
-      .def("state",
-           [](SceneHandle& h) {
-             py::list all;
-             for (const auto& e : h.inside([](Scene& s) { return s.state(); }))
-               all.append(py::make_tuple(e.name, e.count, e.is_array));
-             return all;
-           })
       .def("columns",
            [](py::object self) {
              auto& h = self.cast<SceneHandle&>();

@@ -67,9 +67,6 @@ class HostedScene {
   virtual void run(const HostedRun&) = 0;
 
   virtual std::vector<HostedState> state() = 0;
-  virtual std::size_t body_count() const = 0;
-  /// Words that the file of a saved state would have for the composition.
-  virtual std::vector<std::string> words() const = 0;
   virtual HostedNodes nodes(std::size_t body) const = 0;
   virtual HostedCells cells() const = 0;
   virtual HostedEnergies energies() const = 0;

@@ -40,7 +40,6 @@ struct Plugin {
   std::vector<LawMaker> laws{};
   std::vector<Recipe> recipes{};  ///< of which the host may ask for the parameters
   void (*set_threads)(int) = nullptr;
-  int (*threads)() = nullptr;
   WarningHook (*on_warning)(WarningHook) = nullptr;
 };
 
@@ -49,7 +48,7 @@ namespace shared_detail {
 /// The plugin of this shared object; its units add to it before the program asks.
 /// Hidden: each shared object has its own.
 [[gnu::visibility("hidden")]] inline Plugin& this_plugin() {
-  static Plugin plugin{std::string(library_version), {}, {}, {}, &set_threads, &threads, &on_warning};
+  static Plugin plugin{std::string(library_version), {}, {}, {}, &set_threads, &on_warning};
   return plugin;
 }
 

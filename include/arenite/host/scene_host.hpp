@@ -72,12 +72,6 @@ class SceneHost : public HostedScene {
     });
     return all;
   }
-  std::size_t body_count() const override { return Scene::body_count; }
-  std::vector<std::string> words() const override {
-    std::vector<std::string> all;
-    for (const auto& [term, text] : detail::state_terms(*scene_, "")) all.push_back(term + ": " + text);
-    return all;
-  }
 
   HostedNodes nodes(std::size_t body) const override {
     HostedNodes all;

@@ -3,7 +3,7 @@
 A scene is made of recipes with the words of the C++ library and stepped by compiled code; SI units, angles in radians,
 tension positive."""
 
-from . import (_core, boundary, drive as _drive, ffp, fill as _fill, laws, meshes, numerics, rigid,
+from . import (_core, boundary, drive as _drive, ffp, fill as _fill, laws, meshes, numerics, points, rigid,
                scene as _scene, shapes)
 from ._errors import Error, RunError, Warning
 from ._plugins import set_threads
@@ -16,13 +16,15 @@ from .laws import *  # noqa: F403
 from .meshes import *  # noqa: F403
 from .numerics import *  # noqa: F403
 from .own import compile
+from .points import *  # noqa: F403
 from .rigid import *  # noqa: F403
 from .scene import *  # noqa: F403
 from .shapes import *  # noqa: F403
 from .views import View
+from .vtu import Vtu
 
 __version__: str = _core.version
 
-__all__ = ["Error", "Ramp", "RunError", "Scaled", "Signal", "Table", "View", "Warning", "compile", "ffp", "set_threads", "to_meshio", "to_pyvista",
-           *boundary.__all__, *_drive.__all__, *_fill.__all__, *laws.__all__, *meshes.__all__, *numerics.__all__,
+__all__ = ["Error", "Ramp", "RunError", "Scaled", "Signal", "Table", "View", "Vtu", "Warning", "compile", "ffp", "set_threads", "to_meshio", "to_pyvista",
+           *boundary.__all__, *_drive.__all__, *_fill.__all__, *laws.__all__, *meshes.__all__, *numerics.__all__, *points.__all__,
            *rigid.__all__, *_scene.__all__, *shapes.__all__]

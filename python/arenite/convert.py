@@ -2,23 +2,12 @@
 
 from __future__ import annotations
 
-from typing import Any, Dict, Optional
+from typing import Any, Optional
 
 import numpy as np
 
 from .scene import Scene
-
-
-def _fields(scene: Scene, body: str) -> Dict[str, Any]:
-    of = scene.bodies[body]
-    fields = {"velocity": _in_space(of.velocity.copy()), "mass": of.mass.copy(), "volume": of.volume.copy(),
-              "stress": of.stress.copy()}
-    fields.update({name: column.copy() for name, column in of.history.items()})
-    return fields
-
-
-def _in_space(x: Any) -> Any:
-    return x if x.shape[1] == 3 else np.column_stack([x, np.zeros(len(x))])
+from .vtu import in_space, point_fields
 
 
 def to_meshio(scene: Scene, body: Optional[str] = None) -> Any:
@@ -26,8 +15,8 @@ def to_meshio(scene: Scene, body: Optional[str] = None) -> Any:
     import meshio  # type: ignore[import-untyped,import-not-found,unused-ignore]
 
     name = body or next(iter(scene.bodies))
-    x = _in_space(scene.bodies[name].position.copy())
-    return meshio.Mesh(x, [("vertex", np.arange(len(x))[:, None])], point_data=_fields(scene, name))
+    x = in_space(scene.bodies[name].position)
+    return meshio.Mesh(x, [("vertex", np.arange(len(x))[:, None])], point_data=point_fields(scene, name))
 
 
 def to_pyvista(scene: Scene, body: Optional[str] = None) -> Any:
@@ -35,8 +24,8 @@ def to_pyvista(scene: Scene, body: Optional[str] = None) -> Any:
     import pyvista  # type: ignore[import-untyped,import-not-found,unused-ignore]
 
     name = body or next(iter(scene.bodies))
-    cloud = pyvista.PolyData(_in_space(scene.bodies[name].position.copy()))
-    for field, values in _fields(scene, name).items():
+    cloud = pyvista.PolyData(in_space(scene.bodies[name].position))
+    for field, values in point_fields(scene, name).items():
         cloud.point_data[field] = values
     return cloud
 

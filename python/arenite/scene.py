@@ -14,6 +14,7 @@ from ._errors import Error
 from ._recipe import Recipe, function_value
 from .boundary import Wall
 from .fill import Fill
+from .laws import Law
 from .meshes import Mesh
 from .numerics import Numerics
 from .rigid import MovingMesh, Rigid, RigidContact
@@ -158,7 +159,16 @@ class Scene:
             self._core.step(dt)
             yield dt
 
+    def switch_off_damping(self) -> None:
+        """Ends damping by all parts that damp."""
+        self._core.switch_off_damping()
+
     # --- what is there
+
+    @property
+    def out_of_balance(self) -> float:
+        """Forces out of balance over the forces that are there, -, in the last step of a scene in which a part damps."""
+        return float(self._core.out_of_balance())
 
     @property
     def energy(self) -> Energies:
@@ -167,8 +177,14 @@ class Scene:
 
     def nodes(self, body: Union[int, str] = 0) -> Nodes:
         """Nodes with the velocity field of a body."""
-        number = body if isinstance(body, int) else list(self.bodies).index(body)
-        return Nodes(*self._core.nodes(number))
+        return Nodes(*self._core.nodes(self.number_of(body)))
+
+    def number_of(self, body: Union[int, str]) -> int:
+        """Of a deformable body, by its name."""
+        names = list(self.bodies)
+        if body not in (names if isinstance(body, str) else range(len(names))):
+            raise Error(f"body = {body}: must be one of {', '.join(names)}")
+        return names.index(body) if isinstance(body, str) else body
 
     def reaction(self, wall: str) -> Reaction:
         """Of a wall, by its name or face; the scene must have been made with `reactions=True`."""
@@ -184,6 +200,11 @@ class Scene:
     def state(self) -> Mapping[str, Any]:
         """Every value that a step reads, by path; copies."""
         return {path: np.array(column) for path, column in self._state.columns().items()}
+
+    def law(self, body: Union[int, str] = 0) -> Law:
+        """The recipe of a body's law."""
+        law: Law = self._recipes["bodies"][self.number_of(body)].law
+        return law
 
     @property
     def composition(self) -> str:
@@ -234,10 +255,24 @@ def run(scene: Scene, end: float, courant: float = 0.5, max_step: float = float(
     """Steps a scene to `end`, s. `every`: functions of the scene by their period, s, called at the start and at the
     first step at or after each multiple; `after_step` after each step. One that returns `STOP` ends the run. Raises
     `RunError` if the run fails physically; Ctrl-C stops it after the step."""
+    _run(scene, end, courant, max_step, None, every, after_step)
+
+
+def settle(scene: Scene, end: float, ratio: float = 1e-3, courant: float = 0.5,
+           every: Optional[Mapping[float, Observer]] = None, after_step: Optional[Observer] = None) -> None:
+    """Steps a scene in which a part damps (`LocalDamping`) until its forces are in balance to `ratio`, -, for ten
+    steps. Observers as in `run`. Raises `RunError` if `end`, s, comes first. Go on with `run` after
+    `scene.switch_off_damping()`."""
+    _run(scene, end, courant, float("inf"), ratio, every, after_step)
+
+
+def _run(scene: Scene, end: float, courant: float, max_step: float, ratio: Optional[float],
+         every: Optional[Mapping[float, Observer]], after_step: Optional[Observer]) -> None:
     every = dict(every or {})
     observers = list(every.values())
     after = None if after_step is None else lambda: after_step(scene) is STOP
-    scene._core.run(end, courant, max_step, [float(p) for p in every], lambda k: observers[k](scene) is STOP, after)
+    scene._core.run(end, courant, max_step, ratio, [float(p) for p in every],
+                    lambda k: observers[k](scene) is STOP, after)
 
 
-__all__ = ["Energies", "Nodes", "Reaction", "STOP", "Scene", "run"]
+__all__ = ["Energies", "Nodes", "Reaction", "STOP", "Scene", "run", "settle"]

@@ -5,11 +5,18 @@
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
 
 #include <arenite/host/plugin.hpp>
+#include <arenite/io/pvd.hpp>
+#include <arenite/io/vtu.hpp>
 #include <chrono>
+#include <cstdint>
+#include <filesystem>
+#include <map>
 #include <memory>
 #include <optional>
+#include <span>
 #include <type_traits>
 #include <utility>
 
@@ -58,9 +65,14 @@ class SceneHandle {
 
   /// Runs to `end`; calls `due(k)` when period k is due, and `after_step()` after each step, both between
   /// steps, where they may use the scene; one that returns true ends the run.
-  void run(double end, double courant, double max_step, std::vector<double> periods, const py::function& due,
+  void run(double end, double courant, double max_step, std::optional<double> settle,
+           std::vector<double> periods, const py::function& due,
            const std::optional<py::function>& after_step) {
-    HostedRun run{.end = end, .courant = courant, .max_step = max_step, .periods = std::move(periods)};
+    HostedRun run{.end = end,
+                  .courant = courant,
+                  .max_step = max_step,
+                  .settle = settle,
+                  .periods = std::move(periods)};
     bool stops = false;
     const auto call = [&](const py::function& f, auto... arguments) {
       const py::gil_scoped_acquire lock;
@@ -276,6 +288,34 @@ py::dict drive(const HostedLaw& law, int dimension, py::handle stages, std::vect
   return all;
 }
 
+/// Numbers of an array for a VTU file, fetched while it is written.
+VtuArray vtu_of(const std::string& name, const RowsIn& a) {
+  const std::size_t components = a.ndim() == 2 ? static_cast<std::size_t>(a.shape(1)) : 1;
+  return vtu_array(name, components, std::span<const double>(a.data(), static_cast<std::size_t>(a.size())));
+}
+
+/// Writes points [n, 3] with their fields, as vertices or as the corners of cells [m, k].
+void write_points(const std::string& path, const RowsIn& position,
+                  std::optional<py::array_t<std::uint64_t, py::array::c_style | py::array::forcecast>> cells,
+                  const std::map<std::string, RowsIn>& fields) {
+  const auto n = static_cast<std::size_t>(position.shape(0));
+  VtuData data{vtu_of("position", position), {vtu_vertices(n)}, {}, {}};
+  if (cells) {
+    const auto corners = static_cast<std::size_t>(cells->shape(1));
+    data.cells = {{corners, static_cast<std::size_t>(cells->shape(0)),
+                   [from = cells->data(), corners](std::size_t cell, std::size_t corner) {
+                     return static_cast<Index>(from[cell * corners + corner]);
+                   }}};
+  }
+  for (const auto& [name, rows] : fields) data.point_data.push_back(vtu_of(name, rows));
+  const py::gil_scoped_release released;
+  write_vtu(path, data);
+}
+
+py::tuple totals_of(const HostedTotals& t) {
+  return py::make_tuple(t.count, t.mass, t.momentum, t.kinetic_energy, t.strain_energy);
+}
+
 }  // namespace
 
 PYBIND11_MODULE(_core, m) {
@@ -315,6 +355,12 @@ PYBIND11_MODULE(_core, m) {
       .def("law", &PluginHandle::law)
       .def("set_threads", [](const PluginHandle& p, int n) { p->set_threads(n); });
 
+  m.def("write_vtu", &write_points);
+  py::class_<PvdWriter>(m, "PvdWriter")
+      .def(py::init<std::filesystem::path>())
+      .def("add",
+           [](PvdWriter& pvd, double time, const std::string& file, int part) { pvd.add(time, file, part); });
+
   py::class_<HostedLaw, std::shared_ptr<HostedLaw>>(m, "Law")
       .def("density", &HostedLaw::density)
       .def("wave_modulus", &HostedLaw::wave_modulus)
@@ -336,6 +382,9 @@ PYBIND11_MODULE(_core, m) {
       .def("stable_step", [](SceneHandle& h) { return h.outside([](Scene& s) { return s.stable_step(); }); })
       .def("step", [](SceneHandle& h, double dt) { h.outside([&](Scene& s) { s.step(dt); }); })
       .def("run", &SceneHandle::run)
+      .def("out_of_balance",
+           [](SceneHandle& h) { return h.outside([](Scene& s) { return s.out_of_balance(); }); })
+      .def("switch_off_damping", [](SceneHandle& h) { h.outside([](Scene& s) { s.switch_off_damping(); }); })
       .def("columns",
            [](py::object self) {
              auto& h = self.cast<SceneHandle&>();
@@ -369,6 +418,37 @@ PYBIND11_MODULE(_core, m) {
       .def("reaction",
            [](SceneHandle& h, const std::string& wall) {
              return h.outside([&](Scene& s) { return s.reaction(wall); });
+           })
+      .def("fill",
+           [](SceneHandle& h, std::size_t body, py::handle fill) {
+             const Value given = value_of(fill);
+             return totals_of(h.outside([&](Scene& s) { return s.fill(body, given); }));
+           })
+      .def("insert",
+           [](SceneHandle& h, std::size_t body, py::handle points) {
+             const Value given = value_of(points);
+             return totals_of(h.outside([&](Scene& s) { return s.insert(body, given); }));
+           })
+      .def("remove",
+           [](SceneHandle& h, std::size_t body, py::handle where) {
+             const Value given = value_of(where);
+             return totals_of(h.outside([&](Scene& s) { return s.remove(body, given); }));
+           })
+      .def("probe",
+           [](SceneHandle& h, std::size_t body, const RowsIn& places) {
+             const int dimension = h.inside([](Scene& s) { return s.dimension(); });
+             if (places.ndim() != 2 || places.shape(1) != dimension)
+               throw error(joined_text("probe: places: must be [n, ", dimension, "]"));
+             const std::vector<double> at(places.data(), places.data() + places.size());
+             const HostedProbes found = h.outside([&](Scene& s) { return s.probe(body, at); });
+             const py::ssize_t n = places.shape(0);
+             return py::make_tuple(numpy_of(found.velocity, {n, dimension}),
+                                   numpy_of(found.stress, {n, dimension == 2 ? 4 : 6}));
+           })
+      .def("section_force",
+           [](SceneHandle& h, std::size_t body, py::handle section, bool of_nodes) {
+             const Value given = value_of(section);
+             return h.outside([&](Scene& s) { return s.section_force(body, given, of_nodes); });
            })
       .def("save", [](SceneHandle& h, const std::string& path,
                       const std::string& recipe) { h.outside([&](Scene& s) { s.save(path, recipe); }); })

@@ -1,15 +1,16 @@
 // Hosted scene: any scene behind one interface, for a program that learns its type when it runs. Calls are
-// virtual around a step, never within one.
+// virtual around a step, never within one. Bodies go by their numbers.
 #pragma once
 
 #include <array>
 #include <cstddef>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
-#include <arenite/core/error.hpp>
+#include <arenite/host/value.hpp>
 
 namespace arenite {
 
@@ -41,11 +42,27 @@ struct HostedEnergies {
   double kinetic, strain, stored, plastic, contact, external, inserted, residual;
 };
 
+/// What points brought or took, as `PointTotals` has it.
+struct HostedTotals {
+  std::size_t count = 0;
+  double mass = 0;                 ///< kg
+  std::vector<double> momentum{};  ///< [D], kg m/s
+  double kinetic_energy = 0;       ///< J
+  double strain_energy = 0;        ///< J
+};
+
+/// What probes found, a row each; NaN where there is no matter.
+struct HostedProbes {
+  std::vector<double> velocity{};  ///< [n x D], m/s
+  std::vector<double> stress{};    ///< [n x 4 or 6], Pa
+};
+
 /// What a run is asked for.
 struct HostedRun {
   double end;                              ///< s, on the scene's clock
   double courant = 0.5;                    ///< share of the stable step, -
   double max_step = 1e300;                 ///< s
+  std::optional<double> settle{};          ///< ends when settled to this ratio (`SettleOptions`), -
   std::vector<double> periods{};           ///< s; each has a callback
   std::function<void(std::size_t)> due{};  ///< called with the number of a period that is due
   std::function<bool()> after_step{};      ///< called after each step; returns whether the run stops there
@@ -66,12 +83,29 @@ class HostedScene {
   virtual void step(double dt) = 0;
   virtual void run(const HostedRun&) = 0;
 
+  /// As `out_of_balance` has it; of a scene in which a part damps.
+  virtual double out_of_balance() const = 0;
+  /// Ends damping by all parts that damp.
+  virtual void switch_off_damping() = 0;
+
   virtual std::vector<HostedState> state() = 0;
   virtual HostedNodes nodes(std::size_t body) const = 0;
   virtual HostedCells cells() const = 0;
   virtual HostedEnergies energies() const = 0;
   /// Force, N, and impulse, N s, of a wall: two rows of D numbers.
   virtual std::array<std::vector<double>, 2> reaction(const std::string& wall) const = 0;
+
+  /// Fills a region with points of a body, as a fill of these values does in a new scene.
+  virtual HostedTotals fill(std::size_t body, const Value& fill) = 0;
+  /// Adds points: rows by name, "position" [n, D] and "volume" [n], perhaps "velocity" [n, D], "mass" [n],
+  /// "stress" [n, 4 or 6], and "history", rows [n] by name.
+  virtual HostedTotals insert(std::size_t body, const Value& points) = 0;
+  /// Removes points: those in a region, or those whose number in an array [n] is not 0.
+  virtual HostedTotals remove(std::size_t body, const Value& where) = 0;
+  /// Velocity and stress of a body at places [n x D].
+  virtual HostedProbes probe(std::size_t body, const std::vector<double>& places) const = 0;
+  /// Force [D] across a `Section`, N; `of_nodes`: as the motion of nodes sees it.
+  virtual std::vector<double> section_force(std::size_t body, const Value& section, bool of_nodes) const = 0;
 
   virtual void save(const std::string& path, const std::string& recipe) const = 0;
   virtual void restore(const std::string& path, const std::string& recipe) = 0;

@@ -10,11 +10,12 @@
 #include <vector>
 
 #include <arenite/host/hosted_scene.hpp>
-#include <arenite/host/read_recipes.hpp>
+#include <arenite/host/scene_points.hpp>
 #include <arenite/observe/energy.hpp>
 #include <arenite/observe/every.hpp>
 #include <arenite/observe/saved_state.hpp>
 #include <arenite/scene/run.hpp>
+#include <arenite/scene/settle.hpp>
 #include <arenite/scene/state.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
@@ -49,14 +50,32 @@ class SceneHost : public HostedScene {
         run.due(k);
       });
     bool first = true;
-    arenite::run(*scene_, {.end = run.end, .courant = run.courant, .max_step = run.max_step},
-                 [&](const Scene& scene) {
-                   for (auto& timer : timers) timer(scene);
-                   look_for_moves();
-                   const bool stops = !first && run.after_step && run.after_step();
-                   first = false;
-                   return stops ? RunFlow::stop : RunFlow::go_on;
-                 });
+    const auto observe = [&](const Scene& scene) {
+      for (auto& timer : timers) timer(scene);
+      look_for_moves();
+      const bool stops = !first && run.after_step && run.after_step();
+      first = false;
+      return stops ? RunFlow::stop : RunFlow::go_on;
+    };
+    if (!run.settle) {
+      arenite::run(*scene_, {.end = run.end, .courant = run.courant, .max_step = run.max_step}, observe);
+      return;
+    }
+    if constexpr (Scene::has_start_state)
+      arenite::settle(*scene_, {.ratio = *run.settle, .end = run.end, .courant = run.courant}, observe);
+    else
+      throw error(needs_damping("settle"));
+  }
+  double out_of_balance() const override {
+    if constexpr (Scene::has_start_state)
+      return arenite::out_of_balance(*scene_);
+    else
+      throw error(needs_damping("out_of_balance"));
+  }
+  void switch_off_damping() override {
+    scene_->for_each_part([](auto& part) {
+      if constexpr (requires { part.switch_off(); }) part.switch_off();
+    });
   }
 
   std::vector<HostedState> state() override {
@@ -117,6 +136,25 @@ class SceneHost : public HostedScene {
     }
   }
 
+  HostedTotals fill(std::size_t body, const Value& values) override {
+    ++generation_;
+    return detail::fill_more(*scene_, body, values);
+  }
+  HostedTotals insert(std::size_t body, const Value& points) override {
+    ++generation_;
+    return detail::insert_rows(*scene_, body, points);
+  }
+  HostedTotals remove(std::size_t body, const Value& where) override {
+    ++generation_;
+    return detail::remove_where(*scene_, body, where);
+  }
+  HostedProbes probe(std::size_t body, const std::vector<double>& places) const override {
+    return detail::probe_places(*scene_, body, places);
+  }
+  std::vector<double> section_force(std::size_t body, const Value& section, bool of_nodes) const override {
+    return detail::force_across(*scene_, body, section, of_nodes);
+  }
+
   void save(const std::string& path, const std::string& recipe) const override {
     save_state(*scene_, SavedState(path, recipe));
   }
@@ -133,6 +171,10 @@ class SceneHost : public HostedScene {
   }
 
  private:
+  static std::string needs_damping(const char* what) {
+    return joined_text(what, ": name a part that damps: LocalDamping or ViscousDamping");
+  }
+
   /// Looks for moves of points when a call ends, however it ends.
   class Watched {
    public:
@@ -180,9 +222,7 @@ class SceneReader<Scene<K, M, N, Given...>> {
     const Reading at{.name = "Scene", .dimension = Made::D};
     const auto given = [&](const char* key) { return values.find(key) ? *values.find(key) : Value(); };
     const M mesh = read<M>(given("mesh"), at / "mesh");
-    std::vector<Triple> nodes;
-    for (Index i = 0; i < Made::Shape::node_count(mesh); ++i)
-      nodes.push_back(in_space<typename M::scalar, Made::D>(Made::Shape::node_position(mesh, i)));
+    const auto nodes = node_positions<Made>(mesh);
     Reading in_mesh = at;
     in_mesh.nodes = &nodes;
     const Value parts = given("parts");
@@ -216,27 +256,7 @@ class SceneReader<Scene<K, M, N, Given...>> {
     const auto* list = value.get<Value::List>();
     if (list == nullptr || list->size() != sizeof...(F))
       at.refuse(value, joined_text("must be a list of ", sizeof...(F), " bodies"));
-    return {std::tuple<F...>{read_fill<F>(mesh, (*list)[I], at[I])...}};
-  }
-  /// Functions of place are asked for once each: where a body is, then what is there.
-  template <class F>
-  static F read_fill(const M& mesh, const Value& value, Reading at) {
-    PlaceFunctions functions;
-    at.places = &functions;
-    F fill = read<F>(value, at);
-    const auto rewind = [&] {
-      for (auto* list : {&functions.where, &functions.what})
-        for (auto& f : *list) f->rewind();
-    };
-    F probe = fill;
-    probe.options.may_be_empty = true;
-    for (auto* stage : {&functions.where, &functions.what}) {
-      if (stage->empty()) continue;
-      make_body<K, Made::extra_columns>(mesh, probe);
-      for (auto& f : *stage) f->compute();
-      rewind();
-    }
-    return fill;
+    return {std::tuple<F...>{read_fill<Made, F>(mesh, (*list)[I], at[I])...}};
   }
 };
 

@@ -1,0 +1,42 @@
+// Read fill: bodies out of a host's values, whose functions of place are asked for once each.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include <arenite/host/read_recipes.hpp>
+#include <arenite/scene/scene.hpp>
+
+namespace arenite::inline ARENITE_INSTRUCTION_SET::detail {
+
+/// Positions of the nodes of a scene's mesh, m: of those that walls by a test of positions ask for.
+template <class Scene>
+std::vector<std::array<double, 3>> node_positions(const typename Scene::Mesh& mesh) {
+  std::vector<std::array<double, 3>> nodes;
+  for (Index i = 0; i < Scene::Shape::node_count(mesh); ++i)
+    nodes.push_back(in_space<typename Scene::T, Scene::D>(Scene::Shape::node_position(mesh, i)));
+  return nodes;
+}
+
+/// A fill of type F. Its functions are asked twice over: first where a body is, then what is there.
+template <class Scene, class F>
+F read_fill(const typename Scene::Mesh& mesh, const Value& value, Reading at) {
+  PlaceFunctions functions;
+  at.places = &functions;
+  F fill = read<F>(value, at);
+  const auto rewind = [&] {
+    for (auto* list : {&functions.where, &functions.what})
+      for (auto& f : *list) f->rewind();
+  };
+  F probe = fill;
+  probe.options.may_be_empty = true;
+  for (auto* stage : {&functions.where, &functions.what}) {
+    if (stage->empty()) continue;
+    make_body<typename Scene::Kinematics, Scene::extra_columns>(mesh, probe);
+    for (auto& f : *stage) f->compute();
+    rewind();
+  }
+  return fill;
+}
+
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET::detail

@@ -1,0 +1,93 @@
+"""Points of a scene between two steps: inserted, removed, probed, cut."""
+
+from __future__ import annotations
+
+from typing import Any, Callable, Mapping, NamedTuple, Optional, Sequence, Union
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ._errors import Error
+from ._recipe import Recipe
+from .fill import Field, Geostatic, fill
+from .scene import Scene
+from .shapes import Region
+
+Name = Union[int, str]
+
+
+class Totals(NamedTuple):
+    """What points brought or took: their number, mass, kg, momentum [D], kg m/s, kinetic and recoverable energy, J."""
+
+    points: int
+    mass: float
+    momentum: Sequence[float]
+    kinetic_energy: float
+    strain_energy: float
+
+
+class Probed(NamedTuple):
+    """At places: velocity [n, D], m/s, and stress [n, 4 or 6], Pa; NaN where there is no matter."""
+
+    velocity: NDArray[np.float64]
+    stress: NDArray[np.float64]
+
+
+def fill_points(scene: Scene, body: Name, region: Region, per_cell: int = 4, velocity: Field = (0.0, 0.0, 0.0),
+                stress: Union[Geostatic, Callable[[Any], Any], None] = None,
+                history: Optional[Mapping[str, Any]] = None, may_be_empty: bool = False) -> Totals:
+    """Fills a region with points of a body of a running scene, as `fill` does when a scene is made. The region should
+    be empty: points that are there stay. Raises `Error`, with the scene as it was, where `fill` would."""
+    number = scene.number_of(body)
+    recipe = fill(str(body), region, scene.law(number), per_cell, velocity, stress, may_be_empty, dict(history or {}))
+    return Totals(*scene._core.fill(number, recipe.value()))
+
+
+def insert_points(scene: Scene, body: Name, position: ArrayLike, volume: ArrayLike, velocity: Optional[ArrayLike] = None,
+                  mass: Optional[ArrayLike] = None, stress: Optional[ArrayLike] = None,
+                  history: Optional[Mapping[str, ArrayLike]] = None) -> Totals:
+    """Adds points to a body: position [n, D], m; volume [n] or a number, m3 (of a metre of thickness, or of the full
+    circle); velocity [n, D], m/s; mass [n], kg, by default the law's density times the volume; stress [n, 4 or 6],
+    Pa; history, arrays [n] by name. Raises `Error`, with the scene as it was, for a point outside of the mesh or one
+    that is not finite. The energy balance counts what they bring as put in."""
+    place = np.asarray(position, dtype=float)
+    rows = {"velocity": velocity, "mass": mass, "stress": stress}
+    values: dict[str, Any] = {name: np.asarray(x, dtype=float) for name, x in rows.items() if x is not None}
+    values["position"] = place
+    values["volume"] = np.broadcast_to(np.asarray(volume, dtype=float), place.shape[:1])
+    if history:
+        values["history"] = {name: np.asarray(x, dtype=float) for name, x in history.items()}
+    return Totals(*scene._core.insert(scene.number_of(body), values))
+
+
+def remove_points(scene: Scene, body: Name, where: Union[Region, ArrayLike]) -> Totals:
+    """Removes the points of a body in a region (a shape, `Cells`, or a test of positions [n, D] that returns [n]
+    booleans), or those for which an array [n] of booleans is true. The energy balance counts what they take as taken
+    out."""
+    number = scene.number_of(body)
+    if isinstance(where, Recipe):
+        return Totals(*scene._core.remove(number, where.value()))
+    if callable(where):
+        where = where(np.asarray(list(scene.bodies.values())[number].position))
+    mask = np.asarray(where)
+    if mask.dtype != bool:
+        raise Error(f"where = an array of {mask.dtype}: must be of booleans, one for each point")
+    return Totals(*scene._core.remove(number, mask.astype(float)))
+
+
+def probe(scene: Scene, body: Name, places: ArrayLike) -> Probed:
+    """Velocity and stress of a body at places [n, D], m, interpolated between its points. Constant fields come out as
+    they are."""
+    return Probed(*scene._core.probe(scene.number_of(body), np.asarray(places, dtype=float)))
+
+
+def section_force(scene: Scene, body: Name, through: Sequence[float], normal: Sequence[float], thickness: float,
+                  of_nodes: bool = False) -> NDArray[np.float64]:
+    """Force [D], N, on the body behind a plane cut from the part in front of it, into which the normal points; in
+    tension positive along the normal. thickness, m: two cells or more. `of_nodes`: of the internal forces of nodes,
+    through a cut of the whole body; better on coarse simplices."""
+    cut = {"through": list(through), "normal": list(normal), "thickness": thickness}
+    return np.array(scene._core.section_force(scene.number_of(body), cut, of_nodes))
+
+
+__all__ = ["Probed", "Totals", "fill_points", "insert_points", "probe", "remove_points", "section_force"]

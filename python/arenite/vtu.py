@@ -1,0 +1,61 @@
+"""VTU files of a scene, which ParaView opens as one series."""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+from typing import Any, Dict, List, Tuple, Union
+
+import numpy as np
+
+from . import _core
+from ._errors import Error
+from .scene import Scene
+
+
+def in_space(x: Any) -> Any:
+    """Rows [n, 2 or 3] as [n, 3]."""
+    x = np.asarray(x, dtype=float)
+    return x if x.shape[1] == 3 else np.column_stack([x, np.zeros(len(x))])
+
+
+def point_fields(scene: Scene, body: str) -> Dict[str, Any]:
+    """Of the points of a body: velocity [n, 3], m/s, stress [n, 6] (xx, yy, zz, xy, yz, zx), Pa, mean pressure,
+    compression positive, mass, volume, and the numbers of the law's history by name."""
+    of = scene.bodies[body]
+    stress = np.asarray(of.stress)
+    fields = {"velocity": in_space(of.velocity),
+              "stress": np.column_stack([stress, np.zeros((len(stress), 6 - stress.shape[1]))]),
+              "pressure": -stress[:, :3].mean(axis=1), "mass": of.mass.copy(), "volume": of.volume.copy()}
+    fields.update({name: np.asarray(column, dtype=float) for name, column in of.history.items()})
+    return fields
+
+
+class Vtu:
+    """Observer for `run`: writes the points of each body as PREFIX_BODY_0000.vtu, .., the cells of a simplex mesh if
+    `mesh`, and PREFIX.pvd. Makes the folder. `ar.run(scene, end=1, every={0.1: ar.Vtu("out/column")})`"""
+
+    def __init__(self, prefix: Union[str, "os.PathLike[str]"], mesh: bool = False) -> None:
+        self._prefix, self._mesh, self._frame = os.fspath(prefix), mesh, 0
+        folder = Path(self._prefix).parent
+        try:
+            folder.mkdir(parents=True, exist_ok=True)
+        except OSError as e:
+            raise Error(f"Vtu: folder = {folder}: cannot be made: {e.strerror}") from e
+        self._list = _core.PvdWriter(self._prefix + ".pvd")
+
+    def __call__(self, scene: Scene) -> None:
+        parts: List[Tuple[str, Any, Any, Dict[str, Any]]] = [
+            (name, in_space(body.position), None, point_fields(scene, name)) for name, body in scene.bodies.items()]
+        if self._mesh:
+            if scene.cells is None:
+                raise Error("Vtu: mesh = True: goes with a mesh of simplices alone")
+            parts.append(("mesh", in_space(scene.nodes().position), scene.cells, {}))
+        for number, (name, position, cells, fields) in enumerate(parts):
+            path = f"{self._prefix}_{name}_{self._frame:04d}.vtu"
+            _core.write_vtu(path, position, cells, fields)
+            self._list.add(scene.time, path, number)
+        self._frame += 1
+
+
+__all__ = ["Vtu"]

@@ -1,0 +1,129 @@
+"""Points inserted, removed and looked at between steps; stages that settle; VTU files."""
+
+import numpy as np
+import pytest
+
+
+def test_removed_by_region_function_and_mask(ar, column):
+    """The three ways take the same points, and mass, momentum and energy balance count them."""
+    taken = []
+    for where in (ar.Box((0, 0.1), (0.1, 0.15)), lambda x: x[:, 1] > 0.1, None):
+        scene = column()
+        ar.run(scene, end=0.02)
+        sand = scene.bodies["sand"]
+        x, v, m = (np.asarray(c) for c in (sand.position, sand.velocity, sand.mass))
+        above, view = x[:, 1] > 0.1, sand.mass
+        before = scene.energy
+        totals = ar.remove_points(scene, "sand", above if where is None else where)
+        assert totals.points == above.sum() and len(scene.bodies["sand"]) == 600 - totals.points
+        assert totals.mass == pytest.approx(m[above].sum(), rel=1e-12)
+        assert np.allclose(totals.momentum, (m[:, None] * v)[above].sum(axis=0), rtol=1e-9, atol=1e-12)
+        assert np.all(np.asarray(scene.bodies["sand"].position)[:, 1] <= 0.1)
+        after = scene.energy
+        assert after.residual == pytest.approx(before.residual, abs=1e-9 * before.external)
+        assert before.kinetic - after.kinetic == pytest.approx(totals.kinetic_energy, rel=1e-9)
+        with pytest.raises(ar.Error, match="take the view anew"):
+            view + 1
+        ar.run(scene, end=0.03)
+        taken.append(np.asarray(scene.bodies["sand"].position))
+    assert np.array_equal(taken[0], taken[1]) and np.array_equal(taken[0], taken[2])
+
+
+def test_filled_and_inserted(ar, column):
+    scene = column()
+    totals = ar.fill_points(scene, "sand", ar.Box((0.2, 0), (0.25, 0.05)), velocity=lambda x: np.column_stack([x[:, 1], 0 * x[:, 1]]))
+    assert totals.points == 100 and totals.mass == pytest.approx(1540 * 0.05**2, rel=1e-12)
+    sand = scene.bodies["sand"]
+    new = sand.position[:, 0] > 0.15
+    assert np.array_equal(sand.velocity[new][:, 0], sand.position[new][:, 1])
+    more = ar.insert_points(scene, "sand", [(0.3, 0.1), (0.31, 0.1)], 1e-6, velocity=[(1, 0), (0, 1)],
+                            stress=[(-1, -2, -3, 0)] * 2)
+    assert more == ar.Totals(2, pytest.approx(2 * 1540e-6), pytest.approx([1540e-6, 1540e-6]), pytest.approx(1540e-6),
+                             pytest.approx(more.strain_energy))
+    # U = (s:s - nu ((tr s)^2 - s:s) ...) of Hooke's law: ((1 + nu) s:s - nu (tr s)^2) / (2 E)
+    assert more.strain_energy == pytest.approx(2e-6 * (1.3 * 14 - 0.3 * 36) / 2e6, rel=1e-9)
+    there = scene.bodies["sand"].position[:, 0] > 0.29
+    assert there.sum() == 2 and scene.bodies["sand"].stress[there][0].tolist() == [-1, -2, -3, 0]
+    scene.step(1e-5)
+    assert scene.energy.inserted == pytest.approx(totals.kinetic_energy + more.kinetic_energy + more.strain_energy, rel=1e-6)
+
+
+def test_refusals_leave_the_scene(ar, column):
+    scene = column()
+    for bad, text in [(lambda: ar.insert_points(scene, "sand", [(9, 9)], 1e-6), "must lie in the mesh"),
+                      (lambda: ar.insert_points(scene, "sand", [(0.1, 0.1)], -1), "volume = -1: must be given, positive"),
+                      (lambda: ar.insert_points(scene, "sand", [(0.1, 0.1)], 1e-6, velocity=[(1, 2, 3)]), "must be 1 rows of 2"),
+                      (lambda: ar.insert_points(scene, "sand", [(0.1, 0.1)], 1e-6, history={"age": [1]}), "history = age"),
+                      (lambda: ar.fill_points(scene, "sand", ar.Box((5, 5), (6, 6))), "holds no point"),
+                      (lambda: ar.remove_points(scene, "sand", np.ones(3, bool)), "one for each of 600 points"),
+                      (lambda: ar.remove_points(scene, "sand", np.ones(600)), "must be of booleans"),
+                      (lambda: ar.remove_points(scene, "clay", ar.Box((0, 0), (1, 1))), "body = clay: must be one of sand"),
+                      (lambda: ar.probe(scene, "sand", [(0, 0, 0)]), r"must be \[n, 2\]"),
+                      (lambda: ar.section_force(scene, "sand", (0, 0), (0, 1), thickness=-1), "Section.thickness = -1")]:
+        with pytest.raises(ar.Error, match=text):
+            bad()
+    assert len(scene.bodies["sand"]) == 600
+
+
+def test_probe_and_section(ar, column):
+    """A linear field of velocities, and a geostatic one of stresses, as the places have them."""
+    def stress(x):
+        p = -1540 * 9.81 * (0.15 - x[:, 1])
+        return np.column_stack([p, p, p, 0 * p, 0 * p, 0 * p])
+
+    sand = column().law("sand")
+    scene = ar.Scene(ar.PlaneStrain(), ar.CartesianGrid((0, 0), (0.4, 0.2), cell=0.01),
+                     ar.Numerics(ar.QuadraticBSpline, ar.Apic),
+                     bodies=[ar.fill("sand", ar.Box((0, 0), (0.1, 0.15)), sand, stress=stress, velocity=(0.5, -1))],
+                     walls=[ar.bottom("fixed"), ar.left("roller")], gravity=(0, -9.81))
+    found = ar.probe(scene, "sand", [(0.05, 0.075), (0.35, 0.15)])
+    assert np.allclose(found.velocity[0], (0.5, -1), rtol=1e-12)
+    assert found.stress[0, 1] == pytest.approx(-1540 * 9.81 * 0.075, rel=1e-6)
+    assert np.all(np.isnan(found.velocity[1])) and np.all(np.isnan(found.stress[1]))
+    weight = 1540 * 9.81 * 0.1 * 0.05  # of what lies above the cut
+    force = ar.section_force(scene, "sand", (0, 0.1), (0, 1), thickness=0.04)
+    assert force[1] == pytest.approx(-weight, rel=1e-3) and abs(force[0]) < 1e-9 * weight
+    nodes = ar.section_force(scene, "sand", (0, 0.1), (0, 1), thickness=0.04, of_nodes=True)
+    assert nodes[1] == pytest.approx(-weight, rel=2e-2)
+
+
+def test_settles_under_its_weight(ar):
+    """A block between rollers: sigma_y = rho g (h - y), closed form, after dynamic relaxation."""
+    law = ar.LinearElastic(density=2000, young=1e6, poisson=0.3)
+    scene = ar.Scene(ar.PlaneStrain(), ar.CartesianGrid((0, 0), (0.1, 0.4), cell=0.025),
+                     ar.Numerics(ar.QuadraticBSpline, ar.Apic), bodies=[ar.fill("block", ar.Box((0, 0), (0.1, 0.3)), law)],
+                     walls=[ar.bottom("roller"), ar.left("roller"), ar.right("roller")], gravity=(0, -9.81),
+                     parts=[ar.LocalDamping()])
+    ar.settle(scene, end=2)
+    assert scene.out_of_balance <= 1e-3 and scene.time < 2
+    block = scene.bodies["block"]
+    within = (block.position[:, 1] > 0.05) & (block.position[:, 1] < 0.25)
+    exact = -2000 * 9.81 * (0.3 - block.position[:, 1])
+    assert np.abs(block.stress[:, 1] - exact)[within].max() < 0.01 * 2000 * 9.81 * 0.3
+    scene.switch_off_damping()
+    scene.step(1e-5)
+    with pytest.raises(ar.RunError, match="out of balance by"):
+        scene.bodies["block"].velocity[:, 1][:] = 1
+        ar.settle(scene, end=scene.time + 1e-3)
+    with pytest.raises(ar.Error, match="SettleOptions.ratio = 0: must be positive"):
+        ar.settle(scene, end=5, ratio=0)
+
+
+def test_settle_needs_damping(ar, column):
+    with pytest.raises(ar.Error, match="settle: name a part that damps"):
+        ar.settle(column(), end=1)
+
+
+def test_vtu(ar, column, tmp_path):
+    meshio = pytest.importorskip("meshio")
+    scene = column()
+    ar.run(scene, end=0.02, every={0.01: ar.Vtu(tmp_path / "out" / "column")})
+    series = (tmp_path / "out" / "column.pvd").read_text()
+    assert series.count("<DataSet") == 3 and "column_sand_0002.vtu" in series
+    mesh = meshio.read(tmp_path / "out" / "column_sand_0002.vtu")
+    sand = scene.bodies["sand"]
+    assert np.array_equal(mesh.points[:, :2], np.asarray(sand.position))
+    assert np.array_equal(mesh.point_data["stress"][:, :4], np.asarray(sand.stress))
+    assert set(mesh.point_data) == {"velocity", "stress", "pressure", "mass", "volume"}
+    with pytest.raises(ar.Error, match="goes with a mesh of simplices"):
+        ar.Vtu(tmp_path / "x", mesh=True)(scene)

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import dataclasses
+import enum
 from dataclasses import dataclass, field
 from typing import Any, Dict, Optional, Tuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from ._errors import Error
 from ._recipe import Recipe
 
 NOT_GIVEN = float("nan")
@@ -134,6 +136,18 @@ class SofteningFriction(Policy):
 
 
 @dataclass(frozen=True)
+class RateSofteningFriction(Policy):
+    """Softening between peak and residual angles, of which the peak ones grow with the shear rate (Zambrano-Cruzatty
+    and Yerro 2020)."""
+
+    softening: SofteningFriction = field(default_factory=SofteningFriction)
+    friction_per_decade: float = 0.027  #: -
+    dilatancy_per_decade: float = 0.27  #: -
+    reference_rate: float = 2.1e-5  #: 1/s
+    smoothing: float = 0.0  #: s
+
+
+@dataclass(frozen=True)
 class ConstantStiffness(Policy):
     """The moduli of the law's parameters."""
 
@@ -145,6 +159,26 @@ class PressureStiffness(Policy):
     exponent: float = 0.5  #: n, -
     reference_pressure: float = 100e3  #: Pa
     lowest_pressure: float = 1e3  #: Pa
+
+
+@dataclass(frozen=True)
+class RateStiffness(Policy):
+    """The shear modulus grows with the shear rate and falls with the plastic strain, of which `RateSofteningFriction`
+    keeps account (Zambrano-Cruzatty and Yerro 2020)."""
+
+    per_decade: float = 0.102  #: -
+    reference_rate: float = 2.1e-5  #: 1/s
+    residual: float = 1.0  #: G_r / G_p, -
+    decay: float = 0.0  #: per unit of plastic strain, -
+    pressure: PressureStiffness = field(default_factory=lambda: PressureStiffness(exponent=0.0))
+
+
+class Cone(enum.IntEnum):
+    """Where the cone of Drucker-Prager meets the pyramid of Mohr-Coulomb."""
+
+    compression = 0  #: at the edges of triaxial compression
+    extension = 1  #: at the edges of triaxial extension
+    plane_strain = 2  #: in plastic flow in plane strain, for the given dilatancy
 
 
 @dataclass(frozen=True)
@@ -176,7 +210,31 @@ class MohrCoulomb(_Frictional):
 
 @dataclass(frozen=True)
 class DruckerPrager(_Frictional):
-    """Drucker-Prager plasticity through the compression edge of Mohr-Coulomb, with a cut-off of the mean stress."""
+    """Drucker-Prager plasticity, matched to Mohr-Coulomb as `cone` says, with a cut-off of the mean stress."""
+
+    cone: Cone = Cone.compression
+
+    def __post_init__(self) -> None:
+        if not isinstance(self.cone, Cone):
+            raise Error(f"DruckerPrager.cone = {self.cone!r}: must be one of {', '.join(f'Cone.{c.name}' for c in Cone)}")
+
+
+@dataclass(frozen=True)
+class WithDeviatoricStrain(Law):
+    """A law whose points remember the deviator of their strain too, turned with the matter: `deviatoric_strain`.
+    dimension: 2 for plane and axisymmetric scenes alone."""
+
+    law: Law
+    dimension: int = 3
+
+    def cpp(self) -> str:
+        return f"WithDeviatoricStrain<{self.law.cpp()}, {self.dimension}>"
+
+    def header(self) -> Optional[str]:
+        return self.law.header()
+
+    def value(self) -> Any:
+        return self.law.value()
 
 
 @dataclass(frozen=True)
@@ -201,4 +259,4 @@ class OwnLaw(Law):
 
 
 __all__ = [name for name, item in list(globals().items())
-           if isinstance(item, type) and dataclasses.is_dataclass(item) and name[0] != "_"] + ["Law"]
+           if isinstance(item, type) and dataclasses.is_dataclass(item) and name[0] != "_"] + ["Cone", "Law"]

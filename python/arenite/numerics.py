@@ -28,6 +28,16 @@ class LinearGrid(_Kind):
 
 
 @dataclass(frozen=True)
+class UGimp(_Kind):
+    """Uniform GIMP (Bardenhagen and Kober 2004), of bodies with so many points along each axis of a cell at first."""
+
+    points: int = 2
+
+    def cpp(self) -> str:
+        return f"UGimp<{self.points}>"
+
+
+@dataclass(frozen=True)
 class LinearSimplex(_Kind):
     pass
 
@@ -134,5 +144,5 @@ class Numerics(Recipe):
 
 
 __all__ = ["Aflip", "Apic", "CubicBSpline", "ElementAverage", "Flip", "Fmpm", "LinearGrid", "LinearSimplex", "Musl",
-           "NoAntiLocking", "NodalAndElementAverage", "NodalAveraging", "Numerics", "QuadraticBSpline", "Tpic", "Usf",
+           "NoAntiLocking", "NodalAndElementAverage", "NodalAveraging", "Numerics", "QuadraticBSpline", "Tpic", "UGimp", "Usf",
            "Usl", "Xpic"]

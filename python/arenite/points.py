@@ -10,6 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 from ._errors import Error
 from ._recipe import Recipe
 from .fill import Field, Geostatic, fill
+from .laws import WithDeviatoricStrain
 from .scene import Scene
 from .shapes import Region
 
@@ -90,4 +91,16 @@ def section_force(scene: Scene, body: Name, through: Sequence[float], normal: Se
     return np.array(scene._core.section_force(scene.number_of(body), cut, of_nodes))
 
 
-__all__ = ["Probed", "Totals", "fill_points", "insert_points", "probe", "remove_points", "section_force"]
+def deviatoric_strain(scene: Scene, body: Name = 0) -> NDArray[np.float64]:
+    """sqrt(2/3 e : e) of the points of a body [n], -, whose law is a `WithDeviatoricStrain`."""
+    law = scene.law(body)
+    if not isinstance(law, WithDeviatoricStrain):
+        raise Error(f"deviatoric_strain: the law of body {body} is {law.cpp()}: must be a WithDeviatoricStrain")
+    columns = list(scene.bodies.values())[scene.number_of(body)].history
+    last = sorted((name for name in columns if name.isdigit()), key=int)[-3 if law.dimension == 2 else -5:]
+    xx, yy, *shear = (np.asarray(columns[name]) for name in last)
+    size: NDArray[np.float64] = np.sqrt(2 / 3 * (xx**2 + yy**2 + (xx + yy)**2 + 2 * sum(x**2 for x in shear)))
+    return size
+
+
+__all__ = ["Probed", "Totals", "deviatoric_strain", "fill_points", "insert_points", "probe", "remove_points", "section_force"]

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from typing import Any, Callable, Sequence, Type, Union
+from typing import Any, Callable, Optional, Sequence, Type, Union
 
 from ._recipe import Recipe, function_value, plain
 from .shapes import Shape, distance_value
@@ -125,13 +125,23 @@ class Rigid(Recipe):
 
 
 @dataclass(frozen=True)
-class RigidContact(Recipe):
-    """All rigid bodies of the scene touch one another, with friction, rad."""
+class RigidPair(Recipe):
+    """Two rigid bodies, by their numbers, with a friction of their own, rad; None: they do not touch."""
 
-    friction: float
+    first: int
+    second: int
+    friction: Optional[float] = None
 
     def value(self) -> Any:
-        return {"friction": self.friction}
+        return {"first": str(self.first), "second": str(self.second), "friction": self.friction}
+
+
+@dataclass(frozen=True)
+class RigidContact(Recipe):
+    """All rigid bodies of the scene touch one another, with friction, rad, but for pairs with one of their own."""
+
+    friction: float
+    pairs: Sequence[RigidPair] = ()
 
 
 @dataclass(frozen=True)
@@ -156,4 +166,4 @@ class MovingMesh(Recipe):
 
 
 __all__ = ["Anchor", "CentreOfMass", "Free", "Guided", "MeshSurface", "MovingMesh", "PointContact", "Prescribed",
-           "PrescribedPose", "Rigid", "RigidContact", "RigidVelocity"]
+           "PrescribedPose", "Rigid", "RigidContact", "RigidPair", "RigidVelocity"]

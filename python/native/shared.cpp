@@ -25,6 +25,8 @@ const shared_detail::Offer recipes[]{
     parameters<InertialFriction::Parameters>("InertialFriction"),
     parameters<LogarithmicFriction::Parameters>("LogarithmicFriction"),
     parameters<SofteningParameters>("SofteningFriction"),
+    parameters<RateSofteningFriction::Parameters>("RateSofteningFriction"),
+    parameters<RateStiffness::Parameters>("RateStiffness"),
     parameters<PressureStiffness::Parameters>("PressureStiffness"),
     parameters<Flip>("Flip"),
     parameters<Aflip>("Aflip"),

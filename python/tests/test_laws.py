@@ -70,7 +70,7 @@ def test_names_and_defaults_are_those_of_cplusplus(ar):
     from arenite import _plugins
 
     elsewhere = {"Fill": {"name", "region", "law"}, "Fmpm": {"kept"}, "Xpic": {"kept"}, "MovingMesh": {"leader"},
-                 "DruckerPrager": {"cone"}, "Free": set()}
+                 "Free": set()}
     policies = {"memory", "friction_law", "stiffness_law"}
     plugin = _plugins.recipes()[0]
     assert len(plugin.recipes()) > 20

@@ -87,13 +87,9 @@ def test_probe_and_section(ar, column):
     assert nodes[1] == pytest.approx(-weight, rel=2e-2)
 
 
-def test_settles_under_its_weight(ar):
+def test_settles_under_its_weight(ar, block_between_rollers):
     """A block between rollers: sigma_y = rho g (h - y), closed form, after dynamic relaxation."""
-    law = ar.LinearElastic(density=2000, young=1e6, poisson=0.3)
-    scene = ar.Scene(ar.PlaneStrain(), ar.CartesianGrid((0, 0), (0.1, 0.4), cell=0.025),
-                     ar.Numerics(ar.QuadraticBSpline, ar.Apic), bodies=[ar.fill("block", ar.Box((0, 0), (0.1, 0.3)), law)],
-                     walls=[ar.bottom("roller"), ar.left("roller"), ar.right("roller")], gravity=(0, -9.81),
-                     parts=[ar.LocalDamping()])
+    scene = block_between_rollers(gravity=(0, -9.81))
     ar.settle(scene, end=2)
     assert scene.out_of_balance <= 1e-3 and scene.time < 2
     block = scene.bodies["block"]

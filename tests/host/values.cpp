@@ -123,4 +123,45 @@ TEST_CASE("a hosted scene has the bits of the scene itself", "[host]") {
   CHECK(compared == itself.point_count());
   CHECK(message([&] { hosted->step(-1); }) == "step: dt = -1: must be positive (s)");
   CHECK(message([&] { hosted->energies(); }) == "energies: name TrackEnergy{} among the scene's parts");
+
+  // Points of both, added, removed and looked at in the same way.
+  const Box gone{{0.05, 0.05}, {0.1, 0.2}}, more{{0.12, 0}, {0.16, 0.04}};
+  const auto region = [](const Box<2>& b) {
+    return Value(Dict{{"shape", std::string("Box")},
+                      {"lower", numbers({b.lower[0], b.lower[1]})},
+                      {"upper", numbers({b.upper[0], b.upper[1]})}});
+  };
+  const auto taken = remove_points<"">(itself, gone);
+  CHECK(hosted->remove(0, region(gone)).mass == taken.mass);
+  const auto brought = insert_points<"">(itself, more, {.per_cell = 4});
+  const HostedTotals filled = hosted->fill(0, Dict{{"region", region(more)}, {"law", sand()}});
+  CHECK(filled.count == brought.count);
+  CHECK(filled.mass == brought.mass);
+  const auto rows = [](std::vector<double> numbers, std::vector<std::size_t> shape) {
+    return Value(std::make_shared<const HostArray>(HostArray{std::move(numbers), std::move(shape)}));
+  };
+  const Dict point{{"position", rows({0.15, 0.1}, {1, 2})},
+                   {"volume", rows({1e-5}, {1})},
+                   {"velocity", rows({1, 0}, {1, 2})}};
+  CHECK(hosted->insert(0, point).momentum == std::vector<double>{1540 * 1e-5, 0});
+  CHECK(message([&] {
+          hosted->insert(0, Dict{{"position", rows({0.15, 0.1}, {1, 2})}, {"mass", rows({1, 2}, {2})}});
+        }) == "mass = an array of 2 numbers: must be 1 rows of 1");
+  CHECK(message([&] { hosted->remove(1, region(gone)); }) == "body = 1: must be below 1");
+  std::remove_cvref_t<decltype(itself.body())>::Point joins{};
+  joins.position = {0.15, 0.1};
+  joins.velocity = {1, 0};
+  joins.volume = 1e-5;
+  insert_points<"">(itself, {joins});
+  const auto there = probe(itself, {0.03, 0.03, 0});
+  const HostedProbes found = hosted->probe(0, {0.03, 0.03, 0.19, 0.19});
+  REQUIRE(there);
+  CHECK(found.stress[1] == there->stress[1]);
+  CHECK(std::isnan(found.velocity[2]));
+  const Section cut{.through = {0, 0.03, 0}, .normal = {0, 1, 0}, .thickness = 0.04};
+  const Dict same_cut{{"through", numbers({0, 0.03})}, {"normal", numbers({0, 1})}, {"thickness", 0.04}};
+  CHECK(hosted->section_force(0, same_cut, false)[1] == section_force(itself, cut)[1]);
+  CHECK(hosted->section_force(0, same_cut, true)[1] == nodal_section_force(itself, cut)[1]);
+  CHECK(message([&] { hosted->run({.end = 1, .settle = 1e-3}); }) ==
+        "settle: name a part that damps: LocalDamping or ViscousDamping");
 }

@@ -135,7 +135,7 @@ if chosen python; then
   [ "$(stat -c %s "$wheel")" -le 25000000 ] || fail "stage Python: $wheel is larger than 25 MB"
   pip install "$wheel" -r "$root/python/tests/requirements.txt" || fail "stage Python: the wheel was not installed"
   # From another folder, so that the installed package is tested.
-  (cd "$clean" && ARENITE_CACHE="$clean/cache" "$clean/env/bin/python" -m pytest -q "$root/python/tests" < /dev/null) ||
+  (cd "$clean" && ARENITE_CACHE="$clean/cache" "$clean/env/bin/python" -m pytest -q -n "$jobs" --dist loadfile "$root/python/tests" < /dev/null) ||
     fail "stage Python: tests failed"
   (cd "$root" && "$clean/env/bin/python" -m mypy < /dev/null) || fail "stage Python: types do not fit"
   summary+=("Python: wheel of $(($(stat -c %s "$wheel") / 1000000)) MB, built, installed, tested ($((SECONDS - start)) s)")

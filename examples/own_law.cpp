@@ -1,56 +1,17 @@
-// A law of your own: a struct with five members is all that a scene asks for. Here a metal with linear
-// hardening (von Mises), whose plastic strain is its history; a rod of it hits a wall (Taylor's test). Laws
-// that know the time, and one whose stiffness depends on the state: extend/laws.
-#include <arenite/arenite.hpp>
+// A law of your own, the class HardeningMetal of own_law.hpp: along a path of strains, without a scene, and
+// in a rod that hits a wall (Taylor's test).
+#include "own_law.hpp"
+
 #include <cstdio>
 using namespace arenite;
 
-/// Rate-independent: stress depends on the path of the strain, not on the time or the number of steps that it
-/// takes.
-class HardeningMetal {
- public:
-  // History: scalars with a tie of them; each becomes a column. Points begin with these values.
-  template <class T>
-  struct History {
-    T plastic{0};  // equivalent plastic strain, -
-    auto members() { return std::tie(plastic); }
-    auto members() const { return std::tie(plastic); }
-  };
-
-  /// Yield stress in uniaxial tension, Pa: `strength` + `hardening` times the plastic strain.
-  HardeningMetal(const Elasticity& elasticity, double strength, double hardening)
-      : elasticity_{elasticity}, strength_{strength}, hardening_{hardening} {}
-
-  double density() const { return elasticity_.density(); }
-  double wave_modulus() const { return elasticity_.wave_modulus(); }
-
-  // T: a scalar or a pack of points, so that branches are written as `max` and `select`.
-  template <class T, int D>
-  T update(Sym<T, D>& stress, const StrainStep<T, D>& step, History<T>& history) const {
-    using std::max, std::sqrt;
-    const Sym<T, D> trial = turned(stress, step.spin) + elasticity_.stress(step.strain);
-    const Sym<T, D> deviatoric = deviator(trial);
-    const T equivalent = sqrt(T(1.5) * contract(deviatoric, deviatoric));
-    const T excess = max(T(equivalent - T(strength_) - T(hardening_) * history.plastic), T(0));
-    const T flow = excess * T(1 / (3 * elasticity_.shear() + hardening_));  // radial return
-    stress = trial - deviatoric * T(T(3 * elasticity_.shear()) * flow / max(equivalent, T(1e-30)));
-    history.plastic = history.plastic + flow;
-    return T(0);  // nothing separates
-  }
-
-  template <class T, int D>
-  T elastic_energy(const Sym<T, D>& stress) const {
-    return elasticity_.energy(stress);
-  }
-
- private:
-  Elasticity elasticity_;
-  double strength_, hardening_;
-};
-
 int main() {
   const double shear = 43e9, strength = 400e6, hardening = 100e6;  // copper, Pa
-  const HardeningMetal copper({"HardeningMetal", 8930, 2 * 1.35 * shear, 0.35}, strength, hardening);
+  const HardeningMetal copper{{.density = 8930,
+                               .young = 2 * 1.35 * shear,
+                               .poisson = 0.35,
+                               .strength = strength,
+                               .hardening = hardening}};
 
   // A law works without a scene. Sheared to gamma, the metal bears the yield stress in shear and G H/(3 G +
   // H) of the strain beyond it, in 10 steps as in 1000.

@@ -131,7 +131,7 @@ def law_name(header: Path) -> str:
     """The class in a header that has an `update`: the last one before it."""
     text = re.sub(r"//.*", "", header.read_text())
     at = re.search(r"\bupdate\s*\(", text)
-    names = re.findall(r"\b(?:class|struct)\s+(\w+)[^;{]*\{", text[: at.start()] if at else text)
+    names = re.findall(r"\b(?:class|struct)\s+(\w+)\s*(?::[^;{]*)?\{", text[: at.start()] if at else text)
     outer = [n for n in names if n not in ("History", "Parameters")]
     if not outer:
         raise Error(f"compile: law = {header}: holds no class with update(..); name it: compile(law=.., name=..)")

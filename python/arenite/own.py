@@ -11,7 +11,7 @@ from .laws import OwnLaw
 
 
 def compile(law: Union[str, "os.PathLike[str]"], name: str = "") -> Callable[..., OwnLaw]:
-    """A law out of a C++ header (docs: examples/own_law.cpp): `Viscous = ar.compile(law="viscous.hpp")`, then
+    """A law out of a C++ header (as examples/own_law.hpp): `Viscous = ar.compile(law="viscous.hpp")`, then
     `Viscous(density=.., ..)` is a law like any other. Its parameters are those of its struct `Parameters`, or its own
     members if it is an aggregate. It is compiled when it is first used, with the scene that uses it."""
     path = Path(law).resolve()

@@ -6,7 +6,7 @@
 using namespace arenite;
 
 TEST_CASE("shear stress is viscosity times shear rate, and none where no time passes") {
-  const NewtonianFluid water{1000, 2e9, 1e-3};
+  const NewtonianFluid water{{.density = 1000, .bulk = 2e9, .viscosity = 1e-3}};
   Sym<double, 2> stress{{-5, -5, -5, 0}};
   NoHistory<double> history;
   StrainStep<double, 2> step;
@@ -24,7 +24,7 @@ TEST_CASE("a column let go comes to rest with the pressure of the weight above")
   const double height = 1, width = 0.1, density = 1000, g = 9.81, bulk = 1e6, h = 0.1;
   // Damping of the first mode k = pi / (2 H): half its frequency.
   const double nu = 0.5 * 2 * std::sqrt(bulk / density) / (pi / 2 / height);
-  const NewtonianFluid honey{density, bulk, 0.75 * density * nu};
+  const NewtonianFluid honey{{.density = density, .bulk = bulk, .viscosity = 0.75 * density * nu}};
   Scene scene{PlaneStrain{},
               CartesianGrid<2>{{.lower = {0, 0}, .upper = {width, height + 2 * h}, .cell = h}},
               Numerics<QuadraticBSpline, Flip, Usl>{},
@@ -45,7 +45,7 @@ TEST_CASE("a column let go comes to rest with the pressure of the weight above")
 
 TEST_CASE("Poiseuille flow: between plates the velocity is a parabola") {
   const double height = 1, density = 1, viscosity = 1, g = 1e-5, h = 0.1;
-  const NewtonianFluid oil{density, 100, viscosity};
+  const NewtonianFluid oil{{.density = density, .bulk = 100, .viscosity = viscosity}};
   // Both ends stay plane: nothing but the distance to the plates matters. The flow goes a millionth of a
   // cell.
   Scene scene{PlaneStrain{},

@@ -9,9 +9,13 @@ class NewtonianFluid {
   template <class T>
   using History = arenite::NoHistory<T>;
 
-  /// density [kg/m3], bulk modulus [Pa], viscosity [Pa s]
-  NewtonianFluid(double density, double bulk, double viscosity)
-      : density_{density}, bulk_{bulk}, viscosity_{viscosity} {}
+  struct Parameters {
+    double density = 0;    // kg/m3
+    double bulk = 0;       // bulk modulus, Pa
+    double viscosity = 0;  // Pa s
+  };
+  explicit NewtonianFluid(const Parameters& p)
+      : density_{p.density}, bulk_{p.bulk}, viscosity_{p.viscosity} {}
 
   double density() const { return density_; }
   double wave_modulus() const { return bulk_; }

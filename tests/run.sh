@@ -2,10 +2,11 @@
 # Builds and runs all tests: g++ Release, clang++ Release, clang++ under the address and undefined-behaviour sanitizers, and
 # the format check. On a fresh Debian it installs what is missing. Safe to repeat; works from any folder.
 #
-#   tests/run.sh [--quick] [--asan] [--clang] [--python] [--format]
+#   tests/run.sh [--quick] [--asan] [--clang] [--python] [--docs] [--format]
 #
 #   no option  everything        --quick  g++ Release only      --asan    sanitizers only
 #   --python   Python package only: wheel, clean environment, pytest, mypy
+#   --docs     documentation site only, warnings are errors
 #   --clang    clang++ only      --format clang-format only     (options add up)
 #
 # Environment: ARENITE_BUILD, where to build (default: build/tests in the checkout).
@@ -24,12 +25,13 @@ for option in "$@"; do
     --asan) stages+=(asan) ;;
     --clang) stages+=(clang) ;;
     --python) stages+=(python) ;;
+    --docs) stages+=(docs) ;;
     --format) stages+=(format) ;;
     -h | --help) sed -n '2,/^set /{/^set /d;s/^# \{0,1\}//;p}' "${BASH_SOURCE[0]}" && exit ;;
-    *) fail "unknown option $option (known: --quick, --asan, --clang, --python, --format)" ;;
+    *) fail "unknown option $option (known: --quick, --asan, --clang, --python, --docs, --format)" ;;
   esac
 done
-[ ${#stages[@]} -gt 0 ] || stages=(gcc clang asan python format)
+[ ${#stages[@]} -gt 0 ] || stages=(gcc clang asan python docs format)
 chosen() { [[ " ${stages[*]} " == *" $1 "* ]]; }
 
 # --- what the machine must have
@@ -59,6 +61,10 @@ if chosen clang || chosen asan; then
   need clang "the second compiler" clang++
 fi
 if chosen asan; then need libclang-rt-dev "the sanitizers' part of every program"; fi
+if chosen docs; then
+  need doxygen "reads the headers for the C++ reference" doxygen
+  need python3-venv "Sphinx and its extensions, in a virtual environment"
+fi
 if chosen format; then need clang-format "the format check" clang-format; fi
 install_missing
 
@@ -139,6 +145,23 @@ if chosen python; then
     fail "stage Python: tests failed"
   (cd "$root" && "$clean/env/bin/python" -m mypy < /dev/null) || fail "stage Python: types do not fit"
   summary+=("Python: wheel of $(($(stat -c %s "$wheel") / 1000000)) MB, built, installed, tested ($((SECONDS - start)) s)")
+fi
+if chosen docs; then
+  printf '\n=== documentation\n'
+  start=$SECONDS
+  site=$build/docs
+  mkdir -p "$site"
+  if ! cmp -s "$root/docs/requirements.txt" "$site/env/requirements.txt"; then
+    rm -rf "$site/env"
+    /usr/bin/python3 -m venv "$site/env" || fail "stage documentation: /usr/bin/python3 -m venv $site/env failed"
+    "$site/env/bin/python" -m pip install --quiet --disable-pip-version-check -r "$root/docs/requirements.txt" < /dev/null ||
+      fail "stage documentation: pip could not install docs/requirements.txt"
+    cp "$root/docs/requirements.txt" "$site/env/requirements.txt"
+  fi
+  # -E: all pages anew, so that no warning is missed.
+  "$site/env/bin/python" -m sphinx -q -W --keep-going -E -j "$jobs" -d "$site/doctrees" "$root/docs" "$site/html" < /dev/null ||
+    fail "stage documentation: the site was not built without warnings"
+  summary+=("documentation: $site/html/index.html ($((SECONDS - start)) s)")
 fi
 if chosen format; then
   printf '\n=== format\n'

@@ -1,0 +1,75 @@
+"""The code in the README and in docs/*.md.
+
+```python: the blocks of a page are run one after the other, in one namespace and an empty folder.
+```cpp: a block that holds ` ..` is a sketch, of which parts are left out. Any other one must stand, but for white space and comments,
+in a program that is compiled and run: in examples/, docs/snippets/ or tests/install/; paragraph by paragraph, so that its #include
+may stand at the program's head.
+What is neither stands in LEFT_OUT with the reason."""
+
+import re
+from pathlib import Path
+
+import pytest
+
+SOURCE = Path(__file__).resolve().parents[2]
+PAGES = [SOURCE / "README.md", *sorted((SOURCE / "docs").glob("*.md"))]
+
+LEFT_OUT = {
+    ("restart.md", "python", 'state = h5py.File("column.h5")'): "the file is C++'s; tests/observe/check_hdf_files.py reads such a one",
+    ("restart.md", "cpp", "#include <arenite/observe/saved_hdf5.hpp>"): "needs HDF5; tests/observe/hdf_files.cpp makes the same calls",
+    ("compile_time.md", "cpp", "// slope.hpp"): "the header of slope.cpp, a sketch; arenite/compositions.hpp has such declarations, and tests/install/named.cpp uses them",
+    ("python.md", "python", "drop = ar.ffp.drop(delta=20)"): "takes a minute; test_ffp.py and the notebook run the same calls",
+}
+
+
+def blocks(page, language):
+    """The blocks of a page in a language, without those that are left out."""
+    for text in re.findall(rf"^```{language}\n(.*?)^```", page.read_text(), re.DOTALL | re.MULTILINE):
+        if not any(page.name == p and language == w and text.startswith(begin) for p, w, begin in LEFT_OUT):
+            yield text
+
+
+def pages_with(language):
+    return [pytest.param(p, id=p.name) for p in PAGES if list(blocks(p, language))]
+
+
+def test_what_is_left_out_is_there():
+    for page, language, begin in LEFT_OUT:
+        path = next(p for p in PAGES if p.name == page)
+        assert f"```{language}\n{begin}" in path.read_text(), f"{page}: no block begins with {begin}"
+
+
+def bare(text):
+    """C++ without white space and comments."""
+    return re.sub(r"\s+", "", re.sub(r"//[^\n]*", "", text))
+
+
+@pytest.mark.parametrize("page", pages_with("cpp"))
+def test_cpp(page):
+    folders = [SOURCE / "examples", SOURCE / "docs" / "snippets", SOURCE / "tests" / "install"]
+    programs = [bare(p.read_text()) for folder in folders for p in sorted(folder.rglob("*.cpp"))]
+    for block in blocks(page, "cpp"):
+        if " .." in block:
+            assert "int main" not in block, f"{page.name}: a whole program leaves nothing out:\n{block}"
+            continue
+        whole = bare(block)
+        # A program may say less than the file that it was taken from, at its end.
+        paragraphs = [whole.removesuffix("}")] if "int main" in block else [bare(p) for p in re.split(r"\n\s*\n", block)]
+        assert any(all(p in program for p in paragraphs) for program in programs), f"{page.name}: in no program that is run:\n{block}"
+
+
+@pytest.mark.parametrize("page", pages_with("python"))
+def test_python(ar, page, tmp_path, monkeypatch):
+    import numpy as np
+
+    monkeypatch.chdir(tmp_path)
+    # What the text around the blocks speaks of.
+    space = {"stress": np.zeros((2, 6)), "strain": np.full((2, 6), 1e-6), "spin": np.zeros((2, 3)), "dt": 1e-4, "history": None}
+    own = (SOURCE / "python" / "tests" / "own_elastic.hpp").read_text()
+    Path("my_law.hpp").write_text(own)
+    for block in blocks(page, "python"):
+        exec(compile(block, f"{page.name}: {block.splitlines()[0]}", "exec"), space)
+    if page.name == "first_python.md":  # what the reader is told to see
+        told = re.search(r"x = (\S+) m after (\d+) steps", page.read_text().split("What you should see")[1])
+        assert round(float(space["body"].position[:, 0].max()), 3) == pytest.approx(float(told[1]), abs=0.0011)
+        assert Path("heap.png").stat().st_size > 0

@@ -125,7 +125,7 @@ HostedTotals fill_more(Scene& scene, std::size_t body, const Value& value) {
     auto& of = scene.template body<Name(which)>();
     using Recipe = Fill<std::remove_cvref_t<decltype(of.law)>>;
     Reading at{.name = "fill", .dimension = Scene::D};
-    totals = hosted(join_filled(scene, of, read_fill<Scene, Recipe>(scene.mesh, value, at)));
+    totals = hosted(insert_fill(scene, of, read_fill<Scene, Recipe>(scene.mesh, value, at)));
   });
   return totals;
 }
@@ -136,7 +136,7 @@ HostedTotals insert_rows(Scene& scene, std::size_t body, const Value& values) {
   HostedTotals totals;
   with_number<Scene>(body, [&]<std::size_t which>() {
     auto& of = scene.template body<Name(which)>();
-    totals = hosted(join(scene, of, read_points<std::remove_cvref_t<decltype(of)>>(values)));
+    totals = hosted(insert_into(scene, of, read_points<std::remove_cvref_t<decltype(of)>>(values)));
   });
   return totals;
 }
@@ -151,12 +151,12 @@ HostedTotals remove_where(Scene& scene, std::size_t body, const Value& where) {
     if (const HostArray* flags = where.array()) {
       require(flags->numbers.size() == points.size(), "where", where.text(),
               joined_text("must have one for each of ", points.size(), " points"));
-      totals = hosted(part_with(scene, of, [&](Index p) { return flags->numbers[p] != 0; }));
+      totals = hosted(remove_from(scene, of, [&](Index p) { return flags->numbers[p] != 0; }));
       return;
     }
     const auto region = read<AnyRegion>(where, Reading{.name = "where", .dimension = Scene::D});
     const auto numbers = region_numbers(scene.mesh, region);
-    totals = hosted(part_with(scene, of, [&](Index p) {
+    totals = hosted(remove_from(scene, of, [&](Index p) {
       if (region.test) return region.contains(points.position[p]);
       if constexpr (is_simplex_mesh<typename Scene::Mesh>)
         return std::ranges::count(numbers, scene.mesh.region(points.cell[p])) > 0;

@@ -20,38 +20,39 @@ std::uint64_t id_for([[maybe_unused]] Scene& scene, const Point& point) {
   return point.id;
 }
 
-/// Adds points to a body of the scene; see `insert_points`.
+}  // namespace detail
+
+/// `insert_points` for a body of the scene that is at hand.
 template <class Scene, class B>
-auto join(Scene& scene, B& body, const std::vector<typename B::Point>& points) {
-  const auto totals = add_points(body, scene.mesh, points, [&](const auto& p) { return id_for(scene, p); });
+auto insert_into(Scene& scene, B& body, const std::vector<typename B::Point>& points) {
+  const auto totals =
+      add_points(body, scene.mesh, points, [&](const auto& p) { return detail::id_for(scene, p); });
   body.inserted += totals;
   body.initial_volume += totals.mass / body.law.density();
   if (regroup(body, scene.blocks)) scene.balance_threads();
   return totals;
 }
 
-/// Fills a region with points of a body of the scene; see `insert_points`.
+/// The same for the points of a `fill`, as a new scene would have them.
 template <class Scene, class B, class F>
-auto join_filled(Scene& scene, B& body, const F& fill) {
+auto insert_fill(Scene& scene, B& body, const F& fill) {
   const auto made =
       make_body<typename Scene::Kinematics, Scene::extra_columns>(scene.mesh, fill, scene.cell_owner());
   std::vector<typename B::Point> points;
   points.reserve(made.points.size());
   for (std::size_t p = 0; p < made.points.size(); ++p) points.push_back(made.points[p]);
-  return join(scene, body, points);
+  return insert_into(scene, body, points);
 }
 
-/// Removes the points p of a body of the scene for which `leaves(p)` holds; see `remove_points`.
+/// `remove_points` for a body at hand, by number: point p leaves if `leaves(p)` holds.
 template <class Scene, class B, class Leaves>
-auto part_with(Scene& scene, B& body, const Leaves& leaves) {
+auto remove_from(Scene& scene, B& body, const Leaves& leaves) {
   const auto totals = take_out(body, scene.mesh.cell_count(), leaves, [](const auto&) {});
   body.removed += totals;
   body.initial_volume -= totals.mass / body.law.density();
   if (regroup(body, scene.blocks)) scene.balance_threads();
   return totals;
 }
-
-}  // namespace detail
 
 /// Adds points to a body, by name or number: `insert_points<"sand">(scene, {{.position = {0.5, 1.2}, .volume
 /// = 1e-4}})`. A point's mass is that of its volume unless given. Throws `error`, with the scene as it was,
@@ -61,7 +62,7 @@ template <Name which = "", class Scene>
 auto insert_points(Scene& scene,
                    const std::vector<typename std::remove_cvref_t<
                        decltype(std::declval<Scene&>().template body<which>())>::Point>& points) {
-  return detail::join(scene, scene.template body<which>(), points);
+  return insert_into(scene, scene.template body<which>(), points);
 }
 
 /// Removes the points of a body, by name or number, that lie in a region, or for which `leaves(point)` holds,
@@ -71,7 +72,7 @@ auto insert_points(Scene& scene,
 template <Name which = "", class Scene, class Leaves>
 auto remove_points(Scene& scene, const Leaves& leaves) {
   auto& body = scene.template body<which>();
-  return detail::part_with(scene, body, [&](Index p) -> bool {
+  return remove_from(scene, body, [&](Index p) -> bool {
     if constexpr (region_type<Leaves, Scene::D>)
       return leaves.contains(Vec<double, Scene::D>(body.points.position[p].template cast<double>()));
     else
@@ -87,8 +88,8 @@ template <Name which = "", class Scene, class Region>
 requires region_type<Region, Scene::D>
 auto insert_points(Scene& scene, Region region, const FillOptions& options = {}) {
   auto& body = scene.template body<which>();
-  return detail::join_filled(
-      scene, body, fill(std::move(region), body.law, options).template erased<typename Scene::Mesh>());
+  return insert_fill(scene, body,
+                     fill(std::move(region), body.law, options).template erased<typename Scene::Mesh>());
 }
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

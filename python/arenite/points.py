@@ -13,6 +13,7 @@ from .fill import Field, Geostatic, fill
 from .laws import WithDeviatoricStrain
 from .scene import Scene
 from .shapes import Region
+from .views import Body
 
 Name = Union[int, str]
 
@@ -32,6 +33,10 @@ class Probed(NamedTuple):
 
     velocity: NDArray[np.float64]
     stress: NDArray[np.float64]
+
+
+def _body(scene: Scene, name: Name) -> Body:
+    return list(scene.bodies.values())[scene.number_of(name)]
 
 
 def fill_points(scene: Scene, body: Name, region: Region, per_cell: int = 4, velocity: Field = (0.0, 0.0, 0.0),
@@ -69,7 +74,7 @@ def remove_points(scene: Scene, body: Name, where: Union[Region, ArrayLike]) -> 
     if isinstance(where, Recipe):
         return Totals(*scene._core.remove(number, where.value()))
     if callable(where):
-        where = where(np.asarray(list(scene.bodies.values())[number].position))
+        where = where(np.asarray(_body(scene, body).position))
     mask = np.asarray(where)
     if mask.dtype != bool:
         raise Error(f"where = an array of {mask.dtype}: must be of booleans, one for each point")
@@ -96,7 +101,7 @@ def deviatoric_strain(scene: Scene, body: Name = 0) -> NDArray[np.float64]:
     law = scene.law(body)
     if not isinstance(law, WithDeviatoricStrain):
         raise Error(f"deviatoric_strain: the law of body {body} is {law.cpp()}: must be a WithDeviatoricStrain")
-    columns = list(scene.bodies.values())[scene.number_of(body)].history
+    columns = _body(scene, body).history
     last = sorted((name for name in columns if name.isdigit()), key=int)[-3 if law.dimension == 2 else -5:]
     xx, yy, *shear = (np.asarray(columns[name]) for name in last)
     size: NDArray[np.float64] = np.sqrt(2 / 3 * (xx**2 + yy**2 + (xx + yy)**2 + 2 * sum(x**2 for x in shear)))

@@ -1,5 +1,7 @@
 """Points inserted, removed and looked at between steps; stages that settle; VTU files."""
 
+import pickle
+
 import numpy as np
 import pytest
 
@@ -46,6 +48,19 @@ def test_filled_and_inserted(ar, column):
     assert there.sum() == 2 and scene.bodies["sand"].stress[there][0].tolist() == [-1, -2, -3, 0]
     scene.step(1e-5)
     assert scene.energy.inserted == pytest.approx(totals.kinetic_energy + more.kinetic_energy + more.strain_energy, rel=1e-6)
+
+
+def test_states_know_who_joined_and_left(ar, column):
+    scene = column()
+    ar.run(scene, end=0.01)
+    ar.remove_points(scene, "sand", ar.Box((0, 0.12), (0.1, 0.2)))
+    ar.fill_points(scene, "sand", ar.Box((0.2, 0), (0.3, 0.05)))
+    others = [pickle.loads(pickle.dumps(scene)), scene.copy()]
+    for each in (scene, *others):
+        ar.run(each, end=0.03)
+    for other in others:
+        assert np.array_equal(other.bodies["sand"].position, scene.bodies["sand"].position)
+        assert other.energy == scene.energy
 
 
 def test_refusals_leave_the_scene(ar, column):

@@ -13,7 +13,9 @@ int main() {
                      fill<"right">(Ball({0.7, 0.7}, 0.15), rubber, {.per_cell = 4, .velocity = {-1, -1, 0}})),
               Coulomb{Friction(0)},
               TrackEnergy{}};
-  const auto total = [&] { return momentum(scene.body<"left">()) + momentum(scene.body<"right">()); };
+  const auto total = [&]() -> Vec<double, 2> {
+    return momentum(scene.body<"left">()) + momentum(scene.body<"right">());
+  };
   const auto before = total();
   const double size = (mass(scene.body<"left">()) + mass(scene.body<"right">())) * std::sqrt(2.0);
   for (const double end : {0.11, 0.4}) {  // pressed together, and apart

@@ -117,54 +117,53 @@ HostedTotals hosted(const PointTotals<D>& totals) {
           totals.strain_energy};
 }
 
+/// Calls `f(body)`, which changes the points of a body and returns their totals.
+template <class Scene, class F>
+HostedTotals change_points(Scene& scene, std::size_t body, F&& f) {
+  HostedTotals totals;
+  with_number<Scene>(body,
+                     [&]<std::size_t which>() { totals = hosted(f(scene.template body<Name(which)>())); });
+  return totals;
+}
+
 /// Fills a region of a running scene with points of a body: see `insert_points`. `value`: as that of a fill.
 template <class Scene>
 HostedTotals fill_more(Scene& scene, std::size_t body, const Value& value) {
-  HostedTotals totals;
-  with_number<Scene>(body, [&]<std::size_t which>() {
-    auto& of = scene.template body<Name(which)>();
+  return change_points(scene, body, [&](auto& of) {
     using Recipe = Fill<std::remove_cvref_t<decltype(of.law)>>;
-    Reading at{.name = "fill", .dimension = Scene::D};
-    totals = hosted(insert_fill(scene, of, read_fill<Scene, Recipe>(scene.mesh, value, at)));
+    const Reading at{.name = "fill", .dimension = Scene::D};
+    return insert_fill(scene, of, read_fill<Scene, Recipe>(scene.mesh, value, at));
   });
-  return totals;
 }
 
 /// Adds points to a body: see `read_points`.
 template <class Scene>
 HostedTotals insert_rows(Scene& scene, std::size_t body, const Value& values) {
-  HostedTotals totals;
-  with_number<Scene>(body, [&]<std::size_t which>() {
-    auto& of = scene.template body<Name(which)>();
-    totals = hosted(insert_into(scene, of, read_points<std::remove_cvref_t<decltype(of)>>(values)));
+  return change_points(scene, body, [&](auto& of) {
+    return insert_into(scene, of, read_points<std::remove_cvref_t<decltype(of)>>(values));
   });
-  return totals;
 }
 
 /// Removes points of a body. `where`: a region, or numbers [n], one a point, that are not 0 for those to go.
 template <class Scene>
 HostedTotals remove_where(Scene& scene, std::size_t body, const Value& where) {
-  HostedTotals totals;
-  with_number<Scene>(body, [&]<std::size_t which>() {
-    auto& of = scene.template body<Name(which)>();
+  return change_points(scene, body, [&](auto& of) {
     const auto& points = of.points;
     if (const HostArray* flags = where.array()) {
       require(flags->numbers.size() == points.size(), "where", where.text(),
               joined_text("must have one for each of ", points.size(), " points"));
-      totals = hosted(remove_from(scene, of, [&](Index p) { return flags->numbers[p] != 0; }));
-      return;
+      return remove_from(scene, of, [&](Index p) { return flags->numbers[p] != 0; });
     }
     const auto region = read<AnyRegion>(where, Reading{.name = "where", .dimension = Scene::D});
     const auto numbers = region_numbers(scene.mesh, region);
-    totals = hosted(remove_from(scene, of, [&](Index p) {
+    return remove_from(scene, of, [&](Index p) {
       if (region.test) return region.contains(points.position[p]);
       if constexpr (is_simplex_mesh<typename Scene::Mesh>)
         return std::ranges::count(numbers, scene.mesh.region(points.cell[p])) > 0;
       else
         return false;
-    }));
+    });
   });
-  return totals;
 }
 
 /// Velocity [n x D] and stress [n x 4 or 6] of a body at places [n x D]; NaN where there is no matter.

@@ -226,4 +226,4 @@ def test_points_for_meshio(ar, column):
     pytest.importorskip("meshio")
     scene = column()
     mesh = ar.to_meshio(scene)
-    assert mesh.points.shape == (600, 3) and mesh.point_data["stress"].shape == (600, 4)
+    assert mesh.points.shape == (600, 3) and mesh.point_data["stress"].shape == (600, 6)

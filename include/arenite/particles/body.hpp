@@ -89,6 +89,9 @@ struct Body {
       "Body: the law must provide History, density(), wave_modulus(), update(stress, step, history) "
       "where step is a StrainStep, and elastic_energy(stress) or elastic_energy(stress, history); see "
       "arenite/law/law.hpp");
+  // Makes g++ 12 read the defaults of its members here; at `insert_points(scene, {{.position = ..}})` it
+  // crashes.
+  static_assert(noexcept(Point{}) || true);
   static_assert(check_law<L, T, D>());
   static constexpr bool has_dilation = Points<T, D, L, Extra>::has_dilation;
   static constexpr bool knows_opening = arenite::knows_opening<L, T>;

@@ -71,14 +71,17 @@ install_missing
 # --- Python packages, pinned, in the build folder. Debian's own Python by its path: another may come first.
 venv=$build/venv
 mkdir -p "$build"
-prepare_python() {
-  cmp -s "$root/tests/requirements.txt" "$venv/requirements.txt" && return
-  rm -rf "$venv"
-  /usr/bin/python3 -m venv "$venv" || fail "stage Python: /usr/bin/python3 -m venv $venv failed"
-  "$venv/bin/python" -m pip install --quiet --disable-pip-version-check -r "$root/tests/requirements.txt" < /dev/null ||
-    fail "stage Python: pip could not install tests/requirements.txt"
-  cp "$root/tests/requirements.txt" "$venv/requirements.txt"
+# environment STAGE FOLDER REQUIREMENTS: a virtual environment with these packages, made anew when they change.
+environment() {
+  local stage=$1 folder=$2 requirements=$root/$3
+  cmp -s "$requirements" "$folder/requirements.txt" && return
+  rm -rf "$folder"
+  /usr/bin/python3 -m venv "$folder" || fail "stage $stage: /usr/bin/python3 -m venv $folder failed"
+  "$folder/bin/python" -m pip install --quiet --disable-pip-version-check -r "$requirements" < /dev/null ||
+    fail "stage $stage: pip could not install $3"
+  cp "$requirements" "$folder/requirements.txt"
 }
+prepare_python() { environment Python "$venv" tests/requirements.txt; }
 
 summary=()
 
@@ -151,13 +154,7 @@ if chosen docs; then
   start=$SECONDS
   site=$build/docs
   mkdir -p "$site"
-  if ! cmp -s "$root/docs/requirements.txt" "$site/env/requirements.txt"; then
-    rm -rf "$site/env"
-    /usr/bin/python3 -m venv "$site/env" || fail "stage documentation: /usr/bin/python3 -m venv $site/env failed"
-    "$site/env/bin/python" -m pip install --quiet --disable-pip-version-check -r "$root/docs/requirements.txt" < /dev/null ||
-      fail "stage documentation: pip could not install docs/requirements.txt"
-    cp "$root/docs/requirements.txt" "$site/env/requirements.txt"
-  fi
+  environment documentation "$site/env" docs/requirements.txt
   # -E: all pages anew, so that no warning is missed.
   "$site/env/bin/python" -m sphinx -q -W --keep-going -E -j "$jobs" -d "$site/doctrees" "$root/docs" "$site/html" < /dev/null ||
     fail "stage documentation: the site was not built without warnings"

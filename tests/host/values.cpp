@@ -147,6 +147,13 @@ TEST_CASE("a hosted scene has the bits of the scene itself", "[host]") {
   CHECK(message([&] {
           hosted->insert(0, Dict{{"position", rows({0.15, 0.1}, {1, 2})}, {"mass", rows({1, 2}, {2})}});
         }) == "mass = an array of 2 numbers: must be 1 rows of 1");
+  const Dict soil{{"cells", List{Value(std::string("soil"))}}};
+  for (const auto& call : {+[](HostedScene&h, const Dict&c) { h.remove(0, c); },
+                           +[](HostedScene&h, const Dict&c) {
+                             h.fill(0, Dict{{"region", c}, {"law", sand()}});
+                           }})
+    CHECK(message([&] { call(*hosted, soil); }) ==
+          "Cells = soil: a grid has no regions; they go with simplices");
   CHECK(message([&] { hosted->remove(1, region(gone)); }) == "body = 1: must be below 1");
   std::remove_cvref_t<decltype(itself.body())>::Point joins{};
   joins.position = {0.15, 0.1};

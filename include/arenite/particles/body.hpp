@@ -116,12 +116,16 @@ struct Body {
 };
 
 /// Numbers of the regions of a simplex mesh that a region names. Throws `error` for a name that the mesh does
-/// not have.
+/// not have: of a grid for any.
 template <class M>
-std::vector<int> region_numbers([[maybe_unused]] const M& mesh, [[maybe_unused]] const AnyRegion& region) {
+std::vector<int> region_numbers([[maybe_unused]] const M& mesh, const AnyRegion& region) {
   std::vector<int> numbers;
-  if constexpr (is_simplex_mesh<M>)
-    for (const auto& name : region.cells) numbers.push_back(mesh.region_number(name));
+  for (const auto& name : region.cells) {
+    if constexpr (is_simplex_mesh<M>)
+      numbers.push_back(mesh.region_number(name));
+    else
+      throw error(joined_text("Cells = ", name, ": a grid has no regions; they go with simplices"));
+  }
   return numbers;
 }
 

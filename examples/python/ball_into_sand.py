@@ -38,13 +38,14 @@ print(f"depth {1e3 * depth:.1f} mm, measured {1e3 * measured:.1f} mm, {100 * (de
 
 if len(sys.argv) > 1:
     import matplotlib.pyplot as plt
+    from matplotlib.patches import Circle
 
     x, pressure = np.asarray(scene.bodies["beads"].position), -np.asarray(scene.bodies["beads"].stress)[:, :3].mean(axis=1)
     figure, (side, history) = plt.subplots(1, 2, figsize=(7, 3), constrained_layout=True)
     for sign in (-1, 1):
         dots = side.scatter(1e3 * sign * x[:, 0], 1e3 * x[:, 1], c=pressure / 1e3, s=1, vmax=10)
     figure.colorbar(dots, label="mean pressure [kPa]")
-    side.add_patch(plt.Circle((0, 1e3 * (diameter / 2 - depth)), 1e3 * diameter / 2, color="grey"))
+    side.add_patch(Circle((0, 1e3 * (diameter / 2 - depth)), 1e3 * diameter / 2, color="grey"))
     side.set(aspect="equal", xlabel="x [mm]", ylabel="y [mm]", ylim=(-102, 22), title="at rest")
     history.plot(*(1e3 * np.array(way)).T, label="computed")
     history.axhline(1e3 * measured, color="k", ls="--", lw=0.8, label="Uehara et al. 2003")

@@ -44,6 +44,7 @@ for name, found, exact in (("block", block, g * (np.sin(slope) - np.tan(friction
 
 if len(sys.argv) > 1:
     import matplotlib.pyplot as plt
+    from matplotlib.patches import Circle
 
     def turned(x):  # the slope as it is seen
         return x @ np.array([[np.cos(slope), -np.sin(slope)], [np.sin(slope), np.cos(slope)]])
@@ -56,7 +57,7 @@ if len(sys.argv) > 1:
     axes[0].fill(*turned(np.array([(0, 0.1), (1.6, 0.1), (1.6, 0), (0, 0)])).T, color="grey")
     start, moved = np.array([0.4, high]), rolls.rigids["ball"].displacement[:2]
     for centre, style in ((start, ":"), (start + moved, "-")):
-        axes[1].add_patch(plt.Circle(turned(centre), radius, fill=False, ls=style))
+        axes[1].add_patch(Circle(tuple(turned(centre)), radius, fill=False, ls=style))
     corners = np.array([(0.2, 0.11), (0.6, 0.11), (0.6, 0.31), (0.2, 0.31), (0.2, 0.11)])
     axes[0].plot(*turned(corners).T, "k:")
     axes[0].set(ylabel="y [m]")

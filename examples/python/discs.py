@@ -33,8 +33,9 @@ if len(sys.argv) > 1:
     import matplotlib.pyplot as plt
 
     figure, axes = plt.subplots(1, 2, figsize=(7, 3), sharex=True, sharey=True, constrained_layout=True)
-    for (x, pressure), body in zip(met, scene.bodies.values()):
-        dots = axes[0].scatter(x[:, 0], x[:, 1], c=pressure / 1e3, s=3, vmin=-50, vmax=100)
+    x, pressure = (np.concatenate(of) for of in zip(*met))
+    dots = axes[0].scatter(x[:, 0], x[:, 1], c=pressure / 1e3, s=3, vmin=-50, vmax=100)
+    for body in scene.bodies.values():
         x = np.asarray(body.position)
         axes[1].scatter(x[:, 0], x[:, 1], s=3)
         axes[1].quiver(*x.mean(axis=0), *body.velocity.mean(axis=0), scale=6)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import dataclasses
 import enum
 from dataclasses import dataclass, field
 from typing import Any, Dict, Optional, Tuple
@@ -258,5 +257,7 @@ class OwnLaw(Law):
         return f"{self.name}({', '.join(f'{k}={v!r}' for k, v in self.parameters.items())})"
 
 
-__all__ = [name for name, item in list(globals().items())
-           if isinstance(item, type) and dataclasses.is_dataclass(item) and name[0] != "_"] + ["Cone", "Law"]
+__all__ = ["Cone", "ConstantFriction", "ConstantStiffness", "DruckerPrager", "ForgetsOpening", "InertialFriction", "Law",
+           "LinearElastic", "LinearRateFriction", "LogarithmicFriction", "MohrCoulomb", "OwnLaw", "PressureStiffness",
+           "RateSofteningFriction", "RateStiffness", "RemembersOpening", "SofteningFriction", "Updated",
+           "WithDeviatoricStrain"]

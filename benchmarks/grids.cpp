@@ -17,7 +17,7 @@ auto scene_on(Make&& make, double points) {
   box.lower.fill(2 * h);
   box.upper.fill((k + 2) * h);
   Scene scene{Kinematics{}, make((k + 4) * h, h), Numerics<QuadraticBSpline, Apic, Usl>{},
-              bodies(fill(box, elastic(), {.per_cell = per_cell})), gravity({0, -9.81})};
+              bodies(fill(box, elastic(), {.per_cell = per_cell})), gravity(Triple{0, -9.81, 0})};
   stir(scene, 0.5);
   return scene;
 }

@@ -83,7 +83,7 @@ auto spline_scene(const Law& law, double points) {
   box.upper.fill((k + 2) * h);
   Scene scene{Kinematics{}, CartesianGrid<D, T>{{.lower = {}, .upper = upper, .cell = h}},
               Numerics<QuadraticBSpline, Transfer, Order>{}, bodies(fill(box, law, {.per_cell = per_cell})),
-              gravity({0, -9.81})};
+              gravity(Triple{0, -9.81, 0})};
   stir(scene, 0.5);
   return scene;
 }

@@ -138,7 +138,7 @@ auto rigid_scene(const DropOptions& o, const Law& law) {
                numerics_of<AntiLocking>(o),
                bodies(soil_of<Model::Kinematics::dimension>(o, Cells("soil"), law)),
                Model::walls(),
-               gravity({0, -standard_gravity}),
+               gravity(Triple{0, -standard_gravity, 0}),
                rigids(rigid<"device">(MeshSurface{"device"},
                                       Guided{.mass = o.device_mass() / Model::whole, .velocity = -o.velocity},
                                       friction_of(o), Coupling{})),
@@ -166,7 +166,7 @@ auto elastic_scene(const DropOptions& o) {
       bodies(soil_of<Model::Kinematics::dimension>(o, Cells("soil"), plain_sand(o)),
              fill<"device">(Cells("device"), metal, {.per_cell = 1, .velocity = {0, -o.velocity, 0}})),
       Model::walls(),
-      gravity({0, -standard_gravity}),
+      gravity(Triple{0, -standard_gravity, 0}),
       Coulomb{friction_of(o), SurfaceOf{.region = "device", .body = "device"}},
       motion,
       TrackEnergy{}};

@@ -29,7 +29,7 @@ auto bar(K kinematics, M mesh, N numerics, const Condition& sides, const Absorbi
   return Scene{kinematics,       std::move(mesh),
                numerics,         bodies(fill(all, rock, of_points)),
                Walls{held},      absorbing(bottom(), options),
-               gravity({0, -g}), Reactions{},
+               gravity(Triple{0, -g, 0}), Reactions{},
                TrackEnergy{}};
 }
 const double speed_p = std::sqrt(rock.wave_modulus() / rock.density()),

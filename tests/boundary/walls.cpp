@@ -150,14 +150,36 @@ TEST_CASE("walls that mean nothing are refused") {
                  "node set = crown: must be one of: base"));
 }
 
+namespace {
+struct Space : Plane {
+  static constexpr int D = 3;
+};
+}  // namespace
+
 TEST_CASE("gravity has the components of the scene") {
   REQUIRE(bind_part(gravity({0, -9.5}), Plane{}).acceleration(0) == Vec<float, 2>(0, -9.5f));
   REQUIRE(throws([] { bind_part(gravity({0, std::nan("")}), Plane{}); }, "gravity = nan: must be finite"));
   REQUIRE(throws(
       [] {
-        bind_part(gravity({0, -9.81, 1}), Plane{});
+        bind_part(gravity(Triple{0, -9.81, 1}), Plane{});
       },
       "gravity = 1: must be zero along an axis that the scene does not have"));
+  REQUIRE(throws(
+      [] {
+        bind_part(gravity({0, -9.81, 0}), Plane{});
+      },
+      "gravity: components = 3: must be 2, as many as the scene has dimensions"));
+  REQUIRE(throws(
+      [] {
+        bind_part(gravity({0, -9.81}), Space{});
+      },
+      "gravity: components = 2: must be 3, as many as the scene has dimensions"));
+  REQUIRE(throws(
+      [] {
+        bind_part(gravity({0, -9.81}, Ramp{.over = 1}), Space{});
+      },
+      "gravity: components = 2: must be 3, as many as the scene has dimensions"));
+  REQUIRE(bind_part(gravity(Triple{0, -9.81, 0}), Plane{}).acceleration(0)[1] == -9.81f);
 }
 
 TEST_CASE("constrained velocities lose what is blocked, and the wall gives the impulse") {

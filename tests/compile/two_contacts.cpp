@@ -1,4 +1,4 @@
-// must print: Scene: contact of bodies, motion of the mesh and TrackEnergy may be given once each
+// must print: Scene: gravity, contact of bodies, motion of the mesh and TrackEnergy may be given once each
 // Bodies meet in one way.
 #include <arenite/arenite.hpp>
 

@@ -1,7 +1,9 @@
 // A pack must do in each lane what a scalar does, and a mask must choose lane by lane, whatever the compiler.
 #include <arenite/core/pack.hpp>
+#include <arenite/core/pack_functions.hpp>
 #include <cmath>
 #include <random>
+#include <type_traits>
 #include <vector>
 
 #include "catch.hpp"
@@ -96,6 +98,58 @@ void check_widths() {
 }
 
 }  // namespace
+
+namespace {
+
+/// `f(x)` of each lane must have the bits of `f` of the scalar, be it a number or not.
+template <class P, class F>
+void check_function(const P& x, const F& f) {
+  const P y = f(x);
+  for (int k = 0; k < P::width; ++k) {
+    const auto exact = f(x[k]);
+    STATIC_REQUIRE(std::is_same_v<decltype(exact), const typename P::scalar>);
+    const bool same = y[k] == exact || (std::isnan(y[k]) && std::isnan(exact));
+    CAPTURE(x[k], y[k], exact);
+    REQUIRE(same);
+  }
+}
+
+template <class P>
+void check_functions() {
+  using T = typename P::scalar;
+  using std::exp, std::exp2, std::expm1, std::log, std::log2, std::log10, std::log1p, std::cbrt, std::sin,
+      std::cos, std::tan, std::asin, std::acos, std::atan, std::sinh, std::cosh, std::tanh, std::asinh,
+      std::acosh, std::atanh, std::erf, std::floor, std::ceil, std::pow, std::atan2, std::hypot, std::sqrt,
+      std::abs;
+  for (const T scale : {T(0.3), T(2), T(1000)}) {
+    P x(0);
+    for (int k = 0; k < P::width; ++k) x.set(k, scale * (T(k) - T(P::width) / 3));
+    const auto all = [&](const auto&... f) { (check_function(x, f), ...); };
+    all([](const auto& a) { return exp(a); }, [](const auto& a) { return exp2(a); },
+        [](const auto& a) { return expm1(a); }, [](const auto& a) { return log(a); },
+        [](const auto& a) { return log2(a); }, [](const auto& a) { return log10(a); },
+        [](const auto& a) { return log1p(a); }, [](const auto& a) { return cbrt(a); },
+        [](const auto& a) { return sin(a); }, [](const auto& a) { return cos(a); },
+        [](const auto& a) { return tan(a); }, [](const auto& a) { return asin(a); },
+        [](const auto& a) { return acos(a); }, [](const auto& a) { return atan(a); },
+        [](const auto& a) { return sinh(a); }, [](const auto& a) { return cosh(a); },
+        [](const auto& a) { return tanh(a); }, [](const auto& a) { return asinh(a); },
+        [](const auto& a) { return acosh(a); }, [](const auto& a) { return atanh(a); },
+        [](const auto& a) { return erf(a); }, [](const auto& a) { return floor(a); },
+        [](const auto& a) { return ceil(a); }, [](const auto& a) { return sqrt(abs(a)); });
+    all([](const auto& a) { return pow(a, T(1.7)); }, [](const auto& a) { return pow(T(1.7), a); },
+        [](const auto& a) { return pow(abs(a), a); }, [](const auto& a) { return atan2(a, T(2)); },
+        [](const auto& a) { return hypot(a, T(3)); });
+  }
+}
+
+}  // namespace
+
+TEST_CASE("functions of <cmath>: each lane has the bits of the scalar's") {
+  check_functions<Pack<double, 2>>();
+  check_functions<Pack<float, 8>>();
+  check_functions<PackPair<Pack<double, 4>>>();
+}
 
 TEST_CASE("a pack of doubles is W doubles") { check_widths<double, 1, 2, 4, 8>(); }
 TEST_CASE("a pack of floats is W floats") { check_widths<float, 1, 2, 4, 8, 16>(); }

@@ -146,7 +146,7 @@ Walls walls_of(const Draw& d) {
   return w;
 }
 
-inline Gravity gravity_of(const Draw& d) { return gravity({0, -d.gravity}); }
+inline Gravity gravity_of(const Draw& d) { return gravity(Triple{0, -d.gravity, 0}); }
 
 /// Gives the points of all bodies their velocities, and the energy balance their energy. A second body moves
 /// against the first. In most scenes without walls a motion that would leave the mesh is slowed down.

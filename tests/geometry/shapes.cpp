@@ -132,6 +132,9 @@ TEST_CASE("Shapes: moved and turned") {
 TEST_CASE("Shapes: what is refused") {
   using Catch::Matchers::Contains;
   CHECK_THROWS_WITH(RoundedBox({0, 0}, {1, 2}, 0.6), Contains("RoundedBox.radius = 0.6: must not exceed"));
+  CHECK_THROWS_WITH((Box{{0., 0.}, {1., -2.}}),
+                    Contains("Box.upper[1] = -2: must not lie below lower[1] = 0"));
+  CHECK_THROWS_WITH((Box<2>{{0, 0}, {std::nan(""), 1}}), Contains("Box.upper[0] = nan"));
   CHECK_THROWS_WITH(RoundedBox({0, 0}, {1, -2}, 0.1), Contains("RoundedBox.upper[1] = -2"));
   CHECK_THROWS_WITH(Capsule({0, 0}, {1, 1}, 0), Contains("Capsule.radius = 0: must be positive"));
   CHECK_THROWS_WITH(Capsule({0, 0}, {1, NAN}, 1), Contains("Capsule.b[1] = nan"));

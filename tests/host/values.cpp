@@ -98,10 +98,16 @@ TEST_CASE("a hosted scene has the bits of the scene itself", "[host]") {
   const Value box(
       Dict{{"shape", std::string("Box")}, {"lower", numbers({0, 0})}, {"upper", numbers({0.1, 0.1})}});
   const Value wall(Dict{{"axis", 1.0}, {"condition", Dict{{"kind", 0.0}}}});
-  const Value values(
-      Dict{{"mesh", Dict{{"lower", numbers({0, 0})}, {"upper", numbers({0.2, 0.2})}, {"cell", 0.02}}},
-           {"parts", List{Value(List{Value(Dict{{"region", box}, {"law", sand()}})}),
-                          Value(Dict{{"list", List{wall}}}), Value(Dict{{"g", numbers({0, -9.81})}})}}});
+  const auto values_with = [&](const Value& g) {
+    return Value(
+        Dict{{"mesh", Dict{{"lower", numbers({0, 0})}, {"upper", numbers({0.2, 0.2})}, {"cell", 0.02}}},
+             {"parts", List{Value(List{Value(Dict{{"region", box}, {"law", sand()}})}),
+                            Value(Dict{{"list", List{wall}}}), Value(Dict{{"g", g}})}}});
+  };
+  const Value values = values_with(numbers({0, -9.81}));
+  CHECK(message([&] {
+          make_hosted<Column>(values_with(numbers({0, -9.81, 0})));
+        }) == "gravity: components = 3: must be 2, as many as the scene has dimensions");
   const auto hosted = make_hosted<Column>(values);
   Column itself(PlaneStrain{}, CartesianGrid<2>{{.lower = {0, 0}, .upper = {0.2, 0.2}, .cell = 0.02}},
                 Numerics<QuadraticBSpline, Apic>{},
@@ -121,7 +127,7 @@ TEST_CASE("a hosted scene has the bits of the scene itself", "[host]") {
       compared = entry.count;
     }
   CHECK(compared == itself.point_count());
-  CHECK(message([&] { hosted->step(-1); }) == "step: dt = -1: must be positive (s)");
+  CHECK(message([&] { hosted->step(-1); }) == "step: dt = -1: must be positive and finite (s)");
   CHECK(message([&] { hosted->energies(); }) == "energies: name TrackEnergy{} among the scene's parts");
 
   // Points of both, added, removed and looked at in the same way.

@@ -3,6 +3,7 @@
 #include <arenite/observe/every.hpp>
 #include <arenite/observe/progress.hpp>
 #include <limits>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -45,6 +46,11 @@ std::string text_of(std::FILE* stream) {
   return text;
 }
 
+template <class Observer>
+concept has_end = requires(Observer observer) {
+  observer.finish(Clock{});
+};
+
 }  // namespace
 
 TEST_CASE("every: the start, then the first step at or after each multiple") {
@@ -76,6 +82,41 @@ TEST_CASE("every: a period below the clock's resolution calls at each step and d
   CHECK_THROWS_WITH(every(0, [](const Clock&) {}), "every: period = 0: must be positive");
   CHECK_THROWS_AS(every(-1, [](const Clock&) {}), error);
   CHECK_THROWS_AS(every(std::nan(""), [](const Clock&) {}), error);
+}
+
+TEST_CASE("every: looks through the caller's observer, and takes in one that cannot be copied") {
+  struct Counter {
+    int calls = 0, ends = 0;
+    std::unique_ptr<int> alone{};  // cannot be copied
+    void operator()(const Clock&) { ++calls; }
+    void finish(const Clock&) { ++ends; }
+  };
+  Counter mine;
+  auto now_and_then = every(1, mine);
+  for (const double t : {0.0, 0.5, 1.0, 1.2}) now_and_then(Clock{t});
+  now_and_then.finish(Clock{1.2});
+  CHECK(mine.calls == 2);
+  CHECK(mine.ends == 1);
+  CHECK(&now_and_then.called() == &mine);
+  auto its_own = every(1, Counter{});
+  its_own(Clock{0});
+  its_own.finish(Clock{0});
+  CHECK(its_own.called().calls == 1);
+  CHECK(its_own.called().ends == 1);
+  const auto fixed_observer = [](const Clock&) {};
+  auto without_end = every(1, fixed_observer);
+  without_end(Clock{0});
+  STATIC_REQUIRE(has_end<decltype(now_and_then)>);
+  STATIC_REQUIRE_FALSE(has_end<decltype(without_end)>);
+}
+
+TEST_CASE("every: what it calls may end the run") {
+  auto ends = every(1, [](const Clock& c) { return c.time >= 2 ? RunFlow::stop : RunFlow::go_on; });
+  CHECK(ends(Clock{0}) == RunFlow::go_on);
+  CHECK(ends(Clock{1.5}) == RunFlow::go_on);
+  CHECK(ends(Clock{2}) == RunFlow::stop);
+  CHECK(ends(Clock{2.5}) == RunFlow::go_on);  // no look
+  CHECK(ends(Clock{3}) == RunFlow::stop);
 }
 
 TEST_CASE("Progress: silent in a file, or a line each tenth of the run if asked for") {

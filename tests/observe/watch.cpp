@@ -113,6 +113,16 @@ TEST_CASE("A sound run: nothing is said, and what was seen is small") {
   CHECK(of(watch, "lost").worst == 0);
 }
 
+TEST_CASE("A watch that looks at regular times looks at the end, too") {
+  auto scene = swinging(0);
+  Watch watch({.energy_gain = inf, .energy_loss = inf, .lost = 0.1});
+  run(scene, {.end = 0.011}, every(0.01, watch));
+  CHECK(of(watch, "lost").worst == 0);
+  scene.body().lost = scene.body().points.size() / 5;
+  const Said s = said([&] { run(scene, {.end = 0.014}, every(0.01, watch)); });  // no regular look
+  CHECK(has(s.error, "lost"));
+}
+
 TEST_CASE("A scene at rest is not judged by its round-off") {
   auto scene = sand_block();
   Watch watch{{.energy_gain = 1e-6, .energy_loss = 1e-2, .every = 1}};

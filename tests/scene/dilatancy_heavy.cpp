@@ -78,7 +78,7 @@ TEST_CASE("a sheared bed of tetrahedra makes no energy under averages") {
             Numerics<LinearSimplex, Flip, Musl, NodalAndElementAverage>{},
             bodies(fill(Box{{0., 0., 0.}, {0.2, 0.04, 0.02}}, MohrCoulomb{sand(20_deg)}, {.per_cell = 4})),
             walls(bottom(fixed), front(roller), back(roller)),
-            gravity({9.81 * std::sin(60_deg), -9.81 * std::cos(60_deg)}), TrackEnergy{}},
+            gravity({9.81 * std::sin(60_deg), -9.81 * std::cos(60_deg), 0}), TrackEnergy{}},
       0.03);
   CAPTURE(out.residual, out.swelling);
   CHECK(std::abs(out.residual) <= 0.04);

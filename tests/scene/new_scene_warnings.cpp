@@ -106,6 +106,60 @@ TEST_CASE("Gravity with nothing that holds along it is told") {
             .empty());
 }
 
+TEST_CASE("A rigid body's distance is tried: NaN is refused, another unit and a wrong sign are told") {
+  using P = Vec<double, 2>;
+  const auto still = Prescribed{[](double) { return std::array{0.0, 0.0, 0.0}; }};
+  const auto block = bodies(fill(Box{{0.2, 0.2}, {0.5, 0.5}}, rubber));
+  const auto tool = [&](auto distance) {
+    return rigids(rigid(DistanceSurface{std::move(distance)}, still, Friction(0)));
+  };
+  const auto told = [&](auto distance) { return on_grid(block, gravity({0, -9.81}), tool(distance)); };
+  const Ball ball({0.35, 0.7}, 0.2);
+  CHECK(told(ball).empty());
+  CHECK(told(Box{{0.3, 0.52}, {0.4, 0.54}}).empty());  // thinner than a cell
+  CHECK(told([=](const P& x) { return std::max(ball(x), x[0] - 0.4); }).empty());
+  for (const double unit : {1000.0, 0.001, 2.0}) {
+    const auto texts = told([=](const P& x) { return unit * ball(x); });
+    REQUIRE(texts.size() == 1);
+    CHECK(has(texts[0], joined_text("rigid body 0: the gradient of its distance is ", unit)));
+  }
+  for (const auto& texts :
+       {told([=](const P& x) { return -ball(x); }), told([](const P& x) { return 0.1 - x[1]; })}) {
+    REQUIRE(texts.size() == 1);
+    CHECK(has(texts[0], "rigid body 0: 100 % of the matter lies inside of it"));
+  }
+  // A cavity that holds the matter is no mistake.
+  CHECK(told([](const P& x) { return 0.5 - (x - P(0.35, 0.35)).norm(); }).empty());
+
+  const CartesianGrid<2> fine{{.lower = {0, 0}, .upper = {1, 1}, .cell = 0.01}};
+  bool broken = true;
+  std::atomic<int> asked = 0;
+  const auto make = [&] {
+    return Scene{PlaneStrain{},
+                 fine,
+                 Numerics<QuadraticBSpline, Apic>{},
+                 block,
+                 gravity({0, -9.81}),
+                 tool([&](const P& x) {
+                   ++asked;
+                   return broken ? std::nan("") : 0.6 - x[1];
+                 })};
+  };
+  CHECK_THROWS_WITH(make(), Catch::Contains("DistanceSurface.distance at (") &&
+                                Catch::Contains(" m of the body's frame = nan: must be a number"));
+  broken = false;
+  asked = 0;
+  auto scene = make();
+  CHECK(asked < 3000);
+  CHECK(asked > 1000);
+  step(scene, 1e-5);
+  broken = true;
+  CHECK_THROWS_AS(step(scene, 1e-5), run_error);
+  CHECK_THROWS_WITH(
+      on_grid(bodies(fill(Inside{[](const P& x) { return x[0] < 0.3 ? std::nan("") : -1; }}, rubber))),
+      Catch::Contains("Inside.distance at (") && Catch::Contains(" m = nan: must be a number"));
+}
+
 TEST_CASE("The hook of the warnings: replaced, silenced, thrown from, counted on any thread") {
   std::vector<std::string> texts;
   const WarningHook first = on_warning([&](const std::string& text) { texts.push_back(text); });

@@ -67,6 +67,83 @@ TEST_CASE("Stable step: the least of all bodies") {
   CHECK(step_of(1000, 1000) == Approx(1 / (wave(rubber()) + 7)));
 }
 
+namespace {
+
+/// The warnings that `f()` gives.
+template <class F>
+std::vector<std::string> told(F&& f) {
+  std::vector<std::string> texts;
+  const WarningHook old = on_warning([&](const std::string& text) { texts.push_back(text); });
+  f();
+  on_warning(old);
+  return texts;
+}
+bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+/// A part that counts how often the stable step is asked for.
+struct Asked {
+  int* count;
+  template <class Scene>
+  double stable_step(const Scene&) const {
+    ++*count;
+    return 1;
+  }
+};
+
+}  // namespace
+
+TEST_CASE("step: a length that is none is refused, one above the stable step is told once a scene") {
+  const Scene fresh{PlaneStrain{}, grid(), Splines{}, bodies(fill(Box{{0., 0.}, {1., 0.5}}, rubber()))};
+  const double bears = stable_step(fresh);
+  Scene scene = fresh;
+  for (const double dt : {0.0, -1.0, std::nan(""), double{INFINITY}, -double{INFINITY}})
+    CHECK_THROWS_WITH(step(scene, dt), joined_text("step: dt = ", dt, ": must be positive and finite (s)"));
+  CHECK(scene.steps == 0);
+  for (const double times : {1.01, 3.0, 100.0}) {
+    Scene other = fresh;
+    const auto texts = told([&] {
+      for (int k = 0; k < 3; ++k) step(other, times * bears);
+    });
+    REQUIRE(texts.size() == 1);
+    CHECK(has(texts[0], joined_text("t = 0 s, step 1: dt = ", times * bears, " s is ", times,
+                                    " times the stable step of ", bears, " s")));
+    CHECK_THROWS_AS(step(other, 0), error);
+  }
+  // At any step: a longer one at once, a stable step that has fallen within 64.
+  auto texts = told([&] {
+    for (int k = 0; k < 5; ++k) step(scene, stable_step(scene));
+    step(scene, 3 * bears);
+    step(scene, 3 * bears);
+  });
+  REQUIRE(texts.size() == 1);
+  CHECK(has(texts[0], "step 6"));
+  Scene stretched = fresh;
+  texts = told([&] {
+    for (int k = 0; k < 10; ++k) step(stretched, 0.9 * bears);
+    stretched.body().points.velocity.set(0, Vec<double, 2>(100, 0));
+    for (int k = 0; k < 60; ++k) {
+      step(stretched, 0.9 * bears);
+      stretched.body().points.velocity.set(0, Vec<double, 2>(100, 0));
+    }
+  });
+  CHECK(texts.size() == 1);
+  // run chooses its steps, and none of them asks again.
+  Scene runs = fresh;
+  CHECK(told([&] { run(runs, {.end = 20.5 * bears, .courant = 1}); }).empty());
+}
+
+TEST_CASE("step: the stable step is asked for once in 64 steps") {
+  int count = 0;
+  Scene scene{PlaneStrain{}, grid(), Splines{}, bodies(fill(Box{{0., 0.}, {1., 0.5}}, rubber())),
+              Asked{&count}};
+  const double dt = 0.5 * stable_step(scene);
+  count = 0;
+  for (int k = 0; k < 128; ++k) step(scene, dt);
+  CHECK(count == 2);
+  run(scene, {.end = scene.time + 10 * dt, .courant = 0.5});
+  CHECK(count == 12);
+}
+
 TEST_CASE("Stable step: follows a mesh that moved") {
   const auto push = [](double) { return std::array<double, 3>{0, -10, 0}; };
   auto data = test::triangles({0, 0}, {0.4, 1}, 4, 10);

@@ -36,7 +36,7 @@ auto block(K kinematics, const M& grid, Parts... parts) {
                bodies(fill(box, rubber, {.per_cell = M::dimension == 2 ? 4 : 8, .velocity = {0.1, -0.5, 0}})),
                walls(bottom(fixed), right(roller)),
                driven(left(roller), {0.05, 0, 0}),
-               gravity({0, -9.81}),
+               gravity(Triple{0, -9.81, 0}),
                Reactions{},
                TrackEnergy{},
                parts...};

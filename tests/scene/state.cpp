@@ -156,7 +156,7 @@ TEST_CASE("Restored: tetrahedra, TPIC, a history of several members, a part that
             bodies(fill(Box{{0., 0., 0.}, {1., 1., 0.5}}, WithDeviatoricStrain{sand<RemembersOpening>()},
                         {.per_cell = 4, .velocity = {0, -0.5, 0.1}})),
             walls(bottom(fixed)),
-            gravity({0, -9.81}),
+            gravity({0, -9.81, 0}),
             Dashpot{3}};
       },
       20, 20);

@@ -14,32 +14,61 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 /// Acceleration of all matter, m/s2.
 struct Gravity {
   std::array<double, 3> g{};
+  int components = 0;  ///< that were given; 0: (x, y, z), z = 0 in two dimensions
 };
-/// `gravity({0, -9.81})`: as many components as the scene has dimensions, or fewer.
-constexpr Gravity gravity(const std::array<double, 3>& g) { return {g}; }
+/// `gravity({0, -9.81})`: as many components as the scene has dimensions.
+template <std::size_t N>
+constexpr Gravity gravity(const double (&g)[N]) {
+  static_assert(N == 2 || N == 3, "gravity: two components in the plane, three in space");
+  Gravity all{.components = static_cast<int>(N)};
+  for (std::size_t k = 0; k < N; ++k) all.g[k] = g[k];
+  return all;
+}
+constexpr Gravity gravity(const Triple& g) { return {g}; }
+
+namespace detail {
+
+/// Throws `error` unless a vector was given with the components that the scene has.
+template <int D>
+void check_components(int given) {
+  require(given == 0 || given == D, "gravity: components", given,
+          joined_text("must be ", D, ", as many as the scene has dimensions"));
+}
+
+}  // namespace detail
 
 /// Gravity in a scene: a part that accelerates.
 template <class T, int D>
 struct BoundGravity {
   static constexpr bool reads_start_state = false;
   Vec<T, D> g;
+  using OnlyOne = Gravity;
   Vec<T, D> acceleration(double) const { return g; }
 };
 
 template <class Site>
 BoundGravity<typename Site::T, Site::D> bind_part(const Gravity& gravity, const Site&) {
+  detail::check_components<Site::D>(gravity.components);
   return {vector_argument<typename Site::T, Site::D>("gravity", gravity.g)};
 }
 
 /// Acceleration of all matter in time, m/s2.
 struct GravityInTime {
   VectorFunction g;
+  int components = 0;  ///< as in `Gravity`
 };
 /// `gravity({0, -9.81}, Ramp{.over = 0.5})`: a vector times a function of time.
 inline GravityInTime gravity(const Triple& g, const ScalarFunction& factor) {
   require(factor.is_uniform(), "gravity: factor", "f(x, t)",
           "must be a function of time alone; use body_force");
   return {VectorFunction(g, factor)};
+}
+template <std::size_t N>
+GravityInTime gravity(const double (&g)[N], const ScalarFunction& factor) {
+  const Gravity given = gravity(g);
+  GravityInTime in_time = gravity(given.g, factor);
+  in_time.components = given.components;
+  return in_time;
 }
 /// Any function of time that returns (x, y, z), m/s2.
 template <class F>
@@ -49,6 +78,7 @@ template <class T, int D>
 struct BoundGravityInTime {
   static constexpr bool reads_start_state = false;
   VectorFunction g;
+  using OnlyOne = Gravity;
   Vec<T, D> acceleration(double time) const {
     return value_at(g, Vec<T, D>(Vec<T, D>::Zero()), time, "gravity");
   }
@@ -56,6 +86,7 @@ struct BoundGravityInTime {
 
 template <class Site>
 BoundGravityInTime<typename Site::T, Site::D> bind_part(const GravityInTime& gravity, const Site&) {
+  detail::check_components<Site::D>(gravity.components);
   return {gravity.g};
 }
 

@@ -140,5 +140,13 @@ template <std::same_as<Wall>... W>
 Walls walls(W... wall) {
   return {{std::move(wall)...}};
 }
+/// Refused by the compiler: a place without a condition.
+template <class... W>
+requires(!(std::same_as<W, Wall> && ...)) Walls walls(W...) {
+  static_assert(
+      (std::same_as<W, Wall> && ...),
+      "walls: each is a place with its condition: bottom(fixed), on(\"set\", fixed), where(test, roller)");
+  return {};
+}
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

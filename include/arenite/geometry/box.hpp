@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <limits>
 
+#include <arenite/core/error.hpp>
 #include <arenite/core/tensor.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
@@ -16,6 +17,15 @@ template <std::size_t D>
 struct Box {
   std::array<double, D> lower;
   std::array<double, D> upper;
+
+  Box() = default;
+  /// Throws `error` where upper lies below lower. (Bounds that code sets may be empty so.)
+  Box(const std::array<double, D>& lower_corner, const std::array<double, D>& upper_corner)
+      : lower{lower_corner}, upper{upper_corner} {
+    for (std::size_t k = 0; k < D; ++k)
+      require(upper[k] >= lower[k], joined_text("Box.upper[", k, "]"), upper[k],
+              joined_text("must not lie below lower[", k, "] = ", lower[k]));
+  }
   bool contains(const Vec<double, static_cast<int>(D)>& x) const {
     for (std::size_t k = 0; k < D; ++k)
       if (!(x[static_cast<int>(k)] >= lower[k] && x[static_cast<int>(k)] < upper[k])) return false;

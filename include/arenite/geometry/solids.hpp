@@ -90,7 +90,7 @@ class RoundedBox {
     }
   }
   RoundedBox(const double (&lower)[D], const double (&upper)[D], double radius)
-      : RoundedBox(Box<D>{std::to_array(lower), std::to_array(upper)}, radius) {}
+      : RoundedBox(unchecked(lower, upper), radius) {}
 
   bool contains(const Place& x) const { return (*this)(x) < 0; }
   double operator()(const Place& x) const { return core_(x) - radius_; }
@@ -105,6 +105,13 @@ class RoundedBox {
   std::vector<ContactSegment> contact_segments() const { return contact_segments_of_box(core_, radius_); }
 
  private:
+  static Box<D> unchecked(const double (&lower)[D], const double (&upper)[D]) {
+    Box<D> box;
+    box.lower = std::to_array(lower);
+    box.upper = std::to_array(upper);
+    return box;
+  }
+
   Box<D> core_;
   double radius_;
 };

@@ -48,6 +48,17 @@ struct Reader<SurfaceLoad> {
     at.refuse(value, "must be a pressure or a traction");
   }
 };
+/// As many numbers as the scene has dimensions.
+template <>
+struct Reader<Gravity> {
+  static Gravity read(const Value& value, const Reading& at) {
+    detail::refuse_unknown(detail::dict(value, at), std::array<std::string_view, 1>{"g"}, at);
+    const Value* g = value.find("g");
+    if (g == nullptr) return {};
+    return {.g = arenite::read<Triple>(*g, at / "g"),
+            .components = static_cast<int>(detail::numbers(*g, at / "g").size())};
+  }
+};
 template <>
 struct Reader<Prescribed> {
   static Prescribed read(const Value& value, const Reading& at) {

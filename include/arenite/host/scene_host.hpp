@@ -37,7 +37,6 @@ class SceneHost : public HostedScene {
   double stable_step() const override { return arenite::stable_step(*scene_); }
   void step(double dt) override {
     const Watched watched(*this);
-    require(dt > 0 && std::isfinite(dt), "step: dt", dt, "must be positive (s)");
     arenite::step(*scene_, dt);
   }
 

@@ -21,6 +21,13 @@ constexpr bool max_pack_width_is_right() {
 
 }  // namespace detail
 
+/// Whether the `update` of a law can be called with scalars P, which may be packs.
+template <class L, class P, int D>
+concept takes_lanes = requires(const L law, Sym<P, D> stress, const StrainStep<P, D> step,
+                               typename L::template History<P> history) {
+  law.update(stress, step, history);
+};
+
 /// Stops the compiler with the cure for a law that `constitutive_law` lets pass and that would not do what
 /// its members say.
 template <class L, class T, int D>

@@ -4,37 +4,43 @@
 #include <cmath>
 #include <concepts>
 #include <limits>
+#include <type_traits>
 #include <utility>
 
 #include <arenite/core/error.hpp>
 #include <arenite/core/state_value.hpp>
+#include <arenite/scene/run_flow.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 /// Observer that calls `f(scene)` at the first step at or after each multiple of a period, s; the start
-/// counts as one. A step that passes several multiples is one call.
+/// counts as one. A step that passes several multiples is one call. The rest goes through: `f` may end the
+/// run (`RunFlow`), and one with a member `finish(scene)` is told the end. `F` is a reference where the
+/// observer is the caller's.
 template <class F>
 class Every {
  public:
   /// Throws `error` unless period > 0.
-  Every(double period, F f) : period_{period}, f_{std::move(f)} {
+  Every(double period, F f) : period_{period}, f_{std::forward<F>(f)} {
     require(period > 0, "every: period", period, "must be positive");
   }
 
   template <class Scene>
-  void operator()(const Scene& scene) {
-    if (scene.time < due_) return;
-    // A step may end a rounding error before the time it aims at.
-    const double early = period_ * (1 - 1e-12);
-    due_ = (std::floor(scene.time / early) + 1) * early;
-    if (!(due_ > scene.time)) due_ += early;  // the quotient was rounded down
-    // Multiples closer than the clock's resolution: each step meets one.
-    if (!(due_ > scene.time) || !std::isfinite(scene.time / early))
-      due_ = std::nextafter(scene.time, std::numeric_limits<double>::infinity());
+  auto operator()(const Scene& scene) {
     constexpr bool fits = std::invocable<F&, const Scene&>;
     static_assert(fits, "every: an observer is called with the scene: [](const auto& scene) { .. }");
-    if constexpr (fits) f_(scene);
+    if constexpr (fits) {
+      if constexpr (std::same_as<std::invoke_result_t<F&, const Scene&>, RunFlow>)
+        return is_due(scene.time) ? f_(scene) : RunFlow::go_on;
+      else if (is_due(scene.time))
+        f_(scene);
+    }
   }
+  template <class Scene>
+  void finish(const Scene& scene) requires requires(F& f) {
+    f.finish(scene);
+  }
+  { f_.finish(scene); }
 
   /// What it calls.
   F& called() { return f_; }
@@ -51,14 +57,28 @@ class Every {
   }
 
  private:
+  /// Whether it is time to call; then looks for the next one.
+  bool is_due(double time) {
+    if (time < due_) return false;
+    // A step may end a rounding error before the time it aims at.
+    const double early = period_ * (1 - 1e-12);
+    due_ = (std::floor(time / early) + 1) * early;
+    if (!(due_ > time)) due_ += early;  // the quotient was rounded down
+    // Multiples closer than the clock's resolution: each step meets one.
+    if (!(due_ > time) || !std::isfinite(time / early))
+      due_ = std::nextafter(time, std::numeric_limits<double>::infinity());
+    return true;
+  }
+
   double period_, due_ = -std::numeric_limits<double>::infinity();
   F f_;
 };
 
-/// `every(0.1, f)`: see `Every`.
+/// `every(0.1, f)`: see `Every`. As in `run`, an observer that is a variable is not copied: it must live as
+/// long as what this returns; a temporary is moved in.
 template <class F>
-Every<F> every(double period, F f) {
-  return {period, std::move(f)};
+Every<F> every(double period, F&& f) {
+  return {period, std::forward<F>(f)};
 }
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -17,13 +17,17 @@
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
-/// Where a signed distance (negative inside) is negative. `Distance`: callable with a position, m.
+/// Where a signed distance (negative inside) is negative. `Distance`: callable with a position, m. Throws
+/// `error` where it is NaN.
 template <class Distance>
 struct Inside {
   Distance distance;
   template <int D>
   bool contains(const Vec<double, D>& x) const {
-    return distance(x) < 0;
+    const double d = distance(x);
+    if (std::isnan(d))
+      throw error(joined_text("Inside.distance at ", vector_text(x), " m = nan: must be a number"));
+    return d < 0;
   }
   template <int D>
   requires(signed_distance<Distance, D>) double operator()(const Vec<double, D>& x) const {

@@ -104,6 +104,7 @@ class ContactPoints {
     const auto place = in_space<double, D>(x);
     double d;
     distance.at({&place, 1}, &d);
+    if (std::isnan(d)) throw run_error(refused_distance(place, d));
     return d;
   }
   static double step_of(const TouchingBody<D>& a, const TouchingBody<D>& b) {

@@ -1,6 +1,7 @@
 // Rigid body in a scene: what a user writes, and its state.
 #pragma once
 
+#include <string>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -23,6 +24,7 @@
 #include <arenite/rigid/prescribed.hpp>
 #include <arenite/rigid/prescribed_pose.hpp>
 #include <arenite/rigid/surface.hpp>
+#include <arenite/rigid/try_distance.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
@@ -231,6 +233,18 @@ struct RigidBody {
     static_assert(!(Scene::NumericsType::maps_back && touches_points),
                   "Rigid: PointContact needs Usl: it does not hold the velocities that MUSL maps back");
     if constexpr (requires { surface.connect(scene); }) surface.connect(scene);
+    if constexpr (requires { surface.distance(); })
+      detail::try_distance(scene, surface.distance(), called_in(scene));
+  }
+  /// What messages call the body: its name, or its number if it has none.
+  template <class Scene>
+  std::string called_in(const Scene& scene) const {
+    std::size_t number = 0, own = 0;
+    scene.for_each_rigid([&](const auto& other) {
+      if (static_cast<const void*>(&other) == static_cast<const void*>(this)) own = number;
+      ++number;
+    });
+    return name.word().empty() ? std::to_string(own) : std::string(name.word());
   }
   template <class Scene, class Others = const Alone>
   ContactTally exchange_impulses(Scene& scene, double dt, Others& others = no_others) {

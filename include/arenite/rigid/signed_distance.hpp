@@ -7,9 +7,11 @@
 #include <functional>
 #include <limits>
 #include <span>
+#include <string>
 #include <utility>
 #include <vector>
 
+#include <arenite/core/error.hpp>
 #include <arenite/core/tensor.hpp>
 #include <arenite/core/vector_argument.hpp>
 #include <arenite/geometry/contact_segment.hpp>
@@ -67,5 +69,11 @@ class AnyDistance {
   std::function<std::vector<ContactSegment>()> segments_{};
   Position lower_{-far, -far, -far}, upper_{far, far, far};
 };
+
+/// What is said of a distance that is no number.
+inline std::string refused_distance(const AnyDistance::Position& x, double distance) {
+  return joined_text("DistanceSurface.distance at (", x[0], ", ", x[1], ", ", x[2],
+                     ") m of the body's frame = ", distance, ": must be a number, and finite near the body");
+}
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

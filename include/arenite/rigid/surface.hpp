@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <exception>
 #include <span>
 #include <string>
@@ -12,6 +13,7 @@
 
 #include <arenite/contact/region_surface.hpp>
 #include <arenite/core/bind.hpp>
+#include <arenite/core/error.hpp>
 #include <arenite/core/parallel.hpp>
 #include <arenite/core/vector_argument.hpp>
 #include <arenite/rigid/pose.hpp>
@@ -27,7 +29,9 @@ struct MeshSurface {
 };
 
 /// A signed distance, m, negative inside, in the body's own frame: callable with a position [D]
-/// (`signed_distance`). The distance is not part of the type of a scene.
+/// (`signed_distance`). The distance is not part of the type of a scene. It is tried when the scene is made
+/// (`try_distance.hpp`): NaN is refused, then and wherever it is met; a gradient that is not 1, as that of a
+/// distance in mm, and a sign that puts most of the matter inside of the body are warned of.
 ///
 /// `reach`: a node counts as touched up to this many cell sizes (`mesh.node_size`) outside. Nodes carry mass
 /// ahead of the points, so that contact acts before the surfaces meet, by how much depends on where nodes
@@ -230,6 +234,8 @@ class BoundDistanceSurface {
       for (std::size_t k = 0; k < count; ++k) {
         if (distance[k] > reach * cell[k]) continue;
         const Vec<double, D> normal = to_scene(place, slope(at[k], 1e-4 * cell[k]));
+        if (!(std::isfinite(distance[k]) && normal.allFinite()))
+          throw run_error(refused_distance(at[k], distance[k]));
         // Where the distance has no slope (deep on an axis) there is no way out: such a node is inside.
         found.push_back({number[k], normal.squaredNorm() == 0, normal.template cast<T>(), distance[k]});
       }

@@ -12,6 +12,7 @@
 #include <arenite/core/name.hpp>
 #include <arenite/particles/body.hpp>
 #include <arenite/scene/roles.hpp>
+#include <arenite/transfer/law_pass.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
@@ -27,10 +28,26 @@ struct Bodies {
         [](const auto&... f) { return std::tuple<erased_t<Fills>...>(arenite::erased<M>(f)...); }, fills)};
   }
 };
+namespace detail {
+template <class F>
+inline constexpr bool is_fill = false;
+template <class L, Name name, class Region>
+inline constexpr bool is_fill<Fill<L, name, Region>> = true;
+}  // namespace detail
+
 /// The deformable bodies of a scene, each made by `fill(..)`; they are numbered from 0.
 template <class... Fills>
 Bodies<Fills...> bodies(Fills... fills) {
   return {{std::move(fills)...}};
+}
+/// Refused by the compiler: what no `fill` made.
+template <class... Fills>
+requires(!(detail::is_fill<Fills> && ...)) auto bodies(Fills...) {
+  static_assert(
+      (detail::is_fill<Fills> && ...),
+      "bodies: each argument must be a fill(region, law): bodies(fill(..), fill(..)); a list of them "
+      "cannot be given, for the law of each is a part of the scene's type");
+  return Bodies<>{};
 }
 
 /// Parts side by side, as one value.
@@ -127,6 +144,18 @@ template <class M, ExtraColumns Extra, class... F>
 struct bodies_of<M, Extra, Bodies<F...>> {
   using type = std::tuple<typename body_of<M, Extra, F>::type...>;
   static constexpr std::array<std::string_view, sizeof...(F)> names{body_of<M, Extra, F>::word...};
+  /// Whether all are laws: a body says of one that is none what it lacks.
+  template <class T>
+  static constexpr bool are_laws = (constitutive_law<typename body_of<M, Extra, F>::Law, T, M::dimension> &&
+                                    ...);
+  /// Whether each law takes as many points at once as a scene with numerics N hands over.
+  template <class N>
+  static constexpr bool take_lanes =
+      (takes_lanes<typename body_of<M, Extra, F>::Law,
+                   typename LawLanes<typename body_of<M, Extra, F>::Law, typename M::scalar,
+                                     N::template width<typename M::scalar>>::type,
+                   M::dimension> &&
+       ...);
   template <class N>
   static constexpr bool centres_stress = N::template centres_stress<typename body_of<M, Extra, F>::Law...>;
 };
@@ -185,6 +214,15 @@ constexpr std::size_t number_among(const std::array<std::string_view, Count>& na
   }
   if (number >= 0) return static_cast<std::size_t>(number);
   return Count == 1 ? 0 : Count;
+}
+
+/// Whether no two of these names are equal; empty ones are none.
+template <std::size_t Count>
+constexpr bool differ(const std::array<std::string_view, Count>& names) {
+  for (std::size_t a = 0; a < Count; ++a)
+    for (std::size_t b = 0; b < a; ++b)
+      if (!names[a].empty() && names[a] == names[b]) return false;
+  return true;
 }
 
 /// Place of the part made of a recipe R, or of a template of recipes; as many as there are if there is none.

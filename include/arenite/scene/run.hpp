@@ -3,15 +3,14 @@
 
 #include <cmath>
 #include <concepts>
+#include <type_traits>
 #include <utility>
 
+#include <arenite/scene/run_flow.hpp>
 #include <arenite/scene/stable_step.hpp>
 #include <arenite/scene/step.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
-
-/// What an observer may return, to end a run before its time. Whatever else it returns is ignored.
-enum class RunFlow { go_on, stop };
 
 namespace detail {
 /// Whether an observer may end a run.
@@ -64,6 +63,7 @@ void run_steps(Scene& scene, const RunOptions& options, Others& others, Observer
   while (scene.time < options.end && !stops) {
     double stable = stable_step(scene);
     if constexpr (!Others::alone) stable = others.least(stable);
+    scene.step_check.know(stable, scene.steps);
     double dt = std::min(options.courant * stable, options.max_step);
     if (!(dt > 1e-12 * span))
       throw run_error(joined_text("t = ", scene.time, " s: the stable step has shrunk to ", dt, " s"));
@@ -122,5 +122,12 @@ void run(Scene& scene, const RunOptions& options, Observers&&... observers) {
 /// Of a scene that the compiler has refused: one sentence is enough.
 template <class... Parts, class... Observers>
 void run(Scene<detail::Refused, Parts...>&, const RunOptions&, Observers&&...) {}
+
+/// Refused by the compiler: a scene that cannot change.
+template <class Scene, class... Observers>
+void run(const Scene&, const RunOptions&, Observers&&...) {
+  static_assert(!std::is_object_v<Scene>,
+                "run: the scene is stepped in place: it must be a variable that is not const");
+}
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

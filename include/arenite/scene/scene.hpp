@@ -16,6 +16,7 @@
 #include <arenite/scene/new_scene_warnings.hpp>
 #include <arenite/scene/parts.hpp>
 #include <arenite/scene/roles.hpp>
+#include <arenite/scene/step_check.hpp>
 #include <arenite/transfer/g2p.hpp>
 #include <arenite/transfer/light_nodes.hpp>
 #include <arenite/transfer/map_back.hpp>
@@ -56,8 +57,9 @@ struct Scene {
   using SiteType = Site<K, M, N, body_count>;
   using Parts = decltype(detail::bind_all(std::declval<const Recipes&>(), std::declval<const SiteType&>()));
   static constexpr std::size_t part_count = std::tuple_size_v<Parts>;
-  static_assert(detail::singles<Parts>,
-                "Scene: contact of bodies, motion of the mesh and TrackEnergy may be given once each");
+  static_assert(
+      detail::singles<Parts>,
+      "Scene: gravity, contact of bodies, motion of the mesh and TrackEnergy may be given once each");
 
   using Needs = detail::needs_of<Parts>;
   static constexpr ExtraColumns extra_columns{N::extra_columns.affine, N::extra_columns.dilation,
@@ -68,7 +70,14 @@ struct Scene {
 
  public:
   using BodyTuple = typename BodiesOf::type;
+  static_assert(!BodiesOf::template are_laws<T> || BodiesOf::template take_lanes<N>,
+                "law: update must take packs of points, not double alone: template <class T, int D> T "
+                "update(Sym<T, D>& stress, const StrainStep<T, D>& step, History<T>& history) const; or say "
+                "static constexpr int max_pack_width = 1 in the law");
   static constexpr auto body_names = BodiesOf::names;  ///< empty where a body has none
+  static_assert(detail::differ(body_names), "Scene: two bodies have one name: fill<\"name\">(..)");
+  static_assert(detail::differ(detail::rigids_of<Parts>::found.second),
+                "Scene: two rigid bodies have one name: rigid<\"name\">(..)");
   static constexpr std::size_t field_count = Needs::own_fields ? body_count : 1;
   static constexpr std::size_t rigid_count = detail::rigids_of<Parts>::count;
   /// Whether nodes hold the velocity at the start of the step and the force, apart.
@@ -105,6 +114,7 @@ struct Scene {
   double time = 0;       ///< s
   double time_step = 0;  ///< of the last step, s
   std::size_t steps = 0;
+  StepCheck step_check;         ///< of the lengths of steps
   bool finite = true;           ///< no number of the points, nor their sums, have become NaN or infinite
   ContactTally contact_tally;   ///< of the last step
   std::size_t limited = 0;      ///< node velocities scaled down by the velocity limit since the start

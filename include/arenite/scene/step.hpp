@@ -1,18 +1,23 @@
 // One step of the material point method, explicit in time. Read `step` and you have read the method.
 #pragma once
 
+#include <type_traits>
+
 #include <arenite/scene/finish.hpp>
+#include <arenite/scene/stable_step.hpp>
 #include <arenite/scene/stages.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
-/// Takes a scene through one step of length dt, s. Throws `run_error` if the state turns into NaN or the mesh
-/// inside out, naming time, place and cause. `others`: the exchange with the scenes over the other portions
-/// of the mesh, who take the same step at the same time (`core/alone.hpp`).
+/// Takes a scene through one step of length dt, s. Throws `error` unless dt is positive and finite, and
+/// `run_error` if the state turns into NaN or the mesh inside out, naming time, place and cause. Warns, once
+/// a scene, of a dt above the stable step. `others`: the exchange with the scenes over the other portions of
+/// the mesh, who take the same step at the same time (`core/alone.hpp`).
 template <class Scene, class Others>
 void step(Scene& scene, double dt, Others& others) {
   static_assert(Scene::is_portion != Others::alone,
                 "step: a scene over a MeshPortion needs the exchange with the other portions, others none");
+  scene.step_check(dt, scene.time, scene.steps, [&] { return stable_step(scene); });
   relocate(scene, others);                 // find the cell of each point
   p2g(scene, dt, others);                  // P2G: mass, momentum, internal force
   update_stress_first(scene, dt, others);  // USF: strains and stresses ahead of the forces
@@ -38,5 +43,12 @@ void step(Scene& scene, double dt) {
 /// Of a scene that the compiler has refused.
 template <class... Parts>
 void step(Scene<detail::Refused, Parts...>&, double) {}
+
+/// Refused by the compiler: a scene that cannot change.
+template <class Scene>
+void step(const Scene&, double) {
+  static_assert(!std::is_object_v<Scene>,
+                "step: the scene is stepped in place: it must be a variable that is not const");
+}
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

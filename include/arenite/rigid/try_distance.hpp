@@ -1,0 +1,126 @@
+// Trial of a signed distance when a scene is made: at a bounded number of places, for what a user gets wrong.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include <arenite/core/error.hpp>
+#include <arenite/core/warning.hpp>
+#include <arenite/rigid/signed_distance.hpp>
+
+namespace arenite::inline ARENITE_INSTRUCTION_SET::detail {
+
+/// Number k of a sequence that fills [0, 1) evenly (Weyl's).
+inline double spread(std::size_t k, double step = 0.6180339887498949) {
+  const double x = static_cast<double>(k) * step;
+  return x - std::floor(x);
+}
+
+/// Numbers below `size`, spread over them: all, or `most`.
+inline std::vector<Index> spread_numbers(std::size_t size, std::size_t most) {
+  std::vector<Index> all(std::min(size, most));
+  for (std::size_t k = 0; k < all.size(); ++k)
+    all[k] = static_cast<Index>(size <= most ? k : static_cast<std::size_t>(spread(k) * double(size)));
+  return all;
+}
+
+/// The distances at some places, m. Throws `error` that names one where it is NaN.
+inline std::vector<double> tried_distances(const AnyDistance& distance,
+                                           const std::vector<AnyDistance::Position>& places) {
+  std::vector<double> d(places.size());
+  distance.at(places, d.data());
+  for (std::size_t k = 0; k < d.size(); ++k)
+    if (std::isnan(d[k])) throw error(refused_distance(places[k], d[k]));
+  return d;
+}
+
+/// The median of the magnitudes of the gradient at the places that are nearest to the surface, -, by central
+/// differences; 1 where there is none that is finite. The nearest are those of the least distance, in
+/// whatever unit that is. Steps: m, one a place.
+template <int D>
+double median_gradient(const AnyDistance& distance, const std::vector<AnyDistance::Position>& places,
+                       const std::vector<double>& steps, const std::vector<double>& at_places) {
+  constexpr std::size_t most = 64, dim = D;
+  std::vector<std::size_t> nearest;
+  for (std::size_t k = 0; k < places.size(); ++k)
+    if (std::isfinite(at_places[k])) nearest.push_back(k);
+  std::ranges::sort(nearest, {}, [&](std::size_t k) { return std::abs(at_places[k]); });
+  nearest.resize(std::min(nearest.size(), most));
+  std::vector<AnyDistance::Position> beside;
+  for (const std::size_t k : nearest)
+    for (std::size_t i = 0; i < dim; ++i)
+      for (const double sign : {1.0, -1.0}) {
+        beside.push_back(places[k]);
+        beside.back()[i] += sign * steps[k];
+      }
+  const auto d = tried_distances(distance, beside);
+  std::vector<double> gradients;
+  for (std::size_t n = 0; n < nearest.size(); ++n) {
+    double sum = 0;
+    for (std::size_t i = 0; i < dim; ++i) {
+      const double difference = d[2 * (dim * n + i)] - d[2 * (dim * n + i) + 1];
+      sum += difference * difference;
+    }
+    const double gradient = std::sqrt(sum) / (2 * steps[nearest[n]]);
+    if (std::isfinite(gradient)) gradients.push_back(gradient);
+  }
+  if (gradients.empty()) return 1;
+  std::ranges::sort(gradients);
+  const double median = gradients[gradients.size() / 2];
+  const double unit = std::pow(10, std::floor(std::log10(median)) - 3);  // differences have round-off
+  return median > 0 ? unit * std::round(median / unit) : 0;
+}
+
+/// Tries the distance of a rigid body, called `body`, near the nodes of the mesh and at the points of the
+/// scene: less than 3,000 places. Throws `error` where it is NaN. Warns where its gradient is not 1, as that
+/// of a distance in another unit, and where it is negative in most of the matter, as one of the wrong sign.
+template <class Scene>
+void try_distance(const Scene& scene, const AnyDistance& distance, const std::string& body) {
+  using Shape = typename Scene::Shape;
+  constexpr int D = Scene::D;
+  constexpr std::size_t most = 1024;
+  const auto& mesh = scene.mesh;
+  std::vector<AnyDistance::Position> places;
+  std::vector<double> steps;
+  AnyDistance::Position lower{}, upper{};
+  for (const Index i : spread_numbers(Shape::node_count(mesh), most)) {
+    places.push_back(in_space(Shape::node_position(mesh, i)));
+    if (steps.empty()) lower = upper = places.back();
+    for (std::size_t k = 0; k < D; ++k) {
+      lower[k] = std::min(lower[k], places.back()[k]);
+      upper[k] = std::max(upper[k], places.back()[k]);
+    }
+    steps.push_back(1e-4 * static_cast<double>(mesh.node_size(i)));
+  }
+  // Off the nodes: faces and planes of symmetry of a body, where the distance has a kink, go through them.
+  constexpr std::array<double, 3> stride{0.7548776662466927, 0.5698402909980532, 0.8191725133961645};
+  for (std::size_t n = 0; n < places.size(); ++n)
+    for (std::size_t k = 0; k < D; ++k)
+      places[n][k] =
+          std::clamp(places[n][k] + (spread(n + 1, stride[k]) - 0.5) * 1e4 * steps[n], lower[k], upper[k]);
+  const auto d = tried_distances(distance, places);
+  const double gradient = median_gradient<D>(distance, places, steps, d);
+  if (!(gradient > 0.8 && gradient < 1.25))
+    warn(
+        joined_text("rigid body ", body, ": the gradient of its distance is ", gradient,
+                    " near its surface (a median), not 1: the distance must be in m, as the position is, and "
+                    "that to the nearest place of the surface"));
+
+  std::vector<AnyDistance::Position> matter;
+  scene.for_each_body([&](const auto& soft, const auto&) {
+    for (const Index p : spread_numbers(soft.points.size(), most / Scene::body_count))
+      matter.push_back(in_space(typename Scene::V(soft.points.position[p])));
+  });
+  const auto in_matter = tried_distances(distance, matter);
+  const auto inside =
+      static_cast<std::size_t>(std::ranges::count_if(in_matter, [](double x) { return x < 0; }));
+  if (2 * inside > matter.size())
+    warn(joined_text("rigid body ", body, ": ", 100 * inside / matter.size(),
+                     " % of the matter lies inside of it: its distance must be negative inside and positive "
+                     "outside"));
+}
+
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET::detail

@@ -1,0 +1,61 @@
+// Step check: whether the length of a step is one, and one that the scene bears. A host that chooses its own
+// steps hears of a mistake at its first one.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+#include <arenite/core/error.hpp>
+#include <arenite/core/warning.hpp>
+
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
+
+/// Looks at the length of each step of a scene. The stable step costs a few percent of a step, so it is asked
+/// for at the first step, at every `interval`th, and for a step longer than the last answer; `run`, which
+/// knows it, tells it (`know`).
+class StepCheck {
+ public:
+  static constexpr std::size_t interval = 64;  ///< steps for which an answer is taken to hold
+
+  /// dt: length of step number `step`, s; `stable()`: the stable step of the scene now, s. Throws `error`
+  /// unless dt is positive and finite. Warns, once a scene, of one above the stable step.
+  template <class Stable>
+  void operator()(double dt, double time, std::size_t step, const Stable& stable) {
+    if (!(dt > 0 && dt <= longest_ && step < until_)) look(dt, time, step, stable);
+  }
+
+  /// The stable step is known at step number `step`, s.
+  void know(double stable, std::size_t step) {
+    if (has_warned()) return;
+    longest_ = std::min(stable * (1 + round_off), std::numeric_limits<double>::max());
+    until_ = step + 1;
+  }
+
+ private:
+  static constexpr double round_off = 1e-6;  // of a step that is a sum, or a share, in single precision
+  static constexpr std::size_t for_ever = std::numeric_limits<std::size_t>::max();
+
+  bool has_warned() const { return until_ == for_ever; }
+
+  template <class Stable>
+  void look(double dt, double time, std::size_t step, const Stable& stable) {
+    require(dt > 0 && std::isfinite(dt), "step: dt", dt, "must be positive and finite (s)");
+    const double bears = stable();
+    know(bears, step);
+    until_ = step + interval;
+    if (!(dt > longest_)) return;
+    longest_ = std::numeric_limits<double>::max();
+    until_ = for_ever;
+    warn(joined_text("t = ", time, " s, step ", step + 1, ": dt = ", dt, " s is ", dt / bears,
+                     " times the stable step of ", bears,
+                     " s: velocities grow from step to step until points leave the mesh or numbers are no "
+                     "longer finite; take a share below 1 of stable_step(scene), or let run choose"));
+  }
+
+  double longest_ = 0;  // steps up to this one pass without a look, s
+  std::size_t until_ = 0;
+};
+
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -8,9 +8,22 @@ from typing import Any, Callable
 
 import numpy as np
 
+from . import _core
+
+_WITH_RULES = frozenset(_core.checked_recipes())
+
 
 class Recipe:
-    """A dataclass whose fields are the members of the C++ class of the same name."""
+    """A dataclass whose fields are the members of the C++ class of the same name. It is checked when it is made, by the
+    rules of that class."""
+
+    def __post_init__(self) -> None:
+        if self.rules() in _WITH_RULES:
+            _core.check(self.rules(), self.value())
+
+    def rules(self) -> str:
+        """What the native core calls the rules for these values."""
+        return self.cpp().split("<")[0]
 
     def cpp(self) -> str:
         """The C++ type, as a scene's type spells it."""
@@ -19,6 +32,11 @@ class Recipe:
     def value(self) -> Any:
         """The values of the fields, by name, for the native core."""
         return {f.name: plain(getattr(self, f.name)) for f in dataclasses.fields(self)}  # type: ignore[arg-type]
+
+
+def check_together(*recipes: str) -> None:
+    """Refuses recipes, by their classes, that do not go together."""
+    _core.check_together(list(recipes))
 
 
 def plain(x: Any) -> Any:
@@ -48,4 +66,3 @@ def function_value(f: Any) -> Any:
     if arguments_of(f) >= 2:
         return {"of_place": lambda rows: np.atleast_1d(f(rows[0, :3], float(rows[0, 3])))}
     return {"of_time": lambda rows: np.atleast_1d(f(float(rows[0, 0])))}
-

@@ -10,7 +10,11 @@ from ._recipe import Recipe, function_value, plain
 
 @dataclass(frozen=True)
 class Condition(Recipe):
-    """What a wall blocks: `fixed`, `roller`, `symmetry(normal)` or `free_along(axis)`."""
+    """What a wall blocks: `fixed`, `roller`, `symmetry(normal)` or `free_along(axis)`.
+
+    parameter  unit  range      default          meaning
+    kind       -     0 to 3     needed           fixed, roller, symmetry, free along
+    direction  -     3 numbers  (0.0, 0.0, 0.0)  the normal, or the free axis"""
 
     kind: int
     direction: Tuple[float, float, float] = (0.0, 0.0, 0.0)
@@ -44,7 +48,15 @@ def _condition(condition: Union[str, Condition]) -> Condition:
 
 @dataclass(frozen=True)
 class Wall(Recipe):
-    """Nodes that may not move. Made by `left`, `right`, `bottom`, `top`, `front`, `back`, `on` and `where`."""
+    """Nodes that may not move. Made by `left`, `right`, `bottom`, `top`, `front`, `back`, `on` and `where`.
+
+    parameter   unit  range                    default  meaning
+    axis        -     -1 to 2                  -1       a face's normal; -1: no face
+    upper       -     True, False              False    at the upper end of the mesh
+    set         -     a name                   ''       of a node set
+    test        -     a function of positions  None
+    condition   -     a condition              fixed    what is blocked
+    given_name  -     a name                   ''       by which its reaction is read"""
 
     axis: int = -1
     upper: bool = False
@@ -101,7 +113,11 @@ class Part(Recipe):
 
 @dataclass(frozen=True)
 class Driven(Part):
-    """A wall whose nodes move: velocity, m/s, a vector, a `Signal`, or a function of time, or of place and time."""
+    """A wall whose nodes move: velocity, m/s, a vector, a `Signal`, or a function of time, or of place and time.
+
+    parameter  unit  range                                                                     default
+    wall       -     a wall                                                                    needed
+    velocity   m/s   up to 3 numbers, a `Signal`, or a function of time, or of place and time  needed"""
 
     wall: Wall
     velocity: Any
@@ -112,7 +128,11 @@ class Driven(Part):
 
 @dataclass(frozen=True)
 class Coulomb(Part):
-    """Friction between deformable bodies, rad; infinity: no slip."""
+    """Friction between deformable bodies, rad; infinity: no slip.
+
+    parameter       unit  range      default  meaning
+    friction        rad   [0, pi/2)  needed   angle; infinity: no slip
+    velocity_limit  -     >= 0       0.75     share of cell / dt that contact may give; 0: no limit"""
 
     friction: float
     velocity_limit: float = 0.75
@@ -126,7 +146,10 @@ class Coulomb(Part):
 
 @dataclass(frozen=True)
 class BodyForce(Part):
-    """Acceleration of all matter, m/s2: a vector, or a function of time, or of place and time."""
+    """Acceleration of all matter, m/s2: a vector, or a function of time, or of place and time.
+
+    parameter  unit  range                                                         default
+    force      m/s2  up to 3 numbers, or a function of time, or of place and time  needed"""
 
     force: Any
 
@@ -140,7 +163,11 @@ def _faces(wall: Wall) -> Any:
 
 @dataclass(frozen=True)
 class Traction(Part):
-    """Traction, Pa, on faces of the mesh, `Traction(top(), (0, -1e3))`."""
+    """Traction, Pa, on faces of the mesh, `Traction(top(), (0, -1e3))`.
+
+    parameter  unit  range                                                         default
+    where      -     a wall's faces                                                needed
+    traction   Pa    up to 3 numbers, or a function of time, or of place and time  needed"""
 
     where: Wall
     traction: Any
@@ -154,7 +181,11 @@ class Traction(Part):
 
 @dataclass(frozen=True)
 class Pressure(Part):
-    """Pressure, Pa, against the outward normal of faces of the mesh."""
+    """Pressure, Pa, against the outward normal of faces of the mesh.
+
+    parameter  unit  range                                                  default
+    where      -     a wall's faces                                         needed
+    pressure   Pa    a number, or a function of time, or of place and time  needed"""
 
     where: Wall
     pressure: Any
@@ -168,7 +199,12 @@ class Pressure(Part):
 
 @dataclass(frozen=True)
 class PointLoad(Part):
-    """A force, N, on the point nearest to a place, m; `body`: the number of the body."""
+    """A force, N, on the point nearest to a place, m; `body`: the number of the body.
+
+    parameter  unit  range                                   default
+    place      m     2 or 3 numbers                          needed
+    force      N     up to 3 numbers, or a function of time  needed
+    body       -     a body's number                         0"""
 
     place: Sequence[float]
     force: Any
@@ -180,7 +216,12 @@ class PointLoad(Part):
 
 @dataclass(frozen=True)
 class FrictionalWall(Part):
-    """Faces at rest with Coulomb friction, rad."""
+    """Faces at rest with Coulomb friction, rad.
+
+    parameter  unit  range           default  meaning
+    where      -     a wall's faces  needed
+    friction   rad   [0, pi/2)       needed   angle; infinity: no slip
+    separates  -     True, False     True     whether matter may part from it"""
 
     where: Wall
     friction: float
@@ -192,7 +233,14 @@ class FrictionalWall(Part):
 
 @dataclass(frozen=True)
 class Absorbing(Part):
-    """Dashpots along faces of the mesh (Lysmer and Kuhlemeyer 1969)."""
+    """Dashpots along faces of the mesh (Lysmer and Kuhlemeyer 1969).
+
+    parameter       unit   range           default    meaning
+    where           -      a wall's faces  needed
+    density         kg/m3  >= 0            the law's
+    pressure_wave   m/s    >= 0            the law's  speed of pressure waves
+    shear_wave      m/s    >= 0            the law's  speed of shear waves
+    first_reaction  -      True, False     False      whether the forces of the first step hold it"""
 
     where: Wall
     density: float = float("nan")
@@ -211,17 +259,32 @@ class Absorbing(Part):
 
 @dataclass(frozen=True)
 class ViscousDamping(Part):
-    rate: float  #: 1/s
+    """Velocities decay as exp(-rate t), a free fall's too; critical for a mode of angular frequency w at 2 w.
+
+    parameter  unit  range  default  meaning
+    rate       1/s   >= 0   needed   velocities decay as exp(-rate t)"""
+
+    rate: float
 
 
 @dataclass(frozen=True)
 class LocalDamping(Part):
+    """At each node a share of the force out of balance, against the velocity (Cundall 1987).
+
+    parameter  unit  range   default  meaning
+    factor     -     [0, 1)  0.7      share of the force out of balance"""
+
     factor: float = 0.7
 
 
 @dataclass(frozen=True)
 class OwnPart(Part):
-    """A part of one's own, of a C++ header: an aggregate with these members."""
+    """A part of one's own, of a C++ header: an aggregate with these members.
+
+    parameter  unit  range           default  meaning
+    type       -     a name          needed   the class in C++
+    path       -     a file          needed   its header
+    members    -     values by name  {}"""
 
     type: str
     path: str
@@ -229,6 +292,9 @@ class OwnPart(Part):
 
     def cpp(self) -> str:
         return self.type
+
+    def rules(self) -> str:
+        return ""
 
     def header(self) -> str:
         return self.path

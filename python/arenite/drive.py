@@ -15,7 +15,14 @@ from .laws import Law
 @dataclass(frozen=True)
 class Stage(Recipe):
     """One stage: strains [6] over the stage, -, and where `stresses` is not None the stress at its end, Pa, in place
-    of the strain (xx, yy, zz, xy, yz, zx); duration, s; spin over the stage [3], -."""
+    of the strain (xx, yy, zz, xy, yz, zx); duration, s; spin over the stage [3], -.
+
+    parameter  unit  range              default          meaning
+    strains    -     6 numbers          (0.0,) * 6       over the stage
+    stresses   Pa    6 numbers or None  (None,) * 6      at its end, in the strain's place
+    duration   s     >= 0               1.0
+    steps      -     >= 1               100
+    spin       -     3 numbers          (0.0, 0.0, 0.0)  over the stage"""
 
     strains: Sequence[float] = (0.0,) * 6
     stresses: Sequence[Optional[float]] = (None,) * 6

@@ -12,7 +12,13 @@ from .shapes import Region, region_value
 
 @dataclass(frozen=True)
 class Geostatic(Recipe):
-    """Stress of level ground at rest: surface, m; k0, -; gravity, m/s2; the vertical axis."""
+    """Stress of level ground at rest: surface, m; k0, -; gravity, m/s2; the vertical axis.
+
+    parameter  unit  range   default  meaning
+    surface    m     any     needed   height of the surface
+    k0         -     >= 0    needed   horizontal over vertical stress
+    gravity    m/s2  any     9.81
+    axis       -     0 to 2  1        the vertical one"""
 
     surface: float = float("nan")
     k0: float = float("nan")
@@ -25,6 +31,21 @@ class Geostatic(Recipe):
 
 @dataclass(frozen=True)
 class Fill(Recipe):
+    """A region filled with points of a law, as `fill` makes it.
+
+    parameter     unit  range                                        default          meaning
+    name          -     a name                                       needed
+    region        -     a shape, `Cells`, or a test of positions     needed
+    law           -     a law                                        needed
+    per_cell      -     >= 1                                         4                points a cell; on a grid a square or cube
+    velocity      m/s   up to 3 numbers, or a function of positions  (0.0, 0.0, 0.0)
+    stress        Pa    `Geostatic`, or a function of positions      None
+    may_be_empty  -     True, False                                  False            a region without points is no mistake
+    history       -     numbers or functions of positions, by name   {}
+    jitter        -     [0, 1]                                       0.0              share of its sub-cell that a point is moved in
+    seed          -     >= 0                                         0                of the jitter
+    even          -     True, False                                  False            as far apart along all axes, in cells of unequal edges"""
+
     name: str
     region: Region
     law: Law

@@ -11,12 +11,18 @@ from ._recipe import Recipe, function_value
 
 @dataclass(frozen=True)
 class Ramp(Recipe):
-    """From one value to another, linearly in time, constant before and behind."""
+    """From one value to another, linearly in time, constant before and behind.
 
-    to: float = 1.0  #: value at the end
-    over: float = float("nan")  #: duration, s; 0: a step at `start`
-    start_value: float = 0.0  #: value at the start (C++: `from`)
-    start: float = 0.0  #: s
+    parameter    unit  range  default  meaning
+    to           any   any    1.0      value at the end
+    over         s     >= 0   needed   duration; 0: a step at `start`
+    start_value  any   any    0.0      value at the start (C++: `from`)
+    start        s     any    0.0      when it begins"""
+
+    to: float = 1.0
+    over: float = float("nan")
+    start_value: float = 0.0
+    start: float = 0.0
 
     def value(self) -> Any:
         return {"ramp": {"to": self.to, "over": self.over, "from": self.start_value, "start": self.start}}
@@ -24,7 +30,10 @@ class Ramp(Recipe):
 
 @dataclass(frozen=True)
 class Table(Recipe):
-    """Linear between rows (time in s, value), constant before the first and behind the last."""
+    """Linear between rows (time in s, value), constant before the first and behind the last.
+
+    parameter  unit    range               default  meaning
+    rows       s, any  (time, value) each  needed   times that do not fall"""
 
     rows: Sequence[Tuple[float, float]]
 
@@ -34,7 +43,11 @@ class Table(Recipe):
 
 @dataclass(frozen=True)
 class Scaled(Recipe):
-    """A direction times a function of time, or of place and time."""
+    """A direction times a function of time, or of place and time.
+
+    parameter  unit  range                                               default
+    direction  any   up to 3 numbers                                     needed
+    factor     any   a number, a function of time, or of place and time  needed"""
 
     direction: Sequence[float]
     factor: Any

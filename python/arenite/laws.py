@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ._errors import Error
-from ._recipe import Recipe
+from ._recipe import Recipe, check_together
 
 NOT_GIVEN = float("nan")
 
@@ -64,11 +64,16 @@ class Updated:
 
 @dataclass(frozen=True)
 class LinearElastic(Law):
-    """Hooke's law with the Jaumann rate, for small elastic strains and any rotation."""
+    """Hooke's law with the Jaumann rate, for small elastic strains and any rotation.
 
-    density: float = NOT_GIVEN  #: kg/m3
-    young: float = NOT_GIVEN  #: Pa
-    poisson: float = NOT_GIVEN  #: -
+    parameter  unit   range      default  meaning
+    density    kg/m3  > 0        needed
+    young      Pa     > 0        needed   Young's modulus
+    poisson    -      (-1, 0.5)  needed   Poisson's ratio"""
+
+    density: float = NOT_GIVEN
+    young: float = NOT_GIVEN
+    poisson: float = NOT_GIVEN
 
 
 # --- policies of the frictional laws
@@ -85,9 +90,12 @@ class ForgetsOpening(Policy):
 
 @dataclass(frozen=True)
 class RemembersOpening(Policy):
-    """Separated matter bears no stress until what it had opened is closed."""
+    """Separated matter bears no stress until what it had opened is closed.
 
-    limit: float = 1.0  #: greatest opening that is remembered, a volumetric strain, -
+    parameter  unit  range  default  meaning
+    limit      -     > 0    1.0      greatest opening that is remembered, a volumetric strain"""
+
+    limit: float = 1.0
 
 
 @dataclass(frozen=True)
@@ -97,53 +105,83 @@ class ConstantFriction(Policy):
 
 @dataclass(frozen=True)
 class LinearRateFriction(Policy):
-    """tan(phi) + time x shear rate: a regulariser, no property of sand."""
+    """tan(phi) + time x shear rate: a regulariser, no property of sand.
 
-    time: float = 1e-3  #: s
-    smoothing: float = 0.0  #: time over which the rate is smoothed, s
+    parameter  unit  range  default  meaning
+    time       s     >= 0   0.001    slope of tan(phi) over the shear rate
+    smoothing  s     >= 0   0.0      time over which the rate is smoothed"""
+
+    time: float = 1e-3
+    smoothing: float = 0.0
 
 
 @dataclass(frozen=True)
 class InertialFriction(Policy):
-    """mu(I) rheology (Jop, Forterre and Pouliquen 2006)."""
+    """mu(I) rheology (Jop, Forterre and Pouliquen 2006).
 
-    rise: float = 0.261  #: mu_2 - mu_s, -
-    reference_inertia: float = 0.279  #: I_0, -
-    grain_size: float = 0.53e-3  #: m
-    grain_density: float = 2450.0  #: kg/m3
-    smoothing: float = 0.0  #: s
+    parameter          unit   range  default  meaning
+    rise               -      >= 0   0.261    mu_2 - mu_s
+    reference_inertia  -      > 0    0.279    I_0
+    grain_size         m      > 0    0.00053
+    grain_density      kg/m3  > 0    2450.0
+    smoothing          s      >= 0   0.0      time over which the rate is smoothed"""
+
+    rise: float = 0.261
+    reference_inertia: float = 0.279
+    grain_size: float = 0.53e-3
+    grain_density: float = 2450.0
+    smoothing: float = 0.0
 
 
 @dataclass(frozen=True)
 class LogarithmicFriction(Policy):
-    """phi (1 + a log10(rate / reference)) (Zambrano-Cruzatty and Yerro 2020)."""
+    """phi (1 + a log10(rate / reference)) (Zambrano-Cruzatty and Yerro 2020).
 
-    per_decade: float = 0.027  #: a, -
-    reference_rate: float = 2.1e-5  #: 1/s
-    smoothing: float = 0.0  #: s
+    parameter       unit  range  default  meaning
+    per_decade      -     >= 0   0.027    a
+    reference_rate  1/s   > 0    2.1e-05
+    smoothing       s     >= 0   0.0      time over which the rate is smoothed"""
+
+    per_decade: float = 0.027
+    reference_rate: float = 2.1e-5
+    smoothing: float = 0.0
 
 
 @dataclass(frozen=True)
 class SofteningFriction(Policy):
-    """Friction and dilatancy fall from the law's to residual ones with the plastic strain, as exp(-decay eps_p)."""
+    """Friction and dilatancy fall from the law's to residual ones with the plastic strain, as exp(-decay eps_p).
 
-    residual_friction: float = NOT_GIVEN  #: rad
-    residual_dilatancy: float = 0.0  #: rad
-    decay: float = NOT_GIVEN  #: per unit of plastic strain, -
-    cell_size: float = 0.0  #: m; with reference_size it scales the decay
-    reference_size: float = 0.0  #: m
+    parameter           unit  range                   default  meaning
+    residual_friction   rad   (0, 1.55]               needed   at most the law's friction
+    residual_dilatancy  rad   [0, residual_friction]  0.0      at most the law's dilatancy
+    decay               -     >= 0                    needed   per unit of plastic strain
+    cell_size           m     >= 0                    0.0      with reference_size it scales the decay
+    reference_size      m     >= 0                    0.0"""
+
+    residual_friction: float = NOT_GIVEN
+    residual_dilatancy: float = 0.0
+    decay: float = NOT_GIVEN
+    cell_size: float = 0.0
+    reference_size: float = 0.0
 
 
 @dataclass(frozen=True)
 class RateSofteningFriction(Policy):
     """Softening between peak and residual angles, of which the peak ones grow with the shear rate (Zambrano-Cruzatty
-    and Yerro 2020)."""
+    and Yerro 2020).
+
+    parameter             unit  range                default  meaning
+    softening             -     `SofteningFriction`  needed
+    friction_per_decade   -     >= 0                 0.027    a of phi
+    dilatancy_per_decade  -     >= 0                 0.27     a of psi
+    reference_rate        1/s   > 0                  2.1e-05
+    smoothing             s     >= 0                 0.0      time over which the rate is smoothed"""
 
     softening: SofteningFriction = field(default_factory=SofteningFriction)
-    friction_per_decade: float = 0.027  #: -
-    dilatancy_per_decade: float = 0.27  #: -
-    reference_rate: float = 2.1e-5  #: 1/s
-    smoothing: float = 0.0  #: s
+    friction_per_decade: float = 0.027
+    dilatancy_per_decade: float = 0.27
+    reference_rate: float = 2.1e-5
+    smoothing: float = 0.0
 
 
 @dataclass(frozen=True)
@@ -153,22 +191,34 @@ class ConstantStiffness(Policy):
 
 @dataclass(frozen=True)
 class PressureStiffness(Policy):
-    """E = E_ref (p / p_ref)^n of the mean pressure (Ohde 1939, Janbu 1963)."""
+    """E = E_ref (p / p_ref)^n of the mean pressure (Ohde 1939, Janbu 1963).
 
-    exponent: float = 0.5  #: n, -
-    reference_pressure: float = 100e3  #: Pa
-    lowest_pressure: float = 1e3  #: Pa
+    parameter           unit  range   default   meaning
+    exponent            -     [0, 1]  0.5       n
+    reference_pressure  Pa    > 0     100000.0  p_ref
+    lowest_pressure     Pa    > 0     1000.0    below it the modulus is that of it"""
+
+    exponent: float = 0.5
+    reference_pressure: float = 100e3
+    lowest_pressure: float = 1e3
 
 
 @dataclass(frozen=True)
 class RateStiffness(Policy):
     """The shear modulus grows with the shear rate and falls with the plastic strain, of which `RateSofteningFriction`
-    keeps account (Zambrano-Cruzatty and Yerro 2020)."""
+    keeps account (Zambrano-Cruzatty and Yerro 2020).
 
-    per_decade: float = 0.102  #: -
-    reference_rate: float = 2.1e-5  #: 1/s
-    residual: float = 1.0  #: G_r / G_p, -
-    decay: float = 0.0  #: per unit of plastic strain, -
+    parameter       unit  range                default               meaning
+    per_decade      -     >= 0                 0.102                 growth of G
+    reference_rate  1/s   > 0                  2.1e-05
+    residual        -     (0, 1]               1.0                   G_r / G_p
+    decay           -     >= 0                 0.0                   per unit of plastic strain
+    pressure        -     `PressureStiffness`  PressureStiffness(0)  of which it is a factor"""
+
+    per_decade: float = 0.102
+    reference_rate: float = 2.1e-5
+    residual: float = 1.0
+    decay: float = 0.0
     pressure: PressureStiffness = field(default_factory=lambda: PressureStiffness(exponent=0.0))
 
 
@@ -182,14 +232,14 @@ class Cone(enum.IntEnum):
 
 @dataclass(frozen=True)
 class _Frictional(Law):
-    density: float = NOT_GIVEN  #: kg/m3
-    young: float = NOT_GIVEN  #: Pa
-    poisson: float = NOT_GIVEN  #: -
-    friction: float = NOT_GIVEN  #: angle of friction, rad
-    cohesion: float = 0.0  #: Pa
-    dilatancy: float = 0.0  #: angle of dilatancy, rad
-    greatest_volume_ratio: float = 1.5  #: V / V0 beyond which the matter dilates no further, -
-    tension: float = float("inf")  #: cut-off of the tension, Pa
+    density: float = NOT_GIVEN
+    young: float = NOT_GIVEN
+    poisson: float = NOT_GIVEN
+    friction: float = NOT_GIVEN
+    cohesion: float = 0.0
+    dilatancy: float = 0.0
+    greatest_volume_ratio: float = 1.5
+    tension: float = float("inf")
     memory: Policy = field(default_factory=ForgetsOpening)
     friction_law: Policy = field(default_factory=ConstantFriction)
     stiffness_law: Policy = field(default_factory=ConstantStiffness)
@@ -201,27 +251,66 @@ class _Frictional(Law):
             given.pop()
         return f"{type(self).__name__}<{', '.join(given)}>"
 
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        check_together(type(self.stiffness_law).__name__, type(self.friction_law).__name__)
+
+    def rules(self) -> str:
+        return f"{type(self).__name__}<{self.memory.cpp()}, {self.friction_law.cpp()}>"
+
 
 @dataclass(frozen=True)
 class MohrCoulomb(_Frictional):
-    """Mohr-Coulomb plasticity, perfectly plastic, with dilatancy and a cut-off of the greatest principal stress."""
+    """Mohr-Coulomb plasticity, perfectly plastic, with dilatancy and a cut-off of the greatest principal stress.
+
+    parameter              unit   range                default            meaning
+    density                kg/m3  > 0                  needed
+    young                  Pa     > 0                  needed             Young's modulus
+    poisson                -      (-1, 0.5)            needed             Poisson's ratio
+    friction               rad    [0, 1.55]            needed             angle of friction; 0: Tresca
+    cohesion               Pa     >= 0                 0.0                positive where friction is 0
+    dilatancy              rad    [0, friction]        0.0                angle of dilatancy
+    greatest_volume_ratio  -      >= 1                 1.5                V / V0 beyond which it dilates no further
+    tension                Pa     >= 0                 inf                cut-off of the tension; infinity: at the apex
+    memory                 -      a memory of opening  ForgetsOpening
+    friction_law           -      a friction           ConstantFriction   by point
+    stiffness_law          -      a stiffness          ConstantStiffness  by point"""
 
 
 @dataclass(frozen=True)
 class DruckerPrager(_Frictional):
-    """Drucker-Prager plasticity, matched to Mohr-Coulomb as `cone` says, with a cut-off of the mean stress."""
+    """Drucker-Prager plasticity, matched to Mohr-Coulomb as `cone` says, with a cut-off of the mean stress.
+
+    parameter              unit   range                default            meaning
+    density                kg/m3  > 0                  needed
+    young                  Pa     > 0                  needed             Young's modulus
+    poisson                -      (-1, 0.5)            needed             Poisson's ratio
+    friction               rad    [0, 1.55]            needed             angle of friction; 0: Tresca
+    cohesion               Pa     >= 0                 0.0                positive where friction is 0
+    dilatancy              rad    [0, friction]        0.0                angle of dilatancy
+    greatest_volume_ratio  -      >= 1                 1.5                V / V0 beyond which it dilates no further
+    tension                Pa     >= 0                 inf                cut-off of the tension; infinity: at the apex
+    memory                 -      a memory of opening  ForgetsOpening
+    friction_law           -      a friction           ConstantFriction   by point
+    stiffness_law          -      a stiffness          ConstantStiffness  by point
+    cone                   -      a `Cone`             Cone.compression"""
 
     cone: Cone = Cone.compression
 
     def __post_init__(self) -> None:
         if not isinstance(self.cone, Cone):
             raise Error(f"DruckerPrager.cone = {self.cone!r}: must be one of {', '.join(f'Cone.{c.name}' for c in Cone)}")
+        super().__post_init__()
 
 
 @dataclass(frozen=True)
 class WithDeviatoricStrain(Law):
     """A law whose points remember the deviator of their strain too, turned with the matter: `deviatoric_strain`.
-    dimension: 2 for plane and axisymmetric scenes alone."""
+    dimension: 2 for plane and axisymmetric scenes alone.
+
+    parameter  unit  range  default  meaning
+    law        -     a law  needed
+    dimension  -     2, 3   3        2: for plane and axisymmetric scenes alone"""
 
     law: Law
     dimension: int = 3
@@ -238,7 +327,12 @@ class WithDeviatoricStrain(Law):
 
 @dataclass(frozen=True)
 class OwnLaw(Law):
-    """A law out of a C++ header, made by `compile`."""
+    """A law out of a C++ header, made by `compile`.
+
+    parameter   unit  range           default  meaning
+    name        -     a name          needed   the class in C++
+    path        -     a file          needed   its header
+    parameters  -     values by name  {}"""
 
     name: str
     path: str
@@ -249,6 +343,9 @@ class OwnLaw(Law):
 
     def header(self) -> Optional[str]:
         return self.path
+
+    def rules(self) -> str:
+        return ""  # its own: they are known when it is compiled
 
     def value(self) -> Any:
         return dict(self.parameters)

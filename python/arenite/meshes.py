@@ -33,7 +33,12 @@ class Mesh(Recipe):
 
 @dataclass(frozen=True)
 class CartesianGrid(Mesh):
-    """Equal square or cubic cells in a box, [2 or 3], m."""
+    """Equal square or cubic cells in a box, [2 or 3], m.
+
+    parameter  unit  range           default  meaning
+    lower      m     2 or 3 numbers  needed
+    upper      m     as many         needed   above lower
+    cell       m     > 0             needed   divides the box"""
 
     lower: Sequence[float]
     upper: Sequence[float]
@@ -49,7 +54,12 @@ class CartesianGrid(Mesh):
 
 @dataclass(frozen=True)
 class RectilinearGrid(Mesh):
-    """Cells between lines at given places, m; z in space alone."""
+    """Cells between lines at given places, m; z in space alone.
+
+    parameter  unit  range              default  meaning
+    x          m     2 or more numbers  needed   that rise
+    y          m     2 or more numbers  needed   that rise
+    z          m     2 or more numbers  ()       in space alone"""
 
     x: Sequence[float]
     y: Sequence[float]
@@ -87,7 +97,14 @@ def periodic(grid: CartesianGrid, *axes: int) -> Periodic:
 @dataclass(frozen=True, eq=False)
 class SimplexMesh(Mesh):
     """Triangles or tetrahedra: nodes [n, D], m; cells [m, D + 1]; the region of each cell [m]; names of regions
-    (name to number) and of sets of nodes (name to numbers)."""
+    (name to number) and of sets of nodes (name to numbers).
+
+    parameter     unit  range                     default  meaning
+    nodes         m     [n, D]                    needed
+    cells         -     [m, D + 1]                needed   numbers of nodes
+    region        -     [m]                       None     of each cell
+    region_names  -     numbers by name           {}
+    node_sets     -     numbers of nodes by name  {}"""
 
     nodes: ArrayLike
     cells: ArrayLike

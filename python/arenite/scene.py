@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from . import _plugins
 from ._errors import Error
-from ._recipe import Recipe, function_value
+from ._recipe import Recipe, check_together, function_value
 from .boundary import Wall
 from .fill import Fill
 from .laws import Law
@@ -72,11 +72,28 @@ class Scene:
                              reactions=reactions)
         self._take(self._make())
 
+    def _check_together(self) -> None:
+        """Refuses what does not go together, before it is compiled."""
+        r = self._recipes
+        mesh, numerics = r["mesh"].cpp().split("<")[0], r["numerics"].kinds()
+        check_together(type(r["kinematics"]).__name__, str(r["mesh"].dimension))
+        check_together(numerics[0], mesh)
+        if r["moving_mesh"] is not None:
+            check_together("MovingMesh", mesh)
+        for rigid in r["rigids"]:
+            surface, _, contact = rigid.kinds()
+            check_together(surface, mesh)
+            check_together(contact, *numerics[:3])
+            if r["rigid_contact"] is not None:
+                check_together("RigidContact", surface)
+                check_together("RigidContact", contact)
+
     def _composition(self) -> Tuple[str, Dict[str, Any], List[str]]:
         """The C++ type, the values of its recipes, and headers of one's own."""
         r = self._recipes
         types: List[str] = []
         values: List[Any] = []
+        self._check_together()
         if not r["bodies"]:
             raise Error("Scene: bodies(..) needs at least one fill(..)")
         names = [b.name for b in r["bodies"]]

@@ -13,6 +13,9 @@ from ._recipe import Recipe, plain
 
 
 class Shape(Recipe):
+    def rules(self) -> str:
+        return "Shape"
+
     def value(self) -> Any:
         return {"shape": type(self).__name__, **super().value()}
 
@@ -28,7 +31,11 @@ class Shape(Recipe):
 
 @dataclass(frozen=True)
 class Box(Shape):
-    """lower <= x < upper, [2 or 3]."""
+    """lower <= x < upper, [2 or 3].
+
+    parameter  unit  range           default
+    lower      m     2 or 3 numbers  needed
+    upper      m     as many         needed"""
 
     lower: Sequence[float]
     upper: Sequence[float]
@@ -36,7 +43,11 @@ class Box(Shape):
 
 @dataclass(frozen=True)
 class Ball(Shape):
-    """A disc in the plane, a ball in space."""
+    """A disc in the plane, a ball in space.
+
+    parameter  unit  range           default
+    centre     m     2 or 3 numbers  needed
+    radius     m     > 0             needed"""
 
     centre: Sequence[float]
     radius: float
@@ -44,6 +55,13 @@ class Ball(Shape):
 
 @dataclass(frozen=True)
 class RoundedBox(Shape):
+    """A box with rounded edges.
+
+    parameter  unit  range           default  meaning
+    lower      m     2 or 3 numbers  needed
+    upper      m     as many         needed   above lower
+    radius     m     >= 0            needed   at most half of the shortest edge"""
+
     lower: Sequence[float]
     upper: Sequence[float]
     radius: float
@@ -51,7 +69,12 @@ class RoundedBox(Shape):
 
 @dataclass(frozen=True)
 class Capsule(Shape):
-    """Nearer than the radius to the line from a to b."""
+    """Nearer than the radius to the line from a to b.
+
+    parameter  unit  range           default
+    a          m     2 or 3 numbers  needed
+    b          m     as many         needed
+    radius     m     > 0             needed"""
 
     a: Sequence[float]
     b: Sequence[float]
@@ -60,7 +83,12 @@ class Capsule(Shape):
 
 @dataclass(frozen=True)
 class Cylinder(Shape):
-    """Circular, with flat ends at a and b; in space."""
+    """Circular, with flat ends at a and b; in space.
+
+    parameter  unit  range      default  meaning
+    a          m     3 numbers  needed   centre of an end
+    b          m     3 numbers  needed   centre of the other
+    radius     m     > 0        needed"""
 
     a: Sequence[float]
     b: Sequence[float]
@@ -69,17 +97,28 @@ class Cylinder(Shape):
 
 @dataclass(frozen=True)
 class Polygon(Shape):
-    """Inside of a closed line of corners [n, 2]; in the plane."""
+    """Inside of a closed line of corners [n, 2]; in the plane.
+
+    parameter  unit  range   default
+    corners    m     [n, 2]  needed"""
 
     corners: Sequence[Sequence[float]]
 
 
 @dataclass(frozen=True)
 class ConeCylinder(Shape):
-    """Cylinder about the y axis with a cone that points down, its lowest point at height `tip`."""
+    """Cylinder about the y axis with a cone that points down, its lowest point at height `tip`.
+
+    parameter   unit  range    default  meaning
+    radius      m     > 0      needed   of the shaft
+    apex        rad   (0, pi)  needed   full angle of the cone
+    length      m     > 0      needed   from the tip to the upper end
+    tip         m     any      0.0      height of the lowest point
+    tip_radius  m     >= 0     0.0      of the rounded tip
+    fillet      m     >= 0     0.0      radius between cone and shaft"""
 
     radius: float
-    apex: float  #: full angle, rad
+    apex: float
     length: float
     tip: float = 0.0
     tip_radius: float = 0.0
@@ -91,7 +130,11 @@ class ConeCylinder(Shape):
 
 @dataclass(frozen=True)
 class TriangleSurface(Shape):
-    """Inside of closed surfaces: vertices [n, 3], m, and triangles [m, 3], counter-clockwise from outside."""
+    """Inside of closed surfaces: vertices [n, 3], m, and triangles [m, 3], counter-clockwise from outside.
+
+    parameter  unit  range   default  meaning
+    vertices   m     [n, 3]  needed
+    triangles  -     [m, 3]  needed   numbers of vertices, counter-clockwise from outside"""
 
     vertices: ArrayLike
     triangles: ArrayLike
@@ -113,6 +156,13 @@ class Combined(Shape):
 
 @dataclass(frozen=True)
 class Placed(Shape):
+    """A shape turned about its origin, then moved; made by `placed`.
+
+    parameter  unit  range      default  meaning
+    of         -     a shape    needed
+    at         m     3 numbers  needed   where its origin goes
+    turned     rad   3 numbers  needed   rotation vector"""
+
     of: Shape
     at: Sequence[float]
     turned: Sequence[float]
@@ -129,7 +179,10 @@ def placed(shape: Shape, at: Sequence[float] = (0.0, 0.0, 0.0), turned: Sequence
 
 @dataclass(frozen=True)
 class Cells(Recipe):
-    """All cells of named regions of a simplex mesh."""
+    """All cells of named regions of a simplex mesh.
+
+    parameter  unit  range             default  meaning
+    regions    -     a name, or names  needed   of regions of the mesh"""
 
     regions: Union[str, Sequence[str]]
 

@@ -20,6 +20,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "checks.hpp"
 #include "values.hpp"
 
 namespace arenite::python {
@@ -339,6 +340,11 @@ PYBIND11_MODULE(_core, m) {
              __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512bw");
     return true;
   });
+
+  m.def("check",
+        [](const std::string& recipe, py::handle values) { check_recipe(recipe, value_of(values)); });
+  m.def("check_together", &check_together);
+  m.def("checked_recipes", &checked_recipes);
 
   py::class_<Signal>(m, "Signal")
       .def(py::init<>())

@@ -43,9 +43,10 @@ def test_a_law_of_ones_own_is_the_built_in_one(ar, compiler):
 
 
 def test_the_compilers_sentence_is_pythons(ar, sand, compiler):
-    with pytest.raises(ar.Error, match="APIC needs B-splines"):
-        ar.Scene(ar.PlaneStrain(), ar.SimplexMesh([(0, 0), (1, 0), (0, 1)], [(0, 1, 2)]),
-                 ar.Numerics(ar.LinearSimplex, ar.Apic), bodies=[ar.fill("sand", lambda x: x[:, 0] >= 0, sand)])
+    law = ar.WithDeviatoricStrain(sand, dimension=2)
+    with pytest.raises(ar.Error, match="WithDeviatoricStrain: made for plane scenes; in space leave its second argument out"):
+        ar.Scene(ar.ThreeDimensional(), ar.CartesianGrid((0, 0, 0), (1, 1, 1), cell=0.5), ar.Numerics(ar.QuadraticBSpline),
+                 bodies=[ar.fill("sand", ar.Box((0, 0, 0), (1, 1, 1)), law)])
 
 
 def test_same_bits_as_cplusplus(ar, column, compiler, tmp_path):

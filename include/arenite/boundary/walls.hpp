@@ -85,6 +85,22 @@ struct Walls {
     for (const Wall& wall : list) catch_nodes(wall, nodes);
   }
 
+  /// What can be said of a wall in D dimensions without a mesh. Returns the direction that its condition
+  /// names; zero if it names none.
+  template <int D>
+  static Vec<double, D> check(const Wall& wall) {
+    using Kind = Condition::Kind;
+    const Condition& c = wall.condition;
+    require(wall.axis < D, "Wall.axis", wall.axis, "must be an axis of the scene");
+    require(wall.axis >= 0 || c.kind != Kind::face_normal, "Wall.condition", "roller",
+            "needs a face (left, right, ..); elsewhere name the plane: symmetry(normal)");
+    require(wall.axis >= 0 || !wall.set.empty() || wall.test, "Wall.set", wall.set,
+            "must name a node set (or the wall a face or a test)");
+    if (c.kind != Kind::normal && c.kind != Kind::all_but) return Vec<double, D>::Zero();
+    return direction_argument<double, D>(c.kind == Kind::normal ? "symmetry.normal" : "free_along.axis",
+                                         c.direction);
+  }
+
  private:
   template <class Shape, class M>
   static void catch_nodes(const Wall& wall, NodeConstraints<Shape, M>& nodes) {
@@ -92,17 +108,9 @@ struct Walls {
     using V = Vec<double, D>;
     using Kind = Condition::Kind;
     const Condition& c = wall.condition;
-    require(wall.axis < D, "Wall.axis", wall.axis, "must be an axis of the scene");
     require(wall.axis < 0 || !is_periodic<M>(wall.axis), "Wall.axis", wall.axis,
             "is periodic: the mesh has no face there");
-    require(wall.axis >= 0 || c.kind != Kind::face_normal, "Wall.condition", "roller",
-            "needs a face (left, right, ..); elsewhere name the plane: symmetry(normal)");
-    V direction = V::Zero();
-    if (c.kind == Kind::normal || c.kind == Kind::all_but)
-      direction = direction_argument<double, D>(
-          c.kind == Kind::normal ? "symmetry.normal" : "free_along.axis", c.direction);
-    require(wall.axis >= 0 || !wall.set.empty() || wall.test, "Wall.set", wall.set,
-            "must name a node set (or the wall a face or a test)");
+    const V direction = check<D>(wall);
     Index caught = 0;
     const auto take = [&](Index i) {
       for (int k = 0; k < D; ++k)

@@ -64,6 +64,24 @@ struct MovingMesh {
   }
 };
 
+/// Throws `error` unless the zones of a motion in D dimensions make sense; returns it.
+template <int D, class Leader>
+const MovingMesh<Leader>& check_moving_mesh(const MovingMesh<Leader>& m) {
+  require(m.axis >= 0 && m.axis < D, "MovingMesh.axis", m.axis, "must be an axis of the mesh");
+  require(std::isfinite(m.fixed_below), "MovingMesh.fixed_below", m.fixed_below, "must be given");
+  require(m.moving_from > m.fixed_below && std::isfinite(m.moving_from), "MovingMesh.moving_from",
+          m.moving_from, "must be given, above fixed_below");
+  require(m.moving_to >= m.moving_from, "MovingMesh.moving_to", m.moving_to,
+          "must not lie below moving_from");
+  const bool open = std::isinf(m.moving_to) && std::isinf(m.fixed_above);
+  require(open || m.fixed_above > m.moving_to, "MovingMesh.fixed_above", m.fixed_above,
+          "must lie above moving_to");
+  require(open || std::isfinite(m.fixed_above), "MovingMesh.fixed_above", m.fixed_above,
+          "must be given with moving_to");
+  require(m.least > 0 && m.least < 1, "MovingMesh.least", m.least, "must lie in (0, 1)");
+  return m;
+}
+
 /// Names the kind `OnlyOne` of parts that move the mesh: a scene has one at most.
 struct MeshMotion;
 
@@ -81,7 +99,7 @@ class BoundMotion {
   static constexpr bool reads_start_state = false;
 
   /// Throws `error` for an axis, heights or a share that cannot be.
-  BoundMotion(const MovingMesh<Leader>& motion, const M& mesh) : motion_{checked(motion)} {
+  BoundMotion(const MovingMesh<Leader>& motion, const M& mesh) : motion_{check_moving_mesh<D>(motion)} {
     if constexpr (is_simplex_mesh<M>)
       find_nodes(mesh);
     else
@@ -174,21 +192,6 @@ class BoundMotion {
     if (bad != none)
       throw run_error(joined_text("cell ", bad, " at (", mesh.position(mesh.nodes(bad)[0]).transpose(),
                                   ") m turned inside out after a travel of ", travel, " m"));
-  }
-  static const MovingMesh<Leader>& checked(const MovingMesh<Leader>& m) {
-    require(m.axis >= 0 && m.axis < D, "MovingMesh.axis", m.axis, "must be an axis of the mesh");
-    require(std::isfinite(m.fixed_below), "MovingMesh.fixed_below", m.fixed_below, "must be given");
-    require(m.moving_from > m.fixed_below && std::isfinite(m.moving_from), "MovingMesh.moving_from",
-            m.moving_from, "must be given, above fixed_below");
-    require(m.moving_to >= m.moving_from, "MovingMesh.moving_to", m.moving_to,
-            "must not lie below moving_from");
-    const bool open = std::isinf(m.moving_to) && std::isinf(m.fixed_above);
-    require(open || m.fixed_above > m.moving_to, "MovingMesh.fixed_above", m.fixed_above,
-            "must lie above moving_to");
-    require(open || std::isfinite(m.fixed_above), "MovingMesh.fixed_above", m.fixed_above,
-            "must be given with moving_to");
-    require(m.least > 0 && m.least < 1, "MovingMesh.least", m.least, "must lie in (0, 1)");
-    return m;
   }
 
   MovingMesh<Leader> motion_;

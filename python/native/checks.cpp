@@ -1,0 +1,322 @@
+// Checks: see checks.hpp. Values are read as a scene reads them and handed to the same constructors; what
+// goes together is asked of the same constants as the library's static_asserts ask.
+#include "checks.hpp"
+
+#include <arenite/host/read_recipes.hpp>
+#include <map>
+#include <type_traits>
+#include <utility>
+
+namespace arenite::python {
+namespace {
+
+// --- values
+
+using Check = void (*)(const Value&);
+using Checks = std::map<std::string, Check>;
+
+template <class T>
+void reads(const Value& values) {
+  read<T>(values, Reading{.name = detail::spoken_name<T>()});
+}
+/// Read, and bound as in a scene in space, which bears whatever one in the plane does.
+template <class Bound, class T>
+void binds(const Value& values) {
+  Bound(read<T>(values, Reading{.name = detail::spoken_name<T>()}));
+}
+
+/// In the plane the inertia is one number, in axisymmetry none.
+void check_free(const Value& values) {
+  Free body = read<Free>(values, Reading{.name = "Free"});
+  if (values.find("inertia")) body.inertia.check<2>();
+  body.inertia = 1.0;
+  BoundFree<double, 3>{body};
+}
+void check_anchor(const Value& values) {
+  Free body{.mass = 1, .inertia = 1.0, .centre = {0, 0, 0}};
+  body.anchor = read<Anchor>(values, Reading{.name = "Anchor"});
+  BoundFree<double, 3>{body};
+}
+void check_geostatic(const Value& values) {
+  read<Geostatic>(*values.find("geostatic"), Reading{.name = "Geostatic"}).check(3);
+}
+void check_wall(const Value& values) {
+  Wall wall = read<Wall>(values, Reading{.name = "Wall"});
+  if (wall.axis < 0 && wall.set.empty()) wall.test = [](const auto&) { return true; };  // it is not called
+  Walls::check<3>(wall);
+}
+void check_rigid(const Value& values) {
+  read<Friction>(*values.find("friction"), Reading{.name = "Rigid.friction"});
+  if (const Value* reach = values.find("surface")->find("reach")) {
+    DistanceSurface<> surface{AnyDistance{}, read<double>(*reach, Reading{.name = "DistanceSurface.reach"})};
+    BoundDistanceSurface<double, 3>{surface};
+  }
+}
+
+/// Dimensions that a shape is meant for; 0: not known.
+int dimension_of(const Value& shape) {
+  for (const char* key : {"lower", "centre", "a", "of"}) {
+    const Value* v = shape.find(key);
+    if (v == nullptr) continue;
+    if (v->find("shape")) return dimension_of(*v);
+    if (detail::is_numbers(*v)) return detail::numbers(*v, Reading{.name = key}).size() == 2 ? 2 : 3;
+  }
+  const Value* kind = shape.find("shape");
+  if (kind == nullptr) return 0;
+  const auto* word = kind->get<std::string>();
+  return *word == "Polygon" || *word == "ConeCylinder" ? 2 : 3;
+}
+void check_shape(const Value& shape) {
+  const int dimension = dimension_of(shape);
+  const Reading at{.name = "shape", .dimension = dimension};
+  if (dimension == 2) detail::read_shape<2>(shape, at);
+  if (dimension == 3) detail::read_shape<3>(shape, at);
+}
+
+template <template <int, class> class Mesh>
+void check_grid(const Value& values) {
+  const Value *lower = values.find("lower"), *z = values.find("z");
+  const bool plane = lower ? detail::numbers(*lower, Reading{.name = "CartesianGrid.lower"}).size() == 2
+                           : !z || detail::numbers(*z, Reading{.name = "RectilinearGrid.z"}).empty();
+  if (plane)
+    reads<Mesh<2, double>>(values);
+  else
+    reads<Mesh<3, double>>(values);
+}
+void check_simplex_mesh(const Value& values) {
+  const HostArray* nodes = values.find("nodes")->array();
+  if (nodes && nodes->columns() == 3)
+    reads<SimplexMesh<3, double>>(values);
+  else
+    reads<SimplexMesh<2, double>>(values);
+}
+
+/// A law with all memories and frictions; its stiffness is a recipe of its own.
+template <class Law>
+void check_law(const Value& values) {
+  Value::Dict of_law = *values.get<Value::Dict>();
+  of_law.erase("stiffness_law");
+  reads<Law>(Value(std::move(of_law)));
+}
+template <template <class, class, class> class Law, class Memory, class... Friction>
+void add_law(Checks& checks, const char* name) {
+  (checks.emplace(
+       joined_text(name, "<", detail::spoken_name<Memory>(), ", ", detail::spoken_name<Friction>(), ">"),
+       &check_law<Law<Memory, Friction, ConstantStiffness>>),
+   ...);
+}
+template <template <class, class, class> class Law>
+void add_laws(Checks& checks, const char* name) {
+  const auto with = [&]<class Memory>(std::type_identity<Memory>) {
+    add_law<Law, Memory, ConstantFriction, LinearRateFriction, InertialFriction, LogarithmicFriction,
+            SofteningFriction, RateSofteningFriction>(checks, name);
+  };
+  with(std::type_identity<ForgetsOpening>{});
+  with(std::type_identity<RemembersOpening>{});
+}
+
+template <class... T>
+void add_read(Checks& checks) {
+  (checks.emplace(detail::spoken_name<T>(), &reads<T>), ...);
+}
+
+Checks made() {
+  Checks checks;
+  add_laws<MohrCoulomb>(checks, "MohrCoulomb");
+  add_laws<DruckerPrager>(checks, "DruckerPrager");
+  add_read<LinearElastic, RemembersOpening, LinearRateFriction, InertialFriction, LogarithmicFriction,
+           SofteningFriction, RateSofteningFriction, PressureStiffness, RateStiffness>(checks);
+  add_read<Flip, Aflip, ElementAverage, NodalAndElementAverage>(checks);
+  add_read<ViscousDamping, LocalDamping, Coulomb<>, FrictionalWall, FaceTraction, BodyForce, PointLoad,
+           Prescribed>(checks);
+  checks.emplace("Fmpm", &reads<Fmpm>);  // the one and the other of `SweptFlip`
+  checks.emplace("Xpic", &reads<Xpic>);
+  checks.emplace("Geostatic", &check_geostatic);
+  checks.emplace("Guided", &binds<BoundGuided<double, 3>, Guided>);
+  checks.emplace("PrescribedPose", &binds<BoundPrescribedPose<double, 3>, PrescribedPose>);
+  checks.emplace("Free", &check_free);
+  checks.emplace("Anchor", &check_anchor);
+  checks.emplace("Rigid", &check_rigid);
+  checks.emplace("MovingMesh", [](const Value& values) {
+    check_moving_mesh<3>(read<MovingMesh<>>(values, Reading{.name = "MovingMesh"}));
+  });
+  checks.emplace("Wall", &check_wall);
+  checks.emplace("Shape", &check_shape);
+  checks.emplace("CartesianGrid", &check_grid<CartesianGrid>);
+  checks.emplace("RectilinearGrid", &check_grid<RectilinearGrid>);
+  checks.emplace("SimplexMesh", &check_simplex_mesh);
+  for (const char* function : {"Ramp", "Table"}) checks.emplace(function, &reads<ScalarFunction>);
+  checks.emplace("Scaled", &reads<VectorFunction>);
+  return checks;
+}
+const Checks& checks() {
+  static const Checks all = made();
+  return all;
+}
+
+// --- what goes together
+
+using Refusals = std::map<std::vector<std::string>, const char*>;
+
+template <class T>
+std::string word() {
+  const std::string all = type_words<T>();
+  return all.substr(0, all.find('<'));
+}
+template <>
+std::string word<Fmpm>() {
+  return "Fmpm";
+}
+template <>
+std::string word<Xpic>() {
+  return "Xpic";
+}
+template <class Shape, class Transfer, class Order>
+void refuse_order(Refusals& refused) {
+  constexpr bool maps_back = Order::maps_back && !returns_unchanged<Transfer, Shape>;
+  if (maps_back)
+    refused[{"PointContact", word<Shape>(), word<Transfer>(), word<Order>()}] =
+        "Rigid: PointContact needs Usl: it does not hold the velocities that MUSL maps back";
+  if (maps_back && Shape::constant_gradient && Transfer::affine)
+    refused[{word<Shape>(), word<Transfer>(), word<Order>()}] =
+        "Numerics: on linear simplices MUSL maps back velocities without a gradient; use Usl, or let the "
+        "transfer say "
+        "returns_unchanged<Shape> if its points hand each node just what it gave them";
+}
+template <class Shape, class... Transfer>
+void refuse_transfers(Refusals& refused) {
+  const auto look = [&]<class T>(std::type_identity<T>) {
+    if (!T::template fits<Shape>)
+      refused[{word<Shape>(), word<T>()}] =
+          "Numerics: APIC needs B-splines (its inertia tensor is singular at a node of a linear simplex: use "
+          "Tpic there); "
+          "Tpic needs linear simplices (use Apic on B-splines)";
+    else
+      refuse_order<Shape, T, Musl>(refused);
+  };
+  (look(std::type_identity<Transfer>{}), ...);
+}
+template <class Shape, class... AntiLocking>
+void refuse_anti_locking(Refusals& refused) {
+  ((AntiLocking::template fits<Shape> ? void()
+                                      : void(refused[{word<Shape>(), word<AntiLocking>()}] =
+                                                 "Numerics: NodalAveraging and ElementAverage work on "
+                                                 "linear simplices; on B-splines use NoAntiLocking")),
+   ...);
+}
+template <class Shape, class... Mesh>
+void refuse_meshes(Refusals& refused) {
+  ((shape_function<Shape, Mesh>
+        ? void()
+        : void(refused[{word<Shape>(), word<Mesh>()}] =
+                   "Scene: the shape function does not fit the mesh: LinearSimplex goes with SimplexMesh; "
+                   "LinearGrid, QuadraticBSpline and CubicBSpline with CartesianGrid")),
+   ...);
+}
+template <class Stiffness, class... Friction>
+void refuse_stiffness(Refusals& refused) {
+  using Read = typename Stiffness::template History<double>;
+  ((std::is_base_of_v<Read, typename Friction::template History<double>>
+        ? void()
+        : void(refused[{word<Stiffness>(), word<Friction>()}] =
+                   "Stiffness: reads a history that the friction policy must keep, such as "
+                   "RateSofteningFriction")),
+   ...);
+}
+
+template <class Mesh>
+void refuse_on_mesh(Refusals& refused) {
+  if (!is_simplex_mesh<Mesh>)
+    refused[{"MeshSurface", word<Mesh>()}] =
+        "Rigid: a MeshSurface needs a simplex mesh; on a grid use a DistanceSurface";
+  if (!is_simplex_mesh<Mesh> && !is_rectilinear<Mesh>)
+    refused[{"MovingMesh", word<Mesh>()}] =
+        "MovingMesh: a simplex mesh or a RectilinearGrid moves, a CartesianGrid rests";
+}
+template <class Surface, class Bound>
+void refuse_surface(Refusals& refused) {
+  const char* const through_centre =
+      "Rigid: CentreOfMass needs a MeshSurface and a Guided motion, which give the body's nodes their masses";
+  if (!Bound::has_volume_fractions) refused[{"CentreOfMass", word<Surface>()}] = through_centre;
+  const auto of_motion = [&]<class Motion>(std::type_identity<Motion>, const char* name) {
+    if (!Motion::has_mass) refused[{"CentreOfMass", name}] = through_centre;
+    if (rotates<Motion> && !rigid_surface<Bound, LinearSimplex, SimplexMesh<2, double>, Pose<2>>)
+      refused[{name, word<Surface>()}] =
+          "Rigid: the body rotates, and its surface does not: visit must take a Pose, as that of a "
+          "DistanceSurface "
+          "does; the nodes of a MeshSurface stay where the mesh is";
+  };
+  of_motion(std::type_identity<BoundGuided<double, 2>>{}, "Guided");
+  of_motion(std::type_identity<BoundPrescribed<double, 2>>{}, "Prescribed");
+  of_motion(std::type_identity<BoundPrescribedPose<double, 2>>{}, "PrescribedPose");
+  of_motion(std::type_identity<BoundFree<double, 2>>{}, "Free");
+  if (!requires(const Bound surface) { surface.distance(); }) {
+    refused[{"PointContact", word<Surface>()}] =
+        "Rigid: PointContact needs a DistanceSurface, which tells the distance of a point";
+    refused[{"RigidContact", word<Surface>()}] =
+        "RigidContact: each rigid body of the scene needs a DistanceSurface";
+  }
+}
+
+Refusals refusals() {
+  Refusals refused;
+  refuse_on_mesh<CartesianGrid<2, double>>(refused);
+  refuse_on_mesh<RectilinearGrid<2, double>>(refused);
+  refuse_on_mesh<PeriodicGrid<CartesianGrid<2, double>, 1>>(refused);
+  refuse_on_mesh<SimplexMesh<2, double>>(refused);
+  refuse_surface<MeshSurface, BoundMeshSurface<double, 2>>(refused);
+  refuse_surface<DistanceSurface<>, BoundDistanceSurface<double, 2>>(refused);
+  refused[{"RigidContact", "CentreOfMass"}] = "RigidContact: CentreOfMass cannot be joined with it";
+  refused[{"RigidContact", "PointContact"}] = "RigidContact: PointContact cannot be joined with it";
+  const auto of_shape = [&]<class Shape>(std::type_identity<Shape>) {
+    refuse_transfers<Shape, Flip, Apic, Tpic, Aflip, Fmpm, Xpic>(refused);
+    refuse_anti_locking<Shape, NoAntiLocking, NodalAveraging, ElementAverage, NodalAndElementAverage>(
+        refused);
+    refuse_meshes<Shape, CartesianGrid<2, double>, RectilinearGrid<2, double>,
+                  PeriodicGrid<CartesianGrid<2, double>, 1>, SimplexMesh<2, double>>(refused);
+  };
+  of_shape(std::type_identity<LinearGrid>{});
+  of_shape(std::type_identity<QuadraticBSpline>{});
+  of_shape(std::type_identity<CubicBSpline>{});
+  of_shape(std::type_identity<UGimp<2>>{});
+  of_shape(std::type_identity<LinearSimplex>{});
+  static_assert(RateStiffness::reads_friction_history);
+  refuse_stiffness<RateStiffness, ConstantFriction, LinearRateFriction, InertialFriction, LogarithmicFriction,
+                   SofteningFriction, RateSofteningFriction>(refused);
+  const auto in_space = [&]<class K>(std::type_identity<K>) {
+    for (const int d : {2, 3})
+      if (d != K::dimension)
+        refused[{word<K>(), std::to_string(d)}] = "Scene: mesh and kinematics must have the same dimension";
+  };
+  in_space(std::type_identity<PlaneStrain>{});
+  in_space(std::type_identity<Axisymmetric>{});
+  in_space(std::type_identity<ThreeDimensional>{});
+  return refused;
+}
+
+/// A value in which tests of places stand for nothing: they are called with the mesh alone.
+Value without_tests(const Value& values) {
+  const auto* given = values.get<Value::Dict>();
+  if (given == nullptr) return values;
+  Value::Dict all;
+  for (const auto& [key, value] : *given)
+    if (key != "test") all.emplace(key, key == "where" ? without_tests(value) : value);
+  return Value(std::move(all));
+}
+
+}  // namespace
+
+void check_recipe(const std::string& recipe, const Value& values) {
+  if (const auto found = checks().find(recipe); found != checks().end()) found->second(without_tests(values));
+}
+std::vector<std::string> checked_recipes() {
+  std::vector<std::string> all;
+  for (const auto& [recipe, check] : checks()) all.push_back(recipe);
+  return all;
+}
+void check_together(const std::vector<std::string>& recipes) {
+  static const Refusals refused = refusals();
+  if (const auto found = refused.find(recipes); found != refused.end()) throw error(found->second);
+}
+
+}  // namespace arenite::python

@@ -1,0 +1,22 @@
+// Checks: the library's own rules for recipes, asked where Python makes them, before there is a scene.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <arenite/host/value.hpp>
+
+namespace arenite::python {
+
+/// Throws `error` if the values of a recipe break a rule that needs no scene. `recipe`: its class; of a
+/// frictional law with its policies, "MohrCoulomb<ForgetsOpening, ConstantFriction>". Of one that has no such
+/// rules nothing is checked.
+void check_recipe(const std::string& recipe, const Value& values);
+
+/// The recipes that have rules.
+std::vector<std::string> checked_recipes();
+
+/// Throws `error` if recipes, by their classes, do not go together: {"LinearSimplex", "Apic"}.
+void check_together(const std::vector<std::string>& recipes);
+
+}  // namespace arenite::python

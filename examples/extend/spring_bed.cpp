@@ -3,6 +3,7 @@
 // y(t) = -(g / w^2) (1 - cos w t) with w^2 = k / m.
 #include <arenite/arenite.hpp>
 #include <cstdio>
+#include <span>
 using namespace arenite;
 
 /// What the scene is told: springs of a total stiffness, N/m, at the row of nodes nearest to a height, m.
@@ -42,7 +43,7 @@ struct BoundSpringBed {
   }
   template <class F>
   void visit_state(F&& f) {
-    f("deflection", deflection);
+    f("deflection", std::span(deflection));  // as many in each state
   }
 };
 

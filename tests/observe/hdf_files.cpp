@@ -33,6 +33,7 @@ auto make(double friction = 35_deg, Index cells = 20) {
       walls(bottom(fixed), left(roller)),
       gravity({0, -9.81}),
       PointIds{},
+      LocalDamping{},
       TrackEnergy{}};
 }
 
@@ -89,6 +90,14 @@ TEST_CASE("Saved as HDF5: what is foreign or of another run is refused, and the 
   CHECK_THROWS_AS(save_state(scene, Hdf5State{"no/such/folder/a.h5"}), output_error);
   CHECK_THROWS_WITH(save_state(scene, Hdf5State{"mine.h5", "two\nlines"}), Contains("line break"));
   CHECK_NOTHROW(restore_state(other, Hdf5State{"mine.h5", "inputs 1"}, watch));  // the old file is whole
+}
+
+TEST_CASE("Saved as HDF5: whole files of states that do not fit are refused") {
+  test::check_crafted([] { return make(); }, false,
+                      [terms = detail::state_terms(make(), "")](const auto& entries) {
+                        write_state_hdf5("crafted.h5", terms, entries);
+                      },
+                      [](auto& scene) { restore_state(scene, Hdf5State{"crafted.h5"}); });
 }
 
 TEST_CASE("Saved as HDF5: truncated and damaged files are refused") {

@@ -28,7 +28,7 @@ auto sand() {
   return Law{{.density = 1500, .young = 1e6, .poisson = 0.3, .friction = 35_deg}};
 }
 
-/// A heap that falls and spreads; a ball drops into it.
+/// A heap that falls, slowed down, and spreads up to a soft wall; a ball drops into it.
 template <class Law = MohrCoulomb<>>
 auto make(double cell = 0.05) {
   return Scene{PlaneStrain{},
@@ -40,6 +40,8 @@ auto make(double cell = 0.05) {
                rigids(rigid<"ball">(
                    DistanceSurface{[](const auto& x) { return std::hypot(x[0] - 0.3, x[1] - 0.65) - 0.1; }},
                    Guided{.mass = 50, .velocity = -2}, Friction(20_deg))),
+               absorbing(right(), {.support = Support::first_reaction}),
+               LocalDamping{},
                TrackEnergy{}};
 }
 
@@ -143,6 +145,31 @@ TEST_CASE("Saved: truncated and damaged files are refused") {
     refused(damaged, "");
   }
   CHECK(StateBuffer::first_difference(StateBuffer(other), before) == "");
+}
+
+TEST_CASE("Saved: whole files of states that do not fit are refused, and the scene stays as it was") {
+  test::check_crafted([] { return make(); }, true,
+                      [terms = detail::state_terms(make(), "")](const auto& entries) {
+                        write_state_file("crafted.state", terms, entries);
+                      },
+                      [](auto& scene) { restore_state(scene, "crafted.state"); });
+  auto scene = make();
+  save_state(scene, "whole.state");
+  const std::string whole = content_of("whole.state");
+  const StateBuffer before(scene);
+  const auto at = whole.find("\nf8 ") + 4, end = whole.find(' ', at);
+  for (const std::string count : {"-1", "nan", "1e3", "18446744073709551615", "281474976710656", ""}) {
+    std::string head = whole.substr(0, at) + count + whole.substr(end);
+    Hash hash;
+    hash.add(head.data(), head.size() - sizeof(std::uint64_t));
+    const std::uint64_t sum = hash.value();
+    std::memcpy(head.data() + head.size() - sizeof(sum), &sum, sizeof(sum));
+    write("crafted.state", head);
+    CHECK_THROWS_WITH(restore_state(scene, "crafted.state"), Contains("state file = crafted.state: is "));
+  }
+  write("crafted.state", "arenite state 1\n" + std::string(1 << 17, 'a'));
+  CHECK_THROWS_WITH(restore_state(scene, "crafted.state"), Contains("a line of its head has"));
+  CHECK(StateBuffer::first_difference(StateBuffer(scene), before) == "");
 }
 
 TEST_CASE("Saved: killed a hundred times while it writes, the last whole file loads") {

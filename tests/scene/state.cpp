@@ -172,7 +172,8 @@ TEST_CASE("Restored: what is no state of the scene is refused") {
   StateBuffer state(scene);
   auto& mass = state.of("bodies/a/points/mass");
   mass.erase(mass.begin(), mass.begin() + sizeof(double));
-  CHECK_THROWS_WITH(state.restore(scene), Catch::Matchers::Contains("state: points"));
+  CHECK_THROWS_WITH(state.restore(scene),
+                    Catch::Matchers::Contains("state: bodies/a/points/position/x = 1300 numbers"));
   scene = make();
   state = StateBuffer(scene);
   auto& runs = state.of("bodies/a/cells/runs");

@@ -20,37 +20,13 @@
 #include <fstream>
 #include <string>
 #include <string_view>
-#include <type_traits>
-#include <utility>
 #include <vector>
 
 #include <arenite/core/hash.hpp>
 #include <arenite/io/output_file.hpp>
+#include <arenite/io/state_source.hpp>
 
 namespace arenite {
-
-/// Kind of a number: 'f' floating, 'i' signed, 'u' unsigned, 'b' bool.
-template <class Number>
-inline constexpr char number_kind = std::is_same_v<Number, bool>       ? 'b'
-                                    : std::is_floating_point_v<Number> ? 'f'
-                                    : std::is_signed_v<Number>         ? 'i'
-                                                                       : 'u';
-
-/// Numbers of one name in a state.
-struct StateEntry {
-  std::string name;
-  char kind = 'f';
-  std::size_t bytes = 8;  ///< of a number
-  std::size_t count = 0;
-  const void* data = nullptr;  ///< [count], where they are to be written from
-
-  std::size_t size() const { return bytes * count; }
-  /// "f8", "u4"
-  std::string type() const { return kind + std::to_string(bytes); }
-};
-
-/// A line of the head: what must be the same in the run that reads the file.
-using StateTerm = std::pair<std::string, std::string>;
 
 namespace shared_detail {
 inline constexpr std::string_view state_magic = "arenite state ", state_format = "1";
@@ -99,11 +75,11 @@ inline void write_state_file(const std::filesystem::path& path, const std::vecto
 }
 
 /// A state file that is read: whole and undamaged, or the constructor throws.
-class StateFile {
+class StateFile : public StateSource {
  public:
   /// Throws `error` that names the file and the reason: it cannot be read, is no state file, of another
   /// format or byte order, truncated, or damaged.
-  explicit StateFile(const std::filesystem::path& path) : path_{path} {
+  explicit StateFile(const std::filesystem::path& path) : StateSource(path) {
     errno = 0;
     file_.open(path, std::ios::binary);
     if (!file_) refuse(joined_text("cannot be read (", std::generic_category().message(errno), ")"));
@@ -111,16 +87,8 @@ class StateFile {
     check_whole();
   }
 
-  const std::vector<StateTerm>& terms() const { return terms_; }
-  const std::vector<StateEntry>& entries() const { return entries_; }
-  /// The entry of this name; null: there is none.
-  const StateEntry* find(std::string_view name) const {
-    for (const auto& entry : entries_)
-      if (entry.name == name) return &entry;
-    return nullptr;
-  }
-  /// Writes an entry's numbers to `to`.
-  void read(const StateEntry& entry, void* to) {
+ private:
+  void get(const StateEntry& entry, void* to) override {
     const auto number = static_cast<std::size_t>(&entry - entries_.data());
     file_.clear();
     file_.seekg(static_cast<std::streamoff>(begin_[number]));
@@ -128,16 +96,12 @@ class StateFile {
     if (!file_) refuse("cannot be read any more");
   }
 
-  /// Throws `error` "state file = path: rule".
-  [[noreturn]] void refuse(const std::string& rule) const {
-    throw error(joined_text("state file = ", path_.string(), ": ", rule));
-  }
-
- private:
   std::string next_line() {
-    std::string line;
-    std::getline(file_, line);
-    if (!file_ || file_.eof()) refuse("is truncated within its head");
+    std::string line(longest_line, '\0');
+    file_.getline(line.data(), static_cast<std::streamsize>(line.size()));
+    if (file_.eof()) refuse("is truncated within its head");
+    if (!file_) refuse(joined_text("is damaged: a line of its head has ", longest_line, " characters"));
+    line.resize(static_cast<std::size_t>(file_.gcount()) - 1);
     return line;
   }
 
@@ -214,10 +178,9 @@ class StateFile {
     if (!file_ || sum != hash.value()) refuse("is damaged: its hash does not fit what it holds");
   }
 
-  std::filesystem::path path_;
+  static constexpr std::size_t longest_line = 1 << 16;
+
   std::ifstream file_;
-  std::vector<StateTerm> terms_;
-  std::vector<StateEntry> entries_;
   std::vector<std::size_t> begin_;  // [entries] bytes from the begin of the file
 };
 

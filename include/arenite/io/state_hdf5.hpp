@@ -55,12 +55,12 @@ inline void write_state_hdf5(const std::filesystem::path& path, const std::vecto
 }
 
 /// An HDF5 state file that is read: whole and undamaged, or the constructor throws.
-class StateHdf5 {
+class StateHdf5 : public StateSource {
  public:
   /// Throws `error` that names the file and the reason: it cannot be read, is no state file, of another
   /// format or byte order, truncated, or damaged.
   explicit StateHdf5(const std::filesystem::path& path)
-      : file_(checked(path), Hdf5Access::read, "state file") {
+      : StateSource(path), file_(checked(path), Hdf5Access::read, "state file") {
     for (auto& [name, value] : file_.texts()) {
       if (name != "byte order")
         terms_.emplace_back(name, value);
@@ -70,24 +70,16 @@ class StateHdf5 {
     for (const std::string& name : names_of_sets(file_)) {
       const Hdf5Type type = type_of_numbers(file_, name);
       entries_.push_back({name, type.kind, type.bytes, count_of_numbers(file_, name)});
+      if (entries_.back().size() > std::filesystem::file_size(path))
+        refuse(joined_text("is damaged: ", name, " is larger than the file"));
     }
   }
 
-  const std::vector<StateTerm>& terms() const { return terms_; }
-  const std::vector<StateEntry>& entries() const { return entries_; }
-  /// The entry of this name; null: there is none.
-  const StateEntry* find(std::string_view name) const {
-    const auto there = std::ranges::lower_bound(entries_, name, {}, &StateEntry::name);
-    return there != entries_.end() && there->name == name ? &*there : nullptr;
-  }
-  /// Writes an entry's numbers to `to`.
-  void read(const StateEntry& entry, void* to) const {
-    if (entry.count > 0) get_numbers(file_, entry.name, {entry.kind, entry.bytes}, to);
-  }
-  /// Throws `error` "state file = path: rule".
-  [[noreturn]] void refuse(const std::string& rule) const { file_.refuse(rule); }
-
  private:
+  void get(const StateEntry& entry, void* to) override {
+    get_numbers(file_, entry.name, {entry.kind, entry.bytes}, to);
+  }
+
   /// The path of a file that is whole.
   static const std::filesystem::path& checked(const std::filesystem::path& path) {
     const auto refuse_it = [&](const std::string& rule) {
@@ -119,8 +111,6 @@ class StateHdf5 {
   }
 
   Hdf5File file_;
-  std::vector<StateTerm> terms_;
-  std::vector<StateEntry> entries_;  // sorted by name
 };
 
 }  // namespace arenite

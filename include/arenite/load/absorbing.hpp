@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -119,7 +120,7 @@ class BoundAbsorbingFaces {
     f("dissipated", dissipated_);
     f("work", work_);
     f("supported", supported_);
-    f("support", support_);
+    f("support", std::span(support_));
   }
 
   /// What `reaction(scene, name)` knows it by, and what it gave to the matter in the last step, N s.

@@ -105,8 +105,9 @@ std::vector<StateEntry> state_entries(const Scene& scene, const Observers&... ob
 }
 
 /// Throws the refusal of a state file of another run: its head, or its values, are not those of this one.
-template <class File, class Scene, class... Observers>
-void refuse_other_run(const File& file, Scene& scene, const std::string& recipe, Observers&... observers) {
+template <class Scene, class... Observers>
+void refuse_other_run(const StateSource& file, Scene& scene, const std::string& recipe,
+                      Observers&... observers) {
   const auto wanted = state_terms(scene, recipe);
   for (std::size_t k = 0; k < std::max(wanted.size(), file.terms().size()); ++k) {
     const StateTerm none_there{"nothing", "more"},
@@ -134,29 +135,48 @@ void refuse_other_run(const File& file, Scene& scene, const std::string& recipe,
     file.refuse(joined_text("holds ", file.entries().size(), " values; this run has ", known));
 }
 
-/// Restores from a file that is open, in whichever container: `terms`, `entries`, `find`, `read`, `refuse`.
-template <class File, class Scene, class... Observers>
-void restore_from(File&& file, Scene& scene, const std::string& recipe, Observers&... observers) {
-  refuse_other_run(file, scene, recipe, observers...);
+/// Writes all values.
+template <class Scene, class... Observers>
+void write_values(StateSource& from, Scene& scene, Observers&... observers) {
   visit_run(
       scene,
       [&](std::string_view name, auto& value) {
-        const StateEntry& entry = *file.find(name);
+        const StateEntry& entry = *from.find(name);
         if constexpr (state_number<decltype(value)>) {
-          file.read(entry, &value);
+          from.read(entry, &value);
         } else {
           if constexpr (resizable_state_array<std::remove_reference_t<decltype(value)>>)
             value.resize(entry.count);
-          file.read(entry, value.data());
+          from.read(entry, value.data());
         }
       },
       observers...);
-  follow_state(scene);
-  [[maybe_unused]] const auto follow = [&](auto& observer) {
-    if constexpr (requires { observer.follow_state(std::as_const(scene)); })
-      observer.follow_state(std::as_const(scene));
-  };
-  (follow(observers), ...);
+}
+
+/// Restores from a file that is open: first looks at all names, types and counts, then writes all values.
+/// What shows then alone (counts that do not fit each other, cells that hold other points, ..) is refused
+/// too, and the values that were there are put back.
+template <class Scene, class... Observers>
+void restore_from(StateSource&& file, Scene& scene, const std::string& recipe, Observers&... observers) {
+  refuse_other_run(file, scene, recipe, observers...);
+  StateCopy before(state_entries(std::as_const(scene), std::as_const(observers)...));
+  try {
+    write_values(file, scene, observers...);
+    try {
+      follow_state(scene);
+    } catch (const error& e) {
+      file.refuse(joined_text("does not fit: ", e.what()));
+    }
+    [[maybe_unused]] const auto follow = [&](auto& observer) {
+      if constexpr (requires { observer.follow_state(std::as_const(scene)); })
+        observer.follow_state(std::as_const(scene));
+    };
+    (follow(observers), ...);
+  } catch (...) {
+    write_values(before, scene, observers...);
+    renew_from_state(scene);
+    throw;
+  }
 }
 
 }  // namespace detail
@@ -173,8 +193,9 @@ void save_state(const Scene& scene, const SavedState& to, const Observers&... ob
 /// Puts a saved state into a scene of the same recipe, and into the same observers in the same order (who has
 /// a `follow_state(scene)` is then asked to renew what follows from it); the run
 /// then goes on with the same bits, on any number of threads. Parameters (of laws, gravity, contact) are
-/// those of the scene, not of the file. Throws `error` that names file and reason, with the scene as it was,
-/// if the file is foreign, truncated or damaged, or of another composition, mesh, recipe or set of observers.
+/// those of the scene, not of the file. Throws `error` that names file and reason, with the values of scene
+/// and observers as they were, if the file is foreign, truncated or damaged, of another composition, mesh,
+/// recipe or set of observers, or holds values that do not fit each other.
 template <class Scene, class... Observers>
 void restore_state(Scene& scene, const SavedState& from, Observers&... observers) {
   detail::restore_from(StateFile(from.path), scene, from.recipe, observers...);

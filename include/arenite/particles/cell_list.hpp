@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <span>
 #include <vector>
 
 #include <arenite/core/error.hpp>
@@ -172,7 +173,7 @@ class CellList {
   /// Runs and unsorted points; the rest follows from them and the points' cells.
   template <class F>
   void visit_state(F&& f) {
-    f("runs", start_);
+    f("runs", std::span(start_));
     f("unsorted", all_unsorted_);
   }
   /// Renews the rest. Throws `error` if it is no list of these points.

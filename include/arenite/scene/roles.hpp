@@ -136,14 +136,16 @@ struct AnyVisitor {
 }  // namespace detail
 
 /// In `for_each_state`: calls `f(name, value)` for each `state_value` that it carries from one step to the
-/// next, and changes nothing itself. Its path there is `static constexpr std::string_view state_name`; a part
+/// next, and changes nothing itself. A vector whose count never changes goes as a `std::span`: a state with
+/// another count is then refused. Its path there is `static constexpr std::string_view state_name`; a part
 /// without one goes by its number.
 template <class P, class S>
 concept owns_state = requires(P& part) {
   { part.visit_state(detail::AnyVisitor{}) } -> std::same_as<void>;
 };
 
-/// Once its state, and that of the bodies, was restored: renews what follows from them.
+/// Once its state, and that of the bodies, was restored: renews what follows from them, or throws `error` if
+/// it does not fit; the values that were there are then put back.
 template <class P, class S>
 concept follows_state = requires(P& part, S& scene) {
   { part.follow_state(scene) } -> std::same_as<void>;

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <span>
 #include <string>
 #include <tuple>
 #include <type_traits>
@@ -79,7 +81,7 @@ void visit_scene(Scene& scene, const F& f) {
   if constexpr (reads_last_nodes<Scene>(std::type_identity<typename Scene::Parts>{}))
     for (std::size_t k = 0; k < scene.fields.size(); ++k) {
       StateUnder nodes(f, Scene::field_count > 1 ? joined_text("nodes/", Scene::body_name(k)) : "nodes");
-      nodes("mass", scene.fields[k].mass);
+      nodes("mass", std::span(scene.fields[k].mass.data(), scene.fields[k].mass.size()));
       nodes("velocity", scene.fields[k].velocity.numbers());
     }
   const auto paths = part_paths(std::type_identity<typename Scene::Parts>{});
@@ -111,15 +113,30 @@ void for_each_state(Scene& scene, F&& f) {
   detail::visit_scene(const_cast<std::remove_const_t<Scene>&>(scene), top);
 }
 
-/// Renews what follows from the state of a scene, once a visitor has written it. Throws `error` if it is not
-/// a state of this scene: columns of unequal length, or a list of cells that does not fit.
+namespace detail {
+
+/// Throws `error` where the columns of a body are no points: of unequal length, or nowhere, or of no mass.
+template <class Body>
+void check_points(Body& body, const std::string& path) {
+  body.points.visit_state([&](const std::string& name, const auto& column) {
+    require(column.size() == body.points.size(), path + "/" + name, joined_text(column.size(), " numbers"),
+            joined_text("must be as many as points have a mass, ", body.points.size()));
+  });
+  for (std::size_t p = 0; p < body.points.size(); ++p) {
+    const auto x = body.points.position[p];
+    const auto named = [&](const char* name) { return joined_text(path, "/", name, "[", p, "]"); };
+    if (!x.allFinite()) require(false, named("position"), vector_text(x), "must be finite (m)");
+    if (const auto m = body.points.mass[p]; !(m > 0 && std::isfinite(m)))
+      require(false, named("mass"), m, "must be positive (kg)");
+    if (const auto v = body.points.volume[p]; !std::isfinite(v))
+      require(false, named("volume"), v, "must be finite (m3)");
+  }
+}
+
+/// Renews what follows from the state, if it is one of this scene, and throws `error` if it is not.
 template <class Scene>
-void follow_state(Scene& scene) {
+void renew_from_state(Scene& scene) {
   scene.for_each_body([&](auto& body, auto&) {
-    body.points.for_each_column([&](const auto& column) {
-      require(column.size() == body.points.size(), "state: points", column.size(),
-              joined_text("must be as many in each column of a body: ", body.points.size()));
-    });
     body.cells.follow_state(body.points.cell, scene.mesh.cell_count());
     body.cells.reserve(body.points.size());
     body.points.reserve_spare();
@@ -128,6 +145,20 @@ void follow_state(Scene& scene) {
     if constexpr (follows_state<std::remove_reference_t<decltype(part)>, Scene>) part.follow_state(scene);
   });
   scene.balance_threads();
+}
+
+}  // namespace detail
+
+/// Renews what follows from the state of a scene, once a visitor has written it. Throws `error` if it is not
+/// a state of this scene: columns of unequal length, points without a place or mass, a list of cells that
+/// does not fit, or what a part refuses. The scene must not step then.
+template <class Scene>
+void follow_state(Scene& scene) {
+  std::size_t number = 0;
+  scene.for_each_body([&](auto& body, auto&) {
+    detail::check_points(body, joined_text("state: bodies/", Scene::body_name(number++), "/points"));
+  });
+  detail::renew_from_state(scene);
 }
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

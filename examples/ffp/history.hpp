@@ -31,6 +31,8 @@ struct HistoryRow {
   double plastic_work_J = 0;
   double contact_dissipation_J = 0;
   double external_work_J = 0;
+  double transfer_loss_J = 0;
+  double wall_loss_J = 0;
   double energy_residual_J = 0;
   double lost_points = 0;
   double contact_nodes = 0;
@@ -39,7 +41,7 @@ struct HistoryRow {
 };
 
 /// Columns of the history: names and members, in the order of the file.
-inline constexpr std::array<std::pair<const char*, double HistoryRow::*>, 16> history_columns{{
+inline constexpr std::array<std::pair<const char*, double HistoryRow::*>, 18> history_columns{{
     {"time_s", &HistoryRow::time_s},
     {"penetration_m", &HistoryRow::penetration_m},
     {"velocity_m_s", &HistoryRow::velocity_m_s},
@@ -51,6 +53,8 @@ inline constexpr std::array<std::pair<const char*, double HistoryRow::*>, 16> hi
     {"plastic_work_J", &HistoryRow::plastic_work_J},
     {"contact_dissipation_J", &HistoryRow::contact_dissipation_J},
     {"external_work_J", &HistoryRow::external_work_J},
+    {"transfer_loss_J", &HistoryRow::transfer_loss_J},
+    {"wall_loss_J", &HistoryRow::wall_loss_J},
     {"energy_residual_J", &HistoryRow::energy_residual_J},
     {"lost_points", &HistoryRow::lost_points},
     {"contact_nodes", &HistoryRow::contact_nodes},

@@ -67,6 +67,8 @@ HistoryRow history_row(const Scene& scene, const HistoryRow* before, double whol
   row.plastic_work_J = whole * e.plastic;
   row.contact_dissipation_J = whole * e.contact;
   row.external_work_J = whole * e.external;
+  row.transfer_loss_J = whole * e.transfer;
+  row.wall_loss_J = whole * e.walls;
   row.energy_residual_J = whole * e.residual;
   row.lost_points = static_cast<double>(scene.lost_points());
   row.contact_nodes = static_cast<double>(device.contact_nodes);

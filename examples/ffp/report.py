@@ -23,6 +23,7 @@ def rows(found):
             ("peak deceleration", peak(found, "peak")),
             ("second peak", peak(found, "second_peak")),
             ("peak reaction", f"{found['peak_reaction_N'] / 1e3:.2f} kN (2 ms mean)"),
+            ("energy taken by the transfer", f"{round(found['energy_transfer'] * 100, 1) + 0:.1f} % of the energy put in"),
             ("energy residual", f"{round(found['energy_residual'] * 100, 1) + 0:.1f} % of the energy put in"),
             ("points", f"{found['points']:,}, of which {found['lost_points']:,} left the mesh"),
             ("steps", f"{found['steps']:,} of {found['dt_min_s'] * 1e6:.0f} to {found['dt_max_s'] * 1e6:.0f} us in {found['wall_s']:.1f} s"),

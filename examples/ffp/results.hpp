@@ -59,8 +59,10 @@ struct DropFigures {
   double peak_reaction_N = 0;  ///< of the mean over the same window
   double end_s = 0;            ///< time of the last row
   double dt_min_s = 0, dt_max_s = 0;
-  double energy_residual =
-      0;  ///< residual at the end over all energy put in: kinetic at the start and external work
+  // At the end, over all energy put in: kinetic at the start and external work.
+  double energy_transfer = 0;  ///< taken by the transfer
+  double energy_walls = 0;     ///< taken by walls
+  double energy_residual = 0;  ///< booked nowhere: errors
 };
 
 inline constexpr double peak_window_s = 2e-3;
@@ -100,7 +102,10 @@ inline DropFigures figures_of(const std::vector<HistoryRow>& history, double win
     }
   }
   const double put_in = history.front().kinetic_energy_J + std::abs(history.back().external_work_J);
-  f.energy_residual = put_in > 0 ? history.back().energy_residual_J / put_in : 0;
+  const auto share = [&](double energy) { return put_in > 0 ? energy / put_in : 0; };
+  f.energy_transfer = share(history.back().transfer_loss_J);
+  f.energy_walls = share(history.back().wall_loss_J);
+  f.energy_residual = share(history.back().energy_residual_J);
   return f;
 }
 
@@ -213,6 +218,8 @@ inline nlohmann::ordered_json summary_of(const DropOptions& options,
     j["point_steps_per_s"] = run.wall_s > 0 ? run.point_steps / run.wall_s : 0;
     j["lost_points"] = run.lost_points;
     j["limited_velocities"] = run.limited_velocities;
+    j["energy_transfer"] = f.energy_transfer;
+    j["energy_walls"] = f.energy_walls;
     j["energy_residual"] = f.energy_residual;
   }
   j["points"] = run.points;

@@ -24,7 +24,8 @@ STOP = True  #: what a function of `run` returns to end the run there
 
 
 class Energies(NamedTuple):
-    """J. residual = kinetic + strain + stored + plastic + contact - (initial + external + inserted)."""
+    """J. residual = kinetic + strain + stored + plastic + contact + transfer + walls - (initial + external +
+    inserted): errors alone. transfer: taken by the transfer between points and nodes; walls: taken by walls."""
 
     kinetic: float
     strain: float
@@ -33,6 +34,8 @@ class Energies(NamedTuple):
     contact: float
     external: float
     inserted: float
+    transfer: float
+    walls: float
     residual: float
 
 

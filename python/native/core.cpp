@@ -419,7 +419,7 @@ PYBIND11_MODULE(_core, m) {
            [](SceneHandle& h) {
              const HostedEnergies e = h.outside([](Scene& s) { return s.energies(); });
              return py::make_tuple(e.kinetic, e.strain, e.stored, e.plastic, e.contact, e.external,
-                                   e.inserted, e.residual);
+                                   e.inserted, e.transfer, e.walls, e.residual);
            })
       .def("reaction",
            [](SceneHandle& h, const std::string& wall) {

@@ -90,6 +90,8 @@ TEST_CASE("figures and summary of a braking that is known: v = 5.6 cos(w t), so 
     if (i > 0) row.acceleration_m_s2 = 5.6 * (std::cos(w * (t - dt)) - std::cos(w * t)) / dt;
     row.kinetic_energy_J = 7.71 / 2 * square(row.velocity_m_s);
     row.external_work_J = 7.71 * g * row.penetration_m;
+    row.transfer_loss_J = 3e-3 * t;
+    row.wall_loss_J = 2e-3 * t;
     row.energy_residual_J = 1e-3 * t;
     history.push_back(row);
   }
@@ -104,16 +106,34 @@ TEST_CASE("figures and summary of a braking that is known: v = 5.6 cos(w t), so 
   REQUIRE(f.final_penetration_m == history.back().penetration_m);
   REQUIRE(std::abs(f.dt_min_s - 2e-5) < 1e-12);
   const double in = 7.71 / 2 * 5.6 * 5.6 + 7.71 * g * f.final_penetration_m;
+  REQUIRE(std::abs(f.energy_transfer - 24e-5 / in) < 1e-12);
+  REQUIRE(std::abs(f.energy_walls - 16e-5 / in) < 1e-12);
   REQUIRE(std::abs(f.energy_residual - 8e-5 / in) < 1e-12);
 
   DropOptions options;
   options.kinematics = Kinematics::slice;
   const auto j =
       summary_of(options, f, {.points = 10, .steps = 4000, .wall_s = 2, .point_steps = 40000, .threads = 2});
-  for (const char* key :
-       {"final_penetration_m", "max_penetration_m", "peak_deceleration_g", "peak_time_s",
-        "peak_penetration_m", "raw_peak_deceleration_g", "points", "steps", "dt_min_s", "dt_max_s", "wall_s",
-        "point_steps_per_s", "threads", "lost_points", "energy_residual", "inputs", "peak_filter", "status"})
+  for (const char* key : {"final_penetration_m",
+                          "max_penetration_m",
+                          "peak_deceleration_g",
+                          "peak_time_s",
+                          "peak_penetration_m",
+                          "raw_peak_deceleration_g",
+                          "points",
+                          "steps",
+                          "dt_min_s",
+                          "dt_max_s",
+                          "wall_s",
+                          "point_steps_per_s",
+                          "threads",
+                          "lost_points",
+                          "energy_transfer",
+                          "energy_walls",
+                          "energy_residual",
+                          "inputs",
+                          "peak_filter",
+                          "status"})
     REQUIRE(j.contains(key));
   REQUIRE(j["point_steps_per_s"] == 20000);
   REQUIRE(j["inputs"]["kinematics"] == "slice");

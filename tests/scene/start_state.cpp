@@ -38,7 +38,6 @@ auto block(K kinematics, const M& grid, Parts... parts) {
                driven(left(roller), {0.05, 0, 0}),
                gravity(Triple{0, -9.81, 0}),
                Reactions{},
-               TrackEnergy{},
                parts...};
 }
 
@@ -74,11 +73,9 @@ void check_equal(One one, Apart apart) {
   run(apart, options);
   REQUIRE(one.steps > 40);
   CHECK(difference(one.body().points, apart.body().points) <= 1e-12);
-  const Energies a = energies(one), b = energies(apart);
-  const double size = a.kinetic + a.strain;
-  for (const auto member :
-       {&Energies::kinetic, &Energies::strain, &Energies::plastic, &Energies::external, &Energies::residual})
-    CHECK(std::abs(a.*member - b.*member) <= 1e-12 * size);
+  const double kinetic = kinetic_energy(apart.body()), strain = strain_energy(apart.body());
+  CHECK(std::abs(kinetic_energy(one.body()) - kinetic) <= 1e-12 * (kinetic + strain));
+  CHECK(std::abs(strain_energy(one.body()) - strain) <= 1e-12 * (kinetic + strain));
   const auto floor = reaction(one, "bottom"), same = reaction(apart, "bottom");
   CHECK((floor.impulse - same.impulse).norm() <= 1e-12 * same.impulse.norm());
   CHECK(same.impulse.norm() > 0);

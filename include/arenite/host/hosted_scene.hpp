@@ -39,7 +39,7 @@ struct HostedCells {
 
 /// Energies, J, as `Energies` has them.
 struct HostedEnergies {
-  double kinetic, strain, stored, plastic, contact, external, inserted, residual;
+  double kinetic, strain, stored, plastic, contact, external, inserted, transfer, walls, residual;
 };
 
 /// What points brought or took, as `PointTotals` has it.

@@ -116,7 +116,8 @@ class SceneHost : public HostedScene {
   HostedEnergies energies() const override {
     if constexpr (tracks_energy<Scene>) {
       const Energies e = arenite::energies(*scene_);
-      return {e.kinetic, e.strain, e.stored, e.plastic, e.contact, e.external, e.inserted, e.residual};
+      return {e.kinetic,  e.strain,   e.stored,   e.plastic, e.contact,
+              e.external, e.inserted, e.transfer, e.walls,   e.residual};
     } else {
       throw error("energies: name TrackEnergy{} among the scene's parts");
     }

@@ -1,66 +1,200 @@
 // Energy of a scene, balanced: what was put in, where it is, and what the numerics lost.
 #pragma once
 
+#include <array>
+#include <cmath>
 #include <functional>
+#include <limits>
+#include <span>
 #include <string_view>
+#include <vector>
 
 #include <arenite/core/alone.hpp>
 #include <arenite/scene/scene.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
-/// A part that keeps the energy balance of a scene: works of stresses and accelerations are summed at
-/// each step. Without it they are not computed. Energies in J.
+/// A part that keeps the energy balance of a scene: works of stresses and accelerations, and what transfer
+/// and walls take, are summed at each step. Without it they are not computed. Energies in J.
+///
+/// What the transfer takes is what the nodes gained and the points did not: over a step the nodes gain
+/// sum m (v - v_old) . (v_old + u) / 2, with the velocities v_old at its begin, v at its end, and u that
+/// strains (MUSL: as the points hand it back, ahead of walls and contact; else v). With u of the points FLIP
+/// takes nothing, as it should. Where u is v the nodes begin the next step with another velocity than they
+/// were strained with: the work of its forces f over that half step, dt f . (v_old - v_before) / 2, is the
+/// transfer's too. Walls take -J . (v_old + u) / 2 by their impulses J, and dt f . (u_held - u) where they
+/// hold the velocities that strain.
 struct TrackEnergy {
   using OnlyOne = TrackEnergy;
   static constexpr std::string_view state_name = "energy";
-  static constexpr bool reads_start_state = false;
   double initial_kinetic = 0;  ///< of bodies and parts
+  double initial_points = 0;   ///< of bodies
   double initial_strain = 0;   ///< recoverable, from initial stresses
   double initial_stored = 0;   ///< recoverable, in parts
   double initial_shared = 0;   ///< of both, in parts that several scenes share
   double stress_work = 0;      ///< work of the stresses: stored or used up plastically
   double gravity_work = 0;     ///< of the accelerations on the bodies
+  double grid_gain = 0;        ///< kinetic energy that the nodes gained, see above
+  double walls = 0;            ///< that walls took
 
   template <class Scene>
   void connect(const Scene& scene) {
     scene.for_each_body([&](const auto& body, const auto&) {
-      initial_kinetic += kinetic_energy(body);
+      initial_points += kinetic_energy(body);
       initial_strain += strain_energy(body);
     });
     const PartEnergy parts = energy_of_parts(scene), own = energy_of_parts(scene, false);
-    initial_kinetic += parts.kinetic;
+    initial_kinetic += initial_points + parts.kinetic;
     initial_stored += parts.stored;
     initial_shared = parts.kinetic + parts.stored - own.kinetic - own.stored;
+    given_.reserve(3 * Scene::field_count * scene.constraints.size());
+    if constexpr (keeps_before<Scene>)
+      before_.assign(Scene::field_count * scene.fields[0].size() * dim<Scene>,
+                     std::numeric_limits<double>::quiet_NaN());
   }
   /// Energy that there was, J.
   double initial() const { return initial_kinetic + initial_strain + initial_stored; }
   void take_stress_work(double work) { stress_work += work; }
+  template <class V>
+  void take_wall_impulse(std::size_t field, Index node, const V& impulse) {
+    given_.push_back({field, node, {}});
+    for (int d = 0; d < V::RowsAtCompileTime; ++d)
+      given_.back().impulse[static_cast<std::size_t>(d)] = static_cast<double>(impulse[d]);
+  }
+  template <class Scene>
+  void read_start(const Scene& scene, double dt) {
+    if constexpr (keeps_before<Scene>) {
+      using V = typename Scene::V;
+      constexpr bool first = Scene::NumericsType::strains_first;
+      const auto acceleration = scene.acceleration();
+      std::size_t at = 0;
+      for (const auto& field : scene.fields) {
+        const auto half_step = [&](auto&& work) {
+          return dt / 2 * sum_nodes(scene, field, [&](std::size_t i) {
+                   return field.collected[i].mass() > 0 ? static_cast<double>(work(i)) : 0.0;
+                 });
+        };
+        const auto jump = [&](std::size_t i, const V& force, const V& now) {
+          const double* const before = &before_[(at + i) * dim<Scene>];
+          double work = 0;
+          for (int d = 0; d < Scene::D && !std::isnan(before[0]); ++d)
+            work += static_cast<double>(force[d]) * (static_cast<double>(now[d]) - before[d]);
+          return work;
+        };
+        if constexpr (first) {  // what strained is here: the velocities at the start, held by walls
+          grid_gain += half_step(
+              [&](std::size_t i) { return jump(i, field.collected[i].force(), field.velocity[i]); });
+          walls -= half_step([&](std::size_t i) {
+            const auto& sums = field.collected[i];
+            return field.mass[i] > 0 ? sums.force().dot(sums.momentum() / sums.mass() - field.velocity[i])
+                                     : 0;
+          });
+        } else {
+          grid_gain -= half_step([&](std::size_t i) {
+            const auto& sums = field.collected[i];
+            return jump(i, sums.force() + sums.mass() * acceleration, sums.momentum() / sums.mass());
+          });
+        }
+        at += field.size();
+      }
+    }
+  }
+  template <class Scene>
+  void read_end(const Scene& scene, double) {
+    for (const auto& field : scene.fields)
+      grid_gain += sum_nodes(scene, field, [&](std::size_t i) {
+        if (!(field.mass[i] > 0)) return 0.0;
+        return static_cast<double>(field.mass[i] *
+                                   (field.velocity[i] - field.start[i]).dot(mean_velocity<Scene>(field, i)));
+      });
+    for (const Given& g : given_) {
+      const auto mean = mean_velocity<Scene>(scene.fields[g.field], g.node);
+      for (int d = 0; d < Scene::D; ++d)
+        walls -= g.impulse[static_cast<std::size_t>(d)] * static_cast<double>(mean[d]);
+    }
+    given_.clear();
+    walls += scene.driving_work - driven_;
+    driven_ = scene.driving_work;
+    if constexpr (keeps_before<Scene>) {
+      std::size_t at = 0;
+      for (const auto& field : scene.fields) {
+        parallel_chunks(field.size(), [&](std::size_t begin, std::size_t end) {
+          for (std::size_t i = begin; i < end; ++i)
+            for (std::size_t d = 0; d < dim<Scene>; ++d)
+              before_[(at + i) * dim<Scene> + d] =
+                  field.mass[i] > 0 ? static_cast<double>(field.velocity[i][static_cast<int>(d)])
+                                    : std::numeric_limits<double>::quiet_NaN();
+        });
+        at += field.size();
+      }
+    }
+  }
+  template <class Scene, class V>
+  void take_wall_hold(const Scene& scene, double dt, std::size_t field, Index node, const V& momentum) {
+    const auto& nodes = scene.fields[field];
+    walls += dt * static_cast<double>(nodes.collected[node].force().dot(momentum) / nodes.mass[node]);
+  }
   template <class Scene>
   void follow_motion(const Scene& scene, double dt) {
     const auto acceleration = scene.acceleration();
-    const auto owns = scene.node_owner();
     for (const auto& field : scene.fields)
-      gravity_work += parallel_reduce(
-          field.size(), 0.0,
-          [&](std::size_t begin, std::size_t end) {
-            double work = 0;
-            for (std::size_t i = begin; i < end; ++i)
-              if (owns(static_cast<Index>(i)))
-                work += dt * static_cast<double>(field.mass[i] * acceleration.dot(field.velocity[i]));
-            return work;
-          },
-          std::plus<>{});
+      gravity_work += sum_nodes(scene, field, [&](std::size_t i) {
+        return dt * static_cast<double>(field.mass[i] * acceleration.dot(field.velocity[i]));
+      });
   }
   template <class F>
   void visit_state(F&& f) {
     f("initial_kinetic", initial_kinetic);
+    f("initial_points", initial_points);
     f("initial_strain", initial_strain);
     f("initial_stored", initial_stored);
     f("initial_shared", initial_shared);
     f("stress_work", stress_work);
     f("gravity_work", gravity_work);
+    f("grid_gain", grid_gain);
+    f("walls", walls);
+    f("driven", driven_);
+    if (!before_.empty()) f("before", std::span(before_));
   }
+
+ private:
+  struct Given {
+    std::size_t field;
+    Index node;
+    std::array<double, 3> impulse;  // N s
+  };
+  /// Whether velocities that strain are not those that the nodes begin the next step with.
+  template <class Scene>
+  static constexpr bool keeps_before = !Scene::NumericsType::maps_back;
+  template <class Scene>
+  static constexpr auto dim = static_cast<std::size_t>(Scene::D);
+
+  /// Sum of `f(node)` over the nodes that the scene owns.
+  template <class Scene, class Field, class F>
+  static double sum_nodes(const Scene& scene, const Field& field, const F& f) {
+    const auto owns = scene.node_owner();
+    return parallel_reduce(
+        field.size(), 0.0,
+        [&](std::size_t begin, std::size_t end) {
+          double sum = 0;
+          for (std::size_t i = begin; i < end; ++i)
+            if (owns(static_cast<Index>(i))) sum += f(i);
+          return sum;
+        },
+        std::plus<>{});
+  }
+  /// Of the velocity at the begin of the step and of that which strains, m/s.
+  template <class Scene, class Field>
+  static typename Scene::V mean_velocity(const Field& field, std::size_t i) {
+    if constexpr (Scene::centres_stress)
+      return field.mapped[i];  // is that mean
+    else
+      return (field.start[i] + field.strain_velocity()[i]) / 2;
+  }
+
+  std::vector<Given> given_;    // by walls in this step
+  std::vector<double> before_;  // [fields x nodes x D] velocity of the last step's end, m/s; NaN: no matter
+  double driven_ = 0;           // work of driven walls until the last step, J
 };
 
 /// What the parts of a scene count. `shared`: those too whose numbers several scenes share.
@@ -79,8 +213,8 @@ PartEnergy energy_of_parts(const Scene& scene, bool shared = true) {
 template <class Scene>
 inline constexpr bool tracks_energy = Scene::template has_part<TrackEnergy>;
 
-/// J. `residual` = kinetic + strain + stored + plastic + contact - (initial + external + inserted): what
-/// transfers, walls and time steps took (negative) or added. Lost points take their energy with them.
+/// J. `residual` = kinetic + strain + stored + plastic + contact + transfer + walls - (initial + external +
+/// inserted): errors alone, of the time step, of contact and of laws; negative: energy lost.
 struct Energies {
   double kinetic = 0;   ///< bodies and parts
   double strain = 0;    ///< recoverable
@@ -88,7 +222,9 @@ struct Energies {
   double plastic = 0;   ///< work of the stresses that is not recoverable
   double contact = 0;   ///< dissipated by friction, by inelastic contact and by other parts
   double external = 0;  ///< work of gravity, loads and prescribed motions
-  double inserted = 0;  ///< of points inserted, less that of points removed
+  double inserted = 0;  ///< of points inserted, less that of points removed or lost
+  double transfer = 0;  ///< taken by the transfer: positive where points have less than the nodes gave
+  double walls = 0;     ///< taken by walls that stop matter
   double residual = 0;
 };
 
@@ -103,21 +239,24 @@ Energies energies(const Scene& scene, [[maybe_unused]] Others& others = no_other
   Energies e;
   double inserted_strain = 0;
   scene.for_each_body([&](const auto& body, const auto&) {
-    inserted_strain += body.inserted.strain_energy - body.removed.strain_energy;
-    e.inserted += body.inserted.kinetic_energy - body.removed.kinetic_energy;
+    inserted_strain += body.inserted.strain_energy - body.removed.strain_energy - body.lost_strain;
+    e.inserted += body.inserted.kinetic_energy - body.removed.kinetic_energy - body.lost_kinetic;
     e.kinetic += kinetic_energy(body);
     e.strain += strain_energy(body);
   });
+  e.transfer = balance.initial_points + balance.grid_gain + e.inserted - e.kinetic;
+  e.walls = balance.walls;
   e.inserted += inserted_strain;
   e.kinetic += parts.kinetic;
   e.stored = parts.stored;
   e.external = balance.gravity_work + parts.external;
   e.plastic = balance.stress_work - (e.strain - balance.initial_strain - inserted_strain);
   e.contact = parts.dissipated;
-  e.residual = e.kinetic + e.strain + e.stored + e.plastic + e.contact - balance.initial_kinetic -
-               balance.initial_strain - balance.initial_stored - e.external - e.inserted;
+  e.residual = e.kinetic + e.strain + e.stored + e.plastic + e.contact + e.transfer + e.walls -
+               balance.initial() - e.external - e.inserted;
   if (!shared) e.residual += balance.initial_shared;
-  sum_over(others, e.kinetic, e.strain, e.stored, e.plastic, e.contact, e.external, e.inserted, e.residual);
+  sum_over(others, e.kinetic, e.strain, e.stored, e.plastic, e.contact, e.external, e.inserted, e.transfer,
+           e.walls, e.residual);
   return e;
 }
 

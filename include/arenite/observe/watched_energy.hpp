@@ -134,7 +134,7 @@ class WatchedEnergy {
       b.stored = e.kinetic + e.strain + e.stored;
       b.external = e.external + e.inserted;
       // Dissipation that is negative is energy made: by a law, or in contact.
-      b.gained = e.residual - std::min(e.plastic, 0.0) - std::min(e.contact, 0.0);
+      b.gained = e.residual - e.transfer - e.walls - std::min(e.plastic, 0.0) - std::min(e.contact, 0.0);
     } else {
       const PartEnergy parts = energy_of_parts(scene);
       double kinetic = 0;

@@ -100,6 +100,8 @@ struct Body {
   CellList cells;
   std::size_t lost = 0;                  ///< points that left the mesh and were removed
   double lost_mass = 0;                  ///< their mass, kg
+  double lost_kinetic = 0;               ///< their kinetic energy, J
+  double lost_strain = 0;                ///< their recoverable energy, J
   double initial_volume = 0;             ///< m3
   double opened_volume = 0;              ///< voids that opened without stress, summed over all steps, m3
   PointTotals<D> inserted{}, removed{};  ///< by `insert_points` and `remove_points`

@@ -84,7 +84,13 @@ void find_cells(B& body, M& mesh, const Blocks& blocks) {
 template <class B>
 void lose_outside(B& body) {
   body.lost += body.outside.size();
-  for (const Index p : body.outside) body.lost_mass += static_cast<double>(body.points.mass[p]);
+  const auto& points = body.points;
+  for (const Index p : body.outside) {
+    body.lost_mass += static_cast<double>(points.mass[p]);
+    body.lost_kinetic += static_cast<double>(points.mass[p] * points.velocity[p].squaredNorm()) / 2;
+    body.lost_strain += static_cast<double>(
+        points.volume[p] * elastic_energy_of(body.law, points.stress[p], points.load_history(p)));
+  }
 }
 
 /// Renews the lists of cells, and drops the points that are in none. Points that moved are unsorted points of

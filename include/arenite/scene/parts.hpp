@@ -172,6 +172,7 @@ struct needs_of<std::tuple<P...>> {
   static constexpr bool drives = (names_driven_velocity<P> || ...);
   static constexpr bool stress_work = (names_take_stress_work<P> || ...);
   static constexpr bool wall_impulses = (names_take_wall_impulse<P> || ...);
+  static constexpr bool wall_holds = (names_take_wall_hold<P> || ...);
   static constexpr bool start_state = (reads_start_state<P> || ...);
   static constexpr bool moves_rigid_bodies = (arenite::moves_rigid_bodies<P> || ...);
   static constexpr bool exchange = (names_exchange_impulses<P> || ...);

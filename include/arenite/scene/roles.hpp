@@ -81,10 +81,34 @@ concept takes_stress_work = requires(P& part) {
 };
 
 /// Wherever velocities at the end of the step are constrained, up to three times a step: the impulse that the
-/// constraints gave to a node, N s, for each node that they changed and the scene owns.
+/// constraints gave to a node, N s, for each node that they changed and the scene owns. With the number of
+/// the field as first argument: of each field, and not what constraints take of node sweeps.
 template <class P, class S>
-concept takes_wall_impulse = requires(P& part, const typename S::V& impulse) {
+concept takes_wall_impulse_of_field = requires(P& part, const typename S::V& impulse) {
+  { part.take_wall_impulse(std::size_t{}, Index{}, impulse) } -> std::same_as<void>;
+};
+template <class P, class S>
+concept takes_wall_impulse = takes_wall_impulse_of_field<P, S> ||
+    requires(P& part, const typename S::V& impulse) {
   { part.take_wall_impulse(Index{}, impulse) } -> std::same_as<void>;
+};
+
+/// After P2G, ahead of `add_force`: reads what the nodes have collected of the points.
+template <class P, class S>
+concept reads_start = requires(P& part, const S& scene) {
+  { part.read_start(scene, 0.0) } -> std::same_as<void>;
+};
+
+/// Once the velocities of the nodes at the end of the step are known. With MUSL also those that the points
+/// handed back, ahead of contact and walls, which hold them: `take_wall_hold` then gets what walls take of
+/// them, as momentum, kg m/s, of each node that they changed and the scene owns.
+template <class P, class S>
+concept reads_end = requires(P& part, const S& scene) {
+  { part.read_end(scene, 0.0) } -> std::same_as<void>;
+};
+template <class P, class S>
+concept takes_wall_hold = requires(P& part, const S& scene, const typename S::V& momentum) {
+  { part.take_wall_hold(scene, 0.0, std::size_t{}, Index{}, momentum) } -> std::same_as<void>;
 };
 
 /// In `Reactions`: the impulse [D], N s, that the part gave to the nodes that the scene owns in this step, as
@@ -217,7 +241,8 @@ template <class P>
 inline constexpr bool plays_a_role =
     names_constrain<P> || names_add_force<P> || names_acceleration<P> || names_exchange_impulses<P> ||
     names_hold_mapped<P> || names_take_stress_work<P> || names_take_wall_impulse<P> ||
-    names_follow_motion<P> || names_renew_points<P> || names_stable_step<P> || requires {
+    names_follow_motion<P> || names_renew_points<P> || names_stable_step<P> || names_read_start<P> ||
+    names_read_end<P> || requires {
   P::separates_bodies;
 }
 || requires { P::needs_point_ids; }
@@ -252,6 +277,13 @@ constexpr bool check_part() {
   static_assert(
       !names_take_wall_impulse<P> || takes_wall_impulse<P, S>,
       "part: take_wall_impulse must be void take_wall_impulse(Index node, const Vec<T, D>& impulse)");
+  static_assert(!names_read_start<P> || reads_start<P, S>,
+                "part: read_start must be void read_start(const Scene& scene, double dt)");
+  static_assert(!names_read_end<P> || reads_end<P, S>,
+                "part: read_end must be void read_end(const Scene& scene, double dt)");
+  static_assert(!names_take_wall_hold<P> || takes_wall_hold<P, S>,
+                "part: take_wall_hold must be void take_wall_hold(const Scene& scene, double dt, std::size_t "
+                "field, Index node, const Vec<T, D>& momentum)");
   static_assert(!names_given_impulse<P> || gives_wall_impulse<P, S>,
                 "part: given_impulse must be Vec<T, D> given_impulse() const, beside std::string wall_name() "
                 "const");

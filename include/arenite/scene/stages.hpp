@@ -27,9 +27,13 @@ void p2g(Scene& scene, double dt, [[maybe_unused]] Others& others = no_others) {
     }
 }
 
-/// Forces of parts (`add_force`). dt: s.
+/// Forces of parts (`add_force`), behind those who read the nodes as the points left them (`read_start`).
+/// dt: s.
 template <class Scene, class Others = const Alone>
 void add_forces(Scene& scene, double dt, [[maybe_unused]] Others& others = no_others) {
+  scene.for_each_part([&](auto& part) {
+    if constexpr (reads_start<std::remove_reference_t<decltype(part)>, Scene>) part.read_start(scene, dt);
+  });
   scene.for_each_part([&](auto& part) {
     if constexpr (adds_force<std::remove_reference_t<decltype(part)>, Scene>) {
       if constexpr (requires { part.add_force(scene, dt, others); })
@@ -64,14 +68,36 @@ std::pair<typename Scene::V, double> allow(Scene& scene, const Field& field, Vel
   }
 }
 
-/// What hands the impulse of constraints on a node to the parts that ask for it (`take_wall_impulse`).
-template <class Scene>
-auto taker_of_wall_impulses([[maybe_unused]] Scene& scene) {
+/// What hands the impulse of constraints on a node of a field to the parts that ask for it
+/// (`take_wall_impulse`). `Sweeps`: it corrects a sweep of the nodes.
+template <bool Sweeps = false, class Scene, class Field>
+auto taker_of_wall_impulses([[maybe_unused]] Scene& scene, [[maybe_unused]] const Field& field) {
   if constexpr (Scene::Needs::wall_impulses)
-    return [&scene](Index node, const typename Scene::V& impulse) {
+    return [&scene, &field](Index node, const typename Scene::V& impulse) {
       scene.for_each_part([&](auto& part) {
-        if constexpr (takes_wall_impulse<std::remove_reference_t<decltype(part)>, Scene>)
+        using P = std::remove_reference_t<decltype(part)>;
+        if constexpr (takes_wall_impulse_of_field<P, Scene>) {
+          if (!Sweeps)
+            part.take_wall_impulse(static_cast<std::size_t>(&field - scene.fields.data()), node, impulse);
+        } else if constexpr (takes_wall_impulse<P, Scene>) {
           part.take_wall_impulse(node, impulse);
+        }
+      });
+    };
+  else
+    return NoTaker{};
+}
+
+/// What hands the momentum that constraints take of mapped velocities to the parts that ask for it.
+template <class Scene, class Field>
+auto taker_of_wall_holds([[maybe_unused]] Scene& scene, [[maybe_unused]] const Field& field,
+                         [[maybe_unused]] double dt) {
+  if constexpr (Scene::Needs::wall_holds)
+    return [&scene, &field, dt](Index node, const typename Scene::V& momentum) {
+      scene.for_each_part([&](auto& part) {
+        if constexpr (takes_wall_hold<std::remove_reference_t<decltype(part)>, Scene>)
+          part.take_wall_hold(scene, dt, static_cast<std::size_t>(&field - scene.fields.data()), node,
+                              momentum);
       });
     };
   else
@@ -193,7 +219,7 @@ template <class Scene>
 void constrain(Scene& scene, double dt) {
   for (auto& field : scene.fields) {
     const auto [impulse, work] =
-        detail::allow(scene, field, field.velocity, dt, detail::taker_of_wall_impulses(scene));
+        detail::allow(scene, field, field.velocity, dt, detail::taker_of_wall_impulses(scene, field));
     scene.wall_impulse += impulse;
     scene.driving_work += work;
   }
@@ -257,14 +283,15 @@ void sweep_nodes(Scene& scene, [[maybe_unused]] double dt, [[maybe_unused]] Othe
         if constexpr (!Others::alone) detail::sum_nodes(others, field.given);
         finish_sweep(numerics, field);
         scene.wall_impulse += constrain(scene.constraints, field.mass, field.residual, scene.node_owner(),
-                                        detail::taker_of_wall_impulses(scene));
+                                        detail::taker_of_wall_impulses<true>(scene, field));
         add_residual(field);
       }
     }
   }
 }
 
-/// MUSL: velocities mapped back from the points, held to what contact and constraints enforced. dt: s.
+/// MUSL: velocities mapped back from the points, held to what contact and constraints enforced. Ahead of the
+/// hold come those who read the velocities of the nodes (`read_end`). dt: s.
 template <class Scene, class Others = const Alone>
 void map_back(Scene& scene, [[maybe_unused]] double dt, [[maybe_unused]] Others& others = no_others) {
   if constexpr (Scene::NumericsType::maps_back) {
@@ -277,6 +304,11 @@ void map_back(Scene& scene, [[maybe_unused]] double dt, [[maybe_unused]] Others&
       if constexpr (!has_light_nodes<typename Scene::Shape>)
         exchange_at_faces<typename Scene::Shape>(scene.mesh, field, field.mapped, typename Scene::T(0));
     }
+  }
+  scene.for_each_part([&](auto& part) {
+    if constexpr (reads_end<std::remove_reference_t<decltype(part)>, Scene>) part.read_end(scene, dt);
+  });
+  if constexpr (Scene::NumericsType::maps_back) {
     const auto hold = [&](auto& part) {
       using P = std::remove_reference_t<decltype(part)>;
       if constexpr (holds_mapped<P, Scene>) {
@@ -291,7 +323,8 @@ void map_back(Scene& scene, [[maybe_unused]] double dt, [[maybe_unused]] Others&
       }
     };
     detail::for_each_exchange(scene, 0, 0, hold);
-    for (auto& field : scene.fields) detail::allow(scene, field, field.mapped, dt);
+    for (auto& field : scene.fields)
+      detail::allow(scene, field, field.mapped, dt, detail::taker_of_wall_holds(scene, field, dt));
     detail::for_each_exchange(scene, 1, 2, hold);
   }
 }

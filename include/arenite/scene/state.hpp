@@ -50,6 +50,8 @@ template <class Body, class F>
 void visit_body(Body& body, const F& f) {
   f("lost", body.lost);
   f("lost_mass", body.lost_mass);
+  f("lost_kinetic", body.lost_kinetic);
+  f("lost_strain", body.lost_strain);
   f("initial_volume", body.initial_volume);
   f("opened_volume", body.opened_volume);
   body.inserted.visit_state(StateUnder(f, "inserted"));

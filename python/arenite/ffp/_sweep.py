@@ -26,7 +26,8 @@ __all__ = ["sweep"]
 
 RESULTS = ("final_penetration_m", "max_penetration_m", "max_penetration_time_s", "peak_deceleration_g", "peak_time_s",
            "peak_penetration_m", "second_peak_deceleration_g", "second_peak_time_s", "second_peak_penetration_m",
-           "raw_peak_deceleration_g", "peak_reaction_N", "energy_residual", "steps", "wall_s")
+           "raw_peak_deceleration_g", "peak_reaction_N", "energy_transfer", "energy_walls", "energy_residual",
+           "steps", "wall_s")
 BARS = ("final_penetration_m", "peak_deceleration_g")
 HOW = ("threads", "resume", "force", "checkpoint_every")  # options that change nothing in the result
 

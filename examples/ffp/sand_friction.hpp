@@ -28,6 +28,7 @@ class SandFriction {
   bool constant() const {
     return std::visit([](const auto& p) { return p.constant(); }, policy_);
   }
+  bool implicit() const { return std::holds_alternative<InertialFriction>(policy_); }
   void check(const GivenAngles& given) const {
     std::visit(
         [&](const auto& p) {

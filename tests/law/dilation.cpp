@@ -136,6 +136,32 @@ TEST_CASE("matter dilates up to its greatest volume ratio; what it would dilate 
   CHECK(std::abs(sums.opened_volume / (1.1 * 2e-3 * (steps * up - std::log(1.1))) - 1) <= 1e-3);
 }
 
+TEST_CASE("matter that does not dilate has no greatest volume ratio, whatever its neighbours do") {
+  auto p = pyramid;
+  p.cohesion = 0;
+  p.greatest_volume_ratio = 1.1;
+  const MohrCoulomb law{p};
+  const auto volumes = [&]<int Width>(std::integral_constant<int, Width>, bool beside) {
+    Points<double, 2, MohrCoulomb<>> points;
+    StrainBuffer<double, 2> buffer;
+    // Beyond its bound, and unloaded elastically; at it, and sheared.
+    points.push_back({0, 0}, {0, 0}, 2e-3 * p.density, 2.3e-3, {{-1e4, -1e4, -1e4, 0}}, 0);
+    buffer.store(0, StrainStep<double, 2>{.strain = {{1e-4, 1e-4, 0, 0}}});
+    if (beside) {
+      points.push_back({0, 0}, {0, 0}, 2e-3 * p.density, 2.2e-3, {{-1e4, -1e4, -1e4, 0}}, 0);
+      buffer.store(1, StrainStep<double, 2>{.strain = {{0, 0, 0, 1e-2}}});
+    }
+    G2pSums sums;
+    law_pass<false, Width>(law, points, 0, beside ? 2 : 1, buffer, 0, sums);
+    return std::array{points.volume[0], beside ? points.volume[1] : 0};
+  };
+  const double alone = volumes(std::integral_constant<int, 1>{}, false)[0];
+  CHECK(alone == Approx(2.3e-3 * std::exp(2e-4)).epsilon(1e-12));
+  const auto both = volumes(std::integral_constant<int, 2>{}, true);
+  CHECK(both[0] == Approx(alone).epsilon(1e-15));
+  CHECK(both[1] == Approx(2.2e-3).epsilon(1e-15));
+}
+
 TEST_CASE("the greatest volume ratio must be at least 1") {
   auto p = pyramid;
   p.greatest_volume_ratio = 0.9;

@@ -1,5 +1,5 @@
-// Rules that each friction and stiffness by point keeps: the same bits as the plain law when turned off, and
-// in packs, no plastic work below zero, refusals, and states that are saved and restored.
+// Rules that each friction and stiffness by point keeps: the same bits as the plain law when turned off, no
+// plastic work below zero, refusals, and states that are saved and restored. Packs: packs.cpp.
 #include <cstring>
 
 #include "catch.hpp"
@@ -85,47 +85,6 @@ void check_off(const Friction& off) {
   check_same_bits<Pack<float, 8>, 3>(DruckerPrager{c}, drucker_prager(off, c));
 }
 
-/// Packs compute what scalars do: to the bit, unless packs of this instruction set use estimates of
-/// reciprocals or the compiler contracts products and sums.
-template <class P, int D, class Law>
-void check_packs(const Law& law) {
-  using T = typename P::scalar;
-  std::mt19937 random(6);
-  for (int round = 0; round < 100; ++round) {
-    typename Law::template History<P> history{};
-    auto [stress, step] = random_lanes<P, D>(random);
-    const auto begin = stress;
-    for (int k = 0; k < 10; ++k) law.update(stress, step, history);
-    for (int l = 0; l < lane_count<P>; ++l) {
-      StrainStep<T, D> alone{
-          .strain = Sym<T, D>::each([&, &s = step](std::size_t i) { return s.strain[i][l]; }), .dt = step.dt};
-      for (std::size_t i = 0; i < alone.spin.size(); ++i) alone.spin[i] = step.spin[i][l];
-      auto expected = Sym<T, D>::each([&](std::size_t i) { return begin[i][l]; });
-      typename Law::template History<T> of_one{};
-      for (int k = 0; k < 10; ++k) law.update(expected, alone, of_one);
-      for (std::size_t i = 0; i < stress.size; ++i) {
-#if defined(__AVX512F__) || defined(__FMA__)
-        REQUIRE(std::abs(stress[i][l] - expected[i]) <= 1e5 * 1e3 * std::numeric_limits<T>::epsilon());
-#else
-        REQUIRE(same_bits(stress[i][l], expected[i]));
-#endif
-      }
-    }
-  }
-}
-
-template <class Friction>
-void check_all_packs(const Friction& friction) {
-  auto p = pyramid;
-  auto c = cone;
-  p.dilatancy = c.dilatancy = 9_deg;
-  p.cohesion = 1_kPa;
-  p.tension = 300;
-  check_packs<Pack<double, 2>, 3>(mohr_coulomb(friction, p));
-  check_packs<PackPair<Pack<double, 4>>, 2>(mohr_coulomb(friction, p));
-  check_packs<Pack<float, 8>, 3>(drucker_prager(friction, c));
-}
-
 /// Plastic work of random steps is never negative, and no number infinite.
 template <class P, class Law>
 void check_plastic_work(const Law& law, double extremes) {
@@ -188,20 +147,6 @@ TEST_CASE("turned off, a policy by point gives the same bits as constant frictio
   check_off(RateSofteningFriction{{.softening = {.residual_friction = 20_deg, .decay = 0},
                                    .friction_per_decade = 0,
                                    .dilatancy_per_decade = 0}});
-}
-
-TEST_CASE("packs compute what scalars do") {
-  check_all_packs(LinearRateFriction{{.time = 1e-2, .smoothing = 1e-3}});
-  check_all_packs(InertialFriction{{.grain_size = 5e-3}});
-  check_all_packs(LogarithmicFriction{});
-  check_all_packs(SofteningFriction{soft});
-  check_all_packs(RateSofteningFriction{{.softening = soft}});
-  check_packs<Pack<double, 4>, 3>(stiffening);
-  check_packs<Pack<double, 2>, 2>(MohrCoulomb<ForgetsOpening, RateSofteningFriction, RateStiffness>{
-      pyramid,
-      {},
-      RateSofteningFriction{{.softening = {.residual_friction = 31_deg, .decay = 8}}},
-      RateStiffness{{.decay = 3}}});
 }
 
 TEST_CASE("no plastic work below zero") {

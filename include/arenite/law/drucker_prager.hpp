@@ -59,12 +59,12 @@ class DruckerPragerSurface {
       flow_ = Flow(6) * sin_dilatancy / (Flow(root) * (Flow(3) + Flow(sign) * sin_dilatancy));
       per_sin = N(6 / root) * reciprocal(N(N(3) + N(sign) * angle.sin));
     }
-    dilates_ = any_of(sin_dilatancy > Flow(0));
+    dilates_ = sin_dilatancy > Flow(0);
     slope_ = per_sin * angle.sin;
     strength_ = per_sin * N(p.cohesion) * angle.cos;
     const N apex = p.cohesion > 0 ? N(N(p.cohesion) / angle.tan) : N(0);
     limit_ = min(N(p.tension), apex);
-    cuts_ = any_of(limit_ < apex);
+    cuts_ = limit_ < apex;
     q_at_limit_ = strength_ - slope_ * limit_;
     cut_dilation_ = Flow(bulk_) * flow_ / Flow(elasticity.shear());
     const N rate = reciprocal(N(N(elasticity.shear()) + N(Flow(bulk_) * flow_) * slope_));
@@ -81,12 +81,19 @@ class DruckerPragerSurface {
   /// and that of the cut-off's flow.
   template <class T, int D>
   Inelastic<T> return_to_yield(Sym<T, D>& stress) const {
+    return return_from(stress, Truth<T>(true));
+  }
+
+  /// The same for stresses of which `outside` says, by point, which may lie outside; the others stay.
+  template <class T, int D, class M>
+  Inelastic<T> return_from(Sym<T, D>& stress, const M& outside) const {
     using std::max, std::min;
     const T p = trace(stress) * T(1.0 / 3);
     const Sym<T, D> dev = add_isotropic(stress, T(-p));
     const T j2 = contract(dev, dev) * T(0.5);
     const T shear_strength = T(strength_) - T(slope_) * p;
-    const auto returns = !(shear_strength >= T(0) && j2 <= shear_strength * shear_strength && p <= T(limit_));
+    const M returns =
+        outside && !(shear_strength >= T(0) && j2 <= shear_strength * shear_strength && p <= T(limit_));
     if (!any_of(returns)) return {T(0), T(0)};
 
     const T inverse = reciprocal_root(max(j2, T(smallest_square<T>)));
@@ -98,7 +105,8 @@ class DruckerPragerSurface {
     const T p_cone = p - excess * T(p_change_);
     // Beyond the cut-off, or the tip: to the cut-off alone, or to the circle where it meets the cone.
     const auto beyond = q_cone < T(0) || p_cone > T(limit_);
-    const T q_beyond = cuts_ ? T(min(q, T(q_at_limit_))) : T(0);
+    const M beyond_cut = any_of(cuts_) ? where(M(beyond), cuts_) : M(false);
+    const T q_beyond = select(beyond_cut, T(min(q, T(q_at_limit_))), T(0));
     const T p_back = select(beyond, T(limit_), p_cone);
     const T scale = select(beyond, q_beyond, q_cone) * inverse;
     for (std::size_t i = 0; i < stress.size; ++i) {
@@ -106,11 +114,14 @@ class DruckerPragerSurface {
       stress[i] = select(returns, back, stress[i]);
     }
     T opening = p - T(limit_);  // times K, Pa
-    if (cuts_) opening = max(T(opening - max(T(q - T(q_at_limit_)), T(0)) * T(cut_dilation_)), T(0));
+    if (any_of(cuts_)) {
+      const T sheared = max(T(q - T(q_at_limit_)), T(0));
+      opening = select(beyond_cut, T(max(T(opening - sheared * T(cut_dilation_)), T(0))), opening);
+    }
     const T per_stress = T(1 / bulk_);
     opening = select(returns && beyond, T(opening * per_stress), T(0));
-    if (!dilates_) return {opening, T(0)};
-    return {opening, select(returns, T((p - p_back) * per_stress - opening), T(0))};
+    if (!any_of(dilates_)) return {opening, T(0)};
+    return {opening, select(where(returns, dilates_), T((p - p_back) * per_stress - opening), T(0))};
   }
 
   /// The greater of q + eta p - kappa and p - tension, over q + |p| + c.
@@ -127,11 +138,11 @@ class DruckerPragerSurface {
  private:
   double bulk_, cohesion_;  // Pa
   Flow flow_;               // eta', -
-  bool dilates_;            // whether an angle of dilatancy is positive
+  Truth<Flow> dilates_;     // whether the angle of dilatancy is positive
   N slope_, strength_;      // eta, -; kappa, Pa
   N p_change_, q_kept_;     // of p to the cone, and what q keeps, per unit of yield function, -
   N limit_;                 // the lower of apex and cut-off, Pa
-  bool cuts_;               // whether the cut-off lies below the apex
+  Truth<N> cuts_;           // whether the cut-off lies below the apex
   N q_at_limit_;            // q where the cut-off meets the cone, Pa
   Flow cut_dilation_;       // K eta' / G, -
 };

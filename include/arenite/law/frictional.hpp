@@ -6,8 +6,10 @@
 #include <limits>
 #include <string_view>
 #include <type_traits>
+#include <utility>
 
 #include <arenite/law/elasticity.hpp>
+#include <arenite/law/fixed_point.hpp>
 #include <arenite/law/friction.hpp>
 #include <arenite/law/jaumann.hpp>
 #include <arenite/law/separation.hpp>
@@ -45,18 +47,44 @@ template <class T, class A, class B>
 using WithHistory =
     std::conditional_t<std::is_same_v<B, NoHistory<T>> || std::is_base_of_v<B, A>, A, JoinedHistory<A, B>>;
 
-/// Whether a stress may lie outside the yield surface, by point: outside the cone inscribed in Mohr-Coulomb's
-/// pyramid, which all cones of Drucker-Prager contain, or that of the cut-off. Needs no root and no division:
-/// J2 (1 + 4/3 tan^2 phi) <= (c - p tan phi)^2.
-template <class T, int D>
-auto may_yield(const Sym<T, D>& stress, const T& slope, double cohesion, double tension) {
-  const T p = trace(stress) * T(1.0 / 3);
-  const Sym<T, D> dev = add_isotropic(stress, T(-p));
-  const T j2 = contract(dev, dev) * T(0.5);
-  const T strength = T(cohesion) - slope * p, below = T(tension) - p;
-  return !(strength >= T(0) && j2 * (T(1) + T(4.0 / 3) * slope * slope) <= strength * strength &&
-           below >= T(0) && j2 * T(4.0 / 3) <= below * below);
+/// The answer to a comparison of Ts: `bool`, or a mask of a pack.
+template <class T>
+using Truth = decltype(std::declval<T>() < std::declval<T>());
+
+/// `mask` in the lanes in which `condition` holds, too, or all of them where it is one of the whole law: a
+/// `bool` that has been found true.
+template <class M, class C>
+M where(const M& mask, [[maybe_unused]] const C& condition) {
+  if constexpr (std::is_same_v<C, bool>)
+    return mask;
+  else
+    return mask && condition;
 }
+
+/// Mean stress p, Pa, and J2, Pa2, of a stress: what tells most points that lie within the yield surface,
+/// without a root or a division.
+template <class T>
+struct Invariants {
+  T p, j2;
+
+  template <int D>
+  explicit Invariants(const Sym<T, D>& stress) : p(trace(stress) * T(1.0 / 3)) {
+    const Sym<T, D> dev = add_isotropic(stress, T(-p));
+    j2 = contract(dev, dev) * T(0.5);
+  }
+
+  /// Whether it lies within the cone inscribed in Mohr-Coulomb's pyramid of the slope tan(phi), which all
+  /// cones of Drucker-Prager contain: J2 (1 + 4/3 tan^2 phi) <= (c - p tan phi)^2.
+  auto within_cone(const T& slope, double cohesion) const {
+    const T strength = T(cohesion) - slope * p;
+    return strength >= T(0) && j2 * (T(1) + T(4.0 / 3) * slope * slope) <= strength * strength;
+  }
+  /// Whether it lies within the cone inscribed in that of the cut-off.
+  auto within_cut(double tension) const {
+    const T below = T(tension) - p;
+    return below >= T(0) && j2 * T(4.0 / 3) <= below * below;
+  }
+};
 
 }  // namespace detail
 
@@ -64,7 +92,7 @@ auto may_yield(const Sym<T, D>& stress, const T& slope, double cohesion, double 
 ///
 /// @tparam Surface   yield surface over numbers N of its friction and numbers of its dilatancy, made of
 ///                   parameters, elasticity, angle of friction and sine of the dilatancy, with
-///                   `return_to_yield(stress)` and `yield(stress)`
+///                   `return_to_yield(stress)`, `return_from(stress, mask of points)` and `yield(stress)`
 /// @tparam Memory    ForgetsOpening or RemembersOpening: what separated matter does when compressed again
 /// @tparam Friction  ConstantFriction, or a policy by point (friction.hpp)
 /// @tparam Stiffness ConstantStiffness, or a policy by point (stiffness.hpp)
@@ -75,6 +103,11 @@ class Frictional : public Memory, public detail::ElasticPart<Stiffness> {
   static constexpr bool constant = std::is_same_v<Friction, ConstantFriction>;
   static constexpr bool constant_stiffness = std::is_same_v<Stiffness, ConstantStiffness>;
   static constexpr bool bounded = requires(const Friction f, GivenAngles g) { f.least_slope(g); };
+  static constexpr bool implicit = requires(const Friction f) { f.implicit(); };
+  static constexpr bool has_dilatancy =
+      requires(const Friction f, GivenAngles g, const typename Friction::template History<double> h) {
+    f.dilatancy_slope(g, h);
+  };
 
  public:
   using Elastic::elasticity;
@@ -101,6 +134,10 @@ class Frictional : public Memory, public detail::ElasticPart<Stiffness> {
     detail::check_strength(name, p, Memory::remembers);
     if constexpr (requires { friction.check(given_); }) friction.check(given_);
     if constexpr (bounded) least_slope_ = friction.least_slope(given_);
+    if constexpr (implicit)
+      pressure_changes_ =
+          friction.implicit() &&
+          (has_dilatancy || p.dilatancy > 0 || p.tension < detail::apex(std::atan(least_slope_), p.cohesion));
   }
 
   /// That of the parameters' angle of friction.
@@ -142,7 +179,8 @@ class Frictional : public Memory, public detail::ElasticPart<Stiffness> {
   }
 
  private:
-  /// `compliance`: over that of the parameters' moduli, -.
+  /// `compliance`: over that of the parameters' moduli, -. A point's answer never depends on the others of
+  /// its pack: what returns is chosen by lane, and a test of the pack alone spares what no lane would use.
   template <class T, int D>
   Inelastic<T> return_to_yield(Sym<T, D>& stress, [[maybe_unused]] const StrainStep<T, D>& step,
                                [[maybe_unused]] History<T>& history,
@@ -151,38 +189,74 @@ class Frictional : public Memory, public detail::ElasticPart<Stiffness> {
       return surface_.return_to_yield(stress);
     } else {
       if constexpr (requires { friction_.follow(step, history); }) friction_.follow(step, history);
-      const bool same = detail::same_as_constant(friction_);
-      if constexpr (bounded)
-        if (!any_of(may_yield(stress, T(least_slope_)))) return {T(0), T(0)};
-      const T slope = slope_of_point(stress, step, history);
-      if (!same && !any_of(may_yield(stress, slope))) return {T(0), T(0)};
-      [[maybe_unused]] const Sym<T, D> trial = stress;
-      const Inelastic<T> parts =
-          same ? surface_.return_to_yield(stress) : surface_of_point(slope, history).return_to_yield(stress);
-      if constexpr (requires { friction_.flow(slope, history); }) {
+      Sym<T, D> back;
+      Inelastic<T> parts{T(0), T(0)};
+      const bool returns = return_by_point(stress, step, history, back, parts);
+      if constexpr (requires { friction_.flow(compliance, history); }) {
         using std::sqrt;
-        const Sym<T, D> plastic = deviator(trial - stress);  // strain times 2 G of the point, Pa
-        const T per_stress = T(std::sqrt(2.0 / 3) / (2 * elasticity().shear())) * compliance;
-        friction_.flow(T(sqrt(contract(plastic, plastic)) * per_stress), history);
+        if (returns) {
+          const Sym<T, D> plastic = deviator(stress - back);  // strain times 2 G of the point, Pa
+          const T per_stress = T(std::sqrt(2.0 / 3) / (2 * elasticity().shear())) * compliance;
+          friction_.flow(T(sqrt(contract(plastic, plastic)) * per_stress), history);
+        } else {
+          friction_.flow(T(0), history);
+        }
       }
+      if (returns) stress = back;
       return parts;
     }
   }
 
+  /// Returns a trial stress to `back`, with its parts; false, without either, where all points stay.
   template <class T, int D>
-  auto may_yield(const Sym<T, D>& stress, const T& slope) const {
-    return detail::may_yield(stress, slope, parameters_.cohesion, parameters_.tension);
+  bool return_by_point(const Sym<T, D>& stress, const StrainStep<T, D>& step, History<T>& history,
+                       Sym<T, D>& back, Inelastic<T>& parts) const {
+    if (detail::same_as_constant(friction_)) {
+      back = stress;
+      parts = surface_.return_to_yield(back);
+      return true;
+    }
+    const detail::Invariants<T> invariants(stress);
+    const auto within_cut = invariants.within_cut(parameters_.tension);
+    const auto within_cone = [&](const T& slope) {
+      return invariants.within_cone(slope, parameters_.cohesion);
+    };
+    detail::Truth<T> within(false);  // the cones of all slopes
+    if constexpr (bounded) {
+      // What lies within the cones of the least and of the greatest slope lies within all between them, as
+      // sqrt(J2 (1 + 4/3 tan^2 phi)) + p tan(phi) is convex in tan(phi). Without cohesion the least is
+      // enough; with it the flatter cone is the stronger one in tension, c / tan(phi).
+      within = within_cone(T(least_slope_));
+      if (parameters_.cohesion > 0) within = within && within_cone(T(greatest_slope_));
+      if (all_of(within && within_cut)) return false;
+    }
+    const T slope = slope_of_point(stress, step, history);
+    const auto outside = !((within || within_cone(slope)) && within_cut);
+    if (!any_of(outside)) return false;
+    if constexpr (!implicit) {
+      back = stress;
+      parts = surface_of_point(slope, history).return_from(back, outside);
+    } else {
+      detail::FixedPoint<T> end(slope, T(least_slope_), T(greatest_slope_));
+      do {
+        back = stress;
+        parts = surface_of_point(end.at(), history).return_from(back, outside);
+      } while (pressure_changes_ && end.goes_on(slope_of_point(back, step, history)));
+    }
+    return true;
   }
 
   /// tan(phi) of each point.
   template <class T, int D>
-  T slope_of_point(const Sym<T, D>& trial, const StrainStep<T, D>& step, History<T>& history) const {
+  T slope_of_point(const Sym<T, D>& stress, const StrainStep<T, D>& step, History<T>& history) const {
     using std::min;
+    // What is not asked once in each step changes nothing.
+    std::conditional_t<bounded || implicit, const History<T>, History<T>>& seen = history;
     const T greatest = T(greatest_slope_);
-    if constexpr (requires { friction_.slope(given_, step, trial, history); })
-      return min(T(friction_.slope(given_, step, trial, history)), greatest);
+    if constexpr (requires { friction_.slope(given_, step, stress, seen); })
+      return min(T(friction_.slope(given_, step, stress, seen)), greatest);
     else
-      return min(T(friction_.slope(given_.slope, step, history)), greatest);
+      return min(T(friction_.slope(given_.slope, step, seen)), greatest);
   }
 
   /// The surface of each point.
@@ -190,7 +264,7 @@ class Frictional : public Memory, public detail::ElasticPart<Stiffness> {
   auto surface_of_point(const T& slope, [[maybe_unused]] const History<T>& history) const {
     using std::min;
     const auto angle = detail::friction_of_slope(slope);
-    if constexpr (requires { friction_.dilatancy_slope(given_, history); }) {
+    if constexpr (has_dilatancy) {
       const T flow = min(T(friction_.dilatancy_slope(given_, history)), slope);
       return Surface<T, T>(parameters_, elasticity(), angle, detail::friction_of_slope(flow).sin);
     } else {
@@ -203,6 +277,7 @@ class Frictional : public Memory, public detail::ElasticPart<Stiffness> {
   GivenAngles given_;
   double sin_dilatancy_ = std::sin(given_.dilatancy);
   double least_slope_ = 0, greatest_slope_ = std::tan(detail::greatest_friction);
+  bool pressure_changes_ = false;  // in a return, and the friction follows it
   [[no_unique_address]] Friction friction_;
   [[no_unique_address]] std::conditional_t<constant, Nothing, Parameters> parameters_;
 };

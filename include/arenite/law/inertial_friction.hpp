@@ -13,10 +13,13 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 /// parameters and rise = mu_2 - mu_s. Jop, Forterre & Pouliquen (2006), A constitutive law for dense granular
 /// flows, Nature 441, 727-730.
 ///
-/// p is the mean stress of the elastic trial state, pressure positive: without dilatancy plastic flow leaves
-/// it, so that it is that of the end of the step, and the law holds there without iteration. The mean stress
-/// at the begin would lag behind, and would be 0 where matter is met for the first time. Where p <= 0 I is
-/// infinite, and the friction mu_2; without rate it is mu_s.
+/// p is the mean stress of the end of the step, pressure positive: that of the begin would lag behind, and
+/// would be 0 where matter is met for the first time. Without dilatancy plastic flow leaves the mean stress of
+/// the elastic trial state. With it, and with a cut-off, the return raises the pressure and mu falls; the two
+/// are found together by secants between bounds (fixed_point.hpp), each point on its own, until mu of the
+/// surface and mu(I) of the pressure differ by at most 128 units in the last place of 1 + mu. With cohesion and
+/// a pressure so small that its round-off moves mu(I) more than that, mu is at least mu(I), which is the weaker
+/// side there. Where p <= 0 I is infinite, and the friction mu_2; without rate it is mu_s.
 ///
 /// The law is local: it gives no length, and as a flow law it is ill-posed at low and at high I (Barker,
 /// Schaeffer, Bohorquez & Gray 2015, J. Fluid Mech. 779, 794-818). mu is tan(phi) here; Jop's own law
@@ -51,6 +54,7 @@ class InertialFriction {
   }
 
   bool constant() const { return rise_ == 0; }
+  bool implicit() const { return true; }
 
   template <class T, int D>
   void follow(const StrainStep<T, D>& step, History<T>& history) const {
@@ -59,11 +63,11 @@ class InertialFriction {
   double least_slope(const GivenAngles& given) const { return given.slope; }
 
   template <class T, int D>
-  T slope(const GivenAngles& given, const StrainStep<T, D>&, const Sym<T, D>& trial,
+  T slope(const GivenAngles& given, const StrainStep<T, D>&, const Sym<T, D>& stress,
           const History<T>& history) const {
     using std::max, std::sqrt;
     const T flowing = history.shear_rate * T(grain_);  // I sqrt(p), as p may be 0
-    const T pressure = max(T(trace(trial) * T(-1.0 / 3)), T(0));
+    const T pressure = max(T(trace(stress) * T(-1.0 / 3)), T(0));
     const T sum = T(reference_) * sqrt(pressure) + flowing;
     return T(given.slope) + T(rise_) * flowing / max(sum, T(1e-30));
   }

@@ -50,8 +50,8 @@ class MohrCoulombSurface {
     slope_ = (N(1) + sin_) * per_difference;
     strength_ = N(2) * cohesive_ * per_difference;
     apex_ = p.cohesion > 0 ? N(N(p.cohesion) / angle.tan) : N(0);
-    dilates_ = any_of(sin_dilatancy > Flow(0));
-    cuts_ = any_of(N(tension_) < apex_);
+    dilates_ = sin_dilatancy > Flow(0);
+    cuts_ = N(tension_) < apex_;
     corner_ = slope_ * N(tension_) - strength_;
     dilation_ = (flow - Flow(1)) * Flow(1 + nu_) / Flow(1 - 2 * nu_);
     const Flow shear2 = Flow(2 * elasticity.shear()), iso = Flow(elasticity.lame()) * (flow - Flow(1));
@@ -67,13 +67,20 @@ class MohrCoulombSurface {
   /// and that of the cut-off's flow.
   template <class T, int D>
   Inelastic<T> return_to_yield(Sym<T, D>& stress) const {
-    if (!any_of(outside_inscribed_cone(stress))) return {T(0), T(0)};
+    const auto outside = outside_inscribed_cone(stress);
+    if (!any_of(outside)) return {T(0), T(0)};
+    return return_from(stress, outside);
+  }
 
+  /// The same for stresses of which `outside` says, by point, which may lie outside; the others stay.
+  template <class T, int D, class M>
+  Inelastic<T> return_from(Sym<T, D>& stress, const M& outside) const {
     const Principal<T, D> trial(stress);
     const auto& s = trial.value;
     const T excess = T(slope_) * s[0] - s[2] - T(strength_);
-    auto returns = excess > T(0);
-    if (cuts_) returns = returns || s[0] > T(tension_);
+    M returns = excess > T(0);
+    if (any_of(cuts_)) returns = returns || where(M(s[0] > T(tension_)), cuts_);
+    returns = returns && outside;
     if (!any_of(returns)) return {T(0), T(0)};
 
     std::array<T, 3> y = s;
@@ -89,17 +96,18 @@ class MohrCoulombSurface {
     y = {select(on_edge, t, y[0]), select(on_edge, select(extends, t, low), y[1]),
          select(on_edge, low, y[2])};
 
-    const auto at_apex = on_edge && t > T(apex_);
+    const auto at_apex = returns && on_edge && t > T(apex_);
     for (T& value : y) value = select(at_apex, T(apex_), value);
     T opening = select(at_apex, T(s[0] + s[1] + s[2] - T(3 * apex_)), T(0));  // times 3 K, Pa
-    if (cuts_) cut_off(s, y, opening);
+    if (any_of(cuts_)) cut_off(s, where(returns, cuts_), y, opening);
 
     const Sym<T, D> back = trial.with(y);
     for (std::size_t i = 0; i < stress.size; ++i) stress[i] = select(returns, back[i], stress[i]);
     const T per_stress = T(1 / three_bulk_);
-    if (!dilates_) return {opening * per_stress, T(0)};
+    if (!any_of(dilates_)) return {opening * per_stress, T(0)};
     const T plastic = s[0] + s[1] + s[2] - (y[0] + y[1] + y[2]);  // volumetric strain times 3 K, Pa
-    return {opening * per_stress, select(returns, T((plastic - opening) * per_stress), T(0))};
+    return {opening * per_stress,
+            select(where(returns, dilates_), T((plastic - opening) * per_stress), T(0))};
   }
 
   /// The greater of (s1 - s3)/2 + (s1 + s3)/2 sin(phi) - c cos(phi) and, with a cut-off, s1 - tension, over
@@ -109,7 +117,7 @@ class MohrCoulombSurface {
     using std::abs, std::max;
     const auto s = Principal<T, D>(stress).value;
     T f = (s[0] - s[2]) * T(0.5) + (s[0] + s[2]) * T(N(0.5) * sin_) - T(cohesive_);
-    if (cuts_) f = max(f, T(s[0] - T(tension_)));
+    if (any_of(cuts_)) f = select(where(s[0] - T(tension_) > f, cuts_), T(s[0] - T(tension_)), f);
     return f / max(T(max(abs(s[0]), abs(s[2])) + T(cohesion_)), T(smallest_divisor));
   }
 
@@ -152,21 +160,21 @@ class MohrCoulombSurface {
     const T j2 = contract(dev, dev) * T(0.5);
     const T shear_strength = T(cohesive_) - T(sin_) * p;
     auto inside = shear_strength >= T(0) && j2 * T(inscribed_) <= shear_strength * shear_strength;
-    if (cuts_) {
+    if (any_of(cuts_)) {
       const T below = T(tension_) - p;
       inside = inside && below >= T(0) && j2 * T(4.0 / 3) <= below * below;
     }
     return !inside;
   }
 
-  /// Where the return y of the trial stresses s to the pyramid lies beyond the cut-off: takes s back to the
+  /// Where a return y of the trial stresses s to the pyramid lies beyond the cut-off: takes s back to the
   /// cut-off alone or, where that lies outside the pyramid, to both. Sets y, and the opening: the volumetric
   /// strain of the cut-off's flow times 3 K, Pa.
-  template <class T>
-  void cut_off(const std::array<T, 3>& s, std::array<T, 3>& y, T& opening) const {
+  template <class T, class M>
+  void cut_off(const std::array<T, 3>& s, const M& returns, std::array<T, 3>& y, T& opening) const {
     using std::max, std::min;
     const T limit = T(tension_);
-    const auto beyond = y[0] > limit;
+    const auto beyond = returns && y[0] > limit;
     if (!any_of(beyond)) return;
 
     // The cut-off alone: its face, edge or corner, whose normals are the axes of s1, s2, s3.
@@ -198,10 +206,10 @@ class MohrCoulombSurface {
   // In the order in which a return asks for them: another one was 10 % slower in packs of two and four.
   N slope_, strength_, apex_;     // k; sc, Pa; mean stress at the apex, Pa
   double tension_;                // Pa
-  bool cuts_;                     // whether the cut-off lies below the apex
+  Truth<N> cuts_;                 // whether the cut-off lies below the apex
   N corner_;                      // s3 where it meets the pyramid, Pa
   Flow dilation_;                 // (k' - 1) 3 K / (2 G)
-  bool dilates_;                  // whether an angle of dilatancy is positive
+  Truth<Flow> dilates_;           // whether the angle of dilatancy is positive
   N sin_, cohesive_, inscribed_;  // sin(phi); c cos(phi), Pa; 1 + sin^2(phi)/3
   double cohesion_;               // Pa
   std::array<N, 3> plane_;  // change of the stresses on the way to the plane, per unit of yield function

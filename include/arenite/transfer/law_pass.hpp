@@ -129,7 +129,7 @@ template <bool TracksWork, int Width, class L, class Points, class T, int D, boo
       if (any_of(dilation > P(0))) {
         const T loosest = static_cast<T>(law.greatest_volume_ratio() / law.density());  // m3/kg
         const P limit = max(before, P(P(loosest) * load_lanes<P>(points.mass.data() + p, count)));
-        const P beyond = max(P(after - limit), P(0));
+        const P beyond = select(dilation > P(0), P(max(P(after - limit), P(0))), P(0));
         after -= beyond;
         opened += beyond;
       }

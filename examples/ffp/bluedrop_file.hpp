@@ -7,10 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <limits>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -18,6 +15,7 @@
 
 #include <arenite/core/error.hpp>
 
+#include "json_file.hpp"
 #include "measurement.hpp"
 #include "measurement_table.hpp"
 #include "reduce_options.hpp"
@@ -89,9 +87,8 @@ inline Calibration calibration_of(const ReduceOptions& o) {
   };
   if (!o.calibration.empty()) {
     const std::string file = shown(o.calibration);
-    std::ifstream in{o.calibration};
-    const auto all = nlohmann::json::parse(in, nullptr, false);
-    require(in.is_open() && all.is_object(), "--calibration", file,
+    const Json all = read_json(o.calibration, "--calibration");
+    require(all.is_object(), "--calibration", file,
             "must be a JSON object: {\"2g\": {\"scale\": 1.62e6, \"offset\": 0}, ..}");
     for (const auto& [name, value] : all.items()) {
       if (!value.is_object()) continue;  // a word about probe or date
@@ -116,12 +113,14 @@ inline Calibration calibration_of(const ReduceOptions& o) {
 /// ranges clip.
 inline Measurement read_bluedrop(const std::filesystem::path& path, const ReduceOptions& o, double gravity) {
   const std::string file = shown(path.string());
-  std::ifstream in{path, std::ios::binary};
-  const std::string bytes{std::istreambuf_iterator<char>(in), {}};
   constexpr std::size_t wanted = bluedrop_rows * bluedrop_columns * bluedrop_bytes;
-  require(bytes.size() == wanted, file, joined_text(bytes.size(), " bytes"),
+  const std::uintmax_t size =
+      arenite::shared_detail::check_input(path, "FILE", arenite::shared_detail::any_size, file);
+  require(size == wanted, file, joined_text(size, " bytes"),
           joined_text("a BlueDrop's record has ", wanted, ": ", bluedrop_rows, " rows of ", bluedrop_columns,
                       " integers of ", bluedrop_bytes, " bytes"));
+  const std::string bytes = arenite::shared_detail::read_input(path, "FILE", wanted, file);
+  require(bytes.size() == wanted, "FILE", file, "cannot be read");
   const auto raw = [&](std::size_t row, std::size_t column) {
     const std::size_t at = (row * bluedrop_columns + column) * bluedrop_bytes;
     const auto byte = [&](std::size_t k) {

@@ -2,10 +2,10 @@
 #pragma once
 
 #include <filesystem>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
+#include "json_file.hpp"
 #include "options.hpp"
 #include "results.hpp"
 #include "run_folder.hpp"
@@ -27,11 +27,11 @@ struct EarlierRun {
 namespace detail {
 
 /// The first input that differs: "velocity_m_s is 5.6 there, 6 here".
-inline std::string first_difference(const nlohmann::ordered_json& there, const nlohmann::ordered_json& here) {
+inline std::string first_difference(const Json& there, const Json& here) {
   for (const auto& [key, value] : here.items())
     if (!there.contains(key) || there[key] != value)
-      return joined_text(key, " is ", there.contains(key) ? json_text(there[key]) : "nothing", " there, ",
-                         json_text(value), " here");
+      return joined_text(key, " is ", there.contains(key) ? there[key].text() : "nothing", " there, ",
+                         value.text(), " here");
   return "the file of the mesh has changed";
 }
 
@@ -46,18 +46,17 @@ inline EarlierRun earlier_run(const DropOptions& options) {
   const auto refuse = [&](const std::string& rule) {
     throw error(joined_text("--resume: ", shown(summary_file(folder).string()), ": ", rule));
   };
-  const auto summary = summary_in(folder);
   try {
-    if (summary.is_discarded()) refuse("is no summary of a drop");
+    const Json summary = read_json(summary_file(folder), "--resume: summary");
     if (summary.at("inputs_hash") != hash_of_inputs(options))
       refuse("is of a run with other inputs: " +
              detail::first_difference(summary.at("inputs"), inputs_of(options)));
     found.finished = summary.at("status") == "done";
-    found.started = summary.at("started");
+    found.started = summary.at("started").get<std::string>();
     found.wall_s = summary.value("wall_s", 0.0);
     found.warnings = summary.value("warnings", found.warnings);
     found.resumed_at_s = summary.value("resumed_at_s", found.resumed_at_s);
-  } catch (const nlohmann::json::exception&) {
+  } catch (const json_error&) {
     refuse("is no summary of a drop");
   }
   found.has_state = std::filesystem::exists(folder / state_file_name);

@@ -3,7 +3,6 @@
 #include <cmath>
 #include <iostream>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <string>
 
 #include "companions.hpp"
@@ -16,8 +15,6 @@
 namespace arenite::ffp {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 /// A companion after its run.
 struct FinishedRun {
   Json summary;
@@ -27,14 +24,14 @@ struct FinishedRun {
 /// Runs a companion, or takes over what is there of it. Only a signal that ends it is thrown.
 FinishedRun run_companion(const Companion& companion, bool resume) {
   DropOptions o = companion.options;
-  const Json earlier = resume ? summary_in(o.out) : Json(Json::value_t::discarded);
-  o.resume = earlier.is_object() && earlier.value("inputs_hash", "") == hash_of_inputs(o);
+  const auto earlier = resume ? readable_summary_in(o.out) : std::nullopt;
+  const Json* hash = earlier ? earlier->find("inputs_hash") : nullptr;
+  o.resume = hash != nullptr && *hash == hash_of_inputs(o);
   FinishedRun run;
   try {
     drop(o);
     run.summary = summary_in(o.out);
-    if (!run.summary.is_object() || run.summary.value("status", "") != "done")
-      run.failure = "its summary.json cannot be read";
+    if (run.summary.value("status", "") != "done") run.failure = "its summary.json cannot be read";
   } catch (const Ended& e) {
     if (e.exit_code() > 128)
       throw Ended(joined_text("error bar, ", companion.name, ": ", e.what(), "; --resume goes on with it"),
@@ -70,27 +67,22 @@ std::string words_of_cells(const BarredResult& r) {
                        : "not converged" + order;
 }
 
-template <class Number>
-Json optional_number(const std::optional<Number>& x) {
-  return x ? Json(*x) : Json();
-}
-
 Json json_of(const BarredResult& r) {
   Json j;
   j["value"] = r.value;
-  j["u"] = optional_number(r.uncertainty.total());
+  j["u"] = r.uncertainty.total();
   if (!r.uncertainty.total()) j["u_at_least"] = r.uncertainty.known();
-  j["order"] = optional_number(r.cells ? r.cells->order : std::nullopt);
-  j["extrapolated"] = optional_number(r.cells ? r.cells->extrapolated : std::nullopt);
+  j["order"] = r.cells ? r.cells->order : std::nullopt;
+  j["extrapolated"] = r.cells ? r.cells->extrapolated : std::nullopt;
   j["converged"] = r.converged();
-  for (const auto& part : r.uncertainty.parts()) j["parts"][part.name] = optional_number(part.value);
+  for (const auto& part : r.uncertainty.parts()) j["parts"][part.name] = part.value;
   return j;
 }
 
 /// One result of all drops, by the name of the summary.
 BarredResult result_of(const DropOptions& o, const Json& own, const std::map<std::string, FinishedRun>& runs,
                        const char* key) {
-  return barred_result(o, own.at(key), [&](const std::string& name) -> std::optional<double> {
+  return barred_result(o, own.at(key).get<double>(), [&](const std::string& name) -> std::optional<double> {
     const FinishedRun& run = runs.at(name);
     if (!run.failure.empty() || !run.summary.at(key).is_number()) return std::nullopt;
     return run.summary.at(key).get<double>();
@@ -146,7 +138,7 @@ void drop_with_error_bar(const DropOptions& options) {
   bar["cost"] = cost;
   folder.free_reserve();
   try {
-    write_summary(summary_file(folder.path()), summary);
+    write_json(summary_file(folder.path()), summary);
   } catch (const error& e) {
     throw Ended(joined_text("the error bar cannot be written: ", e.what()), 1);
   }

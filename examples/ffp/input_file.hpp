@@ -3,14 +3,13 @@
 #pragma once
 
 #include <algorithm>
-#include <fstream>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "history.hpp"
+#include "json_file.hpp"
 #include "option_table.hpp"
 
 namespace arenite::ffp {
@@ -53,12 +52,12 @@ struct KeyList {
 
 /// What a summary holds beside options, or writes of an option that was not given: no word of its own. Throws
 /// `error` if the model cannot have this value.
-inline bool is_no_option(const std::string& key, const nlohmann::json& value, const nlohmann::json& all) {
+inline bool is_no_option(const std::string& key, const Json& value, const Json& all) {
   if (value.is_null()) return true;
   if (key == "mesh") return value == "generated";
   if (key == "fillet_m") return value == 0 && all.value("shoulder", "") != "fillet";
   if (key != "gravity_m_s2") return false;
-  require(value == standard_gravity, "gravity_m_s2", value.dump(), joined_text("must be ", standard_gravity));
+  require(value == standard_gravity, "gravity_m_s2", value.text(), joined_text("must be ", standard_gravity));
   return true;
 }
 
@@ -70,10 +69,7 @@ inline std::vector<std::string> words_of_input(const std::string& path) {
   const auto refuse = [&](const std::string& rule) -> void {
     throw error(joined_text("--input = ", shown(path), ": ", rule));
   };
-  std::ifstream file{path};
-  if (!file || file.peek() == std::ifstream::traits_type::eof()) refuse("must be a file that can be read");
-  const auto all = nlohmann::json::parse(file, nullptr, false);
-  if (all.is_discarded()) refuse("is no JSON");
+  const Json all = read_json(path, "--input");
   if (!all.is_object()) refuse("must hold an object: {\"delta_deg\": 30, ..}");
   const auto& inputs = all.contains("inputs") ? all["inputs"] : all;
   if (!inputs.is_object()) refuse("\"inputs\" must be an object");
@@ -91,13 +87,13 @@ inline std::vector<std::string> words_of_input(const std::string& path) {
     if (option == keys.of_key.end()) {
       refuse(shown(key) + ": no such input; the keys are those of \"inputs\" in a summary.json");
     } else if (option->second.is_flag) {
-      if (!value.is_boolean()) refuse(key + " = " + shown(value.dump()) + ": must be true or false");
-      if (value == true) words.push_back(option->second.name);
+      if (!value.is_boolean()) refuse(key + " = " + shown(value.text()) + ": must be true or false");
+      if (value.get<bool>()) words.push_back(option->second.name);
     } else {
       if (!value.is_number() && !value.is_string())
-        refuse(key + " = " + shown(value.dump()) + ": must be a number or a word");
+        refuse(key + " = " + shown(value.text()) + ": must be a number or a word");
       words.push_back(option->second.name + "=" +
-                      (value.is_string() ? value.get<std::string>() : value.dump()));
+                      (value.is_string() ? value.get<std::string>() : value.text()));
     }
   }
   return words;

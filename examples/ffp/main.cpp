@@ -3,6 +3,7 @@
 #include <csignal>
 #include <exception>
 #include <iostream>
+#include <new>
 #include <variant>
 
 #include <arenite/core/parallel.hpp>
@@ -59,6 +60,9 @@ int main(int argc, char** argv) {
   } catch (const arenite::error& e) {
     say(shown(e.what(), 2000));
     return 2;
+  } catch (const std::bad_alloc&) {
+    say("there is not enough memory");
+    return 1;
   } catch (const std::exception& e) {
     say(shown(e.what(), 2000));
     return 1;

@@ -6,8 +6,10 @@
 #include <cctype>
 #include <charconv>
 #include <cmath>
+#include <cstdint>
 #include <filesystem>
 #include <fstream>
+#include <istream>
 #include <limits>
 #include <optional>
 #include <string>
@@ -15,6 +17,7 @@
 #include <vector>
 
 #include <arenite/core/error.hpp>
+#include <arenite/io/input_file.hpp>
 
 #include "measurement.hpp"
 #include "reduce_options.hpp"
@@ -22,7 +25,29 @@
 
 namespace arenite::ffp {
 
+/// Largest record as a table: ten minutes at 50 kHz. Largest history: 1e8 steps, as many as a drop takes
+/// without --force. Both are read row by row.
+inline constexpr std::uintmax_t most_table_bytes = std::uintmax_t{1} << 30,
+                                most_history_bytes = std::uintmax_t{64} << 30;
+/// Longest row, bytes.
+inline constexpr std::size_t most_row_bytes = std::size_t{1} << 20;
+
 namespace detail {
+
+/// The next line, without its end, as `std::getline`. Throws `error` for one that is too long to be a row.
+inline bool next_row(std::istream& in, std::string& line, const std::string& file) {
+  line.clear();
+  constexpr int end = std::char_traits<char>::eof();
+  for (int c = in.get(); c != end; c = in.get()) {
+    if (c == '\n') return true;
+    line += static_cast<char>(c);
+    if (line.size() > most_row_bytes)
+      throw error(joined_text(file, ": has a row of more than ",
+                              arenite::shared_detail::size_text(most_row_bytes), ": is no table"));
+  }
+  if (!line.empty()) in.clear(std::ios::eofbit);
+  return !line.empty();
+}
 
 /// Fields of a line: between commas, semicolons or tabs, else between blanks; without blanks and quotes
 /// around them.
@@ -128,15 +153,16 @@ inline std::string joined_names(const std::vector<std::string>& names) {
 inline Measurement read_measurement_table(const std::filesystem::path& path, const ReduceOptions& o,
                                           double gravity, bool whole_lines = false) {
   const std::string file = shown(path.string());
-  std::ifstream in{path, std::ios::binary};
-  if (!in || in.peek() == std::ifstream::traits_type::eof())
+  std::ifstream in = arenite::shared_detail::open_input(
+      path, "FILE", whole_lines ? most_history_bytes : most_table_bytes, file);
+  if (in.peek() == std::ifstream::traits_type::eof())
     throw error(joined_text(file, ": must be a file that can be read and is not empty"));
   Measurement m;
   std::vector<std::string> header;
   detail::NamedColumn time, deceleration;
   std::string line;
   std::size_t row = 0;
-  while (std::getline(in, line)) {
+  while (detail::next_row(in, line, file)) {
     ++row;
     if (whole_lines && in.eof()) break;
     if (row == 1 && line.starts_with("\xef\xbb\xbf")) line.erase(0, 3);  // a byte order mark

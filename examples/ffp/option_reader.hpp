@@ -1,15 +1,16 @@
-// What the commands share in reading their options with CLI11: numbers, words and flags as the tables give
-// them, and one sentence for whatever is wrong.
+// What the commands share in reading their options: numbers, words and flags as the tables give them, the
+// help that lists them, and one sentence for whatever is wrong.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <charconv>
+#include <functional>
 #include <optional>
 #include <ostream>
 #include <string>
 #include <string_view>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 #include <arenite/core/error.hpp>
@@ -41,10 +42,13 @@ auto parse_into(const std::string& name, Place& to) {
   return [name, &to](const std::string& word) { to = parse_number<Number>(name, word); };
 }
 
-/// Adds the options of a table to a command.
-class OptionAdder {
+/// The options of one command: a visitor of its table adds them, `read` gives them the words that a user
+/// types. An option that is given twice has its last value.
+class OptionReader {
  public:
-  explicit OptionAdder(CLI::App& app) : app_{app} {}
+  /// `command`: as it is typed; `purpose`: the first line of its help.
+  OptionReader(std::string command, std::string purpose)
+      : command_{std::move(command)}, purpose_{std::move(purpose)} {}
 
   void group(const char* title) { group_ = title; }
 
@@ -79,19 +83,74 @@ class OptionAdder {
     choose(name, words, to, help);
   }
   void flag(const std::string& name, bool& to, const std::string& help) {
-    app_.add_flag(name, to, help)->group(group_);
-    flags_.push_back(name);
+    add(name, "", help, [&to](const std::string&) { to = true; });
   }
 
   /// One word without an option before it.
-  void operand(const std::string& name, std::string& to, const std::string& help) {
-    app_.add_option(name, to, help)->type_name("")->group("");
+  void operand(const std::string& name, std::string& to) {
+    operand_ = name;
+    to_operand_ = &to;
   }
 
-  /// Names of the options that take no value.
-  const std::vector<std::string>& flags() const { return flags_; }
+  /// Puts the values where they belong. Returns whether there were options: false if `--help` or `--version`
+  /// was asked for and written to `answer`; `footer` ends the help. Throws `error` of one sentence for words
+  /// that are none.
+  bool read(const std::vector<std::string>& words, std::string_view footer, std::ostream& answer) {
+    std::vector<std::string> others;
+    bool help = false, version = false;
+    for (auto word = words.begin(); word != words.end(); ++word) {
+      const std::size_t sign = word->find('=');
+      const std::string name = word->substr(0, sign);
+      const auto option = std::ranges::find(options_, name, &Option::name);
+      help |= *word == "--help" || *word == "-h";
+      version |= *word == "--version";
+      if (name.starts_with("--") && sign != std::string::npos && sign + 1 == word->size())
+        throw error(shown(name) + " = : needs a value");
+      if (option == options_.end()) {
+        others.push_back(*word);
+      } else if (option->metavar.empty()) {
+        require(sign == std::string::npos, name, shown(word->substr(std::min(word->size(), sign + 1))),
+                "takes no value");
+        option->given = "";
+      } else if (sign != std::string::npos) {
+        option->given = word->substr(sign + 1);
+      } else {
+        if (word + 1 == words.end()) throw error(shown(name) + " = : needs a value");
+        option->given = *++word;
+      }
+    }
+    if (help) {
+      show(answer);
+      answer << '\n' << footer << '\n';
+      return false;
+    }
+    if (version) {
+      answer << "arenite-ffp " << library_version << '\n';
+      return false;
+    }
+    for (const Option& option : options_)
+      if (option.given) option.take(*option.given);
+    if (to_operand_ != nullptr)
+      if (const auto at = std::ranges::find_if(others, [](const auto& w) { return !w.starts_with("-"); });
+          at != others.end()) {
+        *to_operand_ = *at;
+        others.erase(at);
+      }
+    for (const auto& word : others)
+      throw error(joined_text(shown(word),
+                              word.starts_with("-") ? ": no such option" : ": a word without an option",
+                              "; see ", command_, " --help"));
+    return true;
+  }
 
  private:
+  struct Option {
+    std::string name, metavar;  ///< metavar: what stands for its value; empty: it takes none
+    std::string group, help;
+    std::function<void(const std::string&)> take;
+    std::optional<std::string> given{};
+  };
+
   template <class Words, class Place>
   void choose(const std::string& name, const Words& words, Place& to, const std::string& help) {
     std::string all, rule;
@@ -108,55 +167,36 @@ class OptionAdder {
       throw error(joined_text(name, " = ", shown(given), ": ", rule));
     });
   }
-  template <class Take>
-  void add(const std::string& name, const char* metavar, const std::string& help, Take take) {
-    app_.add_option_function<std::string>(name, take, help)
-        ->type_name(metavar)
-        ->multi_option_policy(CLI::MultiOptionPolicy::TakeLast)
-        ->group(group_);
+  void add(const std::string& name, const char* metavar, const std::string& help,
+           std::function<void(const std::string&)> take) {
+    options_.push_back({name, metavar, group_, help, std::move(take)});
   }
 
-  CLI::App& app_;
-  std::string group_;
-  std::vector<std::string> flags_;
+  /// Purpose, usage, and the options under the titles of their groups.
+  void show(std::ostream& out) const {
+    constexpr std::size_t column = 46;
+    const auto line = [&](const std::string& words, const std::string& help) {
+      out << words
+          << (words.size() + 2 > column ? '\n' + std::string(column, ' ')
+                                        : std::string(column - words.size(), ' '))
+          << help << '\n';
+    };
+    out << purpose_ << "\nUsage: " << command_ << " [OPTIONS]" << (operand_.empty() ? "" : " ") << operand_
+        << "\n\nOptions:\n";
+    line("  -h, --help", "Print this help message and exit");
+    line("  --version", "Print the version and exit");
+    std::string group;
+    for (const Option& option : options_) {
+      if (option.group != group) out << '\n' << option.group << ":\n";
+      group = option.group;
+      line("  " + option.name + (option.metavar.empty() ? "" : " ") + option.metavar, option.help);
+    }
+  }
+
+  std::string command_, purpose_, group_, operand_;
+  std::vector<Option> options_;
+  std::string* to_operand_ = nullptr;
 };
-
-/// Gives the words of a command to `app`, whose options are added. Returns whether they were options: false
-/// if
-/// `--help` or `--version` was asked for and written to `answer`. Throws `error` of one sentence for words
-/// that are none.
-inline bool parse_words(CLI::App& app, const OptionAdder& adder, const std::vector<std::string>& words,
-                        std::ostream& answer) {
-  app.set_version_flag("--version", std::string(library_version), "Print the version and exit");
-  app.get_formatter()->column_width(46);
-  app.allow_extras();
-  for (const auto& word : words) {  // what CLI11 would take in silence
-    for (const std::string& flag : adder.flags())
-      require(!word.starts_with(flag + "="), flag, shown(word.substr(std::min(word.size(), flag.size() + 1))),
-              "takes no value");
-    if (word.starts_with("--") && word.ends_with("="))
-      throw error(shown(word.substr(0, word.size() - 1)) + " = : needs a value");
-  }
-  try {
-    std::vector<std::string> reversed(words.rbegin(), words.rend());
-    app.parse(reversed);
-  } catch (const CLI::CallForHelp&) {
-    answer << app.help();
-    return false;
-  } catch (const CLI::CallForVersion&) {
-    answer << "arenite-ffp " << library_version << '\n';
-    return false;
-  } catch (const CLI::ArgumentMismatch&) {  // only the last word can be an option without its value
-    throw error(shown(words.back()) + " = : needs a value");
-  } catch (const CLI::ParseError& e) {
-    throw error(joined_text("command line: ", shown(e.what())));
-  }
-  for (const auto& word : app.remaining(true))
-    throw error(joined_text(shown(word),
-                            word.starts_with("-") ? ": no such option" : ": a word without an option",
-                            "; see ", app.get_name(), " --help"));
-  return true;
-}
 
 }  // namespace detail
 

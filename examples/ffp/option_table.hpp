@@ -4,12 +4,12 @@
 
 #include <algorithm>
 #include <array>
-#include <fstream>
 #include <optional>
 #include <string>
 #include <string_view>
 
 #include <arenite/core/error.hpp>
+#include <arenite/io/mesh_input.hpp>
 
 #include "options.hpp"
 #include "range.hpp"
@@ -202,8 +202,9 @@ inline void check(const DropOptions& o) {
   require(o.contact_offset == 0 || o.mesh.empty(), "--contact-offset", exactly(o.contact_offset),
           "goes without --mesh");
   if (!o.mesh.empty())
-    require(std::ifstream{o.mesh}.peek() != std::ifstream::traits_type::eof(), "--mesh", shown(o.mesh),
-            "must be a file that can be read");
+    require(arenite::shared_detail::check_input(o.mesh, "--mesh", arenite::shared_detail::most_mesh_bytes,
+                                                shown(o.mesh)) > 0,
+            "--mesh", shown(o.mesh), "must be a file that is not empty");
   const int n = o.points_in_element();
   const auto among = [n](const auto& counts) {
     return std::find(counts.begin(), counts.end(), n) != counts.end();

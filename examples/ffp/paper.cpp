@@ -7,10 +7,9 @@
 #include <system_error>
 #include <vector>
 
-#include <arenite/io/output_file.hpp>
-
 #include "drop.hpp"
 #include "error_bar.hpp"
+#include "json_file.hpp"
 #include "paper_cases.hpp"
 #include "paper_table.hpp"
 #include "python_script.hpp"
@@ -23,10 +22,7 @@ namespace {
 
 /// paper.json of the cases so far.
 void write(const PaperOptions& o, const std::vector<PaperCase>& cases, const CaseResults& results) {
-  arenite::shared_detail::replace_file(std::filesystem::path{o.out} / "paper.json", [&](std::ostream& out) {
-    out << paper_json(o, cases, results).dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace)
-        << '\n';
-  });
+  write_json(std::filesystem::path{o.out} / "paper.json", paper_json(o, cases, results));
 }
 
 }  // namespace

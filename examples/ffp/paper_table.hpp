@@ -7,7 +7,6 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <ostream>
 #include <string>
@@ -26,22 +25,20 @@ namespace arenite::ffp {
 
 /// The results of a case as its folder has them.
 struct CaseResult {
-  nlohmann::ordered_json summary = nlohmann::ordered_json::object();
+  Json summary = Json::object();
   std::vector<double> time, depth, step;  ///< [rows] s, m, s: of the history
 
   bool done() const { return summary.value("status", "") == "done"; }
   std::optional<double> number(const char* key) const {
-    const auto found = summary.find(key);
-    return done() && found != summary.end() && found->is_number() ? std::optional{found->get<double>()}
-                                                                  : std::nullopt;
+    const Json* found = summary.find(key);
+    return done() && found != nullptr && found->is_number() ? std::optional{found->get<double>()}
+                                                            : std::nullopt;
   }
   /// Uncertainty of a number, if the run has found it.
   std::optional<double> bar(const char* key) const {
-    if (!done() || !summary.contains("uncertainty")) return std::nullopt;
-    const auto& all = summary["uncertainty"];
-    if (!all.is_object() || !all.contains(key) || !all[key].is_object()) return std::nullopt;
-    const auto u = all[key].find("u");
-    return u != all[key].end() && u->is_number() ? std::optional{u->get<double>()} : std::nullopt;
+    const Json *all = summary.find("uncertainty"), *one = all != nullptr ? all->find(key) : nullptr,
+               *u = one != nullptr ? one->find("u") : nullptr;
+    return done() && u != nullptr && u->is_number() ? std::optional{u->get<double>()} : std::nullopt;
   }
   /// Depth at a time, m; none beyond the history.
   std::optional<double> depth_at(double t) const {
@@ -56,11 +53,13 @@ struct CaseResult {
 /// history if a row of it is none.
 inline CaseResult result_of_case(const std::filesystem::path& folder) {
   CaseResult result;
-  if (auto summary = summary_in(folder); summary.is_object()) result.summary = std::move(summary);
+  if (auto summary = readable_summary_in(folder)) result.summary = *std::move(summary);
   const auto path = folder / "history.csv";
-  std::ifstream history{path};
+  if (!std::filesystem::exists(path)) return result;
+  std::ifstream history =
+      arenite::shared_detail::open_input(path, "history", most_history_bytes, shown(path.string()));
   std::string line;
-  if (!std::getline(history, line)) return result;
+  if (!detail::next_row(history, line, shown(path.string()))) return result;
   const auto header = detail::fields_of(line);
   struct Place {
     std::size_t column;
@@ -71,7 +70,8 @@ inline CaseResult result_of_case(const std::filesystem::path& folder) {
        {std::pair{"time_s", &result.time}, {"penetration_m", &result.depth}, {"time_step_s", &result.step}})
     if (const auto at = std::ranges::find(header, name); at != header.end())
       places.push_back({static_cast<std::size_t>(at - header.begin()), *values});
-  while (std::getline(history, line) && !history.eof()) {  // the last row of a killed run may be cut
+  while (detail::next_row(history, line, shown(path.string())) &&
+         !history.eof()) {  // the last row of a killed run may be cut
     const auto fields = detail::fields_of(line);
     for (const Place& p : places) {
       const auto value = p.column < fields.size() ? detail::number_of(fields[p.column]) : std::nullopt;
@@ -204,37 +204,35 @@ inline std::vector<Comparison> paper_comparisons(const PaperOptions& o, const Ca
 }
 
 /// paper.json as a value: the cases by their folders, and the comparisons.
-inline nlohmann::ordered_json paper_json(const PaperOptions& o, const std::vector<PaperCase>& cases,
-                                         const CaseResults& results) {
-  nlohmann::ordered_json j;
+inline Json paper_json(const PaperOptions& o, const std::vector<PaperCase>& cases,
+                       const CaseResults& results) {
+  Json j;
   j["quick"] = o.quick;
   j["cell_m"] = o.cell;
   j["law"] = word_of(law_words, o.law.kind);
-  j["cases"] = nlohmann::ordered_json::array();
+  j["cases"] = Json::array();
   for (const PaperCase& c : cases) {
     const auto found = results.find(c.name);
     const auto status = found == results.end() ? "not run" : found->second.summary.value("status", "not run");
-    j["cases"].push_back({{"name", c.name},
-                          {"kinematics", word_of(kinematics_words, c.options.kinematics)},
-                          {"device", word_of(device_words, c.options.device)},
-                          {"delta_deg", c.options.delta},
-                          {"law", word_of(law_words, c.options.law.kind)},
-                          {"status", status}});
+    Json one{{"name", c.name},
+             {"kinematics", word_of(kinematics_words, c.options.kinematics)},
+             {"device", word_of(device_words, c.options.device)},
+             {"delta_deg", c.options.delta},
+             {"law", word_of(law_words, c.options.law.kind)},
+             {"status", status}};
     if (found != results.end() && found->second.summary.contains("failure"))
-      j["cases"].back()["failure"] = found->second.summary["failure"];
+      one["failure"] = found->second.summary["failure"];
+    j["cases"].push_back(std::move(one));
   }
-  const auto or_null = [](const std::optional<double>& value) {
-    return value ? nlohmann::ordered_json(*value) : nlohmann::ordered_json();
-  };
-  j["comparisons"] = nlohmann::ordered_json::array();
+  j["comparisons"] = Json::array();
   for (const Comparison& c : paper_comparisons(o, results))
     j["comparisons"].push_back({{"quantity", c.quantity},
                                 {"unit", c.unit},
                                 {"model", c.model},
-                                {"paper", or_null(c.paper)},
-                                {"ours", or_null(c.ours)},
-                                {"bar", or_null(c.bar)},
-                                {"difference", or_null(c.difference())},
+                                {"paper", c.paper},
+                                {"ours", c.ours},
+                                {"bar", c.bar},
+                                {"difference", c.difference()},
                                 {"note", c.note}});
   return j;
 }

@@ -22,13 +22,23 @@ def legend_below(figure, axes, columns, share):
     figure.get_layout_engine().set(rect=(0, share, 1, 1 - share))
 
 
+def save(figure, path, dpi="figure"):
+    """Writes a picture under a temporary name, made anew, which then becomes its own: a link there is replaced, not followed."""
+    part = f"{path}.part"
+    if os.path.lexists(part):
+        os.remove(part)
+    with open(part, "xb") as file:
+        figure.savefig(file, dpi=dpi, format=os.path.splitext(path)[1].lstrip(".") or "png")
+    os.replace(part, path)
+
+
 def save_pictures(figure, folder, name):
     """Writes name.png and name.svg; returns their paths. Ends the script with a sentence if they cannot be written."""
     paths = [os.path.join(folder, f"{name}.{kind}") for kind in ("png", "svg")]
     try:
         os.makedirs(folder, exist_ok=True)
         for path in paths:
-            figure.savefig(path, dpi=130)
+            save(figure, path, dpi=130)
     except OSError as problem:
         sys.exit(f"{os.path.basename(sys.argv[0])}: {problem.filename}: cannot be written: {problem.strerror}")
     pyplot.close(figure)

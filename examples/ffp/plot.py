@@ -16,7 +16,7 @@ import textwrap
 
 import numpy
 
-from pictures import COLOURS, REFERENCE, matplotlib, pyplot
+from pictures import COLOURS, REFERENCE, matplotlib, pyplot, save
 from read_vtu import read_pvd, read_vtu
 
 GRAVITY = 9.81
@@ -217,7 +217,7 @@ def draw_histories(drops, path):
             note_hop(deceleration, drop, drop.deceleration)
             note_hop(reaction, drop, drop.reaction / 1e3)
             break
-    figure.savefig(path, dpi=130)
+    save(figure, path, dpi=130)
     pyplot.close(figure)
 
 
@@ -303,7 +303,7 @@ def draw_strain(drops, path):
     for line, (drop, shown) in zip(grid, rows):
         for axes, field in zip(line, shown):
             paint(axes, drop, field)
-    figure.savefig(path)
+    save(figure, path)
     pyplot.close(figure)
     return True
 
@@ -337,7 +337,7 @@ def draw_cover(drop, path):
             axes.set_xlabel("time [ms]")
             axes.axhline(0, color="#b9b9b9", linewidth=0.8, zorder=0)
             note_hop(axes, drop, values)
-    figure.savefig(path)
+    save(figure, path)
     pyplot.close(figure)
 
 

@@ -2,13 +2,12 @@
 #pragma once
 
 #include <filesystem>
-#include <fstream>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <system_error>
 
 #include "bluedrop_file.hpp"
 #include "history.hpp"
+#include "json_file.hpp"
 #include "measurement_table.hpp"
 #include "summary_file.hpp"
 
@@ -28,18 +27,24 @@ inline Measurement read_measurement_of_drop(const std::filesystem::path& folder,
     throw error(
         joined_text(shown(folder.string()), ": must hold summary.json and history.csv of a drop: ", rule));
   };
-  if (!std::ifstream{summary_file(folder)}) refuse("summary.json cannot be read");
-  const auto summary = summary_in(folder);
+  const std::string name = shown(folder.string());
+  if (!std::filesystem::exists(summary_file(folder))) refuse("summary.json cannot be read");
+  const Json summary = summary_in(folder);
   if (!std::filesystem::exists(folder / "history.csv")) refuse("there is no history.csv");
   try {
-    const auto& inputs = summary.at("inputs");
-    DropFacts facts{.impact_velocity = inputs.at("velocity_m_s"),
-                    .mass = inputs.at("mass_kg"),
-                    .gravity = inputs.at("gravity_m_s2"),
-                    .unit_weight = inputs.at("unit_weight_N_m3"),
-                    .k0 = inputs.at("k0"),
+    if (const std::string status = summary.value("status", "done"); status != "done")
+      throw error(joined_text("FILE = ", name, ": status = ", shown(status), ": must be done",
+                              status == "running" ? ", and not still run or have been killed" : "",
+                              "; reduce ", name, "/history.csv as a table reads what there is"));
+    const Json& inputs = summary.at("inputs");
+    const auto number = [&](const char* key) { return inputs.at(key).get<double>(); };
+    DropFacts facts{.impact_velocity = number("velocity_m_s"),
+                    .mass = number("mass_kg"),
+                    .gravity = number("gravity_m_s2"),
+                    .unit_weight = number("unit_weight_N_m3"),
+                    .k0 = number("k0"),
                     .tip = tip_named(inputs.value("tip", "cone")),
-                    .fillet = inputs.at("fillet_m"),
+                    .fillet = number("fillet_m"),
                     .contact_offset = inputs.value("contact_offset_m", 0.0)};
     ReduceOptions units = o;  // the history's own
     units.time_unit = TimeUnit::named;
@@ -48,7 +53,7 @@ inline Measurement read_measurement_of_drop(const std::filesystem::path& folder,
     m.step_means = true;
     m.drop = facts;
     return m;
-  } catch (const nlohmann::json::exception&) {
+  } catch (const json_error&) {
     refuse("summary.json is none");
     throw;
   }

@@ -11,6 +11,7 @@
 #include <ctime>
 #include <functional>
 #include <iostream>
+#include <new>
 #include <optional>
 #include <string>
 #include <vector>
@@ -35,8 +36,8 @@
 namespace arenite::ffp {
 
 /// What a watch saw, by the names of its limits.
-inline nlohmann::ordered_json json_of(const Watch& watch) {
-  nlohmann::ordered_json j;
+inline Json json_of(const Watch& watch) {
+  Json j;
   for (const Watched& w : watch.seen()) {
     auto& entry = j[std::string{w.name}];
     entry = {{"worst", w.worst}, {"time_s", w.time}, {"limit", w.limit}};
@@ -222,7 +223,7 @@ class Run {
     });
     summary["warnings"] = warnings_.texts();
     if (watch_) summary["watch"] = json_of(*watch_);
-    arenite::ffp::write_summary(folder_.path() / "summary.json", summary);
+    write_json(summary_file(folder_.path()), summary);
   }
 
   /// The end before the end: the summary says what happened, and so does `Ended`.
@@ -274,6 +275,9 @@ void record(const DropOptions& o, const Make& make) {
     } catch (const error& e) {
       if (o.mesh.empty()) throw;
       throw error(joined_text("--mesh = ", shown(o.mesh), ": ", e.what()));
+    } catch (const std::bad_alloc&) {
+      require(o.mesh.empty(), "--mesh", shown(o.mesh), "there is no memory for a mesh of this size");
+      throw error(joined_text("--cell = ", o.cell, ": there is no memory for cells of this size"));
     }
   }();
   const StepCount expected = accepted_step_count(scene, o);

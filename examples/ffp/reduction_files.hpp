@@ -3,7 +3,6 @@
 
 #include <cmath>
 #include <filesystem>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <ostream>
 #include <string>
@@ -12,6 +11,7 @@
 
 #include <arenite/io/output_file.hpp>
 
+#include "json_file.hpp"
 #include "options.hpp"
 #include "reduction.hpp"
 #include "words.hpp"
@@ -27,14 +27,8 @@ inline std::string name_of(const QuasiStatic& q) {
   return "K" + (q.band.name == "air" ? "air" : rounded(q.k));
 }
 
-inline nlohmann::ordered_json or_null(const std::optional<double>& value) {
-  return value ? nlohmann::ordered_json(*value) : nlohmann::ordered_json();
-}
-
-inline nlohmann::ordered_json json_of(const ColumnPeak& p) {
-  return {{"largest_kPa", or_null(p.largest)},
-          {"depth_m", or_null(p.depth)},
-          {"at_peak_kPa", or_null(p.at_peak)}};
+inline Json json_of(const ColumnPeak& p) {
+  return {{"largest_kPa", p.largest}, {"depth_m", p.depth}, {"at_peak_kPa", p.at_peak}};
 }
 
 /// As text with blanks behind; columns count as bytes.
@@ -84,9 +78,9 @@ inline void write_reduced_csv(const std::filesystem::path& path, const Reduction
 }
 
 /// reduced.json as a value.
-inline nlohmann::ordered_json json_of(const Reduction& r, const ReduceOptions& o) {
+inline Json json_of(const Reduction& r, const ReduceOptions& o) {
   const Motion& m = r.motion;
-  nlohmann::ordered_json j;
+  Json j;
   j["file"] = r.of_drop ? "history.csv" : o.file;  // the same wherever the folder lies
   j["notes"] = r.notes;
   j["settings"] = {{"tip", word_of(tip_words, r.tip)},
@@ -98,41 +92,41 @@ inline nlohmann::ordered_json json_of(const Reduction& r, const ReduceOptions& o
                    {"area_of_q_sbc", word_of(area_words, o.area)},
                    {"from_depth_m", o.from_depth},
                    {"threshold_g", r.threshold},
-                   {"unit_weight_N_m3", detail::or_null(r.unit_weight)},
+                   {"unit_weight_N_m3", r.unit_weight},
                    {"k0", r.k0},
                    {"taken_off_g", m.zero / r.gravity}};
   if (o.medium == Medium::water) {
     j["settings"]["water_density_kg_m3"] = o.water_density;
     j["settings"]["volume_m3"] = o.volume;
-    j["settings"]["drag"] = detail::or_null(o.drag);
+    j["settings"]["drag"] = o.drag;
   }
   j["impact_time_s"] = m.impact_time;
   j["impact_from"] = m.impact_from;
   j["impact_velocity_m_s"] = m.impact_velocity;
   j["impact_velocity_from"] = m.velocity_from;
-  j["velocity_left_m_s"] = detail::or_null(m.velocity_left);
+  j["velocity_left_m_s"] = m.velocity_left;
   j["depth_cm"] = r.greatest_depth * 100;
-  j["penetration_time_s"] = detail::or_null(m.stop);
+  j["penetration_time_s"] = m.stop;
   j["peak_deceleration_g"] = r.peak_g();
   j["peak_time_s"] = m.time[r.peak];
   j["peak_depth_cm"] = m.depth[r.peak] * 100;
   for (const int area : {0, 1}) j["q_dyn"][detail::area_names[area]] = detail::json_of(r.q_dyn_peaks[area]);
-  j["q_sbc"] = nlohmann::ordered_json::array();
+  j["q_sbc"] = Json::array();
   for (const QuasiStatic& q : r.quasi_static) {
-    nlohmann::ordered_json one{{"K", q.k},
-                               {"band", q.band.name},
-                               {"source", q.band.source},
-                               {"range", q.band.range},
-                               {"within_range", q.band.within}};
+    Json one{{"K", q.k},
+             {"band", q.band.name},
+             {"source", q.band.source},
+             {"range", q.band.range},
+             {"within_range", q.band.within}};
     for (const int area : {0, 1})
       for (const int form : {0, 1})
         one[detail::area_names[area]][detail::form_names[form]] = detail::json_of(q.peaks[area][form]);
     j["q_sbc"].push_back(std::move(one));
   }
-  j["estimates"] = nlohmann::ordered_json::array();
+  j["estimates"] = Json::array();
   for (const Estimate& e : r.estimates)
     j["estimates"].push_back({{"quantity", e.quantity},
-                              {"value", detail::or_null(e.value)},
+                              {"value", e.value},
                               {"unit", e.unit},
                               {"source", e.source},
                               {"range", e.range},
@@ -143,9 +137,7 @@ inline nlohmann::ordered_json json_of(const Reduction& r, const ReduceOptions& o
 
 inline void write_reduced_json(const std::filesystem::path& path, const Reduction& r,
                                const ReduceOptions& o) {
-  arenite::shared_detail::replace_file(path, [&](std::ostream& out) {
-    out << json_of(r, o).dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) << '\n';
-  });
+  write_json(path, json_of(r, o));
 }
 
 /// The table that a user reads.

@@ -79,7 +79,7 @@ def draw(found, sizes, path):
         axes.set(xlabel="cells at the cone [cm]", ylabel=quantity, xlim=(0, None))
         axes.spines[["top", "right"]].set_visible(False)
     pictures.legend_below(figure, panels[0], 4, 0.08)
-    figure.savefig(path, dpi=120)
+    pictures.save(figure, path, dpi=120)
 
 
 def main():

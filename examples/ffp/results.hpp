@@ -6,20 +6,19 @@
 #include <cmath>
 #include <cstdint>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <limits>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include <arenite/core/hash.hpp>
-#include <arenite/io/output_file.hpp>
+#include <arenite/io/mesh_input.hpp>
 #include <arenite/transfer/numerics.hpp>
 #include <arenite/version.hpp>
 
 #include "history.hpp"
+#include "json.hpp"
+#include "json_file.hpp"
 #include "options.hpp"
 #include "peaks.hpp"
 #include "words.hpp"
@@ -119,8 +118,8 @@ inline std::string sentence_of(const DropFigures& f, const std::string& folder) 
 }
 
 /// All inputs of a drop, the derived ones too, by the names of their options.
-inline nlohmann::ordered_json inputs_of(const DropOptions& o) {
-  nlohmann::ordered_json j;
+inline Json inputs_of(const DropOptions& o) {
+  Json j;
   j["kinematics"] = word_of(kinematics_words, o.kinematics);
   j["device"] = word_of(device_words, o.device);
   j["velocity_m_s"] = o.velocity;
@@ -163,20 +162,14 @@ inline nlohmann::ordered_json inputs_of(const DropOptions& o) {
   return j;
 }
 
-/// As text, whatever bytes the names of files hold.
-inline std::string json_text(const nlohmann::ordered_json& j, int indent = -1) {
-  return j.dump(indent, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
-}
-
 /// Hash of all inputs and of the mesh file's content, as 16 hexadecimal digits: equal for runs of the same
 /// input.
 inline std::string hash_of_inputs(const DropOptions& o) {
   Hash hash;
-  const std::string inputs = json_text(inputs_of(o));
+  const std::string inputs = inputs_of(o).text();
   hash.add(inputs.data(), inputs.size());
   if (!o.mesh.empty()) {
-    std::ifstream file{o.mesh, std::ios::binary};
-    const std::string content{std::istreambuf_iterator<char>(file), {}};
+    const std::string content = arenite::shared_detail::read_all(o.mesh);
     hash.add(content.data(), content.size());
   }
   return hash.digits();
@@ -184,9 +177,9 @@ inline std::string hash_of_inputs(const DropOptions& o) {
 
 /// summary.json as a value. Without figures (the run has no row yet) it holds how the run stands and its
 /// inputs. What there is none of (a second peak) is null.
-inline nlohmann::ordered_json summary_of(const DropOptions& options,
-                                         const std::optional<DropFigures>& figures, const RunNumbers& run) {
-  nlohmann::ordered_json j;
+inline Json summary_of(const DropOptions& options, const std::optional<DropFigures>& figures,
+                       const RunNumbers& run) {
+  Json j;
   j["status"] = run.status;
   if (!run.failure.empty()) j["failure"] = run.failure;
   j["version"] = library_version;
@@ -226,16 +219,11 @@ inline nlohmann::ordered_json summary_of(const DropOptions& options,
   j["expected_steps"] = run.expected_steps;
   j["threads"] = run.threads;
   j["register_bytes"] = native_register_bytes;
-  j["device_outline_m"] = nlohmann::ordered_json::array();  // (r, y) at t = 0, for pictures
-  for (const auto& x : options.body().instrument().outline()) j["device_outline_m"].push_back({x[0], x[1]});
+  j["device_outline_m"] = Json::array();  // (r, y) at t = 0, for pictures
+  for (const auto& x : options.body().instrument().outline())
+    j["device_outline_m"].push_back(Json::array({x[0], x[1]}));
   j["inputs"] = inputs_of(options);
   return j;
-}
-
-/// Throws `error` if the file cannot be written.
-inline void write_summary(const std::filesystem::path& path, const nlohmann::ordered_json& summary) {
-  arenite::shared_detail::replace_file(path,
-                                       [&](std::ostream& out) { out << json_text(summary, 2) << '\n'; });
 }
 
 }  // namespace arenite::ffp

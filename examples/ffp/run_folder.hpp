@@ -3,8 +3,10 @@
 #pragma once
 
 #include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstdio>
@@ -56,18 +58,17 @@ class RunFolder {
     std::error_code code;
     std::filesystem::create_directories(path_, code);
     require(!code, "--out", name_, "the folder cannot be made: " + code.message());
-    lock_ = ::open((path_ / ".arenite-ffp.lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
-    require(lock_ >= 0, "--out", name_,
-            "no files can be made there: " + std::generic_category().message(errno));
+    open_lock();
     try {
       lock();
+      check_reserve();
       if (earlier == Earlier::removed) remove_results();
     } catch (...) {
-      ::close(lock_);
+      if (lock_ >= 0) ::close(lock_);
       throw;
     }
     // Without it the run works as well, until the disk is full.
-    [[maybe_unused]] const int held = ::posix_fallocate(lock_, 0, 1 << 16);
+    [[maybe_unused]] const int held = ::posix_fallocate(lock_, 0, reserve_bytes);
   }
   RunFolder(const RunFolder&) = delete;
   RunFolder& operator=(const RunFolder&) = delete;
@@ -84,6 +85,41 @@ class RunFolder {
   }
 
  private:
+  static constexpr ::off_t reserve_bytes = 1 << 16;
+
+  /// Opens the lock, or makes it. One that is there must be one that a drop has made: a link is not followed,
+  /// and nobody else's file is emptied.
+  void open_lock() {
+    const std::string lock = (path_ / ".arenite-ffp.lock").string();
+    lock_ = ::open(lock.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK, 0666);
+    const int reason = lock_ < 0 ? errno : 0;
+    if (reason == ELOOP || reason == ENXIO || reason == EISDIR) refuse_lock("is a link, a folder or a pipe");
+    require(reason == 0, "--out", name_,
+            "no files can be made there: " + std::generic_category().message(reason));
+    struct stat lock_is {
+    }, folder_is{};
+    const bool known = ::fstat(lock_, &lock_is) == 0 && ::stat(path_.c_str(), &folder_is) == 0;
+    if (!known || !S_ISREG(lock_is.st_mode)) refuse_lock("is no regular file");
+    if (lock_is.st_uid != ::geteuid() && lock_is.st_uid != folder_is.st_uid)
+      refuse_lock("belongs to another user");
+  }
+  /// A lock holds nothing but the space that was held back: zeros.
+  void check_reserve() {
+    std::array<char, 1 << 12> piece{};
+    ::off_t at = 0;
+    for (::ssize_t bytes = 1; bytes > 0 && at <= reserve_bytes; at += bytes) {
+      bytes = ::pread(lock_, piece.data(), piece.size(), at);
+      if (bytes < 0 || std::any_of(piece.begin(), piece.begin() + bytes, [](char c) { return c != 0; }))
+        refuse_lock("holds what no drop has written");
+    }
+    if (at > reserve_bytes) refuse_lock("holds what no drop has written");
+  }
+  [[noreturn]] void refuse_lock(const std::string& what) {
+    if (lock_ >= 0) ::close(std::exchange(lock_, -1));
+    throw error(joined_text("--out = ", name_, ": .arenite-ffp.lock ", what,
+                            ", and no lock of a drop; remove it, or name another folder"));
+  }
+
   void lock() const {
     struct flock whole {};
     whole.l_type = F_WRLCK;

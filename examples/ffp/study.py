@@ -257,7 +257,7 @@ def draw(runs, path, pictures):
         axes.xaxis.set_major_formatter("{x:g}")
         axes.spines[["top", "right"]].set_visible(False)
     pictures.legend_below(figure, panels[0], 3, 0.12)
-    figure.savefig(path, dpi=120)
+    pictures.save(figure, path, dpi=120)
 
 
 def main():

@@ -2,8 +2,9 @@
 #pragma once
 
 #include <filesystem>
-#include <fstream>
-#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "json_file.hpp"
 
 namespace arenite::ffp {
 
@@ -11,10 +12,19 @@ inline std::filesystem::path summary_file(const std::filesystem::path& folder) {
   return folder / "summary.json";
 }
 
-/// The summary in a folder; discarded (`is_discarded`) if there is none that can be read.
-inline nlohmann::ordered_json summary_in(const std::filesystem::path& folder) {
-  std::ifstream file{summary_file(folder)};
-  return nlohmann::ordered_json::parse(file, nullptr, false);
+/// The summary in a folder, as "summary" in messages. Throws `error` that names the file if it is none.
+inline Json summary_in(const std::filesystem::path& folder) {
+  return read_json(summary_file(folder), "summary");
+}
+
+/// The same; nothing where there is no object that can be read.
+inline std::optional<Json> readable_summary_in(const std::filesystem::path& folder) {
+  try {
+    Json found = summary_in(folder);
+    if (found.is_object()) return found;
+  } catch (const error&) {
+  }
+  return std::nullopt;
 }
 
 }  // namespace arenite::ffp

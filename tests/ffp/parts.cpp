@@ -1,9 +1,13 @@
-// Parts of a run's life: words in messages, what a folder's own files are, signals, the number of steps.
+// Parts of a run's life: words in messages, what a folder's own files are, JSON, signals, the number of
+// steps.
 #include <csignal>
 #include <filesystem>
 #include <fstream>
 #include <limits>
+#include <optional>
+#include <random>
 
+#include "../../examples/ffp/json_file.hpp"
 #include "../../examples/ffp/range.hpp"
 #include "../../examples/ffp/run_folder.hpp"
 #include "../../examples/ffp/signals.hpp"
@@ -55,6 +59,77 @@ TEST_CASE("what a drop writes, and nothing else, is a result") {
                               "fields_soil_00x0.vtu", "fields_soil_000.vtu", "fields_sand_0000.vtu",
                               "summary.json~", ".arenite-ffp.lock", "plot.png", ".part", ""})
     REQUIRE(!is_result(foreign));
+}
+
+TEST_CASE("JSON: what is written reads back the same") {
+  Json j{{"whole", 20},     {"real", 20.0},     {"tenth", 0.1},
+         {"small", 1e-300}, {"large", -1.5e22}, {"none", Json()}};
+  j["text"] = "a \"quote\", a \\, a line\n, \x01 and \xC3\xA9 \xF0\x9F\x9A\x80";
+  j["lists"] = std::vector<std::vector<double>>{{}, {1, 2}};
+  j["there"] = std::optional<double>{0.5};
+  j["nothing"] = std::optional<double>{};
+  j["nan"] = std::numeric_limits<double>::quiet_NaN();
+  j["empty"] = Json::object();
+  for (const int indent : {-1, 0, 2}) REQUIRE(parse_json(j.text(indent)).text() == j.text());
+  REQUIRE(Json{{"a", 20.0}, {"b", Json::array({true, Json()})}}.text() == R"({"a":20.0,"b":[true,null]})");
+  REQUIRE(Json::array({1, Json::object()}).text(2) == "[\n  1,\n  {}\n]");
+  REQUIRE(parse_json("[20, 2e1, -0]") == Json::array({20.0, 20, 0}));
+  REQUIRE(parse_json(R"("\u00e9\ud83d\ude80\/")").get<std::string>() == "\xC3\xA9\xF0\x9F\x9A\x80/");
+  REQUIRE(Json("\xff-\xC3(\xED\xA0\x80").text() ==
+          "\"\xEF\xBF\xBD-\xEF\xBF\xBD(\xEF\xBF\xBD\xEF\xBF\xBD\xEF\xBF\xBD\"");
+  REQUIRE_THROWS_AS(j.at("absent"), json_error);
+  REQUIRE_THROWS_AS(j["text"].get<double>(), json_error);
+}
+
+TEST_CASE("JSON: what is none is refused, whatever it is") {
+  for (const char* text : {"",
+                           " ",
+                           "{",
+                           "}",
+                           "[1,]",
+                           "[1 2]",
+                           "{\"a\"}",
+                           "{\"a\":1,}",
+                           "{a:1}",
+                           "01",
+                           "1.",
+                           ".5",
+                           "+1",
+                           "1e",
+                           "-",
+                           "nul",
+                           "True",
+                           "NaN",
+                           "1e999",
+                           "\"",
+                           "\"\\",
+                           "\"\\x\"",
+                           "\"\\u12\"",
+                           "\"\\ud800\"",
+                           "\"\n\"",
+                           "\"\xff\"",
+                           "1 1",
+                           "[1]]",
+                           "{\"a\":1,\"a\":2}",
+                           "'a'"})
+    REQUIRE_THROWS_AS(parse_json(text), json_error);
+  const auto nested = [](std::size_t levels) { return std::string(levels, '[') + std::string(levels, ']'); };
+  REQUIRE_NOTHROW(parse_json(nested(most_json_levels)));
+  REQUIRE_THROWS_WITH(parse_json(nested(most_json_levels + 1)),
+                      "is nested deeper than 64 levels, at byte 64");
+  REQUIRE_THROWS_AS(parse_json(std::string(1000000, '[')), json_error);
+  std::mt19937 random{5};
+  const std::string good = R"({"a": [1, 2.5e-3, "x\u00e9\n", true, null], "b": {"c": {}}})";
+  for (int k = 0; k < 20000; ++k) {  // cut or damaged anywhere: a value, or a sentence
+    std::string text = good.substr(0, random() % (good.size() + 1));
+    if (!text.empty()) text[random() % text.size()] = static_cast<char>(random());
+    std::optional<Json> value;
+    try {
+      value = parse_json(text);
+    } catch (const json_error&) {
+    }
+    if (value) REQUIRE(parse_json(value->text()) == *value);
+  }
 }
 
 TEST_CASE("a folder is made, cleaned of results alone, and can be taken again") {

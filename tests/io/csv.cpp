@@ -1,5 +1,6 @@
 // Tables out: exact numbers, whole rows at any time, and a full disk that is told.
 #include <arenite/io/csv.hpp>
+#include <arenite/io/input_file.hpp>
 
 #include <cmath>
 #include <cstdlib>
@@ -17,6 +18,7 @@
 
 #if __has_include(<sys/resource.h>)
 #include <sys/resource.h>
+#include <sys/stat.h>
 #include <csignal>
 #endif
 
@@ -94,7 +96,69 @@ TEST_CASE("mistakes are told") {
   REQUIRE_THROWS_WITH(table.row({1}), "values in a row = 1: must be 2, the number of columns of x.csv");
 }
 
+TEST_CASE("files out: a link at a name is replaced, not followed, and what is no file is refused") {
+  namespace fs = std::filesystem;
+  fs::remove_all("links");
+  fs::create_directories("links/folder");
+  std::ofstream("links/precious") << "precious";
+  const auto whole = [](const char* name) {
+    shared_detail::replace_file(
+        name, [](std::ostream& out) { out << "whole\n"; }, shared_detail::Sync::disk);
+  };
+  for (const char* name : {"links/table.csv", "links/whole", "links/whole.part"})
+    fs::create_symlink("precious", name);
+  fs::create_hard_link("links/precious", "links/other.csv");
+  whole("links/whole");
+  CsvWriter("links/table.csv", {"a"}).row({1});
+  CsvWriter("links/other.csv", {"a"}).row({1});
+  REQUIRE(text_of("links/precious") == "precious");
+  REQUIRE(text_of("links/whole") == "whole\n");
+  REQUIRE(text_of("links/table.csv") == "a\n1\n");
+  REQUIRE(fs::is_regular_file(fs::symlink_status("links/table.csv")));
+  REQUIRE_FALSE(fs::exists(fs::symlink_status("links/whole.part")));
+
+  // A table that goes on is written to where it lies, so that a link is refused.
+  std::ofstream("links/precious") << "a\n1\n2\n";
+  fs::create_symlink("precious", "links/linked.csv");
+  REQUIRE_THROWS_AS(CsvWriter("links/linked.csv", {"a"}, 4), output_error);
+  REQUIRE(text_of("links/precious") == "a\n1\n2\n");
+  CsvWriter("links/precious", {"a"}, 4).row({3});
+  REQUIRE(text_of("links/precious") == "a\n1\n3\n");
+
+  REQUIRE_THROWS_WITH(whole("links/folder"),
+                      Catch::Matchers::StartsWith("output = links/folder: is a folder"));
+  fs::create_directory_symlink("folder", "links/to_folder");  // a folder that is reached by a link is one
+  whole("links/to_folder/file");
+  REQUIRE(text_of("links/folder/file") == "whole\n");
+}
+
 #if __has_include(<sys/resource.h>)
+TEST_CASE("pipes and devices are neither written nor waited for") {
+  using Catch::Matchers::StartsWith;
+  std::remove("pipe");
+  REQUIRE(mkfifo("pipe", 0600) == 0);
+  REQUIRE_THROWS_WITH(CsvWriter("pipe", {"a"}), StartsWith("output = pipe: is a device, pipe or socket"));
+  REQUIRE_THROWS_AS(CsvWriter("pipe", {"a"}, 2), output_error);
+  REQUIRE_THROWS_WITH(shared_detail::replace_file("pipe", [](std::ostream&) {}),
+                      StartsWith("output = pipe: is a device"));
+  REQUIRE(std::filesystem::is_fifo("pipe"));
+
+  using shared_detail::read_input;
+  REQUIRE_THROWS_WITH(read_input("pipe", "mesh", 10),
+                      "mesh = pipe: must be a regular file, not a pipe or a device");
+  REQUIRE_THROWS_WITH(read_input("/dev/zero", "mesh", 10),
+                      StartsWith("mesh = /dev/zero: must be a regular file, not a pipe"));
+  REQUIRE_THROWS_WITH(read_input(".", "mesh", 10), "mesh = .: must be a regular file, not a folder");
+  std::ofstream("eleven") << "eleven byte";
+  REQUIRE_THROWS_WITH(read_input("eleven", "mesh", 10),
+                      "mesh = eleven: has 11 bytes; must have at most 10 bytes");
+  REQUIRE(read_input("eleven", "mesh", 11) == "eleven byte");
+  std::filesystem::resize_file("eleven", std::uintmax_t{40} << 30);  // without blocks on the disk
+  REQUIRE_THROWS_WITH(read_input("eleven", "mesh", std::uintmax_t{16} << 30),
+                      "mesh = eleven: has 42949672960 bytes; must have at most 16 GiB");
+  std::filesystem::remove("eleven");
+}
+
 TEST_CASE("a disk that is full is told, and the rows before stay") {
   rlimit before{};
   getrlimit(RLIMIT_FSIZE, &before);

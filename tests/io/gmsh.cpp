@@ -291,6 +291,8 @@ TEST_CASE("a mistake is told with file, place, value and rule") {
   std::swap(foreign[20], foreign[23]);
   CHECK(says(complaint<2>(foreign), {"byte 20", "byte order", "big-endian"}));
   REQUIRE_THROWS_WITH(read_gmsh<2>(std::filesystem::path("no/such.msh")), "mesh = no/such.msh: no such file");
+  REQUIRE_THROWS_WITH(read_gmsh<2>(std::filesystem::path("/dev/zero")),
+                      "mesh = /dev/zero: must be a regular file, not a pipe or a device");
   REQUIRE_THROWS_AS(read_gmsh<2>(std::filesystem::path(".")), error);
 }
 

@@ -5,6 +5,7 @@
 #include <arenite/observe/saved_hdf5.hpp>
 #include <arenite/observe/vtkhdf.hpp>
 #include <chrono>
+#include <filesystem>
 #include <fstream>
 #include <random>
 #include <thread>
@@ -73,7 +74,7 @@ TEST_CASE("Saved as HDF5: what is foreign or of another run is refused, and the 
   CHECK_THAT(refusal(other, Hdf5State{"mine.h5", "inputs 1"}), Contains("values; this run has"));
   auto due = every(1, [](const auto&) {});
   CHECK_THAT(refusal(other, Hdf5State{"mine.h5", "inputs 1"}, due), Contains("has no observers/0/due"));
-  CHECK_THAT(refusal(other, Hdf5State{"none.h5"}), Contains("none.h5: cannot be read"));
+  CHECK_THAT(refusal(other, Hdf5State{"none.h5"}), Contains("none.h5: no such file"));
   auto finer = make(35_deg, 40);
   CHECK_THAT(refusal(finer, Hdf5State{"mine.h5", "inputs 1"}, watch),
              Contains("mesh: SimplexMesh<2,double>"));
@@ -157,8 +158,17 @@ TEST_CASE("VTKHDF: a run in one file, with points that get lost; resumed it goes
   CHECK(rows("series/run_sand.vtkhdf", "VTKHDF/NumberOfPoints") == 3);  // at first, without some, resumed
   CHECK(rows("series/run_mesh.vtkhdf", "VTKHDF/Points") == 2 * 231);    // as it does not move; resumed
   VtkhdfWriter missing("series/none.vtkhdf", true);
-  CHECK_THROWS_WITH(missing.keep(2), Contains("none.vtkhdf: cannot be read"));
+  CHECK_THROWS_WITH(missing.keep(2), Contains("none.vtkhdf: no such file"));
   VtkhdfWriter shorter("series/run_sand.vtkhdf", true);
   CHECK_THROWS_WITH(shorter.keep(9), Contains("has 4 steps, and must have 9"));
   CHECK_THROWS_AS(VtkhdfWriter("no/such/folder/a.vtkhdf"), output_error);
+  std::ofstream("series/precious") << "precious";  // a link is replaced, and not followed to go on
+  std::filesystem::create_symlink("precious", "series/link.vtkhdf");
+  const std::vector<double> origin(3);
+  VtuData one_point;
+  one_point.points = vtu_array("", 3, origin);
+  VtkhdfWriter("series/link.vtkhdf").add(0, one_point);
+  CHECK(std::filesystem::file_size("series/precious") == 8);
+  std::filesystem::create_symlink("run_sand.vtkhdf", "series/other.vtkhdf");
+  CHECK_THROWS_AS(VtkhdfWriter("series/other.vtkhdf", true).keep(1), output_error);
 }

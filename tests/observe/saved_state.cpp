@@ -104,7 +104,7 @@ TEST_CASE("Saved: what is of another run is refused, and the scene stays as it w
   CHECK_THAT(refusal(other, {"mine.state", "inputs 1"}), Contains("values; this run has"));
   auto due = every(1, [](const auto&) {});
   CHECK_THAT(refusal(other, {"mine.state", "inputs 1"}, due), Contains("has no observers/0/due"));
-  CHECK_THAT(refusal(other, {"none.state"}), Contains("none.state: cannot be read"));
+  CHECK_THAT(refusal(other, {"none.state"}), Contains("none.state: no such file"));
   CHECK(StateBuffer::first_difference(StateBuffer(other), before) == "");
   auto finer = make(0.025);
   CHECK_THAT(refusal(finer, {"mine.state", "inputs 1"}, watch), Contains("mesh: CartesianGrid<2,double>"));

@@ -4,13 +4,12 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstdint>
+#include <cstdio>
 #include <filesystem>
-#include <fstream>
 #include <initializer_list>
 #include <optional>
 #include <span>
 #include <string>
-#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -24,9 +23,10 @@ namespace arenite {
 /// ignored.
 class CsvWriter {
  public:
-  /// Creates or empties the file, or keeps the first `kept` bytes of the one that is there, for a run that
-  /// goes on. Throws `error` if it cannot be written, if it does not hold that much or begins with other
-  /// columns, or if a column's name is empty, given twice, or holds a comma, a quote or a line break.
+  /// Makes the file anew, in the place of a file or link of its name, or keeps the first `kept` bytes of the
+  /// one that is there, for a run that goes on; that must be a regular file. Throws `error` if it cannot be
+  /// written, if it does not hold that much or begins with other columns, or if a column's name is empty,
+  /// given twice, or holds a comma, a quote or a line break.
   CsvWriter(std::filesystem::path path, std::vector<std::string> columns, std::uintmax_t kept = 0)
       : path_(std::move(path)), columns_(columns.size()) {
     require(columns_ > 0, "columns", columns_, "a table needs at least one");
@@ -36,12 +36,8 @@ class CsvWriter {
       require(std::find(columns.begin(), name, *name) == name, "column", *name, "is given twice");
       line_ += (line_.empty() ? "" : ",") + *name;
     }
-    if (kept > 0) shorten(kept);
-    errno = 0;
-    file_.open(path_, std::ios::binary | (kept > 0 ? std::ios::app : std::ios::trunc));
-    if (!file_)
-      shared_detail::fail_output(
-          path_, "cannot be opened for writing; does the folder exist, and may you write there?", errno);
+    file_ = kept > 0 ? shortened(kept) : shared_detail::make_file(path_, path_);
+    std::setvbuf(file_.get(), nullptr, _IONBF, 0);  // a row is one write
     if (kept == 0) put_line();
     written_ = kept > 0 ? kept : written_;
   }
@@ -58,16 +54,21 @@ class CsvWriter {
   std::uintmax_t bytes() const { return written_; }
 
  private:
-  /// Leaves the first bytes of a file that has the same columns.
-  void shorten(std::uintmax_t kept) const {
-    std::ifstream there(path_, std::ios::binary);
-    std::string head;
-    std::error_code status;
-    const auto size = std::filesystem::file_size(path_, status);
-    require(!status && size >= kept && std::getline(there, head) && head == line_, "table", path_.string(),
-            joined_text("must be there, with the columns ", line_, ", and hold ", kept, " bytes"));
-    std::filesystem::resize_file(path_, kept, status);
-    if (status) shared_detail::fail_output(path_, "cannot be shortened", status.value());
+  /// The file that is there, with its first bytes alone; it must have the same columns.
+  shared_detail::FileHandle shortened(std::uintmax_t kept) const {
+    shared_detail::FileHandle file = shared_detail::open_to_change(path_);
+    std::string head(line_.size() + 1, '\0');
+    const bool same =
+        std::fread(head.data(), 1, head.size(), file.get()) == head.size() && head == line_ + '\n';
+    std::fseek(file.get(), 0, SEEK_END);
+    require(
+        same && std::ftell(file.get()) >= 0 && static_cast<std::uintmax_t>(std::ftell(file.get())) >= kept,
+        "table", path_.string(),
+        joined_text("must be there, with the columns ", line_, ", and hold ", kept, " bytes"));
+    if (const int reason = shared_detail::cut_file(file.get(), path_, kept); reason != 0)
+      shared_detail::fail_output(path_, "cannot be shortened", reason);
+    std::fseek(file.get(), 0, SEEK_END);
+    return file;
   }
 
   template <class Values>
@@ -87,15 +88,14 @@ class CsvWriter {
   void put_line() {
     line_ += '\n';
     errno = 0;
-    file_.write(line_.data(), static_cast<std::streamsize>(line_.size())).flush();
-    if (file_) {
+    const bool open = file_ != nullptr;  // not any more after a row that could not be written
+    if (open && std::fwrite(line_.data(), 1, line_.size(), file_.get()) == line_.size()) {
       written_ += line_.size();
       return;
     }
     const int reason = errno;
-    file_.close();  // no later flush may add to what follows
-    std::error_code ignored;
-    std::filesystem::resize_file(path_, written_, ignored);  // without the part of the row that fitted
+    if (open) shared_detail::cut_file(file_.get(), path_, written_);  // the part of the row that fitted
+    file_.reset();
     shared_detail::fail_output(path_, "cannot be written; is the disk full?", reason);
   }
 
@@ -103,7 +103,7 @@ class CsvWriter {
   std::size_t columns_;
   std::string line_;
   std::uintmax_t written_ = 0;  // bytes of whole lines
-  std::ofstream file_;
+  shared_detail::FileHandle file_;
 };
 
 }  // namespace arenite

@@ -17,6 +17,7 @@
 #include <vector>
 
 #include <arenite/core/error.hpp>
+#include <arenite/io/input_file.hpp>
 #include <arenite/io/output_file.hpp>
 
 namespace arenite {
@@ -59,7 +60,7 @@ class Hdf5Quiet {
 enum class Hdf5Access {
   read,
   change,
-  create,  ///< empties what is there
+  create,  ///< makes it anew, in the place of what is there
   image    ///< in memory alone: `Hdf5File::image`
 };
 
@@ -187,11 +188,12 @@ class Hdf5File {
     if (access_ == Hdf5Access::change)  // who reads it meanwhile may
       check(H5Pset_file_locking(by, false, true), "", "takes no properties");
     const std::string name = path_.string();
+    if (access_ == Hdf5Access::create) shared_detail::make_file(path_, path_);  // in the place of a link
     if (access_ == Hdf5Access::create || access_ == Hdf5Access::image)
       return handle(H5Fcreate(name.c_str(), H5F_ACC_TRUNC, made_by, by), H5Fclose, "",
                     "cannot be opened for writing; does the folder exist, and may you write there?");
-    std::error_code status;
-    if (!std::filesystem::exists(path_, status)) refuse("cannot be read (No such file or directory)");
+    shared_detail::check_input(path_, what_);
+    if (access_ == Hdf5Access::change) shared_detail::open_to_change(path_);  // refuses a link
     return handle(H5Fopen(name.c_str(), access_ == Hdf5Access::read ? H5F_ACC_RDONLY : H5F_ACC_RDWR, by),
                   H5Fclose, "", "cannot be read as HDF5: it is no such file, truncated or damaged");
   }

@@ -10,13 +10,13 @@
 #include <cstdint>
 #include <cstring>
 #include <filesystem>
-#include <fstream>
 #include <istream>
 #include <string>
 #include <string_view>
 #include <utility>
 
 #include <arenite/core/error.hpp>
+#include <arenite/io/input_file.hpp>
 
 namespace arenite::shared_detail {
 
@@ -216,14 +216,12 @@ inline std::string read_all(std::istream& in, const std::string& name) {
   return bytes;
 }
 
+/// Largest mesh file: nodes are numbered in 32 bits, and a node takes more than four bytes.
+inline constexpr std::uintmax_t most_mesh_bytes = std::uintmax_t{16} << 30;
+
 /// All of a file. Throws `error` if it cannot be read.
 inline std::string read_all(const std::filesystem::path& path) {
-  std::error_code status;
-  require(std::filesystem::exists(path, status), "mesh", path.string(), "no such file");
-  require(!std::filesystem::is_directory(path, status), "mesh", path.string(), "is a folder, not a file");
-  std::ifstream file(path, std::ios::binary);
-  require(file.is_open(), "mesh", path.string(), "cannot be opened");
-  return read_all(file, path.string());
+  return read_input(path, "mesh", most_mesh_bytes);
 }
 
 }  // namespace arenite::shared_detail

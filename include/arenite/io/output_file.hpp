@@ -1,6 +1,7 @@
-// Files out, such that a run that dies leaves nothing broken behind: a file is written under a temporary name
-// and takes its own when it is complete. Also what all writers share: numbers as text, and the message of a
-// failed write.
+// Files out, by one rule. A file is written under a temporary name, which is made anew, and takes its own
+// name when it is complete: a run that dies leaves nothing broken behind, and a symbolic link that stands at
+// a name is replaced, not followed. A file that goes on (a table, a lock) must be a regular one. A folder may
+// be reached by links. Also what all writers share: numbers as text, and the message of a failed write.
 #pragma once
 
 #include <array>
@@ -9,8 +10,11 @@
 #include <charconv>
 #include <cmath>
 #include <cstdint>
+#include <cstdio>
 #include <filesystem>
-#include <fstream>
+#include <memory>
+#include <ostream>
+#include <streambuf>
 #include <string>
 #include <string_view>
 #include <system_error>
@@ -19,6 +23,7 @@
 
 #if __has_include(<unistd.h>) && __has_include(<fcntl.h>)
 #include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 #endif
 
@@ -59,17 +64,91 @@ enum class Sync {
   disk   ///< written to the disk: safe when the machine stops (POSIX; elsewhere as `none`)
 };
 
-/// Waits until a file, or the entries of a folder, are on the disk. Returns the operating system's number for
-/// the reason if they cannot be written, else 0; where the system does not tell, 0.
-inline int sync_to_disk([[maybe_unused]] const std::filesystem::path& path) {
+struct CloseFile {
+  void operator()(std::FILE* file) const { std::fclose(file); }
+};
+/// An open file.
+using FileHandle = std::unique_ptr<std::FILE, CloseFile>;
+
+/// Throws `output_error` if something stands at `path` that is neither a regular file nor a symbolic link: a
+/// file that is written takes the place of those alone.
+inline void check_place(const std::filesystem::path& path) {
+  std::error_code status;
+  const auto there = std::filesystem::symlink_status(path, status);
+  if (!std::filesystem::exists(there) || std::filesystem::is_regular_file(there) ||
+      std::filesystem::is_symlink(there))
+    return;
+  const bool folder = std::filesystem::is_directory(there);
+  throw output_error(
+      joined_text("output = ", path.string(), ": is ", folder ? "a folder" : "a device, pipe or socket",
+                  "; must be a regular file, a link, or nothing"),
+      static_cast<int>(folder ? std::errc::is_a_directory : std::errc::invalid_argument));
+}
+
+/// Makes a file; what stood at its name, a file or a link, is removed, not written to. Throws `output_error`
+/// that names `shown`.
+inline FileHandle make_file(const std::filesystem::path& path, const std::filesystem::path& shown) {
+  check_place(path);
+  std::error_code status;
+  std::filesystem::remove(path, status);
+  errno = 0;
+  FileHandle file{std::fopen(path.string().c_str(), "wbx")};  // x: the file must not be there, nor a link
+  if (!file)
+    fail_output(shown, "cannot be opened for writing; does the folder exist, and may you write there?",
+                status ? status.value() : errno);
+  return file;
+}
+
+/// Opens a file that is there to read and write it. Throws `output_error` if it is no regular file; a link is
+/// none.
+inline FileHandle open_to_change(const std::filesystem::path& path) {
+  errno = 0;
 #if __has_include(<unistd.h>) && __has_include(<fcntl.h>)
-  const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
-  if (file < 0) return 0;
-  const int reason = ::fsync(file) == 0 ? 0 : errno;
-  ::close(file);
-  return reason == EINVAL || reason == EROFS ? 0 : reason;  // no such thing there, for a folder
+  const int number = ::open(path.c_str(), O_RDWR | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK);
+  struct stat found {};
+  const bool regular = number >= 0 && ::fstat(number, &found) == 0 && S_ISREG(found.st_mode);
+  FileHandle file{regular ? ::fdopen(number, "r+b") : nullptr};
+  if (number >= 0 && !file) ::close(number);
+#else
+  const bool regular = std::filesystem::is_regular_file(std::filesystem::symlink_status(path));
+  FileHandle file{regular ? std::fopen(path.string().c_str(), "r+b") : nullptr};
+#endif
+  if (!file)
+    fail_output(path, "cannot be opened for writing; must be a regular file, and no link",
+                errno != 0 ? errno : static_cast<int>(std::errc::invalid_argument));
+  return file;
+}
+
+/// Cuts a file to its first bytes. Returns the operating system's number for the reason if it cannot, else 0.
+inline int cut_file([[maybe_unused]] std::FILE* file, [[maybe_unused]] const std::filesystem::path& path,
+                    std::uintmax_t bytes) {
+#if __has_include(<unistd.h>) && __has_include(<fcntl.h>)
+  return ::ftruncate(::fileno(file), static_cast<::off_t>(bytes)) == 0 ? 0 : errno;
+#else
+  std::error_code status;
+  std::filesystem::resize_file(path, bytes, status);
+  return status.value();
+#endif
+}
+
+/// Waits until a file is on the disk. Returns the operating system's number for the reason if it cannot be
+/// written, else 0; where the system does not tell, 0.
+inline int sync_to_disk([[maybe_unused]] std::FILE* file) {
+#if __has_include(<unistd.h>) && __has_include(<fcntl.h>)
+  const int reason = ::fsync(::fileno(file)) == 0 ? 0 : errno;
+  return reason == EINVAL || reason == EROFS ? 0 : reason;  // no such thing there
 #else
   return 0;
+#endif
+}
+
+/// Waits until the entries of a folder are on the disk, as far as the system does.
+inline void sync_folder([[maybe_unused]] const std::filesystem::path& folder) {
+#if __has_include(<unistd.h>) && __has_include(<fcntl.h>)
+  const int number = ::open(folder.c_str(), O_RDONLY | O_CLOEXEC | O_DIRECTORY);
+  if (number < 0) return;
+  [[maybe_unused]] const int ignored = ::fsync(number);
+  ::close(number);
 #endif
 }
 
@@ -78,56 +157,76 @@ inline int sync_to_disk([[maybe_unused]] const std::filesystem::path& path) {
 inline int reserve_on_disk([[maybe_unused]] const std::filesystem::path& path,
                            [[maybe_unused]] std::uintmax_t bytes) {
 #if __has_include(<unistd.h>) && __has_include(<fcntl.h>)
-  const int file = ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
-  if (file < 0) return errno;
-  const ::off_t size = ::lseek(file, 0, SEEK_END);
-  int reason = ::posix_fallocate(file, size, static_cast<::off_t>(bytes));
+  const FileHandle file = open_to_change(path);
+  const int number = ::fileno(file.get());
+  const ::off_t size = ::lseek(number, 0, SEEK_END);
+  int reason = ::posix_fallocate(number, size, static_cast<::off_t>(bytes));
   if (reason == EOPNOTSUPP || reason == EINVAL || reason == ENODEV) reason = 0;
-  if (reason != 0 && ::ftruncate(file, size) != 0) reason = errno;
-  ::close(file);
+  if (reason != 0 && ::ftruncate(number, size) != 0) reason = errno;
   return reason;
 #else
   return 0;
 #endif
 }
 
+/// What a stream writes goes to an open file.
+class FileBuffer : public std::streambuf {
+ public:
+  explicit FileBuffer(std::FILE* file) : file_{file} {}
+
+ protected:
+  int_type overflow(int_type c) override {
+    if (traits_type::eq_int_type(c, traits_type::eof())) return traits_type::not_eof(c);
+    return std::fputc(c, file_) == EOF ? traits_type::eof() : c;
+  }
+  std::streamsize xsputn(const char* text, std::streamsize bytes) override {
+    return static_cast<std::streamsize>(std::fwrite(text, 1, static_cast<std::size_t>(bytes), file_));
+  }
+
+ private:
+  std::FILE* file_;
+};
+
 /// Calls `write(std::ostream&)` on "path.part" and renames it to `path`, so that `path` is at any time
-/// absent, the old file, or the new one. The folder must exist. Throws `output_error` if it cannot be
-/// written; "path.part" is gone then.
+/// absent, the old file, or the new one; a link at either name is replaced. The folder must exist. Throws
+/// `output_error` if it cannot be written; "path.part" is gone then.
 template <class Write>
 void replace_file(const std::filesystem::path& path, Write&& write, Sync sync = Sync::none) {
+  check_place(path);
   std::filesystem::path part = path;
   part += ".part";
-  errno = 0;
-  std::ofstream file(part, std::ios::binary | std::ios::trunc);
-  if (!file)
-    fail_output(path, "cannot be opened for writing; does the folder exist, and may you write there?", errno);
+  FileHandle file = make_file(part, path);
+  std::setvbuf(file.get(), nullptr, _IOFBF, std::size_t{1} << 16);
   const auto discard = [&] {
     std::error_code ignored;
-    file.close();
+    file.reset();
     std::filesystem::remove(part, ignored);
   };
+  bool written = false;
   try {
-    write(static_cast<std::ostream&>(file));
-    file.close();
+    FileBuffer buffer(file.get());
+    std::ostream out(&buffer);
+    errno = 0;
+    write(out);
+    written = out.good() && std::fflush(file.get()) == 0;
   } catch (...) {
     discard();
     throw;
   }
-  int reason = file ? 0 : errno;
-  if (file && sync == Sync::disk) reason = sync_to_disk(part);
-  if (!file || reason != 0) {
+  int reason = written ? 0 : errno;
+  if (written && sync == Sync::disk) reason = sync_to_disk(file.get());
+  if (!written || reason != 0) {
     discard();
     fail_output(path, "cannot be written; is the disk full?", reason);
   }
+  file.reset();
   std::error_code status;
   std::filesystem::rename(part, path, status);
   if (status) {
     discard();
     fail_output(path, "cannot be put in place", status.value());
   }
-  if (sync == Sync::disk)
-    sync_to_disk(path.has_parent_path() ? path.parent_path() : ".");  // as far as it goes
+  if (sync == Sync::disk) sync_folder(path.has_parent_path() ? path.parent_path() : ".");
 }
 
 /// Appends the shortest text that reads back as the same double ("nan", "inf" and "-inf" for what is no

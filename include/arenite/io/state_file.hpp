@@ -13,7 +13,6 @@
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <cerrno>
 #include <charconv>
 #include <cstdint>
 #include <filesystem>
@@ -23,6 +22,7 @@
 #include <vector>
 
 #include <arenite/core/hash.hpp>
+#include <arenite/io/input_file.hpp>
 #include <arenite/io/output_file.hpp>
 #include <arenite/io/state_source.hpp>
 
@@ -80,9 +80,7 @@ class StateFile : public StateSource {
   /// Throws `error` that names the file and the reason: it cannot be read, is no state file, of another
   /// format or byte order, truncated, or damaged.
   explicit StateFile(const std::filesystem::path& path) : StateSource(path) {
-    errno = 0;
-    file_.open(path, std::ios::binary);
-    if (!file_) refuse(joined_text("cannot be read (", std::generic_category().message(errno), ")"));
+    file_ = shared_detail::open_input(path, "state file");
     read_head();
     check_whole();
   }

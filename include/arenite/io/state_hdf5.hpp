@@ -5,17 +5,16 @@
 #pragma once
 
 #include <algorithm>
-#include <cerrno>
 #include <cstddef>
 #include <filesystem>
 #include <fstream>
 #include <string>
 #include <string_view>
-#include <system_error>
 #include <vector>
 
 #include <arenite/core/hash.hpp>
 #include <arenite/io/hdf5_sets.hpp>
+#include <arenite/io/input_file.hpp>
 #include <arenite/io/output_file.hpp>
 #include <arenite/io/state_file.hpp>
 
@@ -85,9 +84,7 @@ class StateHdf5 : public StateSource {
     const auto refuse_it = [&](const std::string& rule) {
       throw error(joined_text("state file = ", path.string(), ": ", rule));
     };
-    errno = 0;
-    std::ifstream file(path, std::ios::binary);
-    if (!file) refuse_it(joined_text("cannot be read (", std::generic_category().message(errno), ")"));
+    std::ifstream file = shared_detail::open_input(path, "state file");
     std::string lines(Hdf5File::image_start, '\0');
     file.read(lines.data(), static_cast<std::streamsize>(lines.size()));
     lines.resize(static_cast<std::size_t>(file.gcount()));

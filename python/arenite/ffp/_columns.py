@@ -9,6 +9,7 @@ import numpy
 from numpy.typing import NDArray
 
 from .._errors import Error
+from ._files import MOST_TABLE, read_text
 from ._folder import Folder
 from ._optional import need
 
@@ -27,7 +28,7 @@ class Columns(Mapping[str, "NDArray[numpy.float64]"]):
         if self._columns is None:
             path = self._folder.path / self._name
             try:
-                text = path.read_text(encoding="utf-8")
+                text = read_text(path, MOST_TABLE)
             except OSError as problem:
                 raise Error(f"{path}: cannot be read: {problem.strerror}") from None
             whole = text[:text.rfind("\n") + 1]  # the last row of a run that was killed may be cut

@@ -31,9 +31,8 @@ def program() -> Path:
         return own
     found = shutil.which(NAME)
     if found is None:
-        raise Error(f"{NAME}: there is no such program in {own.parent} or on PATH; install the package where CLI11 and "
-                    "nlohmann-json are found (Debian: libcli11-dev nlohmann-json3-dev), or build the program (cmake --build DIR "
-                    f"--target {NAME}) and set ARENITE_FFP to its path")
+        raise Error(f"{NAME}: there is no such program in {own.parent} or on PATH; the package brings it along where it "
+                    f"is installed by pip; else build the program (cmake --build DIR --target {NAME}) and set ARENITE_FFP to its path")
     return Path(found)
 
 

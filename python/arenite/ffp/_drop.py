@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import warnings
 from functools import cached_property
 from pathlib import Path
@@ -12,6 +11,7 @@ from .._errors import Error
 from ._columns import Columns
 from ._curve import Curve
 from ._driver import Runs
+from ._files import read_json
 from ._folder import Folder, PathLike
 from ._mean import moving_mean
 from ._plot import draw
@@ -42,7 +42,7 @@ class Drop:
         path = self.folder / "summary.json"
         try:
             #: The fields of summary.json: results, inputs, steps, warnings; None where there is no number.
-            self.summary: Dict[str, Any] = json.loads(path.read_text(encoding="utf-8"))
+            self.summary: Dict[str, Any] = read_json(path)
         except (OSError, ValueError) as problem:
             raise Error(f"{self.folder}: must be the folder of a drop, with its summary.json ({problem})") from None
         #: A row at the start and one after each step: `history["penetration_m"]` is an array [steps + 1].

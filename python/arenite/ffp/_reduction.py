@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import os
 from pathlib import Path
 from typing import Any, Dict, Iterator, Mapping, Optional
@@ -10,6 +9,7 @@ from typing import Any, Dict, Iterator, Mapping, Optional
 from .._errors import Error
 from . import _driver
 from ._columns import Columns
+from ._files import read_json
 from ._folder import Folder, PathLike
 from ._text import quantity
 from ._words import words_of
@@ -65,7 +65,7 @@ def reduction_in(folder: Folder) -> Optional[Reduction]:
     """The reduction that lies in a folder; None if there is none."""
     path = folder.path / "reduced.json"
     try:
-        return Reduction(folder, json.loads(path.read_text(encoding="utf-8")))
+        return Reduction(folder, read_json(path))
     except FileNotFoundError:
         return None
     except (OSError, ValueError) as problem:

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import csv
+from pathlib import Path
 from typing import Any, Dict, Iterator, List, Sequence, Tuple
 
 import numpy
 from numpy.typing import NDArray
 
 from ._drop import Drop
+from ._files import replaced
 from ._folder import PathLike
 from ._optional import need
 
@@ -53,7 +55,7 @@ class Table:
 
     def to_csv(self, path: PathLike) -> None:
         """Writes a line of names and a line a drop; a field without a value is empty."""
-        with open(path, "w", newline="", encoding="utf-8") as file:
+        with replaced(Path(path)) as file:
             writer = csv.DictWriter(file, self.columns)
             writer.writeheader()
             writer.writerows(self._rows)

@@ -4,7 +4,7 @@ A scene is made of recipes with the words of the C++ library and stepped by comp
 tension positive."""
 
 from . import (_core, boundary, drive as _drive, ffp, fill as _fill, laws, meshes, numerics, points, rigid,
-               scene as _scene, shapes)
+               scene as _scene, shapes, watch as _watch)
 from ._errors import Error, RunError, Warning
 from ._plugins import set_threads
 from .boundary import *  # noqa: F403
@@ -22,9 +22,10 @@ from .scene import *  # noqa: F403
 from .shapes import *  # noqa: F403
 from .views import View
 from .vtu import Vtu
+from .watch import *  # noqa: F403
 
 __version__: str = _core.version
 
 __all__ = ["Error", "Ramp", "RunError", "Scaled", "Signal", "Table", "View", "Vtu", "Warning", "compile", "ffp", "set_threads", "to_meshio", "to_pyvista",
            *boundary.__all__, *_drive.__all__, *_fill.__all__, *laws.__all__, *meshes.__all__, *numerics.__all__, *points.__all__,
-           *rigid.__all__, *_scene.__all__, *shapes.__all__]
+           *rigid.__all__, *_scene.__all__, *shapes.__all__, *_watch.__all__]

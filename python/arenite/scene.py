@@ -19,6 +19,7 @@ from .meshes import Mesh
 from .numerics import Numerics
 from .rigid import MovingMesh, Rigid, RigidContact
 from .views import Body, RigidState, State
+from .watch import Progress, Watch, Watched
 
 STOP = True  #: what a function of `run` returns to end the run there
 
@@ -195,6 +196,11 @@ class Scene:
         """The energy balance, J."""
         return Energies(*self._core.energies())
 
+    @property
+    def watched(self) -> Dict[str, Watched]:
+        """What the `Watch` given to the last run saw, by quantity; empty if it was given none."""
+        return {name: Watched(*seen) for name, *seen in self._core.watched()}
+
     def nodes(self, body: Union[int, str] = 0) -> Nodes:
         """Nodes with the velocity field of a body."""
         return Nodes(*self._core.nodes(self.number_of(body)))
@@ -271,11 +277,14 @@ Observer = Callable[[Scene], Any]
 
 
 def run(scene: Scene, end: float, courant: float = 0.5, max_step: float = float("inf"),
-        every: Optional[Mapping[float, Observer]] = None, after_step: Optional[Observer] = None) -> None:
+        every: Optional[Mapping[float, Observer]] = None, after_step: Optional[Observer] = None, *,
+        watch: Union[bool, Watch] = True, progress: Union[bool, Progress] = False) -> None:
     """Steps a scene to `end`, s. `every`: functions of the scene by their period, s, called at the start and at the
     first step at or after each multiple; `after_step` after each step. One that returns `STOP` ends the run. Raises
-    `RunError` if the run fails physically; Ctrl-C stops it after the step."""
-    _run(scene, end, courant, max_step, None, every, after_step)
+    `RunError` if the run fails physically, or goes past a limit of the `watch` (False: nobody watches); Ctrl-C stops it
+    after the step."""
+    shown = Progress() if progress is True else progress or None
+    _run(scene, end, courant, max_step, None, every, after_step, watch, shown)
 
 
 def settle(scene: Scene, end: float, ratio: float = 1e-3, courant: float = 0.5,
@@ -287,12 +296,17 @@ def settle(scene: Scene, end: float, ratio: float = 1e-3, courant: float = 0.5,
 
 
 def _run(scene: Scene, end: float, courant: float, max_step: float, ratio: Optional[float],
-         every: Optional[Mapping[float, Observer]], after_step: Optional[Observer]) -> None:
+         every: Optional[Mapping[float, Observer]], after_step: Optional[Observer], watch: Union[bool, Watch] = True,
+         progress: Optional[Progress] = None) -> None:
     every = dict(every or {})
     observers = list(every.values())
     after = None if after_step is None else lambda: after_step(scene) is STOP
-    scene._core.run(end, courant, max_step, ratio, [float(p) for p in every],
-                    lambda k: observers[k](scene) is STOP, after)
+    if progress:
+        progress.start(scene.time, end)
+    scene._core.run(end, courant, max_step, ratio, [float(p) for p in every], lambda k: observers[k](scene) is STOP, after,
+                    watch.value() if isinstance(watch, Watch) else watch, progress and (lambda: progress(scene)))
+    if progress:
+        progress(scene, done=True)
 
 
 __all__ = ["Energies", "Nodes", "Reaction", "STOP", "Scene", "run", "settle"]

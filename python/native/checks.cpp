@@ -3,6 +3,7 @@
 #include "checks.hpp"
 
 #include <arenite/host/read_recipes.hpp>
+#include <arenite/observe/watch.hpp>
 #include <map>
 #include <type_traits>
 #include <utility>
@@ -131,6 +132,8 @@ Checks made() {
            Prescribed>(checks);
   checks.emplace("Fmpm", &reads<Fmpm>);  // the one and the other of `SweptFlip`
   checks.emplace("Xpic", &reads<Xpic>);
+  checks.emplace(
+      "Watch", [](const Value& values) { Watch(read<WatchLimits>(values, Reading{.name = "WatchLimits"})); });
   checks.emplace("Geostatic", &check_geostatic);
   checks.emplace("Guided", &binds<BoundGuided<double, 3>, Guided>);
   checks.emplace("PrescribedPose", &binds<BoundPrescribedPose<double, 3>, PrescribedPose>);

@@ -64,15 +64,19 @@ class SceneHandle {
     return f(*scene_);
   }
 
-  /// Runs to `end`; calls `due(k)` when period k is due, and `after_step()` after each step, both between
-  /// steps, where they may use the scene; one that returns true ends the run.
+  /// Runs to `end`; calls `due(k)` when period k is due, `after_step()` after each step, and `now_and_then()`
+  /// some times a second, all between steps, where they may use the scene; one of the first two that returns
+  /// true ends the run. `watch`: whether it is watched, or limits by name.
   void run(double end, double courant, double max_step, std::optional<double> settle,
            std::vector<double> periods, const py::function& due,
-           const std::optional<py::function>& after_step) {
+           const std::optional<py::function>& after_step, py::handle watch,
+           const std::optional<py::function>& now_and_then) {
     HostedRun run{.end = end,
                   .courant = courant,
                   .max_step = max_step,
                   .settle = settle,
+                  .watch = !watch.is(py::bool_(false)),
+                  .limits = py::isinstance<py::dict>(watch) ? std::optional(value_of(watch)) : std::nullopt,
                   .periods = std::move(periods)};
     bool stops = false;
     const auto call = [&](const py::function& f, auto... arguments) {
@@ -89,6 +93,8 @@ class SceneHandle {
         looked = now;
         const py::gil_scoped_acquire lock;
         if (PyErr_CheckSignals() != 0) throw py::error_already_set();
+        const Pause pause(in_use_);
+        if (now_and_then) (*now_and_then)();
       }
       return stops;
     };
@@ -388,6 +394,14 @@ PYBIND11_MODULE(_core, m) {
       .def("stable_step", [](SceneHandle& h) { return h.outside([](Scene& s) { return s.stable_step(); }); })
       .def("step", [](SceneHandle& h, double dt) { h.outside([&](Scene& s) { s.step(dt); }); })
       .def("run", &SceneHandle::run)
+      .def("watched",
+           [](SceneHandle& h) {
+             py::list all;
+             for (const HostedWatched& w : h.inside([](Scene& s) { return s.watched(); }))
+               all.append(
+                   py::make_tuple(w.name, w.meaning, w.limit, w.worst, w.time, w.body, w.place, w.warned));
+             return all;
+           })
       .def("out_of_balance",
            [](SceneHandle& h) { return h.outside([](Scene& s) { return s.out_of_balance(); }); })
       .def("switch_off_damping", [](SceneHandle& h) { h.outside([](Scene& s) { s.switch_off_damping(); }); })

@@ -18,7 +18,7 @@ def recipes():
     ar = pytest.importorskip("arenite")
     from arenite._recipe import Recipe
 
-    abstract = {"Law", "Shape", "Signal"}
+    abstract = {"Law", "Shape", "Signal", "Watch"}
     return [x for x in (getattr(ar, name) for name in ar.__all__ if name not in abstract) if isinstance(x, type) and issubclass(x, Recipe)]
 
 

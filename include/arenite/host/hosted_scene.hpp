@@ -57,12 +57,26 @@ struct HostedProbes {
   std::vector<double> stress{};    ///< [n x 4 or 6], Pa
 };
 
+/// What a `Watch` saw of a quantity, as `Watched` has it.
+struct HostedWatched {
+  std::string name;
+  std::string meaning;
+  double limit = 0;
+  double worst = 0;  ///< NaN: not looked at
+  double time = 0;   ///< of the worst value, s
+  int body = -1;     ///< of the worst value; -1: the whole scene
+  std::array<double, 3> place{};
+  bool warned = false;
+};
+
 /// What a run is asked for.
 struct HostedRun {
   double end;                              ///< s, on the scene's clock
   double courant = 0.5;                    ///< share of the stable step, -
   double max_step = 1e300;                 ///< s
   std::optional<double> settle{};          ///< ends when settled to this ratio (`SettleOptions`), -
+  bool watch = true;                       ///< whether the run is watched
+  std::optional<Value> limits{};           ///< of the watch, `WatchLimits` by name; none: those of `run`
   std::vector<double> periods{};           ///< s; each has a callback
   std::function<void(std::size_t)> due{};  ///< called with the number of a period that is due
   std::function<bool()> after_step{};      ///< called after each step; returns whether the run stops there
@@ -82,6 +96,8 @@ class HostedScene {
   virtual double stable_step() const = 0;
   virtual void step(double dt) = 0;
   virtual void run(const HostedRun&) = 0;
+  /// What the watch of the last run saw; empty if it had none.
+  virtual std::vector<HostedWatched> watched() const = 0;
 
   /// As `out_of_balance` has it; of a scene in which a part damps.
   virtual double out_of_balance() const = 0;

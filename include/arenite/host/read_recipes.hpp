@@ -1,9 +1,11 @@
 // Recipes of a scene out of a host's values: those that are no plain aggregates.
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <limits>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -212,6 +214,14 @@ struct Reader<Fill<L, name>> {
     return {arenite::read<AnyRegion>(given("region"), at / "region"),
             arenite::read<L>(given("law"), at / "law"),
             arenite::read<FillOptions>(given("options"), at.renamed("FillOptions"))};
+  }
+};
+/// It has nothing to give: what it sums begins at 0.
+template <>
+struct Reader<TrackEnergy> {
+  static TrackEnergy read(const Value& value, const Reading& at) {
+    detail::refuse_unknown(detail::dict(value, at), std::array<std::string_view, 0>{}, at);
+    return {};
   }
 };
 /// Of lists: a value each.

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <string>
 #include <tuple>
 #include <type_traits>
@@ -14,6 +15,7 @@
 #include <arenite/observe/energy.hpp>
 #include <arenite/observe/every.hpp>
 #include <arenite/observe/saved_state.hpp>
+#include <arenite/observe/watch.hpp>
 #include <arenite/scene/run.hpp>
 #include <arenite/scene/settle.hpp>
 #include <arenite/scene/state.hpp>
@@ -36,12 +38,12 @@ class SceneHost : public HostedScene {
   std::size_t generation() const override { return generation_; }
   double stable_step() const override { return arenite::stable_step(*scene_); }
   void step(double dt) override {
-    const Watched watched(*this);
+    const Moved moved(*this);
     arenite::step(*scene_, dt);
   }
 
   void run(const HostedRun& run) override {
-    const Watched watched(*this);
+    const Moved moved(*this);
     std::vector<Every<std::function<void(const Scene&)>>> timers;
     for (std::size_t k = 0; k < run.periods.size(); ++k)
       timers.emplace_back(run.periods[k], [this, &run, k](const Scene&) {
@@ -49,21 +51,38 @@ class SceneHost : public HostedScene {
         run.due(k);
       });
     bool first = true;
+    watch_.reset();
+    if (run.watch && run.limits)
+      watch_.emplace(read<WatchLimits>(*run.limits, Reading{.name = "WatchLimits"}));
+    else if (run.watch && !run_watches<RunOptions>)
+      watch_.emplace();
     const auto observe = [&](const Scene& scene) {
       for (auto& timer : timers) timer(scene);
       look_for_moves();
       const bool stops = !first && run.after_step && run.after_step();
+      if (watch_) (*watch_)(scene);
       first = false;
       return stops ? RunFlow::stop : RunFlow::go_on;
     };
     if (!run.settle) {
-      arenite::run(*scene_, {.end = run.end, .courant = run.courant, .max_step = run.max_step}, observe);
+      RunOptions options{.end = run.end, .courant = run.courant, .max_step = run.max_step};
+      if constexpr (run_watches<RunOptions>) watch_of(options) = run.watch && !watch_;
+      arenite::run(*scene_, options, observe);
+      if (watch_) watch_->finish(*scene_);
       return;
     }
     if constexpr (Scene::has_start_state)
       arenite::settle(*scene_, {.ratio = *run.settle, .end = run.end, .courant = run.courant}, observe);
     else
       throw error(needs_damping("settle"));
+  }
+  std::vector<HostedWatched> watched() const override {
+    std::vector<HostedWatched> all;
+    if (watch_)
+      for (const Watched& w : watch_->seen())
+        all.push_back({std::string(w.name), std::string(w.meaning), w.limit, w.worst, w.time, w.body, w.place,
+                       w.warned});
+    return all;
   }
   double out_of_balance() const override {
     if constexpr (Scene::has_start_state)
@@ -171,17 +190,27 @@ class SceneHost : public HostedScene {
   }
 
  private:
+  /// Whether `run` has a watch of its own.
+  template <class Options>
+  static constexpr bool run_watches = requires(Options o) {
+    o.watch;
+  };
+  template <class Options>
+  static bool& watch_of(Options& options) {
+    return options.watch;
+  }
+
   static std::string needs_damping(const char* what) {
     return joined_text(what, ": name a part that damps: LocalDamping or ViscousDamping");
   }
 
   /// Looks for moves of points when a call ends, however it ends.
-  class Watched {
+  class Moved {
    public:
-    explicit Watched(SceneHost& host) : host_{host} { host.look_for_moves(); }
-    ~Watched() { host_.look_for_moves(); }
-    Watched(const Watched&) = delete;
-    Watched& operator=(const Watched&) = delete;
+    explicit Moved(SceneHost& host) : host_{host} { host.look_for_moves(); }
+    ~Moved() { host_.look_for_moves(); }
+    Moved(const Moved&) = delete;
+    Moved& operator=(const Moved&) = delete;
 
    private:
     SceneHost& host_;
@@ -204,6 +233,7 @@ class SceneHost : public HostedScene {
   }
 
   std::unique_ptr<Scene> scene_;
+  std::optional<Watch> watch_;  // of the last run
   std::size_t generation_ = 0, seen_ = 0;
 };
 

@@ -1,0 +1,66 @@
+"""A run is watched unless one says that it is not, and tells how far it is if asked."""
+
+import io
+import math
+
+import pytest
+
+
+def test_limits_are_those_of_cplusplus(ar):
+    """Each by its name, and refused where the watch is made."""
+    with pytest.raises(ar.Error, match="WatchLimits.volume = 0: must be positive"):
+        ar.Watch(volume=0)
+    with pytest.raises(ar.Error, match="WatchLimits.every"):
+        ar.Watch(every=0)
+    with pytest.raises(ar.Error, match="WatchLimits.volumes = 1: is unknown; there are: energy_gain"):
+        ar.Watch(volumes=1)
+
+
+def test_a_run_past_a_limit_is_stopped(ar, column):
+    scene = column()
+    with pytest.raises(ar.RunError, match="volume = .*: the limit is 0.001"):
+        ar.run(scene, end=0.4, watch=ar.Watch(volume=1e-3, every=1))
+    assert scene.time < 0.4
+    seen = scene.watched["volume"]
+    assert seen.worst > seen.limit == 1e-3 and seen.body == 0 and seen.time == scene.time
+
+
+def test_run_watches_unless_told_not_to(ar, column):
+    """Points that a function throws about: energy that nothing put in."""
+
+    def kick(scene):
+        if 0.02 < scene.time:
+            scene.bodies["sand"].velocity[:] = 3.0
+
+    scene = column()
+    with pytest.raises(ar.RunError, match="energy_gain"):
+        ar.run(scene, end=0.1, after_step=kick)
+    unseen = column()
+    ar.run(unseen, end=0.05, after_step=kick, watch=False)
+    assert unseen.watched == {} and unseen.time == 0.05
+
+
+def test_what_is_sound_is_not_warned_of_and_keeps_its_bits(ar, column, recwarn):
+    seen, unseen = column(), column()
+    ar.run(seen, end=0.1, watch=ar.Watch())
+    ar.run(unseen, end=0.1, watch=False)
+    assert not [w for w in recwarn if issubclass(w.category, ar.Warning)]
+    assert set(seen.watched) >= {"energy_gain", "volume", "strength", "lost"}
+    assert seen.watched["strength"].worst < 1e-9 and math.isfinite(seen.watched["energy_gain"].worst)
+    assert all((seen.state[path] == unseen.state[path]).all() for path in seen.state)
+
+
+def test_progress(ar, column):
+    """Where it is no terminal: a line each tenth; on one, a line that is rewritten."""
+    told = io.StringIO()
+    ar.run(column(), end=0.2, progress=ar.Progress(told))
+    lines = told.getvalue().splitlines()
+    assert lines[-1].startswith("100.0 %  t = 0.20000 s") and 1 <= len(lines) <= 10
+
+    class Terminal(io.StringIO):
+        def isatty(self):
+            return True
+
+    screen = Terminal()
+    ar.run(column(), end=0.02, progress=ar.Progress(screen))
+    assert screen.getvalue().startswith("\r100.0 %") and screen.getvalue().endswith("\n")

@@ -1,13 +1,11 @@
 """Compositions compiled on first use by the system's compiler, and cached.
 
-The cache (ARENITE_CACHE, else arenite in the user's cache folder) holds one shared object for each hash of source,
-headers, compiler and flags. One process at a time compiles one of them; an object appears under its name when it is
-complete, so that a killed compiler leaves nothing that counts."""
+The name of an object is a hash of all that decides it: the unit's text, compiler and flags, and the content of every
+file that the compiler read (a law's header and what it includes, the library, Eigen, the system's headers), as the
+compiler listed them when it last compiled the unit. One process at a time compiles one unit."""
 
 from __future__ import annotations
 
-import contextlib
-import fcntl
 import functools
 import hashlib
 import os
@@ -16,21 +14,14 @@ import shlex
 import shutil
 import subprocess
 import sys
-import tempfile
 import time
 from pathlib import Path
-from typing import Iterator, List, Sequence
+from typing import Container, List, Sequence, Tuple
 
-from . import _core
+from . import _cache, _core
 from ._errors import Error
 
 PACKAGE = Path(__file__).parent
-
-
-def cache() -> Path:
-    given = os.environ.get("ARENITE_CACHE")
-    root = Path(given) if given else Path(os.environ.get("XDG_CACHE_HOME", Path.home() / ".cache")) / "arenite"
-    return root
 
 
 def include_folders() -> List[Path]:
@@ -40,44 +31,41 @@ def include_folders() -> List[Path]:
 
 
 def compiler() -> List[str]:
-    words = shlex.split(os.environ.get("CXX", "")) or ["g++"]
+    given = os.environ.get("CXX", "")
+    try:
+        words = shlex.split(given) or ["g++"]
+    except ValueError as e:
+        raise Error(f"CXX = {given}: must be words as a shell takes them ({e})") from e
     if shutil.which(words[0]) is None:
         raise Error(f"compiler = {words[0]}: not found. This composition is not prebuilt and must be compiled: install "
                     "g++ 12 or clang++ 14 (or newer), or name one in the environment's CXX")
     return words
 
 
-@functools.lru_cache(maxsize=None)
-def _compiler_version(words: Sequence[str]) -> str:
-    return subprocess.run([*words, "--version"], capture_output=True, text=True, check=False).stdout
+def _called(command: Sequence[str]) -> "subprocess.CompletedProcess[str]":
+    try:
+        return subprocess.run(command, capture_output=True, text=True, errors="replace", check=False)
+    except OSError as e:
+        raise Error(f"compiler = {command[0]}: cannot be run ({e.strerror}); name one in the environment's CXX") from e
 
 
 @functools.lru_cache(maxsize=None)
-def _headers_hash(folders: Sequence[Path]) -> str:
-    found = hashlib.sha256()
-    for path in sorted((folders[0] / "arenite").rglob("*.hpp")):
-        found.update(path.read_bytes())
-    return found.hexdigest()
+def _compiler_version(words: Tuple[str, ...], path: str) -> str:
+    return path + "\n" + _called([*words, "--version"]).stdout
 
 
 def source(what: str, type_name: str, headers: Sequence[str]) -> str:
-    """C++ of a shared object that offers one composition or law."""
+    """C++ of a shared object that offers one composition or law. Its words are looked up in the library; names of
+    one's own begin with `::`, so that they may be any."""
     host = {"scene": ("scene_host", "SceneMaker", "make_hosted"), "law": ("law_host", "LawMaker", "make_hosted_law")}
     file, maker, make = host[what]
     own = "".join(f'#include "{Path(h).resolve()}"\n' for h in headers)
     return (f"#include <arenite/host/plugin.hpp>\n#include <arenite/host/{file}.hpp>\n{own}"
-            "using namespace arenite;\n"
+            "namespace arenite::compiled_on_first_use {\n"
             f"using Type = {type_name};\n"
             f'static const shared_detail::Offer offer{{Plugin::{maker}{{"{type_name}", &{make}<Type>}}}};\n'
+            "}\n"
             "ARENITE_PLUGIN\n")
-
-
-@contextlib.contextmanager
-def _locked(path: Path) -> Iterator[None]:
-    """Waits for other processes; the system frees the lock of one that dies."""
-    with open(path, "w") as file:
-        fcntl.flock(file, fcntl.LOCK_EX)
-        yield
 
 
 def _cause(output: str) -> str:
@@ -90,49 +78,110 @@ def _cause(output: str) -> str:
     return found.group(1).strip() if found else output.strip()[-2000:]
 
 
-def built(what: str, type_name: str, headers: Sequence[str], flags: Sequence[str]) -> Path:
-    """The shared object of a composition, compiled if it is not in the cache."""
+def _files_read(rule: str, unit: Path) -> List[str]:
+    """Files of a dependency rule as make reads it, but the unit itself."""
+    words = re.findall(r"(?:\\.|[^\s\\])+", rule.split(":", 1)[1].replace("\\\n", " "))
+    paths = {os.path.abspath(re.sub(r"\\(.)", r"\1", w).replace("$$", "$")) for w in words}
+    return sorted(paths - {os.path.abspath(unit)})
+
+
+def _compiled(command: Sequence[str], text: str, type_name: str, folder: Path, log: Path) -> List[str]:
+    """Compiles `folder/unit.so`; returns the files that the compiler read."""
+    unit, out, rule = folder / "unit.cpp", folder / "unit.so", folder / "unit.d"
+    unit.write_text(text)
+    done = _called([*command, "-MD", "-MF", str(rule), str(unit), "-o", str(out)])
+    if done.returncode != 0:
+        log.write_text(done.stderr)
+        raise Error(f"{_cause(done.stderr)}\n  (compiling {type_name}; the compiler's words: {log})")
+    if not out.is_file() or not rule.is_file():
+        raise Error(f"compiler = {' '.join(command[:1])}: ended without an error, but made no object; "
+                    "name g++ or clang++ in the environment's CXX")
+    return _files_read(rule.read_text(errors="surrogateescape"), unit)
+
+
+def _made(command: Sequence[str], text: str, type_name: str, key: str, place: Path) -> Path:
+    """Compiles and stores an object and the list of the files that it was made of."""
+    folder = place / f"{key}.tmp"
+    rounds = 3
+    for _ in range(rounds):
+        shutil.rmtree(folder, ignore_errors=True)  # that of a process that was killed
+        folder.mkdir(mode=0o700)
+        try:
+            begin = time.time_ns()
+            files = _compiled(command, text, type_name, folder, place / f"{key}.log")
+            name = _cache.hash_of_files(key, files)
+            # What was saved meanwhile may have been read before or after.
+            if name is None or any(os.stat(f).st_ctime_ns >= begin for f in files):
+                continue
+            made = place / f"{name}.so"
+            _cache.store(folder / "unit.so", made)
+            listed = folder / "files"
+            listed.write_bytes("\n".join(files).encode(errors="surrogateescape"))
+            _cache.store(listed, place / f"{key}.files")
+            return made
+        finally:
+            shutil.rmtree(folder, ignore_errors=True)
+    raise Error(f"compiling {type_name}: its headers changed while they were compiled, {rounds} times; try again")
+
+
+def _found(key: str, place: Path) -> Path:
+    """The object that the files as they are now lead to; it may not be there."""
+    files = _cache.read_list(place / f"{key}.files")
+    name = _cache.hash_of_files(key, files) if files else None
+    return place / f"{name or key}.so"
+
+
+def built(what: str, type_name: str, headers: Sequence[str], flags: Sequence[str], loaded: Container[str] = ()) -> Path:
+    """The shared object of a composition, compiled if it is not in the cache. `loaded`: those that need not be looked
+    at again."""
     for h in headers:
         if not Path(h).is_file():
             raise Error(f"header = {h}: there is no such file")
+        if re.search(r'["\\\n]', str(Path(h).resolve())):
+            raise Error(f"header = {h}: its path must hold no quote, backslash or line break")
     words, folders = compiler(), tuple(include_folders())
     if not (folders[0] / "arenite" / "arenite.hpp").is_file():
         raise Error(f"include = {folders[0]}: the library's headers are not there; set ARENITE_INCLUDE")
     text = source(what, type_name, headers)
-    own = "".join(Path(h).read_text() for h in headers)
-    key = hashlib.sha256("\0".join([text, own, _core.version, _compiler_version(tuple(words)), *flags,
-                                    _headers_hash(folders)]).encode()).hexdigest()[:32]
-    place = cache()
-    place.mkdir(parents=True, exist_ok=True)
-    made = place / f"{key}.so"
-    if made.exists():
-        return made
-    with _locked(place / f"{key}.lock"):
-        if made.exists():
+    command = [*words, "-std=c++20", "-O3", "-DNDEBUG", "-fPIC", "-shared", *flags, *(f"-isystem{f}" for f in folders)]
+    paths_of_compiler = [os.environ.get(name, "") for name in ("CPATH", "CPLUS_INCLUDE_PATH", "COMPILER_PATH", "LIBRARY_PATH")]
+    version = _compiler_version(tuple(words), os.path.realpath(shutil.which(words[0]) or ""))
+    key = hashlib.sha256("\0".join([text, _core.version, version, *command, *paths_of_compiler])
+                         .encode(errors="surrogateescape")).hexdigest()[:32]
+    place = _cache.opened()
+    try:
+        made = _found(key, place)
+        if str(made) in loaded or _cache.whole(made):
             return made
-        print(f"arenite: compiling {type_name} (once; {place}) ..", file=sys.stderr, flush=True)
-        begin = time.monotonic()
-        with tempfile.TemporaryDirectory(dir=place) as folder:
-            unit, out = Path(folder) / "composition.cpp", Path(folder) / "composition.so"
-            unit.write_text(text)
-            command = [*words, "-std=c++20", "-O3", "-DNDEBUG", "-fPIC", "-shared", *flags,
-                       *(f"-isystem{f}" for f in folders), str(unit), "-o", str(out)]
-            done = subprocess.run(command, capture_output=True, text=True, check=False)
-            if done.returncode != 0:
-                log = place / f"{key}.log"
-                log.write_text(done.stderr)
-                raise Error(f"{_cause(done.stderr)}\n  (compiling {type_name}; the compiler's words: {log})")
-            os.replace(out, made)
-        print(f"arenite: compiled in {time.monotonic() - begin:.0f} s", file=sys.stderr, flush=True)
-    return made
+        with _cache.locked(place / f"{key}.lock"):
+            made = _found(key, place)
+            if _cache.whole(made):
+                return made
+            print(f"arenite: compiling {type_name} (once; {place}) ..", file=sys.stderr, flush=True)
+            start = time.monotonic()
+            made = _made(command, text, type_name, key, place)
+            print(f"arenite: compiled in {time.monotonic() - start:.0f} s", file=sys.stderr, flush=True)
+            return made
+    except OSError as e:
+        _cache.refuse(place, e)
 
 
 def law_name(header: Path) -> str:
-    """The class in a header that has an `update`: the last one before it."""
-    text = re.sub(r"//.*", "", header.read_text())
+    """The class in a header that has an `update`, with its namespaces: the last one before it."""
+    try:
+        text = re.sub(r"//.*|(?s:/\*.*?\*/)", "", header.read_bytes().decode(errors="replace"))
+    except OSError as e:
+        raise Error(f"compile: law = {header}: cannot be read ({e.strerror})") from e
     at = re.search(r"\bupdate\s*\(", text)
-    names = re.findall(r"\b(?:class|struct)\s+(\w+)\s*(?::[^;{]*)?\{", text[: at.start()] if at else text)
-    outer = [n for n in names if n not in ("History", "Parameters")]
-    if not outer:
+    begin = text[: at.start()] if at else text
+    found = [m for m in re.finditer(r"\b(?:class|struct)\s+(\w+)\s*(?:final\s*)?(?::[^;{]*)?\{", begin)
+             if m.group(1) not in ("History", "Parameters")]
+    if not found:
         raise Error(f"compile: law = {header}: holds no class with update(..); name it: compile(law=.., name=..)")
-    return str(outer[-1])
+    within: List[str] = []
+    for brace in re.finditer(r"(?:\bnamespace\s+([\w:]*)\s*)?(\{|\})", begin[: found[-1].start()]):
+        if brace.group(2) == "{":
+            within.append(brace.group(1) or "")
+        elif within:
+            within.pop()
+    return "::".join([*(w for w in within if w), found[-1].group(1)])

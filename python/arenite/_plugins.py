@@ -60,7 +60,7 @@ def _find(kind: Dict[str, Any], what: str, type_name: str, headers: Sequence[str
     with _lock:
         _ensure_prebuilt()
         if headers or type_name not in kind:
-            path = _compile.built(what, type_name, headers, WIDTHS[width()]["flags"])
+            path = _compile.built(what, type_name, headers, WIDTHS[width()]["flags"], loaded=_plugins)
             if str(path) not in _plugins:
                 _open(path)
             return _plugins[str(path)]

@@ -6,8 +6,6 @@ import dataclasses
 import inspect
 from typing import Any, Callable
 
-import numpy as np
-
 from . import _core
 
 _WITH_RULES = frozenset(_core.checked_recipes())
@@ -63,6 +61,11 @@ def function_value(f: Any) -> Any:
     """A number, vector or recipe as it is; a function `f(t)` or `f(x, t)` so that the core calls it with rows."""
     if isinstance(f, Recipe) or not callable(f):
         return plain(f)
-    if arguments_of(f) >= 2:
-        return {"of_place": lambda rows: np.atleast_1d(f(rows[0, :3], float(rows[0, 3])))}
-    return {"of_time": lambda rows: np.atleast_1d(f(float(rows[0, 0])))}
+    of_place = arguments_of(f) >= 2
+
+    def of_rows(rows: Any) -> Any:
+        return f(rows[0, :3], float(rows[0, 3])) if of_place else f(float(rows[0, 0]))
+
+    of_rows.__wrapped__ = f  # type: ignore[attr-defined]  # messages name it
+    return {"of_place" if of_place else "of_time": of_rows}
+

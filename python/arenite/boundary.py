@@ -282,7 +282,7 @@ class OwnPart(Part):
     """A part of one's own, of a C++ header: an aggregate with these members.
 
     parameter  unit  range           default  meaning
-    type       -     a name          needed   the class in C++
+    type       -     a name          needed   the class in C++, with its namespaces
     path       -     a file          needed   its header
     members    -     values by name  {}"""
 
@@ -291,7 +291,7 @@ class OwnPart(Part):
     members: Any = field(default_factory=dict)
 
     def cpp(self) -> str:
-        return self.type
+        return "::" + self.type
 
     def rules(self) -> str:
         return ""

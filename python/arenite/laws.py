@@ -339,7 +339,7 @@ class OwnLaw(Law):
     parameters: Dict[str, Any] = field(default_factory=dict)
 
     def cpp(self) -> str:
-        return self.name
+        return "::" + self.name
 
     def header(self) -> Optional[str]:
         return self.path

@@ -3,28 +3,30 @@
 from __future__ import annotations
 
 import os
+import re
 from pathlib import Path
 from typing import Any, Callable, Union
 
 from . import _compile
+from ._errors import Error
 from .laws import OwnLaw
 
 
 def compile(law: Union[str, "os.PathLike[str]"], name: str = "") -> Callable[..., OwnLaw]:
     """A law out of a C++ header (as examples/own_law.hpp): `Viscous = ar.compile(law="viscous.hpp")`, then
     `Viscous(density=.., ..)` is a law like any other. Its parameters are those of its struct `Parameters`, or its own
-    members if it is an aggregate. It is compiled when it is first used, with the scene that uses it."""
+    members if it is an aggregate. `name`: of its class, with namespaces, where the header holds several. It is compiled when it is first used, with the scene that uses it."""
     path = Path(law).resolve()
     if not path.is_file():
-        from ._errors import Error
-
         raise Error(f"compile: law = {law}: there is no such file")
-    found = name or _compile.law_name(path)
+    found = name.removeprefix("::") if name else _compile.law_name(path)
+    if not re.fullmatch(r"[A-Za-z_][\w:<>, ]*", found):
+        raise Error(f"compile: name = {name}: must be that of a class, with its namespaces")
 
     def make(**parameters: Any) -> OwnLaw:
         return OwnLaw(found, str(path), parameters)
 
-    make.__name__ = make.__qualname__ = found
+    make.__name__ = make.__qualname__ = found.rpartition("::")[2]
     make.__doc__ = f"The law {found} of {path}."
     return make
 

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from . import _plugins
 from ._errors import Error
+from ._pickle import refuse_unpicklable
 from ._recipe import Recipe, check_together, function_value
 from .boundary import Wall
 from .fill import Fill
@@ -256,7 +257,14 @@ class Scene:
         other._take(self._core.copy())
         return other
 
+    def __copy__(self) -> "Scene":
+        return self.copy()
+
+    def __deepcopy__(self, memo: Any) -> "Scene":
+        return self.copy()
+
     def __getstate__(self) -> Any:
+        refuse_unpicklable(self._recipes, "Scene")
         with tempfile.TemporaryDirectory() as folder:
             path = os.path.join(folder, "state")
             self.save(path)

@@ -8,6 +8,9 @@
 #include <exception>
 #include <limits>
 #include <mutex>
+#include <optional>
+#include <string>
+#include <string_view>
 
 namespace arenite::python {
 
@@ -62,13 +65,39 @@ class CallFromPython {
   bool outer_;
 };
 
-inline HostArray array_of(py::handle object) {
-  const auto given = py::array_t<double, py::array::c_style | py::array::forcecast>::ensure(object);
-  if (!given) throw py::error_already_set();
+/// What messages call an object: its text in Python, cut.
+inline std::string text_of(py::handle object) {
+  constexpr std::size_t most = 80;
+  const auto text = py::repr(object).cast<std::string>();
+  return text.size() > most ? text.substr(0, most) + " .." : text;
+}
+/// What messages call a function: "speed (drop.py:12)".
+inline std::string name_of(py::object f) {
+  while (py::hasattr(f, "__wrapped__")) f = f.attr("__wrapped__");
+  if (!py::hasattr(f, "__qualname__")) return text_of(f);
+  const auto name = f.attr("__qualname__").cast<std::string>();
+  if (!py::hasattr(f, "__code__")) return name;
+  const py::object code = f.attr("__code__");
+  const auto file = code.attr("co_filename").cast<std::string>();
+  return joined_text(name, " (", file.substr(file.find_last_of('/') + 1), ":",
+                     code.attr("co_firstlineno").cast<int>(), ")");
+}
+
+/// Numbers of any real type, or bools, in rows. Nothing, texts and objects are none, though NumPy makes
+/// numbers of some. Empty: they are no numbers.
+inline std::optional<HostArray> numbers_of(py::handle object) {
+  const auto any = py::array::ensure(object);
+  if (!any || std::string_view("biuf").find(any.dtype().kind()) == std::string_view::npos) return {};
+  const auto given = py::array_t<double, py::array::c_style | py::array::forcecast>::ensure(any);
+  if (!given) return {};
   HostArray a;
   a.numbers.assign(given.data(), given.data() + given.size());
   for (py::ssize_t k = 0; k < given.ndim(); ++k) a.shape.push_back(static_cast<std::size_t>(given.shape(k)));
   return a;
+}
+inline HostArray array_of(py::handle object) {
+  if (auto a = numbers_of(object)) return *std::move(a);
+  throw error(joined_text("array = ", text_of(object), ": must hold numbers"));
 }
 
 inline py::array_t<double> numpy_of(const std::vector<double>& numbers, std::vector<py::ssize_t> shape) {
@@ -89,8 +118,11 @@ inline HostFunction function_of(py::object callable) {
     const py::gil_scoped_acquire lock;
     try {
       std::vector<py::ssize_t> shape(in.shape.begin(), in.shape.end());
-      return array_of((*held)(numpy_of(in.numbers, std::move(shape))));
-    } catch (py::error_already_set&) {
+      const py::object out = (*held)(numpy_of(in.numbers, std::move(shape)));
+      if (auto a = numbers_of(out)) return *std::move(a);
+      throw error(joined_text("function = ", name_of(*held), ": returned ", text_of(out),
+                              ": must return numbers, a row for each of ", in.rows(), " rows"));
+    } catch (...) {
       if (may_throw()) throw;
       Raised::instance().keep(std::current_exception());
       const std::size_t rows = in.rows();
@@ -123,8 +155,10 @@ inline Value value_of(py::handle object) {
   if (PyCallable_Check(object.ptr()))
     return std::make_shared<const HostFunction>(function_of(py::reinterpret_borrow<py::object>(object)));
   const double number = PyFloat_AsDouble(object.ptr());  // numbers of any kind
-  if (PyErr_Occurred()) throw py::error_already_set();
-  return number;
+  if (PyErr_Occurred() == nullptr) return number;
+  PyErr_Clear();
+  throw error(joined_text("value = ", text_of(object),
+                          ": must be a number, a word, a list, an array, a function or a recipe"));
 }
 
 }  // namespace arenite::python

@@ -1,8 +1,8 @@
-// Linear elasticity once more, as a user would write it.
+// Linear elasticity once more, as a user would write it, under names that the library has too.
 #pragma once
 #include <arenite/arenite.hpp>
 
-struct OwnElastic {
+struct Held {
   struct Parameters {
     double density = 0, young = 0, poisson = 0;
   };
@@ -10,7 +10,7 @@ struct OwnElastic {
   using History = arenite::NoHistory<T>;
   static constexpr bool linear = true;
 
-  explicit OwnElastic(const Parameters& p) : elasticity{"OwnElastic", p.density, p.young, p.poisson} {}
+  explicit Held(const Parameters& p) : elasticity{"Held", p.density, p.young, p.poisson} {}
   double density() const { return elasticity.density(); }
   double wave_modulus() const { return elasticity.wave_modulus(); }
   template <class T, int D>
@@ -23,4 +23,8 @@ struct OwnElastic {
     return elasticity.energy(stress);
   }
   arenite::Elasticity elasticity;
+};
+
+struct Offer : Held {  // a detail of the library
+  using Held::Held;
 };

@@ -36,9 +36,9 @@ def test_a_law_of_ones_own_is_the_built_in_one(ar, compiler):
     for scene in (built_in, mine):
         ar.run(scene, end=0.01)
     assert np.array_equal(built_in.bodies["bar"].stress, mine.bodies["bar"].stress)
-    with pytest.raises(ar.Error, match="OwnElastic.desnity = 1: is unknown; there are: density, young, poisson"):
+    with pytest.raises(ar.Error, match="Held.desnity = 1: is unknown; there are: density, young, poisson"):
         bar(ar, own(desnity=1))
-    with pytest.raises(ar.Error, match="OwnElastic.poisson"):
+    with pytest.raises(ar.Error, match="Held.poisson"):
         bar(ar, own(density=1000, young=1e6, poisson=0.6))
 
 
@@ -76,7 +76,7 @@ def test_without_a_compiler_the_cure_is_named(ar, monkeypatch, tmp_path):
 LAW = """
 import sys
 import arenite as ar
-law = ar.compile(law=sys.argv[1])(density=1000, young=1e6, poisson=0.3)
+law = ar.compile(law=sys.argv[1], name="Offer")(density=1000, young=1e6, poisson=0.3)
 print(ar.drive(law, ar.oedometer(axial=-0.01)).stress[-1, 1])
 """
 
@@ -104,6 +104,168 @@ def test_two_processes_compile_once_and_a_killed_one_leaves_a_sound_cache(ar, co
     third = child(tmp_path)
     _, err = third.communicate()
     assert third.returncode == 0 and "compiling" not in err
+
+
+@pytest.fixture
+def unit(ar, compiler, monkeypatch, tmp_path):
+    """Compiles and opens units that are a header alone, in a cache of its own; `answer(header)` is that of its function."""
+    from arenite import _compile
+
+    monkeypatch.setenv("ARENITE_CACHE", str(tmp_path / "cache"))
+    monkeypatch.setattr(_compile, "source", lambda what, name, headers: f'#include "{headers[0]}"\n')
+
+    def build(header):
+        return _compile.built("law", "Unit", [str(header)], [])
+
+    def answer(header):
+        code = "import ctypes, sys; print(ctypes.CDLL(sys.argv[1]).answer())"
+        return int(subprocess.run([sys.executable, "-c", code, str(build(header))], capture_output=True, text=True, check=True).stdout)
+
+    header, included = tmp_path / "own header.hpp", tmp_path / "included.hpp"
+    header.write_text('#include "included.hpp"\nextern "C" int answer() { return included; }\n')
+    included.write_text("inline constexpr int included = 1;\n")
+    unit.build, unit.answer, unit.header, unit.included, unit.cache = build, answer, header, included, tmp_path / "cache"
+    return unit
+
+
+def test_what_a_header_includes_decides_too(unit, capfd):
+    assert unit.answer(unit.header) == 1 and "compiling" in capfd.readouterr().err
+    assert unit.answer(unit.header) == 1 and "compiling" not in capfd.readouterr().err
+    unit.included.write_text("inline constexpr int included = 2;\n")
+    assert unit.answer(unit.header) == 2
+    unit.included.write_text("inline constexpr int included = 1;\n")  # of the same length, and known
+    capfd.readouterr()
+    assert unit.answer(unit.header) == 1 and "compiling" not in capfd.readouterr().err
+    unit.included.write_text('#include "another.hpp"\n')
+    (unit.included.parent / "another.hpp").write_text("inline constexpr int included = 3;\n")
+    assert unit.answer(unit.header) == 3
+    (unit.included.parent / "another.hpp").write_text("inline constexpr int included = 4;\n")
+    assert unit.answer(unit.header) == 4
+
+
+def test_a_header_that_changes_while_it_is_compiled_is_compiled_again(unit, monkeypatch):
+    from arenite import _compile
+
+    compiled, times = _compile._compiled, []
+
+    def changing(*arguments):
+        files = compiled(*arguments)
+        times.append(0)
+        if len(times) == 1:
+            unit.included.write_text("inline constexpr int included = 7;\n")
+        return files
+
+    monkeypatch.setattr(_compile, "_compiled", changing)
+    assert unit.answer(unit.header) == 7 and len(times) == 2
+
+
+def test_flags_of_the_compiler_decide_too(unit, monkeypatch):
+    unit.included.write_text("inline constexpr int included = NUMBER;\n")
+    for number in (5, 6):
+        monkeypatch.setenv("CXX", f"g++ -DNUMBER={number}")
+        assert unit.answer(unit.header) == number
+
+
+def test_a_broken_object_is_made_again(unit, capfd):
+    made = unit.build(unit.header)
+    whole = made.read_bytes()
+    for bytes_left in [0, 1, 31, 40, len(whole) // 4, len(whole) // 2, len(whole) - 4096, len(whole) - 1]:
+        made.write_bytes(whole[:bytes_left])
+        assert unit.answer(unit.header) == 1
+    for name in [made, *unit.cache.glob("*.files")]:  # one byte in the middle
+        content = bytearray(name.read_bytes())
+        content[len(content) // 2] ^= 1
+        name.write_bytes(content)
+        capfd.readouterr()
+        assert unit.answer(unit.header) == 1 and "compiling" in capfd.readouterr().err
+    assert not list(unit.cache.glob("*.tmp"))
+
+
+def test_an_object_of_someone_else_does_not_run(ar, unit):
+    made = unit.build(unit.header)
+    assert unit.cache.stat().st_mode & 0o777 == 0o700 and made.stat().st_mode & 0o077 == 0
+    made.chmod(0o666)
+    with pytest.raises(ar.Error, match="others may write there"):
+        unit.build(unit.header)
+    made.chmod(0o600)
+    for mode in (0o777, 0o770, 0o1777):
+        unit.cache.chmod(mode)
+        with pytest.raises(ar.Error, match=f"cache = .*mode {mode:o}"):
+            unit.build(unit.header)
+    unit.cache.chmod(0o700)
+    elsewhere = made.with_suffix(".else")
+    made.rename(elsewhere)
+    made.symlink_to(elsewhere)
+    with pytest.raises(ar.Error, match="cache = "):
+        unit.build(unit.header)
+    made.unlink()
+    made.mkdir()
+    with pytest.raises(ar.Error, match="must be a file"):
+        unit.build(unit.header)
+    made.rmdir()
+    elsewhere.rename(made)
+    if os.geteuid() == 0:  # none other may give a file away
+        for path in (made, unit.cache):
+            os.chown(path, 12345, -1)
+            with pytest.raises(ar.Error, match="belongs to user 12345"):
+                unit.build(unit.header)
+            os.chown(path, 0, -1)
+
+
+def test_where_the_cache_is(ar, monkeypatch, tmp_path):
+    from arenite import _cache
+
+    monkeypatch.delenv("ARENITE_CACHE", raising=False)
+    monkeypatch.setenv("HOME", str(tmp_path))
+    for not_given in ("", "relative", "./a"):
+        monkeypatch.setenv("XDG_CACHE_HOME", not_given)
+        assert _cache.folder() == tmp_path / ".cache" / "arenite"
+    monkeypatch.setenv("XDG_CACHE_HOME", "/somewhere")
+    assert str(_cache.folder()) == "/somewhere/arenite"
+    monkeypatch.setenv("ARENITE_CACHE", "relative")
+    with pytest.raises(ar.Error, match="ARENITE_CACHE = relative: must be an absolute path"):
+        _cache.folder()
+    monkeypatch.setenv("ARENITE_CACHE", "")
+    monkeypatch.setenv("XDG_CACHE_HOME", "")
+    monkeypatch.setenv("HOME", "relative")
+    with pytest.raises(ar.Error, match="HOME = relative"):
+        _cache.folder()
+
+
+@pytest.mark.parametrize("given, rule", [("g++ 'x", "CXX = g\\+\\+ 'x: must be words"), ("true", "true: ended without an error, but made no object"),
+                                         ("/no/such", "/no/such: not found"), ("{folder}/broken", "cannot be run"), ("{folder}", "not found")])
+def test_a_compiler_that_is_none(ar, unit, monkeypatch, tmp_path, given, rule):
+    (tmp_path / "broken").write_bytes(b"\x7fELF nothing")
+    (tmp_path / "broken").chmod(0o755)
+    monkeypatch.setenv("CXX", given.format(folder=tmp_path))
+    with pytest.raises(ar.Error, match=rule):
+        unit.build(unit.header)
+
+
+def test_a_cache_that_cannot_be_written(ar, unit, monkeypatch, tmp_path):
+    def refused(place, rule):
+        monkeypatch.setenv("ARENITE_CACHE", str(place))
+        with pytest.raises(ar.Error, match=f"cache = {place}.*{rule}.*ARENITE_CACHE"):
+            unit.build(unit.header)
+
+    (tmp_path / "file").write_text("")
+    refused(tmp_path / "file", "must be a folder")
+    refused(tmp_path / "file" / "below", "/file;")
+    refused("/proc/arenite", "")
+    refused("/sys/arenite", "")
+    (tmp_path / "cache").mkdir(mode=0o700)
+    monkeypatch.setattr(os, "open", lambda *a, **k: (_ for _ in ()).throw(OSError(30, "Read-only file system", str(a[0]))))
+    refused(tmp_path / "cache", "Read-only file system")
+
+
+@pytest.mark.parametrize("text, name", [("struct A { void update(); };", "A"), ("namespace a { namespace b::c { class L final { void update( ", "a::b::c::L"),
+                                        ("namespace a { struct B {}; } struct L : a::B { void update(", "L"),
+                                        ("/* struct X {\n update( */ struct L { struct Parameters { int x; }; void update(", "L")])
+def test_the_class_of_a_law(ar, tmp_path, text, name):
+    from arenite import _compile
+
+    (tmp_path / "law.hpp").write_text(text)
+    assert _compile.law_name(tmp_path / "law.hpp") == name
 
 
 def test_every_recipe_of_the_examples_is_prebuilt(ar, column, sand):

@@ -1,5 +1,6 @@
 """Scenes: laws of nature, closed forms, views, functions, states."""
 
+import copy
 import pickle
 import signal
 import threading
@@ -113,6 +114,35 @@ def test_saved_copied_pickled(ar, column, tmp_path):
         assert other.time == pytest.approx(0.01)
         ar.run(other, end=0.02)
         assert np.array_equal(other.bodies["sand"].position, scene.bodies["sand"].position)
+
+
+def test_a_function_that_pickle_cannot_take_is_named(ar, column):
+    scene = column(region=lambda x: x[:, 1] < 0.1)
+    with pytest.raises(ar.Error, match=r"Scene.bodies\[0\].region = <function .*<lambda>.*: cannot be pickled: a function must be one of a module"):
+        pickle.dumps(scene)
+    for other in (copy.copy(scene), copy.deepcopy(scene)):  # need no pickle
+        assert np.array_equal(other.bodies["sand"].position, scene.bodies["sand"].position)
+
+
+@pytest.mark.parametrize("returned, said", [("text", "'text'"), ({"x": 1}, "{'x': 1}"), (None, "None"), (1j, "1j"), ([1, None], r"\[1, None\]"),
+                                            (np.array(["a"]), "array"), (object(), "<object")])
+def test_a_function_that_returns_no_numbers_is_named(ar, sand, returned, said):
+    def of_place(x):
+        return returned
+
+    def of_time(t):
+        return returned
+
+    def scene(region=ar.Box((0, 0), (0.1, 0.1)), walls=(ar.bottom(),), **options):
+        ar.Scene(ar.PlaneStrain(), ar.CartesianGrid((0, 0), (0.4, 0.2), cell=0.01), ar.Numerics(ar.QuadraticBSpline, ar.Apic),
+                 bodies=[ar.fill("sand", region, sand, **options)], walls=walls, gravity=(0, -9.81))
+
+    rule = rf"function = .*of_\w+ \(test_scene.py:\d+\): returned {said}.*: must return numbers"
+    for given in (dict(region=of_place), dict(velocity=of_place), dict(stress=of_place), dict(walls=[ar.where(of_place, "fixed")])):
+        with pytest.raises(ar.Error, match=rule):
+            scene(**given)
+    with pytest.raises(ar.Error, match=rule):
+        cone(ar, sand, ar.Prescribed(velocity=of_time)).step(1e-5)
 
 
 def cone(ar, sand, motion):

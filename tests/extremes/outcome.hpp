@@ -64,8 +64,9 @@ class Books {
     // What the sums of energies are known to.
     const double floor = static_cast<double>(scene.steps) * epsilon * (kinetic_ + e.strain + given);
     // The law cannot give back more than it had stored.
-    const double gain = e.residual + std::max(0.0, -scene.template part<TrackEnergy>().stress_work -
-                                                       scene.template part<TrackEnergy>().initial_strain);
+    const double gain = e.residual - e.transfer - e.walls - e.lag +
+                        std::max(0.0, -scene.template part<TrackEnergy>().stress_work -
+                                          scene.template part<TrackEnergy>().initial_strain);
     outcome.energy = std::abs(gain) <= floor ? 0 : gain / std::max(given, floor);
     outcome.steps = scene.steps;
     outcome.lost = scene.lost_points();

@@ -163,7 +163,6 @@ void set_in_motion(Scene& scene, Draw& d) {
   }
   const double rate = 2 * speed / size;
   double sign = 1;
-  scene.template part<TrackEnergy>().initial_kinetic = 0;
   scene.for_each_body([&](auto& body, const auto&) {
     for (std::size_t p = 0; p < body.points.size(); ++p) {
       const V x = body.points.position[p].template cast<double>() - centre;
@@ -187,11 +186,11 @@ void set_in_motion(Scene& scene, Draw& d) {
         v[0] = d.motion == Motion::stretch ? rate * (x[0] + centre[0]) : 0;
       body.points.velocity.set(p, v.template cast<typename Scene::T>());
     }
-    scene.template part<TrackEnergy>().initial_kinetic += kinetic_energy(body);
     sign = -sign;
   });
-  scene.for_each_rigid(
-      [&](const auto& body) { scene.template part<TrackEnergy>().initial_kinetic += body.kinetic_energy(); });
+  auto& balance = scene.template part<TrackEnergy>();
+  balance = {};
+  balance.connect(scene);
 }
 
 }  // namespace arenite::extremes

@@ -1,6 +1,7 @@
 // Watch: each quantity warns past a tenth of its limit and stops past it, with time, value and place; a sound
 // run says nothing.
 #include <arenite/arenite.hpp>
+#include <arenite/mesh/box_mesh.hpp>
 #include <limits>
 
 #include "catch.hpp"
@@ -178,6 +179,40 @@ TEST_CASE("Energy that sways with the step is no gain: velocities are those of i
   };
   check(swinging(0, TrackEnergy{}));
   check(swinging(0));
+}
+
+TEST_CASE("At the limit of stability energy sways by more than a tenth, and none is gained") {
+  std::uint32_t state = 1;
+  const auto noise = [&state](const auto&) {
+    std::array<double, 3> v{};
+    for (std::size_t k = 0; k < 2; ++k)
+      v[k] = 1e-4 * ((state = state * 1664525u + 1013904223u) / 0x1p32 - 0.5);
+    return v;
+  };
+  Scene scene{
+      PlaneStrain{}, SimplexMesh<2>{box_mesh<2>({.lower = {0, 0}, .upper = {1, 1}, .bricks = {6, 6}})},
+      Numerics<LinearSimplex, Flip, Musl, ElementAverage>{},
+      bodies(fill(Box{{0., 0.}, {1., 1.}}, LinearElastic{{.density = 1000, .young = 1e6, .poisson = 0.45}},
+                  {.per_cell = 3, .velocity = noise})),
+      TrackEnergy{}};
+  const double energy = scene.part<TrackEnergy>().initial_kinetic;
+  double sways = 0, gained = 0;
+  const double dt = stable_step(scene);
+  Watch watch{{.every = 1}};
+  const Said s = said([&] {
+    for (int k = 0; k < 500; ++k) {
+      step(scene, dt);
+      watch(scene);
+      const Energies e = energies(scene);
+      sways = std::max(sways, std::abs(e.residual) / energy);
+      gained = std::max(gained, std::abs(e.residual - e.lag) / energy);
+    }
+  });
+  CAPTURE(s.error, sways, gained);
+  CHECK(s.error == "");
+  CHECK(sways >= 0.1);
+  CHECK(gained <= 1e-5);
+  CHECK(of(watch, "energy_gain").worst <= 1e-5);
 }
 
 TEST_CASE("Energy put in behind the scene's back, or taken away") {

@@ -7,6 +7,7 @@
 #include <limits>
 #include <span>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include <arenite/core/alone.hpp>
@@ -36,6 +37,9 @@ struct TrackEnergy {
   double gravity_work = 0;     ///< of the accelerations on the bodies
   double grid_gain = 0;        ///< kinetic energy that the nodes gained, see above
   double walls = 0;            ///< that walls took
+  /// Velocities are those of the middle of a step where positions and stresses are those of its end: how much
+  /// of kinetic energy and works that half a step makes. It sways with the motion, and does not add up.
+  double lag = 0;
 
   template <class Scene>
   void connect(const Scene& scene) {
@@ -54,7 +58,10 @@ struct TrackEnergy {
   }
   /// Energy that there was, J.
   double initial() const { return initial_kinetic + initial_strain + initial_stored; }
-  void take_stress_work(double work) { stress_work += work; }
+  void take_stress_work(double work, double ending_work) {
+    stress_work += work;
+    ending_ += ending_work;
+  }
   template <class V>
   void take_wall_impulse(std::size_t field, Index node, const V& impulse) {
     given_.push_back({field, node, {}});
@@ -137,10 +144,15 @@ struct TrackEnergy {
   template <class Scene>
   void follow_motion(const Scene& scene, double dt) {
     const auto acceleration = scene.acceleration();
+    double fallen = 0;
     for (const auto& field : scene.fields)
-      gravity_work += sum_nodes(scene, field, [&](std::size_t i) {
+      fallen += sum_nodes(scene, field, [&](std::size_t i) {
         return dt * static_cast<double>(field.mass[i] * acceleration.dot(field.velocity[i]));
       });
+    gravity_work += fallen;
+    // With USF the stresses are half a step ahead of the velocities; centred ones are those of the middle.
+    constexpr double ahead = Scene::centres_stress ? 0 : Scene::NumericsType::strains_first ? -1 : 1;
+    lag = (ahead * std::exchange(ending_, 0) - fallen) / 2;
   }
   template <class F>
   void visit_state(F&& f) {
@@ -154,6 +166,7 @@ struct TrackEnergy {
     f("grid_gain", grid_gain);
     f("walls", walls);
     f("driven", driven_);
+    f("lag", lag);
     if (!before_.empty()) f("before", std::span(before_));
   }
 
@@ -195,6 +208,7 @@ struct TrackEnergy {
   std::vector<Given> given_;    // by walls in this step
   std::vector<double> before_;  // [fields x nodes x D] velocity of the last step's end, m/s; NaN: no matter
   double driven_ = 0;           // work of driven walls until the last step, J
+  double ending_ = 0;           // work of this step with the stresses at its end, J
 };
 
 /// What the parts of a scene count. `shared`: those too whose numbers several scenes share.
@@ -226,6 +240,7 @@ struct Energies {
   double transfer = 0;  ///< taken by the transfer: positive where points have less than the nodes gave
   double walls = 0;     ///< taken by walls that stop matter
   double residual = 0;
+  double lag = 0;  ///< of the residual: what half a step makes (`TrackEnergy::lag`)
 };
 
 /// Needs a scene with `TrackEnergy`. Of a scene over a portion of a mesh: of all portions, through `others`.
@@ -255,8 +270,9 @@ Energies energies(const Scene& scene, [[maybe_unused]] Others& others = no_other
   e.residual = e.kinetic + e.strain + e.stored + e.plastic + e.contact + e.transfer + e.walls -
                balance.initial() - e.external - e.inserted;
   if (!shared) e.residual += balance.initial_shared;
+  e.lag = balance.lag;
   sum_over(others, e.kinetic, e.strain, e.stored, e.plastic, e.contact, e.external, e.inserted, e.transfer,
-           e.walls, e.residual);
+           e.walls, e.residual, e.lag);
   return e;
 }
 

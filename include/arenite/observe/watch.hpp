@@ -44,7 +44,7 @@ class Watch {
   void operator()(const Scene& scene) {
     if (scene.steps >= next_)
       look(scene);
-    else if ((tracks_energy<Scene> || scene.steps + 1 == next_) && wants_energy())
+    else if (!tracks_energy<Scene> && scene.steps + 1 == next_ && wants_energy())
       energy_.remember(scene);
   }
   /// Looks at the end of a run, which may lie between two looks; `run` calls it.

@@ -26,17 +26,20 @@ class WatchedEnergy {
   void remember(const Scene& scene) {
     if (held_step_ == scene.steps) return;
     const std::size_t now = changes(scene);
-    follows_ = held_step_ + 1 == scene.steps && (tracks_energy<Scene> || held_changes_ == now);
+    follows_ = held_step_ + 1 == scene.steps && held_changes_ == now;
     held_changes_ = now;
     held_before_ = std::exchange(held_, held(scene));
     held_step_ = scene.steps;
   }
 
-  /// Looks at a scene after a step. Needs to have seen the step before (`remember`) or none.
+  /// Looks at a scene after a step. Without `TrackEnergy` it needs to have seen the step before (`remember`)
+  /// or none.
   template <class Scene>
   Found look(const Scene& scene) {
-    remember(scene);
-    if (!follows_ && scene.steps > 0) return {};
+    if constexpr (!tracks_energy<Scene>) {
+      remember(scene);
+      if (!follows_ && scene.steps > 0) return {};
+    }
     const Balance now = balance(scene);
     if (!started_) {
       started_ = true;
@@ -94,8 +97,7 @@ class WatchedEnergy {
     return n;
   }
 
-  /// What positions hold of the energy, J: works of stresses and against gravity, or strain and potential
-  /// energy.
+  /// What positions hold of the energy, J.
   struct Held {
     double strain = 0, potential = 0;
     double sum() const { return strain + potential; }
@@ -103,21 +105,16 @@ class WatchedEnergy {
   template <class Scene>
   static Held held(const Scene& scene) {
     Held h;
-    if constexpr (tracks_energy<Scene>) {
-      const auto& balance = scene.template part<TrackEnergy>();
-      h = {balance.stress_work, -balance.gravity_work};
-    } else {
-      const Vec<double, Scene::D> g = scene.acceleration().template cast<double>();
-      scene.for_each_body([&](const auto& body, const auto&) {
-        h.strain += strain_energy(body);
-        h.potential -= sum_points(body, 0.0, [&](std::size_t p) {
-          double along = 0;
-          for (int k = 0; k < Scene::D; ++k)
-            along += g[k] * static_cast<double>(body.points.position.column(static_cast<std::size_t>(k))[p]);
-          return static_cast<double>(body.points.mass[p]) * along;
-        });
+    const Vec<double, Scene::D> g = scene.acceleration().template cast<double>();
+    scene.for_each_body([&](const auto& body, const auto&) {
+      h.strain += strain_energy(body);
+      h.potential -= sum_points(body, 0.0, [&](std::size_t p) {
+        double along = 0;
+        for (int k = 0; k < Scene::D; ++k)
+          along += g[k] * static_cast<double>(body.points.position.column(static_cast<std::size_t>(k))[p]);
+        return static_cast<double>(body.points.mass[p]) * along;
       });
-    }
+    });
     return h;
   }
 
@@ -134,7 +131,8 @@ class WatchedEnergy {
       b.stored = e.kinetic + e.strain + e.stored;
       b.external = e.external + e.inserted;
       // Dissipation that is negative is energy made: by a law, or in contact.
-      b.gained = e.residual - e.transfer - e.walls - std::min(e.plastic, 0.0) - std::min(e.contact, 0.0);
+      b.gained =
+          e.residual - e.transfer - e.walls - e.lag - std::min(e.plastic, 0.0) - std::min(e.contact, 0.0);
     } else {
       const PartEnergy parts = energy_of_parts(scene);
       double kinetic = 0;
@@ -143,6 +141,12 @@ class WatchedEnergy {
       b.stored = kinetic + held_.strain;
       b.external = parts.external - held_.potential;
       b.gained = kinetic + held_.sum() - parts.external;
+      // Velocities are those of the middle of a step where positions are those of its end: energy sways by a
+      // share of (frequency x step) unless the positions' part of it is taken half a step earlier, or later
+      // with USF. Stresses that are centred are those of the middle already.
+      if (follows_) b.gained -= (held_.potential - held_before_.potential) / 2;
+      if (follows_ && !Scene::centres_stress)
+        b.gained -= (held_.strain - held_before_.strain) / (Scene::NumericsType::strains_first ? -2 : 2);
     }
     // What the velocity gradients of points hold they give back to their velocities.
     scene.for_each_body([&](const auto& body, const auto&) {
@@ -150,11 +154,6 @@ class WatchedEnergy {
       b.stored += spread;
       b.gained += spread;
     });
-    // Velocities are those of the middle of a step where positions are those of its end: energy sways by a
-    // share of (frequency x step) unless the positions' part of it is taken half a step earlier.
-    // Stresses that are centred are those of the middle already.
-    if (follows_) b.gained -= (held_.potential - held_before_.potential) / 2;
-    if (follows_ && !Scene::centres_stress) b.gained -= (held_.strain - held_before_.strain) / 2;
     return b;
   }
 

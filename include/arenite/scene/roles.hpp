@@ -74,9 +74,14 @@ concept holds_mapped = requires(P& part, S& scene) {
   { part.hold_mapped(scene, 0.0) } -> std::same_as<double>;
 };
 
-/// After G2P, for each body: the work of its stresses in this step, J. It is computed where a part asks.
+/// After G2P, for each body: the work of its stresses in this step, J, and perhaps what it were with those at
+/// the end of the step alone. It is computed where a part asks.
+template <class P>
+concept takes_both_works = requires(P& part) {
+  { part.take_stress_work(0.0, 0.0) } -> std::same_as<void>;
+};
 template <class P, class S>
-concept takes_stress_work = requires(P& part) {
+concept takes_stress_work = takes_both_works<P> || requires(P& part) {
   { part.take_stress_work(0.0) } -> std::same_as<void>;
 };
 

@@ -164,7 +164,10 @@ void book_sums(Scene& scene, B& body, const G2pSums& sums, bool was_finite = tru
   body.finite = was_finite && std::isfinite(sums.check);
   scene.finite = scene.finite && body.finite;
   scene.for_each_part([&](auto& part) {
-    if constexpr (takes_stress_work<std::remove_reference_t<decltype(part)>, Scene>)
+    using P = std::remove_reference_t<decltype(part)>;
+    if constexpr (takes_both_works<P>)
+      part.take_stress_work(sums.work, sums.ending_work);
+    else if constexpr (takes_stress_work<P, Scene>)
       part.take_stress_work(sums.work);
   });
 }

@@ -14,11 +14,13 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 /// Sums of a pass over the points, each in a fixed order.
 struct G2pSums {
   double work = 0;           ///< work of the stresses, J; 0 unless asked for
+  double ending_work = 0;    ///< what it were with the stresses at the end of the step alone, J; as `work`
   double opened_volume = 0;  ///< voids that opened without stress, m3
   double check = 0;          ///< finite as long as every position, stress and volume is
 
   friend G2pSums operator+(const G2pSums& a, const G2pSums& b) {
-    return {a.work + b.work, a.opened_volume + b.opened_volume, a.check + b.check};
+    return {a.work + b.work, a.ending_work + b.ending_work, a.opened_volume + b.opened_volume,
+            a.check + b.check};
   }
 };
 
@@ -98,7 +100,7 @@ template <bool TracksWork, int Width, class L, class Points, class T, int D, boo
         },
         history.members());
   };
-  [[maybe_unused]] P work(0);
+  [[maybe_unused]] P work(0), ending_work(0);
   P opened(0), check(0);
   for (std::size_t p = begin; p < end; p += width) {
     const int count = static_cast<int>(std::min<std::size_t>(width, end - p));
@@ -142,8 +144,14 @@ template <bool TracksWork, int Width, class L, class Points, class T, int D, boo
     store_lanes(points.volume.data() + p, count, after);
     if constexpr (TracksWork) {
       P done = (before + after) * contract(old + stress, step.strain) * P(0.25);
-      if constexpr (StoresBearing) done = done * buffer.template load_bearing<P>(p - begin);
+      P ending = after * contract(stress, step.strain);
+      if constexpr (StoresBearing) {
+        const P bearing = buffer.template load_bearing<P>(p - begin);
+        done = done * bearing;
+        ending = ending * bearing;
+      }
       work += done;
+      ending_work += ending;
     }
     opened += after * opening;
     check += (trace(stress) + stress[3]) * after;
@@ -151,7 +159,11 @@ template <bool TracksWork, int Width, class L, class Points, class T, int D, boo
   const auto total = lane_sums(std::array<P, 2>{opened, check});
   sums.opened_volume += static_cast<double>(total[0]);
   sums.check += static_cast<double>(total[1]);
-  if constexpr (TracksWork) sums.work += static_cast<double>(lane_sums(std::array<P, 1>{work})[0]);
+  if constexpr (TracksWork) {
+    const auto works = lane_sums(std::array<P, 2>{work, ending_work});
+    sums.work += static_cast<double>(works[0]);
+    sums.ending_work += static_cast<double>(works[1]);
+  }
 }
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

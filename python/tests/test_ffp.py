@@ -277,6 +277,30 @@ def test_finished_drop_is_read_again(tmp_path):
         ffp.Drop(tmp_path)
 
 
+def test_files_that_are_none(tmp_path):
+    os.mkfifo(tmp_path / "summary.json")  # nobody writes to it: to open it would wait without end
+    with pytest.raises(Error, match="summary.json: must be a regular file, not a pipe or a device"):
+        ffp.Drop(tmp_path)
+    (tmp_path / "summary.json").unlink()
+    (tmp_path / "summary.json").write_text("[" * 200000)
+    with pytest.raises(Error, match="summary.json: is nested too deeply"):
+        ffp.Drop(tmp_path)
+    with open(tmp_path / "summary.json", "w") as file:
+        file.truncate(40 << 30)  # without blocks on the disk
+    with pytest.raises(Error, match="has 42949672960 bytes; must have at most"):
+        ffp.Drop(tmp_path)
+    with pytest.raises(Error, match="must be the folder of a drop"):
+        ffp.Drop(tmp_path / "absent")
+
+
+def test_reduction_of_a_drop_without_its_end(tmp_path):
+    done = ffp.drop(out=tmp_path / "a", **SHORT)
+    summary = json.loads((done.folder / "summary.json").read_text())
+    (done.folder / "summary.json").write_text(json.dumps({**summary, "status": "running"}))
+    with pytest.raises(Error, match="status = running: must be done"):
+        ffp.reduce(done)
+
+
 def test_same_bits_as_the_program(tmp_path):
     drop = ffp.drop(out=tmp_path / "a", **SHORT)
     assert program("drop", "--cell", "0.04", "--points-per-element", "10", "--fields-every", "0", "--end", "0.01", "--quiet", "--out",
@@ -388,7 +412,10 @@ def test_sweep_goes_on(tmp_path, capfd):
     numpy.testing.assert_array_equal(more["final_penetration_m"][[0, 2]], first["final_penetration_m"])
     err = capfd.readouterr().err
     assert "3 of 3: delta=30: done, " in err and err.count("\n") == 3
+    (tmp_path / "precious").write_text("precious")
+    (tmp_path / "table.csv").symlink_to("precious")  # replaced, not followed
     more.to_csv(tmp_path / "table.csv")
+    assert (tmp_path / "precious").read_text() == "precious" and not (tmp_path / "table.csv").is_symlink()
     with open(tmp_path / "table.csv", newline="") as file:
         rows = list(csv.DictReader(file))
     assert [float(row["final_penetration_m"]) for row in rows] == list(more["final_penetration_m"])

@@ -715,7 +715,7 @@ class Meshes(DriverTest):
         self.run_drop("mesh_solid", *SLICE, "--end", "1e-5")
         plane, solid = Mesh("mesh_good"), Mesh("mesh_solid")
         good = plane.write("good.msh", "2.2")
-        refuse("absent.msh", "can be read")
+        refuse("absent.msh", "no such file")
         refuse(".", "")
         open("empty.msh", "w").close()
         refuse("empty.msh", "")

@@ -44,7 +44,7 @@
 #include <arenite/rigid/rigid_body.hpp>
 #include <arenite/rigid/rigid_contact.hpp>
 #include <arenite/scene/insert_remove.hpp>
-#include <arenite/scene/run.hpp>
-#include <arenite/scene/settle.hpp>
+#include <arenite/observe/run.hpp>
+#include <arenite/observe/settle.hpp>
 #include <arenite/scene/split_points.hpp>
 #include <arenite/version.hpp>

@@ -14,10 +14,10 @@
 #include <arenite/host/scene_points.hpp>
 #include <arenite/observe/energy.hpp>
 #include <arenite/observe/every.hpp>
+#include <arenite/observe/run.hpp>
 #include <arenite/observe/saved_state.hpp>
+#include <arenite/observe/settle.hpp>
 #include <arenite/observe/watch.hpp>
-#include <arenite/scene/run.hpp>
-#include <arenite/scene/settle.hpp>
 #include <arenite/scene/state.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {

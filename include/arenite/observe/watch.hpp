@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <string>
 #include <string_view>
@@ -24,13 +25,16 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 /// throws `run_error` with time, quantity, value, limit and place; past a tenth it warns once (`on_warning`).
 /// What it saw can be read from it afterwards. Observers behind it do not see the step at which it throws:
 /// name it last. For one scene; it may be given to several runs of it.
-class Watch {
+template <bool OfRun>
+class BasicWatch {
  public:
   /// Throws `error` unless all limits are positive.
-  explicit Watch(const WatchLimits& limits = {})
+  explicit BasicWatch(const WatchLimits& limits = {})
       : seen_{{{"energy_gain", "energy that nothing put in, over the energy put in", limits.energy_gain},
-               {"energy_loss", "energy that the numerics took, over the energy put in", limits.energy_loss},
+               {"transfer", "energy that the transfer took, over the energy put in", limits.transfer},
+               {"residual", "energy booked nowhere, over the energy put in", limits.residual},
                {"volume", "change of a body's mean volume, |V/V0 - 1|", limits.volume},
+               {"speed", "greatest speed of a point over the wave speed", limits.speed},
                {"strength", "stress beyond the yield surface, relative", limits.strength},
                {"lost", "share of a body's points that left the mesh", limits.lost}}},
         every_{limits.every} {
@@ -55,15 +59,18 @@ class Watch {
 
   /// Looks now.
   template <class Scene>
-  void look(const Scene& scene) {
-    if (wants(energy_gain) || (tracks_energy<Scene> && wants(energy_loss))) look_at_energy(scene);
+  [[gnu::cold]] void look(const Scene& scene) {
+    if (wants(energy_gain) || (tracks_energy<Scene> && (wants(transfer) || wants(residual))))
+      look_at_energy(scene);
     int number = 0;
     scene.for_each_body([&](const auto& body, const auto&) {
       if (wants(volume)) look_at_volume(scene, body, number);
       if (wants(lost)) look_at_lost(scene, body, number);
+      if (wants(speed)) look_at_speed(scene, body, number);
       // Initial stresses may lie outside: the first step takes them back.
-      if (wants(strength) && scene.steps > 0)
-        look_at_strength<Scene::NumericsType::template width<typename Scene::T>>(scene, body, number);
+      if constexpr (!OfRun)
+        if (wants(strength) && scene.steps > 0)
+          look_at_strength<Scene::NumericsType::template width<typename Scene::T>>(scene, body, number);
       ++number;
     });
     last_ = scene.steps;
@@ -87,12 +94,12 @@ class Watch {
   }
 
   /// Each quantity with its greatest value so far, in the order of `WatchLimits`.
-  const std::array<Watched, 5>& seen() const { return seen_; }
+  const std::array<Watched, 7>& seen() const { return seen_; }
   /// The warnings given, in order: at most one a quantity.
   const std::vector<std::string>& warnings() const { return warnings_; }
 
  private:
-  enum Quantity : std::size_t { energy_gain, energy_loss, volume, strength, lost };
+  enum Quantity : std::size_t { energy_gain, transfer, residual, volume, speed, strength, lost };
 
   /// A point that shows a quantity most, and what to say of it.
   struct Spot {
@@ -101,13 +108,14 @@ class Watch {
   };
 
   bool wants(Quantity q) const { return std::isfinite(seen_[q].limit); }
-  bool wants_energy() const { return wants(energy_gain) || wants(energy_loss); }
+  bool wants_energy() const { return wants(energy_gain) || (wants(transfer) || wants(residual)); }
 
   /// Takes a value of a quantity; `spot()` gives the `Spot`, once there is something to say.
-  template <class F>
-  void judge(Quantity q, double time, double value, int body, F&& spot) {
+  [[gnu::cold]] void judge(Quantity q, double time, double value, int body,
+                           const std::function<Spot()>& spot) {
     Watched& w = seen_[q];
-    const bool stops = !(value <= w.limit), worse = !(value <= w.worst);
+    const bool stops = !(value <= w.limit) && (!OfRun || q == energy_gain || q == residual),
+               worse = !(value <= w.worst);
     if (!stops && !worse) return;
     w.worst = value;
     w.time = time;
@@ -118,7 +126,8 @@ class Watch {
     w.place = at.place;
     if (!stops && w.warned) return;
     const std::string text = joined_text("t = ", time, " s: ", w.name, " = ", value, " (", w.meaning,
-                                         "): the limit is ", w.limit, "; ", at.text);
+                                         OfRun && !stops ? "): above " : "): the limit is ",
+                                         OfRun && !stops ? w.limit / 10 : w.limit, "; ", at.text);
     if (stops) throw run_error(text);
     w.warned = true;
     warnings_.push_back(text);
@@ -131,7 +140,10 @@ class Watch {
     if (!found.known) return;
     const auto spot = [&] { return fastest(scene); };
     if (wants(energy_gain)) judge(energy_gain, scene.time, found.gain, -1, spot);
-    if (tracks_energy<Scene> && wants(energy_loss)) judge(energy_loss, scene.time, found.loss, -1, spot);
+    if constexpr (tracks_energy<Scene>) {
+      if (wants(transfer)) judge(transfer, scene.time, found.transfer, -1, spot);
+      if (wants(residual)) judge(residual, scene.time, found.residual, -1, spot);
+    }
   }
 
   /// What messages call a body.
@@ -164,6 +176,24 @@ class Watch {
     judge(lost, scene.time, static_cast<double>(body.lost) / static_cast<double>(all), number, [&] {
       return Spot{Watched::nowhere,
                   joined_text(body_of<Scene>(number), ": ", body.lost, " of ", all, " points")};
+    });
+  }
+
+  template <class Scene, class B>
+  void look_at_speed(const Scene& scene, const B& body, int number) {
+    const double wave = std::sqrt(body.law.wave_modulus() / body.law.density());
+    const auto square = [&](std::size_t k) {
+      return static_cast<double>(body.points.velocity[k].squaredNorm());
+    };
+    const std::size_t p = extreme(body, square);
+    if (p >= body.points.size()) return;
+    const double fastest = std::sqrt(square(p));
+    judge(speed, scene.time, fastest / wave, number, [&] {
+      Spot s = at(body, p);
+      s.text = joined_text(
+          body_of<Scene>(number), " at ", written(body, p), ": ", fastest, " m/s; waves run at ", wave,
+          " m/s: is young, density, a velocity or gravity in other units than Pa, kg, m, s?");
+      return s;
     });
   }
 
@@ -259,10 +289,15 @@ class Watch {
 
   static constexpr std::size_t never = std::numeric_limits<std::size_t>::max() / 2;
 
-  std::array<Watched, 5> seen_;
+  std::array<Watched, 7> seen_;
   std::vector<std::string> warnings_;
   std::size_t every_, next_ = 0, last_ = never;
   WatchedEnergy energy_;
 };
+
+/// A watch to hand to `run`.
+using Watch = BasicWatch<false>;
+/// The one that `run` has of its own: it does not look at strength, which would be compiled for each law.
+using WatchOfRun = BasicWatch<true>;
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -15,10 +16,11 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 class WatchedEnergy {
  public:
   /// As fractions of the energy put in, -: what was gained since the lowest look (without `TrackEnergy`: the
-  /// first), and lost since the first. Not known when the step before was not seen.
+  /// first); with `TrackEnergy` what the transfer took since the first, and the size of what is left of the
+  /// balance. Not known when the step before was not seen.
   struct Found {
     bool known = false;
-    double gain = 0, loss = 0;
+    double gain = 0, transfer = 0, residual = 0;
   };
 
   /// Keeps that of this step and of the one before.
@@ -47,10 +49,13 @@ class WatchedEnergy {
       floor_ = creep(scene);
       put_in_ = now.stored;
       changes_ = changes(scene);
+      pull_ = pull(scene);
       if constexpr (tracks_energy<Scene>)
         put_in_ = std::max(put_in_, scene.template part<TrackEnergy>().initial());
-    } else if (!tracks_energy<Scene> && changes_ != changes(scene)) {
-      // What the points took with them or brought is not known: start anew.
+    } else if (!tracks_energy<Scene> && (changes_ != changes(scene) || pull_ != pull(scene))) {
+      // What the points took with them or brought is not known, nor the work of what pulls otherwise: start
+      // anew.
+      pull_ = pull(scene);
       start_ = now;
       before_ = gain_;
       changes_ = changes(scene);
@@ -62,7 +67,8 @@ class WatchedEnergy {
       const double f = energy == 0 ? 0 : energy / std::max(put_in_ + moved_, floor_);
       return f > 0 || std::isnan(f) ? f : 0;
     };
-    return {true, fraction(gain_ - lowest_), fraction(-gain_)};
+    return {true, fraction(gain_ - lowest_), fraction(now.transfer - start_.transfer),
+            fraction(std::abs(now.residual - start_.residual))};
   }
 
   template <class F>
@@ -70,6 +76,8 @@ class WatchedEnergy {
     f("start/stored", start_.stored);
     f("start/external", start_.external);
     f("start/gained", start_.gained);
+    f("start/transfer", start_.transfer);
+    f("start/residual", start_.residual);
     f("put_in", put_in_);
     f("moved", moved_);
     f("floor", floor_);
@@ -84,6 +92,7 @@ class WatchedEnergy {
     f("follows", follows_);
     f("started", started_);
     f("changes", changes_);
+    f("pull", pull_);
     f("held_changes", held_changes_);
   }
 
@@ -95,6 +104,15 @@ class WatchedEnergy {
     scene.for_each_body(
         [&](const auto& body, const auto&) { n += body.inserted.count + body.removed.count; });
     return n;
+  }
+
+  /// Accelerations of the scene, m/s2.
+  template <class Scene>
+  static std::array<double, 3> pull(const Scene& scene) {
+    std::array<double, 3> all{};
+    const auto a = scene.acceleration();
+    for (int k = 0; k < Scene::D; ++k) all[static_cast<std::size_t>(k)] = static_cast<double>(a[k]);
+    return all;
   }
 
   /// What positions hold of the energy, J.
@@ -118,10 +136,10 @@ class WatchedEnergy {
     return h;
   }
 
-  /// Energies, J: kinetic and strain energy; work from outside since some time; energy that nothing put in
-  /// since some time.
+  /// Energies, J: kinetic and strain energy; work from outside, energy that nothing put in, energy that the
+  /// transfer took and what is left of the balance since some time.
   struct Balance {
-    double stored = 0, external = 0, gained = 0;
+    double stored = 0, external = 0, gained = 0, transfer = 0, residual = 0;
   };
   template <class Scene>
   Balance balance(const Scene& scene) const {
@@ -131,6 +149,8 @@ class WatchedEnergy {
       b.stored = e.kinetic + e.strain + e.stored;
       b.external = e.external + e.inserted;
       // Dissipation that is negative is energy made: by a law, or in contact.
+      b.transfer = e.transfer;
+      b.residual = e.residual - e.lag;
       b.gained =
           e.residual - e.transfer - e.walls - e.lag - std::min(e.plastic, 0.0) - std::min(e.contact, 0.0);
     } else {
@@ -179,6 +199,7 @@ class WatchedEnergy {
   std::size_t held_step_ = std::numeric_limits<std::size_t>::max() / 2;  // none
   bool follows_ = false;                                                 // whether the one before is known
   bool started_ = false;                                                 // whether it has looked
+  std::array<double, 3> pull_{};                                         // at the last look, m/s2
   std::size_t changes_ = 0, held_changes_ = 0;  // of the points: at the last look; at held_step_
 };
 

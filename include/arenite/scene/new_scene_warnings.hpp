@@ -82,6 +82,16 @@ void warn_overlap(const M& mesh, const std::string& name, const B& body, const F
                    ", and ", in_this, " of ", other.points.size(), " the other way"));
 }
 
+/// Warns of a body with fewer points than span a volume: it cannot strain as a body does.
+template <class L, class T, int D, ExtraColumns E>
+void warn_few_points(const Body<L, T, D, E>& body, const std::string& name) {
+  const std::size_t count = body.points.size();
+  if (count == 0 || count > D) return;
+  warn(joined_text(
+      "body ", name, " has ", count, count == 1 ? " point" : " points", ": fewer than ", D + 1,
+      " cannot strain as a body; is its region, or the mesh's cell, of the size that was meant?"));
+}
+
 /// Warns if gravity pulls and nothing can hold: no constraint blocks a part of it, and no part holds but
 /// those that fall themselves.
 template <class Scene>
@@ -118,6 +128,9 @@ void warn_about_new_scene(const Scene& scene, const Bodies<Fills...>& recipe) {
       warn_overlap(scene.mesh, Scene::body_name(a), scene.template body<std::size_t(a)>(), std::get<a>(fills),
                    Scene::body_name(b), scene.template body<std::size_t(b)>(), std::get<b>(fills));
     });
+  });
+  scene.for_each_body([&, number = std::size_t{0}](const auto& body, const auto&) mutable {
+    warn_few_points(body, Scene::body_name(number++));
   });
   warn_no_support(scene);
 }

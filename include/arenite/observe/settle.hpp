@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include <arenite/scene/run.hpp>
+#include <arenite/observe/run.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 

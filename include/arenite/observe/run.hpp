@@ -6,6 +6,7 @@
 #include <type_traits>
 #include <utility>
 
+#include <arenite/observe/watch.hpp>
 #include <arenite/scene/run_flow.hpp>
 #include <arenite/scene/stable_step.hpp>
 #include <arenite/scene/step.hpp>
@@ -45,6 +46,50 @@ template <class Scene, class Observer>
 void tell_end(const Scene& scene, Observer& observer) {
   if constexpr (requires { observer.finish(scene); }) observer.finish(scene);
 }
+
+/// Whether an observer is a `Watch`, or calls one from time to time.
+template <class Observer>
+inline constexpr bool is_watch = [] {
+  if constexpr (requires(Observer & observer) { observer.called(); })
+    return std::same_as<std::remove_cvref_t<decltype(std::declval<Observer&>().called())>, Watch>;
+  else
+    return std::same_as<Observer, Watch>;
+}();
+/// Whether all parts that do work say how much.
+template <class Scene>
+bool counts_all_work(const Scene& scene) {
+  bool all = true;
+  scene.for_each_part([&](const auto& part) {
+    using P = std::remove_cvref_t<decltype(part)>;
+    all = all && (counts_energy<P, Scene> || !(adds_force<P, Scene> || exchanges_impulses<P, Scene>));
+  });
+  return all;
+}
+
+/// The watch of a run that was given none.
+class OwnWatch {
+ public:
+  template <class Scene>
+  OwnWatch(const Scene& scene, bool on) : on_{on}, watch_{limits(counts_all_work(scene))} {}
+  template <class Scene>
+  void operator()(const Scene& scene) {
+    if (on_) watch_(scene);
+  }
+  template <class Scene>
+  void finish(const Scene& scene) {
+    if (on_) watch_.finish(scene);
+  }
+
+ private:
+  static WatchLimits limits(bool knows_energy) {
+    WatchLimits all = WatchLimits::of_runs();
+    if (!knows_energy) all.energy_gain = all.residual = std::numeric_limits<double>::infinity();
+    return all;
+  }
+
+  bool on_;
+  WatchOfRun watch_;
+};
 }  // namespace detail
 
 /// When a run ends, and its steps.
@@ -52,6 +97,8 @@ struct RunOptions {
   double end = std::numeric_limits<double>::quiet_NaN();      ///< s, on the scene's clock
   double courant = 0.5;                                       ///< share of the stable step, above 0 to 1, -
   double max_step = std::numeric_limits<double>::infinity();  ///< s
+  bool watch =
+      true;  ///< looks for what cannot be right (`WatchLimits::of_runs`), unless an observer is a `Watch`
 };
 
 namespace detail {
@@ -97,7 +144,10 @@ void run_with(Others& others, Scene& scene, const RunOptions& options, Observers
   require(options.courant <= 1, "RunOptions.courant", options.courant,
           "must be at most 1: larger steps are unstable");
   require(options.max_step > 0, "RunOptions.max_step", options.max_step, "must be positive");
-  if constexpr (Others::alone) {
+  if constexpr (Others::alone && !(detail::is_watch<std::remove_cvref_t<Observers>> || ...)) {
+    detail::OwnWatch watch(scene, options.watch);
+    detail::run_steps(scene, options, others, observers..., watch);
+  } else if constexpr (Others::alone) {
     detail::run_steps(scene, options, others, observers...);
   } else {
     try {
@@ -112,8 +162,10 @@ void run_with(Others& others, Scene& scene, const RunOptions& options, Observers
 /// Steps `scene` until `options.end`, which the last step hits exactly. Each observer is called with the
 /// scene (const) at the start and after every step; one with a member `finish(scene)` is told the end. An
 /// observer that returns `RunFlow::stop` ends the run there (with several scenes over one mesh: in all of
-/// them, which then need an observer that returns a `RunFlow` each). Throws `error` for a bad option,
-/// `run_error` if the run fails; observers have then seen everything up to the step before.
+/// them, which then need an observer that returns a `RunFlow` each). Warns of what cannot be right, and stops
+/// if energy doubles from nothing, unless `options.watch` is false or an observer is a `Watch`. Throws
+/// `error` for a bad option, `run_error` if the run fails; observers have then seen everything up to the step
+/// before.
 template <class Scene, class... Observers>
 void run(Scene& scene, const RunOptions& options, Observers&&... observers) {
   run_with(no_others, scene, options, observers...);

@@ -44,6 +44,7 @@ if chosen gcc || chosen clang || chosen asan; then
   need libbenchmark-dev "the benchmarks must compile"
   need pkgconf "what arenite.pc says is tried" pkg-config
   need dpkg-dev "the driver's Debian package lists the libraries that it needs" dpkg-shlibdeps
+  need qemu-user "a program runs on a processor without AVX" qemu-x86_64
   need libhdf5-dev "states and series in HDF5 files"
   need python3-matplotlib "the driver's pictures are drawn"
   need python3-venv "meshio and h5py, in a virtual environment, write and read the files that the readers and writers are tested on"

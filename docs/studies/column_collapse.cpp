@@ -1,7 +1,8 @@
 // Collapse of columns of sand, plane and axisymmetric, on two meshes and with both memories of separation,
 // beside the correlations of Lube et al. Writes what docs/validation.py puts into docs/validation.md:
 //
-//   c++ -O3 -std=c++20 -I include -isystem /usr/include/eigen3 docs/studies/column_collapse.cpp -o collapse
+//   c++ -O3 -std=c++20 -isystem include -isystem /usr/include/eigen3 docs/studies/column_collapse.cpp -o
+//   collapse
 //   && ./collapse
 //
 // Some three minutes on one core.

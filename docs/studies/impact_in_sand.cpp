@@ -3,7 +3,8 @@
 // three sizes of the cells, with the uncertainty that they tell. Writes what docs/validation.py puts into
 // docs/validation.md:
 //
-//   c++ -O3 -std=c++20 -I include -isystem /usr/include/eigen3 docs/studies/impact_in_sand.cpp -o impact &&
+//   c++ -O3 -std=c++20 -isystem include -isystem /usr/include/eigen3 docs/studies/impact_in_sand.cpp -o
+//   impact &&
 //   ./impact
 //
 // Some five minutes on two cores.

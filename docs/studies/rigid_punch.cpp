@@ -3,7 +3,7 @@
 // distance from the surface at which it acts under a given load, at three sizes of the cells and four places
 // of the surface in them, and its order. Writes what docs/validation.py puts into docs/validation.md:
 //
-//   c++ -O3 -std=c++20 -I include -isystem /usr/include/eigen3 docs/studies/rigid_punch.cpp -o punch &&
+//   c++ -O3 -std=c++20 -isystem include -isystem /usr/include/eigen3 docs/studies/rigid_punch.cpp -o punch &&
 //   ./punch
 //
 // Some ten minutes on one core.

@@ -1,6 +1,6 @@
 // Transfers and orders of the stress update side by side: the tables of docs/transfers.md. Not built with the
 // library, for it makes some fifty scenes:
-//   g++ -std=c++20 -O2 -march=native -I include -I tests/support -isystem /usr/include/eigen3
+//   g++ -std=c++20 -O2 -march=native -isystem include -I tests/support -isystem /usr/include/eigen3
 //       docs/studies/transfers.cpp -o transfers -pthread && ./transfers disc && ./transfers orders
 #include <cstdio>
 #include <cstring>

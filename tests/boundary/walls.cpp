@@ -135,16 +135,16 @@ TEST_CASE("walls that mean nothing are refused") {
   REQUIRE(refuses(where([](const auto&) { return false; }, fixed),
                   "Wall.nodes = 0: the wall must catch at least one node"));
   REQUIRE(refuses(left(symmetry({0, 0, 0})),
-                  "symmetry.normal = 0 0: must have a length in the scene's dimensions"));
+                  "symmetry.normal = (0, 0): must have a length in the scene's dimensions"));
   REQUIRE(refuses(left(symmetry({0, 0, 1})),
-                  "symmetry.normal = 0 0: must have a length in the scene's dimensions"));
-  REQUIRE(refuses(left(symmetry({std::nan(""), 0, 0})), "symmetry.normal = nan   0: must have a length"));
+                  "symmetry.normal = (0, 0): must have a length in the scene's dimensions"));
+  REQUIRE(refuses(left(symmetry({std::nan(""), 0, 0})), "symmetry.normal = (nan, 0): must have a length"));
   REQUIRE(refuses(left(symmetry({1, 0, 1})),
                   "symmetry.normal = 1: must be zero along an axis that the scene does not have"));
   REQUIRE(
-      refuses(left(free_along(2)), "free_along.axis = 0 0: must have a length in the scene's dimensions"));
+      refuses(left(free_along(2)), "free_along.axis = (0, 0): must have a length in the scene's dimensions"));
   REQUIRE(
-      refuses(left(free_along(7)), "free_along.axis = 0 0: must have a length in the scene's dimensions"));
+      refuses(left(free_along(7)), "free_along.axis = (0, 0): must have a length in the scene's dimensions"));
   const auto mesh = named_mesh();
   REQUIRE(throws([&] { resolve<LinearSimplex>(mesh, walls(on("crown", fixed))); },
                  "node set = crown: must be one of: base"));

@@ -3,7 +3,6 @@
 
 #include <array>
 #include <cstddef>
-#include <string>
 
 struct Result {
   std::array<double, 2> sums;  ///< of the stresses of each scene, Pa, and its kinetic energy
@@ -11,7 +10,10 @@ struct Result {
   int threads;                 ///< of the pool that the unit sees
 };
 
-// The same source, compiled with other flags.
-Result run_sse2(const std::string& prefix);
-Result run_avx2(const std::string& prefix);
-Result run_avx512(const std::string& prefix);
+extern int heard;  ///< warnings, by the hook of the first unit
+
+// The same source, compiled with other flags. The unit to which `threads` > 0 is given sets the threads and
+// the hook of warnings for all.
+Result run_sse2(const char* prefix, int threads);
+Result run_avx2(const char* prefix, int threads);
+Result run_avx512(const char* prefix, int threads);

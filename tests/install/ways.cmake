@@ -41,12 +41,12 @@ arenite_way(add_subdirectory -Darenite_source=${PROJECT_SOURCE_DIR})
 arenite_way(fetch_content -Darenite_source=${PROJECT_SOURCE_DIR})
 
 get_target_property(eigen_include Eigen3::Eigen INTERFACE_INCLUDE_DIRECTORIES)
-arenite_compiled(plain "-Dflags=-Wall -Wextra -Wconversion -Werror -I${PROJECT_SOURCE_DIR}/include -isystem ${eigen_include} -pthread ${CMAKE_CXX_FLAGS}")
+arenite_compiled(plain "-Dflags=-Wall -Wextra -Wconversion -Wold-style-cast -Wcast-qual -Werror -I${PROJECT_SOURCE_DIR}/include -isystem ${eigen_include} -pthread ${CMAKE_CXX_FLAGS}")
 
 find_program(ARENITE_PKG_CONFIG NAMES pkg-config pkgconf DOC "Tests arenite.pc, if found")
 if(ARENITE_PKG_CONFIG)
   arenite_compiled(pkg_config -Dpkg_config=${ARENITE_PKG_CONFIG} -Dprefix=${prefix} -Deigen3_dir=${Eigen3_DIR} -Dversion=${PROJECT_VERSION}
-                   -Dflags=${CMAKE_CXX_FLAGS})
+                   "-Dflags=-Wold-style-cast -Werror ${CMAKE_CXX_FLAGS}")
   set_tests_properties(install.pkg_config PROPERTIES FIXTURES_REQUIRED installed_package)
 else()
   arenite_left_out("Test of arenite.pc" "pkg-config (Debian: pkgconf)")

@@ -172,8 +172,7 @@ void check_tetrahedron(const MeshData<3>& mesh) {
   REQUIRE(mesh.cells == std::vector<std::array<Index, 4>>{{0, 1, 2, 3}});
   REQUIRE(mesh.region == std::vector<int>{3});
   REQUIRE(mesh.region_names.empty());
-  REQUIRE(mesh.node_sets ==
-          std::map<std::string, std::vector<Index>>{{"base", {0, 1, 2}}, {"2:7", {0, 1, 2}}});
+  REQUIRE(mesh.node_sets == Map<std::string, std::vector<Index>>{{"base", {0, 1, 2}}, {"2:7", {0, 1, 2}}});
 }
 
 /// Every file cut short, and every file with one byte changed, is refused or read: under the sanitizers this
@@ -205,9 +204,9 @@ TEST_CASE("format 2.2: gaps in the tags, unused nodes, unnamed groups, groups of
   REQUIRE(mesh.nodes[3] == Vec<double, 2>(1, 1));
   REQUIRE(mesh.cells == std::vector<std::array<Index, 3>>{{0, 1, 3}, {0, 3, 2}});
   REQUIRE(mesh.region == std::vector<int>{5, 0});
-  REQUIRE(mesh.region_names == std::map<std::string, int>{{"sand", 5}});
-  REQUIRE(mesh.node_sets == std::map<std::string, std::vector<Index>>{
-                                {"left side", {0, 2}}, {"corner", {0}}, {"1:8", {0, 1, 3}}});
+  REQUIRE(mesh.region_names == Map<std::string, int>{{"sand", 5}});
+  REQUIRE(mesh.node_sets ==
+          Map<std::string, std::vector<Index>>{{"left side", {0, 2}}, {"corner", {0}}, {"1:8", {0, 1, 3}}});
   const auto joined = read<2>(replaced(square_2, "\"corner\"", "\"left side\""));
   REQUIRE(joined.node_sets.at("left side") == std::vector<Index>{0, 2});
 }

@@ -58,7 +58,7 @@ void compare(const MeshData<D>& mesh, const std::filesystem::path& reference) {
   }
 
   REQUIRE((in >> word >> count && word == "regions"));
-  std::map<std::string, int> regions;
+  Map<std::string, int> regions;
   for (std::size_t i = 0; i < count; ++i) in >> name >> regions[name];
   REQUIRE(mesh.region_names.size() == count);
   for (const auto& [key, tag] : mesh.region_names) {
@@ -67,7 +67,7 @@ void compare(const MeshData<D>& mesh, const std::filesystem::path& reference) {
   }
 
   REQUIRE((in >> word >> count && word == "sets"));
-  std::map<std::string, std::vector<Index>> sets;
+  Map<std::string, std::vector<Index>> sets;
   for (std::size_t i = 0; i < count; ++i) {
     in >> name >> length;
     sets[name].resize(length);

@@ -73,7 +73,7 @@ TEST_CASE("a cell that turns inside out is named") {
   SimplexMesh<2> mesh(data);
   BoundMotion<SimplexMesh<2>, LedByRigid<0>> motion({.fixed_below = 0.4, .moving_from = 0.9}, mesh);
   REQUIRE(throws<run_error>([&] { motion.move(mesh, 0.5); },
-                            "cell 0 at (0 0) m turned inside out after a travel of 0.5 m"));
+                            "cell 0 at (0, 0) m turned inside out after a travel of 0.5 m"));
 }
 
 TEST_CASE("bad zones are refused") {

@@ -226,7 +226,7 @@ TEST_CASE("bad motions are refused") {
   };
   const double inf = std::numeric_limits<double>::infinity();
   REQUIRE_NOTHROW(along({3, 4, 0})());
-  REQUIRE(throws(along({0, 0, 1}), "Guided.axis = 0 0: must have a length in the scene's dimensions"));
+  REQUIRE(throws(along({0, 0, 1}), "Guided.axis = (0, 0): must have a length in the scene's dimensions"));
   REQUIRE(throws(along({0, inf, 0}), "Guided.axis = inf: must be finite"));
   REQUIRE(
       throws(along({0, 1, 1}), "Guided.axis = 1: must be zero along an axis that the scene does not have"));

@@ -33,7 +33,8 @@ void name_region(MeshData<D>& data, const std::string& name, Test&& test) {
   data.region_names[name] = number;
   for (std::size_t c = 0; c < data.cells.size(); ++c) {
     Vec<double, D> centre = Vec<double, D>::Zero();
-    for (const Index i : data.cells[c]) centre += data.nodes[i] / (D + 1);
+    for (const Index i : data.cells[c])
+      for (int k = 0; k < D; ++k) centre[k] += data.nodes[i][k] / (D + 1);
     if (test(centre)) data.region[c] = number;
   }
 }

@@ -52,8 +52,14 @@ struct Blocked {
   }
   Mat<double, D> projector() const {
     if (count == D) return Mat<double, D>::Zero();
-    const auto q = directions.leftCols(count);
-    return Mat<double, D>::Identity() - q.lazyProduct(q.transpose());
+    Mat<double, D> p;
+    for (int i = 0; i < D; ++i)
+      for (int j = 0; j < D; ++j) {
+        double blocked = 0;
+        for (int k = 0; k < count; ++k) blocked += directions(i, k) * directions(j, k);
+        p(i, j) = (i == j ? 1 : 0) - blocked;
+      }
+    return p;
   }
   /// Takes a part's velocity u to the one blocked velocity w with n . w = n . u along what the part named and
   /// n . w = 0 along what others did.

@@ -2,8 +2,9 @@
 #pragma once
 
 #include <arenite/core/error.hpp>
+#include <arenite/core/instruction_set.hpp>
 
-namespace arenite {
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 /// A number that was checked when it was given. `Rule` has `name` (of the parameter) and `bounds` (a
 /// sentence), both static and const char*, and `static bool holds(double)`. Throws `error` with all three
@@ -18,4 +19,4 @@ class Checked {
   double value_;
 };
 
-}  // namespace arenite
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -37,7 +37,7 @@ Pack<T, W> times_power_of_two(const Pack<T, W>& x, const Pack<T, W>& n) {
   using bits = typename Pack<T, W>::mask::vector;
   using vector = typename Pack<T, W>::vector;
   const Pack<T, W> rounded = n + Pack<T, W>(F::rounder);
-  return Pack<T, W>::from((vector)((bits)x.lanes() + ((bits)rounded.lanes() << F::exponent_at)));
+  return Pack<T, W>::from(vector(bits(x.lanes()) + (bits(rounded.lanes()) << F::exponent_at)));
 }
 template <class Half>
 PackPair<Half> times_power_of_two(const PackPair<Half>& x, const PackPair<Half>& n) {
@@ -63,11 +63,11 @@ FractionAndPower<Pack<T, W>> split_power(const Pack<T, W>& x) {
   using P = Pack<T, W>;
   using bits = typename P::mask::vector;
   using vector = typename P::vector;
-  const auto b = (bits)x.lanes();
+  const auto b = bits(x.lanes());
   const auto one = std::bit_cast<typename F::integer>(T(1)),
              whole = std::bit_cast<typename F::integer>(F::whole);
-  return {P::from((vector)((b & F::fraction) | one)),
-          P::from((vector)((b >> F::exponent_at) | whole)) - P(F::whole + F::bias)};
+  return {P::from(vector((b & F::fraction) | one)),
+          P::from(vector((b >> F::exponent_at) | whole)) - P(F::whole + F::bias)};
 }
 template <class Half>
 FractionAndPower<PackPair<Half>> split_power(const PackPair<Half>& x) {

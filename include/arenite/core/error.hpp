@@ -1,14 +1,14 @@
 // Errors: what a user's mistake and a failed run say. A programmer's mistake is an assert instead.
 #pragma once
 
-#include <arenite/core/requirements.hpp>
-
 #include <sstream>
 #include <stdexcept>
 #include <string>
 #include <string_view>
 
-namespace arenite {
+#include <arenite/core/instruction_set.hpp>
+
+namespace arenite {  // one for all instruction sets: who catches knows them
 
 /// A value that breaks a rule. The message names the value and the rule.
 class error : public std::runtime_error {
@@ -21,6 +21,10 @@ class run_error : public error {
  public:
   using error::error;
 };
+
+}  // namespace arenite
+
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 /// The parts one behind the other as text, numbers with ten digits: what messages are made of.
 template <class... Parts>
@@ -36,7 +40,8 @@ template <class Vector>
 std::string vector_text(const Vector& v) {
   std::string text = "(";
   for (int k = 0; k < static_cast<int>(v.size()); ++k) text += joined_text(k > 0 ? ", " : "", v[k]);
-  return text + ")";
+  text += ")";
+  return text;
 }
 
 /// Throws `error("name = value: rule")` unless `holds`. Write the condition so that NaN fails it.
@@ -45,4 +50,4 @@ void require(bool holds, std::string_view name, const Value& value, std::string_
   if (!holds) throw error(joined_text(name, " = ", value, ": ", rule));
 }
 
-}  // namespace arenite
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -8,7 +8,9 @@
 #include <cstring>
 #include <string>
 
-namespace arenite {
+#include <arenite/core/instruction_set.hpp>
+
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 /// Hash of bytes that come in pieces: equal for equal bytes, however they were cut. FNV-1a over words of
 /// eight bytes, with a fold of the upper half after each, so that no change of one word goes unseen. It finds
@@ -61,4 +63,4 @@ class Hash {
   std::size_t kept_ = 0;
 };
 
-}  // namespace arenite
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -18,14 +18,14 @@
 // wait is booked. On an idle machine three readings of the clock a loop are all that this costs.
 #pragma once
 
-#include <arenite/core/requirements.hpp>
+#include <arenite/core/instruction_set.hpp>
 #include <arenite/core/system_time.hpp>
 
 #include <algorithm>
 #include <chrono>
 #include <cstddef>
 
-namespace arenite::shared_detail {
+namespace arenite::inline ARENITE_INSTRUCTION_SET::shared_detail {
 
 template <class Time = SystemTime>
 class HelperAccount {
@@ -68,4 +68,4 @@ class HelperAccount {
   Duration begin_{}, watches_until_{}, rests_until_{};
 };
 
-}  // namespace arenite::shared_detail
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET::shared_detail

@@ -1,8 +1,8 @@
-// Instruction set: what this translation unit is compiled for, as the name of an inline namespace. Packs,
-// columns and kernels depend on the compiler's flags; were they named alike in units with other flags, the
-// linker would keep one of each and give it to all. `arenite::Scene` is `arenite::avx2_fma::Scene` to the
-// linker. A name can only come from a macro, which nobody sets.
-// Outside, once in a program: errors, the thread pool, meshes as data, files (helpers: `shared_detail`).
+// Instruction set: what this translation unit is compiled for, as the name of an inline namespace. All code
+// depends on the compiler's flags; were functions named alike in units with other flags, the linker would
+// keep one of each and give it to all, also where the processor does not have its instructions.
+// `arenite::Scene` is `arenite::avx2_fma::Scene` to the linker. A name can only come from a macro, which
+// nobody sets. Outside are exceptions, and what tells where the one thread pool is (core/once.hpp).
 #pragma once
 
 #include <arenite/core/requirements.hpp>

@@ -259,7 +259,7 @@ class Mask {
   constexpr Mask(bool all) : v_(vector{} - static_cast<detail::lane_integer<T>>(all)) {}
   template <class V>
   requires(sizeof(V) == sizeof(vector) && !std::is_arithmetic_v<V>) explicit constexpr Mask(const V& lanes)
-      : v_((vector)lanes) {}
+      : v_(vector(lanes)) {}
 
   /// Lanes may differ, so a mask is no condition: refused by the compiler.
   template <class B>
@@ -346,7 +346,7 @@ class Pack {
   friend Pack abs(const Pack& a) {
     using bits = typename mask::vector;
     constexpr auto magnitude = std::numeric_limits<detail::lane_integer<T>>::max();
-    return Pack((vector)((bits)a.v_ & magnitude));
+    return Pack(vector(bits(a.v_) & magnitude));
   }
   friend Pack sqrt(const Pack& a) {
     T x[W], root[W];

@@ -9,7 +9,7 @@
 #include <arenite/core/instruction_set.hpp>
 #include <arenite/core/thread_pool.hpp>
 
-namespace arenite {
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 /// Threads that loops may use from here on; `n` < 1 leaves the number as it is. The default is that of the
 /// environment's ARENITE_THREADS, else one for each processor.
@@ -19,10 +19,6 @@ inline void set_threads(int n) {
 
 /// Threads that loops may use now.
 inline int threads() { return shared_detail::ThreadPool::instance().threads(); }
-
-}  // namespace arenite
-
-namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 /// Calls `f(i)` for i in [0, n), in any order; on one thread unless `worthwhile`. Each thread begins with a
 /// part of its own, the first item of part t of `parts` being `cut(t, parts)`. `f` must not throw.

@@ -12,4 +12,7 @@
 #elif defined(__FAST_MATH__) || __FINITE_MATH_ONLY__
 #error \
     "Arenite must see NaN: compile without -ffast-math, -Ofast and -ffinite-math-only; -fno-math-errno and -fno-trapping-math are fine"
+#elif !__has_include(<Eigen/Core>)
+#error \
+    "Arenite needs Eigen 3.4 or newer: install it (Debian, Ubuntu: libeigen3-dev) and compile with -isystem and the folder that has Eigen/Core (there /usr/include/eigen3)"
 #endif

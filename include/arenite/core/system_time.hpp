@@ -1,13 +1,13 @@
 // Time as the thread pool sees it: the clock, what a thread has run, and how it lets others ahead.
 #pragma once
 
-#include <arenite/core/requirements.hpp>
+#include <arenite/core/instruction_set.hpp>
 
 #include <chrono>
 #include <ctime>
 #include <thread>
 
-namespace arenite::shared_detail {
+namespace arenite::inline ARENITE_INSTRUCTION_SET::shared_detail {
 
 /// The system's clocks. Tests use clocks of their own, which they set.
 struct SystemTime {
@@ -29,4 +29,4 @@ struct SystemTime {
   static void give_way() { std::this_thread::yield(); }
 };
 
-}  // namespace arenite::shared_detail
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET::shared_detail

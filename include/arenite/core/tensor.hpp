@@ -9,7 +9,7 @@
 
 #include <arenite/core/scalar.hpp>
 
-namespace arenite {
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 /// Vector of the space, shape [D]. Unaligned, so that a column of them has no holes.
 template <class T, int D>
@@ -18,10 +18,6 @@ using Vec = Eigen::Matrix<T, D, 1, Eigen::DontAlign>;
 /// Matrix, shape [D x D].
 template <class T, int D>
 using Mat = Eigen::Matrix<T, D, D, Eigen::DontAlign>;
-
-}  // namespace arenite
-
-namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 /// Symmetric second-order tensor in 3-D space, as its independent components.
 /// D = 2: (xx, yy, zz, xy), with z out of plane (plane strain) or hoop (axisymmetric; x = r, y = axial).

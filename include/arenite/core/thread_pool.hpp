@@ -9,7 +9,8 @@
 #pragma once
 
 #include <arenite/core/helper_account.hpp>
-#include <arenite/core/requirements.hpp>
+#include <arenite/core/instruction_set.hpp>
+#include <arenite/core/once.hpp>
 #include <arenite/core/system_time.hpp>
 
 #include <atomic>
@@ -24,7 +25,7 @@
 #include <immintrin.h>
 #endif
 
-namespace arenite::shared_detail {
+namespace arenite::inline ARENITE_INSTRUCTION_SET::shared_detail {
 
 /// One pause of a thread that waits in a loop.
 inline void relax() {
@@ -76,8 +77,10 @@ class ThreadPool {
  public:
   /// The pool of the process: its threads start with the first loop that wants them.
   static ThreadPool& instance() {
-    static ThreadPool pool;
-    return pool;
+    return once<ThreadPool>(program::thread_pool, []() -> ThreadPool& {
+      static ThreadPool pool;
+      return pool;
+    });
   }
 
   ThreadPool(const ThreadPool&) = delete;
@@ -97,7 +100,7 @@ class ThreadPool {
   /// starts while another of the program's threads has the pool, run on their own thread alone; so do all
   /// while helpers do not pay.
   void run(std::size_t n, const Loop& loop) {
-    if (threads_ < 2 || inside() || taken_.test_and_set(std::memory_order_acquire)) {
+    if (threads_ < 2 || program::in_loop || taken_.test_and_set(std::memory_order_acquire)) {
       loop.items(loop.body, 0, n);
       return;
     }
@@ -107,7 +110,7 @@ class ThreadPool {
       loop.items(loop.body, 0, n);
       return;
     }
-    inside() = true;
+    program::in_loop = true;
     loop_ = loop;
     const auto parts = static_cast<std::size_t>(threads_);
     for (std::size_t t = 0, begin = 0; t < parts; ++t) {
@@ -127,7 +130,7 @@ class ThreadPool {
     for (int k = 0; state_.load(std::memory_order_acquire) != 0; ++k)
       k < patience ? relax() : std::this_thread::yield();
     account_.end_loop(n, own, threads_);
-    inside() = false;
+    program::in_loop = false;
     taken_.clear(std::memory_order_release);
   }
 
@@ -139,11 +142,6 @@ class ThreadPool {
     const int n = wanted ? std::atoi(wanted) : 0;
     threads_ = n >= 1 ? n : static_cast<int>(std::thread::hardware_concurrency());
     if (threads_ < 1) threads_ = 1;
-  }
-
-  static bool& inside() {
-    thread_local bool value = false;
-    return value;
   }
 
   /// Items [next, end) that are left of a part, in one word.
@@ -190,7 +188,7 @@ class ThreadPool {
   }
 
   void help(std::size_t own) {
-    inside() = true;
+    program::in_loop = true;
     while (!stopping_.load(std::memory_order_relaxed)) {
       if (!(state_.load(std::memory_order_relaxed) & open)) {
         wait();
@@ -230,4 +228,4 @@ class ThreadPool {
   std::atomic<int> asleep_{0};
 };
 
-}  // namespace arenite::shared_detail
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET::shared_detail

@@ -5,8 +5,9 @@
 #include <string_view>
 
 #include <arenite/core/error.hpp>
+#include <arenite/core/instruction_set.hpp>
 
-namespace arenite {
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 namespace shared_detail {
 
@@ -60,4 +61,4 @@ struct TypeWords<Template<N, T>> {
 };
 
 }  // namespace shared_detail
-}  // namespace arenite
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

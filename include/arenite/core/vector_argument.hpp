@@ -33,7 +33,7 @@ template <class T, int D>
 Vec<T, D> direction_argument(std::string_view name, const std::array<double, 3>& given) {
   Vec<T, D> v;
   for (int k = 0; k < D; ++k) v[k] = static_cast<T>(given[static_cast<std::size_t>(k)]);
-  require(v.norm() > 0, name, v.transpose(), "must have a length in the scene's dimensions");
+  require(v.norm() > 0, name, vector_text(v), "must have a length in the scene's dimensions");
   return vector_argument<T, D>(name, given);
 }
 

@@ -10,25 +10,36 @@
 #include <string>
 #include <utility>
 
-namespace arenite {
+#include <arenite/core/once.hpp>
 
-/// What is called with the text of each warning, one line without its end. It may throw: whoever warned then
-/// fails with that exception.
-using WarningHook = std::function<void(const std::string&)>;
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
+
+/// Text of a warning: a string. (A type of its own gives `std::function` of it a name of its own in units for
+/// other instruction sets.)
+struct WarningText : std::string {
+  using std::string::string;
+  WarningText(std::string text) : std::string(std::move(text)) {}
+};
+
+/// What is called with the text of each warning, one line without its end: any callable with a string. It may
+/// throw: whoever warned then fails with that exception.
+using WarningHook = std::function<void(const WarningText&)>;
 
 namespace shared_detail {
 
 /// The one place of the process that warnings pass through.
 struct WarningOutlet {
   std::mutex mutex;
-  WarningHook hook = [](const std::string& text) {
+  WarningHook hook = [](const WarningText& text) {
     std::fprintf(stderr, "arenite: warning: %s\n", text.c_str());
   };
   std::atomic<std::size_t> count{0};
 
   static WarningOutlet& instance() {
-    static WarningOutlet outlet;
-    return outlet;
+    return once<WarningOutlet>(program::warning_outlet, []() -> WarningOutlet& {
+      static WarningOutlet outlet;
+      return outlet;
+    });
   }
 };
 
@@ -57,4 +68,4 @@ inline void warn(const std::string& text) {
   if (hook) hook(text);
 }
 
-}  // namespace arenite
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

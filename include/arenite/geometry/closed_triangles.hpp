@@ -59,7 +59,7 @@ class ClosedTriangles {
     const Vec<double, 3> ab = data.vertices[b] - data.vertices[a], ac = data.vertices[c] - data.vertices[a];
     const double longest2 = std::max({ab.squaredNorm(), ac.squaredNorm(), (ac - ab).squaredNorm()});
     const double area = ab.cross(ac).norm() / 2;
-    require(area > 1e-12 * longest2, name_of(t) + ".area", area, "a triangle must not be flat");
+    require(area > 1e-12 * longest2, joined_text(name_of(t), ".area"), area, "a triangle must not be flat");
   }
 
   void pair_edges(const TriangleData& data) {
@@ -81,8 +81,9 @@ class ClosedTriangles {
       const Side &a = sides[i], &b = sides[std::min(i + 1, end - 1)];
       const auto check = [&](bool holds, const std::string& rule) {
         if (!holds)
-          require(false, name_of(a.triangle) + ", edge",
-                  vector_text(data.vertices[a.low]) + " to " + vector_text(data.vertices[a.high]), rule);
+          require(false, joined_text(name_of(a.triangle), ", edge"),
+                  joined_text(vector_text(data.vertices[a.low]), " to ", vector_text(data.vertices[a.high])),
+                  rule);
       };
       check(end - i > 1, "belongs to this triangle alone; the surface must be closed");
       check(end - i == 2, joined_text("belongs to ", end - i, " triangles; it must belong to two"));

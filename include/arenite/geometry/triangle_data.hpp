@@ -4,9 +4,10 @@
 #include <array>
 #include <vector>
 
+#include <arenite/core/instruction_set.hpp>
 #include <arenite/core/tensor.hpp>
 
-namespace arenite {
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 /// Triangles in space. Each names three vertices, counter-clockwise as seen from outside of the body.
 struct TriangleData {
@@ -14,4 +15,4 @@ struct TriangleData {
   std::vector<std::array<Index, 3>> triangles;  ///< vertex numbers from 0
 };
 
-}  // namespace arenite
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

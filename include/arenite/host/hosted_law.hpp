@@ -5,9 +5,10 @@
 #include <string>
 #include <vector>
 
+#include <arenite/core/instruction_set.hpp>
 #include <arenite/host/value.hpp>
 
-namespace arenite {
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 /// Arrays of `n` states in D dimensions, row by row: stresses and strains with S components (D = 2: xx, yy,
 /// zz, xy; D = 3: also yz, zx), spins with one or three, histories with as many as the law has names.
@@ -48,4 +49,4 @@ class HostedLaw {
                            const std::vector<double>& history) const = 0;
 };
 
-}  // namespace arenite
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

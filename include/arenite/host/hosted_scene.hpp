@@ -10,9 +10,10 @@
 #include <string>
 #include <vector>
 
+#include <arenite/core/instruction_set.hpp>
 #include <arenite/host/value.hpp>
 
-namespace arenite {
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 /// A value of a scene's state (`for_each_state`), where it is: valid until the next step.
 struct HostedState {
@@ -130,4 +131,4 @@ class HostedScene {
   virtual std::unique_ptr<HostedScene> copy() const = 0;
 };
 
-}  // namespace arenite
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

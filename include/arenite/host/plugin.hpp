@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include <arenite/core/once.hpp>
 #include <arenite/core/parallel.hpp>
 #include <arenite/core/warning.hpp>
 #include <arenite/host/hosted_law.hpp>
@@ -16,7 +17,14 @@
 #include <arenite/host/members.hpp>
 #include <arenite/version.hpp>
 
-namespace arenite {
+namespace arenite::program {
+
+/// Hidden: each shared object has its own.
+[[gnu::visibility("hidden")]] inline constinit Place plugin{nullptr};
+
+}  // namespace arenite::program
+
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 /// What a composition's parameters are called, in order, and how they begin (not a number: no default).
 using PluginMembers = std::vector<std::pair<std::string, double>>;
@@ -46,10 +54,11 @@ struct Plugin {
 namespace shared_detail {
 
 /// The plugin of this shared object; its units add to it before the program asks.
-/// Hidden: each shared object has its own.
 [[gnu::visibility("hidden")]] inline Plugin& this_plugin() {
-  static Plugin plugin{std::string(library_version), {}, {}, {}, &set_threads, &on_warning};
-  return plugin;
+  return once<Plugin>(program::plugin, []() -> Plugin& {
+    static Plugin plugin{std::string(library_version), {}, {}, {}, &set_threads, &on_warning};
+    return plugin;
+  });
 }
 
 /// Adds to the plugin when the shared object is opened.
@@ -60,8 +69,6 @@ struct Offer {
 };
 
 }  // namespace shared_detail
-
-inline namespace ARENITE_INSTRUCTION_SET {
 
 /// The members of an aggregate of parameters.
 template <class Parameters>
@@ -77,8 +84,7 @@ PluginMembers members_of() {
   (std::make_index_sequence<member_count<Parameters>>{});
 }
 
-}  // namespace ARENITE_INSTRUCTION_SET
-}  // namespace arenite
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET
 
 /// In one unit of the shared object: what its program looks for.
 #define ARENITE_PLUGIN \

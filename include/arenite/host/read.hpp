@@ -8,7 +8,6 @@
 #include <concepts>
 #include <cstdint>
 #include <limits>
-#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -17,6 +16,7 @@
 
 #include <arenite/core/checked.hpp>
 #include <arenite/core/error.hpp>
+#include <arenite/core/map.hpp>
 #include <arenite/core/type_words.hpp>
 #include <arenite/host/members.hpp>
 #include <arenite/host/reading.hpp>
@@ -229,9 +229,9 @@ struct Reader<std::optional<T>> {
   }
 };
 template <class T>
-struct Reader<std::map<std::string, T>> {
-  static std::map<std::string, T> read(const Value& value, const Reading& at) {
-    std::map<std::string, T> all;
+struct Reader<Map<std::string, T>> {
+  static Map<std::string, T> read(const Value& value, const Reading& at) {
+    Map<std::string, T> all;
     for (const auto& [key, v] : detail::dict(value, at)) all.emplace(key, arenite::read<T>(v, at / key));
     return all;
   }

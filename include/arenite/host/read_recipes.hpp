@@ -170,7 +170,7 @@ struct Reader<MeshData<D>> {
       for (const double r : detail::numbers(*region, at / "region"))
         data.region.push_back(static_cast<int>(r));
     if (const Value* names = value.find("region_names"))
-      data.region_names = arenite::read<std::map<std::string, int>>(*names, at / "region_names");
+      data.region_names = arenite::read<Map<std::string, int>>(*names, at / "region_names");
     if (const Value* sets = value.find("node_sets"))
       for (const auto& [name, nodes_of] : detail::dict(*sets, at / "node_sets")) {
         auto& set = data.node_sets[name];

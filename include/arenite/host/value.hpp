@@ -15,8 +15,9 @@
 #include <vector>
 
 #include <arenite/core/error.hpp>
+#include <arenite/core/instruction_set.hpp>
 
-namespace arenite {
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 /// Numbers in rows: `shape` [rows, columns, ..], the last index running fastest.
 struct HostArray {
@@ -89,4 +90,4 @@ class Value {
       held_{};
 };
 
-}  // namespace arenite
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -13,9 +13,10 @@
 #include <utility>
 #include <vector>
 
+#include <arenite/core/instruction_set.hpp>
 #include <arenite/io/output_file.hpp>
 
-namespace arenite {
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 /// Writes a header, then rows. Numbers stand in the shortest form that reads back as the same double. Each
 /// row goes to the operating system as a whole at once. If the process is killed (SIGKILL) inside that call,
@@ -106,4 +107,4 @@ class CsvWriter {
   shared_detail::FileHandle file_;
 };
 
-}  // namespace arenite
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -8,10 +8,12 @@
 #include <string>
 #include <string_view>
 
+#include <arenite/core/instruction_set.hpp>
+#include <arenite/core/map.hpp>
 #include <arenite/io/gmsh_v2.hpp>
 #include <arenite/io/gmsh_v4.hpp>
 
-namespace arenite {
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
 namespace shared_detail {
 
 enum class GmshFormat { v2_2, v4_1 };
@@ -59,12 +61,13 @@ MeshData<D> read_gmsh_bytes(std::string_view bytes, std::string name) {
   GmshMesh<D> mesh;
   GmshEntities entities;
   GmshFormat format{};
-  std::set<std::string, std::less<>> seen;
+  std::set<std::string, Order> seen;
   while (true) {
     const std::string section = in.open_section();
     if (section.empty()) break;
     const auto must_follow = [&](std::string_view other) {
-      in.check(seen.contains(other), "section", "$" + section, joined_text("must stand behind $", other));
+      in.check(seen.contains(other), "section", joined_text("$", section),
+               joined_text("must stand behind $", other));
     };
     if (section != "MeshFormat" && section != "Comments") must_follow("MeshFormat");
     const bool v4 = format == GmshFormat::v4_1;
@@ -75,15 +78,17 @@ MeshData<D> read_gmsh_bytes(std::string_view bytes, std::string name) {
       in.skip_section();  // as the manual asks: comments, post-processing data, what others have added
       continue;
     }
-    in.check(seen.insert(section).second, "section", "$" + section, "is given twice");
+    in.check(seen.insert(section).second, "section", joined_text("$", section), "is given twice");
     if (section == "MeshFormat") {
       format = read_gmsh_format(in);
     } else if (section == "PhysicalNames") {
       read_gmsh_names(in, mesh);
     } else if (section == "PartitionedEntities") {
-      in.fail("section", "$" + section, "partitioned meshes are not read (Gmsh: Mesh.NbPartitions = 0)");
+      in.fail("section", joined_text("$", section),
+              "partitioned meshes are not read (Gmsh: Mesh.NbPartitions = 0)");
     } else if (section == "Entities") {
-      in.check(!seen.contains("Elements"), "section", "$" + section, "must stand before $Elements");
+      in.check(!seen.contains("Elements"), "section", joined_text("$", section),
+               "must stand before $Elements");
       entities = read_v4_entities(in);
     } else if (section == "Nodes") {
       v4 ? read_v4_nodes(in, mesh) : read_v2_nodes(in, mesh);
@@ -133,4 +138,4 @@ MeshData<D> read_gmsh(const std::filesystem::path& path) {
   return shared_detail::read_gmsh_bytes<D>(shared_detail::read_all(path), path.string());
 }
 
-}  // namespace arenite
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -4,7 +4,9 @@
 #include <array>
 #include <cstddef>
 
-namespace arenite::shared_detail {
+#include <arenite/core/instruction_set.hpp>
+
+namespace arenite::inline ARENITE_INSTRUCTION_SET::shared_detail {
 
 /// A kind of element of the Gmsh reference manual's list "elementType" (chapter "MSH file format").
 struct GmshKind {
@@ -50,4 +52,4 @@ inline constexpr std::array<GmshKind, 33> gmsh_kinds{{
     {93, 3, 0, "125-node hexahedron"},
 }};
 
-}  // namespace arenite::shared_detail
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET::shared_detail

@@ -7,20 +7,21 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
-#include <map>
 #include <numeric>
 #include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include <arenite/core/instruction_set.hpp>
 #include <arenite/core/lists.hpp>
+#include <arenite/core/map.hpp>
 #include <arenite/core/scalar.hpp>
 #include <arenite/io/gmsh_kinds.hpp>
 #include <arenite/io/mesh_input.hpp>
 #include <arenite/mesh/mesh_data.hpp>
 
-namespace arenite::shared_detail {
+namespace arenite::inline ARENITE_INSTRUCTION_SET::shared_detail {
 
 /// Takes nodes, then elements, in the order of a file; `finish` makes the mesh of them.
 template <int D>
@@ -233,12 +234,12 @@ class GmshMesh {
             joined_text("must be ", positions_[first][2], ", as all nodes of a plane mesh share one z"));
   }
 
-  std::vector<std::uint64_t> tags_;                         // [nodes] ascending once `end_nodes` is done
-  std::vector<std::array<double, 3>> positions_;            // [nodes]
-  std::vector<Index> index_;                                // index by tag minus lowest tag; empty: search
-  std::map<std::pair<int, int>, std::string> names_;        // of a group: (dimension, tag)
-  std::map<std::pair<int, int>, std::vector<Index>> sets_;  // nodes of a group below dimension D
+  std::vector<std::uint64_t> tags_;                    // [nodes] ascending once `end_nodes` is done
+  std::vector<std::array<double, 3>> positions_;       // [nodes]
+  std::vector<Index> index_;                           // index by tag minus lowest tag; empty: search
+  Map<std::pair<int, int>, std::string> names_;        // of a group: (dimension, tag)
+  Map<std::pair<int, int>, std::vector<Index>> sets_;  // nodes of a group below dimension D
   MeshData<D> result_;
 };
 
-}  // namespace arenite::shared_detail
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET::shared_detail

@@ -5,9 +5,10 @@
 #include <cstdint>
 #include <span>
 
+#include <arenite/core/instruction_set.hpp>
 #include <arenite/io/gmsh_mesh.hpp>
 
-namespace arenite::shared_detail {
+namespace arenite::inline ARENITE_INSTRUCTION_SET::shared_detail {
 
 template <int D>
 void read_v2_nodes(MeshInput& in, GmshMesh<D>& mesh) {
@@ -66,4 +67,4 @@ void read_v2_elements(MeshInput& in, GmshMesh<D>& mesh) {
   }
 }
 
-}  // namespace arenite::shared_detail
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET::shared_detail

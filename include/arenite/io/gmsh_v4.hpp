@@ -8,12 +8,13 @@
 #include <utility>
 #include <vector>
 
+#include <arenite/core/instruction_set.hpp>
 #include <arenite/io/gmsh_mesh.hpp>
 
-namespace arenite::shared_detail {
+namespace arenite::inline ARENITE_INSTRUCTION_SET::shared_detail {
 
 /// Physical groups of each model entity, by (dimension, tag); nothing in a file without $Entities.
-using GmshEntities = std::optional<std::map<std::pair<int, int>, std::vector<int>>>;
+using GmshEntities = std::optional<Map<std::pair<int, int>, std::vector<int>>>;
 
 inline GmshEntities read_v4_entities(MeshInput& in) {
   GmshEntities entities(std::in_place);
@@ -116,4 +117,4 @@ void read_v4_elements(MeshInput& in, GmshMesh<D>& mesh, const GmshEntities& enti
            joined_text("is ", left, " more than the blocks hold"));
 }
 
-}  // namespace arenite::shared_detail
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET::shared_detail

@@ -17,10 +17,11 @@
 #include <vector>
 
 #include <arenite/core/error.hpp>
+#include <arenite/core/instruction_set.hpp>
 #include <arenite/io/input_file.hpp>
 #include <arenite/io/output_file.hpp>
 
-namespace arenite {
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 /// An open object of the library, closed with its owner.
 class Hdf5Handle {
@@ -232,4 +233,4 @@ class Hdf5File {
   Hdf5Handle file_;
 };
 
-}  // namespace arenite
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

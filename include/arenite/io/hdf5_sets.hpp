@@ -7,9 +7,10 @@
 #include <type_traits>
 #include <vector>
 
+#include <arenite/core/instruction_set.hpp>
 #include <arenite/io/hdf5.hpp>
 
-namespace arenite {
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 /// Numbers as a file has them: 'f' floating, 'i' signed, 'u' unsigned, 'b' bool, and the bytes of each.
 struct Hdf5Type {
@@ -156,4 +157,4 @@ inline void put_rows(const Hdf5File& file, const std::string& name, Hdf5Type typ
              "cannot be written; is the disk full?");
 }
 
-}  // namespace arenite
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

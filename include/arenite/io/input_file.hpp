@@ -21,7 +21,7 @@
 #include <unistd.h>
 #endif
 
-namespace arenite::shared_detail {
+namespace arenite::inline ARENITE_INSTRUCTION_SET::shared_detail {
 
 /// Largest size of a file that is only streamed: none.
 inline constexpr std::uintmax_t any_size = std::numeric_limits<std::uintmax_t>::max();
@@ -99,4 +99,4 @@ inline std::string read_input(const std::filesystem::path& path, std::string_vie
   return bytes;
 }
 
-}  // namespace arenite::shared_detail
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET::shared_detail

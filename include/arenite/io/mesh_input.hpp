@@ -16,9 +16,10 @@
 #include <utility>
 
 #include <arenite/core/error.hpp>
+#include <arenite/core/instruction_set.hpp>
 #include <arenite/io/input_file.hpp>
 
-namespace arenite::shared_detail {
+namespace arenite::inline ARENITE_INSTRUCTION_SET::shared_detail {
 
 class MeshInput {
  public:
@@ -75,17 +76,18 @@ class MeshInput {
     skip_blanks();
     last_ = at_;
     const std::string_view line = rest_of_line();
-    check(line == "$End" + section_, "line", quote(line), joined_text("must be $End", section_));
+    check(line == joined_text("$End", section_), "line", quote(line), joined_text("must be $End", section_));
     section_.clear();
   }
 
   /// Goes past "$EndName" of the open section, whatever is in it.
   void skip_section() {
-    const std::string end = "$End" + section_;
+    const std::string end = joined_text("$End", section_);
     std::size_t found = at_;
     while (true) {
       found = bytes_.find(end, found);
-      check(found != std::string_view::npos, "section", "$" + section_, joined_text("ends without ", end));
+      check(found != std::string_view::npos, "section", joined_text("$", section_),
+            joined_text("ends without ", end));
       const std::size_t after = found + end.size();
       if (after == bytes_.size() || is_blank(bytes_[after])) break;
       found = after;
@@ -224,4 +226,4 @@ inline std::string read_all(const std::filesystem::path& path) {
   return read_input(path, "mesh", most_mesh_bytes);
 }
 
-}  // namespace arenite::shared_detail
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET::shared_detail

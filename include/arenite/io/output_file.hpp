@@ -27,7 +27,7 @@
 #include <unistd.h>
 #endif
 
-namespace arenite {
+namespace arenite {  // one for all instruction sets, as all errors
 
 /// A file that the operating system does not take.
 class output_error : public error {
@@ -48,7 +48,9 @@ class output_error : public error {
   int reason_;
 };
 
-namespace shared_detail {
+}  // namespace arenite
+
+namespace arenite::inline ARENITE_INSTRUCTION_SET::shared_detail {
 
 /// Throws "output = path: what (reason of the operating system)".
 [[noreturn]] inline void fail_output(const std::filesystem::path& path, std::string_view what, int reason) {
@@ -226,7 +228,11 @@ void replace_file(const std::filesystem::path& path, Write&& write, Sync sync = 
     discard();
     fail_output(path, "cannot be put in place", status.value());
   }
-  if (sync == Sync::disk) sync_folder(path.has_parent_path() ? path.parent_path() : ".");
+  if (sync == Sync::disk) {
+    std::filesystem::path folder = path.parent_path();
+    if (folder.empty()) folder += ".";
+    sync_folder(folder);  // as far as it goes
+  }
 }
 
 /// Appends the shortest text that reads back as the same double ("nan", "inf" and "-inf" for what is no
@@ -267,5 +273,4 @@ inline constexpr const char* vtk_byte_order() {
   return std::endian::native == std::endian::little ? "LittleEndian" : "BigEndian";
 }
 
-}  // namespace shared_detail
-}  // namespace arenite
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET::shared_detail

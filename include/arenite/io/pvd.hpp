@@ -9,9 +9,10 @@
 #include <utility>
 #include <vector>
 
+#include <arenite/core/instruction_set.hpp>
 #include <arenite/io/output_file.hpp>
 
-namespace arenite {
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 /// One file of a series.
 struct PvdEntry {
@@ -74,4 +75,4 @@ class PvdWriter {
   std::vector<PvdEntry> entries_;
 };
 
-}  // namespace arenite
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

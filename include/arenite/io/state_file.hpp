@@ -22,11 +22,12 @@
 #include <vector>
 
 #include <arenite/core/hash.hpp>
+#include <arenite/core/instruction_set.hpp>
 #include <arenite/io/input_file.hpp>
 #include <arenite/io/output_file.hpp>
 #include <arenite/io/state_source.hpp>
 
-namespace arenite {
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 namespace shared_detail {
 inline constexpr std::string_view state_magic = "arenite state ", state_format = "1";
@@ -42,12 +43,12 @@ inline std::string state_head(const std::vector<StateTerm>& terms, const std::ve
   std::string head = joined_text(state_magic, state_format, "\nbyte order: ", byte_order(), "\n");
   const auto line = [&](const std::string& text) {
     require(text.find_first_of("\r\n") == std::string::npos, "state", text, "must not hold a line break");
-    head += text + "\n";
+    head.append(text).append("\n");
   };
-  for (const auto& [key, value] : terms) line(key + ": " + value);
+  for (const auto& [key, value] : terms) line(joined_text(key, ": ", value));
   line(joined_text("values: ", entries.size()));
   for (const auto& entry : entries) line(joined_text(entry.type(), " ", entry.count, " ", entry.name));
-  return head + "\n";
+  return joined_text(head, "\n");
 }
 
 }  // namespace shared_detail
@@ -119,7 +120,7 @@ class StateFile : public StateSource {
         refuse(joined_text("is damaged: \"", line.substr(0, 60), "\" in its head"));
       const std::string key = line.substr(0, colon), value = line.substr(colon + 2);
       if (key == "byte order" && value != shared_detail::byte_order())
-        refuse("was written by a machine of the other byte order, " + value);
+        refuse(joined_text("was written by a machine of the other byte order, ", value));
       if (key == "values") {
         values = number_in(value);
         more = false;
@@ -182,4 +183,4 @@ class StateFile : public StateSource {
   std::vector<std::size_t> begin_;  // [entries] bytes from the begin of the file
 };
 
-}  // namespace arenite
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -13,12 +13,13 @@
 #include <vector>
 
 #include <arenite/core/hash.hpp>
+#include <arenite/core/instruction_set.hpp>
 #include <arenite/io/hdf5_sets.hpp>
 #include <arenite/io/input_file.hpp>
 #include <arenite/io/output_file.hpp>
 #include <arenite/io/state_file.hpp>
 
-namespace arenite {
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
 namespace shared_detail {
 
 /// The bytes before the HDF5 file proper.
@@ -110,4 +111,4 @@ class StateHdf5 : public StateSource {
   Hdf5File file_;
 };
 
-}  // namespace arenite
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -14,7 +14,7 @@
 
 #include <arenite/core/error.hpp>
 
-namespace arenite {
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 /// Kind of a number: 'f' floating, 'i' signed, 'u' unsigned, 'b' bool.
 template <class Number>
@@ -97,4 +97,4 @@ class StateCopy : public StateSource {
   std::vector<std::vector<unsigned char>> bytes_;  // [entries]
 };
 
-}  // namespace arenite
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

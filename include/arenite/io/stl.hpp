@@ -14,10 +14,11 @@
 #include <utility>
 #include <vector>
 
+#include <arenite/core/instruction_set.hpp>
 #include <arenite/geometry/triangle_data.hpp>
 #include <arenite/io/mesh_input.hpp>
 
-namespace arenite {
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
 namespace shared_detail {
 
 /// Corners as a file gives them, three a triangle.
@@ -162,4 +163,4 @@ inline TriangleData read_stl(const std::filesystem::path& path, double scale = 1
   return shared_detail::read_stl_bytes(shared_detail::read_all(path), path.string(), scale);
 }
 
-}  // namespace arenite
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

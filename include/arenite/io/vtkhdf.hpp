@@ -10,7 +10,6 @@
 #include <cmath>
 #include <cstdint>
 #include <filesystem>
-#include <map>
 #include <span>
 #include <string>
 #include <string_view>
@@ -18,10 +17,12 @@
 #include <vector>
 
 #include <arenite/core/hash.hpp>
+#include <arenite/core/instruction_set.hpp>
+#include <arenite/core/map.hpp>
 #include <arenite/io/hdf5_sets.hpp>
 #include <arenite/io/vtu.hpp>
 
-namespace arenite {
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 /// A file that grows with a run, complete after each step, and closed between them. A process that is killed
 /// while it adds a step may leave a file that HDF5 does not read.
@@ -171,10 +172,10 @@ class VtkhdfWriter {
   std::filesystem::path path_;
   bool begun_ = false;
   std::size_t steps_ = 0;
-  std::map<std::string, Last, std::less<>> last_;
+  Map<std::string, Last> last_;
   Last part_;
   std::int64_t first_cell_ = 0, first_corner_ = 0;  // of the part
   std::vector<char> numbers_;
 };
 
-}  // namespace arenite
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

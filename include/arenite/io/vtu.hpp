@@ -19,11 +19,13 @@
 #include <utility>
 #include <vector>
 
+#include <arenite/core/instruction_set.hpp>
+#include <arenite/core/map.hpp>
 #include <arenite/core/scalar.hpp>
 #include <arenite/io/output_file.hpp>
 #include <arenite/io/vtu_array.hpp>
 
-namespace arenite {
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 /// Cells of one kind, told by the number of their points: 1 vertex, 2 line, 3 triangle, 4 tetrahedron.
 struct VtuCells {
@@ -64,7 +66,7 @@ namespace shared_detail {
 
 /// The array is one that VTK knows and has `items` items.
 inline void check_vtu_arrays(const std::vector<VtuArray>& arrays, std::size_t items, std::string_view where) {
-  std::set<std::string_view> names;
+  std::set<std::string_view, Order> names;
   for (const VtuArray& a : arrays) {
     require(!a.name.empty() && names.insert(a.name).second, joined_text("name of an array of ", where),
             a.name, "must be given, and once");
@@ -185,4 +187,4 @@ inline void write_vtu(const std::filesystem::path& path, const VtuData& data) {
   });
 }
 
-}  // namespace arenite
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

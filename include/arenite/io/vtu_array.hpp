@@ -15,8 +15,9 @@
 #include <vector>
 
 #include <arenite/core/error.hpp>
+#include <arenite/core/instruction_set.hpp>
 
-namespace arenite {
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 /// Number types of a VTU array.
 template <class T>
@@ -102,4 +103,4 @@ requires std::invocable<const F&, std::size_t> VtuArray vtu_array(std::string na
           sizeof(T),       std::move(fetch)};
 }
 
-}  // namespace arenite
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

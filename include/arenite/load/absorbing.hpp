@@ -72,8 +72,8 @@ class BoundAbsorbingFaces {
     std::vector<WaveImpedance> of_body;
     scene.for_each_body([&](const auto& body, const auto&) { of_body.push_back(impedance(body.law)); });
     faces_.emplace(scene, where_, std::move(of_body));
-    require(faces_->faces() > 0 || Scene::is_portion, "absorbing(" + name_ + "): faces", faces_->faces(),
-            "must be at least one face of the mesh's hull");
+    require(faces_->faces() > 0 || Scene::is_portion, joined_text("absorbing(", name_, "): faces"),
+            faces_->faces(), "must be at least one face of the mesh's hull");
     const std::size_t all = faces_->nodes().size() * Scene::field_count;
     given_.assign(all, V::Zero());
     if (options_.support == Support::first_reaction) support_.assign(all * dim, 0);
@@ -134,7 +134,7 @@ class BoundAbsorbingFaces {
   WaveImpedance impedance(const L& law) const {
     const auto chosen = [&](const char* what, double given, double of_law) {
       const double value = std::isnan(given) ? of_law : given;
-      require(value >= 0 && std::isfinite(value), "absorbing(" + name_ + ")." + what, value,
+      require(value >= 0 && std::isfinite(value), joined_text("absorbing(", name_, ").", what), value,
               std::isnan(value) ? "must be given: the law does not tell it" : "must not be negative");
       return value;
     };

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include <arenite/core/array_memory.hpp>
 #include <arenite/core/lists.hpp>
 #include <arenite/core/parallel.hpp>
 #include <arenite/core/scalar.hpp>
@@ -24,7 +25,8 @@ class Blocks {
       : cells_{cell_count}, size_{std::max<Index>(size, 1)} {
     const Index blocks = (cell_count + size_ - 1) / size_;
     std::vector<Index> color_of(blocks, 0);
-    std::vector<std::vector<Index>> last;  // [color][node] the last block of that colour at that node
+    std::vector<std::vector<Index, ArrayMemory<Index>>>
+        last;  // [color][node] the last block of that colour at that node
     for (Index b = 0; b < blocks; ++b) {
       Index color = 0;
       for (;; ++color) {
@@ -132,7 +134,7 @@ class Blocks {
   }
 
   template <class NodesOf>
-  bool is_free(Index block, const std::vector<Index>& last, NodesOf& nodes_of) const {
+  bool is_free(Index block, const std::vector<Index, ArrayMemory<Index>>& last, NodesOf& nodes_of) const {
     for (Index c = begin(block); c < end(block); ++c)
       for (const Index node : nodes_of(c))
         if (last[node] != none) {

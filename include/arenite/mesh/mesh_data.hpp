@@ -2,23 +2,23 @@
 #pragma once
 
 #include <array>
-#include <map>
 #include <string>
 #include <vector>
 
+#include <arenite/core/map.hpp>
 #include <arenite/core/tensor.hpp>
 
-namespace arenite {
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 /// Raw triangles (D = 2) or tetrahedra (D = 3). Cells may be oriented either way; `SimplexMesh` turns and
 /// checks them.
 template <int D>
 struct MeshData {
-  std::vector<Vec<double, D>> nodes;                    ///< [nodes] position, m
-  std::vector<std::array<Index, D + 1>> cells;          ///< [cells] nodes of each cell
-  std::vector<int> region;                              ///< [cells] region of each cell; empty: all 0
-  std::map<std::string, int> region_names;              ///< name to region
-  std::map<std::string, std::vector<Index>> node_sets;  ///< name to nodes, ascending, each once
+  std::vector<Vec<double, D>> nodes;               ///< [nodes] position, m
+  std::vector<std::array<Index, D + 1>> cells;     ///< [cells] nodes of each cell
+  std::vector<int> region;                         ///< [cells] region of each cell; empty: all 0
+  Map<std::string, int> region_names;              ///< name to region
+  Map<std::string, std::vector<Index>> node_sets;  ///< name to nodes, ascending, each once
 };
 
-}  // namespace arenite
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -190,8 +190,8 @@ class BoundMotion {
       return x;
     });
     if (bad != none)
-      throw run_error(joined_text("cell ", bad, " at (", mesh.position(mesh.nodes(bad)[0]).transpose(),
-                                  ") m turned inside out after a travel of ", travel, " m"));
+      throw run_error(joined_text("cell ", bad, " at ", vector_text(mesh.position(mesh.nodes(bad)[0])),
+                                  " m turned inside out after a travel of ", travel, " m"));
   }
 
   MovingMesh<Leader> motion_;

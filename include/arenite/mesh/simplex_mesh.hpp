@@ -5,12 +5,12 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <limits>
-#include <map>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include <arenite/core/error.hpp>
+#include <arenite/core/map.hpp>
 #include <arenite/core/parallel.hpp>
 #include <arenite/mesh/adjacency.hpp>
 #include <arenite/mesh/cell_bins.hpp>
@@ -47,14 +47,15 @@ class SimplexMesh {
     position_.reserve(data.nodes.size());
     for (const auto& x : data.nodes) {
       require((x.array().abs() <= static_cast<double>(std::numeric_limits<T>::max())).all(),
-              "SimplexMesh.nodes", x.transpose(), "positions must be finite in the scalar of the mesh");
+              "SimplexMesh.nodes", vector_text(x), "positions must be finite in the scalar of the mesh");
       position_.push_back(x.template cast<T>());
     }
     cells_.reserve(data.cells.size());
     for (std::size_t c = 0; c < data.cells.size(); ++c) add_cell(c, data.cells[c]);
     for (const auto& [name, nodes] : node_sets_)
       for (const Index i : nodes)
-        require(i < node_count(), "SimplexMesh.node_sets[" + name + "]", i, "must be a node of the mesh");
+        require(i < node_count(), joined_text("SimplexMesh.node_sets[", name, "]"), i,
+                "must be a node of the mesh");
     frames_.resize(cells_.size());
     for (Index c = 0; c < cell_count(); ++c) refresh(c);
     neighbours_ = simplex_neighbours<D>(cells_);
@@ -197,7 +198,10 @@ class SimplexMesh {
       require(i < node_count(), joined_text("SimplexMesh.cells[", c, "]"), i, "must be a node of the mesh");
     const auto edges = edge_matrix(nodes);
     T longest = 0;
-    for (int k = 0; k < D; ++k) longest = std::max(longest, edges.col(k).stableNorm());
+    for (int k = 0; k < D; ++k) {
+      const T flat = std::hypot(edges(0, k), edges(1, k));
+      longest = std::max(longest, D == 2 ? flat : std::hypot(flat, edges(D - 1, k)));
+    }
     if (longest > 0) detail::check_edge<T>(joined_text("SimplexMesh.cells[", c, "].edge"), longest);
     const T volume = edges.determinant();
     require(std::abs(volume) > detail::flattest<T> * std::pow(longest, D),
@@ -225,17 +229,16 @@ class SimplexMesh {
   }
 
   template <class Value>
-  static const Value& find(const std::map<std::string, Value>& map, const std::string& name,
-                           const char* kind) {
+  static const Value& find(const Map<std::string, Value>& map, const std::string& name, const char* kind) {
     const auto found = map.find(name);
     if (found != map.end()) return found->second;
     std::string known;
-    for (const auto& [key, value] : map) known += (known.empty() ? "" : ", ") + key;
+    for (const auto& [key, value] : map) known.append(known.empty() ? "" : ", ").append(key);
     throw error(joined_text("SimplexMesh: ", kind, " = ", name, ": must be one of: ", known));
   }
 
-  std::map<std::string, int> region_names_;
-  std::map<std::string, std::vector<Index>> node_sets_;
+  Map<std::string, int> region_names_;
+  Map<std::string, std::vector<Index>> node_sets_;
   std::vector<int> region_;
   std::vector<Point> position_;
   std::vector<CellNodes> cells_;

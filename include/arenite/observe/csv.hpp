@@ -77,8 +77,7 @@ class CsvTable {
     std::vector<std::string> names{"time"};
     const auto add = [&]<class Value>(const std::string& name, std::type_identity<Value>) {
       constexpr int fields = detail::csv_fields<Value>;
-      for (int k = 0; k < fields; ++k)
-        names.push_back(fields == 1 ? name : name + "_" + std::string(1, "xyz"[k]));
+      for (int k = 0; k < fields; ++k) names.push_back(fields == 1 ? name : joined_text(name, "_", "xyz"[k]));
     };
     std::apply(
         [&](auto&... column) {

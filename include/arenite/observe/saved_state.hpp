@@ -61,13 +61,13 @@ std::vector<StateTerm> state_terms(const Scene& scene, const std::string& recipe
   std::vector<StateTerm> terms{
       {"version", std::string(library_version)},
       {"kinematics", type_words<typename Scene::Kinematics>()},
-      {"mesh", type_words<typename Scene::Mesh>() + ", " + mesh_words(scene)},
+      {"mesh", joined_text(type_words<typename Scene::Mesh>(), ", ", mesh_words(scene))},
       {"numerics",
        joined_text(type_words<typename N::Shape>(), ", ", type_words<typename N::Transfer>(), ", ",
                    type_words<typename N::Order>(), ", ", type_words<typename N::AntiLocking>())}};
   std::size_t number = 0;
   scene.for_each_body([&](const auto& body, const auto&) {
-    terms.emplace_back("body " + Scene::body_name(number++),
+    terms.emplace_back(joined_text("body ", Scene::body_name(number++)),
                        type_words<std::remove_cvref_t<decltype(body.law)>>());
   });
   if (!recipe.empty()) terms.emplace_back("recipe", recipe);

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include <arenite/core/array_memory.hpp>
 #include <arenite/io/pvd.hpp>
 #include <arenite/io/vtu.hpp>
 #include <arenite/law/with_deviatoric_strain.hpp>
@@ -109,6 +110,7 @@ struct VtuOptions {
 namespace detail {
 
 /// The folder of files `prefix`_.., made if it is not there; returns the prefix.
+inline std::filesystem::path named(std::filesystem::path path, std::string_view end) { return path += end; }
 inline const std::filesystem::path& make_folder(const std::filesystem::path& prefix) {
   std::error_code code;
   if (prefix.has_parent_path()) std::filesystem::create_directories(prefix.parent_path(), code);
@@ -119,8 +121,8 @@ inline const std::filesystem::path& make_folder(const std::filesystem::path& pre
 
 /// Names of what a frame consists of: bodies, mesh, region.
 template <class Scene>
-std::vector<std::string> frame_parts(const VtuOptions& options) {
-  std::vector<std::string> names;
+auto frame_parts(const VtuOptions& options) {
+  std::vector<std::string, ArrayMemory<std::string>> names;
   for (std::size_t k = 0; k < Scene::body_count; ++k)
     names.push_back(k < options.body_names.size()  ? options.body_names[k]
                     : Scene::body_names[k].empty() ? joined_text("body", k)
@@ -152,7 +154,7 @@ class VtuSeries {
   explicit VtuSeries(std::filesystem::path prefix, VtuOptions options = {})
       : prefix_{std::move(prefix)},
         options_{std::move(options)},
-        pvd_{detail::make_folder(prefix_).string() + ".pvd", options_.keep_list} {}
+        pvd_{detail::named(detail::make_folder(prefix_), ".pvd"), options_.keep_list} {}
 
   template <class Scene>
   void operator()(const Scene& scene) {
@@ -187,7 +189,7 @@ class VtuSeries {
   std::filesystem::path file_of(const std::string& name, std::size_t frame) const {
     std::string digits = std::to_string(frame);
     digits.insert(0, digits.size() < 4 ? 4 - digits.size() : 0, '0');
-    return prefix_.string() + "_" + name + "_" + digits + ".vtu";
+    return detail::named(prefix_, joined_text("_", name, "_", digits, ".vtu"));
   }
 
   std::filesystem::path prefix_;

@@ -149,7 +149,7 @@ class BasicWatch {
   /// What messages call a body.
   template <class Scene>
   static std::string body_of(int number) {
-    return "body " + Scene::body_name(static_cast<std::size_t>(number));
+    return joined_text("body ", Scene::body_name(static_cast<std::size_t>(number)));
   }
 
   template <class Scene, class B>
@@ -284,7 +284,7 @@ class BasicWatch {
   }
   template <class B>
   static std::string written(const B& body, std::size_t p) {
-    return vector_text(body.points.position[p]) + " m";
+    return joined_text(vector_text(body.points.position[p]), " m");
   }
 
   static constexpr std::size_t never = std::numeric_limits<std::size_t>::max() / 2;

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <cstdint>
 #include <functional>
-#include <map>
 #include <optional>
 #include <string>
 
+#include <arenite/core/map.hpp>
 #include <arenite/core/name.hpp>
 #include <arenite/kinematics/kinematics.hpp>
 #include <arenite/law/roles.hpp>
@@ -32,7 +32,7 @@ struct FillOptions {
   bool may_be_empty = false;              ///< whether a region without points is no mistake: some come later
   /// Initial values of members of the law's history, by name, as functions of the position (x, y, z = 0 in
   /// two dimensions), m; those not named begin as the law says.
-  std::map<std::string, std::function<double(const std::array<double, 3>&)>> history{};
+  Map<std::string, std::function<double(const std::array<double, 3>&)>> history{};
   /// Moves each point at random within this share, 0 to 1, of its sub-cell (`jitter_points`); those that it
   /// takes out of the region are left out, those that it takes into it are put in.
   double jitter = 0;
@@ -144,10 +144,11 @@ void begin_history(Points<T, D, L, E>& points, const FillOptions& options) {
   for (const auto& [name, value_at] : options.history) {
     const auto k = static_cast<std::size_t>(std::ranges::find(names, name) - names.begin());
     require(!name.empty() && k < names.size(), "FillOptions.history", name,
-            known.empty() ? "the law's history has no member with a name" : "must be one of: " + known);
+            known.empty() ? "the law's history has no member with a name"
+                          : joined_text("must be one of: ", known));
     for (std::size_t p = 0; p < points.size(); ++p) {
       const double value = value_at(in_space<T, D>(points.position[p]));
-      require(std::isfinite(value), "FillOptions.history, " + name, value, "must be finite");
+      require(std::isfinite(value), joined_text("FillOptions.history, ", name), value, "must be finite");
       points.history[k][p] = static_cast<T>(value);
     }
   }

@@ -52,7 +52,7 @@ class BoundFree {
     spin_ = spin_argument<D>("Free.spin", f.spin);
     if (hoop) {
       require(centre_[0] == 0, "Free.centre", centre_[0], "must lie on the axis in an axisymmetric scene");
-      require(velocity_[0] == 0 && spin_.isZero(0), "Free.velocity, spin", velocity_.transpose(),
+      require(velocity_[0] == 0 && spin_.isZero(0), "Free.velocity, spin", vector_text(velocity_),
               "must be along the axis, without spin, in an axisymmetric scene");
       inertia_.setIdentity();
     } else {

@@ -80,7 +80,7 @@ struct BoundGuided {
     require(std::isfinite(g.velocity), "Guided.velocity", g.velocity, "must be finite");
     require(std::isfinite(g.load), "Guided.load", g.load, "must be finite");
     axis = direction_argument<T, D>("Guided.axis", g.axis);
-    require(!hoop || axis[0] == 0, "Guided.axis", axis.transpose(),
+    require(!hoop || axis[0] == 0, "Guided.axis", vector_text(axis),
             "must be the axis of symmetry (0, 1) in an axisymmetric scene");
     axis.normalize();
   }

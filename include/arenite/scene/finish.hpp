@@ -51,8 +51,8 @@ void finish(Scene& scene, double dt) {
     if (first_bad < points.size())
       throw run_error(joined_text(
           "t = ", scene.time, " s, step ", scene.steps, ": point ", first_bad, " of body ",
-          Scene::body_name(number), " at (", points.position[first_bad].transpose(), ") m has velocity (",
-          points.velocity[first_bad].transpose(), ") m/s, pressure ", -trace(points.stress[first_bad]) / 3,
+          Scene::body_name(number), " at ", vector_text(points.position[first_bad]), " m has velocity ",
+          vector_text(points.velocity[first_bad]), " m/s, pressure ", -trace(points.stress[first_bad]) / 3,
           " Pa, volume ", points.volume[first_bad], " m3: no longer finite"));
     if (!body.finite) bodies += joined_text(bodies.empty() ? "" : ", ", Scene::body_name(number));
     ++number;

@@ -121,7 +121,8 @@ namespace detail {
 template <class Body>
 void check_points(Body& body, const std::string& path) {
   body.points.visit_state([&](const std::string& name, const auto& column) {
-    require(column.size() == body.points.size(), path + "/" + name, joined_text(column.size(), " numbers"),
+    require(column.size() == body.points.size(), joined_text(path, "/", name),
+            joined_text(column.size(), " numbers"),
             joined_text("must be as many as points have a mass, ", body.points.size()));
   });
   for (std::size_t p = 0; p < body.points.size(); ++p) {

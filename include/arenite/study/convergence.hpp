@@ -10,8 +10,9 @@
 #include <vector>
 
 #include <arenite/core/error.hpp>
+#include <arenite/core/instruction_set.hpp>
 
-namespace arenite {
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 /// A result at a size of the cells.
 struct SizedResult {
@@ -151,4 +152,4 @@ inline Convergence convergence(std::vector<SizedResult> results, const Convergen
   return found;
 }
 
-}  // namespace arenite
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

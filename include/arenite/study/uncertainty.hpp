@@ -9,8 +9,9 @@
 #include <vector>
 
 #include <arenite/core/error.hpp>
+#include <arenite/core/instruction_set.hpp>
 
-namespace arenite {
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 /// Half of max - min. Throws `error` with fewer than two values, or one that is not finite.
 inline double half_spread(const std::vector<double>& values) {
@@ -71,4 +72,4 @@ class Uncertainty {
   std::vector<Part> parts_;
 };
 
-}  // namespace arenite
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

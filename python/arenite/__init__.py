@@ -11,7 +11,7 @@ from .boundary import *  # noqa: F403
 from .convert import to_meshio, to_pyvista
 from .drive import *  # noqa: F403
 from .fill import *  # noqa: F403
-from .functions import Ramp, Scaled, Signal, Table
+from .functions import Ramp, Scaled, Signal, Table, deg
 from .laws import *  # noqa: F403
 from .meshes import *  # noqa: F403
 from .numerics import *  # noqa: F403
@@ -26,6 +26,6 @@ from .watch import *  # noqa: F403
 
 __version__: str = _core.version
 
-__all__ = ["Error", "Ramp", "RunError", "Scaled", "Signal", "Table", "View", "Vtu", "Warning", "compile", "ffp", "set_threads", "to_meshio", "to_pyvista",
+__all__ = ["Error", "Ramp", "RunError", "Scaled", "Signal", "Table", "View", "Vtu", "Warning", "compile", "deg", "ffp", "set_threads", "to_meshio", "to_pyvista",
            *boundary.__all__, *_drive.__all__, *_fill.__all__, *laws.__all__, *meshes.__all__, *numerics.__all__, *points.__all__,
            *rigid.__all__, *_scene.__all__, *shapes.__all__, *_watch.__all__]

@@ -16,6 +16,9 @@ class Recipe:
     rules of that class."""
 
     def __post_init__(self) -> None:
+        for name, value in list(vars(self).items()):
+            if isinstance(value, np.generic):  # a number of Python's, which a repr shows as such
+                object.__setattr__(self, name, value.item())
         if self.rules() in _WITH_RULES:
             _core.check(self.rules(), self.value())
 

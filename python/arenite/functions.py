@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from typing import Any, Sequence, Tuple
 
 from . import _core
 from ._recipe import Recipe, function_value
+
+
+deg = math.pi / 180  #: a degree, rad: `35 * ar.deg`
 
 
 @dataclass(frozen=True)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any, Callable, Mapping, NamedTuple, Optional, Sequence, Union
+from typing import Any, Callable, Dict, Iterable, Mapping, NamedTuple, Optional, Sequence, Union
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -96,14 +96,20 @@ def section_force(scene: Scene, body: Name, through: Sequence[float], normal: Se
     return np.array(scene._core.section_force(scene.number_of(body), cut, of_nodes))
 
 
+def deviator_columns(law: WithDeviatoricStrain, names: Iterable[str]) -> Dict[str, str]:
+    """The columns of a history that hold the deviator, with the names of their components."""
+    components = ("xx", "yy", "xy", "yz", "zx")[:3 if law.dimension == 2 else 5]
+    last = sorted((name for name in names if name.isdigit()), key=int)[-len(components):]
+    return {name: f"deviatoric_strain_{component}" for name, component in zip(last, components)}
+
+
 def deviatoric_strain(scene: Scene, body: Name = 0) -> NDArray[np.float64]:
     """sqrt(2/3 e : e) of the points of a body [n], -, whose law is a `WithDeviatoricStrain`."""
     law = scene.law(body)
     if not isinstance(law, WithDeviatoricStrain):
         raise Error(f"deviatoric_strain: the law of body {body} is {law.cpp()}: must be a WithDeviatoricStrain")
     columns = _body(scene, body).history
-    last = sorted((name for name in columns if name.isdigit()), key=int)[-3 if law.dimension == 2 else -5:]
-    xx, yy, *shear = (np.asarray(columns[name]) for name in last)
+    xx, yy, *shear = (np.asarray(columns[name]) for name in deviator_columns(law, columns))
     size: NDArray[np.float64] = np.sqrt(2 / 3 * (xx**2 + yy**2 + (xx + yy)**2 + 2 * sum(x**2 for x in shear)))
     return size
 

@@ -10,6 +10,8 @@ import numpy as np
 
 from . import _core
 from ._errors import Error
+from .laws import WithDeviatoricStrain
+from .points import deviator_columns, deviatoric_strain
 from .scene import Scene
 
 
@@ -21,13 +23,19 @@ def in_space(x: Any) -> Any:
 
 def point_fields(scene: Scene, body: str) -> Dict[str, Any]:
     """Of the points of a body: velocity [n, 3], m/s, stress [n, 6] (xx, yy, zz, xy, yz, zx), Pa, mean pressure,
-    compression positive, mass, volume, and the numbers of the law's history by name."""
+    compression positive, mass, volume, and the numbers of the law's history by name; of a `WithDeviatoricStrain` also
+    sqrt(2/3 e : e), "deviatoric_strain"."""
     of = scene.bodies[body]
     stress = np.asarray(of.stress)
     fields = {"velocity": in_space(of.velocity),
               "stress": np.column_stack([stress, np.zeros((len(stress), 6 - stress.shape[1]))]),
               "pressure": -stress[:, :3].mean(axis=1), "mass": of.mass.copy(), "volume": of.volume.copy()}
-    fields.update({name: np.asarray(column, dtype=float) for name, column in of.history.items()})
+    names: Dict[str, str] = {}
+    law = scene.law(body)
+    if isinstance(law, WithDeviatoricStrain):
+        names = deviator_columns(law, of.history)
+        fields["deviatoric_strain"] = deviatoric_strain(scene, body)
+    fields.update({names.get(name, name): np.asarray(column, dtype=float) for name, column in of.history.items()})
     return fields
 
 

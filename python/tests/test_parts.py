@@ -45,6 +45,13 @@ def test_deviatoric_strain(ar, block, column):
     size = np.sqrt((s[:, :3]**2).sum(axis=1) + 2 * s[:, 3]**2)
     assert size.max() > 1e-3  # Pa, of G = 0.38 Pa
     assert np.allclose(ar.deviatoric_strain(scene, "block"), np.sqrt(2 / 3) * size / (2 * 1.0 / 2.6), rtol=1e-3)
+    from arenite.vtu import point_fields
+
+    fields, columns = point_fields(scene, "block"), scene.bodies["block"].history
+    assert {name for name in fields if "deviatoric" in name} == {"deviatoric_strain", *(f"deviatoric_strain_{c}" for c in ("xx", "yy", "xy"))}
+    assert not [name for name in fields if name.isdigit()]
+    assert np.array_equal(fields["deviatoric_strain"], ar.deviatoric_strain(scene))
+    assert np.allclose(fields["deviatoric_strain_xy"], s[:, 3] / (2 * 1.0 / 2.6), rtol=1e-3, atol=1e-9) and len(columns) == 3
     with pytest.raises(ar.Error, match="must be a WithDeviatoricStrain"):
         ar.deviatoric_strain(column())
 

@@ -64,6 +64,12 @@ def test_help_shows_the_table(ar):
     assert re.search(r"friction +rad +\[0, 1.55\] +needed", said) and re.search(r"young +Pa +> 0 +needed", said)
 
 
+def test_numbers_are_shown_as_numbers(ar):
+    law = ar.MohrCoulomb(**ELASTIC, friction=np.radians(35), cohesion=np.float64(2.0))
+    assert "np." not in repr(law) and "friction=0.6108652381980153" in repr(law)
+    assert 35 * ar.deg == pytest.approx(np.radians(35), rel=1e-15)
+
+
 def test_every_public_class_of_a_module_is_named(ar):
     from arenite import boundary, fill, functions, laws, meshes, numerics, rigid, shapes
     from arenite._recipe import Recipe

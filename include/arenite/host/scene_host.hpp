@@ -54,8 +54,6 @@ class SceneHost : public HostedScene {
     watch_.reset();
     if (run.watch && run.limits)
       watch_.emplace(read<WatchLimits>(*run.limits, Reading{.name = "WatchLimits"}));
-    else if (run.watch && !run_watches<RunOptions>)
-      watch_.emplace();
     const auto observe = [&](const Scene& scene) {
       for (auto& timer : timers) timer(scene);
       look_for_moves();
@@ -66,7 +64,7 @@ class SceneHost : public HostedScene {
     };
     if (!run.settle) {
       RunOptions options{.end = run.end, .courant = run.courant, .max_step = run.max_step};
-      if constexpr (run_watches<RunOptions>) watch_of(options) = run.watch && !watch_;
+      options.watch = run.watch && !watch_;  // its own
       arenite::run(*scene_, options, observe);
       if (watch_) watch_->finish(*scene_);
       return;
@@ -190,16 +188,6 @@ class SceneHost : public HostedScene {
   }
 
  private:
-  /// Whether `run` has a watch of its own.
-  template <class Options>
-  static constexpr bool run_watches = requires(Options o) {
-    o.watch;
-  };
-  template <class Options>
-  static bool& watch_of(Options& options) {
-    return options.watch;
-  }
-
   static std::string needs_damping(const char* what) {
     return joined_text(what, ": name a part that damps: LocalDamping or ViscousDamping");
   }

@@ -97,7 +97,19 @@ template <class M>
 M mesh_of(const Draw& d) {
   if constexpr (is_simplex_mesh<M>)
     return simplices<M::dimension, typename M::scalar>(d);
-  else
+  else if constexpr (requires { M::periodic_axes; })
+    return M(grid<M::dimension, typename M::scalar>(d));
+  else if constexpr (
+      requires { typename M::Parameters; } && requires(typename M::Parameters p) { p.x; }) {
+    // Cells of d.cell in the middle, at most twice as large to both sides.
+    static_assert(M::dimension == 2);
+    std::vector<double> lines;
+    for (int i = 0; i <= cells_along<2>; ++i) {
+      const double s = 2.0 * i / cells_along<2> - 1;
+      lines.push_back(d.cell * cells_along<2> * (1 + s * (0.75 + 0.25 * s * s)) / 2);
+    }
+    return M({.x = lines, .y = lines});
+  } else
     return grid<M::dimension, typename M::scalar>(d);
 }
 
@@ -113,13 +125,24 @@ L law(const Draw& d, double contrast = 1) {
   const double young = d.young * contrast;
   if constexpr (std::same_as<L, LinearElastic>)
     return L{{.density = d.density, .young = young, .poisson = d.poisson}};
-  else
-    return L{{.density = d.density,
-              .young = young,
-              .poisson = d.poisson,
-              .friction = d.friction,
-              .cohesion = d.cohesion,
-              .dilatancy = d.dilatancy}};
+  else {
+    const auto of = [&](const auto&... policies) {
+      return L{{.density = d.density,
+                .young = young,
+                .poisson = d.poisson,
+                .friction = d.friction,
+                .cohesion = d.cohesion,
+                .dilatancy = d.dilatancy},
+               policies...};
+    };
+    if constexpr (std::same_as<L, MohrCoulomb<ForgetsOpening, SofteningFriction>>)
+      return of(ForgetsOpening{},
+                SofteningFriction({.residual_friction = d.friction > 0 ? 0.7 * d.friction : 0.0,
+                                   .residual_dilatancy = 0.5 * d.dilatancy,
+                                   .decay = 10}));
+    else
+      return of();
+  }
 }
 
 template <class M>

@@ -16,7 +16,7 @@ chunk=250
 
 mkdir -p "$build"
 cmake -S "$root" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DARENITE_EXAMPLES=OFF -DARENITE_BENCHMARKS=OFF \
-  -DARENITE_TEST_HEADERS=OFF > "$build.log"
+  -DARENITE_TEST_HEADERS=OFF -DARENITE_TEST_EXTREMES_ALL=ON > "$build.log"
 # shellcheck disable=SC2046,SC2086  # the names of the targets are words
 cmake --build "$build" --target $(printf 'test.extremes.%s ' $units) >> "$build.log"
 

@@ -168,9 +168,12 @@ class WatchedEnergy {
       if (follows_ && !Scene::centres_stress)
         b.gained -= (held_.strain - held_before_.strain) / (Scene::NumericsType::strains_first ? -2 : 2);
     }
-    // What the velocity gradients of points hold they give back to their velocities.
+    // What the velocity gradients of points hold they give back to their velocities. With AFLIP those keep
+    // their share of what is also in the gradients.
     scene.for_each_body([&](const auto& body, const auto&) {
-      const double spread = gradient_kinetic_energy<typename Scene::Shape>(scene.mesh, scene.blocks, body);
+      double spread = gradient_kinetic_energy<typename Scene::Shape>(scene.mesh, scene.blocks, body);
+      if constexpr (requires { scene.numerics.transfer.fraction; })
+        spread *= 1 - static_cast<double>(scene.numerics.transfer.fraction);
       b.stored += spread;
       b.gained += spread;
     });

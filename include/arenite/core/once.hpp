@@ -17,7 +17,7 @@ inline constinit thread_local bool in_loop = false;
 
 }  // namespace arenite::program
 
-namespace arenite::inline ARENITE_INSTRUCTION_SET::shared_detail {
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 /// The program's one T, made by the unit that asks first: `own()` returns that of the unit. T is laid out
 /// alike in all units.
@@ -31,4 +31,4 @@ T& once(program::Place& place, T& (*own)()) {
   return *static_cast<T*>(made);
 }
 
-}  // namespace arenite::inline ARENITE_INSTRUCTION_SET::shared_detail
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

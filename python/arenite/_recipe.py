@@ -6,6 +6,8 @@ import dataclasses
 import inspect
 from typing import Any, Callable
 
+import numpy as np
+
 from . import _core
 
 _WITH_RULES = frozenset(_core.checked_recipes())

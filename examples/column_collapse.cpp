@@ -8,7 +8,7 @@ int main() {
   const MohrCoulomb sand{{.density = 1540, .young = 1_MPa, .poisson = 0.3, .friction = 35_deg}};
   Scene scene{PlaneStrain{},
               CartesianGrid<2>{{.lower = {0, 0}, .upper = {0.4, 0.2}, .cell = 0.01}},
-              Numerics<QuadraticBSpline, Apic>{},
+              Numerics<QuadraticBSpline>{Flip{.time = 0.1}},
               bodies(fill(Box{{0, 0}, {0.1, 0.15}}, sand, {.per_cell = 4})),
               walls(bottom(fixed), left(roller), right(roller)),
               gravity({0, -9.81})};

@@ -69,6 +69,7 @@ TEST_CASE(
   const auto [flip, flip_walls] = check(column(Numerics<Q, Flip>{}));
   CHECK(std::abs(flip) <= 1e-12);  // MUSL strains with the velocities in which FLIP keeps energy
   CHECK(flip_walls > 0.01);
+  check(column(Numerics<Q, Flip>{Flip{.time = 0.1}}));  // of the first scene of the documentation
   check(column(Numerics<Q, Xpic>{}));
   check(column(Numerics<Q, Apic, Usl>{}));
   CHECK(check(column(Numerics<Q, Fmpm, Usl>{}))[1] > 0.02);  // its sweeps run against the floor

@@ -173,7 +173,7 @@ void run(Scene& scene, const RunOptions& options, Observers&&... observers) {
 
 /// Of a scene that the compiler has refused: one sentence is enough.
 template <class... Parts, class... Observers>
-void run(Scene<detail::Refused, Parts...>&, const RunOptions&, Observers&&...) {}
+void run(RefusedScene<Parts...>&, const RunOptions&, Observers&&...) {}
 
 /// Refused by the compiler: a scene that cannot change.
 template <class Scene, class... Observers>

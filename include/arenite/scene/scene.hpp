@@ -366,6 +366,8 @@ template <class M, class N, class... Given>
 struct Scene<detail::Refused, M, N, Given...> {
   Scene(const auto&...) {}
 };
+template <class... Given>
+using RefusedScene = Scene<detail::Refused, Given...>;
 
 // Not within the class: there it would be inline, and compiled again in each unit in spite of an `extern
 // template`.

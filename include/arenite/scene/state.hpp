@@ -127,14 +127,16 @@ void check_points(Body& body, const std::string& path) {
   });
   for (std::size_t p = 0; p < body.points.size(); ++p) {
     const auto x = body.points.position[p];
-    const auto named = [&](const char* name) { return joined_text(path, "/", name, "[", p, "]"); };
-    if (!x.allFinite()) require(false, named("position"), vector_text(x), "must be finite (m)");
+    const auto name_of = [&](const char* name) { return joined_text(path, "/", name, "[", p, "]"); };
+    if (!x.allFinite()) require(false, name_of("position"), vector_text(x), "must be finite (m)");
     if (const auto m = body.points.mass[p]; !(m > 0 && std::isfinite(m)))
-      require(false, named("mass"), m, "must be positive (kg)");
+      require(false, name_of("mass"), m, "must be positive (kg)");
     if (const auto v = body.points.volume[p]; !std::isfinite(v))
-      require(false, named("volume"), v, "must be finite (m3)");
+      require(false, name_of("volume"), v, "must be finite (m3)");
   }
 }
+
+}  // namespace detail
 
 /// Renews what follows from the state, if it is one of this scene, and throws `error` if it is not.
 template <class Scene>
@@ -150,8 +152,6 @@ void renew_from_state(Scene& scene) {
   scene.balance_threads();
 }
 
-}  // namespace detail
-
 /// Renews what follows from the state of a scene, once a visitor has written it. Throws `error` if it is not
 /// a state of this scene: columns of unequal length, points without a place or mass, a list of cells that
 /// does not fit, or what a part refuses. The scene must not step then.
@@ -161,7 +161,7 @@ void follow_state(Scene& scene) {
   scene.for_each_body([&](auto& body, auto&) {
     detail::check_points(body, joined_text("state: bodies/", Scene::body_name(number++), "/points"));
   });
-  detail::renew_from_state(scene);
+  renew_from_state(scene);
 }
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

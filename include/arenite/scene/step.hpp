@@ -42,7 +42,7 @@ void step(Scene& scene, double dt) {
 
 /// Of a scene that the compiler has refused.
 template <class... Parts>
-void step(Scene<detail::Refused, Parts...>&, double) {}
+void step(RefusedScene<Parts...>&, double) {}
 
 /// Refused by the compiler: a scene that cannot change.
 template <class Scene>

@@ -235,8 +235,8 @@ def test_a_scene_within_a_step_is_refused_to_others(ar, sand):
     (dict(friction=lambda ar: float("nan")), "MohrCoulomb.friction"),
 ])
 def test_what_cplusplus_refuses_python_refuses(ar, change, sentence):
-    given = {name: value(ar) for name, value in change.items()}
     with pytest.raises(ar.Error, match=sentence):
+        given = {name: value(ar) for name, value in change.items()}
         sand = ar.MohrCoulomb(density=1540, young=1e6, poisson=0.3, friction=given.get("friction", 0.6))
         ar.Scene(ar.PlaneStrain(), given.get("mesh", ar.CartesianGrid((0, 0), (0.4, 0.2), cell=0.01)),
                  ar.Numerics(ar.QuadraticBSpline, ar.Apic),

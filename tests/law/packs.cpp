@@ -172,7 +172,8 @@ struct Strength {
   double friction, cohesion, dilatancy, tension = std::numeric_limits<double>::infinity();
 };
 const std::array strengths{Strength{45_deg, 1_kPa, 0}, Strength{40_deg, 0, 10_deg},
-                           Strength{35_deg, 5_kPa, 15_deg}, Strength{30_deg, 2_kPa, 5_deg, 300}};
+                           Strength{35_deg, 5_kPa, 15_deg}, Strength{30_deg, 2_kPa, 5_deg, 300},
+                           Strength{45_deg, 1_kPa, 10_deg, 1500}};  // a cut-off for softened points alone
 
 template <template <class, class, class> class Law, class Parameters, int D, class Memory = ForgetsOpening,
           class Friction = ConstantFriction, class Stiffness = ConstantStiffness>

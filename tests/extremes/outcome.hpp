@@ -150,7 +150,7 @@ Outcome judge(Draw& d, Make&& make) {
     const double step = d.courant * stable_step(scene);
     running = true;
     constexpr double any = std::numeric_limits<double>::infinity();
-    Watch watch({.volume = any, .lost = any, .every = 8});
+    Watch watch({.volume = any, .speed = any, .lost = any, .every = 8});
     try {
       run(scene, {.end = d.steps * step, .courant = d.courant}, books, watch);
     } catch (const typename Books<Scene>::Enough&) {

@@ -59,7 +59,7 @@ def test_history_obeys_newton(coarse):
     numpy.testing.assert_allclose(h["velocity_m_s"], 5.6 - numpy.append(0, numpy.cumsum(h["acceleration_m_s2"][1:] * step)), atol=1e-9)
     numpy.testing.assert_allclose(h["penetration_m"], numpy.append(0, numpy.cumsum(h["velocity_m_s"][1:] * step)), atol=1e-9)
     put_in = h["kinetic_energy_J"][0] + abs(h["external_work_J"][-1])
-    assert abs(h["energy_residual_J"][-1]) < 0.01 * put_in
+    assert abs(h["energy_residual_J"][-1]) < 0.05 * put_in
     assert h["kinetic_energy_J"][0] == pytest.approx(0.5 * mass * 5.6**2)
 
 

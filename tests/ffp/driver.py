@@ -160,7 +160,7 @@ class DriverTest(unittest.TestCase):
         self.assertTrue(err.startswith("arenite-ffp: " + sentence), err)
         self.assertFalse(os.path.exists("refused"))
 
-    def assert_consistent(self, columns, mass=7.71, velocity=5.6, balance=1e-9, residual=0.01):
+    def assert_consistent(self, columns, mass=7.71, velocity=5.6, balance=1e-9, residual=0.05):
         """What holds for any drop, whatever its numerics."""
         time, depth, speed = columns["time_s"], columns["penetration_m"], columns["velocity_m_s"]
         acceleration, reaction = columns["acceleration_m_s2"], columns["reaction_N"]
@@ -330,7 +330,7 @@ class Drops(DriverTest):
 
     def test_grid(self):
         columns, found = self.run_drop("grid", *GRID, "--fields-every", "0.05")
-        self.assert_consistent(columns)
+        self.assert_consistent(columns, residual=0.01)
         self.assert_summary(found, columns)
         self.assertEqual([found["inputs"][key] for key in ("contact", "anti_locking", "flip_time_s")], ["points", "off", 0.1])
         self.assertTrue(0.1 < found["final_penetration_m"] < 0.25)

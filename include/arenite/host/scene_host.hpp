@@ -69,7 +69,7 @@ class SceneHost : public HostedScene {
       if (watch_) watch_->finish(*scene_);
       return;
     }
-    if constexpr (Scene::has_start_state)
+    if constexpr (damps)
       arenite::settle(*scene_, {.ratio = *run.settle, .end = run.end, .courant = run.courant}, observe);
     else
       throw error(needs_damping("settle"));
@@ -83,7 +83,7 @@ class SceneHost : public HostedScene {
     return all;
   }
   double out_of_balance() const override {
-    if constexpr (Scene::has_start_state)
+    if constexpr (damps)
       return arenite::out_of_balance(*scene_);
     else
       throw error(needs_damping("out_of_balance"));
@@ -188,6 +188,15 @@ class SceneHost : public HostedScene {
   }
 
  private:
+  template <class P>
+  static constexpr bool can_be_switched_off = requires(P& part) {
+    part.switch_off();
+  };
+  /// Whether a part damps; the velocities at the start of the step, which that takes, others ask for, too.
+  static constexpr bool damps = []<class... P>(std::type_identity<std::tuple<P...>>) {
+    return (can_be_switched_off<P> || ...);
+  }(std::type_identity<typename Scene::Parts>{});
+
   static std::string needs_damping(const char* what) {
     return joined_text(what, ": name a part that damps: LocalDamping or ViscousDamping");
   }

@@ -41,6 +41,8 @@ if chosen gcc || chosen clang || chosen asan; then
   need ninja-build "builds" ninja
   need libeigen3-dev "the library's only dependency"
   need catch2 "the test framework"
+  need libcli11-dev "options of the driver arenite-ffp"
+  need nlohmann-json3-dev "the driver's summary.json"
   need libbenchmark-dev "the benchmarks must compile"
   need pkgconf "what arenite.pc says is tried" pkg-config
   need dpkg-dev "the driver's Debian package lists the libraries that it needs" dpkg-shlibdeps
@@ -53,6 +55,7 @@ if chosen python; then
   need g++ "the compiler of the package, and of compositions on first use" g++
   need python3-dev "headers of Python" python3-config
   need python3-venv "clean environments"
+  need libcli11-dev "typed options of the driver, with which those of Python are compared"
 fi
 if chosen clang || chosen asan; then
   need clang "the second compiler" clang++

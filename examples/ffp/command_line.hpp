@@ -6,19 +6,16 @@
 #include <optional>
 #include <ostream>
 #include <string>
-#include <variant>
 #include <vector>
 
 #include <arenite/version.hpp>
 
+#include "command.hpp"
 #include "read_drop.hpp"
 #include "read_paper.hpp"
 #include "read_reduce.hpp"
 
 namespace arenite::ffp {
-
-/// What the program is told to do.
-using Command = std::variant<DropOptions, ReduceOptions, PaperOptions>;
 
 /// The command of `arenite-ffp <words>`, its options checked; nothing if `--help` or `--version` was asked
 /// for and written to `answer`. Throws `error` of one sentence for anything else; the caller prints
@@ -43,8 +40,7 @@ inline std::optional<Command> read_command_line(const std::vector<std::string>& 
     answer << "arenite-ffp " << library_version << '\n';
     return std::nullopt;
   }
-  throw error(joined_text("command: must be drop, reduce or paper, not ",
-                          command.empty() ? "nothing" : shown(command), "; see arenite-ffp --help"));
+  refuse_command(command);
 }
 
 }  // namespace arenite::ffp

@@ -30,8 +30,8 @@ namespace detail {
 inline std::string first_difference(const Json& there, const Json& here) {
   for (const auto& [key, value] : here.items())
     if (!there.contains(key) || there[key] != value)
-      return joined_text(key, " is ", there.contains(key) ? there[key].text() : "nothing", " there, ",
-                         value.text(), " here");
+      return joined_text(key, " is ", there.contains(key) ? json_text(there[key]) : "nothing", " there, ",
+                         json_text(value), " here");
   return "the file of the mesh has changed";
 }
 
@@ -56,7 +56,7 @@ inline EarlierRun earlier_run(const DropOptions& options) {
     found.wall_s = summary.value("wall_s", 0.0);
     found.warnings = summary.value("warnings", found.warnings);
     found.resumed_at_s = summary.value("resumed_at_s", found.resumed_at_s);
-  } catch (const json_error&) {
+  } catch (const Json::exception&) {
     refuse("is no summary of a drop");
   }
   found.has_state = std::filesystem::exists(folder / state_file_name);

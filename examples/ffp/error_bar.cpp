@@ -25,8 +25,7 @@ struct FinishedRun {
 FinishedRun run_companion(const Companion& companion, bool resume) {
   DropOptions o = companion.options;
   const auto earlier = resume ? readable_summary_in(o.out) : std::nullopt;
-  const Json* hash = earlier ? earlier->find("inputs_hash") : nullptr;
-  o.resume = hash != nullptr && *hash == hash_of_inputs(o);
+  o.resume = earlier && earlier->value("inputs_hash", Json()) == hash_of_inputs(o);
   FinishedRun run;
   try {
     drop(o);
@@ -70,12 +69,12 @@ std::string words_of_cells(const BarredResult& r) {
 Json json_of(const BarredResult& r) {
   Json j;
   j["value"] = r.value;
-  j["u"] = r.uncertainty.total();
+  j["u"] = or_null(r.uncertainty.total());
   if (!r.uncertainty.total()) j["u_at_least"] = r.uncertainty.known();
-  j["order"] = r.cells ? r.cells->order : std::nullopt;
-  j["extrapolated"] = r.cells ? r.cells->extrapolated : std::nullopt;
+  j["order"] = or_null(r.cells ? r.cells->order : std::nullopt);
+  j["extrapolated"] = or_null(r.cells ? r.cells->extrapolated : std::nullopt);
   j["converged"] = r.converged();
-  for (const auto& part : r.uncertainty.parts()) j["parts"][part.name] = part.value;
+  for (const auto& part : r.uncertainty.parts()) j["parts"][part.name] = or_null(part.value);
   return j;
 }
 

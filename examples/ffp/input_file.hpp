@@ -55,9 +55,10 @@ struct KeyList {
 inline bool is_no_option(const std::string& key, const Json& value, const Json& all) {
   if (value.is_null()) return true;
   if (key == "mesh") return value == "generated";
-  if (key == "fillet_m") return value == 0 && all.value("shoulder", "") != "fillet";
+  if (key == "fillet_m") return value == 0 && all.value("shoulder", Json()) != "fillet";
   if (key != "gravity_m_s2") return false;
-  require(value == standard_gravity, "gravity_m_s2", value.text(), joined_text("must be ", standard_gravity));
+  require(value == standard_gravity, "gravity_m_s2", json_text(value),
+          joined_text("must be ", standard_gravity));
   return true;
 }
 
@@ -87,13 +88,13 @@ inline std::vector<std::string> words_of_input(const std::string& path) {
     if (option == keys.of_key.end()) {
       refuse(shown(key) + ": no such input; the keys are those of \"inputs\" in a summary.json");
     } else if (option->second.is_flag) {
-      if (!value.is_boolean()) refuse(key + " = " + shown(value.text()) + ": must be true or false");
+      if (!value.is_boolean()) refuse(key + " = " + shown(json_text(value)) + ": must be true or false");
       if (value.get<bool>()) words.push_back(option->second.name);
     } else {
       if (!value.is_number() && !value.is_string())
-        refuse(key + " = " + shown(value.text()) + ": must be a number or a word");
+        refuse(key + " = " + shown(json_text(value)) + ": must be a number or a word");
       words.push_back(option->second.name + "=" +
-                      (value.is_string() ? value.get<std::string>() : value.text()));
+                      (value.is_string() ? value.get<std::string>() : json_text(value)));
     }
   }
   return words;

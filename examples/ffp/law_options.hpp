@@ -2,11 +2,11 @@
 #pragma once
 
 #include <array>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <string_view>
 #include <utility>
 
-#include "json.hpp"
 #include "range.hpp"
 
 namespace arenite::ffp {
@@ -94,7 +94,7 @@ inline void check(const LawOptions& o, double friction, double dilatancy) {
 }
 
 /// Adds the law, and those of its constants that it reads, to the inputs of a summary.
-inline void add_inputs(const LawOptions& o, Json& j) {
+inline void add_inputs(const LawOptions& o, nlohmann::ordered_json& j) {
   j["law"] = std::string{[&] {
     for (const auto& [word, kind] : law_words)
       if (kind == o.kind) return word;

@@ -4,17 +4,24 @@
 #include <exception>
 #include <iostream>
 #include <new>
+#include <optional>
+#include <string>
 #include <variant>
+#include <vector>
 
 #include <arenite/core/parallel.hpp>
 
-#include "command_line.hpp"
+#include "command.hpp"
 #include "drop.hpp"
 #include "error_bar.hpp"
 #include "paper.hpp"
 #include "reduce.hpp"
 #include "say.hpp"
+#include "values.hpp"
 #include "words.hpp"
+#ifdef ARENITE_FFP_COMMAND_LINE
+#include "command_line.hpp"
+#endif
 
 namespace arenite::ffp {
 
@@ -40,6 +47,18 @@ void run_command(const DropOptions& o) {
 void run_command(const ReduceOptions& o) { reduce(o); }
 void run_command(const PaperOptions& o) { paper(o); }
 
+/// What the words say, or the values that they announce; nothing if that was a question, which is answered.
+std::optional<Command> read_command(const std::vector<std::string>& words) {
+  if (words == std::vector<std::string>{"values"}) return read_values(std::cin, std::cout);
+#ifdef ARENITE_FFP_COMMAND_LINE
+  return read_command_line(words, std::cout);
+#else
+  throw error(
+      "command line: this program was built without CLI11, which reads typed options; install it (Debian: "
+      "libcli11-dev) and build arenite-ffp anew. Python's arenite.ffp works without");
+#endif
+}
+
 }  // namespace arenite::ffp
 
 int main(int argc, char** argv) {
@@ -48,7 +67,7 @@ int main(int argc, char** argv) {
   std::signal(SIGXFSZ, SIG_IGN);
   using arenite::ffp::say, arenite::ffp::shown;
   try {
-    const auto command = arenite::ffp::read_command_line({argv + 1, argv + argc}, std::cout);
+    const auto command = arenite::ffp::read_command({argv + 1, argv + argc});
     if (command) std::visit([](const auto& options) { arenite::ffp::run_command(options); }, *command);
     return 0;
   } catch (const arenite::ffp::Ended& e) {

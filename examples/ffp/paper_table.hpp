@@ -23,22 +23,26 @@
 
 namespace arenite::ffp {
 
+/// The number of this name; none if there is no such.
+inline std::optional<double> number_at(const Json& object, const char* key) {
+  if (!object.contains(key) || !object[key].is_number()) return std::nullopt;
+  return object[key].get<double>();
+}
+
 /// The results of a case as its folder has them.
 struct CaseResult {
   Json summary = Json::object();
   std::vector<double> time, depth, step;  ///< [rows] s, m, s: of the history
 
-  bool done() const { return summary.value("status", "") == "done"; }
+  bool done() const { return summary.value("status", Json()) == "done"; }
   std::optional<double> number(const char* key) const {
-    const Json* found = summary.find(key);
-    return done() && found != nullptr && found->is_number() ? std::optional{found->get<double>()}
-                                                            : std::nullopt;
+    return done() ? number_at(summary, key) : std::nullopt;
   }
   /// Uncertainty of a number, if the run has found it.
   std::optional<double> bar(const char* key) const {
-    const Json *all = summary.find("uncertainty"), *one = all != nullptr ? all->find(key) : nullptr,
-               *u = one != nullptr ? one->find("u") : nullptr;
-    return done() && u != nullptr && u->is_number() ? std::optional{u->get<double>()} : std::nullopt;
+    if (!done() || !summary.contains("uncertainty")) return std::nullopt;
+    const Json& all = summary["uncertainty"];
+    return all.contains(key) ? number_at(all[key], "u") : std::nullopt;
   }
   /// Depth at a time, m; none beyond the history.
   std::optional<double> depth_at(double t) const {
@@ -213,7 +217,8 @@ inline Json paper_json(const PaperOptions& o, const std::vector<PaperCase>& case
   j["cases"] = Json::array();
   for (const PaperCase& c : cases) {
     const auto found = results.find(c.name);
-    const auto status = found == results.end() ? "not run" : found->second.summary.value("status", "not run");
+    const Json status =
+        found == results.end() ? Json("not run") : found->second.summary.value("status", Json("not run"));
     Json one{{"name", c.name},
              {"kinematics", word_of(kinematics_words, c.options.kinematics)},
              {"device", word_of(device_words, c.options.device)},
@@ -229,10 +234,10 @@ inline Json paper_json(const PaperOptions& o, const std::vector<PaperCase>& case
     j["comparisons"].push_back({{"quantity", c.quantity},
                                 {"unit", c.unit},
                                 {"model", c.model},
-                                {"paper", c.paper},
-                                {"ours", c.ours},
-                                {"bar", c.bar},
-                                {"difference", c.difference()},
+                                {"paper", or_null(c.paper)},
+                                {"ours", or_null(c.ours)},
+                                {"bar", or_null(c.bar)},
+                                {"difference", or_null(c.difference())},
                                 {"note", c.note}});
   return j;
 }

@@ -5,7 +5,6 @@
 #include <optional>
 #include <ostream>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "input_file.hpp"
@@ -38,13 +37,15 @@ inline void take_input(std::vector<std::string>& words) {
 /// `error` of one sentence for anything else.
 inline std::optional<DropOptions> read_drop(std::vector<std::string> words, std::ostream& answer) {
   DropOptions options;
-  std::string input;  // taken out of the words before they are read
-  detail::OptionReader reader{"arenite-ffp drop", "Runs one drop; without options the paper's case"};
-  visit_options(options, reader);
-  reader.text(
-      "--input", input, "FILE.json",
-      "Inputs as JSON, by the keys of \"inputs\" in summary.json, or such a file; options given here win");
-  constexpr std::string_view footer =
+  CLI::App app{"Runs one drop; without options the paper's case", "arenite-ffp drop"};
+  detail::OptionAdder adder{app};
+  visit_options(options, adder);
+  app.add_option(
+         "--input",
+         "Inputs as JSON, by the keys of \"inputs\" in summary.json, or such a file; options given here win")
+      ->type_name("FILE.json")
+      ->group("Run");
+  app.footer(
       "Writes history.csv, summary.json, reduced.csv, reduced.json and, for ParaView, fields.pvd with "
       "fields_*.vtu\n"
       "into DIR. summary.json says \"status\": \"running\" from the start, and at the end \"done\", "
@@ -54,9 +55,9 @@ inline std::optional<DropOptions> read_drop(std::vector<std::string> words, std:
       "once.\n"
       "Exit code: 0 done; 1 the run failed physically, or its files could not be written; 2 an option, a "
       "mesh\n"
-      "or the folder cannot be used; 130 and 143 interrupted by SIGINT and SIGTERM.";
+      "or the folder cannot be used; 130 and 143 interrupted by SIGINT and SIGTERM.");
   if (std::ranges::find(words, "--help") == words.end()) detail::take_input(words);
-  if (!reader.read(words, footer, answer)) return std::nullopt;
+  if (!detail::parse_words(app, adder, words, answer)) return std::nullopt;
   check(options);
   return options;
 }

@@ -53,7 +53,7 @@ inline Measurement read_measurement_of_drop(const std::filesystem::path& folder,
     m.step_means = true;
     m.drop = facts;
     return m;
-  } catch (const json_error&) {
+  } catch (const Json::exception&) {
     refuse("summary.json is none");
     throw;
   }

@@ -4,7 +4,6 @@
 #include <optional>
 #include <ostream>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "option_reader.hpp"
@@ -16,10 +15,10 @@ namespace arenite::ffp {
 /// Throws `error` of one sentence for anything else.
 inline std::optional<PaperOptions> read_paper(const std::vector<std::string>& words, std::ostream& answer) {
   PaperOptions options;
-  detail::OptionReader reader{"arenite-ffp paper",
-                              "Runs every case of the paper, and holds the numbers against it"};
-  visit_paper_options(options, reader);
-  constexpr std::string_view footer =
+  CLI::App app{"Runs every case of the paper, and holds the numbers against it", "arenite-ffp paper"};
+  detail::OptionAdder adder{app};
+  visit_paper_options(options, adder);
+  app.footer(
       "Each case is a drop in a folder of its own in DIR; one that is finished is left as it is, one that "
       "was\n"
       "interrupted goes on. All cases run with Mohr-Coulomb, as the paper's, and those of the rigid "
@@ -28,8 +27,8 @@ inline std::optional<PaperOptions> read_paper(const std::vector<std::string>& wo
       "SIGINT (Ctrl-C) or SIGTERM ends the case after its step; the same command goes on from there.\n"
       "Exit code: 0 done; 1 a case failed, or files could not be written; 2 an option or a folder cannot be "
       "used;\n"
-      "130 and 143 interrupted by SIGINT and SIGTERM.";
-  if (!reader.read(words, footer, answer)) return std::nullopt;
+      "130 and 143 interrupted by SIGINT and SIGTERM.");
+  if (!detail::parse_words(app, adder, words, answer)) return std::nullopt;
   check(options);
   return options;
 }

@@ -28,7 +28,9 @@ inline std::string name_of(const QuasiStatic& q) {
 }
 
 inline Json json_of(const ColumnPeak& p) {
-  return {{"largest_kPa", p.largest}, {"depth_m", p.depth}, {"at_peak_kPa", p.at_peak}};
+  return {{"largest_kPa", or_null(p.largest)},
+          {"depth_m", or_null(p.depth)},
+          {"at_peak_kPa", or_null(p.at_peak)}};
 }
 
 /// As text with blanks behind; columns count as bytes.
@@ -92,21 +94,21 @@ inline Json json_of(const Reduction& r, const ReduceOptions& o) {
                    {"area_of_q_sbc", word_of(area_words, o.area)},
                    {"from_depth_m", o.from_depth},
                    {"threshold_g", r.threshold},
-                   {"unit_weight_N_m3", r.unit_weight},
+                   {"unit_weight_N_m3", or_null(r.unit_weight)},
                    {"k0", r.k0},
                    {"taken_off_g", m.zero / r.gravity}};
   if (o.medium == Medium::water) {
     j["settings"]["water_density_kg_m3"] = o.water_density;
     j["settings"]["volume_m3"] = o.volume;
-    j["settings"]["drag"] = o.drag;
+    j["settings"]["drag"] = or_null(o.drag);
   }
   j["impact_time_s"] = m.impact_time;
   j["impact_from"] = m.impact_from;
   j["impact_velocity_m_s"] = m.impact_velocity;
   j["impact_velocity_from"] = m.velocity_from;
-  j["velocity_left_m_s"] = m.velocity_left;
+  j["velocity_left_m_s"] = or_null(m.velocity_left);
   j["depth_cm"] = r.greatest_depth * 100;
-  j["penetration_time_s"] = m.stop;
+  j["penetration_time_s"] = or_null(m.stop);
   j["peak_deceleration_g"] = r.peak_g();
   j["peak_time_s"] = m.time[r.peak];
   j["peak_depth_cm"] = m.depth[r.peak] * 100;
@@ -126,7 +128,7 @@ inline Json json_of(const Reduction& r, const ReduceOptions& o) {
   j["estimates"] = Json::array();
   for (const Estimate& e : r.estimates)
     j["estimates"].push_back({{"quantity", e.quantity},
-                              {"value", e.value},
+                              {"value", or_null(e.value)},
                               {"unit", e.unit},
                               {"source", e.source},
                               {"range", e.range},

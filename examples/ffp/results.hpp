@@ -17,7 +17,6 @@
 #include <arenite/version.hpp>
 
 #include "history.hpp"
-#include "json.hpp"
 #include "json_file.hpp"
 #include "options.hpp"
 #include "peaks.hpp"
@@ -166,7 +165,7 @@ inline Json inputs_of(const DropOptions& o) {
 /// input.
 inline std::string hash_of_inputs(const DropOptions& o) {
   Hash hash;
-  const std::string inputs = inputs_of(o).text();
+  const std::string inputs = json_text(inputs_of(o));
   hash.add(inputs.data(), inputs.size());
   if (!o.mesh.empty()) {
     const std::string content = arenite::shared_detail::read_all(o.mesh);

@@ -18,6 +18,8 @@ need g++ "the compiler" g++
 need cmake "configures the build" cmake
 need ninja-build "builds" ninja
 need libeigen3-dev "the library's only dependency"
+need libcli11-dev "options of the driver"
+need nlohmann-json3-dev "the driver's summary.json"
 need python3-matplotlib "draws the pictures"
 need python3-numpy "reads the history for them"
 install_missing

@@ -1,5 +1,6 @@
 // The command line of the drop: defaults are the paper's case; whatever is wrong becomes one sentence.
 #include "../../examples/ffp/command_line.hpp"
+#include "../../examples/ffp/values.hpp"
 
 #include <array>
 #include <fstream>
@@ -412,4 +413,45 @@ TEST_CASE("help goes to the stream and names every option") {
   REQUIRE(!read_command_line({"--help"}, top).has_value());
   for (const char* command : {"drop", "reduce", "paper"})
     REQUIRE(top.str().find(command) != std::string::npos);
+}
+
+TEST_CASE("values are the options that words are, and are checked by the same sentences") {
+  const auto values = [](const char* text) {
+    std::ostringstream answer;
+    return command_of_values(parse_json(text, "values"), answer);
+  };
+  const auto drop = std::get<DropOptions>(*values(
+      R"({"command": "drop", "options": {"delta": 40, "cell_at_cone": "0.002", "tip": "blunt", "anti_locking": false,
+          "error_bar": true, "force": false, "split": 4, "points_per_element": null, "contact": "rigid"}})"));
+  REQUIRE(drop.delta == 40);
+  REQUIRE(drop.cell_at_cone == 0.002);
+  REQUIRE(drop.tip == Tip::blunt);
+  REQUIRE(!drop.averages());
+  REQUIRE(drop.error_bar);
+  REQUIRE(!drop.force);
+  REQUIRE(drop.split == 4);
+  REQUIRE(!drop.points_per_element);
+  const auto reduce = std::get<ReduceOptions>(
+      *values(R"({"command": "reduce", "file": "--a.csv", "options": {"medium": "water", "drag": 0.8}})"));
+  REQUIRE(reduce.file == "--a.csv");
+  REQUIRE(reduce.drag == 0.8);
+  REQUIRE(std::get<PaperOptions>(*values(R"({"command": "paper", "options": {"quick": true}})")).quick);
+  for (const auto& [option, value] : {std::pair{"delta", "x"},
+                                      {"delta", "61"},
+                                      {"delta", "1e999"},
+                                      {"delta", ""},
+                                      {"threads", "1.5"},
+                                      {"tip", "round"},
+                                      {"force", "1"},
+                                      {"out", "--quiet"},
+                                      {"detla", "20"},
+                                      {"mesh", "absent.msh"},
+                                      {"input", "absent.json"}}) {
+    const std::string text =
+        joined_text("{\"command\": \"drop\", \"options\": {\"", option, "\": \"", value, "\"}}");
+    REQUIRE_THROWS_WITH(values(text.c_str()), refusal({"drop", joined_text("--", option, "=", value)}));
+  }
+  std::ostringstream answer;
+  REQUIRE(!command_of_values(Json{{"command", "options"}, {"of", "drop"}}, answer));
+  REQUIRE(parse_json(answer.str(), "options")[0]["option"] == "--kinematics");
 }

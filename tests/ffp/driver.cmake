@@ -1,8 +1,8 @@
 # tests/ffp/driver.py runs the driver arenite-ffp from outside: one ctest test for each of its classes. It needs Python,
 # without packages, and the driver, which is built with the examples.
 find_package(Python3 3.8 COMPONENTS Interpreter QUIET)
-if(NOT ARENITE_EXAMPLES OR NOT Python3_FOUND)
-  message(STATUS "The tests of the driver arenite-ffp are left out: they need the examples and Python 3.8")
+if(NOT ARENITE_EXAMPLES OR NOT CLI11_FOUND OR NOT nlohmann_json_FOUND OR NOT Python3_FOUND)
+  message(STATUS "The tests of the driver arenite-ffp are left out: they need the examples, CLI11, nlohmann-json and Python 3.8")
   return()
 endif()
 

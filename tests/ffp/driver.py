@@ -523,13 +523,13 @@ class Doors(DriverTest):
     def test_nested(self):
         deep = "[" * 200000 + "]" * 200000
         os.mkdir("doors/drop")
-        for text, at in ((deep, 64), ('{"delta_deg": ' + deep + "}", 77), ('{"a":' * 200000, 320)):
+        for text in (deep, '{"delta_deg": ' + deep + "}", '{"a":' * 200000):
             for file in ("doors/deep.json", "doors/drop/summary.json"):
                 with open(file, "w") as opened:
                     opened.write(text)
             with open("doors/drop/history.csv", "w"):
                 pass
-            what = f"is nested deeper than 64 levels, at byte {at}"
+            what = "is nested deeper than 64 levels"
             self.refused(f"--input = doors/deep.json: {what}", "drop", "--input", "doors/deep.json", "--out", "doors/out")
             self.refused(f"summary = doors/drop/summary.json: {what}", "reduce", "doors/drop")
             self.refused(f"--resume: summary = doors/drop/summary.json: {what}", "drop", "--resume", "--out", "doors/drop")
@@ -1177,7 +1177,7 @@ class Inputs(DriverTest):
             ("[1, 2]", "--input = case.json: must hold an object"),
             ("{", "--input = case.json: is no JSON"),
             ("", "--input = case.json: must be a file that is not empty"),
-            ('{"k0": 1, "k0": 2}', "--input = case.json: gives k0 twice, at byte 14"),
+            ('{"k0": 1, "k0": 2}', "--input = case.json: gives k0 twice"),
         ):
             self.write(inputs)
             self.assert_refused(sentence, "--input", "case.json")

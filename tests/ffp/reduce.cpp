@@ -449,7 +449,7 @@ TEST_CASE("a drop's folder: its inputs, its depth, its peak") {
   REQUIRE(rows == r.motion.time.size());
   REQUIRE(j["peak_deceleration_g"] == r.peak_g());
   REQUIRE(j["depth_cm"] == r.greatest_depth * 100);
-  REQUIRE(j["q_sbc"].elements().size() == 7);
+  REQUIRE(j["q_sbc"].size() == 7);
   REQUIRE(j["q_sbc"][4]["within_range"] == true);
   REQUIRE(j["q_dyn"]["mantle"]["largest_kPa"].get<double>() > 0);
   std::ostringstream table;

@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
+import json
 import os
 import shutil
 import signal
 import subprocess
 import sys
 import threading
+from contextlib import suppress
 from pathlib import Path
-from typing import List, NamedTuple, Sequence, Set
+from typing import List, Mapping, NamedTuple, Set
 
 from .._errors import Error, RunError
 
@@ -31,8 +33,8 @@ def program() -> Path:
         return own
     found = shutil.which(NAME)
     if found is None:
-        raise Error(f"{NAME}: there is no such program in {own.parent} or on PATH; the package brings it along where it "
-                    f"is installed by pip; else build the program (cmake --build DIR --target {NAME}) and set ARENITE_FFP to its path")
+        raise Error(f"{NAME}: there is no such program in {own.parent} or on PATH; install the package with pip "
+                    f"(nlohmann-json is needed then), which brings it along; or build the program (cmake --build DIR --target {NAME}) and set ARENITE_FFP to its path")
     return Path(found)
 
 
@@ -71,23 +73,25 @@ class Runs:
         self._running: Set[subprocess.Popen[str]] = set()
         self._stopped = False
 
-    def run(self, words: Sequence[str], quiet: bool = True) -> Ending:
-        """Runs `arenite-ffp WORDS` and waits for its end. What it says goes to standard error, too, unless `quiet`. On Ctrl-C it
+    def run(self, command: Mapping[str, object], quiet: bool = True) -> Ending:
+        """Runs a command given as values ({"command": "drop", "options": {"delta": "40"}}) and waits for its end. What it says goes to standard error, too, unless `quiet`. On Ctrl-C it
         is told to stop: a drop finishes its step and its files."""
-        command = [os.fspath(program()), *words]
+        words = [os.fspath(program()), "values"]
         with self._lock:
             if self._stopped:
                 raise KeyboardInterrupt
             try:
                 # In a session of its own, so that Ctrl-C on the terminal reaches it once, from here.
-                process = subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+                process = subprocess.Popen(words, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
                                            encoding="utf-8", errors="replace", start_new_session=True)
             except OSError as problem:
-                raise Error(f"{command[0]}: cannot be run: {problem.strerror}") from None
+                raise Error(f"{words[0]}: cannot be run: {problem.strerror}") from None
             self._running.add(process)
         said: List[str] = []
-        assert process.stdout is not None
+        assert process.stdin is not None and process.stdout is not None
         try:
+            with suppress(BrokenPipeError), process.stdin:  # it has ended already: then it says why
+                process.stdin.write(json.dumps(command))
             for line in process.stdout:
                 said.append(line.rstrip("\n"))
                 if not quiet:
@@ -127,6 +131,6 @@ def _stop(process: subprocess.Popen[str]) -> None:
         raise
 
 
-def run(words: Sequence[str], quiet: bool = True) -> Ending:
+def run(command: Mapping[str, object], quiet: bool = True) -> Ending:
     """One command on its own: see `Runs.run`."""
-    return Runs().run(words, quiet)
+    return Runs().run(command, quiet)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import warnings
 from functools import cached_property
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Dict, List, Mapping, Optional, Sequence, Union
+from typing import TYPE_CHECKING, Any, Dict, Mapping, Optional, Sequence, Union
 
 from .._errors import Error
 from ._columns import Columns
@@ -18,7 +18,7 @@ from ._plot import draw
 from ._record import Record
 from ._reduction import Reduction, reduction_in
 from ._text import keywords, quantity
-from ._words import words_of
+from ._words import values_of
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -128,12 +128,12 @@ def drop(*, out: Optional[PathLike] = None, quiet: bool = True, **options: objec
 
 def run_drop(runs: Runs, folder: Folder, options: Mapping[str, object], quiet: bool, keeps: bool) -> Drop:
     """The drop in a folder, run or found there. `keeps`: the folder may hold an earlier one."""
-    words = ["drop", *words_of("drop", {**options, "out": folder.path, "quiet": bool(quiet)})]
-    tries: List[List[str]] = [words]
+    values = values_of("drop", {**options, "out": folder.path, "quiet": bool(quiet)})
+    tries = [values]
     if keeps and options.get("resume") is None:
-        tries.insert(0, [*words, "--resume"])
+        tries.insert(0, {**values, "resume": True})
     for attempt in tries:
-        ending = runs.run(attempt, quiet)
+        ending = runs.run({"command": "drop", "options": attempt}, quiet)
         # Of other inputs, or no drop: then it is run anew.
         if not (ending.code == 2 and ending.sentence.startswith("--resume: ")):
             break

@@ -1,6 +1,9 @@
-"""The program's own help."""
+"""What options there are, as the program lists them."""
 
 from __future__ import annotations
+
+import json
+import textwrap
 
 from . import _driver
 
@@ -15,8 +18,16 @@ class Text(str):
 
 
 def help(command: str = "") -> Text:  # noqa: A001
-    """Help of a command, "drop" or "reduce": every option with its unit, its range and its default. `cell_at_cone` in Python is
-    `--cell-at-cone` there. Without a command the list of commands."""
-    ending = _driver.run([*([command] if command else []), "--help"])
+    """Options of a command, "drop" or "reduce", by their keywords, with units, ranges and defaults. Without one: of both."""
+    if not command:
+        return Text("\n\n".join(help(one) for one in ("drop", "reduce")))
+    ending = _driver.run({"command": "options", "of": command})
     ending.check()
-    return Text("\n".join(ending.said))
+    lines, group = [f"Options of arenite.ffp.{command}:"], ""
+    for option in json.loads("\n".join(ending.said)):
+        if option["group"] != group:
+            group = option["group"]
+            lines += ["", f"{group}:"]
+        lines.append(f"  {option['option'][2:].replace('-', '_')}={option['takes'] or 'True|False'}")
+        lines += textwrap.wrap(option["help"], 120, initial_indent="      ", subsequent_indent="      ")
+    return Text("\n".join(lines))

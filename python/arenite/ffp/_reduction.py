@@ -12,7 +12,7 @@ from ._columns import Columns
 from ._files import read_json
 from ._folder import Folder, PathLike
 from ._text import quantity
-from ._words import words_of
+from ._words import values_of
 
 __all__ = ["Reduction", "reduce", "reduction_in"]
 
@@ -85,8 +85,8 @@ def reduce(file_or_drop: PathLike, *, out: Optional[PathLike] = None, quiet: boo
     """
     file = os.fspath(file_or_drop)
     folder = Folder(out)
-    words = words_of("reduce", {"no_picture": True, **options, "out": folder.path, "quiet": bool(quiet)})
-    _driver.run(["reduce", f".{os.sep}{file}" if file.startswith("-") else file, *words], quiet).check()
+    values = values_of("reduce", {"no_picture": True, **options, "out": folder.path, "quiet": bool(quiet)})
+    _driver.run({"command": "reduce", "file": file, "options": values}, quiet).check()
     found = reduction_in(folder)
     if found is None:
         raise Error(f"{folder.path}: there is no reduced.json")

@@ -36,7 +36,9 @@
 #include <arenite/observe/every.hpp>
 #include <arenite/observe/not_included.hpp>
 #include <arenite/observe/probe.hpp>
+#include <arenite/observe/run.hpp>
 #include <arenite/observe/section.hpp>
+#include <arenite/observe/settle.hpp>
 #include <arenite/observe/watch.hpp>
 #include <arenite/particles/point_ids.hpp>
 #include <arenite/particles/regions.hpp>
@@ -44,7 +46,5 @@
 #include <arenite/rigid/rigid_body.hpp>
 #include <arenite/rigid/rigid_contact.hpp>
 #include <arenite/scene/insert_remove.hpp>
-#include <arenite/observe/run.hpp>
-#include <arenite/observe/settle.hpp>
 #include <arenite/scene/split_points.hpp>
 #include <arenite/version.hpp>

@@ -26,10 +26,14 @@ auto bar(K kinematics, M mesh, N numerics, const Condition& sides, const Absorbi
   Box<D> all;
   all.upper.fill(std::numeric_limits<double>::infinity());
   all.lower.fill(-all.upper[0]);
-  return Scene{kinematics,       std::move(mesh),
-               numerics,         bodies(fill(all, rock, of_points)),
-               Walls{held},      absorbing(bottom(), options),
-               gravity(Triple{0, -g, 0}), Reactions{},
+  return Scene{kinematics,
+               std::move(mesh),
+               numerics,
+               bodies(fill(all, rock, of_points)),
+               Walls{held},
+               absorbing(bottom(), options),
+               gravity(Triple{0, -g, 0}),
+               Reactions{},
                TrackEnergy{}};
 }
 const double speed_p = std::sqrt(rock.wave_modulus() / rock.density()),

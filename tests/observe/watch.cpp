@@ -431,7 +431,7 @@ TEST_CASE("What a newcomer gets wrong is told by run itself: load, stiffness, sp
           run(sound, {.end = 0.1});
         }).warnings.empty());
   told(newcomer(1e6, 9810), {.end = 0.0055}, "volume", "above 0.5; body 0: mean V/V0 = 0.");  // 1000 g
-  told(newcomer(1e3, 9.81), {.end = 0.25}, "volume", "above 0.5; body 0: mean V/V0 = 0.");   // 1 kPa
+  told(newcomer(1e3, 9.81), {.end = 0.25}, "volume", "above 0.5; body 0: mean V/V0 = 0.");    // 1 kPa
   const double wave = std::sqrt(1e6 * 0.7 / (1.3 * 0.4) / 1540);
   const auto fast = newcomer(1e6, 9.81, {.velocity = {0, -6 * wave, 0}}, {{0.1, 0.04}, {0.2, 0.14}});
   told(fast, {.end = 1e-4}, "speed", joined_text(6 * wave, " m/s; waves run at ", wave));
@@ -444,7 +444,8 @@ TEST_CASE("What a newcomer gets wrong is told by run itself: load, stiffness, sp
 TEST_CASE("A Watch of the user's takes the place of that of run, and ends steps of 2.5 stable ones") {
   auto scene = newcomer(1e6, 9810);
   Watch watch{{.volume = 0.4}};
-  CHECK(has(said([&] { run(scene, {.end = 0.0055}, every(0.001, watch)); }).error, "the limit is 0.4; body 0"));
+  CHECK(
+      has(said([&] { run(scene, {.end = 0.0055}, every(0.001, watch)); }).error, "the limit is 0.4; body 0"));
   auto steps = swinging(0);
   const double dt = 2.5 * stable_step(steps);
   Watch ends;

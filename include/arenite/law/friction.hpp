@@ -36,18 +36,18 @@ struct GivenAngles {
 ///   all else: what the history keeps of each step, such as a smoothed rate.
 /// - `double least_slope(const GivenAngles& given) const`: a lower bound of the slope. Where all points of a
 ///   pack lie within its cone, and with cohesion within that of tan(1.55) too, `slope` is not asked for: it
-///   takes a `const History<T>&`, and what changes in each step belongs into `follow`. Worth it for slopes that
-///   cost more than a few operations.
-/// - `bool implicit() const`: whether the slope is that of the mean stress at the end of the step, tr(trial)/3,
-///   which dilatancy and a cut-off change in the return. It must not rise with the pressure, nor with tension.
-///   The law then asks `slope`, with a `const History<T>&`, for the stresses of returns too, until that of the
+///   takes a `const History<T>&`, and what changes in each step belongs into `follow`. Worth it for slopes
+///   that cost more than a few operations.
+/// - `bool implicit() const`: whether the slope is that of the mean stress at the end of the step, which
+///   dilatancy and a cut-off change in the return. It must not rise with the pressure, nor with tension. The
+///   law then asks `slope`, with a `const History<T>&`, for the stresses of returns too, until that of the
 ///   surface and that of the stress on it agree; `least_slope` bounds the search.
 /// - `T dilatancy_slope(const GivenAngles& given, const History<T>& history) const`: tan(psi) of the point,
 ///   >= 0; asked after `slope`, and never more than its answer: plastic flow would else produce energy. A
 ///   policy without it has the dilatancy of the law's parameters, and must keep its slope above it.
 /// - `void flow(const T& strain, History<T>& history) const`: is told the deviatoric plastic strain of each
-///   step, sqrt(2/3 e:e), -; 0 where nothing yields. What hardens or softens with it does so from the next step
-///   on.
+///   step, sqrt(2/3 e:e), -; 0 where nothing yields. What hardens or softens with it does so from the next
+///   step on.
 /// - `bool constant() const`: whether its constants make it the same as `ConstantFriction` (a rate term of
 ///   0). The law then returns to its one surface, with the same results to the bit; the history is kept up.
 /// - `void check(const GivenAngles& given) const`: throws `error` if its constants do not go with the law's.

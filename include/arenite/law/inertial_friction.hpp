@@ -14,12 +14,12 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 /// flows, Nature 441, 727-730.
 ///
 /// p is the mean stress of the end of the step, pressure positive: that of the begin would lag behind, and
-/// would be 0 where matter is met for the first time. Without dilatancy plastic flow leaves the mean stress of
-/// the elastic trial state. With it, and with a cut-off, the return raises the pressure and mu falls; the two
-/// are found together by secants between bounds (fixed_point.hpp), each point on its own, until mu of the
-/// surface and mu(I) of the pressure differ by at most 128 units in the last place of 1 + mu. With cohesion and
-/// a pressure so small that its round-off moves mu(I) more than that, mu is at least mu(I), which is the weaker
-/// side there. Where p <= 0 I is infinite, and the friction mu_2; without rate it is mu_s.
+/// would be 0 where matter is met for the first time. Without dilatancy plastic flow leaves the mean stress
+/// of the elastic trial state. With it, and with a cut-off, the return raises the pressure and mu falls; the
+/// two are found together by secants between bounds (fixed_point.hpp), each point on its own, until mu of the
+/// surface and mu(I) of the pressure differ by at most 128 units in the last place of 1 + mu. With cohesion
+/// and a pressure so small that its round-off moves mu(I) more than that, mu is at least mu(I), which is the
+/// weaker side there. Where p <= 0 I is infinite, and the friction mu_2; without rate it is mu_s.
 ///
 /// The law is local: it gives no length, and as a flow law it is ill-posed at low and at high I (Barker,
 /// Schaeffer, Bohorquez & Gray 2015, J. Fluid Mech. 779, 794-818). mu is tan(phi) here; Jop's own law

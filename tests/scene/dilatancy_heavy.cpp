@@ -15,14 +15,15 @@ MohrCoulombParameters sand(double dilatancy) {
 }
 
 struct Outcome {
-  double residual, swelling;  // energy residual over the work of gravity; mean V / V0
+  // Energy that transfer, walls and averages took (< 0) or made, over the work of gravity; mean V / V0.
+  double residual, swelling;
 };
 
 template <class Scene>
 Outcome outcome(Scene&& scene, double end) {
   run(scene, {.end = end, .courant = 0.5});
   const Energies e = energies(scene);
-  return {e.residual / e.external, mean_volume_ratio(scene.body())};
+  return {(e.residual - e.transfer - e.walls) / e.external, mean_volume_ratio(scene.body())};
 }
 
 /// A bed on a rough base under gravity at 60 deg to its normal, which shears it along the base.

@@ -64,7 +64,7 @@ class BasicWatch {
       look_at_energy(scene);
     int number = 0;
     scene.for_each_body([&](const auto& body, const auto&) {
-      if (wants(volume)) look_at_volume(scene, body, number);
+      if (wants(volume) && body.points.size() > 0) look_at_volume(scene, body, number);
       if (wants(lost)) look_at_lost(scene, body, number);
       if (wants(speed)) look_at_speed(scene, body, number);
       // Initial stresses may lie outside: the first step takes them back.

@@ -191,7 +191,7 @@ struct rigids_of<std::tuple<P...>> {
   static constexpr auto found = [] {
     std::pair<std::array<std::size_t, count>, std::array<std::string_view, count>> all{};
     std::size_t place = 0, number = 0;
-    const auto look = [&]<class Q>(std::type_identity<Q>) {
+    [[maybe_unused]] const auto look = [&]<class Q>(std::type_identity<Q>) {
       if constexpr (is_rigid<Q>) {
         all.first[number] = place;
         all.second[number++] = Q::name.word();

@@ -15,7 +15,8 @@ MohrCoulombParameters sand(double dilatancy) {
 }
 
 struct Outcome {
-  // Energy that transfer, walls and averages took (< 0) or made, over the work of gravity; mean V / V0.
+  // Energy that transfer, walls, averages and points that left took (< 0) or made, over the work of gravity;
+  // mean V / V0.
   double residual, swelling;
 };
 
@@ -23,7 +24,8 @@ template <class Scene>
 Outcome outcome(Scene&& scene, double end) {
   run(scene, {.end = end, .courant = 0.5});
   const Energies e = energies(scene);
-  return {(e.residual - e.transfer - e.walls) / e.external, mean_volume_ratio(scene.body())};
+  return {(e.residual - e.transfer - e.walls - scene.body().lost_kinetic) / e.external,
+          mean_volume_ratio(scene.body())};
 }
 
 /// A bed on a rough base under gravity at 60 deg to its normal, which shears it along the base.

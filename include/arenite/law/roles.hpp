@@ -18,8 +18,16 @@ constexpr bool max_pack_width_is_right() {
   else
     return false;
 }
+template <class L>
+concept two_packs_at_once_is_right = !names_two_packs_at_once<L> || requires {
+  typename std::bool_constant<L::two_packs_at_once>;
+};
 
 }  // namespace detail
+
+/// Whether what a law says of packs is of the kind that it must be.
+template <class L>
+concept wishes_packs_rightly = detail::max_pack_width_is_right<L>() && detail::two_packs_at_once_is_right<L>;
 
 /// Whether the `update` of a law can be called with scalars P, which may be packs.
 template <class L, class P, int D>
@@ -51,9 +59,8 @@ constexpr bool check_law() {
       "law: one that returns Inelastic needs double greatest_volume_ratio() const");
   static_assert(detail::max_pack_width_is_right<L>(),
                 "law: max_pack_width must be static constexpr int, and positive");
-  static_assert(
-      !names_two_packs_at_once<L> || requires { typename std::bool_constant<L::two_packs_at_once>; },
-      "law: two_packs_at_once must be static constexpr bool");
+  static_assert(detail::two_packs_at_once_is_right<L>,
+                "law: two_packs_at_once must be static constexpr bool");
   static_assert(
       !names_linear<L> || requires { typename std::bool_constant<L::linear>; },
       "law: linear must be static constexpr bool");

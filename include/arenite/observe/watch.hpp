@@ -96,7 +96,7 @@ class BasicWatch {
   /// Each quantity with its greatest value so far, in the order of `WatchLimits`.
   const std::array<Watched, 7>& seen() const { return seen_; }
   /// The warnings given, in order: at most one a quantity.
-  const std::vector<std::string>& warnings() const { return warnings_; }
+  const std::vector<WarningText>& warnings() const { return warnings_; }
 
  private:
   enum Quantity : std::size_t { energy_gain, transfer, residual, volume, speed, strength, lost };
@@ -130,7 +130,7 @@ class BasicWatch {
                                          OfRun && !stops ? w.limit / 10 : w.limit, "; ", at.text);
     if (stops) throw run_error(text);
     w.warned = true;
-    warnings_.push_back(text);
+    warnings_.emplace_back(text);
     warn(text);
   }
 
@@ -290,7 +290,7 @@ class BasicWatch {
   static constexpr std::size_t never = std::numeric_limits<std::size_t>::max() / 2;
 
   std::array<Watched, 7> seen_;
-  std::vector<std::string> warnings_;
+  std::vector<WarningText> warnings_;
   std::size_t every_, next_ = 0, last_ = never;
   WatchedEnergy energy_;
 };

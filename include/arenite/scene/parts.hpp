@@ -148,14 +148,18 @@ struct bodies_of<M, Extra, Bodies<F...>> {
   template <class T>
   static constexpr bool are_laws = (constitutive_law<typename body_of<M, Extra, F>::Law, T, M::dimension> &&
                                     ...);
-  /// Whether each law takes as many points at once as a scene with numerics N hands over.
+  /// Whether a law takes as many points at once as a scene with numerics N hands over. What is wrong with its
+  /// own wish for them a body says.
+  template <class N, class Law>
+  static constexpr bool takes_lanes_of() {
+    if constexpr (wishes_packs_rightly<Law>) {
+      using T = typename M::scalar;
+      return takes_lanes<Law, typename LawLanes<Law, T, N::template width<T>>::type, M::dimension>;
+    }
+    return true;
+  }
   template <class N>
-  static constexpr bool take_lanes =
-      (takes_lanes<typename body_of<M, Extra, F>::Law,
-                   typename LawLanes<typename body_of<M, Extra, F>::Law, typename M::scalar,
-                                     N::template width<typename M::scalar>>::type,
-                   M::dimension> &&
-       ...);
+  static constexpr bool take_lanes = (takes_lanes_of<N, typename body_of<M, Extra, F>::Law>() && ...);
   template <class N>
   static constexpr bool centres_stress = N::template centres_stress<typename body_of<M, Extra, F>::Law...>;
 };

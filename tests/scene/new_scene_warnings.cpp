@@ -20,7 +20,12 @@ std::vector<std::string> said(F&& make) {
   std::vector<std::string> texts;
   const std::size_t before = warning_count();
   const WarningHook old = on_warning([&](const std::string& text) { texts.push_back(text); });
-  (void)make();
+  try {
+    (void)make();
+  } catch (...) {
+    on_warning(old);
+    throw;
+  }
   on_warning(old);
   CHECK(warning_count() - before == texts.size());
   return texts;

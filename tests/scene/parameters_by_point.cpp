@@ -153,7 +153,7 @@ TEST_CASE(
               gravity({0, -9.81})};
   Watch watch{{.every = 1}};
   run(scene, {.end = 0.1, .courant = 0.5}, watch);
-  const Watched& strength = watch.seen()[3];
+  const Watched& strength = watch.seen()[5];
   CHECK(strength.name == "strength");
   CHECK(strength.worst <= 1e-12);
   // Friction went with the points as they changed cells and places.

@@ -21,9 +21,8 @@ import pytest
 
 from arenite import ffp
 from arenite._errors import Error, RunError
-from arenite.ffp import _driver
+from arenite.ffp import _driver, _words
 from arenite.ffp._mean import moving_mean
-from arenite.ffp._words import values_of
 
 try:
     DRIVER = os.fspath(_driver.program())
@@ -220,12 +219,12 @@ def test_options_reach_the_drop():
 
 
 def test_values():
-    assert values_of("drop", {"error_bar": True, "force": False, "no_watch": numpy.True_}) == {
+    assert _words.values_of("drop", {"error_bar": True, "force": False, "no_watch": numpy.True_}) == {
         "error_bar": True, "force": False, "no_watch": True}
-    assert values_of("drop", {"cell_at_cone": 1e-3, "contact_offset": -0.005, "young": 5e6, "delta": None}) == {
+    assert _words.values_of("drop", {"cell_at_cone": 1e-3, "contact_offset": -0.005, "young": 5e6, "delta": None}) == {
         "cell_at_cone": "0.001", "contact_offset": "-0.005", "young": "5000000"}
-    assert values_of("reduce", {"scale": {"2g": 1.62e6, "18g": 1.6e5}}) == {"scale": "2g=1620000,18g=160000"}
-    assert values_of("drop", {"mesh": Path("a") / "b.msh"}) == {"mesh": "a/b.msh"}
+    assert _words.values_of("reduce", {"scale": {"2g": 1.62e6, "18g": 1.6e5}}) == {"scale": "2g=1620000,18g=160000"}
+    assert _words.values_of("drop", {"mesh": Path("a") / "b.msh"}) == {"mesh": "a/b.msh"}
 
 
 def test_on_and_off(tmp_path):
@@ -252,7 +251,7 @@ def values(given):
     ({"command": "drop", "options": {"quiet": "yes"}}, "--quiet = yes: takes no value"),
     ({"command": "drop", "options": {"input": "absent.json"}}, "--input = absent.json: no such file"),
     ({"command": "paper", "options": {"delta": 20}}, "--delta=20: no such option; see arenite-ffp paper --help"),
-    ({"command": "reduce"}, "FILE = (none): must be given")])
+    ({"command": "reduce"}, "FILE = (none): must be given")], ids=range(14))
 def test_values_are_checked(given, sentence):
     code, text = values(given)
     assert code == 2 and text.startswith(f"arenite-ffp: {sentence}")

@@ -122,6 +122,7 @@ class Runs:
 
 def _stop(process: subprocess.Popen[str]) -> None:
     """Tells it to stop and waits until it has; a second Ctrl-C meanwhile ends it at once."""
+    process.stdin = None  # is closed, which `communicate` does not expect
     process.send_signal(signal.SIGTERM)  # it may have inherited that SIGINT is ignored
     try:
         process.communicate()  # reads on, so that it cannot wait for a reader

@@ -13,7 +13,12 @@ function(names first)
   if(result EQUAL 0 OR at EQUAL -1)
     message(FATAL_ERROR "must fail without Eigen, and begin its first error with '${first}'; it said\n${said}")
   endif()
-  string(SUBSTRING "${said}" ${at} 400 told)  # an error is shorter
+  # From the first error to where a second one begins. Its length is that of the paths in it.
+  string(LENGTH "${first}" past)
+  string(SUBSTRING "${said}" ${at} -1 told)
+  string(SUBSTRING "${told}" ${past} -1 told)
+  string(FIND "${told}" "${first}" second)
+  string(SUBSTRING "${told}" 0 ${second} told)
   string(REGEX REPLACE "[ \n]+" " " told "${told}")
   if(NOT told MATCHES "Arenite needs Eigen 3.4 or newer[^()]*\\(Debian, Ubuntu: libeigen3-dev\\)")
     message(FATAL_ERROR "the first error must name the package; it said\n${said}")

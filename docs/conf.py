@@ -59,30 +59,36 @@ def _write_cpp_reference(app):
     app.config.breathe_projects["arenite"] = str(xml / "xml")
 
 
-def _as_table(lines):
-    """The block under a line `parameter  unit  range  default` as a table; its columns stand two spaces apart."""
-    begin = next((k for k, line in enumerate(lines) if line.startswith("parameter  ")), None)
-    if begin is None:
-        return lines
-    end = next((k for k in range(begin, len(lines)) if not lines[k].strip()), len(lines))
-    rows = [re.split(r"  +", line.strip()) for line in lines[begin:end]]
-    table = [".. list-table::", "   :header-rows: 1", ""]
+def _inline(text):
+    """`code` in single backquotes as reStructuredText has it; its other marks are plain characters."""
+    text = re.sub(r"`[^`]*`|[*|]", lambda m: f"`{m[0]}`" if len(m[0]) > 1 else f"\\{m[0]}", text)
+    return re.sub(r"``[^`]*``", lambda m: re.sub(r"\s*\n\s*", " ", m[0]), text)  # one that goes over the end of a line
+
+
+def _table(lines):
+    """Lines whose columns stand two spaces apart, the first of them the head."""
+    rows = [[_inline(cell) for cell in re.split(r"  +", line.strip())] for line in lines]
+    table = ["", ".. list-table::", "   :header-rows: 1", ""]
     for row in rows:
         cells = row + [""] * (len(rows[0]) - len(row))
-        table += [f"   {'*' if k == 0 else ' '} - {cell.replace('-', chr(0x2013)) if cell == '-' else cell}".rstrip()
-                  for k, cell in enumerate(cells)]
-    return [*lines[:begin], *table, *lines[end:]]
+        table += [f"   {'*' if k == 0 else ' '} - {chr(0x2013) if cell == '-' else cell}".rstrip() for k, cell in enumerate(cells)]
+    return [*table, ""]
+
+
+def _text(lines):
+    """Plain text, with parameters as lines `name   meaning`."""
+    text = re.sub(r"^ +", "  ", _inline("\n".join(lines)), flags=re.MULTILINE)
+    return re.sub(r"^(\w+)  +(?=\S)", r"- *\1*: ", text, flags=re.MULTILINE).split("\n")
 
 
 def _plain_docstring(app, what, name, obj, options, lines):
-    """Our docstrings are plain text: `code` in single backquotes, and parameters as lines `name   meaning`."""
+    """Our docstrings are plain text; the block under a line `parameter  unit  range  default` is a table."""
     if lines and lines[0].startswith("Alias for field number"):  # of a NamedTuple, whose docstring tells its fields
         lines.clear()
-    lines[:] = _as_table(lines)
-    text = re.sub(r"`[^`]*`|[*|]", lambda m: f"`{m[0]}`" if len(m[0]) > 1 else f"\\{m[0]}", "\n".join(lines))
-    text = re.sub(r"``[^`]*``", lambda m: re.sub(r"\s*\n\s*", " ", m[0]), text)  # one that goes over the end of a line
-    text = re.sub(r"^ +", "  ", text, flags=re.MULTILINE)
-    lines[:] = re.sub(r"^(\w+)  +(?=\S)", r"- *\1*: ", text, flags=re.MULTILINE).split("\n")
+    begin = next((k for k, line in enumerate(lines) if line.startswith("parameter  ")), len(lines))
+    end = next((k for k in range(begin, len(lines)) if not lines[k].strip()), len(lines))
+    table = _table(lines[begin:end]) if begin < end else []
+    lines[:] = [*_text(lines[:begin]), *table, *_text(lines[end:])]
 
 
 def setup(app):

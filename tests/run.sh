@@ -1,13 +1,18 @@
 #!/usr/bin/env bash
-# Builds and runs all tests: g++ Release, clang++ Release, clang++ under the address and undefined-behaviour sanitizers, and
-# the format check. On a fresh Debian it installs what is missing. Safe to repeat; works from any folder.
+# Builds and runs tests. On a fresh Debian it installs what is missing. Safe to repeat; works from any folder.
 #
-#   tests/run.sh [--quick] [--asan] [--clang] [--python] [--docs] [--format]
+#   tests/run.sh [--change | --nightly | --all] [--gcc] [--asan] [--clang] [--python] [--docs] [--format]
 #
-#   no option  everything        --quick  g++ Release only      --asan    sanitizers only
-#   --python   Python package only: wheel, clean environment, pytest, mypy
-#   --docs     documentation site only, warnings are errors
-#   --clang    clang++ only      --format clang-format only     (options add up)
+# How much (tests/scopes.cmake has the lists):
+#   no option  g++ Release: the core of each room, one scene of a family, the driver
+#   --change   what a change may break, beside that: the other tests of g++ but the long ones, examples, memory and files under the
+#              sanitizers (clang++), the Python package, the documentation site, the format
+#   --nightly  the rest: long tests, all under the sanitizers, clang++ Release, each header by itself, benchmarks, the driver's second width
+#   --all      all three
+# Stages (options add up; without one, all of what was asked for; without how much, whole stages):
+#   --gcc      g++ Release              --asan     clang++ under the address and undefined-behaviour sanitizers
+#   --clang    clang++ Release          --python   Python package: wheel, clean environment, pytest, mypy
+#   --docs     documentation site, warnings are errors                --format   clang-format
 #
 # Environment: ARENITE_BUILD, where to build (default: build/tests in the checkout).
 set -euo pipefail
@@ -19,19 +24,32 @@ build=${ARENITE_BUILD:-$root/build/tests}
 jobs=$(processors)
 
 stages=()
+scope=
 for option in "$@"; do
   case $option in
-    --quick) stages+=(gcc) ;;
-    --asan) stages+=(asan) ;;
-    --clang) stages+=(clang) ;;
-    --python) stages+=(python) ;;
-    --docs) stages+=(docs) ;;
-    --format) stages+=(format) ;;
+    --change | --nightly | --all) scope=${option#--} ;;
+    --gcc | --asan | --clang | --python | --docs | --format) stages+=("${option#--}") ;;
     -h | --help) sed -n '2,/^set /{/^set /d;s/^# \{0,1\}//;p}' "${BASH_SOURCE[0]}" && exit ;;
-    *) fail "unknown option $option (known: --quick, --asan, --clang, --python, --docs, --format)" ;;
+    *) fail "unknown option $option (known: --change, --nightly, --all, --gcc, --asan, --clang, --python, --docs, --format)" ;;
   esac
 done
-[ ${#stages[@]} -gt 0 ] || stages=(gcc clang asan python docs format)
+if [ ${#stages[@]} -gt 0 ]; then
+  : "${scope:=all}"
+else
+  case ${scope:=quick} in
+    quick) stages=(gcc) ;;
+    change) stages=(gcc asan python docs format) ;;
+    nightly) stages=(gcc asan clang) ;;
+    all) stages=(gcc asan clang python docs format) ;;
+  esac
+fi
+# What is built, and which of it runs: --change and --nightly leave out what those before them run.
+case $scope in
+  quick) build_scope=quick which=() ;;
+  change) build_scope=change which=(-LE quick) ;;
+  nightly) build_scope=nightly which=(-LE 'quick|change') ;;
+  all) build_scope=nightly which=() ;;
+esac
 chosen() { [[ " ${stages[*]} " == *" $1 "* ]]; }
 
 # --- what the machine must have
@@ -85,20 +103,20 @@ prepare_python() { environment Python "$venv" tests/requirements.txt; }
 
 summary=()
 
-# run_stage NAME FOLDER "CTEST OPTIONS" CMAKE-OPTIONS...
+# run_stage NAME FOLDER CMAKE-OPTIONS...
 run_stage() {
-  local name=$1 folder=$build/$2 ctest_options=$3
-  shift 3
-  local start=$SECONDS
+  local name=$1 folder=$build/$2
+  shift 2
+  local start=$SECONDS runs=("${which[@]}")
+  [ "$name" != "clang++ Release" ] || runs=()  # whole at night
   printf '\n=== %s\n' "$name"
   cmake -S "$root" -B "$folder" -G Ninja -DARENITE_TEST_PYTHON="$venv/bin/python" -DARENITE_REQUIRE_ALL=ON \
-    -DARENITE_TEST_TOGETHER=8 "$@" > "$folder.log" 2>&1 < /dev/null ||
+    -DARENITE_TEST_TOGETHER=8 -DARENITE_TEST_SCOPE=$build_scope "$@" > "$folder.log" 2>&1 < /dev/null ||
     { tail -n 30 "$folder.log" >&2 && fail "stage $name: configuring failed (log: $folder.log)"; }
   # Errors and warnings of the compiler, not the list of commands that it ran.
   cmake --build "$folder" -j "$jobs" -- --quiet -k 0 < /dev/null || fail "stage $name: building failed"
   local built=$SECONDS
-  # shellcheck disable=SC2086  # the options are words
-  if ! ctest --test-dir "$folder" -j "$jobs" --output-on-failure --no-tests=error $ctest_options < /dev/null |
+  if ! ctest --test-dir "$folder" -j "$jobs" --output-on-failure --no-tests=error "${runs[@]}" < /dev/null |
     tee "$folder.ctest.log"; then
     fail "stage $name: tests failed (log: $folder.ctest.log)"
   fi
@@ -110,13 +128,13 @@ export CCACHE_SLOPPINESS=pch_defines,time_macros
 
 if chosen gcc; then
   prepare_python
-  run_stage "g++ Release" gcc "" -DCMAKE_CXX_COMPILER=g++ -DCMAKE_BUILD_TYPE=Release -DARENITE_WERROR=ON \
-    "-DARENITE_FFP_WIDTHS=16;64" -DARENITE_BENCHMARKS_FAST_BUILD=ON
-fi
-if chosen clang; then
-  prepare_python
-  run_stage "clang++ Release" clang "" -DCMAKE_CXX_COMPILER=clang++ -DCMAKE_BUILD_TYPE=Release -DARENITE_WERROR=ON \
-    -DARENITE_BENCHMARKS=OFF -DARENITE_TEST_HEADERS=OFF -DARENITE_TEST_EXTREMES=OFF
+  options=(-DARENITE_EXAMPLES_FFP_ONLY=OFF -DARENITE_BENCHMARKS=OFF -DARENITE_FFP_WIDTHS=16)
+  case $build_scope in
+    quick) options[0]=-DARENITE_EXAMPLES_FFP_ONLY=ON ;;
+    nightly) options+=(-DARENITE_BENCHMARKS=ON "-DARENITE_FFP_WIDTHS=16;64") ;;
+  esac
+  run_stage "g++ Release" gcc -DCMAKE_CXX_COMPILER=g++ -DCMAKE_BUILD_TYPE=Release -DARENITE_WERROR=ON \
+    -DARENITE_BENCHMARKS_FAST_BUILD=ON "${options[@]}"
 fi
 if chosen asan; then
   prepare_python
@@ -126,10 +144,15 @@ if chosen asan; then
   # together.
   sanitize="-fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer"
   # A quarter of the random scenes.
-  ARENITE_EXTREMES="1 25" run_stage "clang++ sanitizers" asan "" -DCMAKE_CXX_COMPILER=clang++ -DCMAKE_BUILD_TYPE=Debug \
-    -DCMAKE_CXX_FLAGS="$sanitize -D_GLIBCXX_ASSERTIONS" -DCMAKE_CXX_FLAGS_DEBUG="-O0" -DARENITE_WERROR=OFF \
+  ARENITE_EXTREMES="1 25" run_stage "clang++ sanitizers" asan -DCMAKE_CXX_COMPILER=clang++ -DCMAKE_BUILD_TYPE=Debug \
+    -DCMAKE_CXX_FLAGS="$sanitize -D_GLIBCXX_ASSERTIONS" -DCMAKE_CXX_FLAGS_DEBUG="-O0" -DARENITE_WERROR=ON \
     -DARENITE_BENCHMARKS=OFF -DARENITE_EXAMPLES=OFF -DARENITE_FUZZ=ON -DARENITE_TEST_HEADERS=OFF -DARENITE_TEST_HEAVY=OFF \
     -DARENITE_TEST_BUILDS=OFF
+fi
+if chosen clang; then
+  prepare_python
+  run_stage "clang++ Release" clang -DCMAKE_CXX_COMPILER=clang++ -DCMAKE_BUILD_TYPE=Release -DARENITE_WERROR=ON \
+    -DARENITE_BENCHMARKS=OFF -DARENITE_TEST_HEADERS=OFF -DARENITE_TEST_EXTREMES=OFF
 fi
 if chosen python; then
   printf '\n=== Python\n'

@@ -14,12 +14,16 @@ if(no_matplotlib)
 endif()
 
 set(long)
-if(ARENITE_TEST_HEAVY)
+if(ARENITE_TEST_HEAVY AND nightly)
   set(long FineCells)
 endif()
+set(quick Drops SameBits Mistakes Words Ends)  # the other classes run at a change
 
 foreach(class Drops SameBits Mistakes Doors Widths Words Meshes Failures Ends Killed Resumed ErrorBar Inputs Reduced Paper CommandLine
         Study ${pictures} ${long})
+  if(NOT change AND NOT class IN_LIST quick)
+    continue()
+  endif()
   set(scratch ${CMAKE_CURRENT_BINARY_DIR}/scratch/ffp.driver_${class})
   file(MAKE_DIRECTORY ${scratch})
   add_test(NAME ffp.driver_${class}
@@ -28,6 +32,10 @@ foreach(class Drops SameBits Mistakes Doors Widths Words Meshes Failures Ends Ki
   set_tests_properties(ffp.driver_${class} PROPERTIES LABELS ffp TIMEOUT 300 ENVIRONMENT
                        "ARENITE_THREADS=${ARENITE_TEST_THREADS}")
   if(class IN_LIST long)
-    set_tests_properties(ffp.driver_${class} PROPERTIES LABELS "ffp;heavy" TIMEOUT 900)
+    set_tests_properties(ffp.driver_${class} PROPERTIES LABELS "ffp;heavy;nightly" TIMEOUT 900)
+  elseif(class IN_LIST quick)
+    arenite_label(quick ffp.driver_${class})
+  else()
+    arenite_label(change ffp.driver_${class})
   endif()
 endforeach()

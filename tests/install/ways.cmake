@@ -10,7 +10,7 @@ function(arenite_way name)
                    --build-options -DCMAKE_CXX_COMPILER=${CMAKE_CXX_COMPILER} -DCMAKE_CXX_FLAGS=${CMAKE_CXX_FLAGS}
                                    -DCMAKE_CXX_COMPILER_LAUNCHER=${CMAKE_CXX_COMPILER_LAUNCHER} -DEigen3_DIR=${Eigen3_DIR} ${ARGN}
                    --test-command consumer)
-  set_tests_properties(install.${name} PROPERTIES LABELS install TIMEOUT 120)
+  set_tests_properties(install.${name} PROPERTIES LABELS "install;change" TIMEOUT 120)
 endfunction()
 
 # The same without CMake: `name`, and definitions for ways/compile.cmake.
@@ -18,7 +18,7 @@ function(arenite_compiled name)
   add_test(NAME install.${name}
            COMMAND ${CMAKE_COMMAND} -D compiler=${CMAKE_CXX_COMPILER} -D program=${CMAKE_CURRENT_BINARY_DIR}/ways/${name}_program
                    ${ARGN} -P ${CMAKE_CURRENT_SOURCE_DIR}/ways/compile.cmake)
-  set_tests_properties(install.${name} PROPERTIES LABELS install TIMEOUT 60)
+  set_tests_properties(install.${name} PROPERTIES LABELS "install;change" TIMEOUT 60)
 endfunction()
 
 # What must not be found by who asks for it: what is newer, and what came before and may have been broken since.

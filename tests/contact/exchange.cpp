@@ -208,7 +208,8 @@ TEST_CASE(
     exchange(Coulomb<>(friction), MassGradient{}, fields, impulses, pairs, 1e-3, [](Index) { return 0.1; });
     REQUIRE(pairs.size() > 20);
     const auto before = fields;
-    const double dissipation = hold_together<false>(pairs, fields, 1e-3);
+    const double dissipation = rest_between<false>(pairs, fields);  // what is mapped is of the points yet
+    CHECK(hold_together(pairs, fields, 1e-3) == 0);                 // without forces
     std::vector<bool> met(200, false);
     double closed = 0, opened = 0, booked = 0;
     for (const auto& pair : pairs) {
@@ -226,7 +227,7 @@ TEST_CASE(
         return Vec<double, 2>(f[0].mass[i] * f[0].mapped[i] + f[1].mass[i] * f[1].mapped[i]);
       };
       REQUIRE((momentum(fields) - momentum(before)).norm() < 1e-14 * (fields[0].mass[i] + fields[1].mass[i]));
-      booked -= pair.impulse.dot(was - end) / 2;  // without forces
+      booked -= pair.impulse.dot(was - end) / 2;
     }
     REQUIRE((closed > 5 && opened > 5));
     REQUIRE(std::abs(dissipation - booked) < 1e-12 * (1 + std::abs(booked)));

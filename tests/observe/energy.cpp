@@ -76,6 +76,42 @@ TEST_CASE(
   check(column(Numerics<Q, Flip, Usf>{}));
 }
 
+TEST_CASE(
+    "Walls, friction, dashpots, damping and contact at the same nodes: each books its impulses to the step's "
+    "order") {
+  // Thrown into a corner. What half a step makes is left out; what remains falls as the square of the step.
+  const auto remains = [](auto scene) {
+    double worst = 0;
+    run(scene, {.end = 0.1, .courant = 0.1}, [&](const auto& s) {
+      const Energies e = energies(s);
+      worst = std::max(worst, std::abs(e.residual - e.lag));
+    });
+    return worst / scene.template part<TrackEnergy>().initial();
+  };
+  const auto block = [](double lower, double upper, double speed) {
+    return std::pair{Box{{0, lower}, {0.4, upper}}, FillOptions{.per_cell = 4, .velocity = {speed, -0.1, 0}}};
+  };
+  const CartesianGrid<2> grid{{.lower = {0, 0}, .upper = {1, 1}, .cell = 0.05}};
+  const Friction friction(20_deg);
+  const auto [whole, thrown] = block(0, 0.4, -0.05);
+  const auto one = [&](auto numerics, auto... parts) {
+    return remains(
+        Scene{PlaneStrain{}, grid, numerics, bodies(fill(whole, rubber, thrown)), parts..., TrackEnergy{}});
+  };
+  using Musl = Numerics<QuadraticBSpline, Flip>;
+  CHECK(one(Musl{}, absorbing(bottom()), frictional(bottom(), friction), frictional(left(), friction)) <=
+        1e-3);
+  CHECK(one(Musl{}, LocalDamping{}, walls(bottom(roller), left(roller))) <= 1e-3);
+  CHECK(one(Numerics<QuadraticBSpline, Flip, Usl>{}, frictional(bottom(), friction),
+            frictional(left(), friction)) <= 2e-4);
+  const auto [low, slides] = block(0, 0.2, -0.05);
+  const auto [high, faster] = block(0.2, 0.4, -0.1);
+  CHECK(remains(Scene{PlaneStrain{}, grid, Musl{},
+                      bodies(fill<"low">(low, rubber, slides), fill<"high">(high, rubber, faster)),
+                      Coulomb{friction}, frictional(bottom(), friction), frictional(left(), friction),
+                      TrackEnergy{}}) <= 1e-3);
+}
+
 TEST_CASE("A body that turns: FLIP takes nothing, PIC almost all, and both balances close") {
   const Ran keeps = ran(spinning(Numerics<QuadraticBSpline, Flip>{}), 0.2);
   CHECK(std::abs(keeps.last.transfer) <= 1e-12 * keeps.put_in);

@@ -205,7 +205,7 @@ TEST_CASE("mapped velocities keep what a rigid body stopped, whether they would 
   fields[0].mapped[4] = {1, -3};
   fields[0].mapped[5] = {1, 3};
   fields[0].mapped[6] = {1, 3};
-  hold_touched<false>(body.touched_nodes, fields, 0.01);
+  hold_touched(body.touched_nodes, fields, 0.01);
   REQUIRE((fields[0].mapped[2] - P(1, -2)).norm() < 1e-15);
   REQUIRE(fields[0].mapped[3] == P(0, -2));
   REQUIRE(fields[0].mapped[4] == P(0, -2));

@@ -62,13 +62,7 @@ struct ContactPair {
   Vec<T, D> normal;           ///< unit, out of the second; zero if there is none
   Vec<T, D> impulse;          ///< on the first, N s
   bool sticks;                ///< no relative motion at all, not just none along the normal
-};
-
-/// Stands in for the list of pairs where it is not needed (USL).
-struct NoContactPairs {
-  void clear() {}
-  template <class Pair>
-  void push_back(const Pair&) {}
+  Vec<T, D> after;            ///< velocity of the first against the second with the impulse, m/s
 };
 
 namespace detail {
@@ -96,7 +90,7 @@ void exchange_in_pairs(const Friction& friction, const Normals& normals, Fields&
         if (given.impulse.squaredNorm() == 0) continue;
         va += given.impulse / ma;
         vb -= given.impulse / mb;
-        done(ContactPair<T, D>{static_cast<Index>(i), a, b, normal, given.impulse, given.sticks});
+        done(ContactPair<T, D>{static_cast<Index>(i), a, b, normal, given.impulse, given.sticks, va - vb});
       }
     }
 }
@@ -139,9 +133,8 @@ ContactTally exchange(const Contact& contact, const Normals& normals, Fields& fi
     impulses[b] -= impulse;
     // Mean velocities over the whole step, so that forces that contact holds in balance
     // dissipate nothing.
-    tally.dissipation -= static_cast<double>(
-        impulse.dot(fields[a].start[i] - fields[b].start[i] + fields[a].velocity[i] - fields[b].velocity[i]) /
-        2);
+    tally.dissipation -=
+        static_cast<double>(impulse.dot(fields[a].start[i] - fields[b].start[i] + pair.after) / 2);
     ++tally.nodes;
   });
   if (contact.velocity_limit > 0 && last != nowhere) limit(last);
@@ -149,8 +142,8 @@ ContactTally exchange(const Contact& contact, const Normals& normals, Fields& fi
 }
 
 /// Holds the mapped velocities of each pair to those of their common momentum (see `hold`). Returns the
-/// energy that this dissipates, J. `Centred`: what is mapped is the mean over the step already.
-template <bool Centred, class Pairs, class Fields, class T, class Owns = OwnsAll>
+/// energy that this dissipates, J.
+template <class Pairs, class Fields, class T, class Owns = OwnsAll>
 double hold_together(const Pairs& pairs, Fields& fields, T dt, const Owns& owns = {}) {
   double dissipation = 0;
   for (const auto& pair : pairs) {
@@ -159,12 +152,9 @@ double hold_together(const Pairs& pairs, Fields& fields, T dt, const Owns& owns 
     auto& b = fields[pair.second];
     using V = std::remove_cvref_t<decltype(pair.normal)>;
     const V apart = a.mapped[i] - b.mapped[i];
-    V twice = apart - (a.velocity[i] - b.velocity[i]);
-    if constexpr (Centred) twice += apart - (a.start[i] - b.start[i]);
     const T share_a = b.mass[i] / (a.mass[i] + b.mass[i]), share_b = 1 - share_a;
     const V force = share_a * a.collected[i].force() - share_b * b.collected[i].force();
-    const auto held =
-        hold<T, V::RowsAtCompileTime>(apart, twice, pair.normal, pair.sticks, pair.impulse, force, dt);
+    const auto held = hold<T, V::RowsAtCompileTime>(apart, pair.normal, pair.sticks, force, dt);
     if (owns(pair.node)) dissipation += held.dissipation;
     a.mapped[i] -= share_a * held.removed;
     b.mapped[i] += share_b * held.removed;
@@ -172,8 +162,22 @@ double hold_together(const Pairs& pairs, Fields& fields, T dt, const Owns& owns 
   return dissipation;
 }
 
+/// What pairs dissipated beyond what `exchange` has booked (see `rest_of_dissipation`), J.
+template <bool Centred, class Pairs, class Fields, class Owns = OwnsAll>
+double rest_between(const Pairs& pairs, const Fields& fields, const Owns& owns = {}) {
+  double dissipation = 0;
+  for (const auto& pair : pairs) {
+    if (!owns(pair.node)) continue;
+    const std::size_t i = pair.node;
+    const auto &a = fields[pair.first], &b = fields[pair.second];
+    const auto mean = (a.template mean_velocity<Centred>(i) - b.template mean_velocity<Centred>(i)).eval();
+    dissipation -= static_cast<double>(pair.impulse.dot(mean - (a.start[i] - b.start[i] + pair.after) / 2));
+  }
+  return dissipation;
+}
+
 /// Coulomb contact in a scene: a part that exchanges impulses between the bodies.
-template <class T, int D, class Normals, std::size_t Fields, class Pairs>
+template <class T, int D, class Normals, std::size_t Fields>
 struct BoundCoulomb {
   using OnlyOne = ContactOfBodies;
   static constexpr bool separates_bodies = true;
@@ -184,9 +188,9 @@ struct BoundCoulomb {
   Friction friction;
   double velocity_limit;
   Normals normals;
-  std::array<Vec<T, D>, Fields> impulse;  ///< on each body in the last step, N s
-  [[no_unique_address]] Pairs pairs{};    ///< MUSL: who pushed on whom in the last step, node by node
-  double dissipated = 0;                  ///< since the start, J
+  std::array<Vec<T, D>, Fields> impulse;   ///< on each body in the last step, N s
+  std::vector<ContactPair<T, D>> pairs{};  ///< who pushed on whom in the last step, node by node
+  double dissipated = 0;                   ///< since the start, J
 
   template <class Scene>
   void connect(const Scene& scene) {
@@ -203,9 +207,14 @@ struct BoundCoulomb {
   /// On a body in the last step, N s.
   const Vec<T, D>& contact_impulse(std::size_t body) const { return impulse[body]; }
   template <class Scene>
+  double read_end(const Scene& scene, double) {
+    const double dissipation = rest_between<Scene::centres_stress>(pairs, scene.fields, scene.node_owner());
+    dissipated += dissipation;
+    return dissipation;
+  }
+  template <class Scene>
   double hold_mapped(Scene& scene, double dt) {
-    const double dissipation =
-        hold_together<Scene::centres_stress>(pairs, scene.fields, static_cast<T>(dt), scene.node_owner());
+    const double dissipation = hold_together(pairs, scene.fields, static_cast<T>(dt), scene.node_owner());
     dissipated += dissipation;
     return dissipation;
   }
@@ -235,9 +244,7 @@ auto bind_part(const Coulomb<N>& contact, const Site& site) {
                 "Coulomb: the normals lack a member: static constexpr bool needs_mass_gradient, "
                 "between(fields, a, b, node) const; see arenite/contact/normals.hpp");
   if constexpr (complete) {
-    using Pairs = std::conditional_t<maps_back, std::vector<ContactPair<T, D>>, NoContactPairs>;
-    BoundCoulomb<T, D, Normals, Site::body_count, Pairs> part{
-        contact.friction, contact.velocity_limit, normals, {}};
+    BoundCoulomb<T, D, Normals, Site::body_count> part{contact.friction, contact.velocity_limit, normals, {}};
     part.impulse.fill(Vec<T, D>::Zero());
     return part;
   } else {

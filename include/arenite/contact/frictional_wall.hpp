@@ -96,16 +96,21 @@ class BoundFrictionalWall {
         // Mean velocities over the step, so that what the wall holds in balance dissipates nothing.
         tally.dissipation -= static_cast<double>(given.impulse.dot(field.start[node] + v)) / 2;
         ++tally.nodes;
-        touched_.push_back({f, node, normal, given.sticks, given.impulse});
+        touched_.push_back({f, node, normal, given.sticks, given.impulse, v});
       }
     }
     dissipated_ += tally.dissipation;
     return tally;
   }
   template <class Scene>
+  double read_end(const Scene& scene, double) {
+    const double dissipation = rest_of_dissipation<Scene::centres_stress>(touched_, scene.fields);
+    dissipated_ += dissipation;
+    return dissipation;
+  }
+  template <class Scene>
   double hold_mapped(Scene& scene, double dt) {
-    const double dissipation =
-        hold_touched<Scene::centres_stress>(touched_, scene.fields, static_cast<T>(dt));
+    const double dissipation = hold_touched(touched_, scene.fields, static_cast<T>(dt));
     dissipated_ += dissipation;
     return dissipation;
   }
@@ -140,6 +145,7 @@ class BoundFrictionalWall {
     V normal;
     bool sticks;
     V impulse;
+    V after;  // velocity with the impulse
   };
 
   template <class M>

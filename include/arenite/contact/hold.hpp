@@ -7,8 +7,7 @@
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
-/// The part removed from a mapped relative velocity, m/s, and the dissipation of that beyond what the
-/// exchange has booked, J.
+/// The part removed from a mapped relative velocity, m/s, and what that dissipates, J.
 template <class T, int D>
 struct Held {
   Vec<T, D> removed;
@@ -21,20 +20,18 @@ struct Held {
 /// a rebound at nodes where contact still pushes, and the impulse times that velocity is energy from nothing.
 /// The hold is no impulse: the mapped velocities serve one strain increment only. The points of FLIP gain
 /// (impulse + dt force) (start + mapped) / 2 at each node, their strains take dt force times the held
-/// velocity: with both, contact's share of the balance is exact, up to the order of the time step. `apart`:
-/// the mapped relative velocity; `twice`: twice the mean velocity with which points take the impulse, less
-/// that with which the exchange booked it; `force`: the force between the two, N.
+/// velocity: the hold dissipates the difference, and the impulse is booked apart (`rest_of_dissipation`).
+/// `apart`: the mapped relative velocity; `force`: the force between the two, N.
 template <class T, int D>
-Held<T, D> hold(const Vec<T, D>& apart, const Vec<T, D>& twice, const Vec<T, D>& normal, bool sticks,
-                const Vec<T, D>& impulse, const Vec<T, D>& force, T dt) {
+Held<T, D> hold(const Vec<T, D>& apart, const Vec<T, D>& normal, bool sticks, const Vec<T, D>& force, T dt) {
   const Vec<T, D> removed = sticks ? apart : Vec<T, D>(apart.dot(normal) * normal);
-  return {removed, -static_cast<double>(impulse.dot(twice) / 2 + dt * force.dot(removed))};
+  return {removed, -static_cast<double>(dt * force.dot(removed))};
 }
 
 /// Holds the mapped velocities of MUSL to what nodes were given by a rigid body or a wall (see `hold`); a
 /// touched node has `field`, `node`, the unit `normal`, the `impulse`, N s, and whether it `sticks`. Returns
-/// the energy that this dissipates, J. `Centred`: what is mapped is the mean over the step already.
-template <bool Centred, class Touched, class Fields, class T>
+/// the energy that this dissipates, J.
+template <class Touched, class Fields, class T>
 double hold_touched(const Touched& touched, Fields& fields, T dt) {
   double dissipation = 0;
   for (const auto& t : touched) {
@@ -42,13 +39,25 @@ double hold_touched(const Touched& touched, Fields& fields, T dt) {
     using V = std::remove_cvref_t<decltype(t.normal)>;
     auto& field = fields[t.field];
     auto& v = field.mapped[t.node];
-    const V apart = v - field.velocity[t.node];
-    V twice = apart;
-    if constexpr (Centred) twice += v - field.start[t.node];
-    const auto held = hold<T, V::RowsAtCompileTime>(apart, twice, t.normal, t.sticks, t.impulse,
+    const auto held = hold<T, V::RowsAtCompileTime>(v - field.velocity[t.node], t.normal, t.sticks,
                                                     field.collected[t.node].force(), dt);
     dissipation += held.dissipation;
     v -= held.removed;
+  }
+  return dissipation;
+}
+
+/// An exchange books its impulses with the velocities `after` it, for it knows no others yet: walls, other
+/// exchanges at the same node and MUSL change them. What the impulses dissipated beyond that, J, by the mean
+/// velocities of the step (`mean_velocity`).
+template <bool Centred, class Touched, class Fields>
+double rest_of_dissipation(const Touched& touched, const Fields& fields) {
+  double dissipation = 0;
+  for (const auto& t : touched) {
+    if (t.impulse.squaredNorm() == 0) continue;
+    const auto& field = fields[t.field];
+    dissipation -= static_cast<double>(
+        t.impulse.dot(field.template mean_velocity<Centred>(t.node) - (field.start[t.node] + t.after) / 2));
   }
   return dissipation;
 }

@@ -102,13 +102,13 @@ class BoundAbsorbingFaces {
     return {};
   }
   template <class Scene>
-  void follow_motion(Scene& scene, double dt) {
+  void read_end(const Scene& scene, double dt) {
     const auto owns = scene.node_owner();
     for (std::size_t k = 0, at = 0; k < faces_->nodes().size(); ++k)
       for (std::size_t f = 0; f < Scene::field_count; ++f, ++at) {
         const Index i = faces_->nodes()[k];
         if (!owns(i)) continue;
-        const V mean = (scene.fields[f].start[i] + scene.fields[f].velocity[i]) / 2;
+        const V mean = scene.fields[f].template mean_velocity<Scene::centres_stress>(i);
         dissipated_ -= static_cast<double>(given_[at].dot(mean));
         work_ += static_cast<double>(support(at).dot(mean)) * dt;
       }

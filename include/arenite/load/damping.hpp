@@ -49,10 +49,6 @@ class Damping {
   void switch_off() { on_ = false; }
   void switch_on() { on_ = true; }
 
-  template <class Scene>
-  void follow_motion(const Scene& scene, double dt) {
-    if (on_) dissipated_ -= forces_.work(scene, dt);
-  }
   PartEnergy count_energy() const { return {.dissipated = dissipated_}; }
   bool holds_against(const Vec<T, D>&) const { return false; }
   template <class F>
@@ -86,6 +82,10 @@ class BoundViscousDamping : public Damping<T, D> {
     }
     this->forces_.add_to(scene);
   }
+  template <class Scene>
+  void follow_motion(const Scene& scene, double dt) {
+    if (this->on_) this->dissipated_ -= this->forces_.work(scene, dt);
+  }
 
  private:
   double rate_;
@@ -103,6 +103,10 @@ class BoundLocalDamping : public Damping<T, D> {
       for (std::size_t k = 0; k < Scene::field_count; ++k)
         damp(scene.fields[k], static_cast<T>(dt), this->forces_.field[k].force);
     return {};
+  }
+  template <class Scene>
+  void read_end(const Scene& scene, double dt) {
+    if (this->on_) this->dissipated_ -= this->forces_.work_of_impulses(scene, dt);
   }
 
  private:

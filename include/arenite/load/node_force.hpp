@@ -42,13 +42,18 @@ class NodeForce {
   /// begin and end, so that matter gains just this kinetic energy from them.
   template <class Field, class Owns>
   double work(const Field& field, double dt, const Owns& owns) const {
+    return work(dt, owns, [&](std::size_t i) { return ((field.start[i] + field.velocity[i]) / 2).eval(); });
+  }
+  /// The same with `mean(node)`, a mean velocity over the step, m/s.
+  template <class Owns, class Mean>
+  double work(double dt, const Owns& owns, const Mean& mean) const {
     return parallel_reduce(
         force.size(), 0.0,
         [&](std::size_t begin, std::size_t end) {
           double sum = 0;
           for (std::size_t i = begin; i < end; ++i)
             if (acts_at(i) && owns(static_cast<Index>(i)))
-              sum += static_cast<double>(force[i].dot(field.start[i] + field.velocity[i])) * dt / 2;
+              sum += static_cast<double>(force[i].dot(mean(i))) * dt;
           return sum;
         },
         std::plus<>{});
@@ -87,6 +92,16 @@ class FieldForces {
     double sum = 0;
     for (std::size_t k = 0; k < field.size(); ++k)
       sum += field[k].work(scene.fields[k], dt, scene.node_owner());
+    return sum;
+  }
+  /// The same of forces that act as impulses behind the grid update, once `mean_velocity` is known.
+  template <class Scene>
+  double work_of_impulses(const Scene& scene, double dt) const {
+    double sum = 0;
+    for (std::size_t k = 0; k < field.size(); ++k)
+      sum += field[k].work(dt, scene.node_owner(), [&](std::size_t i) {
+        return scene.fields[k].template mean_velocity<Scene::centres_stress>(i);
+      });
     return sum;
   }
   /// N, [D].

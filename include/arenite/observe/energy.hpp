@@ -111,11 +111,12 @@ struct TrackEnergy {
     for (const auto& field : scene.fields)
       grid_gain += sum_nodes(scene, field, [&](std::size_t i) {
         if (!(field.mass[i] > 0)) return 0.0;
-        return static_cast<double>(field.mass[i] *
-                                   (field.velocity[i] - field.start[i]).dot(mean_velocity<Scene>(field, i)));
+        return static_cast<double>(
+            field.mass[i] *
+            (field.velocity[i] - field.start[i]).dot(field.template mean_velocity<Scene::centres_stress>(i)));
       });
     for (const Given& g : given_) {
-      const auto mean = mean_velocity<Scene>(scene.fields[g.field], g.node);
+      const auto mean = scene.fields[g.field].template mean_velocity<Scene::centres_stress>(g.node);
       for (int d = 0; d < Scene::D; ++d)
         walls -= g.impulse[static_cast<std::size_t>(d)] * static_cast<double>(mean[d]);
     }
@@ -195,14 +196,6 @@ struct TrackEnergy {
           return sum;
         },
         std::plus<>{});
-  }
-  /// Of the velocity at the begin of the step and of that which strains, m/s.
-  template <class Scene, class Field>
-  static typename Scene::V mean_velocity(const Field& field, std::size_t i) {
-    if constexpr (Scene::centres_stress)
-      return field.mapped[i];  // is that mean
-    else
-      return (field.start[i] + field.strain_velocity()[i]) / 2;
   }
 
   std::vector<Given> given_;    // by walls in this step

@@ -101,6 +101,7 @@ GivenImpulses<R> give_impulses(R& body, Fields& fields, const typename R::Veloci
     t.sticks = contact.sticks;
     typename R::V& v = fields[t.field].velocity[t.node];
     v += j / t.mass;
+    t.after = v;
     given.total += body.with_moment(t, j);
     given.exchanged += body.size_of(t, j);
     given.gained += j.dot(fields[t.field].start[t.node] + v) / 2;

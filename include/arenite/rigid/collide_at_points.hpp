@@ -49,9 +49,10 @@ GivenImpulses<R> give_point_impulses(R& body, Fields& fields) {
     const typename R::V j = n.impulse.template cast<T>(), before = v;
     v += j / field.mass[n.node];
     // What constraints take of it afterwards they take without work.
-    given.gained += j.dot(field.start[n.node] + n.velocity.template cast<T>()) / 2;
+    const typename R::V after = n.velocity.template cast<T>();
+    given.gained += j.dot(field.start[n.node] + after) / 2;
     body.touched_nodes.push_back(
-        {n.field, n.node, false, field.mass[n.node], 1, before, R::V::Zero(), false, j});
+        {n.field, n.node, false, field.mass[n.node], 1, before, R::V::Zero(), false, j, after});
     ++body.contact_nodes;
   }
   for (std::size_t k = 0; k < body.at_points.points.size(); ++k) {

@@ -133,6 +133,7 @@ struct RigidBody {
     V normal;      ///< out of the body
     bool sticks = false;    ///< to the body: no relative motion at all
     V impulse = V::Zero();  ///< on the field, N s
+    V after = V::Zero();    ///< velocity of the field with the impulse
     V arm = V::Zero();      ///< from the centre of a body that rotates, m
   };
   /// Of the last step; with `PointContact` those that took an impulse, without normals.
@@ -259,10 +260,11 @@ struct RigidBody {
   }
   template <class Scene, class Others = const Alone>
   double hold_mapped(Scene& scene, double dt, Others& others = no_others) {
-    double dissipation = hold_touched<Scene::centres_stress>(touched_nodes, scene.fields, static_cast<T>(dt));
-    sum_over(others, dissipation);
-    dissipated += dissipation;
-    return dissipation;
+    return book(hold_touched(touched_nodes, scene.fields, static_cast<T>(dt)), others);
+  }
+  template <class Scene, class Others = const Alone>
+  double read_end(const Scene& scene, double, Others& others = no_others) {
+    return book(rest_of_dissipation<Scene::centres_stress>(touched_nodes, scene.fields), others);
   }
   PartEnergy count_energy() const {
     PartEnergy e{.kinetic = kinetic_energy(), .dissipated = dissipated, .external = driving_work};
@@ -293,6 +295,12 @@ struct RigidBody {
   bool holds_against(const V& acceleration) const { return motion.holds(acceleration); }
 
  private:
+  template <class Others>
+  double book(double dissipation, Others& others) {
+    sum_over(others, dissipation);
+    dissipated += dissipation;
+    return dissipation;
+  }
   static V linear(const Velocity& v) {
     if constexpr (rotates)
       return linear_part(v);

@@ -106,9 +106,15 @@ concept reads_start = requires(P& part, const S& scene) {
 
 /// Once the velocities of the nodes at the end of the step are known. With MUSL also those that the points
 /// handed back, ahead of contact and walls, which hold them: `take_wall_hold` then gets what walls take of
-/// them, as momentum, kg m/s, of each node that they changed and the scene owns.
+/// them, as momentum, kg m/s, of each node that they changed and the scene owns. Returns nothing, or the
+/// energy that the part's impulses dissipated beyond what it has told of them, J: the mean velocities of the
+/// step are known here (`mean_velocity`).
 template <class P, class S>
-concept reads_end = requires(P& part, const S& scene) {
+concept books_end = requires(P& part, const S& scene) {
+  { part.read_end(scene, 0.0) } -> std::same_as<double>;
+};
+template <class P, class S>
+concept reads_end = books_end<P, S> || requires(P& part, const S& scene) {
   { part.read_end(scene, 0.0) } -> std::same_as<void>;
 };
 template <class P, class S>
@@ -284,8 +290,9 @@ constexpr bool check_part() {
       "part: take_wall_impulse must be void take_wall_impulse(Index node, const Vec<T, D>& impulse)");
   static_assert(!names_read_start<P> || reads_start<P, S>,
                 "part: read_start must be void read_start(const Scene& scene, double dt)");
-  static_assert(!names_read_end<P> || reads_end<P, S>,
-                "part: read_end must be void read_end(const Scene& scene, double dt)");
+  static_assert(
+      !names_read_end<P> || reads_end<P, S>,
+      "part: read_end must be void read_end(const Scene& scene, double dt), or return joules as double");
   static_assert(!names_take_wall_hold<P> || takes_wall_hold<P, S>,
                 "part: take_wall_hold must be void take_wall_hold(const Scene& scene, double dt, std::size_t "
                 "field, Index node, const Vec<T, D>& momentum)");

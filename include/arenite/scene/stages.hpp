@@ -309,7 +309,17 @@ void map_back(Scene& scene, [[maybe_unused]] double dt, [[maybe_unused]] Others&
     }
   }
   scene.for_each_part([&](auto& part) {
-    if constexpr (reads_end<std::remove_reference_t<decltype(part)>, Scene>) part.read_end(scene, dt);
+    using P = std::remove_reference_t<decltype(part)>;
+    if constexpr (books_end<P, Scene>) {
+      double dissipation;
+      if constexpr (requires { part.read_end(scene, dt, others); })
+        dissipation = part.read_end(scene, dt, others);
+      else
+        dissipation = part.read_end(scene, dt);
+      scene.contact_tally += detail::counted_once<P>(others, ContactTally{.dissipation = dissipation});
+    } else if constexpr (reads_end<P, Scene>) {
+      part.read_end(scene, dt);
+    }
   });
   if constexpr (Scene::NumericsType::maps_back) {
     const auto hold = [&](auto& part) {

@@ -179,6 +179,16 @@ struct NodeField {
     if constexpr (Mapped) return mapped;
     return velocity;
   }
+  /// Mean over the step of the velocity of node i, m/s: impulses times it are work. Of the velocity at the
+  /// begin and of that which strains, known once it is mapped back and until something holds it (`read_end`).
+  /// `Centred`: what is mapped is that mean.
+  template <bool Centred>
+  Vec<T, D> mean_velocity(std::size_t i) const {
+    if constexpr (Centred)
+      return mapped[i];
+    else
+      return (start[i] + strain_velocity()[i]) / 2;
+  }
 
   std::size_t bytes() const {
     return size() * (sizeof(Sums) + sizeof(T)) + (StartState ? 2 : 1) * velocity.bytes() + mapped.bytes() +

@@ -57,16 +57,19 @@ class Books {
     double creep = 0;
     scene.for_each_body([&](const auto& body, const auto&) { creep += 0.01 * cell_ * mass(body); });
     creep *= static_cast<double>(scene.acceleration().norm());
-    const double given = std::max(scene.template part<TrackEnergy>().initial_kinetic +
-                                      scene.template part<TrackEnergy>().initial_strain + external_,
-                                  creep);
+    double strain = 0, brought = 0;  // of points inserted
+    scene.for_each_body([&](const auto& body, const auto&) {
+      strain += body.inserted.strain_energy;
+      brought += body.inserted.strain_energy + body.inserted.kinetic_energy;
+    });
+    const auto& balance = scene.template part<TrackEnergy>();
+    const double given = std::max(balance.initial() + external_ + brought, creep);
     kinetic_ = std::max(kinetic_, e.kinetic);
     // What the sums of energies are known to.
     const double floor = static_cast<double>(scene.steps) * epsilon * (kinetic_ + e.strain + given);
     // The law cannot give back more than it had stored.
     const double gain = e.residual - e.transfer - e.walls - e.lag +
-                        std::max(0.0, -scene.template part<TrackEnergy>().stress_work -
-                                          scene.template part<TrackEnergy>().initial_strain);
+                        std::max(0.0, -balance.stress_work - balance.initial_strain - strain);
     outcome.energy = std::abs(gain) <= floor ? 0 : gain / std::max(given, floor);
     outcome.steps = scene.steps;
     outcome.lost = scene.lost_points();
@@ -82,14 +85,31 @@ class Books {
   using V = Vec<double, Scene::D>;
   static constexpr double epsilon = std::numeric_limits<typename Scene::T>::epsilon();
 
-  /// Momentum that the points have must be what they had, and what gravity, walls and rigid bodies gave. The
-  /// books begin anew where points have left. Radial momentum is nobody's in axisymmetry.
+  /// Impulse on the matter in the last step, N s, of a part that tells it: a load, an absorbing or frictional
+  /// face.
+  template <class Part>
+  static V impulse_of(const Part& part, double dt) {
+    if constexpr (requires { part.given_impulse(); })
+      return part.given_impulse().template cast<double>();
+    else if constexpr (requires { part.force(); })
+      return dt * part.force().template cast<double>();
+    else
+      return V::Zero();
+  }
+
+  /// Momentum that points and free rigid bodies have must be what they had, and what gravity, loads, walls,
+  /// other rigid bodies and inserted and removed points gave. The books begin anew where points have left.
+  /// Radial momentum is nobody's in axisymmetry.
   void check_momentum(const Scene& scene) {
-    V now = V::Zero(), given = V::Zero();
+    V now = V::Zero(), joined = V::Zero();
+    // Of the last step: points were inserted and removed behind it.
+    V given = mass_ * scene.time_step * scene.acceleration().template cast<double>();
     double carried = 0, limited = 0, pushed = 0;
+    mass_ = 0;
     scene.for_each_body([&](const auto& body, const auto&) {
       now += momentum(body);
-      given += mass(body) * scene.time_step * scene.acceleration().template cast<double>();
+      mass_ += mass(body);
+      joined += body.inserted.momentum - body.removed.momentum;
       for (std::size_t p = 0; p < body.points.size(); ++p) {
         const auto& s = body.points.stress[p];
         const double size = static_cast<double>(scene.mesh.size(body.points.cell[p]));
@@ -103,7 +123,23 @@ class Books {
     });
     limited = scene.limited_momentum;
     V outside = scene.wall_impulse.template cast<double>();
-    scene.for_each_rigid([&](const auto& body) { outside -= body.impulse.template cast<double>(); });
+    scene.for_each_rigid([&](const auto& body) {
+      if constexpr (requires { body.motion.angular_momentum(); }) {  // a `Free` one
+        const V own = body.motion.mass * body.velocity.template cast<double>();
+        now += own;
+        carried += own.norm();
+        mass_ += body.motion.mass;
+      } else {
+        outside -= body.impulse.template cast<double>();
+      }
+    });
+    V pressed = V::Zero();
+    scene.for_each_part([&](const auto& part) {
+      const V impulse = impulse_of(part, scene.time_step);
+      pressed += impulse;
+      pushed += impulse.norm();
+    });
+    given += pressed;
     if (scene.steps == 0 || scene.lost_points() != lost_) {
       lost_ = scene.lost_points();
       expected_ = now;
@@ -113,7 +149,7 @@ class Books {
       since_ = scene.steps;
     } else {
       const V from_outside = outside - outside_;
-      expected_ += given + from_outside;
+      expected_ += given + from_outside + joined - joined_;
       scale_ += pushed + given.norm() + from_outside.norm();
       carried_ = std::max(carried_, carried);
       V error = now - expected_;
@@ -125,11 +161,12 @@ class Books {
       if (!(over <= outcome.momentum) && (bound > 0 || error.norm() > 0)) outcome.momentum = over;
     }
     outside_ = outside;
+    joined_ = joined;
   }
 
   std::size_t steps_, lost_ = 0, since_ = 0;
-  double cell_, external_ = 0, kinetic_ = 0, scale_ = 0, carried_ = 0, limited_ = 0;
-  V expected_ = V::Zero(), outside_ = V::Zero();
+  double cell_, external_ = 0, kinetic_ = 0, scale_ = 0, carried_ = 0, limited_ = 0, mass_ = 0;
+  V expected_ = V::Zero(), outside_ = V::Zero(), joined_ = V::Zero();
 };
 
 /// Runs a scene for the steps of its draw, with the watch that a user would have on, and judges it. Sand may

@@ -120,29 +120,69 @@ N numerics_of(const Draw& d) {
   return numerics;
 }
 
+/// A policy of friction or stiffness with drawn constants.
+template <class P>
+P policy(const Draw& d) {
+  Random random(~d.seed);
+  const double decay = random.uniform(0, 20);
+  const SofteningParameters softening{.residual_friction = d.friction > 0 ? 0.7 * d.friction : 0.0,
+                                      .residual_dilatancy = 0.5 * d.dilatancy,
+                                      .decay = std::same_as<P, SofteningFriction> ? 10 : decay};
+  const double smoothing = random.chance(0.5) ? 0 : random.decades(1e-6, 1) * d.cell / d.wave();
+  const PressureStiffness::Parameters pressure{.exponent = random.uniform(),
+                                               .reference_pressure = d.young * random.decades(1e-5, 0.1),
+                                               .lowest_pressure = d.young * random.decades(1e-7, 1e-3)};
+  if constexpr (std::same_as<P, SofteningFriction>)
+    return P(softening);
+  else if constexpr (std::same_as<P, RateSofteningFriction>)
+    return P({.softening = softening, .smoothing = smoothing});
+  else if constexpr (std::same_as<P, LogarithmicFriction>)
+    return P({.per_decade = random.uniform(0, 0.1), .smoothing = smoothing});
+  else if constexpr (std::same_as<P, LinearRateFriction>)
+    return P({.time = random.decades(1e-6, 1), .smoothing = smoothing});
+  else if constexpr (std::same_as<P, InertialFriction>)
+    return P({.rise = random.uniform(0, 1),
+              .reference_inertia = random.decades(1e-2, 1),
+              .grain_size = random.decades(1e-6, 1e-2),
+              .smoothing = smoothing});
+  else if constexpr (std::same_as<P, PressureStiffness>)
+    return P(pressure);
+  else if constexpr (std::same_as<P, RateStiffness>)
+    return P({.residual = random.uniform(0.1, 1), .decay = decay, .pressure = pressure});
+  else
+    return {};
+}
+
+/// A law with drawn constants; the primary template is that of `LinearElastic`.
+template <class L>
+struct LawOf {
+  static L make(const Draw& d, double young) {
+    return L{{.density = d.density, .young = young, .poisson = d.poisson}};
+  }
+};
+template <template <class, class, class> class L, class Memory, class Friction, class Stiffness>
+struct LawOf<L<Memory, Friction, Stiffness>> {
+  static auto make(const Draw& d, double young) {
+    return L<Memory, Friction, Stiffness>{{.density = d.density,
+                                           .young = young,
+                                           .poisson = d.poisson,
+                                           .friction = d.friction,
+                                           .cohesion = d.cohesion,
+                                           .dilatancy = d.dilatancy},
+                                          Memory{},
+                                          policy<Friction>(d),
+                                          policy<Stiffness>(d)};
+  }
+};
+template <class L, int D>
+struct LawOf<WithDeviatoricStrain<L, D>> {
+  static auto make(const Draw& d, double young) {
+    return WithDeviatoricStrain<L, D>(LawOf<L>::make(d, young));
+  }
+};
 template <class L>
 L law(const Draw& d, double contrast = 1) {
-  const double young = d.young * contrast;
-  if constexpr (std::same_as<L, LinearElastic>)
-    return L{{.density = d.density, .young = young, .poisson = d.poisson}};
-  else {
-    const auto of = [&](const auto&... policies) {
-      return L{{.density = d.density,
-                .young = young,
-                .poisson = d.poisson,
-                .friction = d.friction,
-                .cohesion = d.cohesion,
-                .dilatancy = d.dilatancy},
-               policies...};
-    };
-    if constexpr (std::same_as<L, MohrCoulomb<ForgetsOpening, SofteningFriction>>)
-      return of(ForgetsOpening{},
-                SofteningFriction({.residual_friction = d.friction > 0 ? 0.7 * d.friction : 0.0,
-                                   .residual_dilatancy = 0.5 * d.dilatancy,
-                                   .decay = 10}));
-    else
-      return of();
-  }
+  return LawOf<L>::make(d, d.young * contrast);
 }
 
 template <class M>

@@ -47,7 +47,7 @@ class SimplexFaces {
   std::size_t size() const { return faces_; }
 
   /// Forces of a load on the faces where the mesh is now, into those of each field; matter of several fields
-  /// at a node bears them in proportion to its mass.
+  /// at a node bears them in proportion to its mass, and where there is none the load is lost.
   template <class Scene, class Others>
   void collect(const Scene& scene, const SurfaceLoad& load, std::string_view name,
                std::vector<NodeForce<T, D>>& nodes, Others& others) {
@@ -75,7 +75,7 @@ class SimplexFaces {
       }
     });
     nodes[0].sum(others);
-    if constexpr (Scene::field_count > 1) share(scene.fields, nodes);
+    share(scene.fields, nodes);
   }
 
  private:

@@ -4,9 +4,9 @@
 //
 //   example.excavation [cell, m]     half of a trench of 12 m width, clay 6 m deep; cells of 0.25 m
 #include <arenite/arenite.hpp>
+#include <arenite/io/csv.hpp>
 #include <cstdio>
 #include <cstdlib>
-#include <fstream>
 using namespace arenite;
 
 int main(int argc, char** argv) {
@@ -43,15 +43,15 @@ int main(int argc, char** argv) {
 
   // 3. The bracket, and how fast each point moves as the side fails.
   const double low = density * g * stood / strength, high = density * g * failed / strength, exact = 3.773;
-  std::ofstream("validation_vertical_cut.csv")
-      << "composition,quantity,unit,computed,exact\n"
-      << "cells of " << cell << " m,rho g H / c: the deepest that stands,-," << low << ',' << exact
-      << "\ncells of " << cell << " m,rho g H / c: the next stage fails,-," << high << ',' << exact << '\n';
-  std::ofstream map("validation_vertical_cut_map.csv");
-  map << "x (m),y (m),speed as the side fails (mm/s)\n";
+  shared_detail::replace_file("validation_vertical_cut.csv", [&](std::ostream& file) {
+    file << "composition,quantity,unit,computed,exact\n"
+         << "cells of " << cell << " m,rho g H / c: the deepest that stands,-," << low << ',' << exact
+         << "\ncells of " << cell << " m,rho g H / c: the next stage fails,-," << high << ',' << exact
+         << '\n';
+  });
+  CsvWriter map("validation_vertical_cut_map.csv", {"x (m)", "y (m)", "speed as the side fails (mm/s)"});
   const auto& points = scene.body().points;
   for (std::size_t p = 0; p < points.size(); ++p)
-    map << points.position[p][0] << ',' << points.position[p][1] << ',' << 1e3 * points.velocity[p].norm()
-        << '\n';
+    map.row({points.position[p][0], points.position[p][1], 1e3 * points.velocity[p].norm()});
   return low > 0.9 * exact && high < 1.15 * exact ? 0 : 1;
 }

@@ -2,8 +2,9 @@
 // of friction that the library has. Writes the curves to sand_paths.csv and checks where they end. A policy
 // is an argument of the law; in a scene it is used the same way: fill(region, sand).
 #include <arenite/arenite.hpp>
+#include <arenite/io/output_file.hpp>
 #include <cstdio>
-#include <fstream>
+#include <ostream>
 using namespace arenite;
 
 constexpr double mean_pressure = 20_kPa, angle_given = 39_deg, sheared = 0.5,
@@ -12,7 +13,7 @@ double greatest_error = 0;
 
 /// Shears a point and compares the last shear stress with p sin(phi) of the angle at the end, rad.
 template <class Friction>
-void shear(std::ofstream& file, const char* name, const Friction& friction, double angle_at_end) {
+void shear(std::ostream& file, const char* name, const Friction& friction, double angle_at_end) {
   const MohrCoulombParameters constants{
       .density = 1540, .young = 20_MPa, .poisson = 0.3, .friction = angle_given, .dilatancy = 0};
   const MohrCoulomb<ForgetsOpening, Friction> sand{constants, {}, friction};
@@ -31,8 +32,7 @@ void shear(std::ofstream& file, const char* name, const Friction& friction, doub
   greatest_error = std::max(greatest_error, std::abs(error));
 }
 
-int main() {
-  std::ofstream file("sand_paths.csv");
+void shear_all(std::ostream& file) {
   file << "policy,gamma,tau over p\n";
   const double slope = std::tan(angle_given), decades = std::log10(shearing / 2.1e-5);
 
@@ -57,5 +57,9 @@ int main() {
   shear(file, "softening", SofteningFriction{softening}, softened(angle_given));
   shear(file, "softening and rate", RateSofteningFriction{{.softening = softening}},
         softened(angle_given * (1 + 0.027 * decades)));
+}
+
+int main() {
+  shared_detail::replace_file("sand_paths.csv", [](std::ostream& file) { shear_all(file); });
   return greatest_error < 1e-4 ? 0 : 1;  // of 2000 steps; it falls with their number
 }

@@ -2,15 +2,15 @@
 // leaks, weighed, cut out of the sand and used as a rigid body. Its history goes to a table.
 #include <arenite/arenite.hpp>
 #include <arenite/geometry/triangle_surface.hpp>
+#include <arenite/io/output_file.hpp>
 #include <arenite/io/stl.hpp>
 #include <arenite/observe/csv.hpp>
 #include <cstdio>
-#include <fstream>
+#include <ostream>
 using namespace arenite;
 
 /// What a CAD program would write, in millimetres: a six-sided pile, radius 50, its tip 80 high, 250 long.
-void write_pile(const char* path) {
-  std::ofstream file(path);
+void write_pile(std::ostream& file) {
   const auto corner = [](int k, double y) {
     return std::array{50 * std::cos(k * pi / 3), y, 50 * std::sin(k * pi / 3)};
   };
@@ -31,7 +31,7 @@ void write_pile(const char* path) {
 }
 
 int main() {
-  write_pile("pile.stl");
+  shared_detail::replace_file("pile.stl", [](std::ostream& file) { write_pile(file); });
   const TriangleSurface pile(read_stl("pile.stl", 1e-3));  // throws unless closed
   const double steel = mass_properties(pile, 7850).mass;
 

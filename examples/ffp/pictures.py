@@ -3,6 +3,8 @@
 import os
 import sys
 
+from regular_file import replaced
+
 try:
     import matplotlib
 except ImportError:
@@ -23,13 +25,9 @@ def legend_below(figure, axes, columns, share):
 
 
 def save(figure, path, dpi="figure"):
-    """Writes a picture under a temporary name, made anew, which then becomes its own: a link there is replaced, not followed."""
-    part = f"{path}.part"
-    if os.path.lexists(part):
-        os.remove(part)
-    with open(part, "xb") as file:
+    """Writes a picture; a link at its name is replaced, not followed."""
+    with replaced(path) as file:
         figure.savefig(file, dpi=dpi, format=os.path.splitext(path)[1].lstrip(".") or "png")
-    os.replace(part, path)
 
 
 def save_pictures(figure, folder, name):

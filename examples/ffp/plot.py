@@ -9,7 +9,6 @@ the sand at the paper's times). Drops that failed or were interrupted are drawn 
 
 import argparse
 import glob
-import json
 import os
 import sys
 import textwrap
@@ -18,6 +17,7 @@ import numpy
 
 from pictures import COLOURS, REFERENCE, matplotlib, pyplot, save
 from read_vtu import read_pvd, read_vtu
+from regular_file import opened, read_json
 
 GRAVITY = 9.81
 WINDOW = 2e-3  # s, of the moving average; as in summary.json
@@ -34,9 +34,8 @@ class Drop:
     def __init__(self, folder):
         self.folder = folder
         try:
-            with open(os.path.join(folder, "summary.json")) as file:
-                self.summary = json.load(file)
-            with open(os.path.join(folder, "history.csv")) as file:
+            self.summary = read_json(os.path.join(folder, "summary.json"))
+            with opened(os.path.join(folder, "history.csv")) as file:
                 rows = [row for row in file if row.endswith("\n")]  # the last row of a killed run may be cut
             table = numpy.genfromtxt(rows, delimiter=",", names=True)
         except (OSError, ValueError) as problem:

@@ -13,12 +13,12 @@ Needs numpy and matplotlib.
 """
 
 import argparse
-import json
 import os
 import sys
 
 from pictures import COLOURS, REFERENCE, pyplot, save_pictures
 from plot import FIELD_TIMES, STRAIN_TOP, Drop, level, nearest_fields, paint
+from regular_file import read_json
 
 EXPERIMENT_PEAK = 19.4  # g
 IMPACT_VELOCITY = 5.6  # m/s
@@ -30,8 +30,7 @@ class Paper:
     def __init__(self, folder):
         self.folder = folder
         try:
-            with open(os.path.join(folder, "paper.json")) as file:
-                self.found = json.load(file)
+            self.found = read_json(os.path.join(folder, "paper.json"))
         except (OSError, ValueError) as problem:
             sys.exit(f"plot_paper.py: {folder}: must hold paper.json ({problem})")
         self.drops = {}

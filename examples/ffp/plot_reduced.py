@@ -7,13 +7,13 @@ them the bearing resistance with its bands of K. Needs numpy and matplotlib.
 """
 
 import argparse
-import json
 import os
 import sys
 
 import numpy
 
 from pictures import COLOURS, REFERENCE, pyplot, save_pictures
+from regular_file import opened, read_json
 
 
 class Reduced:
@@ -22,9 +22,9 @@ class Reduced:
     def __init__(self, folder):
         self.folder = folder
         try:
-            with open(os.path.join(folder, "reduced.json")) as file:
-                self.found = json.load(file)
-            table = numpy.genfromtxt(os.path.join(folder, "reduced.csv"), delimiter=",", names=True)
+            self.found = read_json(os.path.join(folder, "reduced.json"))
+            with opened(os.path.join(folder, "reduced.csv")) as file:
+                table = numpy.genfromtxt(file, delimiter=",", names=True)
         except (OSError, ValueError) as problem:
             sys.exit(f"plot_reduced.py: {folder}: must hold reduced.csv and reduced.json ({problem})")
         table = numpy.atleast_1d(table)

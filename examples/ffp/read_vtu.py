@@ -5,13 +5,15 @@ import xml.etree.ElementTree as ElementTree
 
 import numpy
 
+from regular_file import opened
+
 KINDS = {"Float64": "f8", "Float32": "f4", "Int32": "i4", "Int64": "i8", "UInt32": "u4", "UInt8": "u1"}
 
 
 def read_vtu(path):
     """Returns {"points": [n, 3], "cells": {"connectivity", "offsets", "types"}, "point_data": {name: array},
     "cell_data": {name: array}}. Raises ValueError if the file is of another make."""
-    with open(path, "rb") as file:
+    with opened(path, mode="rb") as file:
         content = file.read()
     start = content.find(b"<AppendedData")
     first = content.find(b"_", content.find(b">", start)) + 1
@@ -43,5 +45,6 @@ def read_vtu(path):
 def read_pvd(path):
     """Returns [(time, path of file)] in the order of the list."""
     folder = os.path.dirname(path)
-    entries = ElementTree.parse(path).getroot().iter("DataSet")
+    with opened(path, mode="rb") as file:
+        entries = ElementTree.parse(file).getroot().iter("DataSet")
     return [(float(e.get("timestep")), os.path.join(folder, e.get("file"))) for e in entries]

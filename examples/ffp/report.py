@@ -4,10 +4,11 @@
     report.py out/ffp
 """
 
-import json
 import math
 import os
 import sys
+
+from regular_file import read_json
 
 
 def rows(found):
@@ -69,8 +70,7 @@ def main():
         sys.exit("report.py: needs one folder, that of a drop")
     folder = sys.argv[1]
     try:
-        with open(os.path.join(folder, "summary.json")) as file:
-            found = json.load(file)
+        found = read_json(os.path.join(folder, "summary.json"))
         for name, text in rows(found):
             print(f"{name:<18} {text}")
     except (OSError, ValueError, KeyError, TypeError) as problem:

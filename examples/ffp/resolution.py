@@ -15,6 +15,7 @@ import math
 import os
 
 import study
+from regular_file import opened
 
 # Edges of the cells in general and at the cone, m: 1 : 2.5, from the coarsest on.
 LEVELS = [(0.02, 0.008), (0.01, 0.004), (0.005, 0.002), (0.0025, 0.001)]
@@ -24,7 +25,7 @@ QUANTITIES = {"depth at 40 ms, m": 4, "final depth, m": 4, "peak, g": 2}  # deci
 
 def depth_at(place, time):
     """Depth in a drop's folder at a time of its run, m, between the rows around it."""
-    with open(os.path.join(place, "history.csv"), newline="") as file:
+    with opened(os.path.join(place, "history.csv"), newline="") as file:
         rows = ((float(row["time_s"]), float(row["penetration_m"])) for row in csv.DictReader(file))
         for (t0, depth0), (t1, depth1) in itertools.pairwise(rows):
             if t1 >= time:

@@ -14,11 +14,12 @@ import argparse
 import bisect
 import csv
 import itertools
-import json
 import os
 import re
 import subprocess
 import sys
+
+from regular_file import opened, read_json, replaced
 
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 GRAVITY = 9.81
@@ -160,15 +161,16 @@ class Runs:
     def ended(place):
         """The summary in a folder, if it is that of a run that came to an end of its own; else none."""
         try:
-            with open(os.path.join(place, "summary.json")) as file:
-                found = json.load(file)
+            found = read_json(os.path.join(place, "summary.json"))
         except FileNotFoundError:
             return None
+        except (OSError, ValueError) as problem:
+            sys.exit(f"study.py: {place}: must hold the summary.json of a drop, or none ({problem})")
         return found if found["status"] in ("done", "failed") else None
 
     def peaks(self, options, windows):
         """Greatest mean of the deceleration, g, over each of some windows, s, of a drop that has been run."""
-        with open(os.path.join(self.place(options), "history.csv"), newline="") as file:
+        with opened(os.path.join(self.place(options), "history.csv"), newline="") as file:
             rows = list(csv.DictReader(file))  # of a run that ended: all rows are whole
         time = [float(row["time_s"]) for row in rows]
         # The acceleration of a row holds since the row before.
@@ -280,7 +282,7 @@ def main():
             print(line, flush=True)
             lines.append(line)
     if arguments.page:
-        with open(arguments.page, "w") as file:
+        with replaced(arguments.page, "x") as file:
             file.write("\n".join(lines) + "\n")
     if arguments.picture:
         draw(runs, arguments.picture, pictures)

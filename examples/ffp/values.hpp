@@ -46,7 +46,7 @@ class ValueReader : public OptionVisitor<ValueReader> {
   void finish(const std::string& command) const {
     for (const auto& [name, value] : given_)
       throw error(joined_text(shown(value.is_boolean() ? name : name + "=" + text_of(value)),
-                              ": no such option; see arenite-ffp ", command, " --help"));
+                              ": no such option of ", command));
   }
   /// Objects of "option", "takes" (empty: a flag), "group" and "help".
   const Json& options() const { return options_; }

@@ -22,11 +22,15 @@ class Recipe:
             if isinstance(value, np.generic):  # a number of Python's, which a repr shows as such
                 object.__setattr__(self, name, value.item())
         if self.rules() in _WITH_RULES:
-            _core.check(self.rules(), self.value())
+            _core.check(self.rules(), self.checked())
 
     def rules(self) -> str:
         """What the native core calls the rules for these values."""
         return self.cpp().split("<")[0]
+
+    def checked(self) -> Any:
+        """The values that the rules look at."""
+        return self.value()
 
     def cpp(self) -> str:
         """The C++ type, as a scene's type spells it."""

@@ -62,9 +62,19 @@ class Fill(Recipe):
         return f"Fill<{self.law.cpp()}>"
 
     def value(self) -> Any:
+        return {"region": region_value(self.region), "law": self.law.value(), "options": self._options()}
+
+    def _options(self) -> Dict[str, Any]:
         names = ("per_cell", "velocity", "stress", "may_be_empty", "history", "jitter", "seed", "even")
-        return {"region": region_value(self.region), "law": self.law.value(),
-                "options": {name: plain(getattr(self, name)) for name in names}}
+        return {name: plain(getattr(self, name)) for name in names}
+
+    def rules(self) -> str:
+        return "Fill"
+
+    def checked(self) -> Any:
+        """Options without functions of positions, which the scene calls."""
+        options = {name: given for name, given in self._options().items() if not callable(given)}
+        return {**options, "history": {name: given for name, given in options["history"].items() if not callable(given)}}
 
 
 Field = Union[Sequence[float], Callable[[Any], Any]]

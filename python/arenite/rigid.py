@@ -13,16 +13,19 @@ from .shapes import Shape, distance_value
 class Guided(Recipe):
     """A mass that slides along one axis under gravity, a load and contact.
 
-    parameter  unit  range  default          meaning
-    mass       kg    > 0    needed           of what the scene models: a metre, the full circle
-    axis       -     any    (0.0, 1.0, 0.0)  direction of the guide
-    velocity   m/s   any    0.0              along the axis, at the start
-    load       N     any    0.0              force along the axis"""
+    parameter  unit  range                            default          meaning
+    mass       kg    > 0                              needed           of what the scene models: a metre, the full circle
+    axis       -     any                              (0.0, 1.0, 0.0)  direction of the guide
+    velocity   m/s   any                              0.0              along the axis, at the start
+    load       N     a number, or a function of time  0.0              force along the axis; each step takes that of its begin"""
 
     mass: float = float("nan")
     axis: Sequence[float] = (0.0, 1.0, 0.0)
     velocity: float = 0.0
-    load: float = 0.0
+    load: Any = 0.0
+
+    def value(self) -> Any:
+        return {**Recipe.value(self), "load": function_value(self.load)}
 
 
 @dataclass(frozen=True)

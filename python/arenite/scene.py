@@ -296,15 +296,16 @@ def run(scene: Scene, end: float, courant: float = 0.5, max_step: float = float(
 
 
 def settle(scene: Scene, end: float, ratio: float = 1e-3, courant: float = 0.5,
-           every: Optional[Mapping[float, Observer]] = None, after_step: Optional[Observer] = None) -> None:
+           every: Optional[Mapping[float, Observer]] = None, after_step: Optional[Observer] = None, *,
+           watch: Union[bool, Watch] = True) -> None:
     """Steps a scene in which a part damps (`LocalDamping`) until its forces are in balance to `ratio`, -, for ten
-    steps. Observers as in `run`. Raises `RunError` if `end`, s, comes first. Go on with `run` after
+    steps. Observers and `watch` as in `run`. Raises `RunError` if `end`, s, comes first. Go on with `run` after
     `scene.switch_off_damping()`."""
-    _run(scene, end, courant, float("inf"), ratio, every, after_step)
+    _run(scene, end, courant, float("inf"), ratio, every, after_step, watch)
 
 
 def _run(scene: Scene, end: float, courant: float, max_step: float, ratio: Optional[float],
-         every: Optional[Mapping[float, Observer]], after_step: Optional[Observer], watch: Union[bool, Watch] = True,
+         every: Optional[Mapping[float, Observer]], after_step: Optional[Observer], watch: Union[bool, Watch],
          progress: Optional[Progress] = None) -> None:
     every = dict(every or {})
     observers = list(every.values())

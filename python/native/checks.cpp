@@ -4,6 +4,7 @@
 
 #include <arenite/host/read_recipes.hpp>
 #include <arenite/observe/watch.hpp>
+#include <cmath>
 #include <map>
 #include <type_traits>
 #include <utility>
@@ -116,6 +117,33 @@ void add_laws(Checks& checks, const char* name) {
   with(std::type_identity<RemembersOpening>{});
 }
 
+// Options of parts, bodies and paths that hang on no scene. Their functions of place are called by the scene.
+void check_fill(const Value& values) {
+  const auto options = read<FillOptions>(values, Reading{.name = "FillOptions"});
+  options.check();
+  options.velocity.at<double, 3>(Vec<double, 3>::Zero());
+  for (const auto& [name, number] : options.history)
+    require(std::isfinite(number({})), joined_text("FillOptions.history, ", name), number({}),
+            "must be finite");
+}
+void check_absorbing(const Value& values) {
+  read<AbsorbingFaces>(values, Reading{.name = "Absorbing"}).options.check("Absorbing");
+}
+void check_stage(const Value& values) {
+  read<DriveStage<3>>(values, Reading{.name = "Stage", .dimension = 3}).check();
+}
+void check_rigid_pair(const Value& values) {
+  const auto pair = read<RigidPair>(values, Reading{.name = "RigidPair"});
+  for (const auto& [member, word] : {std::pair("first", pair.first), std::pair("second", pair.second)})
+    require(!word.empty() && word.find_first_not_of("0123456789") == std::string::npos,
+            joined_text("RigidPair.", member), word, "must be the number of a rigid body, 0 or more");
+  require(pair.first != pair.second, "RigidPair.second", pair.second, "must be another body than the first");
+}
+void check_ugimp(const Value& values) {
+  const int points = read<int>(*values.find("points"), Reading{.name = "UGimp.points"});
+  require(points >= 1, "UGimp.points", points, "must be at least 1");
+}
+
 template <class... T>
 void add_read(Checks& checks) {
   (checks.emplace(detail::spoken_name<T>(), &reads<T>), ...);
@@ -135,6 +163,12 @@ Checks made() {
   checks.emplace(
       "Watch", [](const Value& values) { Watch(read<WatchLimits>(values, Reading{.name = "WatchLimits"})); });
   checks.emplace("Geostatic", &check_geostatic);
+  checks.emplace("Fill", &check_fill);
+  checks.emplace("AbsorbingFaces", &check_absorbing);
+  checks.emplace("Stage", &check_stage);
+  checks.emplace("RigidContact", &reads<RigidContact>);
+  checks.emplace("RigidPair", &check_rigid_pair);
+  checks.emplace("UGimp", &check_ugimp);
   checks.emplace("Guided", &binds<BoundGuided<double, 3>, Guided>);
   checks.emplace("PrescribedPose", &binds<BoundPrescribedPose<double, 3>, PrescribedPose>);
   checks.emplace("Free", &check_free);

@@ -43,6 +43,7 @@ const shared_detail::Offer recipes[]{
     parameters<ConeCylinder::Parameters>("ConeCylinder"),
     parameters<MovingMesh<>>("MovingMesh"),
     parameters<LocalDamping>("LocalDamping"),
+    parameters<WatchLimits>("Watch"),
 };
 
 }  // namespace

@@ -40,3 +40,10 @@ def test_example(ar, name):
         found = re.search(pattern, said)
         assert found, said
         assert abs(float(found.group(1)) - number) <= bar, said
+
+
+def test_examples_write_by_the_rule_of_all_files():
+    """`io/output_file.hpp` replaces a link at a name; a stream of the standard library would write to what the link points at."""
+    sources = [p for folder in ("examples", "docs") for p in sorted((EXAMPLES.parents[1] / folder).rglob("*.[ch]pp"))]
+    assert len(sources) > 50
+    assert not [p.name for p in sources if re.search(r"\b(ofstream|fopen)\b", p.read_text())]

@@ -170,6 +170,25 @@ def test_a_signal_is_the_motion_of_a_function(ar, sand):
     assert body.displacement[1] == pytest.approx(-0.01, rel=1e-12)
 
 
+def test_a_guided_body_takes_a_load_in_time(ar, sand):
+    """Above the sand: m dv/dt = -m g + F sin(w t), so that half a period gives 2 F / (m w) - g pi / w."""
+    mass, force, w = 2.0, 60.0, np.pi / 0.02
+
+    def scene(load):
+        return ar.Scene(ar.Axisymmetric(), ar.CartesianGrid((0, 0), (0.15, 0.3), cell=0.01), ar.Numerics(ar.QuadraticBSpline, ar.Apic),
+                        bodies=[ar.fill("sand", ar.Box((0, 0), (0.15, 0.05)), sand)], walls=[ar.bottom(), ar.right("roller")], gravity=(0, -9.81),
+                        rigids=[ar.Rigid(ar.Ball((0, 0.2), 0.02), ar.Guided(mass=mass, load=load), friction=0.3, name="ball")])
+
+    pushed = scene(lambda t: force * np.sin(w * t))
+    ar.run(pushed, end=0.02, max_step=1e-4)
+    assert pushed.rigids["ball"].velocity[1] == pytest.approx(2 * force / (mass * w) - 9.81 * 0.02, abs=1e-4 * force / (mass * w))
+    tabled = scene(ar.Table([(0, 0), (0.01, 20.0)]))
+    ar.run(tabled, end=0.02, max_step=1e-4)
+    assert tabled.rigids["ball"].velocity[1] == pytest.approx(20.0 * 0.015 / mass - 9.81 * 0.02, abs=20.0 * 1e-4 / mass)
+    with pytest.raises(ar.RunError, match="t = 0 s: Guided.load = nan: must be finite"):
+        scene(lambda t: np.nan).step(1e-5)
+
+
 def test_what_a_function_raises_comes_out(ar, sand):
     def motion(t):
         if t > 0.001:

@@ -12,7 +12,7 @@ def test_limits_are_those_of_cplusplus(ar):
         ar.Watch(volume=0)
     with pytest.raises(ar.Error, match="WatchLimits.every"):
         ar.Watch(every=0)
-    with pytest.raises(ar.Error, match="WatchLimits.volumes = 1: is unknown; there are: energy_gain"):
+    with pytest.raises(TypeError, match="volumes"):
         ar.Watch(volumes=1)
 
 
@@ -38,6 +38,28 @@ def test_run_watches_unless_told_not_to(ar, column):
     unseen = column()
     ar.run(unseen, end=0.05, after_step=kick, watch=False)
     assert unseen.watched == {} and unseen.time == 0.05
+
+
+def test_settle_watches_as_run_does(ar, block_between_rollers):
+    """By default with the watch of `run`, with limits by these, or not."""
+    def made():
+        return block_between_rollers(load=ar.Pressure(ar.top(), 1e3))
+
+    scene = made()
+    ar.settle(scene, end=2, watch=ar.Watch())
+    assert scene.watched["volume"].worst > 0 and scene.watched["volume"].limit == 0.5
+    with pytest.raises(ar.RunError, match="volume = .*: the limit is 1e-05"):
+        ar.settle(made(), end=2, watch=ar.Watch(volume=1e-5, every=1))
+
+    def kick(scene):
+        if scene.step_count == 150:
+            scene.bodies["block"].velocity[:] = 3.0
+
+    with pytest.raises(ar.RunError, match="energy_gain"):
+        ar.settle(made(), end=2, after_step=kick)
+    unseen = made()
+    ar.settle(unseen, end=2, after_step=kick, watch=False)
+    assert unseen.watched == {} and unseen.out_of_balance <= 1e-3
 
 
 def test_what_is_sound_is_not_warned_of_and_keeps_its_bits(ar, column, recwarn):

@@ -506,6 +506,18 @@ class Doors(DriverTest):
             self.refused(f"--calibration = {file}: {what}", "reduce", "doors/a.bin", "--calibration", file)
         self.refused("summary = doors/drop/summary.json: must be a regular file", "reduce", "doors/drop")
         self.refused("--resume: summary = doors/drop/summary.json: must be a regular file", "drop", "--resume", "--out", "doors/drop")
+        # The scripts, in a folder whose names say what each reads.
+        for name in ("history.csv", "reduced.json", "paper.json"):
+            os.mkfifo(f"doors/drop/{name}")
+        for script in ("plot.py", "plot_paper.py", "plot_reduced.py", "report.py"):
+            done = subprocess.run(["/usr/bin/python3", os.path.join(os.path.dirname(Study.SCRIPT), script), "doors/drop"],
+                                  capture_output=True, text=True, timeout=60)
+            self.assertEqual(done.returncode, 1, script)
+            self.assertIn("must be a regular file, not a pipe", done.stderr, script)
+        read = "import study; study.Runs.ended('doors/drop')"
+        done = subprocess.run([sys.executable, "-c", read], capture_output=True, text=True, timeout=60,
+                              env={**os.environ, "PYTHONPATH": os.path.dirname(Study.SCRIPT)})
+        self.assertIn("must be a regular file, not a pipe", done.stderr)
         self.refused("--mesh = doors: must be a regular file, not a folder", "drop", "--mesh", "doors", "--out", "doors/out")
 
     def test_sizes(self):

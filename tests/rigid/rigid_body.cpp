@@ -151,6 +151,24 @@ TEST_CASE("no contact: a guided body falls as in free fall") {
   REQUIRE(fields[0].velocity[7] == P(0, -9));
 }
 
+TEST_CASE("a load in time: a guided mass under F sin(w t) gains 2 F / (m w) in half a period") {
+  const double mass = 2, force = 3, period = 0.5, w = 2 * pi / period, dt = period / 4000;
+  std::array<Field, 1> fields{Field(36)};
+  auto body = make_rigid({{7}, {P(0, -1)}, {1}},
+                         Guided{.mass = mass, .load = [=](double t) { return force * std::sin(w * t); }},
+                         Friction::frictionless());
+  for (int n = 1; n <= 2000; ++n) meet(body, fields, {0, 0}, dt, n * dt);  // at the end of each step
+  const double gained = 2 * force / (mass * w), way = force * pi / (mass * w * w);
+  REQUIRE(std::abs(body.velocity[1] / gained - 1) < 1e-6);
+  REQUIRE(std::abs(body.displacement[1] / way - 1) < 1e-3);
+  REQUIRE(std::abs(body.driving_work / (mass * gained * gained / 2) - 1) < 1e-5);
+  // A ramp, whose value is that of the begin of the step.
+  auto ramped = make_rigid({{7}, {P(0, -1)}, {1}}, Guided{.mass = mass, .load = Ramp{.to = 8, .over = 1}},
+                           Friction::frictionless());
+  for (int n = 1; n <= 8; ++n) meet(ramped, fields, {0, 0}, 0.125, n * 0.125);
+  REQUIRE(ramped.velocity[1] == 0.125 * (0 + 1 + 2 + 3 + 4 + 5 + 6 + 7) / mass);
+}
+
 TEST_CASE("a prescribed body has its velocity, whatever it meets") {
   std::mt19937 random(7);
   auto fields = soil(random);
@@ -221,6 +239,15 @@ TEST_CASE("bad motions are refused") {
                  "Guided.velocity = nan: must be finite"));
   REQUIRE(throws([] { BoundGuided<double, 2>(Guided{.mass = 1, .load = std::nan("")}); },
                  "Guided.load = nan: must be finite"));
+  REQUIRE(throws(
+      [] { BoundGuided<double, 2>(Guided{.mass = 1, .load = [](const Triple& x, double) { return x[0]; }}); },
+      "Guided.load = f(x, t): must be a number or a function of time"));
+  REQUIRE(throws(
+      [] {
+        BoundGuided<double, 2>(Guided{.mass = 1, .load = [](double) { return std::nan(""); }})
+            .free_velocity({0, 0}, {0, 0}, 0.25, 0.125);
+      },
+      "t = 0.125 s: Guided.load = nan: must be finite"));
   const auto along = [](const std::array<double, 3>& axis) {
     return [axis] { BoundGuided<double, 2>(Guided{.mass = 1, .axis = axis}); };
   };

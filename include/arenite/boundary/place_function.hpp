@@ -30,7 +30,8 @@ class PlaceFunction {
   template <class F>
   static constexpr bool of_place = std::is_invocable_r_v<Value, const F&, const Triple&, double>;
 
-  PlaceFunction(const Value& value) : f_{[value](const Triple&, double) { return value; }} {}
+  PlaceFunction(const Value& value)
+      : f_{[value](const Triple&, double) { return value; }}, is_constant_{true} {}
   template <class F>
   requires(!std::convertible_to<F, Value> && !std::derived_from<F, PlaceFunction>) PlaceFunction(F f) {
     static_assert(of_time<F> || of_place<F>,
@@ -48,11 +49,13 @@ class PlaceFunction {
 
   /// Whether it is the same everywhere.
   bool is_uniform() const { return is_uniform_; }
+  /// Whether it is a value.
+  bool is_constant() const { return is_constant_; }
   Value operator()(const Triple& position, double time) const { return f_(position, time); }
 
  private:
   std::function<Value(const Triple&, double)> f_;
-  bool is_uniform_ = true;
+  bool is_uniform_ = true, is_constant_ = false;
 };
 
 using ScalarFunction = PlaceFunction<double>;

@@ -76,7 +76,10 @@ PluginMembers members_of() {
   return [&]<std::size_t... K>(std::index_sequence<K...>) {
     [[maybe_unused]] const Parameters begin{};
     [[maybe_unused]] const auto number = [](const auto& value) -> double {
-      if constexpr (std::is_convertible_v<decltype(value), double>) return static_cast<double>(value);
+      if constexpr (std::is_convertible_v<decltype(value), double>)
+        return static_cast<double>(value);
+      else if constexpr (requires { static_cast<double>(value({}, 0.0)); })  // a load in time
+        if (value.is_constant()) return value({}, 0.0);
       return std::numeric_limits<double>::quiet_NaN();
     };
     return PluginMembers{{std::string(member_names<Parameters>[K]), number(member<K>(begin))}...};

@@ -62,17 +62,17 @@ class SceneHost : public HostedScene {
       first = false;
       return stops ? RunFlow::stop : RunFlow::go_on;
     };
-    if (!run.settle) {
-      RunOptions options{.end = run.end, .courant = run.courant, .max_step = run.max_step};
-      options.watch = run.watch && !watch_;  // its own
-      arenite::run(*scene_, options, observe);
-      if (watch_) watch_->finish(*scene_);
-      return;
-    }
-    if constexpr (damps)
-      arenite::settle(*scene_, {.ratio = *run.settle, .end = run.end, .courant = run.courant}, observe);
+    const bool watch = run.watch && !watch_;  // that of `run`
+    if (!run.settle)
+      arenite::run(*scene_,
+                   {.end = run.end, .courant = run.courant, .max_step = run.max_step, .watch = watch},
+                   observe);
+    else if constexpr (damps)
+      arenite::settle(*scene_, {.ratio = *run.settle, .end = run.end, .courant = run.courant, .watch = watch},
+                      observe);
     else
       throw error(needs_damping("settle"));
+    if (watch_) watch_->finish(*scene_);
   }
   std::vector<HostedWatched> watched() const override {
     std::vector<HostedWatched> all;

@@ -33,6 +33,17 @@ struct DriveStage {
   /// Rotation over the stage, -: the sum of the spins (`StrainStep::spin`). Simple shear by gamma, in which
   /// x moves along y, turns by {-gamma/2}.
   std::array<double, D == 2 ? 1 : 3> spin{};
+
+  /// Throws `error` if its numbers make no sense.
+  void check() const {
+    require(steps >= 1, "DriveStage.steps", steps, "must be at least 1");
+    require(duration >= 0 && std::isfinite(duration), "DriveStage.duration", duration,
+            "must be finite, and not negative (s)");
+    for (std::size_t k = 0; k < components.size(); ++k)
+      require(std::isfinite(components[k].value), joined_text("DriveStage.components[", k, "]"),
+              components[k].value, "must be finite");
+    for (const double s : spin) require(std::isfinite(s), "DriveStage.spin", s, "must be finite");
+  }
 };
 
 /// A point of a law on a path.
@@ -155,8 +166,7 @@ class DriveStep {
 /// flows bears no more.
 template <class Law, int D, class AfterStep>
 void drive(const Law& law, DrivenPoint<Law, D>& point, const DriveStage<D>& stage, AfterStep&& after_step) {
-  require(stage.steps >= 1, "DriveStage.steps", stage.steps, "must be at least 1");
-  require(stage.duration >= 0, "DriveStage.duration", stage.duration, "must not be negative (s)");
+  stage.check();
   using Step = detail::DriveStep<Law, D>;
   typename Step::Vector unknown = Step::Vector::Zero();
   for (int k = 0; k < stage.steps; ++k) {

@@ -6,6 +6,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -28,6 +29,17 @@ struct AbsorbingOptions {
   double pressure_wave = std::numeric_limits<double>::quiet_NaN();  ///< speed of pressure waves, m/s
   double shear_wave = std::numeric_limits<double>::quiet_NaN();     ///< speed of shear waves, m/s
   Support support = Support::none;
+
+  /// Throws `error` for a number that was given and makes no sense. `of`: what messages call them.
+  void check(std::string_view of) const {
+    const auto look = [&](const char* name, double given) {
+      require(std::isnan(given) || (given >= 0 && std::isfinite(given)), joined_text(of, ".", name), given,
+              "must not be negative");
+    };
+    look("density", density);
+    look("pressure_wave", pressure_wave);
+    look("shear_wave", shear_wave);
+  }
 };
 
 /// Dashpots of rho c_p across and rho c_s along faces of the mesh (Lysmer and Kuhlemeyer 1969, Finite dynamic
@@ -65,15 +77,17 @@ class BoundAbsorbingFaces {
   using V = Vec<T, D>;
 
   explicit BoundAbsorbingFaces(AbsorbingFaces a)
-      : options_{a.options}, where_{std::move(a.where)}, name_{where_.name()} {}
+      : options_{a.options}, where_{std::move(a.where)}, name_{where_.name()} {
+    options_.check(called());
+  }
 
   template <class Scene>
   void connect(Scene& scene) {
     std::vector<WaveImpedance> of_body;
     scene.for_each_body([&](const auto& body, const auto&) { of_body.push_back(impedance(body.law)); });
     faces_.emplace(scene, where_, std::move(of_body));
-    require(faces_->faces() > 0 || Scene::is_portion, joined_text("absorbing(", name_, "): faces"),
-            faces_->faces(), "must be at least one face of the mesh's hull");
+    require(faces_->faces() > 0 || Scene::is_portion, joined_text(called(), ": faces"), faces_->faces(),
+            "must be at least one face of the mesh's hull");
     const std::size_t all = faces_->nodes().size() * Scene::field_count;
     given_.assign(all, V::Zero());
     if (options_.support == Support::first_reaction) support_.assign(all * dim, 0);
@@ -134,8 +148,8 @@ class BoundAbsorbingFaces {
   WaveImpedance impedance(const L& law) const {
     const auto chosen = [&](const char* what, double given, double of_law) {
       const double value = std::isnan(given) ? of_law : given;
-      require(value >= 0 && std::isfinite(value), joined_text("absorbing(", name_, ").", what), value,
-              std::isnan(value) ? "must be given: the law does not tell it" : "must not be negative");
+      require(std::isfinite(value), joined_text(called(), ".", what), value,
+              "must be given: the law does not tell it");
       return value;
     };
     const double rho = law.density();
@@ -145,6 +159,8 @@ class BoundAbsorbingFaces {
     return {density * chosen("pressure_wave", options_.pressure_wave, std::sqrt(law.wave_modulus() / rho)),
             density * chosen("shear_wave", options_.shear_wave, shear)};
   }
+
+  std::string called() const { return joined_text("absorbing(", name_, ")"); }
 
   /// N, on the matter of a field at a node.
   V support(std::size_t at) const {

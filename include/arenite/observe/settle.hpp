@@ -37,6 +37,7 @@ struct SettleOptions {
   double ratio = 1e-3;                                    ///< greatest force out of balance, -; positive
   double end = std::numeric_limits<double>::quiet_NaN();  ///< s on the scene's clock; required: by when
   double courant = 0.5;                                   ///< as in `RunOptions`
+  bool watch = true;                                      ///< as in `RunOptions`
 };
 
 /// Steps a scene, in which a part damps (`LocalDamping`), until `out_of_balance` has been at most
@@ -53,7 +54,7 @@ void settle(Scene& scene, const SettleOptions& options, Observers&&... observers
     if (s.steps > from) below = out_of_balance(s) <= options.ratio ? below + 1 : 0;
     return below < 10 ? RunFlow::go_on : RunFlow::stop;
   };
-  run(scene, {.end = options.end, .courant = options.courant}, observers..., check);
+  run(scene, {.end = options.end, .courant = options.courant, .watch = options.watch}, observers..., check);
   if (below == 10) return;
   throw run_error(joined_text("t = ", scene.time, " s: settle: forces are out of balance by ",
                               out_of_balance(scene), ", not at most ", options.ratio,

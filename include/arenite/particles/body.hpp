@@ -40,6 +40,12 @@ struct FillOptions {
   /// On a grid with cells of unequal edges: about `per_cell`, but as far apart along all axes, so that they
   /// lie evenly where the matter flows into other cells.
   bool even = false;
+
+  /// Throws `error` for a value that no scene bears.
+  void check() const {
+    require(per_cell >= 1, "FillOptions.per_cell", per_cell, "must be at least 1");
+    require(jitter >= 0 && jitter <= 1, "FillOptions.jitter", jitter, "must lie in [0, 1]");
+  }
 };
 
 /// What `fill` returns: a region, a law and how to fill; the scene makes a `Body` of it, once it knows the
@@ -174,7 +180,7 @@ auto make_body(const M& mesh, const Fill<L, name>& recipe, const Owns& owns = {}
   if (o.stress) o.stress->check(D);
   if (o.velocity.is_uniform()) o.velocity.at<T, D>(Vec<T, D>::Zero());
   require(!o.even || !is_simplex_mesh<M>, "FillOptions.even", o.even, "goes with a grid alone");
-  require(o.jitter >= 0 && o.jitter <= 1, "FillOptions.jitter", o.jitter, "must lie in [0, 1]");
+  o.check();
   const auto numbers = region_numbers(mesh, recipe.region);
   for (Index c = 0; c < mesh.cell_count(); ++c) {
     if (!owns(c)) continue;

@@ -4,7 +4,9 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
+#include <arenite/boundary/place_function.hpp>
 #include <arenite/core/alone.hpp>
 #include <arenite/core/error.hpp>
 #include <arenite/core/tensor.hpp>
@@ -19,7 +21,7 @@ struct Guided {
                                                            ///< metre, the full circle)
   std::array<double, 3> axis{0, 1, 0};                     ///< direction of the guide; any length
   double velocity = 0;                                     ///< initial velocity along the axis, m/s
-  double load = 0;                                         ///< external force along the axis, N
+  ScalarFunction load = 0.0;                               ///< external force along the axis, N; of time
 };
 
 namespace detail {
@@ -69,16 +71,21 @@ template <class T, int D>
 struct BoundGuided {
   using V = Vec<T, D>;
   static constexpr bool has_mass = true;
-  double mass, load;  ///< kg, N
-  V axis;             ///< unit vector of the guide
-  T speed;            ///< at the start, m/s
+  double mass;          ///< kg
+  ScalarFunction load;  ///< N
+  V axis;               ///< unit vector of the guide
+  T speed;              ///< at the start, m/s
 
   /// `hoop`: in axisymmetry the guide is the axis.
   explicit BoundGuided(const Guided& g, bool hoop = false)
       : mass{g.mass}, load{g.load}, speed{static_cast<T>(g.velocity)} {
     require(g.mass > 0 && std::isfinite(g.mass), "Guided.mass", g.mass, "must be given, positive");
     require(std::isfinite(g.velocity), "Guided.velocity", g.velocity, "must be finite");
-    require(std::isfinite(g.load), "Guided.load", g.load, "must be finite");
+    require(load.is_uniform(), "Guided.load", "f(x, t)", "must be a number or a function of time");
+    if (load.is_constant()) {
+      const double force = load({}, 0);
+      require(std::isfinite(force), "Guided.load", force, "must be finite");
+    }
     axis = direction_argument<T, D>("Guided.axis", g.axis);
     require(!hoop || axis[0] == 0, "Guided.axis", vector_text(axis),
             "must be the axis of symmetry (0, 1) in an axisymmetric scene");
@@ -86,8 +93,11 @@ struct BoundGuided {
   }
 
   V start() const { return speed * axis; }
-  V free_velocity(const V& before, const V& acceleration, T, T dt) const {
-    const T drive = acceleration.dot(axis) + static_cast<T>(load / mass);
+  /// With the load at the begin of the step.
+  V free_velocity(const V& before, const V& acceleration, T time, T dt) const {
+    const double begin = static_cast<double>(time) - static_cast<double>(dt);
+    const double force = value_at<double, D>(load, Vec<double, D>::Zero(), begin, "Guided.load");
+    const T drive = acceleration.dot(axis) + static_cast<T>(force / mass);
     return before + dt * drive * axis;
   }
   template <class Body, class Others = const Alone>

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+import re
 import shutil
 import signal
 import subprocess
@@ -53,7 +54,8 @@ class Ending(NamedTuple):
         """What it said is wrong, without its name in front."""
         for line in reversed(self.said):
             if line.startswith(f"{NAME}: ") and not line.startswith(f"{NAME}: warning: "):
-                return line[len(NAME) + 2:]
+                # Who gave keywords has no command line to ask.
+                return re.sub(r": no such option of (\w+)$", r"\g<0>; arenite.ffp.help('\1') lists them", line[len(NAME) + 2:])
         how = f"by signal {-self.code}" if self.code < 0 else f"with exit code {self.code}"
         return f"{NAME} ended {how} and did not say why"
 

@@ -444,13 +444,14 @@ TEST_CASE("values are the options that words are, and are checked by the same se
                                       {"tip", "round"},
                                       {"force", "1"},
                                       {"out", "--quiet"},
-                                      {"detla", "20"},
                                       {"mesh", "absent.msh"},
                                       {"input", "absent.json"}}) {
     const std::string text =
         joined_text("{\"command\": \"drop\", \"options\": {\"", option, "\": \"", value, "\"}}");
     REQUIRE_THROWS_WITH(values(text.c_str()), refusal({"drop", joined_text("--", option, "=", value)}));
   }
+  REQUIRE_THROWS_WITH(values(R"({"command": "drop", "options": {"detla": "20"}})"),
+                      "--detla=20: no such option of drop");  // who gives values has no --help
   std::ostringstream answer;
   REQUIRE(!command_of_values(Json{{"command", "options"}, {"of", "drop"}}, answer));
   REQUIRE(parse_json(answer.str(), "options")[0]["option"] == "--kinematics");

@@ -195,6 +195,7 @@ struct BoundCoulomb {
   template <class Scene>
   void connect(const Scene& scene) {
     if constexpr (requires { normals.connect(scene); }) normals.connect(scene);
+    pairs.reserve(scene.fields[0].size() * (Fields * (Fields - 1) / 2));  // a step allocates nothing
   }
   template <class Scene>
   ContactTally exchange_impulses(Scene& scene, double dt) {

@@ -3,10 +3,11 @@
 A scene is made of recipes with the words of the C++ library and stepped by compiled code; SI units, angles in radians,
 tension positive."""
 
-from . import (_core, boundary, drive as _drive, ffp, fill as _fill, laws, meshes, numerics, points, rigid,
+from . import (_core, boundary, drive as _drive, ffp, fill as _fill, laws, meshes, numerics, pictures, points, rigid,
                scene as _scene, shapes, watch as _watch)
 from ._errors import Error, RunError, Warning
 from ._plugins import set_threads
+from ._sweep import Sweep, sweep
 from .boundary import *  # noqa: F403
 from .convert import to_meshio, to_pyvista
 from .drive import *  # noqa: F403
@@ -16,6 +17,7 @@ from .laws import *  # noqa: F403
 from .meshes import *  # noqa: F403
 from .numerics import *  # noqa: F403
 from .own import compile
+from .pictures import *  # noqa: F403
 from .points import *  # noqa: F403
 from .rigid import *  # noqa: F403
 from .scene import *  # noqa: F403
@@ -26,6 +28,6 @@ from .watch import *  # noqa: F403
 
 __version__: str = _core.version
 
-__all__ = ["Error", "Ramp", "RunError", "Scaled", "Signal", "Table", "View", "Vtu", "Warning", "compile", "deg", "ffp", "set_threads", "to_meshio", "to_pyvista",
-           *boundary.__all__, *_drive.__all__, *_fill.__all__, *laws.__all__, *meshes.__all__, *numerics.__all__, *points.__all__,
+__all__ = ["Error", "Ramp", "RunError", "Scaled", "Signal", "Sweep", "Table", "View", "Vtu", "Warning", "compile", "deg", "ffp", "set_threads", "sweep", "to_meshio", "to_pyvista",
+           *boundary.__all__, *_drive.__all__, *_fill.__all__, *laws.__all__, *meshes.__all__, *numerics.__all__, *pictures.__all__, *points.__all__,
            *rigid.__all__, *_scene.__all__, *shapes.__all__, *_watch.__all__]

@@ -1,6 +1,7 @@
 """Compositions compiled on first use, and laws of one's own."""
 
 import os
+import re
 import signal
 import subprocess
 import sys
@@ -279,6 +280,24 @@ def test_every_recipe_of_the_examples_is_prebuilt(ar, column, sand):
     if _plugins.prebuilt(_plugins.width()).exists():
         plugin = _plugins._plugins[str(_plugins.prebuilt(_plugins.width()))]
         assert set(plugin.scenes()) | set(plugin.laws()) == known
+
+
+@pytest.mark.parametrize("page", ["README.md", "docs/first_python.md", "docs/python.md"])
+def test_the_first_scene_of_a_page_is_prebuilt(ar, page, monkeypatch):
+    """As the recipes spell it today."""
+    class Made(Exception):
+        pass
+
+    def made(scene):
+        raise Made(scene._composition()[0])
+
+    monkeypatch.setattr(ar.Scene, "_make", made)
+    text = (HERE.parents[1] / page).read_text()
+    code = "\n".join(re.findall(r"^```python\n(.*?)^```", text, re.DOTALL | re.MULTILINE))
+    with pytest.raises(Made) as composition:
+        exec(compile(code, page, "exec"), {})
+    lines = (HERE.parents[1] / "python" / "arenite" / "prebuilt.txt").read_text().splitlines()
+    assert f"scene {composition.value}" in lines
 
 
 def test_import_is_quick(ar):

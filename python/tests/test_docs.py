@@ -18,6 +18,7 @@ LEFT_OUT = {
     ("restart.md", "python", 'state = h5py.File("column.h5")'): "the file is C++'s; tests/observe/check_hdf_files.py reads such a one",
     ("restart.md", "cpp", "#include <arenite/observe/saved_hdf5.hpp>"): "needs HDF5; tests/observe/hdf_files.cpp makes the same calls",
     ("compile_time.md", "cpp", "// slope.hpp"): "the header of slope.cpp, a sketch; arenite/compositions.hpp has such declarations, and tests/install/named.cpp uses them",
+    ("python.md", "python", "sweep = ar.sweep(toe"): "its function must be one of a module; test_scene.py makes the same calls",
     ("python.md", "python", "drop = ar.ffp.drop(delta=20)"): "takes a minute; test_ffp.py and the notebook run the same calls",
 }
 
@@ -27,6 +28,15 @@ def blocks(page, language):
     for text in re.findall(rf"^```{language}\n(.*?)^```", page.read_text(), re.DOTALL | re.MULTILINE):
         if not any(page.name == p and language == w and text.startswith(begin) for p, w, begin in LEFT_OUT):
             yield text
+
+
+def test_mathematics_of_packs_are_listed():
+    """In python.md, as the header has them."""
+    header = (SOURCE / "include" / "arenite" / "core" / "pack_functions.hpp").read_text()
+    lists = re.findall(r"#define ARENITE_FUNCTIONS_OF_\w+\(list\)((?:.*\\\n)*.*)", header)
+    there = {name for text in lists for name in re.findall(r"list\((\w+)\)", text)}
+    row = re.search(r"^\| lane by lane \| (.*) \|$", (SOURCE / "docs" / "python.md").read_text(), re.MULTILINE)
+    assert len(there) > 20 and set(re.findall(r"`(\w+)`", row[1])) == there
 
 
 def pages_with(language):

@@ -524,6 +524,29 @@ def test_plot(coarse, tmp_path):
     pyplot.close("all")
 
 
+def test_table_and_reduction_are_drawn(coarse):
+    pyplot = pytest.importorskip("matplotlib.pyplot")
+    table = ffp.sweep(delta=[30, 20], tip=["cone", "blunt"], **{**COARSE, "end": 0.02})
+    depth, peak = table.plot()
+    assert (depth.get_xlabel(), depth.get_ylabel(), peak.get_ylabel()) == ("delta", "final_penetration_m", "peak_deceleration_g")
+    names = [text.get_text() for text in depth.get_legend().get_texts()]
+    assert names == ["tip = cone", "tip = blunt"]
+    cone = depth.containers[0][0]
+    assert cone.get_xdata().tolist() == [20, 30]  # ascending
+    assert cone.get_ydata().tolist() == [table["final_penetration_m"][k] for k in (2, 0)]
+    assert table.plot("delta", "steps", ax=depth) is depth
+    with pytest.raises(Error, match="^plot: tip: must be a column of numbers; there are delta"):
+        table.plot(y="tip")
+    axes = ffp.reduce(coarse).plot()
+    reduced = ffp.reduce(coarse)
+    numpy.testing.assert_array_equal(axes.lines[0].get_xdata(), reduced.table["q_dyn_mantle_kPa"][:numpy.argmax(reduced.table["depth_m"]) + 1])
+    assert axes.yaxis_inverted()
+    assert ffp.reduce(coarse, medium="water").plot(axes) is axes and axes.get_ylabel() == "depth [cm]"
+    with pytest.raises(Error, match=r"^plot\.ax: must be one pair"):
+        reduced.plot("axes")
+    pyplot.close("all")
+
+
 def test_everything_says_what_it_is():
     for name in ffp.__all__:
         assert inspect.getdoc(getattr(ffp, name)), name

@@ -103,6 +103,26 @@ def test_friction_poses_and_bodies_that_touch(ar):
     assert apart.rigids["ball"].displacement[1] == pytest.approx(-9.81 * 0.1**2 / 2, rel=0.01)
 
 
+def strip(ar, cells):
+    """Mean pressure below a smooth rigid strip of some cells, 1 m wide, that is pushed 4 mm into weightless clay, over c."""
+    half, strength, speed, end = 0.5, 20e3, 0.01, 0.45
+    clay = ar.MohrCoulomb(density=2000, young=1e4 * strength, poisson=0.3, friction=0, cohesion=strength)
+    motion = ar.Prescribed(ar.Scaled((0, -speed, 0), ar.Ramp(over=0.2 * end)))
+    scene = ar.Scene(ar.PlaneStrain(), ar.CartesianGrid((0, 0), (3, 2.5), cell=2 * half / cells), ar.Numerics(ar.QuadraticBSpline, ar.Apic),
+                     bodies=[ar.fill("clay", ar.Box((0, 0), (3, 2)), clay)], walls=[ar.left("roller"), ar.right("roller"), ar.bottom("fixed")],
+                     gravity=(0, 0), rigids=[ar.Rigid(ar.Box((-half, 2), (half, 2.25)), motion, friction=0.0)])
+    ar.run(scene, end=0.9 * end, courant=0.9)
+    begin = scene.time, scene.rigids[0].impulse[1]
+    ar.run(scene, end=end, courant=0.9)
+    return (scene.rigids[0].impulse[1] - begin[1]) / (scene.time - begin[0]) / half / strength
+
+
+def test_a_rigid_strip_bears_more_on_coarse_cells(ar):
+    """Contact acts ahead of its surface: at failure above (2 + pi) c (Prandtl 1920), the less the more cells to its width."""
+    coarse, fine = (strip(ar, cells) / (2 + np.pi) - 1 for cells in (8, 16))
+    assert 0 < fine < coarse < 0.06 and fine < 0.04
+
+
 def test_pyvista(ar, column):
     pytest.importorskip("pyvista")
     scene = column()

@@ -1,6 +1,7 @@
 """Points inserted, removed and looked at between steps; stages that settle; VTU files."""
 
 import pickle
+import sys
 
 import numpy as np
 import pytest
@@ -138,3 +139,81 @@ def test_vtu(ar, column, tmp_path):
     assert set(mesh.point_data) == {"velocity", "stress", "pressure", "mass", "volume"}
     with pytest.raises(ar.Error, match="goes with a mesh of simplices"):
         ar.Vtu(tmp_path / "x", mesh=True)(scene)
+
+
+# --- pictures
+
+def drawn(axes):
+    """Values and widths, m, of the points in axes."""
+    points, = axes.collections
+    return np.asarray(points.get_array()), np.asarray(points.get_widths() if hasattr(points, "get_widths") else 2 * points._widths)
+
+
+def test_plot_shows_each_point_as_wide_as_its_matter(ar, column):
+    pyplot = pytest.importorskip("matplotlib.pyplot")
+    scene = column()
+    ar.run(scene, end=0.02)
+    axes = ar.plot(scene)
+    values, widths = drawn(axes)
+    assert np.array_equal(values, -np.asarray(scene.bodies["sand"].stress)[:, :3].mean(axis=1))
+    assert np.allclose(widths**2, scene.bodies["sand"].volume, rtol=1e-12)
+    assert (axes.get_xlabel(), axes.get_ylabel(), axes.get_title()) == ("x [m]", "y [m]", "t = 0.02 s")
+    assert axes.get_xlim() == (0, 0.4) and axes.figure.axes[1].get_ylabel() == "pressure [Pa]"
+    _, own = pyplot.subplots()
+    assert ar.plot(scene, "speed", ax=own, limits=(0, 1)) is own and own.collections[0].get_clim() == (0, 1)
+    assert np.allclose(drawn(own)[0], np.linalg.norm(scene.bodies["sand"].velocity, axis=1), rtol=1e-12)
+    assert np.array_equal(drawn(ar.plot(scene, lambda body: np.arange(len(body))))[0], np.arange(600))
+    stress = np.asarray(scene.bodies["sand"].stress)  # sqrt(3 J2) of the plane's four
+    mises = np.sqrt(((stress[:, 0] - stress[:, 1])**2 + (stress[:, 1] - stress[:, 2])**2 + (stress[:, 2] - stress[:, 0])**2) / 2 + 3 * stress[:, 3]**2)
+    assert np.allclose(drawn(ar.plot(scene, "shear_stress"))[0], mises, rtol=1e-9, atol=1e-9)
+    for wrong, sentence in ((dict(quantity="temperature"), "plot.quantity = temperature: body 'sand' has none; it has mass, pressure"),
+                            (dict(plane="xz"), "plot.plane = 'xz': must be two of x, y"), (dict(body="clay"), "body = clay: must be one of sand"),
+                            (dict(quantity=lambda body: 1.0), r"plot.quantity: of body 'sand': returned an array \[\]")):
+        with pytest.raises(ar.Error, match=sentence):
+            ar.plot(scene, **wrong)
+    pyplot.close("all")
+
+
+def test_plot_in_axisymmetry_and_in_space(ar, sand):
+    """The section is as large as the matter's; in space the nearest points are drawn last."""
+    pyplot = pytest.importorskip("matplotlib.pyplot")
+    numerics = ar.Numerics(ar.QuadraticBSpline, ar.Apic)
+    disc = ar.Scene(ar.Axisymmetric(), ar.CartesianGrid((0, 0), (0.2, 0.2), cell=0.02), numerics,
+                    bodies=[ar.fill("sand", ar.Box((0.04, 0), (0.1, 0.1)), sand)], walls=[ar.bottom()], gravity=(0, -9.81))
+    axes = ar.plot(disc, "volume")
+    assert (drawn(axes)[1]**2).sum() == pytest.approx(0.06 * 0.1, rel=1e-9) and axes.get_xlabel() == "r [m]"
+    block = ar.Scene(ar.ThreeDimensional(), ar.CartesianGrid((0, 0, 0), (0.2, 0.2, 0.2), cell=0.05), numerics,
+                     bodies=[ar.fill("sand", ar.Box((0, 0, 0), (0.1, 0.1, 0.1)), sand, per_cell=8)], walls=[ar.bottom()], gravity=(0, -9.81, 0))
+    for plane, across, sign in (("xy", 2, 1), ("xz", 1, -1), ("zy", 0, -1), ("yz", 0, 1)):
+        values, widths = drawn(ar.plot(block, lambda body: np.asarray(body.position)[:, across], plane=plane))
+        assert np.all(np.diff(sign * values) >= 0) and np.allclose(widths, 0.025, rtol=1e-9), plane
+    pyplot.close("all")
+
+
+def test_animate(ar, column, tmp_path):
+    image = pytest.importorskip("PIL.Image")
+    animation = pytest.importorskip("matplotlib.animation")
+    scene = column()
+    path = ar.animate(scene, tmp_path / "film.gif", "speed", end=0.1, every=0.025, courant=0.8)
+    assert path == tmp_path / "film.gif" and scene.time == 0.1 and image.open(path).n_frames == 5
+    (tmp_path / "precious").write_text("precious")
+    (tmp_path / "link.gif").symlink_to("precious")
+    with pytest.raises(ZeroDivisionError):  # as far as it came, in the link's place
+        ar.animate(column(), tmp_path / "link.gif", end=0.1, every=0.025, after_step=lambda s: None if s.time < 0.06 else 1 / 0)
+    assert image.open(tmp_path / "link.gif").n_frames == 3 and (tmp_path / "precious").read_text() == "precious"
+    assert sorted(p.name for p in tmp_path.iterdir()) == ["film.gif", "link.gif", "precious"]
+    with pytest.raises(ar.Error, match="must end with .gif or .mp4"):
+        ar.animate(column(), tmp_path / "film.avi", end=0.1, every=0.1)
+    if animation.writers.is_available("ffmpeg"):
+        assert ar.animate(column(), tmp_path / "film.mp4", end=0.02, every=0.01).stat().st_size > 1000
+    else:
+        with pytest.raises(ar.Error, match="needs the program ffmpeg: apt install ffmpeg; or name a .gif"):
+            ar.animate(column(), tmp_path / "film.mp4", end=0.02, every=0.01)
+
+
+def test_without_matplotlib_the_cure_is_named(ar, column, monkeypatch):
+    monkeypatch.setitem(sys.modules, "matplotlib.pyplot", None)
+    with pytest.raises(ar.Error, match=r"^plot\(\) needs matplotlib: pip install matplotlib$"):
+        ar.plot(column())
+    with pytest.raises(ar.Error, match=r"^animate\(\) needs matplotlib"):
+        ar.animate(column(), "film.gif", end=0.1, every=0.1)

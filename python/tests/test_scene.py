@@ -1,9 +1,14 @@
 """Scenes: laws of nature, closed forms, views, functions, states."""
 
 import copy
+import os
 import pickle
 import signal
+import subprocess
+import sys
 import threading
+import time
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -276,3 +281,156 @@ def test_points_for_meshio(ar, column):
     scene = column()
     mesh = ar.to_meshio(scene)
     assert mesh.points.shape == (600, 3) and mesh.point_data["stress"].shape == (600, 6)
+
+
+# --- sweeps of any function, in processes of their own
+
+def toe(friction, cell):
+    """Of a small column, m; and where its points end, [n, 2]."""
+    import arenite
+
+    law = arenite.MohrCoulomb(density=1540, young=1e6, poisson=0.3, friction=friction)
+    scene = arenite.Scene(arenite.PlaneStrain(), arenite.CartesianGrid((0, 0), (0.4, 0.2), cell=cell),
+                          arenite.Numerics(arenite.QuadraticBSpline, arenite.Apic),
+                          bodies=[arenite.fill("sand", arenite.Box((0, 0), (0.1, 0.1)), law)],
+                          walls=[arenite.bottom("fixed"), arenite.left("roller")], gravity=(0, -9.81))
+    arenite.run(scene, end=0.05)
+    x = np.asarray(scene.bodies["sand"].position)
+    return {"toe": x[:, 0].max(), "points": x, "seen": (len(x), "sand", None)}
+
+
+def counted(value):
+    """Leaves a file for each call; some values end otherwise."""
+    folder, x = value
+    (Path(folder) / f"{x}-{os.getpid()}-{time.time_ns()}").touch()
+    if x == "raises":
+        raise ValueError("too steep")
+    if x == "dies":
+        os.kill(os.getpid(), signal.SIGKILL)
+    if x == "exits":
+        os._exit(3)
+    return object() if x == "odd" else 2 * x
+
+
+def calls(folder):
+    return sorted(p.name.split("-")[0] for p in folder.iterdir())
+
+
+def test_a_sweep_of_scenes(ar, tmp_path):
+    swept = {"friction": [0.4, np.float64(0.6)], "cell": [0.02]}
+    sweep = ar.sweep(toe, swept, jobs=2, out=tmp_path / "out")
+    assert list(sweep["status"]) == ["done"] * 2 and list(sweep["friction"]) == [0.4, 0.6] and sweep["toe"][0] > sweep["toe"][1] > 0.09
+    for row, result in zip(sweep, sweep.results):
+        alone = toe(row["friction"], row["cell"])
+        assert row["toe"] == result["toe"] == alone["toe"] and np.array_equal(result["points"], alone["points"])
+        assert result["seen"] == [100, "sand", None]
+    again = ar.sweep(toe, swept, out=tmp_path / "out")
+    assert all(np.array_equal(a["points"], b["points"]) for a, b in zip(again.results, sweep.results))
+    assert "friction  cell  status" in repr(sweep) and repr(sweep).startswith("Table of 2 values")
+    assert len(sweep.plot("friction", "toe").containers) == 1 if "matplotlib" in sys.modules else True
+
+
+def test_a_sweep_outlives_its_failures_and_goes_on(ar, tmp_path):
+    """What is done is read; what failed is tried again; a process that dies takes its value with it alone."""
+    marks, out = tmp_path / "marks", tmp_path / "out"
+    marks.mkdir()
+    values = [(str(marks), x) for x in (1, "raises", "dies", 2, "exits", "odd", 3)]
+    sweep = ar.sweep(counted, values, jobs=2, out=out)
+    assert list(sweep["status"]) == ["done", "failed", "failed", "done", "failed", "failed", "done"] and sweep["result"][[0, 3, 6]].tolist() == [2, 4, 6]
+    failure = sweep["failure"]
+    assert failure[1] == "ValueError: too steep" and failure[2] == "its process ended by signal 9 (SIGKILL)"
+    assert failure[4] == "its process ended with exit code 3" and failure[5].startswith("result = <object object")
+    assert "must be a number, a text, an array" in failure[5] and sweep.results[1] is None and np.isnan(sweep["result"][1])
+    traces = [p.read_text() for p in out.glob("*.failed.txt")]
+    assert len(traces) == 4 and sum("in counted" in trace for trace in traces) == 1
+    cut = max(out.glob("*.npz"), key=lambda path: path.stat().st_mtime_ns)  # as by a full disk: that of 3, done last
+    cut.write_bytes(cut.read_bytes()[:100])
+    for mark in marks.iterdir():
+        mark.unlink()
+    again = ar.sweep(counted, [*values, (str(marks), 4)], out=out)
+    assert calls(marks) == sorted(["3", "4", "dies", "exits", "odd", "raises"])
+    assert again["result"][[0, 3, 6, 7]].tolist() == [2, 4, 6, 8]
+    with pytest.raises(ar.Error, match="sweep: each of 1 values failed; value = .*: ValueError: too steep"):
+        ar.sweep(counted, values[1:2])
+
+
+SWEEP = """
+import pathlib, signal, sys, time
+import arenite as ar
+
+signal.signal(signal.SIGINT, signal.default_int_handler)  # ignored in what a shell runs in its background
+
+def slow(x):
+    pathlib.Path(f"calls-{x}-{time.time_ns()}").touch()
+    time.sleep(0.05 if x < 3 else float(sys.argv[1]))
+    return x * x
+
+if __name__ == "__main__":
+    print(ar.sweep(slow, range(6), jobs=2, out="out")["result"].tolist())
+"""
+
+
+@pytest.mark.parametrize("with_signal", [signal.SIGKILL, signal.SIGINT])
+def test_a_sweep_that_is_killed_goes_on(ar, tmp_path, with_signal):
+    (tmp_path / "script.py").write_text(SWEEP)
+    first = subprocess.Popen([sys.executable, "script.py", "30" if with_signal == signal.SIGINT else "2"], cwd=tmp_path,
+                             stderr=subprocess.PIPE, text=True, start_new_session=True)
+    until = time.monotonic() + 60
+    while len(list((tmp_path / "out").glob("*.npz"))) < 3 or len(list(tmp_path.glob("calls-*"))) < 5:
+        assert time.monotonic() < until and first.poll() is None
+        time.sleep(0.02)
+    first.send_signal(with_signal)
+    _, said = first.communicate(timeout=20)  # its processes have ended, too: they hold the stream
+    assert first.returncode != 0 and ("KeyboardInterrupt" in said) == (with_signal == signal.SIGINT)
+    known = len(list((tmp_path / "out").glob("*.npz")))
+    assert known == (3 if with_signal == signal.SIGINT else 5)  # what was under way when the first was killed came to its end
+    for mark in tmp_path.glob("calls-*"):
+        mark.unlink()
+    done = subprocess.run([sys.executable, "script.py", "0"], cwd=tmp_path, capture_output=True, text=True, check=True)
+    assert done.stdout == "[0, 1, 4, 9, 16, 25]\n" and len(list(tmp_path.glob("calls-*"))) == 6 - known
+
+
+def test_what_a_sweep_refuses(ar, tmp_path):
+    with pytest.raises(ar.Error, match="sweep.function = <function .*<lambda>.*: cannot be pickled: a function must be one of a module"):
+        ar.sweep(lambda x: x, [1])
+    with pytest.raises(ar.Error, match="sweep.values.value = <function .*: cannot be pickled"):
+        ar.sweep(counted, [lambda x: x])
+    for values, sentence in (([], "needs at least one value"), (3, "sweep.values = 3: must be several values"), ({"x": 1}, "sweep.values.x = 1")):
+        with pytest.raises(ar.Error, match=sentence):
+            ar.sweep(counted, values)
+    with pytest.raises(ar.Error, match="jobs = 0: must be a whole number of at least 1"):
+        ar.sweep(counted, [1], jobs=0)
+    script = tmp_path / "script.py"
+    script.write_text("import arenite as ar\ndef f(x):\n    return x\nif __name__ == '__main__':\n    ar.sweep(f, [1], out='out')\n")
+
+    def said():
+        done = subprocess.run([sys.executable, "script.py"], cwd=tmp_path, capture_output=True, text=True)
+        return done.stderr.strip().splitlines()[-1] if done.returncode else ""
+
+    assert said() == ""
+    script.write_text(script.read_text().replace("return x", "return x + 1"))
+    assert "sweep.out = out: holds results of this function as its code was then; name another folder, or remove it" in said()
+    script.write_text(script.read_text().replace("f(x)", "g(x)").replace("(f,", "(g,"))
+    assert "holds results of another function" in said()
+    script.write_text("import arenite as ar\ndef h(x):\n    return x\nar.sweep(h, [1])\n")
+    assert 'before its first value; a script must call sweep under `if __name__ == "__main__":`' in said()
+    os.mkfifo(tmp_path / "fifo.json")
+    (tmp_path / "piped").mkdir()
+    os.rename(tmp_path / "fifo.json", tmp_path / "piped" / "sweep.json")
+    with pytest.raises(ar.Error, match="must be a regular file, not a pipe"):
+        ar.sweep(counted, [1], out=tmp_path / "piped")
+
+
+def test_a_result_on_disk_runs_nothing(ar, tmp_path):
+    """A pickle that lies in a result's place is not loaded."""
+    values = [(str(tmp_path), 5)]
+    ar.sweep(counted, values, out=tmp_path / "out")
+    path, = (tmp_path / "out").glob("*.npz")
+
+    class Planted:
+        def __reduce__(self):
+            return os.system, (f"touch {tmp_path}/ran",)
+
+    planted = np.array([Planted()], dtype=object)
+    np.savez(path, told=planted)
+    assert ar.sweep(counted, values, out=tmp_path / "out")["result"].tolist() == [10] and not (tmp_path / "ran").exists()

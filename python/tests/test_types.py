@@ -13,7 +13,7 @@ SOURCE = Path(__file__).resolve().parents[2]
 
 # What the text around the blocks of a page speaks of.
 AROUND = {"restart.md": "import h5py\n",
-          "python.md": "import numpy as np\nstress = strain = spin = history = np.zeros((2, 6))\ndt = 1e-4\n"}
+          "python.md": "import numpy as np\nstress = strain = spin = history = np.zeros((2, 6))\ndt = 1e-4\ndef toe(friction: float, cell: float) -> float:\n    return friction * cell\n"}
 
 
 def scripts():

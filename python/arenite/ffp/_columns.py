@@ -9,9 +9,9 @@ import numpy
 from numpy.typing import NDArray
 
 from .._errors import Error
-from ._files import MOST_TABLE, read_text
-from ._folder import Folder
-from ._optional import need
+from .._files import MOST_TABLE, read_text
+from .._folder import Folder
+from .._optional import need
 
 __all__ = ["Columns"]
 

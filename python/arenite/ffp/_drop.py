@@ -8,11 +8,11 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, Dict, Mapping, Optional, Sequence, Union
 
 from .._errors import Error
+from .._files import read_json
+from .._folder import Folder, PathLike
 from ._columns import Columns
 from ._curve import Curve
 from ._driver import Runs
-from ._files import read_json
-from ._folder import Folder, PathLike
 from ._mean import moving_mean
 from ._plot import draw
 from ._record import Record

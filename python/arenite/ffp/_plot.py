@@ -1,21 +1,22 @@
-"""The picture of a drop: depth and deceleration against time, measured ones beside it. Needs matplotlib."""
+"""Pictures: a drop's depth and deceleration against time, measured ones beside it; what a record is reduced to. Needs matplotlib."""
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, Sequence
+from typing import TYPE_CHECKING, Any, Dict, List, Mapping, Sequence
 
 import numpy
 
 from .._errors import Error
+from .._optional import need
+from .._rows import COLOURS
 from ._curve import Curve
-from ._optional import need
 
 if TYPE_CHECKING:
+    from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-__all__ = ["draw"]
+__all__ = ["draw", "draw_resistance"]
 
-COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#000000")  # Okabe and Ito
 
 
 def draw(curves: Sequence[Curve], ax: Any = None) -> Figure:
@@ -54,3 +55,36 @@ def draw_deceleration(curves: Sequence[Curve], axes: Any) -> None:
     axes.set(xlabel="time [ms]", ylabel="deceleration [g], its mean as a line", ylim=(lowest - room, greatest + room))
     axes.axhline(0, color="#b9b9b9", linewidth=0.8, zorder=0)
     axes.spines[["top", "right"]].set_visible(False)
+
+
+def draw_resistance(reduction: Mapping[str, Any], table: Mapping[str, Any], ax: Any = None) -> Axes:
+    """Draws bearing resistances against depth, down to the deepest point; q_sbc between the ends of each range of K that is meant for
+    the record, of all if none is."""
+    pyplot = need("matplotlib.pyplot", "plot()")
+    if ax is None:
+        _, ax = pyplot.subplots(constrained_layout=True)
+    if not hasattr(ax, "fill_betweenx"):
+        raise Error("plot.ax: must be one pair of axes of matplotlib")
+    area = reduction["settings"]["area_of_q_sbc"]
+    down = slice(int(numpy.argmax(table["depth_m"])) + 1)  # a rebound would go back over the same depths
+    depth = table["depth_m"][down] * 1e2
+    ax.plot(table[f"q_dyn_{area}_kPa"][down], depth, color=COLOURS[0], label="q_dyn")
+    bands: Dict[str, List[Mapping[str, Any]]] = {}
+    for one in reduction["q_sbc"]:
+        bands.setdefault(one["band"], []).append(one)
+    meant = {band: ends for band, ends in bands.items() if ends[0]["within_range"]} or bands
+    for k, (band, ends) in enumerate(meant.items()):
+        colour = COLOURS[(k + 1) % len(COLOURS)]
+        low, high = (table[f"q_sbc_K{'air' if band == 'air' else format(end['K'], 'g')}_kPa"][down] for end in (ends[0], ends[-1]))
+        if len(ends) == 1:
+            ax.plot(low, depth, color=colour, label=f"q_sbc, K = {ends[0]['K']:.2f}")
+        else:
+            ax.fill_betweenx(depth, high, low, color=colour, alpha=0.4, linewidth=0, label=f"q_sbc, K = {band}")
+    ax.set(xlabel=f"bearing resistance on the {'mantle' if area == 'mantle' else 'section'} of the tip [kPa]", ylabel="depth [cm]")
+    ax.set_xlim(left=0)
+    if not ax.yaxis_inverted():
+        ax.invert_yaxis()
+    ax.spines[["top", "right"]].set_visible(False)
+    ax.legend(frameon=False, fontsize=9)
+    drawn: Axes = ax
+    return drawn

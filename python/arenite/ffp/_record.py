@@ -8,8 +8,8 @@ from typing import Any, Iterator, List, Mapping
 import numpy
 from numpy.typing import NDArray
 
+from .._folder import PathLike
 from ._curve import Curve
-from ._folder import PathLike
 from ._reduction import Reduction, reduce
 
 __all__ = ["Record", "record"]

@@ -4,15 +4,19 @@ from __future__ import annotations
 
 import os
 from pathlib import Path
-from typing import Any, Dict, Iterator, Mapping, Optional
+from typing import TYPE_CHECKING, Any, Dict, Iterator, Mapping, Optional
 
 from .._errors import Error
+from .._files import read_json
+from .._folder import Folder, PathLike
 from . import _driver
 from ._columns import Columns
-from ._files import read_json
-from ._folder import Folder, PathLike
+from ._plot import draw_resistance
 from ._text import quantity
 from ._words import values_of
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
 
 __all__ = ["Reduction", "reduce", "reduction_in"]
 
@@ -37,6 +41,12 @@ class Reduction(Mapping[str, Any]):
         """What is read off the record, by name, such as "firmness factor": each with "value" (None: the formula has no answer),
         "unit", "source", "range", "within_range", and "outside", which says why if it is not."""
         return {one["quantity"]: {key: one[key] for key in one if key != "quantity"} for one in self._found["estimates"]}
+
+    def plot(self, ax: Any = None) -> Axes:
+        """Draws q_dyn and q_sbc, kPa, against the depth, cm; returns the axes. Needs matplotlib.
+
+        ax  axes to draw into; without, those of a new figure"""
+        return draw_resistance(self, self.table, ax)
 
     def __getitem__(self, name: str) -> Any:
         if name not in self._found:

@@ -4,20 +4,17 @@ from __future__ import annotations
 
 import hashlib
 import itertools
-import os
 import re
 import sys
-from concurrent.futures import ThreadPoolExecutor, as_completed
 from pathlib import Path
-from typing import Any, Dict, Iterable, List, Mapping, Optional
+from typing import Any, Dict, List, Mapping, Optional
 
-import numpy
-
+from .._cases import checked_jobs, combinations, processors, run_cases, several
 from .._errors import Error, RunError
+from .._folder import Folder, PathLike
 from ._columns import Columns
 from ._driver import Runs, program
 from ._drop import Drop, run_drop
-from ._folder import Folder, PathLike
 from ._table import Table
 from ._text import keywords, quantity
 from ._words import text_of
@@ -46,15 +43,15 @@ def sweep(jobs: int = 1, out: Optional[PathLike] = None, *, quiet: bool = True, 
     "failure", results (NaN unless "done"), number of "warnings", "folder". `table.to_pandas()` is the DataFrame, `table.drops` are the
     drops. A drop that fails or is refused does not end the others; raises `Error` if all are refused. Ctrl-C ends all.
     """
-    if isinstance(jobs, bool) or not isinstance(jobs, (int, numpy.integer)) or jobs < 1:
-        raise Error(f"jobs = {jobs}: must be a whole number of at least 1")
-    given = {"threads": max(1, processors() // int(jobs)), "fields_every": 0, **options}
-    swept = {name: values for name, value in options.items() for values in [_values(name, value)] if values is not None}
-    cases = [dict(zip(swept, values)) for values in itertools.product(*swept.values())]
+    jobs = checked_jobs(jobs)
+    given = {"threads": max(1, processors() // jobs), "fields_every": 0, **options}
+    swept = {name: values for name, value in options.items() for values in [several(name, value)] if values is not None}
+    cases = combinations(swept)
     names = folder_names([{**options, **case} for case in cases])
     runs = Runs()
 
-    def run(case: Dict[str, Any], name: str) -> Drop:
+    def run(k: int) -> Drop:
+        case, name = cases[k], names[k]
         folder, told = Folder(None if out is None else Path(out) / name), {**options, **case}
         try:
             drop = run_drop(runs, folder, {**given, **case}, quiet=True, keeps=out is not None)
@@ -66,24 +63,9 @@ def sweep(jobs: int = 1, out: Optional[PathLike] = None, *, quiet: bool = True, 
         return drop
 
     program()  # said once, not by every drop
-    pool = ThreadPoolExecutor(int(jobs))
-    try:
-        futures = {pool.submit(run, case, name): k for k, (case, name) in enumerate(zip(cases, names))}
-        drops: Dict[int, Drop] = {}
-        for future in as_completed(futures):
-            drops[futures[future]] = future.result()
-            if not quiet:
-                _tell(len(drops), cases[futures[future]], len(cases), future.result())
-    except BaseException:
-        runs.stop()
-        try:
-            pool.shutdown(wait=True, cancel_futures=True)
-        except BaseException:
-            runs.kill()
-            raise
-        raise
-    pool.shutdown()
-    return table_of(cases, [drops[k] for k in range(len(cases))])
+    drops = run_cases(run, len(cases), jobs, runs.stop, runs.kill,
+                      lambda ended, k, drop: None if quiet else _tell(ended, cases[k], len(cases), drop))
+    return table_of(cases, drops)
 
 
 class UnfinishedDrop(Drop):
@@ -102,21 +84,6 @@ class UnfinishedDrop(Drop):
         if found.get("status") in (None, "running", "done"):
             found = {**found, "status": status, "failure": failure}
         self.summary = found
-
-
-def processors() -> int:
-    """Processors that this process may use."""
-    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
-
-
-def _values(name: str, value: object) -> Optional[List[object]]:
-    """The values of an option that is swept; None if it is given as one."""
-    if isinstance(value, (str, bytes, os.PathLike, Mapping)) or not isinstance(value, Iterable) or getattr(value, "ndim", 1) == 0:
-        return None
-    values = [one.item() if isinstance(one, numpy.generic) else one for one in value]
-    if not values:
-        raise Error(f"{name} = {value!r}: needs at least one value")
-    return values
 
 
 def folder_names(cases: List[Dict[str, Any]]) -> List[str]:
@@ -149,7 +116,7 @@ def table_of(cases: List[Dict[str, Any]], drops: List[Drop]) -> Table:
         row.update((bar, (drop.uncertainty or {}).get(bar[2:], {}).get("u")) for bar in bars)
         row.update({"warnings": len(drop.summary.get("warnings", [])), "folder": str(drop.folder)})
         rows.append(row)
-    return Table(rows, drops, [*(cases[0] if cases else ()), "status", *BARS, *bars])
+    return Table(rows, drops, list(cases[0] if cases else ()), BARS, bars)
 
 
 def _tell(count: int, case: Dict[str, Any], cases: int, drop: Drop) -> None:

@@ -18,7 +18,7 @@ class Folder:
     """A folder that the user names; without a name a temporary one, which is removed when nothing holds this object any more."""
 
     def __init__(self, path: Optional[PathLike] = None) -> None:
-        self.path = Path(tempfile.mkdtemp(prefix="arenite-ffp-") if path is None else path)
+        self.path = Path(tempfile.mkdtemp(prefix="arenite-") if path is None else path)
         if path is None:
             weakref.finalize(self, _remove, self.path, os.getpid())
 

@@ -9,9 +9,9 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import IO, Any, Iterator
 
-from .._errors import Error
+from ._errors import Error
 
-__all__ = ["MOST_JSON", "MOST_TABLE", "read_json", "read_text", "replaced"]
+__all__ = ["MOST_JSON", "MOST_TABLE", "read_bytes", "read_json", "read_text", "replaced"]
 
 MOST_JSON = 16 << 20  #: bytes, the program's
 MOST_TABLE = 64 << 30  #: bytes of a history
@@ -19,7 +19,12 @@ MOST_TABLE = 64 << 30  #: bytes of a history
 
 def read_text(path: Path, most: int) -> str:
     """The text of a file. Raises `Error` for a pipe, a device, a folder, or more than `most` bytes, and `OSError`."""
-    with open(os.open(path, os.O_RDONLY | getattr(os, "O_NONBLOCK", 0)), encoding="utf-8") as file:  # waits for no writer
+    return read_bytes(path, most).decode("utf-8")
+
+
+def read_bytes(path: Path, most: int) -> bytes:
+    """The content of a file, as `read_text`."""
+    with open(os.open(path, os.O_RDONLY | getattr(os, "O_NONBLOCK", 0)), "rb") as file:  # waits for no writer
         found = os.fstat(file.fileno())
         if not stat.S_ISREG(found.st_mode):
             raise Error(f"{path}: must be a regular file, not a pipe or a device")
@@ -37,14 +42,14 @@ def read_json(path: Path) -> Any:
 
 
 @contextmanager
-def replaced(path: Path) -> Iterator[IO[str]]:
+def replaced(path: Path, binary: bool = False) -> Iterator[IO[Any]]:
     """A new file to write to, which takes the place of `path` at the end; if that is not reached, nothing has changed."""
     if path.exists() and not path.is_file():
         raise Error(f"{path}: must be a regular file, a link, or nothing")
     part = path.with_name(path.name + ".part")
     part.unlink(missing_ok=True)
     try:
-        with open(part, "x", newline="", encoding="utf-8") as file:  # x: made anew
+        with open(part, "xb") if binary else open(part, "x", newline="", encoding="utf-8") as file:  # x: made anew
             yield file
         os.replace(part, path)
     except BaseException:

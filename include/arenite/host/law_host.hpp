@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include <arenite/core/kernel.hpp>
 #include <arenite/core/parallel.hpp>
 #include <arenite/host/hosted_law.hpp>
 #include <arenite/host/read_recipes.hpp>
@@ -62,7 +63,7 @@ class LawHost : public HostedLaw {
 
  private:
   template <int D>
-  [[gnu::flatten]] void update_range(const HostedUpdate& u, std::size_t begin, std::size_t end) const {
+  ARENITE_KERNEL void update_range(const HostedUpdate& u, std::size_t begin, std::size_t end) const {
     using P = typename LawLanes<Law, double, register_width>::type;
     constexpr std::size_t width = static_cast<std::size_t>(lane_count<P>), size = Sym<double, D>::size,
                           spins = D == 2 ? 1 : 3;

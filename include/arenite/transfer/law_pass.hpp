@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 
+#include <arenite/core/kernel.hpp>
 #include <arenite/core/lanes.hpp>
 #include <arenite/law/law.hpp>
 
@@ -86,8 +87,8 @@ struct LawLanes {
 /// Matter that dilates stops at its greatest V / V_0: what it would dilate beyond that counts as opened.
 /// `TracksWork`: whether the work of the stresses is summed.
 template <bool TracksWork, int Width, class L, class Points, class T, int D, bool StoresBearing>
-[[gnu::flatten]] void law_pass(const L& law, Points& points, std::size_t begin, std::size_t end,
-                               const StrainBuffer<T, D, StoresBearing>& buffer, double dt, G2pSums& sums) {
+ARENITE_KERNEL void law_pass(const L& law, Points& points, std::size_t begin, std::size_t end,
+                             const StrainBuffer<T, D, StoresBearing>& buffer, double dt, G2pSums& sums) {
   using P = typename LawLanes<L, T, Width>::type;
   constexpr int width = lane_count<P>;
   using History = typename L::template History<P>;

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include <arenite/core/kernel.hpp>
 #include <arenite/core/lanes.hpp>
 #include <arenite/mesh/blocks.hpp>
 
@@ -59,7 +60,7 @@ struct VolumetricAverage {
  private:
   /// Strain and volume of one cell, added to its nodes.
   template <class K, class N, class M, class B, class Velocities>
-  [[gnu::flatten]] void add_cell(const M& mesh, const B& body, const Velocities& u, T dt, Index c) {
+  ARENITE_KERNEL void add_cell(const M& mesh, const B& body, const Velocities& u, T dt, Index c) {
     using Cell = typename N::Shape::template Cell<M>;
     constexpr std::size_t size = Cell::size;
     const Cell cell(mesh, c);

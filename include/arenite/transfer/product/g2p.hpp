@@ -1,6 +1,7 @@
 // G2P where the functions of a cell are products along the axes.
 #pragma once
 
+#include <arenite/core/kernel.hpp>
 #include <arenite/transfer/node_field.hpp>
 #include <arenite/transfer/numerics.hpp>
 #include <arenite/transfer/product/lines.hpp>
@@ -34,8 +35,8 @@ auto taken_sums(const Take& take, const Line& line, const Rows& rows, const Kind
 /// Strains go into `buffer`, that of point `origin` first (USF took them before). Returns a sum of the
 /// positions.
 template <class K, class N, class M, class Points, class Field, class T, class Buffer>
-[[gnu::flatten]] T g2p(const N& numerics, const M& mesh, Index c, Points& points, std::size_t begin,
-                       std::size_t end, const Field& nodes, T dt, Buffer& buffer, std::size_t origin) {
+ARENITE_KERNEL T g2p(const N& numerics, const M& mesh, Index c, Points& points, std::size_t begin,
+                     std::size_t end, const Field& nodes, T dt, Buffer& buffer, std::size_t origin) {
   using Cell = typename N::Shape::template Cell<M>;
   using Rows = NodeRows<T, M::dimension, Cell::size>;
   constexpr int width = cell_width<M::dimension, N::template width<T>>;

@@ -1,6 +1,7 @@
 // MUSL mapping where the functions of a cell are products along the axes: by the points.
 #pragma once
 
+#include <arenite/core/kernel.hpp>
 #include <arenite/transfer/product/g2p.hpp>
 #include <arenite/transfer/product/hand_back.hpp>
 
@@ -10,7 +11,7 @@ namespace product {
 /// Gives the points of a cell their new velocities, as their transfer takes them, and adds to `nodes.mapped`
 ///   m_p w_i v_p(x_i)
 template <class N, class M, class B, class Field>
-[[gnu::flatten]] void map_back(const N& numerics, const M& mesh, B& body, Index c, Field& nodes) {
+ARENITE_KERNEL void map_back(const N& numerics, const M& mesh, B& body, Index c, Field& nodes) {
   using T = typename M::scalar;
   using Cell = typename N::Shape::template Cell<M>;
   const Cell cell(mesh, c);

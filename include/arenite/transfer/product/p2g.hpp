@@ -1,6 +1,7 @@
 // P2G where the functions of a cell are products along the axes. Points are rows, whose lanes are channels.
 #pragma once
 
+#include <arenite/core/kernel.hpp>
 #include <arenite/transfer/node_field.hpp>
 #include <arenite/transfer/numerics.hpp>
 #include <arenite/transfer/point_pack.hpp>
@@ -15,7 +16,7 @@ namespace product {
 ///   mass_i += m_p w_i     momentum_i += m_p w_i v_p(x_i)     force_i -= V_p sigma_p grad w_i
 ///   in axisymmetry force_r,i -= V_p sigma_hoop w_i / r_p     mass_gradient_i += m_p grad w_i
 template <class K, class N, class M, class B, class Field>
-[[gnu::flatten]] void p2g(const N& numerics, const M& mesh, const B& body, Index c, Field& nodes) {
+ARENITE_KERNEL void p2g(const N& numerics, const M& mesh, const B& body, Index c, Field& nodes) {
   using T = typename M::scalar;
   using Cell = typename N::Shape::template Cell<M>;
   constexpr std::size_t D = M::dimension;
@@ -77,8 +78,8 @@ template <class K, class N, class M, class B, class Field>
 ///   mass_i += m_p w_i     momentum_i += m_p w_i v_p(x_i) - dt V_p sigma_p grad w_i
 ///   in axisymmetry momentum_r,i -= dt V_p sigma_hoop w_i / r_p
 template <class K, class N, class M, class B, class Field, class T>
-[[gnu::flatten]] void p2g_with_impulse(const N& numerics, const M& mesh, const B& body, Index c, Field& nodes,
-                                       T dt) {
+ARENITE_KERNEL void p2g_with_impulse(const N& numerics, const M& mesh, const B& body, Index c, Field& nodes,
+                                     T dt) {
   using Cell = typename N::Shape::template Cell<M>;
   constexpr std::size_t D = M::dimension;
   using Sums = MomentumRows<Cell, N::template width<T>>;

@@ -2,6 +2,7 @@
 // cell are products along the axes.
 #pragma once
 
+#include <arenite/core/kernel.hpp>
 #include <arenite/transfer/product/g2p.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
@@ -10,8 +11,8 @@ namespace product {
 /// Strains of a run of points of a cell, of sym(dt sum u_i (grad w_i)^T), in axisymmetry with de_hoop = dt
 /// sum w_i u_r,i / r_p, into `buffer`, that of point `origin` first.
 template <class K, class N, class M, class Points, class Field, class T, class Buffer>
-[[gnu::flatten]] void strain(const M& mesh, Index c, Points& points, std::size_t begin, std::size_t end,
-                             const Field& nodes, T dt, Buffer& buffer, std::size_t origin) {
+ARENITE_KERNEL void strain(const M& mesh, Index c, Points& points, std::size_t begin, std::size_t end,
+                           const Field& nodes, T dt, Buffer& buffer, std::size_t origin) {
   using Cell = typename N::Shape::template Cell<M>;
   constexpr int width = cell_width<M::dimension, N::template width<T>>;
   using P = lanes_of<T, width>;

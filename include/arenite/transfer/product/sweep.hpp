@@ -1,6 +1,7 @@
 // Node sweep where the functions of a cell are products along the axes: by the points.
 #pragma once
 
+#include <arenite/core/kernel.hpp>
 #include <arenite/transfer/product/hand_back.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
@@ -9,7 +10,7 @@ namespace product {
 /// Adds to `nodes.given` what the points of a cell hand back of the vectors r_i in `nodes.residual`:
 ///   m_p w_i sum_j w_j r_j
 template <class N, class M, class B, class Field>
-[[gnu::flatten]] void sweep(const M& mesh, const B& body, Index c, Field& nodes) {
+ARENITE_KERNEL void sweep(const M& mesh, const B& body, Index c, Field& nodes) {
   using T = typename M::scalar;
   using Cell = typename N::Shape::template Cell<M>;
   const Cell cell(mesh, c);

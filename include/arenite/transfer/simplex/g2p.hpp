@@ -1,6 +1,7 @@
 // G2P on linear simplices.
 #pragma once
 
+#include <arenite/core/kernel.hpp>
 #include <arenite/transfer/node_field.hpp>
 #include <arenite/transfer/numerics.hpp>
 #include <arenite/transfer/strain.hpp>
@@ -47,9 +48,9 @@ StrainStep<T, Cell::D> cell_step(const Cell& cell, const Rows& u, T dt) {
 /// Strains go into `buffer`, that of point `origin` first (USF took them before). Returns a sum of the
 /// positions.
 template <class K, class N, class M, class Points, class Field, class T, class Average, class Buffer>
-[[gnu::flatten]] T g2p(const N& numerics, const M& mesh, Index c, Points& points, std::size_t begin,
-                       std::size_t end, const Field& nodes, T dt, const Average& average, Buffer& buffer,
-                       std::size_t origin) {
+ARENITE_KERNEL T g2p(const N& numerics, const M& mesh, Index c, Points& points, std::size_t begin,
+                     std::size_t end, const Field& nodes, T dt, const Average& average, Buffer& buffer,
+                     std::size_t origin) {
   using Cell = typename N::Shape::template Cell<M>;
   constexpr int width = N::template width<T>;
   using P = lanes_of<T, width>;

@@ -1,6 +1,7 @@
 // MUSL mapping on linear simplices, from sums of the cells instead of a pass over the points.
 #pragma once
 
+#include <arenite/core/kernel.hpp>
 #include <arenite/particles/cell_sums.hpp>
 #include <arenite/transfer/node_field.hpp>
 #include <arenite/transfer/simplex/sweep.hpp>
@@ -24,7 +25,7 @@ struct CellNodes {
 /// v_i^old
 /// + d_i other than v_i has `returned_velocity`.)
 template <class N, class M, class B, class Field>
-[[gnu::flatten]] void map_back(const N& numerics, const M& mesh, const B& body, Index c, Field& nodes) {
+ARENITE_KERNEL void map_back(const N& numerics, const M& mesh, const B& body, Index c, Field& nodes) {
   using T = typename M::scalar;
   using V = NodePack<T, M::dimension>;
   using Cell = CellNodes<M>;

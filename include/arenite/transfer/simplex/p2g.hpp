@@ -1,6 +1,7 @@
 // P2G on linear simplices. Lanes are points; the sums of a cell are added up across them.
 #pragma once
 
+#include <arenite/core/kernel.hpp>
 #include <arenite/transfer/node_field.hpp>
 #include <arenite/transfer/numerics.hpp>
 #include <arenite/transfer/simplex/stress.hpp>
@@ -58,7 +59,7 @@ void leave_sums(const B&, const StressSums<T, D>& stress, const Total& total, Ce
 /// P2G of the points of a cell: `add_points`, and with the gradients, which are constant in it,
 ///   force_i -= (sum_p V_p sigma_p) grad w_i     mass_gradient_i += (sum_p m_p) grad w_i
 template <class K, class N, class M, class B, class Field>
-[[gnu::flatten]] void p2g(const N& numerics, const M& mesh, B& body, Index c, Field& nodes) {
+ARENITE_KERNEL void p2g(const N& numerics, const M& mesh, B& body, Index c, Field& nodes) {
   using T = typename M::scalar;
   using Cell = typename N::Shape::template Cell<M>;
   using Quad = Pack<T, 4>;

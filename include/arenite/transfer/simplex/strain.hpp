@@ -1,6 +1,7 @@
 // Strains of the points of linear simplices alone, for the orders that update the stress apart from G2P.
 #pragma once
 
+#include <arenite/core/kernel.hpp>
 #include <arenite/transfer/simplex/g2p.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
@@ -9,9 +10,9 @@ namespace simplex {
 /// Strains of a run of points of a cell, of sym(dt sum u_i (grad w_i)^T), in axisymmetry with de_hoop = dt
 /// sum w_i u_r,i / r_p, into `buffer`, that of point `origin` first.
 template <class K, class N, class M, class Points, class Field, class T, class Average, class Buffer>
-[[gnu::flatten]] void strain(const M& mesh, Index c, Points& points, std::size_t begin, std::size_t end,
-                             const Field& nodes, T dt, const Average& average, Buffer& buffer,
-                             std::size_t origin) {
+ARENITE_KERNEL void strain(const M& mesh, Index c, Points& points, std::size_t begin, std::size_t end,
+                           const Field& nodes, T dt, const Average& average, Buffer& buffer,
+                           std::size_t origin) {
   using Cell = typename N::Shape::template Cell<M>;
   constexpr int width = N::template width<T>;
   using P = lanes_of<T, width>;

@@ -1,6 +1,7 @@
 // Node sweep on linear simplices, from the edge masses of the cells instead of a pass over the points.
 #pragma once
 
+#include <arenite/core/kernel.hpp>
 #include <arenite/particles/cell_sums.hpp>
 #include <arenite/transfer/node_field.hpp>
 
@@ -26,7 +27,7 @@ void exchange_along_edges(const std::array<Index, Size>& nodes, const EdgeMass& 
 /// Adds to `nodes.given` what the points of a cell hand back of the vectors r_i in `nodes.residual`, less
 /// m_i r_i: since sum_j M_ij = m_i, an exchange along the edges.
 template <class M, class B, class Field>
-[[gnu::flatten]] void sweep(const M& mesh, const B& body, Index c, Field& nodes) {
+ARENITE_KERNEL void sweep(const M& mesh, const B& body, Index c, Field& nodes) {
   constexpr std::size_t size = static_cast<std::size_t>(M::dimension) + 1;
   std::array<NodePack<typename M::scalar, M::dimension>, size> r;
   const auto& of_cell = mesh.nodes(c);

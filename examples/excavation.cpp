@@ -43,7 +43,7 @@ int main(int argc, char** argv) {
 
   // 3. The bracket, and how fast each point moves as the side fails.
   const double low = density * g * stood / strength, high = density * g * failed / strength, exact = 3.773;
-  shared_detail::replace_file("validation_vertical_cut.csv", [&](std::ostream& file) {
+  replace_file("validation_vertical_cut.csv", [&](std::ostream& file) {
     file << "composition,quantity,unit,computed,exact\n"
          << "cells of " << cell << " m,rho g H / c: the deepest that stands,-," << low << ',' << exact
          << "\ncells of " << cell << " m,rho g H / c: the next stage fails,-," << high << ',' << exact

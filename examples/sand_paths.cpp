@@ -60,6 +60,6 @@ void shear_all(std::ostream& file) {
 }
 
 int main() {
-  shared_detail::replace_file("sand_paths.csv", [](std::ostream& file) { shear_all(file); });
+  replace_file("sand_paths.csv", [](std::ostream& file) { shear_all(file); });
   return greatest_error < 1e-4 ? 0 : 1;  // of 2000 steps; it falls with their number
 }

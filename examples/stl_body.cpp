@@ -31,7 +31,7 @@ void write_pile(std::ostream& file) {
 }
 
 int main() {
-  shared_detail::replace_file("pile.stl", [](std::ostream& file) { write_pile(file); });
+  replace_file("pile.stl", [](std::ostream& file) { write_pile(file); });
   const TriangleSurface pile(read_stl("pile.stl", 1e-3));  // throws unless closed
   const double steel = mass_properties(pile, 7850).mass;
 

@@ -48,9 +48,8 @@ class OptionAdder : public OptionVisitor<OptionAdder> {
   std::vector<std::string> flags_;
 };
 
-/// Gives the words of a command to `app`, whose options are added. Returns whether they were options: false
-/// if
-/// `--help` or `--version` was asked for and written to `answer`. Throws `error` of one sentence for words
+/// Gives the words of a command to `app`, whose options are added. Returns whether they were options:
+/// false if `--help` or `--version` was asked for and written to `answer`. Throws `error` of one sentence for words
 /// that are none.
 inline bool parse_words(CLI::App& app, const OptionAdder& adder, const std::vector<std::string>& words,
                         std::ostream& answer) {

@@ -1,4 +1,4 @@
-# One program of a user, ways/consumer.cpp, built in each way that the README names, and told apart by nothing else.
+# One program of a user, ways/consumer.cpp, built in each way that docs/use.md names, and told apart by nothing else.
 #   find_package, add_subdirectory, fetch_content: a project each, under flags that our headers do not pass; pkg_config and plain: the
 #   compiler alone.
 

@@ -61,9 +61,8 @@ struct Loop {
 
 /// Why the memory orders do:
 /// - `state_` is the gate. The caller writes the loop (loop_, parts_) and then sets `open`. A
-/// helper
-///   signs in with an acquiring addition, and touches the loop only if that saw `open`: so it sees all that
-///   was written. It signs out with a releasing subtraction, and the caller goes on once it has acquired 0:
+///   helper signs in with an acquiring addition, and touches the loop only if that saw `open`: so it sees
+///   all that was written. It signs out with a releasing subtraction, and the caller goes on once it has acquired 0:
 ///   so it sees all that the helpers' items wrote, and nobody reads the next loop before it is complete. The
 ///   numbers in between come from read-modify-writes, which continue the release sequence of the one before.
 /// - `items` of a part only deals numbers out: each is taken by one exchange, nothing else hangs on it.

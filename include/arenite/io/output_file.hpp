@@ -274,3 +274,7 @@ inline constexpr const char* vtk_byte_order() {
 }
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET::shared_detail
+
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
+using shared_detail::replace_file;
+}

@@ -59,7 +59,8 @@ typename R::Velocity velocity_in_contact(const R& body, const typename R::Veloci
     return body.motion.velocity_in_contact(body, free, others);
   } else {
     static_assert(Others::alone || !R::is_free,
-                  "Rigid: meet of this motion must take the others to sum with");
+                  "Rigid: on a portion of a mesh velocity_in_contact(body, free_velocity, others) of a motion "
+                  "with mass must sum over the others; see arenite/rigid/motion.hpp");
     return body.motion.velocity_in_contact(body, free);
   }
 }
@@ -71,8 +72,7 @@ Mat<double, N> mobility_of(const R& body, const Mat<double, N>& resistance) {
     static_assert(
         requires { body.motion.mobility(resistance); },
         "Rigid: for RigidContact and PointContact a motion that impulses change must have mobility(added); "
-        "see "
-        "arenite/rigid/free.hpp");
+        "see arenite/rigid/free.hpp");
     return body.motion.mobility(resistance);
   } else {
     return Mat<double, N>::Zero();

@@ -26,10 +26,11 @@ inline constexpr bool rotates = [] {
 /// - `has_mass`: whether impulses change the motion; such a motion has `mass`, kg;
 /// - `start()`: initial velocity, m/s;
 /// - `free_velocity(before, acceleration, time, dt)`: velocity at the end of the step, `time`, without
-/// contact;
+///   contact;
 /// - `velocity_in_contact(body, free_velocity)`: velocity of the surface in contact; `body.impulse_at(node,
-/// v)`
-///   for a node of `body.touched_nodes` is the impulse on the matter if the body moves with v;
+///   v)` for a node of `body.touched_nodes` is the impulse on the matter if the body moves with v;
+///   with mass and on a portion of a mesh `velocity_in_contact(body, free_velocity, others)`, which sums over
+///   the other portions (`sum_over`);
 /// - `after(met, free_velocity, total, exchanged)`: velocity at the end of the step; `met`: the velocity in
 ///   contact, `total`: impulse on the matter, `exchanged`: sum of the magnitudes of the impulses;
 /// - `mean(before, after)`: velocity with which the impulses did work;
@@ -55,8 +56,7 @@ concept rigid_motion = !rotates<M> && requires(const M motion, const V v, typena
 /// - `free_velocity(body, before, acceleration, time, dt)`: with the body, whose `displacement` and
 ///   `orientation` are those of the begin of the step;
 /// - `after(met, free_velocity, total, exchanged)`: `exchanged` are the sums of the magnitudes of impulses
-/// and
-///   of their moments;
+///   and of their moments;
 /// - `turn(orientation, velocity, dt)`: turns the orientation through the step and returns the twist there;
 /// - optional `stored_energy(body)`, J, and `damped`, J since the start: of springs and dashpots.
 template <class M, class T, int D>

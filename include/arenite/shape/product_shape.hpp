@@ -23,12 +23,11 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 ///   stable step follows; infinity where functions fall to zero with a slope that does not: their light nodes
 ///   exchange momentum (`LightNodes`), and `Shape::courant_limit` says what was measured;
 /// - `least_beside_face`: share of a face node's mass that the node beside it needs for that
-/// (`exchange_at_faces`);
+///   (`exchange_at_faces`);
 /// - `place(i, cells)`: of node i along an axis, where linear fields are reproduced; nodes on the faces at 0
 ///   and at `cells`, and perhaps some beyond;
 /// - on a `RectilinearGrid` also `place(i, knots)`, m, and `Line(cell, knots)`, where `knots(i, j)` is the
-/// place
-///   of line i + j of the grid, m, that of the face beyond it;
+///   place of line i + j of the grid, m, that of the face beyond it;
 /// - `Line(cell, cells)`; `values(s)` [N] and `slopes(s, scale)` [N], the derivatives times a scale, for s a
 ///   scalar or a pack;
 /// - `inverse_inertia()`: 1 / sum w (x_i - x)^2 if that is the same everywhere in the cell, else 0.

@@ -93,8 +93,7 @@ inline double order_of_ratio(double ratio, double r21, double r32) {
 /// - min.
 ///
 /// Procedure: Celik, Ghia, Roache, Freitas, Coleman and Raad, J. Fluids Eng. 130 (2008) 078001, that of ASME
-/// V&V
-/// 20. Unlike there a p of results that diverge is negative here, and none is given of results that
+/// V&V 20. Unlike there a p of results that diverge is negative here, and none is given of results that
 /// oscillate. The limits of p and the factor on the spread are those of Eca and Hoekstra, J. Comput. Phys.
 /// 262 (2014) 104, in a simpler form.
 ///

@@ -28,8 +28,7 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 //   u_i of node i, as a pack: `nodes.correction` then holds sum_{l=1}^{sweeps} (I - S+ S)^l u for `take`,
 //   with S the interpolation to the points and S+ the lumped mapping back (`node_sweeps.hpp`);
 // - `returned_velocity(nodes, i)` (optional, else the new velocity): s v_i^old + d_i where points take v_p =
-// s
-//   v_p + sum w_i d_i, as a pack: for MUSL on linear simplices;
+//   s v_p + sum w_i d_i, as a pack: for MUSL on linear simplices;
 // - `taken_velocity(nodes, i)` (optional): the vector d_i, below, of one node, as a pack: MUSL on linear
 //   simplices needs no more of it;
 // - `take(cell, nodes)`: what the points of a cell do in G2P, made once a cell:

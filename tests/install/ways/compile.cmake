@@ -8,7 +8,7 @@ if(pkg_config)
     message(FATAL_ERROR "pkg-config says version ${found}, not ${version}")
   endif()
   execute_process(COMMAND ${pkg_config} --cflags --libs arenite OUTPUT_VARIABLE said OUTPUT_STRIP_TRAILING_WHITESPACE COMMAND_ERROR_IS_FATAL ANY)
-  string(REGEX REPLACE "-I *" "-isystem " said "${said}")  # as the README does
+  string(REGEX REPLACE "-I *" "-isystem " said "${said}")  # as docs/use.md does
   message("pkg-config: ${said}")
   string(APPEND flags " ${said}")
 endif()

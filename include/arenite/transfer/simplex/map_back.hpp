@@ -21,9 +21,8 @@ struct CellNodes {
 /// v_p = s v_p + sum_j w_j d_j. Handed back, node i gets sum_p m w_i v_p = s m_i v_i^old + sum_j M_ij d_j
 /// with the edge masses M_ij = sum_p m w_i w_j. Since sum_j M_ij = m_i, that is
 ///   m_i v_i + sum_j M_ij (d_j - d_i)
-/// of which the second term, an exchange along each edge, is added to `nodes.mapped`. (A transfer with s
-/// v_i^old
-/// + d_i other than v_i has `returned_velocity`.)
+/// of which the second term, an exchange along each edge, is added to `nodes.mapped`. (A transfer with
+/// s v_i^old + d_i other than v_i has `returned_velocity`.)
 template <class N, class M, class B, class Field>
 ARENITE_KERNEL void map_back(const N& numerics, const M& mesh, const B& body, Index c, Field& nodes) {
   using T = typename M::scalar;

@@ -14,8 +14,11 @@
 
 #include <arenite/core/scalar.hpp>
 
-#ifdef __SSE2__
+// immintrin.h takes ten times as long to parse.
+#ifdef __AVX__
 #include <immintrin.h>
+#elif defined(__SSE2__)
+#include <emmintrin.h>
 #endif
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {

@@ -22,7 +22,7 @@
 #include <vector>
 
 #ifdef __SSE2__
-#include <immintrin.h>
+#include <emmintrin.h>
 #endif
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET::shared_detail {

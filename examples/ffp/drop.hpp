@@ -5,6 +5,8 @@
 #include <stdexcept>
 #include <string>
 
+#include <arenite/core/error.hpp>
+
 #include "options.hpp"
 
 namespace arenite::ffp {
@@ -24,6 +26,26 @@ class Ended : public std::runtime_error {
 /// which is then left as it was, and `Ended` for a run that did not come to its end; history and summary are
 /// complete up to then.
 void drop(const DropOptions& options);
+
+/// The drop of the default options, or of others that keep its composition (`is_default`).
+void drop_default(const DropOptions& options);
+inline bool is_default(const DropOptions& o) {
+  return !o.on_grid() && o.kinematics == Kinematics::axisymmetric && o.device == DeviceKind::rigid &&
+         o.law.kind == LawKind::mohr_coulomb && o.contact_kind() == ContactKind::rigid && o.averages();
+}
+
+/// All other drops. The program `arenite-ffp-default` is built without them, in a quarter of the time.
+extern const bool has_other_drops;
+void drop_other(const DropOptions& options);
+
+/// What this program was built without.
+class NotBuilt : public error {
+ public:
+  NotBuilt()
+      : error{
+            "this program holds the composition of the default drop alone; build the target arenite-ffp for "
+            "others, for --error-bar and for the paper"} {}
+};
 
 void drop_axisymmetric(const DropOptions& options);
 void drop_slice(const DropOptions& options);

@@ -6,10 +6,17 @@
 
 namespace arenite::ffp {
 
-/// What differs from the default in more than one way is refused by `check`: each composition more would be
-/// compiled for all.
+/// A drop that differs from the default in its model alone.
 template <class Model>
-void drop_model(const DropOptions& o) {
+void drop_plain(const DropOptions& o) {
+  record<Model>(o,
+                [&] { return rigid_scene<Model, NodalAndElementAverage, RigidVelocity>(o, plain_sand(o)); });
+}
+
+/// What differs from the default in more than one way is refused by `check`: each composition more would be
+/// compiled for all. `plain`: runs a drop that does not differ.
+template <class Model>
+void drop_model(const DropOptions& o, void (*plain)(const DropOptions&)) {
   using Averages = NodalAndElementAverage;
   if (o.device == DeviceKind::elastic)
     record<Model>(o, [&] { return elastic_scene<Model>(o); });
@@ -18,7 +25,7 @@ void drop_model(const DropOptions& o) {
   else if (o.contact_kind() == ContactKind::centre_of_mass)
     record<Model>(o, [&] { return rigid_scene<Model, Averages, CentreOfMass>(o, plain_sand(o)); });
   else if (o.averages())
-    record<Model>(o, [&] { return rigid_scene<Model, Averages, RigidVelocity>(o, plain_sand(o)); });
+    plain(o);
   else
     record<Model>(o, [&] { return rigid_scene<Model, NoAntiLocking, RigidVelocity>(o, plain_sand(o)); });
 }

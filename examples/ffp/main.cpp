@@ -27,14 +27,12 @@ namespace arenite::ffp {
 
 void drop(const DropOptions& o) {
   set_threads(o.threads);
-  if (o.on_grid())
-    drop_grid(o);
-  else
-    o.kinematics == Kinematics::slice ? drop_slice(o) : drop_axisymmetric(o);
+  is_default(o) ? drop_default(o) : drop_other(o);
 }
 
 /// A drop, and what practitioners read off it.
 void run_command(const DropOptions& o) {
+  if (!has_other_drops && (o.error_bar || !is_default(o))) throw NotBuilt();
   o.error_bar ? drop_with_error_bar(o) : drop(o);
   try {
     reduce_drop(o.out);
@@ -45,7 +43,10 @@ void run_command(const DropOptions& o) {
   }
 }
 void run_command(const ReduceOptions& o) { reduce(o); }
-void run_command(const PaperOptions& o) { paper(o); }
+void run_command(const PaperOptions& o) {
+  if (!has_other_drops) throw NotBuilt();
+  paper(o);
+}
 
 /// What the words say, or the values that they announce; nothing if that was a question, which is answered.
 std::optional<Command> read_command(const std::vector<std::string>& words) {
@@ -76,6 +77,9 @@ int main(int argc, char** argv) {
   } catch (const arenite::output_error& e) {
     say(shown(e.what(), 2000));
     return 1;
+  } catch (const arenite::ffp::NotBuilt& e) {
+    say(e.what());
+    return 3;
   } catch (const arenite::error& e) {
     say(shown(e.what(), 2000));
     return 2;

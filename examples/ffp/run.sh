@@ -25,17 +25,27 @@ need python3-numpy "reads the history for them"
 install_missing
 
 mkdir -p "$build"
-if [ -x "$build/examples/ffp/arenite-ffp" ]; then
-  echo "building arenite-ffp in $build: seconds, unless a source has changed"
-else
-  echo "building arenite-ffp in $build: the first time takes about 3 minutes on two processors"
-fi
+whole=$build/examples/ffp/arenite-ffp
 cmake -S "$root" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DARENITE_NATIVE=ON -DARENITE_TESTS=OFF \
   -DARENITE_BENCHMARKS=OFF > "$build/configure.log" 2>&1 < /dev/null ||
   { tail -n 30 "$build/configure.log" >&2 && fail "configuring failed (log: $build/configure.log)"; }
-NINJA_STATUS='  [%f/%t, %e s] ' cmake --build "$build" -j "$(processors)" --target arenite-ffp < /dev/null ||
-  fail "building arenite-ffp failed"
-driver=$build/examples/ffp/arenite-ffp
+build_target() {
+  NINJA_STATUS='  [%f/%t, %e s] ' cmake --build "$build" -j "$(processors)" --target "$1" < /dev/null || fail "building $1 failed"
+}
+build_whole() {
+  echo "building the whole driver (slice, grid, other laws, error bar, paper): about 3 minutes on two processors"
+  build_target arenite-ffp
+}
+# The first time only what the default drop runs is built before it; the rest once its result is there.
+if [ -x "$whole" ]; then
+  echo "building arenite-ffp in $build: seconds, unless a source has changed"
+  build_target arenite-ffp
+  driver=$whole
+else
+  echo "building the default drop in $build: about a minute on two processors"
+  build_target arenite-ffp-default
+  driver=$whole-default
+fi
 
 # Where the driver will write: the last --out among the options, or our default.
 out=
@@ -55,6 +65,12 @@ echo "dropping: seconds for the default drop, minutes for a slice; arenite-ffp t
 trap : INT # Ctrl-C ends the drop, not this script
 status=0
 "$driver" drop "${options[@]}" || status=$?
+if [ $status -eq 3 ]; then # other options than those of the default drop
+  build_whole
+  driver=$whole
+  status=0
+  "$driver" drop "${options[@]}" || status=$?
+fi
 trap - INT
 # With 2 nothing was run.
 if [ $status -eq 2 ] || [ ! -e "$out/summary.json" ]; then
@@ -70,5 +86,10 @@ printf '\n'
 if [ -e "$out/reduced.csv" ]; then
   printf '\nAs practitioners read it (arenite-ffp reduce %s):\n' "$out"
   "$driver" reduce "$out" || fail "the reduction failed"
+fi
+if [ "$driver" != "$whole" ]; then
+  trap 'exit $status' INT
+  printf '\nThe result is complete (Ctrl-C leaves what follows for the next time).\n'
+  build_whole
 fi
 exit $status

@@ -182,9 +182,8 @@ Vec<T, D> constrain(const std::vector<Constraint<T, D>>& constraints, const std:
                     Velocities& velocity, const Owns& owns = {}, const Take& take = {}) {
   Vec<T, D> impulse = Vec<T, D>::Zero();
   for (const auto& c : constraints) {
-    if (mass[c.node] == 0) continue;
     const Vec<T, D> allowed = c.projector * velocity[c.node];
-    if (owns(c.node)) {
+    if (mass[c.node] > 0 && owns(c.node)) {
       const Vec<T, D> given = mass[c.node] * (allowed - velocity[c.node]);
       impulse += given;
       take(c.node, given);
@@ -207,9 +206,8 @@ std::pair<Vec<T, D>, double> constrain(const std::vector<Constraint<T, D>>& cons
   book(-1);
   Vec<T, D> impulse = constrain(constraints, mass, velocity, owns, take);
   for (const auto& d : drives) {
-    if (mass[d.node] == 0) continue;
     velocity[d.node] += d.target;
-    if (!owns(d.node)) continue;
+    if (mass[d.node] == 0 || !owns(d.node)) continue;
     const Vec<T, D> given = mass[d.node] * d.target;
     impulse += given;
     take(d.node, given);

@@ -45,17 +45,17 @@ void share_nodes([[maybe_unused]] Scene& scene, [[maybe_unused]] Others& others,
     }
 }
 
-/// Calls `f(to)`, which changes velocities of a field through `to`: of owned nodes and of those around them.
-template <class Others, class Field, class F>
-void change_velocities([[maybe_unused]] Others& others, Field& field, F&& f) {
+/// Calls `f(to)`, which changes velocities of nodes through `to`: of owned nodes and of those around them.
+template <class Others, class Velocities, class F>
+void change_velocities([[maybe_unused]] Others& others, Velocities& velocity, F&& f) {
   if constexpr (Others::alone) {
-    f(InPlace{field.velocity});
+    f(InPlace{velocity});
   } else {
-    auto change = field.velocity;
+    auto change = velocity;
     std::ranges::fill(numbers_of(change), 0);
-    f(Apart<std::remove_cvref_t<decltype(change)>>{field.velocity, change});
+    f(Apart<Velocities>{velocity, change});
     sum_nodes(others, change);
-    for (std::size_t i = 0; i < field.size(); ++i) field.velocity[i] += change[i];
+    for (std::size_t i = 0; i < velocity.size(); ++i) velocity[i] += change[i];
   }
 }
 

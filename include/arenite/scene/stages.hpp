@@ -121,17 +121,51 @@ void for_each_exchange(Scene& scene, int first, int last, F&& f) {
 template <class T>
 inline constexpr T least_mass = std::numeric_limits<T>::min() / std::numeric_limits<T>::epsilon();
 
+namespace detail {
+
+/// Nodes without mass that points touch go the way of those around them (`list_massless`), in the velocities
+/// `of(field)`, and obey the constraints with `hold(field)`.
+template <class Scene, class Others, class Of, class Hold>
+void move_massless([[maybe_unused]] Scene& scene, [[maybe_unused]] Others& others,
+                   [[maybe_unused]] const Of& of, [[maybe_unused]] const Hold& hold) {
+  if constexpr (has_light_nodes<typename Scene::Shape>)
+    for (auto& field : scene.fields) {
+      if (Others::alone && field.massless.empty()) continue;
+      change_velocities(others, of(field), [&](auto to) {
+        follow_neighbours<typename Scene::Shape>(scene.mesh, field, of(field), to);
+      });
+      hold(field);
+    }
+}
+
+/// Masses and velocities of the nodes as the points hand them over at the begin of the step, constrained.
+template <class Scene, class Others>
+void find_start_velocities(Scene& scene, Others& others) {
+  using T = typename Scene::T;
+  for (auto& field : scene.fields) {
+    start_velocities(field, least_mass<T>);
+    if constexpr (has_light_nodes<typename Scene::Shape>)
+      list_massless(field, scene.node_owner());
+    else
+      exchange_at_faces<typename Scene::Shape>(scene.mesh, field, field.velocity, T(0));
+    allow(scene, field, field.velocity, 0);
+  }
+  move_massless(
+      scene, others, [](auto& field) -> auto& { return field.velocity; },
+      [&](auto& field) { allow(scene, field, field.velocity, 0); });
+}
+
+}  // namespace detail
+
 /// Forces from the stresses at the middle of the step, for elastic bodies with MUSL on simplices
 /// (`add_half_step`). dt: s.
 template <class Scene, class Others = const Alone>
 void centre_stress(Scene& scene, [[maybe_unused]] double dt, [[maybe_unused]] Others& others = no_others) {
   if constexpr (Scene::centres_stress) {
     using T = typename Scene::T;
-    for (auto& field : scene.fields) {
-      start_velocities(field, least_mass<T>);
-      detail::allow(scene, field, field.velocity, 0);
-      if constexpr (!Others::alone) detail::keep_owned(scene, field.collected);
-    }
+    detail::find_start_velocities(scene, others);
+    if constexpr (!Others::alone)
+      for (auto& field : scene.fields) detail::keep_owned(scene, field.collected);
     scene.for_each_body([&](const auto& body, auto& field) {
       add_half_step<typename Scene::Kinematics, typename Scene::Shape>(scene.mesh, scene.blocks, body, field,
                                                                        static_cast<T>(dt / 2));
@@ -181,16 +215,7 @@ void update_stress_first(Scene& scene, [[maybe_unused]] double dt,
                          [[maybe_unused]] Others& others = no_others) {
   if constexpr (Scene::NumericsType::strains_first) {
     using T = typename Scene::T;
-    for (auto& field : scene.fields) {
-      start_velocities(field, least_mass<T>);
-      if constexpr (has_light_nodes<typename Scene::Shape>)
-        detail::change_velocities(others, field, [&](auto to) {
-          exchange_with_neighbours<typename Scene::Shape>(scene.mesh, field, T(0), scene.node_owner(), to);
-        });
-      else
-        exchange_at_faces<typename Scene::Shape>(scene.mesh, field, field.velocity, T(0));
-      detail::allow(scene, field, field.velocity, 0);
-    }
+    detail::find_start_velocities(scene, others);
     scene.finite = true;
     scene.for_each_body([&](auto& body, const auto& field) {
       detail::average_strains(scene, body, field, dt, others);
@@ -209,23 +234,29 @@ void update_grid(Scene& scene, double dt, [[maybe_unused]] Others& others = no_o
   const auto acceleration = scene.acceleration();
   for (auto& field : scene.fields) {
     update_grid(field, acceleration, static_cast<T>(dt), least_mass<T>);
-    if constexpr (has_light_nodes<typename Scene::Shape>)
-      detail::change_velocities(others, field, [&](auto to) {
-        exchange_with_neighbours<typename Scene::Shape>(scene.mesh, field, static_cast<T>(dt),
-                                                        scene.node_owner(), to);
-      });
+    if constexpr (has_light_nodes<typename Scene::Shape>) {
+      list_massless(field, scene.node_owner());
+      if (!Others::alone || !field.massless.empty())
+        detail::change_velocities(others, field.velocity, [&](auto to) {
+          hand_forces_on<typename Scene::Shape>(scene.mesh, field, static_cast<T>(dt), to);
+        });
+    }
   }
 }
 
-/// Takes velocities to what the parts' constraints allow; books impulse and work. dt: s.
+/// Takes velocities of a field to what the parts' constraints allow; books impulse and work. dt: s.
+template <class Scene>
+void constrain(Scene& scene, typename Scene::Field& field, double dt) {
+  const auto [impulse, work] =
+      detail::allow(scene, field, field.velocity, dt, detail::taker_of_wall_impulses(scene, field));
+  scene.wall_impulse += impulse;
+  scene.driving_work += work;
+}
+
+/// The same of all fields.
 template <class Scene>
 void constrain(Scene& scene, double dt) {
-  for (auto& field : scene.fields) {
-    const auto [impulse, work] =
-        detail::allow(scene, field, field.velocity, dt, detail::taker_of_wall_impulses(scene, field));
-    scene.wall_impulse += impulse;
-    scene.driving_work += work;
-  }
+  for (auto& field : scene.fields) constrain(scene, field, dt);
 }
 
 /// Impulses between fields and with rigid bodies (`exchange_impulses`), by rank, then constraints again. dt:
@@ -251,14 +282,14 @@ void exchange(Scene& scene, double dt, [[maybe_unused]] Others& others = no_othe
   }
 }
 
-/// Exchange of momentum at light nodes (`LightNodes`), or beside the faces of a grid (`exchange_at_faces`).
-/// dt: s.
+/// Exchange of momentum at light nodes (`LightNodes`), or beside the faces of a grid (`exchange_at_faces`);
+/// nodes without mass follow those around them. dt: s.
 template <class Scene, class Others = const Alone>
 void smooth_light_nodes(Scene& scene, [[maybe_unused]] double dt,
                         [[maybe_unused]] Others& others = no_others) {
   if constexpr (Scene::NumericsType::smooths_light_nodes) {
     for (auto& field : scene.fields)
-      detail::change_velocities(others, field, [&](auto to) {
+      detail::change_velocities(others, field.velocity, [&](auto to) {
         scene.light_nodes.template exchange<typename Scene::Shape>(scene.mesh, field, scene.node_owner(), to);
       });
     constrain(scene, dt);
@@ -269,6 +300,9 @@ void smooth_light_nodes(Scene& scene, [[maybe_unused]] double dt,
                                                             static_cast<typename Scene::T>(dt));
     if (exchanged > 0) constrain(scene, dt);
   }
+  detail::move_massless(
+      scene, others, [](auto& field) -> auto& { return field.velocity; },
+      [&](auto& field) { constrain(scene, field, dt); });
 }
 
 /// Node sweeps of a transfer that asks for them (XPIC, FMPM): the correction of the nodes' velocities. What
@@ -339,6 +373,9 @@ void map_back(Scene& scene, [[maybe_unused]] double dt, [[maybe_unused]] Others&
     for (auto& field : scene.fields)
       detail::allow(scene, field, field.mapped, dt, detail::taker_of_wall_holds(scene, field, dt));
     detail::for_each_exchange(scene, 1, 2, hold);
+    detail::move_massless(
+        scene, others, [](auto& field) -> auto& { return field.mapped; },
+        [&](auto& field) { detail::allow(scene, field, field.mapped, dt); });
   }
 }
 

@@ -21,7 +21,6 @@ struct InPlace {
   void set(Index i, const V& v) {
     velocity[i] = v;
   }
-  const auto& now(Index i) const { return velocity[i]; }
 };
 template <class Velocities>
 InPlace(Velocities&) -> InPlace<Velocities>;
@@ -37,28 +36,63 @@ struct Apart {
   void set(Index i, const V& v) {
     change[i] = v - velocity[i];
   }
-  auto now(Index i) const { return (velocity[i] + change[i]).eval(); }
 };
 
-/// A point within round-off of a face leaves the node behind it without mass, but not without the force of
-/// its stress, which no velocity could take up. The nodes around take its impulse, shared out by their
-/// masses, so that momentum is kept: the limit of a light node's exchange (`LightNodes`) for a mass that
-/// falls to nothing. The node moves as they do in the mean, for the strain of such a point. For nodes that
-/// `owns(i)`; velocities change through `to`.
-template <class Shape, class M, class Field, class T, class Owns, class To>
-void exchange_with_neighbours(const M& mesh, const Field& nodes, T dt, const Owns& owns, To to) {
+/// Mass of the nodes around node i, once for each cell that they share, kg.
+template <class Shape, class M, class Field>
+typename M::scalar mass_around(const M& mesh, const Field& nodes, Index i) {
+  typename M::scalar around = 0;
+  Shape::for_each_neighbour(mesh, i, [&](Index j) { around += nodes.mass[j]; });
+  return around;
+}
+
+/// Lists the nodes without mass that points or loads touch, of those that `owns(i)`, in `nodes.massless`.
+///
+/// A point within round-off of a face leaves the node behind it without mass (`negligible_mass`), though not
+/// without the force of its stress, and its velocity gradient reads that node. Such a node is bound to the
+/// nodes around it: it has the mean of their velocities, weighted by their masses (`follow_neighbours`), and
+/// they take its impulse in the same shares (`hand_forces_on`). So momentum is kept, the work of its force is
+/// theirs, and matter that moves as one is not strained wherever its points are. It is the limit of a light
+/// node's exchange (`LightNodes`) for a mass that falls to nothing.
+template <class Field, class Owns>
+void list_massless(Field& nodes, const Owns& owns) {
+  nodes.massless.clear();
+  nodes.massless.reserve(nodes.size());  // once: a step allocates nothing
   for (Index i = 0; i < nodes.size(); ++i) {
     if (nodes.mass[i] > 0 || !owns(i)) continue;
+    const auto& sums = nodes.collected[i];
+    if (sums.reach() > 0 || !(sums.force().array() == 0).all()) nodes.massless.push_back(i);
+  }
+}
+
+/// The impulses of listed nodes' forces over a step dt, s, for the nodes around them, whose velocities change
+/// through `to`.
+template <class Shape, class M, class Field, class T, class To>
+void hand_forces_on(const M& mesh, const Field& nodes, T dt, To to) {
+  for (const Index i : nodes.massless) {
     const auto force = nodes.collected[i].force();
     if ((force.array() == 0).all()) continue;
-    T around = 0;
-    Shape::for_each_neighbour(mesh, i, [&](Index j) { around += nodes.mass[j]; });
+    const T around = mass_around<Shape>(mesh, nodes, i);
     if (!(around > 0)) continue;
-    Vec<T, M::dimension> mean = nodes.velocity[i];
     Shape::for_each_neighbour(mesh, i, [&](Index j) {
-      if (!(nodes.mass[j] > 0)) return;
-      to.add(j, (dt / around) * force);
-      mean += (nodes.mass[j] / around) * to.now(j);
+      if (nodes.mass[j] > 0) to.add(j, (dt / around) * force);
+    });
+  }
+}
+
+/// Gives listed nodes the mean velocity of the nodes around them; what momentum they have of a negligible
+/// mass goes there. Velocities [nodes] change through `to`.
+template <class Shape, class M, class Field, class Velocities, class To>
+void follow_neighbours(const M& mesh, const Field& nodes, const Velocities& velocity, To to) {
+  using T = typename M::scalar;
+  for (const Index i : nodes.massless) {
+    const T around = mass_around<Shape>(mesh, nodes, i);
+    if (!(around > 0)) continue;
+    Vec<T, M::dimension> mean = Vec<T, M::dimension>::Zero();
+    Shape::for_each_neighbour(mesh, i, [&](Index j) { mean += (nodes.mass[j] / around) * velocity[j]; });
+    const Vec<T, M::dimension> left = (nodes.collected[i].mass() / around) * (velocity[i] - mean);
+    Shape::for_each_neighbour(mesh, i, [&](Index j) {
+      if (nodes.mass[j] > 0) to.add(j, left);
     });
     to.set(i, mean);
   }
@@ -79,7 +113,7 @@ void exchange_with_neighbours(const M& mesh, const Field& nodes, T dt, const Own
 template <class T, int D>
 class LightNodes {
  public:
-  static constexpr double least_share = 1.0 / 12;
+  static constexpr double least_share = least_light_share;
 
   /// Exchanges momentum at the light nodes of a field that `owns(i)`, all with the velocities of before,
   /// which change through `to`. Returns how many nodes are light.
@@ -91,8 +125,7 @@ class LightNodes {
     for (Index i = 0; i < nodes.size(); ++i) {
       const T m = nodes.mass[i], enough = static_cast<T>(least_share) * nodes.collected[i].reach();
       if (!(m > 0 && m < enough) || !owns(i)) continue;
-      T around = 0;  // mass of the neighbours, once for each cell that they share
-      Shape::for_each_neighbour(mesh, i, [&](Index j) { around += nodes.mass[j]; });
+      const T around = mass_around<Shape>(mesh, nodes, i);
       if (!(around > 0)) continue;
       ++count;
       const T fraction = (1 - m / enough) / around;

@@ -33,8 +33,7 @@ void finish_map_back([[maybe_unused]] const N& numerics, Field& nodes) {
       if (nodes.mass[i] > 0)
         nodes.mapped[i] /= nodes.mass[i];
       else if constexpr (N::maps_back_by_points)
-        nodes.mapped[i] =
-            nodes.velocity[i];  // of a node without mass that has a force: that of its neighbours
+        nodes.mapped[i] = nodes.velocity[i];  // of a node without mass: of those around it
       else
         nodes.mapped[i].setZero();
       if constexpr (!N::maps_back_by_points) {

@@ -140,6 +140,7 @@ struct NodeField {
 
   std::vector<Sums> collected;  ///< [nodes] what `p2g` sums and `update_grid` reads
   std::vector<T> mass;          ///< [nodes] kg
+  std::vector<Index> massless;  ///< nodes without mass that points or loads touch: see `list_massless`
   [[no_unique_address]] std::conditional_t<StartState, NodeVectors<T, D>, Nothing>
       start;                        ///< [nodes if StartState] velocity at the step's begin, m/s
   NodeVectors<T, D> velocity;       ///< [nodes] velocity at the step's end, m/s

@@ -1,12 +1,15 @@
 // Node sums: what a node collects from the points in one pass, side by side: one register with AVX-512.
 #pragma once
 
+#include <cstdint>
+#include <limits>
+
 #include <arenite/core/tensor.hpp>
 #include <arenite/transfer/channels.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
-/// Momentum, mass, internal force and, where the numerics ask for it, the mass within reach of a node.
+/// Momentum, mass, internal force and, where functions have light nodes, the mass within reach of a node.
 template <class T, int D>
 struct alignas(8 * sizeof(T)) NodeSums {
   struct Spare {};
@@ -21,7 +24,7 @@ struct alignas(8 * sizeof(T)) NodeSums {
   Vec<T, D> momentum() const { return Eigen::Map<const Vec<T, D>>(lane.data()); }            ///< kg m/s
   T mass() const { return lane[mass_lane]; }                                                 ///< kg
   Vec<T, D> force() const { return Eigen::Map<const Vec<T, D>>(lane.data() + force_lane); }  ///< N
-  T reach() const { return lane[reach_lane]; }  ///< sum of m_c (h_c |grad N|)^2, kg: see `LightNodes`
+  T reach() const { return lane[reach_lane]; }  ///< sum of m_c (h_c |grad N|)^2, kg: see `LightNodes`; or 0
 
   /// Adds a force, N.
   void add_force(const Vec<T, D>& force) {
@@ -36,6 +39,18 @@ struct alignas(8 * sizeof(T)) NodeSums {
 
   friend bool operator==(const NodeSums&, const NodeSums&) = default;
 };
+
+/// A node is light below this share of the mass within its reach: see `LightNodes`.
+inline constexpr double least_light_share = 1.0 / 12;
+
+/// Mass below which a node counts as one without, where functions fall to zero with a slope that does not,
+/// kg: as a share of a light node's it is the least error, between what is left out and the round-off of a
+/// velocity that its force would drive.
+template <class T, int D>
+T negligible_mass(const NodeSums<T, D>& sums) {
+  constexpr auto root_of_epsilon = 1.0 / (std::int64_t{1} << std::numeric_limits<T>::digits / 2);
+  return static_cast<T>(least_light_share * root_of_epsilon) * sums.reach();
+}
 
 /// Impulse of the forces over a step dt, s, on a node without mass, N s.
 template <class T, int D>

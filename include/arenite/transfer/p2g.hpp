@@ -1,6 +1,9 @@
 // P2G: the points of a body give their mass, momentum and internal force to a node field.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+
 #include <arenite/mesh/blocks.hpp>
 #include <arenite/particles/body.hpp>
 #include <arenite/transfer/product/p2g.hpp>
@@ -30,13 +33,15 @@ void p2g(const N& numerics, const M& mesh, const Blocks& blocks, B& body, Field&
 }
 
 /// Node velocities from momentum and force: v = p / m, v^new = v + (f / m + g) dt. Nodes without mass stay at
-/// rest. A mass below `mass_floor`, kg, counts as none: a quotient by it has no correct digits in T.
+/// rest. A mass below `mass_floor`, kg, counts as none: a quotient by it has no correct digits in T. So does
+/// a `negligible_mass`, but that its velocity is known, without its force.
 template <class Field, class T, int D>
 void update_grid(Field& nodes, const Vec<T, D>& gravity, T dt, T mass_floor) {
   parallel_chunks(nodes.size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       const auto& sums = nodes.collected[i];
-      if (sums.mass() <= mass_floor) {
+      // Round-off may leave less than nothing, of which the velocity is known as well.
+      if ((Field::has_start_state ? std::abs(sums.mass()) : sums.mass()) <= mass_floor) {
         nodes.mass[i] = 0;
         if constexpr (Field::has_start_state) nodes.start[i].setZero();
         nodes.velocity[i].setZero();
@@ -46,6 +51,11 @@ void update_grid(Field& nodes, const Vec<T, D>& gravity, T dt, T mass_floor) {
       nodes.mass[i] = sums.mass();
       if constexpr (Field::has_start_state) {
         nodes.start[i] = inverse * sums.momentum();
+        if (sums.mass() <= negligible_mass(sums)) {
+          nodes.mass[i] = 0;
+          nodes.velocity[i] = nodes.start[i] + dt * gravity;
+          continue;
+        }
         nodes.velocity[i] = nodes.start[i] + dt * (inverse * sums.force() + gravity);
       } else {
         nodes.velocity[i] = inverse * sums.momentum() + dt * gravity;
@@ -60,8 +70,8 @@ void start_velocities(Field& nodes, T mass_floor) {
   parallel_chunks(nodes.size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       const auto& sums = nodes.collected[i];
-      nodes.mass[i] = sums.mass() <= mass_floor ? T(0) : sums.mass();
-      if (nodes.mass[i] > 0)
+      nodes.mass[i] = sums.mass() <= std::max(mass_floor, negligible_mass(sums)) ? T(0) : sums.mass();
+      if (std::abs(sums.mass()) > mass_floor)
         nodes.velocity[i] = (1 / sums.mass()) * sums.momentum();
       else
         nodes.velocity[i].setZero();

@@ -55,7 +55,7 @@ ARENITE_KERNEL void p2g(const N& numerics, const M& mesh, const B& body, Index c
     });
     if constexpr (K::hoop) handed.own(node_channel::force) = volume * stress[2] * reciprocal(x[0]);
     rows.push(p.count, handed, line);
-    if constexpr (N::smooths_light_nodes) of_cell += m;
+    if constexpr (has_light_nodes<typename N::Shape>) of_cell += m;
     if constexpr (Field::has_mass_gradient) {
       typename Gradients::Handed mass;
       repeat<D>([&](std::size_t a) { mass.slope(a, node_channel::mass_gradient, a) = m; });
@@ -65,7 +65,7 @@ ARENITE_KERNEL void p2g(const N& numerics, const M& mesh, const B& body, Index c
     left -= static_cast<std::size_t>(p.count);
     if (rows.full() || left == 0) spread();
   });
-  if constexpr (N::smooths_light_nodes) {
+  if constexpr (has_light_nodes<typename N::Shape>) {
     // Mean of (h |grad w|)^2 over a cell, of a function that is linear along each axis.
     constexpr T mean = D == 2 ? T(2) / 3 : T(1) / 3;
     const T reach = mean * lane_sums(std::array<P, 1>{of_cell})[0];

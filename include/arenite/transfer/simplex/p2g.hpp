@@ -87,7 +87,7 @@ ARENITE_KERNEL void p2g(const N& numerics, const M& mesh, B& body, Index c, Fiel
     const auto gradient = cell.gradient.col(static_cast<int>(i));
     Quad force = internal.at(gradient);
     repeat<K::hoop>([&](std::size_t) { force += hoop * Quad(total.node(i, node_channel::hoop_force)); });
-    repeat<N::smooths_light_nodes>(
+    repeat<has_light_nodes<typename N::Shape>>(
         [&](std::size_t) { force += quad(T(0), T(0), T(0), reach * gradient.squaredNorm()); });
     node.add_values(total.node(i));
     node.add_slopes(force);

@@ -21,6 +21,7 @@
 #include <utility>
 
 #include "checks.hpp"
+#include "meshes.hpp"
 #include "values.hpp"
 
 namespace arenite::python {
@@ -351,6 +352,7 @@ PYBIND11_MODULE(_core, m) {
         [](const std::string& recipe, py::handle values) { check_recipe(recipe, value_of(values)); });
   m.def("check_together", &check_together);
   m.def("checked_recipes", &checked_recipes);
+  add_meshes(m);
 
   py::class_<Signal>(m, "Signal")
       .def(py::init<>())

@@ -16,7 +16,7 @@ import subprocess
 import sys
 import time
 from pathlib import Path
-from typing import Container, List, Sequence, Tuple
+from typing import Callable, Container, List, Sequence, Tuple
 
 from . import _cache, _core
 from ._errors import Error
@@ -131,9 +131,10 @@ def _found(key: str, place: Path) -> Path:
     return place / f"{name or key}.so"
 
 
-def built(what: str, type_name: str, headers: Sequence[str], flags: Sequence[str], loaded: Container[str] = ()) -> Path:
+def built(what: str, type_name: str, headers: Sequence[str], flags: Sequence[str], loaded: Container[str] = (),
+          check: Callable[[], None] = lambda: None) -> Path:
     """The shared object of a composition, compiled if it is not in the cache. `loaded`: those that need not be looked
-    at again."""
+    at again; `check`: called before it is compiled, which takes long."""
     for h in headers:
         if not Path(h).is_file():
             raise Error(f"header = {h}: there is no such file")
@@ -153,6 +154,7 @@ def built(what: str, type_name: str, headers: Sequence[str], flags: Sequence[str
         made = _found(key, place)
         if str(made) in loaded or _cache.whole(made):
             return made
+        check()
         with _cache.locked(place / f"{key}.lock"):
             made = _found(key, place)
             if _cache.whole(made):

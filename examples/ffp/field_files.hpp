@@ -38,10 +38,11 @@ class FieldFiles {
 /// fields_*.vtu and fields.pvd in a folder, every `period` seconds. `resumed`: goes on with the files that
 /// are there.
 inline Every<FieldFiles> field_files(const std::filesystem::path& folder, double period, bool resumed) {
-  return {period, FieldFiles(VtuSeries(folder / "fields", {.body_names = {"soil", "device_points"},
-                                                           .mesh = true,
-                                                           .region = "device",
-                                                           .keep_list = resumed}))};
+  return {
+      period,
+      FieldFiles(VtuSeries(
+          folder / "fields",
+          {.body_names = {"soil", "device_points"}, .mesh = true, .region = "device", .resumed = resumed}))};
 }
 
 }  // namespace arenite::ffp

@@ -16,7 +16,7 @@ import subprocess
 import sys
 import time
 from pathlib import Path
-from typing import Container, List, Sequence, Tuple
+from typing import Callable, Container, List, Sequence, Tuple
 
 from . import _cache, _core
 from ._errors import Error
@@ -131,9 +131,10 @@ def _found(key: str, place: Path) -> Path:
     return place / f"{name or key}.so"
 
 
-def built(what: str, type_name: str, headers: Sequence[str], flags: Sequence[str], loaded: Container[str] = ()) -> Path:
+def built(what: str, type_name: str, headers: Sequence[str], flags: Sequence[str], loaded: Container[str] = (),
+          check: Callable[[], None] = lambda: None) -> Path:
     """The shared object of a composition, compiled if it is not in the cache. `loaded`: those that need not be looked
-    at again."""
+    at again; `check`: called before it is compiled, which takes long."""
     for h in headers:
         if not Path(h).is_file():
             raise Error(f"header = {h}: there is no such file")
@@ -153,6 +154,7 @@ def built(what: str, type_name: str, headers: Sequence[str], flags: Sequence[str
         made = _found(key, place)
         if str(made) in loaded or _cache.whole(made):
             return made
+        check()
         with _cache.locked(place / f"{key}.lock"):
             made = _found(key, place)
             if _cache.whole(made):
@@ -166,12 +168,39 @@ def built(what: str, type_name: str, headers: Sequence[str], flags: Sequence[str
         _cache.refuse(place, e)
 
 
-def law_name(header: Path) -> str:
-    """The class in a header that has an `update`, with its namespaces: the last one before it."""
+def _code(header: Path) -> str:
+    """A law's header without comments."""
     try:
-        text = re.sub(r"//.*|(?s:/\*.*?\*/)", "", header.read_bytes().decode(errors="replace"))
+        return re.sub(r"//.*|(?s:/\*.*?\*/)", "", header.read_bytes().decode(errors="replace"))
     except OSError as e:
         raise Error(f"compile: law = {header}: cannot be read ({e.strerror})") from e
+
+
+def check_law(header: Path, name: str) -> None:
+    """Refuses a class that cannot be made of parameters by name, where the header shows it: the compiler needs half a minute
+    to say so."""
+    word = re.split("<", name)[0].rpartition("::")[2]
+    text = _code(header)
+    begin = re.search(rf"(\btemplate\s*<[^;{{]*>\s*)?\b(?:class|struct)\s+{word}\s*(?:final\s*)?(?::[^;{{]*)?\{{", text)
+    if begin is None:
+        return  # it is included
+    if begin.group(1) and "<" not in name:
+        raise Error(f"compile: law = {header}: {name} is a template: name what it is made for, as in name=\"{name}<2>\"")
+    depth, body = 1, ""
+    for piece in re.split(r"([{}])", text[begin.end():]):
+        depth += {"{": 1, "}": -1}.get(piece, 0)
+        if depth == 0:
+            break
+        body += piece
+    if re.search(rf"(?<![~\w]){word}\s*\(", body) and not re.search(r"\bParameters\b", body):
+        raise Error(f"compile: law = {header}: {name} has a constructor and no struct Parameters, so that Python cannot make it of values by "
+                    f"name: give it `struct Parameters {{ double density = 0, ..; }};` and `explicit {word}(const Parameters& p)`, as "
+                    "examples/own_law.hpp has them")
+
+
+def law_name(header: Path) -> str:
+    """The class in a header that has an `update`, with its namespaces: the last one before it."""
+    text = _code(header)
     at = re.search(r"\bupdate\s*\(", text)
     begin = text[: at.start()] if at else text
     found = [m for m in re.finditer(r"\b(?:class|struct)\s+(\w+)\s*(?:final\s*)?(?::[^;{]*)?\{", begin)

@@ -7,7 +7,7 @@ import json
 import os
 import threading
 from pathlib import Path
-from typing import Any, Dict, List, Optional, Sequence
+from typing import Any, Callable, Dict, List, Optional, Sequence
 
 from . import _compile, _core
 from ._errors import Error
@@ -56,19 +56,20 @@ def _ensure_prebuilt() -> None:
         _open(path)
 
 
-def _find(kind: Dict[str, Any], what: str, type_name: str, headers: Sequence[str]) -> Any:
+def _find(kind: Dict[str, Any], what: str, type_name: str, headers: Sequence[str],
+          check: Callable[[], None] = lambda: None) -> Any:
     with _lock:
         _ensure_prebuilt()
         if headers or type_name not in kind:
-            path = _compile.built(what, type_name, headers, WIDTHS[width()]["flags"], loaded=_plugins)
+            path = _compile.built(what, type_name, headers, WIDTHS[width()]["flags"], loaded=_plugins, check=check)
             if str(path) not in _plugins:
                 _open(path)
             return _plugins[str(path)]
         return kind[type_name]
 
 
-def scene_plugin(type_name: str, headers: Sequence[str] = ()) -> Any:
-    return _find(_scenes, "scene", type_name, headers)
+def scene_plugin(type_name: str, headers: Sequence[str], check: Callable[[], None]) -> Any:
+    return _find(_scenes, "scene", type_name, headers, check)
 
 
 def law(recipe: Any) -> Any:

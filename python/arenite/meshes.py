@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+import os
+import re
 from dataclasses import dataclass, field
-from typing import Any, Dict, Optional, Sequence
+from typing import Any, Dict, List, Optional, Sequence, Tuple, Union
 
 import numpy as np
 from numpy.typing import ArrayLike
 
+from . import _core
 from ._errors import Error
 from ._recipe import Recipe
 
@@ -135,27 +138,48 @@ class SimplexMesh(Mesh):
                 f"regions {sorted(self.region_names)}, node sets {sorted(self.node_sets)})")
 
     @classmethod
-    def from_meshio(cls, mesh: Any, dimension: Optional[int] = None) -> "SimplexMesh":
-        """Out of a meshio mesh: its triangles, or tetrahedra if it has any; regions by the cell data
-        "gmsh:physical" with the names of the field data, sets of nodes by the mesh's point sets and by its
-        physical groups of lower dimension."""
-        kinds = {"triangle": 2, "tetra": 3}
-        d = dimension or (3 if any(b.type == "tetra" for b in mesh.cells) else 2)
-        blocks = [k for k, b in enumerate(mesh.cells) if kinds.get(b.type) == d]
-        if not blocks:
-            raise Error(f"SimplexMesh.from_meshio: cells = {[b.type for b in mesh.cells]}: must hold triangles or tetrahedra")
-        cells = np.concatenate([mesh.cells[k].data for k in blocks])
-        physical = mesh.cell_data.get("gmsh:physical")
-        region = None if physical is None else np.concatenate([physical[k] for k in blocks])
-        names = {name: int(tag[0]) for name, tag in mesh.field_data.items() if int(tag[1]) == d}
-        sets: Dict[str, ArrayLike] = {name: np.asarray(nodes) for name, nodes in mesh.point_sets.items()}
-        for name, tag in mesh.field_data.items():
-            if int(tag[1]) < d and physical is not None:
-                own = [np.ravel(b.data[physical[k] == int(tag[0])]) for k, b in enumerate(mesh.cells)
-                       if kinds.get(b.type) != d]
-                sets[name] = np.unique(np.concatenate(own)) if own else np.array([])
-        return cls(np.asarray(mesh.points)[:, :d], cells, region, names, sets)
+    def from_gmsh(cls, path: Union[str, "os.PathLike[str]"], dimension: int) -> "SimplexMesh":
+        """Out of a Gmsh file, format 2.2 or 4.1, text or binary, by the reader of the C++ library: triangles
+        (dimension 2) or tetrahedra (3), regions and node sets by physical groups; of a group without a name the set is
+        "dimension:tag". What is no simplex of first order is refused."""
+        return cls(**_core.read_gmsh(os.fspath(path), dimension))
 
+    @classmethod
+    def from_meshio(cls, mesh: Any, dimension: Optional[int] = None) -> "SimplexMesh":
+        """Out of a meshio mesh, by the rules of `from_gmsh`: its triangles, or tetrahedra if it has elements of a solid.
+        Groups are its `cell_sets`, the cell data "gmsh:physical" or "medit:ref" with names out of `field_data`, and
+        `point_sets`: those of cells are regions, others node sets. A cell in two groups is refused; other cell data
+        becomes groups by `mesh.cell_data_to_sets(name)`."""
+        d = dimension or (3 if any(b.dim == 3 for b in mesh.cells) else 2)
+        tags = next((mesh.cell_data[key] for key in ("gmsh:physical", "medit:ref") if key in mesh.cell_data), None)
+        names = {(int(given[1]), int(given[0])): name for name, given in mesh.field_data.items()
+                 if np.shape(given) == (2,) and np.issubdtype(np.asarray(given).dtype, np.integer)}
+        by_name = {(group[0], name): group[1] for group, name in names.items()}
+        next_tag = 1 + max([0, *(tag for _, tag in names), *(int(np.max(np.abs(t), initial=0)) for t in tags or ())])
+
+        def tag_of(dim: int, name: str) -> int:
+            """Of a group, a new one if it has none."""
+            nonlocal next_tag
+            if (dim, name) not in by_name:
+                by_name[dim, name], names[dim, next_tag] = next_tag, name
+                next_tag += 1
+            return by_name[dim, name]
+
+        blocks: List[Tuple[str, Any, List[Tuple[int, Any]]]] = []
+        for k, block in enumerate(mesh.cells):
+            groups = [(int(tag), np.flatnonzero(tags[k] == tag)) for tag in np.unique(tags[k]) if tag] if tags else []
+            for name, members in mesh.cell_sets.items():
+                if name != "gmsh:bounding_entities" and members[k] is not None and len(members[k]):
+                    groups.append((tag_of(block.dim, name), np.asarray(members[k])))
+            base, order = re.fullmatch(r"(\D*)(\d*)", block.type).groups()  # type: ignore[union-attr]
+            word = _GMSH_WORDS.get(base, base)
+            blocks.append((f"{order}-node {word}" if order else word, np.asarray(block.data), groups))
+        for name, nodes in mesh.point_sets.items():
+            blocks.append(("point", np.reshape(nodes, (-1, 1)), [(tag_of(0, name), np.arange(np.size(nodes)))]))
+        return cls(**_core.gather_mesh(d, mesh.points, [(*group, name) for group, name in names.items()], blocks))
+
+
+_GMSH_WORDS = {"vertex": "point", "quad": "quadrangle", "tetra": "tetrahedron", "wedge": "prism"}  #: for meshio's
 
 __all__ = ["Axisymmetric", "CartesianGrid", "PlaneStrain", "RectilinearGrid", "SimplexMesh", "ThreeDimensional",
            "periodic"]

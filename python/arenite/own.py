@@ -20,6 +20,7 @@ def compile(law: Union[str, "os.PathLike[str]"], name: str = "") -> Callable[...
     if not path.is_file():
         raise Error(f"compile: law = {law}: there is no such file")
     found = name.removeprefix("::") if name else _compile.law_name(path)
+    _compile.check_law(path, found)
     if not re.fullmatch(r"[A-Za-z_][\w:<>, ]*", found):
         raise Error(f"compile: name = {name}: must be that of a class, with its namespaces")
 

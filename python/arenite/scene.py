@@ -9,11 +9,11 @@ from typing import Any, Callable, Dict, Iterator, List, Mapping, NamedTuple, Opt
 import numpy as np
 from numpy.typing import NDArray
 
-from . import _plugins
+from . import _core, _plugins
 from ._errors import Error
 from ._pickle import refuse_unpicklable
 from ._recipe import Recipe, check_together, function_value
-from .boundary import Wall
+from .boundary import PointLoad, Wall
 from .fill import Fill
 from .laws import Law
 from .meshes import Mesh
@@ -56,6 +56,11 @@ class Reaction(NamedTuple):
     impulse: List[float]
 
 
+def _check_number(name: str, number: int, count: int, of: str) -> None:
+    if not 0 <= number < count:
+        raise Error(f"{name} = {number}: the scene has {count} {of}, numbered from 0")
+
+
 class Scene:
     """A scene, complete when constructed. Raises `Error` where a recipe does not fit.
 
@@ -83,8 +88,17 @@ class Scene:
         mesh, numerics = r["mesh"].cpp().split("<")[0], r["numerics"].kinds()
         check_together(type(r["kinematics"]).__name__, str(r["mesh"].dimension))
         check_together(numerics[0], mesh)
+        rigids, bodies = len(r["rigids"]), len(r["bodies"])
         if r["moving_mesh"] is not None:
             check_together("MovingMesh", mesh)
+            _check_number("MovingMesh.leader", r["moving_mesh"].leader, rigids, "rigid bodies")
+        if r["rigid_contact"] is not None:
+            for pair in r["rigid_contact"].pairs:
+                _check_number("RigidPair.first", pair.first, rigids, "rigid bodies")
+                _check_number("RigidPair.second", pair.second, rigids, "rigid bodies")
+        for part in r["parts"]:
+            if isinstance(part, PointLoad):
+                _check_number("PointLoad.body", part.body, bodies, "bodies")
         for rigid in r["rigids"]:
             surface, _, contact = rigid.kinds()
             check_together(surface, mesh)
@@ -93,8 +107,8 @@ class Scene:
                 check_together("RigidContact", surface)
                 check_together("RigidContact", contact)
 
-    def _composition(self) -> Tuple[str, Dict[str, Any], List[str]]:
-        """The C++ type, the values of its recipes, and headers of one's own."""
+    def _composition(self) -> Tuple[str, Dict[str, Any], List[str], List[str]]:
+        """The C++ type, the values of its recipes, headers of one's own, and the types of its parts."""
         r = self._recipes
         types: List[str] = []
         values: List[Any] = []
@@ -128,11 +142,15 @@ class Scene:
         own = [x.header() for x in [*(b.law for b in r["bodies"]), *r["parts"]] if hasattr(x, "header")]
         return (f"Scene<{', '.join(head + types)}>",
                 {"kinematics": r["kinematics"].value(), "mesh": r["mesh"].value(), "numerics": r["numerics"].value(),
-                 "parts": values}, sorted({h for h in own if h}))
+                 "parts": values}, sorted({h for h in own if h}), types)
 
     def _make(self) -> Any:
-        self._type, values, headers = self._composition()
-        return _plugins.scene_plugin(self._type, headers).scene(self._type, values)
+        self._type, values, headers, types = self._composition()
+
+        def check() -> None:
+            _core.check_scene(self._recipes["mesh"].cpp(), values["mesh"], types, values["parts"])
+
+        return _plugins.scene_plugin(self._type, headers, check).scene(self._type, values)
 
     def _take(self, core: Any) -> None:
         self._core = core
@@ -169,17 +187,15 @@ class Scene:
         """One step of dt, s."""
         self._core.step(dt)
 
-    def steps(self, courant: float = 0.5, end: float = float("inf"), max_step: float = float("inf")) -> Iterator[float]:
-        """Steps until `end`, s, and yields the duration of each, s: between two of them forces, motions and fields
-        may be changed."""
-        if not 0 < courant <= 1:
-            raise Error(f"steps: courant = {courant}: must lie in (0, 1]")
-        while self.time < end:
-            dt = min(courant * self.stable_step, max_step)
-            left = end - self.time
-            dt = left if dt >= left * (1 - 1e-9) else left / 2 if 2 * dt > left else dt
-            self._core.step(dt)
-            yield dt
+    def steps(self, courant: float = 0.5, end: float = float("inf"), max_step: float = float("inf"), *,
+              watch: Union[bool, Watch] = True) -> Iterator[float]:
+        """The steps of `run` until `end`, s, one by one; yields the duration of each, s: between two of them forces, motions and
+        fields may be changed. Watched as in `run`; of numbers that you write the watch knows no energy, and begins anew."""
+        take = self._core.steps(end, courant, max_step, watch.value() if isinstance(watch, Watch) else watch)
+        self._state.written = False
+        while dt := take(self._state.written):
+            self._state.written = False
+            yield float(dt)
 
     def switch_off_damping(self) -> None:
         """Ends damping by all parts that damp."""

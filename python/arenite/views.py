@@ -16,6 +16,7 @@ class State:
         self.core = core
         self._at = (-1, -1)
         self._columns: Dict[str, Any] = {}
+        self.written = False  #: since somebody asked
 
     def columns(self) -> Dict[str, Any]:
         now = (self.core.generation(), self.core.steps())
@@ -95,6 +96,7 @@ class View(np.lib.mixins.NDArrayOperatorsMixin):
         if isinstance(values, View):
             values = values._array()
         columns = self._now()
+        self._state.written = True
         if self._single:
             columns[0][key] = values
             return

@@ -41,16 +41,21 @@ def point_fields(scene: Scene, body: str) -> Dict[str, Any]:
 
 class Vtu:
     """Observer for `run`: writes the points of each body as PREFIX_BODY_0000.vtu, .., the cells of a simplex mesh if
-    `mesh`, and PREFIX.pvd. Makes the folder. `ar.run(scene, end=1, every={0.1: ar.Vtu("out/column")})`"""
+    `mesh`, and PREFIX.pvd. Makes the folder. `ar.run(scene, end=1, every={0.1: ar.Vtu("out/column")})`
 
-    def __init__(self, prefix: Union[str, "os.PathLike[str]"], mesh: bool = False) -> None:
-        self._prefix, self._mesh, self._frame = os.fspath(prefix), mesh, 0
+    `resumed`: goes on with the series that is there, behind its frames before the scene's time, as a run does that goes on from a
+    saved state. Without, the series of an earlier run is replaced with a `Warning`; if the scene is past its first frame, it is
+    kept, and `Error` raised."""
+
+    def __init__(self, prefix: Union[str, "os.PathLike[str]"], mesh: bool = False, resumed: bool = False) -> None:
+        self._prefix, self._mesh, self._resumed = os.fspath(prefix), mesh, resumed
+        self._times: List[float] = []
         folder = Path(self._prefix).parent
         try:
             folder.mkdir(parents=True, exist_ok=True)
         except OSError as e:
             raise Error(f"Vtu: folder = {folder}: cannot be made: {e.strerror}") from e
-        self._list = _core.PvdWriter(self._prefix + ".pvd")
+        self._list = _core.PvdWriter(self._prefix + ".pvd", True)
 
     def __call__(self, scene: Scene) -> None:
         parts: List[Tuple[str, Any, Any, Dict[str, Any]]] = [
@@ -59,11 +64,21 @@ class Vtu:
             if scene.cells is None:
                 raise Error("Vtu: mesh = True: goes with a mesh of simplices alone")
             parts.append(("mesh", in_space(scene.nodes().position), scene.cells, {}))
+        if not self._times:
+            self._times = self._list.kept_times(scene.time, self._resumed)
+            self._list.replace([(time, self._file(part[0], frame), number) for frame, time in enumerate(self._times)
+                                for number, part in enumerate(parts)])
+        again = self._times[-1:] == [scene.time]  # at the start of a run that goes on
         for number, (name, position, cells, fields) in enumerate(parts):
-            path = f"{self._prefix}_{name}_{self._frame:04d}.vtu"
+            path = self._file(name, len(self._times) - again)
             _core.write_vtu(path, position, cells, fields)
-            self._list.add(scene.time, path, number)
-        self._frame += 1
+            if not again:
+                self._list.add(scene.time, path, number)
+        if not again:
+            self._times.append(scene.time)
+
+    def _file(self, part: str, frame: int) -> str:
+        return f"{self._prefix}_{part}_{frame:04d}.vtu"
 
 
 __all__ = ["Vtu"]

@@ -19,4 +19,9 @@ std::vector<std::string> checked_recipes();
 /// Throws `error` if recipes, by their classes, do not go together: {"LinearSimplex", "Apic"}.
 void check_together(const std::vector<std::string>& recipes);
 
+/// Throws `error` if a scene of these parts in that mesh, types and values as `HostedScene` has them, breaks
+/// a rule that its own constructor would tell: for one that is still to be compiled.
+void check_scene(std::string mesh_type, const Value& mesh, const std::vector<std::string>& types,
+                 const Value& parts);
+
 }  // namespace arenite::python

@@ -21,6 +21,7 @@
 #include <utility>
 
 #include "checks.hpp"
+#include "meshes.hpp"
 #include "values.hpp"
 
 namespace arenite::python {
@@ -66,18 +67,14 @@ class SceneHandle {
 
   /// Runs to `end`; calls `due(k)` when period k is due, `after_step()` after each step, and `now_and_then()`
   /// some times a second, all between steps, where they may use the scene; one of the first two that returns
-  /// true ends the run. `watch`: whether it is watched, or limits by name.
+  /// true ends the run.
   void run(double end, double courant, double max_step, std::optional<double> settle,
            std::vector<double> periods, const py::function& due,
            const std::optional<py::function>& after_step, py::handle watch,
            const std::optional<py::function>& now_and_then) {
-    HostedRun run{.end = end,
-                  .courant = courant,
-                  .max_step = max_step,
-                  .settle = settle,
-                  .watch = !watch.is(py::bool_(false)),
-                  .limits = py::isinstance<py::dict>(watch) ? std::optional(value_of(watch)) : std::nullopt,
-                  .periods = std::move(periods)};
+    HostedRun run = run_of(end, courant, max_step, watch);
+    run.settle = settle;
+    run.periods = std::move(periods);
     bool stops = false;
     const auto call = [&](const py::function& f, auto... arguments) {
       const py::gil_scoped_acquire lock;
@@ -101,6 +98,17 @@ class SceneHandle {
     outside([&](HostedScene& scene) { scene.run(run); });
   }
 
+  /// The same without callbacks, one step at each call of what is returned, which returns its length; 0 at
+  /// the end.
+  static py::cpp_function steps(py::object self, double end, double courant, double max_step,
+                                py::handle watch) {
+    const HostedRun run = run_of(end, courant, max_step, watch);
+    const auto next = self.cast<SceneHandle&>().outside([&](HostedScene& scene) { return scene.steps(run); });
+    return [self = std::move(self), next](bool written) {
+      return self.cast<SceneHandle&>().outside([&](HostedScene&) { return next(written); });
+    };
+  }
+
   /// The numbers of a value of the state, where they are; Python's side checks that they still are.
   static py::array column(const HostedState& entry, const py::object& owner) {
     const std::string type =
@@ -110,6 +118,15 @@ class SceneHandle {
   }
 
  private:
+  /// `watch`: whether it is watched, or limits by name.
+  static HostedRun run_of(double end, double courant, double max_step, py::handle watch) {
+    return {.end = end,
+            .courant = courant,
+            .max_step = max_step,
+            .watch = !watch.is(py::bool_(false)),
+            .limits = py::isinstance<py::dict>(watch) ? std::optional(value_of(watch)) : std::nullopt};
+  }
+
   /// The scene at work; the flag is read and written with the interpreter's lock alone.
   class Use {
    public:
@@ -146,6 +163,16 @@ class SceneHandle {
 /// A shared object with compositions.
 class PluginHandle {
  public:
+  /// Warnings are Python's.
+  static void warn_in_python(const std::string& text) {
+    const py::gil_scoped_acquire lock;
+    const py::object category = py::module_::import("arenite._errors").attr("Warning");
+    if (PyErr_WarnEx(category.ptr(), text.c_str(), 2) == 0) return;
+    if (may_throw()) throw py::error_already_set();
+    py::error_already_set raised;
+    Raised::instance().keep(std::make_exception_ptr(raised));
+  }
+
   explicit PluginHandle(const std::string& path) : path_{path} {
     void* const object = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
     if (object == nullptr) throw error(joined_text("arenite: cannot open ", path, ": ", dlerror()));
@@ -156,14 +183,7 @@ class PluginHandle {
     if (plugin_->version != library_version)
       throw error(
           joined_text("arenite: ", path, " is of version ", plugin_->version, ", not ", library_version));
-    plugin_->on_warning([](const std::string& text) {
-      const py::gil_scoped_acquire lock;
-      const py::object category = py::module_::import("arenite._errors").attr("Warning");
-      if (PyErr_WarnEx(category.ptr(), text.c_str(), 2) == 0) return;
-      if (may_throw()) throw py::error_already_set();
-      py::error_already_set raised;
-      Raised::instance().keep(std::make_exception_ptr(raised));
-    });
+    plugin_->on_warning(&warn_in_python);
   }
 
   const Plugin& operator*() const { return *plugin_; }
@@ -328,6 +348,7 @@ py::tuple totals_of(const HostedTotals& t) {
 PYBIND11_MODULE(_core, m) {
   m.doc() = "Native core of arenite: scenes and laws of compositions in shared objects.";
   m.attr("version") = std::string(library_version);
+  on_warning(&PluginHandle::warn_in_python);
   py::register_exception_translator([](std::exception_ptr p) {
     try {
       if (p) std::rethrow_exception(p);
@@ -347,10 +368,18 @@ PYBIND11_MODULE(_core, m) {
     return true;
   });
 
-  m.def("check",
-        [](const std::string& recipe, py::handle values) { check_recipe(recipe, value_of(values)); });
+  m.def("check", [](const std::string& recipe, py::handle values) {
+    const CallFromPython call;
+    check_recipe(recipe, value_of(values));
+  });
   m.def("check_together", &check_together);
   m.def("checked_recipes", &checked_recipes);
+  m.def("check_scene", [](const std::string& mesh_type, py::handle mesh,
+                          const std::vector<std::string>& types, py::handle parts) {
+    const CallFromPython call;
+    check_scene(mesh_type, value_of(mesh), types, value_of(parts));
+  });
+  add_meshes(m);
 
   py::class_<Signal>(m, "Signal")
       .def(py::init<>())
@@ -369,7 +398,18 @@ PYBIND11_MODULE(_core, m) {
 
   m.def("write_vtu", &write_points);
   py::class_<PvdWriter>(m, "PvdWriter")
-      .def(py::init<std::filesystem::path>())
+      .def(py::init<std::filesystem::path, bool>())
+      .def("kept_times",
+           [](const PvdWriter& pvd, double time, bool resumed) {
+             const CallFromPython call;
+             return kept_times(pvd.path(), time, resumed);
+           })
+      .def("replace",
+           [](PvdWriter& pvd, const std::vector<std::tuple<double, std::string, int>>& files) {
+             std::vector<PvdEntry> entries;
+             for (const auto& [time, file, part] : files) entries.push_back({time, file, part});
+             pvd.replace(std::move(entries));
+           })
       .def("add",
            [](PvdWriter& pvd, double time, const std::string& file, int part) { pvd.add(time, file, part); });
 
@@ -394,6 +434,7 @@ PYBIND11_MODULE(_core, m) {
       .def("stable_step", [](SceneHandle& h) { return h.outside([](Scene& s) { return s.stable_step(); }); })
       .def("step", [](SceneHandle& h, double dt) { h.outside([&](Scene& s) { s.step(dt); }); })
       .def("run", &SceneHandle::run)
+      .def("steps", &SceneHandle::steps)
       .def("watched",
            [](SceneHandle& h) {
              py::list all;

@@ -43,6 +43,103 @@ def test_a_law_of_ones_own_is_the_built_in_one(ar, compiler):
         bar(ar, own(density=1000, young=1e6, poisson=0.6))
 
 
+@pytest.mark.parametrize("name, cure", [("Law", "give it `struct Parameters .*explicit Law.const Parameters"),
+                                        ("my::Shape", 'my::Shape is a template: name what it is made for, as in name="my::Shape<2>"')])
+def test_a_law_that_cannot_be_made_by_name_is_refused_at_once(ar, tmp_path, name, cure):
+    (tmp_path / "law.hpp").write_text("""
+        class Base { };  // class Law { Law(double); };
+        class Law : public Base {
+         public:
+          explicit Law(double density) : density_{density} {}
+          template <class T, int D> T update(T& stress) const { return T(0); }
+        };
+        namespace my { template <int D> class Shape { struct Parameters {}; }; }""")
+    with pytest.raises(ar.Error, match=cure):
+        ar.compile(law=tmp_path / "law.hpp", name=name)
+
+
+@pytest.mark.parametrize("header, name", [("own_law", ""), ("extend/laws/neo_hookean", ""), ("extend/laws/newtonian_fluid", ""),
+                                          ("extend/laws/kelvin_voigt", "KelvinVoigt<2>")])
+def test_the_examples_laws_can_be_made_by_name(ar, header, name):
+    assert ar.compile(law=HERE.parents[1] / "examples" / f"{header}.hpp", name=name)(density=1).parameters == {"density": 1}
+
+
+ELASTIC = dict(density=2000, young=1e6, poisson=0.3)
+TOO_LONG = "must be zero along an axis that the scene does not have"
+
+
+@pytest.mark.parametrize("wrong, told", [
+    (lambda ar: dict(gravity=9.81), "gravity = 9.81: must be up to 3 numbers, or a function of time"),
+    (lambda ar: dict(gravity="down"), "gravity = down: must be up to 3 numbers"),
+    (lambda ar: dict(gravity=(0, 0, -9.81)), "gravity: components = 3: must be 2, as many as the scene has dimensions"),
+    (lambda ar: dict(walls=[ar.front()]), "Wall.axis = 2: must be an axis of the scene"),
+    (lambda ar: dict(walls=[ar.on("base")]), "Wall.set = base: a Cartesian grid has no node sets"),
+    (lambda ar: dict(region=ar.Box((0, 0, 0), (1, 1, 1))), "Box.lower = .*: must be 2 numbers in this scene"),
+    (lambda ar: dict(region=ar.Box((5, 5), (6, 6))), "fill: points = 0: the region holds no point of the mesh"),
+    (lambda ar: dict(region=ar.Cells("soil")), "Cells = soil: a grid has no regions"),
+    (lambda ar: dict(velocity=(0, 0, 1)), f"FillOptions.velocity = 1: {TOO_LONG}"),
+    (lambda ar: dict(stress=ar.Geostatic(0.5, 0.5, axis=2)), "Geostatic.axis = 2: must be an axis of the scene"),
+    (lambda ar: dict(parts=[ar.Driven(ar.top(), (0, 0, 1))]), f"Driven.velocity = .*: {TOO_LONG}"),
+    (lambda ar: dict(parts=[ar.Driven(ar.front(), (0, 1))]), "Wall.axis = 2"),
+    (lambda ar: dict(parts=[ar.Traction(ar.top(), (0, 0, 1))]), f"Traction.traction = .*: {TOO_LONG}"),
+    (lambda ar: dict(parts=[ar.FrictionalWall(ar.front(), 0.3)]), "Wall.axis = 2"),
+    (lambda ar: dict(parts=[ar.BodyForce((0, 0, 1))]), f"BodyForce.force = .*: {TOO_LONG}"),
+    (lambda ar: dict(parts=[ar.PointLoad((0.5, 0.5, 1), (0, 1))]), f"PointLoad.place = .*: {TOO_LONG}"),
+    (lambda ar: dict(parts=[ar.PointLoad((0.5, 0.5), (0, 1), body=1)]), "PointLoad.body = 1: the scene has 1 bodies, numbered from 0"),
+    (lambda ar: dict(motion=ar.Prescribed((0, 0, 1))), f"Prescribed.velocity = .*: {TOO_LONG}"),
+    (lambda ar: dict(motion=ar.Guided(mass=1, axis=(0, 0, 1))), "Guided.axis = .*: must have a length in the scene's dimensions"),
+    (lambda ar: dict(motion=ar.Free(mass=1, inertia=1, centre=(0.5, 0.8, 1))), f"Free.centre = 1: {TOO_LONG}"),
+    (lambda ar: dict(motion=ar.PrescribedPose(spin=(1, 0, 0))), "PrescribedPose.spin = 1: must be about z in a plane scene"),
+    (lambda ar: dict(motion=ar.Prescribed((0, 0)), surface=ar.Ball((0.5, 0.8, 0), 0.1)), "Ball.centre = .*: must be 2 numbers"),
+    (lambda ar: dict(motion=ar.Prescribed((0, 0)), rigid_contact=ar.RigidContact(0.3, [ar.RigidPair(0, 4)])), "RigidPair.second = 4: the scene has 1"),
+])
+def test_what_needs_no_composition_is_told_before_it_is_compiled(ar, compiler, monkeypatch, tmp_path, wrong, told):
+    from arenite import _compile
+
+    monkeypatch.setenv("ARENITE_CACHE", str(tmp_path))
+    monkeypatch.setattr(_compile, "_made", lambda *_: pytest.fail("it is compiled"))
+    given = dict(region=ar.Box((0, 0), (1, 0.5)), surface=ar.Ball((0.5, 0.8), 0.1), walls=[ar.bottom()], parts=[], gravity=(0, -9.81), motion=None)
+    given.update(wrong(ar))
+    options = {key: given[key] for key in ("velocity", "stress") if key in given}
+    rigids = [ar.Rigid(given["surface"], given["motion"], 0.3)] if given["motion"] else []
+    with pytest.raises(ar.Error, match=told):
+        ar.Scene(ar.PlaneStrain(), ar.CartesianGrid((0, 0), (1, 1), cell=0.1), ar.Numerics(ar.LinearGrid),
+                 bodies=[ar.fill("b", given["region"], ar.LinearElastic(**ELASTIC), **options)], walls=given["walls"], gravity=given["gravity"],
+                 rigids=rigids, rigid_contact=given.get("rigid_contact"), parts=[*given["parts"], ar.ViscousDamping(1.0)])
+
+
+def test_names_of_a_mesh_are_looked_up_before_compiling_and_functions_are_left_alone(ar, compiler, monkeypatch, tmp_path):
+    from arenite import _compile
+
+    class Compiles(Exception):
+        pass
+
+    def made(*_):
+        raise Compiles
+
+    monkeypatch.setenv("ARENITE_CACHE", str(tmp_path))
+    monkeypatch.setattr(_compile, "_made", made)
+    mesh = ar.SimplexMesh([(0, 0), (1, 0), (1, 1), (0, 1)], [[0, 1, 2], [0, 2, 3]], [1, 1], {"soil": 1}, {"base": [0, 1]})
+
+    def scene(region="soil", base="base", **more):
+        ar.Scene(ar.PlaneStrain(), mesh, ar.Numerics(ar.LinearSimplex),
+                 bodies=[ar.fill("b", region if callable(region) else ar.Cells(region), ar.LinearElastic(**ELASTIC), **more.pop("fill", {}))],
+                 walls=[base if isinstance(base, ar.Wall) else ar.on(base)], parts=[ar.ViscousDamping(1.0), *more.pop("parts", [])], **more)
+
+    with pytest.raises(ar.Error, match="SimplexMesh: region = soill: must be one of: soil"):
+        scene(region="soill")
+    with pytest.raises(ar.Error, match="SimplexMesh: node set = basis: must be one of: base"):
+        scene(base="basis")
+
+    def never(*_):
+        pytest.fail("called before the scene is there")
+
+    with pytest.raises(Compiles):
+        scene(region=never, base=ar.where(never), gravity=never, fill={"velocity": never, "history": {"x": never}},
+              parts=[ar.Driven(ar.where(never), never), ar.Traction(ar.where(never), never), ar.BodyForce(never), ar.Driven(ar.on("base"), ar.Signal(0, 1))],
+              rigids=[ar.Rigid(never, ar.Prescribed(never), 0.3), ar.Rigid(ar.Ball((0, 2), 0.1), ar.Prescribed(ar.Scaled((0, 1), ar.Ramp(over=1))), 0.3)])
+
+
 def test_the_compilers_sentence_is_pythons(ar, sand, compiler):
     law = ar.WithDeviatoricStrain(sand, dimension=2)
     with pytest.raises(ar.Error, match="WithDeviatoricStrain: made for plane scenes; in space leave its second argument out"):

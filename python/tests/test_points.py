@@ -141,6 +141,37 @@ def test_vtu(ar, column, tmp_path):
         ar.Vtu(tmp_path / "x", mesh=True)(scene)
 
 
+def test_a_series_of_files_goes_on_after_a_restart(ar, column, tmp_path):
+    """That of an earlier run is replaced with a warning, and never by a run that begins behind its first frame."""
+    prefix = tmp_path / "x"
+
+    def times():
+        return [float(line.split('"')[1]) for line in (tmp_path / "x.pvd").read_text().splitlines() if "timestep" in line]
+
+    def run(scene, end, **options):
+        ar.run(scene, end=end, every={0.01: ar.Vtu(prefix, **options)})
+
+    run(column(), 0.03)
+    with pytest.warns(ar.Warning, match="x.pvd: holds 4 frames of an earlier run, t = 0 to 0.03 s, which are replaced"):
+        run(column(), 0.02)
+    assert len(times()) == 3
+    first = column()
+    same = ar.Vtu(prefix, resumed=True)
+    with pytest.warns(ar.Warning, match="replaced"):  # nothing is there from before the start
+        ar.run(first, end=0.01, every={0.01: same})
+    ar.run(first, end=0.02, every={0.01: same})  # the frame at 0.01 s is one
+    first.save(tmp_path / "state")
+    kept = [(tmp_path / f"x_sand_000{k}.vtu").read_bytes() for k in range(3)]
+    again = column()
+    again.restore(tmp_path / "state")
+    with pytest.raises(ar.Error, match="holds 3 frames of an earlier run, t = 0 to 0.02 s, which this one, from t = 0.02 s on, would replace"):
+        run(again, 0.03)
+    assert len(times()) == 3 and again.time == 0.02
+    run(again, 0.03, resumed=True)
+    assert times() == [0, 0.01, 0.02, 0.03]
+    assert [(tmp_path / f"x_sand_000{k}.vtu").read_bytes() for k in range(3)] == kept
+
+
 # --- pictures
 
 def drawn(axes):

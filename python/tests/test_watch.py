@@ -40,6 +40,30 @@ def test_run_watches_unless_told_not_to(ar, column):
     assert unseen.watched == {} and unseen.time == 0.05
 
 
+def test_steps_end_as_a_run_does(ar, column):
+    """With the same sentence; what the caller writes in between is no energy from nothing."""
+    def told(go, scene, **options):
+        with pytest.raises(ar.Error) as raised:
+            for _ in [go(scene, **options)] if go is ar.run else go(scene, **options):
+                pass
+        return type(raised.value), str(raised.value), scene.time
+
+    by_run, by_steps = (told(go, column(), end=0.4, watch=ar.Watch(volume=1e-3, every=1)) for go in (ar.run, ar.Scene.steps))
+    assert by_run == by_steps and by_run[0] is ar.RunError and "volume" in by_run[1]
+    for wrong in ({"courant": 1.5, "end": 1}, {"end": -1}, {"max_step": 0, "end": 1}):
+        assert told(ar.run, column(), **wrong) == told(ar.Scene.steps, column(), **wrong)
+    scene = column()
+    with pytest.raises(ar.RunError, match="energy_gain"):
+        for dt in scene.steps(end=0.1):
+            if scene.time > 0.02:
+                scene._core.columns()["bodies/0/points/velocity/x"][:] = 3.0
+    driven = column()
+    for dt in driven.steps(end=0.05):
+        if driven.time > 0.02:
+            driven.bodies["sand"].velocity[:] = 3.0
+    assert driven.time == 0.05
+
+
 def test_settle_watches_as_run_does(ar, block_between_rollers):
     """By default with the watch of `run`, with limits by these, or not."""
     def made():

@@ -199,9 +199,11 @@ TEST_CASE("Triangle surface: what is refused names the edge") {
     change(data);
     return TriangleSurface(data);
   };
-  CHECK_THROWS_WITH(with([](auto& d) { d.triangles.pop_back(); }),
-                    Contains("edge = (1, 0, 0) to (1, 0, 1): belongs to this triangle alone") &&
-                        Contains("must be closed"));
+  CHECK_THROWS_WITH(
+      with([](auto& d) { d.triangles.pop_back(); }),
+      Contains("edge = (1, 0, 0) to (1, 0, 1): belongs to this triangle alone, one of 3 such edges: "
+               "an open surface, as of terrain, is no body") &&
+          Contains("Close it (terrain: "));
   CHECK_THROWS_WITH(with([](auto& d) { std::swap(d.triangles[3][0], d.triangles[3][1]); }),
                     Contains("runs along it in the same sense"));
   CHECK_THROWS_WITH(with([](auto& d) { d.triangles.push_back(d.triangles[0]); }),

@@ -265,7 +265,8 @@ TEST_CASE("a mistake is told with file, place, value and rule") {
   CHECK(says(on_2("6 2 2 5 1 7 10 30", "6 3 2 5 1 7 10 30 20"), {"3 (quadrangle)", "triangles"}));
   CHECK(says(on_2("6 2 2 5 1 7 10 30", "6 9 2 5 1 7 10 30 7 7 7"), {"9 (6-node triangle)", "first order"}));
   CHECK(says(on_2("2 1 2 9 1 7 20", "2 8 2 9 1 7 20 10"), {"8 (3-node line)", "first order"}));
-  CHECK(says(on_2("6 2 2 5 1 7 10 30", "6 4 2 5 1 7 10 30 20"), {"4 (tetrahedron)", "read_gmsh<3>"}));
+  CHECK(says(on_2("6 2 2 5 1 7 10 30", "6 4 2 5 1 7 10 30 20"),
+             {"4 (tetrahedron)", "read solids in 3 dimensions"}));
   CHECK(says(on_2("6 2 2 5 1 7 10 30", "6 77 2 5 1 7 10 30"), {"77", "no known type"}));
   CHECK(says(on_2("6 2 2 5 1 7 10 30", "6 2 -2 7 10 30"), {"number of tags = -2"}));
   CHECK(says(on_2("$NodeData", "$Nodes"), {"$Nodes", "twice"}));
@@ -279,7 +280,10 @@ TEST_CASE("a mistake is told with file, place, value and rule") {
   CHECK(says(on_4("2 4 1 1000000000000", "2 5 1 1000000000000"), {"number of nodes = 5", "1 more"}));
   CHECK(says(on_4("2 1 0 3", "2 1 0 5"), {"items of the block = 5", "at most 4"}));
   CHECK(says(on_4("1 0 0 0 1 1 1 1 3 1 1", "1 0 0 0 1 1 1 2 3 4 1 1"),
-             {"physical groups of the cell = 2", "one region"}));
+             {"groups of a cell = 3, 4", "one region"}));
+  std::string parametric = replaced(square_2, "$Nodes", "$ParametricNodes");
+  CHECK(says(complaint<2>(replaced(parametric, "$EndNodes", "$EndParametricNodes")),
+             {"section = $ParametricNodes", "Mesh.SaveParametric = 0"}));
   CHECK(says(on_4("3 1 4 1", "3 2 4 1"), {"tag of the entity = 2", "$Entities of dimension 3"}));
   CHECK(says(on_4("3 1 4 1", "2 1 4 1"), {"tetrahedron", "dimension of its entity, 2"}));
   CHECK(says(on_4("3 1 4 1", "3 1 5 1"), {"5 (hexahedron)", "tetrahedra"}));

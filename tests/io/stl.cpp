@@ -84,6 +84,20 @@ TEST_CASE("STL: what programs write") {
   CHECK(line.triangles.size() == 1);
 }
 
+TEST_CASE("STL: text is told from binary by its bytes and its length") {
+  using Catch::Matchers::Contains;
+  const TriangleData box = box_surface({-1, 0, 0.5}, {1, 2, 3.25});
+  const std::string text = as_text(box), binary = as_binary(box);
+  check_same(read("\xef\xbb\xbf" + text), box);
+  check_same(read("\xef\xbb\xbf\r\n" + text), box);
+  CHECK_THROWS_WITH(read("\xff\xfe" + text), "file: encoding = UTF-16: a text file must be ASCII or UTF-8");
+  check_same(read(as_binary(box, "solid" + std::string(75, 'x'))), box);
+  check_same(read(as_binary(box, "")), box);
+  CHECK_THROWS_WITH(read("# from a scanner\n" + text), "file, line 1: word = \"#\": must be solid");
+  CHECK_THROWS_WITH(read(text.substr(text.find("facet"))), "file, line 1: word = \"facet\": must be solid");
+  CHECK_THROWS_WITH(read("solid" + binary), Contains("file, byte 80: number of triangles = "));
+}
+
 TEST_CASE("STL: damaged files throw") {
   using Catch::Matchers::Contains;
   const TriangleData box = box_surface({0, 0, 0}, {1, 1, 1});

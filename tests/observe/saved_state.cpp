@@ -5,6 +5,7 @@
 
 #include <arenite/arenite.hpp>
 #include <arenite/observe/saved_state.hpp>
+#include <arenite/observe/vtu.hpp>
 #include <chrono>
 #include <csignal>
 #include <fstream>
@@ -81,6 +82,52 @@ TEST_CASE("Saved: an observer of a run saves at regular times; the run is resume
   CHECK(resumed.time == saved[1]);
   run(resumed, {.end = 0.05});
   CHECK(StateBuffer::first_difference(StateBuffer(resumed), StateBuffer(whole)) == "");
+}
+
+TEST_CASE("Saved: a series of files goes on, is replaced with a warning, or is kept by an error") {
+  std::filesystem::remove_all("series");
+  const auto frames = [] { return pvd_times("series/run.pvd"); };
+  std::vector<std::string> warnings;
+  const auto hook = on_warning([&](const auto& text) { warnings.push_back(text); });
+  auto scene = make();
+  auto first = vtu("series/run");
+  CHECK(frames().empty());
+  first(scene);
+  steps(scene, 2, first);
+  const auto times = frames();
+  REQUIRE(times == std::vector<double>{0, times[1], scene.time});
+  save_state(scene, "series/state", first);
+  steps(scene, 1, first);
+  first(scene);  // again at the same time, as at the start of a run that goes on
+  CHECK(frames().size() == 4);
+
+  auto restored = make();
+  auto series = vtu("series/run");
+  CHECK(frames().size() == 4);  // it is the restored observer that knows
+  restore_state(restored, "series/state", series);
+  CHECK(frames() == times);
+  steps(restored, 1, series);
+  CHECK(frames().size() == 4);
+
+  auto without = make();
+  restore_state(without, "series/state", first);
+  const std::string kept = content_of("series/run_body0_0000.vtu");
+  auto other = vtu("series/run");
+  CHECK_THROWS_WITH(other(without), Catch::Matchers::Contains("vtu: series = series/run.pvd: holds 3 frames") &&
+                                        Catch::Matchers::Contains("say resumed, else remove run.pvd"));
+  CHECK(frames().size() == 3);
+  CHECK(content_of("series/run_body0_0000.vtu") == kept);
+  auto resumed = vtu("series/run", {.resumed = true});
+  resumed(without);
+  CHECK(frames() == times);
+  CHECK(warnings.empty());
+
+  auto anew = make();
+  vtu("series/run")(anew);
+  CHECK(frames() == std::vector<double>{0});
+  REQUIRE(warnings.size() == 1);
+  CHECK(warnings[0].find("3 frames of an earlier run, t = 0 to ") != std::string::npos);
+  on_warning(hook);
 }
 
 TEST_CASE("Saved: what is of another run is refused, and the scene stays as it was") {

@@ -15,7 +15,12 @@ class KelvinVoigt {
     auto members() const { return arenite::tied(viscous.c); }
   };
 
+  struct Parameters {  // what Python gives by name: ar.compile(law=.., name="KelvinVoigt<2>")
+    double density = 0, young = 0, poisson = 0, tau = 0;  // kg/m3, Pa, -, s
+  };
   KelvinVoigt(const arenite::Elasticity& elasticity, double tau) : elasticity_{elasticity}, tau_{tau} {}
+  explicit KelvinVoigt(const Parameters& p)
+      : KelvinVoigt({"KelvinVoigt", p.density, p.young, p.poisson}, p.tau) {}
 
   double density() const { return elasticity_.density(); }
   double wave_modulus() const { return elasticity_.wave_modulus(); }

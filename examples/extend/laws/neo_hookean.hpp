@@ -13,7 +13,11 @@ class NeoHookean {
     auto members() { return arenite::tied(f); }
     auto members() const { return arenite::tied(f); }
   };
+  struct Parameters {                            // what Python gives by name
+    double density = 0, young = 0, poisson = 0;  // kg/m3, Pa, -
+  };
   explicit NeoHookean(const arenite::Elasticity& e) : e_{e} {}
+  explicit NeoHookean(const Parameters& p) : e_{"NeoHookean", p.density, p.young, p.poisson} {}
   double density() const { return e_.density(); }
   double wave_modulus() const { return e_.wave_modulus(); }
   template <class T, int D>  // of a wave along the greatest stretch

@@ -85,7 +85,7 @@ class ClosedTriangles {
                   joined_text(vector_text(data.vertices[a.low]), " to ", vector_text(data.vertices[a.high])),
                   rule);
       };
-      check(end - i > 1, "belongs to this triangle alone; the surface must be closed");
+      if (end - i == 1) check(false, open_surface(sides));
       check(end - i == 2, joined_text("belongs to ", end - i, " triangles; it must belong to two"));
       check(a.rises != b.rises,
             joined_text("triangle ", b.triangle, " runs along it in the same sense; all triangles must run ",
@@ -94,6 +94,20 @@ class ClosedTriangles {
       across_[b.triangle][b.k] = {a.triangle, a.k};
       i = end;
     }
+  }
+
+  /// What to say of a side that has no other.
+  static std::string open_surface(const std::vector<Side>& sides) {
+    std::size_t alone = 0;
+    const auto same = [&](std::size_t a, std::size_t b) {
+      return b < sides.size() && sides[a].low == sides[b].low && sides[a].high == sides[b].high;
+    };
+    for (std::size_t i = 0; i < sides.size(); ++i) alone += !same(i, i + 1) && (i == 0 || !same(i - 1, i));
+    return joined_text(
+        "belongs to this triangle alone, one of ", alone,
+        " such edges: an open surface, as of terrain, is no body, which has an inside. Close it "
+        "(terrain: by sides and a bottom, where it comes from), or describe its height by a test "
+        "of positions (fill) or a signed distance (rigid)");
   }
 
   std::vector<std::array<Edge, 3>> across_;  // [triangles]

@@ -97,6 +97,10 @@ class HostedScene {
   virtual double stable_step() const = 0;
   virtual void step(double dt) = 0;
   virtual void run(const HostedRun&) = 0;
+  /// The loop of `run` for a host that steps by itself, without callbacks; `end` may be infinite. What is
+  /// returned takes the next step, which the host says whether it wrote numbers of points before, and returns
+  /// its length, s; 0 at the end. It must not outlive the scene.
+  virtual std::function<double(bool)> steps(const HostedRun&) = 0;
   /// What the watch of the last run saw; empty if it had none.
   virtual std::vector<HostedWatched> watched() const = 0;
 

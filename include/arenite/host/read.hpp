@@ -116,8 +116,9 @@ struct Reader {
       return T(arenite::read<typename T::Parameters>(value, at.renamed(detail::spoken_name<T>())));
     } else {
       static_assert(std::is_aggregate_v<T>,
-                    "host: specialise Reader<T> for a class that is neither an aggregate nor made of its "
-                    "Parameters");
+                    "host: a law or part made of values by name must be an aggregate, or hold a struct "
+                    "Parameters { double density = 0, ..; } and a constructor that takes one "
+                    "(examples/own_law.hpp); C++ may specialise Reader<T>");
       const Value::Dict& given = detail::dict(value, at);
       detail::refuse_unknown(given, member_names<T>, at);
       return with_members(given, at, std::make_index_sequence<member_count<T>>{});

@@ -51,9 +51,7 @@ class SceneHost : public HostedScene {
         run.due(k);
       });
     bool first = true;
-    watch_.reset();
-    if (run.watch && run.limits)
-      watch_.emplace(read<WatchLimits>(*run.limits, Reading{.name = "WatchLimits"}));
+    watch_ = given_watch(run);
     const auto observe = [&](const Scene& scene) {
       for (auto& timer : timers) timer(scene);
       look_for_moves();
@@ -73,6 +71,19 @@ class SceneHost : public HostedScene {
     else
       throw error(needs_damping("settle"));
     if (watch_) watch_->finish(*scene_);
+  }
+  std::function<double(bool)> steps(const HostedRun& run) override {
+    const RunOptions options{.end = run.end, .courant = run.courant, .max_step = run.max_step};
+    detail::check_run(options, scene_->time, true);
+    const double span = std::isfinite(options.end) ? options.end - scene_->time : 0;
+    return [this, options, span, watch = std::make_shared<LoopWatch>(*this, run)](bool written) {
+      if (!(scene_->time < options.end)) return 0.0;
+      watch->before(written);
+      const Moved moved(*this);
+      const double dt = detail::step_towards(*scene_, options, span, no_others);
+      watch->after(!(scene_->time < options.end));
+      return dt;
+    };
   }
   std::vector<HostedWatched> watched() const override {
     std::vector<HostedWatched> all;
@@ -188,6 +199,48 @@ class SceneHost : public HostedScene {
   }
 
  private:
+  /// A watch with limits, if the run has one.
+  static std::shared_ptr<Watch> given_watch(const HostedRun& run) {
+    if (!run.watch || !run.limits) return {};
+    return std::make_shared<Watch>(read<WatchLimits>(*run.limits, Reading{.name = "WatchLimits"}));
+  }
+
+  /// The watch of a host's own loop. Numbers that the host writes are energy that nobody books: a look that
+  /// they would mislead begins a watch anew.
+  class LoopWatch {
+   public:
+    LoopWatch(SceneHost& host, const HostedRun& run) : host_{host}, run_{run} { begin(); }
+    void before(bool written) {
+      written_ = written_ || written;
+      if (written_ && host_.scene_->steps + 1 >= begun_ + WatchLimits{}.every) begin();
+    }
+    void after(bool at_end) {
+      look([&](auto& watch) { at_end && !written_ ? watch.finish(*host_.scene_) : watch(*host_.scene_); });
+    }
+
+   private:
+    void begin() {
+      written_ = false;
+      begun_ = host_.scene_->steps;
+      host_.watch_ = given_watch(run_);
+      own_.emplace(*host_.scene_, run_.watch && !host_.watch_);
+      look([&](auto& watch) { watch(*host_.scene_); });
+    }
+    template <class F>
+    void look(F&& f) {
+      if (host_.watch_)
+        f(*host_.watch_);
+      else
+        f(*own_);
+    }
+
+    SceneHost& host_;
+    HostedRun run_;
+    std::optional<detail::OwnWatch> own_{};
+    std::size_t begun_ = 0;
+    bool written_ = false;
+  };
+
   template <class P>
   static constexpr bool can_be_switched_off = requires(P& part) {
     part.switch_off();
@@ -230,7 +283,7 @@ class SceneHost : public HostedScene {
   }
 
   std::unique_ptr<Scene> scene_;
-  std::optional<Watch> watch_;  // of the last run
+  std::shared_ptr<Watch> watch_{};  // of the last run
   std::size_t generation_ = 0, seen_ = 0;
 };
 

@@ -71,6 +71,8 @@ MeshData<D> read_gmsh_bytes(std::string_view bytes, std::string name) {
     };
     if (section != "MeshFormat" && section != "Comments") must_follow("MeshFormat");
     const bool v4 = format == GmshFormat::v4_1;
+    in.check(section != "ParametricNodes", "section", "$ParametricNodes",
+             "nodes with parameters are not read (Gmsh: Mesh.SaveParametric = 0)");
     const bool known = section == "MeshFormat" || section == "PhysicalNames" || section == "Nodes" ||
                        section == "Elements" ||
                        (v4 && (section == "Entities" || section == "PartitionedEntities"));

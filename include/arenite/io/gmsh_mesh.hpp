@@ -51,15 +51,19 @@ class GmshMesh {
 
   /// Reads the position of the next node that has none yet.
   void read_position(MeshInput& in) {
-    std::array<double, 3> x{};
-    constexpr std::array<const char*, 3> axis{"x", "y", "z"};
-    for (std::size_t i = 0; i < 3; ++i) {
-      x[i] = in.real(axis[i]);
-      if (!std::isfinite(x[i]))
-        in.fail(joined_text(axis[i], " of node ", tags_[positions_.size()]), x[i], "must be finite");
-    }
-    positions_.push_back(x);
+    add_position(in, [&](std::size_t i) { return in.real(axes[i]); });
     in.end_row("position of the node");
+  }
+  /// The same from the caller's numbers, `x(0)` to `x(2)`.
+  template <class X>
+  void add_position(const MeshInput& in, const X& x) {
+    auto& position = positions_.emplace_back();
+    for (std::size_t i = 0; i < 3; ++i) {
+      position[i] = x(i);
+      if (!std::isfinite(position[i]))
+        in.fail(joined_text(axes[i], " of node ", tags_[positions_.size() - 1]), position[i],
+                "must be finite");
+    }
   }
 
   /// Sorts the nodes by tag, so that a mesh is the same whatever format it was saved in.
@@ -81,7 +85,7 @@ class GmshMesh {
     in.check(found != gmsh_kinds.end(), "type of element", number, "is no known type");
     const char* rule = nullptr;
     if (found->dim > D)
-      rule = "a plane mesh holds triangles (read_gmsh<3> reads solids)";
+      rule = "a plane mesh holds triangles; read solids in 3 dimensions";
     else if (found->nodes == 0)
       rule = "must be of first order (Gmsh: Mesh.ElementOrder = 1)";
     else if (found->dim == D && found->nodes != D + 1)
@@ -119,8 +123,7 @@ class GmshMesh {
       }
       return;
     }
-    in.check(groups.size() <= 1, "physical groups of the cell", groups.size(),
-             "a cell has one region at most");
+    if (groups.size() > 1) in.fail("groups of a cell", names_of(groups), "a cell has one region at most");
     std::array<Index, D + 1> cell;
     std::copy_n(nodes.begin(), cell.size(), cell.begin());
     for (std::size_t i = 0; i < cell.size(); ++i)
@@ -159,6 +162,18 @@ class GmshMesh {
   }
 
  private:
+  static constexpr std::array<const char*, 3> axes{"x", "y", "z"};
+
+  /// Groups of cells for a message: names, or tags where there is none.
+  std::string names_of(std::span<const int> groups) const {
+    std::string all;
+    for (const int group : groups) {
+      const auto name = names_.find({D, std::abs(group)});
+      all += (all.empty() ? "" : ", ") + (name != names_.end() ? name->second : std::to_string(group));
+    }
+    return all;
+  }
+
   /// Gmsh gives a group a negative tag on an entity that the group holds reversed: the group is the same.
   static int unsigned_tag(const MeshInput& in, int tag) {
     in.check(tag > -2147483647, "physical tag", tag, "must fit an int without its sign");

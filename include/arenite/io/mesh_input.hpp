@@ -34,9 +34,11 @@ class MeshInput {
     size_bytes_ = size_bytes;
   }
 
-  /// Throws "file, section, place: name = value: rule" for the item that was read last.
+  /// Throws "file, section, place: name = value: rule" for the item that was read last; without bytes, where
+  /// a mesh comes from arrays, as `refuse` does.
   template <class Value>
   [[noreturn]] void fail(std::string_view name, const Value& value, std::string_view rule) const {
+    if (bytes_.empty() && !binary_) refuse(name, value, rule);
     const std::string place =
         binary_ ? joined_text("byte ", last_)
                 : joined_text("line ",

@@ -1,15 +1,20 @@
 // Time series of VTK files (.pvd): the list of files and times that ParaView opens as one.
 #pragma once
 
+#include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <filesystem>
 #include <ostream>
 #include <span>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
 #include <arenite/core/instruction_set.hpp>
+#include <arenite/core/warning.hpp>
+#include <arenite/io/input_file.hpp>
 #include <arenite/io/output_file.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
@@ -41,13 +46,49 @@ inline void write_pvd(const std::filesystem::path& path, std::span<const PvdEntr
   shared_detail::replace_file(path, [&](std::ostream& out) { out << text; });
 }
 
+/// Times of a series in ascending order, s; none if there is no list.
+inline std::vector<double> pvd_times(const std::filesystem::path& path) {
+  std::vector<double> times;
+  std::error_code status;
+  if (!std::filesystem::is_regular_file(path, status)) return times;
+  const std::string text = shared_detail::read_input(path, "series", std::uintmax_t{1} << 30);
+  constexpr std::string_view before = "<DataSet timestep=\"";
+  for (std::size_t at = text.find(before); at != std::string::npos; at = text.find(before, at)) {
+    double time = 0;
+    at += before.size();
+    std::from_chars(text.data() + at, text.data() + text.size(), time);
+    if (times.empty() || time > times.back()) times.push_back(time);
+  }
+  return times;
+}
+
+/// What stays of the series of an earlier run under the name of one that begins at `time`, s: the frames
+/// before that time, if the run goes on with them (`resumed`). A run that begins anew replaces them, with a
+/// warning; one that begins behind their first is hardly meant to: throws `error`.
+inline std::vector<double> kept_times(const std::filesystem::path& path, double time, bool resumed) {
+  const std::vector<double> earlier = pvd_times(path);
+  if (earlier.empty()) return {};
+  const auto end = std::lower_bound(earlier.begin(), earlier.end(), time);
+  const std::string holds =
+      joined_text("vtu: series = ", path.string(), ": holds ", earlier.size(),
+                  " frames of an earlier run, t = ", earlier.front(), " to ", earlier.back(), " s");
+  if (end == earlier.begin())
+    warn(joined_text(holds, ", which are replaced (another prefix keeps them)"));
+  else if (!resumed)
+    throw error(joined_text(holds, ", which this one, from t = ", time,
+                            " s on, would replace: to go on with them say resumed, else remove ",
+                            path.filename().string(), " or take another prefix"));
+  return {earlier.begin(), end};
+}
+
 /// A series that grows with a run: the list on disk is complete and readable after each step.
 class PvdWriter {
  public:
   /// Writes the empty list, so that a folder that cannot be written to shows at once. Throws `error` then.
   /// `keep`: leaves a list that is there as it is for now.
   explicit PvdWriter(std::filesystem::path path, bool keep = false) : path_(std::move(path)) {
-    if (!keep) write_pvd(path_, entries_);
+    std::error_code status;
+    if (!keep || !std::filesystem::exists(path_, status)) write_pvd(path_, entries_);
   }
 
   /// Adds a file that is complete. Throws `error` if the list cannot be written; the former list stays then.

@@ -24,15 +24,19 @@ namespace shared_detail {
 /// Corners as a file gives them, three a triangle.
 using StlCorners = std::vector<Vec<double, 3>>;
 
-/// Whether a file is text: it begins with "solid" (as the head of many a binary file does), and no byte of
-/// its first triangles is one that text does not have.
+/// Bytes of a binary file with as many triangles as its bytes 80 to 83 say.
+inline std::uint64_t stl_binary_size(std::string_view bytes) {
+  std::uint64_t count = 0;
+  for (std::size_t k = 0; k < 4; ++k)
+    count |= std::uint64_t{static_cast<unsigned char>(bytes[80 + k])} << 8 * k;
+  return 84 + 50 * count;
+}
+
+/// Whether a file is text: it has not the length of a binary one, and no byte at its begin that text does not
+/// have. (Many a binary file begins with "solid", and a text with a blank line or a byte-order mark.)
 inline bool is_stl_text(std::string_view bytes) {
-  const auto is_blank = [](char c) { return c == ' ' || (c >= '\t' && c <= '\r'); };
-  const auto begin = std::find_if_not(bytes.begin(), bytes.end(), is_blank);
-  const std::string_view head = bytes.substr(static_cast<std::size_t>(begin - bytes.begin()), 5);
-  const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; };
-  const auto in_text = [&](char c) { return is_blank(c) || c >= ' ' || c < 0; };
-  return std::ranges::equal(head, std::string_view("solid"), {}, lower) &&
+  const auto in_text = [](char c) { return (c >= '\t' && c <= '\r') || c >= ' ' || c < 0; };
+  return !bytes.empty() && (bytes.size() < 84 || bytes.size() != stl_binary_size(bytes)) &&
          std::ranges::all_of(bytes.substr(0, 512), in_text);
 }
 
@@ -138,8 +142,12 @@ inline TriangleData merge_corners(const StlCorners& corners, double scale) {
 
 inline TriangleData read_stl_bytes(std::string_view bytes, std::string name, double scale) {
   require(scale > 0 && std::isfinite(scale), "read_stl: scale", scale, "must be positive");
+  constexpr std::string_view utf_8 = "\xef\xbb\xbf";  // its byte-order mark
+  if (bytes.starts_with(utf_8)) bytes.remove_prefix(utf_8.size());
   MeshInput in(bytes, std::move(name));
   if (bytes.size() / 4 >= none) in.refuse("bytes", bytes.size(), "the file must be smaller than 16 GB");
+  if (bytes.starts_with("\xff\xfe") || bytes.starts_with("\xfe\xff"))
+    in.refuse("encoding", "UTF-16", "a text file must be ASCII or UTF-8");
   const StlCorners corners = is_stl_text(bytes) ? read_stl_text(in) : read_stl_binary(in, bytes.size());
   if (corners.empty()) in.refuse("triangles", 0, "the file holds none");
   return merge_corners(corners, scale);

@@ -103,29 +103,48 @@ struct RunOptions {
 
 namespace detail {
 
+/// Throws the refusal of options at a scene's time. A host's own loop may have no end.
+inline void check_run(const RunOptions& options, double time, bool may_have_no_end = false) {
+  require(std::isfinite(options.end) || (may_have_no_end && options.end > 0), "RunOptions.end", options.end,
+          "must be given");
+  require(options.end >= time, "RunOptions.end", options.end,
+          joined_text("must not lie before the scene's time ", time));
+  require(options.courant > 0, "RunOptions.courant", options.courant, "must be positive");
+  require(options.courant <= 1, "RunOptions.courant", options.courant,
+          "must be at most 1: larger steps are unstable");
+  require(options.max_step > 0, "RunOptions.max_step", options.max_step, "must be positive");
+}
+
+/// The next step towards `options.end`, `span` s behind the start of the run. Returns its length, s.
+template <class Scene, class Others>
+double step_towards(Scene& scene, const RunOptions& options, double span, Others& others) {
+  double stable = stable_step(scene);
+  if constexpr (!Others::alone) stable = others.least(stable);
+  scene.step_check.know(stable, scene.steps);
+  double dt = std::min(options.courant * stable, options.max_step);
+  if (!(dt > 1e-12 * span))
+    throw run_error(joined_text("t = ", scene.time, " s: the stable step has shrunk to ", dt, " s"));
+  const double left = options.end - scene.time;
+  const bool last = dt >= left * (1 - 1e-9);
+  if (last)
+    dt = left;
+  else if (2 * dt > left)
+    dt = left / 2;  // the last two steps share what is left: a sliver of a step would turn impulses into
+                    // huge forces
+  if constexpr (Others::alone)
+    step(scene, dt);  // the one that may be compiled elsewhere
+  else
+    step(scene, dt, others);
+  if (last) scene.time = options.end;
+  return dt;
+}
+
 template <class Scene, class Others, class... Observers>
 void run_steps(Scene& scene, const RunOptions& options, Others& others, Observers&... observers) {
   bool stops = show_all(scene, others, observers...);
   const double span = options.end - scene.time;
   while (scene.time < options.end && !stops) {
-    double stable = stable_step(scene);
-    if constexpr (!Others::alone) stable = others.least(stable);
-    scene.step_check.know(stable, scene.steps);
-    double dt = std::min(options.courant * stable, options.max_step);
-    if (!(dt > 1e-12 * span))
-      throw run_error(joined_text("t = ", scene.time, " s: the stable step has shrunk to ", dt, " s"));
-    const double left = options.end - scene.time;
-    const bool last = dt >= left * (1 - 1e-9);
-    if (last)
-      dt = left;
-    else if (2 * dt > left)
-      dt = left / 2;  // the last two steps share what is left: a sliver of a step would turn impulses into
-                      // huge forces
-    if constexpr (Others::alone)
-      step(scene, dt);  // the one that may be compiled elsewhere
-    else
-      step(scene, dt, others);
-    if (last) scene.time = options.end;
+    step_towards(scene, options, span, others);
     stops = show_all(scene, others, observers...);
   }
   (tell_end(scene, observers), ...);
@@ -137,13 +156,7 @@ void run_steps(Scene& scene, const RunOptions& options, Others& others, Observer
 /// `options.end`, which the last step hits exactly; all take the least of their steps. If one fails all do.
 template <class Scene, class Others, class... Observers>
 void run_with(Others& others, Scene& scene, const RunOptions& options, Observers&&... observers) {
-  require(std::isfinite(options.end), "RunOptions.end", options.end, "must be given");
-  require(options.end >= scene.time, "RunOptions.end", options.end,
-          joined_text("must not lie before the scene's time ", scene.time));
-  require(options.courant > 0, "RunOptions.courant", options.courant, "must be positive");
-  require(options.courant <= 1, "RunOptions.courant", options.courant,
-          "must be at most 1: larger steps are unstable");
-  require(options.max_step > 0, "RunOptions.max_step", options.max_step, "must be positive");
+  detail::check_run(options, scene.time);
   if constexpr (Others::alone && !(detail::is_watch<std::remove_cvref_t<Observers>> || ...)) {
     detail::OwnWatch watch(scene, options.watch);
     detail::run_steps(scene, options, others, observers..., watch);

@@ -103,8 +103,8 @@ struct VtuOptions {
   std::vector<std::string> body_names{};
   bool mesh = false;
   std::string region{};
-  VtuPoints points{};      ///< more and fewer numbers of the points
-  bool keep_list = false;  ///< leaves a list that is there until the first files: for a run that goes on
+  VtuPoints points{};    ///< more and fewer numbers of the points
+  bool resumed = false;  ///< goes on with the series that is there, behind its frames before the scene's time
 };
 
 namespace detail {
@@ -148,25 +148,32 @@ void for_each_frame_part(const Scene& scene, const VtuOptions& options, F&& f) {
 
 /// Observer that writes the points of each body as PREFIX_body0_0000.vtu, .., the listed parts of the mesh,
 /// and PREFIX.pvd, which ParaView opens as one series. Creates the folder. Use with `every(period,
-/// vtu(prefix))`.
+/// vtu(prefix))`. Restored with a state, or `resumed`, it goes on with the series; else one of an earlier run
+/// is replaced with a warning, and kept by an `error` if the scene is past its first frame.
 class VtuSeries {
  public:
   explicit VtuSeries(std::filesystem::path prefix, VtuOptions options = {})
       : prefix_{std::move(prefix)},
         options_{std::move(options)},
-        pvd_{detail::named(detail::make_folder(prefix_), ".pvd"), options_.keep_list} {}
+        pvd_{detail::named(detail::make_folder(prefix_), ".pvd"), true} {}
 
   template <class Scene>
   void operator()(const Scene& scene) {
-    const std::size_t frame = times_.size();
+    if (times_.empty()) {
+      times_ = kept_times(pvd_.path(), scene.time, options_.resumed);
+      follow_state(scene);
+    }
+    const bool again = !times_.empty() && times_.back() == scene.time;  // at the start of a run that goes on
+    const std::size_t frame = times_.size() - (again ? 1 : 0);
     std::size_t part = 0;
     const auto names = detail::frame_parts<Scene>(options_);
     detail::for_each_frame_part(scene, options_, [&](const VtuData& data) {
       const auto file = file_of(names[part], frame);
       write_vtu(file, data);
-      pvd_.add(scene.time, file, static_cast<int>(part++));
+      if (!again) pvd_.add(scene.time, file, static_cast<int>(part));
+      ++part;
     });
-    times_.push_back(scene.time);
+    if (!again) times_.push_back(scene.time);
   }
 
   /// Times of the files so far, s.

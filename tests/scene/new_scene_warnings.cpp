@@ -121,7 +121,7 @@ TEST_CASE("A rigid body's distance is tried: NaN is refused, another unit and a 
   const auto told = [&](auto distance) { return on_grid(block, gravity({0, -9.81}), tool(distance)); };
   const Ball ball({0.35, 0.7}, 0.2);
   CHECK(told(ball).empty());
-  CHECK(told(Box{{0.3, 0.52}, {0.4, 0.54}}).empty());  // thinner than a cell
+  CHECK(told(Box{{0.3, 0.52}, {0.4, 0.54}}).size() == 1);  // thinner than a cell, which is told
   CHECK(told([=](const P& x) { return std::max(ball(x), x[0] - 0.4); }).empty());
   for (const double unit : {1000.0, 0.001, 2.0}) {
     const auto texts = told([=](const P& x) { return unit * ball(x); });
@@ -155,8 +155,9 @@ TEST_CASE("A rigid body's distance is tried: NaN is refused, another unit and a 
   broken = false;
   asked = 0;
   auto scene = make();
-  CHECK(asked < 3000);
-  CHECK(asked > 1000);
+  const int elsewhere = asked - static_cast<int>(scene.point_count());  // each point is asked for
+  CHECK(elsewhere < 20000);
+  CHECK(elsewhere > 1000);
   step(scene, 1e-5);
   broken = true;
   CHECK_THROWS_WITH(step(scene, 1e-5), Catch::StartsWith("DistanceSurface.distance at ("));

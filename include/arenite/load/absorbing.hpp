@@ -14,6 +14,7 @@
 #include <arenite/core/contact_tally.hpp>
 #include <arenite/core/part_energy.hpp>
 #include <arenite/load/face_impedance.hpp>
+#include <arenite/load/lost_load.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
@@ -96,6 +97,11 @@ class BoundAbsorbingFaces {
   template <class Scene, class Others = const Alone>
   ContactTally exchange_impulses(Scene& scene, double dt, Others& others = no_others) {
     faces_->collect(scene, others);
+    if (lost_.is_due())
+      lost_.look(faces_->areas(scene), called(),
+                 " % of the faces have matter behind them; the rest absorbs nothing; end the mesh where the "
+                 "body ends",
+                 others);
     if (!supported_ && !support_.empty()) take_first_reaction(scene);
     const auto step = static_cast<T>(dt);
     const auto owns = scene.node_owner();
@@ -190,7 +196,8 @@ class BoundAbsorbingFaces {
   std::optional<FaceImpedance<T, D>> faces_;  // from `connect` on
   std::vector<V> given_;         // [nodes of the faces x fields] impulses of the dashpots in this step, N s
   std::vector<double> support_;  // [nodes of the faces x fields x D] N; empty without
-  V impulse_ = V::Zero();        // of the last step, N s
+  LostLoad lost_;
+  V impulse_ = V::Zero();             // of the last step, N s
   double dissipated_ = 0, work_ = 0;  // since the start, J
   bool supported_ = false;            // whether the first reaction is known
 };

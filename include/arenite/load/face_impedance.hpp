@@ -61,8 +61,7 @@ class FaceImpedance {
     std::ranges::fill(dashpots_, Matrix(Matrix::Zero()));
     scene.blocks.for_each_colored([&](Index c) {
       if (of_cell_[c].empty()) return;
-      T matter = 0;
-      scene.for_each_body([&](const auto& body, const auto&) { matter += volume(body, c); });
+      const T matter = matter_in(scene, c);
       if (!(matter > 0)) return;
       std::size_t number = 0;
       scene.for_each_body([&](const auto& body, const auto&) {
@@ -73,6 +72,19 @@ class FaceImpedance {
     });
     if constexpr (!Others::alone)
       others.sum_nodes(std::span<T>(dashpots_[0].data(), dashpots_.size() * D * D), fields_ * D * D);
+  }
+
+  /// Areas of all faces, and of those with matter behind them, m2.
+  template <class Scene>
+  std::pair<double, double> areas(const Scene& scene) const {
+    std::pair<double, double> sum{};
+    for (Index c = 0; c < scene.mesh.cell_count(); ++c)
+      for (const Index k : of_cell_[c]) {
+        const auto area = static_cast<double>(area_of(scene, c, faces_[k]));
+        sum.first += area;
+        if (matter_in(scene, c) > 0) sum.second += area;
+      }
+    return sum;
   }
 
  private:
@@ -87,6 +99,27 @@ class FaceImpedance {
     T sum = 0;
     for (const Index p : body.cells[c]) sum += body.points.volume[p];
     return sum;
+  }
+
+  template <class Scene>
+  static T matter_in(const Scene& scene, Index c) {
+    T sum = 0;
+    scene.for_each_body([&](const auto& body, const auto&) { sum += volume(body, c); });
+    return sum;
+  }
+  template <class Scene>
+  static T area_of(const Scene& scene, [[maybe_unused]] Index c, const Face& face) {
+    if constexpr (is_simplex_mesh<typename Scene::Mesh>) {
+      std::array<Vec<T, D>, static_cast<std::size_t>(D)> x;
+      T thickness = 0;
+      for (std::size_t i = 0; i < D; ++i) {
+        x[i] = scene.mesh.position(face.node[i]);
+        thickness += Scene::Kinematics::thickness(x[i]) / T(D);
+      }
+      return thickness * face_area(x).norm();
+    } else {
+      return grid_face<typename Scene::Kinematics>(scene.mesh, c, face.axis, face.upper).second;
+    }
   }
 
   template <class Scene>

@@ -8,6 +8,7 @@
 
 #include <arenite/core/part_energy.hpp>
 #include <arenite/load/grid_faces.hpp>
+#include <arenite/load/lost_load.hpp>
 #include <arenite/load/simplex_faces.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
@@ -16,7 +17,8 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 /// behind the faces, and stays where the mesh is. Exact if matter fills those cells up to the faces, as it
 /// does where the mesh moves with it. Where it has moved by a share s of a cell of a resting grid, stresses
 /// are off by up to 3 s in the last cell and by s in the next; where no matter is left in a cell the load is
-/// lost. For a surface that lies or goes elsewhere: `traction(surface(..), ..)`.
+/// lost, which the first step warns of. For a surface that lies or goes elsewhere: `traction(surface(..),
+/// ..)`.
 struct FaceTraction {
   MeshFaces where;
   SurfaceLoad load;
@@ -54,6 +56,13 @@ class BoundFaceTraction {
   template <class Scene, class Others = const Alone>
   void add_force(Scene& scene, double, Others& others = no_others) {
     faces_->collect(scene, load_, name_, forces_.field, others);
+    if (lost_.is_due())
+      lost_.look(
+          faces_->magnitudes(scene, load_, name_), name_,
+          joined_text(" % of it acts on matter; the rest is lost on faces without any behind them; end the "
+                      "mesh where the body ends, or load its points, ",
+                      load_.name(), "(surface(..), ..)"),
+          others);
     forces_.add_to(scene);
   }
   template <class Scene>
@@ -77,6 +86,7 @@ class BoundFaceTraction {
   std::string name_;
   std::optional<Faces> faces_;  // from `connect` on
   FieldForces<T, D> forces_;
+  LostLoad lost_;
   double work_ = 0;  // since the start, J
 };
 

@@ -43,19 +43,15 @@ class GridFaces {
     Failure failure;
     scene.blocks.for_each_colored([&](Index c) {
       if (of_cell_[c].empty()) return;
-      T matter = 0;
-      scene.for_each_body([&](const auto& body, const auto&) {
-        for (const Index p : body.cells[c]) matter += body.points.volume[p];
-      });
+      const T matter = matter_in(scene, c);
       if (!(matter > 0)) return;
       const typename Scene::Shape::template Cell<typename Scene::Mesh> cell(scene.mesh, c);
       std::size_t number = 0;
       scene.for_each_body([&](const auto& body, const auto&) {
         auto& force = nodes[Scene::field_of(number++)].force;
         for (const Index k : of_cell_[c]) {
-          const auto [axis, upper] = faces_[k];
-          const auto [place, size] = grid_face<typename Scene::Kinematics>(scene.mesh, c, axis, upper);
-          const Vec<T, D> outward = (upper ? size : -size) * Vec<T, D>(Vec<T, D>::Unit(axis));
+          const int axis = faces_[k].axis;
+          const auto [place, outward] = placed(scene, c, faces_[k]);
           for (const Index p : body.cells[c]) {
             Vec<T, D> x = body.points.position[p];
             x[axis] = place;
@@ -73,11 +69,43 @@ class GridFaces {
     failure.rethrow();
   }
 
+  /// Sums of the magnitudes of a load on all faces, and on those with matter behind them, N.
+  template <class Scene>
+  std::pair<double, double> magnitudes(const Scene& scene, const SurfaceLoad& load,
+                                       std::string_view name) const {
+    std::pair<double, double> sum{};
+    for (Index c = 0; c < scene.mesh.cell_count(); ++c)
+      for (const Index k : of_cell_[c]) {
+        Vec<T, D> x = scene.mesh.corner(c) + scene.mesh.extent(c) / 2;
+        const auto [place, outward] = placed(scene, c, faces_[k]);
+        x[faces_[k].axis] = place;
+        const auto size = static_cast<double>(load.force(x, outward, scene.time, name).norm());
+        sum.first += size;
+        if (matter_in(scene, c) > 0) sum.second += size;
+      }
+    return sum;
+  }
+
  private:
   struct Face {
     int axis;
     bool upper;
   };
+  /// Volume of the points in a cell, m3.
+  template <class Scene>
+  static T matter_in(const Scene& scene, Index c) {
+    T matter = 0;
+    scene.for_each_body([&](const auto& body, const auto&) {
+      for (const Index p : body.cells[c]) matter += body.points.volume[p];
+    });
+    return matter;
+  }
+  /// Where a face is on its axis, m, and its area vector, out of the mesh.
+  template <class Scene>
+  static std::pair<T, Vec<T, D>> placed(const Scene& scene, Index c, const Face& face) {
+    const auto [place, size] = grid_face<typename Scene::Kinematics>(scene.mesh, c, face.axis, face.upper);
+    return {place, (face.upper ? size : -size) * Vec<T, D>(Vec<T, D>::Unit(face.axis))};
+  }
   std::vector<Face> faces_;
   Lists of_cell_;  // [cells] numbers of faces
 };

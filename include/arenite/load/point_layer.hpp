@@ -18,6 +18,11 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 struct SurfaceOptions {
   VectorFunction normal = Triple{};  ///< outward normal, of any length; may depend on the position
   double thickness = std::numeric_limits<double>::quiet_NaN();  ///< of the layer, m
+
+  void check() const {
+    require(thickness > 0 && std::isfinite(thickness), "SurfaceOptions.thickness", thickness,
+            "must be given, and positive");
+  }
 };
 
 /// A layer of a body's points under its surface. Each point stands for the area V / thickness, so that the

@@ -59,8 +59,7 @@ struct LoadedArea {
   const std::string& name() const { return text; }
   template <class Scene, class Body, class Set>
   void place(const Scene& scene, const Body& of, Set&& set) const {
-    require(options.thickness > 0 && std::isfinite(options.thickness), "SurfaceOptions.thickness",
-            options.thickness, "must be given, and positive");
+    options.check();
     for_each_point_in(scene.mesh, of, region, [&](std::size_t p) {
       const Vec<T, D> x = of.points.position[p], n = value_at(options.normal, x, 0, "SurfaceOptions.normal");
       require(n.norm() > 0, "SurfaceOptions.normal", vector_text(n), "must be given");

@@ -68,17 +68,35 @@ class SimplexFaces {
     if constexpr (!Others::alone) nodes[0].clear(scene.fields[0].size());  // others add to more nodes
     parallel_chunks(nodes_.size(), [&](std::size_t begin, std::size_t end) {
       for (std::size_t k = begin; k < end; ++k) {
-        Vec<T, D> sum = Vec<T, D>::Zero();
-        for (std::size_t w = start_[k]; w < start_[k + 1]; ++w)
-          sum += weights_[w].second * force_[weights_[w].first];
-        nodes[0].force[nodes_[k]] = sum;
+        nodes[0].force[nodes_[k]] = force_at(k);
       }
     });
     nodes[0].sum(others);
     share(scene.fields, nodes);
   }
 
+  /// Sums of the magnitudes of the load that was collected last at all nodes, and at those with matter, N.
+  template <class Scene>
+  std::pair<double, double> magnitudes(const Scene& scene, const SurfaceLoad&, std::string_view) const {
+    std::pair<double, double> sum{};
+    for (std::size_t k = 0; k < nodes_.size(); ++k) {
+      const auto size = static_cast<double>(force_at(k).norm());
+      sum.first += size;
+      if (std::ranges::any_of(scene.fields,
+                              [&](const auto& field) { return field.collected[nodes_[k]].mass() > 0; }))
+        sum.second += size;
+    }
+    return sum;
+  }
+
  private:
+  /// Of the samples that were collected last, at loaded node number k, N.
+  Vec<T, D> force_at(std::size_t k) const {
+    Vec<T, D> sum = Vec<T, D>::Zero();
+    for (std::size_t w = start_[k]; w < start_[k + 1]; ++w)
+      sum += weights_[w].second * force_[weights_[w].first];
+    return sum;
+  }
   static constexpr auto dim = static_cast<std::size_t>(D);
   using Weight = std::pair<Index, T>;  // sample, value of the node's function there
   struct Sample {

@@ -18,12 +18,14 @@
 #include <arenite/rigid/collide_at_points.hpp>
 #include <arenite/rigid/free.hpp>
 #include <arenite/rigid/guided.hpp>
+#include <arenite/rigid/matter_inside.hpp>
 #include <arenite/rigid/motion.hpp>
 #include <arenite/rigid/point_contact.hpp>
 #include <arenite/rigid/pose.hpp>
 #include <arenite/rigid/prescribed.hpp>
 #include <arenite/rigid/prescribed_pose.hpp>
 #include <arenite/rigid/surface.hpp>
+#include <arenite/rigid/thin_walls.hpp>
 #include <arenite/rigid/try_distance.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
@@ -234,8 +236,13 @@ struct RigidBody {
     static_assert(!(Scene::NumericsType::maps_back && touches_points),
                   "Rigid: PointContact needs Usl: it does not hold the velocities that MUSL maps back");
     if constexpr (requires { surface.connect(scene); }) surface.connect(scene);
-    if constexpr (requires { surface.distance(); })
+    if constexpr (requires { surface.distance(); }) {
       detail::try_distance(scene, surface.distance(), called_in(scene));
+      detail::warn_points_inside(scene, surface.distance(), called_in(scene));
+      if constexpr (!touches_points) detail::warn_thin_walls(scene, surface.distance(), called_in(scene));
+    }
+    if constexpr (requires { surface.region(); })
+      detail::warn_points_in_region(scene, surface.region(), called_in(scene));
   }
   /// What messages call the body: its name, or its number if it has none.
   template <class Scene>

@@ -50,6 +50,12 @@ class AnyDistance {
   /// Its corners.
   const Position& lower() const { return lower_; }
   const Position& upper() const { return upper_; }
+  /// Whether a position is farther from that box than `reach`, m.
+  bool is_beyond(const Position& x, double reach = 0) const {
+    for (std::size_t k = 0; k < x.size(); ++k)
+      if (x[k] < lower_[k] - reach || x[k] > upper_[k] + reach) return true;
+    return false;
+  }
   /// Corners and edges of the shape; none where it offers none.
   std::vector<ContactSegment> contact_segments() const {
     return segments_ ? segments_() : std::vector<ContactSegment>{};

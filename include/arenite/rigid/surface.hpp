@@ -31,7 +31,7 @@ struct MeshSurface {
 /// A signed distance, m, negative inside, in the body's own frame: callable with a position [D]
 /// (`signed_distance`). The distance is not part of the type of a scene. It is tried when the scene is made
 /// (`try_distance.hpp`): NaN is refused, then and wherever it is met; a gradient that is not 1, as that of a
-/// distance in mm, and a sign that puts most of the matter inside of the body are warned of.
+/// distance in mm, matter inside of the body and a sign that puts most of it there are warned of.
 ///
 /// `reach`: a node counts as touched up to this many cell sizes (`mesh.node_size`) outside. Nodes carry mass
 /// ahead of the points, so that contact acts before the surfaces meet, by how much depends on where nodes
@@ -107,6 +107,7 @@ class BoundMeshSurface {
     for (const Index i : surface_.inside) f(i, Vec<T, D>::Zero(), true, T(0));
   }
   const RegionSurface<T, D>& surface() const { return surface_; }
+  const std::string& region() const { return recipe_.region; }
 
  private:
   MeshSurface recipe_;
@@ -254,10 +255,7 @@ class BoundDistanceSurface {
 
   /// Whether a position is farther from the box around the body than reach, whatever the round-off.
   bool is_beyond(const Position& x, double reach, double cell) const {
-    const double far = (reach + 1e-3) * cell;
-    for (std::size_t k = 0; k < D; ++k)
-      if (x[k] < surface_.distance.lower()[k] - far || x[k] > surface_.distance.upper()[k] + far) return true;
-    return false;
+    return surface_.distance.is_beyond(x, (reach + 1e-3) * cell);
   }
 
   /// Unit normal from central differences; zero where there is no slope.

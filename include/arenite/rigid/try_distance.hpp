@@ -39,10 +39,10 @@ inline std::vector<double> tried_distances(const AnyDistance& distance,
 
 /// The median of the magnitudes of the gradient at the places that are nearest to the surface, -, by central
 /// differences; 1 where there is none that is finite. The nearest are those of the least distance, in
-/// whatever unit that is. Steps: m, one a place.
+/// whatever unit that is. Differences are over 1e-4 of `sizes`, m, one a place.
 template <int D>
 double median_gradient(const AnyDistance& distance, const std::vector<AnyDistance::Position>& places,
-                       const std::vector<double>& steps, const std::vector<double>& at_places) {
+                       const std::vector<double>& sizes, const std::vector<double>& at_places) {
   constexpr std::size_t most = 64, dim = D;
   std::vector<std::size_t> nearest;
   for (std::size_t k = 0; k < places.size(); ++k)
@@ -54,7 +54,7 @@ double median_gradient(const AnyDistance& distance, const std::vector<AnyDistanc
     for (std::size_t i = 0; i < dim; ++i)
       for (const double sign : {1.0, -1.0}) {
         beside.push_back(places[k]);
-        beside.back()[i] += sign * steps[k];
+        beside.back()[i] += sign * 1e-4 * sizes[k];
       }
   const auto d = tried_distances(distance, beside);
   std::vector<double> gradients;
@@ -64,7 +64,7 @@ double median_gradient(const AnyDistance& distance, const std::vector<AnyDistanc
       const double difference = d[2 * (dim * n + i)] - d[2 * (dim * n + i) + 1];
       sum += difference * difference;
     }
-    const double gradient = std::sqrt(sum) / (2 * steps[nearest[n]]);
+    const double gradient = std::sqrt(sum) / (2e-4 * sizes[nearest[n]]);
     if (std::isfinite(gradient)) gradients.push_back(gradient);
   }
   if (gradients.empty()) return 1;
@@ -74,53 +74,56 @@ double median_gradient(const AnyDistance& distance, const std::vector<AnyDistanc
   return median > 0 ? unit * std::round(median / unit) : 0;
 }
 
-/// Tries the distance of a rigid body, called `body`, near the nodes of the mesh and at the points of the
-/// scene: less than 3,000 places. Throws `error` where it is NaN. Warns where its gradient is not 1, as that
-/// of a distance in another unit, and where it is negative in most of the matter, as one of the wrong sign.
+/// Places near nodes of a mesh.
+struct MeshPlaces {
+  using Position = AnyDistance::Position;
+  std::vector<Position> places{};  ///< off the nodes by up to half a cell, within the box around the mesh, m
+  std::vector<double> sizes{};     ///< of the cells there, m
+  Position lower{}, upper{};       ///< of the box, m
+
+  bool covers(const Position& x) const {
+    for (std::size_t k = 0; k < x.size(); ++k)
+      if (x[k] < lower[k] || x[k] > upper[k]) return false;
+    return true;
+  }
+};
+
+/// At most so many of them, spread over the nodes that `is_meant(position, size)`. Off the nodes: faces and
+/// planes of symmetry of a body, where the distance has a kink, go through them.
+template <class Scene, class IsMeant>
+MeshPlaces mesh_places(const Scene& scene, std::size_t most, IsMeant&& is_meant) {
+  constexpr std::array<double, 3> stride{0.7548776662466927, 0.5698402909980532, 0.8191725133961645};
+  const typename Scene::Nodes nodes(scene.mesh);
+  MeshPlaces found{.lower = in_space(nodes.lower()), .upper = in_space(nodes.upper())};
+  std::vector<Index> meant;
+  for (Index i = 0; i < nodes.size(); ++i)
+    if (nodes.is_used(i) &&
+        is_meant(in_space(nodes.position(i)), static_cast<double>(scene.mesh.node_size(i))))
+      meant.push_back(i);
+  for (const Index n : spread_numbers(meant.size(), most)) {
+    auto x = in_space(nodes.position(meant[n]));
+    const auto size = static_cast<double>(scene.mesh.node_size(meant[n]));
+    for (std::size_t k = 0; k < x.size(); ++k)
+      x[k] = std::clamp(x[k] + (spread(found.places.size() + 1, stride[k]) - 0.5) * size, found.lower[k],
+                        found.upper[k]);
+    found.places.push_back(x);
+    found.sizes.push_back(size);
+  }
+  return found;
+}
+
+/// Tries the distance of a rigid body, called `body`, near the nodes of the mesh: less than 2,000 places.
+/// Throws `error` where it is NaN. Warns where its gradient is not 1, as that of a distance in another unit.
 template <class Scene>
 void try_distance(const Scene& scene, const AnyDistance& distance, const std::string& body) {
-  using Shape = typename Scene::Shape;
-  constexpr int D = Scene::D;
-  constexpr std::size_t most = 1024;
-  const auto& mesh = scene.mesh;
-  std::vector<AnyDistance::Position> places;
-  std::vector<double> steps;
-  AnyDistance::Position lower{}, upper{};
-  for (const Index i : spread_numbers(Shape::node_count(mesh), most)) {
-    places.push_back(in_space(Shape::node_position(mesh, i)));
-    if (steps.empty()) lower = upper = places.back();
-    for (std::size_t k = 0; k < D; ++k) {
-      lower[k] = std::min(lower[k], places.back()[k]);
-      upper[k] = std::max(upper[k], places.back()[k]);
-    }
-    steps.push_back(1e-4 * static_cast<double>(mesh.node_size(i)));
-  }
-  // Off the nodes: faces and planes of symmetry of a body, where the distance has a kink, go through them.
-  constexpr std::array<double, 3> stride{0.7548776662466927, 0.5698402909980532, 0.8191725133961645};
-  for (std::size_t n = 0; n < places.size(); ++n)
-    for (std::size_t k = 0; k < D; ++k)
-      places[n][k] =
-          std::clamp(places[n][k] + (spread(n + 1, stride[k]) - 0.5) * 1e4 * steps[n], lower[k], upper[k]);
-  const auto d = tried_distances(distance, places);
-  const double gradient = median_gradient<D>(distance, places, steps, d);
+  const auto near = mesh_places(scene, 1024, [](const auto&, double) { return true; });
+  const auto d = tried_distances(distance, near.places);
+  const double gradient = median_gradient<Scene::D>(distance, near.places, near.sizes, d);
   if (!(gradient > 0.8 && gradient < 1.25))
     warn(
         joined_text("rigid body ", body, ": the gradient of its distance is ", gradient,
                     " near its surface (a median), not 1: the distance must be in m, as the position is, and "
                     "that to the nearest place of the surface"));
-
-  std::vector<AnyDistance::Position> matter;
-  scene.for_each_body([&](const auto& soft, const auto&) {
-    for (const Index p : spread_numbers(soft.points.size(), most / Scene::body_count))
-      matter.push_back(in_space(typename Scene::V(soft.points.position[p])));
-  });
-  const auto in_matter = tried_distances(distance, matter);
-  const auto inside =
-      static_cast<std::size_t>(std::ranges::count_if(in_matter, [](double x) { return x < 0; }));
-  if (2 * inside > matter.size())
-    warn(joined_text("rigid body ", body, ": ", 100 * inside / matter.size(),
-                     " % of the matter lies inside of it: its distance must be negative inside and positive "
-                     "outside"));
 }
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET::detail

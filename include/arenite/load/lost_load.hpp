@@ -1,0 +1,44 @@
+// Lost load: what acts on faces of the mesh without matter behind them, told once.
+#pragma once
+
+#include <cmath>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include <arenite/core/alone.hpp>
+#include <arenite/core/error.hpp>
+#include <arenite/core/warning.hpp>
+
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
+
+/// Looks at what acts on faces once: in the first step in which it is not zero. Warns if matter takes less
+/// than 98 % of it.
+class LostLoad {
+ public:
+  /// Whether it has yet to look.
+  bool is_due() const { return is_due_; }
+
+  /// `given` = {all of it, what matter takes}, of any unit, in this scene; `what` names it, and `text` goes
+  /// on behind the percentage.
+  template <class Others>
+  void look(std::pair<double, double> given, const std::string& what, const std::string& text,
+            Others& others) {
+    auto& [all, taken] = given;
+    sum_over(others, all, taken);
+    if (!(all > 0)) return;
+    is_due_ = false;
+    if constexpr (!Others::alone)
+      if (!others.first()) return;
+    tell(taken / all, what, text);
+  }
+
+ private:
+  static void tell(double share, const std::string& what, const std::string& text) {
+    if (share < 0.98) warn(joined_text(what, ": ", std::floor(100 * share), text));
+  }
+
+  bool is_due_ = true;
+};
+
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -1,0 +1,82 @@
+// Matter inside of a rigid body when a scene is made: points there take part in no contact that means
+// anything.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include <arenite/core/error.hpp>
+#include <arenite/core/warning.hpp>
+#include <arenite/rigid/try_distance.hpp>
+
+namespace arenite::inline ARENITE_INSTRUCTION_SET::detail {
+
+/// What a scene is told of points of body `matter` inside of rigid body `rigid`.
+inline void warn_matter_inside(const std::string& rigid, const std::string& matter, std::size_t inside,
+                               std::size_t all, const char* cure) {
+  warn(joined_text("rigid body ", rigid, ": ", inside, " of the ", all, " points of body ", matter,
+                   inside == 1 ? " lies" : " lie", " inside of it: fill what it leaves of the region, ",
+                   cure));
+}
+
+/// Warns of bodies with points inside of a rigid one, called `rigid`: deeper than half of a point's size, by
+/// which matter may stand over its points' places. If most of the matter lies there, the distance may have
+/// the wrong sign.
+template <class Scene>
+void warn_points_inside(const Scene& scene, const AnyDistance& distance, const std::string& rigid) {
+  struct Inside {
+    std::string body;
+    std::size_t inside, all;
+  };
+  std::vector<Inside> found;
+  std::size_t inside_all = 0, all = 0, number = 0;
+  scene.for_each_body([&](const auto& body, const auto&) {
+    std::vector<AnyDistance::Position> places;
+    std::vector<double> sizes;
+    for (std::size_t p = 0; p < body.points.size(); ++p) {
+      const typename Scene::V x = body.points.position[p];
+      const auto at = in_space(x);
+      if (distance.is_beyond(at)) continue;
+      places.push_back(at);
+      sizes.push_back(std::pow(static_cast<double>(body.points.volume[p] / Scene::Kinematics::thickness(x)),
+                               1.0 / Scene::D));
+    }
+    const auto d = tried_distances(distance, places);
+    std::size_t inside = 0;
+    bool deep = false;
+    for (std::size_t k = 0; k < d.size(); ++k) {
+      inside += d[k] < -1e-6 * sizes[k];
+      deep = deep || d[k] < -0.499 * sizes[k];
+    }
+    inside_all += inside;
+    all += body.points.size();
+    if (deep) found.push_back({Scene::body_name(number), inside, body.points.size()});
+    ++number;
+  });
+  if (2 * inside_all > all)
+    warn(joined_text("rigid body ", rigid, ": ", 100 * inside_all / all,
+                     " % of the matter lies inside of it: its distance must be negative inside and positive "
+                     "outside"));
+  else
+    for (const Inside& f : found)
+      warn_matter_inside(rigid, f.body, f.inside, f.all, "fill(region - shape, ..)");
+}
+
+/// The same of a rigid body whose surface is that of a region of the mesh.
+template <class Scene>
+void warn_points_in_region(const Scene& scene, const std::string& region, const std::string& rigid) {
+  const int own = scene.mesh.region_number(region);
+  std::size_t number = 0;
+  scene.for_each_body([&](const auto& body, const auto&) {
+    const auto inside = static_cast<std::size_t>(
+        std::ranges::count_if(body.points.cell, [&](Index c) { return scene.mesh.region(c) == own; }));
+    if (inside > 0)
+      warn_matter_inside(rigid, Scene::body_name(number), inside, body.points.size(),
+                         "fill(Cells(..), ..) of the mesh's other regions");
+    ++number;
+  });
+}
+
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET::detail

@@ -1,0 +1,92 @@
+// Loads on faces of the mesh that find no matter: told once, in the first step with a load, with what share
+// acts.
+#include <arenite/arenite.hpp>
+
+#include "catch.hpp"
+#include "meshes.hpp"
+
+using namespace arenite;
+
+namespace {
+
+const LinearElastic soft{{.density = 1000, .young = 1e6, .poisson = 0.3}};
+const Box<2> low{{0., 0.}, {0.4, 1.}};  ///< in a mesh of 0.4 x 1.1 m it leaves a row of cells empty
+
+/// The warnings of some steps of a scene.
+template <class Scene>
+std::vector<std::string> told(Scene scene, int steps = 3) {
+  std::vector<std::string> texts;
+  const WarningHook old = on_warning([&](const std::string& text) { texts.push_back(text); });
+  try {
+    for (int k = 0; k < steps; ++k) step(scene, 1e-5);
+  } catch (...) {
+    on_warning(old);
+    throw;
+  }
+  on_warning(old);
+  return texts;
+}
+template <class... Parts>
+auto on_grid(double top_of_mesh, const Box<2>& region, Parts... parts) {
+  return Scene{PlaneStrain{}, CartesianGrid<2>{{.lower = {0, 0}, .upper = {0.4, top_of_mesh}, .cell = 0.1}},
+               Numerics<QuadraticBSpline, Apic>{}, bodies(fill(region, soft)), parts...};
+}
+template <class... Parts>
+auto on_triangles(double top_of_mesh, const Box<2>& region, Parts... parts) {
+  const auto data =
+      test::triangles({0, 0}, {0.4, top_of_mesh}, 4, static_cast<Index>(std::lround(10 * top_of_mesh)));
+  return Scene{PlaneStrain{}, SimplexMesh<2>(data), Numerics<LinearSimplex, Flip>{},
+               bodies(fill(region, soft, {.per_cell = 3})), parts...};
+}
+
+}  // namespace
+
+TEST_CASE("A load on faces without matter behind them is told once, with the share that acts and the cure") {
+  for (const auto& texts :
+       {told(on_grid(1.1, low, pressure(top(), 1e4))), told(on_triangles(1.1, low, pressure(top(), 1e4)))}) {
+    REQUIRE(texts.size() == 1);
+    CHECK(texts[0] ==
+          "pressure on top: 0 % of it acts on matter; the rest is lost on faces without any behind them; end "
+          "the mesh "
+          "where the body ends, or load its points, pressure(surface(..), ..)");
+  }
+  const Box<2> half{{0., 0.}, {0.2, 1.}};
+  auto texts = told(on_grid(1, half, traction(top(), {1e3, 0})));
+  REQUIRE(texts.size() == 1);
+  CHECK_THAT(texts[0], Catch::StartsWith("traction on top: 50 % of it acts on matter") &&
+                           Catch::EndsWith("traction(surface(..), ..)"));
+  CHECK(told(on_triangles(1, half, traction(top(), {1e3, 0}))).size() == 1);
+}
+
+TEST_CASE("A load that matter takes, and one that is zero, are not told of") {
+  CHECK(told(on_grid(1, low, pressure(top(), 1e4))).empty());
+  CHECK(told(on_triangles(1, low, pressure(top(), 1e4))).empty());
+  CHECK(told(on_grid(1.1, low, pressure(top(), 0))).empty());
+  // The strip that is loaded has matter behind it.
+  const ScalarFunction strip([](const Triple& x, double) { return x[0] < 0.2 ? 1e4 : 0; });
+  CHECK(told(on_grid(1, Box<2>{{0., 0.}, {0.2, 1.}}, pressure(top(), strip))).empty());
+  // Within the cells behind the faces.
+  CHECK(told(on_grid(1, Box<2>{{0., 0.}, {0.4, 0.95}}, pressure(top(), 1e4))).empty());
+}
+
+TEST_CASE("A load that grows from zero is looked at when it acts, when matter may have come") {
+  const Ramp later{.to = 1e4, .over = 1, .start = 2.5e-5};
+  auto scene = on_grid(1.1, low, pressure(top(), later));
+  CHECK(told(scene, 3).empty());
+  CHECK(told(scene, 10).size() == 1);
+  auto filled = on_grid(1.1, low, pressure(top(), later));
+  insert_points(filled, Box<2>{{0., 1.}, {0.4, 1.1}});
+  CHECK(told(filled, 10).empty());
+}
+
+TEST_CASE("Absorbing faces without matter behind them are told of") {
+  const auto texts = told(on_grid(1, Box<2>{{0., 0.1}, {0.4, 1.}}, absorbing(bottom())));
+  REQUIRE(texts.size() == 1);
+  CHECK(texts[0] ==
+        "absorbing(bottom): 0 % of the faces have matter behind them; the rest absorbs nothing; end the mesh "
+        "where the "
+        "body ends");
+  CHECK(told(on_triangles(1, Box<2>{{0., 0.}, {0.2, 1.}}, absorbing(bottom()))).size() == 1);
+  CHECK(told(on_grid(1, low, absorbing(bottom()))).empty());
+  CHECK(told(on_triangles(1, low, absorbing(bottom()))).empty());
+}

@@ -14,8 +14,9 @@ namespace {
 const LinearElastic law{{.density = 2000, .young = 1e6, .poisson = 0.3}};
 
 template <class K, class M, class Region>
-auto body_of(const M& mesh, Region region, FillOptions options = {}) {
-  return make_body<K>(mesh, fill(std::move(region), law, options));
+auto body_of(const M& mesh, Region region, FillOptions options = {},
+             Ground ground = {.gravity = {0, -9.81, 0}}) {
+  return make_body<K>(mesh, fill(std::move(region), law, options), ground);
 }
 
 template <class B>
@@ -85,9 +86,9 @@ TEST_CASE("points know their cell, their velocity and their stress of level grou
     for (std::size_t k = 0; k < 4; ++k) REQUIRE(std::abs(body.points.stress[p][k] - expected[k]) < 1e-10);
   }
   const CartesianGrid<3> box({.lower = {0, 0, 0}, .upper = {1, 1, 1}, .cell = 1});
-  const auto solid = body_of<ThreeDimensional>(
-      box, Box{{0., 0., 0.}, {1., 1., 1.}},
-      {.per_cell = 1, .stress = Geostatic{.surface = 1, .k0 = 0.5, .gravity = 10, .axis = 2}});
+  const auto solid = body_of<ThreeDimensional>(box, Box{{0., 0., 0.}, {1., 1., 1.}},
+                                               {.per_cell = 1, .stress = Geostatic{.surface = 1, .k0 = 0.5}},
+                                               {.gravity = {0, 0, -10}});
   REQUIRE(std::abs(solid.points.stress[0][2] + 2000 * 10 * 0.5) < 1e-10);
   REQUIRE(std::abs(solid.points.stress[0][0] + 2000 * 5 * 0.5) < 1e-10);
 }
@@ -192,12 +193,8 @@ TEST_CASE("what cannot be filled is refused") {
       refuses({.stress = Geostatic{.surface = 0}}, "Geostatic.k0 = nan: must be given, and not negative"));
   REQUIRE(refuses({.stress = Geostatic{.surface = 0, .k0 = -1}},
                   "Geostatic.k0 = -1: must be given, and not negative"));
-  REQUIRE(refuses({.stress = Geostatic{.surface = 0, .k0 = 1, .gravity = nan}},
-                  "Geostatic.gravity = nan: must be finite"));
-  REQUIRE(refuses({.stress = Geostatic{.surface = 0, .k0 = 1, .axis = 2}},
-                  "Geostatic.axis = 2: must be an axis of the scene"));
-  REQUIRE(refuses({.stress = Geostatic{.surface = 0, .k0 = 1, .axis = -1}},
-                  "Geostatic.axis = -1: must be an axis of the scene"));
+  REQUIRE(refuses({.stress = Geostatic{.surface = 0, .k0 = 1, .surcharge = -1}},
+                  "Geostatic.surcharge = -1: must be finite, and not negative"));
   REQUIRE(refuses({.velocity = {nan, 0, 0}}, "FillOptions.velocity = nan: must be finite"));
   REQUIRE(refuses({.velocity = {0, 0, 1}},
                   "FillOptions.velocity = 1: must be zero along an axis that the scene does not have"));

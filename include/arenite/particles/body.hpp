@@ -168,19 +168,21 @@ struct OwnsAllCells {
   constexpr bool operator()(Index) const { return true; }
 };
 
-/// Makes the body of a recipe, with points in the cells that `owns(cell)`. Throws `error` if the region holds
-/// no point of the mesh, unless it may.
+/// Makes the body of a recipe, with points in the cells that `owns(cell)`; `ground`: of a geostatic stress.
+/// Throws `error` if the region holds no point of the mesh, unless it may.
 template <class K, ExtraColumns Extra = ExtraColumns{}, class M, class L, Name name,
           class Owns = OwnsAllCells>
-auto make_body(const M& mesh, const Fill<L, name>& recipe, const Owns& owns = {}) {
+auto make_body(const M& mesh, const Fill<L, name>& recipe, const Owns& owns = {}, const Ground& ground = {}) {
   using T = typename M::scalar;
   constexpr int D = M::dimension;
   Body<L, T, D, Extra> body{recipe.law, {}, {}};
   const FillOptions& o = recipe.options;
-  if (o.stress) o.stress->check(D);
   if (o.velocity.is_uniform()) o.velocity.at<T, D>(Vec<T, D>::Zero());
   require(!o.even || !is_simplex_mesh<M>, "FillOptions.even", o.even, "goes with a grid alone");
   o.check();
+  const double density = recipe.law.density();
+  std::optional<InitialStress> stress_at;
+  if (o.stress) stress_at = o.stress->in(ground, density);
   const auto numbers = region_numbers(mesh, recipe.region);
   for (Index c = 0; c < mesh.cell_count(); ++c) {
     if (!owns(c)) continue;
@@ -194,8 +196,7 @@ auto make_body(const M& mesh, const Fill<L, name>& recipe, const Owns& owns = {}
     for (const auto& x : places) {
       if (recipe.region.test && !recipe.region.contains(x)) continue;
       const T volume = share * K::thickness(x);
-      const double density = body.law.density();
-      const auto stress = o.stress ? o.stress->at(x, density) : Sym<T, D>{};
+      const auto stress = stress_at ? stress_at->at(x) : Sym<T, D>{};
       body.points.push_back(x, o.velocity.at(x), static_cast<T>(density) * volume, volume, stress, c);
       if constexpr (Extra.affine)
         body.points.motion.set(body.points.size() - 1, o.velocity.gradient(x, length));
@@ -211,8 +212,8 @@ auto make_body(const M& mesh, const Fill<L, name>& recipe, const Owns& owns = {}
   return body;
 }
 template <class K, ExtraColumns Extra = ExtraColumns{}, class M, class L, Name name, class Region>
-auto make_body(const M& mesh, const Fill<L, name, Region>& recipe) {
-  return make_body<K, Extra>(mesh, recipe.template erased<M>());
+auto make_body(const M& mesh, const Fill<L, name, Region>& recipe, const Ground& ground = {}) {
+  return make_body<K, Extra>(mesh, recipe.template erased<M>(), OwnsAllCells{}, ground);
 }
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -27,6 +27,7 @@ template <class Scene, class B>
 auto insert_into(Scene& scene, B& body, const std::vector<typename B::Point>& points) {
   const auto totals =
       add_points(body, scene.mesh, points, [&](const auto& p) { return detail::id_for(scene, p); });
+  scene.at_rest.clear();
   body.inserted += totals;
   body.initial_volume += totals.mass / body.law.density();
   if (regroup(body, scene.blocks)) scene.balance_threads();
@@ -36,8 +37,11 @@ auto insert_into(Scene& scene, B& body, const std::vector<typename B::Point>& po
 /// The same for the points of a `fill`, as a new scene would have them.
 template <class Scene, class B, class F>
 auto insert_fill(Scene& scene, B& body, const F& fill) {
-  const auto made =
-      make_body<typename Scene::Kinematics, Scene::extra_columns>(scene.mesh, fill, scene.cell_owner());
+  Ground ground{.time = scene.time};
+  if (fill.options.stress && fill.options.stress->geostatic())
+    ground.gravity = detail::gravity_of_ground(scene, scene.time);
+  const auto made = make_body<typename Scene::Kinematics, Scene::extra_columns>(scene.mesh, fill,
+                                                                                scene.cell_owner(), ground);
   std::vector<typename B::Point> points;
   points.reserve(made.points.size());
   for (std::size_t p = 0; p < made.points.size(); ++p) points.push_back(made.points[p]);
@@ -48,6 +52,7 @@ auto insert_fill(Scene& scene, B& body, const F& fill) {
 template <class Scene, class B, class Leaves>
 auto remove_from(Scene& scene, B& body, const Leaves& leaves) {
   const auto totals = take_out(body, scene.mesh.cell_count(), leaves, [](const auto&) {});
+  scene.at_rest.clear();
   body.removed += totals;
   body.initial_volume -= totals.mass / body.law.density();
   if (regroup(body, scene.blocks)) scene.balance_threads();

@@ -156,6 +156,12 @@ TEST_CASE("Ground that is at rest says nothing, whatever its points and function
     CHECK(said(ground<Numerics<CubicBSpline, Flip>>(at_rest(one, per_cell))).empty());
   }
   CHECK(said(ground(at_rest({.surface = 1.025, .k0 = 0.5}), 1.025)).empty());
+  for (const double top : {0.96, 0.97, 0.981, 0.99, 1.002, 1.01}) {
+    FillOptions cut = at_rest({.surface = top, .k0 = 0.5});
+    cut.exact_volume = true;
+    CAPTURE(top);
+    CHECK(said(ground(cut, top)).empty());
+  }
   const auto mesh = test::triangles({0, 0}, {1, 1}, 10, 10);
   for (const int per_cell : {1, 3, 4})
     CHECK(said(Scene{Axisymmetric{}, SimplexMesh<2>(mesh), Numerics<LinearSimplex, Flip>{},
@@ -174,7 +180,8 @@ TEST_CASE("Ground that is at rest says nothing, whatever its points and function
                                         at_rest({.surface = 0.8, .k0 = 0.5})),
                             fill<"high">(Box{{0., 0.5}, {1., 0.8}}, soil(1000),
                                          at_rest({.surface = 0.8, .k0 = 0.5})),
-                            fill<"stone">(Ball({0.5, 0.95}, 0.1), soil(2000), {.velocity = {0, -3, 0}})),
+                            fill<"stone">(Ball({0.5, 0.95}, 0.1), soil(2000),
+                                          {.velocity = {0, -3, 0}, .exact_volume = true})),
                      Coulomb(Friction(0.5)), walls(left(roller), right(roller)),
                      frictional(bottom(), Friction(0.5)), gravity({0, -10})))
             .empty());

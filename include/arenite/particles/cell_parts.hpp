@@ -16,7 +16,7 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 /// The part of the sub-cell of a point that lies in a region.
 template <class V>
 struct CellPart {
-  double share = 0;  ///< of the sub-cell, -; more than 1 if slivers beside it have joined
+  double share = 0;  ///< of the sub-cell, -
   V centre;          ///< of the part, m
   bool whole = false;
 };
@@ -24,12 +24,14 @@ struct CellPart {
 namespace detail {
 
 /// The part of a small box of these edges about x that lies in a region, -, and its centre. By a signed
-/// distance: of the plane at that distance, exact where it is parallel to a face; else all or nothing.
+/// distance: of the plane at that distance, exact where it is parallel to a face, and the only one in the
+/// box; else all or nothing.
 template <class V>
 std::pair<double, V> part_in_region(const AnyRegion& region, const V& x, const V& edges) {
   const V none = x;
   if (!region.distance) return {region.contains(x) ? 1.0 : 0.0, none};
   const double d = region.distance(in_space(x));
+  if (std::abs(d) > edges.norm() / 2) return {d < 0 ? 1.0 : 0.0, none};
   V slope;
   for (int k = 0; k < x.size(); ++k) {
     V before = x, behind = x;
@@ -43,30 +45,48 @@ std::pair<double, V> part_in_region(const AnyRegion& region, const V& x, const V
   return {share, x - slope * (width * (1 - share) / (2 * slope.squaredNorm()))};
 }
 
-/// Whether the boundary of a region may cut a cell.
+/// A ball without the boundary of a region in it, m.
+template <int D>
+struct ClearBall {
+  Vec<double, D> centre = Vec<double, D>::Zero();
+  double radius = 0;
+};
+
+/// Whether the boundary of a region may cut a cell. `clear` is the ball that the last distance showed: most
+/// cells lie in it, and need no other.
 template <class M>
-bool may_cut(const M& mesh, Index cell, const AnyRegion& region) {
-  using V = Vec<double, M::dimension>;
-  std::vector<V> corners;
+bool may_cut(const M& mesh, Index cell, const AnyRegion& region, ClearBall<M::dimension>& clear) {
+  constexpr int D = M::dimension;
+  using V = Vec<double, D>;
+  V centre = V::Zero();
+  double radius = 0;
   if constexpr (is_simplex_mesh<M>) {
-    for (const Index i : mesh.nodes(cell)) corners.push_back(mesh.position(i).template cast<double>());
+    for (const Index i : mesh.nodes(cell)) centre += mesh.position(i).template cast<double>() / (D + 1);
+    for (const Index i : mesh.nodes(cell))
+      radius = std::max(radius, (mesh.position(i).template cast<double>() - centre).norm());
   } else {
-    for (int corner = 0; corner < 1 << M::dimension; ++corner) {
-      V x = mesh.corner(cell).template cast<double>();
-      for (int k = 0; k < M::dimension; ++k)
-        if (corner >> k & 1) x[k] += static_cast<double>(mesh.extent(cell)[k]);
-      corners.push_back(x);
+    const V edges = mesh.extent(cell).template cast<double>();
+    centre = mesh.corner(cell).template cast<double>() + edges / 2;
+    radius = edges.norm() / 2;
+  }
+  if (region.distance) {
+    if ((centre - clear.centre).norm() + radius < clear.radius) return false;
+    clear = {centre, std::abs(region.distance(in_space(centre)))};
+    return !(clear.radius > radius);
+  }
+  const bool inside = region.contains(centre);
+  bool differs = false;
+  if constexpr (is_simplex_mesh<M>) {
+    for (const Index i : mesh.nodes(cell)) differs = differs || region.contains(mesh.position(i)) != inside;
+  } else {
+    for (int corner = 0; corner < 1 << D; ++corner) {
+      typename M::Point x = mesh.corner(cell);
+      for (int k = 0; k < D; ++k)
+        if (corner >> k & 1) x[k] += mesh.extent(cell)[k];
+      differs = differs || region.contains(x) != inside;
     }
   }
-  V centre = V::Zero();
-  for (const V& x : corners) centre += x / static_cast<double>(corners.size());
-  if (!region.distance) {
-    const bool inside = region.contains(centre);
-    return std::ranges::any_of(corners, [&](const V& x) { return region.contains(x) != inside; });
-  }
-  double radius = 0;
-  for (const V& x : corners) radius = std::max(radius, (x - centre).norm());
-  return !(std::abs(region.distance(in_space(centre))) > radius);
+  return differs;
 }
 
 /// Samples of equal weight in the simplex of a cell, m.
@@ -90,23 +110,17 @@ std::vector<Vec<double, M::dimension>> simplex_samples(const M& mesh, Index cell
 
 }  // namespace detail
 
-/// Below it the part of a sub-cell joins another one of its cell, -.
-inline constexpr double least_cell_part = 0.1;
-
 /// The parts of the sub-cells of a cell that lie in a region, one for each of `places`; none if the region's
 /// boundary does not cut the cell. On a grid they are those of the lattice with so many points `along` each
-/// axis; in a simplex what lies nearest to a place. Parts below `least_cell_part` join the nearest one that
-/// is larger, so that their volume counts.
+/// axis; in a simplex what lies nearest to a place. `clear`: of the cell before.
 template <class M>
-std::vector<CellPart<Vec<double, M::dimension>>> cell_parts(const M& mesh, Index cell,
-                                                            const AnyRegion& region,
-                                                            const std::vector<typename M::Point>& places,
-                                                            [[maybe_unused]] int per_cell,
-                                                            [[maybe_unused]] bool even) {
+std::vector<CellPart<Vec<double, M::dimension>>> cell_parts(
+    const M& mesh, Index cell, const AnyRegion& region, const std::vector<typename M::Point>& places,
+    [[maybe_unused]] int per_cell, [[maybe_unused]] bool even, detail::ClearBall<M::dimension>& clear) {
   constexpr int D = M::dimension;
   using V = Vec<double, D>;
   std::vector<CellPart<V>> parts;
-  if (!region.test || region.by_centres || !detail::may_cut(mesh, cell, region)) return parts;
+  if (!region.test || region.by_centres || !detail::may_cut(mesh, cell, region, clear)) return parts;
   std::vector<double> samples(places.size(), 0);
   std::vector<V> moment(places.size(), V::Zero());
   parts.resize(places.size());
@@ -134,35 +148,24 @@ std::vector<CellPart<Vec<double, M::dimension>>> cell_parts(const M& mesh, Index
     std::array<int, static_cast<std::size_t>(D)> within;
     within.fill(finer);
     const auto fine = lattice_points(within);
-    for (std::size_t p = 0; p < places.size(); ++p)
-      for (const auto& s : fine)
-        add(p, V(places[p].template cast<double>() + (s - V::Constant(0.5)).cwiseProduct(edges)),
-            V(edges / finer));
+    for (std::size_t p = 0; p < places.size(); ++p) {
+      const V middle = places[p].template cast<double>();
+      if (region.distance && std::abs(region.distance(in_space(middle))) > edges.norm() / 2)
+        add(p, middle, V(edges / finer));
+      else
+        for (const auto& s : fine)
+          add(p, V(middle + (s - V::Constant(0.5)).cwiseProduct(edges)), V(edges / finer));
+    }
   }
-  std::size_t largest = 0;
   for (std::size_t p = 0; p < parts.size(); ++p) {
     auto& part = parts[p];
-    if (samples[p] == 0) continue;
-    if (part.share > 0) part.centre = moment[p] / part.share;
+    if (!(part.share > 1e-9 * samples[p])) {
+      part.share = 0;
+      continue;
+    }
+    part.centre = moment[p] / part.share;
     part.share /= samples[p];
     part.whole = part.share > 1 - 1e-9;
-    if (part.whole) part = {1, places[p].template cast<double>(), true};
-    if (part.share < 1e-9) part.share = 0;
-    if (part.share > parts[largest].share) largest = p;
-  }
-  for (std::size_t p = 0; p < parts.size(); ++p) {
-    if (p == largest || parts[p].share == 0 || parts[p].share >= least_cell_part) continue;
-    std::size_t to = largest;
-    for (std::size_t q = 0; q < parts.size(); ++q)
-      if (parts[q].share >= least_cell_part &&
-          (parts[q].centre - parts[p].centre).norm() < (parts[to].centre - parts[p].centre).norm())
-        to = q;
-    auto& joined = parts[to];
-    joined.centre =
-        (joined.share * joined.centre + parts[p].share * parts[p].centre) / (joined.share + parts[p].share);
-    joined.share += parts[p].share;
-    joined.whole = false;
-    parts[p].share = 0;
   }
   return parts;
 }

@@ -109,7 +109,7 @@ std::vector<Ground> grounds_of(const Scene& scene, const Bodies<Fills...>& recip
 
 /// The bodies of a new scene that are to be at rest. Jittered points are not: their sums are those of a
 /// random rule.
-template <class... Fills>
+template <class M, class... Fills>
 std::vector<GroundAtRest> grounds_at_rest(const Bodies<Fills...>& recipe,
                                           const std::vector<Ground>& grounds) {
   std::vector<GroundAtRest> at_rest;
@@ -121,31 +121,39 @@ std::vector<GroundAtRest> grounds_at_rest(const Bodies<Fills...>& recipe,
     if (!o.stress || !o.stress->geostatic()) return;
     const Ground& ground = grounds[body];
     may_move = may_move || o.jitter > 0 || o.stress->geostatic()->may_move;
-    at_rest.push_back({body, o.per_cell, o.even, ground.gravity, o.stress->in(ground, fill.law.density())});
+    at_rest.push_back({body, o.template points_in_cell<M>(), o.even, ground.gravity,
+                       o.stress->in(ground, fill.law.density())});
   };
   std::apply([&](const auto&... fill) { (add(fill), ...); }, recipe.fills);
   if (may_move) at_rest.clear();
   return at_rest;
 }
 
-/// Places of the Gauss points of a sub-cell from its middle, m: two along each axis of a grid, one more than
-/// dimensions in a simplex.
+/// Places of the Gauss points of what a point stands for from its middle, m: two along each axis of a grid,
+/// one more than dimensions in a simplex. `volume` of the matter, m^D: a part of a sub-cell is one of its
+/// height along the axis `vertical`.
 template <class M>
-std::vector<typename M::Point> gauss_offsets(const M& mesh, Index cell, int per_cell,
-                                             [[maybe_unused]] bool even) {
+std::vector<typename M::Point> gauss_offsets(const M& mesh, Index cell, const GroundAtRest& ground,
+                                             [[maybe_unused]] typename M::scalar volume,
+                                             [[maybe_unused]] int vertical) {
   using T = typename M::scalar;
   constexpr int D = M::dimension;
   std::vector<typename M::Point> offsets;
   if constexpr (is_simplex_mesh<M>) {
     typename M::Point centre = M::Point::Zero();
     for (const Index i : mesh.nodes(cell)) centre += mesh.position(i) / static_cast<T>(D + 1);
-    const auto scale = static_cast<T>(std::pow(per_cell, -1.0 / D) / std::sqrt(D + 2.0));
+    const auto scale = static_cast<T>(std::pow(ground.per_cell, -1.0 / D) / std::sqrt(D + 2.0));
     for (const Index i : mesh.nodes(cell)) offsets.push_back(scale * (mesh.position(i) - centre));
   } else {
-    const auto along = even ? even_counts<T, D>(per_cell, mesh.extent(cell)) : lattice_counts<D>(per_cell);
+    const auto along = ground.even ? even_counts<T, D>(ground.per_cell, mesh.extent(cell))
+                                   : lattice_counts<D>(ground.per_cell);
+    typename M::Point edges = mesh.extent(cell);
+    for (int k = 0; k < D; ++k) edges[k] /= static_cast<T>(along[static_cast<std::size_t>(k)]);
+    edges[vertical] *= volume / edges.prod();
     for (int corner = 0; corner < 1 << D; ++corner) {
-      typename M::Point x = mesh.extent(cell) / static_cast<T>(2 * std::sqrt(3.0));
-      for (int k = 0; k < D; ++k) x[k] *= T(corner >> k & 1 ? 1 : -1) / static_cast<T>(along[k]);
+      typename M::Point x = edges / static_cast<T>(2 * std::sqrt(3.0));
+      for (int k = 0; k < D; ++k)
+        if (corner >> k & 1) x[k] = -x[k];
       offsets.push_back(x);
     }
   }
@@ -163,6 +171,8 @@ std::vector<typename Scene::V> sum_errors(const Scene& scene) {
   constexpr int D = Scene::D;
   std::vector<V> error(Scene::Shape::node_count(scene.mesh), V::Zero());
   const V g = in_scene<D>(scene.at_rest.front().gravity).template cast<T>();
+  int vertical = 0;
+  g.cwiseAbs().maxCoeff(&vertical);
   std::size_t number = 0;
   scene.for_each_body([&](const auto& body, const auto&) {
     const auto of_body = std::ranges::find(scene.at_rest, number++, &GroundAtRest::body);
@@ -185,7 +195,8 @@ std::vector<typename Scene::V> sum_errors(const Scene& scene) {
         }
       };
       add(middle, points.stress[p], 1);
-      const auto offsets = gauss_offsets(scene.mesh, c, of_body->per_cell, of_body->even);
+      const auto offsets =
+          gauss_offsets(scene.mesh, c, *of_body, points.volume[p] / K::thickness(middle), vertical);
       for (const V& offset : offsets) {
         const V x = middle + offset;
         add(x, of_body->stress.at(x), T(-1) / static_cast<T>(offsets.size()));

@@ -392,7 +392,7 @@ Scene<K, M, N, Given...>::Scene(Nothing, K kinematics_value, M mesh_value, N num
   });
   if constexpr (!is_portion) {
     const auto& recipe = detail::find_bodies(given...);
-    at_rest = detail::grounds_at_rest(recipe, detail::grounds_of(*this, recipe));
+    at_rest = detail::grounds_at_rest<M>(recipe, detail::grounds_of(*this, recipe));
     detail::warn_about_new_scene(*this, recipe);
   }
 }

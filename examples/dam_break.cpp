@@ -16,7 +16,7 @@ int main() {
               CartesianGrid<2>{{.lower = {-reservoir, 0}, .upper = {9 * depth, 1.25 * depth}, .cell = cell}},
               Numerics<QuadraticBSpline, Apic>{},
               bodies(fill(Box{{-reservoir, 0.}, {0., depth}}, water,
-                          {.per_cell = 4, .stress = Geostatic{.surface = depth, .k0 = 1}})),
+                          {.per_cell = 4, .stress = Geostatic{.surface = depth, .k0 = 1, .may_move = true}})),
               walls(bottom(roller), left(roller)),
               gravity({0, -g})};
   run(scene, {.end = time});

@@ -96,13 +96,12 @@ inline auto sand_with_law(const DropOptions& o) {
 
 template <int D, class Region, class Law>
 auto soil_of(const DropOptions& o, const Region& region, const Law& law) {
-  return fill<"soil">(
-      region, WithDeviatoricStrain<Law, D>{law},
-      {.per_cell = o.points_in_element(),
-       .stress = Geostatic{.surface = 0, .k0 = o.earth_pressure(), .gravity = standard_gravity},
-       .jitter = o.jitter,
-       .seed = static_cast<std::uint64_t>(o.jitter_seed),
-       .even = o.on_grid() && o.cell_at_cone.has_value()});
+  return fill<"soil">(region, WithDeviatoricStrain<Law, D>{law},
+                      {.per_cell = o.points_in_element(),
+                       .stress = Geostatic{.surface = 0, .k0 = o.earth_pressure()},
+                       .jitter = o.jitter,
+                       .seed = static_cast<std::uint64_t>(o.jitter_seed),
+                       .even = o.on_grid() && o.cell_at_cone.has_value()});
 }
 
 inline Friction friction_of(const DropOptions& o) {

@@ -19,7 +19,7 @@ reservoir = 5 * depth
 time = 4 * depth / wave  # s, before the wave that runs back reaches the reservoir's end
 scene = ar.Scene(ar.PlaneStrain(), ar.CartesianGrid((-reservoir, 0), (9 * depth, 1.25 * depth), cell=cell),
                  ar.Numerics(ar.QuadraticBSpline, ar.Apic),
-                 bodies=[ar.fill("water", ar.Box((-reservoir, 0), (0, depth)), water, stress=ar.Geostatic(surface=depth, k0=1))],
+                 bodies=[ar.fill("water", ar.Box((-reservoir, 0), (0, depth)), water, stress=ar.Geostatic(surface=depth, k0=1, may_move=True))],
                  walls=[ar.bottom("roller"), ar.left("roller")], gravity=(0, -g))
 ar.run(scene, end=time)
 body = scene.bodies["water"]

@@ -12,18 +12,19 @@ from .shapes import Region, region_value
 
 @dataclass(frozen=True)
 class Geostatic(Recipe):
-    """Stress of level ground at rest: surface, m; k0, -; gravity, m/s2; the vertical axis.
+    """Stress of level ground at rest under the scene's gravity: that of the body's own weight up to the surface, and
+    of the layers above it, which are other bodies with a `Geostatic`. The first step warns if the ground is not at rest.
 
-    parameter  unit  range   default  meaning
-    surface    m     any     needed   height of the surface
-    k0         -     >= 0    needed   horizontal over vertical stress
-    gravity    m/s2  any     9.81
-    axis       -     0 to 2  1        the vertical one"""
+    parameter  unit  range        default  meaning
+    surface    m     any          needed   height of the surface
+    k0         -     >= 0         needed   horizontal over vertical stress
+    surcharge  Pa    >= 0         0.0      pressure on the surface
+    may_move   -     True, False  False    ground that is not at rest is no mistake"""
 
     surface: float = float("nan")
     k0: float = float("nan")
-    gravity: float = 9.81
-    axis: int = 1
+    surcharge: float = 0.0
+    may_move: bool = False
 
     def value(self) -> Any:
         return {"geostatic": Recipe.value(self)}

@@ -40,7 +40,7 @@ void check_anchor(const Value& values) {
   BoundFree<double, 3>{body};
 }
 void check_geostatic(const Value& values) {
-  read<Geostatic>(*values.find("geostatic"), Reading{.name = "Geostatic"}).check(3);
+  read<Geostatic>(*values.find("geostatic"), Reading{.name = "Geostatic"}).check();
 }
 void check_wall(const Value& values) {
   Wall wall = read<Wall>(values, Reading{.name = "Wall"});

@@ -22,7 +22,7 @@ auto bar(K kinematics, M mesh, N numerics, const Condition& sides, const Absorbi
   std::vector<Wall> held{left(sides), right(sides)};
   if constexpr (D == 3) held.insert(held.end(), {front(sides), back(sides)});
   FillOptions of_points{.per_cell = is_simplex_mesh<M> ? 3 : 1 << D};
-  if (g > 0) of_points.stress = Geostatic{.surface = 1, .k0 = 1.0 / 3, .gravity = g};
+  if (g > 0) of_points.stress = Geostatic{.surface = 1, .k0 = 1.0 / 3};
   Box<D> all;
   all.upper.fill(std::numeric_limits<double>::infinity());
   all.lower.fill(-all.upper[0]);

@@ -16,8 +16,7 @@ using namespace arenite::test;
 namespace {
 
 const LinearElastic law{{.density = 2000, .young = 1e7, .poisson = 0.25}};
-const FillOptions level{
-    .per_cell = 4, .velocity = {1, -2, 0}, .stress = Geostatic{.surface = 2, .k0 = 0.5, .gravity = 10}};
+const FillOptions level{.per_cell = 4, .velocity = {1, -2, 0}, .stress = Geostatic{.surface = 2, .k0 = 0.5}};
 
 /// Level ground 2 m high, 1 m wide, in a grid that is higher.
 auto ground() {

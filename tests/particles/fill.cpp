@@ -14,8 +14,9 @@ namespace {
 const LinearElastic law{{.density = 2000, .young = 1e6, .poisson = 0.3}};
 
 template <class K, class M, class Region>
-auto body_of(const M& mesh, Region region, FillOptions options = {}) {
-  return make_body<K>(mesh, fill(std::move(region), law, options));
+auto body_of(const M& mesh, Region region, FillOptions options = {},
+             Ground ground = {.gravity = {0, -9.81, 0}}) {
+  return make_body<K>(mesh, fill(std::move(region), law, options), ground);
 }
 
 template <class B>
@@ -64,6 +65,78 @@ TEST_CASE("volumes add up to that of the region") {
   REQUIRE(std::abs(volume(body_of<Axisymmetric>(grid, Box{{0., 0.}, {0.5, 1.}})) - pi * 0.25) < 1e-14);
 }
 
+TEST_CASE("exact_volume: points stand for the part of their sub-cells that lies in the region") {
+  // Total mass and first moment of layers, whatever part of a sub-cell they end in.
+  for (const double top : {0.05, 0.1, 0.13, 0.26, 0.4, 0.63})
+    for (const bool exact : {false, true}) {
+      if (!exact && top < 0.0625) continue;  // no middle of a sub-cell lies in it
+      const auto layer = body_of<PlaneStrain>(grid, Box{{0., 0.}, {2., top}}, {.exact_volume = exact});
+      CAPTURE(top);
+      CHECK(layer.region_volume == Approx(2 * top).epsilon(1e-12));
+      if (!exact) continue;
+      double moment = 0;
+      for (std::size_t p = 0; p < layer.points.size(); ++p) {
+        moment += layer.points.volume[p] * layer.points.position[p][1];
+        REQUIRE(grid.walk(layer.points.position[p]) == layer.points.cell[p]);
+        REQUIRE(layer.points.mass[p] == 2000 * layer.points.volume[p]);
+        if (top > 0.2) REQUIRE(layer.points.volume[p] > 0.1 * square(0.125));
+      }
+      CHECK(volume(layer) == Approx(2 * top).epsilon(1e-12));
+      CHECK(moment == Approx(top * top).epsilon(1e-4));  // corners
+      CHECK(layer.initial_volume == Approx(2 * top).epsilon(1e-12));
+    }
+  CHECK(volume(body_of<PlaneStrain>(grid, Box{{0., 0.}, {2., 0.2}})) == Approx(0.5));  // without it
+  // Where the region ends on sub-cells: the same bits.
+  const Box<2> fits{{0, 0}, {0.5, 0.625}};
+  const auto plain = body_of<Axisymmetric>(grid, fits),
+             same = body_of<Axisymmetric>(grid, fits, {.exact_volume = true});
+  REQUIRE(plain.points.size() == same.points.size());
+  for (std::size_t p = 0; p < plain.points.size(); ++p) {
+    REQUIRE(plain.points.position[p] == same.points.position[p]);
+    REQUIRE(plain.points.volume[p] == same.points.volume[p]);
+  }
+  const FillOptions exact{.exact_volume = true};
+  const double disc = pi * 0.09;
+  CHECK(volume(body_of<PlaneStrain>(grid, Ball({1.03, 0.52}, 0.3), exact)) == Approx(disc).epsilon(0.003));
+  CHECK(volume(body_of<Axisymmetric>(grid, Ball({0., 0.52}, 0.3), exact)) ==
+        Approx(0.4 * disc).epsilon(0.003));
+  const auto test = [](const Vec<double, 2>& x) { return (x - Vec<double, 2>(1.03, 0.52)).norm() < 0.3; };
+  struct Disc {
+    decltype(test) contains;
+  };
+  CHECK(volume(body_of<PlaneStrain>(grid, Disc{test}, exact)) == Approx(disc).epsilon(0.02));
+  const auto scaled = [](const Vec<double, 2>& x) {
+    return 0.1 * ((x - Vec<double, 2>(1.03, 0.52)).norm() - 0.3);
+  };
+  CHECK(volume(body_of<PlaneStrain>(grid, Inside{scaled}, exact)) == Approx(disc).epsilon(0.003));
+  const RectilinearGrid<2> unequal{{.x = {0, 0.3, 0.5, 1, 2}, .y = {0, 0.4, 0.5, 1}}};
+  for (const bool even : {false, true})
+    CHECK(volume(body_of<PlaneStrain>(unequal, Box{{0., 0.}, {1.31, 0.47}},
+                                      {.jitter = 0.5, .even = even, .exact_volume = true})) ==
+          Approx(1.31 * 0.47).epsilon(0.002));
+  const auto mesh = two_regions();
+  for (const int n : {1, 3, 4, 16})
+    CHECK(volume(body_of<Axisymmetric>(mesh, Box{{0.5, 0.}, {1.5, 0.63}},
+                                       {.per_cell = n, .exact_volume = true})) ==
+          Approx(1.26 * pi).epsilon(0.01));
+  CHECK(volume(body_of<Axisymmetric>(mesh, Cells("low"), {.per_cell = 3, .exact_volume = true})) ==
+        Approx(pi));
+  const CartesianGrid<3> space({.lower = {0, 0, 0}, .upper = {1, 1, 1}, .cell = 0.25});
+  CHECK(volume(body_of<ThreeDimensional>(space, Box{{0., 0., 0.}, {1., 1., 0.64}}, exact)) ==
+        Approx(0.64).epsilon(1e-3));
+  CHECK(volume(body_of<ThreeDimensional>(sample_mesh<3>(2), Box{{-9., -9., -9.}, {9., 9., 0.64}}, exact)) ==
+        Approx(0.64).epsilon(0.02));
+}
+
+TEST_CASE("points a cell: four, and eight in the cells of a grid in space") {
+  CHECK(body_of<PlaneStrain>(grid, Box{{0., 0.}, {2., 1.}}).points.size() == 4 * 32);
+  const CartesianGrid<3> space({.lower = {0, 0, 0}, .upper = {1, 1, 1}, .cell = 0.5});
+  CHECK(body_of<ThreeDimensional>(space, Box{{0., 0., 0.}, {1., 1., 1.}}).points.size() == 8 * 8);
+  const auto solid = sample_mesh<3>(2);
+  CHECK(body_of<ThreeDimensional>(solid, Box{{-9., -9., -9.}, {9., 9., 9.}}).points.size() ==
+        4 * solid.cell_count());
+}
+
 TEST_CASE("a signed distance fills what lies inside") {
   const auto disc = [](const auto& x) { return (x - Vec<double, 2>(1, 0.5)).norm() - 0.4; };
   const CartesianGrid<2> fine({.lower = {0, 0}, .upper = {2, 1}, .cell = 0.02});
@@ -85,9 +158,9 @@ TEST_CASE("points know their cell, their velocity and their stress of level grou
     for (std::size_t k = 0; k < 4; ++k) REQUIRE(std::abs(body.points.stress[p][k] - expected[k]) < 1e-10);
   }
   const CartesianGrid<3> box({.lower = {0, 0, 0}, .upper = {1, 1, 1}, .cell = 1});
-  const auto solid = body_of<ThreeDimensional>(
-      box, Box{{0., 0., 0.}, {1., 1., 1.}},
-      {.per_cell = 1, .stress = Geostatic{.surface = 1, .k0 = 0.5, .gravity = 10, .axis = 2}});
+  const auto solid = body_of<ThreeDimensional>(box, Box{{0., 0., 0.}, {1., 1., 1.}},
+                                               {.per_cell = 1, .stress = Geostatic{.surface = 1, .k0 = 0.5}},
+                                               {.gravity = {0, 0, -10}});
   REQUIRE(std::abs(solid.points.stress[0][2] + 2000 * 10 * 0.5) < 1e-10);
   REQUIRE(std::abs(solid.points.stress[0][0] + 2000 * 5 * 0.5) < 1e-10);
 }
@@ -187,17 +260,14 @@ TEST_CASE("what cannot be filled is refused") {
   REQUIRE(throws([] { body_of<PlaneStrain>(two_regions(), Cells("middle")); },
                  "region = middle: must be one of: high, low"));
   REQUIRE(refuses({.per_cell = 3}, "per_cell = 3: must be a square"));
+  REQUIRE(refuses({.per_cell = 0}, "FillOptions.per_cell = 0: must be at least 1"));
   REQUIRE(refuses({.stress = Geostatic{}}, "Geostatic.surface = nan: must be given"));
   REQUIRE(
       refuses({.stress = Geostatic{.surface = 0}}, "Geostatic.k0 = nan: must be given, and not negative"));
   REQUIRE(refuses({.stress = Geostatic{.surface = 0, .k0 = -1}},
                   "Geostatic.k0 = -1: must be given, and not negative"));
-  REQUIRE(refuses({.stress = Geostatic{.surface = 0, .k0 = 1, .gravity = nan}},
-                  "Geostatic.gravity = nan: must be finite"));
-  REQUIRE(refuses({.stress = Geostatic{.surface = 0, .k0 = 1, .axis = 2}},
-                  "Geostatic.axis = 2: must be an axis of the scene"));
-  REQUIRE(refuses({.stress = Geostatic{.surface = 0, .k0 = 1, .axis = -1}},
-                  "Geostatic.axis = -1: must be an axis of the scene"));
+  REQUIRE(refuses({.stress = Geostatic{.surface = 0, .k0 = 1, .surcharge = -1}},
+                  "Geostatic.surcharge = -1: must be finite, and not negative"));
   REQUIRE(refuses({.velocity = {nan, 0, 0}}, "FillOptions.velocity = nan: must be finite"));
   REQUIRE(refuses({.velocity = {0, 0, 1}},
                   "FillOptions.velocity = 1: must be zero along an axis that the scene does not have"));

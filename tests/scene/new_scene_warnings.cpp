@@ -78,15 +78,45 @@ TEST_CASE("Bodies in one place are told once a pair; bodies that touch are not")
   const auto disc = [](double x) {
     return Inside{[x](const Vec<double, 2>& at) { return std::hypot(at[0] - x, at[1] - 0.5) - 0.2; }};
   };
-  CHECK(on_grid(bodies(fill(disc(0.3), rubber), fill(disc(0.5), rubber))).size() == 1);
-  CHECK(on_grid(bodies(fill(disc(0.3), rubber), fill(disc(0.7), rubber))).empty());
+  const FillOptions exact{.exact_volume = true};
+  CHECK(on_grid(bodies(fill(disc(0.3), rubber, exact), fill(disc(0.5), rubber, exact))).size() == 1);
+  CHECK(on_grid(bodies(fill(disc(0.3), rubber, exact), fill(disc(0.7), rubber, exact))).empty());
   // Boundaries within a cell, points of other numbers.
-  CHECK(on_grid(bodies(fill(Box{{0., 0.}, {0.53, 1.}}, rubber, {.per_cell = 4}),
-                       fill(Box{{0.53, 0.}, {1., 1.}}, rubber, {.per_cell = 9})))
+  CHECK(on_grid(bodies(fill(Box{{0., 0.}, {0.53, 1.}}, rubber, {.per_cell = 4, .exact_volume = true}),
+                       fill(Box{{0.53, 0.}, {1., 1.}}, rubber, {.per_cell = 9, .exact_volume = true})))
             .empty());
   texts = on_triangles(bodies(fill(Cells("all"), rubber, {.per_cell = 3}),
                               fill(Box{{0.2, 0.2}, {0.4, 0.4}}, rubber, {.per_cell = 3})));
   REQUIRE(texts.size() == 1);
+}
+
+TEST_CASE("Points with another mass than their region's are told with both") {
+  const auto layer = [](double top, FillOptions o = {}) {
+    return on_grid(bodies(fill<"base">(Box{{0., 0.}, {1., top}}, rubber, o)));
+  };
+  auto texts = layer(0.026);
+  REQUIRE(texts.size() == 1);
+  CHECK(has(texts[0],
+            "body base: its points have 50 kg, its region 26 kg: a point stands for all of its sub-cell"));
+  CHECK(has(texts[0], "FillOptions.exact_volume"));
+  texts = layer(0.12, {.per_cell = 1});
+  REQUIRE(texts.size() == 1);
+  CHECK(has(texts[0], "its points have 100 kg, its region 120 kg"));
+  CHECK(layer(0.026, {.exact_volume = true}).empty());
+  CHECK(layer(0.05).empty());
+  CHECK(layer(0.99).empty());  // 1 %
+  CHECK(on_grid(bodies(fill(Box{{-inf, -inf}, {inf, 0.026}}, rubber))).size() == 1);
+  texts = on_grid(bodies(fill(Ball({0.5, 0.5}, 0.08), rubber)));
+  REQUIRE(texts.size() == 1);
+  CHECK(has(texts[0], "its points have 30 kg, its region 20."));
+  CHECK(on_triangles(bodies(fill(Box{{0., 0.}, {1., 0.07}}, rubber, {.per_cell = 1}))).size() == 1);
+  CHECK(said([] {
+          Scene scene{PlaneStrain{}, CartesianGrid<2>{{.lower = {0, 0}, .upper = {1, 1}, .cell = 0.1}},
+                      Numerics<QuadraticBSpline, Apic>{},
+                      bodies(fill<"base">(Box{{0., 0.}, {1., 0.5}}, rubber))};
+          insert_points(scene, Box{{0., 0.5}, {1., 0.526}});
+          return scene;
+        }).size() == 1);
 }
 
 TEST_CASE("Gravity with nothing that holds along it is told") {

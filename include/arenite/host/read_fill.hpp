@@ -30,6 +30,7 @@ F read_fill(const typename Scene::Mesh& mesh, const Value& value, Reading at) {
   };
   F probe = fill;
   probe.options.may_be_empty = true;
+  if (probe.options.stress && probe.options.stress->geostatic()) probe.options.stress.reset();
   for (auto* stage : {&functions.where, &functions.what}) {
     if (stage->empty()) continue;
     make_body<typename Scene::Kinematics, Scene::extra_columns>(mesh, probe);

@@ -176,6 +176,7 @@ struct Reader<AnyRegion> {
       else
         test->compute();
       region.test = [test](const AnyRegion::Position& x) { return (*test)(x)[0] != 0; };
+      region.by_centres = true;
       return region;
     }
     if (at.dimension == 2) return AnyRegion::of<2>(detail::read_shape<2>(value, at));

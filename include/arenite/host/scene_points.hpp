@@ -132,7 +132,7 @@ HostedTotals fill_more(Scene& scene, std::size_t body, const Value& value) {
   return change_points(scene, body, [&](auto& of) {
     using Recipe = Fill<std::remove_cvref_t<decltype(of.law)>>;
     const Reading at{.name = "fill", .dimension = Scene::D};
-    return insert_fill(scene, of, read_fill<Scene, Recipe>(scene.mesh, value, at));
+    return insert_fill(scene, of, read_fill<Scene, Recipe>(scene.mesh, value, at), Scene::body_name(body));
   });
 }
 

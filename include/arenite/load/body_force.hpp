@@ -55,6 +55,10 @@ class BoundBodyForce {
   void follow_motion(Scene& scene, double dt) {
     work_ += forces_.work(scene, dt);
   }
+  /// At a position, m, and a time, s: what geostatic stresses take for gravity, m/s2.
+  Vec<T, D> acceleration_at(const Vec<T, D>& x, double time) const {
+    return value_at(value_, x, time, "body force");
+  }
   PartEnergy count_energy() const { return {.external = work_}; }
   bool holds_against(const Vec<T, D>&) const { return false; }
   template <class F>

@@ -14,6 +14,7 @@
 #include <arenite/law/roles.hpp>
 #include <arenite/mesh/mesh.hpp>
 #include <arenite/particles/cell_list.hpp>
+#include <arenite/particles/cell_parts.hpp>
 #include <arenite/particles/cell_points.hpp>
 #include <arenite/particles/cell_sums.hpp>
 #include <arenite/particles/initial_stress.hpp>
@@ -26,7 +27,8 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 /// How `fill` makes points. Values are checked when the scene is made, which throws `error`.
 struct FillOptions {
-  int per_cell = 4;                       ///< points a cell or an element
+  /// Points a cell; none: four, in the cells of a grid in space eight.
+  std::optional<int> per_cell{};
   InitialVelocity velocity{};             ///< (x, y, z), m/s, or a function of the position
   std::optional<InitialStress> stress{};  ///< `Geostatic`, or a function of the position; none: unstressed
   bool may_be_empty = false;              ///< whether a region without points is no mistake: some come later
@@ -40,10 +42,19 @@ struct FillOptions {
   /// On a grid with cells of unequal edges: about `per_cell`, but as far apart along all axes, so that they
   /// lie evenly where the matter flows into other cells.
   bool even = false;
+  /// Whether a point stands for the part of its sub-cell that lies in the region, and lies in the middle of
+  /// that part: so that the mass is that of the region. Otherwise it stands for all of its sub-cell, if the
+  /// middle of the sub-cell lies in the region.
+  bool exact_volume = false;
 
+  /// `per_cell` in a mesh.
+  template <class M>
+  int points_in_cell() const {
+    return per_cell.value_or(is_simplex_mesh<M> || M::dimension == 2 ? 4 : 8);
+  }
   /// Throws `error` for a value that no scene bears.
   void check() const {
-    require(per_cell >= 1, "FillOptions.per_cell", per_cell, "must be at least 1");
+    require(!per_cell || *per_cell >= 1, "FillOptions.per_cell", per_cell.value_or(0), "must be at least 1");
     require(jitter >= 0 && jitter <= 1, "FillOptions.jitter", jitter, "must lie in [0, 1]");
   }
 };
@@ -109,6 +120,7 @@ struct Body {
   double lost_kinetic = 0;               ///< their kinetic energy, J
   double lost_strain = 0;                ///< their recoverable energy, J
   double initial_volume = 0;             ///< m3
+  double region_volume = 0;              ///< of the part of the mesh that was to be filled, m3
   double opened_volume = 0;              ///< voids that opened without stress, summed over all steps, m3
   PointTotals<D> inserted{}, removed{};  ///< by `insert_points` and `remove_points`
   bool finite = true;                    ///< sums over the points of the last step
@@ -139,6 +151,46 @@ std::vector<int> region_numbers([[maybe_unused]] const M& mesh, const AnyRegion&
 
 namespace detail {
 
+/// Where a fill puts a point. Those of a cell follow each other, and cells are in order.
+template <class V>
+struct FillPlace {
+  V position;                 // m
+  typename V::Scalar volume;  // m3
+  Index cell;
+  bool sliver = false;  // whether it stands for less than a tenth of a sub-cell
+};
+
+/// Lets slivers join the nearest place beside them that is none, in their own cell or a cell next to it: a
+/// very light point in a cell of its own would lead nodes with hardly any mass. Volume and its centre are
+/// kept.
+template <class M, class V>
+void join_slivers(const M& mesh, std::vector<FillPlace<V>>& places) {
+  for (auto& small : places) {
+    if (!small.sliver) continue;
+    const auto apart = std::pow(mesh.volume(small.cell), static_cast<typename M::scalar>(1.0 / M::dimension));
+    FillPlace<V>* nearest = nullptr;
+    const auto look = [&](Index cell) {
+      for (auto& other : std::ranges::equal_range(places, cell, {}, &FillPlace<V>::cell))
+        if (!other.sliver && (!nearest || (other.position - small.position).norm() <
+                                              (nearest->position - small.position).norm()))
+          nearest = &other;
+    };
+    look(small.cell);
+    for (int k = 0; k < M::dimension; ++k)
+      for (const int side : {-1, 1})
+        if (const Index cell = mesh.walk(V(small.position + side * apart / 2 * V::Unit(k)), small.cell);
+            cell != none && cell != small.cell)
+          look(cell);
+    if (!nearest) continue;
+    const auto both = nearest->volume + small.volume;
+    const V middle = (nearest->volume * nearest->position + small.volume * small.position) / both;
+    if (mesh.walk(middle, nearest->cell) == nearest->cell) nearest->position = middle;
+    nearest->volume = both;
+    small.volume = 0;
+  }
+  std::erase_if(places, [](const auto& place) { return place.volume == 0; });
+}
+
 /// Gives the points the initial values of `FillOptions::history`. Throws `error` for one that the law's
 /// history has no member for, or that is not finite.
 template <class L, class T, int D, ExtraColumns E>
@@ -168,39 +220,67 @@ struct OwnsAllCells {
   constexpr bool operator()(Index) const { return true; }
 };
 
-/// Makes the body of a recipe, with points in the cells that `owns(cell)`. Throws `error` if the region holds
-/// no point of the mesh, unless it may.
+/// Makes the body of a recipe, with points in the cells that `owns(cell)`; `ground`: of a geostatic stress.
+/// Throws `error` if the region holds no point of the mesh, unless it may.
 template <class K, ExtraColumns Extra = ExtraColumns{}, class M, class L, Name name,
           class Owns = OwnsAllCells>
-auto make_body(const M& mesh, const Fill<L, name>& recipe, const Owns& owns = {}) {
+auto make_body(const M& mesh, const Fill<L, name>& recipe, const Owns& owns = {}, const Ground& ground = {}) {
   using T = typename M::scalar;
   constexpr int D = M::dimension;
   Body<L, T, D, Extra> body{recipe.law, {}, {}};
   const FillOptions& o = recipe.options;
-  if (o.stress) o.stress->check(D);
   if (o.velocity.is_uniform()) o.velocity.at<T, D>(Vec<T, D>::Zero());
   require(!o.even || !is_simplex_mesh<M>, "FillOptions.even", o.even, "goes with a grid alone");
   o.check();
+  require(!o.exact_volume || !recipe.region.by_centres, "FillOptions.exact_volume", o.exact_volume,
+          "goes with shapes and signed distances, not with a test of positions of the host");
+  const int per_cell = o.points_in_cell<M>();
+  const double density = recipe.law.density();
+  std::optional<InitialStress> stress_at;
+  if (o.stress) stress_at = o.stress->in(ground, density);
   const auto numbers = region_numbers(mesh, recipe.region);
+  std::vector<detail::FillPlace<typename M::Point>> places;
+  detail::ClearBall<D> clear;
+  const auto fill_places = [&] {
+    for (const auto& [x, volume, c, sliver] : places) {
+      const auto stress = stress_at ? stress_at->at(x) : Sym<T, D>{};
+      body.points.push_back(x, o.velocity.at(x), static_cast<T>(density) * volume, volume, stress, c);
+      if constexpr (Extra.affine) {
+        const double length = std::pow(static_cast<double>(mesh.volume(c)), 1.0 / D);
+        body.points.motion.set(body.points.size() - 1, o.velocity.gradient(x, length));
+      }
+      body.initial_volume += static_cast<double>(volume);
+    }
+    places.clear();
+  };
   for (Index c = 0; c < mesh.cell_count(); ++c) {
     if (!owns(c)) continue;
     if constexpr (is_simplex_mesh<M>) {
       if (!recipe.region.test && !std::ranges::count(numbers, mesh.region(c))) continue;
     }
-    auto places = initial_points(mesh, c, o.per_cell, o.even);
-    jitter_points(mesh, c, o.jitter, o.seed, places, o.per_cell, o.even);
-    const T share = mesh.volume(c) / static_cast<T>(places.size());
-    const double length = std::pow(static_cast<double>(mesh.volume(c)), 1.0 / D);
-    for (const auto& x : places) {
-      if (recipe.region.test && !recipe.region.contains(x)) continue;
-      const T volume = share * K::thickness(x);
-      const double density = body.law.density();
-      const auto stress = o.stress ? o.stress->at(x, density) : Sym<T, D>{};
-      body.points.push_back(x, o.velocity.at(x), static_cast<T>(density) * volume, volume, stress, c);
-      if constexpr (Extra.affine)
-        body.points.motion.set(body.points.size() - 1, o.velocity.gradient(x, length));
-      body.initial_volume += static_cast<double>(volume);
+    auto of_cell = initial_points(mesh, c, per_cell, o.even);
+    const auto parts = cell_parts(mesh, c, recipe.region, of_cell, per_cell, o.even, clear);
+    jitter_points(mesh, c, o.jitter, o.seed, of_cell, per_cell, o.even);
+    const T share = mesh.volume(c) / static_cast<T>(of_cell.size());
+    for (std::size_t p = 0; p < of_cell.size(); ++p) {
+      const auto& x = of_cell[p];
+      if (!parts.empty() && parts[p].share > 0) {
+        const typename M::Point centre = parts[p].centre.template cast<T>();
+        const T volume = static_cast<T>(parts[p].share) * share * K::thickness(centre);
+        body.region_volume += static_cast<double>(volume);
+        if (o.exact_volume && !parts[p].whole) places.push_back({centre, volume, c, parts[p].share < 0.1});
+      }
+      if (o.exact_volume && !parts.empty() ? !parts[p].whole
+                                           : recipe.region.test && !recipe.region.contains(x))
+        continue;
+      places.push_back({x, share * K::thickness(x), c});
+      if (parts.empty()) body.region_volume += static_cast<double>(places.back().volume);
     }
+    if (!o.exact_volume) fill_places();
+  }
+  if (o.exact_volume) {
+    detail::join_slivers(mesh, places);
+    fill_places();
   }
   require(body.points.size() > 0 || o.may_be_empty || !Owns::is_whole, "fill: points", body.points.size(),
           "the region holds no point of the mesh");
@@ -211,8 +291,8 @@ auto make_body(const M& mesh, const Fill<L, name>& recipe, const Owns& owns = {}
   return body;
 }
 template <class K, ExtraColumns Extra = ExtraColumns{}, class M, class L, Name name, class Region>
-auto make_body(const M& mesh, const Fill<L, name, Region>& recipe) {
-  return make_body<K, Extra>(mesh, recipe.template erased<M>());
+auto make_body(const M& mesh, const Fill<L, name, Region>& recipe, const Ground& ground = {}) {
+  return make_body<K, Extra>(mesh, recipe.template erased<M>(), OwnsAllCells{}, ground);
 }
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -7,27 +7,55 @@
 #include <concepts>
 #include <functional>
 #include <limits>
+#include <optional>
 #include <type_traits>
 #include <utility>
+#include <vector>
 
 #include <arenite/core/vector_argument.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
-/// Initial stress of level ground at rest: vertical stress from the weight above, horizontal stress k0 times
-/// that.
+/// Initial stress of level ground at rest under the scene's gravity: vertical stress from the weight above,
+/// horizontal stress k0 times that. The weight is that of the body's own matter up to the surface, and of the
+/// layers above it: other bodies with a `Geostatic`, by the bounds of their regions (`Ground`).
 struct Geostatic {
-  double surface = std::numeric_limits<double>::quiet_NaN();  ///< height of the free surface along `axis`, m
+  double surface = std::numeric_limits<double>::quiet_NaN();  ///< height of the free surface, m
   double k0 = std::numeric_limits<double>::quiet_NaN();       ///< horizontal over vertical stress, -
-  double gravity = 9.81;                                      ///< m/s2
-  int axis = 1;                                               ///< vertical axis
+  double surcharge = 0;   ///< vertical stress on the surface, Pa, pressure positive
+  bool may_move = false;  ///< whether forces out of balance in the first step are no mistake (a dam breaks)
 
-  /// Throws `error` unless all is given, and fits `dimensions`.
-  void check(int dimensions) const {
+  /// Throws `error` unless all is given.
+  void check() const {
     require(std::isfinite(surface), "Geostatic.surface", surface, "must be given");
     require(k0 >= 0 && std::isfinite(k0), "Geostatic.k0", k0, "must be given, and not negative");
-    require(std::isfinite(gravity), "Geostatic.gravity", gravity, "must be finite");
-    require(axis >= 0 && axis < dimensions, "Geostatic.axis", axis, "must be an axis of the scene");
+    require(surcharge >= 0 && std::isfinite(surcharge), "Geostatic.surcharge", surcharge,
+            "must be finite, and not negative");
+  }
+};
+
+/// What the geostatic stress of a body takes from its scene.
+struct Ground {
+  struct Layer {
+    double density;                      ///< kg/m3
+    std::array<double, 3> lower, upper;  ///< bounds, m; may be infinite
+  };
+  std::array<double, 3> gravity{};  ///< when the body is filled, m/s2
+  double time = 0;                  ///< then, s
+  std::vector<Layer> above{};       ///< of other matter above the body
+
+  /// The axis along which gravity pulls. Throws `error` if there is none.
+  std::size_t axis() const {
+    const auto along = static_cast<std::size_t>(
+        std::ranges::max_element(gravity, {}, [](double g) { return std::abs(g); }) - gravity.begin());
+    const auto text = [&] { return joined_text("(", gravity[0], ", ", gravity[1], ", ", gravity[2], ")"); };
+    require(gravity[along] != 0, joined_text("Geostatic: gravity at t = ", time, " s"), text(),
+            "must act when the ground is filled; a stress without gravity is a function of the position");
+    for (std::size_t k = 0; k < 3; ++k)
+      require(k == along || std::abs(gravity[k]) <= 1e-9 * std::abs(gravity[along]), "Geostatic: gravity",
+              text(),
+              "must act along an axis: on a slope give the stress as a function of the position, and settle");
+    return along;
   }
 };
 
@@ -39,29 +67,42 @@ class InitialStress {
   using Position = std::array<double, 3>;
   using Six = std::array<double, 6>;
 
-  InitialStress(const Geostatic& ground)
-      : check_{[ground](int dimensions) { ground.check(dimensions); }},
-        at_{[ground](const Position& x, double density) {
-          const auto vertical = static_cast<std::size_t>(ground.axis);
-          const double pressure = density * ground.gravity * std::max(0.0, ground.surface - x[vertical]);
-          Six stress{};
-          for (std::size_t k = 0; k < 3; ++k) stress[k] = -pressure * (k == vertical ? 1.0 : ground.k0);
-          return stress;
-        }} {}
+  InitialStress(const Geostatic& ground) : geostatic_{ground} {}
   template <class F>
-  requires std::is_invocable_r_v<Six, const F&, const Position&> InitialStress(F f)
-      : at_{[f = std::move(f)](const Position& x, double) -> Six { return f(x); }} {}
+  requires std::is_invocable_r_v<Six, const F&, const Position&> InitialStress(F f) : at_{std::move(f)} {}
 
-  /// Throws `error` where it does not fit a scene of so many dimensions.
-  void check(int dimensions) const {
-    if (check_) check_(dimensions);
+  const std::optional<Geostatic>& geostatic() const { return geostatic_; }
+
+  /// A `Geostatic` as the function of the position that it is in a ground, for matter of a density, kg/m3.
+  InitialStress in(const Ground& ground, double density) const {
+    if (!geostatic_) return *this;
+    geostatic_->check();
+    const std::size_t vertical = ground.axis();
+    const double up = ground.gravity[vertical] < 0 ? 1 : -1, g = std::abs(ground.gravity[vertical]);
+    return [o = *geostatic_, above = ground.above, density, vertical, up, g](const Position& x) {
+      const double depth = up * (o.surface - x[vertical]);
+      double pressure = density * g * std::max(0.0, depth);
+      if (depth > 0) pressure += o.surcharge;
+      for (const auto& layer : above) {
+        bool covers = true;
+        for (std::size_t k = 0; k < 3; ++k)
+          covers = covers && (k == vertical || (layer.lower[k] <= x[k] && x[k] <= layer.upper[k]));
+        if (!covers) continue;
+        const auto [low, high] = std::minmax({up * layer.lower[vertical], up * layer.upper[vertical]});
+        pressure += (layer.density - density) * g *
+                    std::max(0.0, std::min(high, up * o.surface) - std::max(low, up * x[vertical]));
+      }
+      Six stress{};
+      for (std::size_t k = 0; k < 3; ++k) stress[k] = -pressure * (k == vertical ? 1.0 : o.k0);
+      return stress;
+    };
   }
-  /// Stress at a position, m, of matter of a density, kg/m3. Throws `error` that names the position unless it
-  /// is finite and one of the scene's dimensions.
+  /// Stress at a position, m; of a `Geostatic`: once it is `in` a ground. Throws `error` that names the
+  /// position unless it is finite and one of the scene's dimensions.
   template <class T, int D>
-  Sym<T, D> at(const Vec<T, D>& x, double density) const {
+  Sym<T, D> at(const Vec<T, D>& x) const {
     static constexpr std::array<const char*, 6> names{"xx", "yy", "zz", "xy", "yz", "zx"};
-    const Six given = at_(in_space(x), density);
+    const Six given = at_(in_space(x));
     Sym<T, D> stress{};
     for (std::size_t k = 0; k < 6; ++k) {
       const auto name = [&] {
@@ -77,8 +118,8 @@ class InitialStress {
   }
 
  private:
-  std::function<void(int)> check_{};
-  std::function<Six(const Position&, double)> at_;
+  std::optional<Geostatic> geostatic_{};
+  std::function<Six(const Position&)> at_{};
 };
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -60,10 +60,12 @@ concept region_type = std::same_as<R, Cells> || requires(const R r, const Vec<do
 /// (x, y, z), z = 0 in two dimensions.
 struct AnyRegion {
   using Position = std::array<double, 3>;
-  std::function<bool(const Position&)> test{};  ///< none: the region is `cells`
-  std::vector<std::string> cells{};             ///< regions of the mesh
-  bool has_bounds = false;                      ///< whether the region has finite bounds
-  Position lower{}, upper{};                    ///< m
+  std::function<bool(const Position&)> test{};        ///< none: the region is `cells`
+  std::function<double(const Position&)> distance{};  ///< signed, m; none: unknown
+  bool by_centres = false;           ///< whether `test` is for the middles of sub-cells alone
+  std::vector<std::string> cells{};  ///< regions of the mesh
+  bool has_bounds = false;           ///< whether the region has finite bounds
+  Position lower{}, upper{};         ///< m
 
   template <int D, class R>
   static AnyRegion of(R region) {
@@ -78,6 +80,8 @@ struct AnyRegion {
         any.lower[k] = box.lower[k];
         any.upper[k] = box.upper[k];
       }
+      if constexpr (signed_distance<R, D>)
+        any.distance = [region](const Position& at) -> double { return region(in_scene<D>(at)); };
       any.test = [r = std::move(region)](const Position& at) -> bool { return r.contains(in_scene<D>(at)); };
     }
     return any;

@@ -1,6 +1,7 @@
 // Points inserted into a scene and removed from it, between two steps.
 #pragma once
 
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -27,17 +28,22 @@ template <class Scene, class B>
 auto insert_into(Scene& scene, B& body, const std::vector<typename B::Point>& points) {
   const auto totals =
       add_points(body, scene.mesh, points, [&](const auto& p) { return detail::id_for(scene, p); });
+  scene.at_rest.clear();
   body.inserted += totals;
   body.initial_volume += totals.mass / body.law.density();
   if (regroup(body, scene.blocks)) scene.balance_threads();
   return totals;
 }
 
-/// The same for the points of a `fill`, as a new scene would have them.
+/// The same for the points of a `fill`, as a new scene would have them; `name`: of the body, for a warning.
 template <class Scene, class B, class F>
-auto insert_fill(Scene& scene, B& body, const F& fill) {
-  const auto made =
-      make_body<typename Scene::Kinematics, Scene::extra_columns>(scene.mesh, fill, scene.cell_owner());
+auto insert_fill(Scene& scene, B& body, const F& fill, const std::string& name) {
+  Ground ground{.time = scene.time};
+  if (fill.options.stress && fill.options.stress->geostatic())
+    ground.gravity = detail::gravity_of_ground(scene, scene.time);
+  const auto made = make_body<typename Scene::Kinematics, Scene::extra_columns>(scene.mesh, fill,
+                                                                                scene.cell_owner(), ground);
+  if constexpr (!Scene::is_portion) detail::warn_volume(made, name);
   std::vector<typename B::Point> points;
   points.reserve(made.points.size());
   for (std::size_t p = 0; p < made.points.size(); ++p) points.push_back(made.points[p]);
@@ -48,6 +54,7 @@ auto insert_fill(Scene& scene, B& body, const F& fill) {
 template <class Scene, class B, class Leaves>
 auto remove_from(Scene& scene, B& body, const Leaves& leaves) {
   const auto totals = take_out(body, scene.mesh.cell_count(), leaves, [](const auto&) {});
+  scene.at_rest.clear();
   body.removed += totals;
   body.initial_volume -= totals.mass / body.law.density();
   if (regroup(body, scene.blocks)) scene.balance_threads();
@@ -89,7 +96,8 @@ requires region_type<Region, Scene::D>
 auto insert_points(Scene& scene, Region region, const FillOptions& options = {}) {
   auto& body = scene.template body<which>();
   return insert_fill(scene, body,
-                     fill(std::move(region), body.law, options).template erased<typename Scene::Mesh>());
+                     fill(std::move(region), body.law, options).template erased<typename Scene::Mesh>(),
+                     Scene::body_name(Scene::template body_number<which>()));
 }
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

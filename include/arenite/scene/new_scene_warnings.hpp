@@ -57,6 +57,17 @@ void warn_bounds(const M& mesh, const AnyRegion& region, const std::string& name
   }
 }
 
+/// Warns of points that stand for another volume than that of the region in the mesh.
+template <class B>
+void warn_volume(const B& body, const std::string& name) {
+  const double filled = body.initial_volume, region = body.region_volume, density = body.law.density();
+  if (std::abs(filled - region) <= 0.02 * region || body.points.size() == 0) return;
+  warn(joined_text(
+      "body ", name, ": its points have ", density * filled, " kg, its region ", density * region,
+      " kg: a point stands for all of its sub-cell, if the middle of that lies in the region; let "
+      "the region end on sub-cells, or say FillOptions.exact_volume"));
+}
+
 /// Points of a body that lie in the region of another.
 template <class M, class B>
 std::size_t points_within(const M& mesh, const B& body, const AnyRegion& region) {
@@ -130,6 +141,7 @@ void warn_about_new_scene(const Scene& scene, const Bodies<Fills...>& recipe) {
     });
   });
   scene.for_each_body([&, number = std::size_t{0}](const auto& body, const auto&) mutable {
+    warn_volume(body, Scene::body_name(number));
     warn_few_points(body, Scene::body_name(number++));
   });
   warn_no_support(scene);

@@ -13,6 +13,7 @@
 #include <arenite/particles/measures.hpp>
 #include <arenite/particles/relocate.hpp>
 #include <arenite/scene/complete.hpp>
+#include <arenite/scene/ground.hpp>
 #include <arenite/scene/new_scene_warnings.hpp>
 #include <arenite/scene/parts.hpp>
 #include <arenite/scene/roles.hpp>
@@ -114,7 +115,8 @@ struct Scene {
   double time = 0;       ///< s
   double time_step = 0;  ///< of the last step, s
   std::size_t steps = 0;
-  StepCheck step_check;         ///< of the lengths of steps
+  StepCheck step_check;               ///< of the lengths of steps
+  std::vector<GroundAtRest> at_rest;  ///< bodies that the first step looks at
   bool finite = true;           ///< no number of the points, nor their sums, have become NaN or infinite
   ContactTally contact_tally;   ///< of the last step
   std::size_t limited = 0;      ///< node velocities scaled down by the velocity limit since the start
@@ -336,10 +338,11 @@ struct Scene {
   }
 
   template <class... F>
-  BodyTuple make_bodies(const Bodies<F...>& recipe) const {
+  BodyTuple make_bodies(const Bodies<F...>& recipe, const std::vector<Ground>& grounds) const {
+    std::size_t number = 0;
     return std::apply(
         [&](const auto&... fill) {
-          return BodyTuple{make_body<K, extra_columns>(mesh, fill, cell_owner())...};
+          return BodyTuple{make_body<K, extra_columns>(mesh, fill, cell_owner(), grounds[number++])...};
         },
         recipe.fills);
   }
@@ -379,14 +382,19 @@ Scene<K, M, N, Given...>::Scene(Nothing, K kinematics_value, M mesh_value, N num
       blocks{make_blocks(mesh)},
       parts{bind(mesh, kinematics, given...)},
       fields{make_fields(std::make_index_sequence<field_count>{})},
-      bodies{make_bodies(detail::find_bodies(given...))} {
+      bodies{make_bodies(detail::find_bodies(given...),
+                         detail::grounds_of(*this, detail::find_bodies(given...)))} {
   balance_threads();
   for_each_body([&](auto& body, const auto&) { body.points.place_by_thread(body.cells, blocks); });
   find_constraints();
   for_each_part([&](auto& part) {
     if constexpr (connects<std::remove_reference_t<decltype(part)>, Scene>) part.connect(*this);
   });
-  if constexpr (!is_portion) detail::warn_about_new_scene(*this, detail::find_bodies(given...));
+  if constexpr (!is_portion) {
+    const auto& recipe = detail::find_bodies(given...);
+    at_rest = detail::grounds_at_rest<M>(recipe, detail::grounds_of(*this, recipe));
+    detail::warn_about_new_scene(*this, recipe);
+  }
 }
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

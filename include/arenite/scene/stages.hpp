@@ -259,11 +259,12 @@ void constrain(Scene& scene, double dt) {
   for (auto& field : scene.fields) constrain(scene, field, dt);
 }
 
-/// Impulses between fields and with rigid bodies (`exchange_impulses`), by rank, then constraints again. dt:
-/// s.
+/// Impulses between fields and with rigid bodies (`exchange_impulses`), by rank, then constraints again. In
+/// the first step a look at whether geostatic ground is at rest. dt: s.
 template <class Scene, class Others = const Alone>
 void exchange(Scene& scene, double dt, [[maybe_unused]] Others& others = no_others) {
   scene.contact_tally = {};
+  const auto without_contact = detail::forces_from_rest(scene, dt);
   if constexpr (Scene::Needs::exchange) {
     detail::for_each_exchange(scene, 0, 2, [&](auto& part) {
       using P = std::remove_reference_t<decltype(part)>;
@@ -280,6 +281,7 @@ void exchange(Scene& scene, double dt, [[maybe_unused]] Others& others = no_othe
     scene.limited += scene.contact_tally.limited;
     scene.limited_momentum += scene.contact_tally.limited_momentum;
   }
+  detail::check_rest(scene, dt, without_contact);
 }
 
 /// Exchange of momentum at light nodes (`LightNodes`), or beside the faces of a grid (`exchange_at_faces`);

@@ -17,8 +17,8 @@
 
 #include "json_file.hpp"
 #include "measurement.hpp"
-#include "measurement_table.hpp"
 #include "reduce_options.hpp"
+#include "table_reader.hpp"
 #include "words.hpp"
 
 namespace arenite::ffp {
@@ -91,12 +91,16 @@ inline Calibration calibration_of(const ReduceOptions& o) {
     require(all.is_object(), "--calibration", file,
             "must be a JSON object: {\"2g\": {\"scale\": 1.62e6, \"offset\": 0}, ..}");
     for (const auto& [name, value] : all.items()) {
-      if (!value.is_object()) continue;  // a word about probe or date
+      if (value.is_string()) continue;  // a word about probe or date
       const std::string where = joined_text("--calibration = ", file);
       const std::size_t k = detail::accelerometer_at(where, name);
-      for (const char* key : {"scale", "offset"})
-        if (value.contains(key) && !value[key].is_number())
-          throw error(joined_text(where, ": ", name, ".", key, ": must be a number"));
+      require(value.is_object(), where + ": " + name, shown(json_text(value)),
+              "must be {\"scale\": .., \"offset\": ..}");
+      for (const auto& [key, number] : value.items()) {
+        const std::string entry = joined_text(where, ": ", name, ".", shown(key));
+        if (key != "scale" && key != "offset") throw error(entry + ": must be scale or offset");
+        if (!number.is_number()) throw error(entry + ": must be a number");
+      }
       if (value.contains("scale")) set_scale(where + ": " + name + ".scale", k, value["scale"].get<double>());
       if (value.contains("offset")) c.accelerometers[k].offset = value["offset"].get<double>();
     }

@@ -13,6 +13,7 @@
 
 #include "measurement.hpp"
 #include "peaks.hpp"
+#include "words.hpp"
 
 namespace arenite::ffp {
 
@@ -25,7 +26,7 @@ struct ImpactSettings {
   std::optional<double> impact_time{};      ///< s, in the record
   std::optional<double> impact_velocity{};  ///< m/s
   double impact_depth = 0;                  ///< m, at the impact
-  bool zero_at_rest = false;                ///< the mean before the release is taken off
+  double offset = 0;                        ///< m/s^2, taken off the record
 };
 
 /// The motion from the impact, t = 0, on.
@@ -40,7 +41,6 @@ struct Motion {
   std::optional<double> stop;           ///< s after the impact: first rest; none: not within the record
   std::optional<double>
       velocity_left;  ///< m/s that the integral leaves at rest; none: no rest within the record
-  double zero = 0;    ///< m/s^2 taken off
 };
 
 namespace detail {
@@ -72,9 +72,11 @@ class ImpactSearch {
     const double level = s_.threshold * s_.gravity;
     const auto before = last_at_most(filtered_, peak_, level);
     if (!before)
-      throw error(
-          joined_text("no sample before the peak lies at or below ", s_.threshold,
-                      " g, so that the impact cannot be found; give --impact-time, or another --threshold"));
+      throw error(joined_text(
+          "no sample before the peak lies at or below ", s_.threshold,
+          " g, so that the impact cannot be found, in ", rounded(m_.time.back() - m_.time.front()),
+          " s with a peak of ", rounded(filtered_[peak_] / s_.gravity),
+          " g; are these the units of the record? Else give --impact-time, or another --threshold"));
     // The filter smears the rise over its window: the samples tell where in it.
     std::size_t until = *before;
     while (until + 1 < peak_ && m_.time[until + 1] <= m_.time[*before] + s_.window) ++until;
@@ -115,19 +117,6 @@ class ImpactSearch {
     return std::abs(mean) < 0.3 * s_.gravity ? std::optional{end} : std::nullopt;
   }
 
-  /// Mean of the quiet part before a release, m/s^2. Throws `error` if there is none.
-  double zero(double impact) const {
-    constexpr double margin = 0.1, least = 0.1;  // s
-    const auto fall = release(impact);
-    const double from = m_.time.front(), to = fall ? *fall - margin : from;
-    const double mean = to > from ? (integral_(to) - integral_(from)) / (to - from) : 0;
-    if (!fall || to - from < least || std::abs(mean) > 0.3 * s_.gravity)
-      throw error(
-          "--zero-at-rest: the record has no quiet part of 0.1 s, within 0.3 g of 0, before the release; "
-          "leave it out");
-    return mean;
-  }
-
   /// Change of velocity between two times, m/s: positive when it slows.
   double slowed(double from, double to) const { return integral_(to) - integral_(from); }
 
@@ -153,12 +142,13 @@ class ImpactSearch {
   std::size_t peak_ = 0;
 };
 
-/// Time of the first rest after the impact, interpolated.
-inline std::optional<double> first_rest(const Motion& m) {
-  const double still = 1e-9 * m.impact_velocity;
+/// Time of the first rest after the impact, interpolated. `left`: velocity that stands for rest, m/s.
+inline std::optional<double> first_rest(const Motion& m, double left) {
+  const double still = left + 1e-9 * m.impact_velocity;
   for (std::size_t i = 1; i < m.time.size(); ++i)
     if (m.velocity[i] <= still) {
-      const double share = m.velocity[i - 1] / (m.velocity[i - 1] - std::min(m.velocity[i], 0.0));
+      const double over = m.velocity[i - 1] - left,
+                   share = over / (over - std::min(m.velocity[i] - left, 0.0));
       return m.time[i - 1] + share * (m.time[i] - m.time[i - 1]);
     }
   return std::nullopt;
@@ -170,11 +160,7 @@ inline std::optional<double> first_rest(const Motion& m) {
 /// record's end. Throws `error` that names the option to give if impact or velocity cannot be found.
 inline Motion motion_of(Measurement record, const ImpactSettings& s) {
   Motion motion;
-  if (s.zero_at_rest) {
-    const detail::ImpactSearch first{record, s};
-    motion.zero = first.zero(first.impact());
-    for (double& a : record.deceleration) a -= motion.zero;
-  }
+  for (double& a : record.deceleration) a -= s.offset;
   const detail::ImpactSearch search{std::move(record), s};
   const Measurement& m = search.measurement();
   const double impact = search.impact();
@@ -196,6 +182,8 @@ inline Motion motion_of(Measurement record, const ImpactSettings& s) {
   }
   require(motion.impact_velocity > 0, "velocity at the impact", motion.impact_velocity,
           "must be positive, in m/s; give --impact-velocity or --impact-time");
+  require(motion.impact_velocity <= 100, "velocity at the impact", motion.impact_velocity,
+          "must be at most 100 m/s; is the unit of the time that of the record (--time-unit)?");
   if (rest && *rest > impact && motion.velocity_from != "rest")
     motion.velocity_left = motion.impact_velocity - search.slowed(impact, *rest);
 
@@ -222,7 +210,10 @@ inline Motion motion_of(Measurement record, const ImpactSettings& s) {
     motion.deceleration.push_back(m.deceleration[i]);
     motion.filtered.push_back(search.filtered()[i]);
   }
-  motion.stop = detail::first_rest(motion);
+  // A small velocity that the integral of samples leaves at rest is no motion.
+  const double left = motion.velocity_left.value_or(0);
+  const bool is_rest = !m.step_means && left > 0 && left < 0.1 * motion.impact_velocity;
+  motion.stop = detail::first_rest(motion, is_rest ? left : 0);
   if (!motion.stop && motion.velocity_from == "rest") motion.stop = *rest - impact;
   constexpr double shown_after_rest = 0.1, shown_without = 1;  // s
   const double last = motion.stop ? *motion.stop + shown_after_rest : shown_without;

@@ -77,6 +77,9 @@ inline std::vector<std::string> words_of_input(const std::string& path) {
   const DropOptions defaults;
   detail::KeyList keys;
   visit_options(defaults, keys);
+  if (&inputs != &all && !all.contains("status"))  // by hand: a summary has results of such names
+    for (const auto& [key, value] : all.items())
+      if (keys.of_key.contains(key)) refuse(key + " stands beside \"inputs\"; put it there");
   std::vector<std::string> words;
   for (const auto& [key, value] : inputs.items()) {
     try {

@@ -70,6 +70,7 @@ inline Json read_json(const std::filesystem::path& path, std::string_view what) 
   const std::string name = shown(path.string());
   const std::string text = arenite::shared_detail::read_input(path, what, most_json_bytes, name);
   require(!text.empty(), what, name, "must be a file that is not empty");
+  require(text.find('\0') == std::string::npos, what, name, "is UTF-16, or no text; save it as UTF-8");
   return parse_json(text, joined_text(what, " = ", name));
 }
 

@@ -1,82 +1,32 @@
 // A record of deceleration as a table of text: columns found by their names, whoever wrote them.
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cctype>
-#include <charconv>
 #include <cmath>
-#include <cstdint>
+#include <cstddef>
 #include <filesystem>
-#include <fstream>
-#include <istream>
 #include <limits>
-#include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include <arenite/core/error.hpp>
-#include <arenite/io/input_file.hpp>
 
 #include "measurement.hpp"
 #include "reduce_options.hpp"
+#include "table_reader.hpp"
 #include "words.hpp"
 
 namespace arenite::ffp {
 
-/// Largest record as a table: ten minutes at 50 kHz. Largest history: 1e8 steps, as many as a drop takes
-/// without --force. Both are read row by row.
-inline constexpr std::uintmax_t most_table_bytes = std::uintmax_t{1} << 30,
-                                most_history_bytes = std::uintmax_t{64} << 30;
-/// Longest row, bytes.
-inline constexpr std::size_t most_row_bytes = std::size_t{1} << 20;
-
 namespace detail {
 
-/// The next line, without its end, as `std::getline`. Throws `error` for one that is too long to be a row.
-inline bool next_row(std::istream& in, std::string& line, const std::string& file) {
-  line.clear();
-  constexpr int end = std::char_traits<char>::eof();
-  for (int c = in.get(); c != end; c = in.get()) {
-    if (c == '\n') return true;
-    line += static_cast<char>(c);
-    if (line.size() > most_row_bytes)
-      throw error(joined_text(file, ": has a row of more than ",
-                              arenite::shared_detail::size_text(most_row_bytes), ": is no table"));
-  }
-  if (!line.empty()) in.clear(std::ios::eofbit);
-  return !line.empty();
-}
-
-/// Fields of a line: between commas, semicolons or tabs, else between blanks; without blanks and quotes
-/// around them.
-inline std::vector<std::string> fields_of(const std::string& line) {
-  const char* marks = line.find_first_of(",;\t") != std::string::npos ? ",;\t" : " ";
-  std::vector<std::string> fields;
-  std::size_t from = 0;
-  while (from <= line.size()) {
-    const std::size_t to = std::min(line.find_first_of(marks, from), line.size());
-    std::string_view field{line.data() + from, to - from};
-    const auto is_margin = [](char c) { return c == ' ' || c == '"' || c == '\r'; };
-    while (!field.empty() && is_margin(field.front())) field.remove_prefix(1);
-    while (!field.empty() && is_margin(field.back())) field.remove_suffix(1);
-    if (*marks != ' ' || !field.empty()) fields.emplace_back(field);
-    from = to + 1;
-  }
-  return fields;
-}
-
-inline std::optional<double> number_of(std::string_view text) {
-  if (text.starts_with('+')) text.remove_prefix(1);
-  double value = 0;
-  const auto [at, code] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (code != std::errc{} || at != text.data() + text.size()) return std::nullopt;
-  return value;
-}
-
-/// "Acceleration [m/s^2]" as its words: {"acceleration", "m", "s2"}.
-inline std::vector<std::string> words_of_name(const std::string& name) {
+/// "Acceleration [m/s²]" as its words: {"acceleration", "m", "s2"}. The signs of UTF-8 and of Latin-1.
+inline std::vector<std::string> words_of_name(std::string name) {
+  for (const auto& [sign, letter] :
+       {std::pair{"\xc2\xb2", '2'}, {"\xb2", '2'}, {"\xc2\xb5", 'u'}, {"\xce\xbc", 'u'}, {"\xb5", 'u'}})
+    for (std::size_t at; (at = name.find(sign)) != std::string::npos;)
+      name.replace(at, std::char_traits<char>::length(sign), 1, letter);
   std::vector<std::string> words{""};
   for (const char c : name) {
     if (std::isalnum(static_cast<unsigned char>(c)))
@@ -93,7 +43,16 @@ inline std::vector<std::string> words_of_name(const std::string& name) {
 struct NamedColumn {
   bool is_quantity = false;
   double unit = std::numeric_limits<double>::quiet_NaN();
-  std::size_t place = 0;  ///< in the header
+  std::size_t other_words = 0;  ///< beside quantity and unit
+  std::size_t place = 0;        ///< in the header
+
+  void has(double one) {
+    unit = one;
+    --other_words;
+  }
+  /// The column that is meant: one with a unit, and of those one without other words ("time_s", not
+  /// "time_step_s").
+  int rank() const { return is_quantity ? 1 + 2 * !std::isnan(unit) + (other_words == 0) : 0; }
 };
 
 inline NamedColumn time_column(const std::string& name) {
@@ -101,11 +60,12 @@ inline NamedColumn time_column(const std::string& name) {
   NamedColumn found;
   if (words.empty() || (words[0] != "time" && words[0] != "t" && words[0] != "zeit")) return found;
   found.is_quantity = true;
+  found.other_words = words.size() - 1;
   for (std::size_t i = 1; i < words.size(); ++i) {
     const auto& w = words[i];
-    if (w == "s" || w == "sec" || w == "secs" || w == "seconds" || w == "second") found.unit = 1;
-    if (w == "ms" || w == "msec" || w == "milliseconds") found.unit = 1e-3;
-    if (w == "us" || w == "usec" || w == "microseconds") found.unit = 1e-6;
+    if (w == "s" || w == "sec" || w == "secs" || w == "seconds" || w == "second") found.has(1);
+    if (w == "ms" || w == "msec" || w == "milliseconds") found.has(1e-3);
+    if (w == "us" || w == "usec" || w == "microseconds") found.has(1e-6);
   }
   return found;
 }
@@ -118,26 +78,49 @@ inline NamedColumn deceleration_column(const std::string& name, double gravity) 
   if (!first.starts_with("decel") && !first.starts_with("accel") && first != "acc" && first != "a")
     return found;
   found.is_quantity = true;
+  found.other_words = words.size() - 1;
   for (std::size_t i = 1; i < words.size(); ++i) {
     const auto& w = words[i];
-    if (w == "g" || w == "gs") found.unit = gravity;
-    const bool squared = w == "s2" || (w == "s" && i + 1 < words.size() && words[i + 1] == "2");
-    if (squared && words[i - 1] == "m") found.unit = 1;
-    if (w == "ms2" || w == "mps2") found.unit = 1;
+    if (w == "g" || w == "gs") found.has(gravity);
+    if (w == "ms2" || w == "mps2") found.has(1);
+    if (words[i - 1] != "m") continue;
+    const bool apart = w == "s" && i + 1 < words.size() && words[i + 1] == "2";
+    if (w != "s2" && !apart) continue;
+    found.has(1);
+    found.other_words -= apart ? 2 : 1;
   }
   return found;
 }
 
-/// The one column of a header that is the quantity: the first that names a unit, else the first at all.
+/// The one column of a header that is the quantity; throws `error` if several may be.
 template <class Column>
-NamedColumn pick_column(const std::vector<std::string>& header, const Column& column) {
+NamedColumn pick_column(const TableReader& table, const char* quantity, const Column& column) {
+  const auto& header = table.header();
   NamedColumn found;
+  std::size_t rival = 0;
   for (std::size_t i = 0; i < header.size(); ++i) {
     NamedColumn c = column(header[i]);
     c.place = i;
-    if (c.is_quantity && (!found.is_quantity || (std::isnan(found.unit) && !std::isnan(c.unit)))) found = c;
+    if (c.rank() > 0 && c.rank() == found.rank()) rival = i;
+    if (c.rank() > found.rank()) {
+      found = c;
+      rival = 0;
+    }
   }
+  if (rival > 0)
+    throw error(joined_text(table.file(), ": columns ", shown(header[found.place]), " and ",
+                            shown(header[rival]), " may both be the ", quantity,
+                            "; leave the one that is meant"));
   return found;
+}
+
+/// Takes the unit from the row below the header, where it is one of units.
+template <class Column>
+void take_unit(const TableReader& table, NamedColumn& c, const std::string& word, const Column& column) {
+  const double below = column(word + " " + table.fields()[c.place]).unit;
+  if (std::isnan(below)) table.refuse(c.place, "must be a number, or in the row below the header a unit");
+  if (!std::isnan(c.unit) && c.unit != below) table.refuse(c.place, "is another unit than the header's");
+  c.unit = below;
 }
 
 inline std::string joined_names(const std::vector<std::string>& names) {
@@ -152,52 +135,46 @@ inline std::string joined_names(const std::vector<std::string>& names) {
 /// names the file and what is missing in it.
 inline Measurement read_measurement_table(const std::filesystem::path& path, const ReduceOptions& o,
                                           double gravity, bool whole_lines = false) {
-  const std::string file = shown(path.string());
-  std::ifstream in = arenite::shared_detail::open_input(
-      path, "FILE", whole_lines ? most_history_bytes : most_table_bytes, file);
-  if (in.peek() == std::ifstream::traits_type::eof())
-    throw error(joined_text(file, ": must be a file that can be read and is not empty"));
-  Measurement m;
-  std::vector<std::string> header;
-  detail::NamedColumn time, deceleration;
-  std::string line;
-  std::size_t row = 0;
-  while (detail::next_row(in, line, file)) {
-    ++row;
-    if (whole_lines && in.eof()) break;
-    if (row == 1 && line.starts_with("\xef\xbb\xbf")) line.erase(0, 3);  // a byte order mark
-    const auto fields = detail::fields_of(line);
-    if (fields.empty() || fields[0].starts_with('#') || (fields.size() == 1 && fields[0].empty())) continue;
-    if (header.empty()) {
-      if (detail::number_of(fields[0]))
-        throw error(joined_text(file, ": row ", row,
-                                " is a row of numbers, and no header names the columns; put a line such as "
-                                "\"time_s,deceleration_g\" first"));
-      time = detail::pick_column(fields, detail::time_column);
-      deceleration = detail::pick_column(
-          fields, [&](const std::string& name) { return detail::deceleration_column(name, gravity); });
-      if (!time.is_quantity && !deceleration.is_quantity) continue;  // a title above the header
-      header = fields;
-      continue;
-    }
-    const auto value = [&](std::size_t column) -> double {
-      const auto found = column < fields.size() ? detail::number_of(fields[column]) : std::nullopt;
-      if (!found || !std::isfinite(*found))
-        throw error(joined_text(file, ": row ", row, ", column ", shown(header[column]), " = ",
-                                column < fields.size() ? shown(fields[column]) : "(none)",
-                                ": must be a number"));
-      return *found;
-    };
-    if (!time.is_quantity || !deceleration.is_quantity) break;
-    m.time.push_back(value(time.place));
-    m.deceleration.push_back(value(deceleration.place));
-  }
-  if (!time.is_quantity || !deceleration.is_quantity)
+  const auto of_time = detail::time_column;
+  const auto of_deceleration = [&](const std::string& name) {
+    return detail::deceleration_column(name, gravity);
+  };
+  TableReader table(path, "FILE", whole_lines ? most_history_bytes : most_table_bytes, whole_lines);
+  const std::string& file = table.file();
+  const auto& header = table.header();
+  const auto is_quantity = [](const auto& column) {
+    return [&](const std::string& name) { return column(name).is_quantity; };
+  };
+  const auto count = [&](const std::vector<std::string>& names) {
+    return int{std::ranges::any_of(names, is_quantity(of_time))} +
+           int{std::ranges::any_of(names, is_quantity(of_deceleration))};
+  };
+  const bool found = table.find_header(2, count);
+  if (table.line() == 0) throw error(joined_text(file, ": must be a file that can be read and is not empty"));
+  auto time = detail::pick_column(table, "time", of_time),
+       deceleration = detail::pick_column(table, "deceleration", of_deceleration);
+  if (!found)
     throw error(
         joined_text(file, ": has no column of ", !time.is_quantity ? "time (time_s, time_ms, t ..)" : "",
                     !time.is_quantity && !deceleration.is_quantity ? " nor one of " : "",
                     !deceleration.is_quantity ? "deceleration (deceleration_g, acceleration_m_s2 ..)" : "",
                     header.empty() ? "" : "; its columns: ", detail::joined_names(header)));
+  Measurement m;
+  for (bool first = true; table.next(); first = false) {
+    const auto is_number = [&](const detail::NamedColumn& c) {
+      return detail::number_with_comma(table.fields()[c.place]).has_value();
+    };
+    if (first && !is_number(time) && !is_number(deceleration)) {
+      detail::take_unit(table, time, "time", of_time);
+      detail::take_unit(table, deceleration, "acc", of_deceleration);
+      continue;
+    }
+    const double t = table.number(time.place), a = table.number(deceleration.place);
+    if (!m.time.empty() && !(t > m.time.back()))
+      table.refuse(time.place, joined_text("must be greater than the time before, ", exactly(m.time.back())));
+    m.time.push_back(t);
+    m.deceleration.push_back(a);
+  }
   constexpr double seconds[] = {0, 1, 1e-3, 1e-6};
   double time_unit = o.time_unit == TimeUnit::named ? time.unit : seconds[static_cast<int>(o.time_unit)];
   double deceleration_unit = o.deceleration_unit == DecelerationUnit::named ? deceleration.unit

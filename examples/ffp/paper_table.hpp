@@ -5,7 +5,6 @@
 #include <cmath>
 #include <cstddef>
 #include <filesystem>
-#include <fstream>
 #include <map>
 #include <optional>
 #include <ostream>
@@ -14,11 +13,11 @@
 #include <vector>
 
 #include "history.hpp"
-#include "measurement_table.hpp"
 #include "options.hpp"
 #include "paper_cases.hpp"
 #include "paper_options.hpp"
 #include "summary_file.hpp"
+#include "table_reader.hpp"
 #include "words.hpp"
 
 namespace arenite::ffp {
@@ -60,30 +59,20 @@ inline CaseResult result_of_case(const std::filesystem::path& folder) {
   if (auto summary = readable_summary_in(folder)) result.summary = *std::move(summary);
   const auto path = folder / "history.csv";
   if (!std::filesystem::exists(path)) return result;
-  std::ifstream history =
-      arenite::shared_detail::open_input(path, "history", most_history_bytes, shown(path.string()));
-  std::string line;
-  if (!detail::next_row(history, line, shown(path.string()))) return result;
-  const auto header = detail::fields_of(line);
+  TableReader history(path, "history", most_history_bytes, true);  // the last row of a killed run may be cut
+  if (!history.find_header(1, [](const auto& names) { return int{names[0] == "time_s"}; })) return result;
   struct Place {
     std::size_t column;
     std::vector<double>& values;
   };
   std::vector<Place> places;
+  const auto& header = history.header();
   for (const auto& [name, values] :
        {std::pair{"time_s", &result.time}, {"penetration_m", &result.depth}, {"time_step_s", &result.step}})
     if (const auto at = std::ranges::find(header, name); at != header.end())
       places.push_back({static_cast<std::size_t>(at - header.begin()), *values});
-  while (detail::next_row(history, line, shown(path.string())) &&
-         !history.eof()) {  // the last row of a killed run may be cut
-    const auto fields = detail::fields_of(line);
-    for (const Place& p : places) {
-      const auto value = p.column < fields.size() ? detail::number_of(fields[p.column]) : std::nullopt;
-      if (!value)
-        throw error(joined_text(shown(path.string()), ": ", shown(line), ": is no row of a history"));
-      p.values.push_back(*value);
-    }
-  }
+  while (history.next())
+    for (const Place& p : places) p.values.push_back(history.number(p.column));
   return result;
 }
 

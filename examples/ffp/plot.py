@@ -17,7 +17,7 @@ import numpy
 
 from pictures import COLOURS, REFERENCE, matplotlib, pyplot, save
 from read_vtu import read_pvd, read_vtu
-from regular_file import opened, read_json
+from regular_file import read_json, read_table
 
 GRAVITY = 9.81
 WINDOW = 2e-3  # s, of the moving average; as in summary.json
@@ -35,13 +35,12 @@ class Drop:
         self.folder = folder
         try:
             self.summary = read_json(os.path.join(folder, "summary.json"))
-            with opened(os.path.join(folder, "history.csv")) as file:
-                rows = [row for row in file if row.endswith("\n")]  # the last row of a killed run may be cut
-            table = numpy.genfromtxt(rows, delimiter=",", names=True)
+            columns = read_table(os.path.join(folder, "history.csv"), "time_s", "penetration_m", "velocity_m_s", "acceleration_m_s2",
+                                 "reaction_N")
         except (OSError, ValueError) as problem:
             sys.exit(f"plot.py: {folder}: must hold summary.json and history.csv of a drop ({problem})")
-        table = numpy.atleast_1d(table)
-        if len(table) < 1:
+        table = {name: numpy.array(values) for name, values in columns.items()}
+        if len(table["time_s"]) < 1:
             sys.exit(f"plot.py: {folder}/history.csv: holds no row")
         self.time = table["time_s"]
         self.depth = table["penetration_m"]

@@ -13,7 +13,7 @@ import sys
 import numpy
 
 from pictures import COLOURS, REFERENCE, pyplot, save_pictures
-from regular_file import opened, read_json
+from regular_file import read_json, read_table
 
 
 class Reduced:
@@ -23,13 +23,11 @@ class Reduced:
         self.folder = folder
         try:
             self.found = read_json(os.path.join(folder, "reduced.json"))
-            with opened(os.path.join(folder, "reduced.csv")) as file:
-                table = numpy.genfromtxt(file, delimiter=",", names=True)
+            table = read_table(os.path.join(folder, "reduced.csv"), "depth_m")
         except (OSError, ValueError) as problem:
             sys.exit(f"plot_reduced.py: {folder}: must hold reduced.csv and reduced.json ({problem})")
-        table = numpy.atleast_1d(table)
         last = int(numpy.argmax(table["depth_m"])) + 1  # a rebound would go back over the same depths
-        self.table = table[:last]
+        self.table = {name: numpy.array(values[:last]) for name, values in table.items()}
         self.depth = self.table["depth_m"] * 100
 
     def label(self):
@@ -39,8 +37,8 @@ class Reduced:
 
 
 def column(reduced, k, form=""):
-    """q_sbc by a K; the name of a column without the points that numpy drops."""
-    return reduced.table[f"q_sbc_{form}K{k}_kPa".replace(".", "")]
+    """q_sbc by a K."""
+    return reduced.table[f"q_sbc_{form}K{k}_kPa"]
 
 
 def bands(found):

@@ -9,6 +9,7 @@
 #include "read_measurement.hpp"
 #include "reduction.hpp"
 #include "reduction_files.hpp"
+#include "say.hpp"
 #include "words.hpp"
 
 namespace arenite::ffp {
@@ -31,6 +32,7 @@ void write(const std::filesystem::path& folder, const Reduction& r, const Reduce
 
 void reduce(const ReduceOptions& o) {
   const Reduction r = reduce(read_measurement(o), o);
+  for (const std::string& text : r.warnings) say("warning: " + text);
   const auto folder = folder_of(o);
   std::error_code code;
   std::filesystem::create_directories(folder, code);

@@ -44,7 +44,7 @@ struct ReduceOptions {
   DecelerationUnit deceleration_unit = DecelerationUnit::named;
   Reading reads = Reading::net;
   bool invert = false;        ///< the record is positive when the penetrometer gets faster
-  bool zero_at_rest = false;  ///< the mean of the quiet part before the release is taken off
+  bool zero_at_rest = false;  ///< the level at rest is taken off
   std::string calibration;    ///< JSON of a BlueDrop's scales and offsets; empty: samples
   std::string scale, offset;  ///< "2g=1.62e6,18g=1.6e5": win over the file's
   Tip tip = Tip::cone;        ///< unless a drop's folder tells
@@ -78,7 +78,8 @@ void visit_reduce_options(Options& o, Visitor& v) {
   v.choice("--reads", reading_words, o.reads,
            "net: 0 at rest and -1 g in free fall; proper: 1 g at rest and 0 in free fall");
   v.flag("--invert", o.invert, "The record is positive when the penetrometer gets faster");
-  v.flag("--zero-at-rest", o.zero_at_rest, "Take off the mean of the quiet part before the release");
+  v.flag("--zero-at-rest", o.zero_at_rest,
+         "Take off what the accelerometer reads at rest before the release, or without it after the end");
   v.text("--calibration", o.calibration, "FILE.json",
          "Scales and offsets of a BlueDrop's accelerometers, {\"2g\": {\"scale\": S, \"offset\": O}, ..}; "
          "without, "

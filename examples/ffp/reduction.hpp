@@ -15,8 +15,10 @@
 #include "geometry.hpp"
 #include "history.hpp"
 #include "impact.hpp"
+#include "levels.hpp"
 #include "measurement.hpp"
 #include "reduce_options.hpp"
+#include "sampling.hpp"
 
 namespace arenite::ffp {
 
@@ -38,16 +40,19 @@ struct QuasiStatic {
 };
 
 struct Reduction {
-  std::vector<std::string> notes;
+  std::vector<std::string> notes, warnings;
   bool of_drop = false;  ///< the record is the history of a drop's folder
   Tip tip = Tip::cone;
   double mass = 0, gravity = 0, k0 = 0;
   std::optional<double> unit_weight;
   double threshold = 0;
+  Levels levels;         ///< of a measured record
+  double taken_off = 0;  ///< m/s^2
   Motion motion;
-  std::size_t peak = 0;       ///< row of the largest filtered deceleration
-  double greatest_depth = 0;  ///< m
-  Column q_dyn[2];            ///< kPa, by area
+  std::size_t peak = 0;                        ///< row of the largest filtered deceleration
+  double greatest_depth = 0;                   ///< m
+  std::optional<double> depth_without_offset;  ///< m: the same, with the offset at rest taken off
+  Column q_dyn[2];                             ///< kPa, by area
   ColumnPeak q_dyn_peaks[2];
   std::vector<QuasiStatic> quasi_static;  ///< each end of each band
   std::vector<Estimate> estimates;
@@ -128,6 +133,57 @@ inline void add_estimates(Reduction& r, const ReduceOptions& o) {
     r.notes.push_back("without --unit-weight: no relative density of q_sbc and no friction angle");
 }
 
+/// Depth at which it stands, m: beyond the rest a record leaves errors of its integral alone.
+inline double depth_of(const Motion& m, bool of_drop) {
+  const auto n = of_drop || !m.stop ? m.time.end() : std::upper_bound(m.time.begin(), m.time.end(), *m.stop);
+  return *std::max_element(m.depth.begin(), m.depth.begin() + (n - m.time.begin()));
+}
+
+/// What a measured record and the options do not agree in, and what its samples cannot show.
+inline void add_warnings(Reduction& r, const ReduceOptions& o, const Measurement& record,
+                         ImpactSettings impact, const std::optional<ReadingProblem>& problem) {
+  const Levels& levels = r.levels;
+  const auto g = [](double x) { return rounded(std::round(x * 1e4) / 1e4 + 0.0); };
+  const bool fits = !problem;
+  if (problem)
+    r.warnings.push_back(problem->text + (problem->has_cure ? ". Nothing below is that of the drop" : ""));
+  const auto offset = levels.offset();
+  if (fits && offset && impact.offset == 0) {
+    try {
+      impact.offset = *offset * r.gravity;
+      r.depth_without_offset = depth_of(motion_of(record, impact), false);
+    } catch (const error&) {  // no impact, and no depth
+    }
+    if (r.depth_without_offset && std::abs(*r.depth_without_offset / r.greatest_depth - 1) > 0.02)
+      r.warnings.push_back(joined_text("the accelerometer reads ", g(*offset), " g too much at rest ",
+                                       levels.before ? "before the release" : "after the end",
+                                       ": with that taken off (--zero-at-rest) the depth is ",
+                                       rounded(*r.depth_without_offset * 100), " cm, not ",
+                                       rounded(r.greatest_depth * 100), " cm"));
+  }
+  if (fits && levels.before && levels.after && std::abs(*levels.before - *levels.after) > 0.05)
+    r.warnings.push_back(joined_text("the rests differ: ", g(*levels.before), " g before the release, ",
+                                     g(*levels.after),
+                                     " g after the end; does the penetrometer lean, or did the accelerometer "
+                                     "shift? --zero-at-rest takes the former"));
+  if (fits && offset && levels.fall && o.medium == Medium::air && std::abs(*offset - *levels.fall - 1) > 0.1)
+    r.warnings.push_back(joined_text(
+        "between rest and fall the record changes by ", g(*offset - *levels.fall),
+        " g, in free fall by 1 g; are scale and --gravity those of the record, and is the fall free?"));
+  const Motion& m = r.motion;
+  if (r.warnings.empty() && m.velocity_left && std::abs(*m.velocity_left) > 0.05 * m.impact_velocity)
+    r.warnings.push_back(joined_text("the integral leaves ", rounded(*m.velocity_left), " m/s at rest, of ",
+                                     rounded(m.impact_velocity),
+                                     " m/s at the impact: velocity and depth are as uncertain"));
+  if (m.impact_velocity < 0.1)
+    r.warnings.push_back(joined_text("the velocity at the impact is ", rounded(m.impact_velocity),
+                                     " m/s; is the unit of the time that of the record (--time-unit)?"));
+  const double fall = m.impact_velocity / r.gravity;
+  for (auto& text : sampling_warnings(record, m.impact_time - fall, m.impact_time,
+                                      m.impact_time + m.stop.value_or(m.time.back()), r.gravity))
+    r.warnings.push_back(std::move(text));
+}
+
 }  // namespace detail
 
 /// Throws `error` that names what is missing.
@@ -147,19 +203,41 @@ inline Reduction reduce(Measurement record, const ReduceOptions& o) {
                         .window = o.window,
                         .in_water = o.medium == Medium::water,
                         .impact_time = o.impact_time,
-                        .impact_velocity = o.impact_velocity,
-                        .zero_at_rest = o.zero_at_rest};
+                        .impact_velocity = o.impact_velocity};
   const Device device = drop ? drop->body() : Device{shape_of(o.tip)};
   if (drop && !impact.impact_time) {
     impact.impact_time = 0;
     impact.impact_depth = 0 - device.tip_above();
     if (!impact.impact_velocity) impact.impact_velocity = drop->impact_velocity;
   }
-  r.motion = motion_of(std::move(record), impact);
+  std::optional<ReadingProblem> problem;
+  if (!drop) {
+    r.levels = levels_of(record, r.gravity);
+    problem = reading_problem(record, r.levels, o, r.gravity);
+  }
+  const auto refuse_for_problem = [&] {
+    if (problem) throw error(joined_text(shown(o.file), ": ", problem->text));
+  };
+  if (problem && problem->has_cure && !o.impact_time) refuse_for_problem();
+  if (o.zero_at_rest) {
+    refuse_for_problem();
+    const auto offset = r.levels.offset();
+    if (!offset)
+      throw error(
+          "--zero-at-rest: the record shows no quiet rest before the release or after the end; leave it out");
+    impact.offset = r.taken_off = *offset * r.gravity;
+  }
+  try {
+    r.motion = motion_of(record, impact);
+  } catch (const error&) {
+    refuse_for_problem();
+    throw;
+  }
   const Motion& m = r.motion;
   r.peak =
       static_cast<std::size_t>(std::max_element(m.filtered.begin(), m.filtered.end()) - m.filtered.begin());
-  r.greatest_depth = *std::max_element(m.depth.begin(), m.depth.end());
+  r.greatest_depth = detail::depth_of(m, r.of_drop);
+  if (!drop) detail::add_warnings(r, o, record, impact, problem);
   if (o.medium == Medium::water && !o.drag)
     r.notes.push_back("without --drag: the drag of the water is left out");
   detail::add_bearing(r, o, device);

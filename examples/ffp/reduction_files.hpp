@@ -85,6 +85,7 @@ inline Json json_of(const Reduction& r, const ReduceOptions& o) {
   Json j;
   j["file"] = r.of_drop ? "history.csv" : o.file;  // the same wherever the folder lies
   j["notes"] = r.notes;
+  j["warnings"] = r.warnings;
   j["settings"] = {{"tip", word_of(tip_words, r.tip)},
                    {"mass_kg", r.mass},
                    {"gravity_m_s2", r.gravity},
@@ -96,7 +97,7 @@ inline Json json_of(const Reduction& r, const ReduceOptions& o) {
                    {"threshold_g", r.threshold},
                    {"unit_weight_N_m3", or_null(r.unit_weight)},
                    {"k0", r.k0},
-                   {"taken_off_g", m.zero / r.gravity}};
+                   {"taken_off_g", r.taken_off / r.gravity}};
   if (o.medium == Medium::water) {
     j["settings"]["water_density_kg_m3"] = o.water_density;
     j["settings"]["volume_m3"] = o.volume;
@@ -108,6 +109,12 @@ inline Json json_of(const Reduction& r, const ReduceOptions& o) {
   j["impact_velocity_from"] = m.velocity_from;
   j["velocity_left_m_s"] = or_null(m.velocity_left);
   j["depth_cm"] = r.greatest_depth * 100;
+  if (!r.of_drop) {
+    j["levels_g"] = {{"before_release", or_null(r.levels.before)},
+                     {"fall", or_null(r.levels.fall)},
+                     {"after_end", or_null(r.levels.after)}};
+    j["depth_without_offset_cm"] = r.depth_without_offset ? Json(*r.depth_without_offset * 100) : Json();
+  }
   j["penetration_time_s"] = or_null(m.stop);
   j["peak_deceleration_g"] = r.peak_g();
   j["peak_time_s"] = m.time[r.peak];
@@ -153,6 +160,7 @@ inline void print_table(const Reduction& r, const ReduceOptions& o, std::ostream
     return value ? rounded(*value) : std::string{"-"};
   };
   for (const std::string& note : r.notes) row("note", note);
+  for (const std::string& warning : r.warnings) row("warning", warning);
   row("impact", joined_text("at ", m.impact_time, " s of the record (", m.impact_from, "), ",
                             rounded(m.impact_velocity), " m/s (", m.velocity_from, ")"));
   if (m.velocity_left)
@@ -160,6 +168,11 @@ inline void print_table(const Reduction& r, const ReduceOptions& o, std::ostream
   row("depth", joined_text(rounded(r.greatest_depth * 100), " cm",
                            m.stop ? joined_text(", reached in ", rounded(*m.stop * 1e3), " ms")
                                   : std::string{"; the record ends before rest"}));
+  if (const std::string levels = text_of(r.levels); !levels.empty())
+    row("levels", levels + " (net: 0, -1 and 0)" +
+                      (r.taken_off != 0 ? "; taken off: " + rounded(r.taken_off / r.gravity) + " g" : ""));
+  if (r.depth_without_offset && rounded(*r.depth_without_offset * 100) != rounded(r.greatest_depth * 100))
+    row("depth, offset taken off", rounded(*r.depth_without_offset * 100) + " cm (--zero-at-rest)");
   row("peak deceleration",
       joined_text(rounded(r.peak_g()), " g at ", rounded(m.time[r.peak] * 1e3), " ms and ",
                   rounded(m.depth[r.peak] * 100), " cm",

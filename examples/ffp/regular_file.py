@@ -35,6 +35,29 @@ def read_json(path):
             raise ValueError(f"{path}: is nested too deeply for JSON of the program") from None
 
 
+def read_table(path, *needed):
+    """Columns of a table as the program writes it, {name: [numbers]}; NaN for an empty field. A last line without its end, which a run
+    that was killed may have cut, is left out. Raises ValueError, with the line, for anything else, and for a needed column that
+    is not there, and OSError."""
+    with opened(path, encoding="utf-8", newline="\n") as file:
+        names = file.readline().rstrip("\n").split(",")
+        for name in needed:
+            if name not in names:
+                raise ValueError(f"{path}: must have a column {name}, and commas between the columns, as the program writes it")
+        rows = []
+        for number, line in enumerate(file, 2):
+            if not line.endswith("\n"):
+                break
+            fields = line[:-1].split(",")
+            if len(fields) != len(names):
+                raise ValueError(f"{path}: line {number}, number of fields = {len(fields)}: must be {len(names)}, as in the header")
+            try:
+                rows.append([float(field or "nan") for field in fields])
+            except ValueError as problem:
+                raise ValueError(f"{path}: line {number}: must be numbers ({problem})") from None
+    return {name: [row[k] for row in rows] for k, name in enumerate(names)}
+
+
 @contextmanager
 def replaced(path, mode="xb"):
     """A new file to write to, made under a temporary name, which takes the place of `path` at the end."""

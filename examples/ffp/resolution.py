@@ -9,13 +9,12 @@ Build the driver first (examples/ffp/run.sh does). The picture needs matplotlib,
 """
 
 import argparse
-import csv
 import itertools
 import math
 import os
 
 import study
-from regular_file import opened
+from regular_file import read_table
 
 # Edges of the cells in general and at the cone, m: 1 : 2.5, from the coarsest on.
 LEVELS = [(0.02, 0.008), (0.01, 0.004), (0.005, 0.002), (0.0025, 0.001)]
@@ -25,11 +24,10 @@ QUANTITIES = {"depth at 40 ms, m": 4, "final depth, m": 4, "peak, g": 2}  # deci
 
 def depth_at(place, time):
     """Depth in a drop's folder at a time of its run, m, between the rows around it."""
-    with opened(os.path.join(place, "history.csv"), newline="") as file:
-        rows = ((float(row["time_s"]), float(row["penetration_m"])) for row in csv.DictReader(file))
-        for (t0, depth0), (t1, depth1) in itertools.pairwise(rows):
-            if t1 >= time:
-                return depth0 + (time - t0) / (t1 - t0) * (depth1 - depth0)
+    table = read_table(os.path.join(place, "history.csv"), "time_s", "penetration_m")
+    for (t0, depth0), (t1, depth1) in itertools.pairwise(zip(table["time_s"], table["penetration_m"])):
+        if t1 >= time:
+            return depth0 + (time - t0) / (t1 - t0) * (depth1 - depth0)
     raise SystemExit(f"resolution.py: {place}: the run ended before {time} s")
 
 

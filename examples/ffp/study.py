@@ -12,14 +12,13 @@ Build the driver first (examples/ffp/run.sh does). The picture needs matplotlib,
 
 import argparse
 import bisect
-import csv
 import itertools
 import os
 import re
 import subprocess
 import sys
 
-from regular_file import opened, read_json, replaced
+from regular_file import read_json, read_table, replaced
 
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 GRAVITY = 9.81
@@ -170,11 +169,10 @@ class Runs:
 
     def peaks(self, options, windows):
         """Greatest mean of the deceleration, g, over each of some windows, s, of a drop that has been run."""
-        with opened(os.path.join(self.place(options), "history.csv"), newline="") as file:
-            rows = list(csv.DictReader(file))  # of a run that ended: all rows are whole
-        time = [float(row["time_s"]) for row in rows]
+        table = read_table(os.path.join(self.place(options), "history.csv"), "time_s", "acceleration_m_s2")
+        time = table["time_s"]
         # The acceleration of a row holds since the row before.
-        parts = [float(row["acceleration_m_s2"]) * (b - a) for row, a, b in zip(rows[1:], time, time[1:])]
+        parts = [mean * (b - a) for mean, a, b in zip(table["acceleration_m_s2"][1:], time, time[1:])]
         integral = [0.0, *itertools.accumulate(parts)]
 
         def until(t):

@@ -1152,8 +1152,8 @@ class FineCells(DriverTest):
 class Inputs(DriverTest):
     """Inputs as JSON."""
 
-    def write(self, inputs):
-        with open("case.json", "w") as file:
+    def write(self, inputs, encoding="utf-8"):
+        with open("case.json", "w", encoding=encoding) as file:
             file.write(inputs if isinstance(inputs, str) else json.dumps(inputs))
 
     def test_a_summary_is_taken_back(self):
@@ -1178,7 +1178,7 @@ class Inputs(DriverTest):
             self.assertEqual(summary("typed")["inputs"]["end_s"], 0.002)
 
     def test_mistakes(self):
-        for inputs, sentence in (
+        for inputs, sentence, *encoding in (
             ({"delta": 20}, "--input = case.json: delta: no such input"),
             ({"delta_deg": "steep"}, "--delta = steep: must be a number"),
             ({"delta_deg": [20]}, "--input = case.json: delta_deg = [20]: must be a number or a word"),
@@ -1190,8 +1190,13 @@ class Inputs(DriverTest):
             ("{", "--input = case.json: is no JSON"),
             ("", "--input = case.json: must be a file that is not empty"),
             ('{"k0": 1, "k0": 2}', "--input = case.json: gives k0 twice"),
+            ({"delta_deg": "0,5"}, "--delta = 0,5: must be a number"),
+            ('{"delta_deg": 0,5}', "--input = case.json: is no JSON"),
+            ('{"inputs": {"k0": 1}, "delta_deg": 30}', "--input = case.json: delta_deg stands beside \"inputs\"; put it there"),
+            ({"delta_deg": 99}, "--delta = 99: must lie in", "utf-8-sig"),
+            ({"delta_deg": 99}, "--input = case.json: is UTF-16, or no text; save it as UTF-8", "utf-16"),
         ):
-            self.write(inputs)
+            self.write(inputs, *encoding)
             self.assert_refused(sentence, "--input", "case.json")
         self.assert_refused("--input = absent.json: no such file\n", "--input", "absent.json")
         self.assert_refused("--input = case.json: is given twice", "--input", "case.json", "--input=case.json")
@@ -1401,6 +1406,26 @@ class Study(DriverTest):
         wide, narrow = runs.peaks("", [2e-3, 1e-9])
         self.assertAlmostEqual(wide, found["peak_deceleration_g"], delta=1e-9 * wide)
         self.assertAlmostEqual(narrow, found["raw_peak_deceleration_g"], delta=0.01 * narrow)
+
+    def test_tables(self):
+        """Tables as the scripts read them: the program's own, and nothing that looks like one."""
+        with unittest.mock.patch.object(sys, "path", [os.path.dirname(self.SCRIPT), *sys.path]):
+            import regular_file
+
+        def read(text, *needed, encoding="utf-8"):
+            with open("table.csv", "w", encoding=encoding) as file:
+                file.write(text)
+            try:
+                return regular_file.read_table("table.csv", *needed)
+            except ValueError as problem:
+                return str(problem)
+
+        self.assertEqual(repr(read("a,b\n0,1\n2,\n3,0.", "a")), "{'a': [0.0, 2.0], 'b': [1.0, nan]}")
+        self.assertIn("line 3, number of fields = 3: must be 2", read("a,b\n0,1\n0,1,5\n"))
+        self.assertIn("line 2, number of fields = 1: must be 2", read("a,b\n0\n"))
+        self.assertIn("line 2: must be numbers", read("a,b\n0,x\n"))
+        self.assertIn("must have a column a", read("a;b\n0,5;1\n", "a"))
+        self.assertIn("codec can't decode", read("a,b\n", encoding="utf-16"))
 
     def test_convergence(self):
         """What resolution.py repeats of the library's study/convergence.hpp: the numbers of tests/study/convergence.cpp."""

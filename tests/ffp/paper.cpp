@@ -136,5 +136,5 @@ TEST_CASE("results of a case are read from its folder, as far as it came") {
   } catch (const arenite::error& e) {
     what = e.what();
   }
-  REQUIRE(what == "case/history.csv: 0.1,deep,0.1: is no row of a history");
+  REQUIRE(what == "case/history.csv: line 3, column penetration_m = deep: must be a number");
 }

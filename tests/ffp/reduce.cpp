@@ -149,11 +149,16 @@ TEST_CASE("an accelerometer that reads 1 g at rest, one that is upside down, one
   other = net;
   for (double& value : other) value += 0.15 * g;
   const auto off = reduced(written("off.csv", table_of(other, step)), {"--zero-at-rest"});
-  REQUIRE(std::abs(off.motion.zero - 0.15 * g) < 1e-9);
+  REQUIRE(std::abs(off.taken_off - 0.15 * g) < 1e-9);
   REQUIRE(std::abs(off.greatest_depth - depth) < 1e-6);
   REQUIRE(std::abs(reduced("off.csv", {"--threshold", "-0.7"}).greatest_depth - depth) > 1e-3);  // it matters
   auto fall = net;
   fall.erase(fall.begin(), fall.begin() + 1200);
+  for (double& value : fall) value += 0.15 * g;  // the rest after the end is left
+  const auto after = reduced(written("fall.csv", table_of(fall, step)), {"--zero-at-rest"});
+  REQUIRE(std::abs(after.taken_off - 0.15 * g) < 1e-9);
+  REQUIRE(after.motion.velocity_from == "rest");
+  fall.resize(fall.size() - 1200);
   REQUIRE(holds(refusal(written("fall.csv", table_of(fall, step)), {"--zero-at-rest"}), "--zero-at-rest"));
 }
 
@@ -289,13 +294,14 @@ TEST_CASE("columns are found by many names; what is missing is said") {
 TEST_CASE("bad records are refused in a sentence") {
   REQUIRE(refusal(written("empty.csv", "")) == "empty.csv: must be a file that can be read and is not empty");
   REQUIRE(refusal("absent.csv") == "FILE = absent.csv: there is no such file or folder");
-  REQUIRE(holds(refusal(written("numbers.csv", "0,1\n1,2\n")), "row 1 is a row of numbers, and no header"));
+  REQUIRE(holds(refusal(written("numbers.csv", "0,1\n1,2\n")), "line 1 is a row of numbers, and no header"));
   REQUIRE(holds(refusal(written("one.csv", "time_s,acc_g\n0,1\n")), "a record needs at least two"));
   REQUIRE(holds(refusal(written("back.csv", "time_s,acc_g\n0,-1\n0.1,2\n0.1,3\n")),
-                "back.csv: time in row 3 = 0.1: must be greater than the time before, 0.1"));
+                "back.csv: line 4, column time_s = 0.1: must be greater than the time before, 0.1"));
   REQUIRE(refusal(written("word.csv", "time_s,acc_g\n0,-1\n0.1,much\n")) ==
-          "word.csv: row 3, column acc_g = much: must be a number");
-  REQUIRE(holds(refusal(written("short.csv", "time_s,acc_g\n0,-1\n0.1\n")), "row 3, column acc_g = (none)"));
+          "word.csv: line 3, column acc_g = much: must be a number");
+  REQUIRE(holds(refusal(written("short.csv", "time_s,acc_g\n0,-1\n0.1\n")),
+                "line 3, number of fields = 1: must be 2"));
   REQUIRE(holds(refusal(written("nan.csv", "time_s,acc_g\n0,-1\n0.1,nan\n")), "must be a number"));
   REQUIRE(holds(refusal(written("down.csv", "time_s,acc_g\n0,1\n0.1,-4\n0.2,-1\n"),
                         {"--window", "0", "--threshold", "-0.9"}),
@@ -371,7 +377,7 @@ TEST_CASE("a BlueDrop's raw record is read back, by the smallest range that does
             5e-4 * peak + 1e-3);
   }
   const auto r = reduced(written("drop.bin", bluedrop_record(17, 0.1)), {"--zero-at-rest", "--window", "0"});
-  REQUIRE(std::abs(r.motion.zero / g - 0.1) < 1e-4);
+  REQUIRE(std::abs(r.taken_off / g - 0.1) < 1e-4);
   REQUIRE(std::abs(r.motion.impact_velocity - 0.5 * g) < 0.01);
   REQUIRE(std::abs(r.peak_g() - 17) < 0.01);
   REQUIRE(std::abs(r.motion.impact_time - 20.5) < 1e-3);
@@ -400,6 +406,14 @@ TEST_CASE("a BlueDrop's calibration, and records that cannot be used") {
                 "--calibration = list.json: must be a JSON object"));
   written("wrong.json", R"({"18g": {"scale": "much"}})");
   REQUIRE(holds(refusal(file, {"--calibration", "wrong.json"}), "18g.scale: must be a number"));
+  for (const auto& [text, sentence] :
+       {std::pair{R"({"18g": {"Scale": 3.2e5}})", "18g.Scale: must be scale or offset"},
+        {R"({"18g": 3.2e5})", "18g = 320000.0: must be {\"scale\": .., \"offset\": ..}"},
+        {R"({"18g": {"scale": "3,2e5"}})", "18g.scale: must be a number"},
+        {R"({"18g": {"scale": 1, "scale": 2}})", "gives scale twice"}}) {
+    written("wrong.json", text);
+    REQUIRE(holds(refusal(file, {"--calibration", "wrong.json"}), sentence));
+  }
   REQUIRE(holds(refusal(written("clipped.bin", bluedrop_record(400))),
                 "every accelerometer clips (2g, 18g, 50g, 200g, 250g)"));
   REQUIRE(holds(refusal(written("cut.bin", std::string(3599999, '\0'))),

@@ -35,6 +35,9 @@ class Columns(Mapping[str, "NDArray[numpy.float64]"]):
             rows: List[List[str]] = list(csv.reader(whole.splitlines()))
             if not rows:
                 raise Error(f"{path}: must hold a line that names the columns")
+            for line, row in enumerate(rows[1:], 2):
+                if len(row) != len(rows[0]):
+                    raise Error(f"{path}: line {line}, number of fields = {len(row)}: must be {len(rows[0])}, as in the header")
             try:
                 table = numpy.array([[float(field or "nan") for field in row] for row in rows[1:]]).reshape(len(rows) - 1, len(rows[0]))
             except ValueError as problem:

@@ -1,0 +1,347 @@
+// Records as users have them: one motion whose depth is known, in every disguise of a table. Each gives that
+// depth, or a sentence that names the line.
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "../../examples/ffp/read_measurement.hpp"
+#include "../../examples/ffp/read_reduce.hpp"
+#include "../../examples/ffp/reduction.hpp"
+#include "../../examples/ffp/reduction_files.hpp"
+#include "catch.hpp"
+
+using namespace arenite;
+using namespace arenite::ffp;
+
+namespace {
+
+constexpr double g = standard_gravity;
+
+Reduction reduced(const std::string& file, std::vector<std::string> words = {}) {
+  words.insert(words.begin(), file);
+  std::ostringstream answer;
+  const auto o = read_reduce(words, answer);
+  return reduce(read_measurement(*o), *o);
+}
+
+std::string refusal(const std::string& file, const std::vector<std::string>& words = {}) {
+  try {
+    reduced(file, words);
+  } catch (const error& e) {
+    return e.what();
+  }
+  return "accepted";
+}
+
+bool holds(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+std::string written(const std::string& name, const std::string& text) {
+  std::ofstream{name, std::ios::binary} << text;
+  return name;
+}
+
+/// At rest, in free fall for half a second, slowed by half a sine for 46 ms, at rest: g, at 2 kHz.
+struct Fall {
+  double before = 0.4, fall = 0.5, braking = 0.046, after = 0.5;  // s
+  double peak = 0.5 * pi / 2 / 0.046;                             // g: takes the whole velocity
+  double velocity() const { return g * fall; }
+  double depth() const { return velocity() * braking / 2; }  // m
+
+  std::vector<double> record(double rate = 2000) const {
+    std::vector<double> net;
+    for (double t = -before - fall; t < braking + after;
+         t = -before - fall + static_cast<double>(net.size()) / rate)
+      net.push_back(t < -fall || t > braking ? 0 : t < 0 ? -1 : peak * std::sin(pi * t / braking));
+    return net;
+  }
+};
+
+/// A table of it: header, text between the fields, decimal mark, end of the lines.
+struct Form {
+  std::string header = "time_s,deceleration_g", separator = ",", mark = ".", end = "\n", quote = "";
+
+  std::string number(double x) const {
+    std::string text = joined_text(x);
+    if (const auto at = text.find('.'); at != std::string::npos) text.replace(at, 1, mark);
+    return quote + text + quote;
+  }
+  std::string table(const std::vector<double>& values, double rate = 2000) const {
+    std::string text = header + end;
+    for (std::size_t i = 0; i < values.size(); ++i)
+      text += number(static_cast<double>(i) / rate) + separator + number(values[i]) + end;
+    return text;
+  }
+};
+
+std::string utf16(const std::string& text) {
+  std::string wide = "\xff\xfe";
+  for (const char c : text) wide += {c, '\0'};
+  return wide;
+}
+
+}  // namespace
+
+TEST_CASE("one motion in every form of a table") {
+  const Fall motion;
+  const auto record = motion.record();
+  const double depth = reduced(written("plain.csv", Form{}.table(record))).greatest_depth;
+  REQUIRE(std::abs(depth / motion.depth() - 1) < 0.02);
+  const std::string semicolons = "time_s;deceleration_g", tabs = "time_s\tdeceleration_g";
+  for (const Form& form :
+       {Form{.header = semicolons, .separator = ";", .mark = ","},
+        Form{.header = tabs, .separator = "\t", .mark = ","},
+        Form{.header = "time_s deceleration_g", .separator = "  ", .mark = ","},
+        Form{.mark = ",", .quote = "\""}, Form{.header = "\"time, s\",\"deceleration, g\"", .quote = "\""},
+        Form{.header = "Time, s;Acceleration, g", .separator = ";", .mark = ","},
+        Form{.header = "\xef\xbb\xbf" + semicolons, .separator = ";", .mark = ",", .end = "\r\n"},
+        Form{.header = tabs + "\t", .separator = "\t", .end = "\t\n"},
+        Form{.header = semicolons, .separator = ";", .mark = ",", .end = ";;;\r\n"},
+        Form{.header = "Drop 3; 12:30, sand\n\nsep=;\n# a remark\n" + semicolons, .separator = ";"},
+        Form{.header = "Time;Acceleration\n[s];[g]", .separator = ";", .mark = ","},
+        Form{.header = "time_s,time_step_s,deceleration_g", .separator = ",1,"}}) {
+    INFO(form.header);
+    REQUIRE(std::abs(reduced(written("form.csv", form.table(record))).greatest_depth - depth) < 1e-9);
+  }
+  std::vector<double> in_m_s2;
+  for (const double a : record) in_m_s2.push_back(a * g);
+  for (const char* unit : {"m/s\xc2\xb2", "m/s\xb2", "m/s^2", "m s^2"}) {
+    const Form form{.header = joined_text("t (s);Acceleration (", unit, ")"), .separator = ";"};
+    REQUIRE(std::abs(reduced(written("form.csv", form.table(in_m_s2))).greatest_depth - depth) < 1e-9);
+  }
+}
+
+TEST_CASE("a table that may be read in two ways, or in none, is refused with its line") {
+  const auto of = [](const std::string& text) { return refusal(written("t.csv", text)); };
+  const std::string head = "time_s,deceleration_g\n", european = "time_ms;deceleration_g\n";
+  const auto record = Fall{}.record();
+  REQUIRE(
+      of(Form{.mark = ","}.table(record)) ==
+      "t.csv: line 3, number of fields = 3: must be 2, as in the header; numbers with decimal commas need "
+      "semicolons between them");
+  REQUIRE(holds(of(head + "0,00,1,00\n"), "line 2, number of fields = 4: must be 2"));
+  REQUIRE(of(european + "0,0.00\n") == "t.csv: line 2, number of fields = 1: must be 2, as in the header");
+  REQUIRE(of(head + "0;0,00\n") == "t.csv: line 2, column time_s = 0;0: must be a number");
+  REQUIRE(holds(of(head + "0,0\n1,1,5\n"), "line 3, number of fields = 3"));
+  REQUIRE(holds(of(head + "0,0\n1\n"), "line 3, number of fields = 1"));
+  // Thousands.
+  for (const char* number : {"1.234,5", "1,234.5"})
+    REQUIRE(
+        of(european + "0;" + number + "\n") ==
+        joined_text(
+            "t.csv: line 2, column deceleration_g = ", number,
+            ": a file has one decimal mark and none between thousands; line 2 has a comma, line 2 a point"));
+  REQUIRE(holds(of(european + "0,5;1\n1;1.5\n"),
+                "line 3, column deceleration_g = 1.5: a file has one decimal mark"));
+  REQUIRE(of(european + "1,000;-1\n1,001;20\n") ==
+          "t.csv: line 2: 1,000 may have a decimal comma, or a mark between thousands, and no other number "
+          "tells; "
+          "write points");
+  REQUIRE(holds(of(european + "999;-1\n1,000;20,5\n"), "line 3, column time_ms = 1,000: must be greater"));
+  for (const char* number : {"1,234,567", "1 234", "1'234", "5 %", "0,5 g", "-", "inf", "NaN", "",
+                             "\xe2\x88\x92"
+                             "1"})
+    REQUIRE(holds(of(european + "0;1\n1;" + number + "\n"),
+                  joined_text("line 3, column deceleration_g = ", number, ": must be a number")));
+  REQUIRE(
+      of("time_s;acc_g\n12:34:56.789;1\n") ==
+      "t.csv: line 2, column time_s = 12:34:56.789: must be a number; turn times of the clock into seconds");
+  // Rows.
+  REQUIRE(holds(of(head + "0,1\n# a remark\n\n0,1\n"),
+                "line 5, column time_s = 0: must be greater than the time before, 0"));
+  REQUIRE(holds(of(head + "1,0\n0.9,0\n"),
+                "line 3, column time_s = 0.9: must be greater than the time before, 1"));
+  REQUIRE(holds(of(head + "0,1\nEnd of the record\n"), "line 3"));
+  REQUIRE(
+      of("Time;Acceleration\n[s];[%]\n0;1\n") ==
+      "t.csv: line 2, column Acceleration = [%]: must be a number, or in the row below the header a unit");
+  REQUIRE(holds(of("Time_s;acc\n[ms];[g]\n0;1\n"),
+                "line 2, column Time_s = [ms]: is another unit than the header's"));
+  REQUIRE(of("time_s,acc_x_g,acc_y_g\n0,1,1\n") ==
+          "t.csv: columns acc_x_g and acc_y_g may both be the deceleration; leave the one that is meant");
+  REQUIRE(holds(of("time_s,time_s,acc_g\n0,0,1\n"), "columns time_s and time_s may both be the time"));
+  REQUIRE(holds(of("Time of the test\n0,1\n"), "has no column of deceleration"));
+  // Text.
+  const std::string text = Form{}.table(record);
+  REQUIRE(of(utf16(text)) == "t.csv: is UTF-16, or no text; save it as text in UTF-8 (CSV)");
+  REQUIRE(holds(of(utf16(text).substr(2)), "is UTF-16, or no text"));
+  REQUIRE(of("time_s,acc_g\r0,1\r") == "t.csv: line 1: holds a CR; lines must end with LF or CR LF");
+  REQUIRE(of(head + "\"0,1\n") == "t.csv: line 2: leaves a quote open");
+}
+
+namespace {
+
+/// How an accelerometer shows a net record.
+std::vector<double> shown_by(std::vector<double> net, double sign, bool proper, double offset) {
+  for (double& a : net) a = sign * (a + (proper ? 1 : 0) + offset);
+  return net;
+}
+
+std::string file_of(const std::vector<double>& values, double rate = 2000) {
+  return written("record.csv", Form{}.table(values, rate));
+}
+
+bool warns(const Reduction& r, const std::string& part) {
+  return std::ranges::any_of(r.warnings, [&](const std::string& text) { return holds(text, part); });
+}
+
+std::vector<std::string> joined(std::vector<std::string> a, const std::vector<std::string>& b) {
+  a.insert(a.end(), b.begin(), b.end());
+  return a;
+}
+
+}  // namespace
+
+TEST_CASE("sign, 1 g at rest and an offset are recognised, and told or taken out") {
+  const Fall whole;
+  for (const Fall& motion :
+       {whole, Fall{.before = 0}, Fall{.after = 0.1}, Fall{.before = 0.12, .after = 0.12},
+        Fall{.fall = 0.2, .braking = 0.02, .peak = 0.2 * pi / 2 / 0.02}}) {
+    const auto net = motion.record();
+    const double exact = motion.depth();
+    for (const double sign : {1.0, -1.0})
+      for (const bool proper : {false, true}) {
+        std::vector<std::string> words;
+        std::string advice;
+        if (proper) words = {"--reads", "proper"}, advice = "give --reads proper";
+        if (sign < 0) words.push_back("--invert"), advice += proper ? " and --invert" : "give --invert";
+        for (const double offset : {0.0, 0.05, -0.05}) {
+          CAPTURE(motion.before, motion.after, sign, proper, offset);
+          const auto file = file_of(shown_by(net, sign, proper, offset));
+          if (!words.empty()) {
+            REQUIRE(holds(refusal(file), "; " + advice));
+            if (!(sign < 0 && proper)) {  // else nothing in it slows
+              const auto forced = reduced(
+                  file, {"--impact-time", exactly(motion.before + motion.fall), "--impact-velocity", "5"});
+              REQUIRE(warns(forced, advice));
+              std::ostringstream table;
+              print_table(forced, ReduceOptions{}, table);
+              REQUIRE(holds(table.str(), advice));
+              REQUIRE(holds(json_of(forced, ReduceOptions{})["warnings"][0], advice));
+            }
+          }
+          const auto read = reduced(file, words), taken = reduced(file, joined(words, {"--zero-at-rest"}));
+          REQUIRE(std::abs(*read.levels.offset() - offset) < 1e-4);
+          REQUIRE(std::abs(taken.taken_off / g - offset) < 1e-4);
+          REQUIRE(std::abs(taken.greatest_depth / exact - 1) < 0.025);  // 2 kHz, and a threshold
+          REQUIRE(taken.warnings.empty());
+          REQUIRE(std::abs(*read.depth_without_offset / taken.greatest_depth - 1) < 1e-9);
+          const bool matters = std::abs(read.greatest_depth / taken.greatest_depth - 1) > 0.02;
+          if (offset == 0) REQUIRE(!matters);
+          REQUIRE(warns(read, "with that taken off (--zero-at-rest) the depth is") == matters);
+          REQUIRE(read.warnings.empty() == !matters);
+        }
+      }
+  }
+  // 0.05 g are a tenth of the depth.
+  const auto off = reduced(file_of(shown_by(whole.record(), 1, false, -0.05)));
+  REQUIRE(std::abs(off.greatest_depth / whole.depth() - 1) > 0.08);
+  REQUIRE(off.warnings.size() == 1);
+}
+
+TEST_CASE("options that turn a good record are told to be left out") {
+  const auto file = file_of(Fall{}.record());
+  REQUIRE(holds(refusal(file, {"--invert"}),
+                "0 g before the release, -1 g in the fall, 0 g after the end; leave out --invert"));
+  REQUIRE(holds(refusal(file, {"--reads", "proper"}), "; give --reads net"));
+  REQUIRE(holds(refusal(file, {"--reads", "proper", "--invert", "--zero-at-rest"}),
+                "; leave out --invert; give --reads net"));
+  REQUIRE(holds(refusal(file, {"--deceleration-unit", "m_s2"}), "; give --deceleration-unit g"));
+  std::vector<double> in_m_s2;
+  for (const double a : shown_by(Fall{}.record(), -1, true, 0)) in_m_s2.push_back(a * g);
+  REQUIRE(
+      holds(refusal(file_of(in_m_s2)), "; give --deceleration-unit m_s2 and --reads proper and --invert"));
+  REQUIRE(
+      holds(refusal(file_of(Fall{}.record()), {"--time-unit", "ms"}), "are these the units of the record?"));
+  REQUIRE(holds(refusal(file_of(Fall{}.record(), 2)), "must be at most 100 m/s; is the unit of the time"));
+}
+
+TEST_CASE("records that show little") {
+  const Fall motion{.before = 0, .after = 0};
+  const auto cut = motion.record();
+  const auto file = file_of({cut.begin() + 800, cut.end() - 20});  // 0.1 s of fall, and a part of the braking
+  const auto given = reduced(file, {"--impact-velocity", "4.905"});
+  REQUIRE((!given.levels.before && !given.levels.after && !given.depth_without_offset));
+  REQUIRE(std::abs(*given.levels.fall + 1) < 1e-6);
+  REQUIRE(given.warnings.empty());
+  REQUIRE(holds(refusal(file), "give --impact-velocity"));
+  REQUIRE(holds(refusal(file, {"--impact-velocity", "4.905", "--zero-at-rest"}), "shows no quiet rest"));
+  const auto proper = file_of(shown_by({cut.begin() + 800, cut.end() - 20}, -1, true, 0));
+  REQUIRE(holds(refusal(proper, {"--impact-velocity", "4.905"}), "give --reads proper and --invert"));
+  // The braking alone.
+  const auto braking =
+      reduced(file_of({cut.end() - 92, cut.end()}), {"--impact-time", "0", "--impact-velocity", "4.905"});
+  REQUIRE((!braking.levels.before && !braking.levels.fall));
+  REQUIRE(braking.warnings.empty());
+  REQUIRE(std::abs(braking.greatest_depth / motion.depth() - 1) < 0.01);
+}
+
+TEST_CASE("in water, where the fall is not free") {
+  std::vector<double> net;
+  double velocity = 0;
+  for (int i = 0; i < 5200; ++i) {
+    const double t = i / 2000. - 0.5;
+    const double a = t < 0 ? 0 : t < 1.5 ? -0.6 * std::exp(-2 * t) : 0;
+    velocity -= a * g / 2000;
+    net.push_back(a);
+  }
+  const double braking = 0.05, peak = velocity * pi / 2 / braking / g;
+  for (int i = 0; i < 100; ++i) net[static_cast<std::size_t>(4000 + i)] = peak * std::sin(pi * i / 100);
+  for (const double offset : {0.0, 0.04}) {
+    const auto file = file_of(shown_by(net, -1, true, offset));
+    REQUIRE(holds(refusal(file, {"--medium", "water"}), "give --reads proper and --invert"));
+    const auto r = reduced(file, {"--medium", "water", "--reads", "proper", "--invert"});
+    REQUIRE(std::abs(*r.levels.before - offset) < 1e-4);
+    REQUIRE(std::abs(*r.depth_without_offset / (velocity * braking / 2) - 1) < 0.05);
+    REQUIRE(r.warnings.empty() == (offset == 0));
+  }
+}
+
+TEST_CASE("noise and resolution are no reason to warn") {
+  const auto net = Fall{}.record();
+  for (const double resolution : {1e-6, 0.01, 0.1})
+    for (const double noise : {0.0, 0.02, 0.1}) {
+      CAPTURE(resolution, noise);
+      auto record = net;
+      unsigned seed = 1;
+      for (double& a : record) {
+        double sum = 0;  // nearly normal
+        for (int i = 0; i < 12; ++i)
+          sum += static_cast<double>((seed = seed * 1664525u + 1013904223u) >> 8) / (1 << 24) - 0.5;
+        a = std::round((a + noise * sum) / resolution) * resolution;
+      }
+      const auto r = reduced(file_of(record));
+      if (!r.warnings.empty()) INFO(r.warnings[0]);
+      REQUIRE(r.warnings.empty());
+      REQUIRE(std::abs(r.greatest_depth / Fall{}.depth() - 1) < 0.03);
+      REQUIRE(std::abs(*r.motion.stop / 0.046 - 1) < 0.2);
+    }
+}
+
+TEST_CASE("what a record cannot show is said") {
+  const auto net = Fall{}.record();
+  auto clipped = net;
+  for (double& a : clipped) a = std::min(a, 12.0);
+  REQUIRE(warns(reduced(file_of(clipped)), "stays at its largest, 12 g, for"));
+  for (const int missing : {1, 30}) {
+    auto rows = Form{}.table(net);
+    std::size_t from = 0;
+    for (int line = 0; line < 1830; ++line) from = rows.find('\n', from) + 1;
+    std::size_t to = from;
+    for (int line = 0; line < missing; ++line) to = rows.find('\n', to) + 1;
+    const auto r = reduced(written("gap.csv", rows.erase(from, to - from)));
+    REQUIRE(warns(r, joined_text("has a gap of ", missing == 1 ? "1" : "15.5", " ms at 0.914")));
+  }
+  REQUIRE(warns(reduced(file_of(Fall{}.record(150), 150)), "samples between impact and rest, too few"));
+  auto leaning = net;
+  for (std::size_t i = 1900; i < leaning.size(); ++i) leaning[i] -= 0.08;
+  REQUIRE(
+      warns(reduced(file_of(leaning)), "the rests differ: 0 g before the release, -0.08 g after the end"));
+  auto scaled = net;
+  for (double& a : scaled) a *= 0.87;
+  REQUIRE(warns(reduced(file_of(scaled)), "changes by 0.87 g, in free fall by 1 g"));
+  const Fall lost{.peak = 0.9 * 0.5 * pi / 2 / 0.046};
+  REQUIRE(warns(reduced(file_of(lost.record())), "the integral leaves"));
+}

@@ -38,19 +38,20 @@ class Fill(Recipe):
     name          -     a name                                       needed
     region        -     a shape, `Cells`, or a test of positions     needed
     law           -     a law                                        needed
-    per_cell      -     >= 1                                         4                points a cell; on a grid a square or cube
+    per_cell      -     >= 1                                         None             points a cell, on a grid a square or cube; 4, on a grid in space 8
     velocity      m/s   up to 3 numbers, or a function of positions  (0.0, 0.0, 0.0)
     stress        Pa    `Geostatic`, or a function of positions      None
     may_be_empty  -     True, False                                  False            a region without points is no mistake
     history       -     numbers or functions of positions, by name   {}
     jitter        -     [0, 1]                                       0.0              share of its sub-cell that a point is moved in
     seed          -     >= 0                                         0                of the jitter
-    even          -     True, False                                  False            as far apart along all axes, in cells of unequal edges"""
+    even          -     True, False                                  False            as far apart along all axes, in cells of unequal edges
+    exact_volume  -     True, False                                  False            points stand for the part of their sub-cells in the region"""
 
     name: str
     region: Region
     law: Law
-    per_cell: int = 4
+    per_cell: Optional[int] = None
     velocity: Any = (0.0, 0.0, 0.0)
     stress: Any = None
     may_be_empty: bool = False
@@ -58,6 +59,7 @@ class Fill(Recipe):
     jitter: float = 0.0
     seed: int = 0
     even: bool = False
+    exact_volume: bool = False
 
     def cpp(self) -> str:
         return f"Fill<{self.law.cpp()}>"
@@ -66,7 +68,7 @@ class Fill(Recipe):
         return {"region": region_value(self.region), "law": self.law.value(), "options": self._options()}
 
     def _options(self) -> Dict[str, Any]:
-        names = ("per_cell", "velocity", "stress", "may_be_empty", "history", "jitter", "seed", "even")
+        names = ("per_cell", "velocity", "stress", "may_be_empty", "history", "jitter", "seed", "even", "exact_volume")
         return {name: plain(getattr(self, name)) for name in names}
 
     def rules(self) -> str:
@@ -81,16 +83,20 @@ class Fill(Recipe):
 Field = Union[Sequence[float], Callable[[Any], Any]]
 
 
-def fill(name: str, region: Region, law: Law, per_cell: int = 4, velocity: Field = (0.0, 0.0, 0.0),
+def fill(name: str, region: Region, law: Law, per_cell: Optional[int] = None, velocity: Field = (0.0, 0.0, 0.0),
          stress: Union[Geostatic, Callable[[Any], Any], None] = None, may_be_empty: bool = False,
-         history: Optional[Dict[str, Any]] = None, jitter: float = 0.0, seed: int = 0, even: bool = False) -> Fill:
+         history: Optional[Dict[str, Any]] = None, jitter: float = 0.0, seed: int = 0, even: bool = False,
+         exact_volume: bool = False) -> Fill:
     """Fills a region with points of a law.
 
     region: a shape, `Cells`, or a test of positions [n, 2 or 3], m, that returns [n] booleans; velocity, m/s: a
     vector, or a function of positions that returns [n, 2 or 3]; stress, Pa: `Geostatic`, or a function of positions
     that returns [n, 6] (xx, yy, zz, xy, yz, zx); history: numbers, or functions of positions that return [n], by the
-    name of the law's history. Each function is called once, with all positions."""
-    return Fill(name, region, law, per_cell, velocity, stress, may_be_empty, dict(history or {}), jitter, seed, even)
+    name of the law's history. Each function is called once, with all positions.
+
+    A point stands for all of its sub-cell, if the middle of that lies in the region; with `exact_volume` for the part that
+    lies in it, so that the mass is that of the region, which must be a shape. A scene warns where the two differ by 2 %."""
+    return Fill(name, region, law, per_cell, velocity, stress, may_be_empty, dict(history or {}), jitter, seed, even, exact_volume)
 
 
 __all__ = ["Fill", "Geostatic", "fill"]

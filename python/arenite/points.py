@@ -39,13 +39,15 @@ def _body(scene: Scene, name: Name) -> Body:
     return list(scene.bodies.values())[scene.number_of(name)]
 
 
-def fill_points(scene: Scene, body: Name, region: Region, per_cell: int = 4, velocity: Field = (0.0, 0.0, 0.0),
+def fill_points(scene: Scene, body: Name, region: Region, per_cell: Optional[int] = None, velocity: Field = (0.0, 0.0, 0.0),
                 stress: Union[Geostatic, Callable[[Any], Any], None] = None,
-                history: Optional[Mapping[str, Any]] = None, may_be_empty: bool = False) -> Totals:
+                history: Optional[Mapping[str, Any]] = None, may_be_empty: bool = False,
+                exact_volume: bool = False) -> Totals:
     """Fills a region with points of a body of a running scene, as `fill` does when a scene is made. The region should
     be empty: points that are there stay. Raises `Error`, with the scene as it was, where `fill` would."""
     number = scene.number_of(body)
-    recipe = fill(str(body), region, scene.law(number), per_cell, velocity, stress, may_be_empty, dict(history or {}))
+    recipe = fill(str(body), region, scene.law(number), per_cell, velocity, stress, may_be_empty, dict(history or {}),
+                  exact_volume=exact_volume)
     return Totals(*scene._core.fill(number, recipe.value()))
 
 

@@ -31,8 +31,9 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 /// A scene of kinematics K, mesh M, numerics N and, in any order, `bodies(..)` (required) and parts: those of
 /// the library (`walls(..)`, `gravity({..})`, `Coulomb`, `rigids(..)`, `MovingMesh`, `TrackEnergy{}`) and any
 /// of your own (`scene/roles.hpp`). Complete when constructed: filled, parts bound, surfaces found. Warns
-/// (`on_warning`) of a box that reaches beyond the mesh, of bodies that lie in one place, and of gravity that
-/// nothing holds against. Throws `error` where a recipe does not fit the mesh, naming value and rule.
+/// (`on_warning`) of a box that reaches beyond the mesh, of points with another mass than their region's, of
+/// bodies that lie in one place, and of gravity that nothing holds against; its first step of geostatic
+/// ground that is not at rest. Throws `error` where a recipe does not fit the mesh, naming value and rule.
 template <class K, class M, class N, class... Given>
 struct Scene {
   static_assert(detail::is_complete_scene<K, M, N, Given...>());

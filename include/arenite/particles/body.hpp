@@ -152,43 +152,47 @@ std::vector<int> region_numbers([[maybe_unused]] const M& mesh, const AnyRegion&
 namespace detail {
 
 /// Where a fill puts a point. Those of a cell follow each other, and cells are in order.
-template <class V>
 struct FillPlace {
-  V position;                 // m
-  typename V::Scalar volume;  // m3
+  Place position;  // m
+  double volume;   // m3
   Index cell;
   bool sliver = false;  // whether it stands for less than a tenth of a sub-cell
 };
 
 /// Lets slivers join the nearest place beside them that is none, in their own cell or a cell next to it: a
 /// very light point in a cell of its own would lead nodes with hardly any mass. Volume and its centre are
-/// kept.
-template <class M, class V>
-void join_slivers(const M& mesh, std::vector<FillPlace<V>>& places) {
+/// kept. `walk`: finds the cell of a position, m, from a cell near it.
+inline void join_slivers(std::vector<FillPlace>& places, std::size_t dimensions,
+                         const std::function<double(Index)>& edge,
+                         const std::function<Index(const Place&, Index)>& walk) {
   for (auto& small : places) {
     if (!small.sliver) continue;
-    const auto apart = std::pow(mesh.volume(small.cell), static_cast<typename M::scalar>(1.0 / M::dimension));
-    FillPlace<V>* nearest = nullptr;
+    FillPlace* nearest = nullptr;
     const auto look = [&](Index cell) {
-      for (auto& other : std::ranges::equal_range(places, cell, {}, &FillPlace<V>::cell))
-        if (!other.sliver && (!nearest || (other.position - small.position).norm() <
-                                              (nearest->position - small.position).norm()))
-          nearest = &other;
+      auto other = std::lower_bound(places.begin(), places.end(), cell,
+                                    [](const FillPlace& place, Index c) { return place.cell < c; });
+      for (; other != places.end() && other->cell == cell; ++other)
+        if (!other->sliver && (!nearest || distance_between(other->position, small.position) <
+                                               distance_between(nearest->position, small.position)))
+          nearest = &*other;
     };
     look(small.cell);
-    for (int k = 0; k < M::dimension; ++k)
-      for (const int side : {-1, 1})
-        if (const Index cell = mesh.walk(V(small.position + side * apart / 2 * V::Unit(k)), small.cell);
-            cell != none && cell != small.cell)
-          look(cell);
+    for (std::size_t k = 0; k < dimensions; ++k)
+      for (const int side : {-1, 1}) {
+        Place beside = small.position;
+        beside[k] += side * edge(small.cell) / 2;
+        if (const Index cell = walk(beside, small.cell); cell != none && cell != small.cell) look(cell);
+      }
     if (!nearest) continue;
-    const auto both = nearest->volume + small.volume;
-    const V middle = (nearest->volume * nearest->position + small.volume * small.position) / both;
-    if (mesh.walk(middle, nearest->cell) == nearest->cell) nearest->position = middle;
+    const double both = nearest->volume + small.volume;
+    Place middle{};
+    for (std::size_t k = 0; k < dimensions; ++k)
+      middle[k] = (nearest->volume * nearest->position[k] + small.volume * small.position[k]) / both;
+    if (walk(middle, nearest->cell) == nearest->cell) nearest->position = middle;
     nearest->volume = both;
     small.volume = 0;
   }
-  std::erase_if(places, [](const auto& place) { return place.volume == 0; });
+  std::erase_if(places, [](const FillPlace& place) { return place.volume == 0; });
 }
 
 /// Gives the points the initial values of `FillOptions::history`. Throws `error` for one that the law's
@@ -239,16 +243,20 @@ auto make_body(const M& mesh, const Fill<L, name>& recipe, const Owns& owns = {}
   std::optional<InitialStress> stress_at;
   if (o.stress) stress_at = o.stress->in(ground, density);
   const auto numbers = region_numbers(mesh, recipe.region);
-  std::vector<detail::FillPlace<typename M::Point>> places;
-  detail::ClearBall<D> clear;
+  std::vector<detail::FillPlace> places;
+  const auto point_at = [](const detail::Place& x) ->
+      typename M::Point { return in_scene<D>(x).template cast<T>(); };
+  const auto edge = [&](Index c) { return std::pow(static_cast<double>(mesh.volume(c)), 1.0 / D); };
+  detail::ClearBall clear;
   const auto fill_places = [&] {
-    for (const auto& [x, volume, c, sliver] : places) {
+    for (const auto& place : places) {
+      const typename M::Point x = point_at(place.position);
+      const T volume = static_cast<T>(place.volume);
       const auto stress = stress_at ? stress_at->at(x) : Sym<T, D>{};
-      body.points.push_back(x, o.velocity.at(x), static_cast<T>(density) * volume, volume, stress, c);
-      if constexpr (Extra.affine) {
-        const double length = std::pow(static_cast<double>(mesh.volume(c)), 1.0 / D);
-        body.points.motion.set(body.points.size() - 1, o.velocity.gradient(x, length));
-      }
+      body.points.push_back(x, o.velocity.at(x), static_cast<T>(density) * volume, volume, stress,
+                            place.cell);
+      if constexpr (Extra.affine)
+        body.points.motion.set(body.points.size() - 1, o.velocity.gradient(x, edge(place.cell)));
       body.initial_volume += static_cast<double>(volume);
     }
     places.clear();
@@ -265,21 +273,23 @@ auto make_body(const M& mesh, const Fill<L, name>& recipe, const Owns& owns = {}
     for (std::size_t p = 0; p < of_cell.size(); ++p) {
       const auto& x = of_cell[p];
       if (!parts.empty() && parts[p].share > 0) {
-        const typename M::Point centre = parts[p].centre.template cast<T>();
-        const T volume = static_cast<T>(parts[p].share) * share * K::thickness(centre);
-        body.region_volume += static_cast<double>(volume);
-        if (o.exact_volume && !parts[p].whole) places.push_back({centre, volume, c, parts[p].share < 0.1});
+        const double volume =
+            parts[p].share * static_cast<double>(share * K::thickness(point_at(parts[p].centre)));
+        body.region_volume += volume;
+        if (o.exact_volume && !parts[p].whole)
+          places.push_back({parts[p].centre, volume, c, parts[p].share < 0.1});
       }
       if (o.exact_volume && !parts.empty() ? !parts[p].whole
                                            : recipe.region.test && !recipe.region.contains(x))
         continue;
-      places.push_back({x, share * K::thickness(x), c});
-      if (parts.empty()) body.region_volume += static_cast<double>(places.back().volume);
+      places.push_back({in_space<T, D>(x), static_cast<double>(share * K::thickness(x)), c});
+      if (parts.empty()) body.region_volume += places.back().volume;
     }
     if (!o.exact_volume) fill_places();
   }
   if (o.exact_volume) {
-    detail::join_slivers(mesh, places);
+    detail::join_slivers(places, D, edge,
+                         [&](const detail::Place& x, Index near) { return mesh.walk(point_at(x), near); });
     fill_places();
   }
   require(body.points.size() > 0 || o.may_be_empty || !Owns::is_whole, "fill: points", body.points.size(),

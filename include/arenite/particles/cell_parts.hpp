@@ -1,7 +1,9 @@
-// Cell parts: how much of each sub-cell of a cell lies in a region whose boundary cuts it.
+// Cell parts: how much of each sub-cell of a cell lies in a region whose boundary cuts it. In plain numbers, (x,
+// y, z) with z = 0 in the plane, so that it is compiled once for all meshes.
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <utility>
@@ -14,160 +16,194 @@
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 /// The part of the sub-cell of a point that lies in a region.
-template <class V>
 struct CellPart {
-  double share = 0;  ///< of the sub-cell, -
-  V centre;          ///< of the part, m
+  double share = 0;                ///< of the sub-cell, -
+  std::array<double, 3> centre{};  ///< of the part, m
   bool whole = false;
 };
 
 namespace detail {
 
-/// The part of a small box of these edges about x that lies in a region, -, and its centre. By a signed
+using Place = AnyRegion::Position;
+
+inline double distance_between(const Place& x, const Place& y) {
+  const double a = x[0] - y[0], b = x[1] - y[1], c = x[2] - y[2];
+  return std::sqrt(a * a + b * b + c * c);
+}
+
+/// The part of a small box of these edges about x that lies in a region, as its share and centre. By a signed
 /// distance: of the plane at that distance, exact where it is parallel to a face, and the only one in the
 /// box; else all or nothing.
-template <class V>
-std::pair<double, V> part_in_region(const AnyRegion& region, const V& x, const V& edges) {
-  const V none = x;
-  if (!region.distance) return {region.contains(x) ? 1.0 : 0.0, none};
-  const double d = region.distance(in_space(x));
-  if (std::abs(d) > edges.norm() / 2) return {d < 0 ? 1.0 : 0.0, none};
-  V slope;
-  for (int k = 0; k < x.size(); ++k) {
-    V before = x, behind = x;
+inline CellPart part_in_region(const AnyRegion& region, const Place& x, const Place& edges) {
+  if (!region.distance) return {region.test(x) ? 1.0 : 0.0, x};
+  const double d = region.distance(x);
+  const CellPart all_or_nothing{d < 0 ? 1.0 : 0.0, x};
+  if (std::abs(d) > distance_between(edges, {}) / 2) return all_or_nothing;
+  Place slope{};
+  double width = 0, squared = 0;  // of the box across the plane, in the distance's unit
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (edges[k] == 0) continue;
+    Place before = x, behind = x;
     before[k] -= edges[k] / 2;
     behind[k] += edges[k] / 2;
-    slope[k] = (region.distance(in_space(behind)) - region.distance(in_space(before))) / edges[k];
+    slope[k] = (region.distance(behind) - region.distance(before)) / edges[k];
+    width += std::abs(slope[k]) * edges[k];
+    squared += slope[k] * slope[k];
   }
-  const double width = slope.cwiseAbs().dot(edges);  // of the box across the plane, in the distance's unit
-  if (!(std::abs(d) < width / 2)) return {d < 0 ? 1.0 : 0.0, none};
-  const double share = 0.5 - d / width;
-  return {share, x - slope * (width * (1 - share) / (2 * slope.squaredNorm()))};
+  if (!(std::abs(d) < width / 2)) return all_or_nothing;
+  CellPart part{0.5 - d / width, x};
+  for (std::size_t k = 0; k < 3; ++k) part.centre[k] -= slope[k] * (width * (1 - part.share) / (2 * squared));
+  return part;
+}
+
+/// Positions of the corners of a cell, m.
+struct CellCorners {
+  std::array<Place, 8> at{};
+  std::size_t count = 0;
+};
+template <class M>
+CellCorners corners_of(const M& mesh, Index cell) {
+  using T = typename M::scalar;
+  constexpr int D = M::dimension;
+  CellCorners corners;
+  if constexpr (is_simplex_mesh<M>) {
+    for (const Index i : mesh.nodes(cell)) corners.at[corners.count++] = in_space<T, D>(mesh.position(i));
+  } else {
+    const Place lower = in_space<T, D>(mesh.corner(cell)), edges = in_space<T, D>(mesh.extent(cell));
+    corners.count = std::size_t{1} << D;
+    for (std::size_t c = 0; c < corners.count; ++c)
+      for (std::size_t k = 0; k < 3; ++k) corners.at[c][k] = lower[k] + (c >> k & 1 ? edges[k] : 0);
+  }
+  return corners;
 }
 
 /// A ball without the boundary of a region in it, m.
-template <int D>
 struct ClearBall {
-  Vec<double, D> centre = Vec<double, D>::Zero();
+  Place centre{};
   double radius = 0;
 };
 
 /// Whether the boundary of a region may cut a cell. `clear` is the ball that the last distance showed: most
 /// cells lie in it, and need no other.
-template <class M>
-bool may_cut(const M& mesh, Index cell, const AnyRegion& region, ClearBall<M::dimension>& clear) {
-  constexpr int D = M::dimension;
-  using V = Vec<double, D>;
-  V centre = V::Zero();
-  double radius = 0;
-  if constexpr (is_simplex_mesh<M>) {
-    for (const Index i : mesh.nodes(cell)) centre += mesh.position(i).template cast<double>() / (D + 1);
-    for (const Index i : mesh.nodes(cell))
-      radius = std::max(radius, (mesh.position(i).template cast<double>() - centre).norm());
-  } else {
-    const V edges = mesh.extent(cell).template cast<double>();
-    centre = mesh.corner(cell).template cast<double>() + edges / 2;
-    radius = edges.norm() / 2;
-  }
+inline bool may_cut(const CellCorners& corners, const AnyRegion& region, ClearBall& clear) {
+  Place centre{};
+  for (std::size_t c = 0; c < corners.count; ++c)
+    for (std::size_t k = 0; k < 3; ++k) centre[k] += corners.at[c][k] / static_cast<double>(corners.count);
   if (region.distance) {
-    if ((centre - clear.centre).norm() + radius < clear.radius) return false;
-    clear = {centre, std::abs(region.distance(in_space(centre)))};
+    double radius = 0;
+    for (std::size_t c = 0; c < corners.count; ++c)
+      radius = std::max(radius, distance_between(corners.at[c], centre));
+    if (distance_between(centre, clear.centre) + radius < clear.radius) return false;
+    clear = {centre, std::abs(region.distance(centre))};
     return !(clear.radius > radius);
   }
-  const bool inside = region.contains(centre);
-  bool differs = false;
-  if constexpr (is_simplex_mesh<M>) {
-    for (const Index i : mesh.nodes(cell)) differs = differs || region.contains(mesh.position(i)) != inside;
-  } else {
-    for (int corner = 0; corner < 1 << D; ++corner) {
-      typename M::Point x = mesh.corner(cell);
-      for (int k = 0; k < D; ++k)
-        if (corner >> k & 1) x[k] += mesh.extent(cell)[k];
-      differs = differs || region.contains(x) != inside;
-    }
-  }
-  return differs;
+  const bool inside = region.test(centre);
+  for (std::size_t c = 0; c < corners.count; ++c)
+    if (region.test(corners.at[c]) != inside) return true;
+  return false;
 }
 
-/// Samples of equal weight in the simplex of a cell, m.
-template <class M>
-std::vector<Vec<double, M::dimension>> simplex_samples(const M& mesh, Index cell, std::size_t points) {
-  constexpr int D = M::dimension;
-  std::vector<Vec<double, D + 1>> places;
-  if constexpr (D == 2)
-    places = triangle_centroids(static_cast<int>(std::ceil(6 * std::sqrt(static_cast<double>(points)))));
-  else
-    places = simplex_lattice<D>(static_cast<int>(std::ceil(8 * std::cbrt(static_cast<double>(points)))));
-  std::vector<Vec<double, D>> samples;
-  for (const auto& b : places) {
-    Vec<double, D> x = Vec<double, D>::Zero();
-    for (int k = 0; k <= D; ++k)
-      x += b[k] * mesh.position(mesh.nodes(cell)[static_cast<std::size_t>(k)]).template cast<double>();
-    samples.push_back(x);
+/// Sums the parts of small boxes of equal volume to those of sub-cells.
+class PartSums {
+ public:
+  PartSums(const AnyRegion& region, std::size_t sub_cells)
+      : region_{region}, parts_(sub_cells), boxes_(sub_cells) {}
+
+  /// Adds the box of these edges about x, m, to a sub-cell.
+  void add(std::size_t sub_cell, const Place& x, const Place& edges) {
+    const CellPart box = part_in_region(region_, x, edges);
+    CellPart& part = parts_[sub_cell];
+    part.share += box.share;
+    for (std::size_t k = 0; k < 3; ++k) part.centre[k] += box.share * box.centre[k];
+    ++boxes_[sub_cell];
   }
-  return samples;
+  /// Adds a sub-cell of these edges about x, m, cut into boxes where the boundary may cut it.
+  void add_cut(std::size_t sub_cell, const Place& x, const Place& edges) {
+    const std::size_t dimensions = edges[2] == 0 ? 2 : 3;
+    const int along = (dimensions == 2 ? 4 : 2) * (region_.distance ? 1 : 2);
+    Place small = edges;
+    for (double& e : small) e /= along;
+    if (region_.distance && std::abs(region_.distance(x)) > distance_between(edges, {}) / 2)
+      return add(sub_cell, x, small);
+    const int count = dimensions == 2 ? along * along : along * along * along;
+    for (int box = 0; box < count; ++box) {
+      Place at = x;
+      int rest = box;
+      for (std::size_t k = 0; k < dimensions; ++k, rest /= along)
+        at[k] += ((rest % along + 0.5) / along - 0.5) * edges[k];
+      add(sub_cell, at, small);
+    }
+  }
+
+  std::vector<CellPart> parts() && {
+    for (std::size_t p = 0; p < parts_.size(); ++p) {
+      CellPart& part = parts_[p];
+      if (!(part.share > 1e-9 * boxes_[p])) {
+        part.share = 0;
+        continue;
+      }
+      for (double& x : part.centre) x /= part.share;
+      part.share /= boxes_[p];
+      part.whole = part.share > 1 - 1e-9;
+    }
+    return std::move(parts_);
+  }
+
+ private:
+  const AnyRegion& region_;
+  std::vector<CellPart> parts_;
+  std::vector<double> boxes_;
+};
+
+/// Barycentric coordinates of samples of equal weight in a simplex, several for each of so many points.
+template <int D>
+std::vector<Vec<double, D + 1>> simplex_samples(std::size_t points) {
+  const auto n = static_cast<double>(points);
+  if constexpr (D == 2)
+    return triangle_centroids(static_cast<int>(std::ceil(6 * std::sqrt(n))));
+  else
+    return simplex_lattice<D>(static_cast<int>(std::ceil(8 * std::cbrt(n))));
 }
 
 }  // namespace detail
 
 /// The parts of the sub-cells of a cell that lie in a region, one for each of `places`; none if the region's
-/// boundary does not cut the cell. On a grid they are those of the lattice with so many points `along` each
-/// axis; in a simplex what lies nearest to a place. `clear`: of the cell before.
+/// boundary does not cut the cell. On a grid they are those of the lattice of `per_cell` points; in a simplex
+/// what lies nearest to a place. `clear`: of the cell before.
 template <class M>
-std::vector<CellPart<Vec<double, M::dimension>>> cell_parts(
-    const M& mesh, Index cell, const AnyRegion& region, const std::vector<typename M::Point>& places,
-    [[maybe_unused]] int per_cell, [[maybe_unused]] bool even, detail::ClearBall<M::dimension>& clear) {
+std::vector<CellPart> cell_parts(const M& mesh, Index cell, const AnyRegion& region,
+                                 const std::vector<typename M::Point>& places, [[maybe_unused]] int per_cell,
+                                 [[maybe_unused]] bool even, detail::ClearBall& clear) {
+  using detail::Place;
   constexpr int D = M::dimension;
-  using V = Vec<double, D>;
-  std::vector<CellPart<V>> parts;
-  if (!region.test || region.by_centres || !detail::may_cut(mesh, cell, region, clear)) return parts;
-  std::vector<double> samples(places.size(), 0);
-  std::vector<V> moment(places.size(), V::Zero());
-  parts.resize(places.size());
-  const auto add = [&](std::size_t p, const V& x, const V& edges) {
-    const auto [share, centre] = detail::part_in_region(region, x, edges);
-    parts[p].share += share;
-    moment[p] += share * centre;
-    ++samples[p];
-  };
+  if (!region.test || region.by_centres) return {};
+  const auto corners = detail::corners_of(mesh, cell);
+  if (!detail::may_cut(corners, region, clear)) return {};
+  std::vector<Place> middles;
+  for (const auto& x : places) middles.push_back(in_space(x));
+  detail::PartSums sums(region, places.size());
   if constexpr (is_simplex_mesh<M>) {
-    const auto all = detail::simplex_samples(mesh, cell, places.size());
-    const V edges = V::Constant(
-        std::pow(static_cast<double>(mesh.volume(cell)) / static_cast<double>(all.size()), 1.0 / D));
-    for (const V& x : all) {
-      const auto nearest = std::ranges::min_element(
-          places, {}, [&](const auto& place) { return (place.template cast<double>() - x).squaredNorm(); });
-      add(static_cast<std::size_t>(nearest - places.begin()), x, edges);
+    const auto samples = detail::simplex_samples<D>(places.size());
+    const double edge =
+        std::pow(static_cast<double>(mesh.volume(cell)) / static_cast<double>(samples.size()), 1.0 / D);
+    for (const auto& b : samples) {
+      Place x{};
+      for (std::size_t c = 0; c <= D; ++c)
+        for (std::size_t k = 0; k < 3; ++k) x[k] += b[static_cast<int>(c)] * corners.at[c][k];
+      std::size_t nearest = 0;
+      for (std::size_t p = 1; p < middles.size(); ++p)
+        if (detail::distance_between(middles[p], x) < detail::distance_between(middles[nearest], x))
+          nearest = p;
+      sums.add(nearest, x, {edge, edge, D == 3 ? edge : 0});
     }
   } else {
     using T = typename M::scalar;
     const auto along = even ? even_counts<T, D>(per_cell, mesh.extent(cell)) : lattice_counts<D>(per_cell);
-    V edges = mesh.extent(cell).template cast<double>();
-    for (int k = 0; k < D; ++k) edges[k] /= along[static_cast<std::size_t>(k)];
-    const int finer = (D == 2 ? 4 : 2) * (region.distance ? 1 : 2);
-    std::array<int, static_cast<std::size_t>(D)> within;
-    within.fill(finer);
-    const auto fine = lattice_points(within);
-    for (std::size_t p = 0; p < places.size(); ++p) {
-      const V middle = places[p].template cast<double>();
-      if (region.distance && std::abs(region.distance(in_space(middle))) > edges.norm() / 2)
-        add(p, middle, V(edges / finer));
-      else
-        for (const auto& s : fine)
-          add(p, V(middle + (s - V::Constant(0.5)).cwiseProduct(edges)), V(edges / finer));
-    }
+    Place edges = in_space<T, D>(mesh.extent(cell));
+    for (std::size_t k = 0; k < D; ++k) edges[k] /= along[k];
+    for (std::size_t p = 0; p < places.size(); ++p) sums.add_cut(p, middles[p], edges);
   }
-  for (std::size_t p = 0; p < parts.size(); ++p) {
-    auto& part = parts[p];
-    if (!(part.share > 1e-9 * samples[p])) {
-      part.share = 0;
-      continue;
-    }
-    part.centre = moment[p] / part.share;
-    part.share /= samples[p];
-    part.whole = part.share > 1 - 1e-9;
-  }
-  return parts;
+  return std::move(sums).parts();
 }
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

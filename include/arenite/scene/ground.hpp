@@ -170,9 +170,8 @@ std::vector<typename Scene::V> sum_errors(const Scene& scene) {
   using V = typename Scene::V;
   constexpr int D = Scene::D;
   std::vector<V> error(Scene::Shape::node_count(scene.mesh), V::Zero());
-  const V g = in_scene<D>(scene.at_rest.front().gravity).template cast<T>();
-  int vertical = 0;
-  g.cwiseAbs().maxCoeff(&vertical);
+  const auto& g = scene.at_rest.front().gravity;
+  const auto vertical = static_cast<int>(Ground{.gravity = g}.axis());
   std::size_t number = 0;
   scene.for_each_body([&](const auto& body, const auto&) {
     const auto of_body = std::ranges::find(scene.at_rest, number++, &GroundAtRest::body);
@@ -187,11 +186,12 @@ std::vector<typename Scene::V> sum_errors(const Scene& scene) {
         const auto w = cell.weights(x);
         const auto gradient = cell.gradients(x);
         for (int i = 0; i < cell.size; ++i) {
-          V force = volume * static_cast<T>(body.law.density()) * w[i] * g;
-          for (int a = 0; a < D; ++a)
+          V& force = error[cell.nodes[static_cast<std::size_t>(i)]];
+          for (int a = 0; a < D; ++a) {
+            force[a] += volume * static_cast<T>(body.law.density() * g[static_cast<std::size_t>(a)]) * w[i];
             for (int b = 0; b < D; ++b) force[a] -= volume * stress(a, b) * gradient(b, i);
+          }
           if (K::hoop) force[0] -= volume * stress[2] * w[i] / x[0];
-          error[cell.nodes[static_cast<std::size_t>(i)]] += force;
         }
       };
       add(middle, points.stress[p], 1);
@@ -241,7 +241,7 @@ void check_rest(Scene& scene, double dt, const std::vector<typename Scene::V>& b
           counts[i] = as;
   };
   bool still = true;
-  for (const char moving : {0, 1}) {  // what moves has the last word
+  for (const bool moving : {false, true}) {  // what moves has the last word
     std::size_t number = 0;
     scene.for_each_body([&](const auto& body, const auto&) {
       const bool is_ground =

@@ -170,10 +170,11 @@ void join_slivers(const M& mesh, std::vector<FillPlace<V>>& places) {
     const auto apart = std::pow(mesh.volume(small.cell), static_cast<typename M::scalar>(1.0 / M::dimension));
     FillPlace<V>* nearest = nullptr;
     const auto look = [&](Index cell) {
-      for (auto& other : std::ranges::equal_range(places, cell, {}, &FillPlace<V>::cell))
-        if (!other.sliver && (!nearest || (other.position - small.position).norm() <
-                                              (nearest->position - small.position).norm()))
-          nearest = &other;
+      auto other = std::ranges::lower_bound(places, cell, {}, &FillPlace<V>::cell);
+      for (; other != places.end() && other->cell == cell; ++other)
+        if (!other->sliver && (!nearest || (other->position - small.position).norm() <
+                                               (nearest->position - small.position).norm()))
+          nearest = &*other;
     };
     look(small.cell);
     for (int k = 0; k < M::dimension; ++k)

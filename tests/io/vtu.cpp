@@ -170,7 +170,8 @@ TEST_CASE("points of a body with the named members of their history") {
   const auto half = [](const auto& x) { return x[0] / 2; };
   const auto write = [&](const char* name, const auto& law, const FillOptions& options,
                          const std::vector<std::pair<const char*, std::size_t>>& members) {
-    const auto body = make_body<PlaneStrain>(grid, fill(Box{{0., 0.}, {1., 1.}}, law, options));
+    const auto body =
+        make_body<PlaneStrain>(grid, fill(Box{{0., 0.}, {1., 1.}}, law, options), {.gravity = {0, -9.81, 0}});
     const fs::path file = folder() / name;
     write_vtu(file, points_vtu(body));
     Reference reference(file);

@@ -120,7 +120,8 @@ TEST_CASE("Friction that grows with depth: each point is sheared to the strength
     auto body = make_body<PlaneStrain>(
         CartesianGrid<2>{{.lower = {0, 0}, .upper = {1, 1}, .cell = 0.1}},
         fill(Box{{0., 0.}, {1., 1.}}, law,
-             {.stress = Geostatic{.surface = 1.1, .k0 = 0.6}, .history = {{"friction_slope", slope}}}));
+             {.stress = Geostatic{.surface = 1.1, .k0 = 0.6}, .history = {{"friction_slope", slope}}}),
+        {.gravity = {0, -9.81, 0}});
     for (std::size_t p = 0; p < body.points.size(); ++p) {
       auto stress = body.points.stress[p];
       auto history = body.points.load_history(p);

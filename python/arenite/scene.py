@@ -56,6 +56,16 @@ class Reaction(NamedTuple):
     impulse: List[float]
 
 
+def _numbered(value: Any, names: List[str]) -> Any:
+    """The value of a part with the number of the body that it names: the compiled scene has no names."""
+    if not isinstance(value, dict):
+        return value
+    changed = {key: _numbered(value[key], names) for key in ("where",) if key in value}
+    if value.get("body") in names:
+        changed["body"] = names.index(value["body"])
+    return {**value, **changed}
+
+
 class Scene:
     """A scene, complete when constructed. Raises `Error` where a recipe does not fit.
 
@@ -117,7 +127,7 @@ class Scene:
         for part in [r["contact"], *r["rigids"], r["rigid_contact"], *r["parts"], r["moving_mesh"]]:
             if part is not None:
                 types.append(part.cpp())
-                values.append(part.value())
+                values.append(_numbered(part.value(), names))
         if r["reactions"]:
             types.append("Reactions")
             values.append({})

@@ -93,7 +93,7 @@ class WallProbe {
   double reach_;
 };
 
-/// The wall that is thinnest against what contact holds, if two or more are seen from the places, on faces
+/// The thinnest wall of those that contact does not hold, if two or more are seen from the places, on faces
 /// within the box of the mesh. Walks from at most 500 places.
 inline std::optional<ThinWall> thinnest_wall(const AnyDistance& distance, const WallPlaces& look,
                                              int dimension, double reach) {

@@ -6,6 +6,7 @@ from dataclasses import dataclass, field
 from typing import Any, Callable, Optional, Sequence, Tuple, Union
 
 from ._recipe import Recipe, function_value, plain
+from .shapes import Region, region_value
 
 
 @dataclass(frozen=True)
@@ -162,53 +163,92 @@ def _faces(wall: Wall) -> Any:
 
 
 @dataclass(frozen=True)
+class Surface(Recipe):
+    """The points of a body in a layer under its surface, which carry its area; made by `surface`.
+
+    parameter  unit  range                                                default  meaning
+    body       -     a body's name or number                              needed
+    region     -     a shape, `Cells`, or a function of positions         needed   where its points are in the layer
+    normal     -     up to 3 numbers, or a function of place and time     needed   outward, of any length
+    thickness  m     > 0                                                  needed   of the layer"""
+
+    body: Union[str, int]
+    region: Region
+    normal: Any
+    thickness: float
+
+    def cpp(self) -> str:
+        return "PointLayer<>"
+
+    def rules(self) -> str:
+        return "SurfaceOptions"
+
+    def checked(self) -> Any:
+        return {"normal": function_value(self.normal), "thickness": self.thickness}
+
+    def value(self) -> Any:
+        return {"body": self.body, "region": region_value(self.region), "options": self.checked()}
+
+
+def surface(body: Union[str, int], region: Region, normal: Any, thickness: float) -> Surface:
+    """The surface of a body, for `Traction` and `Pressure`: the load goes with its points. Those of the body that lie in
+    the region when the scene is made stand for an area of volume / thickness each. With a thickness of its own, a row of
+    points or of cells, the region's area is the surface's; normal: out of the body."""
+    return Surface(body, region, normal, thickness)
+
+
+def _loaded(where: Union[Wall, Surface]) -> Any:
+    return where.value() if isinstance(where, Surface) else _faces(where)
+
+
+@dataclass(frozen=True)
 class Traction(Part):
-    """Traction, Pa, on faces of the mesh, `Traction(top(), (0, -1e3))`.
+    """Traction, Pa, on faces of the mesh, `Traction(top(), (0, -1e3))`, or on a body's `surface`.
 
     parameter  unit  range                                                         default
-    where      -     a wall's faces                                                needed
+    where      -     a wall's faces, or a `surface`                                needed
     traction   Pa    up to 3 numbers, or a function of time, or of place and time  needed"""
 
-    where: Wall
+    where: Union[Wall, Surface]
     traction: Any
 
     def cpp(self) -> str:
-        return "FaceTraction"
+        return "PointTraction<>" if isinstance(self.where, Surface) else "FaceTraction"
 
     def value(self) -> Any:
-        return {"where": _faces(self.where), "load": {"traction": function_value(self.traction)}}
+        return {"where": _loaded(self.where), "load": {"traction": function_value(self.traction)}}
 
 
 @dataclass(frozen=True)
 class Pressure(Part):
-    """Pressure, Pa, against the outward normal of faces of the mesh.
+    """Pressure, Pa, against the outward normal of faces of the mesh, or of a body's `surface`.
 
     parameter  unit  range                                                  default
-    where      -     a wall's faces                                         needed
+    where      -     a wall's faces, or a `surface`                         needed
     pressure   Pa    a number, or a function of time, or of place and time  needed"""
 
-    where: Wall
+    where: Union[Wall, Surface]
     pressure: Any
 
     def cpp(self) -> str:
-        return "FaceTraction"
+        return "PointTraction<>" if isinstance(self.where, Surface) else "FaceTraction"
 
     def value(self) -> Any:
-        return {"where": _faces(self.where), "load": {"pressure": function_value(self.pressure)}}
+        return {"where": _loaded(self.where), "load": {"pressure": function_value(self.pressure)}}
 
 
 @dataclass(frozen=True)
 class PointLoad(Part):
-    """A force, N, on the point nearest to a place, m; `body`: the number of the body.
+    """A force, N, on the point of a body that is nearest to a place, m.
 
     parameter  unit  range                                   default
     place      m     2 or 3 numbers                          needed
     force      N     up to 3 numbers, or a function of time  needed
-    body       -     a body's number                         0"""
+    body       -     a body's name or number                 0"""
 
     place: Sequence[float]
     force: Any
-    body: int = 0
+    body: Union[str, int] = 0
 
     def value(self) -> Any:
         return {"body": self.body, "place": list(self.place), "force": function_value(self.force)}
@@ -304,5 +344,6 @@ class OwnPart(Part):
 
 
 __all__ = ["Absorbing", "BodyForce", "Condition", "Coulomb", "Driven", "FrictionalWall", "LocalDamping", "OwnPart",
-           "PointLoad", "Pressure", "Traction", "ViscousDamping", "Wall", "back", "bottom", "fixed", "free_along",
-           "front", "left", "on", "right", "roller", "symmetry", "top", "where"]
+           "PointLoad", "Pressure", "Surface", "Traction", "ViscousDamping", "Wall", "back", "bottom", "fixed", "free_along",
+           "front", "left", "on", "right", "roller", "surface", "symmetry", "top",
+           "where"]

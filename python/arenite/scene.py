@@ -13,7 +13,7 @@ from . import _core, _plugins
 from ._errors import Error
 from ._pickle import refuse_unpicklable
 from ._recipe import Recipe, check_together, function_value
-from .boundary import PointLoad, Wall
+from .boundary import PointLoad, Surface, Wall
 from .fill import Fill
 from .laws import Law
 from .meshes import Mesh
@@ -56,9 +56,23 @@ class Reaction(NamedTuple):
     impulse: List[float]
 
 
-def _check_number(name: str, number: int, count: int, of: str) -> None:
-    if not 0 <= number < count:
+def _check_number(name: str, number: Union[str, int], names: Sequence[Optional[str]], of: str) -> None:
+    count = len(names)
+    if isinstance(number, str):
+        if number not in names:
+            raise Error(f"{name} = {number}: the scene has no such {name.split('.')[1]}; it has {', '.join(n for n in names if n)}")
+    elif not 0 <= number < count:
         raise Error(f"{name} = {number}: the scene has {count} {of}, numbered from 0")
+
+
+def _numbered(value: Any, names: List[str]) -> Any:
+    """The value of a part with the number of the body that it names: the compiled scene has no names."""
+    if not isinstance(value, dict):
+        return value
+    changed = {key: _numbered(value[key], names) for key in ("where",) if key in value}
+    if value.get("body") in names:
+        changed["body"] = names.index(value["body"])
+    return {**value, **changed}
 
 
 class Scene:
@@ -88,7 +102,7 @@ class Scene:
         mesh, numerics = r["mesh"].cpp().split("<")[0], r["numerics"].kinds()
         check_together(type(r["kinematics"]).__name__, str(r["mesh"].dimension))
         check_together(numerics[0], mesh)
-        rigids, bodies = len(r["rigids"]), len(r["bodies"])
+        rigids, bodies = [b.name for b in r["rigids"]], [b.name for b in r["bodies"]]
         if r["moving_mesh"] is not None:
             check_together("MovingMesh", mesh)
             _check_number("MovingMesh.leader", r["moving_mesh"].leader, rigids, "rigid bodies")
@@ -97,8 +111,9 @@ class Scene:
                 _check_number("RigidPair.first", pair.first, rigids, "rigid bodies")
                 _check_number("RigidPair.second", pair.second, rigids, "rigid bodies")
         for part in r["parts"]:
-            if isinstance(part, PointLoad):
-                _check_number("PointLoad.body", part.body, bodies, "bodies")
+            for on_body in (part, getattr(part, "where", None)):
+                if isinstance(on_body, (PointLoad, Surface)):
+                    _check_number(f"{type(on_body).__name__}.body", on_body.body, bodies, "bodies")
         for rigid in r["rigids"]:
             surface, _, contact = rigid.kinds()
             check_together(surface, mesh)
@@ -131,7 +146,7 @@ class Scene:
         for part in [r["contact"], *r["rigids"], r["rigid_contact"], *r["parts"], r["moving_mesh"]]:
             if part is not None:
                 types.append(part.cpp())
-                values.append(part.value())
+                values.append(_numbered(part.value(), names))
         if r["reactions"]:
             types.append("Reactions")
             values.append({})

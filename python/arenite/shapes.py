@@ -1,5 +1,5 @@
 """Shapes: regions to fill and surfaces of rigid bodies. Lengths in m, angles in rad. `a | b`, `a & b` and `a - b`
-join two; `placed` moves one."""
+join two, the second of which may be a signed distance of one's own; `placed` moves one."""
 
 from __future__ import annotations
 
@@ -19,13 +19,13 @@ class Shape(Recipe):
     def value(self) -> Any:
         return {"shape": type(self).__name__, **super().value()}
 
-    def __or__(self, other: "Shape") -> "Shape":
+    def __or__(self, other: Union["Shape", Callable[[Any], Any]]) -> "Shape":
         return Combined("Union", self, other)
 
-    def __and__(self, other: "Shape") -> "Shape":
+    def __and__(self, other: Union["Shape", Callable[[Any], Any]]) -> "Shape":
         return Combined("Intersection", self, other)
 
-    def __sub__(self, other: "Shape") -> "Shape":
+    def __sub__(self, other: Union["Shape", Callable[[Any], Any]]) -> "Shape":
         return Combined("Difference", self, other)
 
 
@@ -148,7 +148,7 @@ class TriangleSurface(Shape):
 class Combined(Shape):
     rule: str
     a: Shape
-    b: Shape
+    b: Union[Shape, Callable[[Any], Any]]
 
     def value(self) -> Any:
         return {"shape": self.rule, "a": plain(self.a), "b": plain(self.b)}

@@ -163,6 +163,9 @@ Checks made() {
   checks.emplace(
       "Watch", [](const Value& values) { Watch(read<WatchLimits>(values, Reading{.name = "WatchLimits"})); });
   checks.emplace("Geostatic", &check_geostatic);
+  checks.emplace("SurfaceOptions", [](const Value& values) {
+    read<SurfaceOptions>(values, Reading{.name = "SurfaceOptions"}).check();
+  });
   checks.emplace("Fill", &check_fill);
   checks.emplace("AbsorbingFaces", &check_absorbing);
   checks.emplace("Stage", &check_stage);

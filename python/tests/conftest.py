@@ -38,10 +38,10 @@ def column(ar, sand):
 def block_between_rollers(ar):
     """An elastic block, 0.1 m wide and 0.3 m high, with a load on top of it, that comes to rest."""
 
-    def make(load=None, gravity=(0, 0)):
+    def make(load=None, gravity=(0, 0), mesh_height=0.3):
         law = ar.LinearElastic(density=2000, young=1e6, poisson=0.3)
         height = 0.3
-        return ar.Scene(ar.PlaneStrain(), ar.CartesianGrid((0, 0), (0.1, height), cell=0.025),
+        return ar.Scene(ar.PlaneStrain(), ar.CartesianGrid((0, 0), (0.1, mesh_height), cell=0.025),
                         ar.Numerics(ar.QuadraticBSpline, ar.Apic), bodies=[ar.fill("block", ar.Box((0, 0), (0.1, height)), law)],
                         walls=[ar.bottom("roller"), ar.left("roller"), ar.right("roller")], gravity=gravity,
                         parts=[load or ar.Pressure(ar.top(), 0.0), ar.LocalDamping()])

@@ -1,5 +1,7 @@
 """Parts of scenes that their own closed forms test in C++: that Python's words reach them."""
 
+import warnings
+
 import numpy as np
 import pytest
 
@@ -66,6 +68,33 @@ def test_traction_and_pressure(ar, block_between_rollers):
     assert np.array_equal(scenes[0].bodies["block"].stress, scenes[1].bodies["block"].stress)
 
 
+def test_a_load_that_finds_no_matter(ar, block_between_rollers):
+    """It is told of once, by a Python warning with its share and the cure."""
+    scene = block_between_rollers(ar.Pressure(ar.top(), 1e3), mesh_height=0.325)
+    with pytest.warns(ar.Warning, match=r"pressure on top: 0 % of it acts on matter; .* pressure\(surface") as caught:
+        for _ in range(3):
+            scene.step(1e-5)
+    assert len(caught) == 1
+
+
+def test_pressure_on_the_surface_of_a_body(ar, block_between_rollers):
+    """An oedometer in a mesh that is higher than the body: below the layer that is loaded the stress is the pressure."""
+    layer = ar.Box((0, 0.3 - 0.025 / 2), (0.1, 0.3))  # a row of points
+    for name in ("block", 0):
+        top = ar.surface(name, layer, normal=(0, 1), thickness=0.025 / 2)
+        scene = block_between_rollers(ar.Pressure(top, ar.Ramp(1e3, over=0.05)), mesh_height=0.4)
+        ar.settle(scene, end=2)
+        below = scene.bodies["block"].position[:, 1] < 0.2  # four cells
+        assert np.allclose(np.asarray(scene.bodies["block"].stress)[below, 1], -1e3, rtol=0.01)
+        if name == "block":
+            first = scene
+    assert np.array_equal(scene.bodies["block"].stress, first.bodies["block"].stress)
+    with pytest.raises(ar.Error, match="sand: must be the number or the name of a body"):
+        block_between_rollers(ar.Pressure(ar.surface("sand", layer, normal=(0, 1), thickness=0.01), 1e3))
+    with pytest.raises(ar.Error, match="SurfaceOptions.thickness = 0: must be given, and positive"):
+        ar.surface("block", layer, normal=(0, 1), thickness=0)
+
+
 def test_driven_wall_and_absorbing_faces(ar):
     """A wall pushes a bar with v; at its other end dashpots of its impedance (Lysmer and Kuhlemeyer 1969) let the wave
     out, so that the stress stays rho c v, as in an endless bar."""
@@ -121,6 +150,29 @@ def test_a_rigid_strip_bears_more_on_coarse_cells(ar):
     """Contact acts ahead of its surface: at failure above (2 + pi) c (Prandtl 1920), the less the more cells to its width."""
     coarse, fine = (strip(ar, cells) / (2 + np.pi) - 1 for cells in (8, 16))
     assert 0 < fine < coarse < 0.06 and fine < 0.04
+
+
+def test_what_a_new_scene_says_of_rigid_bodies(ar):
+    """Matter inside, which `region - shape` cures for shapes and functions, and walls thinner than a cell."""
+    clay, sand = ar.MohrCoulomb(density=2000, young=1e6, poisson=0.3, friction=0.6), ar.Box((0, 0), (1, 0.6))
+
+    def scene(region, shape):
+        return ar.Scene(ar.PlaneStrain(), ar.CartesianGrid((0, 0), (1, 1), cell=0.05), ar.Numerics(ar.QuadraticBSpline, ar.Apic),
+                        bodies=[ar.fill("clay", region, clay)], walls=[ar.bottom("fixed")], gravity=(0, -9.81),
+                        rigids=[ar.Rigid(shape, ar.Prescribed((0, 0)), friction=0.3, name="f")])
+
+    def disc(x):
+        return np.hypot(x[0, 0] - 0.5, x[0, 1] - 0.5) - 0.2
+
+    for shape in (ar.Box((0.3, 0.3), (0.7, 0.9)), ar.placed(ar.Box((-0.2, -0.2), (0.2, 0.2)), at=(0.5, 0.5, 0), turned=(0, 0, 0.5)),
+                  ar.Ball((0.5, 0.5), 0.2) | ar.Box((0.3, 0.5), (0.7, 0.9)), disc):
+        with pytest.warns(ar.Warning, match=r"rigid body 0: \d+ of the 960 points of body 0 lie inside of it: .*region - shape"):
+            scene(sand, shape)
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            scene(sand - shape, shape)
+    with pytest.warns(ar.Warning, match="rigid body 0: a wall is 0.4 cells thick"):
+        scene(sand, ar.Box((0.2, 0.8), (0.8, 0.82)))
 
 
 def test_pyvista(ar, column):

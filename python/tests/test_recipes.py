@@ -100,7 +100,7 @@ def sound(ar):
         "MovingMesh": {"fixed_below": 0.0, "moving_from": 1.0, "moving_to": 2.0, "fixed_above": 3.0},
         "Rigid": {"surface": ball, "motion": ar.Guided(mass=1), "friction": 0.5},
         "Fill": {"name": "sand", "region": ball, "law": ar.LinearElastic(**ELASTIC)}, "Absorbing": {"where": bottom},
-        "RigidContact": {"friction": 0.5}, "RigidPair": {"first": 0, "second": 1},
+        "Surface": {"body": "sand", "region": ball, "normal": (0, 1), "thickness": 0.1}, "RigidContact": {"friction": 0.5}, "RigidPair": {"first": 0, "second": 1},
     }
 
 

@@ -145,8 +145,13 @@ TEST_CASE("A wall that is thinner than a cell is told, with its thickness") {
                    Catch::StartsWith(joined_text("rigid body f: a wall is ", thick, " cells thick at (")) &&
                        Catch::Contains("PointContact"));
       }
-      CHECK(told(fill_here, cup(1, at, turned)).empty());
+      CHECK(told(fill_here, cup(1.02, at, turned)).empty());
       CHECK(told(fill_here, cup(2, at, turned)).empty());
+      // Half of the wall with the reach must span the next row of nodes.
+      CHECK(told(fill_here, cup(0.3, at, turned), 0.86).empty());
+      CHECK(told(fill_here, cup(0.3, at, turned), 0.8).size() == 1);
+      CHECK(told(fill_here, cup(1.9, at, turned), 0).size() == 1);
+      CHECK(told(fill_here, cup(2.02, at, turned), 0).empty());
     }
   const Box<2> low{{0., 0.}, {1., 0.2}};
   const auto wall = Polygon({{0.2, 0.4}, {0.8, 0.4}, {0.8, 0.43}, {0.2, 0.43}});
@@ -162,6 +167,33 @@ TEST_CASE("A wall that is thinner than a cell is told, with its thickness") {
   CHECK_THAT(told_in_space(bed, plate(0.06)).at(0),
              Catch::StartsWith("rigid body 0: a wall is 0.6 cells thick"));
   CHECK(told_in_space(bed, plate(0.11)).empty());
+}
+
+TEST_CASE("How thick a wall must be follows from how far nodes are apart across it") {
+  const auto told_on = [&](auto mesh, auto numerics, const Box<2>& wall) {
+    return said([&] {
+      return Scene{PlaneStrain{}, std::move(mesh), numerics, bodies(fill(Box<2>{{0., 0.}, {1., 0.2}}, soft)),
+                   rigids(rigid(DistanceSurface{wall}, still, Friction(0)))};
+    });
+  };
+  RectilinearGrid<2>::Parameters lines;
+  for (int k = 0; k <= 20; ++k) lines.x.push_back(0.05 * k);
+  for (int k = 0; k <= 10; ++k) lines.y.push_back(0.1 * k);
+  const auto on_grid = [&](const Box<2>& wall) {
+    return told_on(RectilinearGrid<2>(lines), Numerics<QuadraticBSpline, Apic>{}, wall);
+  };
+  CHECK(on_grid({{0.2, 0.4}, {0.8, 0.54}}).size() == 1);
+  CHECK(on_grid({{0.2, 0.4}, {0.8, 0.56}}).empty());
+  CHECK(on_grid({{0.2, 0.3}, {0.26, 0.9}}).empty());
+  CHECK(on_grid({{0.2, 0.3}, {0.24, 0.9}}).size() == 1);
+  // Triangles of halved squares: their altitude, the size, is 1 / sqrt(2) of what rows of nodes are apart.
+  const auto on_triangles = [&](double thick) {
+    const auto data = test::triangles({0, 0}, {1, 1}, 20, 20);
+    return told_on(SimplexMesh<2>(data), Numerics<LinearSimplex, Flip>{},
+                   Box<2>{{0.2, 0.4}, {0.8, 0.4 + thick}});
+  };
+  CHECK(on_triangles(0.06).size() == 1);
+  CHECK(on_triangles(0.066).empty());
 }
 
 TEST_CASE("Tips, edges and bodies that are thick across are no walls") {

@@ -98,10 +98,10 @@ class BoundAbsorbingFaces {
   ContactTally exchange_impulses(Scene& scene, double dt, Others& others = no_others) {
     faces_->collect(scene, others);
     if (lost_.is_due())
-      lost_.look(faces_->areas(scene), called(),
-                 " % of the faces have matter behind them; the rest absorbs nothing; end the mesh where the "
-                 "body ends",
-                 others);
+      lost_.look(
+          faces_->areas(scene), called(),
+          " % of the faces have matter behind them: they absorb nothing; end the mesh where the body ends",
+          others);
     if (!supported_ && !support_.empty()) take_first_reaction(scene);
     const auto step = static_cast<T>(dt);
     const auto owns = scene.node_owner();
@@ -196,8 +196,8 @@ class BoundAbsorbingFaces {
   std::optional<FaceImpedance<T, D>> faces_;  // from `connect` on
   std::vector<V> given_;         // [nodes of the faces x fields] impulses of the dashpots in this step, N s
   std::vector<double> support_;  // [nodes of the faces x fields x D] N; empty without
-  LostLoad lost_;
-  V impulse_ = V::Zero();             // of the last step, N s
+  LostLoad lost_{0.01};          // a side may well be higher than the matter
+  V impulse_ = V::Zero();        // of the last step, N s
   double dissipated_ = 0, work_ = 0;  // since the start, J
   bool supported_ = false;            // whether the first reaction is known
 };

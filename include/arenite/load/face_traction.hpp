@@ -86,7 +86,7 @@ class BoundFaceTraction {
   std::string name_;
   std::optional<Faces> faces_;  // from `connect` on
   FieldForces<T, D> forces_;
-  LostLoad lost_;
+  LostLoad lost_{0.98};
   double work_ = 0;  // since the start, J
 };
 

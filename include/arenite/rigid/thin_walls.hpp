@@ -1,5 +1,5 @@
-// Thin walls of a rigid body, found when a scene is made: matter passes through a wall that is thinner than
-// its contact can tell one side from the other.
+// Thin walls of a rigid body, found when a scene is made: where contact at nodes cannot tell one side of a
+// wall from the other, matter passes through.
 #pragma once
 
 #include <algorithm>
@@ -19,32 +19,43 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET::detail {
 
 /// A wall of a rigid body: two opposed faces.
 struct ThinWall {
-  double cells = std::numeric_limits<double>::infinity();  ///< thickness, in sizes of the cells there
-  AnyDistance::Position face{}, other{};                   ///< places on its faces, m
+  double thickness, safe, cell;           ///< m; contact holds it from `safe` on; size of the cells there
+  AnyDistance::Position face{}, other{};  ///< places on its faces, m
 };
 
-/// Walks to the surface of a body and on through it, against the normal.
+/// Where to look for walls, beside a body.
+struct WallPlaces {
+  MeshPlaces near;
+  std::vector<AnyDistance::Position> apart{};  ///< how far nodes are apart there, along each axis, m
+};
+
+/// Walks to the surface of a body and on through it, against the normal. Behind each face a row of nodes must
+/// be touched that are nearer to it than to the other one, or nothing holds matter there: thickness / 2 +
+/// reach may not be less than what nodes are apart across the wall.
 class WallProbe {
  public:
   using Position = AnyDistance::Position;
 
-  /// In a scene of so many dimensions; walls from `safe` cells on are of no interest.
-  WallProbe(const AnyDistance& distance, int dimension, double safe)
-      : distance_{&distance}, dimension_{static_cast<std::size_t>(dimension)}, safe_{safe} {}
+  /// In a scene of so many dimensions, of a body with this reach, in sizes of a cell.
+  WallProbe(const AnyDistance& distance, int dimension, double reach)
+      : distance_{&distance}, dimension_{static_cast<std::size_t>(dimension)}, reach_{reach} {}
 
   /// The wall behind the face nearest to x, which lies at the distance d outside, in cells of this size, m.
   /// None where the body is thick, or where its faces are not opposed (within 18 deg): those of a wedge or a
   /// cone meet in a tip, which is no wall.
-  std::optional<ThinWall> behind(const Position& x, double d, double cell) const {
+  std::optional<ThinWall> behind(const Position& x, double d, double cell, const Position& apart) const {
     const auto out = normal(x, cell);
     const Position face = moved(x, out, -d);
     if (!(std::abs(at(face)) < 0.01 * cell)) return {};  // a distance that is not exact here
+    double rows = 0;
+    for (std::size_t k = 0; k < dimension_; ++k) rows = std::max(rows, std::abs(out[k]) * apart[k]);
+    const double safe = 2 * (rows - reach_ * cell);
     double inside = 0, through = 0;
     for (int k = 1; k <= 4 && through == 0; ++k) {
-      const double depth = k * safe_ * cell / 4;
+      const double depth = 1.001 * safe * k / 4;
       (at(moved(face, out, -depth)) > 0 ? through : inside) = depth;
     }
-    if (through == 0) return {};
+    if (!(through > 0)) return {};
     for (int k = 0; k < 12; ++k) {
       const double middle = (inside + through) / 2;
       (at(moved(face, out, -middle)) > 0 ? through : inside) = middle;
@@ -53,7 +64,7 @@ class WallProbe {
     double cosine = 0;
     for (std::size_t k = 0; k < dimension_; ++k) cosine += out[k] * other[k];
     if (!(cosine < -0.95)) return {};
-    return ThinWall{through / cell, face, moved(face, out, -through)};
+    return ThinWall{through, safe, cell, face, moved(face, out, -through)};
   }
 
  private:
@@ -79,44 +90,59 @@ class WallProbe {
 
   const AnyDistance* distance_;
   std::size_t dimension_;
-  double safe_;
+  double reach_;
 };
 
-/// The thinnest wall that is seen from two or more of the places beside a body's surface, in cells of these
-/// sizes, m, and whose faces lie in the box of the mesh. Walks from at most 500 places.
-inline std::optional<ThinWall> thinnest_wall(const AnyDistance& distance, const MeshPlaces& near,
-                                             int dimension, double safe) {
+/// The thinnest wall of those that contact does not hold, if two or more are seen from the places, on faces
+/// within the box of the mesh. Walks from at most 500 places.
+inline std::optional<ThinWall> thinnest_wall(const AnyDistance& distance, const WallPlaces& look,
+                                             int dimension, double reach) {
+  const MeshPlaces& near = look.near;
   const auto d = tried_distances(distance, near.places);
   std::vector<std::size_t> beside;
   for (std::size_t k = 0; k < d.size(); ++k)
     if (d[k] > 0 && d[k] < 2 * near.sizes[k]) beside.push_back(k);
-  const WallProbe probe(distance, dimension, safe);
-  ThinWall thinnest;
+  const WallProbe probe(distance, dimension, reach);
+  std::optional<ThinWall> thinnest;
   int seen = 0;
   for (const Index n : spread_numbers(beside.size(), 500)) {
     const std::size_t k = beside[n];
-    const auto wall = probe.behind(near.places[k], d[k], near.sizes[k]);
+    const auto wall = probe.behind(near.places[k], d[k], near.sizes[k], look.apart[k]);
     if (!wall || !near.covers(wall->face) || !near.covers(wall->other)) continue;
     ++seen;
-    if (wall->cells < thinnest.cells) thinnest = *wall;
+    if (!thinnest || wall->thickness * thinnest->cell < thinnest->thickness * wall->cell) thinnest = wall;
   }
-  if (seen < 2) return {};
-  return thinnest;
+  return seen < 2 ? std::nullopt : thinnest;
 }
 
-/// Warns of walls of a rigid body, called `rigid`, that are thinner than contact at nodes holds
-/// (docs/components_contact.md): one cell. Looks from at most 4,000 places.
+/// Warns of walls of a rigid body, called `rigid`, that are thinner than contact at nodes holds with its
+/// reach (docs/components_contact.md#thin-walls). Looks from at most 4,000 places.
 template <class Scene>
-void warn_thin_walls(const Scene& scene, const AnyDistance& distance, const std::string& rigid) {
-  constexpr double safe = 1;
-  const auto near = mesh_places(scene, 4000, [&](const AnyDistance::Position& x, double size) {
+void warn_thin_walls(const Scene& scene, const AnyDistance& distance, double reach,
+                     const std::string& rigid) {
+  WallPlaces look{mesh_places(scene, 4000, [&](const AnyDistance::Position& x, double size) {
     return !distance.is_beyond(x, 2 * size);
-  });
-  if (const auto wall = thinnest_wall(distance, near, Scene::D, safe * (1 - 1e-3)))
-    warn(joined_text("rigid body ", rigid, ": a wall is ", std::round(100 * wall->cells) / 100,
-                     " cells thick at ", vector_text(in_scene<Scene::D>(wall->face)),
-                     " m: contact at nodes lets matter through walls below ", safe,
-                     " cell; take smaller cells, a thicker wall, or PointContact, which holds with any"));
+  })};
+  for (std::size_t k = 0; k < look.near.places.size(); ++k) {
+    AnyDistance::Position apart;
+    apart.fill(look.near.sizes[k]);
+    if constexpr (is_simplex_mesh<typename Scene::Mesh>)
+      apart.fill(std::sqrt(2.0) * look.near.sizes[k]);
+    else if (const Index c = scene.mesh.search(
+                 in_scene<Scene::D>(look.near.places[k]).template cast<typename Scene::T>());
+             c != none)
+      apart = in_space(scene.mesh.extent(c));
+    look.apart.push_back(apart);
+  }
+  const auto wall = thinnest_wall(distance, look, Scene::D, reach);
+  if (!wall) return;
+  const auto hundredths = [](double x) { return std::round(100 * x) / 100; };
+  const double cells = wall->thickness / wall->cell, safe = wall->safe / wall->cell;
+  warn(joined_text("rigid body ", rigid, ": a wall is ", hundredths(cells), " cells thick at ",
+                   vector_text(in_scene<Scene::D>(wall->face)), " m: with a reach of ", reach,
+                   " contact at nodes holds walls that are thicker than ", hundredths(safe),
+                   "; take a reach above ", hundredths(reach + (safe - cells) / 2),
+                   ", smaller cells, a thicker wall, or PointContact, which holds any"));
 }
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET::detail

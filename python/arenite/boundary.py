@@ -309,7 +309,8 @@ class ViscousDamping(Part):
 
 @dataclass(frozen=True)
 class LocalDamping(Part):
-    """At each node a share of the force out of balance, against the velocity (Cundall 1987).
+    """At each node a share of the force out of balance, against the velocity (Cundall 1987). For static states: what
+    falls falls with 1 - factor of gravity (`Scene.switch_off_damping`).
 
     parameter  unit  range   default  meaning
     factor     -     [0, 1)  0.7      share of the force out of balance"""

@@ -459,3 +459,66 @@ TEST_CASE("A Watch of the user's takes the place of that of run, and ends steps 
   CAPTURE(s.error);
   CHECK(has(s.error, "energy_gain = "));
 }
+
+namespace {
+
+/// The warnings of a run that speak of `what`.
+template <class Scene>
+std::size_t told(Scene& scene, const RunOptions& options, const std::string& what) {
+  std::size_t count = 0;
+  const auto before = on_warning([&](std::string_view text) { count += text.find(what) != text.npos; });
+  run(scene, options);
+  on_warning(before);
+  return count;
+}
+
+}  // namespace
+
+TEST_CASE("A run warns of matter that falls with local damping on, and not of what settles") {
+  const LinearElastic rubber{{.density = 1000, .young = 1e6, .poisson = 0.3}};
+  const auto block = [&](double lower, auto... parts) {
+    return Scene{PlaneStrain{},
+                 grid(),
+                 Numerics<QuadraticBSpline, Flip, Musl>{},
+                 bodies(fill(Box{{0., lower}, {1., lower + 0.4}}, rubber, {.per_cell = 4})),
+                 walls(bottom(roller), left(roller), right(roller)),
+                 gravity({0, -10}),
+                 parts...};
+  };
+  auto falls = block(0.5, LocalDamping{});
+  CHECK(told(falls, {.end = 0.35}, "local damping took 70 %") == 1);
+  auto switched_off = block(0.5, LocalDamping{});
+  switched_off.part<LocalDamping>().switch_off();
+  CHECK(told(switched_off, {.end = 0.2}, "local damping") == 0);
+  auto free = block(0.5);
+  CHECK(told(free, {.end = 0.2}, "local damping") == 0);
+  auto stands = block(0, LocalDamping{});
+  CHECK(told(stands, {.end = 0.5}, "local damping") == 0);
+  auto settles = block(0.4, LocalDamping{});
+  std::size_t count = 0;
+  const auto before = on_warning([&](std::string_view text) { count += text.find("damping") != text.npos; });
+  settle(settles, {.ratio = 0.01, .end = 5});
+  on_warning(before);
+  CHECK(count == 0);
+}
+
+TEST_CASE("A run warns of points that tension has drawn apart, and not of what is loose or pressed") {
+  const LinearElastic rubber{{.density = 1000, .young = 1e6, .poisson = 0.3}};
+  const auto stretched = [&](int per_cell, double volume, double stress) {
+    Scene scene{PlaneStrain{}, grid(), Numerics<QuadraticBSpline, Flip, Musl>{},
+                bodies(fill(Box{{0.2, 0.2}, {0.6, 0.6}}, rubber, {.per_cell = per_cell}))};
+    auto& points = scene.body().points;
+    for (std::size_t p = 0; p < points.size(); ++p) {
+      points.volume[p] *= volume;
+      Sym<double, 2> s;
+      s[1] = stress;
+      points.stress.set(p, s);
+    }
+    return told(scene, {.end = 1e-4}, "tension has drawn points");
+  };
+  CHECK(stretched(4, 1.5, 1e5) == 1);
+  CHECK(stretched(4, 1.1, 1e5) == 0);
+  CHECK(stretched(9, 1.5, 1e5) == 0);
+  CHECK(stretched(4, 1.5, 0) == 0);
+  CHECK(stretched(4, 1.5, -1e5) == 0);
+}

@@ -24,10 +24,10 @@ struct ViscousDamping {
 };
 
 /// Local damping (Cundall 1987): at each node and along each axis a force of `factor` times the force out of
-/// balance there, against the velocity. It does not slow a steady motion down, and needs no frequency: each
-/// mode loses about the share 4 factor / (1 + factor) of its energy in a cycle. The force out of balance is
-/// that of the whole step, impulses of contact and of walls with it: what is held in balance, a footing that
-/// goes down slowly say, is not damped.
+/// balance there, against the velocity. It does not slow a steady motion down, but a free one: what falls
+/// falls with 1 - factor of gravity. It needs no frequency: each mode loses the share 4 factor /
+/// (1 + factor)^2 of its energy in a cycle. The force out of balance is that of the whole step, impulses of
+/// contact and of walls with it: what is held in balance, a footing that goes down slowly say, is not damped.
 struct LocalDamping {
   struct FactorRule {
     static constexpr const char* name = "LocalDamping.factor";
@@ -48,6 +48,7 @@ class Damping {
   /// Damps no more, or again.
   void switch_off() { on_ = false; }
   void switch_on() { on_ = true; }
+  bool is_on() const { return on_; }
 
   PartEnergy count_energy() const { return {.dissipated = dissipated_}; }
   bool holds_against(const Vec<T, D>&) const { return false; }

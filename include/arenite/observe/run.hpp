@@ -55,6 +55,12 @@ inline constexpr bool is_watch = [] {
   else
     return std::same_as<Observer, Watch>;
 }();
+/// Whether an observer brings a scene to rest.
+template <class Observer>
+inline constexpr bool settles = requires {
+  Observer::settles;
+};
+
 /// Whether all parts that do work say how much.
 template <class Scene>
 bool counts_all_work(const Scene& scene) {
@@ -70,7 +76,9 @@ bool counts_all_work(const Scene& scene) {
 class OwnWatch {
  public:
   template <class Scene>
-  OwnWatch(const Scene& scene, bool on) : on_{on}, watch_{limits(counts_all_work(scene))} {}
+  OwnWatch(const Scene& scene, bool on, bool settles) : on_{on}, watch_{limits(counts_all_work(scene))} {
+    if (settles) watch_.accept_damping();
+  }
   template <class Scene>
   void operator()(const Scene& scene) {
     if (on_) watch_(scene);
@@ -158,7 +166,7 @@ template <class Scene, class Others, class... Observers>
 void run_with(Others& others, Scene& scene, const RunOptions& options, Observers&&... observers) {
   detail::check_run(options, scene.time);
   if constexpr (Others::alone && !(detail::is_watch<std::remove_cvref_t<Observers>> || ...)) {
-    detail::OwnWatch watch(scene, options.watch);
+    detail::OwnWatch watch(scene, options.watch, (detail::settles<std::remove_cvref_t<Observers>> || ...));
     detail::run_steps(scene, options, others, observers..., watch);
   } else if constexpr (Others::alone) {
     detail::run_steps(scene, options, others, observers...);

@@ -32,6 +32,21 @@ double out_of_balance(const Scene& scene) {
   return all > 0 ? out / all : 0;
 }
 
+namespace detail {
+/// Ends a run once forces have been in balance for ten steps.
+struct Settled {
+  static constexpr bool settles = true;
+  double ratio;
+  std::size_t from;  // the scene's steps at the begin
+  int below = 0;
+  template <class Scene>
+  RunFlow operator()(const Scene& scene) {
+    if (scene.steps > from) below = out_of_balance(scene) <= ratio ? below + 1 : 0;
+    return below < 10 ? RunFlow::go_on : RunFlow::stop;
+  }
+};
+}  // namespace detail
+
 /// When a scene counts as settled, and its steps.
 struct SettleOptions {
   double ratio = 1e-3;                                    ///< greatest force out of balance, -; positive
@@ -49,13 +64,9 @@ void settle(Scene& scene, const SettleOptions& options, Observers&&... observers
   require(options.ratio > 0, "SettleOptions.ratio", options.ratio, "must be positive");
   require(options.end > scene.time && std::isfinite(options.end), "SettleOptions.end", options.end,
           joined_text("must be given, and lie behind the scene's time ", scene.time));
-  int below = 0;
-  const auto check = [&, from = scene.steps](const Scene& s) {
-    if (s.steps > from) below = out_of_balance(s) <= options.ratio ? below + 1 : 0;
-    return below < 10 ? RunFlow::go_on : RunFlow::stop;
-  };
+  detail::Settled check{options.ratio, scene.steps};
   run(scene, {.end = options.end, .courant = options.courant, .watch = options.watch}, observers..., check);
-  if (below == 10) return;
+  if (check.below == 10) return;
   throw run_error(joined_text("t = ", scene.time, " s: settle: forces are out of balance by ",
                               out_of_balance(scene), ", not at most ", options.ratio,
                               "; more time, or a part that damps (LocalDamping)?"));

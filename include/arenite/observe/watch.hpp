@@ -14,6 +14,8 @@
 
 #include <arenite/core/state_value.hpp>
 #include <arenite/core/warning.hpp>
+#include <arenite/mesh/full_volume.hpp>
+#include <arenite/observe/damped_fall.hpp>
 #include <arenite/observe/watch_limits.hpp>
 #include <arenite/observe/watched_energy.hpp>
 #include <arenite/transfer/law_pass.hpp>
@@ -62,8 +64,11 @@ class BasicWatch {
   [[gnu::cold]] void look(const Scene& scene) {
     if (wants(energy_gain) || (tracks_energy<Scene> && (wants(transfer) || wants(residual))))
       look_at_energy(scene);
+    if constexpr (Scene::template has_part<LocalDamping>)
+      if (hints_.damping) look_at_damping(scene);
     int number = 0;
     scene.for_each_body([&](const auto& body, const auto&) {
+      if (hints_.spacing) look_at_spacing(scene, body, number);
       if (wants(volume) && body.points.size() > 0) look_at_volume(scene, body, number);
       if (wants(lost)) look_at_lost(scene, body, number);
       if (wants(speed)) look_at_speed(scene, body, number);
@@ -97,6 +102,9 @@ class BasicWatch {
   const std::array<Watched, 7>& seen() const { return seen_; }
   /// The warnings given, in order: at most one a quantity.
   const std::vector<WarningText>& warnings() const { return warnings_; }
+
+  /// Says nothing of local damping: the scene is brought to rest on purpose (`settle`).
+  void accept_damping() { hints_.damping = false; }
 
  private:
   enum Quantity : std::size_t { energy_gain, transfer, residual, volume, speed, strength, lost };
@@ -167,6 +175,47 @@ class BasicWatch {
       if (p < body.points.size()) s.text += joined_text(", ", local(p), " at ", written(body, p));
       return s;
     });
+  }
+
+  void hint(bool& wanted, std::string text) {
+    wanted = false;
+    warnings_.emplace_back(text);
+    warn(text);
+  }
+
+  template <class Scene>
+  void look_at_damping(const Scene& scene) {
+    const double share = fall_.look(scene);
+    if (share > 0.1)
+      hint(hints_.damping,
+           joined_text("t = ", scene.time, " s: local damping took ", std::round(100 * share),
+                       " % of the work of gravity while matter fell freely: it is made for static states; "
+                       "switch it off (switch_off()) once the scene is at rest"));
+  }
+
+  /// Warns of points that tension has drawn so far apart that their body may part between them.
+  template <class Scene, class B>
+  void look_at_spacing(const Scene& scene, const B& body, int number) {
+    using Shape = typename Scene::Shape;
+    const double density = body.law.density();
+    const auto& points = body.points;
+    for (std::size_t p = 0; p < points.size(); ++p) {
+      const double before = static_cast<double>(points.mass[p]) / density,
+                   stretch = static_cast<double>(points.volume[p]) / before;
+      if (!(stretch > 1.2) || !(trace(points.stress[p]) > 0)) continue;
+      const auto cell =
+          static_cast<double>(full_volume<typename Scene::Kinematics>(scene.mesh, points.cell[p]));
+      const double spacing = stretch * std::pow(before / cell, 1.0 / Scene::D);
+      if (!(spacing > bearing_spacing<Shape>)) continue;
+      hint(hints_.spacing,
+           joined_text("t = ", scene.time, " s: ", body_of<Scene>(number), " at ", written(body, p),
+                       ": tension has drawn points ", spacing, " of a cell apart (V/V0 = ", stretch,
+                       "): beyond ", bearing_spacing<Shape>,
+                       " a body may part between them, or from a wall; begin with more points a cell, or let "
+                       "them split "
+                       "(SplitPoints)"));
+      return;
+    }
   }
 
   template <class Scene, class B>
@@ -289,7 +338,13 @@ class BasicWatch {
 
   static constexpr std::size_t never = std::numeric_limits<std::size_t>::max() / 2;
 
+  struct Hints {
+    bool damping = true, spacing = true;  // whether still to be given
+  };
+
   std::array<Watched, 7> seen_;
+  Hints hints_;
+  DampedFall fall_;
   std::vector<WarningText> warnings_;
   std::size_t every_, next_ = 0, last_ = never;
   WatchedEnergy energy_;

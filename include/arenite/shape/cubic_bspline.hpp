@@ -92,6 +92,7 @@ class CubicBSplineLine {
 /// Cubic B-splines on a grid; see `ProductShape` for its members.
 struct CubicBSpline : ProductShape<CubicBSplineLine> {
   static constexpr const char* name = "CubicBSpline";
+  static constexpr double bearing_spacing = 0.4;
 };
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

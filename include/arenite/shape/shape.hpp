@@ -53,6 +53,16 @@ concept shape_function = mesh_type<M> &&
       });
 };
 
+/// Spacing of points, in cell edges, from which a body under tension may part between them, or from a wall:
+/// measured (docs/limits.md). A shape may say its own.
+template <class S>
+inline constexpr double bearing_spacing = [] {
+  if constexpr (requires { S::bearing_spacing; })
+    return S::bearing_spacing;
+  else
+    return 0.65;
+}();
+
 /// Whether functions fall to zero with a slope that does not: nodes may then get force and hardly any mass,
 /// in any cell.
 template <class S>

@@ -2,6 +2,7 @@
 // does not fall. They exchange momentum with the nodes on the face.
 #pragma once
 
+#include <limits>
 #include <vector>
 
 #include <arenite/core/scalar.hpp>
@@ -38,9 +39,13 @@ std::size_t exchange_at_faces(const M& grid, const Field& nodes, NodeVectors<T, 
       velocity[face] += impulse / on_face;
       return;
     }
-    const Vec<T, D> change = (1 - m / enough) * (velocity[face] - velocity[beside]);
-    velocity[beside] += change;
+    const Vec<T, D> on = velocity[face], change = (1 - m / enough) * (on - velocity[beside]);
     velocity[face] -= (m / on_face) * change;
+    // Of hardly any mass it is a velocity without a digit that is right, but times the mass.
+    if (m * m > std::numeric_limits<T>::epsilon() * enough * enough)
+      velocity[beside] += change;
+    else
+      velocity[beside] = on + (m / enough) * (velocity[beside] - on);
   };
   Index stride = 1;
   for (int k = 0; k < D; ++k) {

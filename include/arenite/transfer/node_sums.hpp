@@ -24,7 +24,8 @@ struct alignas(8 * sizeof(T)) NodeSums {
   Vec<T, D> momentum() const { return Eigen::Map<const Vec<T, D>>(lane.data()); }            ///< kg m/s
   T mass() const { return lane[mass_lane]; }                                                 ///< kg
   Vec<T, D> force() const { return Eigen::Map<const Vec<T, D>>(lane.data() + force_lane); }  ///< N
-  T reach() const { return lane[reach_lane]; }  ///< sum of m_c (h_c |grad N|)^2, kg: see `LightNodes`; or 0
+  /// Sum of m_c (h_c |grad N|)^2, kg: see `LightNodes`. Of m_c where none is light; 0 where none can be.
+  T reach() const { return lane[reach_lane]; }
 
   /// Adds a force, N.
   void add_force(const Vec<T, D>& force) {

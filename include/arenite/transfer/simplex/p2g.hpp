@@ -80,6 +80,7 @@ ARENITE_KERNEL void p2g(const N& numerics, const M& mesh, B& body, Index c, Fiel
   T mass = 0;
   repeat<Cell::size>([&](std::size_t i) { mass += total.node(i, node_channel::mass); });
   [[maybe_unused]] const T reach = mass * square(mesh.size(c));
+  [[maybe_unused]] const Quad touched = quad(T(0), T(0), T(0), mass);
   const CellForce<T, M::dimension> internal(stress.stress);
   [[maybe_unused]] const Quad hoop = quad(-stress.bearing, T(0), T(0), T(0));
   repeat<Cell::size>([&](std::size_t i) {
@@ -87,8 +88,9 @@ ARENITE_KERNEL void p2g(const N& numerics, const M& mesh, B& body, Index c, Fiel
     const auto gradient = cell.gradient.col(static_cast<int>(i));
     Quad force = internal.at(gradient);
     repeat<K::hoop>([&](std::size_t) { force += hoop * Quad(total.node(i, node_channel::hoop_force)); });
-    repeat<has_light_nodes<typename N::Shape>>(
+    repeat<N::smooths_light_nodes>(
         [&](std::size_t) { force += quad(T(0), T(0), T(0), reach * gradient.squaredNorm()); });
+    repeat<!N::smooths_light_nodes>([&](std::size_t) { force += touched; });
     node.add_values(total.node(i));
     node.add_slopes(force);
     if constexpr (Field::has_mass_gradient) nodes.mass_gradient[cell.nodes[i]] += mass * gradient;

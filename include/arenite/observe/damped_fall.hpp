@@ -1,0 +1,52 @@
+// Damped fall: matter that moves freely while local damping, which is made for static states, is on.
+#pragma once
+
+#include <cmath>
+#include <limits>
+
+#include <arenite/load/damping.hpp>
+#include <arenite/particles/measures.hpp>
+
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
+
+/// Follows a scene from look to look while its local damping is on.
+class DampedFall {
+ public:
+  /// What local damping took of the work of gravity, -, once matter has fallen by more than a cell in the
+  /// mean and still holds a twentieth of that work as kinetic energy: what comes to rest slowly, a column
+  /// that settles or a footing that is pressed down, does not. Else 0.
+  template <class Scene>
+  double look(const Scene& scene) {
+    const auto& damping = scene.template part<LocalDamping>();
+    const double damped = damping.count_energy().dissipated;
+    double all = 0, kinetic = 0, along = 0;
+    const Vec<double, Scene::D> g = scene.acceleration().template cast<double>();
+    scene.for_each_body([&](const auto& body, const auto&) {
+      all += mass(body);
+      kinetic += kinetic_energy(body);
+      along += momentum(body).dot(g);
+    });
+    const double power = along > 0 ? along : 0;       // of gravity, W
+    if (!damping.is_on() || !(scene.time > time_)) {  // at the first look too
+      damped_ = damped;
+      work_ = 0;
+      double whole = 0;
+      for (Index c = 0; c < scene.mesh.cell_count(); ++c) whole += static_cast<double>(scene.mesh.volume(c));
+      cell_ = std::pow(whole / scene.mesh.cell_count(), 1.0 / Scene::D);
+    } else {
+      work_ += (power + power_) / 2 * (scene.time - time_);
+    }
+    power_ = power;
+    time_ = scene.time;
+    if (!(work_ > all * g.norm() * cell_) || kinetic < 0.05 * work_) return 0;
+    return (damped - damped_) / work_;
+  }
+
+ private:
+  double time_ = std::numeric_limits<double>::infinity();  // of the last look, s
+  double power_ = 0;                                       // then, W
+  double cell_ = 0;                                        // edge of a mean cell, m
+  double work_ = 0, damped_ = 0;  // of gravity since damping is on, and what damping took before, J
+};
+
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -158,8 +158,8 @@ inline std::optional<ReadingProblem> reading_problem(const Measurement& m, const
       }
   }
   return ReadingProblem{told +
-                            "a net record reads 0, -1 and 0, a proper one 1, 0 and 1: are unit, scale and "
-                            "--gravity those of the record?",
+                            "a net record reads 0, -1 and 0, a proper one 1, 0 and 1: are unit, scale, "
+                            "--gravity and --medium those of the record?",
                         false};
 }
 

@@ -212,7 +212,7 @@ inline Reduction reduce(Measurement record, const ReduceOptions& o) {
   }
   std::optional<ReadingProblem> problem;
   if (!drop) {
-    r.levels = levels_of(record, r.gravity);
+    r.levels = levels_of(record, r.gravity, impact.in_water);
     problem = reading_problem(record, r.levels, o, r.gravity);
   }
   const auto refuse_for_problem = [&] {

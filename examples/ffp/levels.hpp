@@ -29,9 +29,10 @@ struct Levels {
 
 /// Levels are means over 20 ms and more, of at least four samples, whose halves agree to 0.1 g. `gravity`:
 /// m/s^2 of the record that are 1 g.
-inline Levels levels_of(const Measurement& m, double gravity) {
+inline Levels levels_of(const Measurement& m, double gravity, bool in_water) {
   constexpr double least = 0.02, longest = 1, quiet = 0.1;  // s, s, g
-  constexpr double fall_begins = 10, margin = 0.02;         // s before the peak; s around the release
+  constexpr double margin = 0.02;                           // s, around the release
+  const double longest_fall = in_water ? 10 : 2;            // s
   Levels levels;
   const auto& t = m.time;
   const std::vector<double> means = interval_means(m);
@@ -63,11 +64,11 @@ inline Levels levels_of(const Measurement& m, double gravity) {
     levels.peak_sign = x[peak] > median ? 1 : -1;
   const double sign = levels.peak_sign < 0 ? -1 : 1, height = sign * x[peak] / gravity;
 
-  // The fall: the quiet level before the peak that is farthest from it.
+  // The fall: the quiet level before the peak that is farthest from it, and of equal ones the last.
   std::size_t bottom = peak;
-  for (std::size_t i = peak; i > 0 && t[i] > t[peak] - fall_begins; --i)
+  for (std::size_t i = peak; i > 0 && t[i] > t[peak] - longest_fall; --i)
     if (const auto here = level(t[i] - least, t[i]);
-        here && sign * *here < height - 1 && (!levels.fall || sign * *here < sign * *levels.fall)) {
+        here && sign * *here < height - 1 && (!levels.fall || sign * *here < sign * *levels.fall - quiet)) {
       levels.fall = here;
       bottom = i;
     }
@@ -101,13 +102,12 @@ inline bool fits(const Levels& levels, bool in_water, double sign = 1, double sh
   const auto is = [&](const std::optional<double>& level, double right) {
     return !level || std::abs(sign * *level + shift - right) < 0.3;
   };
-  return is(levels.before, 0) && is(levels.after, 0) && (in_water || is(levels.fall, -1)) &&
-         sign * levels.peak_sign >= 0;
+  return is(levels.offset(), 0) && (in_water || is(levels.fall, -1)) && sign * levels.peak_sign >= 0;
 }
 
 /// Whether they tell at all; in water the fall need not be free.
 inline bool tells(const Levels& levels, bool in_water) {
-  return levels.before || levels.after || (!in_water && levels.fall);
+  return levels.offset() || (!in_water && levels.fall);
 }
 
 }  // namespace detail
@@ -139,7 +139,7 @@ inline std::optional<ReadingProblem> reading_problem(const Measurement& m, const
   const std::string told = "the record reads " + text_of(levels, sign, sign * shift) + "; ";
   // A record in m/s^2 that is read in g, or the other way round, has another unit.
   for (const double unit : {1.0, gravity, 1 / gravity}) {
-    const Levels in_unit = unit == 1 ? levels : levels_of(m, gravity * unit);
+    const Levels in_unit = unit == 1 ? levels : levels_of(m, gravity * unit, water);
     if (unit != 1 &&
         (!in_unit.fall || !in_unit.offset() || std::abs(*in_unit.offset() - *in_unit.fall) < 0.7))
       continue;  // no step of 1 g tells of the unit
@@ -158,8 +158,8 @@ inline std::optional<ReadingProblem> reading_problem(const Measurement& m, const
       }
   }
   return ReadingProblem{told +
-                            "a net record reads 0, -1 and 0, a proper one 1, 0 and 1: are unit, scale and "
-                            "--gravity those of the record?",
+                            "a net record reads 0, -1 and 0, a proper one 1, 0 and 1: are unit, scale, "
+                            "--gravity and --medium those of the record?",
                         false};
 }
 

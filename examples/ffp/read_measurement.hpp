@@ -28,6 +28,10 @@ inline Measurement read_measurement_of_drop(const std::filesystem::path& folder,
         joined_text(shown(folder.string()), ": must hold summary.json and history.csv of a drop: ", rule));
   };
   const std::string name = shown(folder.string());
+  require(o.reads == Reading::net, "--reads", "proper",
+          "goes without the folder of a drop, whose record is net");
+  if (o.invert)
+    throw error("--invert: goes without the folder of a drop, whose record is positive when it slows");
   if (!std::filesystem::exists(summary_file(folder))) refuse("summary.json cannot be read");
   const Json summary = summary_in(folder);
   if (!std::filesystem::exists(folder / "history.csv")) refuse("there is no history.csv");

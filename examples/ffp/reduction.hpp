@@ -155,7 +155,7 @@ inline void add_warnings(Reduction& r, const ReduceOptions& o, const Measurement
     } catch (const error&) {  // no impact, and no depth
     }
     if (r.depth_without_offset && std::abs(*r.depth_without_offset / r.greatest_depth - 1) > 0.02)
-      r.warnings.push_back(joined_text("the accelerometer reads ", g(*offset), " g too much at rest ",
+      r.warnings.push_back(joined_text("the accelerometer is off by ", g(*offset), " g at rest ",
                                        levels.before ? "before the release" : "after the end",
                                        ": with that taken off (--zero-at-rest) the depth is ",
                                        rounded(*r.depth_without_offset * 100), " cm, not ",
@@ -166,7 +166,7 @@ inline void add_warnings(Reduction& r, const ReduceOptions& o, const Measurement
                                      g(*levels.after),
                                      " g after the end; does the penetrometer lean, or did the accelerometer "
                                      "shift? --zero-at-rest takes the former"));
-  if (fits && offset && levels.fall && o.medium == Medium::air && std::abs(*offset - *levels.fall - 1) > 0.1)
+  if (fits && offset && levels.fall && o.medium == Medium::air && std::abs(*offset - *levels.fall - 1) > 0.03)
     r.warnings.push_back(joined_text(
         "between rest and fall the record changes by ", g(*offset - *levels.fall),
         " g, in free fall by 1 g; are scale and --gravity those of the record, and is the fall free?"));
@@ -212,7 +212,7 @@ inline Reduction reduce(Measurement record, const ReduceOptions& o) {
   }
   std::optional<ReadingProblem> problem;
   if (!drop) {
-    r.levels = levels_of(record, r.gravity);
+    r.levels = levels_of(record, r.gravity, impact.in_water);
     problem = reading_problem(record, r.levels, o, r.gravity);
   }
   const auto refuse_for_problem = [&] {

@@ -116,6 +116,10 @@ def free_fall_record(path, height=1.6, slowing=15 * GRAVITY, rate=20000):
     return {"velocity": velocity, "depth": velocity**2 / (2 * slowing), "stop": stop, "impact": 0.1 + fall}
 
 
+FLAT = "ignore:the record stays at its largest"  # a constant deceleration, whose closed form is simple
+
+
+@pytest.mark.filterwarnings(FLAT)
 def test_reduce_of_a_fall_with_a_closed_form(tmp_path):
     exact = free_fall_record(tmp_path / "measured.csv")
     found = ffp.reduce(tmp_path / "measured.csv", mass=7.71, unit_weight=15100)
@@ -149,6 +153,21 @@ def test_reduce_takes_a_drop_and_its_options(coarse, tmp_path):
         ffp.reduce(coarse, window=5)
 
 
+def test_reduce_warns_of_an_offset(tmp_path):
+    time = numpy.arange(0, 1.5, 5e-4)
+    net = numpy.where(time < 0.4, 0, -1) + numpy.where(time < 0.9, 0, 1 + 8 * numpy.sin(numpy.pi * numpy.clip(time - 0.9, 0, 0.1) / 0.1))
+    record = tmp_path / "off.csv"
+    record.write_text("Zeit [s];Acceleration [g]\n" + "".join(f"{t:.4f};{a:.4f}\n" for t, a in zip(time, net + 0.05)).replace(".", ","))
+    with pytest.warns(UserWarning, match=r"is off by 0.05 g at rest before the release: with that taken off \(--zero-at-rest\)"):
+        found = ffp.reduce(record)
+    assert found["warnings"][0] in repr(found)
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        taken = ffp.record(record, zero_at_rest=True)
+    assert taken.reduction["depth_cm"] == found["depth_without_offset_cm"] > found["depth_cm"]
+
+
+@pytest.mark.filterwarnings(FLAT)
 def test_record_of_the_probe(tmp_path):
     exact = free_fall_record(tmp_path / "m.csv", rate=2000)
     with open(tmp_path / "m.csv") as file:
@@ -502,6 +521,7 @@ def test_pandas(coarse):
     assert list(frame) == list(table.columns) and list(frame["delta"]) == [20, 30]
 
 
+@pytest.mark.filterwarnings(FLAT)
 def test_plot(coarse, tmp_path):
     matplotlib = pytest.importorskip("matplotlib")
     matplotlib.use("Agg")

@@ -1240,16 +1240,53 @@ class Reduced(DriverTest):
         self.assertIsNone(mine["q_dyn"]["mantle"]["largest_kPa"])
         self.assertEqual({one["value"] for one in mine["estimates"]}, {None})
 
+    def record(self, offset=0.0):
+        """At rest, in free fall for half a second, slowed by half a sine of 40 ms, at rest: time in ms and deceleration in g."""
+        values = [0 if t < 200 else -1 if t < 1200 else 6.25 * math.pi * math.sin(math.pi * (t - 1200) / 80) if t < 1280 else 0
+                  for t in range(2000)]
+        return [(t * 0.5, value + offset) for t, value in enumerate(values)]
+
     def test_table(self):
         with open("measured.csv", "w") as file:
             file.write("time_ms,deceleration_g\n")
-            file.writelines(f"{t * 0.5},{0 if t < 200 else -1 if t < 1200 else 15 if t < 1280 else 0}\n" for t in range(2000))
+            file.writelines(f"{t},{value}\n" for t, value in self.record())
         code, out, err = self.reduce("measured.csv", "--out", "measured")
         self.assertEqual(code, 0)
         self.assertIn("nothing is drawn; the command: /usr/bin/python3 plot_reduced.py 'measured'", err)
         self.assertIn("time is time_ms (times 0.001 s), deceleration is deceleration_g", out)
         self.assertAlmostEqual(self.reduced("measured")["impact_velocity_m_s"], 0.5 * GRAVITY, delta=0.02)
+        self.assertEqual(self.reduced("measured")["warnings"], [])
         self.assertEqual(self.reduce("measured.csv", "--out", "measured", "--quiet", "--no-picture"), (0, "", ""))
+
+    def test_as_europe_writes_it(self):
+        """Decimal commas and semicolons give the bytes that points and commas give; between commas they are refused."""
+        self.test_table()
+        before = content("measured", "reduced.csv")
+        for separator, code in (";", 0), ("\t", 0), (",", 2):
+            with open("comma.csv", "w", encoding="utf-8-sig", newline="\r\n") as file:
+                file.write(f"time_ms{separator}deceleration_g\n")
+                file.writelines(f"{t}{separator}{value}\n".replace(".", ",") for t, value in self.record())
+            done, _, err = self.reduce("comma.csv", "--out", "comma", "--quiet", "--no-picture")
+            self.assertEqual(done, code, err)
+            self.assertEqual(content("comma", "reduced.csv"), before)
+        self.assertIn("comma.csv: line 2, number of fields = 4: must be 2", err)
+
+    def test_offset(self):
+        """An accelerometer that is off is told on standard error and in the summary, with the depth that it should be."""
+        with open("off.csv", "w") as file:
+            file.write("time_ms,deceleration_g\n")
+            file.writelines(f"{t},{value}\n" for t, value in self.record(-0.05))
+        code, out, err = self.reduce("off.csv", "--out", "off", "--quiet", "--no-picture")
+        found = self.reduced("off")
+        self.assertEqual((code, out, err), (0, "", f"arenite-ffp: warning: {found['warnings'][0]}\n"))
+        self.assertIn("is off by -0.05 g at rest before the release", err)
+        self.assertEqual([round(level, 6) for level in found["levels_g"].values()], [-0.05, -1.05, -0.05])
+        self.assertEqual(self.reduce("off.csv", "--out", "taken", "--quiet", "--no-picture", "--zero-at-rest"), (0, "", ""))
+        taken = self.reduced("taken")
+        self.assertEqual(taken["depth_cm"], found["depth_without_offset_cm"])
+        self.assertAlmostEqual(taken["depth_cm"], 0.5 * GRAVITY * 0.02 * 100, delta=0.3)
+        self.assertGreater(found["depth_cm"], 1.08 * taken["depth_cm"])
+        self.assertAlmostEqual(taken["settings"]["taken_off_g"], -0.05, places=6)
 
     def test_mistakes(self):
         for words, sentence in (

@@ -447,6 +447,9 @@ TEST_CASE("a drop's folder: its inputs, its depth, its peak") {
   REQUIRE(r.peak_g() == *std::max_element(mean.begin(), mean.end()) / g);
   const auto other = reduced("of_a_drop", {"--mass", "8", "--gravity", "9.8"});
   REQUIRE((other.mass == 8 && other.gravity == 9.8));
+  REQUIRE(holds(refusal("of_a_drop", {"--reads", "proper"}),
+                "--reads = proper: goes without the folder of a drop"));
+  REQUIRE(holds(refusal("of_a_drop", {"--invert"}), "--invert: goes without the folder of a drop"));
 
   const auto o = options("of_a_drop");
   write_reduced_csv("reduced.csv", r, o);

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import warnings
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Dict, Iterator, Mapping, Optional
 
@@ -68,6 +69,7 @@ class Reduction(Mapping[str, Any]):
             unit = "" if estimate["unit"] == "1" else estimate["unit"]
             outside = "" if estimate["within_range"] else f"; outside its range: {estimate['outside']}"
             lines.append(f"  {name}: {quantity(estimate['value'], unit).strip()} ({estimate['source']}{outside})")
+        lines += [f"  warning: {text}" for text in self["warnings"]]
         return "\n".join(lines)
 
 
@@ -91,7 +93,8 @@ def reduce(file_or_drop: PathLike, *, out: Optional[PathLike] = None, quiet: boo
     quiet         False: the program's table goes to standard error
     options       of `arenite.ffp.help("reduce")`: `mass=7.71`, `unit_weight=15100`, `medium="water"`; `scale={"18g": 1.6e5}`
 
-    Raises `Error` if an option or the record cannot be used.
+    What the record and the options do not agree in is issued as warnings, and is in `reduction["warnings"]`. Raises `Error` if an
+    option or the record cannot be used.
     """
     file = os.fspath(file_or_drop)
     folder = Folder(out)
@@ -100,4 +103,6 @@ def reduce(file_or_drop: PathLike, *, out: Optional[PathLike] = None, quiet: boo
     found = reduction_in(folder)
     if found is None:
         raise Error(f"{folder.path}: there is no reduced.json")
+    for text in found["warnings"]:
+        warnings.warn(text, stacklevel=2)
     return found

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <exception>
+#include <limits>
 #include <span>
 #include <string>
 #include <utility>
@@ -33,10 +34,10 @@ struct MeshSurface {
 /// (`try_distance.hpp`): NaN is refused, then and wherever it is met; a gradient that is not 1, as that of a
 /// distance in mm, matter inside of the body and a sign that puts most of it there are warned of.
 ///
-/// `reach`: a node counts as touched up to this many cell sizes (`mesh.node_size`) outside. Nodes carry mass
-/// ahead of the points, so that contact acts before the surfaces meet, by how much depends on where nodes
-/// lie. With points in whole cells, 4 (8 in space) a cell of the grid and 6 (10) in triangles (tetrahedra),
-/// the first node pushes at a distance of
+/// `reach`: a node counts as touched up to and at this many cell sizes (`mesh.node_size`) outside. Nodes
+/// carry mass ahead of the points, so that contact acts before the surfaces meet, by how much depends on
+/// where nodes lie. With points in whole cells, 4 (8 in space) a cell of the grid and 6 (10) in triangles
+/// (tetrahedra), the first node pushes at a distance of
 ///
 /// | reach | quadratic B-splines | linear simplices |
 /// |---|---|---|
@@ -168,6 +169,9 @@ class BoundDistanceSurface {
 
  private:
   using Position = AnyDistance::Position;
+  /// In cells: a face on a line of the grid has nodes at its reach of half a cell. All of them count as
+  /// touched, or round-off would decide.
+  static constexpr double tie = 1e-7 + 1e3 * std::numeric_limits<T>::epsilon();
   struct Found {
     Index number;  // of the node or point
     bool inside;
@@ -237,7 +241,7 @@ class BoundDistanceSurface {
     const auto ask = [&] {
       surface_.distance.at({at.data(), count}, distance.data());
       for (std::size_t k = 0; k < count; ++k) {
-        if (distance[k] > reach * cell[k]) continue;
+        if (distance[k] > (reach + tie) * cell[k]) continue;
         const Vec<double, D> normal = to_scene(place, slope(at[k], 1e-4 * cell[k]));
         if (!(std::isfinite(distance[k]) && normal.allFinite()))
           throw run_error(refused_distance(at[k], distance[k]));

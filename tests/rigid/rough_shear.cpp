@@ -1,0 +1,90 @@
+// Shear along rough rigid surfaces in Tresca soil: a plate against the strength, a disc against
+// 2 pi R^2 s_u (docs/studies/rough_shear.cpp has more).
+#include <arenite/arenite.hpp>
+
+#include "catch.hpp"
+
+using namespace arenite;
+
+namespace {
+
+constexpr double strength = 10e3, pressure = 10 * strength;  // Pa
+const MohrCoulomb clay{
+    {.density = 2000, .young = 200 * strength, .poisson = 0.3, .friction = 0, .cohesion = strength}};
+const double speed = 1e-3 * std::sqrt(clay.wave_modulus() / clay.density());
+
+FillOptions options(int per_cell) {
+  return {.per_cell = per_cell, .stress = [](const std::array<double, 3>&) {
+            return std::array<double, 6>{-pressure, -pressure, -pressure, 0, 0, 0};
+          }};
+}
+
+/// Shear stress over strength below a layer of soil, 1 m high, on a plate whose face lies `part` of a cell
+/// above a line of the grid.
+template <class Coupling>
+double plate(int cells, double part, Coupling coupling) {
+  const double cell = 1.0 / cells, face = part * cell, length = 3 * cell;
+  Scene scene{PlaneStrain{},
+              periodic<0>(CartesianGrid<2>{{.lower = {0, -2 * cell}, .upper = {length, 1}, .cell = cell}}),
+              Numerics<QuadraticBSpline, Apic, Usl>{},
+              bodies(fill(Inside{[=](const auto& x) { return face - x[1]; }}, clay, options(16))),
+              walls(top(fixed)),
+              rigid(DistanceSurface{[=](const auto& x) { return x[1] - face; }}, Prescribed{[](double) {
+                      return std::array<double, 3>{speed, 0, 0};
+                    }},
+                    Friction::no_slip(), coupling)};
+  run(scene, {.end = 0.04 / speed, .courant = 0.8});
+  const double before = scene.rigid().impulse[0], from = scene.time;
+  run(scene, {.end = 0.05 / speed, .courant = 0.8});
+  return (before - scene.rigid().impulse[0]) / (scene.time - from) / length / strength;
+}
+
+/// Torque over 2 pi R^2 s_u of a disc of 8 cells across.
+template <class Coupling>
+double disc(int per_cell, Coupling coupling) {
+  constexpr double radius = 0.5, cell = radius / 4, half = 2 * radius;
+  const auto distance = [](const auto& x) { return x.norm() - radius; };
+  Scene scene{PlaneStrain{},
+              CartesianGrid<2>{{.lower = {-half, -half}, .upper = {half, half}, .cell = cell}},
+              Numerics<QuadraticBSpline, Apic, Usl>{},
+              bodies(fill(Inside{[=](const auto& x) { return -distance(x); }}, clay, options(per_cell))),
+              walls(left(fixed), right(fixed), bottom(fixed), top(fixed)),
+              rigid(DistanceSurface{distance},
+                    PrescribedPose{.spin =
+                                       [](double) {
+                                         return std::array<double, 3>{0, 0, speed / radius};
+                                       }},
+                    Friction::no_slip(), coupling)};
+  run(scene, {.end = 0.03 / speed, .courant = 0.8});
+  const double before = scene.rigid().angular_impulse[0], from = scene.time;
+  run(scene, {.end = 0.04 / speed, .courant = 0.8});
+  const double torque = (before - scene.rigid().angular_impulse[0]) / (scene.time - from);
+  return torque / (2 * pi * square(radius) * strength);
+}
+
+}  // namespace
+
+TEST_CASE("A rough plate along a line of the grid shears soil at its strength, whatever round-off says") {
+  // Nodes of B-splines lie half a cell, the reach, from the face: touched with any cells.
+  for (int cells = 8; cells < 14; ++cells) {
+    CAPTURE(cells);
+    CHECK(std::abs(plate(cells, 0, RigidVelocity{}) - 1) < 0.02);
+  }
+}
+
+TEST_CASE(
+    "Off a line it gives the matter at its face a share of its velocity, and takes it of the strength") {
+  // With quadratic B-splines 1 - part^2 / 2: up to half of the strength is lost.
+  for (const double part : {0.25, 0.5, 0.75}) {
+    CAPTURE(part);
+    CHECK(std::abs(plate(8, part, RigidVelocity{}) - (1 - square(part) / 2)) < 0.04);
+    CHECK(std::abs(plate(8, part, PointContact{}) - 1) < 0.02);
+  }
+}
+
+TEST_CASE("The torque of a rough disc of 8 cells keeps the bounds of docs/components_contact.md") {
+  const double nodes = disc(4, RigidVelocity{}), points = disc(9, PointContact{});
+  CAPTURE(nodes, points);
+  CHECK((1.3 < nodes && nodes < 1.6));
+  CHECK((1.2 < points && points < 1.6));
+}

@@ -402,7 +402,7 @@ PYBIND11_MODULE(_core, m) {
       .def("kept_times",
            [](const PvdWriter& pvd, double time, bool resumed) {
              const CallFromPython call;
-             return kept_times(pvd.path(), time, resumed);
+             return kept_times(pvd.path(), pvd_times(pvd.path()), time, resumed);
            })
       .def("replace",
            [](PvdWriter& pvd, const std::vector<std::tuple<double, std::string, int>>& files) {

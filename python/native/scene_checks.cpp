@@ -1,10 +1,12 @@
 // Checks of a scene before its composition is compiled: see checks.hpp. Mesh and recipes are read as the
 // scene will read them; bodies are filled with a law that stands for any, walls are held against the mesh.
 // Functions of Python are left to the scene: each is called once.
+#include <algorithm>
 #include <arenite/host/read_fill.hpp>
 #include <arenite/host/read_recipes.hpp>
 #include <map>
 #include <string>
+#include <string_view>
 #include <type_traits>
 #include <utility>
 

@@ -57,11 +57,12 @@ def test_steps_end_as_a_run_does(ar, column):
         for dt in scene.steps(end=0.1):
             if scene.time > 0.02:
                 scene._core.columns()["bodies/0/points/velocity/x"][:] = 3.0
-    driven = column()
-    for dt in driven.steps(end=0.05):
-        if driven.time > 0.02:
-            driven.bodies["sand"].velocity[:] = 3.0
-    assert driven.time == 0.05
+    for watch in (True, ar.Watch(every=3, energy_gain=0.5)):
+        driven = column()
+        for dt in driven.steps(end=0.05, watch=watch):
+            if driven.time > 0.02:
+                driven.bodies["sand"].velocity[:] = 0.3 if driven.step_count % 2 else -0.3
+        assert driven.time == 0.05
 
 
 def test_settle_watches_as_run_does(ar, block_between_rollers):

@@ -132,6 +132,7 @@ TEST_CASE("Saved as HDF5: truncated and damaged files are refused") {
 }
 
 TEST_CASE("VTKHDF: a run in one file, with points that get lost; resumed it goes on with the same steps") {
+  std::filesystem::remove_all("series");
   const VtuOptions options{.mesh = true, .points = {.mass = true, .id = true}};
   auto scene = make();
   VtuSeries pieces("series/run", options);  // for check_hdf_files.py
@@ -157,6 +158,13 @@ TEST_CASE("VTKHDF: a run in one file, with points that get lost; resumed it goes
   CHECK(rows("series/run_sand.vtkhdf", "VTKHDF/Steps/Values") == 4);
   CHECK(rows("series/run_sand.vtkhdf", "VTKHDF/NumberOfPoints") == 3);  // at first, without some, resumed
   CHECK(rows("series/run_mesh.vtkhdf", "VTKHDF/Points") == 2 * 231);    // as it does not move; resumed
+  VtkhdfSeries other("series/run", options);
+  CHECK_THROWS_WITH(other(std::as_const(scene)), Contains("run_sand.vtkhdf: holds 4 frames of an earlier run"));
+  VtuOptions more = options;
+  more.resumed = true;
+  VtkhdfSeries later("series/run", more);
+  later(std::as_const(scene));  // in the place of the one at the same time
+  CHECK(rows("series/run_sand.vtkhdf", "VTKHDF/Steps/Values") == 4);
   VtkhdfWriter missing("series/none.vtkhdf", true);
   CHECK_THROWS_WITH(missing.keep(2), Contains("none.vtkhdf: no such file"));
   VtkhdfWriter shorter("series/run_sand.vtkhdf", true);

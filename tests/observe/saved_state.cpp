@@ -113,7 +113,7 @@ TEST_CASE("Saved: a series of files goes on, is replaced with a warning, or is k
   restore_state(without, "series/state", first);
   const std::string kept = content_of("series/run_body0_0000.vtu");
   auto other = vtu("series/run");
-  CHECK_THROWS_WITH(other(without), Catch::Matchers::Contains("vtu: series = series/run.pvd: holds 3 frames") &&
+  CHECK_THROWS_WITH(other(without), Catch::Matchers::Contains("series = series/run.pvd: holds 3 frames") &&
                                         Catch::Matchers::Contains("say resumed, else remove run.pvd"));
   CHECK(frames().size() == 3);
   CHECK(content_of("series/run_body0_0000.vtu") == kept);

@@ -201,18 +201,22 @@ class SceneHost : public HostedScene {
  private:
   /// A watch with limits, if the run has one.
   static std::shared_ptr<Watch> given_watch(const HostedRun& run) {
-    if (!run.watch || !run.limits) return {};
-    return std::make_shared<Watch>(read<WatchLimits>(*run.limits, Reading{.name = "WatchLimits"}));
+    return run.watch && run.limits ? std::make_shared<Watch>(limits_of(run)) : nullptr;
+  }
+  static WatchLimits limits_of(const HostedRun& run) {
+    return run.limits ? read<WatchLimits>(*run.limits, Reading{.name = "WatchLimits"}) : WatchLimits();
   }
 
   /// The watch of a host's own loop. Numbers that the host writes are energy that nobody books: a look that
   /// they would mislead begins a watch anew.
   class LoopWatch {
    public:
-    LoopWatch(SceneHost& host, const HostedRun& run) : host_{host}, run_{run} { begin(); }
+    LoopWatch(SceneHost& host, const HostedRun& run) : host_{host}, run_{run}, every_{limits_of(run).every} {
+      begin();
+    }
     void before(bool written) {
       written_ = written_ || written;
-      if (written_ && host_.scene_->steps + 1 >= begun_ + WatchLimits{}.every) begin();
+      if (written_ && host_.scene_->steps + 1 >= begun_ + every_) begin();
     }
     void after(bool at_end) {
       look([&](auto& watch) { at_end && !written_ ? watch.finish(*host_.scene_) : watch(*host_.scene_); });
@@ -236,6 +240,7 @@ class SceneHost : public HostedScene {
 
     SceneHost& host_;
     HostedRun run_;
+    std::size_t every_;  // steps from look to look
     std::optional<detail::OwnWatch> own_{};
     std::size_t begun_ = 0;
     bool written_ = false;

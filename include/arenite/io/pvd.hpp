@@ -4,11 +4,13 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <cstdint>
 #include <filesystem>
 #include <ostream>
 #include <span>
 #include <string>
 #include <string_view>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -62,15 +64,15 @@ inline std::vector<double> pvd_times(const std::filesystem::path& path) {
   return times;
 }
 
-/// What stays of the series of an earlier run under the name of one that begins at `time`, s: the frames
-/// before that time, if the run goes on with them (`resumed`). A run that begins anew replaces them, with a
-/// warning; one that begins behind their first is hardly meant to: throws `error`.
-inline std::vector<double> kept_times(const std::filesystem::path& path, double time, bool resumed) {
-  const std::vector<double> earlier = pvd_times(path);
+/// What stays of a series `path`, with frames at the times `earlier`, s, under the name of a run that begins
+/// at `time`, s: the frames before that, if the run goes on with them (`resumed`). A run that begins anew
+/// replaces them, with a warning; one that begins behind their first is hardly meant to: throws `error`.
+inline std::vector<double> kept_times(const std::filesystem::path& path, const std::vector<double>& earlier,
+                                      double time, bool resumed) {
   if (earlier.empty()) return {};
   const auto end = std::lower_bound(earlier.begin(), earlier.end(), time);
   const std::string holds =
-      joined_text("vtu: series = ", path.string(), ": holds ", earlier.size(),
+      joined_text("series = ", path.string(), ": holds ", earlier.size(),
                   " frames of an earlier run, t = ", earlier.front(), " to ", earlier.back(), " s");
   if (end == earlier.begin())
     warn(joined_text(holds, ", which are replaced (another prefix keeps them)"));

@@ -178,4 +178,18 @@ class VtkhdfWriter {
   std::vector<char> numbers_;
 };
 
+/// Times of the steps of a file, s; none if there is no file that can be read.
+inline std::vector<double> vtkhdf_times(const std::filesystem::path& path) {
+  std::error_code status;
+  if (!std::filesystem::is_regular_file(path, status)) return {};
+  try {
+    const Hdf5File file(path, Hdf5Access::read, "VTKHDF file");
+    std::vector<double> times(count_rows(file, "VTKHDF/Steps/Values"));
+    get_numbers(file, "VTKHDF/Steps/Values", {'f', 8}, times.data());
+    return times;
+  } catch (const error&) {  // of a process that was killed
+    return {};
+  }
+}
+
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

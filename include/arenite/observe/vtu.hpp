@@ -160,7 +160,7 @@ class VtuSeries {
   template <class Scene>
   void operator()(const Scene& scene) {
     if (times_.empty()) {
-      times_ = kept_times(pvd_.path(), scene.time, options_.resumed);
+      times_ = kept_times(pvd_.path(), pvd_times(pvd_.path()), scene.time, options_.resumed);
       follow_state(scene);
     }
     const bool again = !times_.empty() && times_.back() == scene.time;  // at the start of a run that goes on

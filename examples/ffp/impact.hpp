@@ -210,8 +210,10 @@ inline Motion motion_of(Measurement record, const ImpactSettings& s) {
     motion.deceleration.push_back(m.deceleration[i]);
     motion.filtered.push_back(search.filtered()[i]);
   }
-  // A small velocity that the integral of samples leaves at rest is no motion.
-  const double left = motion.velocity_left.value_or(0);
+  // A small velocity that the integral of samples leaves at rest is no motion. Back from rest it leaves
+  // nothing there, but creeps before: half a per cent.
+  const double left =
+      motion.velocity_from == "rest" ? 5e-3 * motion.impact_velocity : motion.velocity_left.value_or(0);
   const bool is_rest = !m.step_means && left > 0 && left < 0.1 * motion.impact_velocity;
   motion.stop = detail::first_rest(motion, is_rest ? left : 0);
   if (!motion.stop && motion.velocity_from == "rest") motion.stop = *rest - impact;

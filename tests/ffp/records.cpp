@@ -253,8 +253,8 @@ TEST_CASE("options that turn a good record are told to be left out") {
   for (const double a : shown_by(Fall{}.record(), -1, true, 0)) in_m_s2.push_back(a * g);
   REQUIRE(
       holds(refusal(file_of(in_m_s2)), "; give --deceleration-unit m_s2 and --reads proper and --invert"));
-  REQUIRE(
-      holds(refusal(file_of(Fall{}.record()), {"--time-unit", "ms"}), "are these the units of the record?"));
+  REQUIRE(holds(refusal(file_of(Fall{}.record()), {"--time-unit", "ms"}),
+                "are these units and sign (--invert) of the record?"));
   REQUIRE(holds(refusal(file_of(Fall{}.record(), 2)), "must be at most 100 m/s; is the unit of the time"));
 }
 

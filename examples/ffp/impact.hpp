@@ -72,11 +72,12 @@ class ImpactSearch {
     const double level = s_.threshold * s_.gravity;
     const auto before = last_at_most(filtered_, peak_, level);
     if (!before)
-      throw error(joined_text(
-          "no sample before the peak lies at or below ", s_.threshold,
-          " g, so that the impact cannot be found, in ", rounded(m_.time.back() - m_.time.front()),
-          " s with a peak of ", rounded(filtered_[peak_] / s_.gravity),
-          " g; are these the units of the record? Else give --impact-time, or another --threshold"));
+      throw error(joined_text("no sample before the peak lies at or below ", s_.threshold,
+                              " g, so that the impact cannot be found, in ",
+                              rounded(m_.time.back() - m_.time.front()), " s with a peak of ",
+                              rounded(filtered_[peak_] / s_.gravity),
+                              " g; are these units and sign (--invert) of the record? Else give "
+                              "--impact-time, or another --threshold"));
     // The filter smears the rise over its window: the samples tell where in it.
     std::size_t until = *before;
     while (until + 1 < peak_ && m_.time[until + 1] <= m_.time[*before] + s_.window) ++until;
@@ -210,8 +211,10 @@ inline Motion motion_of(Measurement record, const ImpactSettings& s) {
     motion.deceleration.push_back(m.deceleration[i]);
     motion.filtered.push_back(search.filtered()[i]);
   }
-  // A small velocity that the integral of samples leaves at rest is no motion.
-  const double left = motion.velocity_left.value_or(0);
+  // A small velocity that the integral of samples leaves at rest is no motion. Back from rest it leaves
+  // nothing there, but creeps before: half a per cent.
+  const double left =
+      motion.velocity_from == "rest" ? 5e-3 * motion.impact_velocity : motion.velocity_left.value_or(0);
   const bool is_rest = !m.step_means && left > 0 && left < 0.1 * motion.impact_velocity;
   motion.stop = detail::first_rest(motion, is_rest ? left : 0);
   if (!motion.stop && motion.velocity_from == "rest") motion.stop = *rest - impact;

@@ -28,7 +28,7 @@ inline std::vector<std::string> sampling_warnings(const Measurement& m, double r
     warnings.push_back(joined_text("there are ", end - hit,
                                    " samples between impact and rest, too few for a peak or a depth; "
                                    "is the unit of the time that of the record (--time-unit)?"));
-  if (end - first < 4) return warnings;
+  if (end - first < 4 || end == hit) return warnings;
 
   std::vector<double> intervals;
   std::size_t widest = first + 1;

@@ -21,7 +21,8 @@ import pytest
 
 from arenite import ffp
 from arenite._errors import Error, RunError
-from arenite.ffp import _driver, _words
+from arenite._folder import Folder
+from arenite.ffp import Columns, _driver, _words
 from arenite.ffp._mean import moving_mean
 
 try:
@@ -138,6 +139,16 @@ def test_reduce_of_a_fall_with_a_closed_form(tmp_path):
     assert "Mulukutla" in firmness["source"] and firmness["unit"] == "1/m" and firmness["range"]
     assert "firmness factor" in repr(found) and "Mulukutla" in repr(found)
     assert not list(tmp_path.glob("reduced*")), "nothing is written beside a measured record"
+
+
+@pytest.mark.parametrize("text, sentence", [
+    ("a,b\n0,1\n0,1,5\n", r"line 3, number of fields = 3: must be 2, as in the header"), ("a,b\n0\n", "line 2, number of fields = 1"),
+    ("a;b\n0,5;1\n", "line 2, number of fields = 2: must be 1"), ("a,b\n0,x\n", "must be a table of numbers"),
+    ("a,b\n".encode("utf-16"), "must be text in UTF-8")], ids=range(5))
+def test_columns_of_a_table_that_is_none(text, sentence, tmp_path):
+    (tmp_path / "history.csv").write_bytes(text if isinstance(text, bytes) else text.encode())
+    with pytest.raises(Error, match=sentence):
+        Columns(Folder(tmp_path), "history.csv")["a"]
 
 
 def test_reduce_takes_a_drop_and_its_options(coarse, tmp_path):

@@ -253,8 +253,8 @@ TEST_CASE("options that turn a good record are told to be left out") {
   for (const double a : shown_by(Fall{}.record(), -1, true, 0)) in_m_s2.push_back(a * g);
   REQUIRE(
       holds(refusal(file_of(in_m_s2)), "; give --deceleration-unit m_s2 and --reads proper and --invert"));
-  REQUIRE(
-      holds(refusal(file_of(Fall{}.record()), {"--time-unit", "ms"}), "are these the units of the record?"));
+  REQUIRE(holds(refusal(file_of(Fall{}.record()), {"--time-unit", "ms"}),
+                "are these units and sign (--invert) of the record?"));
   REQUIRE(holds(refusal(file_of(Fall{}.record(), 2)), "must be at most 100 m/s; is the unit of the time"));
 }
 
@@ -312,12 +312,18 @@ TEST_CASE("noise and resolution are no reason to warn") {
           sum += static_cast<double>((seed = seed * 1664525u + 1013904223u) >> 8) / (1 << 24) - 0.5;
         a = std::round((a + noise * sum) / resolution) * resolution;
       }
-      const auto r = reduced(file_of(record));
-      if (!r.warnings.empty()) INFO(r.warnings[0]);
-      REQUIRE(r.warnings.empty());
-      REQUIRE(std::abs(r.greatest_depth / Fall{}.depth() - 1) < 0.03);
-      REQUIRE(std::abs(*r.motion.stop / 0.046 - 1) < 0.2);
+      for (const std::ptrdiff_t from : {0, 900}) {  // with the release, and in the fall
+        const auto r = reduced(file_of({record.begin() + from, record.end()}));
+        CAPTURE(from, r.warnings);
+        REQUIRE(r.motion.velocity_from == (from == 0 ? "release" : "rest"));
+        REQUIRE(r.warnings.empty());
+        REQUIRE(std::abs(r.greatest_depth / Fall{}.depth() - 1) < 0.03);
+        REQUIRE(std::abs(*r.motion.stop / 0.046 - 1) < 0.2);
+      }
     }
+  auto fine = Fall{}.record(10000);  // whose top is flat for 20 samples
+  for (double& a : fine) a = std::round(a / 0.1) * 0.1;
+  REQUIRE(reduced(file_of(fine, 10000)).warnings.empty());
 }
 
 TEST_CASE("what a record cannot show is said") {

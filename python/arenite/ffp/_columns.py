@@ -31,6 +31,8 @@ class Columns(Mapping[str, "NDArray[numpy.float64]"]):
                 text = read_text(path, MOST_TABLE)
             except OSError as problem:
                 raise Error(f"{path}: cannot be read: {problem.strerror}") from None
+            except UnicodeDecodeError:
+                raise Error(f"{path}: must be text in UTF-8") from None
             whole = text[:text.rfind("\n") + 1]  # the last row of a run that was killed may be cut
             rows: List[List[str]] = list(csv.reader(whole.splitlines()))
             if not rows:

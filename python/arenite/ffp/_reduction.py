@@ -69,7 +69,7 @@ class Reduction(Mapping[str, Any]):
             unit = "" if estimate["unit"] == "1" else estimate["unit"]
             outside = "" if estimate["within_range"] else f"; outside its range: {estimate['outside']}"
             lines.append(f"  {name}: {quantity(estimate['value'], unit).strip()} ({estimate['source']}{outside})")
-        lines += [f"  warning: {text}" for text in self["warnings"]]
+        lines += [f"  warning: {text}" for text in self.get("warnings", [])]
         return "\n".join(lines)
 
 

@@ -223,9 +223,9 @@ std::vector<typename Scene::V> forces_from_rest(const Scene& scene, double dt) {
 }
 
 /// Warns if ground that is to be at rest is not: if forces out of balance at its nodes, beyond what the
-/// points' sums leave of them, are above a thousandth of its weight. `before`: the forces without contact,
-/// which may hold the ground or set out to move it: the smaller counts. Nodes that other bodies in motion
-/// reach do not.
+/// points' sums leave of them, are above a thousandth of its weight. `before`: the forces without contact.
+/// Nodes do not count in cells where contact with walls and rigid bodies changes them, which may hold the
+/// ground or set out to move it, nor those that other bodies in motion reach.
 template <class Scene>
 void check_rest(Scene& scene, double dt, const std::vector<typename Scene::V>& before) {
   if (before.empty()) return;
@@ -260,16 +260,20 @@ void check_rest(Scene& scene, double dt, const std::vector<typename Scene::V>& b
     for (const auto& field : scene.fields)
       for (std::size_t i = 0; i < field.size(); ++i)
         if (counts[i]) weight += static_cast<double>(field.mass[i]) * g;
-    const auto out = [&](std::size_t i) {
-      return counts[i] ? static_cast<double>(std::min(before[i].norm(), after[i].norm())) : 0.0;
-    };
+    const double little = 1e-6 * weight / static_cast<double>(before.size());
+    const auto changed = [&](Index i) { return static_cast<double>((after[i] - before[i]).norm()) > little; };
+    for (Index c = 0; c < scene.mesh.cell_count(); ++c) {
+      const auto nodes = typename Scene::Shape::template Cell<typename Scene::Mesh>(scene.mesh, c).nodes;
+      if (std::ranges::any_of(nodes, changed))
+        for (const Index i : nodes) counts[i] = 0;
+    }
+    const auto out = [&](std::size_t i) { return counts[i] ? static_cast<double>(after[i].norm()) : 0.0; };
     double all = 0, most = 0;
     for (std::size_t i = 0; i < before.size(); ++i) all += out(i);
     std::size_t worst = 0;
     if (all > 1e-3 * weight) {
       std::vector<char> asked;
-      for (std::size_t i = 0; i < before.size(); ++i)
-        asked.push_back(out(i) > 1e-6 * weight / static_cast<double>(before.size()));
+      for (std::size_t i = 0; i < before.size(); ++i) asked.push_back(out(i) > little);
       const auto error = sum_errors(scene, asked);
       all = 0;
       for (std::size_t i = 0; i < before.size(); ++i) {

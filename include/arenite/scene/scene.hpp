@@ -338,14 +338,11 @@ struct Scene {
     return {((void)I, Field(Shape::node_count(mesh)))...};
   }
 
-  template <class... F>
-  BodyTuple make_bodies(const Bodies<F...>& recipe, const std::vector<Ground>& grounds) const {
-    std::size_t number = 0;
-    return std::apply(
-        [&](const auto&... fill) {
-          return BodyTuple{make_body<K, extra_columns>(mesh, fill, cell_owner(), grounds[number++])...};
-        },
-        recipe.fills);
+  template <class... F, std::size_t... I>
+  BodyTuple make_bodies(const Bodies<F...>& recipe, const std::vector<Ground>& grounds,
+                        std::index_sequence<I...>) const {
+    return BodyTuple{
+        make_body<K, extra_columns>(mesh, std::get<I>(recipe.fills), cell_owner(), grounds[I])...};
   }
 
   template <class Self, class F, std::size_t... I>
@@ -384,7 +381,8 @@ Scene<K, M, N, Given...>::Scene(Nothing, K kinematics_value, M mesh_value, N num
       parts{bind(mesh, kinematics, given...)},
       fields{make_fields(std::make_index_sequence<field_count>{})},
       bodies{make_bodies(detail::find_bodies(given...),
-                         detail::grounds_of(*this, detail::find_bodies(given...)))} {
+                         detail::grounds_of(*this, detail::find_bodies(given...)),
+                         std::make_index_sequence<body_count>{})} {
   balance_threads();
   for_each_body([&](auto& body, const auto&) { body.points.place_by_thread(body.cells, blocks); });
   find_constraints();

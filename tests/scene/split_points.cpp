@@ -2,6 +2,7 @@
 #include <arenite/arenite.hpp>
 #include <numeric>
 
+#include "../../examples/extend/laws/neo_hookean.hpp"
 #include "catch.hpp"
 #include "meshes.hpp"
 #include "state_buffer.hpp"
@@ -158,4 +159,32 @@ TEST_CASE("Splits are the same bits on any number of threads, and where a run go
   for (int k = 97; k < 150; ++k) step(second, 4e-4);
   CHECK(StateBuffer::first_difference(StateBuffer(second), StateBuffer(one)) == "");
   CHECK(one.part<SplitPoints<"block">>().split > 0);
+}
+
+TEST_CASE("A bar that is stretched to 2.1 parts from its wall, after a warning, unless its points split") {
+  const Elasticity elasticity("NeoHookean", 1000, 1e6, 0.3);
+  const double stretch = 2.1, shear = elasticity.shear(), lame = elasticity.lame();
+  const double stress =
+      (shear * (stretch * stretch - 1) + lame * std::log(stretch)) / stretch;  // at the wall
+  std::size_t warned = 0;
+  const auto before =
+      on_warning([&](std::string_view text) { warned += text.find("drawn points") != text.npos; });
+  const auto reaction_over_weight = [&](auto... parts) {
+    Scene scene{PlaneStrain{},
+                CartesianGrid<2>{{.lower = {0, 0}, .upper = {0.2, 4}, .cell = 0.1}},
+                Numerics<QuadraticBSpline, Flip, Musl>{},
+                bodies(fill(Box<2>{{0., 0.}, {0.2, 1.}}, NeoHookean(elasticity), {.per_cell = 4})),
+                walls(left(roller), right(roller), bottom(fixed)),
+                gravity({0, stress / 1000}, Ramp{.over = 1}),
+                LocalDamping{},
+                Reactions{},
+                parts...};
+    run(scene, {.end = 1.1});
+    return -reaction(scene, "bottom").force[1] / (0.2 * stress);
+  };
+  CHECK(reaction_over_weight() < 0.5);
+  CHECK(warned == 1);
+  CHECK(reaction_over_weight(SplitPoints<>{{.per_cell = 16}}) == Approx(1).margin(0.15));
+  CHECK(warned == 1);
+  on_warning(before);
 }

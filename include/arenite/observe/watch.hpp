@@ -188,9 +188,10 @@ class BasicWatch {
     const double share = fall_.look(scene);
     if (share > 0.1)
       hint(hints_.damping,
-           joined_text("t = ", scene.time, " s: local damping took ", std::round(100 * share),
-                       " % of the work of gravity while matter fell freely: it is made for static states; "
-                       "switch it off (switch_off()) once the scene is at rest"));
+           joined_text(
+               "t = ", scene.time, " s: local damping took ", std::round(100 * share),
+               " % of the work of gravity while matter fell freely: it is made for static states; "
+               "switch it off (switch_off(), in Python switch_off_damping()) once the scene is at rest"));
   }
 
   /// Warns of points that tension has drawn so far apart that their body may part between them.
@@ -212,8 +213,7 @@ class BasicWatch {
                        ": tension has drawn points ", spacing, " of a cell apart (V/V0 = ", stretch,
                        "): beyond ", bearing_spacing<Shape>,
                        " a body may part between them, or from a wall; begin with more points a cell, or let "
-                       "them split "
-                       "(SplitPoints)"));
+                       "them split (SplitPoints)"));
       return;
     }
   }

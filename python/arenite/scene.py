@@ -169,6 +169,7 @@ class Scene:
 
     def _take(self, core: Any) -> None:
         self._core = core
+        self._restored_at: Optional[int] = None  # steps of the state that was restored
         self._state = State(core)
         #: deformable bodies by name
         self.bodies: Dict[str, Body] = {b.name: Body(self._state, k, b.name)
@@ -280,7 +281,10 @@ class Scene:
         self._core.save(os.fspath(path), recipe)
 
     def restore(self, path: Union[str, "os.PathLike[str]"], recipe: str = "") -> None:
+        """Takes a saved state. The next `run` goes on with it: `every` calls nothing at its start, which was called before the state
+        was saved, and `Vtu` goes on with its series."""
         self._core.restore(os.fspath(path), recipe)
+        self._restored_at = self.step_count
 
     def copy(self) -> "Scene":
         other = object.__new__(Scene)
@@ -309,7 +313,7 @@ class Scene:
             path = os.path.join(folder, "state")
             with open(path, "wb") as file:
                 file.write(state)
-            self.restore(path)
+            self._core.restore(path, "")
 
 
 Observer = Callable[[Scene], Any]
@@ -343,7 +347,8 @@ def _run(scene: Scene, end: float, courant: float, max_step: float, ratio: Optio
     after = None if after_step is None else lambda: after_step(scene) is STOP
     if progress:
         progress.start(scene.time, end)
-    scene._core.run(end, courant, max_step, ratio, [float(p) for p in every], lambda k: observers[k](scene) is STOP, after,
+    resumed = scene._restored_at == scene.step_count
+    scene._core.run(end, courant, max_step, ratio, resumed, [float(p) for p in every], lambda k: observers[k](scene) is STOP, after,
                     watch.value() if isinstance(watch, Watch) else watch, progress and (lambda: progress(scene)))
     if progress:
         progress(scene, done=True)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 from pathlib import Path
-from typing import Any, Dict, List, Tuple, Union
+from typing import Any, Dict, List, Optional, Tuple, Union
 
 import numpy as np
 
@@ -43,11 +43,11 @@ class Vtu:
     """Observer for `run`: writes the points of each body as PREFIX_BODY_0000.vtu, .., the cells of a simplex mesh if
     `mesh`, and PREFIX.pvd. Makes the folder. `ar.run(scene, end=1, every={0.1: ar.Vtu("out/column")})`
 
-    `resumed`: goes on with the series that is there, behind its frames before the scene's time, as a run does that goes on from a
-    saved state. Without, the series of an earlier run is replaced with a `Warning`; if the scene is past its first frame, it is
-    kept, and `Error` raised."""
+    `resumed`: goes on with the series that is there, behind its frames before the scene's time; by default where the scene was
+    restored from a saved state. Else the series of an earlier run is replaced with a `Warning`; if the scene is past its first
+    frame, it is kept, and `Error` raised."""
 
-    def __init__(self, prefix: Union[str, "os.PathLike[str]"], mesh: bool = False, resumed: bool = False) -> None:
+    def __init__(self, prefix: Union[str, "os.PathLike[str]"], mesh: bool = False, resumed: Optional[bool] = None) -> None:
         self._prefix, self._mesh, self._resumed = os.fspath(prefix), mesh, resumed
         self._times: List[float] = []
         folder = Path(self._prefix).parent
@@ -65,7 +65,8 @@ class Vtu:
                 raise Error("Vtu: mesh = True: goes with a mesh of simplices alone")
             parts.append(("mesh", in_space(scene.nodes().position), scene.cells, {}))
         if not self._times:
-            self._times = self._list.kept_times(scene.time, self._resumed)
+            resumed = scene._restored_at is not None if self._resumed is None else self._resumed
+            self._times = self._list.kept_times(scene.time, resumed)
             self._list.replace([(time, self._file(part[0], frame), number) for frame, time in enumerate(self._times)
                                 for number, part in enumerate(parts)])
         again = self._times[-1:] == [scene.time]  # at the start of a run that goes on

@@ -68,12 +68,13 @@ class SceneHandle {
   /// Runs to `end`; calls `due(k)` when period k is due, `after_step()` after each step, and `now_and_then()`
   /// some times a second, all between steps, where they may use the scene; one of the first two that returns
   /// true ends the run.
-  void run(double end, double courant, double max_step, std::optional<double> settle,
+  void run(double end, double courant, double max_step, std::optional<double> settle, bool resumed,
            std::vector<double> periods, const py::function& due,
            const std::optional<py::function>& after_step, py::handle watch,
            const std::optional<py::function>& now_and_then) {
     HostedRun run = run_of(end, courant, max_step, watch);
     run.settle = settle;
+    run.resumed = resumed;
     run.periods = std::move(periods);
     bool stops = false;
     const auto call = [&](const py::function& f, auto... arguments) {

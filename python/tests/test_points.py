@@ -165,10 +165,12 @@ def test_a_series_of_files_goes_on_after_a_restart(ar, column, tmp_path):
     again = column()
     again.restore(tmp_path / "state")
     with pytest.raises(ar.Error, match="holds 3 frames of an earlier run, t = 0 to 0.02 s, which this one, from t = 0.02 s on, would replace"):
-        run(again, 0.03)
+        ar.Vtu(prefix, resumed=False)(again)
     assert len(times()) == 3 and again.time == 0.02
-    run(again, 0.03, resumed=True)
+    called = []
+    ar.run(again, end=0.03, every={0.01: ar.Vtu(prefix), 0.005: lambda s: called.append(s.time)})
     assert times() == [0, 0.01, 0.02, 0.03]
+    assert np.allclose(called, [0.025, 0.03])  # what was due at 0.02 s was called before the state was saved
     assert [(tmp_path / f"x_sand_000{k}.vtu").read_bytes() for k in range(3)] == kept
 
 

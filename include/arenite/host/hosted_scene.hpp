@@ -79,6 +79,7 @@ struct HostedRun {
   bool watch = true;                       ///< whether the run is watched
   std::optional<Value> limits{};           ///< of the watch, `WatchLimits` by name; none: those of `run`
   std::vector<double> periods{};           ///< s; each has a callback
+  bool resumed = false;                    ///< a restored run goes on: what is due at its start was called
   std::function<void(std::size_t)> due{};  ///< called with the number of a period that is due
   std::function<bool()> after_step{};      ///< called after each step; returns whether the run stops there
 };

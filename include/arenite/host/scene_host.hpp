@@ -50,6 +50,8 @@ class SceneHost : public HostedScene {
         look_for_moves();
         run.due(k);
       });
+    if (run.resumed)
+      for (auto& timer : timers) timer.go_on_from(scene_->time);
     bool first = true;
     watch_ = given_watch(run);
     const auto observe = [&](const Scene& scene) {

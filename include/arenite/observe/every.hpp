@@ -45,6 +45,9 @@ class Every {
   /// What it calls.
   F& called() { return f_; }
 
+  /// As if it had been called at this time, s: for a run that goes on from there.
+  void go_on_from(double time) { is_due(time); }
+
   /// State of what it calls, too, if that has some.
   template <class G>
   void visit_state(G&& g) {

@@ -229,7 +229,7 @@ class SceneHost : public HostedScene {
       written_ = false;
       begun_ = host_.scene_->steps;
       host_.watch_ = given_watch(run_);
-      own_.emplace(*host_.scene_, run_.watch && !host_.watch_);
+      own_.emplace(*host_.scene_, run_.watch && !host_.watch_, false);
       look([&](auto& watch) { watch(*host_.scene_); });
     }
     template <class F>

@@ -153,8 +153,8 @@ namespace detail {
 
 /// Where a fill puts a point. Those of a cell follow each other, and cells are in order.
 struct FillPlace {
-  Place position;  // m
-  double volume;   // m3
+  SpacePosition position;  // m
+  double volume;           // m3
   Index cell;
   bool sliver = false;  // whether it stands for less than a tenth of a sub-cell
 };
@@ -164,7 +164,7 @@ struct FillPlace {
 /// kept. `walk`: finds the cell of a position, m, from a cell near it.
 inline void join_slivers(std::vector<FillPlace>& places, std::size_t dimensions,
                          const std::function<double(Index)>& edge,
-                         const std::function<Index(const Place&, Index)>& walk) {
+                         const std::function<Index(const SpacePosition&, Index)>& walk) {
   for (auto& small : places) {
     if (!small.sliver) continue;
     FillPlace* nearest = nullptr;
@@ -179,13 +179,13 @@ inline void join_slivers(std::vector<FillPlace>& places, std::size_t dimensions,
     look(small.cell);
     for (std::size_t k = 0; k < dimensions; ++k)
       for (const int side : {-1, 1}) {
-        Place beside = small.position;
+        SpacePosition beside = small.position;
         beside[k] += side * edge(small.cell) / 2;
         if (const Index cell = walk(beside, small.cell); cell != none && cell != small.cell) look(cell);
       }
     if (!nearest) continue;
     const double both = nearest->volume + small.volume;
-    Place middle{};
+    SpacePosition middle{};
     for (std::size_t k = 0; k < dimensions; ++k)
       middle[k] = (nearest->volume * nearest->position[k] + small.volume * small.position[k]) / both;
     if (walk(middle, nearest->cell) == nearest->cell) nearest->position = middle;
@@ -244,7 +244,7 @@ auto make_body(const M& mesh, const Fill<L, name>& recipe, const Owns& owns = {}
   if (o.stress) stress_at = o.stress->in(ground, density);
   const auto numbers = region_numbers(mesh, recipe.region);
   std::vector<detail::FillPlace> places;
-  const auto point_at = [](const detail::Place& x) ->
+  const auto point_at = [](const detail::SpacePosition& x) ->
       typename M::Point { return in_scene<D>(x).template cast<T>(); };
   const auto edge = [&](Index c) { return std::pow(static_cast<double>(mesh.volume(c)), 1.0 / D); };
   detail::ClearBall clear;
@@ -288,8 +288,9 @@ auto make_body(const M& mesh, const Fill<L, name>& recipe, const Owns& owns = {}
     if (!o.exact_volume) fill_places();
   }
   if (o.exact_volume) {
-    detail::join_slivers(places, D, edge,
-                         [&](const detail::Place& x, Index near) { return mesh.walk(point_at(x), near); });
+    detail::join_slivers(places, D, edge, [&](const detail::SpacePosition& x, Index near) {
+      return mesh.walk(point_at(x), near);
+    });
     fill_places();
   }
   require(body.points.size() > 0 || o.may_be_empty || !Owns::is_whole, "fill: points", body.points.size(),

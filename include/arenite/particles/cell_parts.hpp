@@ -24,9 +24,9 @@ struct CellPart {
 
 namespace detail {
 
-using Place = AnyRegion::Position;
+using SpacePosition = AnyRegion::Position;
 
-inline double distance_between(const Place& x, const Place& y) {
+inline double distance_between(const SpacePosition& x, const SpacePosition& y) {
   const double a = x[0] - y[0], b = x[1] - y[1], c = x[2] - y[2];
   return std::sqrt(a * a + b * b + c * c);
 }
@@ -34,16 +34,16 @@ inline double distance_between(const Place& x, const Place& y) {
 /// The part of a small box of these edges about x that lies in a region, as its share and centre. By a signed
 /// distance: of the plane at that distance, exact where it is parallel to a face, and the only one in the
 /// box; else all or nothing.
-inline CellPart part_in_region(const AnyRegion& region, const Place& x, const Place& edges) {
+inline CellPart part_in_region(const AnyRegion& region, const SpacePosition& x, const SpacePosition& edges) {
   if (!region.distance) return {region.test(x) ? 1.0 : 0.0, x};
   const double d = region.distance(x);
   const CellPart all_or_nothing{d < 0 ? 1.0 : 0.0, x};
   if (std::abs(d) > distance_between(edges, {}) / 2) return all_or_nothing;
-  Place slope{};
+  SpacePosition slope{};
   double width = 0, squared = 0;  // of the box across the plane, in the distance's unit
   for (std::size_t k = 0; k < 3; ++k) {
     if (edges[k] == 0) continue;
-    Place before = x, behind = x;
+    SpacePosition before = x, behind = x;
     before[k] -= edges[k] / 2;
     behind[k] += edges[k] / 2;
     slope[k] = (region.distance(behind) - region.distance(before)) / edges[k];
@@ -58,7 +58,7 @@ inline CellPart part_in_region(const AnyRegion& region, const Place& x, const Pl
 
 /// Positions of the corners of a cell, m.
 struct CellCorners {
-  std::array<Place, 8> at{};
+  std::array<SpacePosition, 8> at{};
   std::size_t count = 0;
 };
 template <class M>
@@ -69,7 +69,7 @@ CellCorners corners_of(const M& mesh, Index cell) {
   if constexpr (is_simplex_mesh<M>) {
     for (const Index i : mesh.nodes(cell)) corners.at[corners.count++] = in_space<T, D>(mesh.position(i));
   } else {
-    const Place lower = in_space<T, D>(mesh.corner(cell)), edges = in_space<T, D>(mesh.extent(cell));
+    const SpacePosition lower = in_space<T, D>(mesh.corner(cell)), edges = in_space<T, D>(mesh.extent(cell));
     corners.count = std::size_t{1} << D;
     for (std::size_t c = 0; c < corners.count; ++c)
       for (std::size_t k = 0; k < 3; ++k) corners.at[c][k] = lower[k] + (c >> k & 1 ? edges[k] : 0);
@@ -79,14 +79,14 @@ CellCorners corners_of(const M& mesh, Index cell) {
 
 /// A ball without the boundary of a region in it, m.
 struct ClearBall {
-  Place centre{};
+  SpacePosition centre{};
   double radius = 0;
 };
 
 /// Whether the boundary of a region may cut a cell. `clear` is the ball that the last distance showed: most
 /// cells lie in it, and need no other.
 inline bool may_cut(const CellCorners& corners, const AnyRegion& region, ClearBall& clear) {
-  Place centre{};
+  SpacePosition centre{};
   for (std::size_t c = 0; c < corners.count; ++c)
     for (std::size_t k = 0; k < 3; ++k) centre[k] += corners.at[c][k] / static_cast<double>(corners.count);
   if (region.distance) {
@@ -110,7 +110,7 @@ class PartSums {
       : region_{region}, parts_(sub_cells), boxes_(sub_cells) {}
 
   /// Adds the box of these edges about x, m, to a sub-cell.
-  void add(std::size_t sub_cell, const Place& x, const Place& edges) {
+  void add(std::size_t sub_cell, const SpacePosition& x, const SpacePosition& edges) {
     const CellPart box = part_in_region(region_, x, edges);
     CellPart& part = parts_[sub_cell];
     part.share += box.share;
@@ -118,16 +118,16 @@ class PartSums {
     ++boxes_[sub_cell];
   }
   /// Adds a sub-cell of these edges about x, m, cut into boxes where the boundary may cut it.
-  void add_cut(std::size_t sub_cell, const Place& x, const Place& edges) {
+  void add_cut(std::size_t sub_cell, const SpacePosition& x, const SpacePosition& edges) {
     const std::size_t dimensions = edges[2] == 0 ? 2 : 3;
     const int along = (dimensions == 2 ? 4 : 2) * (region_.distance ? 1 : 2);
-    Place small = edges;
+    SpacePosition small = edges;
     for (double& e : small) e /= along;
     if (region_.distance && std::abs(region_.distance(x)) > distance_between(edges, {}) / 2)
       return add(sub_cell, x, small);
     const int count = dimensions == 2 ? along * along : along * along * along;
     for (int box = 0; box < count; ++box) {
-      Place at = x;
+      SpacePosition at = x;
       int rest = box;
       for (std::size_t k = 0; k < dimensions; ++k, rest /= along)
         at[k] += ((rest % along + 0.5) / along - 0.5) * edges[k];
@@ -174,12 +174,12 @@ template <class M>
 std::vector<CellPart> cell_parts(const M& mesh, Index cell, const AnyRegion& region,
                                  const std::vector<typename M::Point>& places, [[maybe_unused]] int per_cell,
                                  [[maybe_unused]] bool even, detail::ClearBall& clear) {
-  using detail::Place;
+  using detail::SpacePosition;
   constexpr int D = M::dimension;
   if (!region.test || region.by_centres) return {};
   const auto corners = detail::corners_of(mesh, cell);
   if (!detail::may_cut(corners, region, clear)) return {};
-  std::vector<Place> middles;
+  std::vector<SpacePosition> middles;
   for (const auto& x : places) middles.push_back(in_space(x));
   detail::PartSums sums(region, places.size());
   if constexpr (is_simplex_mesh<M>) {
@@ -187,7 +187,7 @@ std::vector<CellPart> cell_parts(const M& mesh, Index cell, const AnyRegion& reg
     const double edge =
         std::pow(static_cast<double>(mesh.volume(cell)) / static_cast<double>(samples.size()), 1.0 / D);
     for (const auto& b : samples) {
-      Place x{};
+      SpacePosition x{};
       for (std::size_t c = 0; c <= D; ++c)
         for (std::size_t k = 0; k < 3; ++k) x[k] += b[static_cast<int>(c)] * corners.at[c][k];
       std::size_t nearest = 0;
@@ -199,7 +199,7 @@ std::vector<CellPart> cell_parts(const M& mesh, Index cell, const AnyRegion& reg
   } else {
     using T = typename M::scalar;
     const auto along = even ? even_counts<T, D>(per_cell, mesh.extent(cell)) : lattice_counts<D>(per_cell);
-    Place edges = in_space<T, D>(mesh.extent(cell));
+    SpacePosition edges = in_space<T, D>(mesh.extent(cell));
     for (std::size_t k = 0; k < D; ++k) edges[k] /= along[k];
     for (std::size_t p = 0; p < places.size(); ++p) sums.add_cut(p, middles[p], edges);
   }

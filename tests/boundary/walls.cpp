@@ -192,7 +192,7 @@ TEST_CASE("constrained velocities lose what is blocked, and the wall gives the i
   REQUIRE(velocity[1].norm() == 0);
   REQUIRE((velocity[6] - Vec<double, 2>(0, -5)).norm() < 1e-15);
   REQUIRE((velocity[7] - Vec<double, 2>(3, -5)).norm() == 0);
-  REQUIRE((velocity[0] - Vec<double, 2>(3, -5)).norm() == 0);  // no mass: nothing there
+  REQUIRE(velocity[0].norm() == 0);  // held too; without a mass the wall gives it nothing
   // Five nodes of the bottom stop, four of the left side lose their x.
   REQUIRE((impulse - Vec<double, 2>(-2 * 3 * 9, 2 * 5 * 5)).norm() < 1e-13);
 }

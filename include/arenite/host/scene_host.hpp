@@ -76,13 +76,13 @@ class SceneHost : public HostedScene {
   }
   std::function<double(bool)> steps(const HostedRun& run) override {
     const RunOptions options{.end = run.end, .courant = run.courant, .max_step = run.max_step};
-    detail::check_run(options, scene_->time, true);
+    options.check(scene_->time, true);
     const double span = std::isfinite(options.end) ? options.end - scene_->time : 0;
     return [this, options, span, watch = std::make_shared<LoopWatch>(*this, run)](bool written) {
       if (!(scene_->time < options.end)) return 0.0;
       watch->before(written);
       const Moved moved(*this);
-      const double dt = detail::step_towards(*scene_, options, span, no_others);
+      const double dt = step_towards(*scene_, options, span, no_others);
       watch->after(!(scene_->time < options.end));
       return dt;
     };
@@ -243,7 +243,7 @@ class SceneHost : public HostedScene {
     SceneHost& host_;
     HostedRun run_;
     std::size_t every_;  // steps from look to look
-    std::optional<detail::OwnWatch> own_{};
+    std::optional<OwnWatch> own_{};
     std::size_t begun_ = 0;
     bool written_ = false;
   };

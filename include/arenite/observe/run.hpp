@@ -72,11 +72,14 @@ bool counts_all_work(const Scene& scene) {
   return all;
 }
 
+}  // namespace detail
+
 /// The watch of a run that was given none.
 class OwnWatch {
  public:
   template <class Scene>
-  OwnWatch(const Scene& scene, bool on, bool settles) : on_{on}, watch_{limits(counts_all_work(scene))} {
+  OwnWatch(const Scene& scene, bool on, bool settles)
+      : on_{on}, watch_{limits(detail::counts_all_work(scene))} {
     if (settles) watch_.accept_damping();
   }
   template <class Scene>
@@ -98,7 +101,6 @@ class OwnWatch {
   bool on_;
   WatchOfRun watch_;
 };
-}  // namespace detail
 
 /// When a run ends, and its steps.
 struct RunOptions {
@@ -107,21 +109,16 @@ struct RunOptions {
   double max_step = std::numeric_limits<double>::infinity();  ///< s
   bool watch =
       true;  ///< looks for what cannot be right (`WatchLimits::of_runs`), unless an observer is a `Watch`
+
+  /// Throws `error` unless a scene at this time, s, can run so. A host's own loop may have no end.
+  void check(double time, bool may_have_no_end = false) const {
+    require(std::isfinite(end) || (may_have_no_end && end > 0), "RunOptions.end", end, "must be given");
+    require(end >= time, "RunOptions.end", end, joined_text("must not lie before the scene's time ", time));
+    require(courant > 0, "RunOptions.courant", courant, "must be positive");
+    require(courant <= 1, "RunOptions.courant", courant, "must be at most 1: larger steps are unstable");
+    require(max_step > 0, "RunOptions.max_step", max_step, "must be positive");
+  }
 };
-
-namespace detail {
-
-/// Throws the refusal of options at a scene's time. A host's own loop may have no end.
-inline void check_run(const RunOptions& options, double time, bool may_have_no_end = false) {
-  require(std::isfinite(options.end) || (may_have_no_end && options.end > 0), "RunOptions.end", options.end,
-          "must be given");
-  require(options.end >= time, "RunOptions.end", options.end,
-          joined_text("must not lie before the scene's time ", time));
-  require(options.courant > 0, "RunOptions.courant", options.courant, "must be positive");
-  require(options.courant <= 1, "RunOptions.courant", options.courant,
-          "must be at most 1: larger steps are unstable");
-  require(options.max_step > 0, "RunOptions.max_step", options.max_step, "must be positive");
-}
 
 /// The next step towards `options.end`, `span` s behind the start of the run. Returns its length, s.
 template <class Scene, class Others>
@@ -147,6 +144,8 @@ double step_towards(Scene& scene, const RunOptions& options, double span, Others
   return dt;
 }
 
+namespace detail {
+
 template <class Scene, class Others, class... Observers>
 void run_steps(Scene& scene, const RunOptions& options, Others& others, Observers&... observers) {
   bool stops = show_all(scene, others, observers...);
@@ -164,9 +163,9 @@ void run_steps(Scene& scene, const RunOptions& options, Others& others, Observer
 /// `options.end`, which the last step hits exactly; all take the least of their steps. If one fails all do.
 template <class Scene, class Others, class... Observers>
 void run_with(Others& others, Scene& scene, const RunOptions& options, Observers&&... observers) {
-  detail::check_run(options, scene.time);
+  options.check(scene.time);
   if constexpr (Others::alone && !(detail::is_watch<std::remove_cvref_t<Observers>> || ...)) {
-    detail::OwnWatch watch(scene, options.watch, (detail::settles<std::remove_cvref_t<Observers>> || ...));
+    OwnWatch watch(scene, options.watch, (detail::settles<std::remove_cvref_t<Observers>> || ...));
     detail::run_steps(scene, options, others, observers..., watch);
   } else if constexpr (Others::alone) {
     detail::run_steps(scene, options, others, observers...);

@@ -159,7 +159,8 @@ TEST_CASE("VTKHDF: a run in one file, with points that get lost; resumed it goes
   CHECK(rows("series/run_sand.vtkhdf", "VTKHDF/NumberOfPoints") == 3);  // at first, without some, resumed
   CHECK(rows("series/run_mesh.vtkhdf", "VTKHDF/Points") == 2 * 231);    // as it does not move; resumed
   VtkhdfSeries other("series/run", options);
-  CHECK_THROWS_WITH(other(std::as_const(scene)), Contains("run_sand.vtkhdf: holds 4 frames of an earlier run"));
+  CHECK_THROWS_WITH(other(std::as_const(scene)),
+                    Contains("run_sand.vtkhdf: holds 4 frames of an earlier run"));
   VtuOptions more = options;
   more.resumed = true;
   VtkhdfSeries later("series/run", more);

@@ -58,9 +58,10 @@ typename R::Velocity velocity_in_contact(const R& body, const typename R::Veloci
   if constexpr (requires { body.motion.velocity_in_contact(body, free, others); }) {
     return body.motion.velocity_in_contact(body, free, others);
   } else {
-    static_assert(Others::alone || !R::is_free,
-                  "Rigid: on a portion of a mesh velocity_in_contact(body, free_velocity, others) of a motion "
-                  "with mass must sum over the others; see arenite/rigid/motion.hpp");
+    static_assert(
+        Others::alone || !R::is_free,
+        "Rigid: on a portion of a mesh velocity_in_contact(body, free_velocity, others) of a motion "
+        "with mass must sum over the others; see arenite/rigid/motion.hpp");
     return body.motion.velocity_in_contact(body, free);
   }
 }

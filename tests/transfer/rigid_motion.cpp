@@ -62,7 +62,7 @@ std::vector<Vec<double, D>> places() {
 /// Moves points as one, from all places, alone and by threes. Largest stress after three steps over E v dt /
 /// h.
 template <class... B, class Scene>
-double largest_stress(Scene scene, bool across) {
+double stress_in_motion(Scene scene, bool across) {
   constexpr int D = Scene::D;
   using V = Vec<double, D>;
   const auto all = places<D>();
@@ -106,7 +106,7 @@ struct Composition {
   static double largest_stress() {
     const auto [lower, upper] = cube<M::dimension>(1, 4);
     const Box<std::size_t{M::dimension}> box{lower, upper};
-    return ::largest_stress(Scene{K{}, mesh<M>(), N{}, bodies(fill(box, rubber(), {.per_cell = 1}))},
+    return stress_in_motion(Scene{K{}, mesh<M>(), N{}, bodies(fill(box, rubber(), {.per_cell = 1}))},
                             !K::hoop);
   }
 };
@@ -150,7 +150,7 @@ TEST_CASE("Two fields: bodies that move as one are not strained, wherever their 
       PlaneStrain{}, mesh<Triangles>(), Numerics<LinearSimplex, Flip, Usl>{},
       bodies(fill<"left">(left, rubber(), {.per_cell = 4}), fill<"right">(right, rubber(), {.per_cell = 4})),
       Coulomb{Friction(0.3)}};
-  CHECK(largest_stress(std::move(scene), true) <= 1e-12);
+  CHECK(stress_in_motion(std::move(scene), true) <= 1e-12);
 }
 
 TEST_CASE("Nodes without mass: a point on a vertex feels the walls that one beside it feels") {

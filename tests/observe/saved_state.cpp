@@ -89,7 +89,7 @@ TEST_CASE("Saved: a series of files goes on, is replaced with a warning, or is k
   const auto frames = [] { return pvd_times("series/run.pvd"); };
   std::vector<std::string> warnings;
   const auto hook = on_warning([&](const auto& text) {
-    if (text.find("vtu: series") != std::string::npos) warnings.push_back(text);
+    if (text.find("series = ") != std::string::npos) warnings.push_back(text);
   });
   auto scene = make();
   auto first = vtu("series/run");

@@ -70,16 +70,17 @@ inline std::vector<double> pvd_times(const std::filesystem::path& path) {
 inline std::vector<double> kept_times(const std::filesystem::path& path, const std::vector<double>& earlier,
                                       double time, bool resumed) {
   if (earlier.empty()) return {};
+  const std::string file = path.string();
   const auto end = std::lower_bound(earlier.begin(), earlier.end(), time);
   const std::string holds =
-      joined_text("series = ", path.string(), ": holds ", earlier.size(),
+      joined_text("series = ", file, ": holds ", earlier.size(),
                   " frames of an earlier run, t = ", earlier.front(), " to ", earlier.back(), " s");
   if (end == earlier.begin())
     warn(joined_text(holds, ", which are replaced (another prefix keeps them)"));
   else if (!resumed)
     throw error(joined_text(holds, ", which this one, from t = ", time,
                             " s on, would replace: to go on with them say resumed, else remove ",
-                            path.filename().string(), " or take another prefix"));
+                            file.substr(file.rfind('/') + 1), " or take another prefix"));
   return {earlier.begin(), end};
 }
 

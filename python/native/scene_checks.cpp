@@ -99,6 +99,8 @@ class SceneCheck {
     } else {
       fill.region = read<AnyRegion>(region, at_.renamed("region"));
     }
+    auto& stress = fill.options.stress;
+    if (stress && stress->geostatic()) stress.reset();  // it takes its gravity from the scene
     make_body<Kinematics>(mesh_, fill);
   }
   void rigid(const std::string& type, const Value& value) const {

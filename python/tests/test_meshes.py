@@ -151,7 +151,12 @@ def test_sets_of_other_formats_are_groups(tmp_path):
     medit = ar.SimplexMesh.from_meshio(meshio.read(tmp_path / "mesh.mesh"))
     assert list(medit.region) == [3, 4] and sets(medit) == {"1:5": [(0, 0), (1, 0)]}
 
-    for ending in ("vtu", "xdmf"):
+    try:
+        import h5py  # which meshio needs for XDMF  # noqa: F401
+        endings = ["vtu", "xdmf"]
+    except ModuleNotFoundError:
+        endings = ["vtu"]
+    for ending in endings:
         named = meshio.Mesh(triangles.points, triangles.cells, cell_data={"soil": [np.array([0, 1]), np.array([5])]})
         named.write(tmp_path / f"mesh.{ending}", **({"data_format": "XML"} if ending == "xdmf" else {}))
         back = meshio.read(tmp_path / f"mesh.{ending}")

@@ -89,7 +89,7 @@ def test_pressure_on_the_surface_of_a_body(ar, block_between_rollers):
         if name == "block":
             first = scene
     assert np.array_equal(scene.bodies["block"].stress, first.bodies["block"].stress)
-    with pytest.raises(ar.Error, match="sand: must be the number or the name of a body"):
+    with pytest.raises(ar.Error, match="Surface.body = sand: the scene has no such body; it has block"):
         block_between_rollers(ar.Pressure(ar.surface("sand", layer, normal=(0, 1), thickness=0.01), 1e3))
     with pytest.raises(ar.Error, match="SurfaceOptions.thickness = 0: must be given, and positive"):
         ar.surface("block", layer, normal=(0, 1), thickness=0)

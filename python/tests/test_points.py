@@ -170,7 +170,7 @@ def test_a_series_of_files_goes_on_after_a_restart(ar, column, tmp_path):
     called = []
     ar.run(again, end=0.03, every={0.01: ar.Vtu(prefix), 0.005: lambda s: called.append(s.time)})
     assert times() == [0, 0.01, 0.02, 0.03]
-    assert np.allclose(called, [0.025, 0.03])  # what was due at 0.02 s was called before the state was saved
+    assert np.allclose(called, [0.025, 0.03], atol=5e-4)  # what was due at 0.02 s was called before the state was saved
     assert [(tmp_path / f"x_sand_000{k}.vtu").read_bytes() for k in range(3)] == kept
 
 

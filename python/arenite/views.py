@@ -72,7 +72,7 @@ class View(np.lib.mixins.NDArrayOperatorsMixin):
     def copy(self) -> Any:
         return np.array(self._array())
 
-    def __array_ufunc__(self, ufunc: Any, method: Any, *inputs: Any, **kwargs: Any) -> Any:
+    def __array_ufunc__(self, ufunc: Any, method: Any, /, *inputs: Any, **kwargs: Any) -> Any:
         out = kwargs.pop("out", None)
         result = getattr(ufunc, method)(*(x._array() if isinstance(x, View) else x for x in inputs), **kwargs)
         if out is None:

@@ -4,6 +4,7 @@
 
 #include "catch.hpp"
 #include "meshes.hpp"
+#include "warnings.hpp"
 
 using namespace arenite;
 
@@ -15,16 +16,9 @@ const Box<2> low{{0., 0.}, {0.4, 1.}};  ///< in a mesh of 0.4 x 1.1 m it leaves 
 /// The warnings of some steps of a scene.
 template <class Scene>
 std::vector<std::string> told(Scene scene, int steps = 3) {
-  std::vector<std::string> texts;
-  const WarningHook old = on_warning([&](const std::string& text) { texts.push_back(text); });
-  try {
+  return test::warnings_of([&] {
     for (int k = 0; k < steps; ++k) step(scene, 1e-5);
-  } catch (...) {
-    on_warning(old);
-    throw;
-  }
-  on_warning(old);
-  return texts;
+  });
 }
 template <class... Parts>
 auto on_grid(double top_of_mesh, const Box<2>& region, Parts... parts) {

@@ -4,6 +4,7 @@
 
 #include "catch.hpp"
 #include "meshes.hpp"
+#include "warnings.hpp"
 
 using namespace arenite;
 
@@ -12,24 +13,10 @@ namespace {
 const LinearElastic soft{{.density = 1000, .young = 1e6, .poisson = 0.3}};
 const Prescribed still{[](double) { return std::array{0.0, 0.0, 0.0}; }};
 
-/// The warnings that `make()` gives.
-template <class F>
-std::vector<std::string> said(F&& make) {
-  std::vector<std::string> texts;
-  const WarningHook old = on_warning([&](const std::string& text) { texts.push_back(text); });
-  try {
-    (void)make();
-  } catch (...) {
-    on_warning(old);
-    throw;
-  }
-  on_warning(old);
-  return texts;
-}
 /// Of a rigid body in the unit square, cells of 0.05 m, and a region of sand with 4 points a cell.
 template <class Region, class Shape>
 std::vector<std::string> told(Region region, Shape shape, double reach = 0.5) {
-  return said([&] {
+  return test::warnings_of([&] {
     return Scene{PlaneStrain{}, CartesianGrid<2>{{.lower = {0, 0}, .upper = {1, 1}, .cell = 0.05}},
                  Numerics<QuadraticBSpline, Apic>{}, bodies(fill<"sand">(std::move(region), soft)),
                  rigids(rigid<"f">(DistanceSurface{std::move(shape), reach}, still, Friction(0)))};
@@ -38,7 +25,7 @@ std::vector<std::string> told(Region region, Shape shape, double reach = 0.5) {
 /// The same in the unit cube, cells of 0.1 m, 8 points a cell.
 template <class Region, class Shape>
 std::vector<std::string> told_in_space(Region region, Shape shape) {
-  return said([&] {
+  return test::warnings_of([&] {
     return Scene{ThreeDimensional{}, CartesianGrid<3>{{.lower = {0, 0, 0}, .upper = {1, 1, 1}, .cell = 0.1}},
                  Numerics<QuadraticBSpline, Apic>{}, bodies(fill(std::move(region), soft, {.per_cell = 8})),
                  rigids(rigid(DistanceSurface{std::move(shape)}, still, Friction(0)))};
@@ -109,7 +96,7 @@ TEST_CASE("region - shape leaves out what any surface of a rigid body takes") {
 
 TEST_CASE("Matter in the region of a rigid body's surface in the mesh is told") {
   const auto told_on = [](auto region) {
-    return said([&] {
+    return test::warnings_of([&] {
       auto data = test::triangles({0, 0}, {1, 1}, 10, 10);
       test::name_region(data, "tool", [](const auto& x) {
         return Box<2>{{0.3, 0.5}, {0.7, 1.}}.contains(x);
@@ -171,7 +158,7 @@ TEST_CASE("A wall that is thinner than a cell is told, with its thickness") {
 
 TEST_CASE("How thick a wall must be follows from how far nodes are apart across it") {
   const auto told_on = [&](auto mesh, auto numerics, const Box<2>& wall) {
-    return said([&] {
+    return test::warnings_of([&] {
       return Scene{PlaneStrain{}, std::move(mesh), numerics, bodies(fill(Box<2>{{0., 0.}, {1., 0.2}}, soft)),
                    rigids(rigid(DistanceSurface{wall}, still, Friction(0)))};
     });
@@ -223,7 +210,7 @@ TEST_CASE("Tips, edges and bodies that are thick across are no walls") {
 }
 
 TEST_CASE("Contact at points holds at any thickness: nothing is said") {
-  const auto texts = said([&] {
+  const auto texts = test::warnings_of([&] {
     return Scene{
         PlaneStrain{}, CartesianGrid<2>{{.lower = {0, 0}, .upper = {1, 1}, .cell = 0.05}},
         Numerics<QuadraticBSpline, Apic, Usl>{}, bodies(fill(Box<2>{{0.4, 0.4}, {0.6, 0.6}}, soft)),

@@ -5,6 +5,7 @@
 
 #include "catch.hpp"
 #include "meshes.hpp"
+#include "warnings.hpp"
 
 using namespace arenite;
 
@@ -31,13 +32,11 @@ auto ground(FillOptions options, double top = 1, Walls around = held) {
 /// What the first step of a scene says.
 template <class Scene>
 std::vector<std::string> said(Scene scene) {
-  std::vector<std::string> texts;
-  const WarningHook old = on_warning([&](const std::string& text) { texts.push_back(text); });
-  const double dt = 0.1 * stable_step(scene);
-  step(scene, dt);
-  step(scene, dt);
-  on_warning(old);
-  return texts;
+  return test::warnings_of([&] {
+    const double dt = 0.1 * stable_step(scene);
+    step(scene, dt);
+    step(scene, dt);
+  });
 }
 template <class Scene>
 void is_told(Scene scene, const std::string& part) {

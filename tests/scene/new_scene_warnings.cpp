@@ -6,6 +6,7 @@
 
 #include "catch.hpp"
 #include "meshes.hpp"
+#include "warnings.hpp"
 
 using namespace arenite;
 
@@ -17,16 +18,8 @@ constexpr double inf = std::numeric_limits<double>::infinity();
 /// The warnings that `make()` gives.
 template <class F>
 std::vector<std::string> said(F&& make) {
-  std::vector<std::string> texts;
   const std::size_t before = warning_count();
-  const WarningHook old = on_warning([&](const std::string& text) { texts.push_back(text); });
-  try {
-    (void)make();
-  } catch (...) {
-    on_warning(old);
-    throw;
-  }
-  on_warning(old);
+  const auto texts = test::warnings_of(make);
   CHECK(warning_count() - before == texts.size());
   return texts;
 }

@@ -343,13 +343,15 @@ def test_a_sweep_outlives_its_failures_and_goes_on(ar, tmp_path):
     assert "must be a number, a text, an array" in failure[5] and sweep.results[1] is None and np.isnan(sweep["result"][1])
     traces = [p.read_text() for p in out.glob("*.failed.txt")]
     assert len(traces) == 4 and sum("in counted" in trace for trace in traces) == 1
-    cut = max(out.glob("*.npz"), key=lambda path: path.stat().st_mtime_ns)  # as by a full disk: that of 3, done last
+    before = set(out.glob("*.npz"))
+    ar.sweep(counted, [(str(marks), 5)], out=out)
+    (cut,) = set(out.glob("*.npz")) - before  # of 5, whose file is cut as by a full disk
     cut.write_bytes(cut.read_bytes()[:100])
     for mark in marks.iterdir():
         mark.unlink()
-    again = ar.sweep(counted, [*values, (str(marks), 4)], out=out)
-    assert calls(marks) == sorted(["3", "4", "dies", "exits", "odd", "raises"])
-    assert again["result"][[0, 3, 6, 7]].tolist() == [2, 4, 6, 8]
+    again = ar.sweep(counted, [*values, (str(marks), 4), (str(marks), 5)], out=out)
+    assert calls(marks) == sorted(["4", "5", "dies", "exits", "odd", "raises"])
+    assert again["result"][[0, 3, 6, 7, 8]].tolist() == [2, 4, 6, 8, 10]
     with pytest.raises(ar.Error, match="sweep: each of 1 values failed; value = .*: ValueError: too steep"):
         ar.sweep(counted, values[1:2])
 

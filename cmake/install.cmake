@@ -2,22 +2,22 @@
 include(CMakePackageConfigHelpers)
 
 set(package_dir ${CMAKE_INSTALL_DATADIR}/cmake/arenite)
-set(compositions_dir ${CMAKE_INSTALL_DATADIR}/arenite/compositions)
+set(src_dir ${CMAKE_INSTALL_DATADIR}/arenite/src)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/arenite DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT library)
-install(DIRECTORY ${PROJECT_SOURCE_DIR}/src/compositions/ DESTINATION ${compositions_dir} COMPONENT library)
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/src/ DESTINATION ${src_dir} COMPONENT library)
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT library)
 install(TARGETS arenite EXPORT arenite-targets)
 install(EXPORT arenite-targets NAMESPACE arenite:: DESTINATION ${package_dir} COMPONENT library)
 
 configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/arenite-config.cmake.in ${PROJECT_BINARY_DIR}/arenite-config.cmake
-                              INSTALL_DESTINATION ${package_dir} PATH_VARS compositions_dir)
+                              INSTALL_DESTINATION ${package_dir} PATH_VARS src_dir)
 set(compatibility SameMajorVersion)
 if(PROJECT_VERSION_MAJOR EQUAL 0)
   set(compatibility SameMinorVersion)  # before 1.0 a minor version may break what came before it
 endif()
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/arenite-config-version.cmake
                                  COMPATIBILITY ${compatibility} ARCH_INDEPENDENT)
-install(FILES ${PROJECT_SOURCE_DIR}/cmake/compositions.cmake ${PROJECT_SOURCE_DIR}/cmake/hdf5.cmake
+install(FILES ${PROJECT_SOURCE_DIR}/cmake/compiled.cmake ${PROJECT_SOURCE_DIR}/cmake/hdf5.cmake
               ${PROJECT_BINARY_DIR}/arenite-config.cmake ${PROJECT_BINARY_DIR}/arenite-config-version.cmake
         DESTINATION ${package_dir} COMPONENT library)
 

@@ -1,11 +1,13 @@
 // Errors: what a user's mistake and a failed run say. A programmer's mistake is an assert instead.
 #pragma once
 
-#include <sstream>
+#include <concepts>
+#include <initializer_list>
 #include <stdexcept>
 #include <string>
 #include <string_view>
 
+#include <arenite/core/cold.hpp>
 #include <arenite/core/instruction_set.hpp>
 
 namespace arenite {  // one for all instruction sets: who catches knows them
@@ -26,28 +28,66 @@ class run_error : public error {
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
-/// The parts one behind the other as text, numbers with ten digits: what messages are made of.
-template <class... Parts>
-std::string joined_text(const Parts&... parts) {
-  std::ostringstream text;
-  text.precision(10);
-  (text << ... << parts);
-  return text.str();
-}
+/// A part of a message: words, which it does not own, or a number. Made for the time of one call.
+class TextPart {
+ public:
+  TextPart(const char* words) : kind_(Kind::words), words_(words) {}
+  TextPart(std::string_view words) : kind_(Kind::words), words_(words) {}
+  TextPart(const std::string& words) : kind_(Kind::words), words_(words) {}
+  TextPart(char letter) : kind_(Kind::letter), letter_(letter) {}
+  TextPart(std::floating_point auto number) : kind_(Kind::real), real_(static_cast<double>(number)) {}
+  TextPart(std::signed_integral auto number) : kind_(Kind::whole), whole_(number) {}
+  TextPart(std::unsigned_integral auto number) : kind_(Kind::count), count_(number) {}
+
+  /// Writes the part at the end of a text, a number with ten digits.
+  void add_to(std::string& text) const;
+
+ private:
+  enum class Kind : char { words, letter, real, whole, count };
+  Kind kind_;
+  union {
+    std::string_view words_;
+    char letter_;
+    double real_;
+    long long whole_;
+    unsigned long long count_;
+  };
+};
+
+using TextParts = std::initializer_list<TextPart>;
+
+/// The parts one behind the other as text: what messages are made of.
+std::string joined_text(TextParts parts);
 
 /// "(1, 2, 3)" of a vector's components.
 template <class Vector>
 std::string vector_text(const Vector& v) {
   std::string text = "(";
-  for (int k = 0; k < static_cast<int>(v.size()); ++k) text += joined_text(k > 0 ? ", " : "", v[k]);
+  for (int k = 0; k < static_cast<int>(v.size()); ++k) text += joined_text({k > 0 ? ", " : "", v[k]});
   text += ")";
   return text;
 }
 
-/// Throws `error("name = value: rule")` unless `holds`. Write the condition so that NaN fails it.
-template <class Value>
-void require(bool holds, std::string_view name, const Value& value, std::string_view rule) {
-  if (!holds) throw error(joined_text(name, " = ", value, ": ", rule));
+/// Throws `error("name = value: rule")`.
+[[noreturn]] void refuse(TextParts name, TextPart value, TextParts rule);
+
+/// Refuses the value unless `holds`. Write the condition so that NaN fails it. Name and rule are words, or parts of which they are made
+/// when they are needed.
+inline void require(bool holds, TextPart name, TextPart value, TextPart rule) {
+  if (!holds) [[unlikely]] refuse({name}, value, {rule});
+}
+inline void require(bool holds, TextParts name, TextPart value, TextPart rule) {
+  if (!holds) [[unlikely]] refuse(name, value, {rule});
+}
+inline void require(bool holds, TextPart name, TextPart value, TextParts rule) {
+  if (!holds) [[unlikely]] refuse({name}, value, rule);
+}
+inline void require(bool holds, TextParts name, TextPart value, TextParts rule) {
+  if (!holds) [[unlikely]] refuse(name, value, rule);
 }
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET
+
+#ifndef ARENITE_COLD_LIBRARY
+#include <arenite/core/error_cold.hpp>
+#endif

@@ -1,0 +1,2 @@
+// The cold functions of all headers, compiled once.
+#include <arenite/core/error_cold.hpp>

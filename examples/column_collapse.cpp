@@ -1,5 +1,5 @@
 // A column of dry sand collapses, plane strain: the smallest whole scene. SI units.
-#include <arenite/arenite.hpp>
+#include <arenite/matter.hpp>
 #include <arenite/observe/progress.hpp>
 #include <arenite/observe/vtu.hpp>
 using namespace arenite;

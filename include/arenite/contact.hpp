@@ -1,0 +1,7 @@
+// Contact of bodies of matter with each other and with frictional walls: for a scene that holds any.
+#pragma once
+
+#include <arenite/contact/contact.hpp>
+#include <arenite/contact/frictional_wall.hpp>
+#include <arenite/matter.hpp>
+#include <arenite/observe/contact_force.hpp>

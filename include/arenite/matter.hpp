@@ -1,0 +1,36 @@
+// Scenes of matter between walls: kinematics, meshes, shape functions, transfers, laws, walls, gravity, and what a run needs. A part of
+// arenite.hpp that compiles in less time; what else a scene holds is in rigid.hpp, contact.hpp, loads.hpp and particles/regions.hpp.
+#pragma once
+
+#include <arenite/core/requirements.hpp>
+
+#include <arenite/boundary/driven.hpp>
+#include <arenite/boundary/gravity.hpp>
+#include <arenite/boundary/walls.hpp>
+#include <arenite/core/units.hpp>
+#include <arenite/law/drucker_prager.hpp>
+#include <arenite/law/inertial_friction.hpp>
+#include <arenite/law/linear_elastic.hpp>
+#include <arenite/law/linear_rate_friction.hpp>
+#include <arenite/law/logarithmic_friction.hpp>
+#include <arenite/law/mohr_coulomb.hpp>
+#include <arenite/law/rate_softening_friction.hpp>
+#include <arenite/law/rate_stiffness.hpp>
+#include <arenite/law/softening_friction.hpp>
+#include <arenite/law/stiffness.hpp>
+#include <arenite/law/with_deviatoric_strain.hpp>
+#include <arenite/mesh/motion.hpp>
+#include <arenite/mesh/periodic_grid.hpp>
+#include <arenite/mesh/rectilinear_grid.hpp>
+#include <arenite/observe/energy.hpp>
+#include <arenite/observe/every.hpp>
+#include <arenite/observe/not_included.hpp>
+#include <arenite/observe/probe.hpp>
+#include <arenite/observe/run.hpp>
+#include <arenite/observe/section.hpp>
+#include <arenite/observe/settle.hpp>
+#include <arenite/observe/watch.hpp>
+#include <arenite/particles/point_ids.hpp>
+#include <arenite/scene/insert_remove.hpp>
+#include <arenite/scene/split_points.hpp>
+#include <arenite/version.hpp>

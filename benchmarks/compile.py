@@ -69,17 +69,16 @@ def main():
             archive = subprocess.run(["git", "-C", ROOT, "archive", options.revision], stdout=subprocess.PIPE, check=True).stdout
             subprocess.run(["tar", "x", "-C", before], input=archive, check=True)
             trees.append(before)
-        units = [{name: unit for name, *unit in rows(tree) if options.only in name} for tree in trees]
+        here, there = [{name: unit for name, *unit in rows(tree)} for tree in (trees[0], trees[-1])]
         print(f"{'':40}   user s    MB" + ("   before s    MB   after/before" if options.revision else ""))
-        for name, unit in units[0].items():
-            pairs = [[cost(options.compiler.split(), tree, *of.get(name, of.get(name.split(", with")[0], unit)), folder) if k == 0 or name.split(", with")[0] in of else None
-                      for k, (tree, of) in enumerate(zip(trees, units))] for _ in range(options.rounds)]
-            told = [f"{name:40}"]
-            for of in zip(*pairs):
-                told.append("{:8.2f} {:5.0f}".format(*map(statistics.median, zip(*of))) if None not in of else " " * 14)
-            if options.revision and None not in pairs[0]:
-                told.append(f"{statistics.median(a[0] / b[0] for a, b in pairs):12.2f}")
-            print("  ".join(told), flush=True)
+        for name in filter(lambda name: options.only in name, here):
+            like = there.get(name) or there.get(name.split(", with arenite::cold")[0])  # cold functions may be new
+            units = [(trees[0], *here[name])] + ([(trees[1], *like)] if options.revision and like else [])
+            rounds = [[cost(options.compiler.split(), *unit, folder) for unit in units] for _ in range(options.rounds)]
+            told = ["{:8.2f} {:5.0f}".format(*map(statistics.median, zip(*of))) for of in zip(*rounds)]
+            if len(units) == 2:
+                told.append(f"{statistics.median(after[0] / before[0] for after, before in rounds):12.2f}")
+            print(f"{name:40}", *told, sep="  ", flush=True)
 
 
 if __name__ == "__main__":

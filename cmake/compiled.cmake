@@ -2,12 +2,17 @@
 # sets has other names. `sources`: the folder src, in the source tree or where it is installed.
 #
 # arenite::cold: cold functions (arenite/core/cold.hpp).
-# arenite::compositions: common compositions, (arenite/compositions.hpp).
+# arenite::compositions: common compositions (arenite/compositions.hpp).
+function(arenite_add_cold target sources)
+  file(GLOB files CONFIGURE_DEPENDS ${sources}/cold/*.cpp)
+  add_library(${target} STATIC EXCLUDE_FROM_ALL ${files})
+  target_compile_definitions(${target} PUBLIC ARENITE_COLD_LIBRARY)
+  target_link_libraries(${target} PUBLIC arenite::arenite)
+endfunction()
+
 function(arenite_add_compiled sources)
-  add_library(arenite_cold STATIC EXCLUDE_FROM_ALL ${sources}/cold/cold.cpp)
+  arenite_add_cold(arenite_cold ${sources})
   add_library(arenite::cold ALIAS arenite_cold)
-  target_compile_definitions(arenite_cold PUBLIC ARENITE_COLD_LIBRARY)
-  target_link_libraries(arenite_cold PUBLIC arenite::arenite)
 
   file(GLOB files CONFIGURE_DEPENDS ${sources}/compositions/*.cpp)
   add_library(arenite_compositions STATIC EXCLUDE_FROM_ALL ${files})

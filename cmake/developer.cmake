@@ -5,12 +5,17 @@ target_compile_options(arenite_warnings INTERFACE -Wall -Wextra -Wpedantic -Wcon
 # g++ notes at every pack passed by value that GCC 4.6 changed the ABI; nothing here was ever compiled by an older one.
 target_compile_options(arenite_warnings INTERFACE $<$<CXX_COMPILER_ID:GNU>:-Wno-psabi>)
 
-add_library(arenite_developer INTERFACE)
-target_link_libraries(arenite_developer INTERFACE arenite::arenite arenite_warnings)
-target_compile_options(arenite_developer INTERFACE $<$<BOOL:${ARENITE_NATIVE}>:-march=native>)
+add_library(arenite_headers INTERFACE)  # of units that compile all of the headers themselves
+target_link_libraries(arenite_headers INTERFACE arenite::arenite arenite_warnings)
+target_compile_options(arenite_headers INTERFACE $<$<BOOL:${ARENITE_NATIVE}>:-march=native>)
 
-target_link_libraries(arenite_compositions PRIVATE arenite_developer)
-set_target_properties(arenite_compositions PROPERTIES CXX_EXTENSIONS OFF)
+add_library(arenite_developer INTERFACE)
+target_link_libraries(arenite_developer INTERFACE arenite_headers arenite::cold)
+
+foreach(target arenite_cold arenite_compositions)
+  target_link_libraries(${target} PRIVATE arenite_headers)
+  set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF)
+endforeach()
 
 find_program(ARENITE_CCACHE ccache DOC "Compiler cache, used if found")
 if(ARENITE_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)

@@ -88,8 +88,10 @@ class WatchedEnergy {
     f("lowest", lowest_);
     f("before", before_);
     f("held/strain", held_.strain);
+    f("held/ahead", held_.ahead);
     f("held/potential", held_.potential);
     f("held_before/strain", held_before_.strain);
+    f("held_before/ahead", held_before_.ahead);
     f("held_before/potential", held_before_.potential);
     f("held_step", held_step_);
     f("follows", follows_);
@@ -118,17 +120,20 @@ class WatchedEnergy {
     return all;
   }
 
-  /// What positions hold of the energy, J.
+  /// What positions hold of the energy, J. `ahead`: of the strain energy, where stresses are not those of the
+  /// middle of the step, as velocities are.
   struct Held {
-    double strain = 0, potential = 0;
+    double strain = 0, ahead = 0, potential = 0;
     double sum() const { return strain + potential; }
   };
   template <class Scene>
   static Held held(const Scene& scene) {
     Held h;
     const Vec<double, Scene::D> g = scene.acceleration().template cast<double>();
-    scene.for_each_body([&](const auto& body, const auto&) {
-      h.strain += strain_energy(body);
+    scene.for_each_body([&](const auto& body, const auto& field) {
+      const double strain = strain_energy(body);
+      h.strain += strain;
+      if (!field.centred) h.ahead += strain;
       h.potential -= sum_points(body, 0.0, [&](std::size_t p) {
         double along = 0;
         for (int k = 0; k < Scene::D; ++k)
@@ -168,8 +173,8 @@ class WatchedEnergy {
       // share of (frequency x step) unless the positions' part of it is taken half a step earlier, or later
       // with USF. Stresses that are centred are those of the middle already.
       if (follows_) b.gained -= (held_.potential - held_before_.potential) / 2;
-      if (follows_ && !Scene::centres_stress)
-        b.gained -= (held_.strain - held_before_.strain) / (Scene::NumericsType::strains_first ? -2 : 2);
+      if (follows_)
+        b.gained -= (held_.ahead - held_before_.ahead) / (Scene::NumericsType::strains_first ? -2 : 2);
     }
     // What the velocity gradients of points hold they give back to their velocities. With AFLIP those keep
     // their share of what is also in the gradients.

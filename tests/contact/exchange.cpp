@@ -208,8 +208,8 @@ TEST_CASE(
     exchange(Coulomb<>(friction), MassGradient{}, fields, impulses, pairs, 1e-3, [](Index) { return 0.1; });
     REQUIRE(pairs.size() > 20);
     const auto before = fields;
-    const double dissipation = rest_between<false>(pairs, fields);  // what is mapped is of the points yet
-    CHECK(hold_together(pairs, fields, 1e-3) == 0);                 // without forces
+    const double dissipation = rest_between(pairs, fields);  // what is mapped is of the points yet
+    CHECK(hold_together(pairs, fields, 1e-3) == 0);          // without forces
     std::vector<bool> met(200, false);
     double closed = 0, opened = 0, booked = 0;
     for (const auto& pair : pairs) {

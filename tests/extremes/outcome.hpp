@@ -149,7 +149,8 @@ class Books {
       since_ = scene.steps;
     } else {
       const V from_outside = outside - outside_;
-      expected_ += given + from_outside + joined - joined_;
+      const V from_points = joined - joined_;  // apart: the sums may be far larger than what changes
+      expected_ += given + from_outside + from_points;
       scale_ += pushed + given.norm() + from_outside.norm();
       carried_ = std::max(carried_, carried);
       V error = now - expected_;

@@ -259,6 +259,32 @@ TEST_CASE("Energy put in behind the scene's back, or taken away") {
   CHECK(said([&] { Watch(WatchLimits{.lost = inf}).look(scene); }).error == "");
 }
 
+TEST_CASE("Energy that points bring is put in, what they take with them is not") {
+  const auto check = [&](bool leave, auto... parts) {
+    auto scene = swinging(0, parts...);
+    Watch watch{{.transfer = inf, .residual = inf, .every = 1}};
+    double given = scene_kinetic(scene);
+    run(scene, {.end = 0.001, .max_step = 1e-4}, watch);
+    if (leave)
+      remove_points(scene, Box{{0.2, 0.2}, {0.4, 0.6}});
+    else
+      given += insert_points(scene, Box{{0.2, 0.7}, {0.8, 0.9}}, {.per_cell = 4, .velocity = {1, 0, 0}})
+                   .kinetic_energy;
+    run(scene, {.end = 0.002, .max_step = 1e-4}, watch);
+    const double before = scene_kinetic(scene);
+    for (auto& v : scene.body().points.velocity.column(0)) v *= 1.2;
+    const double gained = (scene_kinetic(scene) - before) / given;
+    CAPTURE(leave, gained);
+    CHECK(gained > 0.1);
+    CHECK(has(said([&] { run(scene, {.end = 0.003, .max_step = 1e-4}, watch); }).error, "energy_gain = "));
+    CHECK(std::abs(of(watch, "energy_gain").worst - gained) <= 0.01);
+  };
+  for (const bool leave : {true, false}) {
+    check(leave, TrackEnergy{});
+    check(leave);
+  }
+}
+
 TEST_CASE("Work of gravity and of a driven body is no gain, with and without an energy balance") {
   const LinearElastic rubber{{.density = 1000, .young = 1e5, .poisson = 0.3}};
   const auto check = [&](auto... parts) {

@@ -130,7 +130,7 @@ struct Setup : RandomBody<typename N_::Shape, M_, N_::extra_columns, N_::maps_ba
   void map_back() {
     if constexpr (N::maps_back) {
       arenite::map_back(numerics, mesh, blocks, body, nodes);
-      finish_map_back<false>(numerics, nodes);
+      finish_map_back(numerics, nodes);
     }
   }
   G2pSums g2p(T dt) {

@@ -163,14 +163,14 @@ double hold_together(const Pairs& pairs, Fields& fields, T dt, const Owns& owns 
 }
 
 /// What pairs dissipated beyond what `exchange` has booked (see `rest_of_dissipation`), J.
-template <bool Centred, class Pairs, class Fields, class Owns = OwnsAll>
+template <class Pairs, class Fields, class Owns = OwnsAll>
 double rest_between(const Pairs& pairs, const Fields& fields, const Owns& owns = {}) {
   double dissipation = 0;
   for (const auto& pair : pairs) {
     if (!owns(pair.node)) continue;
     const std::size_t i = pair.node;
     const auto &a = fields[pair.first], &b = fields[pair.second];
-    const auto mean = (a.template mean_velocity<Centred>(i) - b.template mean_velocity<Centred>(i)).eval();
+    const auto mean = (a.mean_velocity(i) - b.mean_velocity(i)).eval();
     dissipation -= static_cast<double>(pair.impulse.dot(mean - (a.start[i] - b.start[i] + pair.after) / 2));
   }
   return dissipation;
@@ -209,7 +209,7 @@ struct BoundCoulomb {
   const Vec<T, D>& contact_impulse(std::size_t body) const { return impulse[body]; }
   template <class Scene>
   double read_end(const Scene& scene, double) {
-    const double dissipation = rest_between<Scene::centres_stress>(pairs, scene.fields, scene.node_owner());
+    const double dissipation = rest_between(pairs, scene.fields, scene.node_owner());
     dissipated += dissipation;
     return dissipation;
   }

@@ -104,7 +104,7 @@ class BoundFrictionalWall {
   }
   template <class Scene>
   double read_end(const Scene& scene, double) {
-    const double dissipation = rest_of_dissipation<Scene::centres_stress>(touched_, scene.fields);
+    const double dissipation = rest_of_dissipation(touched_, scene.fields);
     dissipated_ += dissipation;
     return dissipation;
   }

@@ -50,14 +50,14 @@ double hold_touched(const Touched& touched, Fields& fields, T dt) {
 /// An exchange books its impulses with the velocities `after` it, for it knows no others yet: walls, other
 /// exchanges at the same node and MUSL change them. What the impulses dissipated beyond that, J, by the mean
 /// velocities of the step (`mean_velocity`).
-template <bool Centred, class Touched, class Fields>
+template <class Touched, class Fields>
 double rest_of_dissipation(const Touched& touched, const Fields& fields) {
   double dissipation = 0;
   for (const auto& t : touched) {
     if (t.impulse.squaredNorm() == 0) continue;
     const auto& field = fields[t.field];
-    dissipation -= static_cast<double>(
-        t.impulse.dot(field.template mean_velocity<Centred>(t.node) - (field.start[t.node] + t.after) / 2));
+    dissipation -=
+        static_cast<double>(t.impulse.dot(field.mean_velocity(t.node) - (field.start[t.node] + t.after) / 2));
   }
   return dissipation;
 }

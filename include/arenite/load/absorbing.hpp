@@ -128,7 +128,7 @@ class BoundAbsorbingFaces {
       for (std::size_t f = 0; f < Scene::field_count; ++f, ++at) {
         const Index i = faces_->nodes()[k];
         if (!owns(i)) continue;
-        const V mean = scene.fields[f].template mean_velocity<Scene::centres_stress>(i);
+        const V mean = scene.fields[f].mean_velocity(i);
         dissipated_ -= static_cast<double>(given_[at].dot(mean));
         work_ += static_cast<double>(support(at).dot(mean)) * dt;
       }

@@ -99,9 +99,8 @@ class FieldForces {
   double work_of_impulses(const Scene& scene, double dt) const {
     double sum = 0;
     for (std::size_t k = 0; k < field.size(); ++k)
-      sum += field[k].work(dt, scene.node_owner(), [&](std::size_t i) {
-        return scene.fields[k].template mean_velocity<Scene::centres_stress>(i);
-      });
+      sum += field[k].work(dt, scene.node_owner(),
+                           [&](std::size_t i) { return scene.fields[k].mean_velocity(i); });
     return sum;
   }
   /// N, [D].

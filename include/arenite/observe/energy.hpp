@@ -111,12 +111,11 @@ struct TrackEnergy {
     for (const auto& field : scene.fields)
       grid_gain += sum_nodes(scene, field, [&](std::size_t i) {
         if (!(field.mass[i] > 0)) return 0.0;
-        return static_cast<double>(
-            field.mass[i] *
-            (field.velocity[i] - field.start[i]).dot(field.template mean_velocity<Scene::centres_stress>(i)));
+        return static_cast<double>(field.mass[i] *
+                                   (field.velocity[i] - field.start[i]).dot(field.mean_velocity(i)));
       });
     for (const Given& g : given_) {
-      const auto mean = scene.fields[g.field].template mean_velocity<Scene::centres_stress>(g.node);
+      const auto mean = scene.fields[g.field].mean_velocity(g.node);
       for (int d = 0; d < Scene::D; ++d)
         walls -= g.impulse[static_cast<std::size_t>(d)] * static_cast<double>(mean[d]);
     }
@@ -151,8 +150,8 @@ struct TrackEnergy {
         return dt * static_cast<double>(field.mass[i] * acceleration.dot(field.velocity[i]));
       });
     gravity_work += fallen;
-    // With USF the stresses are half a step ahead of the velocities; centred ones are those of the middle.
-    constexpr double ahead = Scene::centres_stress ? 0 : Scene::NumericsType::strains_first ? -1 : 1;
+    // With USF the stresses are half a step ahead of the velocities.
+    constexpr double ahead = Scene::NumericsType::strains_first ? -1 : 1;
     lag = (ahead * std::exchange(ending_, 0) - fallen) / 2;
   }
   template <class F>

@@ -13,12 +13,12 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 /// Limits of a `Watch`. Past a limit the run stops, past a tenth of it comes one warning. Infinity switches a
 /// quantity off: it is not computed.
 struct WatchLimits {
-  /// Energy that nothing put in, over all that was put in (the energy there was, and the work of gravity,
-  /// loads and prescribed motions), -: the balance's residual, and dissipation that is negative, above their
-  /// lowest value at a look, so that energy that transfers took hides no gain. Without `TrackEnergy` what was
-  /// dissipated is not known: then only a gain beyond it since the first look shows, and none at the end of
-  /// a run between two looks. An elastic law stretched by 0.1, beyond the small strains that it is made for,
-  /// shows 0.03.
+  /// Energy that nothing put in, over all that was put in (the energy there was, that of points inserted, and
+  /// the work of gravity, loads and prescribed motions), -: the balance's residual, and dissipation that is
+  /// negative, above their lowest value at a look, so that energy that transfers took hides no gain. Without
+  /// `TrackEnergy` what was dissipated is not known: then only a gain beyond it since the first look shows,
+  /// and none at the end of a run between two looks. An elastic law stretched by 0.1, beyond the small strains
+  /// that it is made for, shows 0.03.
   double energy_gain = 0.1;
   /// Energy that the transfer took, over all that was put in, -. Needs `TrackEnergy`. More than 1 cannot be;
   /// the warning comes at a tenth: APIC takes 0.17 of a column of sand that collapses in cells of a tenth of

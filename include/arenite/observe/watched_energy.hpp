@@ -56,6 +56,7 @@ class WatchedEnergy {
       // What the points took with them or brought is not known, nor the work of what pulls otherwise: start
       // anew.
       pull_ = pull(scene);
+      put_in_ += now.brought - start_.brought;
       start_ = now;
       before_ = gain_;
       changes_ = changes(scene);
@@ -64,7 +65,8 @@ class WatchedEnergy {
     moved_ = std::max(moved_, std::abs(now.external - start_.external));
     if constexpr (tracks_energy<Scene>) lowest_ = std::min(lowest_, gain_);
     const auto fraction = [&](double energy) {
-      const double f = energy == 0 ? 0 : energy / std::max(put_in_ + moved_, floor_);
+      const double all = put_in_ + moved_ + now.brought - start_.brought;
+      const double f = energy == 0 ? 0 : energy / std::max(all, floor_);
       return f > 0 || std::isnan(f) ? f : 0;
     };
     return {true, fraction(gain_ - lowest_), fraction(now.transfer - start_.transfer),
@@ -75,6 +77,7 @@ class WatchedEnergy {
   void visit_state(F&& f) {
     f("start/stored", start_.stored);
     f("start/external", start_.external);
+    f("start/brought", start_.brought);
     f("start/gained", start_.gained);
     f("start/transfer", start_.transfer);
     f("start/residual", start_.residual);
@@ -85,8 +88,10 @@ class WatchedEnergy {
     f("lowest", lowest_);
     f("before", before_);
     f("held/strain", held_.strain);
+    f("held/ahead", held_.ahead);
     f("held/potential", held_.potential);
     f("held_before/strain", held_before_.strain);
+    f("held_before/ahead", held_before_.ahead);
     f("held_before/potential", held_before_.potential);
     f("held_step", held_step_);
     f("follows", follows_);
@@ -115,17 +120,20 @@ class WatchedEnergy {
     return all;
   }
 
-  /// What positions hold of the energy, J.
+  /// What positions hold of the energy, J. `ahead`: of the strain energy, where stresses are not those of the
+  /// middle of the step, as velocities are.
   struct Held {
-    double strain = 0, potential = 0;
+    double strain = 0, ahead = 0, potential = 0;
     double sum() const { return strain + potential; }
   };
   template <class Scene>
   static Held held(const Scene& scene) {
     Held h;
     const Vec<double, Scene::D> g = scene.acceleration().template cast<double>();
-    scene.for_each_body([&](const auto& body, const auto&) {
-      h.strain += strain_energy(body);
+    scene.for_each_body([&](const auto& body, const auto& field) {
+      const double strain = strain_energy(body);
+      h.strain += strain;
+      if (!field.centred) h.ahead += strain;
       h.potential -= sum_points(body, 0.0, [&](std::size_t p) {
         double along = 0;
         for (int k = 0; k < Scene::D; ++k)
@@ -136,10 +144,10 @@ class WatchedEnergy {
     return h;
   }
 
-  /// Energies, J: kinetic and strain energy; work from outside, energy that nothing put in, energy that the
-  /// transfer took and what is left of the balance since some time.
+  /// Energies, J: kinetic and strain energy; work from outside, energy of points inserted, energy that nothing
+  /// put in, energy that the transfer took and what is left of the balance since some time.
   struct Balance {
-    double stored = 0, external = 0, gained = 0, transfer = 0, residual = 0;
+    double stored = 0, external = 0, brought = 0, gained = 0, transfer = 0, residual = 0;
   };
   template <class Scene>
   Balance balance(const Scene& scene) const {
@@ -147,7 +155,7 @@ class WatchedEnergy {
     if constexpr (tracks_energy<Scene>) {
       const Energies e = energies(scene);
       b.stored = e.kinetic + e.strain + e.stored;
-      b.external = e.external + e.inserted;
+      b.external = e.external;
       // Dissipation that is negative is energy made: by a law, or in contact.
       b.transfer = e.transfer;
       b.residual = e.residual - e.lag;
@@ -165,12 +173,13 @@ class WatchedEnergy {
       // share of (frequency x step) unless the positions' part of it is taken half a step earlier, or later
       // with USF. Stresses that are centred are those of the middle already.
       if (follows_) b.gained -= (held_.potential - held_before_.potential) / 2;
-      if (follows_ && !Scene::centres_stress)
-        b.gained -= (held_.strain - held_before_.strain) / (Scene::NumericsType::strains_first ? -2 : 2);
+      if (follows_)
+        b.gained -= (held_.ahead - held_before_.ahead) / (Scene::NumericsType::strains_first ? -2 : 2);
     }
     // What the velocity gradients of points hold they give back to their velocities. With AFLIP those keep
     // their share of what is also in the gradients.
     scene.for_each_body([&](const auto& body, const auto&) {
+      b.brought += body.inserted.kinetic_energy + body.inserted.strain_energy;
       double spread = gradient_kinetic_energy<typename Scene::Shape>(scene.mesh, scene.blocks, body);
       if constexpr (requires { scene.numerics.transfer.fraction; })
         spread *= 1 - static_cast<double>(scene.numerics.transfer.fraction);
@@ -192,7 +201,7 @@ class WatchedEnergy {
   }
 
   Balance start_{};              // at the first look; without TrackEnergy: when points were last lost
-  double put_in_ = 0;            // kinetic and strain energy at the first look, J
+  double put_in_ = 0;            // kinetic and strain energy at the first look, and of points since, J
   double moved_ = 0;             // the greatest work from outside since then, J
   double floor_ = 0;             // what is less is a scene at rest, J
   double gain_ = 0;              // at the last look, J

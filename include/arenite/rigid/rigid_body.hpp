@@ -272,7 +272,7 @@ struct RigidBody {
   }
   template <class Scene, class Others = const Alone>
   double read_end(const Scene& scene, double, Others& others = no_others) {
-    return book(rest_of_dissipation<Scene::centres_stress>(touched_nodes, scene.fields), others);
+    return book(rest_of_dissipation(touched_nodes, scene.fields), others);
   }
   PartEnergy count_energy() const {
     PartEnergy e{.kinetic = kinetic_energy(), .dissipated = dissipated, .external = driving_work};

@@ -160,8 +160,15 @@ struct bodies_of<M, Extra, Bodies<F...>> {
   }
   template <class N>
   static constexpr bool take_lanes = (takes_lanes_of<N, typename body_of<M, Extra, F>::Law>() && ...);
-  template <class N>
-  static constexpr bool centres_stress = N::template centres_stress<typename body_of<M, Extra, F>::Law...>;
+  /// Whether the stresses of the bodies in a node field are taken at the middle of the step: where the laws of
+  /// all of them are linear. `Apart`: each body has a field.
+  template <class N, bool Apart>
+  static constexpr bool centres_stress(std::size_t field) {
+    if constexpr (Apart)
+      return std::array{N::template centres_stress<typename body_of<M, Extra, F>::Law>...}[field];
+    else
+      return N::template centres_stress<typename body_of<M, Extra, F>::Law...>;
+  }
 };
 
 /// What parts need together.

@@ -85,8 +85,17 @@ struct Scene {
   /// Whether nodes hold the velocity at the start of the step and the force, apart.
   static constexpr bool has_start_state = N::reads_start_state || Needs::start_state;
   using Field = NodeField<T, D, N::maps_back, Needs::mass_gradient, N::sweeps_nodes, has_start_state>;
-  /// Whether stresses are taken at the middle of the step: where all laws are linear (see `add_half_step`).
-  static constexpr bool centres_stress = BodiesOf::template centres_stress<N>;
+  /// Whether the stresses of the bodies in a node field are taken at the middle of the step: where all their
+  /// laws are linear (see `add_half_step`).
+  static constexpr bool centres_stress(std::size_t field) {
+    return BodiesOf::template centres_stress<N, Needs::own_fields>(field);
+  }
+  /// Whether those of any field are.
+  static constexpr bool centres_any_stress = [] {
+    bool any = false;
+    for (std::size_t f = 0; f < field_count; ++f) any = any || centres_stress(f);
+    return any;
+  }();
 
   /// Node field of a body.
   static constexpr std::size_t field_of(std::size_t body) { return Needs::own_fields ? body : 0; }
@@ -335,7 +344,7 @@ struct Scene {
 
   template <std::size_t... I>
   std::array<Field, field_count> make_fields(std::index_sequence<I...>) const {
-    return {((void)I, Field(Shape::node_count(mesh)))...};
+    return {Field(Shape::node_count(mesh), centres_stress(I))...};
   }
 
   template <class... F, std::size_t... I>

@@ -123,36 +123,33 @@ inline constexpr T least_mass = std::numeric_limits<T>::min() / std::numeric_lim
 
 namespace detail {
 
-/// Nodes without mass that points touch go the way of those around them (`list_massless`), in the velocities
-/// `of(field)`, and obey the constraints with `hold(field)`.
-template <class Scene, class Others, class Of, class Hold>
-void move_massless([[maybe_unused]] Scene& scene, [[maybe_unused]] Others& others,
-                   [[maybe_unused]] const Of& of, [[maybe_unused]] const Hold& hold) {
-  if constexpr (has_light_nodes<typename Scene::Shape>)
-    for (auto& field : scene.fields) {
-      if (Others::alone && field.massless.empty()) continue;
-      change_velocities(others, of(field), [&](auto to) {
-        follow_neighbours<typename Scene::Shape>(scene.mesh, field, of(field), to);
-      });
-      hold(field);
-    }
+/// Nodes without mass that points touch go the way of those around them (`list_massless`), in these velocities
+/// of the field, and obey the constraints with `hold()`.
+template <class Scene, class Others, class Velocities, class Hold>
+void move_massless([[maybe_unused]] Scene& scene, [[maybe_unused]] typename Scene::Field& field,
+                   [[maybe_unused]] Velocities& velocity, [[maybe_unused]] Others& others,
+                   [[maybe_unused]] const Hold& hold) {
+  if constexpr (has_light_nodes<typename Scene::Shape>) {
+    if (Others::alone && field.massless.empty()) return;
+    change_velocities(others, velocity, [&](auto to) {
+      follow_neighbours<typename Scene::Shape>(scene.mesh, field, velocity, to);
+    });
+    hold();
+  }
 }
 
 /// Masses and velocities of the nodes as the points hand them over at the begin of the step, constrained.
 template <class Scene, class Others>
-void find_start_velocities(Scene& scene, Others& others) {
+void find_start_velocities(Scene& scene, typename Scene::Field& field, Others& others) {
   using T = typename Scene::T;
-  for (auto& field : scene.fields) {
-    start_velocities(field, least_mass<T>);
-    if constexpr (has_light_nodes<typename Scene::Shape>)
-      list_massless(field, scene.node_owner());
-    else
-      exchange_at_faces<typename Scene::Shape>(scene.mesh, field, field.velocity, T(0));
-    allow(scene, field, field.velocity, 0);
-  }
-  move_massless(
-      scene, others, [](auto& field) -> auto& { return field.velocity; },
-      [&](auto& field) { allow(scene, field, field.velocity, 0); });
+  const auto hold = [&] { allow(scene, field, field.velocity, 0); };
+  start_velocities(field, least_mass<T>);
+  if constexpr (has_light_nodes<typename Scene::Shape>)
+    list_massless(field, scene.node_owner());
+  else
+    exchange_at_faces<typename Scene::Shape>(scene.mesh, field, field.velocity, T(0));
+  hold();
+  move_massless(scene, field, field.velocity, others, hold);
 }
 
 }  // namespace detail
@@ -161,17 +158,22 @@ void find_start_velocities(Scene& scene, Others& others) {
 /// (`add_half_step`). dt: s.
 template <class Scene, class Others = const Alone>
 void centre_stress(Scene& scene, [[maybe_unused]] double dt, [[maybe_unused]] Others& others = no_others) {
-  if constexpr (Scene::centres_stress) {
+  if constexpr (Scene::centres_any_stress) {
     using T = typename Scene::T;
-    detail::find_start_velocities(scene, others);
-    if constexpr (!Others::alone)
-      for (auto& field : scene.fields) detail::keep_owned(scene, field.collected);
+    for (auto& field : scene.fields) {
+      if (!field.centred) continue;
+      detail::find_start_velocities(scene, field, others);
+      if constexpr (!Others::alone) detail::keep_owned(scene, field.collected);
+    }
     scene.for_each_body([&](const auto& body, auto& field) {
-      add_half_step<typename Scene::Kinematics, typename Scene::Shape>(scene.mesh, scene.blocks, body, field,
-                                                                       static_cast<T>(dt / 2));
+      if constexpr (Scene::NumericsType::template centres_stress<std::remove_cvref_t<decltype(body.law)>>)
+        if (field.centred)
+          add_half_step<typename Scene::Kinematics, typename Scene::Shape>(scene.mesh, scene.blocks, body,
+                                                                           field, static_cast<T>(dt / 2));
     });
     if constexpr (!Others::alone)
-      for (auto& field : scene.fields) detail::sum_nodes(others, field.collected);
+      for (auto& field : scene.fields)
+        if (field.centred) detail::sum_nodes(others, field.collected);
   }
 }
 
@@ -215,7 +217,7 @@ void update_stress_first(Scene& scene, [[maybe_unused]] double dt,
                          [[maybe_unused]] Others& others = no_others) {
   if constexpr (Scene::NumericsType::strains_first) {
     using T = typename Scene::T;
-    detail::find_start_velocities(scene, others);
+    for (auto& field : scene.fields) detail::find_start_velocities(scene, field, others);
     scene.finite = true;
     scene.for_each_body([&](auto& body, const auto& field) {
       detail::average_strains(scene, body, field, dt, others);
@@ -302,9 +304,8 @@ void smooth_light_nodes(Scene& scene, [[maybe_unused]] double dt,
                                                             static_cast<typename Scene::T>(dt));
     if (exchanged > 0) constrain(scene, dt);
   }
-  detail::move_massless(
-      scene, others, [](auto& field) -> auto& { return field.velocity; },
-      [&](auto& field) { constrain(scene, field, dt); });
+  for (auto& field : scene.fields)
+    detail::move_massless(scene, field, field.velocity, others, [&] { constrain(scene, field, dt); });
 }
 
 /// Node sweeps of a transfer that asks for them (XPIC, FMPM): the correction of the nodes' velocities. What
@@ -339,7 +340,7 @@ void map_back(Scene& scene, [[maybe_unused]] double dt, [[maybe_unused]] Others&
         [&](auto& body, auto& field) { map_back(numerics, scene.mesh, scene.blocks, body, field); });
     for (auto& field : scene.fields) {
       if constexpr (!Others::alone) detail::sum_nodes(others, field.mapped);
-      finish_map_back<Scene::centres_stress>(numerics, field);
+      finish_map_back(numerics, field);
       if constexpr (!has_light_nodes<typename Scene::Shape>)
         exchange_at_faces<typename Scene::Shape>(scene.mesh, field, field.mapped, typename Scene::T(0));
     }
@@ -375,9 +376,9 @@ void map_back(Scene& scene, [[maybe_unused]] double dt, [[maybe_unused]] Others&
     for (auto& field : scene.fields)
       detail::allow(scene, field, field.mapped, dt, detail::taker_of_wall_holds(scene, field, dt));
     detail::for_each_exchange(scene, 1, 2, hold);
-    detail::move_massless(
-        scene, others, [](auto& field) -> auto& { return field.mapped; },
-        [&](auto& field) { detail::allow(scene, field, field.mapped, dt); });
+    for (auto& field : scene.fields)
+      detail::move_massless(scene, field, field.mapped, others,
+                            [&] { detail::allow(scene, field, field.mapped, dt); });
   }
 }
 
@@ -389,8 +390,9 @@ void g2p(Scene& scene, double dt, [[maybe_unused]] Others& others = no_others) {
   if constexpr (!N::strains_first) scene.finite = true;
   scene.for_each_body([&](auto& body, const auto& field) {
     if constexpr (!N::strains_first) detail::average_strains(scene, body, field, dt, others);
-    const G2pSums sums = g2p<typename Scene::Kinematics, Scene::Needs::stress_work>(
+    G2pSums sums = g2p<typename Scene::Kinematics, Scene::Needs::stress_work>(
         numerics, scene.mesh, body, field, static_cast<typename Scene::T>(dt), scene.average);
+    if (field.centred) sums.ending_work = 0;  // the stresses are not ahead of the velocities
     if constexpr (N::strains_first)
       detail::book_sums(scene, body, sums, body.finite);
     else

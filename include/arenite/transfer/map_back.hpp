@@ -24,9 +24,9 @@ void map_back(const N& numerics, const M& mesh, const Blocks& blocks, B& body, F
   });
 }
 
-/// Turns what was added into velocity. `Centred`: into the mean of what the points hand to the nodes at the
-/// begin and at the end of the step (see `add_half_step`).
-template <bool Centred, class N, class Field>
+/// Turns what was added into velocity; of a centred field into the mean of what the points hand to the nodes
+/// at the begin and at the end of the step (see `add_half_step`).
+template <class N, class Field>
 void finish_map_back([[maybe_unused]] const N& numerics, Field& nodes) {
   parallel_chunks(nodes.size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
@@ -41,8 +41,8 @@ void finish_map_back([[maybe_unused]] const N& numerics, Field& nodes) {
           nodes.mapped.add(i, numerics.transfer.returned_velocity(nodes, static_cast<Index>(i)));
         else
           nodes.mapped[i] += nodes.velocity[i];
+        if (nodes.centred) nodes.mapped[i] = (nodes.start[i] + nodes.mapped[i]) / 2;
       }
-      if constexpr (Centred) nodes.mapped[i] = (nodes.start[i] + nodes.mapped[i]) / 2;
     }
   });
 }

@@ -149,8 +149,9 @@ struct NodeField {
   NodeVectors<T, D> correction;     ///< [nodes if Swept] sum of the residuals of all sweeps, m/s
   NodeVectors<T, D> residual;       ///< [nodes if Swept] of the last sweep, m/s
   NodeVectors<T, D> given;          ///< [nodes if Swept] what points hand back in a sweep, kg m/s
+  bool centred;  ///< whether what is mapped is the mean over the step (see `add_half_step`)
 
-  explicit NodeField(Index nodes)
+  explicit NodeField(Index nodes, bool is_centred = false)
       : collected(nodes),
         mass(nodes, T(0)),
         start(nodes, Vec<T, D>::Zero()),
@@ -159,7 +160,8 @@ struct NodeField {
         mass_gradient(Gradient ? nodes : 0, Vec<T, D>::Zero()),
         correction(Swept ? nodes : 0, Vec<T, D>::Zero()),
         residual(correction),
-        given(correction) {}
+        given(correction),
+        centred(is_centred) {}
 
   std::size_t size() const { return mass.size(); }
 
@@ -182,13 +184,10 @@ struct NodeField {
   }
   /// Mean over the step of the velocity of node i, m/s: impulses times it are work. Of the velocity at the
   /// begin and of that which strains, known once it is mapped back and until something holds it (`read_end`).
-  /// `Centred`: what is mapped is that mean.
-  template <bool Centred>
   Vec<T, D> mean_velocity(std::size_t i) const {
-    if constexpr (Centred)
-      return mapped[i];
-    else
-      return (start[i] + strain_velocity()[i]) / 2;
+    if constexpr (Mapped)
+      if (centred) return mapped[i];
+    return (start[i] + strain_velocity()[i]) / 2;
   }
 
   std::size_t bytes() const {

@@ -1,7 +1,6 @@
 // Reactions: what each wall gives to the matter.
 #pragma once
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <string>
 #include <string_view>
@@ -26,6 +25,14 @@ struct Reaction {
   Vec<T, D> force;    ///< mean of the last step, N
   Vec<T, D> impulse;  ///< since the start, N s
 };
+
+namespace detail {
+
+/// Rows, as many as directions are blocked: the share of an impulse on a node along each of them, as the walls named them.
+template <int D>
+Mat<double, D> shares_along(const Blocked<D>& blocked);
+
+}  // namespace detail
 
 /// The impulse on a node is divided among the walls there: each gives along the directions that it blocks.
 /// What several block goes to the first of them; walls that stand askew each give along their own normals.
@@ -54,10 +61,13 @@ class BoundReactions {
     for (Index i = 0; i < nodes.size(); ++i) {
       const auto& blocked = nodes.blocked(i);
       if (blocked.count == 0) continue;
-      Share share{blocked.count, blocked.named.template cast<T>(), {}, blocked.part};
-      const auto named = blocked.named.leftCols(blocked.count).eval();
-      share.along.topRows(blocked.count) =
-          named.colPivHouseholderQr().solve(Mat<double, D>::Identity()).template cast<T>();
+      const Mat<double, D> along = detail::shares_along(blocked);
+      Share share{static_cast<int>(blocked.count), {}, {}, blocked.part};
+      for (int k = 0; k < share.count; ++k)
+        for (int d = 0; d < D; ++d) {
+          share.named(d, k) = static_cast<T>(blocked.named[static_cast<std::size_t>(k)][d]);
+          share.along(k, d) = static_cast<T>(along(k, d));
+        }
       place_[i] = static_cast<Index>(shares_.size());
       shares_.push_back(share);
     }
@@ -154,3 +164,7 @@ auto reaction(const Scene& scene, std::string_view wall, [[maybe_unused]] Others
 }
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET
+
+#ifndef ARENITE_COLD_LIBRARY
+#include <arenite/boundary/reactions_cold.hpp>
+#endif

@@ -10,6 +10,7 @@
 #include <arenite/observe/progress_cold.hpp>
 #include <arenite/observe/vtu_cold.hpp>
 #include <arenite/observe/watch_cold.hpp>
+#include <arenite/rigid/try_distance_cold.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 

@@ -32,6 +32,11 @@ namespace detail {
 template <int D>
 Mat<double, D> shares_along(const Blocked<D>& blocked);
 
+/// Where a name stands in a list, which takes it if it is new.
+std::size_t number_of_name(std::vector<std::string>& names, std::string_view name);
+/// The same of a wall's name that must be there. Throws `error` that names all walls if it is not.
+std::size_t number_of_wall(const std::vector<std::string>& names, std::string_view wall);
+
 }  // namespace detail
 
 /// The impulse on a node is divided among the walls there: each gives along the directions that it blocks.
@@ -93,7 +98,7 @@ class BoundReactions {
       }
     });
     for (std::size_t k = 0; k < now_.size(); ++k) impulse_[k] += last_[k] = now_[k];
-    std::ranges::fill(now_, 0);
+    std::fill(now_.begin(), now_.end(), 0);
   }
   template <class F>
   void visit_state(F&& f) {
@@ -106,10 +111,7 @@ class BoundReactions {
   /// Impulses of a wall in the last step and since the start, N s. Throws `error` that names all walls if
   /// there is none of that name.
   std::pair<V, V> impulses(std::string_view wall) const {
-    const auto at = static_cast<std::size_t>(std::ranges::find(names_, wall) - names_.begin());
-    std::string known;
-    for (const auto& name : names_) known += (known.empty() ? "" : ", ") + name;
-    require(at < names_.size(), "reaction: wall", wall, {"must be one of: ", known});
+    const std::size_t at = detail::number_of_wall(names_, wall);
     std::pair<V, V> both;
     for (std::size_t d = 0; d < dim; ++d) {
       both.first[static_cast<int>(d)] = static_cast<T>(last_[at * dim + d]);
@@ -127,11 +129,7 @@ class BoundReactions {
     std::array<std::size_t, dim> wall;  // that blocks each
   };
 
-  std::size_t number_of(const std::string& name) {
-    const auto at = static_cast<std::size_t>(std::ranges::find(names_, name) - names_.begin());
-    if (at == names_.size()) names_.push_back(name);
-    return at;
-  }
+  std::size_t number_of(const std::string& name) { return detail::number_of_name(names_, name); }
   template <class Part>
   static std::string name_of(const Part& part, std::size_t number) {
     if constexpr (requires { std::string(part.name); })

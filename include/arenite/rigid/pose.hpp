@@ -110,7 +110,13 @@ class Orientation {
  private:
   void set(const Quaternion& q) { parts_ = Parts(q.w(), q.x(), q.y(), q.z()).normalized(); }
 
-  Parts parts_ = (D == 3) * Parts::Unit(0);
+  static Parts start() {
+    Parts parts = Parts::Zero();
+    if (D == 3) parts[0] = 1;
+    return parts;
+  }
+
+  Parts parts_ = start();
 };
 
 /// Where a body is now, for its surface: the body's own frame is that of the scene at the start.

@@ -3,11 +3,14 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <limits>
+#include <string>
 #include <utility>
 #include <vector>
 
 #include <arenite/core/alone.hpp>
+#include <arenite/core/cold.hpp>
 #include <arenite/core/error.hpp>
 #include <arenite/mesh/mesh.hpp>
 #include <arenite/shape/shape.hpp>
@@ -36,68 +39,27 @@ namespace detail {
 /// Blocked directions at a node: as they were named, and as an orthonormal set.
 template <int D>
 struct Blocked {
-  Mat<double, D> named = Mat<double, D>::Zero(), directions = named;  // columns
-  std::array<std::size_t, static_cast<std::size_t>(D)> part{};        // that named each
-  int count = 0;
+  static constexpr auto most = static_cast<std::size_t>(D);
+  std::array<Vec<double, D>, most> named, directions;  // the first `count`
+  std::array<std::size_t, most> part{};                // that named each
+  std::size_t count = 0;
 
-  void add(Vec<double, D> n, std::size_t by) {
-    n.normalize();
-    const Vec<double, D> name = n;
-    for (int pass = 0; pass < 2; ++pass)
-      for (int k = 0; k < count; ++k) n -= directions.col(k).dot(n) * directions.col(k);
-    if (count == D || !(n.norm() > 1e-6)) return;
-    named.col(count) = name;
-    part[static_cast<std::size_t>(count)] = by;
-    directions.col(count++) = n.normalized();
-  }
-  Mat<double, D> projector() const {
-    if (count == D) return Mat<double, D>::Zero();
-    Mat<double, D> p;
-    for (int i = 0; i < D; ++i)
-      for (int j = 0; j < D; ++j) {
-        double blocked = 0;
-        for (int k = 0; k < count; ++k) blocked += directions(i, k) * directions(j, k);
-        p(i, j) = (i == j ? 1 : 0) - blocked;
-      }
-    return p;
-  }
+  void add(Vec<double, D> n, std::size_t by);
+  Mat<double, D> projector() const;
   /// Takes a part's velocity u to the one blocked velocity w with n . w = n . u along what the part named and
   /// n . w = 0 along what others did.
-  Mat<double, D> lift(std::size_t of) const {
-    Mat<double, D> along = Mat<double, D>::Zero();  // rows: w's share of each direction, linear in u
-    for (int k = 0; k < count; ++k) {
-      if (part[static_cast<std::size_t>(k)] == of) along.row(k) = named.col(k).transpose();
-      for (int j = 0; j < k; ++j) along.row(k) -= named.col(k).dot(directions.col(j)) * along.row(j);
-      along.row(k) /= named.col(k).dot(directions.col(k));
-    }
-    return directions * along;
-  }
+  Mat<double, D> lift(std::size_t of) const;
 };
 
 }  // namespace detail
 
-/// The nodes of a mesh, to which parts add what they block.
-template <class Shape, class M>
-class NodeConstraints {
+/// The nodes of a mesh, whatever it is, to which parts add what they block.
+template <int D>
+class BoundaryNodes {
  public:
-  using T = typename M::scalar;
-  static constexpr int D = M::dimension;
   using V = Vec<double, D>;
-
-  explicit NodeConstraints(const M& mesh)
-      : mesh_{mesh}, position_(Shape::node_count(mesh)), blocked_(position_.size()) {
-    for (Index i = 0; i < size(); ++i) {
-      position_[i] = Shape::node_position(mesh, i).template cast<double>();
-      if (!is_used(i)) continue;
-      lower_ = lower_.cwiseMin(position_[i]);
-      upper_ = upper_.cwiseMax(position_[i]);
-    }
-    if constexpr (!is_simplex_mesh<M>)  // a shape function may have nodes beyond the faces
-      for (int k = 0; k < D; ++k) {
-        lower_[k] = static_cast<double>(mesh.lower()[k]);
-        upper_[k] = static_cast<double>(mesh.upper(k));
-      }
-  }
+  /// A named set of nodes of a mesh. Throws `error` if there is none of that name.
+  using NodeSet = const std::vector<Index>& (*)(const void* mesh, const std::string& name);
 
   /// The mesh is a part of a larger one, with the corners of the box around that.
   void set_whole(const V& lower, const V& upper) {
@@ -108,57 +70,106 @@ class NodeConstraints {
   /// Whether it is: a wall may then catch no node.
   bool is_part() const { return is_part_; }
 
-  const M& mesh() const { return mesh_; }
   Index size() const { return static_cast<Index>(position_.size()); }
   /// Whether a cell has node i: a mesher may leave nodes without cells behind.
-  bool is_used([[maybe_unused]] Index i) const {
-    if constexpr (is_simplex_mesh<M>) return !mesh_.cells_at(i).empty();
-    return true;
-  }
+  bool is_used(Index i) const { return used_.empty() || used_[i] != 0; }
   const V& position(Index i) const { return position_[i]; }  ///< m
   const V& lower() const { return lower_; }  ///< corners of the grid, or of the box around the used nodes, m
   const V& upper() const { return upper_; }
   /// Positions closer than this count as equal, m.
-  double near() const {
-    return 1e3 * static_cast<double>(std::numeric_limits<T>::epsilon()) * (upper_ - lower_).norm();
+  double near() const;
+  /// Whether the mesh has no faces across an axis.
+  bool is_periodic(int axis) const { return ((periodic_axes_ >> axis) & 1) != 0; }
+  /// The nodes of a named set; null if the mesh is a grid, which has none.
+  const std::vector<Index>* node_set(const std::string& name) const {
+    return node_set_ != nullptr ? &node_set_(mesh_, name) : nullptr;
   }
 
   /// Blocks the velocity of node i along a direction of any length.
   void block(Index i, const V& direction) { blocked_[i].add(direction, part_); }
+  /// What is blocked at node i.
+  const detail::Blocked<D>& blocked(Index i) const { return blocked_[i]; }
+
+ protected:
+  explicit BoundaryNodes(const void* mesh, Index count, double epsilon);
+  /// Box around the used nodes.
+  void find_box();
+
+  const void* mesh_;
+  NodeSet node_set_ = nullptr;
+  double epsilon_;  // of the mesh's scalar
+  int periodic_axes_ = 0;
+  std::vector<V> position_;
+  std::vector<char> used_;  // empty: all are
+  std::vector<detail::Blocked<D>> blocked_;
+  V lower_, upper_;
+  std::size_t part_ = 0;
+  bool is_part_ = false;
+};
+
+/// The nodes of a mesh.
+template <class Shape, class M>
+class NodeConstraints : public BoundaryNodes<M::dimension> {
+  using Base = BoundaryNodes<M::dimension>;
+
+ public:
+  using T = typename M::scalar;
+  static constexpr int D = M::dimension;
+  using V = Vec<double, D>;
+
+  explicit NodeConstraints(const M& mesh)
+      : Base(&mesh, Shape::node_count(mesh), static_cast<double>(std::numeric_limits<T>::epsilon())) {
+    for (Index i = 0; i < this->size(); ++i) {
+      const auto x = Shape::node_position(mesh, i);
+      for (int k = 0; k < D; ++k) this->position_[i][k] = static_cast<double>(x[k]);
+    }
+    if constexpr (is_simplex_mesh<M>) {
+      this->used_.resize(this->size());
+      for (Index i = 0; i < this->size(); ++i) this->used_[i] = !mesh.cells_at(i).empty();
+      this->find_box();
+      this->node_set_ = [](const void* from, const std::string& name) -> const std::vector<Index>& {
+        return static_cast<const M*>(from)->node_set(name);
+      };
+    } else {  // a shape function may have nodes beyond the faces
+      for (int k = 0; k < D; ++k) {
+        this->lower_[k] = static_cast<double>(mesh.lower()[k]);
+        this->upper_[k] = static_cast<double>(mesh.upper(k));
+        this->periodic_axes_ |= arenite::is_periodic<M>(k) ? 1 << k : 0;
+      }
+    }
+  }
+
+  const M& mesh() const { return *static_cast<const M*>(this->mesh_); }
 
   /// Calls `constrain` of part number k.
   template <class Part>
   void add(const Part& part, std::size_t k = 0) {
-    part_ = k;
+    this->part_ = k;
     part.constrain(*this);
   }
-
-  /// What is blocked at node i.
-  const detail::Blocked<D>& blocked(Index i) const { return blocked_[i]; }
 
   /// The constrained nodes, ascending.
   std::vector<Constraint<T, D>> constraints() const {
     std::vector<Constraint<T, D>> all;
-    for (Index i = 0; i < size(); ++i)
-      if (blocked_[i].count > 0) all.push_back({i, blocked_[i].projector().template cast<T>()});
+    for (Index i = 0; i < this->size(); ++i)
+      if (this->blocked_[i].count > 0) all.push_back({i, rounded(this->blocked_[i].projector())});
     return all;
   }
   /// The nodes that part number k moves, ascending.
   std::vector<Drive<T, D>> drives(std::size_t k) const {
     std::vector<Drive<T, D>> all;
-    for (Index i = 0; i < size(); ++i)
-      if (const Mat<double, D> lift = blocked_[i].lift(k); lift.norm() > 0)
-        all.push_back({i, k, lift.template cast<T>()});
+    for (Index i = 0; i < this->size(); ++i)
+      if (const Mat<double, D> lift = this->blocked_[i].lift(k); lift.norm() > 0)
+        all.push_back({i, k, rounded(lift)});
     return all;
   }
 
  private:
-  const M& mesh_;
-  std::vector<V> position_;
-  std::vector<detail::Blocked<D>> blocked_;
-  V lower_ = V::Constant(std::numeric_limits<double>::infinity()), upper_ = -lower_;
-  std::size_t part_ = 0;
-  bool is_part_ = false;
+  static Mat<T, D> rounded(const Mat<double, D>& m) {
+    Mat<T, D> to;
+    for (int k = 0; k < D * D; ++k) to.data()[k] = static_cast<T>(m.data()[k]);
+    return to;
+  }
 };
 
 /// What parts (`Walls`, kinematics, ..) block on a mesh, as constrained nodes, ascending.
@@ -217,3 +228,7 @@ std::pair<Vec<T, D>, double> constrain(const std::vector<Constraint<T, D>>& cons
 }
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET
+
+#ifndef ARENITE_COLD_LIBRARY
+#include <arenite/boundary/constraints_cold.hpp>
+#endif

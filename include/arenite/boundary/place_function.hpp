@@ -95,7 +95,7 @@ namespace detail {
 [[noreturn]] inline void refuse_value(std::string_view name, const std::string& place, double time,
                                       const std::string& value, std::string_view rule) {
   throw run_error(joined_text({"t = ", time, " s: ", name, place.empty() ? "" : " at ", place,
-                              place.empty() ? "" : " m", " = ", value, ": ", rule}));
+                               place.empty() ? "" : " m", " = ", value, ": ", rule}));
 }
 
 }  // namespace detail
@@ -106,8 +106,12 @@ template <class T, int D>
 Vec<T, D> value_at(const VectorFunction& f, const Vec<T, D>& position, double time, std::string_view name) {
   const Triple v = f(in_space(position), time);
   Vec<double, D> out;
-  for (std::size_t k = 0; k < D; ++k) out[static_cast<int>(k)] = v[k];
-  if (!out.allFinite())
+  bool finite = true;
+  for (std::size_t k = 0; k < D; ++k) {
+    out[static_cast<int>(k)] = v[k];
+    finite = finite && std::isfinite(v[k]);
+  }
+  if (!finite)
     detail::refuse_value(name, f.is_uniform() ? "" : vector_text(position), time, vector_text(out),
                          "must be finite");
   if (D == 2 && v[2] != 0)

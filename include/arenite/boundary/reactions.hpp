@@ -1,7 +1,6 @@
 // Reactions: what each wall gives to the matter.
 #pragma once
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <string>
 #include <string_view>
@@ -26,6 +25,19 @@ struct Reaction {
   Vec<T, D> force;    ///< mean of the last step, N
   Vec<T, D> impulse;  ///< since the start, N s
 };
+
+namespace detail {
+
+/// Rows, as many as directions are blocked: the share of an impulse on a node along each of them, as the walls named them.
+template <int D>
+Mat<double, D> shares_along(const Blocked<D>& blocked);
+
+/// Where a name stands in a list, which takes it if it is new.
+std::size_t number_of_name(std::vector<std::string>& names, std::string_view name);
+/// The same of a wall's name that must be there. Throws `error` that names all walls if it is not.
+std::size_t number_of_wall(const std::vector<std::string>& names, std::string_view wall);
+
+}  // namespace detail
 
 /// The impulse on a node is divided among the walls there: each gives along the directions that it blocks.
 /// What several block goes to the first of them; walls that stand askew each give along their own normals.
@@ -54,10 +66,13 @@ class BoundReactions {
     for (Index i = 0; i < nodes.size(); ++i) {
       const auto& blocked = nodes.blocked(i);
       if (blocked.count == 0) continue;
-      Share share{blocked.count, blocked.named.template cast<T>(), {}, blocked.part};
-      const auto named = blocked.named.leftCols(blocked.count).eval();
-      share.along.topRows(blocked.count) =
-          named.colPivHouseholderQr().solve(Mat<double, D>::Identity()).template cast<T>();
+      const Mat<double, D> along = detail::shares_along(blocked);
+      Share share{static_cast<int>(blocked.count), {}, {}, blocked.part};
+      for (int k = 0; k < share.count; ++k)
+        for (int d = 0; d < D; ++d) {
+          share.named(d, k) = static_cast<T>(blocked.named[static_cast<std::size_t>(k)][d]);
+          share.along(k, d) = static_cast<T>(along(k, d));
+        }
       place_[i] = static_cast<Index>(shares_.size());
       shares_.push_back(share);
     }
@@ -83,7 +98,7 @@ class BoundReactions {
       }
     });
     for (std::size_t k = 0; k < now_.size(); ++k) impulse_[k] += last_[k] = now_[k];
-    std::ranges::fill(now_, 0);
+    std::fill(now_.begin(), now_.end(), 0);
   }
   template <class F>
   void visit_state(F&& f) {
@@ -96,10 +111,7 @@ class BoundReactions {
   /// Impulses of a wall in the last step and since the start, N s. Throws `error` that names all walls if
   /// there is none of that name.
   std::pair<V, V> impulses(std::string_view wall) const {
-    const auto at = static_cast<std::size_t>(std::ranges::find(names_, wall) - names_.begin());
-    std::string known;
-    for (const auto& name : names_) known += (known.empty() ? "" : ", ") + name;
-    require(at < names_.size(), "reaction: wall", wall, {"must be one of: ", known});
+    const std::size_t at = detail::number_of_wall(names_, wall);
     std::pair<V, V> both;
     for (std::size_t d = 0; d < dim; ++d) {
       both.first[static_cast<int>(d)] = static_cast<T>(last_[at * dim + d]);
@@ -117,11 +129,7 @@ class BoundReactions {
     std::array<std::size_t, dim> wall;  // that blocks each
   };
 
-  std::size_t number_of(const std::string& name) {
-    const auto at = static_cast<std::size_t>(std::ranges::find(names_, name) - names_.begin());
-    if (at == names_.size()) names_.push_back(name);
-    return at;
-  }
+  std::size_t number_of(const std::string& name) { return detail::number_of_name(names_, name); }
   template <class Part>
   static std::string name_of(const Part& part, std::size_t number) {
     if constexpr (requires { std::string(part.name); })
@@ -154,3 +162,7 @@ auto reaction(const Scene& scene, std::string_view wall, [[maybe_unused]] Others
 }
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET
+
+#ifndef ARENITE_COLD_LIBRARY
+#include <arenite/boundary/reactions_cold.hpp>
+#endif

@@ -80,68 +80,13 @@ struct Walls {
   std::vector<Wall> list;
 
   const std::vector<Wall>& walls_here() const { return list; }
-  template <class Shape, class M>
-  void constrain(NodeConstraints<Shape, M>& nodes) const {
-    for (const Wall& wall : list) catch_nodes(wall, nodes);
-  }
+  template <int D>
+  void constrain(BoundaryNodes<D>& nodes) const;
 
   /// What can be said of a wall in D dimensions without a mesh. Returns the direction that its condition
   /// names; zero if it names none.
   template <int D>
-  static Vec<double, D> check(const Wall& wall) {
-    using Kind = Condition::Kind;
-    const Condition& c = wall.condition;
-    require(wall.axis < D, "Wall.axis", wall.axis, "must be an axis of the scene");
-    require(wall.axis >= 0 || c.kind != Kind::face_normal, "Wall.condition", "roller",
-            "needs a face (left, right, ..); elsewhere name the plane: symmetry(normal)");
-    require(wall.axis >= 0 || !wall.set.empty() || wall.test, "Wall.set", wall.set,
-            "must name a node set (or the wall a face or a test)");
-    if (c.kind != Kind::normal && c.kind != Kind::all_but) return Vec<double, D>::Zero();
-    return direction_argument<double, D>(c.kind == Kind::normal ? "symmetry.normal" : "free_along.axis",
-                                         c.direction);
-  }
-
- private:
-  template <class Shape, class M>
-  static void catch_nodes(const Wall& wall, NodeConstraints<Shape, M>& nodes) {
-    constexpr int D = M::dimension;
-    using V = Vec<double, D>;
-    using Kind = Condition::Kind;
-    const Condition& c = wall.condition;
-    require(wall.axis < 0 || !is_periodic<M>(wall.axis), "Wall.axis", wall.axis,
-            "is periodic: the mesh has no face there");
-    const V direction = check<D>(wall);
-    Index caught = 0;
-    const auto take = [&](Index i) {
-      for (int k = 0; k < D; ++k)
-        if (c.kind == Kind::all || (c.kind == Kind::face_normal && k == wall.axis) ||
-            (c.kind == Kind::all_but && direction[k] == 0))
-          nodes.block(i, V::Unit(k));
-      if (c.kind == Kind::normal) nodes.block(i, direction);
-      ++caught;
-    };
-    if (!wall.set.empty()) {
-      if constexpr (is_simplex_mesh<M>) {
-        for (const Index i : nodes.mesh().node_set(wall.set)) take(i);
-      } else {
-        throw error(joined_text({"Wall.set = ", wall.set,
-                                ": a Cartesian grid has no node sets; use faces or where(test)"}));
-      }
-    } else {
-      for (Index i = 0; i < nodes.size(); ++i) {
-        if (!nodes.is_used(i)) continue;
-        const V& x = nodes.position(i);
-        if (wall.axis >= 0) {
-          const double face = (wall.upper ? nodes.upper() : nodes.lower())[wall.axis];
-          if (std::abs(x[wall.axis] - face) <= nodes.near()) take(i);
-        } else {
-          if (wall.test(in_space(x))) take(i);
-        }
-      }
-    }
-    require(caught > 0 || nodes.is_part(), "Wall.nodes", caught,
-            "the wall must catch at least one node of the mesh");
-  }
+  static Vec<double, D> check(const Wall& wall);
 };
 /// `walls(bottom(fixed), left(roller), ..)`
 template <std::same_as<Wall>... W>
@@ -158,3 +103,7 @@ requires(!(std::same_as<W, Wall> && ...)) Walls walls(W...) {
 }
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET
+
+#ifndef ARENITE_COLD_LIBRARY
+#include <arenite/boundary/walls_cold.hpp>
+#endif

@@ -56,8 +56,9 @@ double rest_of_dissipation(const Touched& touched, const Fields& fields) {
   for (const auto& t : touched) {
     if (t.impulse.squaredNorm() == 0) continue;
     const auto& field = fields[t.field];
-    dissipation -=
-        static_cast<double>(t.impulse.dot(field.mean_velocity(t.node) - (field.start[t.node] + t.after) / 2));
+    auto off = field.mean_velocity(t.node);
+    for (int k = 0; k < off.size(); ++k) off[k] -= (field.start[t.node][k] + t.after[k]) / 2;
+    dissipation -= static_cast<double>(t.impulse.dot(off));
   }
   return dissipation;
 }

@@ -58,17 +58,23 @@ class Placed {
 
  private:
   std::array<double, 3> moved(const std::array<double, 3>& x) const {
-    const Vec<double, 3> y = turn_ * Vec<double, 3>(x[0], x[1], x[2]) + at_;
+    const auto y = moved(Vec<double, 3>(x[0], x[1], x[2]), turn_);
     return {y[0], y[1], y[2]};
   }
+  // Templates over the scalar, so that only programs that place a shape instantiate these expressions.
+  template <class Real>
+  Vec<Real, 3> moved(const Vec<Real, 3>& x, const Mat<Real, 3>& turn) const {
+    return turn * x + at_;
+  }
   /// Rodrigues' formula.
-  static Mat<double, 3> rotation(const Vec<double, 3>& vector) {
-    const double angle = vector.norm();
-    if (angle == 0) return Mat<double, 3>::Identity();
-    const Vec<double, 3> n = vector / angle;
-    Mat<double, 3> cross;
+  template <class Real>
+  static Mat<Real, 3> rotation(const Vec<Real, 3>& vector) {
+    const Real angle = vector.norm();
+    if (angle == 0) return Mat<Real, 3>::Identity();
+    const Vec<Real, 3> n = vector / angle;
+    Mat<Real, 3> cross;
     cross << 0, -n[2], n[1], n[2], 0, -n[0], -n[1], n[0], 0;
-    return Mat<double, 3>::Identity() + std::sin(angle) * cross + (1 - std::cos(angle)) * cross * cross;
+    return Mat<Real, 3>::Identity() + std::sin(angle) * cross + (1 - std::cos(angle)) * cross * cross;
   }
 
   template <int D>

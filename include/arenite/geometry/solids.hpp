@@ -166,7 +166,7 @@ template <std::size_t D>
 class Cylinder {
  public:
   static_assert(D == 3, "Cylinder: a and b are {x, y, z}; in the plane take a Box, or a Capsule");
-  using Place = Vec<double, 3>;
+  using Place = Vec<double, static_cast<int>(D)>;
 
   /// Throws `error` unless the ends are finite and apart, and the radius positive.
   Cylinder(const std::array<double, D>& a, const std::array<double, D>& b, double radius) : radius_{radius} {

@@ -4,28 +4,19 @@
 // be reached by links. Also what all writers share: numbers as text, and the message of a failed write.
 #pragma once
 
-#include <array>
 #include <bit>
 #include <cerrno>
-#include <charconv>
-#include <cmath>
 #include <cstdint>
 #include <cstdio>
 #include <filesystem>
+#include <functional>
+#include <iosfwd>
 #include <memory>
-#include <ostream>
-#include <streambuf>
 #include <string>
 #include <string_view>
 #include <system_error>
 
 #include <arenite/core/error.hpp>
-
-#if __has_include(<unistd.h>) && __has_include(<fcntl.h>)
-#include <fcntl.h>
-#include <sys/stat.h>
-#include <unistd.h>
-#endif
 
 namespace arenite {  // one for all instruction sets, as all errors
 
@@ -53,12 +44,7 @@ class output_error : public error {
 namespace arenite::inline ARENITE_INSTRUCTION_SET::shared_detail {
 
 /// Throws "output = path: what (reason of the operating system)".
-[[noreturn]] inline void fail_output(const std::filesystem::path& path, std::string_view what, int reason) {
-  throw output_error(
-      joined_text({"output = ", path.string(), ": ", what, " (",
-                  reason != 0 ? std::generic_category().message(reason) : "unknown reason", ")"}),
-      reason);
-}
+[[noreturn]] void fail_output(const std::filesystem::path& path, std::string_view what, int reason);
 
 /// How far a new file must have come before it takes the place of the old one.
 enum class Sync {
@@ -74,199 +60,42 @@ using FileHandle = std::unique_ptr<std::FILE, CloseFile>;
 
 /// Throws `output_error` if something stands at `path` that is neither a regular file nor a symbolic link: a
 /// file that is written takes the place of those alone.
-inline void check_place(const std::filesystem::path& path) {
-  std::error_code status;
-  const auto there = std::filesystem::symlink_status(path, status);
-  if (!std::filesystem::exists(there) || std::filesystem::is_regular_file(there) ||
-      std::filesystem::is_symlink(there))
-    return;
-  const bool folder = std::filesystem::is_directory(there);
-  throw output_error(
-      joined_text({"output = ", path.string(), ": is ", folder ? "a folder" : "a device, pipe or socket",
-                  "; must be a regular file, a link, or nothing"}),
-      static_cast<int>(folder ? std::errc::is_a_directory : std::errc::invalid_argument));
-}
+void check_place(const std::filesystem::path& path);
 
 /// Makes a file; what stood at its name, a file or a link, is removed, not written to. Throws `output_error`
 /// that names `shown`.
-inline FileHandle make_file(const std::filesystem::path& path, const std::filesystem::path& shown) {
-  check_place(path);
-  std::error_code status;
-  std::filesystem::remove(path, status);
-  errno = 0;
-  FileHandle file{std::fopen(path.string().c_str(), "wbx")};  // x: the file must not be there, nor a link
-  if (!file)
-    fail_output(shown, "cannot be opened for writing; does the folder exist, and may you write there?",
-                status ? status.value() : errno);
-  return file;
-}
+FileHandle make_file(const std::filesystem::path& path, const std::filesystem::path& shown);
 
 /// Opens a file that is there to read and write it. Throws `output_error` if it is no regular file; a link is
 /// none.
-inline FileHandle open_to_change(const std::filesystem::path& path) {
-  errno = 0;
-#if __has_include(<unistd.h>) && __has_include(<fcntl.h>)
-  const int number = ::open(path.c_str(), O_RDWR | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK);
-  struct stat found {};
-  const bool regular = number >= 0 && ::fstat(number, &found) == 0 && S_ISREG(found.st_mode);
-  FileHandle file{regular ? ::fdopen(number, "r+b") : nullptr};
-  if (number >= 0 && !file) ::close(number);
-#else
-  const bool regular = std::filesystem::is_regular_file(std::filesystem::symlink_status(path));
-  FileHandle file{regular ? std::fopen(path.string().c_str(), "r+b") : nullptr};
-#endif
-  if (!file)
-    fail_output(path, "cannot be opened for writing; must be a regular file, and no link",
-                errno != 0 ? errno : static_cast<int>(std::errc::invalid_argument));
-  return file;
-}
+FileHandle open_to_change(const std::filesystem::path& path);
 
 /// Cuts a file to its first bytes. Returns the operating system's number for the reason if it cannot, else 0.
-inline int cut_file([[maybe_unused]] std::FILE* file, [[maybe_unused]] const std::filesystem::path& path,
-                    std::uintmax_t bytes) {
-#if __has_include(<unistd.h>) && __has_include(<fcntl.h>)
-  return ::ftruncate(::fileno(file), static_cast<::off_t>(bytes)) == 0 ? 0 : errno;
-#else
-  std::error_code status;
-  std::filesystem::resize_file(path, bytes, status);
-  return status.value();
-#endif
-}
+int cut_file(std::FILE* file, const std::filesystem::path& path, std::uintmax_t bytes);
 
 /// Waits until a file is on the disk. Returns the operating system's number for the reason if it cannot be
 /// written, else 0; where the system does not tell, 0.
-inline int sync_to_disk([[maybe_unused]] std::FILE* file) {
-#if __has_include(<unistd.h>) && __has_include(<fcntl.h>)
-  const int reason = ::fsync(::fileno(file)) == 0 ? 0 : errno;
-  return reason == EINVAL || reason == EROFS ? 0 : reason;  // no such thing there
-#else
-  return 0;
-#endif
-}
+int sync_to_disk(std::FILE* file);
 
 /// Waits until the entries of a folder are on the disk, as far as the system does.
-inline void sync_folder([[maybe_unused]] const std::filesystem::path& folder) {
-#if __has_include(<unistd.h>) && __has_include(<fcntl.h>)
-  const int number = ::open(folder.c_str(), O_RDONLY | O_CLOEXEC | O_DIRECTORY);
-  if (number < 0) return;
-  [[maybe_unused]] const int ignored = ::fsync(number);
-  ::close(number);
-#endif
-}
+void sync_folder(const std::filesystem::path& folder);
 
 /// Makes a file longer by bytes that the disk then has (POSIX). Returns the operating system's number for the
 /// reason if it has not, with the file as it was, else 0; where the system cannot tell, 0.
-inline int reserve_on_disk([[maybe_unused]] const std::filesystem::path& path,
-                           [[maybe_unused]] std::uintmax_t bytes) {
-#if __has_include(<unistd.h>) && __has_include(<fcntl.h>)
-  const FileHandle file = open_to_change(path);
-  const int number = ::fileno(file.get());
-  const ::off_t size = ::lseek(number, 0, SEEK_END);
-  int reason = ::posix_fallocate(number, size, static_cast<::off_t>(bytes));
-  if (reason == EOPNOTSUPP || reason == EINVAL || reason == ENODEV) reason = 0;
-  if (reason != 0 && ::ftruncate(number, size) != 0) reason = errno;
-  return reason;
-#else
-  return 0;
-#endif
-}
-
-/// What a stream writes goes to an open file.
-class FileBuffer : public std::streambuf {
- public:
-  explicit FileBuffer(std::FILE* file) : file_{file} {}
-
- protected:
-  int_type overflow(int_type c) override {
-    if (traits_type::eq_int_type(c, traits_type::eof())) return traits_type::not_eof(c);
-    return std::fputc(c, file_) == EOF ? traits_type::eof() : c;
-  }
-  std::streamsize xsputn(const char* text, std::streamsize bytes) override {
-    return static_cast<std::streamsize>(std::fwrite(text, 1, static_cast<std::size_t>(bytes), file_));
-  }
-
- private:
-  std::FILE* file_;
-};
+int reserve_on_disk(const std::filesystem::path& path, std::uintmax_t bytes);
 
 /// Calls `write(std::ostream&)` on "path.part" and renames it to `path`, so that `path` is at any time
 /// absent, the old file, or the new one; a link at either name is replaced. The folder must exist. Throws
 /// `output_error` if it cannot be written; "path.part" is gone then.
-template <class Write>
-void replace_file(const std::filesystem::path& path, Write&& write, Sync sync = Sync::none) {
-  check_place(path);
-  std::filesystem::path part = path;
-  part += ".part";
-  FileHandle file = make_file(part, path);
-  std::setvbuf(file.get(), nullptr, _IOFBF, std::size_t{1} << 16);
-  const auto discard = [&] {
-    std::error_code ignored;
-    file.reset();
-    std::filesystem::remove(part, ignored);
-  };
-  bool written = false;
-  try {
-    FileBuffer buffer(file.get());
-    std::ostream out(&buffer);
-    errno = 0;
-    write(out);
-    written = out.good() && std::fflush(file.get()) == 0;
-  } catch (...) {
-    discard();
-    throw;
-  }
-  int reason = written ? 0 : errno;
-  if (written && sync == Sync::disk) reason = sync_to_disk(file.get());
-  if (!written || reason != 0) {
-    discard();
-    fail_output(path, "cannot be written; is the disk full?", reason);
-  }
-  file.reset();
-  std::error_code status;
-  std::filesystem::rename(part, path, status);
-  if (status) {
-    discard();
-    fail_output(path, "cannot be put in place", status.value());
-  }
-  if (sync == Sync::disk) {
-    std::filesystem::path folder = path.parent_path();
-    if (folder.empty()) folder += ".";
-    sync_folder(folder);  // as far as it goes
-  }
-}
+void replace_file(const std::filesystem::path& path, const std::function<void(std::ostream&)>& write,
+                  Sync sync = Sync::none);
 
 /// Appends the shortest text that reads back as the same double ("nan", "inf" and "-inf" for what is no
 /// number).
-inline void append_number(std::string& text, double value) {
-  std::array<char, 32> digits{};
-  if (std::isnan(value)) value = std::abs(value);
-  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr;
-  text.append(digits.data(), end);
-}
+void append_number(std::string& text, double value);
 
 /// Text as the value of an XML attribute.
-inline std::string xml_escape(std::string_view text) {
-  std::string out;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        out += "&amp;";
-        break;
-      case '<':
-        out += "&lt;";
-        break;
-      case '>':
-        out += "&gt;";
-        break;
-      case '"':
-        out += "&quot;";
-        break;
-      default:
-        out += c;
-    }
-  }
-  return out;
-}
+std::string xml_escape(std::string_view text);
 
 /// "LittleEndian" or "BigEndian", as this machine is.
 inline constexpr const char* vtk_byte_order() {
@@ -278,3 +107,7 @@ inline constexpr const char* vtk_byte_order() {
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 using shared_detail::replace_file;
 }
+
+#ifndef ARENITE_COLD_LIBRARY
+#include <arenite/io/output_file_cold.hpp>
+#endif

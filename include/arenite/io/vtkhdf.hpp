@@ -141,7 +141,7 @@ class VtkhdfWriter {
 
   /// Writes cells, as a new part, unless they are those of the step before; returns the part.
   std::int64_t put_cells(const Hdf5File& file, const VtuData& data) {
-    const auto topology = shared_detail::vtu_topology<std::int64_t>(data.cells, data.points.items);
+    const auto topology = shared_detail::vtu_topology(data.cells, data.points.items, true);
     const std::size_t cells = topology[2].items, corners = topology[0].items;
     std::vector<std::int64_t> connectivity(corners), offsets(cells + 1);
     std::vector<std::uint8_t> types(cells);

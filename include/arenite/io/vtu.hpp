@@ -3,26 +3,15 @@
 // time. Format: "VTK XML file formats", docs.vtk.org, version 1.0 with 64-bit sizes.
 #pragma once
 
-#include <algorithm>
 #include <array>
-#include <concepts>
-#include <cstdint>
-#include <cstring>
-#include <filesystem>
+#include <cstddef>
 #include <functional>
-#include <ostream>
-#include <set>
 #include <span>
-#include <string>
-#include <string_view>
-#include <type_traits>
-#include <utility>
 #include <vector>
 
 #include <arenite/core/instruction_set.hpp>
-#include <arenite/core/map.hpp>
 #include <arenite/core/scalar.hpp>
-#include <arenite/io/output_file.hpp>
+#include <arenite/io/file_path.hpp>
 #include <arenite/io/vtu_array.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
@@ -64,127 +53,21 @@ struct VtuData {
 
 namespace shared_detail {
 
-/// The array is one that VTK knows and has `items` items.
-inline void check_vtu_arrays(const std::vector<VtuArray>& arrays, std::size_t items, std::string_view where) {
-  std::set<std::string_view, Order> names;
-  for (const VtuArray& a : arrays) {
-    require(!a.name.empty() && names.insert(a.name).second, {"name of an array of ", where},
-            a.name, "must be given, and once");
-    require(a.components == 1 || a.components == 3 || a.components == 6 || a.components == 9,
-            {"components of array ", a.name}, a.components, "must be 1, 3, 6 or 9");
-    require(a.items == items, {"items of array ", a.name}, a.items,
-            {"must be ", items, ", as ", where, " are"});
-  }
-}
-
-/// Connectivity, offsets and types of all cells, as arrays.
-template <vtu_number T>
-std::vector<VtuArray> vtu_topology(const std::vector<VtuCells>& blocks, std::size_t points) {
-  std::vector<T> connectivity, offsets;
-  std::vector<std::uint8_t> types;
-  constexpr std::array<std::uint8_t, 5> vtk_type{0, 1, 3, 5, 10};
-  for (std::size_t b = 0; b < blocks.size(); ++b) {
-    const VtuCells& block = blocks[b];
-    require(block.points >= 1 && block.points <= 4, "points of a cell", block.points, "must be 1, 2, 3 or 4");
-    for (std::size_t i = 0; i < block.items; ++i) {
-      for (std::size_t k = 0; k < block.points; ++k) {
-        const Index point = block.point(i, k);
-        if (point >= points)
-          require(false, {"point of cell ", i, " of block ", b}, point,
-                  {"must be less than ", points});
-        connectivity.push_back(static_cast<T>(point));
-      }
-      offsets.push_back(static_cast<T>(connectivity.size()));
-      types.push_back(vtk_type[block.points]);
-    }
-  }
-  const auto own = []<class V>(std::string name, std::vector<V> values) {
-    const std::size_t items = values.size();
-    return vtu_array(std::move(name), items, [v = std::move(values)](std::size_t i) { return v[i]; });
-  };
-  return {own("connectivity", std::move(connectivity)), own("offsets", std::move(offsets)),
-          own("types", std::move(types))};
-}
+/// Connectivity, offsets and types of all cells, as arrays; the first two of 64-bit integers if `wide`, else of 32-bit ones.
+std::vector<VtuArray> vtu_topology(const std::vector<VtuCells>& blocks, std::size_t points, bool wide);
 
 /// Throws `error` unless all shapes fit; returns the number of all corners of cells.
-inline std::size_t check_vtu_data(const VtuData& data) {
-  require(data.points.components == 3 && data.points.type.starts_with("Float"), "components of the points",
-          data.points.components, "points must be [n x 3], double or float");
-  std::size_t cells = 0, corners = 0;
-  for (const VtuCells& block : data.cells) {
-    cells += block.items;
-    corners += block.items * block.points;
-  }
-  check_vtu_arrays(data.point_data, data.points.items, "points");
-  check_vtu_arrays(data.cell_data, cells, "cells");
-  return corners;
-}
-
-/// Declares arrays in the XML part; `offset` is that of the next array in the appended data.
-inline void declare_vtu_arrays(std::ostream& out, std::string_view element, std::span<const VtuArray> arrays,
-                               std::uint64_t& offset) {
-  out << "<" << element << ">\n";
-  for (const VtuArray& a : arrays) {
-    out << "<DataArray type=\"" << a.type << "\" Name=\"" << xml_escape(a.name) << "\"";
-    if (a.components > 1) out << " NumberOfComponents=\"" << a.components << "\"";
-    out << " format=\"appended\" offset=\"" << offset << "\"/>\n";
-    offset += sizeof(std::uint64_t) + a.items * a.components * a.number_bytes;
-  }
-  out << "</" << element << ">\n";
-}
-
-/// Size in bytes, then the values, a piece at a time.
-inline void append_vtu_arrays(std::ostream& out, std::span<const VtuArray> arrays) {
-  std::vector<char> piece;
-  for (const VtuArray& a : arrays) {
-    const std::size_t item = a.components * a.number_bytes;
-    const std::uint64_t bytes = a.items * item;
-    std::array<char, sizeof bytes> size;
-    std::memcpy(size.data(), &bytes, sizeof bytes);
-    out.write(size.data(), size.size());
-    constexpr std::size_t step = 8192;
-    piece.resize(step * item);
-    for (std::size_t i = 0; i < a.items && out; i += step) {
-      const std::size_t end = std::min(a.items, i + step);
-      a.fetch(i, end, piece.data());
-      out.write(piece.data(), static_cast<std::streamsize>((end - i) * item));
-    }
-  }
-}
+std::size_t check_vtu_data(const VtuData& data);
 
 }  // namespace shared_detail
 
 /// Writes `data` to `path`, whose folder must exist. A file of that name stays as it was until the new one is
 /// complete. Throws `error`: shapes that do not fit, a cell's point that is not there, or a disk that does
 /// not take the file.
-inline void write_vtu(const std::filesystem::path& path, const VtuData& data) {
-  const std::size_t points = data.points.items, corners = shared_detail::check_vtu_data(data);
-  constexpr std::size_t most = 2147483647;
-  const auto topology = std::max(points, corners) <= most
-                            ? shared_detail::vtu_topology<std::int32_t>(data.cells, points)
-                            : shared_detail::vtu_topology<std::int64_t>(data.cells, points);
-  const std::size_t cells = topology.back().items;
-  VtuArray positions = data.points;
-  positions.name = "Points";
-  const std::span<const VtuArray> position(&positions, 1);
-
-  shared_detail::replace_file(path, [&](std::ostream& out) {
-    std::uint64_t offset = 0;
-    out << "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\""
-        << shared_detail::vtk_byte_order()
-        << "\" header_type=\"UInt64\">\n<UnstructuredGrid>\n<Piece NumberOfPoints=\"" << points
-        << "\" NumberOfCells=\"" << cells << "\">\n";
-    shared_detail::declare_vtu_arrays(out, "Points", position, offset);
-    shared_detail::declare_vtu_arrays(out, "Cells", topology, offset);
-    shared_detail::declare_vtu_arrays(out, "PointData", data.point_data, offset);
-    shared_detail::declare_vtu_arrays(out, "CellData", data.cell_data, offset);
-    out << "</Piece>\n</UnstructuredGrid>\n<AppendedData encoding=\"raw\">\n_";
-    shared_detail::append_vtu_arrays(out, position);
-    shared_detail::append_vtu_arrays(out, topology);
-    shared_detail::append_vtu_arrays(out, data.point_data);
-    shared_detail::append_vtu_arrays(out, data.cell_data);
-    out << "\n</AppendedData>\n</VTKFile>\n";
-  });
-}
+void write_vtu(const FilePath& path, const VtuData& data);
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET
+
+#ifndef ARENITE_COLD_LIBRARY
+#include <arenite/io/vtu_cold.hpp>
+#endif

@@ -37,7 +37,7 @@ struct Axisymmetric {
       if (!nodes.is_used(i)) continue;
       const double r = nodes.position(i)[0];
       require(r >= -nodes.near(), "Axisymmetric: r", r, "nodes must have r >= 0");
-      if (r <= nodes.near()) nodes.block(i, Vec<double, 2>::Unit(0));
+      if (r <= nodes.near()) nodes.block(i, Nodes::V::Unit(0));
     }
   }
 };

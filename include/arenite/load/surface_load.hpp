@@ -4,7 +4,6 @@
 #include <string>
 #include <string_view>
 #include <utility>
-#include <variant>
 
 #include <arenite/boundary/place_function.hpp>
 
@@ -13,10 +12,10 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 /// Force on an area of a surface.
 class SurfaceLoad {
  public:
-  explicit SurfaceLoad(VectorFunction traction) : load_{std::move(traction)} {}
-  explicit SurfaceLoad(ScalarFunction pressure) : load_{std::move(pressure)} {}
+  explicit SurfaceLoad(VectorFunction traction) : traction_{std::move(traction)} {}
+  explicit SurfaceLoad(ScalarFunction pressure) : pressure_{std::move(pressure)}, is_pressure_{true} {}
 
-  bool is_pressure() const { return std::holds_alternative<ScalarFunction>(load_); }
+  bool is_pressure() const { return is_pressure_; }
   const char* name() const { return is_pressure() ? "pressure" : "traction"; }
 
   /// N, on an area vector [D], m2, along the outward normal, at a position, m, and a time, s. Throws
@@ -24,13 +23,14 @@ class SurfaceLoad {
   template <class T, int D>
   Vec<T, D> force(const Vec<T, D>& position, const Vec<T, D>& area, double time,
                   std::string_view where) const {
-    if (const auto* pressure = std::get_if<ScalarFunction>(&load_))
-      return -value_at(*pressure, position, time, where) * area;
-    return area.norm() * value_at(std::get<VectorFunction>(load_), position, time, where);
+    if (is_pressure_) return -value_at(pressure_, position, time, where) * area;
+    return area.norm() * value_at(traction_, position, time, where);
   }
 
  private:
-  std::variant<VectorFunction, ScalarFunction> load_;
+  VectorFunction traction_{Triple{}};
+  ScalarFunction pressure_{0.0};
+  bool is_pressure_ = false;
 };
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

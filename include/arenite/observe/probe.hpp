@@ -42,7 +42,7 @@ std::vector<Index> cells_about(const M& mesh, Index cell) {
       const auto at = mesh.cells_at(i);
       cells.insert(cells.end(), at.begin(), at.end());
     }
-    std::ranges::sort(cells);
+    std::sort(cells.begin(), cells.end());
     cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
   } else {
     constexpr std::size_t D = M::dimension;

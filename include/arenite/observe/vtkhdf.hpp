@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include <arenite/io/pvd.hpp>
 #include <arenite/io/vtkhdf.hpp>
 #include <arenite/observe/vtu.hpp>
 
@@ -22,8 +23,10 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 /// flight, is not written again. Read back with VTK 9.7.2.
 class VtkhdfSeries {
  public:
-  explicit VtkhdfSeries(std::filesystem::path prefix, VtuOptions options = {})
-      : prefix_{detail::make_folder(prefix)}, options_{std::move(options)} {}
+  explicit VtkhdfSeries(FilePath prefix, VtuOptions options = {})
+      : prefix_{prefix.string()}, options_{std::move(options)} {
+    detail::make_folder(prefix);
+  }
 
   template <class Scene>
   void operator()(const Scene& scene) {
@@ -58,20 +61,17 @@ class VtkhdfSeries {
     for (const std::string& name : detail::frame_parts<Scene>(options_))
       files_.emplace_back(file_of(name), keep);
   }
-  std::filesystem::path file_of(const std::string& name) const {
-    return prefix_.string() + "_" + name + ".vtkhdf";
-  }
+  std::filesystem::path file_of(const std::string& name) const { return prefix_ + "_" + name + ".vtkhdf"; }
 
-  std::filesystem::path prefix_;
+  std::string prefix_;
   VtuOptions options_;
   std::vector<VtkhdfWriter> files_;
   std::uint64_t steps_ = 0;
 };
 
 /// Observer that writes files `prefix`_..: see `VtkhdfSeries`.
-inline VtkhdfSeries vtkhdf(std::filesystem::path prefix, VtuOptions options) {
+inline VtkhdfSeries vtkhdf(FilePath prefix, VtuOptions options = {}) {
   return VtkhdfSeries(std::move(prefix), std::move(options));
 }
-inline VtkhdfSeries vtkhdf(std::filesystem::path prefix) { return VtkhdfSeries(std::move(prefix)); }
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -1,39 +1,24 @@
 // VTU files of a scene: points and mesh, for ParaView.
 #pragma once
 
-#include <algorithm>
+#include <array>
 #include <cstdint>
-#include <filesystem>
 #include <optional>
+#include <span>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include <arenite/core/array_memory.hpp>
-#include <arenite/io/pvd.hpp>
+#include <arenite/core/cold.hpp>
+#include <arenite/io/file_path.hpp>
 #include <arenite/io/vtu.hpp>
 #include <arenite/law/with_deviatoric_strain.hpp>
+#include <arenite/observe/point_columns.hpp>
 #include <arenite/scene/scene.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
-namespace detail {
-
-template <class T, int D>
-std::array<T, 3> three(const Vec<T, D>& v) {
-  if constexpr (D == 2)
-    return {v[0], v[1], T(0)};
-  else
-    return {v[0], v[1], v[2]};
-}
-
-template <class T, int D>
-std::array<T, 6> six(const Sym<T, D>& s) {
-  if constexpr (D == 2)
-    return {s[0], s[1], s[2], s[3], T(0), T(0)};
-  else
-    return {s[0], s[1], s[2], s[3], s[4], s[5]};
-}
-
-}  // namespace detail
 
 /// What of the points goes into a file, besides position, velocity, stress, pressure and V/V0.
 struct VtuPoints {
@@ -43,41 +28,37 @@ struct VtuPoints {
   bool id = false;    ///< of a scene with `PointIds`
 };
 
+namespace detail {
+
+/// What a law and a scene add to the columns of points. `arrays`: of the law's own, behind those that all
+/// bodies have.
+template <class T>
+struct MorePoints {
+  std::vector<VtuArray> arrays{};
+  std::span<const std::string_view> names{};  // of the history's columns, where they have some
+  std::vector<const T*> history{};
+  const std::vector<std::uint64_t>* id = nullptr;  // null: points have no ids
+};
+
+template <class T>
+VtuData columns_vtu(const PointColumns<T>& columns, const VtuPoints& wanted, MorePoints<T> more);
+
+}  // namespace detail
+
 /// Points of a body: velocity, stress (xx, yy, zz, xy, yz, zx), mean pressure (compression positive), V/V0,
 /// the deviatoric strain of a `WithDeviatoricStrain` law, and the named members of the law's history. The
-/// body must outlive what is returned.
+/// body must outlive what is returned, and no point may be added to it or taken from it meanwhile.
 template <class L, class T, int D, ExtraColumns E>
 VtuData points_vtu(const Body<L, T, D, E>& body, const VtuPoints& wanted = {}) {
   const auto& points = body.points;
-  const std::size_t n = points.size();
-  const T density = static_cast<T>(body.law.density());
-  VtuData data{
-      vtu_array("position", n, [&points](std::size_t p) { return detail::three<T, D>(points.position[p]); }),
-      {vtu_vertices(n)},
-      {vtu_array("velocity", n, [&points](std::size_t p) { return detail::three<T, D>(points.velocity[p]); }),
-       vtu_array("stress", n, [&points](std::size_t p) { return detail::six<T, D>(points.stress[p]); }),
-       vtu_array("pressure", n, [&points](std::size_t p) { return T(-trace(points.stress[p]) / 3); }),
-       vtu_array(
-           "volume_ratio", n,
-           [&points, density](std::size_t p) { return T(points.volume[p] * density / points.mass[p]); })},
-      {}};
+  detail::MorePoints<T> more{.names = history_names<typename L::template History<T>>};
   if constexpr (has_deviatoric_strain<L>)
-    data.point_data.push_back(vtu_array("deviatoric_strain", n, [&points](std::size_t p) {
+    more.arrays.push_back(vtu_array("deviatoric_strain", points.size(), [&points](std::size_t p) {
       return L::deviatoric_strain(points.load_history(p));
     }));
-  for (std::size_t k = 0; k < points.history.size(); ++k)
-    if (const auto name = history_names<typename L::template History<T>>[k];
-        !name.empty() && (!wanted.history || std::ranges::count(*wanted.history, name) > 0))
-      data.point_data.push_back(vtu_array(std::string(name), 1, points.history[k]));
-  if (wanted.mass) data.point_data.push_back(vtu_array("mass", 1, points.mass));
-  if constexpr (Points<T, D, L, E>::has_ids) {
-    if (wanted.id)
-      data.point_data.push_back(
-          vtu_array("id", n, [&points](std::size_t p) { return static_cast<std::int64_t>(points.id[p]); }));
-  } else {
-    require(!wanted.id, "VtuPoints.id", wanted.id, "needs a scene with PointIds{}");
-  }
-  return data;
+  for (const auto& column : points.history) more.history.push_back(column.data());
+  if constexpr (Points<T, D, L, E>::has_ids) more.id = &points.id;
+  return detail::columns_vtu(detail::point_columns(body), wanted, std::move(more));
 }
 
 /// Cells of a simplex mesh with their region; only those of region `only` if it is not negative. The mesh
@@ -90,7 +71,10 @@ VtuData mesh_vtu(const SimplexMesh<D, T>& mesh, int only = -1) {
   const std::size_t n = cells.size();
   return {
       vtu_array("position", mesh.node_count(),
-                [&mesh](std::size_t i) { return detail::three<T, D>(mesh.position(static_cast<Index>(i))); }),
+                [&mesh](std::size_t i) {
+                  const auto x = mesh.position(static_cast<Index>(i));
+                  return std::array{x[0], x[1], D == 3 ? x[D - 1] : T(0)};
+                }),
       {VtuCells{D + 1, n, [&mesh, cells](std::size_t c, std::size_t k) { return mesh.nodes(cells[c])[k]; }}},
       {},
       {vtu_array("region", n,
@@ -109,29 +93,16 @@ struct VtuOptions {
 
 namespace detail {
 
-/// The folder of files `prefix`_.., made if it is not there; returns the prefix.
-inline std::filesystem::path named(std::filesystem::path path, std::string_view end) { return path += end; }
-inline const std::filesystem::path& make_folder(const std::filesystem::path& prefix) {
-  std::error_code code;
-  if (prefix.has_parent_path()) std::filesystem::create_directories(prefix.parent_path(), code);
-  require(!code, "vtu: folder", prefix.parent_path().string(),
-          {"cannot be made: ", code.message()});
-  return prefix;
-}
+/// Makes the folder of files `prefix`_.. if it is not there.
+void make_folder(const FilePath& prefix);
+
+using VtuNames = std::vector<std::string, ArrayMemory<std::string>>;
 
 /// Names of what a frame consists of: bodies, mesh, region.
+VtuNames frame_parts(const VtuOptions& options, std::span<const std::string_view> bodies, bool has_mesh);
 template <class Scene>
-auto frame_parts(const VtuOptions& options) {
-  std::vector<std::string, ArrayMemory<std::string>> names;
-  for (std::size_t k = 0; k < Scene::body_count; ++k)
-    names.push_back(k < options.body_names.size()  ? options.body_names[k]
-                    : Scene::body_names[k].empty() ? joined_text({"body", k})
-                                                   : Scene::body_name(k));
-  if constexpr (is_simplex_mesh<typename Scene::Mesh>) {
-    if (options.mesh) names.emplace_back("mesh");
-    if (!options.region.empty()) names.push_back(options.region);
-  }
-  return names;
+VtuNames frame_parts(const VtuOptions& options) {
+  return frame_parts(options, Scene::body_names, is_simplex_mesh<typename Scene::Mesh>);
 }
 
 /// Calls `f(data)` for each of them.
@@ -152,28 +123,13 @@ void for_each_frame_part(const Scene& scene, const VtuOptions& options, F&& f) {
 /// is replaced with a warning, and kept by an `error` if the scene is past its first frame.
 class VtuSeries {
  public:
-  explicit VtuSeries(std::filesystem::path prefix, VtuOptions options = {})
-      : prefix_{std::move(prefix)},
-        options_{std::move(options)},
-        pvd_{detail::named(detail::make_folder(prefix_), ".pvd"), true} {}
+  explicit VtuSeries(FilePath prefix, VtuOptions options = {});
 
   template <class Scene>
   void operator()(const Scene& scene) {
-    if (times_.empty()) {
-      times_ = kept_times(pvd_.path(), pvd_times(pvd_.path()), scene.time, options_.resumed);
-      follow_state(scene);
-    }
-    const bool again = !times_.empty() && times_.back() == scene.time;  // at the start of a run that goes on
-    const std::size_t frame = times_.size() - (again ? 1 : 0);
-    std::size_t part = 0;
-    const auto names = detail::frame_parts<Scene>(options_);
-    detail::for_each_frame_part(scene, options_, [&](const VtuData& data) {
-      const auto file = file_of(names[part], frame);
-      write_vtu(file, data);
-      if (!again) pvd_.add(scene.time, file, static_cast<int>(part));
-      ++part;
-    });
-    if (!again) times_.push_back(scene.time);
+    begin_frame(scene.time, detail::frame_parts<Scene>(options_));
+    detail::for_each_frame_part(scene, options_, [this](const VtuData& data) { write_part(data); });
+    end_frame();
   }
 
   /// Times of the files so far, s.
@@ -184,31 +140,36 @@ class VtuSeries {
   /// Lists the files of an earlier part of the run, which must be there.
   template <class Scene>
   void follow_state(const Scene&) {
-    const auto names = detail::frame_parts<Scene>(options_);
-    std::vector<PvdEntry> entries;
-    for (std::size_t frame = 0; frame < times_.size(); ++frame)
-      for (std::size_t part = 0; part < names.size(); ++part)
-        entries.push_back({times_[frame], file_of(names[part], frame), static_cast<int>(part)});
-    pvd_.replace(std::move(entries));
+    names_ = detail::frame_parts<Scene>(options_);
+    part_ = 0;
+    write_list();
   }
 
  private:
-  std::filesystem::path file_of(const std::string& name, std::size_t frame) const {
-    std::string digits = std::to_string(frame);
-    digits.insert(0, digits.size() < 4 ? 4 - digits.size() : 0, '0');
-    return detail::named(prefix_, joined_text({"_", name, "_", digits, ".vtu"}));
-  }
+  void begin_frame(double time, detail::VtuNames names);
+  void write_part(const VtuData& data);
+  void end_frame();
+  /// The list of all files of the frames so far, and of the parts of this one.
+  void write_list() const;
+  std::string file_of(const std::string& name, std::size_t frame) const;
 
-  std::filesystem::path prefix_;
+  std::string prefix_;
   VtuOptions options_;
-  PvdWriter pvd_;
   std::vector<double> times_;  // [frames] s
+
+  detail::VtuNames names_;            // of the parts of a frame
+  double time_ = 0;                   // of the frame that is being written, s
+  std::size_t frame_ = 0, part_ = 0;  // its number; how many parts it has so far
+  bool again_ = false;                // whether it was written before: at the start of a run that goes on
 };
 
 /// Observer that writes files `prefix`_..: see `VtuSeries`.
-inline VtuSeries vtu(std::filesystem::path prefix, VtuOptions options) {
+inline VtuSeries vtu(FilePath prefix, VtuOptions options = {}) {
   return VtuSeries(std::move(prefix), std::move(options));
 }
-inline VtuSeries vtu(std::filesystem::path prefix) { return VtuSeries(std::move(prefix)); }
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET
+
+#ifndef ARENITE_COLD_LIBRARY
+#include <arenite/observe/vtu_cold.hpp>
+#endif

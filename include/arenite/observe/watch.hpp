@@ -2,25 +2,87 @@
 // user sets.
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cmath>
-#include <functional>
 #include <limits>
+#include <span>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
+#include <arenite/core/cold.hpp>
 #include <arenite/core/state_value.hpp>
 #include <arenite/core/warning.hpp>
 #include <arenite/mesh/full_volume.hpp>
 #include <arenite/observe/damped_fall.hpp>
+#include <arenite/observe/point_columns.hpp>
 #include <arenite/observe/watch_limits.hpp>
 #include <arenite/observe/watched_energy.hpp>
 #include <arenite/transfer/law_pass.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
+namespace detail {
+
+/// A body as a watch sees it.
+template <class T>
+struct WatchedBody {
+  PointColumns<T> points;
+  int number = 0;
+  std::string_view name{};     // empty: goes by its number
+  double wave_modulus = 0;     // Pa
+  double volume_ratio = 1;     // mean V/V0, where it is wanted
+  std::size_t lost = 0;        // points that left the mesh
+  double bearing_spacing = 0;  // beyond it the shape functions do not hold points together, in cells
+  const void* mesh = nullptr;
+  double (*cell_volume)(const void* mesh, Index cell) = nullptr;  // m3
+};
+
+/// A point that shows a quantity most, and what to say of it.
+struct WatchedSpot {
+  std::array<double, 3> place = Watched::nowhere;
+  std::string text{};
+};
+
+/// What a watch keeps, and its rules for what can be judged without the types of a scene.
+class WatchBook {
+ public:
+  enum Quantity : std::size_t { energy_gain, transfer, residual, volume, speed, strength, lost };
+
+  /// Throws `error` unless all limits are positive.
+  WatchBook(const WatchLimits& limits, bool of_run);
+
+  bool wants(Quantity q) const { return std::isfinite(seen[q].limit); }
+  bool wants_energy() const { return wants(energy_gain) || wants(transfer) || wants(residual); }
+
+  /// Takes a value of a quantity; returns whether there is something to say: with `tell`.
+  bool takes(Quantity q, double time, double value, int body);
+  /// Warns of the value that it took last, or throws `run_error`.
+  void tell(Quantity q, WatchedSpot spot);
+
+  void look_at_damping(double time, double share);
+  template <class T>
+  void look_at_energy(double time, const WatchedEnergy::Found& found, bool tracked,
+                      std::span<const WatchedBody<T>> bodies);
+  template <class T>
+  void look_at_body(double time, const WatchedBody<T>& body);
+
+  std::array<Watched, 7> seen;
+  std::vector<WarningText> warnings{};
+  std::size_t every;
+  bool of_run;
+  bool hints_at_damping = true, hints_at_spacing = true;  // whether still to be given
+
+ private:
+  void hint(bool& wanted, std::string text);
+  template <class T>
+  void look_at_spacing(double time, const WatchedBody<T>& body);
+};
+
+/// "body NAME at (x, y) m", and where that is.
+template <class T>
+WatchedSpot watched_spot(const WatchedBody<T>& body, std::size_t point);
+
+}  // namespace detail
 
 /// Observer that looks at a scene at its first call, then at every `limits.every`th step, and at the end of
 /// `run`: a look costs a fifth to a half of a step. It wants to be called at every step. Past a limit it
@@ -31,26 +93,13 @@ template <bool OfRun>
 class BasicWatch {
  public:
   /// Throws `error` unless all limits are positive.
-  explicit BasicWatch(const WatchLimits& limits = {})
-      : seen_{{{"energy_gain", "energy that nothing put in, over the energy put in", limits.energy_gain},
-               {"transfer", "energy that the transfer took, over the energy put in", limits.transfer},
-               {"residual", "energy booked nowhere, over the energy put in", limits.residual},
-               {"volume", "change of a body's mean volume, |V/V0 - 1|", limits.volume},
-               {"speed", "greatest speed of a point over the wave speed", limits.speed},
-               {"strength", "stress beyond the yield surface, relative", limits.strength},
-               {"lost", "share of a body's points that left the mesh", limits.lost}}},
-        every_{limits.every} {
-    for (const Watched& w : seen_)
-      require(w.limit > 0, {"WatchLimits.", w.name}, w.limit,
-              "must be positive; infinity switches it off");
-    require(every_ > 0, "WatchLimits.every", every_, "must be positive");
-  }
+  explicit BasicWatch(const WatchLimits& limits = {}) : book_(limits, OfRun) {}
 
   template <class Scene>
   void operator()(const Scene& scene) {
     if (scene.steps >= next_)
       look(scene);
-    else if (!tracks_energy<Scene> && scene.steps + 1 == next_ && wants_energy())
+    else if (!tracks_energy<Scene> && scene.steps + 1 == next_ && book_.wants_energy())
       energy_.remember(scene);
   }
   /// Looks at the end of a run, which may lie between two looks; `run` calls it.
@@ -62,30 +111,49 @@ class BasicWatch {
   /// Looks now.
   template <class Scene>
   [[gnu::cold]] void look(const Scene& scene) {
-    if (wants(energy_gain) || (tracks_energy<Scene> && (wants(transfer) || wants(residual))))
-      look_at_energy(scene);
-    if constexpr (Scene::template has_part<LocalDamping>)
-      if (hints_.damping) look_at_damping(scene);
-    int number = 0;
+    using Book = detail::WatchBook;
+    std::array<detail::WatchedBody<typename Scene::T>, Scene::body_count> bodies;
+    std::size_t n = 0;
     scene.for_each_body([&](const auto& body, const auto&) {
-      if (hints_.spacing) look_at_spacing(scene, body, number);
-      if (wants(volume) && body.points.size() > 0) look_at_volume(scene, body, number);
-      if (wants(lost)) look_at_lost(scene, body, number);
-      if (wants(speed)) look_at_speed(scene, body, number);
+      auto& watched = bodies[n];
+      watched = {.points = detail::point_columns(body),
+                 .number = static_cast<int>(n),
+                 .name = Scene::body_names[n],
+                 .wave_modulus = body.law.wave_modulus(),
+                 .lost = body.lost,
+                 .bearing_spacing = bearing_spacing<typename Scene::Shape>,
+                 .mesh = &scene.mesh,
+                 .cell_volume = [](const void* mesh, Index cell) {
+                   return static_cast<double>(full_volume<typename Scene::Kinematics>(
+                       *static_cast<const typename Scene::Mesh*>(mesh), cell));
+                 }};
+      if (book_.wants(Book::volume) && watched.points.count > 0)
+        watched.volume_ratio = mean_volume_ratio(body);
+      ++n;
+    });
+    if (book_.wants(Book::energy_gain) ||
+        (tracks_energy<Scene> && (book_.wants(Book::transfer) || book_.wants(Book::residual))))
+      if (const auto found = energy_.look(scene); found.known)
+        book_.template look_at_energy<typename Scene::T>(scene.time, found, tracks_energy<Scene>, bodies);
+    if constexpr (Scene::template has_part<LocalDamping>)
+      if (book_.hints_at_damping) book_.look_at_damping(scene.time, fall_.look(scene));
+    n = 0;
+    scene.for_each_body([&](const auto& body, const auto&) {
+      const auto& watched = bodies[n++];
+      book_.look_at_body(scene.time, watched);
       // Initial stresses may lie outside: the first step takes them back.
       if constexpr (!OfRun)
-        if (wants(strength) && scene.steps > 0)
-          look_at_strength<Scene::NumericsType::template width<typename Scene::T>>(scene, body, number);
-      ++number;
+        if (book_.wants(Book::strength) && scene.steps > 0)
+          look_at_strength<Scene::NumericsType::template width<typename Scene::T>>(scene.time, body, watched);
     });
     last_ = scene.steps;
-    next_ = scene.steps + every_;
+    next_ = scene.steps + book_.every;
   }
 
   /// What it remembers but the texts of its warnings, for a run that goes on elsewhere.
   template <class F>
   void visit_state(F&& f) {
-    for (Watched& w : seen_) {
+    for (Watched& w : book_.seen) {
       const StateUnder quantity(f, std::string(w.name));
       quantity("worst", w.worst);
       quantity("time", w.time);
@@ -99,155 +167,16 @@ class BasicWatch {
   }
 
   /// Each quantity with its greatest value so far, in the order of `WatchLimits`.
-  const std::array<Watched, 7>& seen() const { return seen_; }
+  const std::array<Watched, 7>& seen() const { return book_.seen; }
   /// The warnings given, in order: at most one a quantity.
-  const std::vector<WarningText>& warnings() const { return warnings_; }
+  const std::vector<WarningText>& warnings() const { return book_.warnings; }
 
   /// Says nothing of local damping: the scene is brought to rest on purpose (`settle`).
-  void accept_damping() { hints_.damping = false; }
+  void accept_damping() { book_.hints_at_damping = false; }
 
  private:
-  enum Quantity : std::size_t { energy_gain, transfer, residual, volume, speed, strength, lost };
-
-  /// A point that shows a quantity most, and what to say of it.
-  struct Spot {
-    std::array<double, 3> place = Watched::nowhere;
-    std::string text;
-  };
-
-  bool wants(Quantity q) const { return std::isfinite(seen_[q].limit); }
-  bool wants_energy() const { return wants(energy_gain) || (wants(transfer) || wants(residual)); }
-
-  /// Takes a value of a quantity; `spot()` gives the `Spot`, once there is something to say.
-  [[gnu::cold]] void judge(Quantity q, double time, double value, int body,
-                           const std::function<Spot()>& spot) {
-    Watched& w = seen_[q];
-    const bool stops = !(value <= w.limit) && (!OfRun || q == energy_gain || q == residual),
-               worse = !(value <= w.worst);
-    if (!stops && !worse) return;
-    w.worst = value;
-    w.time = time;
-    w.body = body;
-    w.place = Watched::nowhere;
-    if (value <= w.limit / 10) return;
-    const Spot at = spot();
-    w.place = at.place;
-    if (!stops && w.warned) return;
-    const std::string text = joined_text({"t = ", time, " s: ", w.name, " = ", value, " (", w.meaning,
-                                         OfRun && !stops ? "): above " : "): the limit is ",
-                                         OfRun && !stops ? w.limit / 10 : w.limit, "; ", at.text});
-    if (stops) throw run_error(text);
-    w.warned = true;
-    warnings_.emplace_back(text);
-    warn(text);
-  }
-
-  template <class Scene>
-  void look_at_energy(const Scene& scene) {
-    const auto found = energy_.look(scene);
-    if (!found.known) return;
-    const auto spot = [&] { return fastest(scene); };
-    if (wants(energy_gain)) judge(energy_gain, scene.time, found.gain, -1, spot);
-    if constexpr (tracks_energy<Scene>) {
-      if (wants(transfer)) judge(transfer, scene.time, found.transfer, -1, spot);
-      if (wants(residual)) judge(residual, scene.time, found.residual, -1, spot);
-    }
-  }
-
-  /// What messages call a body.
-  template <class Scene>
-  static std::string body_of(int number) {
-    return joined_text({"body ", Scene::body_name(static_cast<std::size_t>(number))});
-  }
-
-  template <class Scene, class B>
-  void look_at_volume(const Scene& scene, const B& body, int number) {
-    const double ratio = mean_volume_ratio(body);
-    judge(volume, scene.time, std::abs(ratio - 1), number, [&] {
-      const double density = body.law.density();
-      const auto local = [&](std::size_t p) {
-        return static_cast<double>(body.points.volume[p]) * density /
-               static_cast<double>(body.points.mass[p]);
-      };
-      const std::size_t p = extreme(body, [&](std::size_t k) { return std::abs(local(k) - 1); });
-      Spot s = at(body, p);
-      s.text = joined_text({body_of<Scene>(number), ": mean V/V0 = ", ratio});
-      if (p < body.points.size()) s.text += joined_text({", ", local(p), " at ", written(body, p)});
-      return s;
-    });
-  }
-
-  void hint(bool& wanted, std::string text) {
-    wanted = false;
-    warnings_.emplace_back(text);
-    warn(text);
-  }
-
-  template <class Scene>
-  void look_at_damping(const Scene& scene) {
-    const double share = fall_.look(scene);
-    if (share > 0.1)
-      hint(hints_.damping,
-           joined_text({
-               "t = ", scene.time, " s: local damping took ", std::round(100 * share),
-               " % of the work of gravity while matter fell freely: it is made for static states; "
-               "switch it off (switch_off(), in Python switch_off_damping()) once the scene is at rest"}));
-  }
-
-  /// Warns of points that tension has drawn so far apart that their body may part between them.
-  template <class Scene, class B>
-  void look_at_spacing(const Scene& scene, const B& body, int number) {
-    using Shape = typename Scene::Shape;
-    const double density = body.law.density();
-    const auto& points = body.points;
-    for (std::size_t p = 0; p < points.size(); ++p) {
-      const double before = static_cast<double>(points.mass[p]) / density,
-                   stretch = static_cast<double>(points.volume[p]) / before;
-      if (!(stretch > 1.2) || !(trace(points.stress[p]) > 0)) continue;
-      const auto cell =
-          static_cast<double>(full_volume<typename Scene::Kinematics>(scene.mesh, points.cell[p]));
-      const double spacing = stretch * std::pow(before / cell, 1.0 / Scene::D);
-      if (!(spacing > bearing_spacing<Shape>)) continue;
-      hint(hints_.spacing,
-           joined_text({"t = ", scene.time, " s: ", body_of<Scene>(number), " at ", written(body, p),
-                       ": tension has drawn points ", spacing, " of a cell apart (V/V0 = ", stretch,
-                       "): beyond ", bearing_spacing<Shape>,
-                       " a body may part between them, or from a wall; begin with more points a cell, or let "
-                       "them split (SplitPoints)"}));
-      return;
-    }
-  }
-
-  template <class Scene, class B>
-  void look_at_lost(const Scene& scene, const B& body, int number) {
-    const std::size_t all = body.lost + body.points.size();
-    if (all == 0) return;
-    judge(lost, scene.time, static_cast<double>(body.lost) / static_cast<double>(all), number, [&] {
-      return Spot{Watched::nowhere,
-                  joined_text({body_of<Scene>(number), ": ", body.lost, " of ", all, " points"})};
-    });
-  }
-
-  template <class Scene, class B>
-  void look_at_speed(const Scene& scene, const B& body, int number) {
-    const double wave = std::sqrt(body.law.wave_modulus() / body.law.density());
-    const auto square = [&](std::size_t k) {
-      return static_cast<double>(body.points.velocity[k].squaredNorm());
-    };
-    const std::size_t p = extreme(body, square);
-    if (p >= body.points.size()) return;
-    const double fastest = std::sqrt(square(p));
-    judge(speed, scene.time, fastest / wave, number, [&] {
-      Spot s = at(body, p);
-      s.text = joined_text({
-          body_of<Scene>(number), " at ", written(body, p), ": ", fastest, " m/s; waves run at ", wave,
-          " m/s: is young, density, a velocity or gravity in other units than Pa, kg, m, s?"});
-      return s;
-    });
-  }
-
-  template <int Width, class Scene, class L, class T, int D, ExtraColumns E>
-  void look_at_strength(const Scene& scene, const Body<L, T, D, E>& body, int number) {
+  template <int Width, class L, class T, int D, ExtraColumns E>
+  void look_at_strength(double time, const Body<L, T, D, E>& body, const detail::WatchedBody<T>& watched) {
     using P = typename LawLanes<L, T, Width>::type;
     if constexpr (knows_yield<L, P, D>) {
       // Stresses much smaller than those of a strain of 1e-6 are round-off of larger ones.
@@ -281,72 +210,16 @@ class BasicWatch {
             return most;
           },
           [](const Worst& a, const Worst& b) { return b.value > a.value ? b : a; });
-      judge(strength, scene.time, worst.value, number, [&] {
-        Spot s = at(body, worst.point);
-        s.text = joined_text({body_of<Scene>(number), " at ", written(body, worst.point)});
-        return s;
-      });
+      if (book_.takes(detail::WatchBook::strength, time, worst.value, watched.number))
+        book_.tell(detail::WatchBook::strength, detail::watched_spot(watched, worst.point));
     }
-  }
-
-  template <class Scene>
-  static Spot fastest(const Scene& scene) {
-    Spot s{Watched::nowhere, "no points are left"};
-    double most = -1;
-    int number = 0;
-    scene.for_each_body([&](const auto& body, const auto&) {
-      const auto speed = [&](std::size_t p) { return static_cast<double>(body.points.velocity[p].norm()); };
-      const std::size_t p = extreme(body, speed);
-      if (p < body.points.size() && speed(p) > most) {
-        most = speed(p);
-        s = at(body, p);
-        s.text = joined_text({"the fastest point: ", body_of<Scene>(number), " at ", written(body, p), ", ",
-                             most, " m/s"});
-      }
-      ++number;
-    });
-    return s;
-  }
-
-  /// The point with the greatest `f`; the number of points if there is none.
-  template <class B, class F>
-  static std::size_t extreme(const B& body, F&& f) {
-    double most = -std::numeric_limits<double>::infinity();
-    std::size_t found = body.points.size();
-    for (std::size_t p = 0; p < body.points.size(); ++p)
-      if (const double value = f(p); value > most) {
-        most = value;
-        found = p;
-      }
-    return found;
-  }
-
-  template <class B>
-  static Spot at(const B& body, std::size_t p) {
-    Spot s;
-    if (p < body.points.size()) {
-      const auto x = body.points.position[p];
-      for (int k = 0; k < static_cast<int>(x.size()); ++k)
-        s.place[static_cast<std::size_t>(k)] = static_cast<double>(x[k]);
-    }
-    return s;
-  }
-  template <class B>
-  static std::string written(const B& body, std::size_t p) {
-    return joined_text({vector_text(body.points.position[p]), " m"});
   }
 
   static constexpr std::size_t never = std::numeric_limits<std::size_t>::max() / 2;
 
-  struct Hints {
-    bool damping = true, spacing = true;  // whether still to be given
-  };
-
-  std::array<Watched, 7> seen_;
-  Hints hints_;
+  detail::WatchBook book_;
   DampedFall fall_;
-  std::vector<WarningText> warnings_;
-  std::size_t every_, next_ = 0, last_ = never;
+  std::size_t next_ = 0, last_ = never;
   WatchedEnergy energy_;
 };
 
@@ -356,3 +229,7 @@ using Watch = BasicWatch<false>;
 using WatchOfRun = BasicWatch<true>;
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET
+
+#ifndef ARENITE_COLD_LIBRARY
+#include <arenite/observe/watch_cold.hpp>
+#endif

@@ -20,7 +20,9 @@ void find_touched_nodes(const M& mesh, R& body, const Fields& fields, const Owns
   body.touched_nodes.clear();
   body.inside_nodes = 0;
   const auto has_mass = [&](Index node) {
-    return std::ranges::any_of(fields, [&](const auto& field) { return field.mass[node] > 0; });
+    for (const auto& field : fields)
+      if (field.mass[node] > 0) return true;
+    return false;
   };
   body.surface.template visit<Shape>(
       mesh, body.place(), has_mass,
@@ -105,7 +107,8 @@ GivenImpulses<R> give_impulses(R& body, Fields& fields, const typename R::Veloci
     t.after = v;
     given.total += body.with_moment(t, j);
     given.exchanged += body.size_of(t, j);
-    given.gained += j.dot(fields[t.field].start[t.node] + v) / 2;
+    const typename R::V twice_mean = fields[t.field].start[t.node] + v;
+    given.gained += j.dot(twice_mean) / 2;
     ++body.contact_nodes;
   }
   sum_over(others, given.total, given.gained, given.exchanged, body.contact_nodes);

@@ -44,6 +44,7 @@ class ContactSolver {
   static constexpr int N = D + rotations<D>;
   using Rows = std::vector<ContactRow<D>>;
   using Twists = std::vector<Vec<double, N>>;
+  using Real = typename Vec<double, D>::Scalar;
 
   /// Starts from the impulses in `rows` and the twists `u` that they have led to. Returns by how much the
   /// worst contact fails, m/s; `scale`: size of the velocities, m/s.
@@ -153,8 +154,8 @@ class ContactSolver {
     }
     const auto count = static_cast<Eigen::Index>(unknowns_.size());
     if (count == 0) return;
-    Eigen::MatrixXd a(count, count);
-    Eigen::VectorXd b(count);
+    Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic> a(count, count);
+    Eigen::Matrix<Real, Eigen::Dynamic, 1> b(count);
     for (Eigen::Index p = 0; p < count; ++p) {
       const auto& [row_p, axis, unused] = unknowns_[static_cast<std::size_t>(p)];
       const auto& row = rows[row_p];
@@ -165,7 +166,7 @@ class ContactSolver {
       }
       a(p, p) += 1e-11 * row.response(axis, axis);  // where contacts share one load
     }
-    const Eigen::VectorXd x = a.partialPivLu().solve(b);
+    const Eigen::Matrix<Real, Eigen::Dynamic, 1> x = a.partialPivLu().solve(b);
     for (Eigen::Index q = 0; q < count; ++q) {
       const auto& unknown = unknowns_[static_cast<std::size_t>(q)];
       rows[unknown.row].add(x[q] * unknown.along, u);

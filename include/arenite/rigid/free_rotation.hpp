@@ -18,18 +18,18 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 template <int D>
 requires(D == 3) void rotate_freely(Orientation<D>& orientation, const Mat<double, D>& inertia,
                                     const Vec<double, D>& angular_momentum, double dt, int halvings = 20) {
-  const Vec<double, 3> start = orientation.matrix().transpose() * angular_momentum;
-  const auto matrix_of = [](const Vec<double, 3>& a) {
-    Mat<double, 3> m;
+  const Vec<double, D> start = orientation.matrix().transpose() * angular_momentum;
+  const auto matrix_of = [](const Vec<double, D>& a) {
+    Mat<double, D> m;
     m << 0, -a[2], a[1], a[2], 0, -a[0], -a[1], a[0], 0;
     return m;
   };
-  Vec<double, 3> spin = inertia.inverse() * start;
+  Vec<double, D> spin = inertia.inverse() * start;
   for (int k = 0; k < 30; ++k) {
-    const Vec<double, 3> momentum = inertia * spin;
-    const Vec<double, 3> rest = momentum + dt / 2 * spin.cross(momentum) - start;
-    const Mat<double, 3> slope = inertia + dt / 2 * (matrix_of(spin) * inertia - matrix_of(momentum));
-    const Vec<double, 3> change = slope.inverse() * rest;
+    const Vec<double, D> momentum = inertia * spin;
+    const Vec<double, D> rest = momentum + dt / 2 * spin.cross(momentum) - start;
+    const Mat<double, D> slope = inertia + dt / 2 * (matrix_of(spin) * inertia - matrix_of(momentum));
+    const Vec<double, D> change = slope.inverse() * rest;
     spin -= change;
     if (!(change.norm() <= 1e-8 * spin.norm())) continue;  // what is left is its square
     orientation.turn_by_cayley(dt * spin);

@@ -111,7 +111,8 @@ struct BoundGuided {
   /// The remainder of the balance is given to the body, unless it is round-off of the impulses, which would
   /// give a very light body a large velocity.
   V after(const V& met, const V& free_velocity, const V& total, T exchanged) const {
-    const T m = static_cast<T>(mass), left = m * (met - free_velocity).dot(axis) + total.dot(axis);
+    const V change = met - free_velocity;
+    const T m = static_cast<T>(mass), left = m * change.dot(axis) + total.dot(axis);
     const bool round_off = !(std::abs(left) > 16 * std::numeric_limits<T>::epsilon() * exchanged);
     return round_off ? met : V(free_velocity - (total.dot(axis) / m) * axis);
   }
@@ -123,7 +124,8 @@ struct BoundGuided {
     return along * along.transpose() / (mass + along.dot(added * along));
   }
   double drive(const V& before, const V& free_velocity, const V& mean, const V&) const {
-    return static_cast<double>(static_cast<T>(mass) * (free_velocity - before).dot(mean));
+    const V change = free_velocity - before;
+    return static_cast<double>(static_cast<T>(mass) * change.dot(mean));
   }
   double kinetic_energy(const V& v) const { return 0.5 * mass * static_cast<double>(v.squaredNorm()); }
   bool holds(const V& g) const { return std::abs(axis.dot(g)) <= 1e-6 * g.norm(); }

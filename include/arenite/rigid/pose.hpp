@@ -62,7 +62,7 @@ class Orientation {
   using Parts = Vec<double, D == 2 ? 1 : 4>;
 
  public:
-  using Quaternion = Eigen::Quaternion<double, Eigen::DontAlign>;
+  using Quaternion = Eigen::Quaternion<typename Parts::Scalar, Eigen::DontAlign>;
 
   /// Turns by a rotation vector in space, rad; in the plane by an angle.
   void turn(const Spin<double, D>& by) {
@@ -70,7 +70,8 @@ class Orientation {
       parts_ += by;
     } else {
       const double angle = by.norm();
-      if (angle > 0) set(Quaternion(Eigen::AngleAxis<double>(angle, by / angle)) * quaternion());
+      if (angle > 0)
+        set(Quaternion(Eigen::AngleAxis<typename Parts::Scalar>(angle, by / angle)) * quaternion());
     }
   }
   /// Turns by the Cayley transform of a vector in the body's own frame: by the angle 2 atan(|a| / 2).
@@ -84,9 +85,9 @@ class Orientation {
     if constexpr (D == 2) {
       return parts_;
     } else {
-      const Vec<double, 3> axis = (parts_[0] < 0 ? -1 : 1) * parts_.template tail<3>();
+      const Spin<double, D> axis = (parts_[0] < 0 ? -1 : 1) * parts_.template tail<3>();
       const double sine = axis.norm();
-      if (sine == 0) return Vec<double, 3>::Zero();
+      if (sine == 0) return Spin<double, D>::Zero();
       return (2 * std::atan2(sine, std::abs(parts_[0])) / sine) * axis;
     }
   }
@@ -94,7 +95,7 @@ class Orientation {
   Mat<double, D> matrix() const {
     if constexpr (D == 2) {
       const double c = std::cos(parts_[0]), s = std::sin(parts_[0]);
-      Mat<double, 2> m;
+      Mat<double, D> m;
       m << c, -s, s, c;
       return m;
     } else {
@@ -109,7 +110,13 @@ class Orientation {
  private:
   void set(const Quaternion& q) { parts_ = Parts(q.w(), q.x(), q.y(), q.z()).normalized(); }
 
-  Parts parts_ = (D == 3) * Parts::Unit(0);
+  static Parts start() {
+    Parts parts = Parts::Zero();
+    if (D == 3) parts[0] = 1;
+    return parts;
+  }
+
+  Parts parts_ = start();
 };
 
 /// Where a body is now, for its surface: the body's own frame is that of the scene at the start.

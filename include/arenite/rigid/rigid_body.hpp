@@ -207,10 +207,16 @@ struct RigidBody {
   }
   /// Books the impulses of a step on the fields.
   void take_impulse(const Velocity& total, T dt) {
-    force = -linear(total) / dt;
-    impulse -= linear(total);
-    torque = -angular(total) / dt;
-    angular_impulse -= angular(total);
+    const V given = linear(total);
+    const Spin<T, D> turned = angular(total);
+    for (int k = 0; k < D; ++k) {
+      force[k] = -given[k] / dt;
+      impulse[k] -= given[k];
+    }
+    for (int k = 0; k < rotations<D>; ++k) {
+      torque[k] = -turned[k] / dt;
+      angular_impulse[k] -= turned[k];
+    }
   }
   /// Moves through a step with the velocity of its end.
   void move(const Velocity& v, T dt) {

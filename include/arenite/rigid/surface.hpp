@@ -201,11 +201,10 @@ class BoundDistanceSurface {
         part.failure = std::current_exception();
       }
     });
-    const std::span all(chunks_.data(), chunks);
-    for (const Chunk& part : all)
-      if (part.failure) std::rethrow_exception(part.failure);
-    for (const Chunk& part : all)
-      for (const Found& found : part.found) f(found);
+    for (std::size_t k = 0; k < chunks; ++k)
+      if (chunks_[k].failure) std::rethrow_exception(chunks_[k].failure);
+    for (std::size_t k = 0; k < chunks; ++k)
+      for (const Found& found : chunks_[k].found) f(found);
   }
 
   /// Position in the body's frame, and direction in that of the scene.
@@ -243,8 +242,9 @@ class BoundDistanceSurface {
       for (std::size_t k = 0; k < count; ++k) {
         if (distance[k] > (reach + tie) * cell[k]) continue;
         const Vec<double, D> normal = to_scene(place, slope(at[k], 1e-4 * cell[k]));
-        if (!(std::isfinite(distance[k]) && normal.allFinite()))
-          throw run_error(refused_distance(at[k], distance[k]));
+        bool finite = std::isfinite(distance[k]);
+        for (int i = 0; i < D; ++i) finite = finite && std::isfinite(normal[i]);
+        if (!finite) throw run_error(refused_distance(at[k], distance[k]));
         // Where the distance has no slope (deep on an axis) there is no way out: such a node is inside.
         found.push_back({number[k], normal.squaredNorm() == 0, normal.template cast<T>(), distance[k]});
       }

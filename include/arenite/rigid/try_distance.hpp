@@ -20,59 +20,18 @@ inline double spread(std::size_t k, double step = 0.6180339887498949) {
 }
 
 /// Numbers below `size`, spread over them: all, or `most`.
-inline std::vector<Index> spread_numbers(std::size_t size, std::size_t most) {
-  std::vector<Index> all(std::min(size, most));
-  for (std::size_t k = 0; k < all.size(); ++k)
-    all[k] = static_cast<Index>(size <= most ? k : static_cast<std::size_t>(spread(k) * double(size)));
-  return all;
-}
+std::vector<Index> spread_numbers(std::size_t size, std::size_t most);
 
 /// The distances at some places, m. Throws `error` that names one where it is NaN.
-inline std::vector<double> tried_distances(const AnyDistance& distance,
-                                           const std::vector<AnyDistance::Position>& places) {
-  std::vector<double> d(places.size());
-  distance.at(places, d.data());
-  for (std::size_t k = 0; k < d.size(); ++k)
-    if (std::isnan(d[k])) throw error(refused_distance(places[k], d[k]));
-  return d;
-}
+std::vector<double> tried_distances(const AnyDistance& distance,
+                                    const std::vector<AnyDistance::Position>& places);
 
 /// The median of the magnitudes of the gradient at the places that are nearest to the surface, -, by central
 /// differences; 1 where there is none that is finite. The nearest are those of the least distance, in
 /// whatever unit that is. Differences are over 1e-4 of `sizes`, m, one a place.
-template <int D>
 double median_gradient(const AnyDistance& distance, const std::vector<AnyDistance::Position>& places,
-                       const std::vector<double>& sizes, const std::vector<double>& at_places) {
-  constexpr std::size_t most = 64, dim = D;
-  std::vector<std::size_t> nearest;
-  for (std::size_t k = 0; k < places.size(); ++k)
-    if (std::isfinite(at_places[k])) nearest.push_back(k);
-  std::ranges::sort(nearest, {}, [&](std::size_t k) { return std::abs(at_places[k]); });
-  nearest.resize(std::min(nearest.size(), most));
-  std::vector<AnyDistance::Position> beside;
-  for (const std::size_t k : nearest)
-    for (std::size_t i = 0; i < dim; ++i)
-      for (const double sign : {1.0, -1.0}) {
-        beside.push_back(places[k]);
-        beside.back()[i] += sign * 1e-4 * sizes[k];
-      }
-  const auto d = tried_distances(distance, beside);
-  std::vector<double> gradients;
-  for (std::size_t n = 0; n < nearest.size(); ++n) {
-    double sum = 0;
-    for (std::size_t i = 0; i < dim; ++i) {
-      const double difference = d[2 * (dim * n + i)] - d[2 * (dim * n + i) + 1];
-      sum += difference * difference;
-    }
-    const double gradient = std::sqrt(sum) / (2e-4 * sizes[nearest[n]]);
-    if (std::isfinite(gradient)) gradients.push_back(gradient);
-  }
-  if (gradients.empty()) return 1;
-  std::ranges::sort(gradients);
-  const double median = gradients[gradients.size() / 2];
-  const double unit = std::pow(10, std::floor(std::log10(median)) - 3);  // differences have round-off
-  return median > 0 ? unit * std::round(median / unit) : 0;
-}
+                       const std::vector<double>& sizes, const std::vector<double>& at_places,
+                       std::size_t dim);
 
 /// Places near nodes of a mesh.
 struct MeshPlaces {
@@ -112,18 +71,21 @@ MeshPlaces mesh_places(const Scene& scene, std::size_t most, IsMeant&& is_meant)
   return found;
 }
 
+/// Throws `error` where a distance is NaN at one of the places. Warns where its gradient is not 1, as that of a
+/// distance in another unit. `dim`: of the scene.
+void try_distance_at(const AnyDistance& distance, const MeshPlaces& near, const std::string& body,
+                     std::size_t dim);
+
 /// Tries the distance of a rigid body, called `body`, near the nodes of the mesh: less than 2,000 places.
-/// Throws `error` where it is NaN. Warns where its gradient is not 1, as that of a distance in another unit.
+/// Throws and warns as `try_distance_at`.
 template <class Scene>
 void try_distance(const Scene& scene, const AnyDistance& distance, const std::string& body) {
-  const auto near = mesh_places(scene, 1024, [](const auto&, double) { return true; });
-  const auto d = tried_distances(distance, near.places);
-  const double gradient = median_gradient<Scene::D>(distance, near.places, near.sizes, d);
-  if (!(gradient > 0.8 && gradient < 1.25))
-    warn(
-        joined_text({"rigid body ", body, ": the gradient of its distance is ", gradient,
-                    " near its surface (a median), not 1: the distance must be in m, as the position is, and "
-                    "that to the nearest place of the surface"}));
+  try_distance_at(distance, mesh_places(scene, 1024, [](const auto&, double) { return true; }), body,
+                  Scene::D);
 }
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET::detail
+
+#ifndef ARENITE_COLD_LIBRARY
+#include <arenite/rigid/try_distance_cold.hpp>
+#endif

@@ -1,0 +1,78 @@
+// Cold functions of constraints.hpp.
+#pragma once
+
+#include <algorithm>
+#include <limits>
+
+#include <arenite/boundary/constraints.hpp>
+
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
+namespace detail {
+
+template <int D>
+ARENITE_COLD void Blocked<D>::add(Vec<double, D> n, std::size_t by) {
+  n.normalize();
+  const Vec<double, D> name = n;
+  for (int pass = 0; pass < 2; ++pass)
+    for (std::size_t k = 0; k < count; ++k) n -= directions[k].dot(n) * directions[k];
+  if (count == most || !(n.norm() > 1e-6)) return;
+  named[count] = name;
+  part[count] = by;
+  n.normalize();
+  directions[count++] = n;
+}
+
+template <int D>
+ARENITE_COLD Mat<double, D> Blocked<D>::projector() const {
+  Mat<double, D> p;
+  for (int i = 0; i < D; ++i)
+    for (int j = 0; j < D; ++j) {
+      double blocked = 0;
+      for (std::size_t k = 0; k < count; ++k) blocked += directions[k][i] * directions[k][j];
+      p(i, j) = count == most ? 0 : (i == j ? 1 : 0) - blocked;
+    }
+  return p;
+}
+
+template <int D>
+ARENITE_COLD Mat<double, D> Blocked<D>::lift(std::size_t of) const {
+  std::array<Vec<double, D>, most> along;  // w's share of each direction, linear in u
+  for (std::size_t k = 0; k < count; ++k) {
+    along[k] = part[k] == of ? named[k] : Vec<double, D>(Vec<double, D>::Zero());
+    for (std::size_t j = 0; j < k; ++j) along[k] -= named[k].dot(directions[j]) * along[j];
+    along[k] /= named[k].dot(directions[k]);
+  }
+  Mat<double, D> all = Mat<double, D>::Zero();
+  for (std::size_t k = count; k-- > 0;)
+    for (int column = 0; column < D; ++column)
+      for (int row = 0; row < D; ++row)
+        all(row, column) = directions[k][row] * along[k][column] + all(row, column);
+  return all;
+}
+
+}  // namespace detail
+
+template <int D>
+ARENITE_COLD BoundaryNodes<D>::BoundaryNodes(const void* mesh, Index count, double epsilon)
+    : mesh_{mesh}, epsilon_{epsilon}, position_(count), blocked_(count) {}
+
+template <int D>
+ARENITE_COLD void BoundaryNodes<D>::find_box() {
+  for (int k = 0; k < D; ++k) {
+    lower_[k] = std::numeric_limits<double>::infinity();
+    upper_[k] = -lower_[k];
+    for (Index i = 0; i < size(); ++i) {
+      if (!is_used(i)) continue;
+      lower_[k] = std::min(lower_[k], position_[i][k]);
+      upper_[k] = std::max(upper_[k], position_[i][k]);
+    }
+  }
+}
+
+template <int D>
+ARENITE_COLD double BoundaryNodes<D>::near() const {
+  const V size = upper_ - lower_;
+  return 1e3 * epsilon_ * size.norm();
+}
+
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

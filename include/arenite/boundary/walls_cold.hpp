@@ -1,0 +1,77 @@
+// Cold functions of walls.hpp.
+#pragma once
+
+#include <cmath>
+
+#include <arenite/boundary/constraints_cold.hpp>
+#include <arenite/boundary/walls.hpp>
+
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
+
+template <int D>
+ARENITE_COLD Vec<double, D> Walls::check(const Wall& wall) {
+  using Kind = Condition::Kind;
+  const Condition& c = wall.condition;
+  require(wall.axis < D, "Wall.axis", wall.axis, "must be an axis of the scene");
+  require(wall.axis >= 0 || c.kind != Kind::face_normal, "Wall.condition", "roller",
+          "needs a face (left, right, ..); elsewhere name the plane: symmetry(normal)");
+  require(wall.axis >= 0 || !wall.set.empty() || wall.test, "Wall.set", wall.set,
+          "must name a node set (or the wall a face or a test)");
+  if (c.kind != Kind::normal && c.kind != Kind::all_but) return Vec<double, D>::Zero();
+  return direction_argument<double, D>(c.kind == Kind::normal ? "symmetry.normal" : "free_along.axis",
+                                       c.direction);
+}
+
+namespace detail {
+
+/// Blocks the nodes of one wall.
+template <int D>
+ARENITE_COLD void catch_nodes(const Wall& wall, BoundaryNodes<D>& nodes) {
+  using V = Vec<double, D>;
+  using Kind = Condition::Kind;
+  const Condition& c = wall.condition;
+  require(wall.axis < 0 || !nodes.is_periodic(wall.axis), "Wall.axis", wall.axis,
+          "is periodic: the mesh has no face there");
+  const V direction = Walls::check<D>(wall);
+  Index caught = 0;
+  const auto take = [&](Index i) {
+    for (int k = 0; k < D; ++k)
+      if (c.kind == Kind::all || (c.kind == Kind::face_normal && k == wall.axis) ||
+          (c.kind == Kind::all_but && direction[k] == 0)) {
+        V axis = V::Zero();
+        axis[k] = 1;
+        nodes.block(i, axis);
+      }
+    if (c.kind == Kind::normal) nodes.block(i, direction);
+    ++caught;
+  };
+  if (!wall.set.empty()) {
+    const std::vector<Index>* const set = nodes.node_set(wall.set);
+    if (set == nullptr)
+      throw error(joined_text(
+          {"Wall.set = ", wall.set, ": a Cartesian grid has no node sets; use faces or where(test)"}));
+    for (const Index i : *set) take(i);
+  } else {
+    for (Index i = 0; i < nodes.size(); ++i) {
+      if (!nodes.is_used(i)) continue;
+      const V& x = nodes.position(i);
+      if (wall.axis >= 0) {
+        const double face = (wall.upper ? nodes.upper() : nodes.lower())[wall.axis];
+        if (std::abs(x[wall.axis] - face) <= nodes.near()) take(i);
+      } else {
+        if (wall.test(in_space(x))) take(i);
+      }
+    }
+  }
+  require(caught > 0 || nodes.is_part(), "Wall.nodes", caught,
+          "the wall must catch at least one node of the mesh");
+}
+
+}  // namespace detail
+
+template <int D>
+ARENITE_COLD void Walls::constrain(BoundaryNodes<D>& nodes) const {
+  for (const Wall& wall : list) detail::catch_nodes(wall, nodes);
+}
+
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -1,0 +1,69 @@
+// Cold functions of pvd.hpp.
+#pragma once
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstdint>
+#include <ostream>
+#include <string>
+#include <string_view>
+
+#include <arenite/core/warning.hpp>
+#include <arenite/io/input_file.hpp>
+#include <arenite/io/output_file.hpp>
+#include <arenite/io/pvd.hpp>
+
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
+
+ARENITE_COLD void write_pvd(const std::filesystem::path& path, std::span<const PvdEntry> entries) {
+  const std::filesystem::path folder = std::filesystem::absolute(path).parent_path();
+  std::string text =
+      joined_text({"<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"1.0\" byte_order=\"",
+                   shared_detail::vtk_byte_order(), "\">\n<Collection>\n"});
+  for (const PvdEntry& e : entries) {
+    require(std::isfinite(e.time), "time of a step", e.time, "must be finite");
+    const auto file =
+        std::filesystem::absolute(e.file).lexically_normal().lexically_proximate(folder.lexically_normal());
+    text += "<DataSet timestep=\"";
+    shared_detail::append_number(text, e.time);
+    text += joined_text(
+        {"\" part=\"", e.part, "\" file=\"", shared_detail::xml_escape(file.generic_string()), "\"/>\n"});
+  }
+  text += "</Collection>\n</VTKFile>\n";
+  shared_detail::replace_file(path, [&](std::ostream& out) { out << text; });
+}
+
+ARENITE_COLD std::vector<double> pvd_times(const std::filesystem::path& path) {
+  std::vector<double> times;
+  std::error_code status;
+  if (!std::filesystem::is_regular_file(path, status)) return times;
+  const std::string text = shared_detail::read_input(path, "series", std::uintmax_t{1} << 30);
+  constexpr std::string_view before = "<DataSet timestep=\"";
+  for (std::size_t at = text.find(before); at != std::string::npos; at = text.find(before, at)) {
+    double time = 0;
+    at += before.size();
+    std::from_chars(text.data() + at, text.data() + text.size(), time);
+    if (times.empty() || time > times.back()) times.push_back(time);
+  }
+  return times;
+}
+
+ARENITE_COLD std::vector<double> kept_times(const std::filesystem::path& path,
+                                            const std::vector<double>& earlier, double time, bool resumed) {
+  if (earlier.empty()) return {};
+  const std::string file = path.string();
+  const auto end = std::lower_bound(earlier.begin(), earlier.end(), time);
+  const std::string holds =
+      joined_text({"series = ", file, ": holds ", earlier.size(),
+                   " frames of an earlier run, t = ", earlier.front(), " to ", earlier.back(), " s"});
+  if (end == earlier.begin())
+    warn(joined_text({holds, ", which are replaced (another prefix keeps them)"}));
+  else if (!resumed)
+    throw error(joined_text({holds, ", which this one, from t = ", time,
+                             " s on, would replace: to go on with them say resumed, else remove ",
+                             file.substr(file.rfind('/') + 1), " or take another prefix"}));
+  return {earlier.begin(), end};
+}
+
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

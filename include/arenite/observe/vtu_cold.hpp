@@ -1,0 +1,128 @@
+// Cold functions of vtu.hpp.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <cstring>
+#include <filesystem>
+#include <system_error>
+
+#include <arenite/core/error.hpp>
+#include <arenite/io/pvd.hpp>
+#include <arenite/observe/vtu.hpp>
+
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
+namespace detail {
+
+/// Columns side by side; zeros for those that are not there.
+template <class T, std::size_t N>
+VtuArray side_by_side(std::string name, std::size_t count, const std::array<const T*, N>& columns) {
+  return vtu_array(std::move(name), count, [columns](std::size_t p) {
+    std::array<T, N> item{};
+    for (std::size_t k = 0; k < N; ++k)
+      if (columns[k] != nullptr) item[k] = columns[k][p];
+    return item;
+  });
+}
+
+template <class T>
+ARENITE_COLD VtuData columns_vtu(const PointColumns<T>& columns, const VtuPoints& wanted,
+                                 MorePoints<T> more) {
+  const std::size_t n = columns.count;
+  const auto& stress = columns.stress;
+  const auto column = [n](std::string_view name, const T* values) {
+    return vtu_array(std::string(name), 1, std::span<const T>(values, n));
+  };
+  VtuData data{side_by_side("position", n, columns.position), {vtu_vertices(n)}, {}, {}};
+  auto& arrays = data.point_data;
+  arrays.push_back(side_by_side("velocity", n, columns.velocity));
+  arrays.push_back(side_by_side("stress", n, stress));
+  arrays.push_back(vtu_array("pressure", n, [x = stress[0], y = stress[1], z = stress[2]](std::size_t p) {
+    return T(-(x[p] + y[p] + z[p]) / 3);
+  }));
+  arrays.push_back(
+      vtu_array("volume_ratio", n,
+                [volume = columns.volume, mass = columns.mass, density = static_cast<T>(columns.density)](
+                    std::size_t p) { return T(volume[p] * density / mass[p]); }));
+  for (VtuArray& array : more.arrays) arrays.push_back(std::move(array));
+  for (std::size_t k = 0; k < more.history.size(); ++k)
+    if (const std::string_view name = more.names[k];
+        !name.empty() && (!wanted.history || std::ranges::count(*wanted.history, name) > 0))
+      arrays.push_back(column(name, more.history[k]));
+  if (wanted.mass) arrays.push_back(column("mass", columns.mass));
+  require(more.id != nullptr || !wanted.id, "VtuPoints.id", wanted.id, "needs a scene with PointIds{}");
+  if (wanted.id)
+    arrays.push_back(
+        vtu_array("id", n, [id = more.id](std::size_t p) { return static_cast<std::int64_t>((*id)[p]); }));
+  return data;
+}
+
+ARENITE_COLD void make_folder(const FilePath& prefix) {
+  const std::filesystem::path folder = std::filesystem::path(prefix.string()).parent_path();
+  std::error_code code;
+  if (!folder.empty()) std::filesystem::create_directories(folder, code);
+  require(!code, "vtu: folder", folder.string(), {"cannot be made: ", code.message()});
+}
+
+ARENITE_COLD VtuNames frame_parts(const VtuOptions& options, std::span<const std::string_view> bodies,
+                                  bool has_mesh) {
+  VtuNames names;
+  for (std::size_t k = 0; k < bodies.size(); ++k)
+    names.push_back(k < options.body_names.size() ? options.body_names[k]
+                    : bodies[k].empty()           ? joined_text({"body", k})
+                                                  : std::string(bodies[k]));
+  if (has_mesh && options.mesh) names.emplace_back("mesh");
+  if (has_mesh && !options.region.empty()) names.push_back(options.region);
+  return names;
+}
+
+}  // namespace detail
+
+ARENITE_COLD VtuSeries::VtuSeries(FilePath prefix, VtuOptions options)
+    : prefix_(prefix.string()), options_(std::move(options)) {
+  detail::make_folder(prefix);
+  PvdWriter(prefix_ + ".pvd", true);  // a folder that cannot be written to shows at once
+}
+
+ARENITE_COLD void VtuSeries::begin_frame(double time, detail::VtuNames names) {
+  names_ = std::move(names);
+  part_ = 0;
+  if (times_.empty()) {
+    const std::string list = prefix_ + ".pvd";
+    times_ = kept_times(list, pvd_times(list), time, options_.resumed);
+    write_list();
+  }
+  time_ = time;
+  again_ = !times_.empty() && times_.back() == time;
+  frame_ = times_.size() - (again_ ? 1 : 0);
+}
+
+ARENITE_COLD void VtuSeries::write_part(const VtuData& data) {
+  write_vtu(file_of(names_[part_], frame_), data);
+  ++part_;
+  if (!again_) write_list();
+}
+
+ARENITE_COLD void VtuSeries::end_frame() {
+  part_ = 0;
+  if (!again_) times_.push_back(time_);
+}
+
+ARENITE_COLD void VtuSeries::write_list() const {
+  std::vector<PvdEntry> entries;
+  const auto add = [&](double time, std::size_t frame, std::size_t parts) {
+    for (std::size_t part = 0; part < parts; ++part)
+      entries.push_back({time, file_of(names_[part], frame), static_cast<int>(part)});
+  };
+  for (std::size_t frame = 0; frame < times_.size(); ++frame) add(times_[frame], frame, names_.size());
+  add(time_, frame_, part_);
+  write_pvd(prefix_ + ".pvd", entries);
+}
+
+ARENITE_COLD std::string VtuSeries::file_of(const std::string& name, std::size_t frame) const {
+  std::string digits = std::to_string(frame);
+  digits.insert(0, digits.size() < 4 ? 4 - digits.size() : 0, '0');
+  return joined_text({prefix_, "_", name, "_", digits, ".vtu"});
+}
+
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

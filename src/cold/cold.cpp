@@ -1,2 +1,11 @@
 // The cold functions of all headers, compiled once.
 #include <arenite/core/error_cold.hpp>
+#include <arenite/core/thread_pool.hpp>
+#include <arenite/core/vector_argument_cold.hpp>
+#include <arenite/core/warning_cold.hpp>
+#include <arenite/particles/cell_parts_cold.hpp>
+#include <arenite/particles/cell_points_cold.hpp>
+#include <arenite/particles/filling_cold.hpp>
+#include <arenite/particles/initial_stress_cold.hpp>
+#include <arenite/particles/initial_velocity_cold.hpp>
+#include <arenite/particles/jitter_cold.hpp>

@@ -9,3 +9,5 @@
 #include <arenite/particles/initial_stress_cold.hpp>
 #include <arenite/particles/initial_velocity_cold.hpp>
 #include <arenite/particles/jitter_cold.hpp>
+#include <arenite/scene/ground_cold.hpp>
+#include <arenite/scene/new_scene_warnings_cold.hpp>

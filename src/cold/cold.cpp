@@ -3,6 +3,11 @@
 #include <arenite/core/thread_pool.hpp>
 #include <arenite/core/vector_argument_cold.hpp>
 #include <arenite/core/warning_cold.hpp>
+#include <arenite/law/elasticity_cold.hpp>
+#include <arenite/law/frictional_cold.hpp>
+#include <arenite/mesh/blocks_cold.hpp>
+#include <arenite/mesh/cartesian_grid_cold.hpp>
+#include <arenite/particles/cell_list_cold.hpp>
 #include <arenite/particles/cell_parts_cold.hpp>
 #include <arenite/particles/cell_points_cold.hpp>
 #include <arenite/particles/filling_cold.hpp>

@@ -48,7 +48,8 @@ std::array<double, 3> gravity_of_ground(const Scene& scene, double time) {
       of_place += first;
     }
   });
-  return in_space<typename Scene::T, Scene::D>(V(uniform + of_place));
+  uniform += of_place;
+  return in_space(uniform);
 }
 
 /// What a ground takes from the fill of a body.
@@ -141,8 +142,7 @@ std::vector<typename M::Point> gauss_offsets(const M& mesh, Index cell, const Gr
 template <class T, int D>
 struct ListedShape {
   std::vector<Index> nodes;
-  std::vector<T> weight;
-  std::vector<std::array<T, D>> gradient;  // 1/m
+  std::vector<T> weight, gradient;  // -, and [nodes x D], 1/m
 };
 
 /// A scene after its first step from rest, as the check of its ground reads it.
@@ -193,11 +193,11 @@ class RestingSceneOf final : public RestingScene<typename Scene::T, Scene::D> {
     const auto w = cell.weights(*x);
     const auto gradient = cell.gradients(*x);
     shape.weight.resize(shape.nodes.size());
-    shape.gradient.resize(shape.nodes.size());
+    shape.gradient.resize(shape.nodes.size() * Scene::D);
+    std::size_t next = 0;
     for (int i = 0; i < cell.size; ++i) {
-      const auto node = static_cast<std::size_t>(i);
-      shape.weight[node] = w[i];
-      for (int b = 0; b < Scene::D; ++b) shape.gradient[node][static_cast<std::size_t>(b)] = gradient(b, i);
+      shape.weight[static_cast<std::size_t>(i)] = w[i];
+      for (int b = 0; b < Scene::D; ++b) shape.gradient[next++] = gradient(b, i);
     }
   }
   std::vector<V> offsets(Index cell, const GroundAtRest& ground, T volume, int vertical) const override {

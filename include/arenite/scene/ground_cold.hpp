@@ -113,7 +113,7 @@ ARENITE_COLD std::vector<Vec<T, D>> sum_errors(const RestingScene<T, D>& scene,
           for (int a = 0; a < D; ++a) {
             force[a] += volume * static_cast<T>(body.density * g[static_cast<std::size_t>(a)]) * w;
             for (int b = 0; b < D; ++b)
-              force[a] -= volume * stress(a, b) * shape.gradient[i][static_cast<std::size_t>(b)];
+              force[a] -= volume * stress(a, b) * shape.gradient[i * D + static_cast<std::size_t>(b)];
           }
           if (scene.hoop) force[0] -= volume * stress[2] * w / x[0];
         }

@@ -3,14 +3,30 @@
 #include <arenite/boundary/reactions_cold.hpp>
 #include <arenite/boundary/walls_cold.hpp>
 #include <arenite/core/error_cold.hpp>
+#include <arenite/core/thread_pool.hpp>
+#include <arenite/core/vector_argument_cold.hpp>
+#include <arenite/core/warning_cold.hpp>
 #include <arenite/io/input_file_cold.hpp>
 #include <arenite/io/output_file_cold.hpp>
 #include <arenite/io/pvd_cold.hpp>
 #include <arenite/io/vtu_cold.hpp>
+#include <arenite/law/elasticity_cold.hpp>
+#include <arenite/law/frictional_cold.hpp>
+#include <arenite/mesh/blocks_cold.hpp>
+#include <arenite/mesh/cartesian_grid_cold.hpp>
 #include <arenite/observe/progress_cold.hpp>
 #include <arenite/observe/vtu_cold.hpp>
 #include <arenite/observe/watch_cold.hpp>
+#include <arenite/particles/cell_list_cold.hpp>
+#include <arenite/particles/cell_parts_cold.hpp>
+#include <arenite/particles/cell_points_cold.hpp>
+#include <arenite/particles/filling_cold.hpp>
+#include <arenite/particles/initial_stress_cold.hpp>
+#include <arenite/particles/initial_velocity_cold.hpp>
+#include <arenite/particles/jitter_cold.hpp>
 #include <arenite/rigid/try_distance_cold.hpp>
+#include <arenite/scene/ground_cold.hpp>
+#include <arenite/scene/new_scene_warnings_cold.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 

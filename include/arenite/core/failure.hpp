@@ -1,10 +1,10 @@
 // Failure: what a user's function threw in a parallel loop, where nothing may be thrown, to throw it behind.
 #pragma once
 
+#include <atomic>
 #include <cstddef>
 #include <exception>
 #include <limits>
-#include <mutex>
 
 #include <arenite/core/instruction_set.hpp>
 
@@ -19,10 +19,13 @@ class Failure {
     try {
       f();
     } catch (...) {
-      const std::lock_guard lock(mutex_);
-      if (item >= item_) return;
-      item_ = item;
-      thrown_ = std::current_exception();
+      while (taken_.test_and_set(std::memory_order_acquire)) {
+      }
+      if (item < item_) {
+        item_ = item;
+        thrown_ = std::current_exception();
+      }
+      taken_.clear(std::memory_order_release);
     }
   }
   /// Throws it, if there is one.
@@ -31,7 +34,7 @@ class Failure {
   }
 
  private:
-  std::mutex mutex_;
+  std::atomic_flag taken_;  // held for a moment
   std::size_t item_ = std::numeric_limits<std::size_t>::max();
   std::exception_ptr thrown_;
 };

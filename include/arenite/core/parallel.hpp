@@ -7,18 +7,18 @@
 #include <vector>
 
 #include <arenite/core/instruction_set.hpp>
-#include <arenite/core/thread_pool.hpp>
+#include <arenite/core/loop.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 /// Threads that loops may use from here on; `n` < 1 leaves the number as it is. The default is that of the
 /// environment's ARENITE_THREADS, else one for each processor.
 inline void set_threads(int n) {
-  if (n >= 1) shared_detail::ThreadPool::instance().set_threads(n);
+  if (n >= 1) shared_detail::set_pool_threads(n);
 }
 
 /// Threads that loops may use now.
-inline int threads() { return shared_detail::ThreadPool::instance().threads(); }
+inline int threads() { return shared_detail::pool_threads(); }
 
 /// Calls `f(i)` for i in [0, n), in any order; on one thread unless `worthwhile`. Each thread begins with a
 /// part of its own, the first item of part t of `parts` being `cut(t, parts)`. `f` must not throw.
@@ -30,12 +30,11 @@ void parallel_for(std::size_t n, bool worthwhile, const F& f, const Cut& cut) {
     for (std::size_t i = begin; i < end; ++i) (*static_cast<const F*>(body))(i);
   };
   if (worthwhile && n > 1)
-    shared_detail::ThreadPool::instance().run(
-        n, {items, &f,
-            [](const void* cuts, std::size_t t, std::size_t parts) -> std::size_t {
-              return (*static_cast<const Cut*>(cuts))(t, parts);
-            },
-            &cut});
+    shared_detail::run_loop(n, {items, &f,
+                                [](const void* cuts, std::size_t t, std::size_t parts) -> std::size_t {
+                                  return (*static_cast<const Cut*>(cuts))(t, parts);
+                                },
+                                &cut});
   else
     items(&f, 0, n);
 }

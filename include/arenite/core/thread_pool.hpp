@@ -8,8 +8,10 @@
 // alone: see `HelperAccount`.
 #pragma once
 
+#include <arenite/core/cold.hpp>
 #include <arenite/core/helper_account.hpp>
 #include <arenite/core/instruction_set.hpp>
+#include <arenite/core/loop.hpp>
 #include <arenite/core/once.hpp>
 #include <arenite/core/system_time.hpp>
 
@@ -49,15 +51,6 @@ bool wait_awake(Done&& done) {
     if (Time::now() >= until) return false;
   return true;
 }
-
-/// A loop without its type, so that the pool is compiled once for all loops.
-struct Loop {
-  void (*items)(const void* body, std::size_t begin, std::size_t end);  ///< runs the items [begin, end)
-  const void* body;
-  /// The first item of part `part` of `parts`.
-  std::size_t (*cut)(const void* cuts, std::size_t part, std::size_t parts);
-  const void* cuts;
-};
 
 /// Why the memory orders do:
 /// - `state_` is the gate. The caller writes the loop (loop_, parts_) and then sets `open`. A
@@ -226,5 +219,9 @@ class ThreadPool {
   alignas(64) std::atomic<std::uint32_t> bell_{0};
   std::atomic<int> asleep_{0};
 };
+
+ARENITE_ONCE void run_loop(std::size_t n, const Loop& loop) { ThreadPool::instance().run(n, loop); }
+ARENITE_ONCE int pool_threads() { return ThreadPool::instance().threads(); }
+ARENITE_ONCE void set_pool_threads(int n) { ThreadPool::instance().set_threads(n); }
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET::shared_detail

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <string_view>
 
@@ -11,31 +10,6 @@
 #include <arenite/core/tensor.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
-
-/// The vector [D] that a user gave as the parameter `name`. Throws `error` unless all components are finite
-/// and those along axes that the scene does not have are zero.
-template <class T, int D>
-Vec<T, D> vector_argument(std::string_view name, const std::array<double, 3>& given) {
-  Vec<T, D> v;
-  for (int k = 0; k < 3; ++k) {
-    const double component = given[static_cast<std::size_t>(k)];
-    require(std::isfinite(component), name, component, "must be finite");
-    if (k < D)
-      v[k] = static_cast<T>(component);
-    else
-      require(component == 0, name, component, "must be zero along an axis that the scene does not have");
-  }
-  return v;
-}
-
-/// The same for a direction, which must have a length; it is not made a unit vector.
-template <class T, int D>
-Vec<T, D> direction_argument(std::string_view name, const std::array<double, 3>& given) {
-  Vec<T, D> v;
-  for (int k = 0; k < D; ++k) v[k] = static_cast<T>(given[static_cast<std::size_t>(k)]);
-  require(v.norm() > 0, name, vector_text(v), "must have a length in the scene's dimensions");
-  return vector_argument<T, D>(name, given);
-}
 
 /// {x, y, z} of a vector of the scene, z = 0 in two dimensions: what functions of a user are given.
 template <class T, int D>
@@ -46,11 +20,39 @@ std::array<double, 3> in_space(const Vec<T, D>& v) {
 }
 
 /// The vector [D] of the first components of {x, y, z}: the way back from `in_space`.
-template <int D>
-Vec<double, D> in_scene(const std::array<double, 3>& all) {
-  Vec<double, D> v;
-  for (int k = 0; k < D; ++k) v[k] = all[static_cast<std::size_t>(k)];
+template <int D, class T = double>
+Vec<T, D> in_scene(const std::array<double, 3>& all) {
+  Vec<T, D> v;
+  for (int k = 0; k < D; ++k) v[k] = static_cast<T>(all[static_cast<std::size_t>(k)]);
   return v;
 }
 
+/// Throws `error` unless all components of the parameter `name` are finite and those along axes that a scene
+/// of so many dimensions does not have are zero.
+void check_vector_argument(std::string_view name, const std::array<double, 3>& given, int dimensions);
+
+/// The vector [D] that a user gave as the parameter `name`, once it is checked.
+template <class T, int D>
+Vec<T, D> vector_argument(std::string_view name, const std::array<double, 3>& given) {
+  check_vector_argument(name, given, D);
+  return in_scene<D, T>(given);
+}
+
+/// The same for a direction, which must have a length; it is not made a unit vector.
+template <class T, int D>
+Vec<T, D> direction_argument(std::string_view name, const std::array<double, 3>& given) {
+  Vec<T, D> v;
+  T squared = 0;
+  for (int k = 0; k < D; ++k) {
+    v[k] = static_cast<T>(given[static_cast<std::size_t>(k)]);
+    squared += v[k] * v[k];
+  }
+  require(squared > 0, name, vector_text(v), "must have a length in the scene's dimensions");
+  return vector_argument<T, D>(name, given);
+}
+
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET
+
+#ifndef ARENITE_COLD_LIBRARY
+#include <arenite/core/vector_argument_cold.hpp>
+#endif

@@ -16,10 +16,12 @@ namespace detail {
 inline constexpr double not_given = std::numeric_limits<double>::quiet_NaN();
 
 /// Throws `error("Law.name = value: rule")` unless `holds`, or says that the constant was forgotten.
+[[noreturn]] void refuse_constant(std::string_view law, std::string_view name, double value,
+                                  std::string_view rule);
 inline void check(bool holds, std::string_view law, std::string_view name, double value,
                   std::string_view rule) {
-  require(holds, {law, ".", name}, value,
-          std::isnan(value) ? std::string_view("must be given") : rule);
+  if (!holds) [[unlikely]]
+    refuse_constant(law, name, value, rule);
 }
 
 }  // namespace detail
@@ -28,16 +30,7 @@ inline void check(bool holds, std::string_view law, std::string_view name, doubl
 class Elasticity {
  public:
   /// density [kg/m3], young [Pa], poisson [-]; `law` is the name that an error message shows. Throws `error`.
-  Elasticity(std::string_view law, double density, double young, double poisson) : density_(density) {
-    detail::check(density > 0 && std::isfinite(density), law, "density", density, "must be positive (kg/m3)");
-    detail::check(young > 0 && std::isfinite(young), law, "young", young, "must be positive (Pa)");
-    detail::check(poisson > -1 && poisson < 0.5, law, "poisson", poisson, "must lie in (-1, 0.5)");
-    poisson_ = poisson;
-    shear_ = young / (2 * (1 + poisson));
-    bulk_ = young / (3 * (1 - 2 * poisson));
-    lame_ = bulk_ - shear_ * 2 / 3;
-    detail::check(std::isfinite(wave_modulus()), law, "young", young, "must give finite moduli (Pa)");
-  }
+  Elasticity(std::string_view law, double density, double young, double poisson);
 
   double density() const { return density_; }
   double poisson() const { return poisson_; }
@@ -66,3 +59,7 @@ class Elasticity {
 };
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET
+
+#ifndef ARENITE_COLD_LIBRARY
+#include <arenite/law/elasticity_cold.hpp>
+#endif

@@ -23,24 +23,13 @@ inline double apex(double friction, double cohesion) {
   return friction > 0 ? cohesion / std::tan(friction) : std::numeric_limits<double>::infinity();
 }
 
+/// Constants of strength that laws share.
+struct Strength {
+  double friction, cohesion, dilatancy, tension, greatest_volume_ratio;
+};
 /// Throws `error` unless the constants of strength make sense. A memory of separation is one number: it can
 /// stand for matter that opened on all sides, not for a crack.
-template <class Parameters>
-void check_strength(std::string_view law, const Parameters& p, bool remembers) {
-  check(p.friction >= 0 && p.friction <= greatest_friction, law, "friction", p.friction,
-        "must lie in [0, 1.55] rad (88.8 deg)");
-  check(p.cohesion >= 0 && std::isfinite(p.cohesion), law, "cohesion", p.cohesion,
-        "must not be negative (Pa)");
-  check(p.friction > 0 || p.cohesion > 0, law, "cohesion", p.cohesion,
-        "must be positive where friction is 0: matter without both has no strength");
-  check(p.dilatancy >= 0 && p.dilatancy <= p.friction, law, "dilatancy", p.dilatancy,
-        "must lie in [0, friction]");
-  check(p.tension >= 0, law, "tension", p.tension, "must not be negative (Pa)");
-  check(p.greatest_volume_ratio >= 1, law, "greatest_volume_ratio", p.greatest_volume_ratio,
-        "must be at least 1");
-  check(!remembers || p.tension >= apex(p.friction, p.cohesion), law, "tension", p.tension,
-        "a law that remembers its opening needs the cut-off at the apex (leave tension out)");
-}
+void check_strength(std::string_view law, const Strength& p, bool remembers);
 
 /// History B of a policy beside A, unless there is none or A holds it already.
 template <class T, class A, class B>
@@ -131,7 +120,8 @@ class Frictional : public Memory, public detail::ElasticPart<Stiffness> {
         given_{p.friction, p.dilatancy, std::tan(p.friction), std::tan(p.dilatancy)},
         friction_(friction),
         parameters_(p) {
-    detail::check_strength(name, p, Memory::remembers);
+    detail::check_strength(name, {p.friction, p.cohesion, p.dilatancy, p.tension, p.greatest_volume_ratio},
+                           Memory::remembers);
     if constexpr (requires { friction.check(given_); }) friction.check(given_);
     if constexpr (bounded) least_slope_ = friction.least_slope(given_);
     if constexpr (implicit)
@@ -283,3 +273,7 @@ class Frictional : public Memory, public detail::ElasticPart<Stiffness> {
 };
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET
+
+#ifndef ARENITE_COLD_LIBRARY
+#include <arenite/law/frictional_cold.hpp>
+#endif

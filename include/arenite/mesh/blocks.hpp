@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <arenite/core/array_memory.hpp>
+#include <arenite/core/cold.hpp>
 #include <arenite/core/lists.hpp>
 #include <arenite/core/parallel.hpp>
 #include <arenite/core/scalar.hpp>
@@ -21,26 +22,13 @@ class Blocks {
   /// Greedy colouring of blocks of `size` consecutive cells. `nodes_of(cell)` gives a range of node numbers
   /// below `node_count`. Cost: one pass over cells x nodes.
   template <class NodesOf>
-  Blocks(Index cell_count, Index node_count, Index size, NodesOf&& nodes_of)
-      : cells_{cell_count}, size_{std::max<Index>(size, 1)} {
-    const Index blocks = (cell_count + size_ - 1) / size_;
-    std::vector<Index> color_of(blocks, 0);
-    std::vector<std::vector<Index, ArrayMemory<Index>>>
-        last;  // [color][node] the last block of that colour at that node
-    for (Index b = 0; b < blocks; ++b) {
-      Index color = 0;
-      for (;; ++color) {
-        if (color == last.size()) last.emplace_back(node_count, none);
-        if (is_free(b, last[color], nodes_of)) break;
-      }
-      for (Index c = begin(b); c < end(b); ++c)
-        for (const Index node : nodes_of(c)) last[color][node] = b;
-      color_of[b] = color;
-    }
-    of_color_.build(last.size(), [&](auto&& add) {
-      for (Index b = 0; b < blocks; ++b) add(color_of[b], b);
-    });
-  }
+  Blocks(Index cell_count, Index node_count, Index size, const NodesOf& nodes_of)
+      : Blocks(cell_count, node_count, size,
+               CellNodes{[](const void* of, Index cell, std::vector<Index>& nodes) {
+                           const auto& all = (*static_cast<const NodesOf*>(of))(cell);
+                           nodes.assign(all.begin(), all.end());
+                         },
+                         &nodes_of}) {}
 
   /// Gives each thread a share of the blocks with an equal sum of `work(cell)`, a number of points, the same
   /// in every loop: what it touched is still in its cache.
@@ -122,6 +110,13 @@ class Blocks {
   }
 
  private:
+  /// Puts the nodes of a cell into a list.
+  struct CellNodes {
+    void (*list)(const void* of, Index cell, std::vector<Index>& nodes);
+    const void* of;
+  };
+  Blocks(Index cell_count, Index node_count, Index size, CellNodes nodes_of);
+
   /// Fewer cells than this do not pay for threads.
   bool worthwhile() const { return cells_ >= 1000; }
 
@@ -133,16 +128,6 @@ class Blocks {
     return static_cast<Index>(at - work_before_.begin());
   }
 
-  template <class NodesOf>
-  bool is_free(Index block, const std::vector<Index, ArrayMemory<Index>>& last, NodesOf& nodes_of) const {
-    for (Index c = begin(block); c < end(block); ++c)
-      for (const Index node : nodes_of(c))
-        if (last[node] != none) {
-          if (last[node] != block) return false;
-        }
-    return true;
-  }
-
   Index cells_ = 0;
   Index size_ = 1;
   Lists of_color_;                          // [colours] the blocks of each
@@ -150,3 +135,7 @@ class Blocks {
 };
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET
+
+#ifndef ARENITE_COLD_LIBRARY
+#include <arenite/mesh/blocks_cold.hpp>
+#endif

@@ -3,12 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
-#include <functional>
-#include <optional>
 #include <string>
+#include <vector>
 
-#include <arenite/core/map.hpp>
 #include <arenite/core/name.hpp>
 #include <arenite/kinematics/kinematics.hpp>
 #include <arenite/law/roles.hpp>
@@ -17,47 +14,12 @@
 #include <arenite/particles/cell_parts.hpp>
 #include <arenite/particles/cell_points.hpp>
 #include <arenite/particles/cell_sums.hpp>
-#include <arenite/particles/initial_stress.hpp>
-#include <arenite/particles/initial_velocity.hpp>
+#include <arenite/particles/filling.hpp>
 #include <arenite/particles/jitter.hpp>
 #include <arenite/particles/points.hpp>
 #include <arenite/particles/region.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
-
-/// How `fill` makes points. Values are checked when the scene is made, which throws `error`.
-struct FillOptions {
-  /// Points a cell; none: four, in the cells of a grid in space eight.
-  std::optional<int> per_cell{};
-  InitialVelocity velocity{};             ///< (x, y, z), m/s, or a function of the position
-  std::optional<InitialStress> stress{};  ///< `Geostatic`, or a function of the position; none: unstressed
-  bool may_be_empty = false;              ///< whether a region without points is no mistake: some come later
-  /// Initial values of members of the law's history, by name, as functions of the position (x, y, z = 0 in
-  /// two dimensions), m; those not named begin as the law says.
-  Map<std::string, std::function<double(const std::array<double, 3>&)>> history{};
-  /// Moves each point at random within this share, 0 to 1, of its sub-cell (`jitter_points`); those that it
-  /// takes out of the region are left out, those that it takes into it are put in.
-  double jitter = 0;
-  std::uint64_t seed = 0;  ///< of the jitter
-  /// On a grid with cells of unequal edges: about `per_cell`, but as far apart along all axes, so that they
-  /// lie evenly where the matter flows into other cells.
-  bool even = false;
-  /// Whether a point stands for the part of its sub-cell that lies in the region, and lies in the middle of
-  /// that part: so that the mass is that of the region. Otherwise it stands for all of its sub-cell, if the
-  /// middle of the sub-cell lies in the region.
-  bool exact_volume = false;
-
-  /// `per_cell` in a mesh.
-  template <class M>
-  int points_in_cell() const {
-    return per_cell.value_or(is_simplex_mesh<M> || M::dimension == 2 ? 4 : 8);
-  }
-  /// Throws `error` for a value that no scene bears.
-  void check() const {
-    require(!per_cell || *per_cell >= 1, "FillOptions.per_cell", per_cell.value_or(0), "must be at least 1");
-    require(jitter >= 0 && jitter <= 1, "FillOptions.jitter", jitter, "must lie in [0, 1]");
-  }
-};
 
 /// What `fill` returns: a region, a law and how to fill; the scene makes a `Body` of it, once it knows the
 /// mesh. In the type of the scene only law and name remain: `Fill<MohrCoulomb<>>`.
@@ -135,79 +97,15 @@ struct Body {
   std::vector<Sym<T, D>> cell_stress{};
 };
 
-/// Numbers of the regions of a simplex mesh that a region names. Throws `error` for a name that the mesh does
-/// not have: of a grid for any.
-template <class M>
-std::vector<int> region_numbers([[maybe_unused]] const M& mesh, const AnyRegion& region) {
-  std::vector<int> numbers;
-  for (const auto& name : region.cells) {
-    if constexpr (is_simplex_mesh<M>)
-      numbers.push_back(mesh.region_number(name));
-    else
-      throw error(joined_text({"Cells = ", name, ": a grid has no regions; they go with simplices"}));
-  }
-  return numbers;
-}
-
 namespace detail {
-
-/// Where a fill puts a point. Those of a cell follow each other, and cells are in order.
-struct FillPlace {
-  SpacePosition position;  // m
-  double volume;           // m3
-  Index cell;
-  bool sliver = false;  // whether it stands for less than a tenth of a sub-cell
-};
-
-/// Lets slivers join the nearest place beside them that is none, in their own cell or a cell next to it: a
-/// very light point in a cell of its own would lead nodes with hardly any mass. Volume and its centre are
-/// kept. `walk`: finds the cell of a position, m, from a cell near it.
-inline void join_slivers(std::vector<FillPlace>& places, std::size_t dimensions,
-                         const std::function<double(Index)>& edge,
-                         const std::function<Index(const SpacePosition&, Index)>& walk) {
-  for (auto& small : places) {
-    if (!small.sliver) continue;
-    FillPlace* nearest = nullptr;
-    const auto look = [&](Index cell) {
-      auto other = std::lower_bound(places.begin(), places.end(), cell,
-                                    [](const FillPlace& place, Index c) { return place.cell < c; });
-      for (; other != places.end() && other->cell == cell; ++other)
-        if (!other->sliver && (!nearest || distance_between(other->position, small.position) <
-                                               distance_between(nearest->position, small.position)))
-          nearest = &*other;
-    };
-    look(small.cell);
-    for (std::size_t k = 0; k < dimensions; ++k)
-      for (const int side : {-1, 1}) {
-        SpacePosition beside = small.position;
-        beside[k] += side * edge(small.cell) / 2;
-        if (const Index cell = walk(beside, small.cell); cell != none && cell != small.cell) look(cell);
-      }
-    if (!nearest) continue;
-    const double both = nearest->volume + small.volume;
-    SpacePosition middle{};
-    for (std::size_t k = 0; k < dimensions; ++k)
-      middle[k] = (nearest->volume * nearest->position[k] + small.volume * small.position[k]) / both;
-    if (walk(middle, nearest->cell) == nearest->cell) nearest->position = middle;
-    nearest->volume = both;
-    small.volume = 0;
-  }
-  std::erase_if(places, [](const FillPlace& place) { return place.volume == 0; });
-}
 
 /// Gives the points the initial values of `FillOptions::history`. Throws `error` for one that the law's
 /// history has no member for, or that is not finite.
 template <class L, class T, int D, ExtraColumns E>
-void begin_history(Points<T, D, L, E>& points, const FillOptions& options) {
-  constexpr auto& names = history_names<typename L::template History<T>>;
-  std::string known;
-  for (const std::string_view name : names)
-    if (!name.empty()) known += (known.empty() ? "" : ", ") + std::string(name);
+[[gnu::cold]] void begin_history(Points<T, D, L, E>& points, const FillOptions& options) {
+  static constexpr auto& names = history_names<typename L::template History<T>>;
   for (const auto& [name, value_at] : options.history) {
-    const auto k = static_cast<std::size_t>(std::ranges::find(names, name) - names.begin());
-    require(!name.empty() && k < names.size(), "FillOptions.history", name,
-            known.empty() ? "the law's history has no member with a name"
-                          : joined_text({"must be one of: ", known}));
+    const std::size_t k = history_place(names, name);
     for (std::size_t p = 0; p < points.size(); ++p) {
       const double value = value_at(in_space<T, D>(points.position[p]));
       require(std::isfinite(value), {"FillOptions.history, ", name}, value, "must be finite");
@@ -228,71 +126,42 @@ struct OwnsAllCells {
 /// Throws `error` if the region holds no point of the mesh, unless it may.
 template <class K, ExtraColumns Extra = ExtraColumns{}, class M, class L, Name name,
           class Owns = OwnsAllCells>
-auto make_body(const M& mesh, const Fill<L, name>& recipe, const Owns& owns = {}, const Ground& ground = {}) {
+[[gnu::cold]] auto make_body(const M& mesh, const Fill<L, name>& recipe, const Owns& owns = {},
+                             const Ground& ground = {}) {
   using T = typename M::scalar;
   constexpr int D = M::dimension;
   Body<L, T, D, Extra> body{recipe.law, {}, {}};
   const FillOptions& o = recipe.options;
-  if (o.velocity.is_uniform()) o.velocity.at<T, D>(Vec<T, D>::Zero());
-  require(!o.even || !is_simplex_mesh<M>, "FillOptions.even", o.even, "goes with a grid alone");
-  o.check();
-  require(!o.exact_volume || !recipe.region.by_centres, "FillOptions.exact_volume", o.exact_volume,
-          "goes with shapes and signed distances, not with a test of positions of the host");
+  constexpr bool simplices = is_simplex_mesh<M>;
+  const auto thickness = [](const Vec<T, D>& x) -> T { return K::thickness(x); };
+  detail::Filling<T, D> filling(o, recipe.region, recipe.law.density(), ground, simplices, thickness);
   const int per_cell = o.points_in_cell<M>();
-  const double density = recipe.law.density();
-  std::optional<InitialStress> stress_at;
-  if (o.stress) stress_at = o.stress->in(ground, density);
   const auto numbers = region_numbers(mesh, recipe.region);
-  std::vector<detail::FillPlace> places;
-  const auto point_at = [](const detail::SpacePosition& x) ->
-      typename M::Point { return in_scene<D>(x).template cast<T>(); };
-  const auto edge = [&](Index c) { return std::pow(static_cast<double>(mesh.volume(c)), 1.0 / D); };
-  detail::ClearBall clear;
-  const auto fill_places = [&] {
-    for (const auto& place : places) {
-      const typename M::Point x = point_at(place.position);
-      const T volume = static_cast<T>(place.volume);
-      const auto stress = stress_at ? stress_at->at(x) : Sym<T, D>{};
-      body.points.push_back(x, o.velocity.at(x), static_cast<T>(density) * volume, volume, stress,
-                            place.cell);
-      if constexpr (Extra.affine)
-        body.points.motion.set(body.points.size() - 1, o.velocity.gradient(x, edge(place.cell)));
-      body.initial_volume += static_cast<double>(volume);
+  const auto add_points = [&] {
+    for (const auto& point : filling.points(Extra.affine)) {
+      body.points.push_back(point.position, point.velocity, point.mass, point.volume, point.stress,
+                            point.cell);
+      if constexpr (Extra.affine) body.points.motion.set(body.points.size() - 1, point.gradient);
     }
-    places.clear();
   };
   for (Index c = 0; c < mesh.cell_count(); ++c) {
     if (!owns(c)) continue;
-    if constexpr (is_simplex_mesh<M>) {
+    if constexpr (simplices) {
       if (!recipe.region.test && !std::ranges::count(numbers, mesh.region(c))) continue;
     }
     auto of_cell = initial_points(mesh, c, per_cell, o.even);
-    const auto parts = cell_parts(mesh, c, recipe.region, of_cell, per_cell, o.even, clear);
+    const auto parts = cell_parts(mesh, c, recipe.region, of_cell, per_cell, o.even, filling.clear);
     jitter_points(mesh, c, o.jitter, o.seed, of_cell, per_cell, o.even);
-    const T share = mesh.volume(c) / static_cast<T>(of_cell.size());
-    for (std::size_t p = 0; p < of_cell.size(); ++p) {
-      const auto& x = of_cell[p];
-      if (!parts.empty() && parts[p].share > 0) {
-        const double volume =
-            parts[p].share * static_cast<double>(share * K::thickness(point_at(parts[p].centre)));
-        body.region_volume += volume;
-        if (o.exact_volume && !parts[p].whole)
-          places.push_back({parts[p].centre, volume, c, parts[p].share < 0.1});
-      }
-      if (o.exact_volume && !parts.empty() ? !parts[p].whole
-                                           : recipe.region.test && !recipe.region.contains(x))
-        continue;
-      places.push_back({in_space<T, D>(x), static_cast<double>(share * K::thickness(x)), c});
-      if (parts.empty()) body.region_volume += places.back().volume;
-    }
-    if (!o.exact_volume) fill_places();
+    filling.add_cell(c, mesh.volume(c), of_cell, parts);
+    if (!o.exact_volume) add_points();
   }
   if (o.exact_volume) {
-    detail::join_slivers(places, D, edge, [&](const detail::SpacePosition& x, Index near) {
-      return mesh.walk(point_at(x), near);
-    });
-    fill_places();
+    filling.join_slivers(
+        [&](const detail::SpacePosition& x, Index near) { return mesh.walk(in_scene<D, T>(x), near); });
+    add_points();
   }
+  body.initial_volume = filling.initial_volume;
+  body.region_volume = filling.region_volume;
   require(body.points.size() > 0 || o.may_be_empty || !Owns::is_whole, "fill: points", body.points.size(),
           "the region holds no point of the mesh");
   require(body.points.size() < none, "fill: points", body.points.size(), "must be fewer than 2^32");

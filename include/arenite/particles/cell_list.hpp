@@ -26,16 +26,7 @@ class CellList {
   };
 
   /// Takes points that are sorted by cell. Throws `error` if they are not.
-  void build(const std::vector<Index>& cell, Index cell_count) {
-    require(std::is_sorted(cell.begin(), cell.end()), "CellList: points", cell.size(),
-            "must be sorted by cell");
-    begin_rows(start_, cell_count, [&](auto&& count) {
-      for (const Index c : cell) count(c);
-    });
-    owned_.resize(cell_count);
-    own_all();
-    reserve(cell.size());
-  }
+  void build(const std::vector<Index>& cell, Index cell_count);
   /// Takes the memory that relocation of so many points needs, so that a step allocates nothing.
   void reserve(std::size_t points) {
     unsorted_.reserve(points / 8 + 64);
@@ -222,3 +213,7 @@ class CellList {
 };
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET
+
+#ifndef ARENITE_COLD_LIBRARY
+#include <arenite/particles/cell_list_cold.hpp>
+#endif

@@ -71,32 +71,17 @@ std::vector<Vec<double, D + 1>> simplex_points(int n) {
       if (n == k * k) return detail::triangle_centroids(k);
   }
   throw error(joined_text({"per_cell = ", n,
-                          D == 2 ? ": must be 1, 3, 6, 10, 15, 21, 28 or the square of 1 to 7"
-                                 : ": must be 1, 4, 10, 20, 35, 56 or 84"}));
+                           D == 2 ? ": must be 1, 3, 6, 10, 15, 21, 28 or the square of 1 to 7"
+                                  : ": must be 1, 4, 10, 20, 35, 56 or 84"}));
 }
 
 /// How many of n points on a lattice lie along each axis; n must be a D-th power. Throws `error` otherwise.
 template <int D>
-std::array<int, static_cast<std::size_t>(D)> lattice_counts(int n) {
-  const int k = static_cast<int>(std::lround(std::pow(n, 1.0 / D)));
-  require(n >= 1 && (D == 2 ? k * k : k * k * k) == n, "per_cell", n,
-          D == 2 ? "must be a square (1, 4, 9, ..)" : "must be a cube (1, 8, 27, ..)");
-  std::array<int, static_cast<std::size_t>(D)> along;
-  along.fill(k);
-  return along;
-}
+std::array<int, static_cast<std::size_t>(D)> lattice_counts(int n);
 /// The same for a cell of a grid with these edges, so that points are about as far apart along all axes:
 /// about n in all, and, unless n = 1, two along each axis at least.
 template <class T, int D>
-std::array<int, static_cast<std::size_t>(D)> even_counts(int n, const Vec<T, D>& edges) {
-  auto along = lattice_counts<D>(n);
-  const double apart = std::pow(static_cast<double>(edges.prod()) / n, 1.0 / D);
-  for (std::size_t k = 0; k < along.size(); ++k)
-    along[k] =
-        std::max(n > 1 ? 2 : 1,
-                 static_cast<int>(std::lround(static_cast<double>(edges[static_cast<int>(k)]) / apart)));
-  return along;
-}
+std::array<int, static_cast<std::size_t>(D)> even_counts(int n, const Vec<T, D>& edges);
 
 /// Positions in the unit cell [0, 1]^D of points on an even lattice with so many along each axis.
 template <std::size_t D>
@@ -120,26 +105,40 @@ std::vector<Vec<double, D>> lattice_points(int n) {
   return lattice_points(lattice_counts<D>(n));
 }
 
+/// A cell of a grid.
+template <class T, int D>
+struct CellBox {
+  Vec<T, D> corner, extent;  // m
+};
+template <class M>
+CellBox<typename M::scalar, M::dimension> cell_box(const M& mesh, Index cell) {
+  return {mesh.corner(cell), mesh.extent(cell)};
+}
+
 /// Positions of the n initial points of a cell, m; `even`: about n, as `even_counts` has them.
+template <class T, int D>
+std::vector<Vec<T, D>> initial_points(const CellBox<T, D>& cell, int n, bool even);
 template <class M>
 std::vector<typename M::Point> initial_points(const M& mesh, Index cell, int n,
                                               [[maybe_unused]] bool even = false) {
-  using T = typename M::scalar;
-  constexpr int D = M::dimension;
-  std::vector<typename M::Point> points;
   if constexpr (is_simplex_mesh<M>) {
+    constexpr int D = M::dimension;
+    std::vector<typename M::Point> points;
     for (const auto& b : simplex_points<D>(n)) {
       typename M::Point x = M::Point::Zero();
       for (int k = 0; k <= D; ++k)
-        x += static_cast<T>(b[k]) * mesh.position(mesh.nodes(cell)[static_cast<std::size_t>(k)]);
+        x += static_cast<typename M::scalar>(b[k]) *
+             mesh.position(mesh.nodes(cell)[static_cast<std::size_t>(k)]);
       points.push_back(x);
     }
+    return points;
   } else {
-    for (const auto& s :
-         lattice_points(even ? even_counts<T, D>(n, mesh.extent(cell)) : lattice_counts<D>(n)))
-      points.push_back(mesh.corner(cell) + mesh.extent(cell).cwiseProduct(s.template cast<T>()));
+    return initial_points(cell_box(mesh, cell), n, even);
   }
-  return points;
 }
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET
+
+#ifndef ARENITE_COLD_LIBRARY
+#include <arenite/particles/cell_points_cold.hpp>
+#endif

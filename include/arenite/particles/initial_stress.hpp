@@ -1,9 +1,7 @@
 // Initial stress of a body: at rest under level ground, or any function of the position.
 #pragma once
 
-#include <algorithm>
 #include <array>
-#include <cmath>
 #include <concepts>
 #include <functional>
 #include <limits>
@@ -26,12 +24,7 @@ struct Geostatic {
   bool may_move = false;  ///< whether forces out of balance in the first step are no mistake (a dam breaks)
 
   /// Throws `error` unless all is given.
-  void check() const {
-    require(std::isfinite(surface), "Geostatic.surface", surface, "must be given");
-    require(k0 >= 0 && std::isfinite(k0), "Geostatic.k0", k0, "must be given, and not negative");
-    require(surcharge >= 0 && std::isfinite(surcharge), "Geostatic.surcharge", surcharge,
-            "must be finite, and not negative");
-  }
+  void check() const;
 };
 
 /// What the geostatic stress of a body takes from its scene.
@@ -45,18 +38,7 @@ struct Ground {
   std::vector<Layer> above{};       ///< of other matter above the body
 
   /// The axis along which gravity pulls. Throws `error` if there is none.
-  std::size_t axis() const {
-    const auto along = static_cast<std::size_t>(
-        std::ranges::max_element(gravity, {}, [](double g) { return std::abs(g); }) - gravity.begin());
-    const auto text = [&] { return joined_text({"(", gravity[0], ", ", gravity[1], ", ", gravity[2], ")"}); };
-    require(gravity[along] != 0, {"Geostatic: gravity at t = ", time, " s"}, text(),
-            "must act when the ground is filled; a stress without gravity is a function of the position");
-    for (std::size_t k = 0; k < 3; ++k)
-      require(k == along || std::abs(gravity[k]) <= 1e-9 * std::abs(gravity[along]), "Geostatic: gravity",
-              text(),
-              "must act along an axis: on a slope give the stress as a function of the position, and settle");
-    return along;
-  }
+  std::size_t axis() const;
 };
 
 /// `Geostatic{..}`, or a function of the position (x, y, z = 0 in two dimensions), m, that returns a stress
@@ -74,52 +56,26 @@ class InitialStress {
   const std::optional<Geostatic>& geostatic() const { return geostatic_; }
 
   /// A `Geostatic` as the function of the position that it is in a ground, for matter of a density, kg/m3.
-  InitialStress in(const Ground& ground, double density) const {
-    if (!geostatic_) return *this;
-    geostatic_->check();
-    const std::size_t vertical = ground.axis();
-    const double up = ground.gravity[vertical] < 0 ? 1 : -1, g = std::abs(ground.gravity[vertical]);
-    return [o = *geostatic_, above = ground.above, density, vertical, up, g](const Position& x) {
-      const double depth = up * (o.surface - x[vertical]);
-      double pressure = density * g * std::max(0.0, depth);
-      if (depth > 0) pressure += o.surcharge;
-      for (const auto& layer : above) {
-        bool covers = true;
-        for (std::size_t k = 0; k < 3; ++k)
-          covers = covers && (k == vertical || (layer.lower[k] <= x[k] && x[k] <= layer.upper[k]));
-        if (!covers) continue;
-        const auto [low, high] = std::minmax({up * layer.lower[vertical], up * layer.upper[vertical]});
-        pressure += (layer.density - density) * g *
-                    std::max(0.0, std::min(high, up * o.surface) - std::max(low, up * x[vertical]));
-      }
-      Six stress{};
-      for (std::size_t k = 0; k < 3; ++k) stress[k] = -pressure * (k == vertical ? 1.0 : o.k0);
-      return stress;
-    };
-  }
+  InitialStress in(const Ground& ground, double density) const;
   /// Stress at a position, m; of a `Geostatic`: once it is `in` a ground. Throws `error` that names the
   /// position unless it is finite and one of the scene's dimensions.
   template <class T, int D>
   Sym<T, D> at(const Vec<T, D>& x) const {
-    static constexpr std::array<const char*, 6> names{"xx", "yy", "zz", "xy", "yz", "zx"};
-    const Six given = at_(in_space(x));
+    const Six given = checked(in_space(x), D);
     Sym<T, D> stress{};
-    for (std::size_t k = 0; k < 6; ++k) {
-      const auto name = [&] {
-        return joined_text({"FillOptions.stress, ", names[k], " at ", vector_text(x), " m"});
-      };
-      if (!std::isfinite(given[k])) require(false, name(), given[k], "must be finite");
-      if (k < stress.size)
-        stress[k] = static_cast<T>(given[k]);
-      else if (given[k] != 0)
-        require(false, name(), given[k], "must be zero in two dimensions");
-    }
+    for (std::size_t k = 0; k < stress.size; ++k) stress[k] = static_cast<T>(given[k]);
     return stress;
   }
 
  private:
+  Six checked(const Position& x, std::size_t dimensions) const;
+
   std::optional<Geostatic> geostatic_{};
   std::function<Six(const Position&)> at_{};
 };
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET
+
+#ifndef ARENITE_COLD_LIBRARY
+#include <arenite/particles/initial_stress_cold.hpp>
+#endif

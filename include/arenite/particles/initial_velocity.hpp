@@ -1,9 +1,7 @@
 // Initial velocity of a body: one vector, or any function of the position.
 #pragma once
 
-#include <algorithm>
 #include <array>
-#include <cmath>
 #include <concepts>
 #include <functional>
 #include <initializer_list>
@@ -24,10 +22,7 @@ class InitialVelocity {
 
   InitialVelocity() = default;
   InitialVelocity(const Three& v) : uniform_{v} {}
-  InitialVelocity(std::initializer_list<double> v) {
-    require(v.size() <= 3, "FillOptions.velocity, components", v.size(), "must be at most 3");
-    std::ranges::copy(v, uniform_.begin());
-  }
+  InitialVelocity(std::initializer_list<double> v);
   template <class F>
   requires std::is_invocable_r_v<Three, const F&, const Three&> InitialVelocity(F f) : at_{std::move(f)} {}
 
@@ -37,33 +32,37 @@ class InitialVelocity {
   /// does not have.
   template <class T, int D>
   Vec<T, D> at(const Vec<T, D>& x) const {
-    if (is_uniform()) return vector_argument<T, D>("FillOptions.velocity", uniform_);
-    const Three v = at_(in_space(x));
-    const auto is_bad = [](double c) { return !std::isfinite(c); };
-    if (std::ranges::any_of(v, is_bad) || (D == 2 && v[2] != 0))
-      return vector_argument<T, D>(joined_text({"FillOptions.velocity at ", vector_text(x), " m"}), v);
-    return in_scene<D>(v).template cast<T>();
+    return in_scene<D, T>(checked(in_space(x), D));
   }
 
   /// Its gradient [D x D] at a position, 1/s: row i, column k is that of component i along axis k. `length`:
   /// over which the function varies, m; a millionth of it is the distance of the differences.
   template <class T, int D>
   Mat<T, D> gradient(const Vec<T, D>& x, double length) const {
-    Mat<double, D> g = Mat<double, D>::Zero();
-    if (is_uniform()) return g.template cast<T>();
+    Mat<T, D> g = Mat<T, D>::Zero();
+    if (is_uniform()) return g;
     const double h = 1e-6 * length;
-    for (int k = 0; k < D; ++k) {
-      Vec<double, D> before = x.template cast<double>(), behind = before;
+    const Three middle = in_space(x);
+    for (std::size_t k = 0; k < D; ++k) {
+      Three before = middle, behind = middle;
       before[k] -= h;
       behind[k] += h;
-      g.col(k) = (at<double, D>(behind) - at<double, D>(before)) / (behind[k] - before[k]);
+      const Three v = checked(before, D), w = checked(behind, D);
+      for (std::size_t i = 0; i < D; ++i)
+        g(static_cast<int>(i), static_cast<int>(k)) = static_cast<T>((w[i] - v[i]) / (behind[k] - before[k]));
     }
-    return g.template cast<T>();
+    return g;
   }
 
  private:
+  Three checked(const Three& x, int dimensions) const;
+
   Three uniform_{};
   std::function<Three(const Three&)> at_{};
 };
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET
+
+#ifndef ARENITE_COLD_LIBRARY
+#include <arenite/particles/initial_velocity_cold.hpp>
+#endif

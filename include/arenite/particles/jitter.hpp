@@ -49,41 +49,47 @@ Vec<double, D + 1> random_in_simplex(RandomAt& random) {
   return b;
 }
 
+/// `jitter_points` in a simplex.
+template <class M>
+void jitter_in_simplex(const M& mesh, Index cell, double share, std::uint64_t seed,
+                       std::vector<typename M::Point>& points) {
+  using T = typename M::scalar;
+  constexpr int D = M::dimension;
+  double size = 1;  // of a sub-cell, in cells
+  for (const auto& x : points)
+    size = std::min(size, (D + 1) * static_cast<double>(mesh.barycentric(cell, x).minCoeff()));
+  const auto scale = static_cast<T>(share * size);
+  for (std::size_t p = 0; p < points.size(); ++p) {
+    RandomAt random(seed, cell, p);
+    const auto b = random_in_simplex<D>(random);
+    for (int k = 0; k <= D; ++k)
+      points[p] += scale * static_cast<T>(b[k] - 1.0 / (D + 1)) *
+                   mesh.position(mesh.nodes(cell)[static_cast<std::size_t>(k)]);
+  }
+}
+
 }  // namespace detail
 
 /// Moves the initial points of a cell at random, each as likely to any place in its sub-cell, times `share`
 /// from 0 to 1. On a grid that is its part of the lattice, of so many points along each axis (`even`: see
 /// `initial_points`); in a simplex a copy of it about the point, as large as keeps all points in the cell.
 /// The same points on any machine, and in any order of the cells.
+template <class T, int D>
+void jitter_points(const CellBox<T, D>& box, Index cell, double share, std::uint64_t seed,
+                   std::vector<Vec<T, D>>& points, int per_cell, bool even);
 template <class M>
 void jitter_points(const M& mesh, Index cell, double share, std::uint64_t seed,
                    std::vector<typename M::Point>& points, [[maybe_unused]] int per_cell,
                    [[maybe_unused]] bool even = false) {
-  using T = typename M::scalar;
-  constexpr int D = M::dimension;
   if (share == 0) return;
-  if constexpr (is_simplex_mesh<M>) {
-    double size = 1;  // of a sub-cell, in cells
-    for (const auto& x : points)
-      size = std::min(size, (D + 1) * static_cast<double>(mesh.barycentric(cell, x).minCoeff()));
-    const auto scale = static_cast<T>(share * size);
-    for (std::size_t p = 0; p < points.size(); ++p) {
-      detail::RandomAt random(seed, cell, p);
-      const auto b = detail::random_in_simplex<D>(random);
-      for (int k = 0; k <= D; ++k)
-        points[p] += scale * static_cast<T>(b[k] - 1.0 / (D + 1)) *
-                     mesh.position(mesh.nodes(cell)[static_cast<std::size_t>(k)]);
-    }
-  } else {
-    const auto edges = mesh.extent(cell);
-    const auto along = even ? even_counts<T, D>(per_cell, edges) : lattice_counts<D>(per_cell);
-    for (std::size_t p = 0; p < points.size(); ++p) {
-      detail::RandomAt random(seed, cell, p);
-      for (int k = 0; k < D; ++k)
-        points[p][k] += static_cast<T>(share * (1.0 / along[static_cast<std::size_t>(k)])) * edges[k] *
-                        static_cast<T>(random.uniform() - 0.5);
-    }
-  }
+  if constexpr (is_simplex_mesh<M>)
+    detail::jitter_in_simplex(mesh, cell, share, seed, points);
+  else
+    jitter_points(cell_box(mesh, cell), cell, share, seed, points, per_cell, even);
 }
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET
+
+#ifndef ARENITE_COLD_LIBRARY
+#include <arenite/particles/jitter_cold.hpp>
+#endif

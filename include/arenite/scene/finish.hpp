@@ -1,7 +1,6 @@
 // End of a step: the clock, the check that nothing has become NaN, and parts that renew points.
 #pragma once
 
-#include <algorithm>
 #include <cmath>
 #include <string>
 #include <type_traits>
@@ -40,26 +39,20 @@ void finish(Scene& scene, double dt) {
   std::string bodies;  // whose sums are not finite
   scene.for_each_body([&](const auto& body, const auto&) {
     const auto& points = body.points;
-    const std::size_t first_bad = parallel_reduce(
-        points.size(), points.size(),
-        [&](std::size_t begin, std::size_t end) {
-          for (std::size_t p = begin; p < end; ++p)
-            if (!is_finite(points, p)) return p;
-          return points.size();
-        },
-        [](std::size_t a, std::size_t b) { return std::min(a, b); });
+    std::size_t first_bad = 0;
+    while (first_bad < points.size() && is_finite(points, first_bad)) ++first_bad;
     if (first_bad < points.size())
-      throw run_error(joined_text({
-          "t = ", scene.time, " s, step ", scene.steps, ": point ", first_bad, " of body ",
-          Scene::body_name(number), " at ", vector_text(points.position[first_bad]), " m has velocity ",
-          vector_text(points.velocity[first_bad]), " m/s, pressure ", -trace(points.stress[first_bad]) / 3,
-          " Pa, volume ", points.volume[first_bad], " m3: no longer finite"}));
+      throw run_error(joined_text(
+          {"t = ", scene.time, " s, step ", scene.steps, ": point ", first_bad, " of body ",
+           Scene::body_name(number), " at ", vector_text(points.position[first_bad]), " m has velocity ",
+           vector_text(points.velocity[first_bad]), " m/s, pressure ", -trace(points.stress[first_bad]) / 3,
+           " Pa, volume ", points.volume[first_bad], " m3: no longer finite"}));
     if (!body.finite) bodies += joined_text({bodies.empty() ? "" : ", ", Scene::body_name(number)});
     ++number;
   });
   throw run_error(joined_text({"t = ", scene.time, " s, step ", scene.steps,
-                              ": the sums of stress and volume over the points of body ", bodies,
-                              " are not finite, though every number of every point is: they overflow"}));
+                               ": the sums of stress and volume over the points of body ", bodies,
+                               " are not finite, though every number of every point is: they overflow"}));
 }
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

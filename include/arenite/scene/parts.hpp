@@ -114,9 +114,9 @@ auto opened_if_part(const K& kinematics) {
 /// The bodies among the values given; none: no bodies.
 inline Bodies<> find_bodies() { return {}; }
 template <class First, class... Rest>
-auto find_bodies(const First& first, const Rest&... rest) {
+decltype(auto) find_bodies(const First& first, const Rest&... rest) {
   if constexpr (is_bodies<First>)
-    return first;
+    return (first);
   else
     return find_bodies(rest...);
 }

@@ -48,7 +48,7 @@ struct Scene {
   using Nodes = NodeConstraints<Shape, M>;
 
  private:
-  using Fills = decltype(detail::find_bodies(std::declval<const Given&>()...));
+  using Fills = std::remove_cvref_t<decltype(detail::find_bodies(std::declval<const Given&>()...))>;
   /// What was given but the bodies; the kinematics are a part, too.
   using Recipes = decltype(std::tuple_cat(detail::opened(std::declval<const Given&>())...,
                                           detail::opened_if_part(std::declval<const K&>())));

@@ -1,0 +1,59 @@
+// Cold functions of cell_points.hpp.
+#pragma once
+
+#include <arenite/particles/cell_points.hpp>
+
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
+
+template <int D>
+ARENITE_COLD std::array<int, static_cast<std::size_t>(D)> lattice_counts(int n) {
+  const int k = static_cast<int>(std::lround(std::pow(n, 1.0 / D)));
+  require(n >= 1 && (D == 2 ? k * k : k * k * k) == n, "per_cell", n,
+          D == 2 ? "must be a square (1, 4, 9, ..)" : "must be a cube (1, 8, 27, ..)");
+  std::array<int, static_cast<std::size_t>(D)> along;
+  along.fill(k);
+  return along;
+}
+
+template <class T, int D>
+ARENITE_COLD std::array<int, static_cast<std::size_t>(D)> even_counts(int n, const Vec<T, D>& edges) {
+  auto along = lattice_counts<D>(n);
+  const double apart = std::pow(static_cast<double>(edges.prod()) / n, 1.0 / D);
+  for (std::size_t k = 0; k < along.size(); ++k)
+    along[k] =
+        std::max(n > 1 ? 2 : 1,
+                 static_cast<int>(std::lround(static_cast<double>(edges[static_cast<int>(k)]) / apart)));
+  return along;
+}
+
+template <class T, int D>
+ARENITE_COLD std::vector<Vec<T, D>> initial_points(const CellBox<T, D>& cell, int n, bool even) {
+  std::vector<Vec<T, D>> points;
+  for (const auto& s : lattice_points(even ? even_counts<T, D>(n, cell.extent) : lattice_counts<D>(n))) {
+    Vec<T, D> x;
+    for (int k = 0; k < D; ++k) x[k] = cell.corner[k] + cell.extent[k] * static_cast<T>(s[k]);
+    points.push_back(x);
+  }
+  return points;
+}
+
+#ifdef ARENITE_COLD_LIBRARY
+template std::array<int, 2> lattice_counts<2>(int);
+template std::array<int, 3> lattice_counts<3>(int);
+template std::array<int, 2> even_counts<float, 2>(int, const Vec<float, 2>&);
+template std::vector<Vec<float, 2>> initial_points<float, 2>(const CellBox<float, 2>&, int, bool);
+template std::array<int, 3> even_counts<float, 3>(int, const Vec<float, 3>&);
+template std::vector<Vec<float, 3>> initial_points<float, 3>(const CellBox<float, 3>&, int, bool);
+template std::array<int, 2> even_counts<double, 2>(int, const Vec<double, 2>&);
+template std::vector<Vec<double, 2>> initial_points<double, 2>(const CellBox<double, 2>&, int, bool);
+template std::array<int, 3> even_counts<double, 3>(int, const Vec<double, 3>&);
+template std::vector<Vec<double, 3>> initial_points<double, 3>(const CellBox<double, 3>&, int, bool);
+template std::array<int, 2> even_counts<long double, 2>(int, const Vec<long double, 2>&);
+template std::vector<Vec<long double, 2>> initial_points<long double, 2>(const CellBox<long double, 2>&, int,
+                                                                         bool);
+template std::array<int, 3> even_counts<long double, 3>(int, const Vec<long double, 3>&);
+template std::vector<Vec<long double, 3>> initial_points<long double, 3>(const CellBox<long double, 3>&, int,
+                                                                         bool);
+#endif
+
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -1,0 +1,111 @@
+// Cold functions of new_scene_warnings.hpp.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+#include <arenite/core/warning.hpp>
+#include <arenite/scene/new_scene_warnings.hpp>
+
+namespace arenite::inline ARENITE_INSTRUCTION_SET::detail {
+
+ARENITE_COLD void warn_bounds(const MeshBox& mesh, std::size_t dimensions, const AnyRegion& region,
+                              const std::string& name) {
+  if (!region.has_bounds) return;
+  double within = 1;
+  bool beyond = false;
+  for (std::size_t k = 0; k < dimensions; ++k) {
+    const double from = std::isinf(region.lower[k]) ? mesh.lower[k] : region.lower[k];
+    const double to = std::isinf(region.upper[k]) ? mesh.upper[k] : region.upper[k];
+    beyond = beyond || std::max(mesh.lower[k] - from, to - mesh.upper[k]) > 0.01 * mesh.least;
+    within *= (std::min(to, mesh.upper[k]) - std::max(from, mesh.lower[k])) / (to - from);
+  }
+  if (!beyond) return;
+  warn(joined_text({"body ", name, ": ", std::round(1000 * (1 - within)) / 10,
+                    " % of its region lies outside of the mesh, which reaches from ",
+                    vector_text(std::span(mesh.lower).first(dimensions)), " to ",
+                    vector_text(std::span(mesh.upper).first(dimensions)), " m, and is not filled"}));
+}
+
+ARENITE_COLD void warn_volume(const std::string& name, std::size_t points, double density, double filled,
+                              double region) {
+  if (std::abs(filled - region) <= 0.02 * region || points == 0) return;
+  warn(joined_text(
+      {"body ", name, ": its points have ", density * filled, " kg, its region ", density * region,
+       " kg: a point stands for all of its sub-cell, if the middle of that lies in the region; let "
+       "the region end on sub-cells, or say FillOptions.exact_volume"}));
+}
+
+/// Points of a body that lie in the region of another.
+template <class T, int D>
+ARENITE_COLD std::size_t points_within(const BodySummary<T, D>& body, const BodySummary<T, D>& other) {
+  std::size_t count = 0;
+  if (other.region->test) {
+    for (const auto& x : *body.position) count += other.region->contains(x);
+  } else if (!other.cells.empty()) {
+    for (const Index c : *body.cell) count += static_cast<std::size_t>(other.cells[c]);
+  }
+  return count;
+}
+
+template <class T, int D>
+ARENITE_COLD void warn_of_bodies(std::span<const BodySummary<T, D>> bodies, const MeshBox& mesh) {
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    warn_bounds(mesh, D, *bodies[b].region, bodies[b].name);
+    for (std::size_t a = 0; a < b; ++a) {
+      const std::size_t in_b = points_within(bodies[a], bodies[b]),
+                        in_a = points_within(bodies[b], bodies[a]);
+      if (in_b + in_a == 0) continue;
+      warn(joined_text({"bodies ", bodies[a].name, " and ", bodies[b].name, " lie in one place: ", in_b,
+                        " of the ", bodies[a].cell->size(), " points of body ", bodies[a].name,
+                        " are in the region of body ", bodies[b].name, ", and ", in_a, " of ",
+                        bodies[b].cell->size(), " the other way"}));
+    }
+  }
+  for (const auto& body : bodies) {
+    const std::size_t count = body.cell->size();
+    warn_volume(body.name, count, body.density, body.initial_volume, body.region_volume);
+    if (count == 0 || count > D) continue;
+    warn(joined_text(
+        {"body ", body.name, " has ", count, count == 1 ? " point" : " points", ": fewer than ", D + 1,
+         " cannot strain as a body; is its region, or the mesh's cell, of the size that was meant?"}));
+  }
+}
+
+template <class T, int D>
+ARENITE_COLD bool holds_gravity(const std::vector<Constraint<T, D>>& constraints, const Vec<T, D>& gravity) {
+  const T magnitude = gravity.norm();
+  if (!(magnitude > 0)) return true;
+  for (const auto& c : constraints) {
+    Vec<T, D> blocked = gravity;
+    for (int i = 0; i < D; ++i)
+      for (int k = 0; k < D; ++k) blocked[i] -= c.projector(i, k) * gravity[k];
+    if (blocked.norm() > 1e-6 * magnitude) return true;
+  }
+  return false;
+}
+
+ARENITE_COLD void warn_no_support(const std::string& gravity) {
+  warn(joined_text(
+      {"gravity ", gravity, " m/s2 acts, but no wall and no rigid body holds along it: everything falls"}));
+}
+
+#ifdef ARENITE_COLD_LIBRARY
+template void warn_of_bodies<float, 2>(std::span<const BodySummary<float, 2>>, const MeshBox&);
+template bool holds_gravity<float, 2>(const std::vector<Constraint<float, 2>>&, const Vec<float, 2>&);
+template void warn_of_bodies<float, 3>(std::span<const BodySummary<float, 3>>, const MeshBox&);
+template bool holds_gravity<float, 3>(const std::vector<Constraint<float, 3>>&, const Vec<float, 3>&);
+template void warn_of_bodies<double, 2>(std::span<const BodySummary<double, 2>>, const MeshBox&);
+template bool holds_gravity<double, 2>(const std::vector<Constraint<double, 2>>&, const Vec<double, 2>&);
+template void warn_of_bodies<double, 3>(std::span<const BodySummary<double, 3>>, const MeshBox&);
+template bool holds_gravity<double, 3>(const std::vector<Constraint<double, 3>>&, const Vec<double, 3>&);
+template void warn_of_bodies<long double, 2>(std::span<const BodySummary<long double, 2>>, const MeshBox&);
+template bool holds_gravity<long double, 2>(const std::vector<Constraint<long double, 2>>&,
+                                            const Vec<long double, 2>&);
+template void warn_of_bodies<long double, 3>(std::span<const BodySummary<long double, 3>>, const MeshBox&);
+template bool holds_gravity<long double, 3>(const std::vector<Constraint<long double, 3>>&,
+                                            const Vec<long double, 3>&);
+#endif
+
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET::detail

@@ -249,9 +249,16 @@ void update_grid(Scene& scene, double dt, [[maybe_unused]] Others& others = no_o
 /// Takes velocities of a field to what the parts' constraints allow; books impulse and work. dt: s.
 template <class Scene>
 void constrain(Scene& scene, typename Scene::Field& field, double dt) {
+  // What nodes have of a negligible mass, the points on them have, too.
+  const auto momentum_of_massless = [&] {
+    typename Scene::V sum = Scene::V::Zero();
+    for (const Index i : field.massless) sum += field.collected[i].mass() * field.velocity[i];
+    return sum;
+  };
+  const typename Scene::V before = momentum_of_massless();
   const auto [impulse, work] =
       detail::allow(scene, field, field.velocity, dt, detail::taker_of_wall_impulses(scene, field));
-  scene.wall_impulse += impulse;
+  scene.wall_impulse += impulse + (momentum_of_massless() - before);
   scene.driving_work += work;
 }
 

@@ -63,7 +63,7 @@ std::string joined_text(TextParts parts);
 template <class Vector>
 std::string vector_text(const Vector& v) {
   std::string text = "(";
-  for (int k = 0; k < static_cast<int>(v.size()); ++k) text += joined_text({k > 0 ? ", " : "", v[k]});
+  for (decltype(v.size()) k = 0; k < v.size(); ++k) text += joined_text({k > 0 ? ", " : "", v[k]});
   text += ")";
   return text;
 }

@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <arenite/arenite.hpp>
+#include <arenite/io/pvd.hpp>
 #include <arenite/observe/saved_state.hpp>
 #include <arenite/observe/vtu.hpp>
 #include <chrono>

@@ -75,8 +75,8 @@ int main() {
       std::printf("%s; %s; cells of %g mm; a = %g: %.3f, measured %.3f\n", kind, memory, 1e3 * cell, a,
                   computed, measured(is_plane, a));
       std::fflush(stdout);
-      const std::string name = joined_text(kind, "; ", memory, "; cells of ", 1e3 * cell, " mm");
-      validation.value(name, joined_text("run-out over the width at a = ", a), "-", computed,
+      const std::string name = joined_text({kind, "; ", memory, "; cells of ", 1e3 * cell, " mm"});
+      validation.value(name, joined_text({"run-out over the width at a = ", a}), "-", computed,
                        measured(is_plane, a));
       validation.point(name, "height over width", a, "run-out over width", computed, measured(is_plane, a));
     }

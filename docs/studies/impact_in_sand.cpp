@@ -145,10 +145,10 @@ void balls(double share, Numbers& depths, Numbers& laws, test::Validation* curve
   for (const double density : {700.0, 2500.0, 7800.0})
     for (const double height : {0.05, 0.2, 0.5}) {
       const Impact impact = drop(inch, density, height);
-      depths.add(joined_text("depth of a ball of ", density, " kg/m3 from ", height, " m"), "mm",
+      depths.add(joined_text({"depth of a ball of ", density, " kg/m3 from ", height, " m"}), "mm",
                  1e3 * measured(inch, density, height), share, 1e3 * impact.last_depth());
       if (curves)
-        curves->point(joined_text(density, " kg/m3"), "drop distance [m]", height + impact.last_depth(),
+        curves->point(joined_text({density, " kg/m3"}), "drop distance [m]", height + impact.last_depth(),
                       "depth [mm]", 1e3 * impact.last_depth(), 1e3 * measured(inch, density, height));
       if (density < 7800) continue;
       speeds.push_back(impact.speed.front());

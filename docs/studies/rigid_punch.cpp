@@ -169,7 +169,7 @@ void measure(const Contact& contact, const FarField& far, test::Validation& tabl
     double before = 0;
     for (const int cells : {4, 8, 16}) {
       const Distances d = acts_at(contact, indenter, {cells}, far);
-      const std::string at = joined_text("; cells of a / ", cells);
+      const std::string at = joined_text({"; cells of a / ", cells});
       std::printf("%s%s: %.3f to %.3f cells\n", what.c_str(), at.c_str(), d.least, d.greatest);
       std::fflush(stdout);
       table.value(what, "least distance" + at, "cells", d.least, 0);

@@ -140,7 +140,7 @@ void measure(const Contact& contact, const std::vector<Form>& forms, double spee
       }
       const auto [least, greatest] = std::ranges::minmax(all);
       const std::string what = names[static_cast<std::size_t>(form)] + "; " + contact.name;
-      const std::string at = joined_text("; ", cells, " cells across");
+      const std::string at = joined_text({"; ", cells, " cells across"});
       std::printf("%s%s: %.3f to %.3f\n", what.c_str(), at.c_str(), least, greatest);
       std::fflush(stdout);
       table.value(what, "least ratio" + at, "-", least, 1);

@@ -54,7 +54,7 @@ namespace detail {
 inline std::size_t accelerometer_at(const std::string& where, const std::string& name) {
   for (std::size_t k = 0; k < sample_accelerometers.size(); ++k)
     if (sample_accelerometers[k].name == name) return k;
-  throw error(joined_text(where, ": ", shown(name), ": must be 2g, 18g, 50g, 200g or 250g"));
+  throw error(joined_text({where, ": ", shown(name), ": must be 2g, 18g, 50g, 200g or 250g"}));
 }
 
 /// Takes "2g=1.62e6,18g=1.6e5" apart.
@@ -92,12 +92,12 @@ inline Calibration calibration_of(const ReduceOptions& o) {
             "must be a JSON object: {\"2g\": {\"scale\": 1.62e6, \"offset\": 0}, ..}");
     for (const auto& [name, value] : all.items()) {
       if (value.is_string()) continue;  // a word about probe or date
-      const std::string where = joined_text("--calibration = ", file);
+      const std::string where = joined_text({"--calibration = ", file});
       const std::size_t k = detail::accelerometer_at(where, name);
       require(value.is_object(), where + ": " + name, shown(json_text(value)),
               "must be {\"scale\": .., \"offset\": ..}");
       for (const auto& [key, number] : value.items()) {
-        const std::string entry = joined_text(where, ": ", name, ".", shown(key));
+        const std::string entry = joined_text({where, ": ", name, ".", shown(key)});
         if (key != "scale" && key != "offset") throw error(entry + ": must be scale or offset");
         if (!number.is_number()) throw error(entry + ": must be a number");
       }
@@ -120,9 +120,9 @@ inline Measurement read_bluedrop(const std::filesystem::path& path, const Reduce
   constexpr std::size_t wanted = bluedrop_rows * bluedrop_columns * bluedrop_bytes;
   const std::uintmax_t size =
       arenite::shared_detail::check_input(path, "FILE", arenite::shared_detail::any_size, file);
-  require(size == wanted, file, joined_text(size, " bytes"),
-          joined_text("a BlueDrop's record has ", wanted, ": ", bluedrop_rows, " rows of ", bluedrop_columns,
-                      " integers of ", bluedrop_bytes, " bytes"));
+  require(size == wanted, file, joined_text({size, " bytes"}),
+          {"a BlueDrop's record has ", wanted, ": ", bluedrop_rows, " rows of ", bluedrop_columns,
+                      " integers of ", bluedrop_bytes, " bytes"});
   const std::string bytes = arenite::shared_detail::read_input(path, "FILE", wanted, file);
   require(bytes.size() == wanted, "FILE", file, "cannot be read");
   const auto raw = [&](std::size_t row, std::size_t column) {
@@ -153,16 +153,16 @@ inline Measurement read_bluedrop(const std::filesystem::path& path, const Reduce
     }
     for (std::size_t row = 0; row < bluedrop_rows; ++row)
       m.time.push_back(static_cast<double>(row) / bluedrop_rate);
-    m.notes.push_back(joined_text("accelerometer of ", a.name, ", the smallest that does not clip",
+    m.notes.push_back(joined_text({"accelerometer of ", a.name, ", the smallest that does not clip",
                                   clipped.empty() ? "" : " (clipped: " + clipped + ")", "; scale ", a.scale,
-                                  " counts a g, offset ", a.offset));
+                                  " counts a g, offset ", a.offset}));
     if (calibration.is_sample[k])
-      m.notes.push_back(joined_text("the scale of ", a.name,
-                                    " is a sample that belongs to no probe; give --calibration or --scale"));
+      m.notes.push_back(joined_text({"the scale of ", a.name,
+                                    " is a sample that belongs to no probe; give --calibration or --scale"}));
     return m;
   }
-  throw error(joined_text(file, ": every accelerometer clips (", clipped,
-                          "); are scales and offsets those of the probe?"));
+  throw error(joined_text({file, ": every accelerometer clips (", clipped,
+                          "); are scales and offsets those of the probe?"}));
 }
 
 }  // namespace arenite::ffp

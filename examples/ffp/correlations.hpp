@@ -41,7 +41,7 @@ inline Estimate density_of_peak(double peak) {
   const double a = peak, percent = ((-2.18e-4 * a + 1.29e-2) * a + 1.61) * a - 13.09;
   constexpr double turns = 73;  // g: beyond it the cubic falls again
   if (a > turns || percent < 0 || percent > 100)
-    e.outside = joined_text("a peak of ", rounded(a), " g gives ", rounded(percent), " %");
+    e.outside = joined_text({"a peak of ", rounded(a), " g gives ", rounded(percent), " %"});
   else
     e.value = percent / 100;
   return e;
@@ -62,25 +62,25 @@ inline Estimate density_of_resistance(double q, double vertical_stress, double k
   }
   const double density = std::log(q / (300 * std::pow(p, 0.46))) / 2.96;
   if (density < 0 || density > 1) {
-    e.outside = joined_text("gives ", rounded(density * 100), " %");
+    e.outside = joined_text({"gives ", rounded(density * 100), " %"});
     return e;
   }
   e.value = density;
   if (vertical_stress < 50 || vertical_stress > 400)
-    e.outside = joined_text("a vertical effective stress of ", rounded(vertical_stress), " kPa");
+    e.outside = joined_text({"a vertical effective stress of ", rounded(vertical_stress), " kPa"});
   else if (k0 < 0.4 || k0 > 1.5)
-    e.outside = joined_text("K0 = ", rounded(k0));
+    e.outside = joined_text({"K0 = ", rounded(k0)});
   return e;
 }
 
 /// Friction angle, deg, from a relative density at a vertical effective stress, kPa: 34 + 10 D - (c + d D)
 /// log10(stress / p_atm).
 inline Estimate friction_angle(const Estimate& density, double vertical_stress, double c, double d) {
-  Estimate e{joined_text("friction angle (", c, " + ", d, " D), ", density.quantity),
+  Estimate e{joined_text({"friction angle (", c, " + ", d, " D), ", density.quantity}),
              {},
              "deg",
-             joined_text("Duncan, after Albatal 2020: 34 + 10 D - (", c, " + ", d,
-                         " D) log10(stress / p_atm), by grading"),
+             joined_text({"Duncan, after Albatal 2020: 34 + 10 D - (", c, " + ", d,
+                         " D) log10(stress / p_atm), by grading"}),
              "triaxial tests; less than 10 kPa is extrapolated (our limit)"};
   constexpr double atmosphere = 101.325;  // kPa
   if (!density.value || !(vertical_stress > 0)) {
@@ -88,7 +88,7 @@ inline Estimate friction_angle(const Estimate& density, double vertical_stress, 
     return e;
   }
   e.value = 34 + 10 * *density.value - (c + d * *density.value) * std::log10(vertical_stress / atmosphere);
-  if (vertical_stress < 10) e.outside = joined_text("a stress of ", rounded(vertical_stress), " kPa");
+  if (vertical_stress < 10) e.outside = joined_text({"a stress of ", rounded(vertical_stress), " kPa"});
   if (!density.outside.empty())
     e.outside += (e.outside.empty() ? "" : "; ") + ("the density is outside its own: " + density.outside);
   return e;

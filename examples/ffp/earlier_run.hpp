@@ -30,8 +30,8 @@ namespace detail {
 inline std::string first_difference(const Json& there, const Json& here) {
   for (const auto& [key, value] : here.items())
     if (!there.contains(key) || there[key] != value)
-      return joined_text(key, " is ", there.contains(key) ? json_text(there[key]) : "nothing", " there, ",
-                         json_text(value), " here");
+      return joined_text({key, " is ", there.contains(key) ? json_text(there[key]) : "nothing", " there, ",
+                         json_text(value), " here"});
   return "the file of the mesh has changed";
 }
 
@@ -44,7 +44,7 @@ inline EarlierRun earlier_run(const DropOptions& options) {
   EarlierRun found;
   if (!std::filesystem::exists(summary_file(folder))) return found;
   const auto refuse = [&](const std::string& rule) {
-    throw error(joined_text("--resume: ", shown(summary_file(folder).string()), ": ", rule));
+    throw error(joined_text({"--resume: ", shown(summary_file(folder).string()), ": ", rule}));
   };
   try {
     const Json summary = read_json(summary_file(folder), "--resume: summary");

@@ -33,7 +33,7 @@ FinishedRun run_companion(const Companion& companion, bool resume) {
     if (run.summary.value("status", "") != "done") run.failure = "its summary.json cannot be read";
   } catch (const Ended& e) {
     if (e.exit_code() > 128)
-      throw Ended(joined_text("error bar, ", companion.name, ": ", e.what(), "; --resume goes on with it"),
+      throw Ended(joined_text({"error bar, ", companion.name, ": ", e.what(), "; --resume goes on with it"}),
                   e.exit_code());
     run.failure = e.what();
   } catch (const std::exception& e) {
@@ -109,10 +109,10 @@ void drop_with_error_bar(const DropOptions& options) {
   const auto companions = companions_of(options);
   for (const Companion& c : companions) {
     if (!options.quiet)
-      say(joined_text("error bar, ", runs.size() + 1, " of ", companions.size(), ": ", c.name));
+      say(joined_text({"error bar, ", runs.size() + 1, " of ", companions.size(), ": ", c.name}));
     runs[c.name] = run_companion(c, options.resume);
     if (const auto& failure = runs[c.name].failure; !failure.empty())
-      say(joined_text("warning: error bar, ", c.name, ": ", shown(failure, 1000)));
+      say(joined_text({"warning: error bar, ", c.name, ": ", shown(failure, 1000)}));
   }
 
   Json summary = summary_in(options.out);
@@ -139,7 +139,7 @@ void drop_with_error_bar(const DropOptions& options) {
   try {
     write_json(summary_file(folder.path()), summary);
   } catch (const error& e) {
-    throw Ended(joined_text("the error bar cannot be written: ", e.what()), 1);
+    throw Ended(joined_text({"the error bar cannot be written: ", e.what()}), 1);
   }
   if (options.quiet) return;
 

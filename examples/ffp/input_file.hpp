@@ -58,7 +58,7 @@ inline bool is_no_option(const std::string& key, const Json& value, const Json& 
   if (key == "fillet_m") return value == 0 && all.value("shoulder", Json()) != "fillet";
   if (key != "gravity_m_s2") return false;
   require(value == standard_gravity, "gravity_m_s2", json_text(value),
-          joined_text("must be ", standard_gravity));
+          {"must be ", standard_gravity});
   return true;
 }
 
@@ -68,7 +68,7 @@ inline bool is_no_option(const std::string& key, const Json& value, const Json& 
 /// "inputs". Throws `error` that names `--input`, the file and the key.
 inline std::vector<std::string> words_of_input(const std::string& path) {
   const auto refuse = [&](const std::string& rule) -> void {
-    throw error(joined_text("--input = ", shown(path), ": ", rule));
+    throw error(joined_text({"--input = ", shown(path), ": ", rule}));
   };
   const Json all = read_json(path, "--input");
   if (!all.is_object()) refuse("must hold an object: {\"delta_deg\": 30, ..}");

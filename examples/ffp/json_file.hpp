@@ -40,7 +40,7 @@ inline std::string json_text(const Json& value, int indent = -1) {
 /// The value of a text. Throws `error` "what: rule" if it is no JSON, nested too deeply, or gives a name
 /// twice.
 inline Json parse_json(std::string_view text, const std::string& what) {
-  const auto refuse = [&](const auto&... rule) { throw error(joined_text(what, ": ", rule...)); };
+  const auto refuse = [&](const auto&... rule) { throw error(joined_text({what, ": ", rule...})); };
   std::vector<std::set<std::string>> names;  // of the objects that are open
   const auto watch = [&](int levels, Json::parse_event_t event, const Json& value) {
     using Event = Json::parse_event_t;
@@ -71,7 +71,7 @@ inline Json read_json(const std::filesystem::path& path, std::string_view what) 
   const std::string text = arenite::shared_detail::read_input(path, what, most_json_bytes, name);
   require(!text.empty(), what, name, "must be a file that is not empty");
   require(text.find('\0') == std::string::npos, what, name, "is UTF-16, or no text; save it as UTF-8");
-  return parse_json(text, joined_text(what, " = ", name));
+  return parse_json(text, joined_text({what, " = ", name}));
 }
 
 /// Throws `output_error` if the file cannot be written.

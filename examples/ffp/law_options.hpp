@@ -86,11 +86,11 @@ inline void check(const LawOptions& o, double friction, double dilatancy) {
   if (!o.softens()) return;
   require(o.residual.has_value(), "--residual-friction", "(none)", "must be given with this --law");
   require(*o.residual <= friction, "--residual-friction", *o.residual,
-          joined_text("must not exceed --friction = ", friction, " deg"));
+          {"must not exceed --friction = ", friction, " deg"});
   require(o.residual_dilatancy <= dilatancy, "--residual-dilatancy", o.residual_dilatancy,
-          joined_text("must not exceed --dilatancy = ", dilatancy, " deg"));
+          {"must not exceed --dilatancy = ", dilatancy, " deg"});
   require(o.residual_dilatancy <= *o.residual, "--residual-dilatancy", o.residual_dilatancy,
-          joined_text("must not exceed --residual-friction = ", *o.residual, " deg"));
+          {"must not exceed --residual-friction = ", *o.residual, " deg"});
 }
 
 /// Adds the law, and those of its constants that it reads, to the inputs of a summary.

@@ -39,7 +39,7 @@ void run_command(const DropOptions& o) {
   } catch (const output_error&) {
     throw;
   } catch (const error& e) {  // too short a drop, say
-    if (!o.quiet) say(joined_text("no reduced.csv: ", e.what()));
+    if (!o.quiet) say(joined_text({"no reduced.csv: ", e.what()}));
   }
 }
 void run_command(const ReduceOptions& o) { reduce(o); }

@@ -42,10 +42,10 @@ struct Measurement {
 
 /// Throws `error` that names the file if the record has less than two samples, or times that do not ascend.
 inline void check(const Measurement& m, const std::string& file) {
-  require(m.time.size() >= 2, file, joined_text(m.time.size(), " rows"), "a record needs at least two");
+  require(m.time.size() >= 2, file, joined_text({m.time.size(), " rows"}), "a record needs at least two");
   for (std::size_t i = 1; i < m.time.size(); ++i)
-    require(m.time[i] > m.time[i - 1], joined_text(file, ": time in row ", i + 1), m.time[i],
-            joined_text("must be greater than the time before, ", m.time[i - 1]));
+    require(m.time[i] > m.time[i - 1], {file, ": time in row ", i + 1}, m.time[i],
+            {"must be greater than the time before, ", m.time[i - 1]});
 }
 
 /// Mean over the interval that ends at each sample, [n]; the first is the first sample's own value.

@@ -75,12 +75,12 @@ inline bool parse_words(CLI::App& app, const OptionAdder& adder, const std::vect
   } catch (const CLI::ArgumentMismatch&) {  // only the last word can be an option without its value
     throw error(shown(words.back()) + " = : needs a value");
   } catch (const CLI::ParseError& e) {
-    throw error(joined_text("command line: ", shown(e.what())));
+    throw error(joined_text({"command line: ", shown(e.what())}));
   }
   for (const auto& word : app.remaining(true))
-    throw error(joined_text(shown(word),
+    throw error(joined_text({shown(word),
                             word.starts_with("-") ? ": no such option" : ": a word without an option",
-                            "; see ", app.get_name(), " --help"));
+                            "; see ", app.get_name(), " --help"}));
   return true;
 }
 

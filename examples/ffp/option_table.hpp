@@ -111,7 +111,7 @@ void visit_options(Options& o, Visitor& v) {
   v.number("--end", o.end, "S", above(0, 10, "s"), "End of the run");
   v.number("--threads", o.threads, "N", Range{0, 1024}, "Threads, 0 for all");
   v.number("--fields-every", o.fields_every, "S", Range{0, 10, "s"},
-           joined_text("Time between field files, 0 for none, at most ", most_fields, " sets in a run"));
+           joined_text({"Time between field files, 0 for none, at most ", most_fields, " sets in a run"}));
   v.number("--checkpoint-every", o.checkpoint_every, "S", Range{0, 10, "s"},
            "Time between saved states, 0 for none but when the run is interrupted");
   v.flag(
@@ -161,7 +161,7 @@ inline void check(const DropOptions& o) {
   detail::RangeCheck ranges;
   visit_options(o, ranges);
   require(o.dilatancy <= o.friction, "--dilatancy", o.dilatancy,
-          joined_text("must lie in [0, ", o.friction, "] deg, from nothing to the sand's angle of friction"));
+          {"must lie in [0, ", o.friction, "] deg, from nothing to the sand's angle of friction"});
   check(o.law, o.friction, o.dilatancy);
   const bool rounded_edge = o.shoulder == Shoulder::fillet;
   require(!rounded_edge || o.tip == Tip::cone || o.tip == Tip::cone_truncated, "--shoulder", "fillet",
@@ -169,11 +169,11 @@ inline void check(const DropOptions& o) {
   if (rounded_edge && o.fillet < 0.001 && o.mesh.empty()) {
     const double most = 2 * o.fillet * o.body().half_angle();
     require(o.mesh_sizes().cone_cell() <= most, "--fillet", o.fillet,
-            joined_text("below 0.001 m needs --cell-at-cone of at most ", most, " m, to be seen"));
+            {"below 0.001 m needs --cell-at-cone of at most ", most, " m, to be seen"});
   }
   if (o.cell_at_cone) {
     require(*o.cell_at_cone <= o.cell, "--cell-at-cone", *o.cell_at_cone,
-            joined_text("must not exceed --cell = ", o.cell, " m"));
+            {"must not exceed --cell = ", o.cell, " m"});
     require(o.kinematics == Kinematics::axisymmetric && o.mesh.empty(), "--cell-at-cone", *o.cell_at_cone,
             "needs --kinematics axisymmetric, and goes without --mesh");
   }
@@ -197,8 +197,8 @@ inline void check(const DropOptions& o) {
     require(o.device == DeviceKind::rigid && o.contact_kind() == ContactKind::rigid && o.averages(), "--law",
             word_of(law_words, o.law.kind), "needs --device rigid, --contact rigid and --anti-locking on");
   require(o.k0 || (o.earth_pressure() >= 0 && o.earth_pressure() <= 3), "--poisson", exactly(o.poisson),
-          joined_text("must give an earth pressure at rest poisson / (1 - poisson) in [0, 3], not ",
-                      o.earth_pressure(), ", unless --k0 is given"));
+          {"must give an earth pressure at rest poisson / (1 - poisson) in [0, 3], not ",
+                      o.earth_pressure(), ", unless --k0 is given"});
   require(o.contact_offset == 0 || o.mesh.empty(), "--contact-offset", exactly(o.contact_offset),
           "goes without --mesh");
   if (!o.mesh.empty())
@@ -221,12 +221,12 @@ inline void check(const DropOptions& o) {
   if (o.error_bar) {
     require(o.mesh.empty(), "--mesh", shown(o.mesh), "goes without --error-bar, which needs coarser meshes");
     require(o.cell <= largest_cell_with_bar, "--cell", o.cell,
-            joined_text("must be at most ", largest_cell_with_bar,
-                        " m with --error-bar, which runs drops at twice the cell"));
+            {"must be at most ", largest_cell_with_bar,
+                        " m with --error-bar, which runs drops at twice the cell"});
   }
   require(o.fields_every == 0 || o.end / o.fields_every <= most_fields, "--fields-every", o.fields_every,
-          joined_text("must be 0, for none, or at least ", o.end / most_fields, " s, for ", most_fields,
-                      " sets of files until --end = ", o.end, " s"));
+          {"must be 0, for none, or at least ", o.end / most_fields, " s, for ", most_fields,
+                      " sets of files until --end = ", o.end, " s"});
   require(!o.out.empty(), "--out", "\"\"", "must name a folder");
 }
 

@@ -47,13 +47,13 @@ class OptionVisitor {
   template <class Number>
   void number(const std::string& name, Number& to, const char* metavar, const Range& range,
               const std::string& help) {
-    add(name, metavar, joined_text(help, ", in ", range.text(), " (default ", to, ")"),
+    add(name, metavar, joined_text({help, ", in ", range.text(), " (default ", to, ")"}),
         parse_into<Number>(name, to));
   }
   template <class Number>
   void number(const std::string& name, std::optional<Number>& to, const char* metavar, const Range& range,
               const std::string& help) {
-    add(name, metavar, joined_text(help, ", in ", range.text()), parse_into<Number>(name, to));
+    add(name, metavar, joined_text({help, ", in ", range.text()}), parse_into<Number>(name, to));
   }
   void counts(const std::string& name, std::optional<int>& to, const std::string& help) {
     add(name, "N", help, parse_into<int>(name, to));
@@ -92,7 +92,7 @@ class OptionVisitor {
           to = meaning;
           return;
         }
-      throw error(joined_text(name, " = ", shown(given), ": ", rule));
+      throw error(joined_text({name, " = ", shown(given), ": ", rule}));
     });
   }
   template <class Take>

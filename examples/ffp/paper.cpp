@@ -37,20 +37,20 @@ void paper(const PaperOptions& o) {
   int exit_code = 0;
   for (std::size_t k = 0; k < cases.size(); ++k) {
     const PaperCase& c = cases[k];
-    if (!o.quiet) say(joined_text("case ", k + 1, " of ", cases.size(), ": ", c.name));
+    if (!o.quiet) say(joined_text({"case ", k + 1, " of ", cases.size(), ": ", c.name}));
     try {
       c.options.error_bar ? drop_with_error_bar(c.options) : drop(c.options);
     } catch (const Ended& e) {
       if (e.exit_code() > 128) {
         write(o, cases, results);
-        throw Ended(joined_text("case ", c.name, ": ", e.what(), "; the same command goes on"),
+        throw Ended(joined_text({"case ", c.name, ": ", e.what(), "; the same command goes on"}),
                     e.exit_code());
       }
-      say(joined_text("case ", c.name, ": ", e.what()));
+      say(joined_text({"case ", c.name, ": ", e.what()}));
       failed += (failed.empty() ? "" : ", ") + c.name;
       exit_code = e.exit_code();
     } catch (const error& e) {
-      throw error(joined_text("case ", c.name, ": ", e.what(), "; --anew runs it again"));
+      throw error(joined_text({"case ", c.name, ": ", e.what(), "; --anew runs it again"}));
     }
     results.emplace(c.name, result_of_case(c.options.out));
   }

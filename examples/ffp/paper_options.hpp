@@ -55,7 +55,7 @@ inline void check(const PaperOptions& o) {
   const DropOptions paper;
   check(o.law, paper.friction, paper.dilatancy);
   require(!o.error_bar || o.cell <= largest_cell_with_bar, "--cell", o.cell,
-          joined_text("must be at most ", largest_cell_with_bar, " m with --error-bar"));
+          {"must be at most ", largest_cell_with_bar, " m with --error-bar"});
   require(!o.out.empty(), "--out", "\"\"", "must name a folder");
 }
 

@@ -170,7 +170,7 @@ inline std::vector<Comparison> paper_comparisons(const PaperOptions& o, const Ca
           "the experiment's peak");
     if (law != LawKind::mohr_coulomb) return;
     for (const int delta : {20, 40})
-      add(joined_text("greatest depth, elastic over rigid, ", delta, " deg"), "", {},
+      add(joined_text({"greatest depth, elastic over rigid, ", delta, " deg"}), "", {},
           ratio(of(kinematics, DeviceKind::elastic, delta, law).number("max_penetration_m"),
                 rigid(delta).number("max_penetration_m")),
           {}, "the paper: a minor effect; the elastic penetrometer has only Mohr-Coulomb");
@@ -247,9 +247,9 @@ inline void print_paper_table(const std::vector<Comparison>& all, std::ostream& 
           << padded("bar", 8) << "difference\n";
     model = c.model;
     const auto difference = c.difference();
-    std::string last = difference ? joined_text(*difference > 0 ? "+" : "", rounded(*difference)) : "-";
+    std::string last = difference ? joined_text({*difference > 0 ? "+" : "", rounded(*difference)}) : "-";
     if (difference && *c.paper != 0)
-      last += joined_text(" (", *difference > 0 ? "+" : "", rounded(*difference / *c.paper * 100), " %)");
+      last += joined_text({" (", *difference > 0 ? "+" : "", rounded(*difference / *c.paper * 100), " %)"});
     out << padded(c.quantity + (c.unit.empty() ? "" : ", " + c.unit), 48) << padded(shown_number(c.paper), 9)
         << padded(shown_number(c.ours), 9) << padded(c.bar ? "+-" + rounded(*c.bar) : "", 8)
         << (c.note.empty() ? last : padded(last, 18) + c.note) << '\n';

@@ -46,8 +46,8 @@ inline bool run_script(const std::string& name, const std::vector<std::string>& 
   for (const auto& argument : arguments) command += " '" + argument + "'";
   std::error_code code;
   if (script.empty() || !std::filesystem::exists(python, code)) {
-    say(joined_text(script.empty() ? name : std::string{python},
-                    " is not there, so nothing is drawn; the command: ", command));
+    say(joined_text({script.empty() ? name : std::string{python},
+                    " is not there, so nothing is drawn; the command: ", command}));
     return false;
   }
   std::vector<std::string> words{python, script.string()};

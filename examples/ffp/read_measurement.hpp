@@ -17,7 +17,7 @@ namespace arenite::ffp {
 inline Tip tip_named(const std::string& name) {
   for (const auto& [word, tip] : tip_words)
     if (word == name) return tip;
-  throw error(joined_text("tip = ", shown(name), ": no such tip"));
+  throw error(joined_text({"tip = ", shown(name), ": no such tip"}));
 }
 
 /// history.csv and summary.json of a drop. Throws `error` that names the folder if they are not there or not
@@ -25,7 +25,7 @@ inline Tip tip_named(const std::string& name) {
 inline Measurement read_measurement_of_drop(const std::filesystem::path& folder, const ReduceOptions& o) {
   const auto refuse = [&](const std::string& rule) {
     throw error(
-        joined_text(shown(folder.string()), ": must hold summary.json and history.csv of a drop: ", rule));
+        joined_text({shown(folder.string()), ": must hold summary.json and history.csv of a drop: ", rule}));
   };
   const std::string name = shown(folder.string());
   require(o.reads == Reading::net, "--reads", "proper",
@@ -37,9 +37,9 @@ inline Measurement read_measurement_of_drop(const std::filesystem::path& folder,
   if (!std::filesystem::exists(folder / "history.csv")) refuse("there is no history.csv");
   try {
     if (const std::string status = summary.value("status", "done"); status != "done")
-      throw error(joined_text("FILE = ", name, ": status = ", shown(status), ": must be done",
+      throw error(joined_text({"FILE = ", name, ": status = ", shown(status), ": must be done",
                               status == "running" ? ", and not still run or have been killed" : "",
-                              "; reduce ", name, "/history.csv as a table reads what there is"));
+                              "; reduce ", name, "/history.csv as a table reads what there is"}));
     const Json& inputs = summary.at("inputs");
     const auto number = [&](const char* key) { return inputs.at(key).get<double>(); };
     DropFacts facts{.impact_velocity = number("velocity_m_s"),

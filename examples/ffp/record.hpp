@@ -90,7 +90,7 @@ class Run {
     numbers_.resumed_at_s = std::move(earlier.resumed_at_s);
     numbers_.resumed_at_s.push_back(scene_.time);
     wall_before_ = earlier.wall_s;
-    if (!o_.quiet) say(joined_text("resumed at t = ", scene_.time, " s, step ", scene_.steps));
+    if (!o_.quiet) say(joined_text({"resumed at t = ", scene_.time, " s, step ", scene_.steps}));
   }
 
   /// What it carries from step to step: the rows so far, and what its observers carry.
@@ -203,7 +203,7 @@ class Run {
   }
 
   std::string at_time(const std::string& what) const {
-    return joined_text("t = ", scene_.time, " s: ", what);
+    return joined_text({"t = ", scene_.time, " s: ", what});
   }
 
   void write_summary(const std::string& status) {
@@ -235,7 +235,7 @@ class Run {
       write_summary(status);
       told += "; files: " + shown(o_.out);
     } catch (const error& e) {
-      told += joined_text("; nor can the summary be written: ", e.what());
+      told += joined_text({"; nor can the summary be written: ", e.what()});
     }
     throw Ended(told, exit_code);
   }
@@ -265,7 +265,7 @@ void record(const DropOptions& o, const Make& make) {
   EarlierRun earlier;
   if (o.resume) earlier = earlier_run(o);
   if (earlier.finished) {
-    if (!o.quiet) say(joined_text("the run in ", shown(o.out), " is finished; nothing to do"));
+    if (!o.quiet) say(joined_text({"the run in ", shown(o.out), " is finished; nothing to do"}));
     return;
   }
   WarningLog warnings(o.name);
@@ -274,22 +274,22 @@ void record(const DropOptions& o, const Make& make) {
       return make();
     } catch (const error& e) {
       if (o.mesh.empty()) throw;
-      throw error(joined_text("--mesh = ", shown(o.mesh), ": ", e.what()));
+      throw error(joined_text({"--mesh = ", shown(o.mesh), ": ", e.what()}));
     } catch (const std::bad_alloc&) {
       require(o.mesh.empty(), "--mesh", shown(o.mesh), "there is no memory for a mesh of this size");
-      throw error(joined_text("--cell = ", o.cell, ": there is no memory for cells of this size"));
+      throw error(joined_text({"--cell = ", o.cell, ": there is no memory for cells of this size"}));
     }
   }();
   const StepCount expected = accepted_step_count(scene, o);
   Run<Model, decltype(scene)> run(scene, o, expected, warnings,
                                   earlier.has_state ? RunFolder::Earlier::kept : RunFolder::Earlier::removed);
   if (!o.quiet)
-    say(joined_text("about ", rounded(expected.steps), " steps of ", rounded(expected.length), " s, ",
-                    scene.point_count(), " points"));
+    say(joined_text({"about ", rounded(expected.steps), " steps of ", rounded(expected.length), " s, ",
+                    scene.point_count(), " points"}));
   if (earlier.has_state)
     run.resume(std::move(earlier));
   else if (o.resume && !o.quiet)
-    say(joined_text("no state is saved in ", shown(o.out), ": from the start"));
+    say(joined_text({"no state is saved in ", shown(o.out), ": from the start"}));
   run.go();
 }
 

@@ -40,7 +40,7 @@ inline std::string cause_of_steps(const DropOptions& o, double smallest) {
     return (1 - poisson) / ((1 + poisson) * (1 - 2 * poisson));
   };
   const auto option = [](const char* name, double value, double factor) {
-    return std::pair{factor, joined_text(name, " = ", exactly(value))};
+    return std::pair{factor, joined_text({name, " = ", exactly(value)})};
   };
   const bool elastic = o.device == DeviceKind::elastic;
   const double none = 0;
@@ -59,7 +59,7 @@ inline std::string cause_of_steps(const DropOptions& o, double smallest) {
       option("--cell-at-cone", o.cell_at_cone.value_or(0),
              o.cell_at_cone ? usual.cell / *o.cell_at_cone : none),
       std::pair{o.mesh.empty() ? none : usual.cell / smallest,
-                joined_text("--mesh = ", shown(o.mesh), " (smallest cell ", rounded(smallest), " m)")}};
+                joined_text({"--mesh = ", shown(o.mesh), " (smallest cell ", rounded(smallest), " m)"})}};
   return std::max_element(causes.begin(), causes.end(),
                           [](const auto& a, const auto& b) { return a.first < b.first; })
       ->second;
@@ -73,9 +73,9 @@ StepCount accepted_step_count(const Scene& scene, const DropOptions& o) {
   if (count.steps <= most_steps || o.force) return count;
   auto smallest = scene.mesh.size(0);
   for (Index c = 1; c < scene.mesh.cell_count(); ++c) smallest = std::min(smallest, scene.mesh.size(c));
-  throw error(joined_text(cause_of_steps(o, smallest), ": makes the run take about ", rounded(count.steps),
+  throw error(joined_text({cause_of_steps(o, smallest), ": makes the run take about ", rounded(count.steps),
                           " steps of ", rounded(count.length), " s; must be at most ", rounded(most_steps),
-                          " steps, or --force be given"));
+                          " steps, or --force be given"}));
 }
 
 }  // namespace arenite::ffp

@@ -46,8 +46,8 @@ inline bool next_row(std::istream& in, std::string& line, const std::string& fil
     if (c == '\n') return true;
     line += static_cast<char>(c);
     if (line.size() > most_row_bytes)
-      throw error(joined_text(file, ": has a row of more than ",
-                              arenite::shared_detail::size_text(most_row_bytes), ": is no table"));
+      throw error(joined_text({file, ": has a row of more than ",
+                              arenite::shared_detail::size_text(most_row_bytes), ": is no table"}));
   }
   if (!line.empty()) in.clear(std::ios::eofbit);
   return !line.empty();
@@ -134,9 +134,9 @@ class TableReader {
       if (most == wanted) return true;
       if (numbers && most > 0) return false;
       if (numbers)
-        throw error(joined_text(file_, ": line ", row_,
+        throw error(joined_text({file_, ": line ", row_,
                                 " is a row of numbers, and no header names the columns; put a line such as "
-                                "\"time_s,deceleration_g\" first"));
+                                "\"time_s,deceleration_g\" first"}));
     }
     return false;
   }
@@ -151,8 +151,8 @@ class TableReader {
     } while (std::ranges::all_of(fields_, [](const std::string& field) { return field.empty(); }));
     while (fields_.size() > header_.size() && fields_.back().empty()) fields_.pop_back();
     if (fields_.size() != header_.size())
-      refuse(joined_text(", number of fields = ", fields_.size(), ": must be ", header_.size(),
-                         ", as in the header"),
+      refuse(joined_text({", number of fields = ", fields_.size(), ": must be ", header_.size(),
+                         ", as in the header"}),
              separator_ == ',' ? "; numbers with decimal commas need semicolons between them" : "");
     return true;
   }
@@ -170,8 +170,8 @@ class TableReader {
     if (comma && comma_line_ == 0) comma_line_ = row_;
     if (point && point_line_ == 0) point_line_ = row_;
     if ((comma || point) && comma_line_ > 0 && point_line_ > 0)
-      refuse(column, joined_text("a file has one decimal mark and none between thousands; line ", comma_line_,
-                                 " has a comma, line ", point_line_, " a point"));
+      refuse(column, joined_text({"a file has one decimal mark and none between thousands; line ", comma_line_,
+                                 " has a comma, line ", point_line_, " a point"}));
     const auto value = detail::number_with_comma(text);
     if (!value || !std::isfinite(*value))
       refuse(column, text.find(':') == std::string::npos
@@ -184,12 +184,12 @@ class TableReader {
 
   /// Throws `error` of this row and a field of it.
   [[noreturn]] void refuse(std::size_t column, const std::string& rule) const {
-    refuse(joined_text(", column ", shown(header_[column]), " = ", shown(fields_[column])), ": " + rule);
+    refuse(joined_text({", column ", shown(header_[column]), " = ", shown(fields_[column])}), ": " + rule);
   }
 
  private:
   [[noreturn]] void refuse(const std::string& where, const std::string& rule) const {
-    throw error(joined_text(file_, ": line ", row_, where, rule));
+    throw error(joined_text({file_, ": line ", row_, where, rule}));
   }
 
   /// The next line that is neither empty nor a comment.
@@ -199,7 +199,7 @@ class TableReader {
       if (whole_lines_ && in_.eof()) return false;
       if (line_.find('\0') != std::string::npos ||
           (row_ == 1 && (line_.starts_with("\xff\xfe") || line_.starts_with("\xfe\xff"))))
-        throw error(joined_text(file_, ": is UTF-16, or no text; save it as text in UTF-8 (CSV)"));
+        throw error(joined_text({file_, ": is UTF-16, or no text; save it as text in UTF-8 (CSV)"}));
       if (row_ == 1 && line_.starts_with("\xef\xbb\xbf")) line_.erase(0, 3);
       if (line_.ends_with('\r')) line_.pop_back();
       if (line_.find('\r') != std::string::npos) refuse("", ": holds a CR; lines must end with LF or CR LF");
@@ -211,9 +211,9 @@ class TableReader {
 
   bool finished() const {
     if (!decimal_comma_ && !ambiguous_.empty())
-      throw error(joined_text(file_, ": line ", comma_line_, ": ", shown(ambiguous_),
+      throw error(joined_text({file_, ": line ", comma_line_, ": ", shown(ambiguous_),
                               " may have a decimal comma, or a mark between thousands, and no other number "
-                              "tells; write points"));
+                              "tells; write points"}));
     return false;
   }
 

@@ -103,7 +103,7 @@ void check_law(const Value& values) {
 template <template <class, class, class> class Law, class Memory, class... Friction>
 void add_law(Checks& checks, const char* name) {
   (checks.emplace(
-       joined_text(name, "<", detail::spoken_name<Memory>(), ", ", detail::spoken_name<Friction>(), ">"),
+       joined_text({name, "<", detail::spoken_name<Memory>(), ", ", detail::spoken_name<Friction>(), ">"}),
        &check_law<Law<Memory, Friction, ConstantStiffness>>),
    ...);
 }
@@ -123,7 +123,7 @@ void check_fill(const Value& values) {
   options.check();
   options.velocity.at<double, 3>(Vec<double, 3>::Zero());
   for (const auto& [name, number] : options.history)
-    require(std::isfinite(number({})), joined_text("FillOptions.history, ", name), number({}),
+    require(std::isfinite(number({})), {"FillOptions.history, ", name}, number({}),
             "must be finite");
 }
 void check_absorbing(const Value& values) {
@@ -136,7 +136,7 @@ void check_rigid_pair(const Value& values) {
   const auto pair = read<RigidPair>(values, Reading{.name = "RigidPair"});
   for (const auto& [member, word] : {std::pair("first", pair.first), std::pair("second", pair.second)})
     require(!word.empty() && word.find_first_not_of("0123456789") == std::string::npos,
-            joined_text("RigidPair.", member), word, "must be the number of a rigid body, 0 or more");
+            {"RigidPair.", member}, word, "must be the number of a rigid body, 0 or more");
   require(pair.first != pair.second, "RigidPair.second", pair.second, "must be another body than the first");
 }
 void check_ugimp(const Value& values) {

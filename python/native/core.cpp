@@ -176,14 +176,14 @@ class PluginHandle {
 
   explicit PluginHandle(const std::string& path) : path_{path} {
     void* const object = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
-    if (object == nullptr) throw error(joined_text("arenite: cannot open ", path, ": ", dlerror()));
+    if (object == nullptr) throw error(joined_text({"arenite: cannot open ", path, ": ", dlerror()}));
     using Find = const Plugin* (*)();
     const auto find = reinterpret_cast<Find>(dlsym(object, "arenite_plugin"));
-    if (find == nullptr) throw error(joined_text("arenite: ", path, " holds no compositions"));
+    if (find == nullptr) throw error(joined_text({"arenite: ", path, " holds no compositions"}));
     plugin_ = find();
     if (plugin_->version != library_version)
       throw error(
-          joined_text("arenite: ", path, " is of version ", plugin_->version, ", not ", library_version));
+          joined_text({"arenite: ", path, " is of version ", plugin_->version, ", not ", library_version}));
     plugin_->on_warning(&warn_in_python);
   }
 
@@ -222,7 +222,7 @@ class PluginHandle {
   const typename Makers::value_type& find(const Makers& makers, const std::string& type) const {
     for (const auto& m : makers)
       if (m.type == type) return m;
-    throw error(joined_text("arenite: ", path_, " does not hold ", type));
+    throw error(joined_text({"arenite: ", path_, " does not hold ", type}));
   }
 
   std::string path_;
@@ -238,12 +238,12 @@ using RowsIn = py::array_t<double, py::array::c_style | py::array::forcecast>;
 int dimension_of(const py::array& stress) {
   const auto columns = stress.ndim() == 2 ? stress.shape(1) : 0;
   if (columns != 4 && columns != 6)
-    throw error(joined_text("stress: shape: must be [n, 6], or [n, 4] in the plane"));
+    throw error(joined_text({"stress: shape: must be [n, 6], or [n, 4] in the plane"}));
   return columns == 6 ? 3 : 2;
 }
 void check_rows(const char* name, const py::array& a, py::ssize_t n, py::ssize_t columns) {
   if (a.ndim() == 2 && a.shape(0) == n && a.shape(1) == columns) return;
-  throw error(joined_text(name, ": shape: must be [", n, ", ", columns, "]"));
+  throw error(joined_text({name, ": shape: must be [", n, ", ", columns, "]"}));
 }
 
 py::tuple update(const HostedLaw& law, RowsIn stress, RowsIn strain, std::optional<RowsIn> spin, double dt,
@@ -500,7 +500,7 @@ PYBIND11_MODULE(_core, m) {
            [](SceneHandle& h, std::size_t body, const RowsIn& places) {
              const int dimension = h.inside([](Scene& s) { return s.dimension(); });
              if (places.ndim() != 2 || places.shape(1) != dimension)
-               throw error(joined_text("probe: places: must be [n, ", dimension, "]"));
+               throw error(joined_text({"probe: places: must be [n, ", dimension, "]"}));
              const std::vector<double> at(places.data(), places.data() + places.size());
              const HostedProbes found = h.outside([&](Scene& s) { return s.probe(body, at); });
              const py::ssize_t n = places.shape(0);

@@ -62,13 +62,13 @@ void add_block(const shared_detail::MeshInput& in, shared_detail::GmshMesh<D>& m
   const auto& kind = mesh.kind(in, found->number);
   const auto columns = static_cast<py::ssize_t>(kind.nodes);
   if (nodes.ndim() != 2 || nodes.shape(1) != columns)
-    in.refuse("nodes of a block of elements", word, joined_text("must be [m, ", columns, "]"));
+    in.refuse("nodes of a block of elements", word, joined_text({"must be [m, ", columns, "]"}));
   std::vector<std::vector<int>> of(static_cast<std::size_t>(nodes.shape(0)));
   for (const auto& [tag, elements] : groups)
     for (py::ssize_t i = 0; i < elements.size(); ++i) {
       const std::int64_t element = elements.data()[i];
       if (element < 0 || element >= nodes.shape(0))
-        in.refuse("element of a group", element, joined_text("must be below ", nodes.shape(0)));
+        in.refuse("element of a group", element, joined_text({"must be below ", nodes.shape(0)}));
       auto& own = of[static_cast<std::size_t>(element)];
       if (std::ranges::find(own, tag) == own.end()) own.push_back(tag);
     }

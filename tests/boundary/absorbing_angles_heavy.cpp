@@ -154,7 +154,7 @@ void check(double length, std::initializer_list<double> angles, double bound,
       if (validation == nullptr) continue;
       const char* name = shear ? "shear waves" : "pressure waves";
       const double shown = exact > 1e-12 ? exact : 0;  // at a right angle, but for round-off
-      validation->value(name, joined_text("energy reflected at ", degrees, " deg"), "-", share, shown);
+      validation->value(name, joined_text({"energy reflected at ", degrees, " deg"}), "-", share, shown);
       validation->point(name, "angle of incidence (deg)", degrees, "energy reflected", share, shown);
     }
 }

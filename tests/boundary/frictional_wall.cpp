@@ -81,7 +81,7 @@ TEST_CASE("A block slides down an incline with g (sin a - mu cos a), and stays b
       const Vec<double, 2> given = weight * scene.time * Vec<double, 2>(std::sin(slope), -std::cos(slope));
       CHECK((momentum(scene.body()) - given - floor - reaction(scene, "left").impulse).norm() <=
             1e-11 * given.norm());
-      validation.value(name, joined_text("travel at ", degrees, " deg"), "m", moved, travel);
+      validation.value(name, joined_text({"travel at ", degrees, " deg"}), "m", moved, travel);
     }
   };
   check("B-splines; APIC; USL", [](double slope) { return on_grid(slope); });

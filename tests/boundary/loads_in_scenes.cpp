@@ -165,7 +165,7 @@ TEST_CASE("Bad loads name value and rule, when the scene is made or at run time"
         "t = 1e-05 s: traction on bottom = (nan, nan): must be finite");
   CHECK(at_run_time(pressure(right(), [](const Triple& x, double t) {
           return t > 0 && x[1] < h / 2 ? std::nan("") : 1.0;
-        })) == joined_text("t = 1e-05 s: pressure on right at (1, ", h / 4, ") m = nan: must be finite"));
+        })) == joined_text({"t = 1e-05 s: pressure on right at (1, ", h / 4, ") m = nan: must be finite"}));
   CHECK(test::message<std::exception>([&] {
           BoundGravityInTime<double, 2>{gravity({0, -1}, breaks).g}.acceleration(2);
         }) == "t = 2 s: gravity = (nan, nan): must be finite");

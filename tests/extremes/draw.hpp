@@ -99,13 +99,13 @@ struct Draw {
     constexpr const char* layouts[] = {"free", "boxed", "floor"};
     constexpr const char* motions[] = {"uniform", "spin", "stretch", "noise"};
     const double degree = pi / 180;
-    return joined_text("C=", courant, " cell=", cell, " E=", young, " nu=", poisson, " rho=", density,
+    return joined_text({"C=", courant, " cell=", cell, " E=", young, " nu=", poisson, " rho=", density,
                        " phi=", friction / degree, " c=", cohesion, " psi=", dilatancy / degree,
                        " g=", gravity, " v=", speed, " v/wave=", speed / wave(), " ",
                        layouts[static_cast<int>(layout)], " ", motions[static_cast<int>(motion)],
                        round ? " round" : " box", fine ? " fine" : "", smooth ? " smooth" : "",
                        " jitter=", jitter, " flip=", share, " k0=", k0, " delta=", contact_friction / degree,
-                       " contrast=", contrast, " steps=", steps);
+                       " contrast=", contrast, " steps=", steps});
   }
 
   /// Speed of pressure waves, m/s.

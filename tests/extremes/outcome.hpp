@@ -35,9 +35,9 @@ struct Outcome {
   std::size_t steps = 0;
   std::string message{};
   std::string text() const {
-    return joined_text(ending_names[static_cast<std::size_t>(ending)], " energy=", energy,
+    return joined_text({ending_names[static_cast<std::size_t>(ending)], " energy=", energy,
                        " momentum=", momentum, " V/V0=", volume, " lost=", lost, " steps=", steps,
-                       message.empty() ? "" : " | ", message);
+                       message.empty() ? "" : " | ", message});
   }
 };
 

@@ -447,8 +447,8 @@ TEST_CASE("values are the options that words are, and are checked by the same se
                                       {"mesh", "absent.msh"},
                                       {"input", "absent.json"}}) {
     const std::string text =
-        joined_text("{\"command\": \"drop\", \"options\": {\"", option, "\": \"", value, "\"}}");
-    REQUIRE_THROWS_WITH(values(text.c_str()), refusal({"drop", joined_text("--", option, "=", value)}));
+        joined_text({"{\"command\": \"drop\", \"options\": {\"", option, "\": \"", value, "\"}}"});
+    REQUIRE_THROWS_WITH(values(text.c_str()), refusal({"drop", joined_text({"--", option, "=", value})}));
   }
   REQUIRE_THROWS_WITH(values(R"({"command": "drop", "options": {"detla": "20"}})"),
                       "--detla=20: no such option of drop");  // who gives values has no --help

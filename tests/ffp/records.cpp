@@ -64,7 +64,7 @@ struct Form {
   std::string header = "time_s,deceleration_g", separator = ",", mark = ".", end = "\n", quote = "";
 
   std::string number(double x) const {
-    std::string text = joined_text(x);
+    std::string text = joined_text({x});
     if (const auto at = text.find('.'); at != std::string::npos) text.replace(at, 1, mark);
     return quote + text + quote;
   }
@@ -108,7 +108,7 @@ TEST_CASE("one motion in every form of a table") {
   std::vector<double> in_m_s2;
   for (const double a : record) in_m_s2.push_back(a * g);
   for (const char* unit : {"m/s\xc2\xb2", "m/s\xb2", "m/s^2", "m s^2"}) {
-    const Form form{.header = joined_text("t (s);Acceleration (", unit, ")"), .separator = ";"};
+    const Form form{.header = joined_text({"t (s);Acceleration (", unit, ")"}), .separator = ";"};
     REQUIRE(std::abs(reduced(written("form.csv", form.table(in_m_s2))).greatest_depth - depth) < 1e-9);
   }
 }
@@ -130,9 +130,9 @@ TEST_CASE("a table that may be read in two ways, or in none, is refused with its
   for (const char* number : {"1.234,5", "1,234.5"})
     REQUIRE(
         of(european + "0;" + number + "\n") ==
-        joined_text(
+        joined_text({
             "t.csv: line 2, column deceleration_g = ", number,
-            ": a file has one decimal mark and none between thousands; line 2 has a comma, line 2 a point"));
+            ": a file has one decimal mark and none between thousands; line 2 has a comma, line 2 a point"}));
   REQUIRE(holds(of(european + "0,5;1\n1;1.5\n"),
                 "line 3, column deceleration_g = 1.5: a file has one decimal mark"));
   REQUIRE(of(european + "1,000;-1\n1,001;20\n") ==
@@ -144,7 +144,7 @@ TEST_CASE("a table that may be read in two ways, or in none, is refused with its
                              "\xe2\x88\x92"
                              "1"})
     REQUIRE(holds(of(european + "0;1\n1;" + number + "\n"),
-                  joined_text("line 3, column deceleration_g = ", number, ": must be a number")));
+                  joined_text({"line 3, column deceleration_g = ", number, ": must be a number"})));
   REQUIRE(
       of("time_s;acc_g\n12:34:56.789;1\n") ==
       "t.csv: line 2, column time_s = 12:34:56.789: must be a number; turn times of the clock into seconds");
@@ -338,7 +338,7 @@ TEST_CASE("what a record cannot show is said") {
     std::size_t to = from;
     for (int line = 0; line < missing; ++line) to = rows.find('\n', to) + 1;
     const auto r = reduced(written("gap.csv", rows.erase(from, to - from)));
-    REQUIRE(warns(r, joined_text("has a gap of ", missing == 1 ? "1" : "15.5", " ms at 0.914")));
+    REQUIRE(warns(r, joined_text({"has a gap of ", missing == 1 ? "1" : "15.5", " ms at 0.914"})));
   }
   REQUIRE(warns(reduced(file_of(Fall{}.record(150), 150)), "samples between impact and rest, too few"));
   auto leaning = net;

@@ -67,7 +67,7 @@ std::vector<double> drop_of(double fall, double braking, double step, const Brak
 std::string table_of(const std::vector<double>& deceleration, double step) {
   std::string text = "time_s,deceleration_m_s2\n";
   for (std::size_t i = 0; i < deceleration.size(); ++i)
-    text += joined_text(static_cast<double>(i) * step, ",", deceleration[i], "\n");
+    text += joined_text({static_cast<double>(i) * step, ",", deceleration[i], "\n"});
   return text;
 }
 
@@ -106,7 +106,7 @@ TEST_CASE("a known motion integrates back to its depth, by the error of the trap
   for (const double step : {1e-3, 5e-4, 2.5e-4}) {
     std::string text = "t [ms];Acceleration (g)\n";
     for (int i = 0; i * step < pi / w; ++i)
-      text += joined_text(i * step * 1e3, ";", a0 * std::sin(w * i * step) / g, "\n");
+      text += joined_text({i * step * 1e3, ";", a0 * std::sin(w * i * step) / g, "\n"});
     const auto r = reduced(written("sine.csv", text), {"--impact-time", "0", "--impact-velocity", "5.6"});
     errors.push_back(
         std::abs(r.motion.depth.back() - (5.6 * r.motion.time.back() - a0 / w * r.motion.time.back() +
@@ -268,8 +268,8 @@ TEST_CASE("columns are found by many names; what is missing is said") {
   const auto with = [&](const std::string& header, double time, double unit, const char* mark) {
     std::string text = header + "\n";
     for (std::size_t i = 0; i < record.size(); ++i)
-      text += joined_text(static_cast<double>(i), mark, static_cast<double>(i) * step / time, mark,
-                          record[i] / unit, "\n");
+      text += joined_text({static_cast<double>(i), mark, static_cast<double>(i) * step / time, mark,
+                          record[i] / unit, "\n"});
     return written("named.csv", text);
   };
   REQUIRE(std::abs(reduced(with("row,Time (ms),Decel [g]", 1e-3, g, ",")).greatest_depth - depth) < 1e-8);
@@ -370,7 +370,7 @@ TEST_CASE("a BlueDrop's raw record is read back, by the smallest range that does
     const Measurement m = read_measurement(o);
     REQUIRE(m.time.size() == bluedrop_rows);
     REQUIRE(std::abs(m.time.back() - 59.9995) < 1e-9);
-    REQUIRE(holds(m.notes[0], joined_text("accelerometer of ", name, ",")));
+    REQUIRE(holds(m.notes[0], joined_text({"accelerometer of ", name, ","})));
     REQUIRE(holds(m.notes[1], "is a sample that belongs to no probe"));
     REQUIRE(std::abs(m.deceleration[40500] + g) < 1e-3);
     REQUIRE(std::abs(*std::max_element(m.deceleration.begin(), m.deceleration.end()) / g - peak) <
@@ -433,7 +433,7 @@ TEST_CASE("a drop's folder: its inputs, its depth, its peak") {
     depth += v * dt;
     time.push_back(t);
     deceleration.push_back(a);
-    text += joined_text(exactly(t), ",", exactly(depth), ",", exactly(v), ",", exactly(a), "\n");
+    text += joined_text({exactly(t), ",", exactly(depth), ",", exactly(v), ",", exactly(a), "\n"});
   }
   written("of_a_drop/history.csv", text + "0.5,0.");  // a row that was cut
   written("of_a_drop/summary.json", R"({"inputs": {"velocity_m_s": 5, "mass_kg": 9, "gravity_m_s2": 9.81,

@@ -166,7 +166,7 @@ TEST_CASE("Mass and inertia: closed forms") {
     const TriangleData data = ball_surface(levels);
     const auto p = mass_properties(TriangleSurface(data), 3 / (4 * pi));
     CHECK(p.centre.norm() < 1e-15);
-    const std::string name = joined_text("ball of ", data.triangles.size(), " triangles");
+    const std::string name = joined_text({"ball of ", data.triangles.size(), " triangles"});
     if (levels > 2) {
       validation.value(name, "mass", "kg", p.mass, 1);
       validation.value(name, "moment of inertia", "kg m2", p.inertia(0, 0), 0.4);

@@ -38,8 +38,8 @@ struct Constants {
                               power(-3, 6)}[static_cast<std::size_t>(choice(3))];
 
   std::string text() const {
-    return joined_text("young ", young, ", poisson ", poisson, ", friction ", friction, ", dilatancy ",
-                       dilatancy, ", cohesion ", cohesion, ", tension ", tension);
+    return joined_text({"young ", young, ", poisson ", poisson, ", friction ", friction, ", dilatancy ",
+                       dilatancy, ", cohesion ", cohesion, ", tension ", tension});
   }
   MohrCoulombParameters mohr_coulomb() const {
     return {.density = 1,

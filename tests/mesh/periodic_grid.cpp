@@ -126,7 +126,7 @@ void check_ring(test::Validation& validation, const char* name, N numerics, doub
     }
     const double off = std::sqrt(sum / all);
     CHECK(off <= error * square(32.0 / n));  // second order
-    validation.value(name, joined_text("error after one turn with ", n, " cells"), "-", off, 0);
+    validation.value(name, joined_text({"error after one turn with ", n, " cells"}), "-", off, 0);
   }
 }
 
@@ -159,7 +159,7 @@ double crossing_error(test::Validation& validation, const std::string& name, N n
       validation.point(name, "x (m)", x, "pressure / rho c (mm/s)", found, exact);
   }
   const double error = std::sqrt(sum / all);
-  validation.value(name, joined_text("error of the stress with ", n, " cells"), "-", error, 0);
+  validation.value(name, joined_text({"error of the stress with ", n, " cells"}), "-", error, 0);
   return error;
 }
 

@@ -144,7 +144,7 @@ TEST_CASE("Energy that a law makes: first a warning, then the end, with and with
     CHECK(watch.warnings()[0] == s.warnings[0]);
     CHECK(s.warnings[0].find("t = ") == 0);
     CHECK(has(s.warnings[0], "s: energy_gain = 0.0"));
-    CHECK(has(s.error, joined_text("t = ", scene.time, " s: energy_gain = 0.1")));
+    CHECK(has(s.error, joined_text({"t = ", scene.time, " s: energy_gain = 0.1"})));
     CHECK(has(s.error, "the limit is 0.1; the fastest point: body 0 at ("));
     const Watched& w = of(watch, "energy_gain");
     CHECK(w.worst > 0.1);
@@ -226,7 +226,7 @@ TEST_CASE("Energy put in behind the scene's back, or taken away") {
     const Said s = said([&] { run(scene, {.end = 0.002}, watch); });
     CAPTURE(s.error);
     const Watched& w = of(watch, factor > 1 ? "energy_gain" : "transfer");
-    CHECK(has(s.error, joined_text("t = 0.002 s: ", w.name, " = ", w.worst)));
+    CHECK(has(s.error, joined_text({"t = 0.002 s: ", w.name, " = ", w.worst})));
     CHECK(std::abs(w.worst - std::abs(factor * factor - 1)) <= 0.05);
   }
   // What was lost before hides no gain.
@@ -311,9 +311,9 @@ TEST_CASE("Volume, stress and lost points: a tenth warns once, the limit stops, 
   CHECK(said([&] { watch.look(scene); }).warnings.empty());  // once
   swell(1.6);
   CHECK(has(said([&] { watch.look(scene); }).error,
-            joined_text("body 0: mean V/V0 = ", mean_volume_ratio(body))));
+            joined_text({"body 0: mean V/V0 = ", mean_volume_ratio(body)})));
   swell(0.4);
-  CHECK(has(said([&] { watch.look(scene); }).error, joined_text("volume = ", 1 - mean_volume_ratio(body))));
+  CHECK(has(said([&] { watch.look(scene); }).error, joined_text({"volume = ", 1 - mean_volume_ratio(body)})));
   swell(1);
 
   // Outside by a share: yield = share, as the law has it.
@@ -348,7 +348,7 @@ TEST_CASE("Volume, stress and lost points: a tenth warns once, the limit stops, 
   body.lost = points.size() / 50;
   s = said([&] { watch.look(scene); });
   REQUIRE(s.warnings.size() == 1);
-  CHECK(has(s.warnings[0], joined_text("body 0: ", body.lost, " of ", body.lost + points.size(), " points")));
+  CHECK(has(s.warnings[0], joined_text({"body 0: ", body.lost, " of ", body.lost + points.size(), " points"})));
   body.lost = points.size() / 5;
   CHECK(has(said([&] { watch.look(scene); }).error, "lost = 0.16"));
   body.lost = 0;
@@ -435,7 +435,7 @@ TEST_CASE("What a newcomer gets wrong is told by run itself: load, stiffness, sp
   told(newcomer(1e3, 9.81), {.end = 0.25}, "volume", "above 0.5; body 0: mean V/V0 = 0.");    // 1 kPa
   const double wave = std::sqrt(1e6 * 0.7 / (1.3 * 0.4) / 1540);
   const auto fast = newcomer(1e6, 9.81, {.velocity = {0, -6 * wave, 0}}, {{0.1, 0.04}, {0.2, 0.14}});
-  told(fast, {.end = 1e-4}, "speed", joined_text(6 * wave, " m/s; waves run at ", wave));
+  told(fast, {.end = 1e-4}, "speed", joined_text({6 * wave, " m/s; waves run at ", wave}));
   CHECK(said([] { newcomer(1e6, 9.81); }).warnings.empty());
   const Said one = said([] { newcomer(1e6, 9.81, {.per_cell = 1}, {{0., 0.}, {0.02, 0.02}}); });
   REQUIRE(one.warnings.size() == 1);

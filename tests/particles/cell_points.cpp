@@ -99,12 +99,12 @@ TEST_CASE("other numbers are refused, and the message says which are not") {
   for (const int n : {-3, 0, 2, 5, 7, 64})
     REQUIRE(
         throws([&] { simplex_points<2>(n); },
-               joined_text("per_cell = ", n, ": must be 1, 3, 6, 10, 15, 21, 28 or the square of 1 to 7")));
+               joined_text({"per_cell = ", n, ": must be 1, 3, 6, 10, 15, 21, 28 or the square of 1 to 7"})));
   for (const int n : {-1, 0, 2, 5, 8, 9})
     REQUIRE(throws([&] { simplex_points<3>(n); }, "must be 1, 4, 10, 20, 35, 56 or 84"));
   for (const int n : {-4, 0, 2, 3, 8})
     REQUIRE(throws([&] { lattice_points<2>(n); },
-                   joined_text("per_cell = ", n, ": must be a square (1, 4, 9, ..)")));
+                   joined_text({"per_cell = ", n, ": must be a square (1, 4, 9, ..)"})));
   for (const int n : {-8, 0, 2, 4, 9})
     REQUIRE(throws([&] { lattice_points<3>(n); }, "must be a cube (1, 8, 27, ..)"));
 }

@@ -129,7 +129,7 @@ TEST_CASE("A wall that is thinner than a cell is told, with its thickness") {
         const auto texts = told(fill_here, cup(thick, at, turned));
         REQUIRE(texts.size() == 1);
         CHECK_THAT(texts[0],
-                   Catch::StartsWith(joined_text("rigid body f: a wall is ", thick, " cells thick at (")) &&
+                   Catch::StartsWith(joined_text({"rigid body f: a wall is ", thick, " cells thick at ("})) &&
                        Catch::Contains("PointContact"));
       }
       CHECK(told(fill_here, cup(1.02, at, turned)).empty());

@@ -52,7 +52,7 @@ TEST_CASE("Points that leave the mesh are counted with their mass; without any p
     CHECK(scene.time < 0.15);
     const std::string what = what_of(scene, {.end = 1, .max_step = 0.01});
     CAPTURE(what);
-    CHECK(what.find(joined_text("t = ", scene.time, " s: all ", all, " points of the scene")) == 0);
+    CHECK(what.find(joined_text({"t = ", scene.time, " s: all ", all, " points of the scene"})) == 0);
   };
   const FillOptions flies{.per_cell = 4, .velocity = {10, 0, 0}};
   check(Scene{PlaneStrain{}, grid(), Numerics<QuadraticBSpline, Apic>{},
@@ -99,7 +99,7 @@ TEST_CASE("A NaN stops the run at its step with time, body and point") {
   const std::string what = what_of(scene, {.end = 0.02});
   CAPTURE(what);
   CHECK(what.find("t = 0.01") == 0);
-  CHECK(what.find(joined_text("step ", steps + 1)) != std::string::npos);
+  CHECK(what.find(joined_text({"step ", steps + 1})) != std::string::npos);
   CHECK(what.find("of body 0 at (") != std::string::npos);
   CHECK(scene.steps == steps + 1);
 }

@@ -37,11 +37,11 @@ struct Study {
                                      .cell = edge});
         error[place] = error_of(motion, grid, 4, numerics, courant) / greatest;
       }
-      file.value(name, joined_text("error over the greatest displacement on ", n, " cells a side"), "-",
+      file.value(name, joined_text({"error over the greatest displacement on ", n, " cells a side"}), "-",
                  error[place], 0);
       if (k > 0) {
         order[place - 1] = std::log2(error[place - 1] / error[place]);
-        file.value(name, joined_text("order from ", n / 2, " to ", n, " cells"), "-", order[place - 1], 2);
+        file.value(name, joined_text({"order from ", n / 2, " to ", n, " cells"}), "-", order[place - 1], 2);
       }
     }
     return order;

@@ -149,7 +149,7 @@ TEST_CASE("A rigid body's distance is tried: NaN is refused, another unit and a 
   for (const double unit : {1000.0, 0.001, 2.0}) {
     const auto texts = told([=](const P& x) { return unit * ball(x); });
     REQUIRE(texts.size() == 1);
-    CHECK(has(texts[0], joined_text("rigid body 0: the gradient of its distance is ", unit)));
+    CHECK(has(texts[0], joined_text({"rigid body 0: the gradient of its distance is ", unit})));
   }
   for (const auto& texts :
        {told([=](const P& x) { return -ball(x); }), told([](const P& x) { return 0.1 - x[1]; })}) {

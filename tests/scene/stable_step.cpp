@@ -97,7 +97,7 @@ TEST_CASE("step: a length that is none is refused, one above the stable step is 
   const double bears = stable_step(fresh);
   Scene scene = fresh;
   for (const double dt : {0.0, -1.0, std::nan(""), double{INFINITY}, -double{INFINITY}})
-    CHECK_THROWS_WITH(step(scene, dt), joined_text("step: dt = ", dt, ": must be positive and finite (s)"));
+    CHECK_THROWS_WITH(step(scene, dt), joined_text({"step: dt = ", dt, ": must be positive and finite (s)"}));
   CHECK(scene.steps == 0);
   for (const double times : {1.01, 3.0, 100.0}) {
     Scene other = fresh;
@@ -105,8 +105,8 @@ TEST_CASE("step: a length that is none is refused, one above the stable step is 
       for (int k = 0; k < 3; ++k) step(other, times * bears);
     });
     REQUIRE(texts.size() == 1);
-    CHECK(has(texts[0], joined_text("t = 0 s, step 1: dt = ", times * bears, " s is ", times,
-                                    " times the stable step of ", bears, " s")));
+    CHECK(has(texts[0], joined_text({"t = 0 s, step 1: dt = ", times * bears, " s is ", times,
+                                    " times the stable step of ", bears, " s"})));
     CHECK_THROWS_AS(step(other, 0), error);
   }
   // At any step: a longer one at once, a stable step that has fallen within 64.

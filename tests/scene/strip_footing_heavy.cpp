@@ -45,7 +45,7 @@ TEST_CASE("Strip footing: the pressure goes to (2 + pi) c with the mesh") {
   test::Validation validation("strip_footing");
   const auto compare = [&](const std::string& composition, bool is_rough, double cell, double pressure) {
     validation.value(composition + (is_rough ? "; rough" : "; smooth"),
-                     "pressure over c; cells of " + joined_text(cell) + " m", "-", pressure, exact);
+                     "pressure over c; cells of " + joined_text({cell}) + " m", "-", pressure, exact);
     return pressure / exact - 1;
   };
   for (const bool is_rough : {false, true}) {

@@ -46,7 +46,7 @@ struct BoundDriven {
 
 template <class Site>
 BoundDriven<typename Site::T, Site::D> bind_part(const Driven& driven, const Site&) {
-  return {{{driven.wall}}, driven.velocity, joined_text("velocity of the wall ", driven.wall.name())};
+  return {{{driven.wall}}, driven.velocity, joined_text({"velocity of the wall ", driven.wall.name()})};
 }
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

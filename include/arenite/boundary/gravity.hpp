@@ -32,7 +32,7 @@ namespace detail {
 template <int D>
 void check_components(int given) {
   require(given == 0 || given == D, "gravity: components", given,
-          joined_text("must be ", D, ", as many as the scene has dimensions"));
+          {"must be ", D, ", as many as the scene has dimensions"});
 }
 
 }  // namespace detail

@@ -74,7 +74,7 @@ class VectorFunction : public PlaceFunction<Triple> {
     Triple a{};
     std::size_t k = 0;
     for (const double x : v) {
-      require(std::isfinite(x), joined_text("component ", k), x, "must be finite");
+      require(std::isfinite(x), {"component ", k}, x, "must be finite");
       a[k++] = x;
     }
     return a;
@@ -94,8 +94,8 @@ namespace detail {
 /// Throws `run_error`: what is given by a function has no sensible value.
 [[noreturn]] inline void refuse_value(std::string_view name, const std::string& place, double time,
                                       const std::string& value, std::string_view rule) {
-  throw run_error(joined_text("t = ", time, " s: ", name, place.empty() ? "" : " at ", place,
-                              place.empty() ? "" : " m", " = ", value, ": ", rule));
+  throw run_error(joined_text({"t = ", time, " s: ", name, place.empty() ? "" : " at ", place,
+                              place.empty() ? "" : " m", " = ", value, ": ", rule}));
 }
 
 }  // namespace detail
@@ -112,7 +112,7 @@ Vec<T, D> value_at(const VectorFunction& f, const Vec<T, D>& position, double ti
                          "must be finite");
   if (D == 2 && v[2] != 0)
     detail::refuse_value(name, f.is_uniform() ? "" : vector_text(position), time,
-                         joined_text("(", v[0], ", ", v[1], ", ", v[2], ")"),
+                         joined_text({"(", v[0], ", ", v[1], ", ", v[2], ")"}),
                          "must be zero along an axis that the scene does not have");
   return out.template cast<T>();
 }
@@ -120,7 +120,7 @@ template <class T, int D>
 T value_at(const ScalarFunction& f, const Vec<T, D>& position, double time, std::string_view name) {
   const double value = f(in_space(position), time);
   if (!std::isfinite(value))
-    detail::refuse_value(name, f.is_uniform() ? "" : vector_text(position), time, joined_text(value),
+    detail::refuse_value(name, f.is_uniform() ? "" : vector_text(position), time, joined_text({value}),
                          "must be finite");
   return static_cast<T>(value);
 }

@@ -99,7 +99,7 @@ class BoundReactions {
     const auto at = static_cast<std::size_t>(std::ranges::find(names_, wall) - names_.begin());
     std::string known;
     for (const auto& name : names_) known += (known.empty() ? "" : ", ") + name;
-    require(at < names_.size(), "reaction: wall", wall, joined_text("must be one of: ", known));
+    require(at < names_.size(), "reaction: wall", wall, {"must be one of: ", known});
     std::pair<V, V> both;
     for (std::size_t d = 0; d < dim; ++d) {
       both.first[static_cast<int>(d)] = static_cast<T>(last_[at * dim + d]);
@@ -127,7 +127,7 @@ class BoundReactions {
     if constexpr (requires { std::string(part.name); })
       return part.name;
     else
-      return joined_text("part ", number);
+      return joined_text({"part ", number});
   }
 
   std::vector<std::string> names_;

@@ -24,11 +24,11 @@ class Table {
     require(!rows_.empty(), "Table.rows", rows_.size(), "must be at least one");
     for (std::size_t k = 0; k < rows_.size(); ++k) {
       const auto [time, value] = rows_[k];
-      require(std::isfinite(time), joined_text("Table.time[", k, "]"), time, "must be finite");
-      require(std::isfinite(value), joined_text("Table.value[", k, "]"), value, "must be finite");
+      require(std::isfinite(time), {"Table.time[", k, "]"}, time, "must be finite");
+      require(std::isfinite(value), {"Table.value[", k, "]"}, value, "must be finite");
       if (k > 0)
-        require(time >= rows_[k - 1].first, joined_text("Table.time[", k, "]"), time,
-                joined_text("must not lie before the one above, ", rows_[k - 1].first));
+        require(time >= rows_[k - 1].first, {"Table.time[", k, "]"}, time,
+                {"must not lie before the one above, ", rows_[k - 1].first});
     }
   }
 

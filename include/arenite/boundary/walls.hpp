@@ -124,8 +124,8 @@ struct Walls {
       if constexpr (is_simplex_mesh<M>) {
         for (const Index i : nodes.mesh().node_set(wall.set)) take(i);
       } else {
-        throw error(joined_text("Wall.set = ", wall.set,
-                                ": a Cartesian grid has no node sets; use faces or where(test)"));
+        throw error(joined_text({"Wall.set = ", wall.set,
+                                ": a Cartesian grid has no node sets; use faces or where(test)"}));
       }
     } else {
       for (Index i = 0; i < nodes.size(); ++i) {

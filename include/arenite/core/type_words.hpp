@@ -43,20 +43,20 @@ template <template <class...> class Template, class... T>
 struct TypeWords<Template<T...>> {
   static std::string text() {
     std::string list;
-    ((list = joined_text(list, list.empty() ? "" : ",", type_words<T>())), ...);
-    return joined_text(bare_type_name<Template<T...>>(), "<", list, ">");
+    ((list = joined_text({list, list.empty() ? "" : ",", type_words<T>()})), ...);
+    return joined_text({bare_type_name<Template<T...>>(), "<", list, ">"});
   }
 };
 template <template <class, int> class Template, class T, int N>
 struct TypeWords<Template<T, N>> {
   static std::string text() {
-    return joined_text(bare_type_name<Template<T, N>>(), "<", type_words<T>(), ",", N, ">");
+    return joined_text({bare_type_name<Template<T, N>>(), "<", type_words<T>(), ",", N, ">"});
   }
 };
 template <template <int, class> class Template, int N, class T>
 struct TypeWords<Template<N, T>> {
   static std::string text() {
-    return joined_text(bare_type_name<Template<N, T>>(), "<", N, ",", type_words<T>(), ">");
+    return joined_text({bare_type_name<Template<N, T>>(), "<", N, ",", type_words<T>(), ">"});
   }
 };
 

@@ -23,8 +23,8 @@ struct Box {
   Box(const std::array<double, D>& lower_corner, const std::array<double, D>& upper_corner)
       : lower{lower_corner}, upper{upper_corner} {
     for (std::size_t k = 0; k < D; ++k)
-      require(upper[k] >= lower[k], joined_text("Box.upper[", k, "]"), upper[k],
-              joined_text("must not lie below lower[", k, "] = ", lower[k]));
+      require(upper[k] >= lower[k], {"Box.upper[", k, "]"}, upper[k],
+              {"must not lie below lower[", k, "] = ", lower[k]});
   }
   bool contains(const Vec<double, static_cast<int>(D)>& x) const {
     for (std::size_t k = 0; k < D; ++k)

@@ -32,7 +32,7 @@ class ClosedTriangles {
     require(data.triangles.size() < none / 3, "TriangleSurface.triangles", data.triangles.size(),
             "must be fewer than 2^32 / 3");
     for (std::size_t i = 0; i < data.vertices.size(); ++i)
-      require(data.vertices[i].allFinite(), joined_text("TriangleSurface.vertices[", i, "]"),
+      require(data.vertices[i].allFinite(), {"TriangleSurface.vertices[", i, "]"},
               vector_text(data.vertices[i]), "must be finite");
     for (std::size_t t = 0; t < data.triangles.size(); ++t) check_area(data, t);
     pair_edges(data);
@@ -49,7 +49,7 @@ class ClosedTriangles {
   };
 
   static std::string name_of(std::size_t triangle) {
-    return joined_text("TriangleSurface.triangles[", triangle, "]");
+    return joined_text({"TriangleSurface.triangles[", triangle, "]"});
   }
 
   static void check_area(const TriangleData& data, std::size_t t) {
@@ -59,7 +59,7 @@ class ClosedTriangles {
     const Vec<double, 3> ab = data.vertices[b] - data.vertices[a], ac = data.vertices[c] - data.vertices[a];
     const double longest2 = std::max({ab.squaredNorm(), ac.squaredNorm(), (ac - ab).squaredNorm()});
     const double area = ab.cross(ac).norm() / 2;
-    require(area > 1e-12 * longest2, joined_text(name_of(t), ".area"), area, "a triangle must not be flat");
+    require(area > 1e-12 * longest2, {name_of(t), ".area"}, area, "a triangle must not be flat");
   }
 
   void pair_edges(const TriangleData& data) {
@@ -81,15 +81,15 @@ class ClosedTriangles {
       const Side &a = sides[i], &b = sides[std::min(i + 1, end - 1)];
       const auto check = [&](bool holds, const std::string& rule) {
         if (!holds)
-          require(false, joined_text(name_of(a.triangle), ", edge"),
-                  joined_text(vector_text(data.vertices[a.low]), " to ", vector_text(data.vertices[a.high])),
+          require(false, {name_of(a.triangle), ", edge"},
+                  joined_text({vector_text(data.vertices[a.low]), " to ", vector_text(data.vertices[a.high])}),
                   rule);
       };
       if (end - i == 1) check(false, open_surface(sides));
-      check(end - i == 2, joined_text("belongs to ", end - i, " triangles; it must belong to two"));
+      check(end - i == 2, joined_text({"belongs to ", end - i, " triangles; it must belong to two"}));
       check(a.rises != b.rises,
-            joined_text("triangle ", b.triangle, " runs along it in the same sense; all triangles must run ",
-                        "counter-clockwise as seen from outside"));
+            joined_text({"triangle ", b.triangle, " runs along it in the same sense; all triangles must run ",
+                        "counter-clockwise as seen from outside"}));
       across_[a.triangle][a.k] = {b.triangle, b.k};
       across_[b.triangle][b.k] = {a.triangle, a.k};
       i = end;
@@ -103,11 +103,11 @@ class ClosedTriangles {
       return b < sides.size() && sides[a].low == sides[b].low && sides[a].high == sides[b].high;
     };
     for (std::size_t i = 0; i < sides.size(); ++i) alone += !same(i, i + 1) && (i == 0 || !same(i - 1, i));
-    return joined_text(
+    return joined_text({
         "belongs to this triangle alone, one of ", alone,
         " such edges: an open surface, as of terrain, is no body, which has an inside. Close it "
         "(terrain: by sides and a bottom, where it comes from), or describe its height by a test "
-        "of positions (fill) or a signed distance (rigid)");
+        "of positions (fill) or a signed distance (rigid)"});
   }
 
   std::vector<std::array<Edge, 3>> across_;  // [triangles]

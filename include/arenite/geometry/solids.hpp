@@ -19,7 +19,7 @@ template <std::size_t D>
 auto finite_place(std::string_view name, const std::array<double, D>& x) {
   Vec<double, static_cast<int>(D)> place;
   for (std::size_t k = 0; k < D; ++k) {
-    require(std::isfinite(x[k]), joined_text(name, "[", k, "]"), x[k], "must be finite");
+    require(std::isfinite(x[k]), {name, "[", k, "]"}, x[k], "must be finite");
     place[static_cast<int>(k)] = x[k];
   }
   return place;
@@ -81,10 +81,10 @@ class RoundedBox {
     require(radius >= 0, "RoundedBox.radius", radius, "must not be negative");
     for (std::size_t k = 0; k < D; ++k) {
       const double extent = box.upper[k] - box.lower[k];
-      require(extent > 0 && std::isfinite(extent), joined_text("RoundedBox.upper[", k, "]"), box.upper[k],
+      require(extent > 0 && std::isfinite(extent), {"RoundedBox.upper[", k, "]"}, box.upper[k],
               "must be finite and exceed lower");
       require(2 * radius <= extent, "RoundedBox.radius", radius,
-              joined_text("must not exceed half of the extent ", extent, " along axis ", k));
+              {"must not exceed half of the extent ", extent, " along axis ", k});
       core_.lower[k] += radius;
       core_.upper[k] = std::max(core_.upper[k] - radius, core_.lower[k]);
     }

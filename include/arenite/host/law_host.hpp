@@ -118,10 +118,10 @@ class LawHost : public HostedLaw {
                       const std::vector<double>& history) const {
     constexpr std::size_t size = Sym<double, D>::size;
     DrivenPoint<Law, D> point;
-    require(stress.size() == size, "drive: stress", stress.size(), joined_text("must be ", size, " numbers"));
+    require(stress.size() == size, "drive: stress", stress.size(), {"must be ", size, " numbers"});
     std::ranges::copy(stress, &point.stress[0]);
     require(history.size() == history_count, "drive: history", history.size(),
-            joined_text("must be ", history_count, " numbers"));
+            {"must be ", history_count, " numbers"});
     each_member(point.history, [&](double& member, std::size_t k) { member = history[k]; });
     HostedPath path;
     for (const auto& at : arenite::drive(

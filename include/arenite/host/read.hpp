@@ -70,7 +70,7 @@ member_type<T, K> read_member(const Value::Dict& given, const Reading& at) {
   if constexpr (requires { T{}; })
     return member<K>(T{});
   else
-    throw error(joined_text((at / key).name, " = nothing: must be given"));
+    throw error(joined_text({(at / key).name, " = nothing: must be given"}));
 }
 
 template <class T>
@@ -154,7 +154,7 @@ struct Reader<std::array<double, N>> {
   static std::array<double, N> read(const Value& value, const Reading& at) {
     const auto given = detail::numbers(value, at);
     const bool fits = given.size() == N || (N == 3 && given.size() < N && !given.empty());
-    if (!fits) at.refuse(value, joined_text("must be ", N == 3 ? "up to " : "", N, " numbers"));
+    if (!fits) at.refuse(value, joined_text({"must be ", N == 3 ? "up to " : "", N, " numbers"}));
     std::array<double, N> a{};
     std::ranges::copy(given, a.begin());
     return a;
@@ -164,7 +164,7 @@ template <class T, std::size_t N>
 requires(!std::is_same_v<T, double>) struct Reader<std::array<T, N>> {
   static std::array<T, N> read(const Value& value, const Reading& at) {
     const auto* list = value.get<Value::List>();
-    if (list == nullptr || list->size() != N) at.refuse(value, joined_text("must be a list of ", N));
+    if (list == nullptr || list->size() != N) at.refuse(value, joined_text({"must be a list of ", N}));
     std::array<T, N> all{};
     for (std::size_t k = 0; k < N; ++k) all[k] = arenite::read<T>((*list)[k], at[k]);
     return all;

@@ -118,13 +118,13 @@ HostShape<D> read_shape(const Value& value, const Reading& at) {
   const std::string shape = kind ? read<std::string>(*kind, at) : "";
   const auto given = [&](const char* key) -> const Value& {
     const Value* v = value.find(key);
-    if (v == nullptr) throw error(joined_text(shape, ".", key, " = nothing: must be given"));
+    if (v == nullptr) throw error(joined_text({shape, ".", key, " = nothing: must be given"}));
     return *v;
   };
   const auto place = [&](const char* key) {
     const auto x = numbers(given(key), at.renamed(shape + "." + key));
     if (x.size() != dim)
-      at.renamed(shape + "." + key).refuse(given(key), joined_text("must be ", D, " numbers in this scene"));
+      at.renamed(shape + "." + key).refuse(given(key), joined_text({"must be ", D, " numbers in this scene"}));
     Place here;
     std::ranges::copy(x, here.begin());
     return here;
@@ -154,8 +154,8 @@ HostShape<D> read_shape(const Value& value, const Reading& at) {
   }
   at.refuse(
       shape.empty() ? value : Value(shape),
-      joined_text("must be a shape in ", D, " dimensions: Box, Ball, RoundedBox, Capsule, ConeCylinder, ",
-                  D == 2 ? "Polygon" : "Cylinder, TriangleSurface"));
+      joined_text({"must be a shape in ", D, " dimensions: Box, Ball, RoundedBox, Capsule, ConeCylinder, ",
+                  D == 2 ? "Polygon" : "Cylinder, TriangleSurface"}));
 }
 
 }  // namespace detail

@@ -111,7 +111,7 @@ struct Reader<CartesianGrid<D, T>> {
     for (const char* corner : {"lower", "upper"})
       if (const Value* x = value.find(corner))
         if (detail::numbers(*x, at / corner).size() != D)
-          (at / corner).refuse(*x, joined_text("must be ", D, " numbers in this scene"));
+          (at / corner).refuse(*x, joined_text({"must be ", D, " numbers in this scene"}));
     return CartesianGrid<D, T>(arenite::read<typename CartesianGrid<D, T>::Parameters>(value, at));
   }
 };
@@ -158,7 +158,7 @@ struct Reader<MeshData<D>> {
     const Value* found = value.find(key);
     const HostArray* a = found ? found->array() : nullptr;
     if (a == nullptr || a->shape.size() != 2 || a->columns() != columns)
-      (at / key).refuse(found ? *found : Value(), joined_text("must be an array of ", columns, " columns"));
+      (at / key).refuse(found ? *found : Value(), joined_text({"must be an array of ", columns, " columns"}));
     return *a;
   }
   static Index index(double number, const Reading& at) {
@@ -204,7 +204,7 @@ struct Reader<PartGroup<P...>> {
   static PartGroup<P...> of(const Value& value, const Reading& at, std::index_sequence<I...>) {
     const auto* list = value.get<Value::List>();
     if (list == nullptr || list->size() != sizeof...(P))
-      at.refuse(value, joined_text("must be a list of ", sizeof...(P)));
+      at.refuse(value, joined_text({"must be a list of ", sizeof...(P)}));
     return {{arenite::read<P>((*list)[I], at[I])...}};
   }
 };

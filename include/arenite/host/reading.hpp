@@ -28,8 +28,8 @@ struct Reading {
   PlaceFunctions* places = nullptr;  ///< where functions of place are collected; none: they are not
   const std::vector<std::array<double, 3>>* nodes = nullptr;  ///< positions of the mesh's nodes, m; or none
 
-  Reading operator/(std::string_view member) const { return renamed(joined_text(name, ".", member)); }
-  Reading operator[](std::size_t k) const { return renamed(joined_text(name, "[", k, "]")); }
+  Reading operator/(std::string_view member) const { return renamed(joined_text({name, ".", member})); }
+  Reading operator[](std::size_t k) const { return renamed(joined_text({name, "[", k, "]"})); }
   Reading renamed(std::string other) const {
     Reading at = *this;
     at.name = std::move(other);
@@ -37,7 +37,7 @@ struct Reading {
   }
   /// Throws the refusal of a value there.
   [[noreturn]] void refuse(const Value& value, std::string_view rule) const {
-    throw error(joined_text(name, " = ", value.text(), ": ", rule));
+    throw error(joined_text({name, " = ", value.text(), ": ", rule}));
   }
 };
 

@@ -258,7 +258,7 @@ class SceneHost : public HostedScene {
   }(std::type_identity<typename Scene::Parts>{});
 
   static std::string needs_damping(const char* what) {
-    return joined_text(what, ": name a part that damps: LocalDamping or ViscousDamping");
+    return joined_text({what, ": name a part that damps: LocalDamping or ViscousDamping"});
   }
 
   /// Looks for moves of points when a call ends, however it ends.
@@ -315,7 +315,7 @@ class SceneReader<Scene<K, M, N, Given...>> {
     const Value parts = given("parts");
     const auto* list = parts.template get<Value::List>();
     if (list == nullptr || list->size() != sizeof...(Given))
-      at.refuse(parts, joined_text("must be a list of ", sizeof...(Given), " parts"));
+      at.refuse(parts, joined_text({"must be a list of ", sizeof...(Given), " parts"}));
     return make(read<K>(given("kinematics"), at / "kinematics"), mesh,
                 read<N>(given("numerics"), at / "numerics"), *list, in_mesh,
                 std::index_sequence_for<Given...>{});
@@ -342,7 +342,7 @@ class SceneReader<Scene<K, M, N, Given...>> {
                                   std::index_sequence<I...>) {
     const auto* list = value.get<Value::List>();
     if (list == nullptr || list->size() != sizeof...(F))
-      at.refuse(value, joined_text("must be a list of ", sizeof...(F), " bodies"));
+      at.refuse(value, joined_text({"must be a list of ", sizeof...(F), " bodies"}));
     return {std::tuple<F...>{read_fill<Made, F>(mesh, (*list)[I], at[I])...}};
   }
 };

@@ -23,7 +23,7 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET::detail {
 /// Calls `f.operator()<k>()` with the number of a body of a scene as a constant.
 template <class Scene, class F>
 void with_number(std::size_t body, F&& f) {
-  require(body < Scene::body_count, "body", body, joined_text("must be below ", Scene::body_count));
+  require(body < Scene::body_count, "body", body, {"must be below ", Scene::body_count});
   [&]<std::size_t... K>(std::index_sequence<K...>) {
     ((K == body ? f.template operator()<K>() : void()), ...);
   }
@@ -39,7 +39,7 @@ class PointRows {
     if (given == nullptr || given->is_none()) return;
     const HostArray* array = given->array();
     if (array == nullptr || array->rows() != rows || array->numbers.size() != rows * columns)
-      throw error(joined_text(name, " = ", given->text(), ": must be ", rows, " rows of ", columns));
+      throw error(joined_text({name, " = ", given->text(), ": must be ", rows, " rows of ", columns}));
     array_ = array;
   }
   explicit operator bool() const { return array_ != nullptr; }
@@ -151,7 +151,7 @@ HostedTotals remove_where(Scene& scene, std::size_t body, const Value& where) {
     const auto& points = of.points;
     if (const HostArray* flags = where.array()) {
       require(flags->numbers.size() == points.size(), "where", where.text(),
-              joined_text("must have one for each of ", points.size(), " points"));
+              {"must have one for each of ", points.size(), " points"});
       return remove_from(scene, of, [&](Index p) { return flags->numbers[p] != 0; });
     }
     const auto region = read<AnyRegion>(where, Reading{.name = "where", .dimension = Scene::D});

@@ -70,10 +70,10 @@ class Value {
   std::string text() const {
     if (is_none()) return "nothing";
     if (const bool* b = get<bool>()) return *b ? "true" : "false";
-    if (const double* x = get<double>()) return joined_text(*x);
+    if (const double* x = get<double>()) return joined_text({*x});
     if (const auto* s = get<std::string>()) return *s;
-    if (const auto* l = get<List>()) return joined_text("a list of ", l->size());
-    if (array()) return joined_text("an array of ", array()->numbers.size(), " numbers");
+    if (const auto* l = get<List>()) return joined_text({"a list of ", l->size()});
+    if (array()) return joined_text({"an array of ", array()->numbers.size(), " numbers"});
     if (function()) return "a function";
     return get<Dict>() ? "names with values" : "a signal";
   }

@@ -65,7 +65,7 @@ class CsvWriter {
     require(
         same && std::ftell(file.get()) >= 0 && static_cast<std::uintmax_t>(std::ftell(file.get())) >= kept,
         "table", path_.string(),
-        joined_text("must be there, with the columns ", line_, ", and hold ", kept, " bytes"));
+        {"must be there, with the columns ", line_, ", and hold ", kept, " bytes"});
     if (const int reason = shared_detail::cut_file(file.get(), path_, kept); reason != 0)
       shared_detail::fail_output(path_, "cannot be shortened", reason);
     std::fseek(file.get(), 0, SEEK_END);
@@ -76,7 +76,7 @@ class CsvWriter {
   void put_row(const Values& values) {
     if (values.size() != columns_)
       require(false, "values in a row", values.size(),
-              joined_text("must be ", columns_, ", the number of columns of ", path_.string()));
+              {"must be ", columns_, ", the number of columns of ", path_.string()});
     line_.clear();
     for (std::size_t i = 0; i < values.size(); ++i) {
       if (i > 0) line_ += ',';

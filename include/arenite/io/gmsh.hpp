@@ -66,8 +66,8 @@ MeshData<D> read_gmsh_bytes(std::string_view bytes, std::string name) {
     const std::string section = in.open_section();
     if (section.empty()) break;
     const auto must_follow = [&](std::string_view other) {
-      in.check(seen.contains(other), "section", joined_text("$", section),
-               joined_text("must stand behind $", other));
+      in.check(seen.contains(other), "section", joined_text({"$", section}),
+               joined_text({"must stand behind $", other}));
     };
     if (section != "MeshFormat" && section != "Comments") must_follow("MeshFormat");
     const bool v4 = format == GmshFormat::v4_1;
@@ -80,16 +80,16 @@ MeshData<D> read_gmsh_bytes(std::string_view bytes, std::string name) {
       in.skip_section();  // as the manual asks: comments, post-processing data, what others have added
       continue;
     }
-    in.check(seen.insert(section).second, "section", joined_text("$", section), "is given twice");
+    in.check(seen.insert(section).second, "section", joined_text({"$", section}), "is given twice");
     if (section == "MeshFormat") {
       format = read_gmsh_format(in);
     } else if (section == "PhysicalNames") {
       read_gmsh_names(in, mesh);
     } else if (section == "PartitionedEntities") {
-      in.fail("section", joined_text("$", section),
+      in.fail("section", joined_text({"$", section}),
               "partitioned meshes are not read (Gmsh: Mesh.NbPartitions = 0)");
     } else if (section == "Entities") {
-      in.check(!seen.contains("Elements"), "section", joined_text("$", section),
+      in.check(!seen.contains("Elements"), "section", joined_text({"$", section}),
                "must stand before $Elements");
       entities = read_v4_entities(in);
     } else if (section == "Nodes") {
@@ -102,7 +102,7 @@ MeshData<D> read_gmsh_bytes(std::string_view bytes, std::string name) {
     in.close_section();
   }
   for (const char* needed : {"MeshFormat", "Nodes", "Elements"})
-    if (!seen.contains(needed)) in.refuse("section", joined_text("$", needed), "is missing");
+    if (!seen.contains(needed)) in.refuse("section", joined_text({"$", needed}), "is missing");
   return std::move(mesh).finish(in);
 }
 

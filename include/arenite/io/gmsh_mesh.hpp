@@ -61,7 +61,7 @@ class GmshMesh {
     for (std::size_t i = 0; i < 3; ++i) {
       position[i] = x(i);
       if (!std::isfinite(position[i]))
-        in.fail(joined_text(axes[i], " of node ", tags_[positions_.size() - 1]), position[i],
+        in.fail(joined_text({axes[i], " of node ", tags_[positions_.size() - 1]}), position[i],
                 "must be finite");
     }
   }
@@ -90,7 +90,7 @@ class GmshMesh {
       rule = "must be of first order (Gmsh: Mesh.ElementOrder = 1)";
     else if (found->dim == D && found->nodes != D + 1)
       rule = D == 2 ? "the cells must be triangles" : "the cells must be tetrahedra";
-    if (rule != nullptr) in.fail("type of element", joined_text(number, " (", found->name, ")"), rule);
+    if (rule != nullptr) in.fail("type of element", joined_text({number, " (", found->name, ")"}), rule);
     return *found;
   }
 
@@ -150,7 +150,7 @@ class GmshMesh {
     for (const auto& [group, nodes] : sets_) {
       const auto name = names_.find(group);
       const std::string key =
-          name != names_.end() ? name->second : joined_text(group.first, ":", group.second);
+          name != names_.end() ? name->second : joined_text({group.first, ":", group.second});
       for (const Index node : nodes)
         if (number[node] != none) result_.node_sets[key].push_back(number[node]);
     }
@@ -223,7 +223,7 @@ class GmshMesh {
       const auto twice = std::adjacent_find(sorted.begin(), sorted.end());
       if (twice == sorted.end()) continue;
       std::string nodes;
-      for (const Index node : *twice) nodes += joined_text(nodes.empty() ? "" : " ", tags_[node]);
+      for (const Index node : *twice) nodes += joined_text({nodes.empty() ? "" : " ", tags_[node]});
       in.refuse("nodes of a cell", nodes,
                 "the cell is given twice (is it in two physical groups? It has one region)");
     }
@@ -245,8 +245,8 @@ class GmshMesh {
     for (std::size_t i = 0; i < number.size(); ++i)
       if (number[i] != none && !(std::abs(positions_[i][2] - positions_[first][2]) <= tolerance))
         in.refuse(
-            joined_text("z of node ", tags_[i]), positions_[i][2],
-            joined_text("must be ", positions_[first][2], ", as all nodes of a plane mesh share one z"));
+            joined_text({"z of node ", tags_[i]}), positions_[i][2],
+            joined_text({"must be ", positions_[first][2], ", as all nodes of a plane mesh share one z"}));
   }
 
   std::vector<std::uint64_t> tags_;                    // [nodes] ascending once `end_nodes` is done

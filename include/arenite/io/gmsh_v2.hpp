@@ -56,7 +56,7 @@ void read_v2_elements(MeshInput& in, GmshMesh<D>& mesh) {
     const int run = in.binary() ? in.integer("elements that follow") : 1;
     if (run < 1 || static_cast<std::uint64_t>(run) > left)
       in.fail("elements that follow", run,
-              joined_text("must be from 1 to ", left, ", what is left of the number of elements"));
+              joined_text({"must be from 1 to ", left, ", what is left of the number of elements"}));
     const int tags = in.integer("number of tags");
     in.check(tags >= 0, "number of tags", tags, "must not be negative");
     for (int i = 0; i < run; ++i) {

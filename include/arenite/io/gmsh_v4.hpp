@@ -25,7 +25,7 @@ inline GmshEntities read_v4_entities(MeshInput& in) {
     for (std::uint64_t i = 0; i < count[static_cast<std::size_t>(dim)]; ++i) {
       const int tag = in.integer("tag of the entity");
       auto [entity, is_new] = entities->try_emplace({dim, tag});
-      in.check(is_new, "tag of the entity", tag, joined_text("is given twice in dimension ", dim));
+      in.check(is_new, "tag of the entity", tag, joined_text({"is given twice in dimension ", dim}));
       for (int k = 0; k < (dim == 0 ? 3 : 6); ++k) in.real("bounding box");
       const std::uint64_t groups = in.size("number of physical groups");
       in.check_count("number of physical groups", groups, in.binary() ? sizeof(std::int32_t) : 2);
@@ -59,7 +59,7 @@ inline GmshBlocks read_v4_blocks(MeshInput& in, std::string_view items, std::siz
 inline std::uint64_t read_v4_block_size(MeshInput& in, std::uint64_t left) {
   const std::uint64_t count = in.size("items of the block");
   in.check(count <= left, "items of the block", count,
-           joined_text("must be at most ", left, ", what is left of the section"));
+           joined_text({"must be at most ", left, ", what is left of the section"}));
   in.end_row("header of the block");
   return count;
 }
@@ -81,7 +81,7 @@ void read_v4_nodes(MeshInput& in, GmshMesh<D>& mesh) {
     left -= count;
   }
   in.check(left == 0, "number of nodes", header.items,
-           joined_text("is ", left, " more than the blocks hold"));
+           joined_text({"is ", left, " more than the blocks hold"}));
 }
 
 template <int D>
@@ -97,12 +97,12 @@ void read_v4_elements(MeshInput& in, GmshMesh<D>& mesh, const GmshEntities& enti
     if (entities) {
       const auto found = entities->find({dim, entity});
       in.check(found != entities->end(), "tag of the entity", entity,
-               joined_text("is not among $Entities of dimension ", dim));
+               joined_text({"is not among $Entities of dimension ", dim}));
       groups = found->second;
     }
     const GmshKind& kind = mesh.kind(in, in.integer("type of element"));
     in.check(static_cast<int>(kind.dim) == dim, "type of element", kind.name,
-             joined_text("must have the dimension of its entity, ", dim));
+             joined_text({"must have the dimension of its entity, ", dim}));
     const std::uint64_t count = read_v4_block_size(in, left);
     for (std::uint64_t i = 0; i < count; ++i) {
       in.size("tag of the element");
@@ -114,7 +114,7 @@ void read_v4_elements(MeshInput& in, GmshMesh<D>& mesh, const GmshEntities& enti
     left -= count;
   }
   in.check(left == 0, "number of elements", header.items,
-           joined_text("is ", left, " more than the blocks hold"));
+           joined_text({"is ", left, " more than the blocks hold"}));
 }
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET::shared_detail

@@ -80,12 +80,12 @@ class Hdf5File {
 
   /// Throws `error` "what = path: rule".
   [[noreturn]] void refuse(const std::string& rule) const {
-    throw error(joined_text(what_, " = ", path_.string(), ": ", rule));
+    throw error(joined_text({what_, " = ", path_.string(), ": ", rule}));
   }
   /// Result of a call of the library that did not fail.
   template <class Result>
   Result check(Result result, const std::string& name, std::string_view rule) const {
-    if (result < 0) fail(joined_text(name, name.empty() ? "" : " ", rule), reason());
+    if (result < 0) fail(joined_text({name, name.empty() ? "" : " ", rule}), reason());
     return result;
   }
   Hdf5Handle handle(hid_t id, Hdf5Handle::Close by, const std::string& name, std::string_view rule) const {
@@ -168,12 +168,12 @@ class Hdf5File {
 
  private:
   [[noreturn]] void fail(const std::string& rule, const std::string& why) const {
-    if (access_ == Hdf5Access::read) refuse(joined_text(rule, " (", why, ")"));
+    if (access_ == Hdf5Access::read) refuse(joined_text({rule, " (", why, ")"}));
     constexpr std::string_view word = "errno = ";
     const auto at = why.find(word);
     const int number = at == std::string::npos ? 0 : std::atoi(why.c_str() + at + word.size());
-    throw output_error(joined_text(what_, " = ", path_.string(), ": ", rule, " (",
-                                   number != 0 ? std::generic_category().message(number) : why, ")"),
+    throw output_error(joined_text({what_, " = ", path_.string(), ": ", rule, " (",
+                                   number != 0 ? std::generic_category().message(number) : why, ")"}),
                        number);
   }
 

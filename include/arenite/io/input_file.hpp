@@ -29,8 +29,8 @@ inline constexpr std::uintmax_t any_size = std::numeric_limits<std::uintmax_t>::
 /// "16 GiB", or bytes where it is no whole number of them.
 inline std::string size_text(std::uintmax_t bytes) {
   for (const auto& [shift, unit] : {std::pair{30, " GiB"}, std::pair{20, " MiB"}})
-    if (bytes > 0 && bytes % (std::uintmax_t{1} << shift) == 0) return joined_text(bytes >> shift, unit);
-  return joined_text(bytes, " bytes");
+    if (bytes > 0 && bytes % (std::uintmax_t{1} << shift) == 0) return joined_text({bytes >> shift, unit});
+  return joined_text({bytes, " bytes"});
 }
 
 /// Size of a file, bytes, that is to be read. Throws `error` "what = path: rule" if it cannot be opened, is a
@@ -60,10 +60,10 @@ inline std::uintmax_t check_input(const std::filesystem::path& path, std::string
 #endif
   require(reason != static_cast<int>(std::errc::no_such_file_or_directory), what, name, "no such file");
   require(reason == 0, what, name,
-          joined_text("cannot be read (", std::generic_category().message(reason), ")"));
+          {"cannot be read (", std::generic_category().message(reason), ")"});
   require(regular, what, name,
-          joined_text("must be a regular file, not ", folder ? "a folder" : "a pipe or a device"));
-  require(size <= most, what, name, joined_text("has ", size, " bytes; must have at most ", size_text(most)));
+          {"must be a regular file, not ", folder ? "a folder" : "a pipe or a device"});
+  require(size <= most, what, name, {"has ", size, " bytes; must have at most ", size_text(most)});
   return size;
 }
 
@@ -84,14 +84,14 @@ inline std::string read_input(const std::filesystem::path& path, std::string_vie
 #ifdef _SC_PHYS_PAGES
   const auto memory = static_cast<std::uintmax_t>(::sysconf(_SC_PHYS_PAGES)) *
                       static_cast<std::uintmax_t>(::sysconf(_SC_PAGESIZE));
-  require(size < memory, what, name, joined_text("has ", size, " bytes, and this machine's memory ", memory));
+  require(size < memory, what, name, {"has ", size, " bytes, and this machine's memory ", memory});
 #endif
   std::ifstream file(path, std::ios::binary);
   std::string bytes;
   try {
     bytes.resize(static_cast<std::size_t>(size));
   } catch (const std::bad_alloc&) {
-    require(false, what, name, joined_text("has ", size, " bytes, which there is no memory for"));
+    require(false, what, name, {"has ", size, " bytes, which there is no memory for"});
   }
   file.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
   require(file.is_open() && !file.bad(), what, name, "cannot be read");

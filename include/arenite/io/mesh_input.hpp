@@ -40,17 +40,17 @@ class MeshInput {
   [[noreturn]] void fail(std::string_view name, const Value& value, std::string_view rule) const {
     if (bytes_.empty() && !binary_) refuse(name, value, rule);
     const std::string place =
-        binary_ ? joined_text("byte ", last_)
-                : joined_text("line ",
-                              1 + std::count(bytes_.begin(), bytes_.begin() + std::ptrdiff_t(last_), '\n'));
-    const std::string section = section_.empty() ? "" : joined_text(", $", section_);
-    throw error(joined_text(name_, section, ", ", place, ": ", name, " = ", value, ": ", rule));
+        binary_ ? joined_text({"byte ", last_})
+                : joined_text({"line ",
+                              1 + std::count(bytes_.begin(), bytes_.begin() + std::ptrdiff_t(last_), '\n')});
+    const std::string section = section_.empty() ? "" : joined_text({", $", section_});
+    throw error(joined_text({name_, section, ", ", place, ": ", name, " = ", value, ": ", rule}));
   }
 
   /// The same for what is wrong with the mesh as a whole: "file: name = value: rule".
   template <class Value>
   [[noreturn]] void refuse(std::string_view name, const Value& value, std::string_view rule) const {
-    throw error(joined_text(name_, ": ", name, " = ", value, ": ", rule));
+    throw error(joined_text({name_, ": ", name, " = ", value, ": ", rule}));
   }
 
   template <class Value>
@@ -78,18 +78,18 @@ class MeshInput {
     skip_blanks();
     last_ = at_;
     const std::string_view line = rest_of_line();
-    check(line == joined_text("$End", section_), "line", quote(line), joined_text("must be $End", section_));
+    check(line == joined_text({"$End", section_}), "line", quote(line), joined_text({"must be $End", section_}));
     section_.clear();
   }
 
   /// Goes past "$EndName" of the open section, whatever is in it.
   void skip_section() {
-    const std::string end = joined_text("$End", section_);
+    const std::string end = joined_text({"$End", section_});
     std::size_t found = at_;
     while (true) {
       found = bytes_.find(end, found);
-      check(found != std::string_view::npos, "section", joined_text("$", section_),
-            joined_text("ends without ", end));
+      check(found != std::string_view::npos, "section", joined_text({"$", section_}),
+            joined_text({"ends without ", end}));
       const std::size_t after = found + end.size();
       if (after == bytes_.size() || is_blank(bytes_[after])) break;
       found = after;
@@ -215,7 +215,7 @@ inline std::string read_all(std::istream& in, const std::string& name) {
     in.read(bytes.data() + used, static_cast<std::streamsize>(bytes.size() - used));
     used += static_cast<std::size_t>(in.gcount());
   }
-  if (in.bad()) throw error(joined_text("mesh = ", name, ": cannot be read"));
+  if (in.bad()) throw error(joined_text({"mesh = ", name, ": cannot be read"}));
   bytes.resize(used);
   return bytes;
 }

@@ -55,8 +55,8 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET::shared_detail {
 /// Throws "output = path: what (reason of the operating system)".
 [[noreturn]] inline void fail_output(const std::filesystem::path& path, std::string_view what, int reason) {
   throw output_error(
-      joined_text("output = ", path.string(), ": ", what, " (",
-                  reason != 0 ? std::generic_category().message(reason) : "unknown reason", ")"),
+      joined_text({"output = ", path.string(), ": ", what, " (",
+                  reason != 0 ? std::generic_category().message(reason) : "unknown reason", ")"}),
       reason);
 }
 
@@ -82,8 +82,8 @@ inline void check_place(const std::filesystem::path& path) {
     return;
   const bool folder = std::filesystem::is_directory(there);
   throw output_error(
-      joined_text("output = ", path.string(), ": is ", folder ? "a folder" : "a device, pipe or socket",
-                  "; must be a regular file, a link, or nothing"),
+      joined_text({"output = ", path.string(), ": is ", folder ? "a folder" : "a device, pipe or socket",
+                  "; must be a regular file, a link, or nothing"}),
       static_cast<int>(folder ? std::errc::is_a_directory : std::errc::invalid_argument));
 }
 

@@ -33,16 +33,16 @@ struct PvdEntry {
 inline void write_pvd(const std::filesystem::path& path, std::span<const PvdEntry> entries) {
   const std::filesystem::path folder = std::filesystem::absolute(path).parent_path();
   std::string text =
-      joined_text("<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"1.0\" byte_order=\"",
-                  shared_detail::vtk_byte_order(), "\">\n<Collection>\n");
+      joined_text({"<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"1.0\" byte_order=\"",
+                  shared_detail::vtk_byte_order(), "\">\n<Collection>\n"});
   for (const PvdEntry& e : entries) {
     require(std::isfinite(e.time), "time of a step", e.time, "must be finite");
     const auto file =
         std::filesystem::absolute(e.file).lexically_normal().lexically_proximate(folder.lexically_normal());
     text += "<DataSet timestep=\"";
     shared_detail::append_number(text, e.time);
-    text += joined_text("\" part=\"", e.part, "\" file=\"", shared_detail::xml_escape(file.generic_string()),
-                        "\"/>\n");
+    text += joined_text({"\" part=\"", e.part, "\" file=\"", shared_detail::xml_escape(file.generic_string()),
+                        "\"/>\n"});
   }
   text += "</Collection>\n</VTKFile>\n";
   shared_detail::replace_file(path, [&](std::ostream& out) { out << text; });
@@ -73,14 +73,14 @@ inline std::vector<double> kept_times(const std::filesystem::path& path, const s
   const std::string file = path.string();
   const auto end = std::lower_bound(earlier.begin(), earlier.end(), time);
   const std::string holds =
-      joined_text("series = ", file, ": holds ", earlier.size(),
-                  " frames of an earlier run, t = ", earlier.front(), " to ", earlier.back(), " s");
+      joined_text({"series = ", file, ": holds ", earlier.size(),
+                  " frames of an earlier run, t = ", earlier.front(), " to ", earlier.back(), " s"});
   if (end == earlier.begin())
-    warn(joined_text(holds, ", which are replaced (another prefix keeps them)"));
+    warn(joined_text({holds, ", which are replaced (another prefix keeps them)"}));
   else if (!resumed)
-    throw error(joined_text(holds, ", which this one, from t = ", time,
+    throw error(joined_text({holds, ", which this one, from t = ", time,
                             " s on, would replace: to go on with them say resumed, else remove ",
-                            file.substr(file.rfind('/') + 1), " or take another prefix"));
+                            file.substr(file.rfind('/') + 1), " or take another prefix"}));
   return {earlier.begin(), end};
 }
 

@@ -40,15 +40,15 @@ namespace shared_detail {
 
 /// The head. Throws `error` for a name or a term with a line break.
 inline std::string state_head(const std::vector<StateTerm>& terms, const std::vector<StateEntry>& entries) {
-  std::string head = joined_text(state_magic, state_format, "\nbyte order: ", byte_order(), "\n");
+  std::string head = joined_text({state_magic, state_format, "\nbyte order: ", byte_order(), "\n"});
   const auto line = [&](const std::string& text) {
     require(text.find_first_of("\r\n") == std::string::npos, "state", text, "must not hold a line break");
     head.append(text).append("\n");
   };
-  for (const auto& [key, value] : terms) line(joined_text(key, ": ", value));
-  line(joined_text("values: ", entries.size()));
-  for (const auto& entry : entries) line(joined_text(entry.type(), " ", entry.count, " ", entry.name));
-  return joined_text(head, "\n");
+  for (const auto& [key, value] : terms) line(joined_text({key, ": ", value}));
+  line(joined_text({"values: ", entries.size()}));
+  for (const auto& entry : entries) line(joined_text({entry.type(), " ", entry.count, " ", entry.name}));
+  return joined_text({head, "\n"});
 }
 
 }  // namespace shared_detail
@@ -99,7 +99,7 @@ class StateFile : public StateSource {
     std::string line(longest_line, '\0');
     file_.getline(line.data(), static_cast<std::streamsize>(line.size()));
     if (file_.eof()) refuse("is truncated within its head");
-    if (!file_) refuse(joined_text("is damaged: a line of its head has ", longest_line, " characters"));
+    if (!file_) refuse(joined_text({"is damaged: a line of its head has ", longest_line, " characters"}));
     line.resize(static_cast<std::size_t>(file_.gcount()) - 1);
     return line;
   }
@@ -111,16 +111,16 @@ class StateFile : public StateSource {
     if (!file_ || std::string_view(begin.data(), begin.size()) != magic)
       refuse("is no state file of Arenite: it must begin with \"arenite state\"");
     if (const std::string format = next_line(); format != shared_detail::state_format)
-      refuse(joined_text("has the format ", format, "; this program reads ", shared_detail::state_format));
+      refuse(joined_text({"has the format ", format, "; this program reads ", shared_detail::state_format}));
     std::size_t values = 0;
     for (bool more = true; more;) {
       const std::string line = next_line();
       const auto colon = line.find(": ");
       if (colon == std::string::npos)
-        refuse(joined_text("is damaged: \"", line.substr(0, 60), "\" in its head"));
+        refuse(joined_text({"is damaged: \"", line.substr(0, 60), "\" in its head"}));
       const std::string key = line.substr(0, colon), value = line.substr(colon + 2);
       if (key == "byte order" && value != shared_detail::byte_order())
-        refuse(joined_text("was written by a machine of the other byte order, ", value));
+        refuse(joined_text({"was written by a machine of the other byte order, ", value}));
       if (key == "values") {
         values = number_in(value);
         more = false;
@@ -136,17 +136,17 @@ class StateFile : public StateSource {
     std::size_t number = 0;
     const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), number);
     if (code != std::errc{} || end != text.data() + text.size() || number > std::size_t{1} << 48)
-      refuse(joined_text("is damaged: \"", text.substr(0, 60), "\" is no number"));
+      refuse(joined_text({"is damaged: \"", text.substr(0, 60), "\" is no number"}));
     return number;
   }
   StateEntry entry_in(const std::string& line) const {
     const auto type = line.find(' '), count = line.find(' ', type + 1);
     if (type == std::string::npos || type < 2 || count == std::string::npos)
-      refuse(joined_text("is damaged: \"", line.substr(0, 60), "\" is no value"));
+      refuse(joined_text({"is damaged: \"", line.substr(0, 60), "\" is no value"}));
     StateEntry entry{line.substr(count + 1), line[0], number_in(line.substr(1, type - 1)),
                      number_in(line.substr(type + 1, count - type - 1))};
     if (entry.bytes == 0 || entry.bytes > 16)
-      refuse(joined_text("is damaged: numbers of ", entry.bytes, " bytes"));
+      refuse(joined_text({"is damaged: numbers of ", entry.bytes, " bytes"}));
     return entry;
   }
 
@@ -160,8 +160,8 @@ class StateFile : public StateSource {
       if (end > there) break;
     }
     end += sizeof(std::uint64_t);
-    if (there < end) refuse(joined_text("is truncated: ", there, " bytes are left"));
-    if (there > end) refuse(joined_text("is damaged: ", there - end, " bytes follow its end"));
+    if (there < end) refuse(joined_text({"is truncated: ", there, " bytes are left"}));
+    if (there > end) refuse(joined_text({"is damaged: ", there - end, " bytes follow its end"}));
     file_.seekg(0);
     Hash hash;
     std::vector<char> piece(1 << 20);

@@ -24,8 +24,8 @@ namespace shared_detail {
 
 /// The bytes before the HDF5 file proper.
 inline std::string state_hdf5_lines(const Hash& hash) {
-  std::string lines = joined_text(state_magic, state_format, " in HDF5\nhash of bytes from ",
-                                  Hdf5File::image_start, " on: ", hash.digits(), "\n");
+  std::string lines = joined_text({state_magic, state_format, " in HDF5\nhash of bytes from ",
+                                  Hdf5File::image_start, " on: ", hash.digits(), "\n"});
   lines.resize(Hdf5File::image_start, '\0');
   return lines;
 }
@@ -71,7 +71,7 @@ class StateHdf5 : public StateSource {
       const Hdf5Type type = type_of_numbers(file_, name);
       entries_.push_back({name, type.kind, type.bytes, count_of_numbers(file_, name)});
       if (entries_.back().size() > std::filesystem::file_size(path))
-        refuse(joined_text("is damaged: ", name, " is larger than the file"));
+        refuse(joined_text({"is damaged: ", name, " is larger than the file"}));
     }
   }
 
@@ -83,7 +83,7 @@ class StateHdf5 : public StateSource {
   /// The path of a file that is whole.
   static const std::filesystem::path& checked(const std::filesystem::path& path) {
     const auto refuse_it = [&](const std::string& rule) {
-      throw error(joined_text("state file = ", path.string(), ": ", rule));
+      throw error(joined_text({"state file = ", path.string(), ": ", rule}));
     };
     std::ifstream file = shared_detail::open_input(path, "state file");
     std::string lines(Hdf5File::image_start, '\0');
@@ -93,9 +93,9 @@ class StateHdf5 : public StateSource {
     if (!lines.starts_with(magic))
       refuse_it("is no state file of Arenite: it must begin with \"arenite state\"");
     const std::string kind = lines.substr(magic.size(), lines.find('\n') - magic.size()),
-                      wanted = joined_text(shared_detail::state_format, " in HDF5");
+                      wanted = joined_text({shared_detail::state_format, " in HDF5"});
     if (lines.size() == Hdf5File::image_start && kind != wanted)
-      refuse_it(joined_text("has the format ", kind, "; this program reads here ", wanted));
+      refuse_it(joined_text({"has the format ", kind, "; this program reads here ", wanted}));
     Hash hash;
     std::vector<char> piece(1 << 20);
     while (file) {

@@ -57,12 +57,12 @@ class StateSource {
     get(entry, to);
     const auto* byte = static_cast<const unsigned char*>(to);
     if (entry.kind == 'b' && std::any_of(byte, byte + entry.size(), [](unsigned char b) { return b > 1; }))
-      refuse(joined_text("is damaged: ", entry.name, " is neither true nor false"));
+      refuse(joined_text({"is damaged: ", entry.name, " is neither true nor false"}));
   }
 
   /// Throws `error` "state file = path: rule".
   [[noreturn]] void refuse(const std::string& rule) const {
-    throw error(joined_text("state file = ", path_.string(), ": ", rule));
+    throw error(joined_text({"state file = ", path_.string(), ": ", rule}));
   }
 
  protected:

@@ -53,7 +53,7 @@ inline StlCorners read_stl_binary(MeshInput& in, std::size_t size) {
   const std::uint32_t count = number("number of triangles");
   const std::uint64_t expected = 84 + std::uint64_t{50} * count;
   in.check(size == expected, "number of triangles", count,
-           joined_text("such a file is ", expected, " bytes long; this one has ", size));
+           joined_text({"such a file is ", expected, " bytes long; this one has ", size}));
   StlCorners corners;
   corners.reserve(std::size_t{3} * count);
   for (std::uint32_t t = 0; t < count; ++t) {
@@ -83,7 +83,7 @@ inline StlCorners read_stl_text(MeshInput& in) {
     in.fail("word", word.empty() ? "the end of the file" : MeshInput::quote(word), rule);
   };
   const auto expect = [&](std::string_view keyword) {
-    if (const std::string word = next(); word != keyword) refuse(word, joined_text("must be ", keyword));
+    if (const std::string word = next(); word != keyword) refuse(word, joined_text({"must be ", keyword}));
   };
   StlCorners corners;
   for (std::string word = next(); !word.empty(); word = next()) {

@@ -38,7 +38,7 @@ class VtkhdfWriter {
   void keep(std::size_t steps) {
     const Hdf5File file(path_, Hdf5Access::change, "VTKHDF file");
     const std::size_t there = count_rows(file, "VTKHDF/Steps/Values");
-    if (there < steps) file.refuse(joined_text("has ", there, " steps, and must have ", steps));
+    if (there < steps) file.refuse(joined_text({"has ", there, " steps, and must have ", steps}));
     put_rows(file, "VTKHDF/Steps/Values", real, steps, 0, nullptr);
     put_count(file, steps);
     steps_ = steps;

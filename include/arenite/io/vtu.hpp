@@ -68,12 +68,12 @@ namespace shared_detail {
 inline void check_vtu_arrays(const std::vector<VtuArray>& arrays, std::size_t items, std::string_view where) {
   std::set<std::string_view, Order> names;
   for (const VtuArray& a : arrays) {
-    require(!a.name.empty() && names.insert(a.name).second, joined_text("name of an array of ", where),
+    require(!a.name.empty() && names.insert(a.name).second, {"name of an array of ", where},
             a.name, "must be given, and once");
     require(a.components == 1 || a.components == 3 || a.components == 6 || a.components == 9,
-            joined_text("components of array ", a.name), a.components, "must be 1, 3, 6 or 9");
-    require(a.items == items, joined_text("items of array ", a.name), a.items,
-            joined_text("must be ", items, ", as ", where, " are"));
+            {"components of array ", a.name}, a.components, "must be 1, 3, 6 or 9");
+    require(a.items == items, {"items of array ", a.name}, a.items,
+            {"must be ", items, ", as ", where, " are"});
   }
 }
 
@@ -90,8 +90,8 @@ std::vector<VtuArray> vtu_topology(const std::vector<VtuCells>& blocks, std::siz
       for (std::size_t k = 0; k < block.points; ++k) {
         const Index point = block.point(i, k);
         if (point >= points)
-          require(false, joined_text("point of cell ", i, " of block ", b), point,
-                  joined_text("must be less than ", points));
+          require(false, {"point of cell ", i, " of block ", b}, point,
+                  {"must be less than ", points});
         connectivity.push_back(static_cast<T>(point));
       }
       offsets.push_back(static_cast<T>(connectivity.size()));

@@ -40,7 +40,7 @@ struct DriveStage {
     require(duration >= 0 && std::isfinite(duration), "DriveStage.duration", duration,
             "must be finite, and not negative (s)");
     for (std::size_t k = 0; k < components.size(); ++k)
-      require(std::isfinite(components[k].value), joined_text("DriveStage.components[", k, "]"),
+      require(std::isfinite(components[k].value), {"DriveStage.components[", k, "]"},
               components[k].value, "must be finite");
     for (const double s : spin) require(std::isfinite(s), "DriveStage.spin", s, "must be finite");
   }
@@ -173,8 +173,8 @@ void drive(const Law& law, DrivenPoint<Law, D>& point, const DriveStage<D>& stag
     const auto begin = point;
     const Step step(law, begin, stage, 1.0 / (stage.steps - k));
     if (!step.solve(unknown, point))
-      throw run_error(joined_text("drive: step ", k + 1, " of ", stage.steps,
-                                  " of a stage: no strain gives the prescribed stress"));
+      throw run_error(joined_text({"drive: step ", k + 1, " of ", stage.steps,
+                                  " of a stage: no strain gives the prescribed stress"}));
     after_step(std::as_const(point));
   }
 }

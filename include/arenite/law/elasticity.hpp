@@ -18,7 +18,7 @@ inline constexpr double not_given = std::numeric_limits<double>::quiet_NaN();
 /// Throws `error("Law.name = value: rule")` unless `holds`, or says that the constant was forgotten.
 inline void check(bool holds, std::string_view law, std::string_view name, double value,
                   std::string_view rule) {
-  require(holds, joined_text(law, ".", name), value,
+  require(holds, {law, ".", name}, value,
           std::isnan(value) ? std::string_view("must be given") : rule);
 }
 

@@ -34,7 +34,7 @@ struct AbsorbingOptions {
   /// Throws `error` for a number that was given and makes no sense. `of`: what messages call them.
   void check(std::string_view of) const {
     const auto look = [&](const char* name, double given) {
-      require(std::isnan(given) || (given >= 0 && std::isfinite(given)), joined_text(of, ".", name), given,
+      require(std::isnan(given) || (given >= 0 && std::isfinite(given)), {of, ".", name}, given,
               "must not be negative");
     };
     look("density", density);
@@ -87,7 +87,7 @@ class BoundAbsorbingFaces {
     std::vector<WaveImpedance> of_body;
     scene.for_each_body([&](const auto& body, const auto&) { of_body.push_back(impedance(body.law)); });
     faces_.emplace(scene, where_, std::move(of_body));
-    require(faces_->faces() > 0 || Scene::is_portion, joined_text(called(), ": faces"), faces_->faces(),
+    require(faces_->faces() > 0 || Scene::is_portion, {called(), ": faces"}, faces_->faces(),
             "must be at least one face of the mesh's hull");
     const std::size_t all = faces_->nodes().size() * Scene::field_count;
     given_.assign(all, V::Zero());
@@ -154,7 +154,7 @@ class BoundAbsorbingFaces {
   WaveImpedance impedance(const L& law) const {
     const auto chosen = [&](const char* what, double given, double of_law) {
       const double value = std::isnan(given) ? of_law : given;
-      require(std::isfinite(value), joined_text(called(), ".", what), value,
+      require(std::isfinite(value), {called(), ".", what}, value,
               "must be given: the law does not tell it");
       return value;
     };
@@ -166,7 +166,7 @@ class BoundAbsorbingFaces {
             density * chosen("shear_wave", options_.shear_wave, shear)};
   }
 
-  std::string called() const { return joined_text("absorbing(", name_, ")"); }
+  std::string called() const { return joined_text({"absorbing(", name_, ")"}); }
 
   /// N, on the matter of a field at a node.
   V support(std::size_t at) const {

@@ -44,7 +44,7 @@ class BoundFaceTraction {
   explicit BoundFaceTraction(FaceTraction t)
       : load_{std::move(t.load)},
         where_{std::move(t.where)},
-        name_{joined_text(load_.name(), " on ", where_.name())} {}
+        name_{joined_text({load_.name(), " on ", where_.name()})} {}
 
   template <class Scene>
   void connect(Scene& scene) {
@@ -59,9 +59,9 @@ class BoundFaceTraction {
     if (lost_.is_due())
       lost_.look(
           faces_->magnitudes(scene, load_, name_), name_,
-          joined_text(" % of it acts on matter; the rest is lost on faces without any behind them; end the "
+          joined_text({" % of it acts on matter; the rest is lost on faces without any behind them; end the "
                       "mesh where the body ends, or load its points, ",
-                      load_.name(), "(surface(..), ..)"),
+                      load_.name(), "(surface(..), ..)"}),
           others);
     forces_.add_to(scene);
   }

@@ -37,7 +37,7 @@ class LostLoad {
 
  private:
   void tell(double share, const std::string& what, const std::string& text) const {
-    if (share < least_) warn(joined_text(what, ": ", std::floor(100 * share), text));
+    if (share < least_) warn(joined_text({what, ": ", std::floor(100 * share), text}));
   }
 
   double least_;

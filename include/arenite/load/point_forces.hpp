@@ -33,7 +33,7 @@ class BoundPointForces {
   template <class Scene>
   void connect(Scene& scene) {
     first_ = first_point_column(scene, *this);
-    body_ = scene.number_of(load_.body, joined_text(load_.name(), ": body"));
+    body_ = scene.number_of(load_.body, joined_text({load_.name(), ": body"}));
     std::size_t count = 0;
     with_body(scene, [&](auto& body, auto&) {
       load_.place(scene, body, [&](std::size_t p, const Numbers& numbers) {
@@ -41,7 +41,7 @@ class BoundPointForces {
         ++count;
       });
     });
-    require(count > 0 || Scene::is_portion, joined_text(load_.name(), ": points"), count,
+    require(count > 0 || Scene::is_portion, {load_.name(), ": points"}, count,
             "must be at least one point of the body");
     nodes_.clear(Scene::Shape::node_count(scene.mesh));
   }

@@ -78,7 +78,7 @@ MeshData<D> box_mesh(const BoxMesh<D>& box) {
   for (std::size_t k = 0; k < dim; ++k) {
     require(box.bricks[k] > 0, "BoxMesh.bricks", box.bricks[k], "must be at least 1");
     require(box.upper[k] > box.lower[k] && std::isfinite(box.upper[k] - box.lower[k]), "BoxMesh.upper",
-            box.upper[k], joined_text("must lie above lower = ", box.lower[k]));
+            box.upper[k], {"must lie above lower = ", box.lower[k]});
     ++nodes[k];
   }
   const double total = std::accumulate(nodes.begin(), nodes.end(), 1.0, std::multiplies<>{});

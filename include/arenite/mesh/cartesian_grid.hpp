@@ -38,11 +38,11 @@ class CartesianGrid {
     double total = 1;
     for (std::size_t k = 0; k < D; ++k) {
       const double extent = p.upper[k] - p.lower[k];
-      require(extent > 0 && std::isfinite(extent), joined_text("CartesianGrid.upper[", k, "]"), p.upper[k],
-              joined_text("must be finite and exceed lower = ", p.lower[k]));
+      require(extent > 0 && std::isfinite(extent), {"CartesianGrid.upper[", k, "]"}, p.upper[k],
+              {"must be finite and exceed lower = ", p.lower[k]});
       const double cells = std::round(extent / p.cell);
       require(cells >= 1 && std::abs(cells * p.cell - extent) <= 1e-6 * p.cell, "CartesianGrid.cell", p.cell,
-              joined_text("must divide the extent ", extent, " along axis ", k));
+              {"must divide the extent ", extent, " along axis ", k});
       lower_[static_cast<int>(k)] = static_cast<T>(p.lower[k]);
       total *= cells;
       require(total < 2147483648.0, "CartesianGrid.cell", p.cell, "gives more than 2^31 cells");

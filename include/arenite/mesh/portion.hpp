@@ -36,7 +36,7 @@ struct MeshPortion {
   Index cell_here(std::uint64_t whole) const {
     const auto at = std::ranges::lower_bound(whole_cell, whole);
     if (at == whole_cell.end() || *at != whole)
-      throw run_error(joined_text("cell ", whole, " of the whole mesh is not in portion ", number));
+      throw run_error(joined_text({"cell ", whole, " of the whole mesh is not in portion ", number}));
     return static_cast<Index>(at - whole_cell.begin());
   }
 

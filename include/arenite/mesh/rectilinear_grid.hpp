@@ -81,11 +81,11 @@ class RectilinearGrid {
     double total = 1;
     for (std::size_t k = 0; k < dim; ++k) {
       const auto& lines = *lines_of[k];
-      const std::string name = joined_text("RectilinearGrid.", "xyz"[k]);
+      const std::string name = joined_text({"RectilinearGrid.", "xyz"[k]});
       require(lines.size() >= 2, name, lines.size(), "must be at least two lines");
       for (std::size_t i = 0; i < lines.size(); ++i) {
-        require(std::isfinite(lines[i]), joined_text(name, "[", i, "]"), lines[i], "must be finite");
-        if (i > 0) detail::check_edge<T>(joined_text(name, "[", i, "]: distance"), lines[i] - lines[i - 1]);
+        require(std::isfinite(lines[i]), {name, "[", i, "]"}, lines[i], "must be finite");
+        if (i > 0) detail::check_edge<T>(joined_text({name, "[", i, "]: distance"}), lines[i] - lines[i - 1]);
         lines_[k].push_back(static_cast<T>(lines[i]));
       }
       total *= static_cast<double>(lines.size() - 1);

@@ -54,7 +54,7 @@ class SimplexMesh {
     for (std::size_t c = 0; c < data.cells.size(); ++c) add_cell(c, data.cells[c]);
     for (const auto& [name, nodes] : node_sets_)
       for (const Index i : nodes)
-        require(i < node_count(), joined_text("SimplexMesh.node_sets[", name, "]"), i,
+        require(i < node_count(), {"SimplexMesh.node_sets[", name, "]"}, i,
                 "must be a node of the mesh");
     frames_.resize(cells_.size());
     for (Index c = 0; c < cell_count(); ++c) refresh(c);
@@ -195,17 +195,17 @@ class SimplexMesh {
 
   void add_cell(std::size_t c, CellNodes nodes) {
     for (const Index i : nodes)
-      require(i < node_count(), joined_text("SimplexMesh.cells[", c, "]"), i, "must be a node of the mesh");
+      require(i < node_count(), {"SimplexMesh.cells[", c, "]"}, i, "must be a node of the mesh");
     const auto edges = edge_matrix(nodes);
     T longest = 0;
     for (int k = 0; k < D; ++k) {
       const T flat = std::hypot(edges(0, k), edges(1, k));
       longest = std::max(longest, D == 2 ? flat : std::hypot(flat, edges(D - 1, k)));
     }
-    if (longest > 0) detail::check_edge<T>(joined_text("SimplexMesh.cells[", c, "].edge"), longest);
+    if (longest > 0) detail::check_edge<T>(joined_text({"SimplexMesh.cells[", c, "].edge"}), longest);
     const T volume = edges.determinant();
     require(std::abs(volume) > detail::flattest<T> * std::pow(longest, D),
-            joined_text("SimplexMesh.cells[", c, "].volume"), volume, "a cell must not be flat");
+            {"SimplexMesh.cells[", c, "].volume"}, volume, "a cell must not be flat");
     if (volume < 0) std::swap(nodes[D - 1], nodes[D]);
     cells_.push_back(nodes);
   }
@@ -234,7 +234,7 @@ class SimplexMesh {
     if (found != map.end()) return found->second;
     std::string known;
     for (const auto& [key, value] : map) known.append(known.empty() ? "" : ", ").append(key);
-    throw error(joined_text("SimplexMesh: ", kind, " = ", name, ": must be one of: ", known));
+    throw error(joined_text({"SimplexMesh: ", kind, " = ", name, ": must be one of: ", known}));
   }
 
   Map<std::string, int> region_names_;

@@ -113,7 +113,7 @@ struct RunOptions {
   /// Throws `error` unless a scene at this time, s, can run so. A host's own loop may have no end.
   void check(double time, bool may_have_no_end = false) const {
     require(std::isfinite(end) || (may_have_no_end && end > 0), "RunOptions.end", end, "must be given");
-    require(end >= time, "RunOptions.end", end, joined_text("must not lie before the scene's time ", time));
+    require(end >= time, "RunOptions.end", end, {"must not lie before the scene's time ", time});
     require(courant > 0, "RunOptions.courant", courant, "must be positive");
     require(courant <= 1, "RunOptions.courant", courant, "must be at most 1: larger steps are unstable");
     require(max_step > 0, "RunOptions.max_step", max_step, "must be positive");
@@ -128,7 +128,7 @@ double step_towards(Scene& scene, const RunOptions& options, double span, Others
   scene.step_check.know(stable, scene.steps);
   double dt = std::min(options.courant * stable, options.max_step);
   if (!(dt > 1e-12 * span))
-    throw run_error(joined_text("t = ", scene.time, " s: the stable step has shrunk to ", dt, " s"));
+    throw run_error(joined_text({"t = ", scene.time, " s: the stable step has shrunk to ", dt, " s"}));
   const double left = options.end - scene.time;
   const bool last = dt >= left * (1 - 1e-9);
   if (last)

@@ -51,8 +51,8 @@ std::string mesh_words(const Scene& scene) {
   }
   for (Index c = 0; c < scene.mesh.cell_count(); ++c)
     for (const Index i : typename Shape::template Cell<typename Scene::Mesh>(scene.mesh, c).nodes) add(i);
-  return joined_text(Shape::node_count(scene.mesh), " nodes, ", scene.mesh.cell_count(), " cells, ",
-                     hash.digits());
+  return joined_text({Shape::node_count(scene.mesh), " nodes, ", scene.mesh.cell_count(), " cells, ",
+                     hash.digits()});
 }
 
 template <class Scene>
@@ -61,13 +61,13 @@ std::vector<StateTerm> state_terms(const Scene& scene, const std::string& recipe
   std::vector<StateTerm> terms{
       {"version", std::string(library_version)},
       {"kinematics", type_words<typename Scene::Kinematics>()},
-      {"mesh", joined_text(type_words<typename Scene::Mesh>(), ", ", mesh_words(scene))},
+      {"mesh", joined_text({type_words<typename Scene::Mesh>(), ", ", mesh_words(scene)})},
       {"numerics",
-       joined_text(type_words<typename N::Shape>(), ", ", type_words<typename N::Transfer>(), ", ",
-                   type_words<typename N::Order>(), ", ", type_words<typename N::AntiLocking>())}};
+       joined_text({type_words<typename N::Shape>(), ", ", type_words<typename N::Transfer>(), ", ",
+                   type_words<typename N::Order>(), ", ", type_words<typename N::AntiLocking>()})}};
   std::size_t number = 0;
   scene.for_each_body([&](const auto& body, const auto&) {
-    terms.emplace_back(joined_text("body ", Scene::body_name(number++)),
+    terms.emplace_back(joined_text({"body ", Scene::body_name(number++)}),
                        type_words<std::remove_cvref_t<decltype(body.law)>>());
   });
   if (!recipe.empty()) terms.emplace_back("recipe", recipe);
@@ -79,7 +79,7 @@ template <class Scene, class F, class... Observers>
 void visit_run(Scene& scene, F&& f, Observers&... observers) {
   for_each_state(scene, f);
   std::size_t number = 0;
-  (visit_state_of(observers, joined_text("observers/", number++), f), ...);
+  (visit_state_of(observers, joined_text({"observers/", number++}), f), ...);
 }
 
 /// A value of a state as an entry of a file.
@@ -114,8 +114,8 @@ void refuse_other_run(const StateSource& file, Scene& scene, const std::string& 
         &here = k < wanted.size() ? wanted[k] : none_there,
         &there = k < file.terms().size() ? file.terms()[k] : none_there;
     if (here != there)
-      file.refuse(joined_text("is of another run: ", there.first, ": ", there.second, "; this one has ",
-                              here.first, ": ", here.second));
+      file.refuse(joined_text({"is of another run: ", there.first, ": ", there.second, "; this one has ",
+                              here.first, ": ", here.second}));
   }
   std::size_t known = 0;
   visit_run(
@@ -123,16 +123,16 @@ void refuse_other_run(const StateSource& file, Scene& scene, const std::string& 
       [&](std::string_view name, auto& value) {
         const StateEntry here = entry_of(name, value);
         const StateEntry* there = file.find(name);
-        if (there == nullptr) file.refuse(joined_text("has no ", name, ", which this run has"));
+        if (there == nullptr) file.refuse(joined_text({"has no ", name, ", which this run has"}));
         if (there->type() != here.type())
-          file.refuse(joined_text(name, " is ", there->type(), "; in this run it is ", here.type()));
+          file.refuse(joined_text({name, " is ", there->type(), "; in this run it is ", here.type()}));
         if (!resizable_state_array<std::remove_reference_t<decltype(value)>> && there->count != here.count)
-          file.refuse(joined_text(name, " has ", there->count, " numbers; in this run it has ", here.count));
+          file.refuse(joined_text({name, " has ", there->count, " numbers; in this run it has ", here.count}));
         ++known;
       },
       observers...);
   if (known != file.entries().size())
-    file.refuse(joined_text("holds ", file.entries().size(), " values; this run has ", known));
+    file.refuse(joined_text({"holds ", file.entries().size(), " values; this run has ", known}));
 }
 
 /// Writes all values.
@@ -165,7 +165,7 @@ void restore_from(StateSource&& file, Scene& scene, const std::string& recipe, O
     try {
       follow_state(scene);
     } catch (const error& e) {
-      file.refuse(joined_text("does not fit: ", e.what()));
+      file.refuse(joined_text({"does not fit: ", e.what()}));
     }
     [[maybe_unused]] const auto follow = [&](auto& observer) {
       if constexpr (requires { observer.follow_state(std::as_const(scene)); })

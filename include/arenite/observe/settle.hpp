@@ -63,13 +63,13 @@ template <class Scene, class... Observers>
 void settle(Scene& scene, const SettleOptions& options, Observers&&... observers) {
   require(options.ratio > 0, "SettleOptions.ratio", options.ratio, "must be positive");
   require(options.end > scene.time && std::isfinite(options.end), "SettleOptions.end", options.end,
-          joined_text("must be given, and lie behind the scene's time ", scene.time));
+          {"must be given, and lie behind the scene's time ", scene.time});
   detail::Settled check{options.ratio, scene.steps};
   run(scene, {.end = options.end, .courant = options.courant, .watch = options.watch}, observers..., check);
   if (check.below == 10) return;
-  throw run_error(joined_text("t = ", scene.time, " s: settle: forces are out of balance by ",
+  throw run_error(joined_text({"t = ", scene.time, " s: settle: forces are out of balance by ",
                               out_of_balance(scene), ", not at most ", options.ratio,
-                              "; more time, or a part that damps (LocalDamping)?"));
+                              "; more time, or a part that damps (LocalDamping)?"}));
 }
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -115,7 +115,7 @@ inline const std::filesystem::path& make_folder(const std::filesystem::path& pre
   std::error_code code;
   if (prefix.has_parent_path()) std::filesystem::create_directories(prefix.parent_path(), code);
   require(!code, "vtu: folder", prefix.parent_path().string(),
-          joined_text("cannot be made: ", code.message()));
+          {"cannot be made: ", code.message()});
   return prefix;
 }
 
@@ -125,7 +125,7 @@ auto frame_parts(const VtuOptions& options) {
   std::vector<std::string, ArrayMemory<std::string>> names;
   for (std::size_t k = 0; k < Scene::body_count; ++k)
     names.push_back(k < options.body_names.size()  ? options.body_names[k]
-                    : Scene::body_names[k].empty() ? joined_text("body", k)
+                    : Scene::body_names[k].empty() ? joined_text({"body", k})
                                                    : Scene::body_name(k));
   if constexpr (is_simplex_mesh<typename Scene::Mesh>) {
     if (options.mesh) names.emplace_back("mesh");
@@ -196,7 +196,7 @@ class VtuSeries {
   std::filesystem::path file_of(const std::string& name, std::size_t frame) const {
     std::string digits = std::to_string(frame);
     digits.insert(0, digits.size() < 4 ? 4 - digits.size() : 0, '0');
-    return detail::named(prefix_, joined_text("_", name, "_", digits, ".vtu"));
+    return detail::named(prefix_, joined_text({"_", name, "_", digits, ".vtu"}));
   }
 
   std::filesystem::path prefix_;

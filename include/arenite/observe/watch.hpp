@@ -41,7 +41,7 @@ class BasicWatch {
                {"lost", "share of a body's points that left the mesh", limits.lost}}},
         every_{limits.every} {
     for (const Watched& w : seen_)
-      require(w.limit > 0, joined_text("WatchLimits.", w.name), w.limit,
+      require(w.limit > 0, {"WatchLimits.", w.name}, w.limit,
               "must be positive; infinity switches it off");
     require(every_ > 0, "WatchLimits.every", every_, "must be positive");
   }
@@ -133,9 +133,9 @@ class BasicWatch {
     const Spot at = spot();
     w.place = at.place;
     if (!stops && w.warned) return;
-    const std::string text = joined_text("t = ", time, " s: ", w.name, " = ", value, " (", w.meaning,
+    const std::string text = joined_text({"t = ", time, " s: ", w.name, " = ", value, " (", w.meaning,
                                          OfRun && !stops ? "): above " : "): the limit is ",
-                                         OfRun && !stops ? w.limit / 10 : w.limit, "; ", at.text);
+                                         OfRun && !stops ? w.limit / 10 : w.limit, "; ", at.text});
     if (stops) throw run_error(text);
     w.warned = true;
     warnings_.emplace_back(text);
@@ -157,7 +157,7 @@ class BasicWatch {
   /// What messages call a body.
   template <class Scene>
   static std::string body_of(int number) {
-    return joined_text("body ", Scene::body_name(static_cast<std::size_t>(number)));
+    return joined_text({"body ", Scene::body_name(static_cast<std::size_t>(number))});
   }
 
   template <class Scene, class B>
@@ -171,8 +171,8 @@ class BasicWatch {
       };
       const std::size_t p = extreme(body, [&](std::size_t k) { return std::abs(local(k) - 1); });
       Spot s = at(body, p);
-      s.text = joined_text(body_of<Scene>(number), ": mean V/V0 = ", ratio);
-      if (p < body.points.size()) s.text += joined_text(", ", local(p), " at ", written(body, p));
+      s.text = joined_text({body_of<Scene>(number), ": mean V/V0 = ", ratio});
+      if (p < body.points.size()) s.text += joined_text({", ", local(p), " at ", written(body, p)});
       return s;
     });
   }
@@ -188,10 +188,10 @@ class BasicWatch {
     const double share = fall_.look(scene);
     if (share > 0.1)
       hint(hints_.damping,
-           joined_text(
+           joined_text({
                "t = ", scene.time, " s: local damping took ", std::round(100 * share),
                " % of the work of gravity while matter fell freely: it is made for static states; "
-               "switch it off (switch_off(), in Python switch_off_damping()) once the scene is at rest"));
+               "switch it off (switch_off(), in Python switch_off_damping()) once the scene is at rest"}));
   }
 
   /// Warns of points that tension has drawn so far apart that their body may part between them.
@@ -209,11 +209,11 @@ class BasicWatch {
       const double spacing = stretch * std::pow(before / cell, 1.0 / Scene::D);
       if (!(spacing > bearing_spacing<Shape>)) continue;
       hint(hints_.spacing,
-           joined_text("t = ", scene.time, " s: ", body_of<Scene>(number), " at ", written(body, p),
+           joined_text({"t = ", scene.time, " s: ", body_of<Scene>(number), " at ", written(body, p),
                        ": tension has drawn points ", spacing, " of a cell apart (V/V0 = ", stretch,
                        "): beyond ", bearing_spacing<Shape>,
                        " a body may part between them, or from a wall; begin with more points a cell, or let "
-                       "them split (SplitPoints)"));
+                       "them split (SplitPoints)"}));
       return;
     }
   }
@@ -224,7 +224,7 @@ class BasicWatch {
     if (all == 0) return;
     judge(lost, scene.time, static_cast<double>(body.lost) / static_cast<double>(all), number, [&] {
       return Spot{Watched::nowhere,
-                  joined_text(body_of<Scene>(number), ": ", body.lost, " of ", all, " points")};
+                  joined_text({body_of<Scene>(number), ": ", body.lost, " of ", all, " points"})};
     });
   }
 
@@ -239,9 +239,9 @@ class BasicWatch {
     const double fastest = std::sqrt(square(p));
     judge(speed, scene.time, fastest / wave, number, [&] {
       Spot s = at(body, p);
-      s.text = joined_text(
+      s.text = joined_text({
           body_of<Scene>(number), " at ", written(body, p), ": ", fastest, " m/s; waves run at ", wave,
-          " m/s: is young, density, a velocity or gravity in other units than Pa, kg, m, s?");
+          " m/s: is young, density, a velocity or gravity in other units than Pa, kg, m, s?"});
       return s;
     });
   }
@@ -283,7 +283,7 @@ class BasicWatch {
           [](const Worst& a, const Worst& b) { return b.value > a.value ? b : a; });
       judge(strength, scene.time, worst.value, number, [&] {
         Spot s = at(body, worst.point);
-        s.text = joined_text(body_of<Scene>(number), " at ", written(body, worst.point));
+        s.text = joined_text({body_of<Scene>(number), " at ", written(body, worst.point)});
         return s;
       });
     }
@@ -300,8 +300,8 @@ class BasicWatch {
       if (p < body.points.size() && speed(p) > most) {
         most = speed(p);
         s = at(body, p);
-        s.text = joined_text("the fastest point: ", body_of<Scene>(number), " at ", written(body, p), ", ",
-                             most, " m/s");
+        s.text = joined_text({"the fastest point: ", body_of<Scene>(number), " at ", written(body, p), ", ",
+                             most, " m/s"});
       }
       ++number;
     });
@@ -333,7 +333,7 @@ class BasicWatch {
   }
   template <class B>
   static std::string written(const B& body, std::size_t p) {
-    return joined_text(vector_text(body.points.position[p]), " m");
+    return joined_text({vector_text(body.points.position[p]), " m"});
   }
 
   static constexpr std::size_t never = std::numeric_limits<std::size_t>::max() / 2;

@@ -144,7 +144,7 @@ std::vector<int> region_numbers([[maybe_unused]] const M& mesh, const AnyRegion&
     if constexpr (is_simplex_mesh<M>)
       numbers.push_back(mesh.region_number(name));
     else
-      throw error(joined_text("Cells = ", name, ": a grid has no regions; they go with simplices"));
+      throw error(joined_text({"Cells = ", name, ": a grid has no regions; they go with simplices"}));
   }
   return numbers;
 }
@@ -207,10 +207,10 @@ void begin_history(Points<T, D, L, E>& points, const FillOptions& options) {
     const auto k = static_cast<std::size_t>(std::ranges::find(names, name) - names.begin());
     require(!name.empty() && k < names.size(), "FillOptions.history", name,
             known.empty() ? "the law's history has no member with a name"
-                          : joined_text("must be one of: ", known));
+                          : joined_text({"must be one of: ", known}));
     for (std::size_t p = 0; p < points.size(); ++p) {
       const double value = value_at(in_space<T, D>(points.position[p]));
-      require(std::isfinite(value), joined_text("FillOptions.history, ", name), value, "must be finite");
+      require(std::isfinite(value), {"FillOptions.history, ", name}, value, "must be finite");
       points.history[k][p] = static_cast<T>(value);
     }
   }

@@ -70,9 +70,9 @@ std::vector<Vec<double, D + 1>> simplex_points(int n) {
     if constexpr (D == 2)
       if (n == k * k) return detail::triangle_centroids(k);
   }
-  throw error(joined_text("per_cell = ", n,
+  throw error(joined_text({"per_cell = ", n,
                           D == 2 ? ": must be 1, 3, 6, 10, 15, 21, 28 or the square of 1 to 7"
-                                 : ": must be 1, 4, 10, 20, 35, 56 or 84"));
+                                 : ": must be 1, 4, 10, 20, 35, 56 or 84"}));
 }
 
 /// How many of n points on a lattice lie along each axis; n must be a D-th power. Throws `error` otherwise.

@@ -48,7 +48,7 @@ auto take_out(B& body, Index cell_count, Leaves&& leaves, Take&& take) {
 template <class B>
 void check_point(const B& body, const typename B::Point& point, std::size_t number) {
   const auto name = [&](const char* member) {
-    return joined_text("point ", number, " to be added: ", member);
+    return joined_text({"point ", number, " to be added: ", member});
   };
   require(point.position.allFinite(), name("position"), vector_text(point.position), "must be finite");
   require(point.velocity.allFinite(), name("velocity"), vector_text(point.velocity), "must be finite");
@@ -98,7 +98,7 @@ auto add_points(B& body, M& mesh, const std::vector<typename B::Point>& added, I
   for (std::size_t k = 0; k < added.size(); ++k) {
     check_point(body, added[k], k);
     cell.push_back(mesh.search(added[k].position));
-    require(cell.back() != none, joined_text("point ", k, " to be added: position"),
+    require(cell.back() != none, {"point ", k, " to be added: position"},
             vector_text(added[k].position), "must lie in the mesh");
   }
   return append_points(body, added, cell, id);

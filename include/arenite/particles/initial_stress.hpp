@@ -48,8 +48,8 @@ struct Ground {
   std::size_t axis() const {
     const auto along = static_cast<std::size_t>(
         std::ranges::max_element(gravity, {}, [](double g) { return std::abs(g); }) - gravity.begin());
-    const auto text = [&] { return joined_text("(", gravity[0], ", ", gravity[1], ", ", gravity[2], ")"); };
-    require(gravity[along] != 0, joined_text("Geostatic: gravity at t = ", time, " s"), text(),
+    const auto text = [&] { return joined_text({"(", gravity[0], ", ", gravity[1], ", ", gravity[2], ")"}); };
+    require(gravity[along] != 0, {"Geostatic: gravity at t = ", time, " s"}, text(),
             "must act when the ground is filled; a stress without gravity is a function of the position");
     for (std::size_t k = 0; k < 3; ++k)
       require(k == along || std::abs(gravity[k]) <= 1e-9 * std::abs(gravity[along]), "Geostatic: gravity",
@@ -106,7 +106,7 @@ class InitialStress {
     Sym<T, D> stress{};
     for (std::size_t k = 0; k < 6; ++k) {
       const auto name = [&] {
-        return joined_text("FillOptions.stress, ", names[k], " at ", vector_text(x), " m");
+        return joined_text({"FillOptions.stress, ", names[k], " at ", vector_text(x), " m"});
       };
       if (!std::isfinite(given[k])) require(false, name(), given[k], "must be finite");
       if (k < stress.size)

@@ -41,7 +41,7 @@ class InitialVelocity {
     const Three v = at_(in_space(x));
     const auto is_bad = [](double c) { return !std::isfinite(c); };
     if (std::ranges::any_of(v, is_bad) || (D == 2 && v[2] != 0))
-      return vector_argument<T, D>(joined_text("FillOptions.velocity at ", vector_text(x), " m"), v);
+      return vector_argument<T, D>(joined_text({"FillOptions.velocity at ", vector_text(x), " m"}), v);
     return in_scene<D>(v).template cast<T>();
   }
 

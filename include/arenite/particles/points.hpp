@@ -148,7 +148,7 @@ class Points {
     static constexpr std::array<const char*, 3> axis{"x", "y", "z"};
     static constexpr std::array<const char*, 6> pair{"xx", "yy", "zz", "xy", "yz", "xz"};
     const auto each = [&](const std::string& name, auto& columns, std::size_t count, auto&& component) {
-      for (std::size_t k = 0; k < count; ++k) f(joined_text(name, "/", component(k)), columns.column(k));
+      for (std::size_t k = 0; k < count; ++k) f(joined_text({name, "/", component(k)}), columns.column(k));
     };
     const auto axes = [](std::size_t k) { return std::string(axis[k]); };
     each("position", position, D, axes);
@@ -159,12 +159,12 @@ class Points {
     constexpr auto& names = history_names<History>;
     for (std::size_t k = 0; k < history_size; ++k) {
       const bool named = !names[k].empty() && std::count(names.begin(), names.end(), names[k]) == 1;
-      f(named ? joined_text("history/", names[k]) : joined_text("history/", k), history[k]);
+      f(named ? joined_text({"history/", names[k]}) : joined_text({"history/", k}), history[k]);
     }
     if constexpr (affine)
       each("motion", motion, D * D, [&](std::size_t k) { return axes(k % D) + axes(k / D); });
     if constexpr (has_dilation) f("dilation", dilation);
-    for (std::size_t k = 0; k < kept_size; ++k) f(joined_text("kept/", k), kept[k]);
+    for (std::size_t k = 0; k < kept_size; ++k) f(joined_text({"kept/", k}), kept[k]);
     if constexpr (has_ids) f("id", id);
     f("cell", cell);
   }

@@ -26,7 +26,7 @@ struct Inside {
   bool contains(const Vec<double, D>& x) const {
     const double d = distance(x);
     if (std::isnan(d))
-      throw error(joined_text("Inside.distance at ", vector_text(x), " m = nan: must be a number"));
+      throw error(joined_text({"Inside.distance at ", vector_text(x), " m = nan: must be a number"}));
     return d < 0;
   }
   template <int D>

@@ -33,7 +33,7 @@ class ConeCylinder {
             "must not be negative, and less than radius");
     const double cone = (p.radius - p.tip_radius) / std::tan(p.apex / 2);
     require(p.length >= cone && std::isfinite(p.length), "ConeCylinder.length", p.length,
-            joined_text("must reach the cone's height ", cone));
+            {"must reach the cone's height ", cone});
     require(std::isfinite(p.tip), "ConeCylinder.tip", p.tip, "must be finite");
     // The arc touches flank and shaft; both lose the same length to it.
     flank_normal_ = {std::cos(p.apex / 2), -std::sin(p.apex / 2)};

@@ -35,7 +35,7 @@ Spin<double, D> spin_value_at(const VectorFunction& f, const Vec<double, D>& pos
   try {
     return spin_argument<D>(name, all);
   } catch (const error& e) {
-    throw run_error(joined_text("t = ", time, " s: ", e.what()));
+    throw run_error(joined_text({"t = ", time, " s: ", e.what()}));
   }
 }
 

@@ -45,7 +45,7 @@ class TouchingBodies {
         }
         if (!friction) continue;
         require(!segments[a].empty() || !segments[b].empty(), "RigidContact",
-                joined_text(bodies[a].name, ", ", bodies[b].name),
+                joined_text({bodies[a].name, ", ", bodies[b].name}),
                 "one of both must be a shape with contact_segments(), such as Ball, Box or Polygon");
         pairs_.push_back({a, b, friction->coefficient()});
       }
@@ -135,7 +135,7 @@ class TouchingBodies {
     ContactPoints<D>::find(bodies, second, first, 0, found);
     for (const auto& t : found)
       require(t.gap >= -1e-4 * std::min(bodies[first].size, bodies[second].size), "RigidContact",
-              joined_text(bodies[first].name, ", ", bodies[second].name), "must not overlap at the start");
+              joined_text({bodies[first].name, ", ", bodies[second].name}), "must not overlap at the start");
   }
   /// Greatest distance of a body's points from its centre, m.
   double reach_of(const TouchingBody<D>& b) const {

@@ -121,9 +121,9 @@ void try_distance(const Scene& scene, const AnyDistance& distance, const std::st
   const double gradient = median_gradient<Scene::D>(distance, near.places, near.sizes, d);
   if (!(gradient > 0.8 && gradient < 1.25))
     warn(
-        joined_text("rigid body ", body, ": the gradient of its distance is ", gradient,
+        joined_text({"rigid body ", body, ": the gradient of its distance is ", gradient,
                     " near its surface (a median), not 1: the distance must be in m, as the position is, and "
-                    "that to the nearest place of the surface"));
+                    "that to the nearest place of the surface"}));
 }
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET::detail

@@ -49,17 +49,17 @@ void finish(Scene& scene, double dt) {
         },
         [](std::size_t a, std::size_t b) { return std::min(a, b); });
     if (first_bad < points.size())
-      throw run_error(joined_text(
+      throw run_error(joined_text({
           "t = ", scene.time, " s, step ", scene.steps, ": point ", first_bad, " of body ",
           Scene::body_name(number), " at ", vector_text(points.position[first_bad]), " m has velocity ",
           vector_text(points.velocity[first_bad]), " m/s, pressure ", -trace(points.stress[first_bad]) / 3,
-          " Pa, volume ", points.volume[first_bad], " m3: no longer finite"));
-    if (!body.finite) bodies += joined_text(bodies.empty() ? "" : ", ", Scene::body_name(number));
+          " Pa, volume ", points.volume[first_bad], " m3: no longer finite"}));
+    if (!body.finite) bodies += joined_text({bodies.empty() ? "" : ", ", Scene::body_name(number)});
     ++number;
   });
-  throw run_error(joined_text("t = ", scene.time, " s, step ", scene.steps,
+  throw run_error(joined_text({"t = ", scene.time, " s, step ", scene.steps,
                               ": the sums of stress and volume over the points of body ", bodies,
-                              " are not finite, though every number of every point is: they overflow"));
+                              " are not finite, though every number of every point is: they overflow"}));
 }
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -43,8 +43,8 @@ std::array<double, 3> gravity_of_ground(const Scene& scene, double time) {
       const V first = at(0);
       for (Index i = 1; i < Scene::Shape::node_count(scene.mesh); ++i)
         require((at(i) - first).norm() <= 1e-6 * first.norm(), "Geostatic: body force", vector_text(at(i)),
-                joined_text("must be the same everywhere, as at the first node, ", vector_text(first),
-                            " m/s2: give the stress as a function of the position"));
+                {"must be the same everywhere, as at the first node, ", vector_text(first),
+                            " m/s2: give the stress as a function of the position"});
       of_place += first;
     }
   });
@@ -283,14 +283,14 @@ void check_rest(Scene& scene, double dt, const std::vector<typename Scene::V>& b
       }
     }
     if (all > 1e-3 * weight)
-      warn(joined_text("the ground is not at rest: in the first step ", std::round(1000 * all / weight) / 10,
+      warn(joined_text({"the ground is not at rest: in the first step ", std::round(1000 * all / weight) / 10,
                        " % of its weight is out of balance, most of it about ",
                        vector_text(Scene::Shape::node_position(scene.mesh, static_cast<Index>(worst))),
                        " m. Stress is Geostatic: do walls hold the sides and the bottom, is "
                        "Geostatic.surface where matter "
                        "ends and level, is all that lies on the ground in Geostatic.surcharge, or has it a "
                        "Geostatic of its "
-                       "own? Ground that is meant to move: Geostatic.may_move"));
+                       "own? Ground that is meant to move: Geostatic.may_move"}));
   }
   scene.at_rest.clear();
 }

@@ -51,9 +51,9 @@ void warn_bounds(const M& mesh, const AnyRegion& region, const std::string& name
       within *= (std::min(to, upper[k]) - std::max(from, lower[k])) / (to - from);
     }
     if (beyond)
-      warn(joined_text("body ", name, ": ", std::round(1000 * (1 - within)) / 10,
+      warn(joined_text({"body ", name, ": ", std::round(1000 * (1 - within)) / 10,
                        " % of its region lies outside of the mesh, which reaches from ", vector_text(lower),
-                       " to ", vector_text(upper), " m, and is not filled"));
+                       " to ", vector_text(upper), " m, and is not filled"}));
   }
 }
 
@@ -62,10 +62,10 @@ template <class B>
 void warn_volume(const B& body, const std::string& name) {
   const double filled = body.initial_volume, region = body.region_volume, density = body.law.density();
   if (std::abs(filled - region) <= 0.02 * region || body.points.size() == 0) return;
-  warn(joined_text(
+  warn(joined_text({
       "body ", name, ": its points have ", density * filled, " kg, its region ", density * region,
       " kg: a point stands for all of its sub-cell, if the middle of that lies in the region; let "
-      "the region end on sub-cells, or say FillOptions.exact_volume"));
+      "the region end on sub-cells, or say FillOptions.exact_volume"}));
 }
 
 /// Points of a body that lie in the region of another.
@@ -88,9 +88,9 @@ void warn_overlap(const M& mesh, const std::string& name, const B& body, const F
   const std::size_t in_other = points_within(mesh, body, other_fill.region),
                     in_this = points_within(mesh, other, fill.region);
   if (in_other + in_this == 0) return;
-  warn(joined_text("bodies ", name, " and ", other_name, " lie in one place: ", in_other, " of the ",
+  warn(joined_text({"bodies ", name, " and ", other_name, " lie in one place: ", in_other, " of the ",
                    body.points.size(), " points of body ", name, " are in the region of body ", other_name,
-                   ", and ", in_this, " of ", other.points.size(), " the other way"));
+                   ", and ", in_this, " of ", other.points.size(), " the other way"}));
 }
 
 /// Warns of a body with fewer points than span a volume: it cannot strain as a body does.
@@ -98,9 +98,9 @@ template <class L, class T, int D, ExtraColumns E>
 void warn_few_points(const Body<L, T, D, E>& body, const std::string& name) {
   const std::size_t count = body.points.size();
   if (count == 0 || count > D) return;
-  warn(joined_text(
+  warn(joined_text({
       "body ", name, " has ", count, count == 1 ? " point" : " points", ": fewer than ", D + 1,
-      " cannot strain as a body; is its region, or the mesh's cell, of the size that was meant?"));
+      " cannot strain as a body; is its region, or the mesh's cell, of the size that was meant?"}));
 }
 
 /// Warns if gravity pulls and nothing can hold: no constraint blocks a part of it, and no part holds but
@@ -121,8 +121,8 @@ void warn_no_support(const Scene& scene) {
       held = held || adds_force<P, Scene> || (exchanges_impulses<P, Scene> && exchange_rank<P> > 0);
   });
   if (!held)
-    warn(joined_text("gravity ", vector_text(g),
-                     " m/s2 acts, but no wall and no rigid body holds along it: everything falls"));
+    warn(joined_text({"gravity ", vector_text(g),
+                     " m/s2 acts, but no wall and no rigid body holds along it: everything falls"}));
 }
 
 /// All warnings about a new scene and the recipes of its bodies.

@@ -31,18 +31,18 @@ std::array<std::string, sizeof...(P)> part_paths(std::type_identity<std::tuple<P
     const std::size_t place = number++;
     if constexpr (is_rigid<Q>) {
       const std::size_t among = rigid++;
-      return Q::name.word().empty() ? joined_text("rigids/", among) : joined_text("rigids/", Q::name.word());
+      return Q::name.word().empty() ? joined_text({"rigids/", among}) : joined_text({"rigids/", Q::name.word()});
     } else if constexpr (requires { std::string_view(Q::state_name); }) {
       return std::string(Q::state_name);
     } else {
-      return joined_text("parts/", place);
+      return joined_text({"parts/", place});
     }
   };
   const std::array<std::string, sizeof...(P)> wanted{path(std::type_identity<P>{})...};
   auto paths = wanted;
   for (std::size_t k = 0; k < wanted.size(); ++k)
     if (std::ranges::count(wanted, wanted[k]) > 1)
-      paths[k] = joined_text(wanted[k], "/", std::count(wanted.begin(), wanted.begin() + k, wanted[k]));
+      paths[k] = joined_text({wanted[k], "/", std::count(wanted.begin(), wanted.begin() + k, wanted[k])});
   return paths;
 }
 
@@ -78,11 +78,11 @@ void visit_scene(Scene& scene, const F& f) {
   f("contact_tally/limited_momentum", tally.limited_momentum);
   std::size_t number = 0;
   scene.for_each_body([&](auto& body, auto&) {
-    visit_body(body, StateUnder(f, joined_text("bodies/", Scene::body_name(number++))));
+    visit_body(body, StateUnder(f, joined_text({"bodies/", Scene::body_name(number++)})));
   });
   if constexpr (reads_last_nodes<Scene>(std::type_identity<typename Scene::Parts>{}))
     for (std::size_t k = 0; k < scene.fields.size(); ++k) {
-      StateUnder nodes(f, Scene::field_count > 1 ? joined_text("nodes/", Scene::body_name(k)) : "nodes");
+      StateUnder nodes(f, Scene::field_count > 1 ? joined_text({"nodes/", Scene::body_name(k)}) : "nodes");
       nodes("mass", std::span(scene.fields[k].mass.data(), scene.fields[k].mass.size()));
       nodes("velocity", scene.fields[k].velocity.numbers());
     }
@@ -121,13 +121,13 @@ namespace detail {
 template <class Body>
 void check_points(Body& body, const std::string& path) {
   body.points.visit_state([&](const std::string& name, const auto& column) {
-    require(column.size() == body.points.size(), joined_text(path, "/", name),
-            joined_text(column.size(), " numbers"),
-            joined_text("must be as many as points have a mass, ", body.points.size()));
+    require(column.size() == body.points.size(), {path, "/", name},
+            joined_text({column.size(), " numbers"}),
+            {"must be as many as points have a mass, ", body.points.size()});
   });
   for (std::size_t p = 0; p < body.points.size(); ++p) {
     const auto x = body.points.position[p];
-    const auto name_of = [&](const char* name) { return joined_text(path, "/", name, "[", p, "]"); };
+    const auto name_of = [&](const char* name) { return joined_text({path, "/", name, "[", p, "]"}); };
     if (!x.allFinite()) require(false, name_of("position"), vector_text(x), "must be finite (m)");
     if (const auto m = body.points.mass[p]; !(m > 0 && std::isfinite(m)))
       require(false, name_of("mass"), m, "must be positive (kg)");
@@ -159,7 +159,7 @@ template <class Scene>
 void follow_state(Scene& scene) {
   std::size_t number = 0;
   scene.for_each_body([&](auto& body, auto&) {
-    detail::check_points(body, joined_text("state: bodies/", Scene::body_name(number++), "/points"));
+    detail::check_points(body, joined_text({"state: bodies/", Scene::body_name(number++), "/points"}));
   });
   renew_from_state(scene);
 }

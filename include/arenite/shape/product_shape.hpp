@@ -60,7 +60,7 @@ struct ProductShape {
     Index n = 1;
     for (int k = 0; k < M::dimension; ++k) {
       require(!is_periodic<M>(k) || grid.cells(k) > halo, "periodic: cells", grid.cells(k),
-              joined_text("must be at least ", halo + 1, " along a periodic axis"));
+              {"must be at least ", halo + 1, " along a periodic axis"});
       n *= node_count(grid, k);
     }
     return n;

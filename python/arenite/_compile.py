@@ -2,7 +2,10 @@
 
 The name of an object is a hash of all that decides it: the unit's text, compiler and flags, and the content of every
 file that the compiler read (a law's header and what it includes, the library, Eigen, the system's headers), as the
-compiler listed them when it last compiled the unit. One process at a time compiles one unit."""
+compiler listed them when it last compiled the unit. One process at a time compiles one unit.
+
+How recipes are read does not depend on a scene's type: it is compiled once, into an object that the others are linked with.
+The package has one, which serves the compiler that made it; for another one it is made in the cache."""
 
 from __future__ import annotations
 
@@ -16,7 +19,7 @@ import subprocess
 import sys
 import time
 from pathlib import Path
-from typing import Callable, Container, List, Sequence, Tuple
+from typing import Callable, Container, List, Optional, Sequence, Tuple
 
 from . import _cache, _core
 from ._errors import Error
@@ -54,13 +57,18 @@ def _compiler_version(words: Tuple[str, ...], path: str) -> str:
     return path + "\n" + _called([*words, "--version"]).stdout
 
 
+#: C++ of the object that scenes and laws are linked with, as python/native/host.cpp has it.
+HOST = "#define ARENITE_HOST_HERE\n#include <arenite/host/readers.hpp>\n"
+ELSEWHERE = "#define ARENITE_HOST_ELSEWHERE\n"
+
+
 def source(what: str, type_name: str, headers: Sequence[str]) -> str:
     """C++ of a shared object that offers one composition or law. Its words are looked up in the library; names of
     one's own begin with `::`, so that they may be any."""
     host = {"scene": ("scene_host", "SceneMaker", "make_hosted"), "law": ("law_host", "LawMaker", "make_hosted_law")}
     file, maker, make = host[what]
     own = "".join(f'#include "{Path(h).resolve()}"\n' for h in headers)
-    return (f"#include <arenite/host/plugin.hpp>\n#include <arenite/host/{file}.hpp>\n{own}"
+    return (f"{ELSEWHERE}#include <arenite/host/plugin.hpp>\n#include <arenite/host/{file}.hpp>\n{own}"
             "namespace arenite::compiled_on_first_use {\n"
             f"using Type = {type_name};\n"
             f'static const shared_detail::Offer offer{{Plugin::{maker}{{"{type_name}", &{make}<Type>}}}};\n'
@@ -85,56 +93,83 @@ def _files_read(rule: str, unit: Path) -> List[str]:
     return sorted(paths - {os.path.abspath(unit)})
 
 
-def _compiled(command: Sequence[str], text: str, type_name: str, folder: Path, log: Path) -> List[str]:
-    """Compiles `folder/unit.so`; returns the files that the compiler read."""
-    unit, out, rule = folder / "unit.cpp", folder / "unit.so", folder / "unit.d"
+def _compiled(command: Sequence[str], text: str, told: str, folder: Path, log: Path, host: Optional[Path]) -> List[str]:
+    """Compiles `folder/unit.so`, or unit.o where it is linked with no `host`; returns the files that it was made of."""
+    unit, rule = folder / "unit.cpp", folder / "unit.d"
+    out = folder / ("unit.o" if "-c" in command else "unit.so")
     unit.write_text(text)
-    done = _called([*command, "-MD", "-MF", str(rule), str(unit), "-o", str(out)])
+    linked = [str(host)] if host else []
+    done = _called([*command, "-MD", "-MF", str(rule), str(unit), *linked, "-o", str(out)])
     if done.returncode != 0:
         log.write_text(done.stderr)
-        raise Error(f"{_cause(done.stderr)}\n  (compiling {type_name}; the compiler's words: {log})")
+        raise Error(f"{_cause(done.stderr)}\n  (compiling {told}; the compiler's words: {log})")
     if not out.is_file() or not rule.is_file():
         raise Error(f"compiler = {' '.join(command[:1])}: ended without an error, but made no object; "
                     "name g++ or clang++ in the environment's CXX")
-    return _files_read(rule.read_text(errors="surrogateescape"), unit)
+    return _files_read(rule.read_text(errors="surrogateescape"), unit) + linked
 
 
-def _made(command: Sequence[str], text: str, type_name: str, key: str, place: Path) -> Path:
+def _made(command: Sequence[str], text: str, told: str, key: str, place: Path, host: Optional[Path]) -> Path:
     """Compiles and stores an object and the list of the files that it was made of."""
     folder = place / f"{key}.tmp"
+    ending = ".o" if "-c" in command else ".so"
     rounds = 3
     for _ in range(rounds):
         shutil.rmtree(folder, ignore_errors=True)  # that of a process that was killed
         folder.mkdir(mode=0o700)
         try:
             begin = time.time_ns()
-            files = _compiled(command, text, type_name, folder, place / f"{key}.log")
+            files = _compiled(command, text, told, folder, place / f"{key}.log", host)
             name = _cache.hash_of_files(key, files)
             # What was saved meanwhile may have been read before or after.
             if name is None or any(os.stat(f).st_ctime_ns >= begin for f in files):
                 continue
-            made = place / f"{name}.so"
-            _cache.store(folder / "unit.so", made)
+            made = place / f"{name}{ending}"
+            _cache.store(folder / f"unit{ending}", made)
             listed = folder / "files"
             listed.write_bytes("\n".join(files).encode(errors="surrogateescape"))
             _cache.store(listed, place / f"{key}.files")
             return made
         finally:
             shutil.rmtree(folder, ignore_errors=True)
-    raise Error(f"compiling {type_name}: its headers changed while they were compiled, {rounds} times; try again")
+    raise Error(f"compiling {told}: its headers changed while they were compiled, {rounds} times; try again")
 
 
-def _found(key: str, place: Path) -> Path:
+def _found(key: str, place: Path, ending: str) -> Path:
     """The object that the files as they are now lead to; it may not be there."""
     files = _cache.read_list(place / f"{key}.files")
     name = _cache.hash_of_files(key, files) if files else None
-    return place / f"{name or key}.so"
+    return place / f"{name or key}{ending}"
+
+
+def _object(text: str, told: str, command: Sequence[str], version: str, place: Path, loaded: Container[str] = (),
+            check: Callable[[], None] = lambda: None, host: Callable[[], Optional[Path]] = lambda: None) -> Path:
+    """An object of the cache, compiled if it is not there; `host`: what it is linked with, made before."""
+    paths_of_compiler = [os.environ.get(name, "") for name in ("CPATH", "CPLUS_INCLUDE_PATH", "COMPILER_PATH", "LIBRARY_PATH")]
+    key = hashlib.sha256("\0".join([text, _core.version, version, *command, *paths_of_compiler])
+                         .encode(errors="surrogateescape")).hexdigest()[:32]
+    ending = ".o" if "-c" in command else ".so"
+    made = _found(key, place, ending)
+    if str(made) in loaded or _cache.whole(made):
+        return made
+    check()
+    with _cache.locked(place / f"{key}.lock"):
+        made = _found(key, place, ending)
+        if _cache.whole(made):
+            return made
+        with_host = host()
+        print(f"arenite: compiling {told} (once; {place}) ..", file=sys.stderr, flush=True)
+        start = time.monotonic()
+        made = _made(command, text, told, key, place, with_host)
+        print(f"arenite: compiled in {time.monotonic() - start:.0f} s", file=sys.stderr, flush=True)
+        return made
 
 
 def built(what: str, type_name: str, headers: Sequence[str], flags: Sequence[str], loaded: Container[str] = (),
-          check: Callable[[], None] = lambda: None) -> Path:
+          check: Callable[[], None] = lambda: None, host: Optional[Path] = None) -> Path:
     """The shared object of a composition, compiled if it is not in the cache. `loaded`: those that need not be looked
-    at again; `check`: called before it is compiled, which takes long."""
+    at again; `check`: called before it is compiled, which takes long; `host`: what the package has for it to be linked with,
+    with these flags."""
     for h in headers:
         if not Path(h).is_file():
             raise Error(f"header = {h}: there is no such file")
@@ -144,28 +179,30 @@ def built(what: str, type_name: str, headers: Sequence[str], flags: Sequence[str
     if not (folders[0] / "arenite" / "arenite.hpp").is_file():
         raise Error(f"include = {folders[0]}: the library's headers are not there; set ARENITE_INCLUDE")
     text = source(what, type_name, headers)
-    command = [*words, "-std=c++20", "-O3", "-DNDEBUG", "-fPIC", "-shared", *flags, *(f"-isystem{f}" for f in folders)]
-    paths_of_compiler = [os.environ.get(name, "") for name in ("CPATH", "CPLUS_INCLUDE_PATH", "COMPILER_PATH", "LIBRARY_PATH")]
+    command = [*words, "-std=c++20", "-O3", "-DNDEBUG", "-fPIC", *flags, *(f"-isystem{f}" for f in folders)]
     version = _compiler_version(tuple(words), os.path.realpath(shutil.which(words[0]) or ""))
-    key = hashlib.sha256("\0".join([text, _core.version, version, *command, *paths_of_compiler])
-                         .encode(errors="surrogateescape")).hexdigest()[:32]
     place = _cache.opened()
+
+    def with_host() -> Optional[Path]:
+        if not text.startswith(ELSEWHERE):
+            return None
+        if host and folders[0] == PACKAGE / "include" and len(words) == 1 and _is_of(host, version):
+            return host
+        return _object(HOST, "what all compositions read their recipes with", [*command, "-c"], version, place)
+
     try:
-        made = _found(key, place)
-        if str(made) in loaded or _cache.whole(made):
-            return made
-        check()
-        with _cache.locked(place / f"{key}.lock"):
-            made = _found(key, place)
-            if _cache.whole(made):
-                return made
-            print(f"arenite: compiling {type_name} (once; {place}) ..", file=sys.stderr, flush=True)
-            start = time.monotonic()
-            made = _made(command, text, type_name, key, place)
-            print(f"arenite: compiled in {time.monotonic() - start:.0f} s", file=sys.stderr, flush=True)
-            return made
+        return _object(text, type_name, [*command, "-shared"], version, place, loaded, check, with_host)
     except OSError as e:
         _cache.refuse(place, e)
+
+
+def _is_of(host: Path, version: str) -> bool:
+    """Whether the package's object is there and of this compiler: what it calls itself, whatever it was called by."""
+    try:
+        made_by = (host.parent / "compiler.txt").read_text()
+    except OSError:
+        return False
+    return host.is_file() and made_by.split()[1:] == version.split("\n", 1)[1].split()[1:]
 
 
 def _code(header: Path) -> str:

@@ -39,6 +39,11 @@ def prebuilt(of_width: str) -> Path:
     return PACKAGE / "lib" / f"compositions_{of_width}.so"
 
 
+def _host(of_width: str) -> Path:
+    """What compositions compiled on first use are linked with."""
+    return PACKAGE / "lib" / f"libhost_{of_width}.a"
+
+
 def _open(path: Path) -> Any:
     plugin = _core.Plugin(str(path))
     if _threads is not None:
@@ -61,7 +66,8 @@ def _find(kind: Dict[str, Any], what: str, type_name: str, headers: Sequence[str
     with _lock:
         _ensure_prebuilt()
         if headers or type_name not in kind:
-            path = _compile.built(what, type_name, headers, WIDTHS[width()]["flags"], loaded=_plugins, check=check)
+            path = _compile.built(what, type_name, headers, WIDTHS[width()]["flags"], loaded=_plugins, check=check,
+                                   host=_host(width()))
             if str(path) not in _plugins:
                 _open(path)
             return _plugins[str(path)]

@@ -1,14 +1,9 @@
-// What all compositions of the package take, compiled once for each width of registers: shapes, and the
-// parameters of recipes.
+// The parameters of recipes, which the host may ask for.
+#define ARENITE_HOST_ELSEWHERE
 #include <arenite/host/plugin.hpp>
 #include <arenite/host/read_recipes.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
-
-namespace detail {
-template HostShape<2> read_shape<2>(const Value&, const Reading&);
-template HostShape<3> read_shape<3>(const Value&, const Reading&);
-}  // namespace detail
 
 namespace {
 

@@ -278,6 +278,22 @@ def test_a_broken_object_is_made_again(unit, capfd):
     assert not list(unit.cache.glob("*.tmp"))
 
 
+def test_the_packages_object_serves_the_compiler_that_made_it(ar, tmp_path):
+    from arenite import _compile
+
+    host, made_by = tmp_path / "libhost_16.a", tmp_path / "compiler.txt"
+    version = "/usr/bin/g++-12\ng++ (Debian 12.2.0-14) 12.2.0\nCopyright\n"
+    assert not _compile._is_of(host, version)
+    host.touch()
+    assert not _compile._is_of(host, version)
+    made_by.write_text("c++ (Debian 12.2.0-14) 12.2.0\nCopyright\n")  # another name of the same
+    assert _compile._is_of(host, version)
+    made_by.write_text("c++ (Debian 13.1.0-6) 13.1.0\nCopyright\n")
+    assert not _compile._is_of(host, version)
+    native = HERE.parent / "native" / "host.cpp"
+    assert native.read_text().endswith(_compile.HOST)
+
+
 def test_an_object_of_someone_else_does_not_run(ar, unit):
     made = unit.build(unit.header)
     assert unit.cache.stat().st_mode & 0o777 == 0o700 and made.stat().st_mode & 0o077 == 0

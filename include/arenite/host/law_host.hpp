@@ -11,7 +11,7 @@
 #include <arenite/core/kernel.hpp>
 #include <arenite/core/parallel.hpp>
 #include <arenite/host/hosted_law.hpp>
-#include <arenite/host/read_recipes.hpp>
+#include <arenite/host/readers.hpp>
 #include <arenite/law/drive.hpp>
 #include <arenite/transfer/law_pass.hpp>
 #include <arenite/transfer/numerics.hpp>

@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <type_traits>
@@ -47,21 +48,7 @@ std::string spoken_name() {
 }
 
 /// The numbers of a list or an array of one dimension.
-inline std::vector<double> numbers(const Value& value, const Reading& at) {
-  if (const HostArray* a = value.array()) {
-    if (a->shape.size() > 1) at.refuse(value, "must be numbers side by side");
-    return a->numbers;
-  }
-  const auto* list = value.get<Value::List>();
-  if (list == nullptr) at.refuse(value, "must be a list of numbers");
-  std::vector<double> all;
-  for (const Value& v : *list) {
-    const double* x = v.get<double>();
-    if (x == nullptr) at[all.size()].refuse(v, "must be a number");
-    all.push_back(*x);
-  }
-  return all;
-}
+std::vector<double> numbers(const Value& value, const Reading& at);
 
 /// Whether a value is numbers, and not a function.
 inline bool is_numbers(const Value& value) {
@@ -69,25 +56,10 @@ inline bool is_numbers(const Value& value) {
 }
 
 /// Refuses a name that is none of those known.
-template <class Names>
-void refuse_unknown(const Value::Dict& given, const Names& known, const Reading& at) {
-  for (const auto& [key, value] : given) {
-    if (std::ranges::find(known, key) != known.end()) continue;
-    std::string all;
-    for (const auto& k : known) all += (all.empty() ? "" : ", ") + std::string(k);
-    (at / key).refuse(value,
-                      all.empty() ? "is unknown: there is nothing to give" : "is unknown; there are: " + all);
-  }
-}
+void refuse_unknown(const Value::Dict& given, std::span<const std::string_view> known, const Reading& at);
 
 /// The names of a value; nothing stands for no names.
-inline const Value::Dict& dict(const Value& value, const Reading& at) {
-  static const Value::Dict none_given;
-  if (value.is_none()) return none_given;
-  const auto* given = value.get<Value::Dict>();
-  if (given == nullptr) at.refuse(value, "must be names with values");
-  return *given;
-}
+const Value::Dict& dict(const Value& value, const Reading& at);
 
 /// Member K of an aggregate: what was given, or as the aggregate has it.
 template <class T, std::size_t K>
@@ -139,11 +111,7 @@ struct Reader<Value> {
 };
 template <>
 struct Reader<bool> {
-  static bool read(const Value& value, const Reading& at) {
-    const bool* b = value.get<bool>();
-    if (b == nullptr) at.refuse(value, "must be true or false");
-    return *b;
-  }
+  static bool read(const Value&, const Reading&);
 };
 template <std::floating_point T>
 struct Reader<T> {
@@ -172,11 +140,7 @@ struct Reader<T> {
 };
 template <>
 struct Reader<std::string> {
-  static std::string read(const Value& value, const Reading& at) {
-    const auto* s = value.get<std::string>();
-    if (s == nullptr) at.refuse(value, "must be a word");
-    return *s;
-  }
+  static std::string read(const Value&, const Reading&);
 };
 template <class Rule>
 struct Reader<Checked<Rule>> {
@@ -208,9 +172,7 @@ requires(!std::is_same_v<T, double>) struct Reader<std::array<T, N>> {
 };
 template <>
 struct Reader<std::vector<double>> {
-  static std::vector<double> read(const Value& value, const Reading& at) {
-    return detail::numbers(value, at);
-  }
+  static std::vector<double> read(const Value&, const Reading&);
 };
 template <class T>
 struct Reader<std::vector<T>> {
@@ -237,5 +199,62 @@ struct Reader<Map<std::string, T>> {
     return all;
   }
 };
+
+#ifndef ARENITE_HOST_ELSEWHERE
+
+namespace detail {
+
+ARENITE_READER std::vector<double> numbers(const Value& value, const Reading& at) {
+  if (const HostArray* a = value.array()) {
+    if (a->shape.size() > 1) at.refuse(value, "must be numbers side by side");
+    return a->numbers;
+  }
+  const auto* list = value.get<Value::List>();
+  if (list == nullptr) at.refuse(value, "must be a list of numbers");
+  std::vector<double> all;
+  for (const Value& v : *list) {
+    const double* x = v.get<double>();
+    if (x == nullptr) at[all.size()].refuse(v, "must be a number");
+    all.push_back(*x);
+  }
+  return all;
+}
+
+ARENITE_READER void refuse_unknown(const Value::Dict& given, std::span<const std::string_view> known,
+                                   const Reading& at) {
+  for (const auto& [key, value] : given) {
+    if (std::ranges::find(known, key) != known.end()) continue;
+    std::string all;
+    for (const auto& k : known) all += (all.empty() ? "" : ", ") + std::string(k);
+    (at / key).refuse(value,
+                      all.empty() ? "is unknown: there is nothing to give" : "is unknown; there are: " + all);
+  }
+}
+
+ARENITE_READER const Value::Dict& dict(const Value& value, const Reading& at) {
+  static const Value::Dict none_given;
+  if (value.is_none()) return none_given;
+  const auto* given = value.get<Value::Dict>();
+  if (given == nullptr) at.refuse(value, "must be names with values");
+  return *given;
+}
+
+}  // namespace detail
+
+ARENITE_READER bool Reader<bool>::read(const Value& value, const Reading& at) {
+  const bool* b = value.get<bool>();
+  if (b == nullptr) at.refuse(value, "must be true or false");
+  return *b;
+}
+ARENITE_READER std::string Reader<std::string>::read(const Value& value, const Reading& at) {
+  const auto* s = value.get<std::string>();
+  if (s == nullptr) at.refuse(value, "must be a word");
+  return *s;
+}
+ARENITE_READER std::vector<double> Reader<std::vector<double>>::read(const Value& value, const Reading& at) {
+  return detail::numbers(value, at);
+}
+
+#endif
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -4,7 +4,7 @@
 #include <array>
 #include <vector>
 
-#include <arenite/host/read_recipes.hpp>
+#include <arenite/host/readers.hpp>
 #include <arenite/scene/scene.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET::detail {

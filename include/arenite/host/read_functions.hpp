@@ -16,6 +16,41 @@
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
+/// A number; a function of time, `{"of_time": f}`, or of place and time, `{"of_place": f}`, of rows
+/// (x, y, z, t); a table or a ramp.
+template <>
+struct Reader<ScalarFunction> {
+  static ScalarFunction read(const Value&, const Reading&);
+};
+
+/// Up to three numbers; a signal; a function as that of a number; `{"direction": .., "factor": ..}`.
+template <>
+struct Reader<VectorFunction> {
+  static VectorFunction read(const Value&, const Reading&);
+};
+
+/// `{3, 1, 0}`, or a function of the position.
+template <>
+struct Reader<InitialVelocity> {
+  static InitialVelocity read(const Value&, const Reading&);
+};
+/// `{"geostatic": {..}}`, or a function of the position.
+template <>
+struct Reader<InitialStress> {
+  static InitialStress read(const Value&, const Reading&);
+};
+template <>
+struct Reader<std::function<double(const Triple&)>> {
+  static std::function<double(const Triple&)> read(const Value&, const Reading&);
+};
+/// A test of a node's position.
+template <>
+struct Reader<std::function<bool(const Triple&)>> {
+  static std::function<bool(const Triple&)> read(const Value&, const Reading&);
+};
+
+#ifndef ARENITE_HOST_ELSEWHERE
+
 namespace detail {
 
 /// A function of place of the host, asked for all places of a body at once.
@@ -47,86 +82,64 @@ inline std::optional<std::function<double(double)>> time_factor(const Value& val
 
 }  // namespace detail
 
-/// A number; a function of time, `{"of_time": f}`, or of place and time, `{"of_place": f}`, of rows
-/// (x, y, z, t); a table or a ramp.
-template <>
-struct Reader<ScalarFunction> {
-  static ScalarFunction read(const Value& value, const Reading& at) {
-    if (const double* x = value.get<double>()) return *x;
-    if (auto factor = detail::time_factor(value, at)) return *std::move(factor);
-    if (const Value* f = value.find("of_time"); f && f->function())
-      return [g = *f->function(), name = at.name](double t) { return detail::call_row<1>(g, {t}, name)[0]; };
-    if (const Value* f = value.find("of_place"); f && f->function())
-      return [g = *f->function(), name = at.name](const Triple& x, double t) {
-        return detail::call_row<1>(g, {x[0], x[1], x[2], t}, name)[0];
-      };
-    at.refuse(value, "must be a number, or a function of time or of place and time");
+ARENITE_READER ScalarFunction Reader<ScalarFunction>::read(const Value& value, const Reading& at) {
+  if (const double* x = value.get<double>()) return *x;
+  if (auto factor = detail::time_factor(value, at)) return *std::move(factor);
+  if (const Value* f = value.find("of_time"); f && f->function())
+    return [g = *f->function(), name = at.name](double t) { return detail::call_row<1>(g, {t}, name)[0]; };
+  if (const Value* f = value.find("of_place"); f && f->function())
+    return [g = *f->function(), name = at.name](const Triple& x, double t) {
+      return detail::call_row<1>(g, {x[0], x[1], x[2], t}, name)[0];
+    };
+  at.refuse(value, "must be a number, or a function of time or of place and time");
+}
+ARENITE_READER VectorFunction Reader<VectorFunction>::read(const Value& value, const Reading& at) {
+  if (detail::is_numbers(value)) {
+    const auto v = arenite::read<Triple>(value, at);
+    return VectorFunction({v[0], v[1], v[2]});
   }
-};
+  if (const HostSignal* signal = value.get<HostSignal>())
+    return VectorFunction([at = *signal](double) -> Triple { return *at; });
+  if (const Value* factor = value.find("factor"))
+    return VectorFunction(arenite::read<Triple>(*value.find("direction"), at),
+                          arenite::read<ScalarFunction>(*factor, at));
+  if (const Value* f = value.find("of_time"); f && f->function())
+    return VectorFunction([g = *f->function(), name = at.name](double t) -> Triple {
+      return detail::call_row<3>(g, {t}, name);
+    });
+  if (const Value* f = value.find("of_place"); f && f->function())
+    return VectorFunction([g = *f->function(), name = at.name](const Triple& x, double t) -> Triple {
+      return detail::call_row<3>(g, {x[0], x[1], x[2], t}, name);
+    });
+  at.refuse(value, "must be up to 3 numbers, or a function of time or of place and time");
+}
+ARENITE_READER InitialVelocity Reader<InitialVelocity>::read(const Value& value, const Reading& at) {
+  if (!value.function()) return arenite::read<Triple>(value, at);
+  return [f = detail::at_once<3>(value, at)](const Triple& x) { return (*f)(x); };
+}
+ARENITE_READER InitialStress Reader<InitialStress>::read(const Value& value, const Reading& at) {
+  if (const Value* ground = value.find("geostatic"))
+    return arenite::read<Geostatic>(*ground, at.renamed("Geostatic"));
+  if (!value.function()) at.refuse(value, "must be Geostatic, or a function of the position");
+  return InitialStress(
+      [f = detail::at_once<6>(value, at)](const Triple& x) -> std::array<double, 6> { return (*f)(x); });
+}
+ARENITE_READER std::function<double(const Triple&)> Reader<std::function<double(const Triple&)>>::read(
+    const Value& value, const Reading& at) {
+  if (const double* x = value.get<double>()) return [c = *x](const Triple&) { return c; };
+  if (!value.function()) at.refuse(value, "must be a number, or a function of the position");
+  return [f = detail::at_once<1>(value, at)](const Triple& x) { return (*f)(x)[0]; };
+}
+ARENITE_READER std::function<bool(const Triple&)> Reader<std::function<bool(const Triple&)>>::read(
+    const Value& value, const Reading& at) {
+  if (value.is_none()) return {};
+  if (!value.function()) at.refuse(value, "must be a function of the position");
+  auto f = std::make_shared<PlacesAtOnce<1>>(*value.function(), at.dimension, at.name);
+  f->note(at.nodes ? *at.nodes : std::vector<Triple>{});
+  f->compute();
+  return [f](const Triple& x) { return (*f)(x)[0] != 0; };
+}
 
-/// Up to three numbers; a signal; a function as that of a number; `{"direction": .., "factor": ..}`.
-template <>
-struct Reader<VectorFunction> {
-  static VectorFunction read(const Value& value, const Reading& at) {
-    if (detail::is_numbers(value)) {
-      const auto v = arenite::read<Triple>(value, at);
-      return VectorFunction({v[0], v[1], v[2]});
-    }
-    if (const HostSignal* signal = value.get<HostSignal>())
-      return VectorFunction([at = *signal](double) -> Triple { return *at; });
-    if (const Value* factor = value.find("factor"))
-      return VectorFunction(arenite::read<Triple>(*value.find("direction"), at),
-                            arenite::read<ScalarFunction>(*factor, at));
-    if (const Value* f = value.find("of_time"); f && f->function())
-      return VectorFunction([g = *f->function(), name = at.name](double t) -> Triple {
-        return detail::call_row<3>(g, {t}, name);
-      });
-    if (const Value* f = value.find("of_place"); f && f->function())
-      return VectorFunction([g = *f->function(), name = at.name](const Triple& x, double t) -> Triple {
-        return detail::call_row<3>(g, {x[0], x[1], x[2], t}, name);
-      });
-    at.refuse(value, "must be up to 3 numbers, or a function of time or of place and time");
-  }
-};
-
-/// `{3, 1, 0}`, or a function of the position.
-template <>
-struct Reader<InitialVelocity> {
-  static InitialVelocity read(const Value& value, const Reading& at) {
-    if (!value.function()) return arenite::read<Triple>(value, at);
-    return [f = detail::at_once<3>(value, at)](const Triple& x) { return (*f)(x); };
-  }
-};
-/// `{"geostatic": {..}}`, or a function of the position.
-template <>
-struct Reader<InitialStress> {
-  static InitialStress read(const Value& value, const Reading& at) {
-    if (const Value* ground = value.find("geostatic"))
-      return arenite::read<Geostatic>(*ground, at.renamed("Geostatic"));
-    if (!value.function()) at.refuse(value, "must be Geostatic, or a function of the position");
-    return InitialStress(
-        [f = detail::at_once<6>(value, at)](const Triple& x) -> std::array<double, 6> { return (*f)(x); });
-  }
-};
-template <>
-struct Reader<std::function<double(const Triple&)>> {
-  static std::function<double(const Triple&)> read(const Value& value, const Reading& at) {
-    if (const double* x = value.get<double>()) return [c = *x](const Triple&) { return c; };
-    if (!value.function()) at.refuse(value, "must be a number, or a function of the position");
-    return [f = detail::at_once<1>(value, at)](const Triple& x) { return (*f)(x)[0]; };
-  }
-};
-/// A test of a node's position.
-template <>
-struct Reader<std::function<bool(const Triple&)>> {
-  static std::function<bool(const Triple&)> read(const Value& value, const Reading& at) {
-    if (value.is_none()) return {};
-    if (!value.function()) at.refuse(value, "must be a function of the position");
-    auto f = std::make_shared<PlacesAtOnce<1>>(*value.function(), at.dimension, at.name);
-    f->note(at.nodes ? *at.nodes : std::vector<Triple>{});
-    f->compute();
-    return [f](const Triple& x) { return (*f)(x)[0] != 0; };
-  }
-};
+#endif
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -7,6 +7,13 @@
 #include <utility>
 #include <vector>
 
+#include <arenite/host/read_functions.hpp>
+#include <arenite/particles/region.hpp>
+#include <arenite/particles/regions.hpp>
+#include <arenite/rigid/cone_cylinder.hpp>
+#include <arenite/rigid/signed_distance.hpp>
+
+#ifndef ARENITE_HOST_ELSEWHERE
 #include <arenite/geometry/box.hpp>
 #include <arenite/geometry/contact_segment.hpp>
 #include <arenite/geometry/placed.hpp>
@@ -14,13 +21,21 @@
 #include <arenite/geometry/shape.hpp>
 #include <arenite/geometry/solids.hpp>
 #include <arenite/geometry/triangle_surface.hpp>
-#include <arenite/host/read_functions.hpp>
-#include <arenite/particles/region.hpp>
-#include <arenite/particles/regions.hpp>
-#include <arenite/rigid/cone_cylinder.hpp>
-#include <arenite/rigid/signed_distance.hpp>
+#endif
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
+
+template <>
+struct Reader<AnyDistance> {
+  static AnyDistance read(const Value&, const Reading&);
+};
+/// A shape; `{"cells": [names]}`, regions of a simplex mesh; `{"where": f}`, a test of positions.
+template <>
+struct Reader<AnyRegion> {
+  static AnyRegion read(const Value&, const Reading&);
+};
+
+#ifndef ARENITE_HOST_ELSEWHERE
 
 /// A shape in D dimensions whose type only its maker knows: signed distance, region, bounds, corners.
 template <int D>
@@ -145,43 +160,30 @@ HostShape<D> read_shape(const Value& value, const Reading& at) {
 
 }  // namespace detail
 
-#ifdef ARENITE_HOST_SHAPES_ELSEWHERE
-namespace detail {
-// Compiled in one unit of a program, for all of its scenes.
-extern template HostShape<2> read_shape<2>(const Value&, const Reading&);
-extern template HostShape<3> read_shape<3>(const Value&, const Reading&);
-}  // namespace detail
-#endif
+ARENITE_READER AnyDistance Reader<AnyDistance>::read(const Value& value, const Reading& at) {
+  if (at.dimension == 2) return AnyDistance::of<2>(detail::read_shape<2>(value, at));
+  return AnyDistance::of<3>(detail::read_shape<3>(value, at));
+}
+ARENITE_READER AnyRegion Reader<AnyRegion>::read(const Value& value, const Reading& at) {
+  AnyRegion region;
+  if (const Value* cells = value.find("cells")) {
+    region.cells = arenite::read<std::vector<std::string>>(*cells, at);
+    return region;
+  }
+  if (const Value* where = value.find("where"); where && where->function()) {
+    auto test = std::make_shared<PlacesAtOnce<1>>(*where->function(), at.dimension, at.name);
+    if (at.places)
+      at.places->where.push_back(test);
+    else
+      test->compute();
+    region.test = [test](const AnyRegion::Position& x) { return (*test)(x)[0] != 0; };
+    region.by_centres = true;
+    return region;
+  }
+  if (at.dimension == 2) return AnyRegion::of<2>(detail::read_shape<2>(value, at));
+  return AnyRegion::of<3>(detail::read_shape<3>(value, at));
+}
 
-template <>
-struct Reader<AnyDistance> {
-  static AnyDistance read(const Value& value, const Reading& at) {
-    if (at.dimension == 2) return AnyDistance::of<2>(detail::read_shape<2>(value, at));
-    return AnyDistance::of<3>(detail::read_shape<3>(value, at));
-  }
-};
-/// A shape; `{"cells": [names]}`, regions of a simplex mesh; `{"where": f}`, a test of positions.
-template <>
-struct Reader<AnyRegion> {
-  static AnyRegion read(const Value& value, const Reading& at) {
-    AnyRegion region;
-    if (const Value* cells = value.find("cells")) {
-      region.cells = arenite::read<std::vector<std::string>>(*cells, at);
-      return region;
-    }
-    if (const Value* where = value.find("where"); where && where->function()) {
-      auto test = std::make_shared<PlacesAtOnce<1>>(*where->function(), at.dimension, at.name);
-      if (at.places)
-        at.places->where.push_back(test);
-      else
-        test->compute();
-      region.test = [test](const AnyRegion::Position& x) { return (*test)(x)[0] != 0; };
-      region.by_centres = true;
-      return region;
-    }
-    if (at.dimension == 2) return AnyRegion::of<2>(detail::read_shape<2>(value, at));
-    return AnyRegion::of<3>(detail::read_shape<3>(value, at));
-  }
-};
+#endif
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -18,55 +18,28 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 /// An angle, rad; infinity: no slip.
 template <>
 struct Reader<Friction> {
-  static Friction read(const Value& value, const Reading& at) {
-    const double angle = arenite::read<double>(value, at);
-    return std::isinf(angle) && angle > 0 ? Friction::no_slip() : Friction(angle);
-  }
+  static Friction read(const Value&, const Reading&);
 };
 template <>
 struct Reader<BodyName> {
-  static BodyName read(const Value& value, const Reading& at) {
-    if (const auto* word = value.get<std::string>()) return word->c_str();
-    return arenite::read<std::size_t>(value, at);
-  }
+  static BodyName read(const Value&, const Reading&);
 };
 template <>
 struct Reader<Inertia> {
-  static Inertia read(const Value& value, const Reading& at) {
-    if (const double* x = value.get<double>()) return *x;
-    const auto n = detail::numbers(value, at);
-    if (n.size() == 3) return {n[0], n[1], n[2]};
-    if (n.size() == 6) return {n[0], n[1], n[2], n[3], n[4], n[5]};
-    at.refuse(value, "must be 1, 3 or 6 numbers");
-  }
+  static Inertia read(const Value&, const Reading&);
 };
 template <>
 struct Reader<SurfaceLoad> {
-  static SurfaceLoad read(const Value& value, const Reading& at) {
-    if (const Value* p = value.find("pressure"))
-      return SurfaceLoad(arenite::read<ScalarFunction>(*p, at / "pressure"));
-    if (const Value* t = value.find("traction"))
-      return SurfaceLoad(arenite::read<VectorFunction>(*t, at / "traction"));
-    at.refuse(value, "must be a pressure or a traction");
-  }
+  static SurfaceLoad read(const Value&, const Reading&);
 };
 /// As many numbers as the scene has dimensions.
 template <>
 struct Reader<Gravity> {
-  static Gravity read(const Value& value, const Reading& at) {
-    detail::refuse_unknown(detail::dict(value, at), std::array<std::string_view, 1>{"g"}, at);
-    const Value* g = value.find("g");
-    if (g == nullptr) return {};
-    return {.g = arenite::read<Triple>(*g, at / "g"),
-            .components = static_cast<int>(detail::numbers(*g, at / "g").size())};
-  }
+  static Gravity read(const Value&, const Reading&);
 };
 template <>
 struct Reader<Prescribed> {
-  static Prescribed read(const Value& value, const Reading& at) {
-    const auto f = arenite::read<VectorFunction>(value, at.renamed("Prescribed.velocity"));
-    return Prescribed([f](double time) { return f({}, time); });
-  }
+  static Prescribed read(const Value&, const Reading&);
 };
 template <class N>
 struct Reader<Coulomb<N>> {
@@ -86,9 +59,7 @@ struct Reader<Coulomb<N>> {
 
 template <>
 struct Reader<LinearElastic> {
-  static LinearElastic read(const Value& value, const Reading& at) {
-    return LinearElastic(arenite::read<LinearElasticParameters>(value, at.renamed("LinearElastic")));
-  }
+  static LinearElastic read(const Value&, const Reading&);
 };
 
 namespace detail {
@@ -219,10 +190,7 @@ struct Reader<Fill<L, name>> {
 /// It has nothing to give: what it sums begins at 0.
 template <>
 struct Reader<TrackEnergy> {
-  static TrackEnergy read(const Value& value, const Reading& at) {
-    detail::refuse_unknown(detail::dict(value, at), std::array<std::string_view, 0>{}, at);
-    return {};
-  }
+  static TrackEnergy read(const Value&, const Reading&);
 };
 /// Of lists: a value each.
 template <class... P>
@@ -240,5 +208,50 @@ struct Reader<PartGroup<P...>> {
     return {{arenite::read<P>((*list)[I], at[I])...}};
   }
 };
+
+#ifndef ARENITE_HOST_ELSEWHERE
+
+ARENITE_READER Friction Reader<Friction>::read(const Value& value, const Reading& at) {
+  const double angle = arenite::read<double>(value, at);
+  return std::isinf(angle) && angle > 0 ? Friction::no_slip() : Friction(angle);
+}
+ARENITE_READER BodyName Reader<BodyName>::read(const Value& value, const Reading& at) {
+  if (const auto* word = value.get<std::string>()) return word->c_str();
+  return arenite::read<std::size_t>(value, at);
+}
+ARENITE_READER Inertia Reader<Inertia>::read(const Value& value, const Reading& at) {
+  if (const double* x = value.get<double>()) return *x;
+  const auto n = detail::numbers(value, at);
+  if (n.size() == 3) return {n[0], n[1], n[2]};
+  if (n.size() == 6) return {n[0], n[1], n[2], n[3], n[4], n[5]};
+  at.refuse(value, "must be 1, 3 or 6 numbers");
+}
+ARENITE_READER SurfaceLoad Reader<SurfaceLoad>::read(const Value& value, const Reading& at) {
+  if (const Value* p = value.find("pressure"))
+    return SurfaceLoad(arenite::read<ScalarFunction>(*p, at / "pressure"));
+  if (const Value* t = value.find("traction"))
+    return SurfaceLoad(arenite::read<VectorFunction>(*t, at / "traction"));
+  at.refuse(value, "must be a pressure or a traction");
+}
+ARENITE_READER Gravity Reader<Gravity>::read(const Value& value, const Reading& at) {
+  detail::refuse_unknown(detail::dict(value, at), std::array<std::string_view, 1>{"g"}, at);
+  const Value* g = value.find("g");
+  if (g == nullptr) return {};
+  return {.g = arenite::read<Triple>(*g, at / "g"),
+          .components = static_cast<int>(detail::numbers(*g, at / "g").size())};
+}
+ARENITE_READER Prescribed Reader<Prescribed>::read(const Value& value, const Reading& at) {
+  const auto f = arenite::read<VectorFunction>(value, at.renamed("Prescribed.velocity"));
+  return Prescribed([f](double time) { return f({}, time); });
+}
+ARENITE_READER LinearElastic Reader<LinearElastic>::read(const Value& value, const Reading& at) {
+  return LinearElastic(arenite::read<LinearElasticParameters>(value, at.renamed("LinearElastic")));
+}
+ARENITE_READER TrackEnergy Reader<TrackEnergy>::read(const Value& value, const Reading& at) {
+  detail::refuse_unknown(detail::dict(value, at), std::array<std::string_view, 0>{}, at);
+  return {};
+}
+
+#endif
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -11,6 +11,14 @@
 #include <arenite/host/places_at_once.hpp>
 #include <arenite/host/value.hpp>
 
+// How a scene's recipes are read is compiled once for many scenes, if a program wants it: its units define
+// ARENITE_HOST_ELSEWHERE, and see declarations alone; one of them, of host/readers.hpp, defines ARENITE_HOST_HERE.
+#ifdef ARENITE_HOST_HERE
+#define ARENITE_READER
+#else
+#define ARENITE_READER inline
+#endif
+
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 /// What readers are handed: the name of the place for messages, and what the scene knows.

@@ -1,0 +1,4 @@
+// How recipes are read, whatever the scene: compiled once for each width of registers, for the prebuilt compositions and
+// for those that are compiled on first use.
+#define ARENITE_HOST_HERE
+#include <arenite/host/readers.hpp>

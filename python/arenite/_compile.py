@@ -4,7 +4,7 @@ The name of an object is a hash of all that decides it: the unit's text, compile
 file that the compiler read (a law's header and what it includes, the library, Eigen, the system's headers), as the
 compiler listed them when it last compiled the unit. One process at a time compiles one unit.
 
-How recipes are read does not depend on a scene's type: it is compiled once, into an object that the others are linked with.
+How recipes are read, and other cold code, does not depend on a scene's type: it is compiled once, into an object that the others are linked with.
 The package has one, which serves the compiler that made it; for another one it is made in the cache."""
 
 from __future__ import annotations
@@ -58,8 +58,8 @@ def _compiler_version(words: Tuple[str, ...], path: str) -> str:
 
 
 #: C++ of the object that scenes and laws are linked with, as python/native/host.cpp has it.
-HOST = "#define ARENITE_HOST_HERE\n#include <arenite/host/readers.hpp>\n"
-ELSEWHERE = "#define ARENITE_HOST_ELSEWHERE\n"
+HOST = "#define ARENITE_COLD_LIBRARY\n#define ARENITE_HOST_HERE\n#include <arenite/cold.hpp>\n#include <arenite/host/readers.hpp>\n"
+ELSEWHERE = "#define ARENITE_COLD_LIBRARY\n#define ARENITE_HOST_ELSEWHERE\n"
 
 
 def source(what: str, type_name: str, headers: Sequence[str]) -> str:

@@ -1,4 +1,5 @@
 // The parameters of recipes, which the host may ask for.
+#define ARENITE_COLD_LIBRARY
 #define ARENITE_HOST_ELSEWHERE
 #include <arenite/host/plugin.hpp>
 #include <arenite/host/read_recipes.hpp>

@@ -107,10 +107,13 @@ class Books {
     double carried = 0, limited = 0, pushed = 0;
     mass_ = 0;
     scene.for_each_body([&](const auto& body, const auto&) {
-      now += momentum(body);
+      Vec<long double, Scene::D> own =
+          Vec<long double, Scene::D>::Zero();  // many equal parts would round alike
       mass_ += mass(body);
       joined += body.inserted.momentum - body.removed.momentum;
       for (std::size_t p = 0; p < body.points.size(); ++p) {
+        own += static_cast<long double>(body.points.mass[p]) *
+               body.points.velocity[p].template cast<long double>();
         const auto& s = body.points.stress[p];
         const double size = static_cast<double>(scene.mesh.size(body.points.cell[p]));
         carried += static_cast<double>(body.points.mass[p] * body.points.velocity[p].norm());
@@ -120,6 +123,7 @@ class Books {
         pushed += static_cast<double>(body.points.volume[p]) *
                   std::sqrt(static_cast<double>(contract(s, s))) / size * scene.time_step;
       }
+      now += own.template cast<double>();
     });
     limited = scene.limited_momentum;
     V outside = scene.wall_impulse.template cast<double>();

@@ -57,8 +57,8 @@ void add(const std::string& word, const Law& law) {
   constexpr bool yields = knows_yield<Law, T, D>;
   for (const double yielding : {0.0, 0.6}) {
     if (yielding > 0 && !yields) continue;
-    const std::string name = joined_text({"law/", word, "/", D, "d/", sizeof(T) == 4 ? "float" : "double", "/",
-                                         yielding > 0 ? "yielding" : "elastic"});
+    const std::string name = joined_text({"law/", word, "/", D, "d/", sizeof(T) == 4 ? "float" : "double",
+                                          "/", yielding > 0 ? "yielding" : "elastic"});
     add_width<1, T, D>(name, law, yielding);
     add_width<2, T, D>(name, law, yielding);
     add_width<4, T, D>(name, law, yielding);
@@ -94,7 +94,7 @@ template <class T, class Rival, class Law>
 void add_rival(const std::string& word, const Rival& rival, const Law& law) {
   for (const double yielding : {0.0, 0.6})
     benchmark::RegisterBenchmark(joined_text({"law/", word, "/3d/", sizeof(T) == 4 ? "float" : "double", "/",
-                                             yielding > 0 ? "yielding" : "elastic", "/rival"})
+                                              yielding > 0 ? "yielding" : "elastic", "/rival"})
                                      .c_str(),
                                  [=](benchmark::State& state) {
                                    auto states = law_states<T, 3>(law, yielding);

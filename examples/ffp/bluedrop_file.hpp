@@ -122,7 +122,7 @@ inline Measurement read_bluedrop(const std::filesystem::path& path, const Reduce
       arenite::shared_detail::check_input(path, "FILE", arenite::shared_detail::any_size, file);
   require(size == wanted, file, joined_text({size, " bytes"}),
           {"a BlueDrop's record has ", wanted, ": ", bluedrop_rows, " rows of ", bluedrop_columns,
-                      " integers of ", bluedrop_bytes, " bytes"});
+           " integers of ", bluedrop_bytes, " bytes"});
   const std::string bytes = arenite::shared_detail::read_input(path, "FILE", wanted, file);
   require(bytes.size() == wanted, "FILE", file, "cannot be read");
   const auto raw = [&](std::size_t row, std::size_t column) {
@@ -154,15 +154,15 @@ inline Measurement read_bluedrop(const std::filesystem::path& path, const Reduce
     for (std::size_t row = 0; row < bluedrop_rows; ++row)
       m.time.push_back(static_cast<double>(row) / bluedrop_rate);
     m.notes.push_back(joined_text({"accelerometer of ", a.name, ", the smallest that does not clip",
-                                  clipped.empty() ? "" : " (clipped: " + clipped + ")", "; scale ", a.scale,
-                                  " counts a g, offset ", a.offset}));
+                                   clipped.empty() ? "" : " (clipped: " + clipped + ")", "; scale ", a.scale,
+                                   " counts a g, offset ", a.offset}));
     if (calibration.is_sample[k])
-      m.notes.push_back(joined_text({"the scale of ", a.name,
-                                    " is a sample that belongs to no probe; give --calibration or --scale"}));
+      m.notes.push_back(joined_text(
+          {"the scale of ", a.name, " is a sample that belongs to no probe; give --calibration or --scale"}));
     return m;
   }
-  throw error(joined_text({file, ": every accelerometer clips (", clipped,
-                          "); are scales and offsets those of the probe?"}));
+  throw error(joined_text(
+      {file, ": every accelerometer clips (", clipped, "); are scales and offsets those of the probe?"}));
 }
 
 }  // namespace arenite::ffp

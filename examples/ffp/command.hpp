@@ -18,7 +18,7 @@ using Command = std::variant<DropOptions, ReduceOptions, PaperOptions>;
 /// Throws `error`: there is no command of this name.
 [[noreturn]] inline void refuse_command(const std::string& command) {
   throw error(joined_text({"command: must be drop, reduce or paper, not ",
-                          command.empty() ? "nothing" : shown(command), "; see arenite-ffp --help"}));
+                           command.empty() ? "nothing" : shown(command), "; see arenite-ffp --help"}));
 }
 
 }  // namespace arenite::ffp

@@ -80,7 +80,7 @@ inline Estimate friction_angle(const Estimate& density, double vertical_stress, 
              {},
              "deg",
              joined_text({"Duncan, after Albatal 2020: 34 + 10 D - (", c, " + ", d,
-                         " D) log10(stress / p_atm), by grading"}),
+                          " D) log10(stress / p_atm), by grading"}),
              "triaxial tests; less than 10 kPa is extrapolated (our limit)"};
   constexpr double atmosphere = 101.325;  // kPa
   if (!density.value || !(vertical_stress > 0)) {

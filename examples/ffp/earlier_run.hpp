@@ -31,7 +31,7 @@ inline std::string first_difference(const Json& there, const Json& here) {
   for (const auto& [key, value] : here.items())
     if (!there.contains(key) || there[key] != value)
       return joined_text({key, " is ", there.contains(key) ? json_text(there[key]) : "nothing", " there, ",
-                         json_text(value), " here"});
+                          json_text(value), " here"});
   return "the file of the mesh has changed";
 }
 

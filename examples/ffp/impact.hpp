@@ -65,19 +65,18 @@ class ImpactSearch {
   double impact() const {
     if (s_.impact_time) {
       require(*s_.impact_time >= m_.time.front() && *s_.impact_time < m_.time.back(), "--impact-time",
-              *s_.impact_time,
-              {"must lie in the record, [", m_.time.front(), ", ", m_.time.back(), ") s"});
+              *s_.impact_time, {"must lie in the record, [", m_.time.front(), ", ", m_.time.back(), ") s"});
       return *s_.impact_time;
     }
     const double level = s_.threshold * s_.gravity;
     const auto before = last_at_most(filtered_, peak_, level);
     if (!before)
       throw error(joined_text({"no sample before the peak lies at or below ", s_.threshold,
-                              " g, so that the impact cannot be found, in ",
-                              rounded(m_.time.back() - m_.time.front()), " s with a peak of ",
-                              rounded(filtered_[peak_] / s_.gravity),
-                              " g; are these units and sign (--invert) of the record? Else give "
-                              "--impact-time, or another --threshold"}));
+                               " g, so that the impact cannot be found, in ",
+                               rounded(m_.time.back() - m_.time.front()), " s with a peak of ",
+                               rounded(filtered_[peak_] / s_.gravity),
+                               " g; are these units and sign (--invert) of the record? Else give "
+                               "--impact-time, or another --threshold"}));
     // The filter smears the rise over its window: the samples tell where in it.
     std::size_t until = *before;
     while (until + 1 < peak_ && m_.time[until + 1] <= m_.time[*before] + s_.window) ++until;

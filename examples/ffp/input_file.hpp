@@ -57,8 +57,7 @@ inline bool is_no_option(const std::string& key, const Json& value, const Json& 
   if (key == "mesh") return value == "generated";
   if (key == "fillet_m") return value == 0 && all.value("shoulder", Json()) != "fillet";
   if (key != "gravity_m_s2") return false;
-  require(value == standard_gravity, "gravity_m_s2", json_text(value),
-          {"must be ", standard_gravity});
+  require(value == standard_gravity, "gravity_m_s2", json_text(value), {"must be ", standard_gravity});
   return true;
 }
 

@@ -108,9 +108,9 @@ NamedColumn pick_column(const TableReader& table, const char* quantity, const Co
     }
   }
   if (rival > 0)
-    throw error(joined_text({table.file(), ": columns ", shown(header[found.place]), " and ",
-                            shown(header[rival]), " may both be the ", quantity,
-                            "; leave the one that is meant"}));
+    throw error(
+        joined_text({table.file(), ": columns ", shown(header[found.place]), " and ", shown(header[rival]),
+                     " may both be the ", quantity, "; leave the one that is meant"}));
   return found;
 }
 
@@ -150,15 +150,16 @@ inline Measurement read_measurement_table(const std::filesystem::path& path, con
            int{std::ranges::any_of(names, is_quantity(of_deceleration))};
   };
   const bool found = table.find_header(2, count);
-  if (table.line() == 0) throw error(joined_text({file, ": must be a file that can be read and is not empty"}));
+  if (table.line() == 0)
+    throw error(joined_text({file, ": must be a file that can be read and is not empty"}));
   auto time = detail::pick_column(table, "time", of_time),
        deceleration = detail::pick_column(table, "deceleration", of_deceleration);
   if (!found)
     throw error(
         joined_text({file, ": has no column of ", !time.is_quantity ? "time (time_s, time_ms, t ..)" : "",
-                    !time.is_quantity && !deceleration.is_quantity ? " nor one of " : "",
-                    !deceleration.is_quantity ? "deceleration (deceleration_g, acceleration_m_s2 ..)" : "",
-                    header.empty() ? "" : "; its columns: ", detail::joined_names(header)}));
+                     !time.is_quantity && !deceleration.is_quantity ? " nor one of " : "",
+                     !deceleration.is_quantity ? "deceleration (deceleration_g, acceleration_m_s2 ..)" : "",
+                     header.empty() ? "" : "; its columns: ", detail::joined_names(header)}));
   Measurement m;
   for (bool first = true; table.next(); first = false) {
     const auto is_number = [&](const detail::NamedColumn& c) {
@@ -171,7 +172,8 @@ inline Measurement read_measurement_table(const std::filesystem::path& path, con
     }
     const double t = table.number(time.place), a = table.number(deceleration.place);
     if (!m.time.empty() && !(t > m.time.back()))
-      table.refuse(time.place, joined_text({"must be greater than the time before, ", exactly(m.time.back())}));
+      table.refuse(time.place,
+                   joined_text({"must be greater than the time before, ", exactly(m.time.back())}));
     m.time.push_back(t);
     m.deceleration.push_back(a);
   }
@@ -187,8 +189,8 @@ inline Measurement read_measurement_table(const std::filesystem::path& path, con
   for (double& t : m.time) t *= time_unit;
   for (double& a : m.deceleration) a *= deceleration_unit;
   m.notes.push_back(joined_text({"columns: time is ", shown(header[time.place]), " (times ", time_unit,
-                                " s), deceleration is ", shown(header[deceleration.place]), " (times ",
-                                deceleration_unit, " m/s^2); ", m.time.size(), " rows"}));
+                                 " s), deceleration is ", shown(header[deceleration.place]), " (times ",
+                                 deceleration_unit, " m/s^2); ", m.time.size(), " rows"}));
   return m;
 }
 

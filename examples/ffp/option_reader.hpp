@@ -78,9 +78,9 @@ inline bool parse_words(CLI::App& app, const OptionAdder& adder, const std::vect
     throw error(joined_text({"command line: ", shown(e.what())}));
   }
   for (const auto& word : app.remaining(true))
-    throw error(joined_text({shown(word),
-                            word.starts_with("-") ? ": no such option" : ": a word without an option",
-                            "; see ", app.get_name(), " --help"}));
+    throw error(
+        joined_text({shown(word), word.starts_with("-") ? ": no such option" : ": a word without an option",
+                     "; see ", app.get_name(), " --help"}));
   return true;
 }
 

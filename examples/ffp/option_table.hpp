@@ -197,8 +197,8 @@ inline void check(const DropOptions& o) {
     require(o.device == DeviceKind::rigid && o.contact_kind() == ContactKind::rigid && o.averages(), "--law",
             word_of(law_words, o.law.kind), "needs --device rigid, --contact rigid and --anti-locking on");
   require(o.k0 || (o.earth_pressure() >= 0 && o.earth_pressure() <= 3), "--poisson", exactly(o.poisson),
-          {"must give an earth pressure at rest poisson / (1 - poisson) in [0, 3], not ",
-                      o.earth_pressure(), ", unless --k0 is given"});
+          {"must give an earth pressure at rest poisson / (1 - poisson) in [0, 3], not ", o.earth_pressure(),
+           ", unless --k0 is given"});
   require(o.contact_offset == 0 || o.mesh.empty(), "--contact-offset", exactly(o.contact_offset),
           "goes without --mesh");
   if (!o.mesh.empty())
@@ -222,11 +222,11 @@ inline void check(const DropOptions& o) {
     require(o.mesh.empty(), "--mesh", shown(o.mesh), "goes without --error-bar, which needs coarser meshes");
     require(o.cell <= largest_cell_with_bar, "--cell", o.cell,
             {"must be at most ", largest_cell_with_bar,
-                        " m with --error-bar, which runs drops at twice the cell"});
+             " m with --error-bar, which runs drops at twice the cell"});
   }
   require(o.fields_every == 0 || o.end / o.fields_every <= most_fields, "--fields-every", o.fields_every,
           {"must be 0, for none, or at least ", o.end / most_fields, " s, for ", most_fields,
-                      " sets of files until --end = ", o.end, " s"});
+           " sets of files until --end = ", o.end, " s"});
   require(!o.out.empty(), "--out", "\"\"", "must name a folder");
 }
 

@@ -47,7 +47,7 @@ inline bool run_script(const std::string& name, const std::vector<std::string>& 
   std::error_code code;
   if (script.empty() || !std::filesystem::exists(python, code)) {
     say(joined_text({script.empty() ? name : std::string{python},
-                    " is not there, so nothing is drawn; the command: ", command}));
+                     " is not there, so nothing is drawn; the command: ", command}));
     return false;
   }
   std::vector<std::string> words{python, script.string()};

@@ -18,8 +18,8 @@ struct Range {
   }
   /// As in "(0, 50] m/s".
   std::string text() const {
-    return joined_text({holds_low ? '[' : '(', low, ", ", high, holds_high ? ']' : ')', *unit ? " " : "",
-                       unit});
+    return joined_text(
+        {holds_low ? '[' : '(', low, ", ", high, holds_high ? ']' : ')', *unit ? " " : "", unit});
   }
 };
 

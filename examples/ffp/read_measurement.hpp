@@ -38,8 +38,8 @@ inline Measurement read_measurement_of_drop(const std::filesystem::path& folder,
   try {
     if (const std::string status = summary.value("status", "done"); status != "done")
       throw error(joined_text({"FILE = ", name, ": status = ", shown(status), ": must be done",
-                              status == "running" ? ", and not still run or have been killed" : "",
-                              "; reduce ", name, "/history.csv as a table reads what there is"}));
+                               status == "running" ? ", and not still run or have been killed" : "",
+                               "; reduce ", name, "/history.csv as a table reads what there is"}));
     const Json& inputs = summary.at("inputs");
     const auto number = [&](const char* key) { return inputs.at(key).get<double>(); };
     DropFacts facts{.impact_velocity = number("velocity_m_s"),

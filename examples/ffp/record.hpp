@@ -285,7 +285,7 @@ void record(const DropOptions& o, const Make& make) {
                                   earlier.has_state ? RunFolder::Earlier::kept : RunFolder::Earlier::removed);
   if (!o.quiet)
     say(joined_text({"about ", rounded(expected.steps), " steps of ", rounded(expected.length), " s, ",
-                    scene.point_count(), " points"}));
+                     scene.point_count(), " points"}));
   if (earlier.has_state)
     run.resume(std::move(earlier));
   else if (o.resume && !o.quiet)

@@ -156,28 +156,28 @@ inline void add_warnings(Reduction& r, const ReduceOptions& o, const Measurement
     }
     if (r.depth_without_offset && std::abs(*r.depth_without_offset / r.greatest_depth - 1) > 0.02)
       r.warnings.push_back(joined_text({"the accelerometer is off by ", g(*offset), " g at rest ",
-                                       levels.before ? "before the release" : "after the end",
-                                       ": with that taken off (--zero-at-rest) the depth is ",
-                                       rounded(*r.depth_without_offset * 100), " cm, not ",
-                                       rounded(r.greatest_depth * 100), " cm"}));
+                                        levels.before ? "before the release" : "after the end",
+                                        ": with that taken off (--zero-at-rest) the depth is ",
+                                        rounded(*r.depth_without_offset * 100), " cm, not ",
+                                        rounded(r.greatest_depth * 100), " cm"}));
   }
   if (fits && levels.before && levels.after && std::abs(*levels.before - *levels.after) > 0.05)
-    r.warnings.push_back(joined_text({"the rests differ: ", g(*levels.before), " g before the release, ",
-                                     g(*levels.after),
-                                     " g after the end; does the penetrometer lean, or did the accelerometer "
-                                     "shift? --zero-at-rest takes the former"}));
+    r.warnings.push_back(
+        joined_text({"the rests differ: ", g(*levels.before), " g before the release, ", g(*levels.after),
+                     " g after the end; does the penetrometer lean, or did the accelerometer "
+                     "shift? --zero-at-rest takes the former"}));
   if (fits && offset && levels.fall && o.medium == Medium::air && std::abs(*offset - *levels.fall - 1) > 0.03)
-    r.warnings.push_back(joined_text({
-        "between rest and fall the record changes by ", g(*offset - *levels.fall),
-        " g, in free fall by 1 g; are scale and --gravity those of the record, and is the fall free?"}));
+    r.warnings.push_back(joined_text(
+        {"between rest and fall the record changes by ", g(*offset - *levels.fall),
+         " g, in free fall by 1 g; are scale and --gravity those of the record, and is the fall free?"}));
   const Motion& m = r.motion;
   if (r.warnings.empty() && m.velocity_left && std::abs(*m.velocity_left) > 0.05 * m.impact_velocity)
-    r.warnings.push_back(joined_text({"the integral leaves ", rounded(*m.velocity_left), " m/s at rest, of ",
-                                     rounded(m.impact_velocity),
-                                     " m/s at the impact: velocity and depth are as uncertain"}));
+    r.warnings.push_back(
+        joined_text({"the integral leaves ", rounded(*m.velocity_left), " m/s at rest, of ",
+                     rounded(m.impact_velocity), " m/s at the impact: velocity and depth are as uncertain"}));
   if (m.impact_velocity < 0.1)
     r.warnings.push_back(joined_text({"the velocity at the impact is ", rounded(m.impact_velocity),
-                                     " m/s; is the unit of the time that of the record (--time-unit)?"}));
+                                      " m/s; is the unit of the time that of the record (--time-unit)?"}));
   const double fall = m.impact_velocity / r.gravity;
   for (auto& text : sampling_warnings(record, m.impact_time - fall, m.impact_time,
                                       m.impact_time + m.stop.value_or(m.time.back()), r.gravity))

@@ -162,12 +162,12 @@ inline void print_table(const Reduction& r, const ReduceOptions& o, std::ostream
   for (const std::string& note : r.notes) row("note", note);
   for (const std::string& warning : r.warnings) row("warning", warning);
   row("impact", joined_text({"at ", m.impact_time, " s of the record (", m.impact_from, "), ",
-                            rounded(m.impact_velocity), " m/s (", m.velocity_from, ")"}));
+                             rounded(m.impact_velocity), " m/s (", m.velocity_from, ")"}));
   if (m.velocity_left)
     row("velocity left at rest", joined_text({rounded(*m.velocity_left), " m/s: what the integral misses"}));
   row("depth", joined_text({rounded(r.greatest_depth * 100), " cm",
-                           m.stop ? joined_text({", reached in ", rounded(*m.stop * 1e3), " ms"})
-                                  : std::string{"; the record ends before rest"}}));
+                            m.stop ? joined_text({", reached in ", rounded(*m.stop * 1e3), " ms"})
+                                   : std::string{"; the record ends before rest"}}));
   if (const std::string levels = text_of(r.levels); !levels.empty())
     row("levels", levels + " (net: 0, -1 and 0)" +
                       (r.taken_off != 0 ? "; taken off: " + rounded(r.taken_off / r.gravity) + " g" : ""));
@@ -175,8 +175,8 @@ inline void print_table(const Reduction& r, const ReduceOptions& o, std::ostream
     row("depth, offset taken off", rounded(*r.depth_without_offset * 100) + " cm (--zero-at-rest)");
   row("peak deceleration",
       joined_text({rounded(r.peak_g()), " g at ", rounded(m.time[r.peak] * 1e3), " ms and ",
-                  rounded(m.depth[r.peak] * 100), " cm",
-                  o.window > 0 ? joined_text({" (mean over ", o.window * 1e3, " ms)"}) : ""}));
+                   rounded(m.depth[r.peak] * 100), " cm",
+                   o.window > 0 ? joined_text({" (mean over ", o.window * 1e3, " ms)"}) : ""}));
   out << '\n'
       << padded("kPa, largest below " + rounded(o.from_depth * 100) + " cm | at the peak", 40)
       << padded("by mantle", 20) << padded("by section", 20) << '\n';

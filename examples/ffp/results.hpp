@@ -110,10 +110,10 @@ inline DropFigures figures_of(const std::vector<HistoryRow>& history, double win
 /// What a drop came to, in one line.
 inline std::string sentence_of(const DropFigures& f, const std::string& folder) {
   return joined_text({"The penetrometer stands at ", rounded(f.final_penetration_m), " m at ",
-                     rounded(f.end_s * 1e3), " ms (deepest: ", rounded(f.max_penetration_m), " m at ",
-                     rounded(f.max_penetration_time_s * 1e3), " ms); its deceleration peaked at ",
-                     rounded(f.peak.value_g), " g at ", rounded(f.peak.time_s * 1e3), " ms and ",
-                     rounded(f.peak.penetration_m), " m. Files: ", shown(folder)});
+                      rounded(f.end_s * 1e3), " ms (deepest: ", rounded(f.max_penetration_m), " m at ",
+                      rounded(f.max_penetration_time_s * 1e3), " ms); its deceleration peaked at ",
+                      rounded(f.peak.value_g), " g at ", rounded(f.peak.time_s * 1e3), " ms and ",
+                      rounded(f.peak.penetration_m), " m. Files: ", shown(folder)});
 }
 
 /// All inputs of a drop, the derived ones too, by the names of their options.

@@ -117,7 +117,7 @@ class RunFolder {
   [[noreturn]] void refuse_lock(const std::string& what) {
     if (lock_ >= 0) ::close(std::exchange(lock_, -1));
     throw error(joined_text({"--out = ", name_, ": .arenite-ffp.lock ", what,
-                            ", and no lock of a drop; remove it, or name another folder"}));
+                             ", and no lock of a drop; remove it, or name another folder"}));
   }
 
   void lock() const {
@@ -129,7 +129,7 @@ class RunFolder {
     if (reason == EACCES || reason == EAGAIN) {
       ::fcntl(lock_, F_GETLK, &whole);
       throw error(joined_text({"--out = ", name_, ": is in use by the drop with process id ",
-                              whole.l_type == F_UNLCK ? 0 : whole.l_pid}));
+                               whole.l_type == F_UNLCK ? 0 : whole.l_pid}));
     }
     std::fprintf(
         stderr,

@@ -26,8 +26,8 @@ inline std::vector<std::string> sampling_warnings(const Measurement& m, double r
   const std::size_t first = at(release), end = at(rest), hit = at(impact);
   if (end - hit < 10)
     warnings.push_back(joined_text({"there are ", end - hit,
-                                   " samples between impact and rest, too few for a peak or a depth; "
-                                   "is the unit of the time that of the record (--time-unit)?"}));
+                                    " samples between impact and rest, too few for a peak or a depth; "
+                                    "is the unit of the time that of the record (--time-unit)?"}));
   if (end - first < 4 || end == hit) return warnings;
 
   std::vector<double> intervals;
@@ -40,10 +40,10 @@ inline std::vector<std::string> sampling_warnings(const Measurement& m, double r
   std::nth_element(intervals.begin(), usual, intervals.end());
   const double gap = m.time[widest] - m.time[widest - 1];
   if (gap > 1.5 * *usual)
-    warnings.push_back(joined_text({"the record has a gap of ", rounded(gap * 1e3), " ms at ",
-                                   m.time[widest - 1], " s, where others have at most ",
-                                   rounded(*usual * 1e3),
-                                   " ms between samples; it is taken as straight there"}));
+    warnings.push_back(
+        joined_text({"the record has a gap of ", rounded(gap * 1e3), " ms at ", m.time[widest - 1],
+                     " s, where others have at most ", rounded(*usual * 1e3),
+                     " ms between samples; it is taken as straight there"}));
 
   // Equal samples at the largest, which end with a jump: the top of a curve ends with the resolution's steps.
   const auto& a = m.deceleration;
@@ -58,9 +58,9 @@ inline std::vector<std::string> sampling_warnings(const Measurement& m, double r
   const double before = begin > 0 ? *largest - a[begin - 1] : 0,
                after = behind < a.size() ? *largest - a[behind] : 0;
   if (behind - begin >= 4 && std::max(before, after) > 3 * step)
-    warnings.push_back(joined_text({
-        "the record stays at its largest, ", rounded(*largest / gravity), " g, for ", behind - begin,
-        " samples, as an accelerometer at the end of its range: the peak is larger, the depth less"}));
+    warnings.push_back(joined_text(
+        {"the record stays at its largest, ", rounded(*largest / gravity), " g, for ", behind - begin,
+         " samples, as an accelerometer at the end of its range: the peak is larger, the depth less"}));
   return warnings;
 }
 

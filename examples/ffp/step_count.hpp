@@ -74,8 +74,8 @@ StepCount accepted_step_count(const Scene& scene, const DropOptions& o) {
   auto smallest = scene.mesh.size(0);
   for (Index c = 1; c < scene.mesh.cell_count(); ++c) smallest = std::min(smallest, scene.mesh.size(c));
   throw error(joined_text({cause_of_steps(o, smallest), ": makes the run take about ", rounded(count.steps),
-                          " steps of ", rounded(count.length), " s; must be at most ", rounded(most_steps),
-                          " steps, or --force be given"}));
+                           " steps of ", rounded(count.length), " s; must be at most ", rounded(most_steps),
+                           " steps, or --force be given"}));
 }
 
 }  // namespace arenite::ffp

@@ -47,7 +47,7 @@ inline bool next_row(std::istream& in, std::string& line, const std::string& fil
     line += static_cast<char>(c);
     if (line.size() > most_row_bytes)
       throw error(joined_text({file, ": has a row of more than ",
-                              arenite::shared_detail::size_text(most_row_bytes), ": is no table"}));
+                               arenite::shared_detail::size_text(most_row_bytes), ": is no table"}));
   }
   if (!line.empty()) in.clear(std::ios::eofbit);
   return !line.empty();
@@ -135,8 +135,8 @@ class TableReader {
       if (numbers && most > 0) return false;
       if (numbers)
         throw error(joined_text({file_, ": line ", row_,
-                                " is a row of numbers, and no header names the columns; put a line such as "
-                                "\"time_s,deceleration_g\" first"}));
+                                 " is a row of numbers, and no header names the columns; put a line such as "
+                                 "\"time_s,deceleration_g\" first"}));
     }
     return false;
   }
@@ -152,7 +152,7 @@ class TableReader {
     while (fields_.size() > header_.size() && fields_.back().empty()) fields_.pop_back();
     if (fields_.size() != header_.size())
       refuse(joined_text({", number of fields = ", fields_.size(), ": must be ", header_.size(),
-                         ", as in the header"}),
+                          ", as in the header"}),
              separator_ == ',' ? "; numbers with decimal commas need semicolons between them" : "");
     return true;
   }
@@ -170,8 +170,8 @@ class TableReader {
     if (comma && comma_line_ == 0) comma_line_ = row_;
     if (point && point_line_ == 0) point_line_ = row_;
     if ((comma || point) && comma_line_ > 0 && point_line_ > 0)
-      refuse(column, joined_text({"a file has one decimal mark and none between thousands; line ", comma_line_,
-                                 " has a comma, line ", point_line_, " a point"}));
+      refuse(column, joined_text({"a file has one decimal mark and none between thousands; line ",
+                                  comma_line_, " has a comma, line ", point_line_, " a point"}));
     const auto value = detail::number_with_comma(text);
     if (!value || !std::isfinite(*value))
       refuse(column, text.find(':') == std::string::npos
@@ -212,8 +212,8 @@ class TableReader {
   bool finished() const {
     if (!decimal_comma_ && !ambiguous_.empty())
       throw error(joined_text({file_, ": line ", comma_line_, ": ", shown(ambiguous_),
-                              " may have a decimal comma, or a mark between thousands, and no other number "
-                              "tells; write points"}));
+                               " may have a decimal comma, or a mark between thousands, and no other number "
+                               "tells; write points"}));
     return false;
   }
 

@@ -45,8 +45,8 @@ class ValueReader : public OptionVisitor<ValueReader> {
   /// Throws `error` for a value that no option has taken.
   void finish(const std::string& command) const {
     for (const auto& [name, value] : given_)
-      throw error(joined_text({shown(value.is_boolean() ? name : name + "=" + text_of(value)),
-                              ": no such option of ", command}));
+      throw error(joined_text(
+          {shown(value.is_boolean() ? name : name + "=" + text_of(value)), ": no such option of ", command}));
   }
   /// Objects of "option", "takes" (empty: a flag), "group" and "help".
   const Json& options() const { return options_; }

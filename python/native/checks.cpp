@@ -123,8 +123,7 @@ void check_fill(const Value& values) {
   options.check();
   options.velocity.at<double, 3>(Vec<double, 3>::Zero());
   for (const auto& [name, number] : options.history)
-    require(std::isfinite(number({})), {"FillOptions.history, ", name}, number({}),
-            "must be finite");
+    require(std::isfinite(number({})), {"FillOptions.history, ", name}, number({}), "must be finite");
 }
 void check_absorbing(const Value& values) {
   read<AbsorbingFaces>(values, Reading{.name = "Absorbing"}).options.check("Absorbing");

@@ -80,7 +80,7 @@ inline std::string name_of(py::object f) {
   const py::object code = f.attr("__code__");
   const auto file = code.attr("co_filename").cast<std::string>();
   return joined_text({name, " (", file.substr(file.find_last_of('/') + 1), ":",
-                     code.attr("co_firstlineno").cast<int>(), ")"});
+                      code.attr("co_firstlineno").cast<int>(), ")"});
 }
 
 /// Numbers of any real type, or bools, in rows. Nothing, texts and objects are none, though NumPy makes
@@ -121,7 +121,7 @@ inline HostFunction function_of(py::object callable) {
       const py::object out = (*held)(numpy_of(in.numbers, std::move(shape)));
       if (auto a = numbers_of(out)) return *std::move(a);
       throw error(joined_text({"function = ", name_of(*held), ": returned ", text_of(out),
-                              ": must return numbers, a row for each of ", in.rows(), " rows"}));
+                               ": must return numbers, a row for each of ", in.rows(), " rows"}));
     } catch (...) {
       if (may_throw()) throw;
       Raised::instance().keep(std::current_exception());
@@ -157,8 +157,8 @@ inline Value value_of(py::handle object) {
   const double number = PyFloat_AsDouble(object.ptr());  // numbers of any kind
   if (PyErr_Occurred() == nullptr) return number;
   PyErr_Clear();
-  throw error(joined_text({"value = ", text_of(object),
-                          ": must be a number, a word, a list, an array, a function or a recipe"}));
+  throw error(joined_text(
+      {"value = ", text_of(object), ": must be a number, a word, a list, an array, a function or a recipe"}));
 }
 
 }  // namespace arenite::python

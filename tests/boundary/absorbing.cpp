@@ -101,7 +101,8 @@ TEST_CASE("Of plane waves at a right angle a thousandth of the energy comes back
         INFO(name << (shear ? ", S, " : ", P, ") << length / h << " cells");
         CHECK(share <= (length < 0.2 ? 0.04 : 0.002));  // shorter waves also disperse on the way
         validation.value(joined_text({name, shear ? "; S" : "; P"}),
-                         joined_text({"energy reflected of a wave of ", length / h, " cells"}), "-", share, 0);
+                         joined_text({"energy reflected of a wave of ", length / h, " cells"}), "-", share,
+                         0);
       }
     }
   };

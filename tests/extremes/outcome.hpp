@@ -36,8 +36,8 @@ struct Outcome {
   std::string message{};
   std::string text() const {
     return joined_text({ending_names[static_cast<std::size_t>(ending)], " energy=", energy,
-                       " momentum=", momentum, " V/V0=", volume, " lost=", lost, " steps=", steps,
-                       message.empty() ? "" : " | ", message});
+                        " momentum=", momentum, " V/V0=", volume, " lost=", lost, " steps=", steps,
+                        message.empty() ? "" : " | ", message});
   }
 };
 

@@ -29,7 +29,8 @@ inline void run_scenes(const char* unit, const std::vector<Composition>& composi
     Draw draw(seed);
     const std::string text = draw.text();
     const Outcome outcome = composition.run(draw);
-    const std::string replay = joined_text({"replay: ARENITE_EXTREMES=\"", seed, " 1\" test.extremes.", unit});
+    const std::string replay =
+        joined_text({"replay: ARENITE_EXTREMES=\"", seed, " 1\" test.extremes.", unit});
     CAPTURE(composition.name, outcome.text(), text, replay);
     if (wanted) {
       std::printf("scene\t%s\t%s\t%llu\t%s\t%s\n", composition.name,

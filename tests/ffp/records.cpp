@@ -128,11 +128,10 @@ TEST_CASE("a table that may be read in two ways, or in none, is refused with its
   REQUIRE(holds(of(head + "0,0\n1\n"), "line 3, number of fields = 1"));
   // Thousands.
   for (const char* number : {"1.234,5", "1,234.5"})
-    REQUIRE(
-        of(european + "0;" + number + "\n") ==
-        joined_text({
-            "t.csv: line 2, column deceleration_g = ", number,
-            ": a file has one decimal mark and none between thousands; line 2 has a comma, line 2 a point"}));
+    REQUIRE(of(european + "0;" + number + "\n") ==
+            joined_text({"t.csv: line 2, column deceleration_g = ", number,
+                         ": a file has one decimal mark and none between thousands; line 2 has a comma, line "
+                         "2 a point"}));
   REQUIRE(holds(of(european + "0,5;1\n1;1.5\n"),
                 "line 3, column deceleration_g = 1.5: a file has one decimal mark"));
   REQUIRE(of(european + "1,000;-1\n1,001;20\n") ==

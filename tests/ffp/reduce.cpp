@@ -268,8 +268,8 @@ TEST_CASE("columns are found by many names; what is missing is said") {
   const auto with = [&](const std::string& header, double time, double unit, const char* mark) {
     std::string text = header + "\n";
     for (std::size_t i = 0; i < record.size(); ++i)
-      text += joined_text({static_cast<double>(i), mark, static_cast<double>(i) * step / time, mark,
-                          record[i] / unit, "\n"});
+      text += joined_text(
+          {static_cast<double>(i), mark, static_cast<double>(i) * step / time, mark, record[i] / unit, "\n"});
     return written("named.csv", text);
   };
   REQUIRE(std::abs(reduced(with("row,Time (ms),Decel [g]", 1e-3, g, ",")).greatest_depth - depth) < 1e-8);

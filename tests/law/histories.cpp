@@ -39,7 +39,7 @@ struct Constants {
 
   std::string text() const {
     return joined_text({"young ", young, ", poisson ", poisson, ", friction ", friction, ", dilatancy ",
-                       dilatancy, ", cohesion ", cohesion, ", tension ", tension});
+                        dilatancy, ", cohesion ", cohesion, ", tension ", tension});
   }
   MohrCoulombParameters mohr_coulomb() const {
     return {.density = 1,

@@ -177,8 +177,8 @@ auto bar(M mesh, double drift, const Parts&... parts) {
 TEST_CASE("A column settles on equal, on growing and on moving cells alike", "[heavy]") {
   test::Validation validation("rectilinear");
   const auto note = [&](const char* name, const std::pair<double, std::size_t>& found) {
-    validation.value(name, joined_text({"worst vertical stress; ", found.second, " steps"}), "of the greatest",
-                     found.first, 0);
+    validation.value(name, joined_text({"worst vertical stress; ", found.second, " steps"}),
+                     "of the greatest", found.first, 0);
     return found;
   };
   const Numerics<QuadraticBSpline, Flip, Musl> numerics{};

@@ -374,7 +374,8 @@ TEST_CASE("Volume, stress and lost points: a tenth warns once, the limit stops, 
   body.lost = points.size() / 50;
   s = said([&] { watch.look(scene); });
   REQUIRE(s.warnings.size() == 1);
-  CHECK(has(s.warnings[0], joined_text({"body 0: ", body.lost, " of ", body.lost + points.size(), " points"})));
+  CHECK(
+      has(s.warnings[0], joined_text({"body 0: ", body.lost, " of ", body.lost + points.size(), " points"})));
   body.lost = points.size() / 5;
   CHECK(has(said([&] { watch.look(scene); }).error, "lost = 0.16"));
   body.lost = 0;

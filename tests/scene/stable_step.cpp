@@ -106,7 +106,7 @@ TEST_CASE("step: a length that is none is refused, one above the stable step is 
     });
     REQUIRE(texts.size() == 1);
     CHECK(has(texts[0], joined_text({"t = 0 s, step 1: dt = ", times * bears, " s is ", times,
-                                    " times the stable step of ", bears, " s"})));
+                                     " times the stable step of ", bears, " s"})));
     CHECK_THROWS_AS(step(other, 0), error);
   }
   // At any step: a longer one at once, a stable step that has fallen within 64.

@@ -69,8 +69,8 @@ class BoundFrictionalWall {
       });
       faces_.push_back(std::move(kept));
     });
-    require(!faces_.empty() || Scene::is_portion, {"frictional(", name_, "): faces"},
-            faces_.size(), "must be at least one face of the mesh's hull");
+    require(!faces_.empty() || Scene::is_portion, {"frictional(", name_, "): faces"}, faces_.size(),
+            "must be at least one face of the mesh's hull");
     find_normals(scene.mesh);
     touched_.reserve(nodes_.size() * Scene::field_count);
   }

@@ -74,16 +74,20 @@ std::string vector_text(const Vector& v) {
 /// Refuses the value unless `holds`. Write the condition so that NaN fails it. Name and rule are words, or parts of which they are made
 /// when they are needed.
 inline void require(bool holds, TextPart name, TextPart value, TextPart rule) {
-  if (!holds) [[unlikely]] refuse({name}, value, {rule});
+  if (!holds) [[unlikely]]
+    refuse({name}, value, {rule});
 }
 inline void require(bool holds, TextParts name, TextPart value, TextPart rule) {
-  if (!holds) [[unlikely]] refuse(name, value, {rule});
+  if (!holds) [[unlikely]]
+    refuse(name, value, {rule});
 }
 inline void require(bool holds, TextPart name, TextPart value, TextParts rule) {
-  if (!holds) [[unlikely]] refuse({name}, value, rule);
+  if (!holds) [[unlikely]]
+    refuse({name}, value, rule);
 }
 inline void require(bool holds, TextParts name, TextPart value, TextParts rule) {
-  if (!holds) [[unlikely]] refuse(name, value, rule);
+  if (!holds) [[unlikely]]
+    refuse(name, value, rule);
 }
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

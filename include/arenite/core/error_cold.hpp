@@ -14,7 +14,8 @@ ARENITE_COLD void TextPart::add_to(std::string& text) const {
     text += letter_;
   } else {
     char digits[32];
-    char* const end = kind_ == Kind::real    ? std::to_chars(digits, digits + 32, real_, std::chars_format::general, 10).ptr
+    char* const end = kind_ == Kind::real
+                          ? std::to_chars(digits, digits + 32, real_, std::chars_format::general, 10).ptr
                       : kind_ == Kind::whole ? std::to_chars(digits, digits + 32, whole_).ptr
                                              : std::to_chars(digits, digits + 32, count_).ptr;
     text.append(digits, end);

@@ -81,15 +81,16 @@ class ClosedTriangles {
       const Side &a = sides[i], &b = sides[std::min(i + 1, end - 1)];
       const auto check = [&](bool holds, const std::string& rule) {
         if (!holds)
-          require(false, {name_of(a.triangle), ", edge"},
-                  joined_text({vector_text(data.vertices[a.low]), " to ", vector_text(data.vertices[a.high])}),
-                  rule);
+          require(
+              false, {name_of(a.triangle), ", edge"},
+              joined_text({vector_text(data.vertices[a.low]), " to ", vector_text(data.vertices[a.high])}),
+              rule);
       };
       if (end - i == 1) check(false, open_surface(sides));
       check(end - i == 2, joined_text({"belongs to ", end - i, " triangles; it must belong to two"}));
       check(a.rises != b.rises,
             joined_text({"triangle ", b.triangle, " runs along it in the same sense; all triangles must run ",
-                        "counter-clockwise as seen from outside"}));
+                         "counter-clockwise as seen from outside"}));
       across_[a.triangle][a.k] = {b.triangle, b.k};
       across_[b.triangle][b.k] = {a.triangle, a.k};
       i = end;
@@ -103,11 +104,11 @@ class ClosedTriangles {
       return b < sides.size() && sides[a].low == sides[b].low && sides[a].high == sides[b].high;
     };
     for (std::size_t i = 0; i < sides.size(); ++i) alone += !same(i, i + 1) && (i == 0 || !same(i - 1, i));
-    return joined_text({
-        "belongs to this triangle alone, one of ", alone,
-        " such edges: an open surface, as of terrain, is no body, which has an inside. Close it "
-        "(terrain: by sides and a bottom, where it comes from), or describe its height by a test "
-        "of positions (fill) or a signed distance (rigid)"});
+    return joined_text(
+        {"belongs to this triangle alone, one of ", alone,
+         " such edges: an open surface, as of terrain, is no body, which has an inside. Close it "
+         "(terrain: by sides and a bottom, where it comes from), or describe its height by a test "
+         "of positions (fill) or a signed distance (rigid)"});
   }
 
   std::vector<std::array<Edge, 3>> across_;  // [triangles]

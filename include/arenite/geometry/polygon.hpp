@@ -29,8 +29,8 @@ class Polygon {
     lower = upper = corners_.front();
     for (std::size_t i = 0; i < corners_.size(); ++i)
       for (std::size_t k = 0; k < 2; ++k) {
-        require(std::isfinite(corners_[i][k]), {"Polygon.corners[", i, "][", k, "]"},
-                corners_[i][k], "must be finite");
+        require(std::isfinite(corners_[i][k]), {"Polygon.corners[", i, "][", k, "]"}, corners_[i][k],
+                "must be finite");
         lower[k] = std::min(lower[k], corners_[i][k]);
         upper[k] = std::max(upper[k], corners_[i][k]);
       }

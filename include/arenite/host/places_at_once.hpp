@@ -26,8 +26,8 @@ std::array<double, Count> row_of(const HostArray& out, std::size_t row, std::siz
   const std::size_t n = out.numbers.size() / rows;
   if (n == 0 || n * rows != out.numbers.size() || n > Count || (Count != 3 && n != Count))
     throw error(joined_text({name, " = a function that returns ", out.numbers.size(), " numbers for ", rows,
-                            rows == 1 ? " place" : " places", ": must return ", Count == 3 ? "up to " : "",
-                            Count, " for each"}));
+                             rows == 1 ? " place" : " places", ": must return ", Count == 3 ? "up to " : "",
+                             Count, " for each"}));
   std::array<double, Count> numbers{};
   std::copy_n(out.numbers.begin() + static_cast<std::ptrdiff_t>(row * n), n, numbers.begin());
   return numbers;

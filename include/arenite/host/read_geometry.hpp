@@ -124,7 +124,8 @@ HostShape<D> read_shape(const Value& value, const Reading& at) {
   const auto place = [&](const char* key) {
     const auto x = numbers(given(key), at.renamed(shape + "." + key));
     if (x.size() != dim)
-      at.renamed(shape + "." + key).refuse(given(key), joined_text({"must be ", D, " numbers in this scene"}));
+      at.renamed(shape + "." + key)
+          .refuse(given(key), joined_text({"must be ", D, " numbers in this scene"}));
     Place here;
     std::ranges::copy(x, here.begin());
     return here;
@@ -155,7 +156,7 @@ HostShape<D> read_shape(const Value& value, const Reading& at) {
   at.refuse(
       shape.empty() ? value : Value(shape),
       joined_text({"must be a shape in ", D, " dimensions: Box, Ball, RoundedBox, Capsule, ConeCylinder, ",
-                  D == 2 ? "Polygon" : "Cylinder, TriangleSurface"}));
+                   D == 2 ? "Polygon" : "Cylinder, TriangleSurface"}));
 }
 
 }  // namespace detail

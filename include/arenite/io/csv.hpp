@@ -64,8 +64,7 @@ class CsvWriter {
     std::fseek(file.get(), 0, SEEK_END);
     require(
         same && std::ftell(file.get()) >= 0 && static_cast<std::uintmax_t>(std::ftell(file.get())) >= kept,
-        "table", path_.string(),
-        {"must be there, with the columns ", line_, ", and hold ", kept, " bytes"});
+        "table", path_.string(), {"must be there, with the columns ", line_, ", and hold ", kept, " bytes"});
     if (const int reason = shared_detail::cut_file(file.get(), path_, kept); reason != 0)
       shared_detail::fail_output(path_, "cannot be shortened", reason);
     std::fseek(file.get(), 0, SEEK_END);

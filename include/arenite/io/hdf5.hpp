@@ -173,7 +173,7 @@ class Hdf5File {
     const auto at = why.find(word);
     const int number = at == std::string::npos ? 0 : std::atoi(why.c_str() + at + word.size());
     throw output_error(joined_text({what_, " = ", path_.string(), ": ", rule, " (",
-                                   number != 0 ? std::generic_category().message(number) : why, ")"}),
+                                    number != 0 ? std::generic_category().message(number) : why, ")"}),
                        number);
   }
 

@@ -43,7 +43,8 @@ inline Hdf5Handle hdf5_native(const Hdf5File& file, Hdf5Type type, const std::st
       type.kind == 'f'   ? by_size(-1, -1, H5T_NATIVE_FLOAT, H5T_NATIVE_DOUBLE)
       : type.kind == 'i' ? by_size(H5T_NATIVE_INT8, H5T_NATIVE_INT16, H5T_NATIVE_INT32, H5T_NATIVE_INT64)
                          : by_size(H5T_NATIVE_UINT8, H5T_NATIVE_UINT16, H5T_NATIVE_UINT32, H5T_NATIVE_UINT64);
-  if (found < 0) file.refuse(joined_text({name, " has numbers of ", type.bytes, " bytes, which are not kept"}));
+  if (found < 0)
+    file.refuse(joined_text({name, " has numbers of ", type.bytes, " bytes, which are not kept"}));
   return file.handle(H5Tcopy(found), H5Tclose, name, "has no type");
 }
 

@@ -42,7 +42,7 @@ class MeshInput {
     const std::string place =
         binary_ ? joined_text({"byte ", last_})
                 : joined_text({"line ",
-                              1 + std::count(bytes_.begin(), bytes_.begin() + std::ptrdiff_t(last_), '\n')});
+                               1 + std::count(bytes_.begin(), bytes_.begin() + std::ptrdiff_t(last_), '\n')});
     const std::string section = section_.empty() ? "" : joined_text({", $", section_});
     throw error(joined_text({name_, section, ", ", place, ": ", name, " = ", value, ": ", rule}));
   }
@@ -78,7 +78,8 @@ class MeshInput {
     skip_blanks();
     last_ = at_;
     const std::string_view line = rest_of_line();
-    check(line == joined_text({"$End", section_}), "line", quote(line), joined_text({"must be $End", section_}));
+    check(line == joined_text({"$End", section_}), "line", quote(line),
+          joined_text({"must be $End", section_}));
     section_.clear();
   }
 

@@ -25,7 +25,7 @@ namespace shared_detail {
 /// The bytes before the HDF5 file proper.
 inline std::string state_hdf5_lines(const Hash& hash) {
   std::string lines = joined_text({state_magic, state_format, " in HDF5\nhash of bytes from ",
-                                  Hdf5File::image_start, " on: ", hash.digits(), "\n"});
+                                   Hdf5File::image_start, " on: ", hash.digits(), "\n"});
   lines.resize(Hdf5File::image_start, '\0');
   return lines;
 }

@@ -66,8 +66,8 @@ struct VtuArray {
 /// `components`.
 template <vtu_number T>
 VtuArray vtu_array(std::string name, std::size_t components, std::span<const T> values) {
-  require(components > 0 && values.size() % components == 0, {"length of array ", name},
-          values.size(), {"must be a multiple of its components, ", components});
+  require(components > 0 && values.size() % components == 0, {"length of array ", name}, values.size(),
+          {"must be a multiple of its components, ", components});
   auto fetch = [=](std::size_t begin, std::size_t end, char* out) {
     if (end > begin)
       std::memcpy(out, values.data() + begin * components, (end - begin) * components * sizeof(T));

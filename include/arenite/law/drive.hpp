@@ -40,8 +40,8 @@ struct DriveStage {
     require(duration >= 0 && std::isfinite(duration), "DriveStage.duration", duration,
             "must be finite, and not negative (s)");
     for (std::size_t k = 0; k < components.size(); ++k)
-      require(std::isfinite(components[k].value), {"DriveStage.components[", k, "]"},
-              components[k].value, "must be finite");
+      require(std::isfinite(components[k].value), {"DriveStage.components[", k, "]"}, components[k].value,
+              "must be finite");
     for (const double s : spin) require(std::isfinite(s), "DriveStage.spin", s, "must be finite");
   }
 };
@@ -174,7 +174,7 @@ void drive(const Law& law, DrivenPoint<Law, D>& point, const DriveStage<D>& stag
     const Step step(law, begin, stage, 1.0 / (stage.steps - k));
     if (!step.solve(unknown, point))
       throw run_error(joined_text({"drive: step ", k + 1, " of ", stage.steps,
-                                  " of a stage: no strain gives the prescribed stress"}));
+                                   " of a stage: no strain gives the prescribed stress"}));
     after_step(std::as_const(point));
   }
 }

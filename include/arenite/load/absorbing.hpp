@@ -154,8 +154,7 @@ class BoundAbsorbingFaces {
   WaveImpedance impedance(const L& law) const {
     const auto chosen = [&](const char* what, double given, double of_law) {
       const double value = std::isnan(given) ? of_law : given;
-      require(std::isfinite(value), {called(), ".", what}, value,
-              "must be given: the law does not tell it");
+      require(std::isfinite(value), {called(), ".", what}, value, "must be given: the law does not tell it");
       return value;
     };
     const double rho = law.density();

@@ -60,8 +60,8 @@ class BoundFaceTraction {
       lost_.look(
           faces_->magnitudes(scene, load_, name_), name_,
           joined_text({" % of it acts on matter; the rest is lost on faces without any behind them; end the "
-                      "mesh where the body ends, or load its points, ",
-                      load_.name(), "(surface(..), ..)"}),
+                       "mesh where the body ends, or load its points, ",
+                       load_.name(), "(surface(..), ..)"}),
           others);
     forces_.add_to(scene);
   }

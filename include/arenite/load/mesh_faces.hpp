@@ -163,8 +163,8 @@ auto face_test(const Scene& scene, const MeshFaces& where) {
       in_set.resize(scene.mesh.node_count());
       for (const Index i : scene.mesh.node_set(where.set)) in_set[i] = true;
     } else {
-      throw error(joined_text({"MeshFaces.set = ", where.set,
-                              ": a Cartesian grid has no node sets; use sides or where(test)"}));
+      throw error(joined_text(
+          {"MeshFaces.set = ", where.set, ": a Cartesian grid has no node sets; use sides or where(test)"}));
     }
   }
   const double near = nodes.near();

@@ -81,7 +81,7 @@ auto bind_part(const PointTraction<>& t, const Site&) {
   return BoundPointForces<typename Site::T, Site::D, Load>(
       Load{t.where.body, t.where.region, t.where.options, t.load,
            joined_text({t.load.name(), " on the surface of a body", t.where.body.word.empty() ? "" : ", ",
-                       t.where.body.word})});
+                        t.where.body.word})});
 }
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -24,7 +24,7 @@ void check_edge(std::string_view name, double edge) {
                greatest = std::cbrt(static_cast<double>(Limits::max())) / 2;
   require(edge >= least && edge <= greatest, name, edge,
           {"must lie between ", least, " and ", greatest,
-                      " m in the scalar of the mesh, or the cell's volume or size is not a number"});
+           " m in the scalar of the mesh, or the cell's volume or size is not a number"});
 }
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET::detail

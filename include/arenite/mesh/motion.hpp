@@ -33,9 +33,9 @@ struct LedByBody {
     double along = momentum(body)[axis], all = mass(body);
     sum_over(others, along, all);
     if (all == 0)
-      throw run_error(joined_text({
-          "body ", which.word().empty() ? std::to_string(which.number) : std::string(which.word()),
-          ", which leads the mesh, has lost all of its points"}));
+      throw run_error(joined_text(
+          {"body ", which.word().empty() ? std::to_string(which.number) : std::string(which.word()),
+           ", which leads the mesh, has lost all of its points"}));
     return before + static_cast<T>(static_cast<double>(dt) * along / all);
   }
 };
@@ -144,13 +144,13 @@ class BoundMotion {
     const double below = 1 + static_cast<double>(travel) / (motion_.moving_from - motion_.fixed_below);
     if (!(below > motion_.least))
       throw run_error(joined_text({"the compressing zone below ", motion_.moving_from,
-                                  " m is used up after a travel of ", travel, " m: ", below * 100,
-                                  " % of its height is left, the limit is ", motion_.least * 100, " %"}));
+                                   " m is used up after a travel of ", travel, " m: ", below * 100,
+                                   " % of its height is left, the limit is ", motion_.least * 100, " %"}));
     if (std::isfinite(motion_.fixed_above)) {
       const double above = 1 - static_cast<double>(travel) / (motion_.fixed_above - motion_.moving_to);
       if (!(above > motion_.least))
-        throw run_error(joined_text({"the zone above ", motion_.moving_to, " m is used up after a travel of ",
-                                    travel, " m"}));
+        throw run_error(joined_text(
+            {"the zone above ", motion_.moving_to, " m is used up after a travel of ", travel, " m"}));
     }
     if constexpr (is_simplex_mesh<M>)
       move_nodes(mesh, travel);
@@ -158,7 +158,7 @@ class BoundMotion {
                  mesh.move(motion_.axis, [&](Index i) { return reference_[i] + fraction_[i] * travel; });
              bad != none)
       throw run_error(joined_text({"line ", bad, " of the grid along axis ", motion_.axis,
-                                  " met the one before after a travel of ", travel, " m"}));
+                                   " met the one before after a travel of ", travel, " m"}));
   }
 
  private:
@@ -191,7 +191,7 @@ class BoundMotion {
     });
     if (bad != none)
       throw run_error(joined_text({"cell ", bad, " at ", vector_text(mesh.position(mesh.nodes(bad)[0])),
-                                  " m turned inside out after a travel of ", travel, " m"}));
+                                   " m turned inside out after a travel of ", travel, " m"}));
   }
 
   MovingMesh<Leader> motion_;

@@ -54,8 +54,7 @@ class SimplexMesh {
     for (std::size_t c = 0; c < data.cells.size(); ++c) add_cell(c, data.cells[c]);
     for (const auto& [name, nodes] : node_sets_)
       for (const Index i : nodes)
-        require(i < node_count(), {"SimplexMesh.node_sets[", name, "]"}, i,
-                "must be a node of the mesh");
+        require(i < node_count(), {"SimplexMesh.node_sets[", name, "]"}, i, "must be a node of the mesh");
     frames_.resize(cells_.size());
     for (Index c = 0; c < cell_count(); ++c) refresh(c);
     neighbours_ = simplex_neighbours<D>(cells_);

@@ -77,7 +77,8 @@ class CsvTable {
     std::vector<std::string> names{"time"};
     const auto add = [&]<class Value>(const std::string& name, std::type_identity<Value>) {
       constexpr int fields = detail::csv_fields<Value>;
-      for (int k = 0; k < fields; ++k) names.push_back(fields == 1 ? name : joined_text({name, "_", "xyz"[k]}));
+      for (int k = 0; k < fields; ++k)
+        names.push_back(fields == 1 ? name : joined_text({name, "_", "xyz"[k]}));
     };
     std::apply(
         [&](auto&... column) {
@@ -89,8 +90,7 @@ class CsvTable {
     if (path_.has_parent_path()) {
       std::error_code status;
       std::filesystem::create_directories(path_.parent_path(), status);
-      require(!status, "csv: folder", path_.parent_path().string(),
-              {"cannot be made: ", status.message()});
+      require(!status, "csv: folder", path_.parent_path().string(), {"cannot be made: ", status.message()});
     }
     writer_ = std::make_shared<CsvWriter>(path_, std::move(names), bytes_);
   }

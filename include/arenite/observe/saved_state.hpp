@@ -51,8 +51,8 @@ std::string mesh_words(const Scene& scene) {
   }
   for (Index c = 0; c < scene.mesh.cell_count(); ++c)
     for (const Index i : typename Shape::template Cell<typename Scene::Mesh>(scene.mesh, c).nodes) add(i);
-  return joined_text({Shape::node_count(scene.mesh), " nodes, ", scene.mesh.cell_count(), " cells, ",
-                     hash.digits()});
+  return joined_text(
+      {Shape::node_count(scene.mesh), " nodes, ", scene.mesh.cell_count(), " cells, ", hash.digits()});
 }
 
 template <class Scene>
@@ -64,7 +64,7 @@ std::vector<StateTerm> state_terms(const Scene& scene, const std::string& recipe
       {"mesh", joined_text({type_words<typename Scene::Mesh>(), ", ", mesh_words(scene)})},
       {"numerics",
        joined_text({type_words<typename N::Shape>(), ", ", type_words<typename N::Transfer>(), ", ",
-                   type_words<typename N::Order>(), ", ", type_words<typename N::AntiLocking>()})}};
+                    type_words<typename N::Order>(), ", ", type_words<typename N::AntiLocking>()})}};
   std::size_t number = 0;
   scene.for_each_body([&](const auto& body, const auto&) {
     terms.emplace_back(joined_text({"body ", Scene::body_name(number++)}),
@@ -115,7 +115,7 @@ void refuse_other_run(const StateSource& file, Scene& scene, const std::string& 
         &there = k < file.terms().size() ? file.terms()[k] : none_there;
     if (here != there)
       file.refuse(joined_text({"is of another run: ", there.first, ": ", there.second, "; this one has ",
-                              here.first, ": ", here.second}));
+                               here.first, ": ", here.second}));
   }
   std::size_t known = 0;
   visit_run(
@@ -127,7 +127,8 @@ void refuse_other_run(const StateSource& file, Scene& scene, const std::string& 
         if (there->type() != here.type())
           file.refuse(joined_text({name, " is ", there->type(), "; in this run it is ", here.type()}));
         if (!resizable_state_array<std::remove_reference_t<decltype(value)>> && there->count != here.count)
-          file.refuse(joined_text({name, " has ", there->count, " numbers; in this run it has ", here.count}));
+          file.refuse(
+              joined_text({name, " has ", there->count, " numbers; in this run it has ", here.count}));
         ++known;
       },
       observers...);

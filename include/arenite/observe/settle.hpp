@@ -67,9 +67,9 @@ void settle(Scene& scene, const SettleOptions& options, Observers&&... observers
   detail::Settled check{options.ratio, scene.steps};
   run(scene, {.end = options.end, .courant = options.courant, .watch = options.watch}, observers..., check);
   if (check.below == 10) return;
-  throw run_error(joined_text({"t = ", scene.time, " s: settle: forces are out of balance by ",
-                              out_of_balance(scene), ", not at most ", options.ratio,
-                              "; more time, or a part that damps (LocalDamping)?"}));
+  throw run_error(
+      joined_text({"t = ", scene.time, " s: settle: forces are out of balance by ", out_of_balance(scene),
+                   ", not at most ", options.ratio, "; more time, or a part that damps (LocalDamping)?"}));
 }
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -98,8 +98,8 @@ auto add_points(B& body, M& mesh, const std::vector<typename B::Point>& added, I
   for (std::size_t k = 0; k < added.size(); ++k) {
     check_point(body, added[k], k);
     cell.push_back(mesh.search(added[k].position));
-    require(cell.back() != none, {"point ", k, " to be added: position"},
-            vector_text(added[k].position), "must lie in the mesh");
+    require(cell.back() != none, {"point ", k, " to be added: position"}, vector_text(added[k].position),
+            "must lie in the mesh");
   }
   return append_points(body, added, cell, id);
 }

@@ -17,8 +17,8 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET::detail {
 inline void warn_matter_inside(const std::string& rigid, const std::string& matter, std::size_t inside,
                                std::size_t all, const char* cure) {
   warn(joined_text({"rigid body ", rigid, ": ", inside, " of the ", all, " points of body ", matter,
-                   inside == 1 ? " lies" : " lie", " inside of it: fill what it leaves of the region, ",
-                   cure}));
+                    inside == 1 ? " lies" : " lie", " inside of it: fill what it leaves of the region, ",
+                    cure}));
 }
 
 /// Warns of bodies with points inside of a rigid one, called `rigid`: deeper than half of a point's size, by
@@ -57,8 +57,8 @@ void warn_points_inside(const Scene& scene, const AnyDistance& distance, const s
   });
   if (2 * inside_all > all)
     warn(joined_text({"rigid body ", rigid, ": ", 100 * inside_all / all,
-                     " % of the matter lies inside of it: its distance must be negative inside and positive "
-                     "outside"}));
+                      " % of the matter lies inside of it: its distance must be negative inside and positive "
+                      "outside"}));
   else
     for (const Inside& f : found)
       warn_matter_inside(rigid, f.body, f.inside, f.all, "fill(region - shape, ..)");

@@ -46,7 +46,7 @@ class BoundPrescribedPose {
     const Spin<double, D> spin = spin_value_at<D>(spin_, place, t, "PrescribedPose.spin");
     if (hoop_ && (v[0] != 0 || !spin.isZero(0)))
       throw run_error(joined_text({"t = ", time, " s: PrescribedPose: in an axisymmetric scene a body moves ",
-                                  "along the axis and does not turn"}));
+                                   "along the axis and does not turn"}));
     return twist<double, D>(v, spin).template cast<T>();
   }
   template <class Body>

@@ -79,7 +79,8 @@ class AnyDistance {
 /// What is said of a distance that is no number.
 inline std::string refused_distance(const AnyDistance::Position& x, double distance) {
   return joined_text({"DistanceSurface.distance at (", x[0], ", ", x[1], ", ", x[2],
-                     ") m of the body's frame = ", distance, ": must be a number, and finite near the body"});
+                      ") m of the body's frame = ", distance,
+                      ": must be a number, and finite near the body"});
 }
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -139,10 +139,10 @@ void warn_thin_walls(const Scene& scene, const AnyDistance& distance, double rea
   const auto hundredths = [](double x) { return std::round(100 * x) / 100; };
   const double cells = wall->thickness / wall->cell, safe = wall->safe / wall->cell;
   warn(joined_text({"rigid body ", rigid, ": a wall is ", hundredths(cells), " cells thick at ",
-                   vector_text(in_scene<Scene::D>(wall->face)), " m: with a reach of ", reach,
-                   " contact at nodes holds walls that are thicker than ", hundredths(safe),
-                   "; take a reach above ", hundredths(reach + (safe - cells) / 2),
-                   ", smaller cells, a thicker wall, or PointContact, which holds any"}));
+                    vector_text(in_scene<Scene::D>(wall->face)), " m: with a reach of ", reach,
+                    " contact at nodes holds walls that are thicker than ", hundredths(safe),
+                    "; take a reach above ", hundredths(reach + (safe - cells) / 2),
+                    ", smaller cells, a thicker wall, or PointContact, which holds any"}));
 }
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET::detail

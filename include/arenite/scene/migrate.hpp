@@ -53,10 +53,10 @@ void check_outside(const Scene& scene, const Body& body) {
   if constexpr (Scene::is_portion)
     for (const Index p : body.outside)
       if (scene.portion().is_beyond_ghosts(scene.mesh, body.points.position[p]))
-        throw run_error(joined_text({"t = ", scene.time, " s: point ", p, " at ",
-                                    vector_text(body.points.position[p]), " m left portion ",
-                                    scene.portion().number,
-                                    " of the mesh beyond its ghost cells: the step is too long"}));
+        throw run_error(
+            joined_text({"t = ", scene.time, " s: point ", p, " at ", vector_text(body.points.position[p]),
+                         " m left portion ", scene.portion().number,
+                         " of the mesh beyond its ghost cells: the step is too long"}));
 }
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -27,13 +27,13 @@ void relocate(Scene& scene, [[maybe_unused]] Others& others = no_others) {
   if (regrouped) scene.balance_threads();
   if constexpr (Others::alone) {
     if (scene.lost_points() > 0 && scene.point_count() == 0)
-      throw run_error(joined_text({"t = ", scene.time, " s: all ", scene.lost_points(),
-                                  " points of the scene have left the mesh"}));
+      throw run_error(joined_text(
+          {"t = ", scene.time, " s: all ", scene.lost_points(), " points of the scene have left the mesh"}));
     number = 0;
     scene.for_each_body([&](auto& body, auto&) {
       if (had_points[number] && body.points.size() == 0)
         warn(joined_text({"t = ", scene.time, " s: all points of body ", Scene::body_name(number),
-                         " have left the mesh; the run goes on without it"}));
+                          " have left the mesh; the run goes on without it"}));
       ++number;
     });
   }

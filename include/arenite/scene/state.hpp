@@ -31,7 +31,8 @@ std::array<std::string, sizeof...(P)> part_paths(std::type_identity<std::tuple<P
     const std::size_t place = number++;
     if constexpr (is_rigid<Q>) {
       const std::size_t among = rigid++;
-      return Q::name.word().empty() ? joined_text({"rigids/", among}) : joined_text({"rigids/", Q::name.word()});
+      return Q::name.word().empty() ? joined_text({"rigids/", among})
+                                    : joined_text({"rigids/", Q::name.word()});
     } else if constexpr (requires { std::string_view(Q::state_name); }) {
       return std::string(Q::state_name);
     } else {
@@ -121,8 +122,7 @@ namespace detail {
 template <class Body>
 void check_points(Body& body, const std::string& path) {
   body.points.visit_state([&](const std::string& name, const auto& column) {
-    require(column.size() == body.points.size(), {path, "/", name},
-            joined_text({column.size(), " numbers"}),
+    require(column.size() == body.points.size(), {path, "/", name}, joined_text({column.size(), " numbers"}),
             {"must be as many as points have a mass, ", body.points.size()});
   });
   for (std::size_t p = 0; p < body.points.size(); ++p) {

@@ -49,9 +49,9 @@ class StepCheck {
     longest_ = std::numeric_limits<double>::max();
     until_ = for_ever;
     warn(joined_text({"t = ", time, " s, step ", step + 1, ": dt = ", dt, " s is ", dt / bears,
-                     " times the stable step of ", bears,
-                     " s: velocities grow from step to step until points leave the mesh or numbers are no "
-                     "longer finite; take a share below 1 of stable_step(scene), or let run choose"}));
+                      " times the stable step of ", bears,
+                      " s: velocities grow from step to step until points leave the mesh or numbers are no "
+                      "longer finite; take a share below 1 of stable_step(scene), or let run choose"}));
   }
 
   double longest_ = 0;  // steps up to this one pass without a look, s

@@ -9,4 +9,6 @@
 #else
 #define ARENITE_ONCE inline
 #endif
-#define ARENITE_COLD [[gnu::cold, gnu::noinline]] ARENITE_ONCE
+// Not `gnu::cold`: for size g++ would leave functions of the standard library and of Eigen as they are, which have one name for all
+// instruction sets (tests/flags).
+#define ARENITE_COLD [[gnu::noinline]] ARENITE_ONCE

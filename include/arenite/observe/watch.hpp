@@ -110,7 +110,7 @@ class BasicWatch {
 
   /// Looks now.
   template <class Scene>
-  [[gnu::cold]] void look(const Scene& scene) {
+  void look(const Scene& scene) {
     using Book = detail::WatchBook;
     std::array<detail::WatchedBody<typename Scene::T>, Scene::body_count> bodies;
     std::size_t n = 0;

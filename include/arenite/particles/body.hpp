@@ -102,7 +102,7 @@ namespace detail {
 /// Gives the points the initial values of `FillOptions::history`. Throws `error` for one that the law's
 /// history has no member for, or that is not finite.
 template <class L, class T, int D, ExtraColumns E>
-[[gnu::cold]] void begin_history(Points<T, D, L, E>& points, const FillOptions& options) {
+void begin_history(Points<T, D, L, E>& points, const FillOptions& options) {
   static constexpr auto& names = history_names<typename L::template History<T>>;
   for (const auto& [name, value_at] : options.history) {
     const std::size_t k = history_place(names, name);
@@ -126,7 +126,7 @@ struct OwnsAllCells {
 /// Throws `error` if the region holds no point of the mesh, unless it may.
 template <class K, ExtraColumns Extra = ExtraColumns{}, class M, class L, Name name,
           class Owns = OwnsAllCells>
-[[gnu::cold]] auto make_body(const M& mesh, const Fill<L, name>& recipe, const Owns& owns = {},
+auto make_body(const M& mesh, const Fill<L, name>& recipe, const Owns& owns = {},
                              const Ground& ground = {}) {
   using T = typename M::scalar;
   constexpr int D = M::dimension;

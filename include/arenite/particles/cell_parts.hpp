@@ -48,11 +48,11 @@ std::vector<CellPart> simplex_parts(const CellCorners& corners, double volume, c
 /// what lies nearest to a place. `clear`: of the cell before.
 template <class T, int D>
 std::vector<CellPart> cell_parts(const CellBox<T, D>& cell, const AnyRegion& region,
-                                 const std::vector<Vec<T, D>>& places, int per_cell, bool even,
+                                 const Places<Vec<T, D>>& places, int per_cell, bool even,
                                  detail::ClearBall& clear);
 template <class M>
 std::vector<CellPart> cell_parts(const M& mesh, Index cell, const AnyRegion& region,
-                                 const std::vector<typename M::Point>& places, [[maybe_unused]] int per_cell,
+                                 const Places<typename M::Point>& places, [[maybe_unused]] int per_cell,
                                  [[maybe_unused]] bool even, detail::ClearBall& clear) {
   if (!region.test || region.by_centres) return {};
   if constexpr (is_simplex_mesh<M>) {

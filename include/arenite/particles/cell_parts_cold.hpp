@@ -115,7 +115,7 @@ class PartSums {
 
 /// Barycentric coordinates of samples of equal weight in a simplex, several for each of so many points.
 template <int D>
-std::vector<Vec<double, D + 1>> simplex_samples(std::size_t points) {
+Places<Vec<double, D + 1>> simplex_samples(std::size_t points) {
   const auto n = static_cast<double>(points);
   if constexpr (D == 2)
     return triangle_centroids(static_cast<int>(std::ceil(6 * std::sqrt(n))));
@@ -147,7 +147,7 @@ ARENITE_COLD std::vector<CellPart> simplex_parts(const CellCorners& corners, dou
 
 template <class T, int D>
 ARENITE_COLD std::vector<CellPart> cell_parts(const CellBox<T, D>& cell, const AnyRegion& region,
-                                              const std::vector<Vec<T, D>>& places, int per_cell, bool even,
+                                              const Places<Vec<T, D>>& places, int per_cell, bool even,
                                               detail::ClearBall& clear) {
   using detail::SpacePosition;
   const SpacePosition lower = in_space(cell.corner);
@@ -172,22 +172,22 @@ template std::vector<CellPart> detail::simplex_parts<3>(const detail::CellCorner
                                                         const std::vector<detail::SpacePosition>&,
                                                         detail::ClearBall&);
 template std::vector<CellPart> cell_parts<float, 2>(const CellBox<float, 2>&, const AnyRegion&,
-                                                    const std::vector<Vec<float, 2>>&, int, bool,
+                                                    const Places<Vec<float, 2>>&, int, bool,
                                                     detail::ClearBall&);
 template std::vector<CellPart> cell_parts<float, 3>(const CellBox<float, 3>&, const AnyRegion&,
-                                                    const std::vector<Vec<float, 3>>&, int, bool,
+                                                    const Places<Vec<float, 3>>&, int, bool,
                                                     detail::ClearBall&);
 template std::vector<CellPart> cell_parts<double, 2>(const CellBox<double, 2>&, const AnyRegion&,
-                                                     const std::vector<Vec<double, 2>>&, int, bool,
+                                                     const Places<Vec<double, 2>>&, int, bool,
                                                      detail::ClearBall&);
 template std::vector<CellPart> cell_parts<double, 3>(const CellBox<double, 3>&, const AnyRegion&,
-                                                     const std::vector<Vec<double, 3>>&, int, bool,
+                                                     const Places<Vec<double, 3>>&, int, bool,
                                                      detail::ClearBall&);
 template std::vector<CellPart> cell_parts<long double, 2>(const CellBox<long double, 2>&, const AnyRegion&,
-                                                          const std::vector<Vec<long double, 2>>&, int, bool,
+                                                          const Places<Vec<long double, 2>>&, int, bool,
                                                           detail::ClearBall&);
 template std::vector<CellPart> cell_parts<long double, 3>(const CellBox<long double, 3>&, const AnyRegion&,
-                                                          const std::vector<Vec<long double, 3>>&, int, bool,
+                                                          const Places<Vec<long double, 3>>&, int, bool,
                                                           detail::ClearBall&);
 #endif
 

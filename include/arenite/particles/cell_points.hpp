@@ -6,18 +6,24 @@
 #include <cmath>
 #include <vector>
 
+#include <arenite/core/array_memory.hpp>
 #include <arenite/core/error.hpp>
 #include <arenite/mesh/mesh.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
+
+/// Positions, with an allocator that gives functions of the list a name of their own in units for other instruction sets.
+template <class Point>
+using Places = std::vector<Point, ArrayMemory<Point>>;
+
 namespace detail {
 
 /// Barycentric lattice of order k: k (k + 1) / 2 points in a triangle, k (k + 1)(k + 2) / 6 in a tetrahedron.
 /// The inset of the outer points is such that equal weights integrate quadratics exactly (linear fields are
 /// exact by symmetry).
 template <int D>
-std::vector<Vec<double, D + 1>> simplex_lattice(int k) {
-  std::vector<Vec<double, D + 1>> points;
+Places<Vec<double, D + 1>> simplex_lattice(int k) {
+  Places<Vec<double, D + 1>> points;
   for (int a = 0; a < k; ++a)
     for (int b = 0; a + b < k; ++b)
       for (int c = 0; c <= (D == 3 ? k - 1 - a - b : 0); ++c) {
@@ -45,8 +51,8 @@ std::vector<Vec<double, D + 1>> simplex_lattice(int k) {
 }
 
 /// Centroids of the k x k equal triangles into which a triangle is cut.
-inline std::vector<Vec<double, 3>> triangle_centroids(int k) {
-  std::vector<Vec<double, 3>> points;
+inline Places<Vec<double, 3>> triangle_centroids(int k) {
+  Places<Vec<double, 3>> points;
   for (int a = 0; a < k; ++a)
     for (int b = 0; a + b < k; ++b) {
       const double u = (a + 1.0 / 3) / k, v = (b + 1.0 / 3) / k;
@@ -64,7 +70,7 @@ inline std::vector<Vec<double, 3>> triangle_centroids(int k) {
 /// Barycentric coordinates of n points of equal weight in a simplex. Triangles: n = 1, 3, 6, 10, 15, 21, 28
 /// or a square; tetrahedra: n = 1, 4, 10, 20, 35. Throws `error` for another n.
 template <int D>
-std::vector<Vec<double, D + 1>> simplex_points(int n) {
+Places<Vec<double, D + 1>> simplex_points(int n) {
   for (int k = 1; k < 8; ++k) {
     if (n == (D == 2 ? k * (k + 1) / 2 : k * (k + 1) * (k + 2) / 6)) return detail::simplex_lattice<D>(k);
     if constexpr (D == 2)
@@ -85,10 +91,10 @@ std::array<int, static_cast<std::size_t>(D)> even_counts(int n, const Vec<T, D>&
 
 /// Positions in the unit cell [0, 1]^D of points on an even lattice with so many along each axis.
 template <std::size_t D>
-std::vector<Vec<double, static_cast<int>(D)>> lattice_points(const std::array<int, D>& along) {
+Places<Vec<double, static_cast<int>(D)>> lattice_points(const std::array<int, D>& along) {
   int n = 1;
   for (const int k : along) n *= k;
-  std::vector<Vec<double, static_cast<int>(D)>> points;
+  Places<Vec<double, static_cast<int>(D)>> points;
   for (int i = 0; i < n; ++i) {
     Vec<double, static_cast<int>(D)> x;
     int rest = i;
@@ -101,7 +107,7 @@ std::vector<Vec<double, static_cast<int>(D)>> lattice_points(const std::array<in
   return points;
 }
 template <int D>
-std::vector<Vec<double, D>> lattice_points(int n) {
+Places<Vec<double, D>> lattice_points(int n) {
   return lattice_points(lattice_counts<D>(n));
 }
 
@@ -117,13 +123,13 @@ CellBox<typename M::scalar, M::dimension> cell_box(const M& mesh, Index cell) {
 
 /// Positions of the n initial points of a cell, m; `even`: about n, as `even_counts` has them.
 template <class T, int D>
-std::vector<Vec<T, D>> initial_points(const CellBox<T, D>& cell, int n, bool even);
+Places<Vec<T, D>> initial_points(const CellBox<T, D>& cell, int n, bool even);
 template <class M>
-std::vector<typename M::Point> initial_points(const M& mesh, Index cell, int n,
-                                              [[maybe_unused]] bool even = false) {
+Places<typename M::Point> initial_points(const M& mesh, Index cell, int n,
+                                         [[maybe_unused]] bool even = false) {
   if constexpr (is_simplex_mesh<M>) {
     constexpr int D = M::dimension;
-    std::vector<typename M::Point> points;
+    Places<typename M::Point> points;
     for (const auto& b : simplex_points<D>(n)) {
       typename M::Point x = M::Point::Zero();
       for (int k = 0; k <= D; ++k)

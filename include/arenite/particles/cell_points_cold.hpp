@@ -27,8 +27,8 @@ ARENITE_COLD std::array<int, static_cast<std::size_t>(D)> even_counts(int n, con
 }
 
 template <class T, int D>
-ARENITE_COLD std::vector<Vec<T, D>> initial_points(const CellBox<T, D>& cell, int n, bool even) {
-  std::vector<Vec<T, D>> points;
+ARENITE_COLD Places<Vec<T, D>> initial_points(const CellBox<T, D>& cell, int n, bool even) {
+  Places<Vec<T, D>> points;
   for (const auto& s : lattice_points(even ? even_counts<T, D>(n, cell.extent) : lattice_counts<D>(n))) {
     Vec<T, D> x;
     for (int k = 0; k < D; ++k) x[k] = cell.corner[k] + cell.extent[k] * static_cast<T>(s[k]);
@@ -41,19 +41,19 @@ ARENITE_COLD std::vector<Vec<T, D>> initial_points(const CellBox<T, D>& cell, in
 template std::array<int, 2> lattice_counts<2>(int);
 template std::array<int, 3> lattice_counts<3>(int);
 template std::array<int, 2> even_counts<float, 2>(int, const Vec<float, 2>&);
-template std::vector<Vec<float, 2>> initial_points<float, 2>(const CellBox<float, 2>&, int, bool);
+template Places<Vec<float, 2>> initial_points<float, 2>(const CellBox<float, 2>&, int, bool);
 template std::array<int, 3> even_counts<float, 3>(int, const Vec<float, 3>&);
-template std::vector<Vec<float, 3>> initial_points<float, 3>(const CellBox<float, 3>&, int, bool);
+template Places<Vec<float, 3>> initial_points<float, 3>(const CellBox<float, 3>&, int, bool);
 template std::array<int, 2> even_counts<double, 2>(int, const Vec<double, 2>&);
-template std::vector<Vec<double, 2>> initial_points<double, 2>(const CellBox<double, 2>&, int, bool);
+template Places<Vec<double, 2>> initial_points<double, 2>(const CellBox<double, 2>&, int, bool);
 template std::array<int, 3> even_counts<double, 3>(int, const Vec<double, 3>&);
-template std::vector<Vec<double, 3>> initial_points<double, 3>(const CellBox<double, 3>&, int, bool);
+template Places<Vec<double, 3>> initial_points<double, 3>(const CellBox<double, 3>&, int, bool);
 template std::array<int, 2> even_counts<long double, 2>(int, const Vec<long double, 2>&);
-template std::vector<Vec<long double, 2>> initial_points<long double, 2>(const CellBox<long double, 2>&, int,
-                                                                         bool);
+template Places<Vec<long double, 2>> initial_points<long double, 2>(const CellBox<long double, 2>&, int,
+                                                                    bool);
 template std::array<int, 3> even_counts<long double, 3>(int, const Vec<long double, 3>&);
-template std::vector<Vec<long double, 3>> initial_points<long double, 3>(const CellBox<long double, 3>&, int,
-                                                                         bool);
+template Places<Vec<long double, 3>> initial_points<long double, 3>(const CellBox<long double, 3>&, int,
+                                                                    bool);
 #endif
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -102,7 +102,7 @@ class Filling {
           bool simplices, T (*thickness)(const Point&));
 
   /// Adds those of the initial points of a cell that are to be filled.
-  void add_cell(Index cell, T volume, const std::vector<Point>& initial, const std::vector<CellPart>& parts);
+  void add_cell(Index cell, T volume, const Places<Point>& initial, const std::vector<CellPart>& parts);
 
   /// Lets slivers join the nearest place beside them that is none, in their own cell or a cell next to it: a
   /// very light point in a cell of its own would lead nodes with hardly any mass. Volume and its centre are

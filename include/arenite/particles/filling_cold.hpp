@@ -47,7 +47,7 @@ ARENITE_COLD Filling<T, D>::Filling(const FillOptions& options, const AnyRegion&
 }
 
 template <class T, int D>
-ARENITE_COLD void Filling<T, D>::add_cell(Index cell, T volume, const std::vector<Point>& initial,
+ARENITE_COLD void Filling<T, D>::add_cell(Index cell, T volume, const Places<Point>& initial,
                                           const std::vector<CellPart>& parts) {
   const T share = volume / static_cast<T>(initial.size());
   const auto cell_volume = static_cast<double>(volume);

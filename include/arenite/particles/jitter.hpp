@@ -52,7 +52,7 @@ Vec<double, D + 1> random_in_simplex(RandomAt& random) {
 /// `jitter_points` in a simplex.
 template <class M>
 void jitter_in_simplex(const M& mesh, Index cell, double share, std::uint64_t seed,
-                       std::vector<typename M::Point>& points) {
+                       Places<typename M::Point>& points) {
   using T = typename M::scalar;
   constexpr int D = M::dimension;
   double size = 1;  // of a sub-cell, in cells
@@ -76,10 +76,10 @@ void jitter_in_simplex(const M& mesh, Index cell, double share, std::uint64_t se
 /// The same points on any machine, and in any order of the cells.
 template <class T, int D>
 void jitter_points(const CellBox<T, D>& box, Index cell, double share, std::uint64_t seed,
-                   std::vector<Vec<T, D>>& points, int per_cell, bool even);
+                   Places<Vec<T, D>>& points, int per_cell, bool even);
 template <class M>
 void jitter_points(const M& mesh, Index cell, double share, std::uint64_t seed,
-                   std::vector<typename M::Point>& points, [[maybe_unused]] int per_cell,
+                   Places<typename M::Point>& points, [[maybe_unused]] int per_cell,
                    [[maybe_unused]] bool even = false) {
   if (share == 0) return;
   if constexpr (is_simplex_mesh<M>)

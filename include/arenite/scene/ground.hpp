@@ -83,7 +83,7 @@ std::vector<GroundAtRest> grounds_at_rest(std::span<const GroundFill> fills,
 /// The ground of each body of a recipe: gravity, and the layers above it. A layer is another body with a
 /// geostatic stress, whose region lies wholly above.
 template <class Scene, class... Fills>
-[[gnu::cold]] std::vector<Ground> grounds_of(const Scene& scene, const Bodies<Fills...>& recipe) {
+std::vector<Ground> grounds_of(const Scene& scene, const Bodies<Fills...>& recipe) {
   auto fills = ground_fills(recipe);
   if (!begin_grounds(fills, Scene::D)) return std::vector<Ground>(sizeof...(Fills));
   const Ground common{.gravity = gravity_of_ground(scene, 0)};
@@ -118,16 +118,16 @@ std::vector<GroundAtRest> grounds_at_rest(const Bodies<Fills...>& recipe,
 /// one more than dimensions in a simplex. `volume` of the matter, m^D: a part of a sub-cell is one of its
 /// height along the axis `vertical`.
 template <class T, int D>
-std::vector<Vec<T, D>> gauss_offsets(const CellBox<T, D>& cell, const GroundAtRest& ground, T volume,
-                                     int vertical);
+Places<Vec<T, D>> gauss_offsets(const CellBox<T, D>& cell, const GroundAtRest& ground, T volume,
+                                int vertical);
 template <class M>
-std::vector<typename M::Point> gauss_offsets(const M& mesh, Index cell, const GroundAtRest& ground,
-                                             [[maybe_unused]] typename M::scalar volume,
-                                             [[maybe_unused]] int vertical) {
+Places<typename M::Point> gauss_offsets(const M& mesh, Index cell, const GroundAtRest& ground,
+                                        [[maybe_unused]] typename M::scalar volume,
+                                        [[maybe_unused]] int vertical) {
   if constexpr (is_simplex_mesh<M>) {
     using T = typename M::scalar;
     constexpr int D = M::dimension;
-    std::vector<typename M::Point> offsets;
+    Places<typename M::Point> offsets;
     typename M::Point centre = M::Point::Zero();
     for (const Index i : mesh.nodes(cell)) centre += mesh.position(i) / static_cast<T>(D + 1);
     const auto scale = static_cast<T>(std::pow(ground.per_cell, -1.0 / D) / std::sqrt(D + 2.0));
@@ -160,7 +160,7 @@ class RestingScene {
 
   /// Nodes of a cell; with a position, m, also weights and gradients there.
   virtual void shape(Index cell, const V* x, ListedShape<T, D>& shape) const = 0;
-  virtual std::vector<V> offsets(Index cell, const GroundAtRest& ground, T volume, int vertical) const = 0;
+  virtual Places<V> offsets(Index cell, const GroundAtRest& ground, T volume, int vertical) const = 0;
   virtual T thickness(const V& x) const = 0;
   virtual V node_position(Index node) const = 0;
 
@@ -200,7 +200,7 @@ class RestingSceneOf final : public RestingScene<typename Scene::T, Scene::D> {
       for (int b = 0; b < Scene::D; ++b) shape.gradient[next++] = gradient(b, i);
     }
   }
-  std::vector<V> offsets(Index cell, const GroundAtRest& ground, T volume, int vertical) const override {
+  Places<V> offsets(Index cell, const GroundAtRest& ground, T volume, int vertical) const override {
     return gauss_offsets(scene_.mesh, cell, ground, volume, vertical);
   }
   T thickness(const V& x) const override { return Scene::Kinematics::thickness(x); }

@@ -58,9 +58,9 @@ ARENITE_COLD std::vector<GroundAtRest> grounds_at_rest(std::span<const GroundFil
 }
 
 template <class T, int D>
-ARENITE_COLD std::vector<Vec<T, D>> gauss_offsets(const CellBox<T, D>& cell, const GroundAtRest& ground,
-                                                  T volume, int vertical) {
-  std::vector<Vec<T, D>> offsets;
+ARENITE_COLD Places<Vec<T, D>> gauss_offsets(const CellBox<T, D>& cell, const GroundAtRest& ground, T volume,
+                                             int vertical) {
+  Places<Vec<T, D>> offsets;
   const auto along =
       ground.even ? even_counts<T, D>(ground.per_cell, cell.extent) : lattice_counts<D>(ground.per_cell);
   Vec<T, D> edges = cell.extent;
@@ -197,25 +197,23 @@ ARENITE_COLD void check_rest(const RestingScene<T, D>& scene) {
 }
 
 #ifdef ARENITE_COLD_LIBRARY
-template std::vector<Vec<float, 2>> gauss_offsets<float, 2>(const CellBox<float, 2>&, const GroundAtRest&,
-                                                            float, int);
+template Places<Vec<float, 2>> gauss_offsets<float, 2>(const CellBox<float, 2>&, const GroundAtRest&, float,
+                                                       int);
 template void check_rest<float, 2>(const RestingScene<float, 2>&);
-template std::vector<Vec<float, 3>> gauss_offsets<float, 3>(const CellBox<float, 3>&, const GroundAtRest&,
-                                                            float, int);
+template Places<Vec<float, 3>> gauss_offsets<float, 3>(const CellBox<float, 3>&, const GroundAtRest&, float,
+                                                       int);
 template void check_rest<float, 3>(const RestingScene<float, 3>&);
-template std::vector<Vec<double, 2>> gauss_offsets<double, 2>(const CellBox<double, 2>&, const GroundAtRest&,
-                                                              double, int);
+template Places<Vec<double, 2>> gauss_offsets<double, 2>(const CellBox<double, 2>&, const GroundAtRest&,
+                                                         double, int);
 template void check_rest<double, 2>(const RestingScene<double, 2>&);
-template std::vector<Vec<double, 3>> gauss_offsets<double, 3>(const CellBox<double, 3>&, const GroundAtRest&,
-                                                              double, int);
+template Places<Vec<double, 3>> gauss_offsets<double, 3>(const CellBox<double, 3>&, const GroundAtRest&,
+                                                         double, int);
 template void check_rest<double, 3>(const RestingScene<double, 3>&);
-template std::vector<Vec<long double, 2>> gauss_offsets<long double, 2>(const CellBox<long double, 2>&,
-                                                                        const GroundAtRest&, long double,
-                                                                        int);
+template Places<Vec<long double, 2>> gauss_offsets<long double, 2>(const CellBox<long double, 2>&,
+                                                                   const GroundAtRest&, long double, int);
 template void check_rest<long double, 2>(const RestingScene<long double, 2>&);
-template std::vector<Vec<long double, 3>> gauss_offsets<long double, 3>(const CellBox<long double, 3>&,
-                                                                        const GroundAtRest&, long double,
-                                                                        int);
+template Places<Vec<long double, 3>> gauss_offsets<long double, 3>(const CellBox<long double, 3>&,
+                                                                   const GroundAtRest&, long double, int);
 template void check_rest<long double, 3>(const RestingScene<long double, 3>&);
 #endif
 

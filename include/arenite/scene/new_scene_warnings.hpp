@@ -115,7 +115,7 @@ void warn_no_support(const Scene& scene) {
 
 /// All warnings about a new scene and the recipes of its bodies.
 template <class Scene, class... Fills>
-[[gnu::cold]] void warn_about_new_scene(const Scene& scene, const Bodies<Fills...>& recipe) {
+void warn_about_new_scene(const Scene& scene, const Bodies<Fills...>& recipe) {
   using Summary = BodySummary<typename Scene::T, Scene::D>;
   std::array<Summary, sizeof...(Fills)> bodies = [&]<std::size_t... I>(std::index_sequence<I...>) {
     return std::array<Summary, sizeof...(Fills)>{

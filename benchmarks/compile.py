@@ -71,7 +71,7 @@ def main():
             trees.append(before)
         here, there = [{name: unit for name, *unit in rows(tree)} for tree in (trees[0], trees[-1])]
         print(f"{'':40}   user s    MB" + ("   before s    MB   after/before" if options.revision else ""))
-        for name in filter(lambda name: options.only in name, here):
+        for name in filter(lambda name: re.search(options.only, name), here):
             like = there.get(name) or there.get(name.split(", with arenite::cold")[0])  # cold functions may be new
             units = [(trees[0], *here[name])] + ([(trees[1], *like)] if options.revision and like else [])
             rounds = [[cost(options.compiler.split(), *unit, folder) for unit in units] for _ in range(options.rounds)]

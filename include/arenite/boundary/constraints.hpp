@@ -49,6 +49,9 @@ struct Blocked {
   /// Takes a part's velocity u to the one blocked velocity w with n . w = n . u along what the part named and
   /// n . w = 0 along what others did.
   Mat<double, D> lift(std::size_t of) const;
+
+ private:
+  std::array<Vec<double, D>, most> shares(std::size_t of) const;
 };
 
 }  // namespace detail

@@ -34,14 +34,22 @@ ARENITE_COLD Mat<double, D> Blocked<D>::projector() const {
   return p;
 }
 
+/// w's share of each direction, linear in u. A function of its own, so that `lift` calls one: in a function that calls none
+/// g++ 12 with AVX takes a list on the stack for aligned where it is not (its bug 109780).
 template <int D>
-ARENITE_COLD Mat<double, D> Blocked<D>::lift(std::size_t of) const {
-  std::array<Vec<double, D>, most> along;  // w's share of each direction, linear in u
+ARENITE_COLD std::array<Vec<double, D>, Blocked<D>::most> Blocked<D>::shares(std::size_t of) const {
+  std::array<Vec<double, D>, most> along;
   for (std::size_t k = 0; k < count; ++k) {
     along[k] = part[k] == of ? named[k] : Vec<double, D>(Vec<double, D>::Zero());
     for (std::size_t j = 0; j < k; ++j) along[k] -= named[k].dot(directions[j]) * along[j];
     along[k] /= named[k].dot(directions[k]);
   }
+  return along;
+}
+
+template <int D>
+ARENITE_COLD Mat<double, D> Blocked<D>::lift(std::size_t of) const {
+  const auto along = shares(of);
   Mat<double, D> all = Mat<double, D>::Zero();
   for (std::size_t k = count; k-- > 0;)
     for (int column = 0; column < D; ++column)

@@ -1,5 +1,5 @@
 // Cold functions: what runs rarely and is no template over a scene, such as messages, checks and files. They are declared in their header
-// and defined in one beside it, `.._cold.hpp`. A program that only includes the headers compiles them, as inline functions;
+// and defined in one beside it, `x_cold.hpp` for `x.hpp`. A program that only includes the headers compiles them, as inline functions;
 // one that links the target arenite::cold (which sets ARENITE_COLD_LIBRARY) takes them from there, compiled once. ARENITE_ONCE is for
 // those that are no templates either, but run often: the pool of threads.
 #pragma once

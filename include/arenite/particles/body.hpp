@@ -126,8 +126,7 @@ struct OwnsAllCells {
 /// Throws `error` if the region holds no point of the mesh, unless it may.
 template <class K, ExtraColumns Extra = ExtraColumns{}, class M, class L, Name name,
           class Owns = OwnsAllCells>
-auto make_body(const M& mesh, const Fill<L, name>& recipe, const Owns& owns = {},
-                             const Ground& ground = {}) {
+auto make_body(const M& mesh, const Fill<L, name>& recipe, const Owns& owns = {}, const Ground& ground = {}) {
   using T = typename M::scalar;
   constexpr int D = M::dimension;
   Body<L, T, D, Extra> body{recipe.law, {}, {}};

@@ -55,5 +55,9 @@ template void detail::WatchBook::look_at_energy(double, const WatchedEnergy::Fou
                                                 std::span<const WatchedBody<double>>);
 template void detail::WatchBook::look_at_body(double, const WatchedBody<double>&);
 template detail::WatchedSpot detail::watched_spot(const WatchedBody<double>&, std::size_t);
+template void detail::WatchBook::look_at_energy(double, const WatchedEnergy::Found&, bool,
+                                                std::span<const WatchedBody<long double>>);
+template void detail::WatchBook::look_at_body(double, const WatchedBody<long double>&);
+template detail::WatchedSpot detail::watched_spot(const WatchedBody<long double>&, std::size_t);
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

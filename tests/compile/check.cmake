@@ -5,16 +5,7 @@
 #   // must print: SENTENCE        the compiler refuses the snippet, and its first error holds the sentence
 #   // must point here, with: WORD  it refuses it, its first error points into the snippet, and it prints the word
 # Further lines of the head: `// errors: N`, exactly so many; `// compile with: FLAGS`, added to the command.
-set(command)
-set(after_dashes FALSE)
-math(EXPR last "${CMAKE_ARGC} - 1")
-foreach(i RANGE ${last})
-  if(after_dashes)
-    list(APPEND command "${CMAKE_ARGV${i}}")
-  elseif(CMAKE_ARGV${i} STREQUAL "--")
-    set(after_dashes TRUE)
-  endif()
-endforeach()
+include(${CMAKE_CURRENT_LIST_DIR}/command.cmake)
 
 # Not file(STRINGS): brackets and semicolons are CMake's own in a list, and plain text in a sentence.
 file(READ ${snippet} text)

@@ -1,16 +1,7 @@
 # Counts the classes that clang++ instantiates for README's scene, which compile time follows: a count, for a time says nothing on a
 # machine that does other things. Fails beyond `most`; who goes below it lowers it.
 # cmake -D readme=FILE -D most=NUMBER -D folder=FOLDER -P instantiations.cmake -- COMPILER OPTIONS...
-set(command)
-math(EXPR last "${CMAKE_ARGC} - 1")
-set(inside FALSE)
-foreach(k RANGE ${last})
-  if(inside)
-    list(APPEND command ${CMAKE_ARGV${k}})
-  elseif(CMAKE_ARGV${k} STREQUAL "--")
-    set(inside TRUE)
-  endif()
-endforeach()
+include(${CMAKE_CURRENT_LIST_DIR}/command.cmake)
 file(READ ${readme} text)
 string(REGEX MATCH "```cpp\n([^`]*)```" found "${text}")
 file(WRITE ${folder}/scene.cpp "${CMAKE_MATCH_1}")

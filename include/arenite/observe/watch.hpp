@@ -73,6 +73,10 @@ class WatchBook {
   bool hints_at_damping = true, hints_at_spacing = true;  // whether still to be given
 
  private:
+  /// Whether the value of a quantity ends the run.
+  bool stops(Quantity q, double value) const {
+    return !(value <= seen[q].limit) && (!of_run || q == energy_gain || q == residual);
+  }
   void hint(bool& wanted, std::string text);
   template <class T>
   void look_at_spacing(double time, const WatchedBody<T>& body);

@@ -73,9 +73,7 @@ ARENITE_COLD WatchBook::WatchBook(const WatchLimits& limits, bool is_of_run)
 
 ARENITE_COLD bool WatchBook::takes(Quantity q, double time, double value, int body) {
   Watched& w = seen[q];
-  const bool stops = !(value <= w.limit) && (!of_run || q == energy_gain || q == residual),
-             worse = !(value <= w.worst);
-  if (!stops && !worse) return false;
+  if (!stops(q, value) && value <= w.worst) return false;
   w.worst = value;
   w.time = time;
   w.body = body;
@@ -85,13 +83,13 @@ ARENITE_COLD bool WatchBook::takes(Quantity q, double time, double value, int bo
 
 ARENITE_COLD void WatchBook::tell(Quantity q, WatchedSpot spot) {
   Watched& w = seen[q];
-  const bool stops = !(w.worst <= w.limit) && (!of_run || q == energy_gain || q == residual);
+  const bool ends = stops(q, w.worst);
   w.place = spot.place;
-  if (!stops && w.warned) return;
+  if (!ends && w.warned) return;
   const std::string text = joined_text({"t = ", w.time, " s: ", w.name, " = ", w.worst, " (", w.meaning,
-                                        of_run && !stops ? "): above " : "): the limit is ",
-                                        of_run && !stops ? w.limit / 10 : w.limit, "; ", spot.text});
-  if (stops) throw run_error(text);
+                                        of_run && !ends ? "): above " : "): the limit is ",
+                                        of_run && !ends ? w.limit / 10 : w.limit, "; ", spot.text});
+  if (ends) throw run_error(text);
   w.warned = true;
   warnings.emplace_back(text);
   warn(text);

@@ -13,10 +13,12 @@
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
-/// -1/m dJ/da of Coulomb's impulse J (`coulomb`) by the relative velocity a, where it has a slope.
+/// -1/m dJ/da of Coulomb's impulse J (`coulomb`) by the relative velocity a, where it has a slope. Without
+/// `coupling` friction that slips does not grow with the normal impulse: the slope is then symmetric and
+/// nowhere negative.
 template <int D>
 Mat<double, D> coulomb_slope(const Vec<double, D>& approach, const Vec<double, D>& normal,
-                             const Friction& friction) {
+                             const Friction& friction, bool coupling = true) {
   const double closing = approach.dot(normal);
   if (!(closing < 0)) return Mat<double, D>::Zero();
   const Vec<double, D> slip = approach - closing * normal;
@@ -24,8 +26,10 @@ Mat<double, D> coulomb_slope(const Vec<double, D>& approach, const Vec<double, D
   if (friction.is_no_slip() || speed <= most) return Mat<double, D>::Identity();
   const Vec<double, D> along = slip / speed;
   const Mat<double, D> across = normal * normal.transpose();
-  return across + most / speed * (Mat<double, D>::Identity() - across - along * along.transpose()) -
-         friction.coefficient() * along * normal.transpose();
+  Mat<double, D> slope =
+      across + most / speed * (Mat<double, D>::Identity() - across - along * along.transpose());
+  if (coupling) slope -= friction.coefficient() * along * normal.transpose();
+  return slope;
 }
 
 /// Solves f(u) = M (u - free) + sum_i W_i^T J_i(W_i u) = 0 for the twist u of a body, W_i u its velocity at

@@ -2,6 +2,7 @@
 // their contact with the matter.
 #pragma once
 
+#include <Eigen/Cholesky>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -32,9 +33,10 @@ struct RigidContact {
 
 namespace detail {
 
-/// How the impulses of the matter on a body oppose its velocity, as an inertia [N x N].
+/// How the impulses of the matter on a body oppose its velocity, as an inertia [N x N]; `coupling`: see
+/// `coulomb_slope`.
 template <class R, class Others>
-auto resistance_of_matter(const R& body, const typename R::Velocity& met, Others& others) {
+auto resistance_of_matter(const R& body, const typename R::Velocity& met, bool coupling, Others& others) {
   constexpr int D = R::V::RowsAtCompileTime, N = R::Velocity::RowsAtCompileTime;
   using U = Vec<double, N>;
   Mat<double, N> sum = Mat<double, N>::Zero();
@@ -48,11 +50,29 @@ auto resistance_of_matter(const R& body, const typename R::Velocity& met, Others
     const Vec<double, D> v = w * met.template cast<double>(), approach = t.start.template cast<double>() - v;
     const Mat<double, D> slope =
         t.inside ? Mat<double, D>(Mat<double, D>::Identity())
-                 : coulomb_slope<D>(approach, t.normal.template cast<double>(), body.friction);
+                 : coulomb_slope<D>(approach, t.normal.template cast<double>(), body.friction, coupling);
     sum += static_cast<double>(t.mass) * (w.transpose() * slope * w);
   }
   sum_over(others, sum);
   return sum;
+}
+
+/// Change of a body's velocity by an impulse in matter that resists. Friction that grows with the normal
+/// impulse can make an impulse gain energy (a wedge that jams): impulses of contacts need not exist then,
+/// and the growth is left to the next round.
+template <class R, class Others>
+auto mobility_in_matter(const R& body, const typename R::Velocity& met, Others& others) {
+  constexpr int N = R::Velocity::RowsAtCompileTime;
+  Mat<double, N> mobility = mobility_of(body, resistance_of_matter(body, met, true, others));
+  if constexpr (R::is_free) {
+    Mat<double, N> twice = mobility + mobility.transpose();
+    // Components that cannot move have rows of zeros.
+    for (int k = 0; k < N; ++k)
+      if (twice(k, k) == 0) twice(k, k) = 1;
+    if (!(twice.llt().info() == Eigen::Success))
+      mobility = mobility_of(body, resistance_of_matter(body, met, false, others));
+  }
+  return mobility;
 }
 
 }  // namespace detail
@@ -224,9 +244,8 @@ class BoundRigidContact {
       s.push = push.template cast<T>();
       s.pushed = s.free + (alone * push).template cast<T>();
       s.met = velocity_in_contact(body, s.pushed, others);
-      const auto resistance = detail::resistance_of_matter(body, s.met, others);
       b.mobility.setZero();
-      b.mobility.template topLeftCorner<size, size>() = mobility_of(body, resistance);
+      b.mobility.template topLeftCorner<size, size>() = detail::mobility_in_matter(body, s.met, others);
       s.given = give_impulses(body, scene.fields, s.met, others);
       b.twist = as_twist(s.met);
     });

@@ -195,6 +195,11 @@ class AnyFriction(Policy):
 
     policy: Policy = field(default_factory=ConstantFriction)
 
+    def __post_init__(self) -> None:
+        held = (ConstantFriction, LinearRateFriction, InertialFriction, LogarithmicFriction, SofteningFriction, RateSofteningFriction)
+        if not isinstance(self.policy, held):
+            raise Error(f"AnyFriction.policy = {self.policy!r}: must be one of {', '.join(policy.__name__ for policy in held)}")
+
     def value(self) -> Any:
         return {"policy": type(self.policy).__name__, "values": self.policy.value()}
 

@@ -11,10 +11,15 @@ LEAST = 25  #: of the scenes that must need no compiler
 
 
 def triangles(ar, d):
-    """A unit square of two triangles, or a tetrahedron."""
+    """A rectangle, 0.4 by 1 m, of triangles with a device in it, or a tetrahedron."""
     if d == 3:
         return ar.SimplexMesh([(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)], [(0, 1, 2, 3)])
-    return ar.SimplexMesh([(0, 0), (1, 0), (1, 1), (0, 1)], [(0, 1, 2), (0, 2, 3)])
+    x, y = np.linspace(0, 0.4, 5), np.linspace(0, 1, 11)
+    nodes = [(a, b) for b in y for a in x]
+    corners = [(5 * k + i, 5 * k + i + 1, 5 * k + i + 6, 5 * k + i + 5) for k in range(10) for i in range(4)]
+    cells = [cell for a, b, c, e in corners for cell in ((a, b, c), (a, c, e))]
+    device = [all(nodes[n][0] < 0.11 and 0.39 < nodes[n][1] < 0.61 for n in cell) for cell in cells]
+    return ar.SimplexMesh(nodes, cells, region=[int(d) for d in device], region_names={"soil": 0, "device": 1})
 
 
 def scene(ar, *laws, kinematics=None, simplices=False, d=2, numerics=None, **more):
@@ -46,7 +51,7 @@ def ordinary(ar):
 
     held, free = ar.Prescribed((0, -1)), ar.Free(mass=1, inertia=1, centre=(0.1, 0.3))
     dropped, free_in_space = ar.Guided(mass=1, velocity=-1), ar.Free(mass=1, inertia=1, centre=(0.1, 0.3, 0.1))
-    on_mesh = ar.MovingMesh(fixed_below=0.0, moving_from=0.4, moving_to=0.6, fixed_above=1.0, leader="device")
+    on_mesh = ar.MovingMesh(fixed_below=0.0, moving_from=0.4, moving_to=0.6, fixed_above=1.0)
     return {
         "column": lambda: scene(ar, sand),
         "column, linear rate": lambda: scene(ar, with_friction(ar.LinearRateFriction())),
@@ -82,6 +87,20 @@ def ordinary(ar):
     }
 
 
+def ordinary_names():
+    """As pytest names the tests, before the package is there."""
+    return re.findall(r'^        "(.*)": lambda', Path(__file__).read_text(), re.MULTILINE)
+
+
+COMPILED = ("column, deviatoric strain", "layers of sand")
+
+
+def kept(law):
+    """Names of a law's history."""
+    of = type(getattr(law, "friction_law", None)).__name__
+    return {*(["shear_rate"] if re.search("Rate|Inertial|Logarithmic", of) else []), *(["plastic_strain"] if "Softening" in of else [])}
+
+
 def prebuilt():
     return [line.split(" ", 1)[1] for line in PREBUILT.read_text().splitlines() if line.startswith("scene ")]
 
@@ -115,13 +134,86 @@ def test_most_ordinary_scenes_need_no_compiler(ar, asked):
     assert len(scenes) - len(need) >= LEAST, need
 
 
-def test_each_prebuilt_composition_serves_an_ordinary_scene(ar, asked):
-    """Or a page of the documentation (test_compile.py)."""
-    from arenite import _stand_ins
+@pytest.fixture
+def stands_in(ar):
+    """Scenes of which a prebuilt composition is at hand, and nothing in the cache."""
+    from arenite import _compile, _plugins
 
-    known, used = prebuilt(), set()
-    for make in ordinary(ar).values():
-        type_name, parts, dimension = asked(make())
-        found = _stand_ins.find(type_name, parts, dimension, known)
-        used.add(type_name if type_name in known else found.type if found else "")
-    assert not set(known) - used, set(known) - used
+    _plugins._ensure_prebuilt()
+    if set(prebuilt()) - set(_plugins._scenes):
+        pytest.skip("the prebuilt compositions are not those of prebuilt.txt")
+
+    def make(made):
+        with pytest.MonkeyPatch.context() as patch:  # no compiler
+            patch.setattr(_compile, "built", lambda *_, **__: (_ for _ in ()).throw(ar.Error("compiler: not found")))
+            return made()
+
+    return make
+
+
+@pytest.mark.parametrize("name", [*ordinary_names(), "wall askew"])
+def test_scenes_run_without_a_compiler(ar, stands_in, name):
+    """What they run in has no more to show than their own composition."""
+    oblique = ar.where(lambda x: x[:, 0] + x[:, 1] < 0.01, ar.symmetry((1, 1)))
+    make = ordinary(ar)["column, softening" if name == "wall askew" else name]
+    if name in COMPILED:
+        with pytest.raises(ar.Error, match="compiler"):
+            stands_in(make)
+        return
+    if name == "wall askew":
+        sand = make()._recipes["bodies"][0].law
+        with pytest.raises(ar.Error, match="compiler"):  # damping that is off would move its round-off
+            stands_in(lambda: scene(ar, sand, walls=[oblique]))
+        return
+    made = stands_in(make)
+    ar.run(made, end=2e-4)
+    for number, body in enumerate(made.bodies.values()):
+        law = made._recipes["bodies"][number].law
+        assert set(body.history) == kept(law), law
+    own = made._composition()[3]
+    for part, call in (("Reactions", lambda: made.reaction("bottom")), ("LocalDamping", lambda: made.out_of_balance),
+                       ("LocalDamping", lambda: ar.settle(made, end=1.0))):
+        if part not in own:
+            with pytest.raises(ar.Error, match="name Reactions|name a part that damps"):
+                call()
+    assert ("Reactions" in own) == any(path.startswith("reactions/") for path in made.state)
+    assert ("LocalDamping" in own) == any(path.endswith("/on") for path in made.state)
+
+
+@pytest.fixture
+def compiler(ar):
+    from arenite import _compile
+
+    try:
+        _compile.compiler()
+    except ar.Error as e:
+        pytest.skip(str(e))
+
+
+def test_what_stands_for_a_scene_has_its_bits_and_its_saved_states(ar, stands_in, compiler, tmp_path, monkeypatch):
+    monkeypatch.setenv("ARENITE_CACHE", str(tmp_path / "cache"))
+    make = ordinary(ar)["column, softening"]
+    other = stands_in(make)
+    own = ar.compile(other)
+    assert own.compiled_as == own.composition == other.composition != other.compiled_as
+    assert stands_in(make).compiled_as == other.compiled_as
+    for made in (other, own):
+        ar.run(made, end=0.02)
+    assert other.step_count == own.step_count > 20
+    assert list(other.state) == list(own.state)
+    assert all(np.array_equal(value, own.state[path]) for path, value in other.state.items())
+    other.save(tmp_path / "other")
+    own.save(tmp_path / "own")
+    again = make()  # in its own composition, which is in the cache now
+    assert again.compiled_as == own.compiled_as
+    again.restore(tmp_path / "other")
+    assert again.compiled_as == other.compiled_as
+    with pytest.raises(ar.Error, match=r"is of another run.*\n.*ar.compile\(scene\)"):
+        stands_in(make).restore(tmp_path / "own")
+    ar.run(again, end=0.03)
+    ar.run(own, end=0.03)
+    assert all(np.array_equal(value, own.state[path]) for path, value in again.state.items())
+    with pytest.raises(ar.Error, match="history = shear_rate: is no number of the law's history"):
+        ar.insert_points(other, "body 0", [(0.3, 0.3)], 1e-4, history={"shear_rate": [1.0]})
+    ar.fill_points(other, "body 0", ar.Box((0.3, 0.3), (0.32, 0.32)), history={"plastic_strain": 0.5})
+    assert other.bodies["body 0"].history["plastic_strain"].max() >= 0.5

@@ -7,9 +7,11 @@ import json
 import os
 import threading
 from pathlib import Path
-from typing import Any, Callable, Dict, List, Optional, Sequence
+from typing import Any, Callable, Dict, List, Literal, Optional, Sequence, Tuple
 
-from . import _compile, _core
+import numpy as np
+
+from . import _compile, _core, _stand_ins
 from ._errors import Error
 
 PACKAGE = Path(__file__).parent
@@ -61,27 +63,112 @@ def _ensure_prebuilt() -> None:
         _open(path)
 
 
-def _find(kind: Dict[str, Any], what: str, type_name: str, headers: Sequence[str],
-          check: Callable[[], None] = lambda: None) -> Any:
-    with _lock:
-        _ensure_prebuilt()
-        if headers or type_name not in kind:
-            path = _compile.built(what, type_name, headers, WIDTHS[width()]["flags"], loaded=_plugins, check=check,
-                                   host=_host(width()))
-            if str(path) not in _plugins:
-                _open(path)
-            return _plugins[str(path)]
+class _NotThere(Exception):
+    pass
+
+
+def _built(what: str, type_name: str, headers: Sequence[str], check: Callable[[], None] = lambda: None) -> Any:
+    path = _compile.built(what, type_name, headers, WIDTHS[width()]["flags"], loaded=_plugins, check=check, host=_host(width()))
+    return _plugins[str(path)] if str(path) in _plugins else _open(path)
+
+
+def _at_hand(kind: Dict[str, Any], what: str, type_name: str) -> Optional[Any]:
+    """The plugin of a composition that is prebuilt or in the cache."""
+    _ensure_prebuilt()
+    if type_name in kind:
         return kind[type_name]
 
+    def stop() -> None:
+        raise _NotThere
 
-def scene_plugin(type_name: str, headers: Sequence[str], check: Callable[[], None]) -> Any:
-    return _find(_scenes, "scene", type_name, headers, check)
+    try:
+        return _built(what, type_name, [], stop)
+    except (_NotThere, Error):  # an error: no compiler, whose name is part of what is looked for
+        return None
+
+
+def _prebuilt_names(kind: Dict[str, Any]) -> List[str]:
+    return [name for name, plugin in kind.items() if plugin is _plugins.get(str(prebuilt(width())))]
+
+
+Which = Literal["first", "own", "stand-in"]
+
+
+def scene_plugin(type_name: str, headers: Sequence[str], check: Callable[[], None], values: List[Any], dimension: int,
+                 which: Which = "first") -> Tuple[Any, Optional[_stand_ins.StandIn]]:
+    """The plugin of a composition, and what stands for it there, if it is neither prebuilt nor in the cache. `check`: called before
+    another one is taken or it is compiled; `values`: of its parts. `which`: the first of these that there is, its own alone, or what
+    stands for it alone, else `Error`."""
+    with _lock:
+        if not headers:
+            plugin = None if which == "stand-in" else _at_hand(_scenes, "scene", type_name)
+            if plugin is not None:
+                return plugin, None
+            _ensure_prebuilt()
+            found = None if which == "own" else _stand_ins.find(type_name, values, dimension, _prebuilt_names(_scenes))
+            if found:
+                check()
+                return _scenes[found.type], found
+        if which == "stand-in":
+            raise Error(f"composition = {type_name}: no prebuilt one stands for it")
+        return _built("scene", type_name, headers, check), None
+
+
+class _NarrowLaw:
+    """A law whose history has the columns of the policy that another one stands for."""
+
+    def __init__(self, native: Any, hidden: Sequence[str]) -> None:
+        self._native = native
+        names = native.history_names()
+        self._kept = [k for k, name in enumerate(names) if name not in hidden]
+        self._count = len(names)
+
+    def __getattr__(self, name: str) -> Any:
+        return getattr(self._native, name)
+
+    def history_names(self) -> List[str]:
+        names = self._native.history_names()
+        return [names[k] for k in self._kept]
+
+    def history_start(self) -> List[float]:
+        start = self._native.history_start()
+        return [start[k] for k in self._kept]
+
+    def _wide(self, history: Any) -> Any:
+        if history is None:
+            return None
+        given = np.asarray(history, dtype=float)
+        if given.shape[-1:] != (len(self._kept),):
+            raise Error(f"history = {given.shape}: must have {len(self._kept)} columns, those of history_names")
+        wide = np.broadcast_to(np.asarray(self._native.history_start()), given.shape[:-1] + (self._count,)).copy()
+        wide[..., self._kept] = given
+        return wide
+
+    def update(self, stress: Any, strain: Any, spin: Any, dt: float, history: Any) -> Any:
+        stress, history, *rest = self._native.update(stress, strain, spin, dt, self._wide(history))
+        return (stress, history[:, self._kept], *rest)
+
+    def drive(self, dimension: int, stages: Any, stress: Any, history: Sequence[float]) -> Any:
+        path = self._native.drive(dimension, stages, stress, list(self._wide(history)) if len(history) else [])
+        return {**path, "history": path["history"][:, self._kept]}
+
+    def elastic_energy(self, stress: Any, history: Any) -> Any:
+        if history is None and self._kept == []:
+            history = np.zeros((len(np.asarray(stress)), 0))
+        return self._native.elastic_energy(stress, self._wide(history))
 
 
 def law(recipe: Any) -> Any:
-    header = recipe.header()
-    type_name = recipe.cpp()
-    return _find(_laws, "law", type_name, [header] if header else []).law(type_name, recipe.value())
+    header, type_name = recipe.header(), recipe.cpp()
+    with _lock:
+        plugin = None if header else _at_hand(_laws, "law", type_name)
+        if plugin is None and not header:
+            for name in _prebuilt_names(_laws):
+                policy = _stand_ins.law_stand_in(name, type_name)
+                if policy:
+                    native = _laws[name].law(name, _stand_ins.law_value(recipe.value(), policy))
+                    return _NarrowLaw(native, _stand_ins.hidden_history(policy))
+        return (plugin or _built("law", type_name, [header] if header else [])).law(type_name, recipe.value())
 
 
 def recipes() -> List[Any]:

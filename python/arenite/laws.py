@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 import enum
 from dataclasses import dataclass, field
 from typing import Any, Dict, Optional, Tuple
@@ -185,6 +186,25 @@ class RateSofteningFriction(Policy):
 
 
 @dataclass(frozen=True)
+class AnyFriction(Policy):
+    """One of the other frictions, chosen when the scene is made: the same results, and one composition for all of them. The points
+    have `shear_rate` and `plastic_strain` whichever it is. A scene whose own composition is not at hand takes it by itself.
+
+    parameter  unit  range       default
+    policy     -     a friction  ConstantFriction"""
+
+    policy: Policy = field(default_factory=ConstantFriction)
+
+    def __post_init__(self) -> None:
+        held = (ConstantFriction, LinearRateFriction, InertialFriction, LogarithmicFriction, SofteningFriction, RateSofteningFriction)
+        if not isinstance(self.policy, held):
+            raise Error(f"AnyFriction.policy = {self.policy!r}: must be one of {', '.join(policy.__name__ for policy in held)}")
+
+    def value(self) -> Any:
+        return {"policy": type(self.policy).__name__, "values": self.policy.value()}
+
+
+@dataclass(frozen=True)
 class ConstantStiffness(Policy):
     """The moduli of the law's parameters."""
 
@@ -252,6 +272,9 @@ class _Frictional(Law):
         return f"{type(self).__name__}<{', '.join(given)}>"
 
     def __post_init__(self) -> None:
+        if isinstance(self.friction_law, AnyFriction):
+            dataclasses.replace(self, friction_law=self.friction_law.policy)  # which is checked
+            return
         super().__post_init__()
         check_together(type(self.stiffness_law).__name__, type(self.friction_law).__name__)
 
@@ -354,7 +377,7 @@ class OwnLaw(Law):
         return f"{self.name}({', '.join(f'{k}={v!r}' for k, v in self.parameters.items())})"
 
 
-__all__ = ["Cone", "ConstantFriction", "ConstantStiffness", "DruckerPrager", "ForgetsOpening", "InertialFriction", "Law",
+__all__ = ["AnyFriction", "Cone", "ConstantFriction", "ConstantStiffness", "DruckerPrager", "ForgetsOpening", "InertialFriction", "Law",
            "LinearElastic", "LinearRateFriction", "LogarithmicFriction", "MohrCoulomb", "OwnLaw", "PressureStiffness",
            "RateSofteningFriction", "RateStiffness", "RemembersOpening", "SofteningFriction", "Updated",
            "WithDeviatoricStrain"]

@@ -1,21 +1,35 @@
-"""Laws of one's own, written in C++."""
+"""Laws of one's own, written in C++, and scenes in compositions of their own."""
 
 from __future__ import annotations
 
 import os
 import re
 from pathlib import Path
-from typing import Any, Callable, Union
+from typing import Any, Callable, Union, overload
 
 from . import _compile
 from ._errors import Error
 from .laws import OwnLaw
+from .scene import Scene, compiled
 
 
-def compile(law: Union[str, "os.PathLike[str]"], name: str = "") -> Callable[..., OwnLaw]:
+@overload
+def compile(law: Scene) -> Scene: ...
+
+
+@overload
+def compile(law: Union[str, "os.PathLike[str]"], name: str = "") -> Callable[..., OwnLaw]: ...
+
+
+def compile(law: Union[str, "os.PathLike[str]", Scene], name: str = "") -> Union[Scene, Callable[..., OwnLaw]]:
     """A law out of a C++ header (as examples/own_law.hpp): `Viscous = ar.compile(law="viscous.hpp")`, then
     `Viscous(density=.., ..)` is a law like any other. Its parameters are those of its struct `Parameters`, or its own
-    members if it is an aggregate. `name`: of its class, with namespaces, where the header holds several. It is compiled when it is first used, with the scene that uses it."""
+    members if it is an aggregate. `name`: of its class, with namespaces, where the header holds several. It is compiled when it is first used, with the scene that uses it.
+
+    Of a scene, `scene = ar.compile(scene)`: the same recipes, at their start, in a composition of their own (`scene.compiled_as`), compiled
+    if it is not in the cache, from which later scenes of these recipes take it."""
+    if isinstance(law, Scene):
+        return compiled(law)
     path = Path(law).resolve()
     if not path.is_file():
         raise Error(f"compile: law = {law}: there is no such file")

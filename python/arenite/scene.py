@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 import tempfile
-from typing import Any, Callable, Dict, Iterator, List, Mapping, NamedTuple, Optional, Sequence, Tuple, Union
+from typing import Any, Callable, Dict, Iterable, Iterator, List, Mapping, NamedTuple, Optional, Sequence, Tuple, Union
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,6 +13,7 @@ from . import _core, _plugins
 from ._errors import Error
 from ._pickle import refuse_unpicklable
 from ._recipe import Recipe, check_together, function_value
+from ._stand_ins import fill_value
 from .boundary import PointLoad, Surface, Wall
 from .fill import Fill
 from .laws import Law
@@ -22,6 +23,7 @@ from .rigid import MovingMesh, Rigid, RigidContact
 from .views import Body, RigidState, State
 from .watch import Progress, Watch, Watched
 
+DAMP = ": name a part that damps: LocalDamping or ViscousDamping"
 STOP = True  #: what a function of `run` returns to end the run there
 
 
@@ -83,7 +85,8 @@ class Scene:
     deformable bodies (none: they stick); moving_mesh; parts: loads, damping, driven walls and parts of one's own;
     energy: whether the energy balance is kept; reactions: whether walls' reactions are summed.
 
-    A composition that is not prebuilt is compiled on first use, which takes some ten seconds, and cached."""
+    A composition that is neither prebuilt nor in the cache runs in a prebuilt one that stands for it (`compiled_as`), with the same
+    bits; if there is none, it is compiled, which takes some ten seconds, and cached. `ar.compile(scene)` compiles it in any case."""
 
     def __init__(self, kinematics: Recipe, mesh: Mesh, numerics: Numerics, *, bodies: Sequence[Fill],
                  walls: Sequence[Wall] = (), gravity: Any = None, rigids: Sequence[Rigid] = (),
@@ -159,18 +162,29 @@ class Scene:
                 {"kinematics": r["kinematics"].value(), "mesh": r["mesh"].value(), "numerics": r["numerics"].value(),
                  "parts": values}, sorted({h for h in own if h}), types)
 
-    def _make(self) -> Any:
+    def _make(self, which: _plugins.Which = "first") -> Any:
         self._type, values, headers, types = self._composition()
 
         def check() -> None:
             _core.check_scene(self._recipes["mesh"].cpp(), values["mesh"], types, values["parts"])
 
-        return _plugins.scene_plugin(self._type, headers, check).scene(self._type, values)
+        plugin, self._stand_in = _plugins.scene_plugin(self._type, headers, check, values["parts"], self._recipes["mesh"].dimension, which)
+        if self._stand_in is None:
+            return plugin.scene(self._type, values)
+        core = plugin.scene(self._stand_in.type, {**values, "parts": self._stand_in.parts})
+        if "LocalDamping" in self._stand_in.neutral:
+            core.switch_off_damping()
+        return core
+
+    def _refuse_neutral(self, part: str, said: str) -> None:
+        """Refuses what only a scene with a part can do, where the scene that it runs in alone has it."""
+        if self._stand_in is not None and part in self._stand_in.neutral:
+            raise Error(said)
 
     def _take(self, core: Any) -> None:
         self._core = core
         self._restored_at: Optional[int] = None  # steps of the state that was restored
-        self._state = State(core)
+        self._state = State(core, self._stand_in.hidden if self._stand_in else ())
         #: deformable bodies by name
         self.bodies: Dict[str, Body] = {b.name: Body(self._state, k, b.name)
                                         for k, b in enumerate(self._recipes["bodies"])}
@@ -222,6 +236,7 @@ class Scene:
     @property
     def out_of_balance(self) -> float:
         """Forces out of balance over the forces that are there, -, in the last step of a scene in which a part damps."""
+        self._refuse_neutral("LocalDamping", "out_of_balance" + DAMP)
         return float(self._core.out_of_balance())
 
     @property
@@ -247,6 +262,7 @@ class Scene:
 
     def reaction(self, wall: str) -> Reaction:
         """Of a wall, by its name or face; the scene must have been made with `reactions=True`."""
+        self._refuse_neutral("Reactions", "reaction: name Reactions{} among the scene's parts")
         return Reaction(*self._core.reaction(wall))
 
     @property
@@ -267,8 +283,24 @@ class Scene:
 
     @property
     def composition(self) -> str:
-        """The C++ type."""
+        """The C++ type that its recipes name."""
         return self._type
+
+    @property
+    def compiled_as(self) -> str:
+        """The C++ type that it runs in: `composition`, or a prebuilt one that stands for it."""
+        return self._stand_in.type if self._stand_in else self._type
+
+    def _fill_value(self, number: int, fill: Fill) -> Any:
+        """The values of a fill of a body, as what it runs in takes them."""
+        self._check_history(number, fill.history)
+        return fill_value(fill.value(), self._stand_in.frictions[number] if self._stand_in else None)
+
+    def _check_history(self, number: int, names: Iterable[str]) -> None:
+        """Refuses numbers of a history that are those of another policy."""
+        for name in names:
+            if self._stand_in and f"bodies/{number}/points/history/{name}" in self._stand_in.hidden:
+                raise Error(f"history = {name}: is no number of the law's history")
 
     def __repr__(self) -> str:
         points = sum(len(b) for b in self.bodies.values())
@@ -283,12 +315,29 @@ class Scene:
     def restore(self, path: Union[str, "os.PathLike[str]"], recipe: str = "") -> None:
         """Takes a saved state. The next `run` goes on with it: `every` calls nothing at its start, which was called before the state
         was saved, and `Vtu` goes on with its series."""
-        self._core.restore(os.fspath(path), recipe)
+        self._restore(os.fspath(path), recipe)
         self._restored_at = self.step_count
+
+    def _restore(self, path: str, recipe: str) -> None:
+        try:
+            self._core.restore(path, recipe)
+        except Error as e:
+            if self._stand_in is not None:
+                raise Error(f"{e}\n  (the scene runs in {self.compiled_as}, which stands for its own composition; ar.compile(scene) "
+                            "compiles that)") from e
+            try:  # saved where another composition stood for this one
+                other = object.__new__(Scene)
+                other._recipes = self._recipes
+                core = other._make("stand-in")
+                core.restore(path, recipe)
+            except Error:
+                raise e from None
+            self._stand_in = other._stand_in
+            self._take(core)
 
     def copy(self) -> "Scene":
         other = object.__new__(Scene)
-        other._recipes, other._type = self._recipes, self._type
+        other._recipes, other._type, other._stand_in = self._recipes, self._type, self._stand_in
         other._take(self._core.copy())
         return other
 
@@ -313,7 +362,15 @@ class Scene:
             path = os.path.join(folder, "state")
             with open(path, "wb") as file:
                 file.write(state)
-            self._core.restore(path, "")
+            self._restore(path, "")
+
+
+def compiled(scene: Scene) -> Scene:
+    """A scene of the same recipes, at their start, in its own composition, which is compiled if it is not there."""
+    own = object.__new__(Scene)
+    own._recipes = scene._recipes
+    own._take(own._make("own"))
+    return own
 
 
 Observer = Callable[[Scene], Any]
@@ -342,6 +399,8 @@ def settle(scene: Scene, end: float, ratio: float = 1e-3, courant: float = 0.5,
 def _run(scene: Scene, end: float, courant: float, max_step: float, ratio: Optional[float],
          every: Optional[Mapping[float, Observer]], after_step: Optional[Observer], watch: Union[bool, Watch],
          progress: Optional[Progress] = None) -> None:
+    if ratio is not None:
+        scene._refuse_neutral("LocalDamping", "settle" + DAMP)
     every = dict(every or {})
     observers = list(every.values())
     after = None if after_step is None else lambda: after_step(scene) is STOP

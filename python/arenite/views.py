@@ -10,10 +10,10 @@ from ._errors import Error
 
 
 class State:
-    """Values of a scene's state by path, looked up once between two steps."""
+    """Values of a scene's state by path, looked up once between two steps; without those whose path begins with one of `hidden`."""
 
-    def __init__(self, core: Any) -> None:
-        self.core = core
+    def __init__(self, core: Any, hidden: Sequence[str] = ()) -> None:
+        self.core, self._hidden = core, tuple(hidden)
         self._at = (-1, -1)
         self._columns: Dict[str, Any] = {}
         self.written = False  #: since somebody asked
@@ -21,7 +21,8 @@ class State:
     def columns(self) -> Dict[str, Any]:
         now = (self.core.generation(), self.core.steps())
         if now != self._at:
-            self._columns, self._at = self.core.columns(), now
+            self._columns = {path: column for path, column in self.core.columns().items() if not path.startswith(self._hidden)}
+            self._at = now
         return self._columns
 
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <arenite/arenite.hpp>
+#include <arenite/host/read_any_friction.hpp>
 #include <arenite/host/read_recipes.hpp>
 
 #if defined(ARENITE_HOST_ELSEWHERE) || defined(ARENITE_HOST_HERE)
@@ -31,6 +32,8 @@ ARENITE_READ(MohrCoulombParameters);
 ARENITE_READ(DruckerPragerParameters);
 ARENITE_READ(MohrCoulomb<>);
 ARENITE_READ(DruckerPrager<>);
+ARENITE_READ(MohrCoulomb<ForgetsOpening, AnyFriction>);
+ARENITE_READ(DruckerPrager<ForgetsOpening, AnyFriction>);
 
 ARENITE_READ(Rigid<DistanceSurface<>, Prescribed>);
 ARENITE_READ(Rigid<DistanceSurface<>, Guided>);

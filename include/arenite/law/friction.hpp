@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <concepts>
+#include <limits>
 
 #include <arenite/law/law.hpp>
 
@@ -37,7 +38,7 @@ struct GivenAngles {
 /// - `double least_slope(const GivenAngles& given) const`: a lower bound of the slope. Where all points of a
 ///   pack lie within its cone, and with cohesion within that of tan(1.55) too, `slope` is not asked for: it
 ///   takes a `const History<T>&`, and what changes in each step belongs into `follow`. Worth it for slopes
-///   that cost more than a few operations.
+///   that cost more than a few operations. Not a number: no bound, and `slope` is asked for in each step.
 /// - `bool implicit() const`: whether the slope is that of the mean stress at the end of the step, which
 ///   dilatancy and a cut-off change in the return. It must not rise with the pressure, nor with tension. The
 ///   law then asks `slope`, with a `const History<T>&`, for the stresses of returns too, until that of the
@@ -45,6 +46,7 @@ struct GivenAngles {
 /// - `T dilatancy_slope(const GivenAngles& given, const History<T>& history) const`: tan(psi) of the point,
 ///   >= 0; asked after `slope`, and never more than its answer: plastic flow would else produce energy. A
 ///   policy without it has the dilatancy of the law's parameters, and must keep its slope above it.
+/// - `bool own_dilatancy() const`: whether `dilatancy_slope` is to be asked, where constants decide on it.
 /// - `void flow(const T& strain, History<T>& history) const`: is told the deviatoric plastic strain of each
 ///   step, sqrt(2/3 e:e), -; 0 where nothing yields. What hardens or softens with it does so from the next
 ///   step on.
@@ -61,6 +63,9 @@ namespace detail {
 /// Greatest angle of friction, rad: 88.8 deg. The round-off of a return grows with 1 / (pi/2 - friction); in
 /// float it is here 3e-5 of the trial stress.
 inline constexpr double greatest_friction = 1.55;
+
+/// `least_slope` of a policy whose constants give it none: no comparison with it holds.
+inline constexpr double no_least_slope = std::numeric_limits<double>::quiet_NaN();
 
 /// Whether a policy by point gives the law's own angle everywhere.
 template <class Friction>

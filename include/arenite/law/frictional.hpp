@@ -126,8 +126,8 @@ class Frictional : public Memory, public detail::ElasticPart<Stiffness> {
     if constexpr (bounded) least_slope_ = friction.least_slope(given_);
     if constexpr (implicit)
       pressure_changes_ =
-          friction.implicit() &&
-          (has_dilatancy || p.dilatancy > 0 || p.tension < detail::apex(std::atan(least_slope_), p.cohesion));
+          friction.implicit() && (own_dilatancy() || p.dilatancy > 0 ||
+                                  p.tension < detail::apex(std::atan(least_slope_), p.cohesion));
   }
 
   /// That of the parameters' angle of friction.
@@ -249,14 +249,25 @@ class Frictional : public Memory, public detail::ElasticPart<Stiffness> {
       return min(T(friction_.slope(given_.slope, step, seen)), greatest);
   }
 
+  /// Whether the policy gives the dilatancy, too.
+  bool own_dilatancy() const {
+    if constexpr (requires { friction_.own_dilatancy(); })
+      return friction_.own_dilatancy();
+    else
+      return has_dilatancy;
+  }
+
   /// The surface of each point.
   template <class T>
   auto surface_of_point(const T& slope, [[maybe_unused]] const History<T>& history) const {
     using std::min;
     const auto angle = detail::friction_of_slope(slope);
     if constexpr (has_dilatancy) {
-      const T flow = min(T(friction_.dilatancy_slope(given_, history)), slope);
-      return Surface<T, T>(parameters_, elasticity(), angle, detail::friction_of_slope(flow).sin);
+      T sin_flow(sin_dilatancy_);
+      if (own_dilatancy())
+        sin_flow =
+            detail::friction_of_slope(T(min(T(friction_.dilatancy_slope(given_, history)), slope))).sin;
+      return Surface<T, T>(parameters_, elasticity(), angle, sin_flow);
     } else {
       return Surface<T, double>(parameters_, elasticity(), angle, sin_dilatancy_);
     }

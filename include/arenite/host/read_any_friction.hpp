@@ -1,0 +1,44 @@
+// Any friction out of a host's values: the name of a policy's class, and its values.
+#pragma once
+
+#include <string>
+
+#include <arenite/core/type_words.hpp>
+#include <arenite/host/read.hpp>
+#include <arenite/law/any_friction.hpp>
+
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
+
+/// `{"policy": "LinearRateFriction", "values": {..}}`; none: the law's own angle.
+template <>
+struct Reader<AnyFriction> {
+  static AnyFriction read(const Value&, const Reading&);
+};
+
+#ifndef ARENITE_HOST_ELSEWHERE
+
+ARENITE_READER AnyFriction Reader<AnyFriction>::read(const Value& value, const Reading& at) {
+  if (value.is_none()) return {};
+  const Value* const policy = value.find("policy");
+  const auto* const name = policy ? policy->get<std::string>() : nullptr;
+  const Value* const values = value.find("values");
+  AnyFriction any;
+  bool found = false;
+  const auto look = [&]<class P>(std::type_identity<P>) {
+    if (!name || *name != type_words<P>()) return;
+    any = AnyFriction{arenite::read<P>(values ? *values : Value(), at)};
+    found = true;
+  };
+  look(std::type_identity<ConstantFriction>{});
+  look(std::type_identity<LinearRateFriction>{});
+  look(std::type_identity<InertialFriction>{});
+  look(std::type_identity<LogarithmicFriction>{});
+  look(std::type_identity<SofteningFriction>{});
+  look(std::type_identity<RateSofteningFriction>{});
+  if (!found) at.refuse(value, "must name a friction policy of the library");
+  return any;
+}
+
+#endif
+
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -86,7 +86,7 @@ def test_a_program_of_ones_own_is_not_replaced(ar, package, monkeypatch, tmp_pat
         _driver.run(COMMAND).check()
 
 
-def test_nothing_is_compiled_after_a_stop(package, monkeypatch):
+def test_nothing_is_compiled_after_a_stop(package, monkeypatch, tmp_path):
     from arenite.ffp import _driver
 
     runs, run = _driver.Runs(), _driver.Runs._run
@@ -99,3 +99,4 @@ def test_nothing_is_compiled_after_a_stop(package, monkeypatch):
     monkeypatch.setattr(_driver.Runs, "_run", run_and_stop)
     with pytest.raises(KeyboardInterrupt):
         runs.run(COMMAND)
+    assert not list((tmp_path / "cache").glob("*.files"))

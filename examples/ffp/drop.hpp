@@ -34,21 +34,24 @@ inline bool is_default(const DropOptions& o) {
          o.law.kind == LawKind::mohr_coulomb && o.contact_kind() == ContactKind::rigid && o.averages();
 }
 
-/// All other drops. The program `arenite-ffp-default` is built without them, in a quarter of the time.
-extern const bool has_other_drops;
-void drop_other(const DropOptions& options);
+/// The unit, drop_<name>.cpp, that computes a drop.
+inline std::string unit_of(const DropOptions& o) {
+  if (is_default(o)) return "default";
+  return o.on_grid() ? word_of(mesh_kind_words, o.mesh_kind) : word_of(kinematics_words, o.kinematics);
+}
 
-/// What this program was built without.
-class NotBuilt : public error {
- public:
-  NotBuilt()
-      : error{
-            "this program holds the composition of the default drop alone; build the target arenite-ffp for "
-            "others, for --error-bar and for the paper"} {}
+/// Each unit but the default one adds itself, so that a program can be built without some.
+struct DropUnit {
+  DropUnit(const std::string& name, void (*run)(const DropOptions&));
 };
 
-void drop_axisymmetric(const DropOptions& options);
-void drop_slice(const DropOptions& options);
-void drop_grid(const DropOptions& options);
+/// Units that a command needs and this program was built without.
+class NotBuilt : public error {
+ public:
+  explicit NotBuilt(const std::string& units)
+      : error{joined_text(
+            {"drops = ", units,
+             ": this program was built without them; build the target arenite-ffp, which has all"})} {}
+};
 
 }  // namespace arenite::ffp

@@ -3,4 +3,9 @@
 #include "drop.hpp"
 #include "drop_with.hpp"
 
-void arenite::ffp::drop_axisymmetric(const DropOptions& o) { drop_model<AxisymmetricModel>(o, drop_default); }
+namespace arenite::ffp {
+
+const DropUnit axisymmetric{"axisymmetric",
+                            [](const DropOptions& o) { drop_model<AxisymmetricModel>(o, drop_default); }};
+
+}  // namespace arenite::ffp

@@ -3,9 +3,13 @@
 #include "model_grid.hpp"
 #include "record.hpp"
 
-void arenite::ffp::drop_grid(const DropOptions& o) {
-  if (o.contact_kind() == ContactKind::points)
-    record<GridModel>(o, [&] { return grid_scene<PointContact>(o); });
-  else
-    record<GridModel>(o, [&] { return grid_scene<RigidVelocity>(o); });
-}
+namespace arenite::ffp {
+
+const DropUnit grid{"grid", [](const DropOptions& o) {
+                      if (o.contact_kind() == ContactKind::points)
+                        record<GridModel>(o, [&] { return grid_scene<PointContact>(o); });
+                      else
+                        record<GridModel>(o, [&] { return grid_scene<RigidVelocity>(o); });
+                    }};
+
+}  // namespace arenite::ffp

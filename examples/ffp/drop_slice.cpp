@@ -2,4 +2,9 @@
 #include "drop.hpp"
 #include "drop_with.hpp"
 
-void arenite::ffp::drop_slice(const DropOptions& o) { drop_model<SliceModel>(o, drop_plain<SliceModel>); }
+namespace arenite::ffp {
+
+const DropUnit slice{"slice",
+                     [](const DropOptions& o) { drop_model<SliceModel>(o, drop_plain<SliceModel>); }};
+
+}  // namespace arenite::ffp

@@ -3,8 +3,10 @@
 #include <csignal>
 #include <exception>
 #include <iostream>
+#include <map>
 #include <new>
 #include <optional>
+#include <set>
 #include <string>
 #include <variant>
 #include <vector>
@@ -15,6 +17,7 @@
 #include "drop.hpp"
 #include "error_bar.hpp"
 #include "paper.hpp"
+#include "paper_cases.hpp"
 #include "reduce.hpp"
 #include "say.hpp"
 #include "values.hpp"
@@ -25,14 +28,33 @@
 
 namespace arenite::ffp {
 
+namespace {
+
+std::map<std::string, void (*)(const DropOptions&)>& drop_units() {
+  static std::map<std::string, void (*)(const DropOptions&)> units{{"default", drop_default}};
+  return units;
+}
+
+/// Before anything is run.
+void require_built(const std::set<std::string>& units) {
+  std::string missing;
+  for (const auto& unit : units)
+    if (!drop_units().contains(unit)) missing += (missing.empty() ? "" : ", ") + unit;
+  if (!missing.empty()) throw NotBuilt(missing);
+}
+
+}  // namespace
+
+DropUnit::DropUnit(const std::string& name, void (*run)(const DropOptions&)) { drop_units()[name] = run; }
+
 void drop(const DropOptions& o) {
   set_threads(o.threads);
-  is_default(o) ? drop_default(o) : drop_other(o);
+  drop_units().at(unit_of(o))(o);
 }
 
 /// A drop, and what practitioners read off it.
 void run_command(const DropOptions& o) {
-  if (!has_other_drops && (o.error_bar || !is_default(o))) throw NotBuilt();
+  require_built({unit_of(o)});  // those of its error bar differ in numbers alone
   o.error_bar ? drop_with_error_bar(o) : drop(o);
   try {
     reduce_drop(o.out);
@@ -44,7 +66,9 @@ void run_command(const DropOptions& o) {
 }
 void run_command(const ReduceOptions& o) { reduce(o); }
 void run_command(const PaperOptions& o) {
-  if (!has_other_drops) throw NotBuilt();
+  std::set<std::string> units;
+  for (const PaperCase& c : paper_cases(o)) units.insert(unit_of(c.options));
+  require_built(units);
   paper(o);
 }
 

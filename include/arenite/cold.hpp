@@ -12,12 +12,14 @@
 #include <arenite/io/input_file_cold.hpp>
 #include <arenite/io/output_file_cold.hpp>
 #include <arenite/io/pvd_cold.hpp>
+#include <arenite/io/state_file_cold.hpp>
 #include <arenite/io/vtu_cold.hpp>
 #include <arenite/law/elasticity_cold.hpp>
 #include <arenite/law/frictional_cold.hpp>
 #include <arenite/mesh/blocks_cold.hpp>
 #include <arenite/mesh/cartesian_grid_cold.hpp>
 #include <arenite/observe/progress_cold.hpp>
+#include <arenite/observe/saved_state_cold.hpp>
 #include <arenite/observe/vtu_cold.hpp>
 #include <arenite/observe/watch_cold.hpp>
 #include <arenite/particles/cell_list_cold.hpp>

@@ -81,12 +81,12 @@ def whole(path: Path) -> bool:
     return len(content) > _DIGEST and hashlib.sha256(content[:-_DIGEST]).digest() == content[-_DIGEST:]
 
 
-def store(made: Path, path: Path) -> None:
+def store(made: Path, path: Path, mode: int = 0o600) -> None:
     """Puts a file that is complete under its name, with a hash behind it: on the disk as a whole, or not at all."""
     with open(made, "r+b") as file:
         file.write(hashlib.sha256(file.read()).digest())
         file.flush()
-        os.fchmod(file.fileno(), 0o600)
+        os.fchmod(file.fileno(), mode)
         os.fsync(file.fileno())
     os.replace(made, path)
     at = os.open(path.parent, os.O_RDONLY | os.O_CLOEXEC)

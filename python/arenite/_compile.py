@@ -1,4 +1,4 @@
-"""Compositions compiled on first use by the system's compiler, and cached.
+"""Compositions, and programs, compiled on first use by the system's compiler, and cached.
 
 The name of an object is a hash of all that decides it: the unit's text, compiler and flags, and the content of every
 file that the compiler read (a law's header and what it includes, the library, Eigen, the system's headers), as the
@@ -33,14 +33,14 @@ def include_folders() -> List[Path]:
     return [Path(p) for p in given.split(":")] if given else [PACKAGE / "include", PACKAGE / "include" / "eigen3"]
 
 
-def compiler() -> List[str]:
+def compiler(what: str = "This composition") -> List[str]:
     given = os.environ.get("CXX", "")
     try:
         words = shlex.split(given) or ["g++"]
     except ValueError as e:
         raise Error(f"CXX = {given}: must be words as a shell takes them ({e})") from e
     if shutil.which(words[0]) is None:
-        raise Error(f"compiler = {words[0]}: not found. This composition is not prebuilt and must be compiled: install "
+        raise Error(f"compiler = {words[0]}: not found. {what} is not prebuilt and must be compiled: install "
                     "g++ 12 or clang++ 14 (or newer), or name one in the environment's CXX")
     return words
 
@@ -57,7 +57,7 @@ def _compiler_version(words: Tuple[str, ...], path: str) -> str:
     return path + "\n" + _called([*words, "--version"]).stdout
 
 
-#: C++ of the object that scenes and laws are linked with, as python/native/host.cpp has it.
+#: C++ of the object that scenes and laws are linked with: python/native/host.cpp and src/cold/cold.cpp.
 HOST = "#define ARENITE_COLD_LIBRARY\n#define ARENITE_HOST_HERE\n#include <arenite/cold.hpp>\n#include <arenite/host/readers.hpp>\n"
 ELSEWHERE = "#define ARENITE_COLD_LIBRARY\n#define ARENITE_HOST_ELSEWHERE\n"
 
@@ -93,10 +93,15 @@ def _files_read(rule: str, unit: Path) -> List[str]:
     return sorted(paths - {os.path.abspath(unit)})
 
 
+def _ending(command: Sequence[str]) -> str:
+    """Of what a command makes; a program has none."""
+    return ".o" if "-c" in command else ".so" if "-shared" in command else ""
+
+
 def _compiled(command: Sequence[str], text: str, told: str, folder: Path, log: Path, host: Optional[Path]) -> List[str]:
-    """Compiles `folder/unit.so`, or unit.o where it is linked with no `host`; returns the files that it was made of."""
+    """Compiles `folder/unit` with its ending, linked with `host` if there is one; returns the files that it was made of."""
     unit, rule = folder / "unit.cpp", folder / "unit.d"
-    out = folder / ("unit.o" if "-c" in command else "unit.so")
+    out = folder / f"unit{_ending(command)}"
     unit.write_text(text)
     linked = [str(host)] if host else []
     done = _called([*command, "-MD", "-MF", str(rule), str(unit), *linked, "-o", str(out)])
@@ -112,7 +117,7 @@ def _compiled(command: Sequence[str], text: str, told: str, folder: Path, log: P
 def _made(command: Sequence[str], text: str, told: str, key: str, place: Path, host: Optional[Path]) -> Path:
     """Compiles and stores an object and the list of the files that it was made of."""
     folder = place / f"{key}.tmp"
-    ending = ".o" if "-c" in command else ".so"
+    ending = _ending(command)
     rounds = 3
     for _ in range(rounds):
         shutil.rmtree(folder, ignore_errors=True)  # that of a process that was killed
@@ -125,7 +130,7 @@ def _made(command: Sequence[str], text: str, told: str, key: str, place: Path, h
             if name is None or any(os.stat(f).st_ctime_ns >= begin for f in files):
                 continue
             made = place / f"{name}{ending}"
-            _cache.store(folder / f"unit{ending}", made)
+            _cache.store(folder / f"unit{ending}", made, 0o600 if ending else 0o700)
             listed = folder / "files"
             listed.write_bytes("\n".join(files).encode(errors="surrogateescape"))
             _cache.store(listed, place / f"{key}.files")
@@ -143,12 +148,12 @@ def _found(key: str, place: Path, ending: str) -> Path:
 
 
 def _object(text: str, told: str, command: Sequence[str], version: str, place: Path, loaded: Container[str] = (),
-            check: Callable[[], None] = lambda: None, host: Callable[[], Optional[Path]] = lambda: None) -> Path:
-    """An object of the cache, compiled if it is not there; `host`: what it is linked with, made before."""
+            check: Callable[[], None] = lambda: None, host: Callable[[], Optional[Path]] = lambda: None, takes: str = "") -> Path:
+    """An object of the cache, compiled if it is not there; `host`: what it is linked with, made before; `takes`: how long."""
     paths_of_compiler = [os.environ.get(name, "") for name in ("CPATH", "CPLUS_INCLUDE_PATH", "COMPILER_PATH", "LIBRARY_PATH")]
     key = hashlib.sha256("\0".join([text, _core.version, version, *command, *paths_of_compiler])
                          .encode(errors="surrogateescape")).hexdigest()[:32]
-    ending = ".o" if "-c" in command else ".so"
+    ending = _ending(command)
     made = _found(key, place, ending)
     if str(made) in loaded or _cache.whole(made):
         return made
@@ -158,7 +163,7 @@ def _object(text: str, told: str, command: Sequence[str], version: str, place: P
         if _cache.whole(made):
             return made
         with_host = host()
-        print(f"arenite: compiling {told} (once; {place}) ..", file=sys.stderr, flush=True)
+        print(f"arenite: compiling {told} (once{takes and f', {takes}'}; {place}) ..", file=sys.stderr, flush=True)
         start = time.monotonic()
         made = _made(command, text, told, key, place, with_host)
         print(f"arenite: compiled in {time.monotonic() - start:.0f} s", file=sys.stderr, flush=True)
@@ -175,12 +180,12 @@ def built(what: str, type_name: str, headers: Sequence[str], flags: Sequence[str
             raise Error(f"header = {h}: there is no such file")
         if re.search(r'["\\\n]', str(Path(h).resolve())):
             raise Error(f"header = {h}: its path must hold no quote, backslash or line break")
-    words, folders = compiler(), tuple(include_folders())
+    folders = tuple(include_folders())
     if not (folders[0] / "arenite" / "arenite.hpp").is_file():
         raise Error(f"include = {folders[0]}: the library's headers are not there; set ARENITE_INCLUDE")
     text = source(what, type_name, headers)
-    command = [*words, "-std=c++20", "-O3", "-DNDEBUG", "-fPIC", *flags, *(f"-isystem{f}" for f in folders)]
-    version = _compiler_version(tuple(words), os.path.realpath(shutil.which(words[0]) or ""))
+    words, version = _compiler()
+    command = [*_command(words, folders, flags), "-fPIC"]
     place = _cache.opened()
 
     def with_host() -> Optional[Path]:
@@ -194,6 +199,27 @@ def built(what: str, type_name: str, headers: Sequence[str], flags: Sequence[str
         return _object(text, type_name, [*command, "-shared"], version, place, loaded, check, with_host)
     except OSError as e:
         _cache.refuse(place, e)
+
+
+def program(text: str, told: str, flags: Sequence[str], host: Callable[[], Path], takes: str) -> Path:
+    """A program of one unit, compiled if it is not in the cache, with the headers of the package; `host`: what of the package it is
+    linked with, asked for before it is compiled; `takes`: how long that takes, to say so."""
+    words, version = _compiler(told)
+    place = _cache.opened()
+    command = [*_command(words, (PACKAGE / "include", PACKAGE / "include" / "eigen3"), flags), "-pthread"]
+    try:
+        return _object(text, told, command, version, place, host=host, takes=takes)
+    except OSError as e:
+        _cache.refuse(place, e)
+
+
+def _compiler(what: str = "This composition") -> Tuple[List[str], str]:
+    words = compiler(what)
+    return words, _compiler_version(tuple(words), os.path.realpath(shutil.which(words[0]) or ""))
+
+
+def _command(words: Sequence[str], folders: Sequence[Path], flags: Sequence[str]) -> List[str]:
+    return [*words, "-std=c++20", "-O3", "-DNDEBUG", *flags, *(f"-isystem{f}" for f in folders)]
 
 
 def _is_of(host: Path, version: str) -> bool:

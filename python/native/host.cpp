@@ -1,6 +1,5 @@
-// How recipes are read, whatever the scene, and what else is no part of a scene: compiled once for each width of registers, for the
-// prebuilt compositions and for those that are compiled on first use.
+// How recipes are read, whatever the scene: compiled once for each width of registers, for the prebuilt compositions and for those that
+// are compiled on first use.
 #define ARENITE_COLD_LIBRARY
 #define ARENITE_HOST_HERE
-#include <arenite/cold.hpp>
 #include <arenite/host/readers.hpp>

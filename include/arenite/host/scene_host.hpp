@@ -109,14 +109,9 @@ class SceneHost : public HostedScene {
 
   std::vector<HostedState> state() override {
     std::vector<HostedState> all;
-    for_each_state(*scene_, [&](std::string_view name, auto& value) {
-      const auto add = [&]<class Number>(Number* data, std::size_t count, bool is_array) {
-        all.push_back({std::string(name), kind<Number>(), sizeof(Number), count, is_array, data});
-      };
-      if constexpr (state_number<decltype(value)>)
-        add(&value, 1, false);
-      else
-        add(value.data(), static_cast<std::size_t>(value.size()), true);
+    detail::state_of_run (*scene_)([&](const detail::StateSlot& slot) {
+      const StateEntry& e = slot.entry;
+      all.push_back({e.name, e.kind, e.bytes, e.count, slot.is_array, const_cast<void*>(e.data)});
     });
     return all;
   }
@@ -277,16 +272,6 @@ class SceneHost : public HostedScene {
   void look_for_moves() {
     if (scene_->steps != seen_) ++generation_;
     seen_ = scene_->steps;
-  }
-
-  template <class Number>
-  static constexpr char kind() {
-    if constexpr (std::is_same_v<Number, bool>)
-      return 'b';
-    else if constexpr (std::is_floating_point_v<Number>)
-      return 'f';
-    else
-      return std::is_signed_v<Number> ? 'i' : 'u';
   }
 
   std::unique_ptr<Scene> scene_;

@@ -2,13 +2,17 @@
 // saved with the same bits.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <type_traits>
 #include <utility>
 #include <vector>
 
+#include <arenite/core/cold.hpp>
 #include <arenite/core/hash.hpp>
 #include <arenite/core/type_words.hpp>
 #include <arenite/io/state_file.hpp>
@@ -55,129 +59,109 @@ std::string mesh_words(const Scene& scene) {
       {Shape::node_count(scene.mesh), " nodes, ", scene.mesh.cell_count(), " cells, ", hash.digits()});
 }
 
+/// The head: `types` of kinematics, mesh, shape, transfer, order and averages; of each body its name and its law.
+std::vector<StateTerm> state_terms(const std::array<std::string, 6>& types, const std::string& mesh,
+                                   const std::vector<StateTerm>& bodies, const std::string& recipe);
 template <class Scene>
 std::vector<StateTerm> state_terms(const Scene& scene, const std::string& recipe) {
   using N = typename Scene::NumericsType;
-  std::vector<StateTerm> terms{
-      {"version", std::string(library_version)},
-      {"kinematics", type_words<typename Scene::Kinematics>()},
-      {"mesh", joined_text({type_words<typename Scene::Mesh>(), ", ", mesh_words(scene)})},
-      {"numerics",
-       joined_text({type_words<typename N::Shape>(), ", ", type_words<typename N::Transfer>(), ", ",
-                    type_words<typename N::Order>(), ", ", type_words<typename N::AntiLocking>()})}};
-  std::size_t number = 0;
+  std::vector<StateTerm> bodies;
   scene.for_each_body([&](const auto& body, const auto&) {
-    terms.emplace_back(joined_text({"body ", Scene::body_name(number++)}),
-                       type_words<std::remove_cvref_t<decltype(body.law)>>());
+    bodies.emplace_back(Scene::body_name(bodies.size()),
+                        type_words<std::remove_cvref_t<decltype(body.law)>>());
   });
-  if (!recipe.empty()) terms.emplace_back("recipe", recipe);
-  return terms;
+  return state_terms({type_words<typename Scene::Kinematics>(), type_words<typename Scene::Mesh>(),
+                      type_words<typename N::Shape>(), type_words<typename N::Transfer>(),
+                      type_words<typename N::Order>(), type_words<typename N::AntiLocking>()},
+                     mesh_words(scene), bodies, recipe);
 }
 
-/// Calls `f(name, value)` for the state of a scene and of observers, "observers/0", ..
-template <class Scene, class F, class... Observers>
-void visit_run(Scene& scene, F&& f, Observers&... observers) {
-  for_each_state(scene, f);
-  std::size_t number = 0;
-  (visit_state_of(observers, joined_text({"observers/", number++}), f), ...);
-}
+/// A value of a state, whatever its type.
+struct StateSlot {
+  StateEntry entry{};
+  bool is_array = false;
+  void* array = nullptr;  ///< whose count changes
+  void* (*resize)(void* array, std::size_t count) =
+      nullptr;  ///< returns where its numbers are then; null: no count changes
+};
 
-/// A value of a state as an entry of a file.
-template <class Value>
-StateEntry entry_of(std::string_view name, Value& value) {
-  const auto entry = [&]<class Number>(const Number* data, std::size_t count) {
-    return StateEntry{std::string(name), number_kind<Number>, sizeof(Number), count, data};
+/// A visitor of slots: whatever is done with the values of a scene, one function finds them.
+class StateSlots {
+ public:
+  using Visit = std::function<void(const StateSlot&)>;
+
+  explicit StateSlots(const Visit& visit) : visit_{visit} {}
+
+  template <class Value>
+  void operator()(std::string_view name, Value& value) const {
+    const auto slot = [&]<class Number>(Number* data, std::size_t count, bool is_array) {
+      static_assert(!std::is_const_v<Number>, "visit_state: a state that is restored must not be constant");
+      return StateSlot{{std::string(name), number_kind<Number>, sizeof(Number), count, data}, is_array};
+    };
+    if constexpr (state_number<Value>) {
+      visit_(slot(&value, 1, false));
+    } else {
+      StateSlot numbers = slot(value.data(), static_cast<std::size_t>(value.size()), true);
+      if constexpr (resizable_state_array<Value>) {
+        numbers.array = &value;
+        numbers.resize = [](void* array, std::size_t count) -> void* {
+          static_cast<Value*>(array)->resize(count);
+          return static_cast<Value*>(array)->data();
+        };
+      }
+      visit_(numbers);
+    }
+  }
+
+ private:
+  const Visit& visit_;
+};
+
+/// A run whatever its type: calls a visitor with the state of its scene and observers.
+using StateOfRun = std::function<void(const StateSlots::Visit&)>;
+
+/// The state of a scene and of observers, "observers/0", ..
+template <class Scene, class... Observers>
+StateOfRun state_of_run(const Scene& scene, const Observers&... observers) {
+  // To visit changes nothing.
+  return [&](const StateSlots::Visit& visit) {
+    const StateSlots slots(visit);
+    for_each_state(const_cast<Scene&>(scene), slots);
+    [[maybe_unused]] std::size_t number = 0;
+    (visit_state_of(const_cast<Observers&>(observers), joined_text({"observers/", number++}), slots), ...);
   };
-  if constexpr (state_number<Value>)
-    return entry(&value, 1);
-  else
-    return entry(value.data(), static_cast<std::size_t>(value.size()));
 }
 
 /// All values, where they are.
+std::vector<StateEntry> state_entries(const StateOfRun& run);
 template <class Scene, class... Observers>
 std::vector<StateEntry> state_entries(const Scene& scene, const Observers&... observers) {
-  std::vector<StateEntry> entries;
-  visit_run(
-      scene, [&](std::string_view name, const auto& value) { entries.push_back(entry_of(name, value)); },
-      observers...);
-  return entries;
+  return state_entries(state_of_run(scene, observers...));
 }
 
-/// Throws the refusal of a state file of another run: its head, or its values, are not those of this one.
-template <class Scene, class... Observers>
-void refuse_other_run(const StateSource& file, Scene& scene, const std::string& recipe,
-                      Observers&... observers) {
-  const auto wanted = state_terms(scene, recipe);
-  for (std::size_t k = 0; k < std::max(wanted.size(), file.terms().size()); ++k) {
-    const StateTerm none_there{"nothing", "more"},
-        &here = k < wanted.size() ? wanted[k] : none_there,
-        &there = k < file.terms().size() ? file.terms()[k] : none_there;
-    if (here != there)
-      file.refuse(joined_text({"is of another run: ", there.first, ": ", there.second, "; this one has ",
-                               here.first, ": ", here.second}));
-  }
-  std::size_t known = 0;
-  visit_run(
-      scene,
-      [&](std::string_view name, auto& value) {
-        const StateEntry here = entry_of(name, value);
-        const StateEntry* there = file.find(name);
-        if (there == nullptr) file.refuse(joined_text({"has no ", name, ", which this run has"}));
-        if (there->type() != here.type())
-          file.refuse(joined_text({name, " is ", there->type(), "; in this run it is ", here.type()}));
-        if (!resizable_state_array<std::remove_reference_t<decltype(value)>> && there->count != here.count)
-          file.refuse(
-              joined_text({name, " has ", there->count, " numbers; in this run it has ", here.count}));
-        ++known;
-      },
-      observers...);
-  if (known != file.entries().size())
-    file.refuse(joined_text({"holds ", file.entries().size(), " values; this run has ", known}));
-}
+/// Restores a run: first looks at all names, types and counts, then writes all values and calls `follow`. What
+/// shows then alone (counts that do not fit each other, cells that hold other points, ..) is refused too, and
+/// the values that were there are put back; then `renew` is called.
+void restore_run(StateSource& file, const std::vector<StateTerm>& terms, const StateOfRun& run,
+                 const std::function<void()>& follow, const std::function<void()>& renew);
 
-/// Writes all values.
-template <class Scene, class... Observers>
-void write_values(StateSource& from, Scene& scene, Observers&... observers) {
-  visit_run(
-      scene,
-      [&](std::string_view name, auto& value) {
-        const StateEntry& entry = *from.find(name);
-        if constexpr (state_number<decltype(value)>) {
-          from.read(entry, &value);
-        } else {
-          if constexpr (resizable_state_array<std::remove_reference_t<decltype(value)>>)
-            value.resize(entry.count);
-          from.read(entry, value.data());
-        }
-      },
-      observers...);
-}
-
-/// Restores from a file that is open: first looks at all names, types and counts, then writes all values.
-/// What shows then alone (counts that do not fit each other, cells that hold other points, ..) is refused
-/// too, and the values that were there are put back.
+/// Restores from a file that is open.
 template <class Scene, class... Observers>
 void restore_from(StateSource&& file, Scene& scene, const std::string& recipe, Observers&... observers) {
-  refuse_other_run(file, scene, recipe, observers...);
-  StateCopy before(state_entries(std::as_const(scene), std::as_const(observers)...));
-  try {
-    write_values(file, scene, observers...);
+  const auto follow = [&] {
     try {
       follow_state(scene);
     } catch (const error& e) {
       file.refuse(joined_text({"does not fit: ", e.what()}));
     }
-    [[maybe_unused]] const auto follow = [&](auto& observer) {
+    [[maybe_unused]] const auto follow_observer = [&](auto& observer) {
       if constexpr (requires { observer.follow_state(std::as_const(scene)); })
         observer.follow_state(std::as_const(scene));
     };
-    (follow(observers), ...);
-  } catch (...) {
-    write_values(before, scene, observers...);
-    renew_from_state(scene);
-    throw;
-  }
+    (follow_observer(observers), ...);
+  };
+  restore_run(file, state_terms(scene, recipe), state_of_run(scene, observers...), follow,
+              [&] { renew_from_state(scene); });
 }
 
 }  // namespace detail
@@ -203,3 +187,7 @@ void restore_state(Scene& scene, const SavedState& from, Observers&... observers
 }
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET
+
+#ifndef ARENITE_COLD_LIBRARY
+#include <arenite/observe/saved_state_cold.hpp>
+#endif

@@ -15,6 +15,7 @@ from pathlib import Path
 from typing import List, Mapping, NamedTuple, Set
 
 from .._errors import Error, RunError
+from ._units import program_with
 
 __all__ = ["Ending", "Runs", "program", "run"]
 
@@ -29,7 +30,7 @@ def program() -> Path:
         if not _is_program(Path(given)):
             raise Error(f"ARENITE_FFP = {given}: must be the path of the program {NAME}")
         return Path(given)
-    own = Path(__file__).resolve().parent.parent / "bin" / NAME
+    own = _own()
     if _is_program(own):
         return own
     found = shutil.which(NAME)
@@ -37,6 +38,10 @@ def program() -> Path:
         raise Error(f"{NAME}: there is no such program in {own.parent} or on PATH; install the package with pip "
                     f"(nlohmann-json is needed then), which brings it along; or build the program (cmake --build DIR --target {NAME}) and set ARENITE_FFP to its path")
     return Path(found)
+
+
+def _own() -> Path:
+    return Path(__file__).resolve().parent.parent / "bin" / NAME
 
 
 def _is_program(path: Path) -> bool:
@@ -50,6 +55,12 @@ class Ending(NamedTuple):
     said: List[str]  #: lines that it wrote on both of its streams
 
     @property
+    def missing(self) -> List[str]:
+        """Units that the program was built without and that this command needs; nothing was run then."""
+        found = re.match(r"drops = ([a-z, ]+):", self.sentence) if self.code == 3 else None
+        return found.group(1).split(", ") if found else []
+
+    @property
     def sentence(self) -> str:
         """What it said is wrong, without its name in front."""
         for line in reversed(self.said):
@@ -61,7 +72,7 @@ class Ending(NamedTuple):
 
     def check(self) -> None:
         """Raises `Error` if an option or a file could not be used, and `RunError` if the run came to another end."""
-        if self.code == 2:
+        if self.code in (2, 3):
             raise Error(self.sentence)
         if self.code != 0:
             raise RunError(self.sentence)
@@ -78,10 +89,22 @@ class Runs:
     def run(self, command: Mapping[str, object], quiet: bool = True) -> Ending:
         """Runs a command given as values ({"command": "drop", "options": {"delta": "40"}}) and waits for its end. What it says goes to standard error, too, unless `quiet`. On Ctrl-C it
         is told to stop: a drop finishes its step and its files."""
-        words = [os.fspath(program()), "values"]
+        started = program()
+        ending = self._run(started, command, quiet)
+        if ending.missing and started == _own():
+            whole = program_with(ending.missing, self._go_on)
+            if whole is not None:
+                ending = self._run(whole, command, quiet)
+        return ending
+
+    def _go_on(self) -> None:
+        if self._stopped:
+            raise KeyboardInterrupt
+
+    def _run(self, program: Path, command: Mapping[str, object], quiet: bool) -> Ending:
+        words = [os.fspath(program), "values"]
         with self._lock:
-            if self._stopped:
-                raise KeyboardInterrupt
+            self._go_on()
             try:
                 # In a session of its own, so that Ctrl-C on the terminal reaches it once, from here.
                 process = subprocess.Popen(words, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
@@ -96,7 +119,7 @@ class Runs:
                 process.stdin.write(json.dumps(command))
             for line in process.stdout:
                 said.append(line.rstrip("\n"))
-                if not quiet:
+                if not quiet and not line.startswith(f"{NAME}: drops = "):  # who is asked for `missing` says it
                     print(line, end="", file=sys.stderr, flush=True)
             return Ending(process.wait(), said)
         except BaseException:

@@ -1,0 +1,79 @@
+// Cold functions of saved_state.hpp.
+#pragma once
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include <arenite/core/error.hpp>
+#include <arenite/observe/saved_state.hpp>
+
+namespace arenite::inline ARENITE_INSTRUCTION_SET::detail {
+
+ARENITE_COLD std::vector<StateTerm> state_terms(const std::array<std::string, 6>& types,
+                                                const std::string& mesh, const std::vector<StateTerm>& bodies,
+                                                const std::string& recipe) {
+  std::vector<StateTerm> terms{
+      {"version", std::string(library_version)},
+      {"kinematics", types[0]},
+      {"mesh", joined_text({types[1], ", ", mesh})},
+      {"numerics", joined_text({types[2], ", ", types[3], ", ", types[4], ", ", types[5]})}};
+  for (const auto& [name, law] : bodies) terms.emplace_back(joined_text({"body ", name}), law);
+  if (!recipe.empty()) terms.emplace_back("recipe", recipe);
+  return terms;
+}
+
+ARENITE_COLD std::vector<StateEntry> state_entries(const StateOfRun& run) {
+  std::vector<StateEntry> entries;
+  run([&](const StateSlot& slot) { entries.push_back(slot.entry); });
+  return entries;
+}
+
+/// Throws the refusal of a state file of another run: its head, or its values, are not those of this one.
+ARENITE_COLD void refuse_other_run(const StateSource& file, const std::vector<StateTerm>& wanted,
+                                   const StateOfRun& run) {
+  for (std::size_t k = 0; k < std::max(wanted.size(), file.terms().size()); ++k) {
+    const StateTerm none_there{"nothing", "more"},
+        &here = k < wanted.size() ? wanted[k] : none_there,
+        &there = k < file.terms().size() ? file.terms()[k] : none_there;
+    if (here != there)
+      file.refuse(joined_text({"is of another run: ", there.first, ": ", there.second, "; this one has ",
+                               here.first, ": ", here.second}));
+  }
+  std::size_t known = 0;
+  run([&](const StateSlot& slot) {
+    const StateEntry &here = slot.entry, *there = file.find(here.name);
+    if (there == nullptr) file.refuse(joined_text({"has no ", here.name, ", which this run has"}));
+    if (there->type() != here.type())
+      file.refuse(joined_text({here.name, " is ", there->type(), "; in this run it is ", here.type()}));
+    if (slot.resize == nullptr && there->count != here.count)
+      file.refuse(
+          joined_text({here.name, " has ", there->count, " numbers; in this run it has ", here.count}));
+    ++known;
+  });
+  if (known != file.entries().size())
+    file.refuse(joined_text({"holds ", file.entries().size(), " values; this run has ", known}));
+}
+
+ARENITE_COLD void write_values(StateSource& from, const StateOfRun& run) {
+  run([&](const StateSlot& slot) {
+    const StateEntry& entry = *from.find(slot.entry.name);
+    from.read(entry, slot.resize ? slot.resize(slot.array, entry.count) : const_cast<void*>(slot.entry.data));
+  });
+}
+
+ARENITE_COLD void restore_run(StateSource& file, const std::vector<StateTerm>& terms, const StateOfRun& run,
+                              const std::function<void()>& follow, const std::function<void()>& renew) {
+  refuse_other_run(file, terms, run);
+  StateCopy before(state_entries(run));
+  try {
+    write_values(file, run);
+    follow();
+  } catch (...) {
+    write_values(before, run);
+    renew();
+    throw;
+  }
+}
+
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET::detail

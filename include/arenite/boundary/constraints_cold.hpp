@@ -83,4 +83,10 @@ ARENITE_COLD double BoundaryNodes<D>::near() const {
   return 1e3 * epsilon_ * size.norm();
 }
 
+#define ARENITE_INSTANCES(D)          \
+  template struct detail::Blocked<D>; \
+  template class BoundaryNodes<D>;
+ARENITE_FOR_DIMENSIONS(ARENITE_INSTANCES)
+#undef ARENITE_INSTANCES
+
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

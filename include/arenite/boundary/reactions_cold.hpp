@@ -32,4 +32,8 @@ ARENITE_COLD std::size_t number_of_wall(const std::vector<std::string>& names, s
   refuse({"reaction: wall"}, wall, {"must be one of: ", known});
 }
 
+#define ARENITE_INSTANCES(D) template Mat<double, D> shares_along(const Blocked<D>&);
+ARENITE_FOR_DIMENSIONS(ARENITE_INSTANCES)
+#undef ARENITE_INSTANCES
+
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET::detail

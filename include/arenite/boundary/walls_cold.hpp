@@ -74,4 +74,10 @@ ARENITE_COLD void Walls::constrain(BoundaryNodes<D>& nodes) const {
   for (const Wall& wall : list) detail::catch_nodes(wall, nodes);
 }
 
+#define ARENITE_INSTANCES(D)                               \
+  template void Walls::constrain(BoundaryNodes<D>&) const; \
+  template Vec<double, D> Walls::check(const Wall&);
+ARENITE_FOR_DIMENSIONS(ARENITE_INSTANCES)
+#undef ARENITE_INSTANCES
+
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

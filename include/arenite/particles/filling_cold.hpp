@@ -119,14 +119,9 @@ ARENITE_COLD const std::vector<FillPoint<T, D>>& Filling<T, D>::points(bool with
   return points_;
 }
 
-#ifdef ARENITE_COLD_LIBRARY
-template class Filling<float, 2>;
-template class Filling<float, 3>;
-template class Filling<double, 2>;
-template class Filling<double, 3>;
-template class Filling<long double, 2>;
-template class Filling<long double, 3>;
-#endif
+#define ARENITE_INSTANCES(T, D) template class Filling<T, D>;
+ARENITE_FOR_NUMBERS_AND_DIMENSIONS(ARENITE_INSTANCES)
+#undef ARENITE_INSTANCES
 
 }  // namespace detail
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -38,7 +38,7 @@ template <class T, int D>
 ARENITE_COLD Filling<T, D>::Filling(const FillOptions& options, const AnyRegion& region, double density,
                                     const Ground& ground, bool simplices, T (*thickness)(const Point&))
     : options_{options}, region_{region}, density_{density}, thickness_{thickness} {
-  if (options.velocity.is_uniform()) options.velocity.at<T, D>(Point::Zero());
+  if (options.velocity.is_uniform()) options.velocity.at<T, D>(zeros<Point>());
   require(!options.even || !simplices, "FillOptions.even", options.even, "goes with a grid alone");
   options.check();
   require(!options.exact_volume || !region.by_centres, "FillOptions.exact_volume", options.exact_volume,

@@ -89,7 +89,7 @@ template <class T, int D>
 ARENITE_COLD std::vector<Vec<T, D>> sum_errors(const RestingScene<T, D>& scene,
                                                const std::vector<char>& asked) {
   using V = Vec<T, D>;
-  std::vector<V> error(asked.size(), V::Zero());
+  std::vector<V> error(asked.size(), zeros<V>());
   const auto& g = scene.at_rest.front().gravity;
   const auto vertical = static_cast<int>(Ground{.gravity = g}.axis());
   ListedShape<T, D> shape;

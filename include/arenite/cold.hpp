@@ -32,34 +32,3 @@
 #include <arenite/rigid/try_distance_cold.hpp>
 #include <arenite/scene/ground_cold.hpp>
 #include <arenite/scene/new_scene_warnings_cold.hpp>
-
-namespace arenite::inline ARENITE_INSTRUCTION_SET {
-
-template struct detail::Blocked<2>;
-template struct detail::Blocked<3>;
-template class BoundaryNodes<2>;
-template class BoundaryNodes<3>;
-template void Walls::constrain(BoundaryNodes<2>&) const;
-template void Walls::constrain(BoundaryNodes<3>&) const;
-template Vec<double, 2> Walls::check(const Wall&);
-template Vec<double, 3> Walls::check(const Wall&);
-template Mat<double, 2> detail::shares_along(const Blocked<2>&);
-template Mat<double, 3> detail::shares_along(const Blocked<3>&);
-
-template VtuData detail::columns_vtu(const PointColumns<float>&, const VtuPoints&, MorePoints<float>);
-template VtuData detail::columns_vtu(const PointColumns<double>&, const VtuPoints&, MorePoints<double>);
-
-template void detail::WatchBook::look_at_energy(double, const WatchedEnergy::Found&, bool,
-                                                std::span<const WatchedBody<float>>);
-template void detail::WatchBook::look_at_body(double, const WatchedBody<float>&);
-template detail::WatchedSpot detail::watched_spot(const WatchedBody<float>&, std::size_t);
-template void detail::WatchBook::look_at_energy(double, const WatchedEnergy::Found&, bool,
-                                                std::span<const WatchedBody<double>>);
-template void detail::WatchBook::look_at_body(double, const WatchedBody<double>&);
-template detail::WatchedSpot detail::watched_spot(const WatchedBody<double>&, std::size_t);
-template void detail::WatchBook::look_at_energy(double, const WatchedEnergy::Found&, bool,
-                                                std::span<const WatchedBody<long double>>);
-template void detail::WatchBook::look_at_body(double, const WatchedBody<long double>&);
-template detail::WatchedSpot detail::watched_spot(const WatchedBody<long double>&, std::size_t);
-
-}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -312,3 +312,14 @@ TEST_CASE("a folder that is not there or is a file is told") {
   REQUIRE_FALSE(fs::exists(folder() / "taken.vtu.part"));
   fs::remove_all(folder() / "taken.vtu");
 }
+
+TEST_CASE("long double is written as double: VTK has no longer number") {
+  const VtuArray array = vtu_array("p", 2, [](std::size_t i) {
+    return std::array{0.1L, 1.5L, static_cast<long double>(i)};
+  });
+  REQUIRE(array.type == "Float64");
+  std::array<double, 6> written{};
+  REQUIRE(array.number_bytes * array.components * array.items == sizeof written);
+  array.fetch(0, 2, reinterpret_cast<char*>(written.data()));
+  REQUIRE(written == std::array{static_cast<double>(0.1L), 1.5, 0.0, static_cast<double>(0.1L), 1.5, 1.0});
+}

@@ -31,7 +31,7 @@ struct Drive {
   Index node;
   std::size_t part;  ///< number of the part that blocks and moves
   Mat<T, D> lift;
-  Vec<T, D> target = Vec<T, D>::Zero();  ///< lift times the part's velocity now, m/s
+  Vec<T, D> target = zeros<Vec<T, D>>();  ///< lift times the part's velocity now, m/s
 };
 
 namespace detail {
@@ -194,15 +194,20 @@ struct NoTaker {
 template <class T, int D, class Velocities, class Owns = OwnsAll, class Take = NoTaker>
 Vec<T, D> constrain(const std::vector<Constraint<T, D>>& constraints, const std::vector<T>& mass,
                     Velocities& velocity, const Owns& owns = {}, const Take& take = {}) {
-  Vec<T, D> impulse = Vec<T, D>::Zero();
+  Vec<T, D> impulse = zeros<Vec<T, D>>();
   for (const auto& c : constraints) {
-    const Vec<T, D> allowed = c.projector * velocity[c.node];
+    auto& v = velocity[c.node];
+    Vec<T, D> allowed, given;
+    for (int i = 0; i < D; ++i) {
+      allowed[i] = c.projector(i, 0) * v[0];
+      for (int k = 1; k < D; ++k) allowed[i] += c.projector(i, k) * v[k];
+      given[i] = mass[c.node] * (allowed[i] - v[i]);
+    }
     if (mass[c.node] > 0 && owns(c.node)) {
-      const Vec<T, D> given = mass[c.node] * (allowed - velocity[c.node]);
-      impulse += given;
+      for (int i = 0; i < D; ++i) impulse[i] += given[i];
       take(c.node, given);
     }
-    velocity[c.node] = allowed;
+    v = allowed;
   }
   return impulse;
 }

@@ -40,7 +40,7 @@ template <int D>
 ARENITE_COLD std::array<Vec<double, D>, Blocked<D>::most> Blocked<D>::shares(std::size_t of) const {
   std::array<Vec<double, D>, most> along;
   for (std::size_t k = 0; k < count; ++k) {
-    along[k] = part[k] == of ? named[k] : Vec<double, D>(Vec<double, D>::Zero());
+    along[k] = part[k] == of ? named[k] : zeros<Vec<double, D>>();
     for (std::size_t j = 0; j < k; ++j) along[k] -= named[k].dot(directions[j]) * along[j];
     along[k] /= named[k].dot(directions[k]);
   }
@@ -50,7 +50,7 @@ ARENITE_COLD std::array<Vec<double, D>, Blocked<D>::most> Blocked<D>::shares(std
 template <int D>
 ARENITE_COLD Mat<double, D> Blocked<D>::lift(std::size_t of) const {
   const auto along = shares(of);
-  Mat<double, D> all = Mat<double, D>::Zero();
+  Mat<double, D> all = zeros<Mat<double, D>>();
   for (std::size_t k = count; k-- > 0;)
     for (int column = 0; column < D; ++column)
       for (int row = 0; row < D; ++row)
@@ -82,5 +82,11 @@ ARENITE_COLD double BoundaryNodes<D>::near() const {
   const V size = upper_ - lower_;
   return 1e3 * epsilon_ * size.norm();
 }
+
+#define ARENITE_INSTANCES(D)          \
+  template struct detail::Blocked<D>; \
+  template class BoundaryNodes<D>;
+ARENITE_FOR_DIMENSIONS(ARENITE_INSTANCES)
+#undef ARENITE_INSTANCES
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -79,9 +79,7 @@ struct BoundGravityInTime {
   static constexpr bool reads_start_state = false;
   VectorFunction g;
   using OnlyOne = Gravity;
-  Vec<T, D> acceleration(double time) const {
-    return value_at(g, Vec<T, D>(Vec<T, D>::Zero()), time, "gravity");
-  }
+  Vec<T, D> acceleration(double time) const { return value_at(g, zeros<Vec<T, D>>(), time, "gravity"); }
 };
 
 template <class Site>

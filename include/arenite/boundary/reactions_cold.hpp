@@ -11,7 +11,7 @@ template <int D>
 ARENITE_COLD Mat<double, D> shares_along(const Blocked<D>& blocked) {
   Eigen::Matrix<double, D, Eigen::Dynamic, 0, D, D> named(D, static_cast<Eigen::Index>(blocked.count));
   for (std::size_t k = 0; k < blocked.count; ++k) named.col(static_cast<Eigen::Index>(k)) = blocked.named[k];
-  Mat<double, D> along = Mat<double, D>::Zero();
+  Mat<double, D> along = zeros<Mat<double, D>>();
   along.topRows(named.cols()) = named.colPivHouseholderQr().solve(Mat<double, D>::Identity());
   return along;
 }
@@ -31,5 +31,9 @@ ARENITE_COLD std::size_t number_of_wall(const std::vector<std::string>& names, s
   }
   refuse({"reaction: wall"}, wall, {"must be one of: ", known});
 }
+
+#define ARENITE_INSTANCES(D) template Mat<double, D> shares_along(const Blocked<D>&);
+ARENITE_FOR_DIMENSIONS(ARENITE_INSTANCES)
+#undef ARENITE_INSTANCES
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET::detail

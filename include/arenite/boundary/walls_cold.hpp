@@ -17,7 +17,7 @@ ARENITE_COLD Vec<double, D> Walls::check(const Wall& wall) {
           "needs a face (left, right, ..); elsewhere name the plane: symmetry(normal)");
   require(wall.axis >= 0 || !wall.set.empty() || wall.test, "Wall.set", wall.set,
           "must name a node set (or the wall a face or a test)");
-  if (c.kind != Kind::normal && c.kind != Kind::all_but) return Vec<double, D>::Zero();
+  if (c.kind != Kind::normal && c.kind != Kind::all_but) return zeros<Vec<double, D>>();
   return direction_argument<double, D>(c.kind == Kind::normal ? "symmetry.normal" : "free_along.axis",
                                        c.direction);
 }
@@ -38,7 +38,7 @@ ARENITE_COLD void catch_nodes(const Wall& wall, BoundaryNodes<D>& nodes) {
     for (int k = 0; k < D; ++k)
       if (c.kind == Kind::all || (c.kind == Kind::face_normal && k == wall.axis) ||
           (c.kind == Kind::all_but && direction[k] == 0)) {
-        V axis = V::Zero();
+        V axis = zeros<V>();
         axis[k] = 1;
         nodes.block(i, axis);
       }
@@ -73,5 +73,11 @@ template <int D>
 ARENITE_COLD void Walls::constrain(BoundaryNodes<D>& nodes) const {
   for (const Wall& wall : list) detail::catch_nodes(wall, nodes);
 }
+
+#define ARENITE_INSTANCES(D)                               \
+  template void Walls::constrain(BoundaryNodes<D>&) const; \
+  template Vec<double, D> Walls::check(const Wall&);
+ARENITE_FOR_DIMENSIONS(ARENITE_INSTANCES)
+#undef ARENITE_INSTANCES
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -12,3 +12,15 @@
 // Not `gnu::cold`: for size g++ would leave functions of the standard library and of Eigen as they are, which have one name for all
 // instruction sets (tests/flags).
 #define ARENITE_COLD [[gnu::noinline]] ARENITE_ONCE
+
+// Explicit instantiations in arenite::cold: LIST(D), LIST(T) or LIST(T, D) for each dimension and number type that it has.
+#ifdef ARENITE_COLD_LIBRARY
+#define ARENITE_FOR_DIMENSIONS(LIST) LIST(2) LIST(3)
+#define ARENITE_FOR_NUMBERS(LIST) LIST(float) LIST(double) LIST(long double)
+#define ARENITE_FOR_NUMBERS_AND_DIMENSIONS(LIST) \
+  LIST(float, 2) LIST(float, 3) LIST(double, 2) LIST(double, 3) LIST(long double, 2) LIST(long double, 3)
+#else
+#define ARENITE_FOR_DIMENSIONS(LIST)
+#define ARENITE_FOR_NUMBERS(LIST)
+#define ARENITE_FOR_NUMBERS_AND_DIMENSIONS(LIST)
+#endif

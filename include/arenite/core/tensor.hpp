@@ -19,6 +19,22 @@ using Vec = Eigen::Matrix<T, D, 1, Eigen::DontAlign>;
 template <class T, int D>
 using Mat = Eigen::Matrix<T, D, D, Eigen::DontAlign>;
 
+/// A vector or matrix of zeros. Eigen's `Zero()` is an expression: two classes and an assignment more for each type.
+template <class V>
+V zeros() {
+  V v;
+  for (Eigen::Index k = 0; k < v.size(); ++k) v.data()[k] = 0;
+  return v;
+}
+
+/// v . v, from the first component on.
+template <class T, int D>
+T squared_norm(const Vec<T, D>& v) {
+  T sum = v[0] * v[0];
+  for (int k = 1; k < D; ++k) sum += v[k] * v[k];
+  return sum;
+}
+
 /// Symmetric second-order tensor in 3-D space, as its independent components.
 /// D = 2: (xx, yy, zz, xy), with z out of plane (plane strain) or hoop (axisymmetric; x = r, y = axial).
 /// D = 3: (xx, yy, zz, xy, yz, zx). Shear components are those of the tensor, not engineering strains.

@@ -62,6 +62,9 @@ using FileHandle = std::unique_ptr<std::FILE, CloseFile>;
 /// file that is written takes the place of those alone.
 void check_place(const std::filesystem::path& path);
 
+/// Makes the folder of a file if it is not there. Throws `error` that names it as that of `what`.
+void make_folder_of(const std::filesystem::path& file, std::string_view what);
+
 /// Makes a file; what stood at its name, a file or a link, is removed, not written to. Throws `output_error`
 /// that names `shown`.
 FileHandle make_file(const std::filesystem::path& path, const std::filesystem::path& shown);

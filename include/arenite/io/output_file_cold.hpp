@@ -38,6 +38,13 @@ ARENITE_COLD void check_place(const std::filesystem::path& path) {
       static_cast<int>(folder ? std::errc::is_a_directory : std::errc::invalid_argument));
 }
 
+ARENITE_COLD void make_folder_of(const std::filesystem::path& file, std::string_view what) {
+  const std::filesystem::path folder = file.parent_path();
+  std::error_code code;
+  if (!folder.empty()) std::filesystem::create_directories(folder, code);
+  require(!code, {what, ": folder"}, folder.string(), {"cannot be made: ", code.message()});
+}
+
 ARENITE_COLD FileHandle make_file(const std::filesystem::path& path, const std::filesystem::path& shown) {
   check_place(path);
   std::error_code status;

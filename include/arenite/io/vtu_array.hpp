@@ -34,16 +34,26 @@ constexpr const char* vtu_type() {
   return sizeof(T) == 8 ? "Int64" : "Int32";
 }
 
+/// A number as files have it: VTK knows no `long double`.
+template <class V>
+using VtuNumber = std::conditional_t<std::same_as<V, long double>, double, V>;
+
 /// What a function of an item's number returns: a number, or an array of them.
 template <class V>
 struct VtuItem {
-  using type = V;
+  using type = VtuNumber<V>;
   static constexpr std::size_t components = 1;
+  static type stored(V value) { return static_cast<type>(value); }
 };
 template <class V, std::size_t N>
 struct VtuItem<std::array<V, N>> {
-  using type = V;
+  using type = VtuNumber<V>;
   static constexpr std::size_t components = N;
+  static std::array<type, N> stored(const std::array<V, N>& value) {
+    std::array<type, N> all;
+    for (std::size_t k = 0; k < N; ++k) all[k] = static_cast<type>(value[k]);
+    return all;
+  }
 };
 
 }  // namespace shared_detail
@@ -86,7 +96,7 @@ template <vtu_number T, class Allocator>
 VtuArray vtu_array(std::string name, std::size_t components,
                    const std::vector<T, Allocator>&& values) = delete;
 
-/// `f(i)` for each item i: a number, or a std::array of 3, 6 or 9 numbers.
+/// `f(i)` for each item i: a number, or a std::array of 3, 6 or 9 numbers; `long double` is stored as double.
 template <class F>
 requires std::invocable<const F&, std::size_t> VtuArray vtu_array(std::string name, std::size_t items, F f) {
   using Item = shared_detail::VtuItem<std::remove_cvref_t<std::invoke_result_t<const F&, std::size_t>>>;
@@ -95,7 +105,7 @@ requires std::invocable<const F&, std::size_t> VtuArray vtu_array(std::string na
                 "vtu_array: f(i) must return a number (double, float, 32- or 64-bit integer) or an array");
   auto fetch = [f = std::move(f)](std::size_t begin, std::size_t end, char* out) {
     for (std::size_t i = begin; i < end; ++i, out += Item::components * sizeof(T)) {
-      const auto value = f(i);
+      const auto value = Item::stored(f(i));
       std::memcpy(out, &value, Item::components * sizeof(T));
     }
   };

@@ -115,7 +115,7 @@ class BoundLocalDamping : public Damping<T, D> {
   void damp(Field& field, T dt, Forces& force) const {
     parallel_chunks(field.size(), [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) {
-        Vec<T, D> taken = Vec<T, D>::Zero();
+        Vec<T, D> taken = zeros<Vec<T, D>>();
         const Vec<T, D> before = field.start[i], change = field.velocity[i] - before;
         if (field.mass[i] > 0)
           for (int d = 0; d < D; ++d) {

@@ -17,9 +17,9 @@ class NodeForce {
 
   /// Sets them to zero.
   void clear(std::size_t nodes) {
-    if (force.size() != nodes) force.assign(nodes, Vec<T, D>::Zero());
+    if (force.size() != nodes) force.assign(nodes, zeros<Vec<T, D>>());
     parallel_chunks(nodes, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i) force[i].setZero();
+      for (std::size_t i = begin; i < end; ++i) force[i] = zeros<Vec<T, D>>();
     });
   }
 
@@ -61,7 +61,7 @@ class NodeForce {
 
   /// N, [D].
   Vec<T, D> total() const {
-    Vec<T, D> sum = Vec<T, D>::Zero();
+    Vec<T, D> sum = zeros<Vec<T, D>>();
     for (const auto& f : force) sum += f;
     return sum;
   }
@@ -105,7 +105,7 @@ class FieldForces {
   }
   /// N, [D].
   Vec<T, D> total() const {
-    Vec<T, D> sum = Vec<T, D>::Zero();
+    Vec<T, D> sum = zeros<Vec<T, D>>();
     for (const auto& nodes : field) sum += nodes.total();
     return sum;
   }

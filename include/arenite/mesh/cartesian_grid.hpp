@@ -117,7 +117,7 @@ class CartesianGrid {
  private:
   std::array<Index, D> count_{};
   std::array<T, D> end_{};  // cells along each axis, and the round-off of a position on the upper face
-  Point lower_ = Point::Zero();
+  Point lower_ = zeros<Point>();
   T edge_;
   T inverse_edge_ = 0;
 };

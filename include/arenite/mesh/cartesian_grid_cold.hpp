@@ -31,13 +31,8 @@ ARENITE_COLD CartesianGrid<D, T>::CartesianGrid(const Parameters& p) : edge_{sta
   inverse_edge_ = 1 / edge_;
 }
 
-#ifdef ARENITE_COLD_LIBRARY
-template CartesianGrid<2, float>::CartesianGrid(const Parameters&);
-template CartesianGrid<3, float>::CartesianGrid(const Parameters&);
-template CartesianGrid<2, double>::CartesianGrid(const Parameters&);
-template CartesianGrid<3, double>::CartesianGrid(const Parameters&);
-template CartesianGrid<2, long double>::CartesianGrid(const Parameters&);
-template CartesianGrid<3, long double>::CartesianGrid(const Parameters&);
-#endif
+#define ARENITE_INSTANCES(T, D) template CartesianGrid<D, T>::CartesianGrid(const Parameters&);
+ARENITE_FOR_NUMBERS_AND_DIMENSIONS(ARENITE_INSTANCES)
+#undef ARENITE_INSTANCES
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

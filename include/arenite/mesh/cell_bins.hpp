@@ -74,7 +74,7 @@ class CellBins {
     }
   }
 
-  Vec<T, D> lower_ = Vec<T, D>::Zero();
+  Vec<T, D> lower_ = zeros<Vec<T, D>>();
   Vec<T, D> per_metre_ = Vec<T, D>::Ones();
   std::array<long, 3> count_{1, 1, 1};
   Lists cells_;  // [buckets]

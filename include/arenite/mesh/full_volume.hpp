@@ -13,7 +13,7 @@ typename M::scalar full_volume(const M& mesh, Index cell) {
   if constexpr (!K::hoop) {
     return mesh.volume(cell);
   } else if constexpr (is_simplex_mesh<M>) {
-    typename M::Point centre = M::Point::Zero();
+    auto centre = zeros<typename M::Point>();
     for (const Index i : mesh.nodes(cell)) centre += mesh.position(i);
     centre /= static_cast<T>(mesh.nodes(cell).size());
     return mesh.volume(cell) * K::thickness(centre);

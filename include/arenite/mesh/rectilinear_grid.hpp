@@ -258,7 +258,7 @@ class RectilinearGrid {
   std::array<std::vector<T>, dim>
       least_;                 // [cells along each axis] smallest edge of it and its neighbours, m
   std::array<T, dim> end_{};  // below which a position lies in the last cells, m
-  Point lower_ = Point::Zero();
+  Point lower_ = zeros<Point>();
   T smallest_ = 0;
   std::vector<T> moved_;
   std::size_t moves_ = 0;

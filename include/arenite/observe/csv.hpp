@@ -87,11 +87,7 @@ class CsvTable {
            ...);
         },
         columns_);
-    if (path_.has_parent_path()) {
-      std::error_code status;
-      std::filesystem::create_directories(path_.parent_path(), status);
-      require(!status, "csv: folder", path_.parent_path().string(), {"cannot be made: ", status.message()});
-    }
+    shared_detail::make_folder_of(path_, "csv");
     writer_ = std::make_shared<CsvWriter>(path_, std::move(names), bytes_);
   }
 

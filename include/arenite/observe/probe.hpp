@@ -15,8 +15,8 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 /// What a probe finds.
 template <int D>
 struct Probed {
-  Vec<double, D> velocity = Vec<double, D>::Zero();  ///< m/s
-  Sym<double, D> stress{};                           ///< Pa
+  Vec<double, D> velocity = zeros<Vec<double, D>>();  ///< m/s
+  Sym<double, D> stress{};                            ///< Pa
 };
 
 namespace detail {

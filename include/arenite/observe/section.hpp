@@ -45,7 +45,7 @@ Vec<double, Scene::D> section_force(const Scene& scene, const Section& section, 
   const Vec<double, D> normal = direction_argument<double, D>("Section.normal", section.normal).normalized();
   const auto& points = scene.template body<which>().points;
   const double half = section.thickness / 2;
-  Vec<double, D> force = Vec<double, D>::Zero();
+  Vec<double, D> force = zeros<Vec<double, D>>();
   for (std::size_t p = 0; p < points.size(); ++p) {
     const Vec<double, D> x = points.position[p].template cast<double>();
     const double distance = std::abs((x - through).dot(normal));
@@ -64,7 +64,7 @@ namespace detail {
 template <int D>
 struct CutNode {
   double mass = 0, in_front = 0;
-  Vec<double, D> force = Vec<double, D>::Zero();
+  Vec<double, D> force = zeros<Vec<double, D>>();
 };
 
 }  // namespace detail
@@ -111,7 +111,7 @@ Vec<double, Scene::D> nodal_section_force(const Scene& scene, const Section& sec
       }
     }
   }
-  V force = V::Zero();
+  V force = zeros<V>();
   for (const auto& node : nodes)
     if (node.mass > 0) force += node.in_front / node.mass * node.force;
   return force;

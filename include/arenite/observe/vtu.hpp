@@ -93,9 +93,6 @@ struct VtuOptions {
 
 namespace detail {
 
-/// Makes the folder of files `prefix`_.. if it is not there.
-void make_folder(const FilePath& prefix);
-
 using VtuNames = std::vector<std::string, ArrayMemory<std::string>>;
 
 /// Names of what a frame consists of: bodies, mesh, region.

@@ -3,11 +3,9 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <cstring>
-#include <filesystem>
-#include <system_error>
 
 #include <arenite/core/error.hpp>
+#include <arenite/io/output_file.hpp>
 #include <arenite/io/pvd.hpp>
 #include <arenite/observe/vtu.hpp>
 
@@ -30,9 +28,6 @@ ARENITE_COLD VtuData columns_vtu(const PointColumns<T>& columns, const VtuPoints
                                  MorePoints<T> more) {
   const std::size_t n = columns.count;
   const auto& stress = columns.stress;
-  const auto column = [n](std::string_view name, const T* values) {
-    return vtu_array(std::string(name), 1, std::span<const T>(values, n));
-  };
   VtuData data{side_by_side("position", n, columns.position), {vtu_vertices(n)}, {}, {}};
   auto& arrays = data.point_data;
   arrays.push_back(side_by_side("velocity", n, columns.velocity));
@@ -48,20 +43,13 @@ ARENITE_COLD VtuData columns_vtu(const PointColumns<T>& columns, const VtuPoints
   for (std::size_t k = 0; k < more.history.size(); ++k)
     if (const std::string_view name = more.names[k];
         !name.empty() && (!wanted.history || std::ranges::count(*wanted.history, name) > 0))
-      arrays.push_back(column(name, more.history[k]));
-  if (wanted.mass) arrays.push_back(column("mass", columns.mass));
+      arrays.push_back(side_by_side(std::string(name), n, std::array{more.history[k]}));
+  if (wanted.mass) arrays.push_back(side_by_side("mass", n, std::array{columns.mass}));
   require(more.id != nullptr || !wanted.id, "VtuPoints.id", wanted.id, "needs a scene with PointIds{}");
   if (wanted.id)
     arrays.push_back(
         vtu_array("id", n, [id = more.id](std::size_t p) { return static_cast<std::int64_t>((*id)[p]); }));
   return data;
-}
-
-ARENITE_COLD void make_folder(const FilePath& prefix) {
-  const std::filesystem::path folder = std::filesystem::path(prefix.string()).parent_path();
-  std::error_code code;
-  if (!folder.empty()) std::filesystem::create_directories(folder, code);
-  require(!code, "vtu: folder", folder.string(), {"cannot be made: ", code.message()});
 }
 
 ARENITE_COLD VtuNames frame_parts(const VtuOptions& options, std::span<const std::string_view> bodies,
@@ -76,11 +64,16 @@ ARENITE_COLD VtuNames frame_parts(const VtuOptions& options, std::span<const std
   return names;
 }
 
+#define ARENITE_INSTANCES(T) \
+  template VtuData columns_vtu(const PointColumns<T>&, const VtuPoints&, MorePoints<T>);
+ARENITE_FOR_NUMBERS(ARENITE_INSTANCES)
+#undef ARENITE_INSTANCES
+
 }  // namespace detail
 
 ARENITE_COLD VtuSeries::VtuSeries(FilePath prefix, VtuOptions options)
     : prefix_(prefix.string()), options_(std::move(options)) {
-  detail::make_folder(prefix);
+  shared_detail::make_folder_of(prefix_, "vtu");
   PvdWriter(prefix_ + ".pvd", true);  // a folder that cannot be written to shows at once
 }
 

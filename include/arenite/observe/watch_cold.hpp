@@ -33,27 +33,26 @@ std::string body_text(const WatchedBody<T>& body) {
   return body.name.empty() ? joined_text({"body ", body.number}) : joined_text({"body ", body.name});
 }
 
-/// "(x, y) m"
+/// Where a point is, m; nowhere if there is none of that number.
 template <class T>
-ARENITE_COLD std::string place_text(const PointColumns<T>& points, std::size_t p) {
-  std::string text = "(";
-  for (std::size_t k = 0; k < static_cast<std::size_t>(points.dimension); ++k)
-    text += joined_text({k > 0 ? ", " : "", points.position[k][p]});
-  return text + ") m";
+ARENITE_COLD std::array<double, 3> place_of(const PointColumns<T>& points, std::size_t p) {
+  auto place = Watched::nowhere;
+  for (std::size_t k = 0; p < points.count && k < static_cast<std::size_t>(points.dimension); ++k)
+    place[k] = static_cast<double>(points.position[k][p]);
+  return place;
 }
 
-/// Where a point is; nowhere if there is none of that number.
+/// "(x, y) m"
 template <class T>
-ARENITE_COLD WatchedSpot spot_of(const PointColumns<T>& points, std::size_t p, std::string text) {
-  WatchedSpot spot{Watched::nowhere, std::move(text)};
-  for (std::size_t k = 0; p < points.count && k < static_cast<std::size_t>(points.dimension); ++k)
-    spot.place[k] = static_cast<double>(points.position[k][p]);
-  return spot;
+std::string place_text(const PointColumns<T>& points, std::size_t p) {
+  const auto place = place_of(points, p);
+  return vector_text(std::span(place).first(static_cast<std::size_t>(points.dimension))) + " m";
 }
 
 template <class T>
 ARENITE_COLD WatchedSpot watched_spot(const WatchedBody<T>& body, std::size_t point) {
-  return spot_of(body.points, point, joined_text({body_text(body), " at ", place_text(body.points, point)}));
+  return {place_of(body.points, point),
+          joined_text({body_text(body), " at ", place_text(body.points, point)})};
 }
 
 ARENITE_COLD WatchBook::WatchBook(const WatchLimits& limits, bool is_of_run)
@@ -121,9 +120,8 @@ ARENITE_COLD WatchedSpot fastest_spot(std::span<const WatchedBody<T>> bodies) {
     const std::size_t p = extreme(points.count, speed);
     if (p < points.count && speed(p) > most) {
       most = speed(p);
-      spot = spot_of(points, p,
-                     joined_text({"the fastest point: ", body_text(body), " at ", place_text(points, p), ", ",
-                                  most, " m/s"}));
+      spot = {place_of(points, p), joined_text({"the fastest point: ", body_text(body), " at ",
+                                                place_text(points, p), ", ", most, " m/s"})};
     }
   }
   return spot;
@@ -172,8 +170,8 @@ ARENITE_COLD void WatchBook::look_at_body(double time, const WatchedBody<T>& bod
       return static_cast<double>(points.volume[p]) * points.density / static_cast<double>(points.mass[p]);
     };
     const std::size_t p = extreme(points.count, [&](std::size_t k) { return std::abs(local(k) - 1); });
-    WatchedSpot spot =
-        spot_of(points, p, joined_text({body_text(body), ": mean V/V0 = ", body.volume_ratio}));
+    WatchedSpot spot{place_of(points, p),
+                     joined_text({body_text(body), ": mean V/V0 = ", body.volume_ratio})};
     if (p < points.count) spot.text += joined_text({", ", local(p), " at ", place_text(points, p)});
     tell(volume, std::move(spot));
   }
@@ -188,11 +186,18 @@ ARENITE_COLD void WatchBook::look_at_body(double time, const WatchedBody<T>& bod
   const double fastest = std::sqrt(square(p));
   if (takes(speed, time, fastest / wave, body.number))
     tell(speed,
-         spot_of(
-             points, p,
-             joined_text(
-                 {body_text(body), " at ", place_text(points, p), ": ", fastest, " m/s; waves run at ", wave,
-                  " m/s: is young, density, a velocity or gravity in other units than Pa, kg, m, s?"})));
+         {place_of(points, p),
+          joined_text({body_text(body), " at ", place_text(points, p), ": ", fastest, " m/s; waves run at ",
+                       wave,
+                       " m/s: is young, density, a velocity or gravity in other units than Pa, kg, m, s?"})});
 }
+
+#define ARENITE_INSTANCES(T)                                                         \
+  template void WatchBook::look_at_energy(double, const WatchedEnergy::Found&, bool, \
+                                          std::span<const WatchedBody<T>>);          \
+  template void WatchBook::look_at_body(double, const WatchedBody<T>&);              \
+  template WatchedSpot watched_spot(const WatchedBody<T>&, std::size_t);
+ARENITE_FOR_NUMBERS(ARENITE_INSTANCES)
+#undef ARENITE_INSTANCES
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET::detail

@@ -129,15 +129,15 @@ class WatchedEnergy {
   template <class Scene>
   static Held held(const Scene& scene) {
     Held h;
-    const Vec<double, Scene::D> g = scene.acceleration().template cast<double>();
+    const auto g = pull(scene);
     scene.for_each_body([&](const auto& body, const auto& field) {
       const double strain = strain_energy(body);
       h.strain += strain;
       if (!field.centred) h.ahead += strain;
       h.potential -= sum_points(body, 0.0, [&](std::size_t p) {
         double along = 0;
-        for (int k = 0; k < Scene::D; ++k)
-          along += g[k] * static_cast<double>(body.points.position.column(static_cast<std::size_t>(k))[p]);
+        for (std::size_t k = 0; k < Scene::D; ++k)
+          along += g[k] * static_cast<double>(body.points.position.column(k)[p]);
         return static_cast<double>(body.points.mass[p]) * along;
       });
     });
@@ -197,7 +197,8 @@ class WatchedEnergy {
     scene.for_each_body([&](const auto& body, const auto&) { all += mass(body); });
     for (Index c = 0; c < scene.mesh.cell_count(); ++c) whole += static_cast<double>(scene.mesh.volume(c));
     const double cell = std::pow(whole / scene.mesh.cell_count(), 1.0 / Scene::D);
-    return 0.01 * cell * all * static_cast<double>(scene.acceleration().norm());
+    const auto g = pull(scene);
+    return 0.01 * cell * all * std::sqrt(g[0] * g[0] + g[1] * g[1] + g[2] * g[2]);
   }
 
   Balance start_{};              // at the first look; without TrackEnergy: when points were last lost

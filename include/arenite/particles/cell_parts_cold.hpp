@@ -164,31 +164,17 @@ ARENITE_COLD std::vector<CellPart> cell_parts(const CellBox<T, D>& cell, const A
   return std::move(sums).parts();
 }
 
-#ifdef ARENITE_COLD_LIBRARY
-template std::vector<CellPart> detail::simplex_parts<2>(const detail::CellCorners&, double, const AnyRegion&,
-                                                        const std::vector<detail::SpacePosition>&,
-                                                        detail::ClearBall&);
-template std::vector<CellPart> detail::simplex_parts<3>(const detail::CellCorners&, double, const AnyRegion&,
-                                                        const std::vector<detail::SpacePosition>&,
-                                                        detail::ClearBall&);
-template std::vector<CellPart> cell_parts<float, 2>(const CellBox<float, 2>&, const AnyRegion&,
-                                                    const Places<Vec<float, 2>>&, int, bool,
-                                                    detail::ClearBall&);
-template std::vector<CellPart> cell_parts<float, 3>(const CellBox<float, 3>&, const AnyRegion&,
-                                                    const Places<Vec<float, 3>>&, int, bool,
-                                                    detail::ClearBall&);
-template std::vector<CellPart> cell_parts<double, 2>(const CellBox<double, 2>&, const AnyRegion&,
-                                                     const Places<Vec<double, 2>>&, int, bool,
-                                                     detail::ClearBall&);
-template std::vector<CellPart> cell_parts<double, 3>(const CellBox<double, 3>&, const AnyRegion&,
-                                                     const Places<Vec<double, 3>>&, int, bool,
-                                                     detail::ClearBall&);
-template std::vector<CellPart> cell_parts<long double, 2>(const CellBox<long double, 2>&, const AnyRegion&,
-                                                          const Places<Vec<long double, 2>>&, int, bool,
-                                                          detail::ClearBall&);
-template std::vector<CellPart> cell_parts<long double, 3>(const CellBox<long double, 3>&, const AnyRegion&,
-                                                          const Places<Vec<long double, 3>>&, int, bool,
-                                                          detail::ClearBall&);
-#endif
+#define ARENITE_INSTANCES(D)                                                                           \
+  template std::vector<CellPart> detail::simplex_parts<D>(                                             \
+      const detail::CellCorners&, double, const AnyRegion&, const std::vector<detail::SpacePosition>&, \
+      detail::ClearBall&);
+ARENITE_FOR_DIMENSIONS(ARENITE_INSTANCES)
+#undef ARENITE_INSTANCES
+
+#define ARENITE_INSTANCES(T, D)                                                     \
+  template std::vector<CellPart> cell_parts(const CellBox<T, D>&, const AnyRegion&, \
+                                            const Places<Vec<T, D>>&, int, bool, detail::ClearBall&);
+ARENITE_FOR_NUMBERS_AND_DIMENSIONS(ARENITE_INSTANCES)
+#undef ARENITE_INSTANCES
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

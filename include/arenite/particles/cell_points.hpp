@@ -131,7 +131,7 @@ Places<typename M::Point> initial_points(const M& mesh, Index cell, int n,
     constexpr int D = M::dimension;
     Places<typename M::Point> points;
     for (const auto& b : simplex_points<D>(n)) {
-      typename M::Point x = M::Point::Zero();
+      auto x = zeros<typename M::Point>();
       for (int k = 0; k <= D; ++k)
         x += static_cast<typename M::scalar>(b[k]) *
              mesh.position(mesh.nodes(cell)[static_cast<std::size_t>(k)]);

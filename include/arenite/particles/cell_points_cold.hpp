@@ -37,23 +37,14 @@ ARENITE_COLD Places<Vec<T, D>> initial_points(const CellBox<T, D>& cell, int n, 
   return points;
 }
 
-#ifdef ARENITE_COLD_LIBRARY
-template std::array<int, 2> lattice_counts<2>(int);
-template std::array<int, 3> lattice_counts<3>(int);
-template std::array<int, 2> even_counts<float, 2>(int, const Vec<float, 2>&);
-template Places<Vec<float, 2>> initial_points<float, 2>(const CellBox<float, 2>&, int, bool);
-template std::array<int, 3> even_counts<float, 3>(int, const Vec<float, 3>&);
-template Places<Vec<float, 3>> initial_points<float, 3>(const CellBox<float, 3>&, int, bool);
-template std::array<int, 2> even_counts<double, 2>(int, const Vec<double, 2>&);
-template Places<Vec<double, 2>> initial_points<double, 2>(const CellBox<double, 2>&, int, bool);
-template std::array<int, 3> even_counts<double, 3>(int, const Vec<double, 3>&);
-template Places<Vec<double, 3>> initial_points<double, 3>(const CellBox<double, 3>&, int, bool);
-template std::array<int, 2> even_counts<long double, 2>(int, const Vec<long double, 2>&);
-template Places<Vec<long double, 2>> initial_points<long double, 2>(const CellBox<long double, 2>&, int,
-                                                                    bool);
-template std::array<int, 3> even_counts<long double, 3>(int, const Vec<long double, 3>&);
-template Places<Vec<long double, 3>> initial_points<long double, 3>(const CellBox<long double, 3>&, int,
-                                                                    bool);
-#endif
+#define ARENITE_INSTANCES(D) template std::array<int, D> lattice_counts<D>(int);
+ARENITE_FOR_DIMENSIONS(ARENITE_INSTANCES)
+#undef ARENITE_INSTANCES
+
+#define ARENITE_INSTANCES(T, D)                                   \
+  template std::array<int, D> even_counts(int, const Vec<T, D>&); \
+  template Places<Vec<T, D>> initial_points(const CellBox<T, D>&, int, bool);
+ARENITE_FOR_NUMBERS_AND_DIMENSIONS(ARENITE_INSTANCES)
+#undef ARENITE_INSTANCES
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

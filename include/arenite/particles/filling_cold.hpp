@@ -38,7 +38,7 @@ template <class T, int D>
 ARENITE_COLD Filling<T, D>::Filling(const FillOptions& options, const AnyRegion& region, double density,
                                     const Ground& ground, bool simplices, T (*thickness)(const Point&))
     : options_{options}, region_{region}, density_{density}, thickness_{thickness} {
-  if (options.velocity.is_uniform()) options.velocity.at<T, D>(Point::Zero());
+  if (options.velocity.is_uniform()) options.velocity.at<T, D>(zeros<Point>());
   require(!options.even || !simplices, "FillOptions.even", options.even, "goes with a grid alone");
   options.check();
   require(!options.exact_volume || !region.by_centres, "FillOptions.exact_volume", options.exact_volume,
@@ -119,14 +119,9 @@ ARENITE_COLD const std::vector<FillPoint<T, D>>& Filling<T, D>::points(bool with
   return points_;
 }
 
-#ifdef ARENITE_COLD_LIBRARY
-template class Filling<float, 2>;
-template class Filling<float, 3>;
-template class Filling<double, 2>;
-template class Filling<double, 3>;
-template class Filling<long double, 2>;
-template class Filling<long double, 3>;
-#endif
+#define ARENITE_INSTANCES(T, D) template class Filling<T, D>;
+ARENITE_FOR_NUMBERS_AND_DIMENSIONS(ARENITE_INSTANCES)
+#undef ARENITE_INSTANCES
 
 }  // namespace detail
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -39,7 +39,7 @@ class InitialVelocity {
   /// over which the function varies, m; a millionth of it is the distance of the differences.
   template <class T, int D>
   Mat<T, D> gradient(const Vec<T, D>& x, double length) const {
-    Mat<T, D> g = Mat<T, D>::Zero();
+    Mat<T, D> g = zeros<Mat<T, D>>();
     if (is_uniform()) return g;
     const double h = 1e-6 * length;
     const Three middle = in_space(x);

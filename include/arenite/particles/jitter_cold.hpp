@@ -17,19 +17,10 @@ ARENITE_COLD void jitter_points(const CellBox<T, D>& box, Index cell, double sha
   }
 }
 
-#ifdef ARENITE_COLD_LIBRARY
-template void jitter_points<float, 2>(const CellBox<float, 2>&, Index, double, std::uint64_t,
-                                      Places<Vec<float, 2>>&, int, bool);
-template void jitter_points<float, 3>(const CellBox<float, 3>&, Index, double, std::uint64_t,
-                                      Places<Vec<float, 3>>&, int, bool);
-template void jitter_points<double, 2>(const CellBox<double, 2>&, Index, double, std::uint64_t,
-                                       Places<Vec<double, 2>>&, int, bool);
-template void jitter_points<double, 3>(const CellBox<double, 3>&, Index, double, std::uint64_t,
-                                       Places<Vec<double, 3>>&, int, bool);
-template void jitter_points<long double, 2>(const CellBox<long double, 2>&, Index, double, std::uint64_t,
-                                            Places<Vec<long double, 2>>&, int, bool);
-template void jitter_points<long double, 3>(const CellBox<long double, 3>&, Index, double, std::uint64_t,
-                                            Places<Vec<long double, 3>>&, int, bool);
-#endif
+#define ARENITE_INSTANCES(T, D)                                                                            \
+  template void jitter_points(const CellBox<T, D>&, Index, double, std::uint64_t, Places<Vec<T, D>>&, int, \
+                              bool);
+ARENITE_FOR_NUMBERS_AND_DIMENSIONS(ARENITE_INSTANCES)
+#undef ARENITE_INSTANCES
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -17,25 +17,25 @@ inline constexpr std::uint64_t no_id = std::numeric_limits<std::uint64_t>::max()
 template <real_scalar T, int D, class History, std::size_t Kept = 0>
 struct MaterialPoint {
   Vec<T, D> position = Vec<T, D>::Constant(std::numeric_limits<T>::quiet_NaN());  ///< m
-  Vec<T, D> velocity = Vec<T, D>::Zero();                                         ///< m/s
+  Vec<T, D> velocity = zeros<Vec<T, D>>();                                        ///< m/s
   T volume = std::numeric_limits<T>::quiet_NaN();  ///< m3, of a metre of thickness or of the full circle
   T mass = std::numeric_limits<T>::quiet_NaN();    ///< kg; NaN: the law's density times the volume
   Sym<T, D> stress{};                              ///< Pa, tension positive
   History history{};
-  Mat<T, D> motion = Mat<T, D>::Zero();  ///< velocity gradient of APIC or TPIC, 1/s; else without meaning
-  T dilation = 0;                        ///< plastic volumetric strain of the last step, -
-  std::array<T, Kept> kept{};            ///< see `point_columns`
-  std::uint64_t id = no_id;              ///< where the scene has `PointIds`
+  Mat<T, D> motion = zeros<Mat<T, D>>();  ///< velocity gradient of APIC or TPIC, 1/s; else without meaning
+  T dilation = 0;                         ///< plastic volumetric strain of the last step, -
+  std::array<T, Kept> kept{};             ///< see `point_columns`
+  std::uint64_t id = no_id;               ///< where the scene has `PointIds`
 };
 
 /// Sums over points.
 template <int D>
 struct PointTotals {
   std::size_t count = 0;
-  double mass = 0;                                   ///< kg
-  Vec<double, D> momentum = Vec<double, D>::Zero();  ///< kg m/s
-  double kinetic_energy = 0;                         ///< J
-  double strain_energy = 0;                          ///< J, recoverable
+  double mass = 0;                                    ///< kg
+  Vec<double, D> momentum = zeros<Vec<double, D>>();  ///< kg m/s
+  double kinetic_energy = 0;                          ///< J
+  double strain_energy = 0;                           ///< J, recoverable
   PointTotals& operator+=(const PointTotals& o) {
     count += o.count;
     mass += o.mass;

@@ -35,7 +35,7 @@ Value sum_points(const B& body, Value zero, F&& f) {
 template <class B>
 double kinetic_energy(const B& body) {
   return sum_points(body, 0.0, [&](std::size_t p) {
-    return 0.5 * static_cast<double>(body.points.mass[p] * body.points.velocity[p].squaredNorm());
+    return 0.5 * static_cast<double>(body.points.mass[p] * squared_norm(body.points.velocity[p]));
   });
 }
 
@@ -87,7 +87,7 @@ double strain_energy(const B& body) {
 /// Momentum, kg m/s, shape [D].
 template <class L, class T, int D, ExtraColumns E>
 Vec<double, D> momentum(const Body<L, T, D, E>& body) {
-  return sum_points(body, Vec<double, D>(Vec<double, D>::Zero()), [&](std::size_t p) -> Vec<double, D> {
+  return sum_points(body, zeros<Vec<double, D>>(), [&](std::size_t p) -> Vec<double, D> {
     return static_cast<double>(body.points.mass[p]) * body.points.velocity[p].template cast<double>();
   });
 }

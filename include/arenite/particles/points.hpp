@@ -72,7 +72,7 @@ class Points {
           (history[k++].push_back(value), ...);
         },
         start.members());
-    if constexpr (affine) motion.push_back(Mat<T, D>::Zero());
+    if constexpr (affine) motion.push_back(zeros<Mat<T, D>>());
     if constexpr (has_dilation) dilation.push_back(T(0));
     for (auto& column : kept) column.push_back(T(0));
     if constexpr (has_ids) id.push_back(no_id);

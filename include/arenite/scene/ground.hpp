@@ -32,10 +32,13 @@ namespace detail {
 template <class Scene>
 std::array<double, 3> gravity_of_ground(const Scene& scene, double time) {
   using V = typename Scene::V;
-  V uniform = V::Zero(), of_place = V::Zero();
+  const auto add = [](V& sum, const V& more) {
+    for (int k = 0; k < Scene::D; ++k) sum[k] += more[k];
+  };
+  V uniform = zeros<V>(), of_place = zeros<V>();
   scene.for_each_part([&](const auto& part) {
     using P = std::remove_cvref_t<decltype(part)>;
-    if constexpr (accelerates<P, Scene>) uniform += part.acceleration(time);
+    if constexpr (accelerates<P, Scene>) add(uniform, part.acceleration(time));
     if constexpr (requires { part.acceleration_at(of_place, time); }) {
       const auto at = [&](Index i) {
         return V(part.acceleration_at(Scene::Shape::node_position(scene.mesh, i), time));
@@ -45,10 +48,10 @@ std::array<double, 3> gravity_of_ground(const Scene& scene, double time) {
         require((at(i) - first).norm() <= 1e-6 * first.norm(), "Geostatic: body force", vector_text(at(i)),
                 {"must be the same everywhere, as at the first node, ", vector_text(first),
                  " m/s2: give the stress as a function of the position"});
-      of_place += first;
+      add(of_place, first);
     }
   });
-  uniform += of_place;
+  add(uniform, of_place);
   return in_space(uniform);
 }
 
@@ -128,7 +131,7 @@ Places<typename M::Point> gauss_offsets(const M& mesh, Index cell, const GroundA
     using T = typename M::scalar;
     constexpr int D = M::dimension;
     Places<typename M::Point> offsets;
-    typename M::Point centre = M::Point::Zero();
+    auto centre = zeros<typename M::Point>();
     for (const Index i : mesh.nodes(cell)) centre += mesh.position(i) / static_cast<T>(D + 1);
     const auto scale = static_cast<T>(std::pow(ground.per_cell, -1.0 / D) / std::sqrt(D + 2.0));
     for (const Index i : mesh.nodes(cell)) offsets.push_back(scale * (mesh.position(i) - centre));
@@ -216,7 +219,7 @@ template <class Scene>
 std::vector<typename Scene::V> forces_from_rest(const Scene& scene, double dt) {
   std::vector<typename Scene::V> force;
   if (scene.at_rest.empty() || scene.steps > 0) return force;
-  force.assign(scene.fields[0].size(), Scene::V::Zero());
+  force.assign(scene.fields[0].size(), zeros<typename Scene::V>());
   for (const auto& field : scene.fields)
     for (std::size_t i = 0; i < field.size(); ++i)
       if (field.mass[i] > 0)

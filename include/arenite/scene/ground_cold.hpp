@@ -89,7 +89,7 @@ template <class T, int D>
 ARENITE_COLD std::vector<Vec<T, D>> sum_errors(const RestingScene<T, D>& scene,
                                                const std::vector<char>& asked) {
   using V = Vec<T, D>;
-  std::vector<V> error(asked.size(), V::Zero());
+  std::vector<V> error(asked.size(), zeros<V>());
   const auto& g = scene.at_rest.front().gravity;
   const auto vertical = static_cast<int>(Ground{.gravity = g}.axis());
   ListedShape<T, D> shape;
@@ -196,26 +196,11 @@ ARENITE_COLD void check_rest(const RestingScene<T, D>& scene) {
                       "own? Ground that is meant to move: Geostatic.may_move"}));
 }
 
-#ifdef ARENITE_COLD_LIBRARY
-template Places<Vec<float, 2>> gauss_offsets<float, 2>(const CellBox<float, 2>&, const GroundAtRest&, float,
-                                                       int);
-template void check_rest<float, 2>(const RestingScene<float, 2>&);
-template Places<Vec<float, 3>> gauss_offsets<float, 3>(const CellBox<float, 3>&, const GroundAtRest&, float,
-                                                       int);
-template void check_rest<float, 3>(const RestingScene<float, 3>&);
-template Places<Vec<double, 2>> gauss_offsets<double, 2>(const CellBox<double, 2>&, const GroundAtRest&,
-                                                         double, int);
-template void check_rest<double, 2>(const RestingScene<double, 2>&);
-template Places<Vec<double, 3>> gauss_offsets<double, 3>(const CellBox<double, 3>&, const GroundAtRest&,
-                                                         double, int);
-template void check_rest<double, 3>(const RestingScene<double, 3>&);
-template Places<Vec<long double, 2>> gauss_offsets<long double, 2>(const CellBox<long double, 2>&,
-                                                                   const GroundAtRest&, long double, int);
-template void check_rest<long double, 2>(const RestingScene<long double, 2>&);
-template Places<Vec<long double, 3>> gauss_offsets<long double, 3>(const CellBox<long double, 3>&,
-                                                                   const GroundAtRest&, long double, int);
-template void check_rest<long double, 3>(const RestingScene<long double, 3>&);
-#endif
+#define ARENITE_INSTANCES(T, D)                                                                \
+  template Places<Vec<T, D>> gauss_offsets(const CellBox<T, D>&, const GroundAtRest&, T, int); \
+  template void check_rest(const RestingScene<T, D>&);
+ARENITE_FOR_NUMBERS_AND_DIMENSIONS(ARENITE_INSTANCES)
+#undef ARENITE_INSTANCES
 
 }  // namespace detail
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -91,21 +91,10 @@ ARENITE_COLD void warn_no_support(const std::string& gravity) {
       {"gravity ", gravity, " m/s2 acts, but no wall and no rigid body holds along it: everything falls"}));
 }
 
-#ifdef ARENITE_COLD_LIBRARY
-template void warn_of_bodies<float, 2>(std::span<const BodySummary<float, 2>>, const MeshBox&);
-template bool holds_gravity<float, 2>(const std::vector<Constraint<float, 2>>&, const Vec<float, 2>&);
-template void warn_of_bodies<float, 3>(std::span<const BodySummary<float, 3>>, const MeshBox&);
-template bool holds_gravity<float, 3>(const std::vector<Constraint<float, 3>>&, const Vec<float, 3>&);
-template void warn_of_bodies<double, 2>(std::span<const BodySummary<double, 2>>, const MeshBox&);
-template bool holds_gravity<double, 2>(const std::vector<Constraint<double, 2>>&, const Vec<double, 2>&);
-template void warn_of_bodies<double, 3>(std::span<const BodySummary<double, 3>>, const MeshBox&);
-template bool holds_gravity<double, 3>(const std::vector<Constraint<double, 3>>&, const Vec<double, 3>&);
-template void warn_of_bodies<long double, 2>(std::span<const BodySummary<long double, 2>>, const MeshBox&);
-template bool holds_gravity<long double, 2>(const std::vector<Constraint<long double, 2>>&,
-                                            const Vec<long double, 2>&);
-template void warn_of_bodies<long double, 3>(std::span<const BodySummary<long double, 3>>, const MeshBox&);
-template bool holds_gravity<long double, 3>(const std::vector<Constraint<long double, 3>>&,
-                                            const Vec<long double, 3>&);
-#endif
+#define ARENITE_INSTANCES(T, D)                                                     \
+  template void warn_of_bodies(std::span<const BodySummary<T, D>>, const MeshBox&); \
+  template bool holds_gravity(const std::vector<Constraint<T, D>>&, const Vec<T, D>&);
+ARENITE_FOR_NUMBERS_AND_DIMENSIONS(ARENITE_INSTANCES)
+#undef ARENITE_INSTANCES
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET::detail

@@ -131,7 +131,7 @@ struct Scene {
   ContactTally contact_tally;   ///< of the last step
   std::size_t limited = 0;      ///< node velocities scaled down by the velocity limit since the start
   double limited_momentum = 0;  ///< momentum that this took, N s
-  V wall_impulse = V::Zero();   ///< that constraints gave since the start, N s
+  V wall_impulse = zeros<V>();  ///< that constraints gave since the start, N s
   double driving_work = 0;      ///< of the parts that move nodes, since the start, J
 
   /// Calls `f(body, field)` for each deformable body and its node field.
@@ -247,9 +247,12 @@ struct Scene {
 
   /// Sum of the parts' accelerations now, m/s2.
   V acceleration() const {
-    V sum = V::Zero();
+    V sum = zeros<V>();
     for_each_part([&](const auto& part) {
-      if constexpr (accelerates<std::remove_cvref_t<decltype(part)>, Scene>) sum += part.acceleration(time);
+      if constexpr (accelerates<std::remove_cvref_t<decltype(part)>, Scene>) {
+        const V own = part.acceleration(time);
+        for (int k = 0; k < D; ++k) sum[k] += own[k];
+      }
     });
     return sum;
   }

@@ -251,14 +251,16 @@ template <class Scene>
 void constrain(Scene& scene, typename Scene::Field& field, double dt) {
   // What nodes have of a negligible mass, the points on them have, too.
   const auto momentum_of_massless = [&] {
-    typename Scene::V sum = Scene::V::Zero();
-    for (const Index i : field.massless) sum += field.collected[i].mass() * field.velocity[i];
+    typename Scene::V sum = zeros<typename Scene::V>();
+    for (const Index i : field.massless)
+      for (int k = 0; k < Scene::D; ++k) sum[k] += field.collected[i].mass() * field.velocity[i][k];
     return sum;
   };
   const typename Scene::V before = momentum_of_massless();
   const auto [impulse, work] =
       detail::allow(scene, field, field.velocity, dt, detail::taker_of_wall_impulses(scene, field));
-  scene.wall_impulse += impulse + (momentum_of_massless() - before);
+  const typename Scene::V after = momentum_of_massless();
+  for (int k = 0; k < Scene::D; ++k) scene.wall_impulse[k] += impulse[k] + (after[k] - before[k]);
   scene.driving_work += work;
 }
 

@@ -141,7 +141,10 @@ struct ProductShape {
 
     /// [N^D] values at x.
     Weights weights(const Vec<T, D>& x) const {
-      return Eigen::Map<const Weights>(products(line_values(as_array(x))).data());
+      const auto product = products(line_values(as_array(x)));
+      Weights w;
+      for (std::size_t i = 0; i < size; ++i) w[static_cast<int>(i)] = product[i];
+      return w;
     }
 
     /// [D x N^D] gradients at x, 1/m.
@@ -151,7 +154,8 @@ struct ProductShape {
       for (std::size_t k = 0; k < D; ++k) {
         auto factor = value;
         factor[k] = slope[k];
-        g.row(static_cast<int>(k)) = Eigen::Map<const Weights>(products(factor).data());
+        const auto product = products(factor);
+        for (std::size_t i = 0; i < size; ++i) g(static_cast<int>(k), static_cast<int>(i)) = product[i];
       }
       return g;
     }

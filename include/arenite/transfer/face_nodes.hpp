@@ -34,18 +34,18 @@ std::size_t exchange_at_faces(const M& grid, const Field& nodes, NodeVectors<T, 
     if (!(m < enough)) return;
     ++count;
     if (m == 0) {
-      const Vec<T, D> impulse = impulse_of_forces(nodes.collected[beside], dt);
-      velocity[beside] = velocity[face] + impulse / enough;
-      velocity[face] += impulse / on_face;
+      const auto impulse = impulse_of_forces(nodes.collected[beside], dt);
+      velocity.set(beside, velocity.pack(face) + impulse / enough);
+      velocity.add(face, impulse / on_face);
       return;
     }
-    const Vec<T, D> on = velocity[face], change = (1 - m / enough) * (on - velocity[beside]);
-    velocity[face] -= (m / on_face) * change;
+    const auto on = velocity.pack(face), change = (1 - m / enough) * (on - velocity.pack(beside));
+    velocity.set(face, on - (m / on_face) * change);
     // Of hardly any mass it is a velocity without a digit that is right, but times the mass.
     if (m * m > std::numeric_limits<T>::epsilon() * enough * enough)
-      velocity[beside] += change;
+      velocity.add(beside, change);
     else
-      velocity[beside] = on + (m / enough) * (velocity[beside] - on);
+      velocity.set(beside, on + (m / enough) * (velocity.pack(beside) - on));
   };
   Index stride = 1;
   for (int k = 0; k < D; ++k) {

@@ -31,17 +31,17 @@ void finish_map_back([[maybe_unused]] const N& numerics, Field& nodes) {
   parallel_chunks(nodes.size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       if (nodes.mass[i] > 0)
-        nodes.mapped[i] /= nodes.mass[i];
+        nodes.mapped.set(i, nodes.mapped.pack(i) / nodes.mass[i]);
       else if constexpr (N::maps_back_by_points)
-        nodes.mapped[i] = nodes.velocity[i];  // of a node without mass: of those around it
+        nodes.mapped.set(i, nodes.velocity.pack(i));  // of a node without mass: of those around it
       else
-        nodes.mapped[i].setZero();
+        nodes.mapped.set(i, 0);
       if constexpr (!N::maps_back_by_points) {
         if constexpr (requires { numerics.transfer.returned_velocity(nodes, Index{}); })
           nodes.mapped.add(i, numerics.transfer.returned_velocity(nodes, static_cast<Index>(i)));
         else
-          nodes.mapped[i] += nodes.velocity[i];
-        if (nodes.centred) nodes.mapped[i] = (nodes.start[i] + nodes.mapped[i]) / 2;
+          nodes.mapped.add(i, nodes.velocity.pack(i));
+        if (nodes.centred) nodes.mapped.set(i, (nodes.start.pack(i) + nodes.mapped.pack(i)) / 2);
       }
     }
   });

@@ -15,10 +15,6 @@
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
-/// A vector of a node as one pack: two lanes in the plane, four in space, of which the last is spare.
-template <class T, int D>
-using NodePack = Pack<T, D == 2 ? 2 : 4>;
-
 /// The same from the lanes of a pack that holds components `first`, .. of a vector; 0 elsewhere.
 template <class T, int D, class L>
 NodePack<T, D> node_pack(std::size_t first, const L& lanes) {
@@ -154,11 +150,11 @@ struct NodeField {
   explicit NodeField(Index nodes, bool is_centred = false)
       : collected(nodes),
         mass(nodes, T(0)),
-        start(nodes, Vec<T, D>::Zero()),
-        velocity(nodes, Vec<T, D>::Zero()),
-        mapped(Mapped ? nodes : 0, Vec<T, D>::Zero()),
-        mass_gradient(Gradient ? nodes : 0, Vec<T, D>::Zero()),
-        correction(Swept ? nodes : 0, Vec<T, D>::Zero()),
+        start(nodes, zeros<Vec<T, D>>()),
+        velocity(nodes, zeros<Vec<T, D>>()),
+        mapped(Mapped ? nodes : 0, zeros<Vec<T, D>>()),
+        mass_gradient(Gradient ? nodes : 0, zeros<Vec<T, D>>()),
+        correction(Swept ? nodes : 0, zeros<Vec<T, D>>()),
         residual(correction),
         given(correction),
         centred(is_centred) {}

@@ -9,6 +9,18 @@
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
+/// A vector of a node as one pack: two lanes in the plane, four in space, of which the last is spare. Loops over nodes
+/// compute with it: expressions of Eigen would cost each unit a class a term.
+template <class T, int D>
+using NodePack = Pack<T, D == 2 ? 2 : 4>;
+
+template <int D, class T>
+Vec<T, D> first_lanes(const T* lanes) {
+  Vec<T, D> v;
+  for (int k = 0; k < D; ++k) v[k] = lanes[k];
+  return v;
+}
+
 /// Momentum, mass, internal force and, where functions have light nodes, the mass within reach of a node.
 template <class T, int D>
 struct alignas(8 * sizeof(T)) NodeSums {
@@ -21,9 +33,11 @@ struct alignas(8 * sizeof(T)) NodeSums {
                                reach_lane = Lanes::first(node_channel::reach_mass);
   std::array<T, Lanes::size> lane{};
 
-  Vec<T, D> momentum() const { return Eigen::Map<const Vec<T, D>>(lane.data()); }            ///< kg m/s
-  T mass() const { return lane[mass_lane]; }                                                 ///< kg
-  Vec<T, D> force() const { return Eigen::Map<const Vec<T, D>>(lane.data() + force_lane); }  ///< N
+  Vec<T, D> momentum() const { return first_lanes<D>(lane.data()); }            ///< kg m/s
+  T mass() const { return lane[mass_lane]; }                                    ///< kg
+  Vec<T, D> force() const { return first_lanes<D>(lane.data() + force_lane); }  ///< N
+  NodePack<T, D> momentum_pack() const { return NodePack<T, D>::load(lane.data()); }
+  NodePack<T, D> force_pack() const { return NodePack<T, D>::load(lane.data() + force_lane); }
   /// Sum of m_c (h_c |grad N|)^2, kg: see `LightNodes`. Of m_c where none is light; 0 where none can be.
   T reach() const { return lane[reach_lane]; }
 
@@ -55,8 +69,8 @@ T negligible_mass(const NodeSums<T, D>& sums) {
 
 /// Impulse of the forces over a step dt, s, on a node without mass, N s.
 template <class T, int D>
-Vec<T, D> impulse_of_forces(const NodeSums<T, D>& sums, T dt) {
-  return dt * sums.force();
+NodePack<T, D> impulse_of_forces(const NodeSums<T, D>& sums, T dt) {
+  return dt * sums.force_pack();
 }
 
 /// Momentum and mass alone: where nothing reads the velocity at the start of the step nor the force
@@ -65,16 +79,17 @@ template <class T, int D>
 struct alignas(4 * sizeof(T)) NodeMomentum {
   std::array<T, 4> lane{};
 
-  Vec<T, D> momentum() const { return Eigen::Map<const Vec<T, D>>(lane.data()); }  ///< kg m/s
-  T mass() const { return lane[D]; }                                               ///< kg
+  Vec<T, D> momentum() const { return first_lanes<D>(lane.data()); }  ///< kg m/s
+  T mass() const { return lane[D]; }                                  ///< kg
+  NodePack<T, D> momentum_pack() const { return NodePack<T, D>::load(lane.data()); }
 
   friend bool operator==(const NodeMomentum&, const NodeMomentum&) = default;
 };
 
 /// Of the whole step, or none for dt = 0.
 template <class T, int D>
-Vec<T, D> impulse_of_forces(const NodeMomentum<T, D>& sums, T dt) {
-  return dt > 0 ? sums.momentum() : Vec<T, D>(Vec<T, D>::Zero());
+NodePack<T, D> impulse_of_forces(const NodeMomentum<T, D>& sums, T dt) {
+  return dt > 0 ? sums.momentum_pack() : NodePack<T, D>(0);
 }
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -37,28 +37,31 @@ void p2g(const N& numerics, const M& mesh, const Blocks& blocks, B& body, Field&
 /// a `negligible_mass`, but that its velocity is known, without its force.
 template <class Field, class T, int D>
 void update_grid(Field& nodes, const Vec<T, D>& gravity, T dt, T mass_floor) {
+  NodePack<T, D> g(0);
+  for (int k = 0; k < D; ++k) g.set(k, gravity[k]);
   parallel_chunks(nodes.size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       const auto& sums = nodes.collected[i];
       // Round-off may leave less than nothing, of which the velocity is known as well.
       if ((Field::has_start_state ? std::abs(sums.mass()) : sums.mass()) <= mass_floor) {
         nodes.mass[i] = 0;
-        if constexpr (Field::has_start_state) nodes.start[i].setZero();
-        nodes.velocity[i].setZero();
+        if constexpr (Field::has_start_state) nodes.start.set(i, 0);
+        nodes.velocity.set(i, 0);
         continue;
       }
       const T inverse = 1 / sums.mass();
       nodes.mass[i] = sums.mass();
       if constexpr (Field::has_start_state) {
-        nodes.start[i] = inverse * sums.momentum();
+        const NodePack<T, D> start = inverse * sums.momentum_pack();
+        nodes.start.set(i, start);
         if (sums.mass() <= negligible_mass(sums)) {
           nodes.mass[i] = 0;
-          nodes.velocity[i] = nodes.start[i] + dt * gravity;
+          nodes.velocity.set(i, start + dt * g);
           continue;
         }
-        nodes.velocity[i] = nodes.start[i] + dt * (inverse * sums.force() + gravity);
+        nodes.velocity.set(i, start + dt * (inverse * sums.force_pack() + g));
       } else {
-        nodes.velocity[i] = inverse * sums.momentum() + dt * gravity;
+        nodes.velocity.set(i, inverse * sums.momentum_pack() + dt * g);
       }
     }
   });
@@ -71,10 +74,8 @@ void start_velocities(Field& nodes, T mass_floor) {
     for (std::size_t i = begin; i < end; ++i) {
       const auto& sums = nodes.collected[i];
       nodes.mass[i] = sums.mass() <= std::max(mass_floor, negligible_mass(sums)) ? T(0) : sums.mass();
-      if (std::abs(sums.mass()) > mass_floor)
-        nodes.velocity[i] = (1 / sums.mass()) * sums.momentum();
-      else
-        nodes.velocity[i].setZero();
+      const bool is_known = std::abs(sums.mass()) > mass_floor;
+      nodes.velocity.set(i, is_known ? (1 / sums.mass()) * sums.momentum_pack() : 0);
     }
   });
 }

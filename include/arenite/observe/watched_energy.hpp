@@ -113,8 +113,7 @@ class WatchedEnergy {
       h.strain += strain;
       if (!field.centred) h.ahead += strain;
       const auto& p = body.points;
-      h.potential -=
-          detail::work_of_gravity(p.size(), p.mass.data(), Scene::D, detail::column_data(p.position), g);
+      h.potential -= work_of_gravity(p.size(), p.mass.data(), Scene::D, column_data(p.position), g);
     });
     return h;
   }

@@ -36,8 +36,6 @@ template <class B, class Value, class F>
 requires requires(const B& body) { body.points; }
 Value sum_points(const B& body, Value zero, F&& f) { return sum_points(body.points.size(), zero, f); }
 
-namespace detail {
-
 /// Sums over columns, of `count` points each.
 template <class T>
 double sum_column(const T* values, std::size_t count);
@@ -58,14 +56,12 @@ std::array<const T*, 3> column_data(const VectorColumns<T, D>& columns) {
   return data;
 }
 
-}  // namespace detail
-
 /// Kinetic energy of the points' velocities, J; that of their velocity gradients is
 /// `gradient_kinetic_energy`.
 template <class B>
 double kinetic_energy(const B& body) {
   const auto& p = body.points;
-  return detail::kinetic_energy(p.size(), p.mass.data(), p.dimension, detail::column_data(p.velocity));
+  return kinetic_energy(p.size(), p.mass.data(), p.dimension, column_data(p.velocity));
 }
 
 /// Kinetic energy, J, of the velocity gradients C that points carry (APIC, TPIC): sum m/2 C : (C D), with the
@@ -124,14 +120,14 @@ Vec<double, D> momentum(const Body<L, T, D, E>& body) {
 /// Mass of the points, kg.
 template <class B>
 double mass(const B& body) {
-  return detail::sum_column(body.points.mass.data(), body.points.size());
+  return sum_column(body.points.mass.data(), body.points.size());
 }
 
 /// Mean of V / V0, voids that opened included: how much the body has swollen, -. No other measure shows
 /// slow swelling.
 template <class B>
 double mean_volume_ratio(const B& body) {
-  const double volume = detail::sum_column(body.points.volume.data(), body.points.size());
+  const double volume = sum_column(body.points.volume.data(), body.points.size());
   const double initial = body.initial_volume - body.lost_mass / body.law.density();
   return initial > 0 ? (volume + body.opened_volume) / initial : 1.0;
 }

@@ -3,7 +3,7 @@
 
 #include <arenite/particles/measures.hpp>
 
-namespace arenite::inline ARENITE_INSTRUCTION_SET::detail {
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 template <class T>
 ARENITE_COLD double sum_column(const T* values, std::size_t count) {
@@ -39,4 +39,4 @@ ARENITE_COLD double work_of_gravity(std::size_t count, const T* mass, int dimens
 ARENITE_FOR_NUMBERS(ARENITE_INSTANCES)
 #undef ARENITE_INSTANCES
 
-}  // namespace arenite::inline ARENITE_INSTRUCTION_SET::detail
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -22,6 +22,7 @@
 #include <arenite/observe/saved_state_cold.hpp>
 #include <arenite/observe/vtu_cold.hpp>
 #include <arenite/observe/watch_cold.hpp>
+#include <arenite/observe/watched_energy_cold.hpp>
 #include <arenite/particles/cell_list_cold.hpp>
 #include <arenite/particles/cell_parts_cold.hpp>
 #include <arenite/particles/cell_points_cold.hpp>
@@ -29,6 +30,9 @@
 #include <arenite/particles/initial_stress_cold.hpp>
 #include <arenite/particles/initial_velocity_cold.hpp>
 #include <arenite/particles/jitter_cold.hpp>
+#include <arenite/particles/measures_cold.hpp>
 #include <arenite/rigid/try_distance_cold.hpp>
+#include <arenite/scene/finish_cold.hpp>
 #include <arenite/scene/ground_cold.hpp>
 #include <arenite/scene/new_scene_warnings_cold.hpp>
+#include <arenite/scene/step_check_cold.hpp>

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include <arenite/boundary/constraints.hpp>
@@ -11,14 +12,21 @@ namespace detail {
 
 template <int D>
 ARENITE_COLD void Blocked<D>::add(Vec<double, D> n, std::size_t by) {
-  n.normalize();
+  const auto normalize = [&n] {
+    const double length = std::sqrt(dot(n, n));
+    for (int i = 0; i < D && length > 0; ++i) n[i] /= length;
+    return length;
+  };
+  normalize();
   const Vec<double, D> name = n;
   for (int pass = 0; pass < 2; ++pass)
-    for (std::size_t k = 0; k < count; ++k) n -= directions[k].dot(n) * directions[k];
-  if (count == most || !(n.norm() > 1e-6)) return;
+    for (std::size_t k = 0; k < count; ++k) {
+      const double along = dot(directions[k], n);
+      for (int i = 0; i < D; ++i) n[i] -= along * directions[k][i];
+    }
+  if (count == most || !(normalize() > 1e-6)) return;
   named[count] = name;
   part[count] = by;
-  n.normalize();
   directions[count++] = n;
 }
 
@@ -79,8 +87,9 @@ ARENITE_COLD void BoundaryNodes<D>::find_box() {
 
 template <int D>
 ARENITE_COLD double BoundaryNodes<D>::near() const {
-  const V size = upper_ - lower_;
-  return 1e3 * epsilon_ * size.norm();
+  V size;
+  for (int k = 0; k < D; ++k) size[k] = upper_[k] - lower_[k];
+  return 1e3 * epsilon_ * std::sqrt(dot(size, size));
 }
 
 #define ARENITE_INSTANCES(D)          \

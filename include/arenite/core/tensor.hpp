@@ -19,19 +19,24 @@ using Vec = Eigen::Matrix<T, D, 1, Eigen::DontAlign>;
 template <class T, int D>
 using Mat = Eigen::Matrix<T, D, D, Eigen::DontAlign>;
 
-/// A vector or matrix of zeros. Eigen's `Zero()` is an expression: two classes and an assignment more for each type.
+/// A vector or matrix of one number. Eigen's `Constant` and `Zero` are expressions: for each type two classes more to compile, and an
+/// assignment.
 template <class V>
-V zeros() {
+V filled(typename V::Scalar number) {
   V v;
-  for (Eigen::Index k = 0; k < v.size(); ++k) v.data()[k] = 0;
+  for (Eigen::Index k = 0; k < v.size(); ++k) v.data()[k] = number;
   return v;
 }
+template <class V>
+V zeros() {
+  return filled<V>(0);
+}
 
-/// v . v, from the first component on.
+/// v . w, from the first component on.
 template <class T, int D>
-T squared_norm(const Vec<T, D>& v) {
-  T sum = v[0] * v[0];
-  for (int k = 1; k < D; ++k) sum += v[k] * v[k];
+T dot(const Vec<T, D>& v, const Vec<T, D>& w) {
+  T sum = v[0] * w[0];
+  for (int k = 1; k < D; ++k) sum += v[k] * w[k];
   return sum;
 }
 

@@ -65,7 +65,7 @@ class CartesianGrid {
   }
 
   /// Edges of a cell, m.
-  Point extent(Index) const { return Point::Constant(edge_); }
+  Point extent(Index) const { return filled<Point>(edge_); }
   /// Lower corner of a cell, m.
   Point corner(Index cell) const {
     const auto at = place(cell);

@@ -75,7 +75,7 @@ class CellBins {
   }
 
   Vec<T, D> lower_ = zeros<Vec<T, D>>();
-  Vec<T, D> per_metre_ = Vec<T, D>::Ones();
+  Vec<T, D> per_metre_ = filled<Vec<T, D>>(1);
   std::array<long, 3> count_{1, 1, 1};
   Lists cells_;  // [buckets]
 };

@@ -87,7 +87,7 @@ class CsvTable {
            ...);
         },
         columns_);
-    shared_detail::make_folder_of(path_, "csv");
+    make_folder_of(path_, "csv");
     writer_ = std::make_shared<CsvWriter>(path_, std::move(names), bytes_);
   }
 

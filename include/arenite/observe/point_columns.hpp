@@ -5,6 +5,7 @@
 #include <cstddef>
 
 #include <arenite/particles/body.hpp>
+#include <arenite/particles/measures.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET::detail {
 
@@ -26,13 +27,11 @@ PointColumns<T> point_columns(const Body<L, T, D, E>& body) {
   PointColumns<T> columns{.count = points.size(),
                           .dimension = D,
                           .density = body.law.density(),
+                          .position = column_data(points.position),
+                          .velocity = column_data(points.velocity),
                           .mass = points.mass.data(),
                           .volume = points.volume.data(),
                           .cell = points.cell.data()};
-  for (std::size_t k = 0; k < D; ++k) {
-    columns.position[k] = points.position.column(k).data();
-    columns.velocity[k] = points.velocity.column(k).data();
-  }
   for (std::size_t k = 0; k < Sym<T, D>::size; ++k) columns.stress[k] = points.stress.column(k).data();
   return columns;
 }

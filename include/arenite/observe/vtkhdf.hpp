@@ -25,7 +25,7 @@ class VtkhdfSeries {
  public:
   explicit VtkhdfSeries(FilePath prefix, VtuOptions options = {})
       : prefix_{prefix.string()}, options_{std::move(options)} {
-    shared_detail::make_folder_of(prefix.string(), "vtu");
+    make_folder_of(prefix.string(), "vtu");
   }
 
   template <class Scene>

@@ -73,7 +73,7 @@ ARENITE_FOR_NUMBERS(ARENITE_INSTANCES)
 
 ARENITE_COLD VtuSeries::VtuSeries(FilePath prefix, VtuOptions options)
     : prefix_(prefix.string()), options_(std::move(options)) {
-  shared_detail::make_folder_of(prefix_, "vtu");
+  make_folder_of(prefix_, "vtu");
   PvdWriter(prefix_ + ".pvd", true);  // a folder that cannot be written to shows at once
 }
 

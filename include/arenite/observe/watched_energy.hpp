@@ -8,6 +8,7 @@
 #include <limits>
 #include <utility>
 
+#include <arenite/core/cold.hpp>
 #include <arenite/observe/energy.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
@@ -43,34 +44,11 @@ class WatchedEnergy {
       if (!follows_ && scene.steps > 0) return {};
     }
     const Balance now = balance(scene);
-    if (!started_) {
-      started_ = true;
-      start_ = now;
-      floor_ = creep(scene);
-      put_in_ = now.stored;
-      changes_ = changes(scene);
-      pull_ = pull(scene);
-      if constexpr (tracks_energy<Scene>)
-        put_in_ = std::max(put_in_, scene.template part<TrackEnergy>().initial());
-    } else if (!tracks_energy<Scene> && (changes_ != changes(scene) || pull_ != pull(scene))) {
-      // What the points took with them or brought is not known, nor the work of what pulls otherwise: start
-      // anew.
-      pull_ = pull(scene);
-      put_in_ += now.brought - start_.brought;
-      start_ = now;
-      before_ = gain_;
-      changes_ = changes(scene);
-    }
-    gain_ = before_ + now.gained - start_.gained;
-    moved_ = std::max(moved_, std::abs(now.external - start_.external));
-    if constexpr (tracks_energy<Scene>) lowest_ = std::min(lowest_, gain_);
-    const auto fraction = [&](double energy) {
-      const double all = put_in_ + moved_ + now.brought - start_.brought;
-      const double f = energy == 0 ? 0 : energy / std::max(all, floor_);
-      return f > 0 || std::isnan(f) ? f : 0;
-    };
-    return {true, fraction(gain_ - lowest_), fraction(now.transfer - start_.transfer),
-            fraction(std::abs(now.residual - start_.residual))};
+    double initial = now.stored;
+    if constexpr (tracks_energy<Scene>)
+      initial = std::max(initial, scene.template part<TrackEnergy>().initial());
+    if (!started_) floor_ = creep(scene);
+    return judge(now, changes(scene), pull(scene), initial, tracks_energy<Scene>);
   }
 
   template <class F>
@@ -134,12 +112,8 @@ class WatchedEnergy {
       const double strain = strain_energy(body);
       h.strain += strain;
       if (!field.centred) h.ahead += strain;
-      h.potential -= sum_points(body, 0.0, [&](std::size_t p) {
-        double along = 0;
-        for (std::size_t k = 0; k < Scene::D; ++k)
-          along += g[k] * static_cast<double>(body.points.position.column(k)[p]);
-        return static_cast<double>(body.points.mass[p]) * along;
-      });
+      const auto& p = body.points;
+      h.potential -= work_of_gravity(p.size(), p.mass.data(), Scene::D, column_data(p.position), g);
     });
     return h;
   }
@@ -149,6 +123,9 @@ class WatchedEnergy {
   struct Balance {
     double stored = 0, external = 0, brought = 0, gained = 0, transfer = 0, residual = 0;
   };
+  /// `initial`: energy that there is when it begins, J.
+  Found judge(const Balance& now, std::size_t changes, const std::array<double, 3>& pull, double initial,
+              bool tracks);
   template <class Scene>
   Balance balance(const Scene& scene) const {
     Balance b;
@@ -217,3 +194,7 @@ class WatchedEnergy {
 };
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET
+
+#ifndef ARENITE_COLD_LIBRARY
+#include <arenite/observe/watched_energy_cold.hpp>
+#endif

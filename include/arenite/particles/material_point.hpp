@@ -16,8 +16,8 @@ inline constexpr std::uint64_t no_id = std::numeric_limits<std::uint64_t>::max()
 /// One point over scalar T in D dimensions, with a law's history and `Kept` numbers that parts keep with it.
 template <real_scalar T, int D, class History, std::size_t Kept = 0>
 struct MaterialPoint {
-  Vec<T, D> position = Vec<T, D>::Constant(std::numeric_limits<T>::quiet_NaN());  ///< m
-  Vec<T, D> velocity = zeros<Vec<T, D>>();                                        ///< m/s
+  Vec<T, D> position = filled<Vec<T, D>>(std::numeric_limits<T>::quiet_NaN());  ///< m
+  Vec<T, D> velocity = zeros<Vec<T, D>>();                                      ///< m/s
   T volume = std::numeric_limits<T>::quiet_NaN();  ///< m3, of a metre of thickness or of the full circle
   T mass = std::numeric_limits<T>::quiet_NaN();    ///< kg; NaN: the law's density times the volume
   Sym<T, D> stress{};                              ///< Pa, tension positive

@@ -5,16 +5,17 @@
 #include <array>
 #include <functional>
 
+#include <arenite/core/cold.hpp>
 #include <arenite/particles/body.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
-/// Sum of `f(point)` over the points of a body. Each chunk keeps eight partial sums, as each addition to a
-/// single one would have to wait for the one before.
-template <class B, class Value, class F>
-Value sum_points(const B& body, Value zero, F&& f) {
+/// Sum of `f(point)` over `count` points. Each chunk keeps eight partial sums, as each addition to a single one
+/// would have to wait for the one before.
+template <class Value, class F>
+Value sum_points(std::size_t count, Value zero, F&& f) {
   return parallel_reduce(
-      body.points.size(), zero,
+      count, zero,
       [&](std::size_t begin, std::size_t end) {
         constexpr std::size_t lanes = 8;
         std::array<Value, lanes> sum;
@@ -30,13 +31,37 @@ Value sum_points(const B& body, Value zero, F&& f) {
       std::plus<>{});
 }
 
+/// Over the points of a body.
+template <class B, class Value, class F>
+requires requires(const B& body) { body.points; }
+Value sum_points(const B& body, Value zero, F&& f) { return sum_points(body.points.size(), zero, f); }
+
+/// Sums over columns, of `count` points each.
+template <class T>
+double sum_column(const T* values, std::size_t count);
+/// Sum of m v^2 / 2; `velocity`: [dimension].
+template <class T>
+double kinetic_energy(std::size_t count, const T* mass, int dimension,
+                      const std::array<const T*, 3>& velocity);
+/// Sum of m x . g; `position`: [dimension].
+template <class T>
+double work_of_gravity(std::size_t count, const T* mass, int dimension,
+                       const std::array<const T*, 3>& position, const std::array<double, 3>& g);
+
+/// Where the columns of vectors begin.
+template <class T, int D>
+std::array<const T*, 3> column_data(const VectorColumns<T, D>& columns) {
+  std::array<const T*, 3> data{};
+  for (std::size_t k = 0; k < D; ++k) data[k] = columns.column(k).data();
+  return data;
+}
+
 /// Kinetic energy of the points' velocities, J; that of their velocity gradients is
 /// `gradient_kinetic_energy`.
 template <class B>
 double kinetic_energy(const B& body) {
-  return sum_points(body, 0.0, [&](std::size_t p) {
-    return 0.5 * static_cast<double>(body.points.mass[p] * squared_norm(body.points.velocity[p]));
-  });
+  const auto& p = body.points;
+  return kinetic_energy(p.size(), p.mass.data(), p.dimension, column_data(p.velocity));
 }
 
 /// Kinetic energy, J, of the velocity gradients C that points carry (APIC, TPIC): sum m/2 C : (C D), with the
@@ -95,17 +120,20 @@ Vec<double, D> momentum(const Body<L, T, D, E>& body) {
 /// Mass of the points, kg.
 template <class B>
 double mass(const B& body) {
-  return sum_points(body, 0.0, [&](std::size_t p) { return static_cast<double>(body.points.mass[p]); });
+  return sum_column(body.points.mass.data(), body.points.size());
 }
 
 /// Mean of V / V0, voids that opened included: how much the body has swollen, -. No other measure shows
 /// slow swelling.
 template <class B>
 double mean_volume_ratio(const B& body) {
-  const double volume =
-      sum_points(body, 0.0, [&](std::size_t p) { return static_cast<double>(body.points.volume[p]); });
+  const double volume = sum_column(body.points.volume.data(), body.points.size());
   const double initial = body.initial_volume - body.lost_mass / body.law.density();
   return initial > 0 ? (volume + body.opened_volume) / initial : 1.0;
 }
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET
+
+#ifndef ARENITE_COLD_LIBRARY
+#include <arenite/particles/measures_cold.hpp>
+#endif

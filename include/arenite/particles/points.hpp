@@ -60,23 +60,16 @@ class Points {
   std::size_t size() const { return mass.size(); }
 
   void push_back(const Vec<T, D>& x, const Vec<T, D>& v, T m, T vol, const Sym<T, D>& s, Index c) {
-    position.push_back(x);
-    velocity.push_back(v);
-    mass.push_back(m);
-    volume.push_back(vol);
-    stress.push_back(s);
-    History start{};
-    std::apply(
-        [&](auto&... value) {
-          std::size_t k = 0;
-          (history[k++].push_back(value), ...);
-        },
-        start.members());
-    if constexpr (affine) motion.push_back(zeros<Mat<T, D>>());
-    if constexpr (has_dilation) dilation.push_back(T(0));
-    for (auto& column : kept) column.push_back(T(0));
-    if constexpr (has_ids) id.push_back(no_id);
-    cell.push_back(c);
+    const std::size_t p = size();
+    for_each_column([](auto& column) { add_zero(column); });
+    position.set(p, x);
+    velocity.set(p, v);
+    mass[p] = m;
+    volume[p] = vol;
+    stress.set(p, s);
+    store_history(p, History{});
+    if constexpr (has_ids) id[p] = no_id;
+    cell[p] = c;
   }
   void push_back(const Point& point, Index c) {
     push_back(point.position, point.velocity, point.mass, point.volume, point.stress, c);
@@ -230,6 +223,10 @@ class Points {
   }
 
  private:
+  template <class C>
+  [[gnu::noinline]] static void add_zero(C& column) {
+    column.push_back(0);
+  }
   template <class Self, class F>
   static void visit(Self& self, F& f) {
     for (std::size_t k = 0; k < D; ++k) f(self.position.column(k));

@@ -87,7 +87,8 @@ void lose_outside(B& body) {
   const auto& points = body.points;
   for (const Index p : body.outside) {
     body.lost_mass += static_cast<double>(points.mass[p]);
-    body.lost_kinetic += static_cast<double>(points.mass[p] * squared_norm(points.velocity[p])) / 2;
+    const auto v = points.velocity[p];
+    body.lost_kinetic += static_cast<double>(points.mass[p] * dot(v, v)) / 2;
     body.lost_strain += static_cast<double>(
         points.volume[p] * elastic_energy_of(body.law, points.stress[p], points.load_history(p)));
   }

@@ -1,10 +1,12 @@
 // End of a step: the clock, the check that nothing has become NaN, and parts that renew points.
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <string>
 #include <type_traits>
 
+#include <arenite/core/cold.hpp>
 #include <arenite/scene/scene.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
@@ -28,9 +30,26 @@ void renew_points(Scene& scene) {
   });
 }
 
+namespace detail {
+
+/// A point that is not finite.
+struct BadPoint {
+  std::size_t number;
+  std::string body;
+  std::array<double, 3> place, velocity;  // m, m/s
+  double pressure, volume;                // Pa, m3
+};
+[[noreturn]] void refuse_point(double time, std::size_t step, const BadPoint& point, std::size_t dimensions);
+/// Of bodies whose sums are not finite.
+[[noreturn]] void refuse_sums(double time, std::size_t step, const std::string& bodies);
+
+}  // namespace detail
+
 /// Advances the clock. Throws `run_error` that names the first point that is not finite. dt: s.
 template <class Scene>
 void finish(Scene& scene, double dt) {
+  using T = typename Scene::T;
+  constexpr int D = Scene::D;
   scene.time += dt;
   scene.time_step = dt;
   ++scene.steps;
@@ -42,17 +61,20 @@ void finish(Scene& scene, double dt) {
     std::size_t first_bad = 0;
     while (first_bad < points.size() && is_finite(points, first_bad)) ++first_bad;
     if (first_bad < points.size())
-      throw run_error(joined_text(
-          {"t = ", scene.time, " s, step ", scene.steps, ": point ", first_bad, " of body ",
-           Scene::body_name(number), " at ", vector_text(points.position[first_bad]), " m has velocity ",
-           vector_text(points.velocity[first_bad]), " m/s, pressure ", -trace(points.stress[first_bad]) / 3,
-           " Pa, volume ", points.volume[first_bad], " m3: no longer finite"}));
+      detail::refuse_point(scene.time, scene.steps,
+                           {first_bad, Scene::body_name(number), in_space<T, D>(points.position[first_bad]),
+                            in_space<T, D>(points.velocity[first_bad]),
+                            static_cast<double>(-trace(points.stress[first_bad]) / 3),
+                            static_cast<double>(points.volume[first_bad])},
+                           D);
     if (!body.finite) bodies += joined_text({bodies.empty() ? "" : ", ", Scene::body_name(number)});
     ++number;
   });
-  throw run_error(joined_text({"t = ", scene.time, " s, step ", scene.steps,
-                               ": the sums of stress and volume over the points of body ", bodies,
-                               " are not finite, though every number of every point is: they overflow"}));
+  detail::refuse_sums(scene.time, scene.steps, bodies);
 }
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET
+
+#ifndef ARENITE_COLD_LIBRARY
+#include <arenite/scene/finish_cold.hpp>
+#endif

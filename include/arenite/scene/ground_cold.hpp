@@ -67,9 +67,11 @@ ARENITE_COLD Places<Vec<T, D>> gauss_offsets(const CellBox<T, D>& cell, const Gr
   for (int k = 0; k < D; ++k) edges[k] /= static_cast<T>(along[static_cast<std::size_t>(k)]);
   edges[vertical] *= volume / edges.prod();
   for (int corner = 0; corner < 1 << D; ++corner) {
-    Vec<T, D> x = edges / static_cast<T>(2 * std::sqrt(3.0));
-    for (int k = 0; k < D; ++k)
+    Vec<T, D> x;
+    for (int k = 0; k < D; ++k) {
+      x[k] = edges[k] / static_cast<T>(2 * std::sqrt(3.0));
       if (corner >> k & 1) x[k] = -x[k];
+    }
     offsets.push_back(x);
   }
   return offsets;
@@ -121,7 +123,8 @@ ARENITE_COLD std::vector<Vec<T, D>> sum_errors(const RestingScene<T, D>& scene,
       add(middle, (*body.stress)[p], 1);
       const auto offsets = scene.offsets(c, *ground, (*body.volume)[p] / scene.thickness(middle), vertical);
       for (const V& offset : offsets) {
-        const V x = middle + offset;
+        V x;
+        for (int k = 0; k < D; ++k) x[k] = middle[k] + offset[k];
         add(x, ground->stress.at(x), T(-1) / static_cast<T>(offsets.size()));
       }
     }
@@ -154,7 +157,7 @@ ARENITE_COLD void check_rest(const RestingScene<T, D>& scene) {
     }
   }
   if (!still) return;
-  const auto norm = [](const Vec<T, D>& v) { return static_cast<double>(v.norm()); };
+  const auto norm = [](const Vec<T, D>& v) { return static_cast<double>(std::sqrt(dot(v, v))); };
   const auto& gravity = scene.at_rest.front().gravity;
   const double g = in_scene<D>(gravity).norm();
   double weight = 0;
@@ -165,8 +168,11 @@ ARENITE_COLD void check_rest(const RestingScene<T, D>& scene) {
   for (Index c = 0; c < scene.cell_count; ++c) {
     scene.shape(c, nullptr, shape);
     bool changed = false;
-    for (const Index i : shape.nodes)
-      changed = changed || norm(Vec<T, D>(scene.after[i] - scene.before[i])) > little;
+    for (const Index i : shape.nodes) {
+      Vec<T, D> change;
+      for (int k = 0; k < D; ++k) change[k] = scene.after[i][k] - scene.before[i][k];
+      changed = changed || norm(change) > little;
+    }
     if (changed)
       for (const Index i : shape.nodes) counts[i] = 0;
   }

@@ -221,7 +221,7 @@ struct Scene {
   }
   /// What messages call a body: its name, or its number if it has none.
   static std::string body_name(std::size_t body) {
-    return body_names[body].empty() ? std::to_string(body) : std::string(body_names[body]);
+    return joined_text({body_names[body].empty() ? TextPart(body) : TextPart(body_names[body])});
   }
 
   /// Whether the mesh is a part of a larger one, which other scenes share (`MeshPortion`).

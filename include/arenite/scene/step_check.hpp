@@ -7,8 +7,8 @@
 #include <cstddef>
 #include <limits>
 
+#include <arenite/core/cold.hpp>
 #include <arenite/core/error.hpp>
-#include <arenite/core/warning.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
@@ -42,20 +42,16 @@ class StepCheck {
   template <class Stable>
   void look(double dt, double time, std::size_t step, const Stable& stable) {
     require(dt > 0 && std::isfinite(dt), "step: dt", dt, "must be positive and finite (s)");
-    const double bears = stable();
-    know(bears, step);
-    until_ = step + interval;
-    if (!(dt > longest_)) return;
-    longest_ = std::numeric_limits<double>::max();
-    until_ = for_ever;
-    warn(joined_text({"t = ", time, " s, step ", step + 1, ": dt = ", dt, " s is ", dt / bears,
-                      " times the stable step of ", bears,
-                      " s: velocities grow from step to step until points leave the mesh or numbers are no "
-                      "longer finite; take a share below 1 of stable_step(scene), or let run choose"}));
+    judge(dt, time, step, stable());
   }
+  void judge(double dt, double time, std::size_t step, double bears);
 
   double longest_ = 0;  // steps up to this one pass without a look, s
   std::size_t until_ = 0;
 };
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET
+
+#ifndef ARENITE_COLD_LIBRARY
+#include <arenite/scene/step_check_cold.hpp>
+#endif

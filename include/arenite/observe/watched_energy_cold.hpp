@@ -1,0 +1,38 @@
+// Cold functions of watched_energy.hpp.
+#pragma once
+
+#include <arenite/observe/watched_energy.hpp>
+
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
+
+ARENITE_COLD WatchedEnergy::Found WatchedEnergy::judge(const Balance& now, std::size_t changes,
+                                                       const std::array<double, 3>& pull, double initial,
+                                                       bool tracks) {
+  if (!started_) {
+    started_ = true;
+    start_ = now;
+    put_in_ = initial;
+    changes_ = changes;
+    pull_ = pull;
+  } else if (!tracks && (changes_ != changes || pull_ != pull)) {
+    // What the points took with them or brought is not known, nor the work of what pulls otherwise: start
+    // anew.
+    pull_ = pull;
+    put_in_ += now.brought - start_.brought;
+    start_ = now;
+    before_ = gain_;
+    changes_ = changes;
+  }
+  gain_ = before_ + now.gained - start_.gained;
+  moved_ = std::max(moved_, std::abs(now.external - start_.external));
+  if (tracks) lowest_ = std::min(lowest_, gain_);
+  const auto fraction = [&](double energy) {
+    const double all = put_in_ + moved_ + now.brought - start_.brought;
+    const double f = energy == 0 ? 0 : energy / std::max(all, floor_);
+    return f > 0 || std::isnan(f) ? f : 0;
+  };
+  return {true, fraction(gain_ - lowest_), fraction(now.transfer - start_.transfer),
+          fraction(std::abs(now.residual - start_.residual))};
+}
+
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

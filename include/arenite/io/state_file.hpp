@@ -10,21 +10,15 @@
 //   (an empty line)
 #pragma once
 
-#include <algorithm>
-#include <array>
 #include <bit>
-#include <charconv>
-#include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include <arenite/core/hash.hpp>
+#include <arenite/core/cold.hpp>
 #include <arenite/core/instruction_set.hpp>
-#include <arenite/io/input_file.hpp>
-#include <arenite/io/output_file.hpp>
 #include <arenite/io/state_source.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
@@ -34,9 +28,6 @@ inline constexpr std::string_view state_magic = "arenite state ", state_format =
 inline constexpr const char* byte_order() {
   return std::endian::native == std::endian::little ? "little" : "big";
 }
-}  // namespace shared_detail
-
-namespace shared_detail {
 
 /// The head. Throws `error` for a name or a term with a line break.
 std::string state_head(const std::vector<StateTerm>& terms, const std::vector<StateEntry>& entries);

@@ -48,7 +48,8 @@ def fill_points(scene: Scene, body: Name, region: Region, per_cell: Optional[int
     number = scene.number_of(body)
     recipe = fill(str(body), region, scene.law(number), per_cell, velocity, stress, may_be_empty, dict(history or {}),
                   exact_volume=exact_volume)
-    return Totals(*scene._core.fill(number, scene._fill_value(number, recipe)))
+    with scene._named():
+        return Totals(*scene._core.fill(number, scene._fill_value(number, recipe)))
 
 
 def insert_points(scene: Scene, body: Name, position: ArrayLike, volume: ArrayLike, velocity: Optional[ArrayLike] = None,
@@ -66,7 +67,8 @@ def insert_points(scene: Scene, body: Name, position: ArrayLike, volume: ArrayLi
     if history:
         scene._check_history(scene.number_of(body), history)
         values["history"] = {name: np.asarray(x, dtype=float) for name, x in history.items()}
-    return Totals(*scene._core.insert(scene.number_of(body), values))
+    with scene._named():
+        return Totals(*scene._core.insert(scene.number_of(body), values))
 
 
 def remove_points(scene: Scene, body: Name, where: Union[Region, ArrayLike]) -> Totals:

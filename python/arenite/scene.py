@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import os
 import tempfile
-from typing import Any, Callable, Dict, Iterable, Iterator, List, Mapping, NamedTuple, Optional, Sequence, Tuple, Union
+from typing import Any, Callable, ContextManager, Dict, Iterable, Iterator, List, Mapping, NamedTuple, Optional, Sequence, Tuple, Union
 
 import numpy as np
 from numpy.typing import NDArray
 
 from . import _core, _plugins
-from ._errors import Error
+from ._errors import Error, bodies_named
 from ._pickle import refuse_unpicklable
 from ._recipe import Recipe, check_together, function_value
 from ._stand_ins import fill_value
@@ -169,9 +169,10 @@ class Scene:
             _core.check_scene(self._recipes["mesh"].cpp(), values["mesh"], types, values["parts"])
 
         plugin, self._stand_in = _plugins.scene_plugin(self._type, headers, check, values["parts"], self._recipes["mesh"].dimension, which)
-        if self._stand_in is None:
-            return plugin.scene(self._type, values)
-        core = plugin.scene(self._stand_in.type, {**values, "parts": self._stand_in.parts})
+        with self._named():
+            if self._stand_in is None:
+                return plugin.scene(self._type, values)
+            core = plugin.scene(self._stand_in.type, {**values, "parts": self._stand_in.parts})
         if "LocalDamping" in self._stand_in.neutral:
             core.switch_off_damping()
         return core
@@ -180,6 +181,10 @@ class Scene:
         """Refuses what only a scene with a part can do, where the scene that it runs in alone has it."""
         if self._stand_in is not None and part in self._stand_in.neutral:
             raise Error(said)
+
+    def _named(self) -> ContextManager[None]:
+        """Within it messages of the compiled scene name its bodies."""
+        return bodies_named([b.name for b in self._recipes["bodies"]], [b.name for b in self._recipes["rigids"]])
 
     def _take(self, core: Any) -> None:
         self._core = core
@@ -215,7 +220,8 @@ class Scene:
 
     def step(self, dt: float) -> None:
         """One step of dt, s."""
-        self._core.step(dt)
+        with self._named():
+            self._core.step(dt)
 
     def steps(self, courant: float = 0.5, end: float = float("inf"), max_step: float = float("inf"), *,
               watch: Union[bool, Watch] = True) -> Iterator[float]:
@@ -223,7 +229,11 @@ class Scene:
         fields may be changed. Watched as in `run`; of numbers that you write the watch knows no energy, and begins anew."""
         take = self._core.steps(end, courant, max_step, watch.value() if isinstance(watch, Watch) else watch)
         self._state.written = False
-        while dt := take(self._state.written):
+        while True:
+            with self._named():
+                dt = take(self._state.written)
+            if not dt:
+                return
             self._state.written = False
             yield float(dt)
 
@@ -315,7 +325,8 @@ class Scene:
     def restore(self, path: Union[str, "os.PathLike[str]"], recipe: str = "") -> None:
         """Takes a saved state. The next `run` goes on with it: `every` calls nothing at its start, which was called before the state
         was saved, and `Vtu` goes on with its series."""
-        self._restore(os.fspath(path), recipe)
+        with self._named():
+            self._restore(os.fspath(path), recipe)
         self._restored_at = self.step_count
 
     def _restore(self, path: str, recipe: str) -> None:
@@ -407,8 +418,9 @@ def _run(scene: Scene, end: float, courant: float, max_step: float, ratio: Optio
     if progress:
         progress.start(scene.time, end)
     resumed = scene._restored_at == scene.step_count
-    scene._core.run(end, courant, max_step, ratio, resumed, [float(p) for p in every], lambda k: observers[k](scene) is STOP, after,
-                    watch.value() if isinstance(watch, Watch) else watch, progress and (lambda: progress(scene)))
+    with scene._named():
+        scene._core.run(end, courant, max_step, ratio, resumed, [float(p) for p in every], lambda k: observers[k](scene) is STOP, after,
+                        watch.value() if isinstance(watch, Watch) else watch, progress and (lambda: progress(scene)))
     if progress:
         progress(scene, done=True)
 

@@ -38,14 +38,14 @@ def test_geostatic_takes_gravity_and_layers_from_the_scene(ar, layers, recwarn):
 
 
 def test_mass_is_that_of_the_region_or_told(ar, layers):
-    with pytest.warns(UserWarning, match=r"body 1: its points have 10\.5 kg, its region 10\.26.*exact_volume"):
+    with pytest.warns(UserWarning, match=r"body high: its points have 10\.5 kg, its region 10\.26.*exact_volume"):
         layers(top=0.2026)
     scene = layers(top=0.2026, exact_volume=True)
     mass = np.asarray(scene.bodies["high"].mass)
     assert mass.sum() == pytest.approx(10.26, rel=1e-9)
     with pytest.warns(UserWarning, match="the ground is not at rest: in the first step .* % of its weight"):
         ar.run(scene, end=1e-4)
-    with pytest.warns(UserWarning, match="body 1: its points have"):
+    with pytest.warns(UserWarning, match="body high: its points have"):
         ar.fill_points(scene, "high", ar.Box((0, 0.22), (0.1, 0.2226)))
     added = ar.fill_points(scene, "high", ar.Box((0, 0.23), (0.1, 0.2326)), exact_volume=True)
     assert added.mass == pytest.approx(0.26, rel=1e-9)

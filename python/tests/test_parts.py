@@ -166,12 +166,12 @@ def test_what_a_new_scene_says_of_rigid_bodies(ar):
 
     for shape in (ar.Box((0.3, 0.3), (0.7, 0.9)), ar.placed(ar.Box((-0.2, -0.2), (0.2, 0.2)), at=(0.5, 0.5, 0), turned=(0, 0, 0.5)),
                   ar.Ball((0.5, 0.5), 0.2) | ar.Box((0.3, 0.5), (0.7, 0.9)), disc):
-        with pytest.warns(ar.Warning, match=r"rigid body 0: \d+ of the 960 points of body 0 lie inside of it: .*region - shape"):
+        with pytest.warns(ar.Warning, match=r"rigid body f: \d+ of the 960 points of body clay lie inside of it: .*region - shape"):
             scene(sand, shape)
         with warnings.catch_warnings():
             warnings.simplefilter("error")
             scene(sand - shape, shape)
-    with pytest.warns(ar.Warning, match="rigid body 0: a wall is 0.4 cells thick"):
+    with pytest.warns(ar.Warning, match="rigid body f: a wall is 0.4 cells thick"):
         scene(sand, ar.Box((0.2, 0.8), (0.8, 0.82)))
 
 

@@ -25,6 +25,24 @@ def test_a_run_past_a_limit_is_stopped(ar, column):
     assert seen.worst > seen.limit == 1e-3 and seen.body == 0 and seen.time == scene.time
 
 
+def test_messages_name_bodies(ar, sand, column):
+    """Errors and warnings, of a run, of steps and of a new scene: by their names, a rigid body without one by its number."""
+    limits = ar.Watch(volume=1e-3, every=1)
+    with pytest.raises(ar.RunError, match="volume = .*; body sand: mean V/V0"):
+        ar.run(column(), end=0.4, watch=limits)
+    with pytest.raises(ar.RunError, match="volume = .*; body sand: mean V/V0"):
+        for _ in column().steps(end=0.4, watch=limits):
+            pass
+    with pytest.warns(ar.Warning, match="volume = .*; body sand: mean V/V0"):
+        ar.run(column(), end=0.05, watch=ar.Watch(volume=0.005, every=1))
+    foot = ar.Box((0.03, 0.05), (0.07, 0.1))
+    for name, called in (("foot", "foot"), ("", "0")):
+        with pytest.warns(ar.Warning, match=rf"^rigid body {called}: \d+ of the \d+ points of body sand lie inside"):
+            column(rigids=[ar.Rigid(foot, ar.Prescribed((0, 0)), friction=0.3, name=name)])
+    with pytest.raises(ar.Error, match="^body 0 is not named outside of a scene$"):
+        raise ar.Error("body 0 is not named outside of a scene")
+
+
 def test_run_watches_unless_told_not_to(ar, column):
     """Points that a function throws about: energy that nothing put in."""
 

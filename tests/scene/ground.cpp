@@ -29,6 +29,14 @@ auto ground(FillOptions options, double top = 1, Walls around = held) {
                        gravity({0, -1.62}));
 }
 
+/// Two bodies that meet at a vertical face, the second with a `k0` of its own.
+auto side_by_side(double k0, auto contact) {
+  return on_grid(
+      bodies(fill<"left">(Box{{0., 0.}, {0.5, 1.}}, soil(2000), at_rest({.surface = 1, .k0 = 0.5})),
+             fill<"right">(Box{{0.5, 0.}, {1., 1.}}, soil(2000), at_rest({.surface = 1, .k0 = k0}))),
+      contact, held, gravity({0, -10}));
+}
+
 /// What the first step of a scene says.
 template <class Scene>
 std::vector<std::string> said(Scene scene) {
@@ -184,6 +192,8 @@ TEST_CASE("Ground that is at rest says nothing, whatever its points and function
                      Coulomb(Friction(0.5)), walls(left(roller), right(roller)),
                      frictional(bottom(), Friction(0.5)), gravity({0, -10})))
             .empty());
+  // Two bodies side by side, each with a field of its own.
+  for (const double friction : {0., 0.5}) CHECK(said(side_by_side(0.5, Coulomb(Friction(friction)))).empty());
   // A rigid body that strikes, and loads that lie on it.
   const auto with = [&](const Geostatic& g, auto... more) {
     return on_grid(bodies(fill(Box{{0., 0.}, {1., 1.}}, soil(1600), at_rest(g))), held, gravity({0, -10}),
@@ -206,6 +216,7 @@ TEST_CASE("Ground that is not at rest is told once, with its share and its place
                      fill<"block">(Box{{0.3, 0.5}, {0.7, 0.8}}, soil(2000))),
               held, gravity({0, -10})),
       " % of its weight");
+  is_told(side_by_side(1, Coulomb(Friction(0.5))), "24.9 % of its weight");
   auto dug = ground(at_rest(one));
   remove_points(dug, Box{{0.5, 0.5}, {1., 1.}});
   CHECK(said(dug).empty());

@@ -209,6 +209,11 @@ TEST_CASE("Ground that is not at rest is told once, with its share and its place
   is_told(ground(at_rest({.surface = 1.05, .k0 = 0.5})), ", 1.025) m. Stress is Geostatic");
   is_told(ground(at_rest({.surface = 0.9, .k0 = 0.5})), " % of its weight is out of balance");
   is_told(ground(at_rest(one), 1, walls(left(roller), bottom(roller))), " % of its weight");
+  for (const double jitter : {0.05, 1.0}) {
+    FillOptions random = at_rest(one);
+    random.jitter = jitter;
+    is_told(ground(random), joined_text({"Its points have a jitter of ", jitter, ", and sums over random"}));
+  }
   is_told(ground(at_rest({.surface = 1, .k0 = 0.5, .surcharge = 100})), " % of its weight");
   CHECK(said(ground(at_rest({.surface = 1, .k0 = 0.5, .may_move = true}), 1, walls(bottom(roller)))).empty());
   is_told(

@@ -21,6 +21,7 @@ struct GroundAtRest {
   std::size_t body;
   int per_cell;
   bool even;
+  double jitter;
   std::array<double, 3> gravity;  ///< m/s2
   InitialStress stress;           ///< as the position has it
 };
@@ -109,8 +110,7 @@ std::vector<Ground> grounds_of(const Scene& scene, const Bodies<Fills...>& recip
   return grounds_of(fills, common, 1e-6 * static_cast<double>(scene.mesh.size(0)));
 }
 
-/// The bodies of a new scene that are to be at rest. Jittered points are not: their sums are those of a
-/// random rule.
+/// The bodies of a new scene that are to be at rest.
 template <class M, class... Fills>
 std::vector<GroundAtRest> grounds_at_rest(const Bodies<Fills...>& recipe,
                                           const std::vector<Ground>& grounds) {

@@ -49,8 +49,8 @@ ARENITE_COLD std::vector<GroundAtRest> grounds_at_rest(std::span<const GroundFil
   for (std::size_t f = 0; f < fills.size(); ++f) {
     if (!fills[f].is_geostatic()) continue;
     const FillOptions& o = *fills[f].options;
-    may_move = may_move || o.jitter > 0 || o.stress->geostatic()->may_move;
-    at_rest.push_back({f, o.per_cell.value_or(per_cell), o.even, grounds[f].gravity,
+    may_move = may_move || o.stress->geostatic()->may_move;
+    at_rest.push_back({f, o.per_cell.value_or(per_cell), o.even, o.jitter, grounds[f].gravity,
                        o.stress->in(grounds[f], fills[f].layer.density)});
   }
   if (may_move) at_rest.clear();
@@ -97,7 +97,7 @@ ARENITE_COLD std::vector<Vec<T, D>> sum_errors(const RestingScene<T, D>& scene,
   ListedShape<T, D> shape;
   for (std::size_t number = 0; number < scene.bodies.size(); ++number) {
     const GroundAtRest* const ground = ground_of_body(scene.at_rest, number);
-    if (!ground) continue;
+    if (!ground || ground->jitter > 0) continue;
     const auto& body = scene.bodies[number];
     for (std::size_t p = 0; p < body.cell->size(); ++p) {
       const Index c = (*body.cell)[p];
@@ -191,11 +191,18 @@ ARENITE_COLD void check_rest(const RestingScene<T, D>& scene) {
       if (force > most) most = force, worst = i;
     }
   }
+  double jitter = 0;
+  for (const GroundAtRest& ground : scene.at_rest) jitter = std::max(jitter, ground.jitter);
+  const std::string random =
+      jitter > 0
+          ? joined_text({" Its points have a jitter of ", jitter,
+                         ", and sums over random places leave forces: fill it without, or let it settle."})
+          : "";
   if (all > 1e-3 * weight)
     warn(joined_text({"the ground is not at rest: in the first step ", std::round(1000 * all / weight) / 10,
                       " % of its weight is out of balance, most of it about ",
-                      vector_text(scene.node_position(static_cast<Index>(worst))),
-                      " m. Stress is Geostatic: do walls hold the sides and the bottom, is "
+                      vector_text(scene.node_position(static_cast<Index>(worst))), " m.", random,
+                      " Stress is Geostatic: do walls hold the sides and the bottom, is "
                       "Geostatic.surface where matter "
                       "ends and level, is all that lies on the ground in Geostatic.surcharge, or has it a "
                       "Geostatic of its "

@@ -19,6 +19,7 @@
 
 #include <arenite/core/cold.hpp>
 #include <arenite/core/instruction_set.hpp>
+#include <arenite/io/output_file.hpp>
 #include <arenite/io/state_source.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {

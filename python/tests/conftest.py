@@ -15,6 +15,17 @@ def ar():
 
 
 @pytest.fixture
+def compiler(ar):
+    """Skips where there is none."""
+    from arenite import _compile
+
+    try:
+        _compile.compiler()
+    except ar.Error as e:
+        pytest.skip(str(e))
+
+
+@pytest.fixture
 def sand(ar):
     return ar.MohrCoulomb(density=1540, young=1e6, poisson=0.3, friction=np.radians(35))
 

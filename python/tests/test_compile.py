@@ -14,16 +14,6 @@ import pytest
 HERE = Path(__file__).parent
 
 
-@pytest.fixture
-def compiler(ar):
-    from arenite import _compile
-
-    try:
-        _compile.compiler()
-    except ar.Error as e:
-        pytest.skip(str(e))
-
-
 def bar(ar, law):
     return ar.Scene(ar.PlaneStrain(), ar.CartesianGrid((0, 0), (0.4, 0.2), cell=0.02),
                     ar.Numerics(ar.QuadraticBSpline, ar.Apic),

@@ -181,16 +181,6 @@ def test_scenes_run_without_a_compiler(ar, stands_in, name):
     assert ("LocalDamping" in own) == any(path.endswith("/on") for path in made.state)
 
 
-@pytest.fixture
-def compiler(ar):
-    from arenite import _compile
-
-    try:
-        _compile.compiler()
-    except ar.Error as e:
-        pytest.skip(str(e))
-
-
 def test_what_stands_for_a_scene_has_its_bits_and_its_saved_states(ar, stands_in, compiler, tmp_path):
     make = ordinary(ar)["column, softening"]
     other = stands_in(make)

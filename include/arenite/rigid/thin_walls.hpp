@@ -13,6 +13,7 @@
 #include <arenite/core/error.hpp>
 #include <arenite/core/tensor.hpp>
 #include <arenite/core/warning.hpp>
+#include <arenite/mesh/mesh.hpp>
 #include <arenite/rigid/try_distance.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET::detail {

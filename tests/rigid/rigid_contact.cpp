@@ -451,6 +451,35 @@ TEST_CASE("However matter resists a body, no impulse on it gains energy") {
   CHECK(gaining >= 200);
 }
 
+TEST_CASE("Contacts that no velocities satisfy get impulses of the bodies' size") {
+  ContactSolver<2> solver;
+  ContactSolver<2>::Rows rows(2);
+  // One body between two faces of another that both push it away from themselves.
+  for (const int side : {0, 1}) {
+    auto& row = rows[static_cast<std::size_t>(side)];
+    row.body[0] = 0;
+    row.body[1] = 1;
+    row.friction = 0.5;
+    row.least = 1;
+    row.response.setZero();
+    const double sign = side == 0 ? 1 : -1;
+    for (const int body : {0, 1}) {
+      row.to[body].setZero();
+      row.to[body](0, 0) = row.to[body](1, 1) = body == 0 ? sign : -sign;
+      row.by[body] = row.to[body].transpose();  // unit masses
+      row.response += row.to[body] * row.by[body];
+    }
+  }
+  ContactSolver<2>::Twists twists(2, Vec<double, 3>::Zero());
+  CHECK(solver.solve(rows, twists, 1) > 0.1);
+  Vec<double, 3> given = Vec<double, 3>::Zero();
+  for (const auto& row : rows) {
+    CHECK(row.impulse.norm() <= 1e4);
+    given += row.by[0] * row.impulse;
+  }
+  CHECK((twists[0] - given).norm() <= 1e-10);
+}
+
 TEST_CASE("What cannot touch is refused; pairs may have a friction of their own or pass through each other") {
   const auto scene_of = [](std::vector<RigidPair> pairs, double x, auto shape) {
     const Friction smooth(0.0);

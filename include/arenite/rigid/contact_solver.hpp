@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 #include <arenite/rigid/pose.hpp>
@@ -49,7 +50,7 @@ class ContactSolver {
   /// Starts from the impulses in `rows` and the twists `u` that they have led to. Returns by how much the
   /// worst contact fails, m/s; `scale`: size of the velocities, m/s.
   double solve(Rows& rows, Twists& u, double scale) {
-    const double enough = 1e-13 * scale;
+    const double enough = 1e-13 * scale, most = greatest_impulse(rows, scale);
     double rest = 0;
     for (int round = 0; round < 20; ++round) {
       for (int k = 0; k < 20; ++k) {
@@ -59,22 +60,36 @@ class ContactSolver {
       if (rows.size() > most_rows) continue;
       const Rows swept = rows;
       const Twists before = u;
-      for (int k = 0; k < 12; ++k) {
+      bool useful = true;
+      for (int k = 0; k < 12 && useful; ++k) {
         solve_active(rows, u);
         const double now = residual(rows, u);
-        if (now <= enough) return now;
-        if (!std::isfinite(now)) break;
+        useful = std::isfinite(now) &&
+                 std::ranges::all_of(rows, [&](const auto& row) { return row.impulse.norm() <= most; });
+        if (useful && now <= enough) return now;
       }
       // Small enough for round-off of masses that differ much, or not a solution at all.
       const double left = residual(rows, u);
-      if (left <= 1e-10 * scale) return left;
-      if (!(left <= rest)) rows = swept, u = before;
+      if (useful && left <= 1e-10 * scale) return left;
+      if (!(useful && left <= rest)) rows = swept, u = before;
     }
     return rest;
   }
 
  private:
   static constexpr std::size_t most_rows = 200;
+
+  /// An impulse far above what stops the heaviest body, N s. Contacts that hold each other, as a wedge with
+  /// friction does, have none of their own: any multiple would do, and of great ones round-off alone is left.
+  static double greatest_impulse(const Rows& rows, double scale) {
+    double least = std::numeric_limits<double>::infinity();  // m/s per N s, of a body alone
+    for (const auto& row : rows)
+      for (int i = 0; i < 2; ++i) {
+        const double of_body = row.to[i].row(0).dot(row.by[i].col(0));
+        if (of_body > 0) least = std::min(least, of_body);
+      }
+    return 1e4 * scale / least;
+  }
 
   /// The impulse to which the laws take one, for the velocity w there.
   static Vec<double, D> projected(const ContactRow<D>& row, const Vec<double, D>& w) {

@@ -109,7 +109,7 @@ class SceneHost : public HostedScene {
 
   std::vector<HostedState> state() override {
     std::vector<HostedState> all;
-    detail::state_of_run (*scene_)([&](const detail::StateSlot& slot) {
+    state_of_run (*scene_)([&](const StateSlot& slot) {
       const StateEntry& e = slot.entry;
       all.push_back({e.name, e.kind, e.bytes, e.count, slot.is_array, const_cast<void*>(e.data)});
     });

@@ -33,49 +33,6 @@ struct SavedState {
       : path(std::forward<Path>(file)), recipe(std::move(made_by)) {}
 };
 
-namespace detail {
-
-/// Cells with their nodes, and places of the nodes along the axes on which they stay.
-template <class Scene>
-std::string mesh_words(const Scene& scene) {
-  using Shape = typename Scene::Shape;
-  int moved_axis = -1;
-  scene.for_each_part([&](const auto& part) {
-    if constexpr (requires {
-                    requires std::same_as<typename std::remove_cvref_t<decltype(part)>::OnlyOne, MeshMotion>;
-                  })
-      moved_axis = part.axis();
-  });
-  Hash hash;
-  const auto add = [&](const auto& number) { hash.add(&number, sizeof(number)); };
-  for (Index i = 0; i < Shape::node_count(scene.mesh); ++i) {
-    const auto x = Shape::node_position(scene.mesh, i);
-    for (int k = 0; k < Scene::D; ++k)
-      if (k != moved_axis) add(x[k]);
-  }
-  for (Index c = 0; c < scene.mesh.cell_count(); ++c)
-    for (const Index i : typename Shape::template Cell<typename Scene::Mesh>(scene.mesh, c).nodes) add(i);
-  return joined_text(
-      {Shape::node_count(scene.mesh), " nodes, ", scene.mesh.cell_count(), " cells, ", hash.digits()});
-}
-
-/// The head: `types` of kinematics, mesh, shape, transfer, order and averages; of each body its name and its law.
-std::vector<StateTerm> state_terms(const std::array<std::string, 6>& types, const std::string& mesh,
-                                   const std::vector<StateTerm>& bodies, const std::string& recipe);
-template <class Scene>
-std::vector<StateTerm> state_terms(const Scene& scene, const std::string& recipe) {
-  using N = typename Scene::NumericsType;
-  std::vector<StateTerm> bodies;
-  scene.for_each_body([&](const auto& body, const auto&) {
-    bodies.emplace_back(Scene::body_name(bodies.size()),
-                        type_words<std::remove_cvref_t<decltype(body.law)>>());
-  });
-  return state_terms({type_words<typename Scene::Kinematics>(), type_words<typename Scene::Mesh>(),
-                      type_words<typename N::Shape>(), type_words<typename N::Transfer>(),
-                      type_words<typename N::Order>(), type_words<typename N::AntiLocking>()},
-                     mesh_words(scene), bodies, recipe);
-}
-
 /// A value of a state, whatever its type.
 struct StateSlot {
   StateEntry entry{};
@@ -130,6 +87,49 @@ StateOfRun state_of_run(const Scene& scene, const Observers&... observers) {
     [[maybe_unused]] std::size_t number = 0;
     (visit_state_of(const_cast<Observers&>(observers), joined_text({"observers/", number++}), slots), ...);
   };
+}
+
+namespace detail {
+
+/// Cells with their nodes, and places of the nodes along the axes on which they stay.
+template <class Scene>
+std::string mesh_words(const Scene& scene) {
+  using Shape = typename Scene::Shape;
+  int moved_axis = -1;
+  scene.for_each_part([&](const auto& part) {
+    if constexpr (requires {
+                    requires std::same_as<typename std::remove_cvref_t<decltype(part)>::OnlyOne, MeshMotion>;
+                  })
+      moved_axis = part.axis();
+  });
+  Hash hash;
+  const auto add = [&](const auto& number) { hash.add(&number, sizeof(number)); };
+  for (Index i = 0; i < Shape::node_count(scene.mesh); ++i) {
+    const auto x = Shape::node_position(scene.mesh, i);
+    for (int k = 0; k < Scene::D; ++k)
+      if (k != moved_axis) add(x[k]);
+  }
+  for (Index c = 0; c < scene.mesh.cell_count(); ++c)
+    for (const Index i : typename Shape::template Cell<typename Scene::Mesh>(scene.mesh, c).nodes) add(i);
+  return joined_text(
+      {Shape::node_count(scene.mesh), " nodes, ", scene.mesh.cell_count(), " cells, ", hash.digits()});
+}
+
+/// The head: `types` of kinematics, mesh, shape, transfer, order and averages; of each body its name and its law.
+std::vector<StateTerm> state_terms(const std::array<std::string, 6>& types, const std::string& mesh,
+                                   const std::vector<StateTerm>& bodies, const std::string& recipe);
+template <class Scene>
+std::vector<StateTerm> state_terms(const Scene& scene, const std::string& recipe) {
+  using N = typename Scene::NumericsType;
+  std::vector<StateTerm> bodies;
+  scene.for_each_body([&](const auto& body, const auto&) {
+    bodies.emplace_back(Scene::body_name(bodies.size()),
+                        type_words<std::remove_cvref_t<decltype(body.law)>>());
+  });
+  return state_terms({type_words<typename Scene::Kinematics>(), type_words<typename Scene::Mesh>(),
+                      type_words<typename N::Shape>(), type_words<typename N::Transfer>(),
+                      type_words<typename N::Order>(), type_words<typename N::AntiLocking>()},
+                     mesh_words(scene), bodies, recipe);
 }
 
 /// All values, where they are.

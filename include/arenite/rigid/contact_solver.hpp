@@ -60,18 +60,18 @@ class ContactSolver {
       if (rows.size() > most_rows) continue;
       const Rows swept = rows;
       const Twists before = u;
-      bool useful = true;
-      for (int k = 0; k < 12 && useful; ++k) {
+      double left = 0;  // not a number: no use
+      for (int k = 0; k < 12; ++k) {
         solve_active(rows, u);
-        const double now = residual(rows, u);
-        useful = std::isfinite(now) &&
-                 std::ranges::all_of(rows, [&](const auto& row) { return row.impulse.norm() <= most; });
-        if (useful && now <= enough) return now;
+        const bool bounded =
+            std::ranges::all_of(rows, [&](const auto& row) { return row.impulse.norm() <= most; });
+        left = bounded ? residual(rows, u) : std::numeric_limits<double>::quiet_NaN();
+        if (left <= enough) return left;
+        if (!std::isfinite(left)) break;
       }
       // Small enough for round-off of masses that differ much, or not a solution at all.
-      const double left = residual(rows, u);
-      if (useful && left <= 1e-10 * scale) return left;
-      if (!(useful && left <= rest)) rows = swept, u = before;
+      if (left <= 1e-10 * scale) return left;
+      if (!(left <= rest)) rows = swept, u = before;
     }
     return rest;
   }

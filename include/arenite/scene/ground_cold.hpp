@@ -191,6 +191,7 @@ ARENITE_COLD void check_rest(const RestingScene<T, D>& scene) {
       if (force > most) most = force, worst = i;
     }
   }
+  if (!(all > 1e-3 * weight)) return;
   double jitter = 0;
   for (const GroundAtRest& ground : scene.at_rest) jitter = std::max(jitter, ground.jitter);
   const std::string random =
@@ -198,15 +199,13 @@ ARENITE_COLD void check_rest(const RestingScene<T, D>& scene) {
           ? joined_text({" Its points have a jitter of ", jitter,
                          ", and sums over random places leave forces: fill it without, or let it settle."})
           : "";
-  if (all > 1e-3 * weight)
-    warn(joined_text({"the ground is not at rest: in the first step ", std::round(1000 * all / weight) / 10,
-                      " % of its weight is out of balance, most of it about ",
-                      vector_text(scene.node_position(static_cast<Index>(worst))), " m.", random,
-                      " Stress is Geostatic: do walls hold the sides and the bottom, is "
-                      "Geostatic.surface where matter "
-                      "ends and level, is all that lies on the ground in Geostatic.surcharge, or has it a "
-                      "Geostatic of its "
-                      "own? Ground that is meant to move: Geostatic.may_move"}));
+  warn(joined_text(
+      {"the ground is not at rest: in the first step ", std::round(1000 * all / weight) / 10,
+       " % of its weight is out of balance, most of it about ",
+       vector_text(scene.node_position(static_cast<Index>(worst))), " m.", random,
+       " Stress is Geostatic: do walls hold the sides and the bottom, is Geostatic.surface where "
+       "matter ends and level, is all that lies on the ground in Geostatic.surcharge, or has it a "
+       "Geostatic of its own? Ground that is meant to move: Geostatic.may_move"}));
 }
 
 #define ARENITE_INSTANCES(T, D)                                                                \

@@ -15,14 +15,6 @@ using namespace arenite::test;
 
 namespace {
 
-template <class P>
-double lane(const P& value, int k) {
-  if constexpr (is_pack<P>)
-    return value[k];
-  else
-    return value;
-}
-
 /// Packs of random states, taken through `steps` steps; the bits of each number after each step, those of the
 /// history by name.
 template <class P, int D, class Law>

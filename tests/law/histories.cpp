@@ -76,16 +76,10 @@ StrainStep<double, D> random_step() {
   return inc;
 }
 
-template <class P>
-double lane(const P& value, int k) {
-  if constexpr (is_pack<P>)
-    return static_cast<double>(value[k]);
-  else
-    return static_cast<double>(value);
-}
+using test::lane;
 template <class P, int D>
 Sym<double, D> lane(const Sym<P, D>& s, int k) {
-  return Sym<double, D>::each([&](std::size_t i) { return lane(s[i], k); });
+  return Sym<double, D>::each([&](std::size_t i) { return static_cast<double>(lane(s[i], k)); });
 }
 
 double greatest(const auto& s) {

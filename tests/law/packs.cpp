@@ -18,14 +18,6 @@ namespace {
 template <class T>
 using Bits = std::conditional_t<sizeof(T) == 8, std::uint64_t, std::uint32_t>;
 
-template <class P>
-auto lane(const P& value, int k) {
-  if constexpr (is_pack<P>)
-    return value[k];
-  else
-    return value;
-}
-
 /// A point before a step, and the strain and spin of the step.
 template <int D>
 struct Before {

@@ -20,14 +20,6 @@ struct Lanes {
   StrainStep<P, D> step;
 };
 
-template <class P>
-auto lane(const P& value, int k) {
-  if constexpr (is_pack<P>)
-    return value[k];
-  else
-    return value;
-}
-
 template <class P, int D>
 Lanes<P, D> random_lanes(std::mt19937& random) {
   std::uniform_real_distribution<double> uniform(-1, 1);

@@ -13,6 +13,13 @@ namespace arenite::test {
 
 /// Lane k of a pack, or a scalar.
 template <class P>
+auto lane(const P& value, int k) {
+  if constexpr (is_pack<P>)
+    return value[k];
+  else
+    return value;
+}
+template <class P>
 void set(P& to, int k, double value) {
   if constexpr (is_pack<P>)
     to.set(k, static_cast<typename P::scalar>(value));

@@ -263,7 +263,7 @@ class Frictional : public Memory, public detail::ElasticPart<Stiffness> {
     using std::min;
     const auto angle = detail::friction_of_slope(slope);
     if constexpr (has_dilatancy) {
-      T sin_flow(sin_dilatancy_);
+      T sin_flow = T(sin_dilatancy_);
       if (own_dilatancy())
         sin_flow =
             detail::friction_of_slope(T(min(T(friction_.dilatancy_slope(given_, history)), slope))).sin;

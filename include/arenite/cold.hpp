@@ -16,6 +16,7 @@
 #include <arenite/io/vtu_cold.hpp>
 #include <arenite/law/elasticity_cold.hpp>
 #include <arenite/law/frictional_cold.hpp>
+#include <arenite/load/node_force_cold.hpp>
 #include <arenite/mesh/blocks_cold.hpp>
 #include <arenite/mesh/cartesian_grid_cold.hpp>
 #include <arenite/observe/progress_cold.hpp>

@@ -21,10 +21,9 @@ struct NodePlaces {
 
   template <class Scene>
   static NodePlaces of(const Scene& scene) {
-    return {
-        &scene.mesh, [](const void* mesh, Index i) {
-          return Vec<T, D>(Scene::Shape::node_position(*static_cast<const typename Scene::Mesh*>(mesh), i));
-        }};
+    return {&scene.mesh, [](const void* of, Index i) {
+              return Vec<T, D>(Scene::Shape::node_position(*static_cast<const typename Scene::Mesh*>(of), i));
+            }};
   }
   Vec<T, D> operator[](std::size_t i) const { return position(mesh, static_cast<Index>(i)); }
 };

@@ -46,8 +46,8 @@ struct Blocked {
 
   void add(Vec<double, D> n, std::size_t by);
   Mat<double, D> projector() const;
-  /// Takes a part's velocity u to the one blocked velocity w with n . w = n . u along what the part named and
-  /// n . w = 0 along what others did.
+  /// Matrix L [D x D] of w = L u, u the velocity of a part: w lies in the blocked directions, n . w = n . u for
+  /// the normals n that the part named and n . w = 0 for those of other parts.
   Mat<double, D> lift(std::size_t of) const;
 
  private:
@@ -183,7 +183,7 @@ std::vector<Constraint<typename M::scalar, M::dimension>> resolve(const M& mesh,
   return nodes.constraints();
 }
 
-/// Nobody asks for the impulses of single nodes.
+/// Takes the impulses of single nodes where no part reads them: does nothing.
 struct NoTaker {
   template <class V>
   constexpr void operator()(Index, const V&) const {}
@@ -212,7 +212,8 @@ Vec<T, D> constrain(const std::vector<Constraint<T, D>>& constraints, const std:
   return impulse;
 }
 
-/// The same with nodes that are driven to their targets. Returns the work of the drives, J, too.
+/// Removes the blocked part of the velocities of a field and adds the targets of its driven nodes, m/s. Returns
+/// the impulse that this gave, N s, and the work of the drives, J; `owns` and `take` as above.
 template <class T, int D, class Velocities, class Owns = OwnsAll, class Take = NoTaker>
 std::pair<Vec<T, D>, double> constrain(const std::vector<Constraint<T, D>>& constraints,
                                        const std::vector<Drive<T, D>>& drives, const std::vector<T>& mass,

@@ -1,4 +1,4 @@
-// Reactions: what each wall gives to the matter.
+// Wall reactions: force and impulse of each wall on the matter.
 #pragma once
 
 #include <algorithm>
@@ -32,9 +32,10 @@ namespace detail {
 template <int D>
 Mat<double, D> shares_along(const Blocked<D>& blocked);
 
-/// Where a name stands in a list, which takes it if it is new.
+/// Place of a name in a list; a new name is added.
 std::size_t number_of_name(std::vector<std::string>& names, std::string_view name);
-/// The same of a wall's name that must be there. Throws `error` that names all walls if it is not.
+/// Place of a wall's name in the list of all. Throws `error` that names all walls if there is none of that
+/// name.
 std::size_t number_of_wall(const std::vector<std::string>& names, std::string_view wall);
 
 }  // namespace detail

@@ -26,7 +26,7 @@ inline constexpr Condition roller{
     Condition::Kind::face_normal};  ///< no motion across the face: a smooth wall, or a symmetry plane
 /// No motion across a plane with this normal (any length): a smooth wall or a symmetry plane along no axis.
 constexpr Condition symmetry(std::array<double, 3> normal) { return {Condition::Kind::normal, normal}; }
-/// Motion along this axis alone.
+/// Motion only along this axis.
 constexpr Condition free_along(std::size_t axis) {
   Condition c{Condition::Kind::all_but};
   if (axis < 3) c.direction[axis] = 1;  // an axis that the scene does not have is refused by `Walls`

@@ -1,4 +1,4 @@
-// Node forces: what a load adds to the nodes of a scene in a step, and the work of that. The base of loads.
+// Node forces: forces of a load at the nodes of a scene, and their work. The base of loads.
 #pragma once
 
 #include <functional>

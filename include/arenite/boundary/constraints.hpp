@@ -41,10 +41,10 @@ template <int D>
 struct Blocked {
   static constexpr auto most = static_cast<std::size_t>(D);
   std::array<Vec<double, D>, most> named, directions;  // the first `count`
-  std::array<std::size_t, most> part{};                // that named each
+  std::array<std::size_t, most> part{}, wall{};        // numbers of the part that named each, and of its wall
   std::size_t count = 0;
 
-  void add(Vec<double, D> n, std::size_t by);
+  void add(Vec<double, D> n, std::size_t by, std::size_t wall_of_it);
   Mat<double, D> projector() const;
   /// Matrix L [D x D] of w = L u, u the velocity of a part: w lies in the blocked directions, n . w = n . u for
   /// the normals n that the part named and n . w = 0 for those of other parts.
@@ -89,7 +89,9 @@ class BoundaryNodes {
   }
 
   /// Blocks the velocity of node i along a direction of any length.
-  void block(Index i, const V& direction) { blocked_[i].add(direction, part_); }
+  void block(Index i, const V& direction) { blocked_[i].add(direction, part_, wall_); }
+  /// What is blocked from here on is blocked by wall number k of the part.
+  void set_wall(std::size_t k) { wall_ = k; }
   /// What is blocked at node i.
   const detail::Blocked<D>& blocked(Index i) const { return blocked_[i]; }
 
@@ -106,7 +108,7 @@ class BoundaryNodes {
   std::vector<char> used_;  // empty: all are
   std::vector<detail::Blocked<D>> blocked_;
   V lower_, upper_;
-  std::size_t part_ = 0;
+  std::size_t part_ = 0, wall_ = 0;
   bool is_part_ = false;
 };
 
@@ -148,6 +150,7 @@ class NodeConstraints : public BoundaryNodes<M::dimension> {
   template <class Part>
   void add(const Part& part, std::size_t k = 0) {
     this->part_ = k;
+    this->wall_ = 0;
     part.constrain(*this);
   }
 

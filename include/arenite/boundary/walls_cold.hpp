@@ -82,7 +82,10 @@ ARENITE_COLD void catch_nodes(const Wall& wall, BoundaryNodes<D>& nodes) {
 
 template <int D>
 ARENITE_COLD void Walls::constrain(BoundaryNodes<D>& nodes) const {
-  for (const Wall& wall : list) detail::catch_nodes(wall, nodes);
+  for (std::size_t k = 0; k < list.size(); ++k) {
+    nodes.set_wall(k);
+    detail::catch_nodes(list[k], nodes);
+  }
 }
 
 #define ARENITE_INSTANCES(D)                               \

@@ -330,6 +330,9 @@ struct Scene {
         ++number;
       });
     }
+    for_each_part([&](auto& part) {
+      if constexpr (requires { part.connect_walls(*this, nodes); }) part.connect_walls(*this, nodes);
+    });
   }
 
   static Blocks make_blocks(const M& mesh) {

@@ -1,7 +1,7 @@
 // The lines of docs/restart.md, run: a column that collapses is stopped, and goes on from its saved state.
 #include <arenite/arenite.hpp>
-#include <arenite/observe/saved_state.hpp>
 #include <arenite/observe/vtu.hpp>
+#include <arenite/run/saved_state.hpp>
 #include <filesystem>
 using namespace arenite;
 

@@ -16,10 +16,10 @@
 #include <string>
 #include <vector>
 
-#include <arenite/observe/every.hpp>
-#include <arenite/observe/progress.hpp>
-#include <arenite/observe/saved_state.hpp>
-#include <arenite/observe/watch.hpp>
+#include <arenite/run/every.hpp>
+#include <arenite/run/progress.hpp>
+#include <arenite/run/saved_state.hpp>
+#include <arenite/run/watch.hpp>
 
 #include "drop.hpp"
 #include "earlier_run.hpp"

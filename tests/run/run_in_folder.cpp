@@ -176,6 +176,11 @@ TEST_CASE("two runs do not share a folder") {
   int how = 0;
   REQUIRE((::waitpid(child, &how, 0) == child && how == 0));
   REQUIRE(run_in_folder(scene, {.end = 0.001}, {.folder = "shared"}) == RunEnd::finished);
+  const RunFolder own("shared", RunFolder::Earlier::kept);  // nor do two of one process
+  for (int again = 0; again < 2; ++again)
+    REQUIRE_THROWS_WITH(
+        run_in_folder(scene, {.end = 0.1}, {.folder = "shared"}),
+        joined_text({"RunRecord.folder = shared: is in use by the run with process id ", ::getpid()}));
 }
 
 TEST_CASE("a signal is noted, found by the next check, and harmless before and after") {

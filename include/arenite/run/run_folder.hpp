@@ -11,6 +11,7 @@
 #include <cerrno>
 #include <filesystem>
 #include <functional>
+#include <mutex>
 #include <string>
 #include <string_view>
 #include <system_error>
@@ -51,6 +52,7 @@ class RunFolder {
     std::error_code code;
     std::filesystem::create_directories(path_, code);
     require(!code, names_.name, shown_, {"the folder cannot be made: ", code.message()});
+    const std::scoped_lock guard(held_mutex_);
     open_lock();
     try {
       lock();
@@ -60,6 +62,7 @@ class RunFolder {
       if (lock_ >= 0) ::close(lock_);
       throw;
     }
+    held_.push_back(place_);
     // Without it the run works as well, until the disk is full.
     [[maybe_unused]] const int held = ::posix_fallocate(lock_, 0, reserve_bytes);
   }
@@ -67,6 +70,8 @@ class RunFolder {
   RunFolder& operator=(const RunFolder&) = delete;
   ~RunFolder() {
     free_reserve();
+    const std::scoped_lock guard(held_mutex_);
+    std::erase(held_, place_);
     ::close(lock_);
   }
 
@@ -78,12 +83,18 @@ class RunFolder {
   }
 
  private:
+  using Place = std::pair<::dev_t, ::ino_t>;
   static constexpr ::off_t reserve_bytes = 1 << 16;
 
   /// Opens the lock, or makes it. One that is there must be one that a run has made: a link is not followed,
   /// and nobody else's file is emptied.
   void open_lock() {
     const std::string lock = (path_ / names_.lock).string();
+    // Another run of this process: the kernel's lock is the process's, and goes when any of its files is closed.
+    struct stat there {};
+    if (::stat(lock.c_str(), &there) == 0 &&
+        std::ranges::find(held_, Place{there.st_dev, there.st_ino}) != held_.end())
+      refuse_in_use(::getpid());
     lock_ = ::open(lock.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK, 0666);
     const int reason = lock_ < 0 ? errno : 0;
     if (reason == ELOOP || reason == ENXIO || reason == EISDIR) refuse_lock("is a link, a folder or a pipe");
@@ -95,6 +106,7 @@ class RunFolder {
     if (!known || !S_ISREG(lock_is.st_mode)) refuse_lock("is no regular file");
     if (lock_is.st_uid != ::geteuid() && lock_is.st_uid != folder_is.st_uid)
       refuse_lock("belongs to another user");
+    place_ = {lock_is.st_dev, lock_is.st_ino};
   }
   /// A lock holds nothing but the space that was held back: zeros.
   void check_reserve() {
@@ -113,6 +125,11 @@ class RunFolder {
                              names_.run, "; remove it, or name another folder"}));
   }
 
+  [[noreturn]] void refuse_in_use(::pid_t process) const {
+    throw error(joined_text(
+        {names_.name, " = ", shown_, ": is in use by the ", names_.run, " with process id ", process}));
+  }
+
   void lock() const {
     struct flock whole {};
     whole.l_type = F_WRLCK;
@@ -121,8 +138,7 @@ class RunFolder {
     const int reason = errno;
     if (reason == EACCES || reason == EAGAIN) {
       ::fcntl(lock_, F_GETLK, &whole);
-      throw error(joined_text({names_.name, " = ", shown_, ": is in use by the ", names_.run,
-                               " with process id ", whole.l_type == F_UNLCK ? 0 : whole.l_pid}));
+      refuse_in_use(whole.l_type == F_UNLCK ? 0 : whole.l_pid);
     }
     warn(joined_text({names_.name, " = ", shown_, ": cannot be locked (",
                       std::generic_category().message(reason), "); nothing must write there meanwhile"}));
@@ -148,6 +164,9 @@ class RunFolder {
   RunFolderNames names_;
   std::string shown_;
   int lock_ = -1;
+  Place place_{};  // of the file of the lock
+  static inline std::mutex held_mutex_;
+  static inline std::vector<Place> held_;  // by this process
 };
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

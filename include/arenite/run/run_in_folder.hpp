@@ -35,18 +35,16 @@ enum class RunEnd {
   interrupted  ///< by SIGINT or SIGTERM
 };
 
-namespace detail {
-
-inline const RunFolderNames& names_of_record() {
-  static const RunFolderNames names{.name = "RunRecord.folder",
-                                    .is_result =
-                                        [](std::string_view name) {
-                                          if (name.ends_with(".part")) name.remove_suffix(5);
-                                          return name == "checkpoint.state" || name == "status.json";
-                                        },
-                                    .first = {"status.json"}};
-  return names;
+/// What a folder of `run_in_folder` holds. `name`: how messages call it.
+inline RunFolderNames names_of_record(std::string name = "RunRecord.folder") {
+  const auto is_result = [](std::string_view file) {
+    if (file.ends_with(".part")) file.remove_suffix(5);
+    return file == "checkpoint.state" || file == "status.json";
+  };
+  return {.name = std::move(name), .is_result = is_result, .first = {"status.json"}};
 }
+
+namespace detail {
 
 /// An observer, if it has a state to save.
 template <class Observer>
@@ -110,7 +108,7 @@ RunEnd run_in_folder(Scene& scene, const RunOptions& options, const RunRecord& r
   require(record.checkpoint_every > 0, "RunRecord.checkpoint_every", record.checkpoint_every,
           "must be positive (s)");
   RunFolder folder(record.folder, record.resume ? RunFolder::Earlier::kept : RunFolder::Earlier::removed,
-                   detail::names_of_record());
+                   names_of_record());
   const SavedState state(folder.path() / "checkpoint.state", record.recipe);
   detail::StatusWriter status(folder.path() / "status.json", options.end);
   const auto saved = std::tuple_cat(detail::with_state(observers)...);

@@ -2,7 +2,7 @@
 // damping took closes the balance of energy.
 #include <arenite/arenite.hpp>
 #include <arenite/load/damping.hpp>
-#include <arenite/observe/settle.hpp>
+#include <arenite/run/settle.hpp>
 
 #include "catch.hpp"
 #include "meshes.hpp"

@@ -108,6 +108,7 @@ inline constexpr const char* vtk_byte_order() {
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET::shared_detail
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
+using shared_detail::append_number;
 using shared_detail::make_folder_of;
 using shared_detail::replace_file;
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

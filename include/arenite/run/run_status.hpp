@@ -66,7 +66,7 @@ inline void write_run_status(const std::filesystem::path& file, const RunStatus&
   using shared_detail::json_string;
   const auto number = [](double x) {
     std::string text;
-    shared_detail::append_number(text, x);
+    append_number(text, x);
     return text;
   };
   std::string resumed;

@@ -2,7 +2,7 @@
 // depends on the compiler's flags; were functions named alike in units with other flags, the linker would
 // keep one of each and give it to all, also where the processor does not have its instructions.
 // `arenite::Scene` is `arenite::avx2_fma::Scene` to the linker. A name can only come from a macro, which
-// nobody sets. Outside are exceptions, and what tells where the one thread pool is (core/once.hpp).
+// no flag sets. Outside are exceptions, and what tells where the one thread pool is (core/once.hpp).
 #pragma once
 
 #include <arenite/core/requirements.hpp>

@@ -1,4 +1,4 @@
-// Once in a program: the thread pool and the way of warnings serve all units, also those that are compiled
+// Globals, one in a program: the thread pool and the hook of warnings serve all units, also those that are compiled
 // for other instruction sets. Such units share the object and no function that works on it, so that each runs
 // code of its own. What they share by name is data: a word that tells where the object is.
 #pragma once

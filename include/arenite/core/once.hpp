@@ -7,7 +7,7 @@
 
 #include <arenite/core/instruction_set.hpp>
 
-namespace arenite::program {
+namespace arenite::program::inline ARENITE_VERSION_NAMESPACE {
 
 /// Where an object is, once it is made.
 using Place = std::atomic<void*>;
@@ -15,7 +15,7 @@ inline constinit Place thread_pool{nullptr}, warning_outlet{nullptr};
 /// Whether this thread is in a loop of the pool.
 inline constinit thread_local bool in_loop = false;
 
-}  // namespace arenite::program
+}  // namespace arenite::program::inline ARENITE_VERSION_NAMESPACE
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 

@@ -204,7 +204,7 @@ class SceneHost : public HostedScene {
     return run.limits ? read<WatchLimits>(*run.limits, Reading{.name = "WatchLimits"}) : WatchLimits();
   }
 
-  /// The watch of a host's own loop. Numbers that the host writes are energy that nobody books: a look that
+  /// The watch of a host's own loop. Numbers that the host writes are energy that no part books: a look that
   /// they would mislead begins a watch anew.
   class LoopWatch {
    public:

@@ -87,7 +87,7 @@ class RunFolder {
   static constexpr ::off_t reserve_bytes = 1 << 16;
 
   /// Opens the lock, or makes it. One that is there must be one that a run has made: a link is not followed,
-  /// and nobody else's file is emptied.
+  /// and no file of another user is emptied.
   void open_lock() {
     const std::string lock = (path_ / names_.lock).string();
     // Another run of this process: the kernel's lock is the process's, and goes when any of its files is closed.

@@ -22,8 +22,8 @@
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
-/// Where a state is saved, and, if you like, a line on what made the scene (its inputs, their hash): a state
-/// is restored only by who gives the same line.
+/// Where a state is saved, and optionally a line on what made the scene (its inputs, their hash): a state is
+/// restored only with the same line.
 struct SavedState {
   std::filesystem::path path;
   std::string recipe{};
@@ -140,8 +140,8 @@ std::vector<StateEntry> state_entries(const Scene& scene, const Observers&... ob
 }
 
 /// Restores a run: first looks at all names, types and counts, then writes all values and calls `follow`. What
-/// shows then alone (counts that do not fit each other, cells that hold other points, ..) is refused too, and
-/// the values that were there are put back; then `renew` is called.
+/// shows only then (counts that do not fit each other, cells that hold other points, ..) is refused too: the
+/// values that were there are put back and `renew` is called.
 void restore_run(StateSource& file, const std::vector<StateTerm>& terms, const StateOfRun& run,
                  const std::function<void()>& follow, const std::function<void()>& renew);
 
@@ -175,8 +175,8 @@ void save_state(const Scene& scene, const SavedState& to, const Observers&... ob
                    detail::state_entries(scene, observers...));
 }
 
-/// Puts a saved state into a scene of the same recipe, and into the same observers in the same order (who has
-/// a `follow_state(scene)` is then asked to renew what follows from it); the run
+/// Puts a saved state into a scene of the same recipe, and into the same observers in the same order (one with
+/// a `follow_state(scene)` then renews what follows from it); the run
 /// then goes on with the same bits, on any number of threads. Parameters (of laws, gravity, contact) are
 /// those of the scene, not of the file. Throws `error` that names file and reason, with the values of scene
 /// and observers as they were, if the file is foreign, truncated or damaged, of another composition, mesh,

@@ -9,8 +9,7 @@
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
-/// Forces out of balance over the forces that are there, -: sum of |m dv/dt| of the nodes in the last step,
-/// over the sum of the greater of force (internal and of parts) and weight. 0 where nothing acts.
+/// Unbalanced force ratio of the last step: sum of |m dv/dt| of the nodes over the sum of the greater of force (internal and of parts) and weight. 0 where nothing acts.
 template <class Scene>
 double out_of_balance(const Scene& scene) {
   static_assert(Scene::has_start_state,

@@ -154,7 +154,7 @@ class BasicWatch {
     next_ = scene.steps + book_.every;
   }
 
-  /// What it remembers but the texts of its warnings, for a run that goes on elsewhere.
+  /// State to save, without the texts of warnings already given.
   template <class F>
   void visit_state(F&& f) {
     for (Watched& w : book_.seen) {

@@ -108,6 +108,12 @@ TEST_CASE("friction chosen at run time: the bits of each policy in Mohr-Coulomb"
   check<MohrCoulomb, MohrCoulombParameters>(RateSofteningFriction{{.softening = soft, .smoothing = 1e-3}});
 }
 
+TEST_CASE("friction chosen at run time: the bits of each policy of the list") {
+  Frictions::each([]<class P>(std::type_identity<P>) {
+    if constexpr (std::is_default_constructible_v<P>) check<MohrCoulomb, MohrCoulombParameters>(P{});
+  });
+}
+
 TEST_CASE("friction chosen at run time: the bits of policies in Drucker-Prager, and with memory") {
   check<DruckerPrager, DruckerPragerParameters>(ConstantFriction{});
   check<DruckerPrager, DruckerPragerParameters>(InertialFriction{{.grain_size = 5e-3}});

@@ -20,7 +20,9 @@ class AnyFriction : public detail::AnyPolicy<Frictions> {
       : AnyPolicy(policy),
         constant_(visit([](const auto& p) { return detail::same_as_constant(p); })),
         own_dilatancy_(visit([](const auto& p) {
-          return requires(GivenAngles g) { p.dilatancy_slope(g, own(p, History<double>{})); };
+          return requires(GivenAngles g, const History<double> h) {
+            p.dilatancy_slope(g, own<double>(p, h));
+          };
         })) {}
 
   bool constant() const { return constant_; }
@@ -46,24 +48,24 @@ class AnyFriction : public detail::AnyPolicy<Frictions> {
   template <class T, int D>
   void follow(const StrainStep<T, D>& step, History<T>& history) const {
     visit([&](const auto& p) {
-      if constexpr (requires { p.follow(step, own(p, history)); }) p.follow(step, own(p, history));
+      if constexpr (requires { p.follow(step, own<T>(p, history)); }) p.follow(step, own<T>(p, history));
     });
   }
   template <class T, int D>
   T slope(const GivenAngles& given, const StrainStep<T, D>& step, const Sym<T, D>& trial,
           const History<T>& history) const {
     return visit([&](const auto& p) -> T {
-      if constexpr (requires { p.slope(given, step, trial, own(p, history)); })
-        return p.slope(given, step, trial, own(p, history));
+      if constexpr (requires { p.slope(given, step, trial, own<T>(p, history)); })
+        return p.slope(given, step, trial, own<T>(p, history));
       else
-        return p.slope(given.slope, step, own(p, history));
+        return p.slope(given.slope, step, own<T>(p, history));
     });
   }
   template <class T>
   T dilatancy_slope(const GivenAngles& given, const History<T>& history) const {
     return visit([&](const auto& p) -> T {
-      if constexpr (requires { p.dilatancy_slope(given, own(p, history)); })
-        return p.dilatancy_slope(given, own(p, history));
+      if constexpr (requires { p.dilatancy_slope(given, own<T>(p, history)); })
+        return p.dilatancy_slope(given, own<T>(p, history));
       else
         return T(given.dilatancy_slope);
     });
@@ -71,8 +73,8 @@ class AnyFriction : public detail::AnyPolicy<Frictions> {
   template <class T>
   void flow(const T& strain, History<T>& history) const {
     visit([&](const auto& p) {
-      if constexpr (requires { p.flow(strain, own(p, history)); })
-        p.flow(strain, own(p, history));
+      if constexpr (requires { p.flow(strain, own<T>(p, history)); })
+        p.flow(strain, own<T>(p, history));
       else
         history.plastic_strain = history.plastic_strain + strain;
     });

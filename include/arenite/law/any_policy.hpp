@@ -45,34 +45,26 @@ class AnyPolicy {
 
   const Policy& policy() const { return policy_; }
 
- protected:
   /// Calls `call` with the policy: once for all points of a pack.
   template <class Call>
   decltype(auto) visit(const Call& call) const {
     return std::visit(call, policy_);
   }
 
-  /// The part of the history that a policy P reads.
-  template <class P, class T>
-  static auto& own(const P&, History<T>& history) {
-    return part<typename P::template History<T>>(history);
-  }
-  template <class P, class T>
-  static const auto& own(const P&, const History<T>& history) {
-    return part<const typename P::template History<T>>(history);
-  }
-
- private:
-  template <class Part, class History>
-  static Part& part([[maybe_unused]] History& history) {
+ protected:
+  /// The part that a policy P reads of the history of all.
+  template <class T, class P, class All>
+  static auto& own(const P&, [[maybe_unused]] All& history) {
+    using Part = typename P::template History<T>;
     if constexpr (std::is_empty_v<Part>) {
-      static Part none{};
+      static Part none;
       return none;
     } else {
-      return history;
+      return static_cast<std::conditional_t<std::is_const_v<All>, const Part, Part>&>(history);
     }
   }
 
+ private:
   Policy policy_{};
 };
 

@@ -9,8 +9,8 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 namespace {
 
 template <class Parameters>
-shared_detail::Offer parameters(const char* of) {
-  return shared_detail::Offer(Plugin::Recipe{of, &members_of<Parameters>});
+shared_detail::Registration parameters(const char* of) {
+  return shared_detail::Registration(Plugin::Recipe{of, &members_of<Parameters>});
 }
 /// Those of a family of policies.
 template <class Family>
@@ -25,7 +25,7 @@ struct Policies {
 const Policies<Memories> memories;
 const Policies<Frictions> frictions;
 const Policies<Stiffnesses> stiffnesses;
-const shared_detail::Offer recipes[]{
+const shared_detail::Registration recipes[]{
     parameters<LinearElasticParameters>("LinearElastic"),
     parameters<MohrCoulombParameters>("MohrCoulomb"),
     parameters<DruckerPragerParameters>("DruckerPrager"),

@@ -1,5 +1,6 @@
 // Memory of separation chosen at run time.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <arenite/law/any_policy.hpp>
 
@@ -29,12 +30,12 @@ class AnyMemory : public detail::AnyPolicy<Memories> {
   /// Whether matter is open, and so bears no stress.
   template <class T>
   auto is_open(const History<T>& history) const {
-    using Truth = decltype(std::declval<T>() > std::declval<T>());
-    return visit([&](const auto& p) -> Truth {
+    using mask_of = decltype(std::declval<T>() > std::declval<T>());
+    return visit([&](const auto& p) -> mask_of {
       if constexpr (requires { p.is_open(own<T>(p, history)); })
         return p.is_open(own<T>(p, history));
       else
-        return Truth(false);
+        return mask_of(false);
     });
   }
 };

@@ -1,5 +1,6 @@
 // Policy chosen at run time: what those of friction, memory and stiffness share.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <type_traits>
 #include <utility>

@@ -1,5 +1,6 @@
 // Stiffness chosen at run time.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <arenite/law/any_policy.hpp>
 

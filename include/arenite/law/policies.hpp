@@ -2,6 +2,7 @@
 // name here; from these lists come the laws whose policies are chosen at run time, what a host can read, and
 // which rules are checked.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <type_traits>
 

@@ -4,42 +4,10 @@
 #include <arenite/core/kernel.hpp>
 #include <arenite/transfer/node_field.hpp>
 #include <arenite/transfer/numerics.hpp>
-#include <arenite/transfer/strain.hpp>
+#include <arenite/transfer/simplex/strain.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 namespace simplex {
-
-/// sum w_i v_i over the nodes, from their vectors in rows.
-template <class P, std::size_t Size, class Rows>
-auto interpolate(const std::array<P, Size>& w, const Rows& rows) {
-  std::array<P, Rows::dimension> v{};
-  repeat<Size>(
-      [&](std::size_t i) { repeat<Rows::dimension>([&](std::size_t d) { v[d] += w[i] * P(rows[i][d]); }); });
-  return v;
-}
-
-/// What a transfer takes.
-template <class V>
-struct ValueSum {
-  V value;
-};
-template <class V>
-ValueSum(V) -> ValueSum<V>;
-
-/// Strain of a whole cell in a step: that of dt sum u_i (grad w_i)^T.
-template <class Cell, class Rows, class T = typename Cell::T>
-StrainStep<T, Cell::D> cell_step(const Cell& cell, const Rows& u, T dt) {
-  return in_plane_step<T, Cell::D>([&](std::size_t b) {
-    using V = NodePack<T, Cell::D>;
-    V column(0);
-    repeat<Cell::size>([&](std::size_t i) {
-      column += u.pack(i) * V(dt * cell.gradient(static_cast<int>(b), static_cast<int>(i)));
-    });
-    std::array<T, V::width> lane;
-    column.store(lane.data());
-    return lane;
-  });
-}
 
 /// G2P of a run of points of a cell, with weights w_i at x_p, the new node velocities v_i, and u_i, those for
 /// the strains (the same, unless MUSL maps others back):

@@ -18,7 +18,7 @@
 #include <arenite/run/damped_fall.hpp>
 #include <arenite/run/watch_limits.hpp>
 #include <arenite/run/watched_energy.hpp>
-#include <arenite/transfer/law_pass.hpp>
+#include <arenite/law/pass.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 namespace detail {

@@ -12,7 +12,7 @@
 #include <arenite/core/name.hpp>
 #include <arenite/particles/body.hpp>
 #include <arenite/scene/roles.hpp>
-#include <arenite/transfer/law_pass.hpp>
+#include <arenite/law/pass.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 

@@ -188,8 +188,8 @@ void average_strains([[maybe_unused]] Scene& scene, [[maybe_unused]] B& body,
   if constexpr (N::AntiLocking::averages_strain) {
     scene.average.template sum<typename Scene::Kinematics, N>(scene.mesh, scene.blocks, body, field,
                                                               static_cast<typename Scene::T>(dt));
-    if constexpr (!Others::alone) others.sum_nodes(scene.average.numbers(), 2);
-    scene.average.use(scene.mesh, scene.blocks, body);
+    if constexpr (!Others::alone) others.sum_nodes(scene.average.numbers(), scene.average.numbers_per_node);
+    scene.average.finish(scene.mesh, scene.blocks, body);
   }
 }
 

@@ -8,7 +8,7 @@
 #include <arenite/law/law.hpp>
 #include <arenite/particles/points.hpp>
 #include <arenite/shape/shape.hpp>
-#include <arenite/stabilise/anti_locking.hpp>
+#include <arenite/transfer/anti_locking.hpp>
 #include <arenite/transfer/transfer.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {

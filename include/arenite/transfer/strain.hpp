@@ -61,6 +61,14 @@ StrainStep<P, D> in_all_lanes(const StrainStep<T, D>& one) {
   return step;
 }
 
+/// The strain step with what its cell c makes of the strain, where there is an average.
+template <class P, int D, class Average>
+StrainStep<P, D> averaged(StrainStep<P, D> step, [[maybe_unused]] const Average& average,
+                          [[maybe_unused]] Index c) {
+  if constexpr (!std::same_as<Average, Nothing>) step.strain = average.average(step.strain, c);
+  return step;
+}
+
 /// Moves a pack of points from x by dt times the velocity v. Returns the sums of their new coordinates,
 /// finite as long as these are.
 template <class Pack, class P, std::size_t D, class T>

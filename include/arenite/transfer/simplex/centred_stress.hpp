@@ -4,9 +4,9 @@
 #include <arenite/law/law.hpp>
 #include <arenite/mesh/blocks.hpp>
 #include <arenite/particles/body.hpp>
-#include <arenite/transfer/law_pass.hpp>
+#include <arenite/law/pass.hpp>
 #include <arenite/transfer/simplex/g2p.hpp>
-#include <arenite/transfer/simplex/stress.hpp>
+#include <arenite/transfer/cell_stress.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 

@@ -9,6 +9,14 @@
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 namespace simplex {
 
+/// What a transfer takes.
+template <class V>
+struct ValueSum {
+  V value;
+};
+template <class V>
+ValueSum(V) -> ValueSum<V>;
+
 /// G2P of a run of points of a cell, with weights w_i at x_p, the new node velocities v_i, and u_i, those for
 /// the strains (the same, unless MUSL maps others back):
 ///   v_p, L_p: as the transfer takes them     x_p += dt sum w_i v_i
@@ -22,26 +30,21 @@ ARENITE_KERNEL T g2p(const N& numerics, const M& mesh, Index c, Points& points, 
   using Cell = typename N::Shape::template Cell<M>;
   constexpr int width = N::template width<T>;
   using P = lanes_of<T, width>;
-  const Cell cell(mesh, c);
-  const NodeRows<T, M::dimension, Cell::size> v(cell, nodes.velocity), u(cell, nodes.strain_velocity());
+  const CellStrain<K, N, M> strain(mesh, c, nodes, dt);
+  const Cell& cell = strain.cell;
+  const NodeRows<T, M::dimension, Cell::size> v(cell, nodes.velocity);
   const auto take = numerics.transfer.take(cell, nodes);
-  auto of_cell = cell_step(cell, u, dt);
-  if constexpr (!K::hoop) of_cell.strain = averaged<N>(of_cell.strain, average, c);
   P check(0);
   for_each_pack<width>(points, begin, end, [&](const auto& p) {
     const auto x = p.position();
     const auto w = cell.weights(x);
     const auto moving_velocity = interpolate(w, v);
-    auto step = in_all_lanes<P>(of_cell);
+    const auto step = averaged(strain(p), average, c);
     const ValueSum taken{interpolate(w, either(take.velocity, v))};
     if constexpr (requires { take.also; })
       take(cell, p, x, SumsAndAlso{taken, interpolate(w, take.also)});
     else
       take(cell, p, x, taken);
-    if constexpr (K::hoop) {
-      step.strain[2] = P(dt) * interpolate(w, u)[0] * reciprocal(x[0]);
-      step.strain = averaged<N>(step.strain, average, c);
-    }
     if constexpr (!N::strains_first) buffer.store(p.first - origin, step);
     check += move_points(p, x, moving_velocity, dt);
   });

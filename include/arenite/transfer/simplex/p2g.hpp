@@ -4,7 +4,7 @@
 #include <arenite/core/kernel.hpp>
 #include <arenite/transfer/node_field.hpp>
 #include <arenite/transfer/numerics.hpp>
-#include <arenite/transfer/simplex/stress.hpp>
+#include <arenite/transfer/cell_stress.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 namespace simplex {

@@ -134,8 +134,8 @@ struct Setup : RandomBody<typename N_::Shape, M_, N_::extra_columns, N_::maps_ba
     }
   }
   G2pSums g2p(T dt) {
-    std::conditional_t<N::AntiLocking::averages_strain, VolumetricAverage<T>, Nothing> average;
-    if constexpr (N::AntiLocking::averages_strain) {
+    typename N::template StrainAverage<T> average;
+    if constexpr (N::averages_strain) {
       average.template sum<K, N>(mesh, blocks, body, nodes, dt);
       average.finish(mesh, blocks, body);
     }

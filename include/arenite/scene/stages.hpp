@@ -185,10 +185,11 @@ void average_strains([[maybe_unused]] Scene& scene, [[maybe_unused]] B& body,
                      [[maybe_unused]] const Field& field, [[maybe_unused]] double dt,
                      [[maybe_unused]] Others& others) {
   using N = typename Scene::NumericsType;
-  if constexpr (N::AntiLocking::averages_strain) {
+  if constexpr (N::averages_strain) {
     scene.average.template sum<typename Scene::Kinematics, N>(scene.mesh, scene.blocks, body, field,
                                                               static_cast<typename Scene::T>(dt));
-    if constexpr (!Others::alone) others.sum_nodes(scene.average.numbers(), scene.average.numbers_per_node);
+    if constexpr (!Others::alone && N::template StrainAverage<double>::numbers_per_node > 0)
+      others.sum_nodes(scene.average.numbers(), scene.average.numbers_per_node);
     scene.average.finish(scene.mesh, scene.blocks, body);
   }
 }

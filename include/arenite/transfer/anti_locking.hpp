@@ -1,7 +1,16 @@
-// Anti-locking: cures of volumetric locking, as a policy of the numerics.
+// Anti-locking: cures of volumetric locking, as a policy of the numerics. A policy has (examples/extend/own_average.cpp)
+// - `fits<Shape>`: whether it goes with the shape functions;
+// - `averages_stress`: whether filled cells take the mean of their stresses, as in `ElementAverage`;
+// - `StrainAverage<T>` (optional): what it makes of the strains of a body's points in a step, with
+//   - `sum<K, N>(mesh, blocks, body, nodes, dt)`: collects what it averages over cells or nodes, from `CellStrain`, from
+//     the cell sums (simplices) or from the nodes' `strain_velocity()`;
+//   - `numbers_per_node`, `numbers()`: how much of it stands at nodes, which portions of a mesh then sum; 0: nothing;
+//   - `finish(mesh, blocks, body)`: once all has been collected;
+//   - `average(strain, cell)`: the strain, `Sym`, of points in a cell, in packs.
 #pragma once
 
 #include <arenite/core/checked.hpp>
+#include <arenite/transfer/volumetric_average.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
@@ -16,11 +25,21 @@ struct FillOfBothRule : FillRule {
   static constexpr const char* name = "NodalAndElementAverage.fill";
 };
 
+/// What a policy makes of strains; Nothing where it leaves them.
+template <class Policy, class T>
+struct StrainAverageOf {
+  using type = Nothing;
+};
+template <class Policy, class T>
+requires requires { typename Policy::template StrainAverage<T>; }
+struct StrainAverageOf<Policy, T> {
+  using type = typename Policy::template StrainAverage<T>;
+};
+
 }  // namespace detail
 
 /// The strain of each point as the shape functions give it.
 struct NoAntiLocking {
-  static constexpr bool averages_strain = false;
   static constexpr bool averages_stress = false;
   template <class Shape>
   static constexpr bool fits = true;
@@ -31,7 +50,8 @@ struct NoAntiLocking {
 /// nodal mixed discretization; in MPM: Al-Kafaji 2013, Formulation of a dynamic material point method,
 /// sec. 4.1.3). For linear simplices.
 struct NodalAveraging {
-  static constexpr bool averages_strain = true;
+  template <class T>
+  using StrainAverage = VolumetricAverage<T>;
   static constexpr bool averages_stress = false;
   template <class Shape>
   static constexpr bool fits = Shape::constant_gradient;
@@ -47,7 +67,6 @@ struct NodalAveraging {
 /// points there are: at 0.9 a cell of nine as soon as one is missing. From 0.3 to 0.7 the penetrometer's drop
 /// hardly depends on `fill`, and at 0.5 hardly on the number of points (docs/decisions.md, averages).
 struct ElementAverage {
-  static constexpr bool averages_strain = false;
   static constexpr bool averages_stress = true;
   Checked<detail::FillRule> fill = 0.5;  ///< a cell counts as filled from this fraction of its volume on, -
   template <class Shape>
@@ -59,7 +78,8 @@ struct ElementAverage {
 /// whole volume of the cell does, so that the answer depends far less on the number of points than with
 /// either alone.
 struct NodalAndElementAverage {
-  static constexpr bool averages_strain = true;
+  template <class T>
+  using StrainAverage = VolumetricAverage<T>;
   static constexpr bool averages_stress = true;
   Checked<detail::FillOfBothRule> fill = 0.5;  ///< as that of `ElementAverage`
   template <class Shape>

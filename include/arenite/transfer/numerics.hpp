@@ -41,6 +41,9 @@ struct Numerics {
   using Transfer = std::conditional_t<transfer_type<Transfer_, Shape_>, Transfer_, Flip>;
   using Order = Order_;
   using AntiLocking = AntiLocking_;
+  template <class T>
+  using StrainAverage = typename detail::StrainAverageOf<AntiLocking, T>::type;
+  static constexpr bool averages_strain = !std::same_as<StrainAverage<double>, Nothing>;
   /// Whether strains are taken from velocities that were mapped back to the nodes.
   static constexpr bool maps_back = Order::maps_back && !returns_unchanged<Transfer, Shape>;
   /// Whether the points take their velocities where they are mapped back, in a pass before that of the
@@ -65,13 +68,11 @@ struct Numerics {
   static constexpr bool needs_edge_mass = (maps_back || sweeps_nodes) && Shape::constant_gradient;
   /// Whether the stresses of bodies with laws L are taken at the middle of the step (see `add_half_step`).
   template <class... L>
-  static constexpr bool centres_stress =
-      maps_back&& Shape::constant_gradient && !AntiLocking::averages_strain &&
-      !AntiLocking::averages_stress && (is_linear<L> && ...);
+  static constexpr bool centres_stress = maps_back&& Shape::constant_gradient && !averages_strain &&
+                                         !AntiLocking::averages_stress && (is_linear<L> && ...);
   static constexpr bool needs_cell_sums =
-      needs_edge_mass || AntiLocking::averages_strain || AntiLocking::averages_stress;
-  static constexpr ExtraColumns extra_columns{.affine = Transfer::affine,
-                                              .dilation = AntiLocking::averages_strain};
+      needs_edge_mass || (Shape::constant_gradient && averages_strain) || AntiLocking::averages_stress;
+  static constexpr ExtraColumns extra_columns{.affine = Transfer::affine, .dilation = averages_strain};
 
   static_assert(Transfer::template fits<Shape>,
                 "Numerics: APIC needs B-splines (its inertia tensor is singular at a node of a linear "

@@ -17,7 +17,7 @@ using P2gSums = PointSums<
                 Channel<node_channel::HoopForce, K::hoop>>,
     ChannelList<Channel<node_channel::EdgeMass, N::needs_edge_mass ? Cell::D*(Cell::D + 1) / 2 : 0>,
                 Channel<node_channel::HoopMean,
-                        K::hoop && (N::AntiLocking::averages_strain || CentresStress) ? Cell::size : 0>>>;
+                        K::hoop && (N::averages_strain || CentresStress) ? Cell::size : 0>>>;
 
 /// What a pack of points p gives to the nodes i of its cell:
 ///   mass_i += m_p w_i     momentum_i += m_p w_i v_p(x_i)     hoop_force_i += V_p sigma_hoop w_i / r_p

@@ -1,10 +1,10 @@
 // Random histories of laws with extreme but legal constants: every number stays finite, every stress
 // admissible, nothing closes that was not open, and plastic work is never negative, each to the round-off of
 // the trial stress.
-#include <arenite/core/lanes.hpp>
 #include <arenite/law/drucker_prager.hpp>
 #include <arenite/law/linear_elastic.hpp>
 #include <arenite/law/mohr_coulomb.hpp>
+#include <arenite/simd/lanes.hpp>
 #include <limits>
 #include <string>
 
@@ -91,7 +91,7 @@ double greatest(const auto& s) {
 /// One history a lane.
 template <class P, int D, class Law>
 void follow(const Law& law, const Constants& constants) {
-  using T = detail::scalar_of<P>;
+  using T = scalar_of<P>;
   const double ulp = std::numeric_limits<T>::epsilon();
   const double modulus = law.wave_modulus();
   Sym<P, D> stress;

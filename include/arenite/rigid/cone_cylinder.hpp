@@ -1,5 +1,6 @@
 // Cone-tipped cylinder: the signed distance of a penetrometer.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <algorithm>
 #include <array>
@@ -8,7 +9,7 @@
 
 #include <arenite/core/error.hpp>
 #include <arenite/core/tensor.hpp>
-#include <arenite/particles/region.hpp>
+#include <arenite/fill/region.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 

@@ -1,6 +1,7 @@
 // Watch: an observer that looks at a run for what cannot be right, warns, and stops it at limits that the
 // user sets.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <array>
 #include <cmath>
@@ -13,12 +14,12 @@
 #include <arenite/core/cold.hpp>
 #include <arenite/core/state_value.hpp>
 #include <arenite/core/warning.hpp>
+#include <arenite/law/pass.hpp>
 #include <arenite/mesh/full_volume.hpp>
 #include <arenite/observe/point_columns.hpp>
 #include <arenite/run/damped_fall.hpp>
 #include <arenite/run/watch_limits.hpp>
 #include <arenite/run/watched_energy.hpp>
-#include <arenite/law/pass.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 namespace detail {

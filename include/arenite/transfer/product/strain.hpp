@@ -1,7 +1,8 @@
 // Strains of points where the functions of a cell are products along the axes.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
-#include <arenite/core/kernel.hpp>
+#include <arenite/simd/kernel.hpp>
 #include <arenite/transfer/node_field.hpp>
 #include <arenite/transfer/numerics.hpp>
 #include <arenite/transfer/product/lines.hpp>
@@ -17,7 +18,7 @@ struct CellStrain {
   using Cell = typename N::Shape::template Cell<M>;
   static constexpr int width = cell_width<M::dimension, N::template width<T>>;
   const Cell cell;
-  const NodeRows<T, M::dimension, Cell::size> u;
+  const CellVectors<T, M::dimension, Cell::size> u;
   const T dt;
 
   template <class Field>

@@ -1,7 +1,8 @@
 // G2P on linear simplices.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
-#include <arenite/core/kernel.hpp>
+#include <arenite/simd/kernel.hpp>
 #include <arenite/transfer/node_field.hpp>
 #include <arenite/transfer/numerics.hpp>
 #include <arenite/transfer/simplex/strain.hpp>
@@ -32,19 +33,19 @@ ARENITE_KERNEL T g2p(const N& numerics, const M& mesh, Index c, Points& points, 
   using P = lanes_of<T, width>;
   const CellStrain<K, N, M> strain(mesh, c, nodes, dt);
   const Cell& cell = strain.cell;
-  const NodeRows<T, M::dimension, Cell::size> v(cell, nodes.velocity);
-  const auto take = numerics.transfer.take(cell, nodes);
+  const CellVectors<T, M::dimension, Cell::size> v(cell, nodes.velocity);
+  const auto gather = numerics.transfer.gather(cell, nodes);
   P check(0);
   for_each_pack<width>(points, begin, end, [&](const auto& p) {
     const auto x = p.position();
     const auto w = cell.weights(x);
     const auto moving_velocity = interpolate(w, v);
     const auto step = averaged(strain(p), average, c);
-    const ValueSum taken{interpolate(w, either(take.velocity, v))};
-    if constexpr (requires { take.also; })
-      take(cell, p, x, SumsAndAlso{taken, interpolate(w, take.also)});
+    const ValueSum gathered{interpolate(w, value_or(gather.velocity, v))};
+    if constexpr (requires { gather.second; })
+      gather(cell, p, x, TwoSums{gathered, interpolate(w, gather.second)});
     else
-      take(cell, p, x, taken);
+      gather(cell, p, x, gathered);
     if constexpr (!N::strains_first) buffer.store(p.first - origin, step);
     check += move_points(p, x, moving_velocity, dt);
   });

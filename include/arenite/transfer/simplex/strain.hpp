@@ -1,7 +1,8 @@
 // Strains of points of linear simplices: one for all points of a cell, but for the hoop strain.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
-#include <arenite/core/kernel.hpp>
+#include <arenite/simd/kernel.hpp>
 #include <arenite/transfer/node_field.hpp>
 #include <arenite/transfer/numerics.hpp>
 #include <arenite/transfer/strain.hpp>
@@ -40,7 +41,7 @@ struct CellStrain {
   using Cell = typename N::Shape::template Cell<M>;
   static constexpr int width = N::template width<T>;
   const Cell cell;
-  const NodeRows<T, M::dimension, Cell::size> u;
+  const CellVectors<T, M::dimension, Cell::size> u;
   const T dt;
   const StrainStep<T, M::dimension> of_cell;
 

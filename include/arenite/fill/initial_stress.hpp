@@ -1,0 +1,82 @@
+// Initial stress of a body: at rest under level ground, or any function of the position.
+#pragma once
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include <array>
+#include <concepts>
+#include <functional>
+#include <limits>
+#include <optional>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include <arenite/core/vector_argument.hpp>
+
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
+
+/// Initial stress of level ground at rest under the scene's gravity: vertical stress from the weight above,
+/// horizontal stress k0 times that. The weight is that of the body's own matter up to the surface, and of the
+/// layers above it: other bodies with a `Geostatic`, by the bounds of their regions (`Ground`).
+struct Geostatic {
+  double surface = std::numeric_limits<double>::quiet_NaN();  ///< height of the free surface, m
+  double k0 = std::numeric_limits<double>::quiet_NaN();       ///< horizontal over vertical stress, -
+  double surcharge = 0;   ///< vertical stress on the surface, Pa, pressure positive
+  bool may_move = false;  ///< whether forces out of balance in the first step are no mistake (a dam breaks)
+
+  /// Throws `error` unless all is given.
+  void check() const;
+};
+
+/// What the geostatic stress of a body takes from its scene.
+struct Ground {
+  struct Layer {
+    double density;                      ///< kg/m3
+    std::array<double, 3> lower, upper;  ///< bounds, m; may be infinite
+  };
+  std::array<double, 3> gravity{};  ///< when the body is filled, m/s2
+  double time = 0;                  ///< then, s
+  std::vector<Layer> above{};       ///< of other matter above the body
+
+  /// The axis along which gravity pulls. Throws `error` if there is none.
+  std::size_t axis() const;
+};
+
+/// `Geostatic{..}`, or a function of the position (x, y, z = 0 in two dimensions), m, that returns a stress
+/// as a `std::array<double, 6>` (xx, yy, zz, xy, yz, zx), Pa, tension positive. In two dimensions zz is the
+/// stress out of the plane (axisymmetry: hoop stress), yz and zx are zero.
+class InitialStress {
+ public:
+  using Position = std::array<double, 3>;
+  using Six = std::array<double, 6>;
+
+  InitialStress(const Geostatic& ground) : geostatic_{ground} {}
+  template <class F>
+  requires std::is_invocable_r_v<Six, const F&, const Position&> InitialStress(F f) : at_{std::move(f)} {}
+
+  const std::optional<Geostatic>& geostatic() const { return geostatic_; }
+
+  /// A `Geostatic` as the function of the position that it is in a ground, for matter of a density, kg/m3.
+  InitialStress in(const Ground& ground, double density) const;
+  /// Stress at a position, m; of a `Geostatic`: once it is `in` a ground. Throws `error` that names the
+  /// position unless it is finite and one of the scene's dimensions.
+  template <class T, int D>
+  Sym<T, D> at(const Vec<T, D>& x) const {
+    const Six given = checked(in_space(x), D);
+    Sym<T, D> stress{};
+    for (std::size_t k = 0; k < stress.size; ++k) stress[k] = static_cast<T>(given[k]);
+    return stress;
+  }
+
+ private:
+  Six checked(const Position& x, std::size_t dimensions) const;
+
+  std::optional<Geostatic> geostatic_{};
+  std::function<Six(const Position&)> at_{};
+};
+
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET
+
+#ifndef ARENITE_COLD_LIBRARY
+#include <arenite/fill/initial_stress_cold.hpp>
+#endif

@@ -1,0 +1,96 @@
+// Jitter: initial points moved at random, each within its share of the cell.
+#pragma once
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include <arenite/core/error.hpp>
+#include <arenite/fill/cell_points.hpp>
+
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
+namespace detail {
+
+/// Random numbers that are a function of seed and place, with the same bits on any machine: splitmix64
+/// (Steele, Lea and Flood, OOPSLA 2014).
+class RandomAt {
+ public:
+  RandomAt(std::uint64_t seed, std::uint64_t cell, std::uint64_t point)
+      : state_{mixed(mixed(mixed(seed) ^ cell) ^ point)} {}
+
+  /// In [0, 1).
+  double uniform() { return static_cast<double>(mixed(state_ += step) >> 11) * 0x1p-53; }
+
+ private:
+  static constexpr std::uint64_t step = 0x9e3779b97f4a7c15;
+  static constexpr std::uint64_t mixed(std::uint64_t x) {
+    x += step;
+    x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9;
+    x = (x ^ (x >> 27)) * 0x94d049bb133111eb;
+    return x ^ (x >> 31);
+  }
+  std::uint64_t state_;
+};
+
+/// Barycentric coordinates of a random position in a simplex, each as likely as another: the gaps between
+/// sorted numbers.
+template <int D>
+Vec<double, D + 1> random_in_simplex(RandomAt& random) {
+  std::array<double, D + 2> cuts{};
+  for (std::size_t k = 1; k <= D; ++k) cuts[k] = random.uniform();
+  cuts[D + 1] = 1;
+  std::sort(cuts.begin(), cuts.end());
+  Vec<double, D + 1> b;
+  for (int k = 0; k <= D; ++k)
+    b[k] = cuts[static_cast<std::size_t>(k) + 1] - cuts[static_cast<std::size_t>(k)];
+  return b;
+}
+
+/// `jitter_points` in a simplex.
+template <class M>
+void jitter_in_simplex(const M& mesh, Index cell, double share, std::uint64_t seed,
+                       Places<typename M::Point>& points) {
+  using T = typename M::scalar;
+  constexpr int D = M::dimension;
+  double size = 1;  // of a sub-cell, in cells
+  for (const auto& x : points)
+    size = std::min(size, (D + 1) * static_cast<double>(mesh.barycentric(cell, x).minCoeff()));
+  const auto scale = static_cast<T>(share * size);
+  for (std::size_t p = 0; p < points.size(); ++p) {
+    RandomAt random(seed, cell, p);
+    const auto b = random_in_simplex<D>(random);
+    for (int k = 0; k <= D; ++k)
+      points[p] += scale * static_cast<T>(b[k] - 1.0 / (D + 1)) *
+                   mesh.position(mesh.nodes(cell)[static_cast<std::size_t>(k)]);
+  }
+}
+
+}  // namespace detail
+
+/// Moves the initial points of a cell at random, each as likely to any place in its sub-cell, times `share`
+/// from 0 to 1. On a grid that is its part of the lattice, of so many points along each axis (`even`: see
+/// `initial_points`); in a simplex a copy of it about the point, as large as keeps all points in the cell.
+/// The same points on any machine, and in any order of the cells.
+template <class T, int D>
+void jitter_points(const CellBox<T, D>& box, Index cell, double share, std::uint64_t seed,
+                   Places<Vec<T, D>>& points, int per_cell, bool even);
+template <class M>
+void jitter_points(const M& mesh, Index cell, double share, std::uint64_t seed,
+                   Places<typename M::Point>& points, [[maybe_unused]] int per_cell,
+                   [[maybe_unused]] bool even = false) {
+  if (share == 0) return;
+  if constexpr (is_simplex_mesh<M>)
+    detail::jitter_in_simplex(mesh, cell, share, seed, points);
+  else
+    jitter_points(cell_box(mesh, cell), cell, share, seed, points, per_cell, even);
+}
+
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET
+
+#ifndef ARENITE_COLD_LIBRARY
+#include <arenite/fill/jitter_cold.hpp>
+#endif

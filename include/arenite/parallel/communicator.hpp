@@ -1,0 +1,55 @@
+// Communicator: how scenes on portions of one mesh (`MeshPortion`), on this machine or others, sum their nodal
+// values. `Serial` is that of a scene on the whole mesh.
+#pragma once
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include <cstddef>
+#include <span>
+#include <type_traits>
+#include <vector>
+
+#include <arenite/core/scalar.hpp>
+
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
+
+/// Nothing to exchange; compiles to nothing. Any exchange has these members, which all scenes call in the
+/// same order; what they return is the same in all, bit for bit, if sums are taken in one order:
+///
+/// - `alone`: false;
+/// - `sum_nodes(values, count)`: each copy of a node gets the sum over all of its copies; `values` has
+///   `count` numbers a node;
+/// - `share_nodes(values, count)`: each copy gets the numbers of the scene that owns the node;
+/// - `sum(values)`: each number is summed over the scenes;
+/// - `least(value)`: the least of the scenes;
+/// - `first()`: true in one of the scenes, which counts what all have;
+/// - `migrate(scene)`: points in cells of others go there (`take_foreign`, `add_points`);
+/// - `fail(what)`: this scene has thrown; a call of the others that waits for it must throw.
+struct Serial {
+  static constexpr bool is_serial = true;
+};
+inline constexpr Serial serial{};
+
+/// All nodes are counted: where a scene has its mesh to itself.
+struct OwnsAll {
+  constexpr bool operator()(Index) const { return true; }
+};
+
+/// Sums scalars and vectors over the scenes.
+template <class Communicator, class... V>
+void sum_over([[maybe_unused]] Communicator& comm, [[maybe_unused]] V&... value) {
+  if constexpr (!Communicator::is_serial) {
+    std::vector<double> all;
+    const auto each = [](auto& v, auto&& f) {
+      if constexpr (requires { v.data(); })
+        for (auto& x : std::span(v.data(), static_cast<std::size_t>(v.size()))) f(x);
+      else
+        f(v);
+    };
+    (each(value, [&](auto& x) { all.push_back(static_cast<double>(x)); }), ...);
+    comm.sum(std::span<double>(all));
+    std::size_t k = 0;
+    (each(value, [&](auto& x) { x = static_cast<std::remove_reference_t<decltype(x)>>(all[k++]); }), ...);
+  }
+}
+
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

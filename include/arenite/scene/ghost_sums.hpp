@@ -1,0 +1,72 @@
+// Ghost sums: adds or copies nodal values that scenes on portions of one mesh share. A scene on the whole mesh skips them.
+#pragma once
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include <span>
+
+#include <arenite/parallel/communicator.hpp>
+#include <arenite/scene/scene.hpp>
+
+namespace arenite::inline ARENITE_INSTRUCTION_SET::detail {
+
+/// All numbers of an array of nodes.
+template <class Sums>
+auto numbers_of(std::vector<Sums>& sums) -> std::span<typename decltype(Sums::lane)::value_type> {
+  static_assert(sizeof(Sums) == sizeof(sums[0].lane));
+  return {sums.data()->lane.data(), sums.size() * sums[0].lane.size()};
+}
+template <class T, int D>
+std::span<T> numbers_of(NodeVectors<T, D>& vectors) {
+  return vectors.numbers();
+}
+
+/// Each copy of a node gets the sum over all.
+template <class Communicator, class Nodes>
+void sum_nodes(Communicator& comm, Nodes& nodes) {
+  const auto numbers = numbers_of(nodes);
+  if (nodes.size() > 0) comm.sum_nodes(numbers, numbers.size() / nodes.size());
+}
+
+/// Leaves a sum at the owner's copy alone, so that more can be added to the copies and summed.
+template <class Scene, class Nodes>
+void keep_owned(const Scene& scene, Nodes& nodes) {
+  const auto owns = scene.node_owner();
+  for (Index i = 0; i < nodes.size(); ++i)
+    if (!owns(i)) nodes[i] = {};
+}
+
+/// Each copy of a node gets the owner's vector; `of(field)`: which.
+template <class Scene, class Communicator, class Of>
+void share_nodes([[maybe_unused]] Scene& scene, [[maybe_unused]] Communicator& comm,
+                 [[maybe_unused]] Of&& of) {
+  if constexpr (!Communicator::is_serial)
+    for (auto& field : scene.fields) {
+      auto& vectors = of(field);
+      const auto numbers = numbers_of(vectors);
+      comm.share_nodes(numbers, numbers.size() / vectors.size());
+    }
+}
+
+/// Calls `f(to)`, which changes velocities of nodes through `to`: of owned nodes and of those around them.
+template <class Communicator, class Velocities, class F>
+void change_velocities([[maybe_unused]] Communicator& comm, Velocities& velocity, F&& f) {
+  if constexpr (Communicator::is_serial) {
+    f(InPlace{velocity});
+  } else {
+    auto change = velocity;
+    std::ranges::fill(numbers_of(change), 0);
+    f(Apart<Velocities>{velocity, change});
+    sum_nodes(comm, change);
+    for (std::size_t i = 0; i < velocity.size(); ++i) velocity[i] += change[i];
+  }
+}
+
+/// The tally of a part whose numbers are those of all scenes (`is_shared`) counts in one of them.
+template <class P, class Communicator>
+ContactTally counted_once([[maybe_unused]] Communicator& comm, const ContactTally& tally) {
+  if constexpr (!Communicator::is_serial && requires { P::is_shared; })
+    return comm.first() ? tally : ContactTally{};
+  return tally;
+}
+
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET::detail

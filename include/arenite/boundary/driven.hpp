@@ -44,8 +44,8 @@ struct BoundDriven {
   }
 };
 
-template <class Site>
-BoundDriven<typename Site::T, Site::D> bind_part(const Driven& driven, const Site&) {
+template <class Traits>
+BoundDriven<typename Traits::T, Traits::D> bind_part(const Driven& driven, const Traits&) {
   return {{{driven.wall}}, driven.velocity, joined_text({"velocity of the wall ", driven.wall.name()})};
 }
 

@@ -62,10 +62,10 @@ namespace shared_detail {
 }
 
 /// Adds to the plugin when the shared object is opened.
-struct Offer {
-  explicit Offer(Plugin::SceneMaker scene) { this_plugin().scenes.push_back(std::move(scene)); }
-  explicit Offer(Plugin::LawMaker law) { this_plugin().laws.push_back(std::move(law)); }
-  explicit Offer(Plugin::Recipe recipe) { this_plugin().recipes.push_back(std::move(recipe)); }
+struct Registration {
+  explicit Registration(Plugin::SceneMaker scene) { this_plugin().scenes.push_back(std::move(scene)); }
+  explicit Registration(Plugin::LawMaker law) { this_plugin().laws.push_back(std::move(law)); }
+  explicit Registration(Plugin::Recipe recipe) { this_plugin().recipes.push_back(std::move(recipe)); }
 };
 
 }  // namespace shared_detail

@@ -82,7 +82,7 @@ class SceneHost : public HostedScene {
       if (!(scene_->time < options.end)) return 0.0;
       watch->before(written);
       const Moved moved(*this);
-      const double dt = step_towards(*scene_, options, span, no_others);
+      const double dt = step_towards(*scene_, options, span, serial);
       watch->after(!(scene_->time < options.end));
       return dt;
     };

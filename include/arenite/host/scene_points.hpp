@@ -31,9 +31,9 @@ void with_number(std::size_t body, F&& f) {
 }
 
 /// Rows of numbers that a host gives under a name, one a point; empty if it gives none.
-class PointRows {
+class PointTable {
  public:
-  PointRows(const Value& values, const std::string& name, std::size_t rows, std::size_t columns)
+  PointTable(const Value& values, const std::string& name, std::size_t rows, std::size_t columns)
       : columns_{columns} {
     const Value* given = values.find(name);
     if (given == nullptr || given->is_none()) return;
@@ -63,7 +63,7 @@ void read_history(const Value& values, std::vector<Point>& points) {
   for (const auto& [name, row] : *rows) {
     const auto k = static_cast<std::size_t>(std::ranges::find(names, name) - names.begin());
     require(!name.empty() && k < names.size(), "history", name, "is no number of the law's history");
-    const PointRows row_of(*given, name, points.size(), 1);
+    const PointTable row_of(*given, name, points.size(), 1);
     for (std::size_t p = 0; p < points.size(); ++p)
       std::apply(
           [&](auto&... member) {
@@ -88,7 +88,7 @@ std::vector<typename B::Point> read_points(const Value& values) {
           "must be an array");
   std::vector<Point> points(place->array()->rows());
   const auto rows = [&](const char* name, std::size_t columns) {
-    return PointRows(values, name, points.size(), columns);
+    return PointTable(values, name, points.size(), columns);
   };
   const auto position = rows("position", D), velocity = rows("velocity", D), volume = rows("volume", 1),
              mass = rows("mass", 1), stress = rows("stress", Point{}.stress.c.size());

@@ -34,9 +34,9 @@ struct PointLayer {
   Region region;
   SurfaceOptions options;
 
-  using Erased = PointLayer<>;
+  using TypeErased = PointLayer<>;
   template <class M>
-  Erased erased() const {
+  TypeErased type_erased() const {
     if constexpr (std::same_as<Region, AnyRegion>)
       return *this;
     else

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include <arenite/contact/hold.hpp>
-#include <arenite/core/alone.hpp>
+#include <arenite/core/communicator.hpp>
 #include <arenite/core/contact_tally.hpp>
 #include <arenite/core/tensor.hpp>
 #include <arenite/rigid/pose.hpp>
@@ -14,8 +14,8 @@
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 /// The nodes with matter that the body touches where it is now, with the fields' velocities before contact.
-template <class Shape, class M, class R, class Fields, class Owns, class Others>
-void find_touched_nodes(const M& mesh, R& body, const Fields& fields, const Owns& owns, Others& others) {
+template <class Shape, class M, class R, class Fields, class Owns, class Communicator>
+void find_touched_nodes(const M& mesh, R& body, const Fields& fields, const Owns& owns, Communicator& comm) {
   using T = typename M::scalar;
   body.touched_nodes.clear();
   body.inside_nodes = 0;
@@ -42,7 +42,7 @@ void find_touched_nodes(const M& mesh, R& body, const Fields& fields, const Owns
           body.inside_nodes += inside;
         }
       });
-  sum_over(others, body.inside_nodes);
+  sum_over(comm, body.inside_nodes);
 }
 
 /// The body's velocity at the end of the step without contact.
@@ -55,15 +55,15 @@ typename R::Velocity free_velocity(R& body, const Vec<T, D>& acceleration, T tim
 }
 
 /// The velocity with which impulses are found.
-template <class R, class Others>
-typename R::Velocity velocity_in_contact(const R& body, const typename R::Velocity& free, Others& others) {
-  if constexpr (requires { body.motion.velocity_in_contact(body, free, others); }) {
-    return body.motion.velocity_in_contact(body, free, others);
+template <class R, class Communicator>
+typename R::Velocity velocity_in_contact(const R& body, const typename R::Velocity& free,
+                                         Communicator& comm) {
+  if constexpr (requires { body.motion.velocity_in_contact(body, free, comm); }) {
+    return body.motion.velocity_in_contact(body, free, comm);
   } else {
-    static_assert(
-        Others::alone || !R::is_free,
-        "Rigid: on a portion of a mesh velocity_in_contact(body, free_velocity, others) of a motion "
-        "with mass must sum over the others; see arenite/rigid/motion.hpp");
+    static_assert(Communicator::is_serial || !R::is_free,
+                  "Rigid: on a portion of a mesh velocity_in_contact(body, free_velocity, comm) of a motion "
+                  "with mass must sum over the comm; see arenite/rigid/motion.hpp");
     return body.motion.velocity_in_contact(body, free);
   }
 }
@@ -92,8 +92,8 @@ struct GivenImpulses {
 };
 
 /// Gives the fields the impulses of a body that moves with velocity `met`.
-template <class R, class Fields, class Others>
-GivenImpulses<R> give_impulses(R& body, Fields& fields, const typename R::Velocity& met, Others& others) {
+template <class R, class Fields, class Communicator>
+GivenImpulses<R> give_impulses(R& body, Fields& fields, const typename R::Velocity& met, Communicator& comm) {
   GivenImpulses<R> given;
   body.contact_nodes = 0;
   for (auto& t : body.touched_nodes) {
@@ -111,7 +111,7 @@ GivenImpulses<R> give_impulses(R& body, Fields& fields, const typename R::Veloci
     given.gained += j.dot(twice_mean) / 2;
     ++body.contact_nodes;
   }
-  sum_over(others, given.total, given.gained, given.exchanged, body.contact_nodes);
+  sum_over(comm, given.total, given.gained, given.exchanged, body.contact_nodes);
   return given;
 }
 
@@ -140,14 +140,14 @@ std::pair<double, typename R::Velocity> finish_step(R& body, const typename R::V
 /// then the impulses with its new velocity. Returns what contact dissipated. Each scene that shares the body
 /// touches the nodes that it owns; sums are taken through `others`, and all know of the whole body.
 template <class Shape, class M, class R, class Fields, class T, int D, class Owns = OwnsAll,
-          class Others = const Alone>
+          class Communicator = const Serial>
 ContactTally collide(const M& mesh, R& body, Fields& fields, const Vec<T, D>& acceleration, T time, T dt,
-                     const Owns& owns = {}, Others& others = no_others) {
+                     const Owns& owns = {}, Communicator& comm = serial) {
   using Velocity = typename R::Velocity;
-  find_touched_nodes<Shape>(mesh, body, fields, owns, others);
+  find_touched_nodes<Shape>(mesh, body, fields, owns, comm);
   const Velocity free = free_velocity(body, acceleration, time, dt);
-  const Velocity met = velocity_in_contact(body, free, others);
-  const auto given = give_impulses(body, fields, met, others);
+  const Velocity met = velocity_in_contact(body, free, comm);
+  const auto given = give_impulses(body, fields, met, comm);
   const double dissipation = finish_step(body, free, free, Velocity(Velocity::Zero()), met, given, dt).first;
   return {.dissipation = dissipation, .nodes = body.contact_nodes};
 }

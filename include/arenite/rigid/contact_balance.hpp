@@ -8,7 +8,7 @@
 #include <utility>
 
 #include <arenite/contact/coulomb.hpp>
-#include <arenite/core/alone.hpp>
+#include <arenite/core/communicator.hpp>
 #include <arenite/rigid/pose.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
@@ -37,18 +37,19 @@ Mat<double, D> coulomb_slope(const Vec<double, D>& approach, const Vec<double, D
 /// convex function. Newton steps on the pieces, each followed along its direction to where f no longer points
 /// ahead, reach the solution in a few steps, whatever the masses. Components are scaled by the square root of
 /// the mass that they move. The sums are taken over the touches of all scenes that share the body.
-template <class R, class Others, int D, int N>
+template <class R, class Communicator, int D, int N>
 class ContactBalance {
  public:
   using U = Vec<double, N>;
 
   /// `inertia`: M; `moves`: 1 for each component of the twist that may change, else 0.
-  ContactBalance(const R& body, const U& free, const Mat<double, N>& inertia, const U& moves, Others& others)
-      : body_{body}, others_{others}, free_{free}, inertia_{inertia}, moves_{moves} {
+  ContactBalance(const R& body, const U& free, const Mat<double, N>& inertia, const U& moves,
+                 Communicator& comm)
+      : body_{body}, comm_{comm}, free_{free}, inertia_{inertia}, moves_{moves} {
     U moved = U::Zero();
     for (const auto& t : body.touched_nodes)
       moved += static_cast<double>(t.mass_ratio * t.mass) * matrix_at(t).colwise().squaredNorm().transpose();
-    sum_over(others_, moved);
+    sum_over(comm_, moved);
     scale_ = (moved + inertia.diagonal()).cwiseSqrt();
   }
 
@@ -111,7 +112,7 @@ class ContactBalance {
       sums.col(N + 1) += share.cwiseAbs();
       sums.template leftCols<N>() += mass * (w.transpose() * slope * w);
     }
-    sum_over(others_, sums);
+    sum_over(comm_, sums);
     const U by = moves_.cwiseQuotient(scale_), own = inertia_ * change;
     touch_ = sums.col(N + 1).sum();
     rest_ = by.cwiseProduct(own + sums.col(N));
@@ -168,7 +169,7 @@ class ContactBalance {
   }
 
   const R& body_;
-  Others& others_;
+  Communicator& comm_;
   U free_, scale_;
   Mat<double, N> inertia_;
   U moves_;

@@ -15,7 +15,7 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 /// One contact of two bodies for the solver, in axes of its own: the normal first, out of the second body,
 /// then the tangents. Its velocity is that of the first body against the second, w = W_1 u_1 - W_2 u_2.
 template <int D>
-struct ContactRow {
+struct ContactConstraint {
   static constexpr int N = D + rotations<D>;
   std::size_t body[2];                              ///< first, second
   Eigen::Matrix<double, D, N> to[2];                ///< W_1, -W_2: from a body's twist
@@ -43,7 +43,7 @@ template <int D>
 class ContactSolver {
  public:
   static constexpr int N = D + rotations<D>;
-  using Rows = std::vector<ContactRow<D>>;
+  using Rows = std::vector<ContactConstraint<D>>;
   using Twists = std::vector<Vec<double, N>>;
   using Real = typename Vec<double, D>::Scalar;
 
@@ -92,7 +92,7 @@ class ContactSolver {
   }
 
   /// The impulse to which the laws take one, for the velocity w there.
-  static Vec<double, D> projected(const ContactRow<D>& row, const Vec<double, D>& w) {
+  static Vec<double, D> projected(const ContactConstraint<D>& row, const Vec<double, D>& w) {
     Vec<double, D> j;
     j[0] = std::max(0.0, row.impulse[0] - (w[0] - row.least) / row.response(0, 0));
     Vec<double, D - 1> t = row.impulse.template tail<D - 1>() - w.template tail<D - 1>() / across(row);
@@ -105,7 +105,7 @@ class ContactSolver {
     return j;
   }
   /// Bound of the tangential response; where no impulse moves the bodies across the normal, it finds none.
-  static double across(const ContactRow<D>& row) {
+  static double across(const ContactConstraint<D>& row) {
     return std::max(row.response.trace() - row.response(0, 0), 1e-12 * row.response(0, 0));
   }
 
@@ -189,7 +189,7 @@ class ContactSolver {
   }
 
   /// Velocity along an axis of one contact by an impulse at another.
-  static double between(const ContactRow<D>& at, const ContactRow<D>& of, int axis,
+  static double between(const ContactConstraint<D>& at, const ContactConstraint<D>& of, int axis,
                         const Vec<double, D>& impulse) {
     double sum = 0;
     for (int i = 0; i < 2; ++i)

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include <arenite/boundary/place_function.hpp>
-#include <arenite/core/alone.hpp>
+#include <arenite/core/communicator.hpp>
 #include <arenite/core/vector_argument.hpp>
 #include <arenite/rigid/anchor.hpp>
 #include <arenite/rigid/contact_balance.hpp>
@@ -102,15 +102,15 @@ class BoundFree {
     return twist<double, D>(v, in_space_.inverse() * free_momentum_).template cast<T>();
   }
 
-  template <class Body, class Others = const Alone>
+  template <class Body, class Communicator = const Serial>
   Velocity velocity_in_contact(const Body& body, const Velocity& free_velocity,
-                               Others& others = no_others) const {
+                               Communicator& comm = serial) const {
     constexpr int N = D + rotations<D>;
     Mat<double, N> inertia = Mat<double, N>::Zero();
     inertia.template topLeftCorner<D, D>().diagonal().setConstant(mass);
     inertia.template bottomRightCorner<rotations<D>, rotations<D>>() = in_space_;
-    ContactBalance<Body, Others, D, N> balance(body, free_velocity.template cast<double>(), inertia, moves(),
-                                               others);
+    ContactBalance<Body, Communicator, D, N> balance(body, free_velocity.template cast<double>(), inertia,
+                                                     moves(), comm);
     return balance.solve().template cast<T>();
   }
 
@@ -227,9 +227,9 @@ class BoundFree {
   Vec<double, D + rotations<D>> gained_, of_springs_, of_dashpots_;  // impulses without contact
 };
 
-template <class Site>
-auto bind_part(const Free& motion, const Site&) {
-  return BoundFree<typename Site::T, Site::D>(motion, Site::Kinematics::hoop);
+template <class Traits>
+auto bind_part(const Free& motion, const Traits&) {
+  return BoundFree<typename Traits::T, Traits::D>(motion, Traits::Kinematics::hoop);
 }
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

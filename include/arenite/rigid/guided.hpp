@@ -7,7 +7,7 @@
 #include <utility>
 
 #include <arenite/boundary/place_function.hpp>
-#include <arenite/core/alone.hpp>
+#include <arenite/core/communicator.hpp>
 #include <arenite/core/error.hpp>
 #include <arenite/core/tensor.hpp>
 #include <arenite/core/vector_argument.hpp>
@@ -31,15 +31,15 @@ namespace detail {
 /// much as soil and body: Newton steps on the pieces, inside a bracket that is halved where they leave it or
 /// do not get ahead.
 /// The sums are taken over the touches of all scenes that share the body.
-template <class R, class V, class T, class Others>
-T balance_speed(const R& body, const V& axis, T trial, T mass, Others& others) {
+template <class R, class V, class T, class Communicator>
+T balance_speed(const R& body, const V& axis, T trial, T mass, Communicator& comm) {
   T soil = 0;
   for (const auto& t : body.touched_nodes) soil += t.mass_ratio * t.mass;
-  sum_over(others, soil);
+  sum_over(comm, soil);
   const auto contact_impulse = [&](T s) {
     T sum = 0;
     for (const auto& t : body.touched_nodes) sum += body.impulse_at(t, s * axis).dot(axis);
-    sum_over(others, sum);
+    sum_over(comm, sum);
     return sum;
   };
   constexpr T round_off = std::numeric_limits<T>::epsilon();
@@ -100,13 +100,13 @@ struct BoundGuided {
     const T drive = acceleration.dot(axis) + static_cast<T>(force / mass);
     return before + dt * drive * axis;
   }
-  template <class Body, class Others = const Alone>
+  template <class Body, class Communicator = const Serial>
   V velocity_in_contact(const Body& body, const V& free_velocity,
-                        [[maybe_unused]] Others& others = no_others) const {
+                        [[maybe_unused]] Communicator& comm = serial) const {
     if constexpr (Body::coupling_through_centre)
       return free_velocity;  // `after` corrects it: eq. (4)
     else
-      return detail::balance_speed(body, axis, free_velocity.dot(axis), static_cast<T>(mass), others) * axis;
+      return detail::balance_speed(body, axis, free_velocity.dot(axis), static_cast<T>(mass), comm) * axis;
   }
   /// The remainder of the balance is given to the body, unless it is round-off of the impulses, which would
   /// give a very light body a large velocity.
@@ -131,9 +131,9 @@ struct BoundGuided {
   bool holds(const V& g) const { return std::abs(axis.dot(g)) <= 1e-6 * g.norm(); }
 };
 
-template <class Site>
-auto bind_part(const Guided& motion, const Site&) {
-  return BoundGuided<typename Site::T, Site::D>(motion, Site::Kinematics::hoop);
+template <class Traits>
+auto bind_part(const Guided& motion, const Traits&) {
+  return BoundGuided<typename Traits::T, Traits::D>(motion, Traits::Kinematics::hoop);
 }
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -8,8 +8,8 @@
 
 #include <arenite/contact/coulomb.hpp>
 #include <arenite/contact/hold.hpp>
-#include <arenite/core/alone.hpp>
 #include <arenite/core/bind.hpp>
+#include <arenite/core/communicator.hpp>
 #include <arenite/core/contact_tally.hpp>
 #include <arenite/core/name.hpp>
 #include <arenite/core/part_energy.hpp>
@@ -52,10 +52,10 @@ struct Rigid {
   Motion motion;
   Friction friction;
 
-  using Erased = Rigid<erased_t<Surface>, erased_t<Motion>, Coupling, name>;
+  using TypeErased = Rigid<type_erased_t<Surface>, type_erased_t<Motion>, Coupling, name>;
   template <class M>
-  Erased erased() const {
-    return {arenite::erased<M>(surface), arenite::erased<M>(motion), friction};
+  TypeErased type_erased() const {
+    return {arenite::type_erased<M>(surface), arenite::type_erased<M>(motion), friction};
   }
 };
 
@@ -93,7 +93,7 @@ template <class T, int D, class Surface, class Motion, class Coupling = RigidVel
 struct RigidBody {
   using V = Vec<T, D>;
   static constexpr auto name = name_;
-  static constexpr int exchange_rank = 1;
+  static constexpr int contact_order = 1;
   static constexpr bool is_rigid_body = true, is_shared = true;
   static constexpr bool is_free = Motion::has_mass, rotates = arenite::rotates<Motion>;
   /// Velocity, or velocity and spin of a body that rotates; impulse, or impulse and its moment.
@@ -261,8 +261,8 @@ struct RigidBody {
     });
     return name.word().empty() ? std::to_string(own) : std::string(name.word());
   }
-  template <class Scene, class Others = const Alone>
-  ContactTally exchange_impulses(Scene& scene, double dt, Others& others = no_others) {
+  template <class Scene, class Communicator = const Serial>
+  ContactTally apply_impulses(Scene& scene, double dt, Communicator& comm = serial) {
     if constexpr (Scene::Needs::moves_rigid_bodies)
       return {};
     else if constexpr (touches_points)
@@ -270,15 +270,15 @@ struct RigidBody {
     else
       return collide<typename Scene::Shape>(scene.mesh, *this, scene.fields, scene.acceleration(),
                                             static_cast<T>(scene.time + dt), static_cast<T>(dt),
-                                            scene.node_owner(), others);
+                                            scene.node_owner(), comm);
   }
-  template <class Scene, class Others = const Alone>
-  double hold_mapped(Scene& scene, double dt, Others& others = no_others) {
-    return book(hold_touched(touched_nodes, scene.fields, static_cast<T>(dt)), others);
+  template <class Scene, class Communicator = const Serial>
+  double constrain_mapped(Scene& scene, double dt, Communicator& comm = serial) {
+    return book(hold_touched(touched_nodes, scene.fields, static_cast<T>(dt)), comm);
   }
-  template <class Scene, class Others = const Alone>
-  double read_end(const Scene& scene, double, Others& others = no_others) {
-    return book(rest_of_dissipation(touched_nodes, scene.fields), others);
+  template <class Scene, class Communicator = const Serial>
+  double after_grid(const Scene& scene, double, Communicator& comm = serial) {
+    return book(rest_of_dissipation(touched_nodes, scene.fields), comm);
   }
   PartEnergy count_energy() const {
     PartEnergy e{.kinetic = kinetic_energy(), .dissipated = dissipated, .external = driving_work};
@@ -309,9 +309,9 @@ struct RigidBody {
   bool holds_against(const V& acceleration) const { return motion.holds(acceleration); }
 
  private:
-  template <class Others>
-  double book(double dissipation, Others& others) {
-    sum_over(others, dissipation);
+  template <class Communicator>
+  double book(double dissipation, Communicator& comm) {
+    sum_over(comm, dissipation);
     dissipated += dissipation;
     return dissipation;
   }
@@ -329,26 +329,27 @@ struct RigidBody {
   }
 };
 
-template <class S, class M, class C, Name name, class Site>
-auto bind_part(const Rigid<S, M, C, name>& recipe, const Site& site) {
-  auto surface = bound(recipe.surface, site);
-  auto motion = bound(recipe.motion, site);
-  using V = Vec<typename Site::T, Site::D>;
+template <class S, class M, class C, Name name, class Traits>
+auto bind_part(const Rigid<S, M, C, name>& recipe, const Traits& traits) {
+  auto surface = bound(recipe.surface, traits);
+  auto motion = bound(recipe.motion, traits);
+  using V = Vec<typename Traits::T, Traits::D>;
   constexpr bool turns = rotates<decltype(motion)>;
-  using Place = std::conditional_t<turns, Pose<Site::D>, V>;
+  using Place = std::conditional_t<turns, Pose<Traits::D>, V>;
   constexpr bool has_surface =
-      rigid_surface<decltype(surface), typename Site::Shape, typename Site::Mesh, V> ||
-      rigid_surface<decltype(surface), typename Site::Shape, typename Site::Mesh, Pose<Site::D>>;
-  constexpr bool fits = rigid_surface<decltype(surface), typename Site::Shape, typename Site::Mesh, Place>;
+      rigid_surface<decltype(surface), typename Traits::Shape, typename Traits::Mesh, V> ||
+      rigid_surface<decltype(surface), typename Traits::Shape, typename Traits::Mesh, Pose<Traits::D>>;
+  constexpr bool fits =
+      rigid_surface<decltype(surface), typename Traits::Shape, typename Traits::Mesh, Place>;
   constexpr bool has_motion =
-      rigid_motion<decltype(motion), V> || rotating_motion<decltype(motion), typename Site::T, Site::D>;
+      rigid_motion<decltype(motion), V> || rotating_motion<decltype(motion), typename Traits::T, Traits::D>;
   static_assert(has_surface, "Rigid: the surface lacks a member; see arenite/rigid/surface.hpp");
   static_assert(has_motion, "Rigid: the motion lacks a member; see arenite/rigid/motion.hpp");
   static_assert(!has_surface || !has_motion || fits,
                 "Rigid: the body rotates, and its surface does not: visit must take a Pose, as that of a "
                 "DistanceSurface does; the nodes of a MeshSurface stay where the mesh is");
   if constexpr (has_motion && fits)
-    return RigidBody<typename Site::T, Site::D, decltype(surface), decltype(motion), C, name>{
+    return RigidBody<typename Traits::T, Traits::D, decltype(surface), decltype(motion), C, name>{
         std::move(surface), std::move(motion), recipe.friction};
   else
     return detail::NoRigidBody{};  // one sentence is enough

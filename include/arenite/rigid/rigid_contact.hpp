@@ -15,7 +15,7 @@
 #include <vector>
 
 #include <arenite/contact/coulomb.hpp>
-#include <arenite/core/alone.hpp>
+#include <arenite/core/communicator.hpp>
 #include <arenite/core/contact_tally.hpp>
 #include <arenite/core/error.hpp>
 #include <arenite/core/part_energy.hpp>
@@ -35,8 +35,8 @@ namespace detail {
 
 /// How the impulses of the matter on a body oppose its velocity, as an inertia [N x N]; `coupling`: see
 /// `coulomb_slope`.
-template <class R, class Others>
-auto resistance_of_matter(const R& body, const typename R::Velocity& met, bool coupling, Others& others) {
+template <class R, class Communicator>
+auto resistance_of_matter(const R& body, const typename R::Velocity& met, bool coupling, Communicator& comm) {
   constexpr int D = R::V::RowsAtCompileTime, N = R::Velocity::RowsAtCompileTime;
   using U = Vec<double, N>;
   Mat<double, N> sum = Mat<double, N>::Zero();
@@ -53,24 +53,24 @@ auto resistance_of_matter(const R& body, const typename R::Velocity& met, bool c
                  : coulomb_slope<D>(approach, t.normal.template cast<double>(), body.friction, coupling);
     sum += static_cast<double>(t.mass) * (w.transpose() * slope * w);
   }
-  sum_over(others, sum);
+  sum_over(comm, sum);
   return sum;
 }
 
 /// Change of a body's velocity by an impulse in matter that resists. Friction that grows with the normal
 /// impulse can make an impulse gain energy (a wedge that jams): impulses of contacts need not exist then,
 /// and the growth is left to the next round.
-template <class R, class Others>
-auto mobility_in_matter(const R& body, const typename R::Velocity& met, Others& others) {
+template <class R, class Communicator>
+auto mobility_in_matter(const R& body, const typename R::Velocity& met, Communicator& comm) {
   constexpr int N = R::Velocity::RowsAtCompileTime;
-  Mat<double, N> mobility = mobility_of(body, resistance_of_matter(body, met, true, others));
+  Mat<double, N> mobility = mobility_of(body, resistance_of_matter(body, met, true, comm));
   if constexpr (R::is_free) {
     Mat<double, N> twice = mobility + mobility.transpose();
     // Components that cannot move have rows of zeros.
     for (int k = 0; k < N; ++k)
       if (twice(k, k) == 0) twice(k, k) = 1;
     if (!(twice.llt().info() == Eigen::Success))
-      mobility = mobility_of(body, resistance_of_matter(body, met, false, others));
+      mobility = mobility_of(body, resistance_of_matter(body, met, false, comm));
   }
   return mobility;
 }
@@ -87,7 +87,7 @@ class BoundRigidContact {
  public:
   using V = Vec<double, D>;
   static constexpr int N = D + rotations<D>;
-  static constexpr int exchange_rank = 1;
+  static constexpr int contact_order = 1;
   static constexpr bool is_shared = true, moves_rigid_bodies = true;
   using OnlyOne = RigidContact;
 
@@ -125,24 +125,24 @@ class BoundRigidContact {
     touching_.check_start();
   }
 
-  template <class Scene, class Others = const Alone>
-  ContactTally exchange_impulses(Scene& scene, double dt, Others& others = no_others) {
+  template <class Scene, class Communicator = const Serial>
+  ContactTally apply_impulses(Scene& scene, double dt, Communicator& comm = serial) {
     auto steps = steps_of(scene, std::make_index_sequence<std::tuple_size_v<typename Scene::Parts>>{});
     look_at(scene);
     const auto acceleration = scene.acceleration();
     each(scene, steps, [&](auto& body, auto& s, std::size_t) {
-      find_touched_nodes<typename Scene::Shape>(scene.mesh, body, scene.fields, scene.node_owner(), others);
+      find_touched_nodes<typename Scene::Shape>(scene.mesh, body, scene.fields, scene.node_owner(), comm);
       s.free = free_velocity(body, acceleration, static_cast<T>(scene.time + dt), static_cast<T>(dt));
     });
     for (auto& b : touching_.bodies) b.impulse.setZero();
-    meet_matter(scene, steps, others);
+    meet_matter(scene, steps, comm);
     set_ends(scene, dt);
     touching_.find(dt);
     rounds = 1;
     while (rounds < most_rounds && !touching_.is_solved(dt, precision)) {
       touching_.solve(dt);
       take_back(scene, steps);
-      meet_matter(scene, steps, others);
+      meet_matter(scene, steps, comm);
       set_ends(scene, dt);
       ++rounds;
     }
@@ -232,8 +232,8 @@ class BoundRigidContact {
   }
 
   /// Each body in turn: its velocity in contact with the matter, and the impulses that it gives.
-  template <class Scene, class Steps, class Others>
-  void meet_matter(Scene& scene, Steps& steps, Others& others) {
+  template <class Scene, class Steps, class Communicator>
+  void meet_matter(Scene& scene, Steps& steps, Communicator& comm) {
     each(scene, steps, [&](auto& body, auto& s, std::size_t k) {
       using R = std::remove_cvref_t<decltype(body)>;
       constexpr int size = R::Velocity::RowsAtCompileTime;
@@ -243,10 +243,10 @@ class BoundRigidContact {
       const Mat<double, size> alone = mobility_of(body, Mat<double, size>(Mat<double, size>::Zero()));
       s.push = push.template cast<T>();
       s.pushed = s.free + (alone * push).template cast<T>();
-      s.met = velocity_in_contact(body, s.pushed, others);
+      s.met = velocity_in_contact(body, s.pushed, comm);
       b.mobility.setZero();
-      b.mobility.template topLeftCorner<size, size>() = detail::mobility_in_matter(body, s.met, others);
-      s.given = give_impulses(body, scene.fields, s.met, others);
+      b.mobility.template topLeftCorner<size, size>() = detail::mobility_in_matter(body, s.met, comm);
+      s.given = give_impulses(body, scene.fields, s.met, comm);
       b.twist = as_twist(s.met);
     });
   }
@@ -302,9 +302,9 @@ class BoundRigidContact {
   TouchingBodies<D> touching_{};
 };
 
-template <class Site>
-auto bind_part(const RigidContact& recipe, const Site&) {
-  return BoundRigidContact<typename Site::T, Site::D>(recipe);
+template <class Traits>
+auto bind_part(const RigidContact& recipe, const Traits&) {
+  return BoundRigidContact<typename Traits::T, Traits::D>(recipe);
 }
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -150,7 +150,7 @@ class TouchingBodies {
   }
   /// False if no impulse along the normal moves either body.
   bool add_row(const RigidTouch<D>& t, double friction) {
-    ContactRow<D> row;
+    ContactConstraint<D> row;
     row.body[0] = t.first;
     row.body[1] = t.second;
     row.friction = friction;
@@ -176,7 +176,7 @@ class TouchingBodies {
     rows_.push_back(row);
     return true;
   }
-  void set_response(ContactRow<D>& row) const {
+  void set_response(ContactConstraint<D>& row) const {
     row.response.setZero();
     for (int i = 0; i < 2; ++i) {
       row.by[i] = bodies[row.body[i]].mobility * row.to[i].transpose();
@@ -189,9 +189,9 @@ class TouchingBodies {
   }
 
   std::vector<Pair> pairs_{};
-  std::vector<ContactRow<D>> rows_{};       // [touches]
-  std::vector<double> goals_{};             // [touches] least gaps at the end of the step, m
-  std::vector<Vec<double, N>> expected_{};  // [bodies] twists; none before the first solution
+  std::vector<ContactConstraint<D>> rows_{};  // [touches]
+  std::vector<double> goals_{};               // [touches] least gaps at the end of the step, m
+  std::vector<Vec<double, N>> expected_{};    // [bodies] twists; none before the first solution
   ContactSolver<D> solver_{};
   double speed_ = 0;  // greatest one of the step, m/s
 };

@@ -25,8 +25,8 @@ double out_of_balance(const Scene& scene) {
         if (!(field.mass[i] > 0) || !owns(static_cast<Index>(i))) continue;
         const V change = field.velocity[i] - field.start[i];
         out += static_cast<double>(field.mass[i] * change.norm()) / scene.time_step;
-        all += static_cast<double>(
-            std::max(field.collected[i].force().norm(), field.mass[i] * acceleration.norm()));
+        all +=
+            static_cast<double>(std::max(field.sums[i].force().norm(), field.mass[i] * acceleration.norm()));
       }
   return all > 0 ? out / all : 0;
 }

@@ -96,7 +96,7 @@ requires region_type<Region, Scene::D>
 auto insert_points(Scene& scene, Region region, const FillOptions& options = {}) {
   auto& body = scene.template body<which>();
   return insert_fill(scene, body,
-                     fill(std::move(region), body.law, options).template erased<typename Scene::Mesh>(),
+                     fill(std::move(region), body.law, options).template type_erased<typename Scene::Mesh>(),
                      Scene::body_name(Scene::template body_number<which>()));
 }
 

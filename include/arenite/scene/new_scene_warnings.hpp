@@ -108,7 +108,7 @@ void warn_no_support(const Scene& scene) {
     if constexpr (holds_against<P, Scene>)
       held = held || part.holds_against(g);
     else
-      held = held || adds_force<P, Scene> || (exchanges_impulses<P, Scene> && exchange_rank<P> > 0);
+      held = held || adds_force<P, Scene> || (applies_impulses<P, Scene> && contact_order<P> > 0);
   });
   if (!held) warn_no_support(vector_text(g));
 }

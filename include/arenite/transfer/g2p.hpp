@@ -34,7 +34,7 @@ G2pSums pass_over_points(const N&, const M&, B& body, typename M::scalar dt, Run
             const std::size_t next = std::min<std::size_t>(end, body.cells.run_end(static_cast<Index>(p), c));
             chunk.check += static_cast<double>(run(c, p, next, buffer, begin));
             if constexpr (stores_bearing)
-              buffer.store_bearing(p - begin, next - p, body.cell_sums[c].bearing);
+              buffer.store_volume_factor(p - begin, next - p, body.cell_sums[c].volume_factor);
             p = next;
           }
           if constexpr (UpdatesStress)

@@ -34,9 +34,10 @@ struct Numerics {
   template <class T>
   static constexpr int width = static_cast<int>(RegisterBytes / sizeof(T));
   using Shape = Shape_;
-  static_assert(transfer_type<Transfer_, Shape_>,
-                "Numerics: the transfer lacks a member: affine, fits<Shape>, hand(point), take(cell, "
-                "nodes), of a class that is not final; see arenite/transfer/transfer.hpp");
+  static_assert(
+      transfer_type<Transfer_, Shape_>,
+      "Numerics: the transfer lacks a member: affine, fits<Shape>, particle_field(point), gather(cell, "
+      "nodes), of a class that is not final; see arenite/transfer/transfer.hpp");
   /// Flip in the place of one that the compiler has refused: one sentence is enough.
   using Transfer = std::conditional_t<transfer_type<Transfer_, Shape_>, Transfer_, Flip>;
   using Order = Order_;
@@ -86,7 +87,7 @@ struct Numerics {
   static_assert(
       !(maps_back && Shape::constant_gradient) || !Transfer::affine,
       "Numerics: on linear simplices MUSL maps back velocities without a gradient; use Usl, or let the "
-      "transfer say returns_unchanged<Shape> if its points hand each node just what it gave them");
+      "transfer say returns_unchanged<Shape> if its points particle_field each node just what it gave them");
   static_assert(
       AntiLocking::template fits<Shape>,
       "Numerics: NodalAveraging and ElementAverage work on linear simplices; on B-splines use NoAntiLocking");

@@ -17,7 +17,7 @@ ARENITE_KERNEL void strain(const M& mesh, Index c, Points& points, std::size_t b
   constexpr int width = cell_width<M::dimension, N::template width<T>>;
   using P = lanes_of<T, width>;
   const Cell cell(mesh, c);
-  const NodeRows<T, M::dimension, Cell::size> u(cell, nodes.strain_velocity());
+  const CellVectors<T, M::dimension, Cell::size> u(cell, nodes.strain_velocity());
   for_each_pack<width>(points, begin, end, [&](const auto& p) {
     const auto x = p.position();
     const Lines<P, Cell> line(cell, x);

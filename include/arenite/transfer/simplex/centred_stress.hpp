@@ -33,7 +33,7 @@ void add_half_step(const M& mesh, const Blocks& blocks, const B& body, Field& no
     if (body.cells.empty(c)) return;
     const Cell cell(mesh, c);
     const auto& sums = body.cell_sums[c];
-    auto step = simplex::cell_step(cell, NodeRows<T, D, size>(cell, nodes.velocity), half);
+    auto step = simplex::cell_step(cell, CellVectors<T, D, size>(cell, nodes.velocity), half);
     if constexpr (K::hoop) {
       repeat<size>([&](std::size_t i) { step.strain[2] += nodes.velocity[cell.nodes[i]][0] * sums.hoop[i]; });
       step.strain[2] *= half / sums.volume;
@@ -49,7 +49,7 @@ void add_half_step(const M& mesh, const Blocks& blocks, const B& body, Field& no
     repeat<size>([&](std::size_t i) {
       auto force = gained.at(cell.gradient.col(static_cast<int>(i)));
       if constexpr (K::hoop) force += quad(-gain[2] / sums.volume * sums.hoop[i], T(0), T(0), T(0));
-      nodes.collected[cell.nodes[i]].add_slopes(force);
+      nodes.sums[cell.nodes[i]].add_slopes(force);
     });
   });
 }

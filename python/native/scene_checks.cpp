@@ -119,7 +119,7 @@ class SceneCheck {
     if (moves_by(", Free") && motion.find("inertia")) bound<Free>(motion, "Free");
   }
 
-  Reading at_{.dimension = D};
+  ReadContext at_{.dimension = D};
   Mesh mesh_;
 };
 

@@ -49,7 +49,7 @@ void check_conservation(S s) {
   REQUIRE((s.point_momentum() - momentum - T(0.01) * mass * gravity).norm() <= tolerance * (mass + force));
   REQUIRE(s.body.points.position == before);
 
-  if constexpr (S::N::Order::maps_back) {
+  if constexpr (S::N::StressUpdate::maps_back) {
     // The mapped velocities are those that a second scatter of the new points gives.
     const auto mapped = s.nodes.strain_velocity();
     S again = s;

@@ -10,9 +10,9 @@
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 /// As `<` has it; texts are found without a copy.
-struct Order : std::less<> {};
+struct MapOrder : std::less<> {};
 
 template <class Key, class Value>
-using Map = std::map<Key, Value, Order>;
+using Map = std::map<Key, Value, MapOrder>;
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

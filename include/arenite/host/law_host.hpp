@@ -126,7 +126,7 @@ class LawHost : public HostedLaw {
     HostedPath path;
     for (const auto& at : arenite::drive(
              law_,
-             arenite::read<std::vector<DriveStage<D>>>(stages, Reading{.name = "stages", .dimension = D}),
+             arenite::read<std::vector<DriveStage<D>>>(stages, ReadContext{.name = "stages", .dimension = D}),
              point)) {
       ++path.rows;
       path.time.push_back(at.time);
@@ -158,7 +158,7 @@ class LawHost : public HostedLaw {
 /// Makes a law of a host's values.
 template <class Law>
 std::unique_ptr<HostedLaw> make_hosted_law(const Value& values) {
-  return std::make_unique<LawHost<Law>>(read<Law>(values, Reading{.name = "law"}));
+  return std::make_unique<LawHost<Law>>(read<Law>(values, ReadContext{.name = "law"}));
 }
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -9,9 +9,9 @@
 #if defined(ARENITE_HOST_ELSEWHERE) || defined(ARENITE_HOST_HERE)
 
 #ifdef ARENITE_HOST_HERE
-#define ARENITE_READ(...) template __VA_ARGS__ read<__VA_ARGS__>(const Value&, const Reading&)
+#define ARENITE_READ(...) template __VA_ARGS__ read<__VA_ARGS__>(const Value&, const ReadContext&)
 #else
-#define ARENITE_READ(...) extern template __VA_ARGS__ read<__VA_ARGS__>(const Value&, const Reading&)
+#define ARENITE_READ(...) extern template __VA_ARGS__ read<__VA_ARGS__>(const Value&, const ReadContext&)
 #endif
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {

@@ -131,7 +131,7 @@ template <class Scene>
 HostedTotals fill_more(Scene& scene, std::size_t body, const Value& value) {
   return change_points(scene, body, [&](auto& of) {
     using Recipe = Fill<std::remove_cvref_t<decltype(of.law)>>;
-    const Reading at{.name = "fill", .dimension = Scene::D};
+    const ReadContext at{.name = "fill", .dimension = Scene::D};
     return insert_fill(scene, of, read_fill<Scene, Recipe>(scene.mesh, value, at), Scene::body_name(body));
   });
 }
@@ -154,7 +154,7 @@ HostedTotals remove_where(Scene& scene, std::size_t body, const Value& where) {
               {"must have one for each of ", points.size(), " points"});
       return remove_from(scene, of, [&](Index p) { return flags->numbers[p] != 0; });
     }
-    const auto region = read<AnyRegion>(where, Reading{.name = "where", .dimension = Scene::D});
+    const auto region = read<AnyRegion>(where, ReadContext{.name = "where", .dimension = Scene::D});
     const auto numbers = region_numbers(scene.mesh, region);
     return remove_from(scene, of, [&](Index p) {
       if (region.test) return region.contains(points.position[p]);
@@ -191,7 +191,7 @@ template <class Scene>
 std::vector<double> force_across(const Scene& scene, std::size_t body, const Value& section, bool of_nodes) {
   std::vector<double> force;
   with_number<Scene>(body, [&]<std::size_t which>() {
-    const auto cut = read<Section>(section, Reading{.name = "Section", .dimension = Scene::D});
+    const auto cut = read<Section>(section, ReadContext{.name = "Section", .dimension = Scene::D});
     const auto f =
         of_nodes ? nodal_section_force<Name(which)>(scene, cut) : section_force<Name(which)>(scene, cut);
     force.assign(f.begin(), f.end());

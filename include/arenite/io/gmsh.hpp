@@ -61,7 +61,7 @@ MeshData<D> read_gmsh_bytes(std::string_view bytes, std::string name) {
   GmshMesh<D> mesh;
   GmshEntities entities;
   GmshFormat format{};
-  std::set<std::string, Order> seen;
+  std::set<std::string, MapOrder> seen;
   while (true) {
     const std::string section = in.open_section();
     if (section.empty()) break;

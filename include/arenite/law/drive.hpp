@@ -20,7 +20,7 @@ struct DrivenComponent {
 };
 /// The strain changes by `change`, -, evenly over the stage; shear: of the tensor, half of gamma.
 inline DrivenComponent strain_by(double change) { return {false, change}; }
-/// The stress goes evenly from its value at the begin of the stage to `end`, Pa, tension positive.
+/// The stress goes evenly from its value at the start of the stage to `end`, Pa, tension positive.
 inline DrivenComponent stress_to(double end) { return {true, end}; }
 
 /// One stage of a path.

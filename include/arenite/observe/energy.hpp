@@ -19,7 +19,7 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 /// and walls take, are summed at each step. Without it they are not computed. Energies in J.
 ///
 /// What the transfer takes is what the nodes gained and the points did not: over a step the nodes gain
-/// sum m (v - v_old) . (v_old + u) / 2, with the velocities v_old at its begin, v at its end, and u that
+/// sum m (v - v_old) . (v_old + u) / 2, with the velocities v_old at its start, v at its end, and u that
 /// strains (MUSL: as the points hand it back, ahead of walls and contact; else v). With u of the points FLIP
 /// takes nothing, as it should. Where u is v the nodes begin the next step with another velocity than they
 /// were strained with: the work of its forces f over that half step, dt f . (v_old - v_before) / 2, is the

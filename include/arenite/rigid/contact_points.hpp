@@ -38,9 +38,9 @@ struct RigidTouch {
   std::size_t first, second;  ///< numbers of the bodies; a corner or edge of the first one
   Vec<double, D> own;         ///< centre of its rounding, in the first body's frame, m
   double radius;              ///< m
-  Vec<double, D> place;       ///< of the first body's surface at the begin of the step, m
+  Vec<double, D> place;       ///< of the first body's surface at the start of the step, m
   Vec<double, D> normal;      ///< out of the second body
-  double gap;                 ///< at the begin of the step, m; negative where they overlap
+  double gap;                 ///< at the start of the step, m; negative where they overlap
   double end_gap = 0;         ///< at its end, m
   Vec<double, D> impulse = Vec<double, D>::Zero();  ///< on the first body, N s
 };
@@ -52,7 +52,7 @@ class ContactPoints {
   using Bodies = std::vector<TouchingBody<D>>;
   using Touches = std::vector<RigidTouch<D>>;
 
-  /// All points of the first body nearer than `margin`, m, to the second, at the begin of the step.
+  /// All points of the first body nearer than `margin`, m, to the second, at the start of the step.
   static void find(const Bodies& bodies, std::size_t first, std::size_t second, double margin,
                    Touches& touches) {
     const auto &a = bodies[first], &b = bodies[second];
@@ -199,7 +199,7 @@ class ContactPoints {
     if (std::any_of(touches.begin(), touches.end(), is_same)) return;
     touches.push_back(t);
   }
-  /// Middle of the box around a body, in the scene at the begin of the step.
+  /// Middle of the box around a body, in the scene at the start of the step.
   static V middle(const TouchingBody<D>& a) {
     V m;
     for (int i = 0; i < D; ++i) {

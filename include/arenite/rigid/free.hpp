@@ -71,7 +71,7 @@ class BoundFree {
   const S& angular_momentum() const { return momentum_; }
   Velocity start() const { return twist<double, D>(velocity_, spin_).template cast<T>(); }
 
-  /// Adds forces and moments of the begin of the step; dashpots by the velocity that they leave.
+  /// Adds forces and moments of the start of the step; dashpots by the velocity that they leave.
   template <class Body>
   Velocity free_velocity(const Body& body, const Velocity& before, const Vec<T, D>& acceleration, T time,
                          T dt_) {

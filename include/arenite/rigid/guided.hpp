@@ -93,7 +93,7 @@ struct BoundGuided {
   }
 
   V start() const { return speed * axis; }
-  /// With the load at the begin of the step.
+  /// With the load at the start of the step.
   V free_velocity(const V& before, const V& acceleration, T time, T dt) const {
     const double begin = static_cast<double>(time) - static_cast<double>(dt);
     const double force = value_at<double, D>(load, Vec<double, D>::Zero(), begin, "Guided.load");

@@ -54,7 +54,7 @@ concept rigid_motion = !rotates<M> && requires(const M motion, const V v, typena
 ///
 /// - `centre()`: the point of the body whose velocity is given, at the start, m;
 /// - `free_velocity(body, before, acceleration, time, dt)`: with the body, whose `displacement` and
-///   `orientation` are those of the begin of the step;
+///   `orientation` are those of the start of the step;
 /// - `after(met, free_velocity, total, exchanged)`: `exchanged` are the sums of the magnitudes of impulses
 ///   and of their moments;
 /// - `turn(orientation, velocity, dt)`: turns the orientation through the step and returns the twist there;

@@ -98,7 +98,7 @@ class BoundRigidContact {
 
   /// Where bodies touched, or could have, in the last step.
   const std::vector<RigidTouch<D>>& touches() const { return touching_.touches; }
-  /// Greatest overlap at the begin of a step since the start, m.
+  /// Greatest overlap at the start of a step since the start, m.
   double deepest() const { return touching_.deepest; }
 
   template <class Scene>

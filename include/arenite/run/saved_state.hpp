@@ -128,7 +128,7 @@ std::vector<StateTerm> state_terms(const Scene& scene, const std::string& recipe
   });
   return state_terms({type_words<typename Scene::Kinematics>(), type_words<typename Scene::Mesh>(),
                       type_words<typename N::Shape>(), type_words<typename N::Transfer>(),
-                      type_words<typename N::Order>(), type_words<typename N::AntiLocking>()},
+                      type_words<typename N::StressUpdate>(), type_words<typename N::AntiLocking>()},
                      mesh_words(scene), bodies, recipe);
 }
 

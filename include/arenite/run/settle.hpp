@@ -36,7 +36,7 @@ namespace detail {
 struct Settled {
   static constexpr bool settles = true;
   double ratio;
-  std::size_t from;  // the scene's steps at the begin
+  std::size_t from;  // the scene's steps at the start
   int below = 0;
   template <class Scene>
   RunFlow operator()(const Scene& scene) {

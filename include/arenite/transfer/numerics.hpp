@@ -26,8 +26,8 @@ constexpr std::size_t native_register_bytes =
 #endif
 
 /// `RegisterBytes`: size of the packs in which points are computed; sizeof(T) for plain scalars.
-template <class Shape_, class Transfer_ = Flip, class Order_ = Musl, class AntiLocking_ = NoAntiLocking,
-          std::size_t RegisterBytes = native_register_bytes>
+template <class Shape_, class Transfer_ = Flip, class StressUpdate_ = Musl,
+          class AntiLocking_ = NoAntiLocking, std::size_t RegisterBytes = native_register_bytes>
 struct Numerics {
   static constexpr std::size_t register_bytes = RegisterBytes;
   /// Points computed at once in scalar T.
@@ -42,15 +42,15 @@ struct Numerics {
       "nodes), of a class that is not final; see arenite/transfer/transfer.hpp");
   /// Flip in the place of one that the compiler has refused: one sentence is enough.
   using Transfer = std::conditional_t<transfer_type<Transfer_, Shape_>, Transfer_, Flip>;
-  using Order = Order_;
+  using StressUpdate = StressUpdate_;
   using AntiLocking = AntiLocking_;
   /// Whether strains are taken from velocities that were mapped back to the nodes.
-  static constexpr bool maps_back = Order::maps_back && !returns_unchanged<Transfer, Shape>;
+  static constexpr bool maps_back = StressUpdate::maps_back && !returns_unchanged<Transfer, Shape>;
   /// Whether the points take their velocities where they are mapped back, in a pass before that of the
   /// strains; linear simplices need no such pass (see `map_back`).
   static constexpr bool maps_back_by_points = maps_back && !Shape::constant_gradient;
-  /// Whether points are strained ahead of the forces, with what they hand over at the begin of the step.
-  static constexpr bool strains_first = Order::strains_first;
+  /// Whether points are strained ahead of the forces, with what they hand over at the start of the step.
+  static constexpr bool strains_first = StressUpdate::strains_first;
   /// Whether the velocities for the strains went through the points, which see of a light node as much as it
   /// weighs.
   static constexpr bool strains_by_points =

@@ -65,7 +65,7 @@ struct Usl {
   static constexpr bool strains_first = false;
 };
 
-/// Update of stress first, from the velocities that the points hand over at the begin of the step, so that
+/// Update of stress first, from the velocities that the points hand over at the start of the step, so that
 /// the forces are those of the new stress (update stress first, USF; Bardenhagen 2002,
 /// doi:10.1006/jcph.2002.7103). It strains as MUSL does, but with the weights behind the motion in place of
 /// those ahead of it, and keeps energy with FLIP. P2G runs twice.

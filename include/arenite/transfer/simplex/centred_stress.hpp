@@ -12,7 +12,7 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 /// Adds to the forces of a body's nodes what half a step does to its stresses, with the velocities in
 /// `nodes.velocity`: those that the points handed over with their present weights. The points themselves keep
-/// their stresses: `g2p` then strains them with the mean of what they hand over at the begin and at the
+/// their stresses: `g2p` then strains them with the mean of what they hand over at the start and at the
 /// end of the step (`finish_map_back`). What follows is the same as two updates of the stress, one behind and
 /// one ahead of each motion of the points (USAVG; Nairn 2003, Material point method calculations with
 /// explicit cracks), with one pass of the law.

@@ -1,5 +1,6 @@
 // Arenite: everything that needs only the standard library and Eigen, but for file formats (arenite/io).
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <arenite/matter.hpp>
 

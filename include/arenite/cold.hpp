@@ -1,6 +1,7 @@
 // Definitions of all cold functions (core/cold.hpp), for one unit of a program whose others are compiled with ARENITE_COLD_LIBRARY: that of
 // the target arenite::cold, or one of your own.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <arenite/boundary/constraints_cold.hpp>
 #include <arenite/boundary/reactions_cold.hpp>

@@ -1,6 +1,7 @@
 // Constraints: nodes that may not move freely. Parts name the directions that they block; what several parts
 // block at one node becomes one projector, so that their order does not matter.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <array>
 #include <cstddef>

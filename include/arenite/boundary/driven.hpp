@@ -1,5 +1,6 @@
 // Driven walls: nodes that move as prescribed.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <string>
 #include <utility>

@@ -1,5 +1,6 @@
 // Gravity: one acceleration for all matter, constant or in time.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <array>
 #include <utility>

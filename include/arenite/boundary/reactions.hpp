@@ -1,5 +1,6 @@
 // Wall reactions: force and impulse of each wall on the matter.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <algorithm>
 #include <string>

@@ -1,6 +1,7 @@
 // Contact of deformable bodies: one velocity field for all (they stick), or one for each with Coulomb's law
 // between them.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <array>
 #include <span>

@@ -1,6 +1,7 @@
 // Frictional wall: faces of the mesh on which matter slides against Coulomb friction, and from which it may
 // part.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <array>
 #include <string>

@@ -1,5 +1,6 @@
 // Hold: how the mapped velocities of MUSL keep what contact enforced.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <type_traits>
 

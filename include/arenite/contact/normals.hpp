@@ -1,5 +1,6 @@
 // Normals between two bodies that meet at a node: from the gradients of their masses, or of a surface.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <array>
 #include <limits>

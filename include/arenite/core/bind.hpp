@@ -1,5 +1,6 @@
 // Binding: a recipe, which is what a user writes, becomes the part that it stands for in a scene's mesh.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <type_traits>
 

@@ -1,6 +1,7 @@
 // Communicator: how scenes on portions of one mesh (`MeshPortion`), on this machine or others, sum their nodal
 // values. `Serial` is that of a scene on the whole mesh.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <cstddef>
 #include <span>

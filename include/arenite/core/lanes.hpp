@@ -1,6 +1,7 @@
 // Lanes: what a kernel over many points needs beside arithmetic, for packs and plain scalars alike: loads and
 // stores of part of a pack, and sums over its lanes.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <array>
 #include <cstddef>

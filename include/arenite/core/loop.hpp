@@ -1,5 +1,6 @@
 // Loops without their types, for the thread pool, which is compiled once for all loops (`core/thread_pool.hpp`).
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <cstddef>
 

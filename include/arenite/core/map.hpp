@@ -1,6 +1,7 @@
 // Map: a `std::map` whose instantiations have different names for different instruction sets, so that the
 // linker never mixes them.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <functional>
 #include <map>

@@ -3,6 +3,7 @@
 // function here is found by its argument. (`sqrt`, `abs`, `min` and `max` are whole-register operations of
 // `Pack`.)
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <cmath>
 #include <type_traits>

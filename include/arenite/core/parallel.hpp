@@ -1,6 +1,7 @@
 // Parallel loops. Every reduction works in chunks of fixed size, joined in order, so that a result does not
 // depend on the number of threads.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <algorithm>
 #include <cstddef>

@@ -2,6 +2,7 @@
 // knows what they do, and what they say of themselves. They are looked for by name first and then by
 // signature: a member with a role's name and another signature would else be left out in silence.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <type_traits>
 

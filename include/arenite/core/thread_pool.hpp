@@ -7,6 +7,7 @@
 // the pool keeps account of what its helpers bring and cost, and where they cost more, the caller works
 // alone: see `HelperAccount`.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <arenite/core/cold.hpp>
 #include <arenite/core/helper_account.hpp>

@@ -1,5 +1,6 @@
 // Law host: a law of any type as a `HostedLaw`, in packs.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <algorithm>
 #include <array>

@@ -1,5 +1,6 @@
 // Plugin: the compositions and laws that a shared object offers to the program that opens it.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <cstddef>
 #include <limits>

@@ -1,6 +1,7 @@
 // Reading: a host's value as a value of the library, by the names of its members; what does not fit is an
 // error that names the place, the value and the rule.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <algorithm>
 #include <array>

@@ -1,5 +1,6 @@
 // Any friction out of a host's values: the name of a policy's class, and its values.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <string>
 

@@ -1,5 +1,6 @@
 // Read fill: bodies out of a host's values, whose functions of place are asked for once each.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <array>
 #include <vector>

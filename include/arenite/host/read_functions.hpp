@@ -1,5 +1,6 @@
 // Functions of the host as functions of the library: of time, of place and time, of place.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <cstddef>
 #include <functional>

@@ -1,5 +1,6 @@
 // Shapes by name: a host's word for a shape becomes a signed distance and a region.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <functional>
 #include <memory>

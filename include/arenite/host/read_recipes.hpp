@@ -1,5 +1,6 @@
 // Recipes of a scene out of a host's values: those that are no plain aggregates.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <array>
 #include <cmath>

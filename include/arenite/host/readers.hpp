@@ -1,6 +1,7 @@
 // Readers of what many scenes have: compiled once for all scenes of a program that defines
 // ARENITE_HOST_ELSEWHERE (host/reading.hpp), else where they are needed.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <arenite/arenite.hpp>
 #include <arenite/host/read_any_friction.hpp>

@@ -1,5 +1,6 @@
 // Reading: where in a host's value a reader is, and what the scene to be made tells it.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <array>
 #include <cstddef>

@@ -1,5 +1,6 @@
 // Scene host: a scene of any type as a `HostedScene`, made of a host's values.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <cstddef>
 #include <memory>

@@ -1,6 +1,7 @@
 // Scene points: points of a body of a scene, by its number, that a host adds, removes and looks at between
 // two steps.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <algorithm>
 #include <array>

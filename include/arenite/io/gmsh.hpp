@@ -1,5 +1,6 @@
 // Gmsh meshes in: formats 2.2 and 4.1, text and binary.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <cstdint>
 #include <filesystem>

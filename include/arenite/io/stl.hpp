@@ -1,5 +1,6 @@
 // STL files in: triangles of a closed surface, text and binary.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,7 @@
 // Drive: takes one point of a law along a path on which of each component either the strain or the stress is
 // prescribed: simple shear, triaxial and oedometer tests, and any mixture.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <Eigen/Cholesky>
 #include <algorithm>

@@ -2,6 +2,7 @@
 // cone in place of Mohr-Coulomb's pyramid, returned to in closed form. Where it touches the pyramid is a
 // parameter. Derivations: docs/return_mapping.md.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <algorithm>
 #include <cmath>

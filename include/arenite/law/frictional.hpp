@@ -1,6 +1,7 @@
 // Frictional laws: what Mohr-Coulomb and Drucker-Prager share. Elastic trial stress, memory of a separation,
 // return to the yield surface, and what opened and dilated.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <cmath>
 #include <limits>

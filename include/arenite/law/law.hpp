@@ -1,6 +1,7 @@
 // The concept of a constitutive law: mathematics over a scalar, which may be a pack. Storage and loops live
 // elsewhere.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <algorithm>
 #include <array>

@@ -2,6 +2,7 @@
 // return in principal space to the plane, an edge or the apex, without a branch, so that a pack of points
 // returns at once. Derivations: docs/return_mapping.md.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <array>
 #include <cmath>

@@ -1,6 +1,7 @@
 // Shear rate of a point, smoothed over a given time: what friction and stiffness that depend on the rate
 // share.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <algorithm>
 #include <array>

@@ -1,5 +1,6 @@
 // Friction and dilatancy that soften with plastic shear: from peak to residual values.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,7 @@
 // Stiffness of a frictional law as a policy: the moduli of its parameters, or moduli that grow with the mean
 // pressure.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,6 @@
 // Absorbing boundary: faces of the mesh through which waves leave.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <cmath>
 #include <limits>

@@ -1,5 +1,6 @@
 // Body force: an acceleration of all matter that depends on the place.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <utility>
 

@@ -1,5 +1,6 @@
 // Damping: parts that bring a scene to rest, for static states by dynamic relaxation.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <cmath>
 #include <limits>

@@ -1,5 +1,6 @@
 // Impedance of faces: dashpots of the matter behind faces of the mesh, gathered at the nodes of the faces.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <algorithm>
 #include <array>

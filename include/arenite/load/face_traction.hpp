@@ -1,5 +1,6 @@
 // Traction on faces of the mesh.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <optional>
 #include <string>

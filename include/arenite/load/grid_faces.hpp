@@ -1,5 +1,6 @@
 // Loaded faces of a grid: the points behind a face share its area.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <exception>
 #include <string_view>

@@ -1,5 +1,6 @@
 // Lost load: warns once if a load acts on faces of the mesh that have no matter behind them.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <cmath>
 #include <string>

@@ -1,5 +1,6 @@
 // Node forces: forces of a load at the nodes of a scene, and their work. The base of loads.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <functional>
 #include <span>

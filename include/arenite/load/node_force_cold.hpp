@@ -1,5 +1,6 @@
 // Cold functions of node_force.hpp.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <functional>
 

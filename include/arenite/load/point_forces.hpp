@@ -1,5 +1,6 @@
 // Point forces: loads that act where material points are, and go with them.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <algorithm>
 #include <cmath>

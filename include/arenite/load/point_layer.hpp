@@ -1,5 +1,6 @@
 // Point layer: the points under a part of a body's surface, which carry its area.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <algorithm>
 #include <cmath>

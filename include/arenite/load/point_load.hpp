@@ -1,5 +1,6 @@
 // Point load: a force on one material point.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <limits>
 #include <string>

@@ -1,5 +1,6 @@
 // Traction on the surface of a body: points near the surface carry its area and the load on it.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <cmath>
 #include <string>

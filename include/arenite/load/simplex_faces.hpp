@@ -1,5 +1,6 @@
 // Loaded faces of a simplex mesh: nodal forces from the integrals of the shape functions over them.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,7 @@
 // Blocks of cells in colours: blocks of one colour share no node, so that threads scatter to nodes without
 // atomics and each node's order of summation is the same for any number of threads.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <algorithm>
 #include <span>

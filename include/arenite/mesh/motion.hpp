@@ -1,6 +1,7 @@
 // Motion of a mesh with a body: a zone that moves rigidly, a zone below it that is compressed and one above
 // that is stretched.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <cmath>
 #include <limits>

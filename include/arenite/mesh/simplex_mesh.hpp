@@ -1,6 +1,7 @@
 // Simplex mesh: triangles (D = 2) or tetrahedra (D = 3), unstructured and graded, with the barycentric frame
 // of each cell, its neighbours and a point search that walks from cell to cell.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <Eigen/LU>
 #include <algorithm>

@@ -1,5 +1,6 @@
 // Energy of a scene, balanced: what was put in, where it is, and what the numerics lost.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <array>
 #include <cmath>

@@ -1,5 +1,6 @@
 // Section forces: what one side of a cut through a body puts on the other.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <algorithm>
 #include <array>

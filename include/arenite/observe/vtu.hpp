@@ -1,5 +1,6 @@
 // VTU files of a scene: points and mesh, for ParaView.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <array>
 #include <cstdint>

@@ -1,5 +1,6 @@
 // Body: points that share a law, and the list of which cell holds which of them.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,7 @@
 // Cell parts: how much of each sub-cell of a cell lies in a region whose boundary cuts it. In plain numbers, (x,
 // y, z) with z = 0 in the plane, so that it is compiled once for all meshes.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <array>
 #include <cstddef>

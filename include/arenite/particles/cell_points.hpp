@@ -1,5 +1,6 @@
 // Places of the initial points in a cell: equal weights, and as even as the cell's shape allows.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <algorithm>
 #include <array>

@@ -1,5 +1,6 @@
 // Cold functions of cell_points.hpp.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <arenite/particles/cell_points.hpp>
 

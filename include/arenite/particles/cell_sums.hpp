@@ -1,6 +1,7 @@
 // Cell sums: what P2G leaves of the points of a cell to later stages of the step, so that these need not read
 // them again.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <array>
 #include <cstddef>

@@ -1,6 +1,7 @@
 // Columns: vectors or tensors of many points, component by component, so that a pack reads neighbouring
 // points with one load.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <array>
 #include <cstddef>

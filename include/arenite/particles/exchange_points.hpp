@@ -1,6 +1,7 @@
 // Points that leave a body and join it, as values. Between `find_cells` and `regroup`, which makes the lists
 // of cells right again.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <cmath>
 #include <string>

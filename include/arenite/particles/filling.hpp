@@ -1,5 +1,6 @@
 // Filling: makes the points of a fill as plain values, whatever mesh they lie in and whatever law they obey.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <cstdint>
 #include <functional>

@@ -1,5 +1,6 @@
 // Initial stress of a body: at rest under level ground, or any function of the position.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <array>
 #include <concepts>

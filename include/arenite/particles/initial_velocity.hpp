@@ -1,5 +1,6 @@
 // Initial velocity of a body: one vector, or any function of the position.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <array>
 #include <concepts>

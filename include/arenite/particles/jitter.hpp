@@ -1,5 +1,6 @@
 // Jitter: initial points moved at random, each within its share of the cell.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,7 @@
 // Material point: all that one point carries, as a value. Bodies store points as columns; values are for
 // those that join a body or leave it.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <array>
 #include <cstdint>

@@ -1,6 +1,7 @@
 // Measures of a body: energies, momentum, volume. Each sums over the points in fixed chunks, the same on any
 // number of threads.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <array>
 #include <functional>

@@ -1,5 +1,6 @@
 // Points: the material points of one body as columns. Only what the composition needs is stored.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <algorithm>
 #include <cstdint>

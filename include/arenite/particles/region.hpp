@@ -1,6 +1,7 @@
 // Regions: where to put points. A shape, a signed distance, the cells of a mesh region, or any test of a
 // position.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <array>
 #include <cmath>

@@ -1,5 +1,6 @@
 // Regions and signed distances made of several: unions, intersections, differences.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <algorithm>
 #include <concepts>

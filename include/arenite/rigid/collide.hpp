@@ -1,6 +1,7 @@
 // Contact of a rigid body with the node fields of a scene: the body gains the momentum that the matter loses
 // in a step.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <algorithm>
 #include <utility>

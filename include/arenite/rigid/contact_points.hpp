@@ -1,6 +1,7 @@
 // Points at which two rigid bodies touch or soon may: the corners and edges of one against the signed
 // distance of the other.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <algorithm>
 #include <array>

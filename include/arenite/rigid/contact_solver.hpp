@@ -1,5 +1,6 @@
 // Impulses of all contacts between rigid bodies, found together.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <Eigen/LU>
 #include <algorithm>

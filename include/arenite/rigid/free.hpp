@@ -1,5 +1,6 @@
 // Free: a rigid body that moves and turns under gravity, contact, springs, forces and moments.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <array>
 #include <cmath>

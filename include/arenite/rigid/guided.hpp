@@ -1,5 +1,6 @@
 // Guided: a rigid body that slides along one axis under forces.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <array>
 #include <cmath>

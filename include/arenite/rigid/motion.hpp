@@ -1,6 +1,7 @@
 // Motion of a rigid body: the concepts. Motions are `Guided`, `Prescribed`, `Free` and `PrescribedPose`, or
 // one of a user's own.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <concepts>
 

@@ -1,6 +1,7 @@
 // Contact of a rigid body at the material points: impulses that keep each point out of the body, found
 // together with the body's velocity.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,6 @@
 // Prescribed: a rigid body whose motion is given in time.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <array>
 #include <concepts>

@@ -1,5 +1,6 @@
 // PrescribedPose: a rigid body whose motion and rotation are given in time.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <array>
 #include <utility>

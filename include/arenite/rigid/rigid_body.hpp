@@ -1,5 +1,6 @@
 // Rigid body in a scene: what a user writes, and its state.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <string>
 #include <type_traits>

@@ -1,6 +1,7 @@
 // RigidContact: rigid bodies that touch each other, with friction and without rebound, in one solution with
 // their contact with the matter.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <Eigen/Cholesky>
 #include <algorithm>

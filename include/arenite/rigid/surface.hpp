@@ -1,6 +1,7 @@
 // Surface of a rigid body: which nodes it touches, and its normal there. Nodes of a mesh fitted to it, or a
 // signed distance.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <algorithm>
 #include <array>

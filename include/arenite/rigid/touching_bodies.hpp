@@ -1,5 +1,6 @@
 // The rigid bodies of a scene as they touch one another: pairs, points, and the impulses of all of them.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <algorithm>
 #include <cmath>

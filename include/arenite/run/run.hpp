@@ -1,5 +1,6 @@
 // Run: steps a scene to an end time and shows it to observers.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <cmath>
 #include <concepts>

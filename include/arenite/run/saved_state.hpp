@@ -1,6 +1,7 @@
 // The state of a scene in a file: a run that is stopped, by whatever, goes on from the last one that was
 // saved with the same bits.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <array>
 #include <cstddef>

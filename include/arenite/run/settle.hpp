@@ -1,5 +1,6 @@
 // Settle: dynamic relaxation. Steps a damped scene until its forces are in balance.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <algorithm>
 #include <cmath>

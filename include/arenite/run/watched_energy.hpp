@@ -1,5 +1,6 @@
 // The energy of a run that a `Watch` follows: what was gained that nothing put in, and what was lost.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <algorithm>
 #include <array>

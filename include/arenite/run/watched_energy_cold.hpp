@@ -1,5 +1,6 @@
 // Cold functions of watched_energy.hpp.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <arenite/run/watched_energy.hpp>
 

@@ -1,5 +1,6 @@
 // Ghost sums: adds or copies nodal values that scenes on portions of one mesh share. A scene on the whole mesh skips them.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <span>
 

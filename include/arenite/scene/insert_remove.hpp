@@ -1,5 +1,6 @@
 // Points inserted into a scene and removed from it, between two steps.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <string>
 #include <utility>

@@ -1,5 +1,6 @@
 // Warnings about a new scene: what is allowed but hardly meant.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,7 @@
 // Parts of a scene: what a user may name after kinematics, mesh and numerics, in any order. A part is any
 // value that plays a role (`scene/roles.hpp`); what is not named does not exist.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <array>
 #include <string_view>

@@ -1,5 +1,6 @@
 // Relocation of a scene: each point in its cell, and with the scene that owns it.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <array>
 

@@ -5,6 +5,7 @@
 // by argument-dependent look-up; without one the recipe is the part. Parts are called in the order of the
 // scene, unless a role states another one.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <concepts>
 #include <string_view>

@@ -1,6 +1,7 @@
 // Scene: a tuple of values. Everything that a step reads and writes is a member here; what a scene does not
 // name is not there.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <algorithm>
 #include <array>

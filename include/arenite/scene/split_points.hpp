@@ -1,6 +1,7 @@
 // Points that stand for too much of their cell split, so that matter which flows into finer cells does not
 // thin out there.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <array>
 #include <cmath>

@@ -1,6 +1,7 @@
 // Stages of a step: each of the method's loops applied to what a scene has. A stage that a scene does not
 // need compiles to nothing.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <cmath>
 

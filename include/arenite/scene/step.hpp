@@ -1,5 +1,6 @@
 // One step of the material point method, explicit in time. Read `step` and you have read the method.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <type_traits>
 

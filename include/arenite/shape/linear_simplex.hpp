@@ -1,6 +1,7 @@
 // Linear shape functions on a simplex mesh: the barycentric coordinates. Their gradients are constant in a
 // cell.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <limits>
 

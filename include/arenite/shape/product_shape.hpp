@@ -1,6 +1,7 @@
 // Shape functions on a grid that are products along the axes: what they share. Those of one cell
 // along one axis (a line) define them.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <algorithm>
 #include <array>

@@ -1,5 +1,6 @@
 // Anti-locking: cures of volumetric locking, as a policy of the numerics.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <arenite/core/checked.hpp>
 

@@ -1,5 +1,6 @@
 // AFLIP: affine FLIP.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <arenite/transfer/apic.hpp>
 #include <arenite/transfer/flip.hpp>

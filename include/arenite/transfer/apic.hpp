@@ -1,5 +1,6 @@
 // APIC: affine particle-in-cell.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <arenite/transfer/velocity_field.hpp>
 

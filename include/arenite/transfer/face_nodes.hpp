@@ -1,6 +1,7 @@
 // Nodes beside a grid's faces: the second function of open knots falls to zero at the face with a slope that
 // does not fall. They exchange momentum with the nodes on the face.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <limits>
 #include <vector>

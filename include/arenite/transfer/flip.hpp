@@ -1,5 +1,6 @@
 // FLIP and PIC.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <cmath>
 #include <limits>

@@ -1,6 +1,7 @@
 // G2P: velocities and strains from the nodes, stresses from the law, and the motion of the points, in one
 // pass over the points in memory order.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <arenite/transfer/law_pass.hpp>
 #include <arenite/transfer/product/g2p.hpp>

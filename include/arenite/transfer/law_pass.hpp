@@ -1,6 +1,7 @@
 // Law pass: updates the stresses of neighbouring points by their law, a pack at a time, from the strains of a
 // step in a buffer.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,7 @@
 // Light nodes: nodes at the edge of a body that get the force of its points and hardly any of their mass.
 // They exchange momentum with the nodes around them.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <vector>
 

@@ -1,5 +1,6 @@
 // MUSL mapping: node velocities for the strains, mapped back from the new velocities of the points.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <arenite/mesh/blocks.hpp>
 #include <arenite/transfer/product/map_back.hpp>

@@ -1,6 +1,7 @@
 // Node field: what one velocity field of the background mesh stores. A scene has one, or one for each body in
 // contact.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,7 @@
 // Numerics: how a scene is discretised, as one value: shape function, transfer, order of the stress update,
 // anti-locking.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <cmath>
 #include <cstddef>

@@ -1,5 +1,6 @@
 // P2G: the points of a body give their mass, momentum and internal force to a node field.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,7 @@
 // Point pack: a run of neighbours seen as one point whose quantities are packs, so that a kernel reads as the
 // formula of one point.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <arenite/core/lanes.hpp>
 #include <arenite/particles/points.hpp>

@@ -1,6 +1,7 @@
 // The method's loops point by point and node by node, in scalars, without averages: the formulas that the
 // kernels compute in packs. Read them here first; tests hold the kernels to them.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <vector>
 

@@ -1,5 +1,6 @@
 // What XPIC and FMPM share: FLIP with a correction of the nodes' velocities, made by sweeps over the points.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <cmath>
 

@@ -1,5 +1,6 @@
 // TPIC: Taylor particle-in-cell.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <arenite/transfer/node_field.hpp>
 #include <arenite/transfer/velocity_field.hpp>

@@ -1,6 +1,7 @@
 // Transfers: how a point takes its velocity from the nodes and what of its velocity field it hands back. And
 // the order of the stress update.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <concepts>
 

@@ -1,5 +1,6 @@
 // Velocity field: the motion around a point, which it hands to the nodes.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <arenite/core/lanes.hpp>
 

@@ -1,5 +1,6 @@
 // Volumetric average: the volumetric strain of each cell averaged with its neighbours' through the nodes.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <array>
 #include <span>

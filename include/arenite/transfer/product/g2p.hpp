@@ -1,5 +1,6 @@
 // G2P where the functions of a cell are products along the axes.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <arenite/core/kernel.hpp>
 #include <arenite/transfer/node_field.hpp>

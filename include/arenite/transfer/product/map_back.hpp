@@ -1,5 +1,6 @@
 // MUSL mapping where the functions of a cell are products along the axes: by the points.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <arenite/core/kernel.hpp>
 #include <arenite/transfer/product/g2p.hpp>

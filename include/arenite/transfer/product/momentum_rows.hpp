@@ -1,6 +1,7 @@
 // Rows of points where nodes collect mass and one vector, the momentum of the end of the step: four lanes a
 // node. A point is a row, so that sums over points need no sums across lanes.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <arenite/transfer/product/rows.hpp>
 

@@ -1,5 +1,6 @@
 // P2G where the functions of a cell are products along the axes. Points are rows, whose lanes are channels.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <arenite/core/kernel.hpp>
 #include <arenite/transfer/node_field.hpp>

@@ -1,6 +1,7 @@
 // Strains of the points alone, for the orders that update the stress apart from G2P, where the functions of a
 // cell are products along the axes.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <arenite/core/kernel.hpp>
 #include <arenite/transfer/product/g2p.hpp>

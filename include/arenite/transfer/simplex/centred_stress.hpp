@@ -1,5 +1,6 @@
 // Centred stress: forces of elastic bodies on simplices from the stresses of the middle of the step.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <arenite/law/law.hpp>
 #include <arenite/mesh/blocks.hpp>

@@ -1,5 +1,6 @@
 // G2P on linear simplices.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <arenite/core/kernel.hpp>
 #include <arenite/transfer/node_field.hpp>

@@ -1,5 +1,6 @@
 // MUSL mapping on linear simplices, from sums of the cells instead of a pass over the points.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <arenite/core/kernel.hpp>
 #include <arenite/particles/cell_sums.hpp>

@@ -1,5 +1,6 @@
 // P2G on linear simplices. Lanes are points; the sums of a cell are added up across them.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <arenite/core/kernel.hpp>
 #include <arenite/transfer/node_field.hpp>

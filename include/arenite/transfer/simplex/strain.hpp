@@ -1,5 +1,6 @@
 // Strains of the points of linear simplices alone, for the orders that update the stress apart from G2P.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <arenite/core/kernel.hpp>
 #include <arenite/transfer/simplex/g2p.hpp>

@@ -1,5 +1,6 @@
 // Stresses of a cell of linear simplices: summed over its points, and averaged where it is filled.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <arenite/mesh/full_volume.hpp>
 #include <arenite/particles/body.hpp>

@@ -7,7 +7,6 @@
 #include <arenite/boundary/reactions_cold.hpp>
 #include <arenite/boundary/walls_cold.hpp>
 #include <arenite/core/error_cold.hpp>
-#include <arenite/core/thread_pool.hpp>
 #include <arenite/core/vector_argument_cold.hpp>
 #include <arenite/core/warning_cold.hpp>
 #include <arenite/io/input_file_cold.hpp>
@@ -21,6 +20,7 @@
 #include <arenite/mesh/blocks_cold.hpp>
 #include <arenite/mesh/cartesian_grid_cold.hpp>
 #include <arenite/observe/vtu_cold.hpp>
+#include <arenite/parallel/thread_pool.hpp>
 #include <arenite/particles/cell_list_cold.hpp>
 #include <arenite/particles/cell_parts_cold.hpp>
 #include <arenite/particles/cell_points_cold.hpp>

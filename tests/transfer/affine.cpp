@@ -3,7 +3,7 @@
 #include "setup.hpp"
 
 #include <Eigen/Geometry>
-#include <arenite/core/communicator.hpp>
+#include <arenite/parallel/communicator.hpp>
 #include <arenite/transfer/light_nodes.hpp>
 
 using namespace arenite;

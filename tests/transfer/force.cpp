@@ -1,5 +1,5 @@
 // Internal force: its virtual work, its sums, and the patch of uniform stress.
-#include <arenite/core/communicator.hpp>
+#include <arenite/parallel/communicator.hpp>
 #include <arenite/transfer/light_nodes.hpp>
 
 #include "catch.hpp"

@@ -11,9 +11,9 @@
 #include <vector>
 
 #include <arenite/core/cold.hpp>
-#include <arenite/core/communicator.hpp>
 #include <arenite/core/error.hpp>
 #include <arenite/mesh/mesh.hpp>
+#include <arenite/parallel/communicator.hpp>
 #include <arenite/shape/shape.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {

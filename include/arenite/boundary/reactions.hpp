@@ -8,7 +8,7 @@
 #include <vector>
 
 #include <arenite/boundary/walls.hpp>
-#include <arenite/core/communicator.hpp>
+#include <arenite/parallel/communicator.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 

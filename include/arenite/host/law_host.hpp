@@ -9,11 +9,11 @@
 #include <utility>
 #include <vector>
 
-#include <arenite/core/kernel.hpp>
-#include <arenite/core/parallel.hpp>
 #include <arenite/host/hosted_law.hpp>
 #include <arenite/host/readers.hpp>
 #include <arenite/law/drive.hpp>
+#include <arenite/parallel/parallel.hpp>
+#include <arenite/simd/kernel.hpp>
 #include <arenite/transfer/law_pass.hpp>
 #include <arenite/transfer/numerics.hpp>
 

@@ -11,11 +11,11 @@
 #include <vector>
 
 #include <arenite/core/once.hpp>
-#include <arenite/core/parallel.hpp>
 #include <arenite/core/warning.hpp>
 #include <arenite/host/hosted_law.hpp>
 #include <arenite/host/hosted_scene.hpp>
 #include <arenite/host/members.hpp>
+#include <arenite/parallel/parallel.hpp>
 #include <arenite/version.hpp>
 
 namespace arenite::program {

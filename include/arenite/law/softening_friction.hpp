@@ -8,9 +8,9 @@
 #include <string_view>
 #include <tuple>
 
-#include <arenite/core/elementary.hpp>
 #include <arenite/law/elasticity.hpp>
 #include <arenite/law/friction.hpp>
+#include <arenite/simd/elementary.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 

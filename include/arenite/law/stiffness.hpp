@@ -7,9 +7,9 @@
 #include <cmath>
 #include <type_traits>
 
-#include <arenite/core/elementary.hpp>
 #include <arenite/law/elasticity.hpp>
 #include <arenite/law/law.hpp>
+#include <arenite/simd/elementary.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 

@@ -11,11 +11,11 @@
 #include <utility>
 #include <vector>
 
-#include <arenite/core/communicator.hpp>
 #include <arenite/core/contact_tally.hpp>
 #include <arenite/core/part_energy.hpp>
 #include <arenite/load/face_impedance.hpp>
 #include <arenite/load/lost_load.hpp>
+#include <arenite/parallel/communicator.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 

@@ -7,9 +7,9 @@
 
 #include <arenite/core/checked.hpp>
 #include <arenite/core/contact_tally.hpp>
-#include <arenite/core/parallel.hpp>
 #include <arenite/core/part_energy.hpp>
 #include <arenite/load/node_force.hpp>
+#include <arenite/parallel/parallel.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 

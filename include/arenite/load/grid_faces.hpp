@@ -7,11 +7,11 @@
 #include <utility>
 #include <vector>
 
-#include <arenite/core/failure.hpp>
 #include <arenite/core/lists.hpp>
 #include <arenite/load/mesh_faces.hpp>
 #include <arenite/load/node_force.hpp>
 #include <arenite/load/surface_load.hpp>
+#include <arenite/parallel/failure.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 

@@ -7,9 +7,9 @@
 #include <string_view>
 #include <utility>
 
-#include <arenite/core/communicator.hpp>
 #include <arenite/core/error.hpp>
 #include <arenite/core/warning.hpp>
+#include <arenite/parallel/communicator.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 

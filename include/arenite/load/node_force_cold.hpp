@@ -4,8 +4,8 @@
 
 #include <functional>
 
-#include <arenite/core/failure.hpp>
 #include <arenite/load/node_force.hpp>
+#include <arenite/parallel/failure.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 

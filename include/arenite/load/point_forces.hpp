@@ -10,8 +10,8 @@
 #include <utility>
 #include <vector>
 
-#include <arenite/core/failure.hpp>
 #include <arenite/load/node_force.hpp>
+#include <arenite/parallel/failure.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 

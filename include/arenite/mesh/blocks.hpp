@@ -7,11 +7,11 @@
 #include <span>
 #include <vector>
 
-#include <arenite/core/array_memory.hpp>
 #include <arenite/core/cold.hpp>
 #include <arenite/core/lists.hpp>
-#include <arenite/core/parallel.hpp>
 #include <arenite/core/scalar.hpp>
+#include <arenite/parallel/array_memory.hpp>
+#include <arenite/parallel/parallel.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 

@@ -8,10 +8,10 @@
 #include <string_view>
 #include <vector>
 
-#include <arenite/core/communicator.hpp>
 #include <arenite/core/name.hpp>
 #include <arenite/mesh/mesh.hpp>
 #include <arenite/mesh/rectilinear_grid.hpp>
+#include <arenite/parallel/communicator.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 

@@ -12,11 +12,11 @@
 
 #include <arenite/core/error.hpp>
 #include <arenite/core/map.hpp>
-#include <arenite/core/parallel.hpp>
 #include <arenite/mesh/adjacency.hpp>
 #include <arenite/mesh/cell_bins.hpp>
 #include <arenite/mesh/cell_size.hpp>
 #include <arenite/mesh/mesh_data.hpp>
+#include <arenite/parallel/parallel.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 

@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include <arenite/core/communicator.hpp>
+#include <arenite/parallel/communicator.hpp>
 #include <arenite/scene/scene.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {

@@ -7,9 +7,9 @@
 #include <cmath>
 #include <vector>
 
-#include <arenite/core/array_memory.hpp>
 #include <arenite/core/error.hpp>
 #include <arenite/mesh/mesh.hpp>
+#include <arenite/parallel/array_memory.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 

@@ -6,7 +6,7 @@
 #include <array>
 #include <cstddef>
 
-#include <arenite/core/lanes.hpp>
+#include <arenite/simd/lanes.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 

@@ -7,9 +7,9 @@
 #include <cstddef>
 #include <vector>
 
-#include <arenite/core/array_memory.hpp>
-#include <arenite/core/lanes.hpp>
 #include <arenite/core/tensor.hpp>
+#include <arenite/parallel/array_memory.hpp>
+#include <arenite/simd/lanes.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 

@@ -10,9 +10,9 @@
 #include <vector>
 
 #include <arenite/core/error.hpp>
-#include <arenite/core/parallel.hpp>
 #include <arenite/law/law.hpp>
 #include <arenite/mesh/blocks.hpp>
+#include <arenite/parallel/parallel.hpp>
 #include <arenite/particles/cell_list.hpp>
 #include <arenite/particles/columns.hpp>
 #include <arenite/particles/material_point.hpp>

@@ -7,9 +7,9 @@
 #include <utility>
 
 #include <arenite/contact/hold.hpp>
-#include <arenite/core/communicator.hpp>
 #include <arenite/core/contact_tally.hpp>
 #include <arenite/core/tensor.hpp>
+#include <arenite/parallel/communicator.hpp>
 #include <arenite/rigid/pose.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {

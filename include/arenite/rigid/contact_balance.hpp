@@ -9,7 +9,7 @@
 #include <utility>
 
 #include <arenite/contact/coulomb.hpp>
-#include <arenite/core/communicator.hpp>
+#include <arenite/parallel/communicator.hpp>
 #include <arenite/rigid/pose.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {

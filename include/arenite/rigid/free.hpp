@@ -8,8 +8,8 @@
 #include <utility>
 
 #include <arenite/boundary/place_function.hpp>
-#include <arenite/core/communicator.hpp>
 #include <arenite/core/vector_argument.hpp>
+#include <arenite/parallel/communicator.hpp>
 #include <arenite/rigid/anchor.hpp>
 #include <arenite/rigid/contact_balance.hpp>
 #include <arenite/rigid/free_rotation.hpp>

@@ -8,10 +8,10 @@
 #include <utility>
 
 #include <arenite/boundary/place_function.hpp>
-#include <arenite/core/communicator.hpp>
 #include <arenite/core/error.hpp>
 #include <arenite/core/tensor.hpp>
 #include <arenite/core/vector_argument.hpp>
+#include <arenite/parallel/communicator.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 

@@ -10,11 +10,11 @@
 #include <arenite/contact/coulomb.hpp>
 #include <arenite/contact/hold.hpp>
 #include <arenite/core/bind.hpp>
-#include <arenite/core/communicator.hpp>
 #include <arenite/core/contact_tally.hpp>
 #include <arenite/core/name.hpp>
 #include <arenite/core/part_energy.hpp>
 #include <arenite/core/state_value.hpp>
+#include <arenite/parallel/communicator.hpp>
 #include <arenite/rigid/collide.hpp>
 #include <arenite/rigid/collide_at_points.hpp>
 #include <arenite/rigid/free.hpp>

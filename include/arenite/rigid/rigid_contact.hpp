@@ -16,10 +16,10 @@
 #include <vector>
 
 #include <arenite/contact/coulomb.hpp>
-#include <arenite/core/communicator.hpp>
 #include <arenite/core/contact_tally.hpp>
 #include <arenite/core/error.hpp>
 #include <arenite/core/part_energy.hpp>
+#include <arenite/parallel/communicator.hpp>
 #include <arenite/rigid/collide.hpp>
 #include <arenite/rigid/contact_balance.hpp>
 #include <arenite/rigid/touching_bodies.hpp>

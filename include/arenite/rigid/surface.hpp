@@ -16,8 +16,8 @@
 #include <arenite/contact/region_surface.hpp>
 #include <arenite/core/bind.hpp>
 #include <arenite/core/error.hpp>
-#include <arenite/core/parallel.hpp>
 #include <arenite/core/vector_argument.hpp>
+#include <arenite/parallel/parallel.hpp>
 #include <arenite/rigid/pose.hpp>
 #include <arenite/rigid/signed_distance.hpp>
 #include <arenite/shape/nodes_near.hpp>

@@ -4,7 +4,7 @@
 
 #include <span>
 
-#include <arenite/core/communicator.hpp>
+#include <arenite/parallel/communicator.hpp>
 #include <arenite/scene/scene.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET::detail {

@@ -4,7 +4,7 @@
 
 #include <array>
 
-#include <arenite/core/communicator.hpp>
+#include <arenite/parallel/communicator.hpp>
 #include <arenite/scene/migrate.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {

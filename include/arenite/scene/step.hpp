@@ -13,7 +13,7 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 /// Takes a scene through one step of length dt, s. Throws `error` unless dt is positive and finite, and
 /// `run_error` if the state turns into NaN or the mesh inside out, naming time, place and cause. Warns, once
 /// a scene, of a dt above the stable step. `comm`: the communicator of the scenes over the other portions of
-/// the mesh, which take the same step at the same time (`core/communicator.hpp`).
+/// the mesh, which take the same step at the same time (`parallel/communicator.hpp`).
 template <class Scene, class Communicator>
 void step(Scene& scene, double dt, Communicator& comm) {
   static_assert(Scene::is_portion != Communicator::is_serial,

@@ -5,8 +5,8 @@
 
 #include <limits>
 
-#include <arenite/core/lanes.hpp>
 #include <arenite/mesh/mesh.hpp>
+#include <arenite/simd/lanes.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 

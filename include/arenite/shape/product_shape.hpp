@@ -10,9 +10,9 @@
 #include <type_traits>
 
 #include <arenite/core/error.hpp>
-#include <arenite/core/lanes.hpp>
 #include <arenite/core/tensor.hpp>
 #include <arenite/mesh/mesh.hpp>
+#include <arenite/simd/lanes.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 

@@ -7,7 +7,7 @@
 #include <concepts>
 #include <cstddef>
 
-#include <arenite/core/lanes.hpp>
+#include <arenite/simd/lanes.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 

@@ -7,9 +7,9 @@
 #include <array>
 #include <cmath>
 
-#include <arenite/core/kernel.hpp>
-#include <arenite/core/lanes.hpp>
 #include <arenite/law/law.hpp>
+#include <arenite/simd/kernel.hpp>
+#include <arenite/simd/lanes.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 

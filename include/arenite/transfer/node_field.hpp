@@ -9,9 +9,9 @@
 #include <span>
 #include <vector>
 
-#include <arenite/core/pack.hpp>
-#include <arenite/core/parallel.hpp>
 #include <arenite/core/tensor.hpp>
+#include <arenite/parallel/parallel.hpp>
+#include <arenite/simd/pack.hpp>
 #include <arenite/transfer/node_sums.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {

@@ -6,9 +6,9 @@
 #include <span>
 #include <vector>
 
-#include <arenite/core/kernel.hpp>
-#include <arenite/core/lanes.hpp>
 #include <arenite/mesh/blocks.hpp>
+#include <arenite/simd/kernel.hpp>
+#include <arenite/simd/lanes.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 

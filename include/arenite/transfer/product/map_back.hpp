@@ -2,7 +2,7 @@
 #pragma once
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include <arenite/core/kernel.hpp>
+#include <arenite/simd/kernel.hpp>
 #include <arenite/transfer/product/g2p.hpp>
 #include <arenite/transfer/product/hand_back.hpp>
 

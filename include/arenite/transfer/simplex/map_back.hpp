@@ -2,8 +2,8 @@
 #pragma once
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include <arenite/core/kernel.hpp>
 #include <arenite/particles/cell_sums.hpp>
+#include <arenite/simd/kernel.hpp>
 #include <arenite/transfer/node_field.hpp>
 #include <arenite/transfer/simplex/sweep.hpp>
 

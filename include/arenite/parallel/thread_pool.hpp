@@ -10,11 +10,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include <arenite/core/cold.hpp>
-#include <arenite/core/helper_account.hpp>
 #include <arenite/core/instruction_set.hpp>
-#include <arenite/core/loop.hpp>
 #include <arenite/core/once.hpp>
-#include <arenite/core/system_time.hpp>
+#include <arenite/parallel/helper_account.hpp>
+#include <arenite/parallel/loop.hpp>
+#include <arenite/parallel/system_time.hpp>
 
 #include <atomic>
 #include <chrono>

@@ -20,7 +20,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include <arenite/core/instruction_set.hpp>
-#include <arenite/core/system_time.hpp>
+#include <arenite/parallel/system_time.hpp>
 
 #include <algorithm>
 #include <chrono>

@@ -3,7 +3,7 @@
 #pragma once
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include <arenite/core/pack.hpp>
+#include <arenite/simd/pack.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 

@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <utility>
 
-#include <arenite/core/pack_pair.hpp>
+#include <arenite/simd/pack_pair.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 

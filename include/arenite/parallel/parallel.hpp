@@ -8,7 +8,7 @@
 #include <vector>
 
 #include <arenite/core/instruction_set.hpp>
-#include <arenite/core/loop.hpp>
+#include <arenite/parallel/loop.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 

@@ -9,6 +9,12 @@
 #include <arenite/core/error_cold.hpp>
 #include <arenite/core/vector_argument_cold.hpp>
 #include <arenite/core/warning_cold.hpp>
+#include <arenite/fill/cell_parts_cold.hpp>
+#include <arenite/fill/cell_points_cold.hpp>
+#include <arenite/fill/filling_cold.hpp>
+#include <arenite/fill/initial_stress_cold.hpp>
+#include <arenite/fill/initial_velocity_cold.hpp>
+#include <arenite/fill/jitter_cold.hpp>
 #include <arenite/io/input_file_cold.hpp>
 #include <arenite/io/output_file_cold.hpp>
 #include <arenite/io/pvd_cold.hpp>
@@ -22,12 +28,6 @@
 #include <arenite/observe/vtu_cold.hpp>
 #include <arenite/parallel/thread_pool.hpp>
 #include <arenite/particles/cell_list_cold.hpp>
-#include <arenite/particles/cell_parts_cold.hpp>
-#include <arenite/particles/cell_points_cold.hpp>
-#include <arenite/particles/filling_cold.hpp>
-#include <arenite/particles/initial_stress_cold.hpp>
-#include <arenite/particles/initial_velocity_cold.hpp>
-#include <arenite/particles/jitter_cold.hpp>
 #include <arenite/particles/measures_cold.hpp>
 #include <arenite/rigid/try_distance_cold.hpp>
 #include <arenite/run/progress_cold.hpp>

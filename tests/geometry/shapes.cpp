@@ -1,6 +1,6 @@
 // Shapes as signed distances: against samples of their surfaces, the eikonal equation, and hand values.
 #include <arenite/core/units.hpp>
-#include <arenite/particles/regions.hpp>
+#include <arenite/fill/regions.hpp>
 #include <arenite/rigid/cone_cylinder.hpp>
 #include <random>
 

@@ -11,9 +11,9 @@
 
 #include <arenite/boundary/place_function.hpp>
 #include <arenite/boundary/time_function.hpp>
+#include <arenite/fill/initial_stress.hpp>
+#include <arenite/fill/initial_velocity.hpp>
 #include <arenite/host/read.hpp>
-#include <arenite/particles/initial_stress.hpp>
-#include <arenite/particles/initial_velocity.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 

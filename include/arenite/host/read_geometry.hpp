@@ -8,9 +8,9 @@
 #include <utility>
 #include <vector>
 
+#include <arenite/fill/region.hpp>
+#include <arenite/fill/regions.hpp>
 #include <arenite/host/read_functions.hpp>
-#include <arenite/particles/region.hpp>
-#include <arenite/particles/regions.hpp>
 #include <arenite/rigid/cone_cylinder.hpp>
 #include <arenite/rigid/signed_distance.hpp>
 

@@ -10,7 +10,7 @@
 
 #include <arenite/core/error.hpp>
 #include <arenite/core/vector_argument.hpp>
-#include <arenite/particles/region.hpp>
+#include <arenite/fill/region.hpp>
 #include <arenite/scene/scene.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <span>
 
-#include <arenite/particles/initial_stress.hpp>
+#include <arenite/fill/initial_stress.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include <arenite/core/error.hpp>
-#include <arenite/particles/cell_points.hpp>
+#include <arenite/fill/cell_points.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 namespace detail {
@@ -92,5 +92,5 @@ void jitter_points(const M& mesh, Index cell, double share, std::uint64_t seed,
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET
 
 #ifndef ARENITE_COLD_LIBRARY
-#include <arenite/particles/jitter_cold.hpp>
+#include <arenite/fill/jitter_cold.hpp>
 #endif

@@ -78,5 +78,5 @@ class InitialStress {
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET
 
 #ifndef ARENITE_COLD_LIBRARY
-#include <arenite/particles/initial_stress_cold.hpp>
+#include <arenite/fill/initial_stress_cold.hpp>
 #endif

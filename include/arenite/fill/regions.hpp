@@ -7,10 +7,10 @@
 #include <cstddef>
 #include <utility>
 
+#include <arenite/fill/region.hpp>
 #include <arenite/geometry/placed.hpp>
 #include <arenite/geometry/polygon.hpp>
 #include <arenite/geometry/solids.hpp>
-#include <arenite/particles/region.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <span>
 
-#include <arenite/particles/initial_velocity.hpp>
+#include <arenite/fill/initial_velocity.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 

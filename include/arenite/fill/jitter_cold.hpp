@@ -2,7 +2,7 @@
 #pragma once
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include <arenite/particles/jitter.hpp>
+#include <arenite/fill/jitter.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 

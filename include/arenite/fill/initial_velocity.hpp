@@ -65,5 +65,5 @@ class InitialVelocity {
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET
 
 #ifndef ARENITE_COLD_LIBRARY
-#include <arenite/particles/initial_velocity_cold.hpp>
+#include <arenite/fill/initial_velocity_cold.hpp>
 #endif

@@ -147,5 +147,5 @@ Places<typename M::Point> initial_points(const M& mesh, Index cell, int n,
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET
 
 #ifndef ARENITE_COLD_LIBRARY
-#include <arenite/particles/cell_points_cold.hpp>
+#include <arenite/fill/cell_points_cold.hpp>
 #endif

@@ -5,12 +5,12 @@
 #include <string>
 #include <vector>
 
-#include "drop_folder.hpp"
-#include "../text/json_file.hpp"
 #include "../options/options.hpp"
+#include "../text/json_file.hpp"
+#include "../text/words.hpp"
+#include "drop_folder.hpp"
 #include "results.hpp"
 #include "summary_file.hpp"
-#include "../text/words.hpp"
 
 namespace arenite::ffp {
 

@@ -11,9 +11,9 @@
 #include <arenite/arenite.hpp>
 #include <arenite/io/gmsh.hpp>
 
-#include "history.hpp"
 #include "../geometry/mesh_slice.hpp"
 #include "../options/options.hpp"
+#include "history.hpp"
 #include "sand_friction.hpp"
 
 namespace arenite::ffp {

@@ -16,11 +16,11 @@
 #include <arenite/transfer/numerics.hpp>
 #include <arenite/version.hpp>
 
-#include "history.hpp"
-#include "../text/json_file.hpp"
 #include "../options/options.hpp"
-#include "peaks.hpp"
+#include "../text/json_file.hpp"
 #include "../text/words.hpp"
+#include "history.hpp"
+#include "peaks.hpp"
 
 namespace arenite::ffp {
 

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "../options/paper_options.hpp"
 #include "option_reader.hpp"
+#include "../options/paper_options.hpp"
 
 namespace arenite::ffp {
 

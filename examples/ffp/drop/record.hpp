@@ -51,7 +51,7 @@ template <class Model, class Scene>
 class Run {
  public:
   /// Takes the folder; throws `error` if it cannot.
-  Run(Scene& scene, const DropOptions& options, const StepCount& expected, WarningLog& warnings,
+  Run(Scene& scene, const DropOptions& options, const ExpectedSteps& expected, WarningLog& warnings,
       RunFolder::Earlier earlier)
       : scene_{scene},
         o_{options},
@@ -61,7 +61,7 @@ class Run {
     numbers_.started = utc_now();
     numbers_.process = ::getpid();
     numbers_.points = static_cast<long>(scene.point_count());
-    numbers_.expected_steps = static_cast<long>(std::min(expected.steps, 1e18));
+    numbers_.expected_steps = static_cast<long>(std::min(expected.count, 1e18));
     numbers_.threads = threads();
     if (!o_.no_watch)
       watch_.emplace(
@@ -269,11 +269,11 @@ void record(const DropOptions& o, const Make& make) {
       throw error(joined_text({"--cell = ", o.cell, ": there is no memory for cells of this size"}));
     }
   }();
-  const StepCount expected = accepted_step_count(scene, o);
+  const ExpectedSteps expected = accepted_steps(scene, o);
   Run<Model, decltype(scene)> run(scene, o, expected, warnings,
                                   earlier.has_state ? RunFolder::Earlier::kept : RunFolder::Earlier::removed);
   if (!o.quiet)
-    say(joined_text({"about ", rounded(expected.steps), " steps of ", rounded(expected.length), " s, ",
+    say(joined_text({"about ", rounded(expected.count), " steps of ", rounded(expected.length), " s, ",
                      scene.point_count(), " points"}));
   if (earlier.has_state)
     run.resume(std::move(earlier));

@@ -1,15 +1,14 @@
-// How many steps a run will take, told before the first; and which option makes them too many.
+// Whether a drop takes too many steps, and which option makes them so many.
 #pragma once
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <string>
 #include <utility>
 
 #include <arenite/core/error.hpp>
-#include <arenite/scene/stable_step.hpp>
+#include <arenite/run/run.hpp>
 
 #include "../options/options.hpp"
 #include "../text/words.hpp"
@@ -18,19 +17,6 @@ namespace arenite::ffp {
 
 /// Steps that a run takes without `--force`: half a day of the default drop.
 inline constexpr double most_steps = 1e8;
-
-/// The steps that the scene would take if its stable step stayed what it is. It changes by a factor of 2 as
-/// the mesh is compressed.
-struct StepCount {
-  double steps = 0;
-  double length = 0;  ///< s
-};
-
-template <class Scene>
-StepCount step_count(const Scene& scene, const DropOptions& o) {
-  const double length = o.courant * stable_step(scene);
-  return {std::ceil(o.end / length), std::min(length, o.end)};
-}
 
 /// The option, and its value, that adds most to the number of steps, beside the default drop. `smallest`: the
 /// least size of a mesh's cells, m.
@@ -65,17 +51,17 @@ inline std::string cause_of_steps(const DropOptions& o, double smallest) {
       ->second;
 }
 
-/// `step_count`; throws `error` that names the option to change if there are too many and `--force` is not
-/// given.
+/// `expected_steps` of the drop; throws `error` that names the option to change if there are too many and
+/// `--force` is not given.
 template <class Scene>
-StepCount accepted_step_count(const Scene& scene, const DropOptions& o) {
-  const StepCount count = step_count(scene, o);
-  if (count.steps <= most_steps || o.force) return count;
+ExpectedSteps accepted_steps(const Scene& scene, const DropOptions& o) {
+  const ExpectedSteps expected = expected_steps(scene, {.end = o.end, .courant = o.courant});
+  if (expected.count <= most_steps || o.force) return expected;
   auto smallest = scene.mesh.size(0);
   for (Index c = 1; c < scene.mesh.cell_count(); ++c) smallest = std::min(smallest, scene.mesh.size(c));
-  throw error(joined_text({cause_of_steps(o, smallest), ": makes the run take about ", rounded(count.steps),
-                           " steps of ", rounded(count.length), " s; must be at most ", rounded(most_steps),
-                           " steps, or --force be given"}));
+  throw error(joined_text({cause_of_steps(o, smallest), ": makes the run take about ",
+                           rounded(expected.count), " steps of ", rounded(expected.length),
+                           " s; must be at most ", rounded(most_steps), " steps, or --force be given"}));
 }
 
 }  // namespace arenite::ffp

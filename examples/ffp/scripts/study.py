@@ -20,7 +20,7 @@ import sys
 
 from regular_file import read_json, read_table, replaced
 
-ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+ROOT = os.path.abspath(os.path.join(os.path.dirname(os.path.abspath(__file__)), *[os.pardir] * 3))
 GRAVITY = 9.81
 SLICE = "--kinematics slice"
 COARSE_SLICE = SLICE + " --cell 0.02"

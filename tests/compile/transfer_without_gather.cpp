@@ -1,6 +1,6 @@
 // must print: Numerics: the transfer lacks a member:
 // errors: 1
-// A transfer of a user's own whose points take nothing.
+// A transfer of a user's own whose points gather nothing.
 #include <arenite/arenite.hpp>
 
 using namespace arenite;
@@ -12,7 +12,7 @@ struct Deaf {
   template <class Shape>
   static constexpr bool fits = true;
   template <class Point>
-  auto hand(const Point& p) const {
+  auto particle_field(const Point& p) const {
     return VelocityField{p.velocity()};
   }
 };

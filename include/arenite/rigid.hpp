@@ -1,7 +1,7 @@
 // Rigid bodies, their motions, and their contact with matter and with each other: for a scene that holds any.
 #pragma once
 
+#include <arenite/geometry/cone_cylinder.hpp>
 #include <arenite/matter.hpp>
-#include <arenite/rigid/cone_cylinder.hpp>
 #include <arenite/rigid/rigid_body.hpp>
 #include <arenite/rigid/rigid_contact.hpp>

@@ -7,10 +7,10 @@
 #include <utility>
 #include <vector>
 
+#include <arenite/geometry/cone_cylinder.hpp>
 #include <arenite/host/read_functions.hpp>
 #include <arenite/particles/region.hpp>
 #include <arenite/particles/regions.hpp>
-#include <arenite/rigid/cone_cylinder.hpp>
 #include <arenite/rigid/signed_distance.hpp>
 
 #ifndef ARENITE_HOST_ELSEWHERE

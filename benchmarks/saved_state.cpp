@@ -1,6 +1,6 @@
 // What it costs to save and to restore a state, beside a plain copy of as many bytes into a file and back: a
 // scene of tetrahedra in the working folder's file system.
-#include <arenite/observe/saved_state.hpp>
+#include <arenite/run/saved_state.hpp>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>

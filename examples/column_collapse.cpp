@@ -1,7 +1,7 @@
 // A column of dry sand collapses, plane strain: the smallest whole scene. SI units.
 #include <arenite/matter.hpp>
-#include <arenite/observe/progress.hpp>
 #include <arenite/observe/vtu.hpp>
+#include <arenite/run/progress.hpp>
 using namespace arenite;
 
 int main() {

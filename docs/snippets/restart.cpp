@@ -1,7 +1,8 @@
 // The lines of docs/restart.md, run: a column that collapses is stopped, and goes on from its saved state.
 #include <arenite/arenite.hpp>
-#include <arenite/observe/saved_state.hpp>
 #include <arenite/observe/vtu.hpp>
+#include <arenite/run/run_in_folder.hpp>
+#include <arenite/run/saved_state.hpp>
 #include <filesystem>
 using namespace arenite;
 
@@ -28,5 +29,11 @@ int main() {
   if (std::filesystem::exists("column.state")) restore_state(scene, "column.state", watch, pictures);
   run(scene, {.end = 10}, watch, pictures,
       every(0.5, [&](const auto& s) { save_state(s, "column.state", watch, pictures); }));
-  return scene.time < 10 ? 1 : 0;
+  if (scene.time < 10) return 1;
+
+  auto again = make_scene();
+  const RunEnd end =
+      run_in_folder(again, {.end = 10}, {.folder = "out/column", .checkpoint_every = 0.5, .resume = true},
+                    every(0.1, vtu("out/column/points")));
+  return end == RunEnd::finished ? 0 : 1;
 }

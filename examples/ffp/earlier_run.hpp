@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
+#include "drop_folder.hpp"
 #include "json_file.hpp"
 #include "options.hpp"
 #include "results.hpp"
-#include "run_folder.hpp"
 #include "summary_file.hpp"
 #include "words.hpp"
 

@@ -7,8 +7,8 @@
 
 #include "companions.hpp"
 #include "drop.hpp"
+#include "drop_folder.hpp"
 #include "results.hpp"
-#include "run_folder.hpp"
 #include "say.hpp"
 #include "summary_file.hpp"
 
@@ -104,7 +104,7 @@ std::string part_line(const std::string& name, const BarredResult& depth, const 
 
 void drop_with_error_bar(const DropOptions& options) {
   drop(options);
-  RunFolder folder{options.out, RunFolder::Earlier::kept};  // nobody takes it meanwhile
+  RunFolder folder = drop_folder(options.out, RunFolder::Earlier::kept);  // nobody takes it meanwhile
   std::map<std::string, FinishedRun> runs;
   const auto companions = companions_of(options);
   for (const Companion& c : companions) {

@@ -5,8 +5,8 @@
 #include <optional>
 #include <utility>
 
-#include <arenite/observe/every.hpp>
 #include <arenite/observe/vtu.hpp>
+#include <arenite/run/every.hpp>
 
 namespace arenite::ffp {
 

@@ -5,10 +5,8 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <array>
 #include <chrono>
 #include <cmath>
-#include <ctime>
 #include <functional>
 #include <iostream>
 #include <new>
@@ -16,19 +14,20 @@
 #include <string>
 #include <vector>
 
-#include <arenite/observe/every.hpp>
-#include <arenite/observe/progress.hpp>
-#include <arenite/observe/saved_state.hpp>
-#include <arenite/observe/watch.hpp>
+#include <arenite/run/every.hpp>
+#include <arenite/run/progress.hpp>
+#include <arenite/run/run_status.hpp>
+#include <arenite/run/saved_state.hpp>
+#include <arenite/run/stop_signals.hpp>
+#include <arenite/run/watch.hpp>
 
 #include "drop.hpp"
+#include "drop_folder.hpp"
 #include "earlier_run.hpp"
 #include "field_files.hpp"
 #include "history_row.hpp"
 #include "results.hpp"
-#include "run_folder.hpp"
 #include "say.hpp"
-#include "signals.hpp"
 #include "step_count.hpp"
 #include "warnings.hpp"
 #include "words.hpp"
@@ -47,16 +46,6 @@ inline Json json_of(const Watch& watch) {
   return j;
 }
 
-/// "2026-05-04T03:02:01Z"
-inline std::string utc_now() {
-  const std::time_t now = std::time(nullptr);
-  std::tm parts{};
-  ::gmtime_r(&now, &parts);
-  std::array<char, 32> text{};
-  std::strftime(text.data(), text.size(), "%Y-%m-%dT%H:%M:%SZ", &parts);
-  return text.data();
-}
-
 /// One run in its folder, and the observer that writes it down.
 template <class Model, class Scene>
 class Run {
@@ -67,7 +56,7 @@ class Run {
       : scene_{scene},
         o_{options},
         warnings_{warnings},
-        folder_{options.out, earlier},
+        folder_{drop_folder(options.out, earlier)},
         progress_{options.end, {.tenths = true}} {
     numbers_.started = utc_now();
     numbers_.process = ::getpid();

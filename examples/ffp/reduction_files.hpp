@@ -72,7 +72,7 @@ inline void write_reduced_csv(const std::filesystem::path& path, const Reduction
       line.clear();
       for (const auto& [name, column] : columns) {
         if (&name != &columns.front().first) line += ',';
-        if (!std::isnan((*column)[i])) arenite::shared_detail::append_number(line, (*column)[i]);
+        if (!std::isnan((*column)[i])) append_number(line, (*column)[i]);
       }
       out << line << '\n';
     }

@@ -32,7 +32,7 @@ inline std::string shown(std::string_view text, std::size_t most = 120) {
 /// With as many digits as it was typed with.
 inline std::string exactly(double x) {
   std::string text;
-  arenite::shared_detail::append_number(text, x);
+  append_number(text, x);
   return text;
 }
 

@@ -16,13 +16,10 @@
 #include <arenite/io/vtu_cold.hpp>
 #include <arenite/law/elasticity_cold.hpp>
 #include <arenite/law/frictional_cold.hpp>
+#include <arenite/load/node_force_cold.hpp>
 #include <arenite/mesh/blocks_cold.hpp>
 #include <arenite/mesh/cartesian_grid_cold.hpp>
-#include <arenite/observe/progress_cold.hpp>
-#include <arenite/observe/saved_state_cold.hpp>
 #include <arenite/observe/vtu_cold.hpp>
-#include <arenite/observe/watch_cold.hpp>
-#include <arenite/observe/watched_energy_cold.hpp>
 #include <arenite/particles/cell_list_cold.hpp>
 #include <arenite/particles/cell_parts_cold.hpp>
 #include <arenite/particles/cell_points_cold.hpp>
@@ -42,6 +39,10 @@
 #include <arenite/rigid/rigid_state_cold.hpp>
 #include <arenite/rigid/touching_bodies_cold.hpp>
 #include <arenite/rigid/try_distance_cold.hpp>
+#include <arenite/run/progress_cold.hpp>
+#include <arenite/run/saved_state_cold.hpp>
+#include <arenite/run/watch_cold.hpp>
+#include <arenite/run/watched_energy_cold.hpp>
 #include <arenite/scene/finish_cold.hpp>
 #include <arenite/scene/ground_cold.hpp>
 #include <arenite/scene/new_scene_warnings_cold.hpp>

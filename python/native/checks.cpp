@@ -3,7 +3,7 @@
 #include "checks.hpp"
 
 #include <arenite/host/read_recipes.hpp>
-#include <arenite/observe/watch.hpp>
+#include <arenite/run/watch.hpp>
 #include <cmath>
 #include <map>
 #include <type_traits>

@@ -10,6 +10,7 @@
 #include <arenite/host/plugin.hpp>
 #include <arenite/io/pvd.hpp>
 #include <arenite/io/vtu.hpp>
+#include <arenite/run/run_in_folder.hpp>
 #include <chrono>
 #include <cstdint>
 #include <filesystem>
@@ -413,6 +414,36 @@ PYBIND11_MODULE(_core, m) {
            })
       .def("add",
            [](PvdWriter& pvd, double time, const std::string& file, int part) { pvd.add(time, file, part); });
+
+  struct Folder {
+    std::unique_ptr<RunFolder> held;
+  };
+  py::class_<Folder>(m, "RunFolder")
+      .def(py::init([](const std::filesystem::path& path, bool kept) {
+        const CallFromPython call;
+        const auto earlier = kept ? RunFolder::Earlier::kept : RunFolder::Earlier::removed;
+        return Folder{std::make_unique<RunFolder>(path, earlier, names_of_record("folder"))};
+      }))
+      .def("free_reserve", [](Folder& folder) { folder.held->free_reserve(); })
+      .def("close", [](Folder& folder) { folder.held.reset(); });
+  m.def("utc_now", &utc_now);
+  m.def("write_run_status",
+        [](const std::filesystem::path& file, const std::string& status, const std::string& failure,
+           const std::string& started, const std::array<double, 3>& time_end_wall, std::size_t steps,
+           std::size_t points, std::size_t lost_points, const std::vector<double>& resumed_at) {
+          const auto [time, end, wall] = time_end_wall;
+          write_run_status(file, {.status = status,
+                                  .failure = failure,
+                                  .started = started,
+                                  .updated = utc_now(),
+                                  .time = time,
+                                  .end = end,
+                                  .steps = steps,
+                                  .points = points,
+                                  .lost_points = lost_points,
+                                  .wall = wall,
+                                  .resumed_at = resumed_at});
+        });
 
   py::class_<HostedLaw, std::shared_ptr<HostedLaw>>(m, "Law")
       .def("density", &HostedLaw::density)

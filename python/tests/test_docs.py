@@ -16,7 +16,7 @@ PAGES = [SOURCE / "README.md", *sorted((SOURCE / "docs").glob("*.md"))]
 
 LEFT_OUT = {
     ("restart.md", "python", 'state = h5py.File("column.h5")'): "the file is C++'s; tests/observe/check_hdf_files.py reads such a one",
-    ("restart.md", "cpp", "#include <arenite/observe/saved_hdf5.hpp>"): "needs HDF5; tests/observe/hdf_files.cpp makes the same calls",
+    ("restart.md", "cpp", "#include <arenite/run/saved_hdf5.hpp>"): "needs HDF5; tests/observe/hdf_files.cpp makes the same calls",
     ("compile_time.md", "cpp", "// slope.hpp"): "the header of slope.cpp, a sketch; arenite/compositions.hpp has such declarations, and tests/install/named.cpp uses them",
     ("python.md", "python", "sweep = ar.sweep(toe"): "its function must be one of a module; test_scene.py makes the same calls",
     ("python.md", "python", "drop = ar.ffp.drop(delta=20)"): "takes a minute; test_ffp.py and the notebook run the same calls",

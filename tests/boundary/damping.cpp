@@ -2,7 +2,7 @@
 // damping took closes the balance of energy.
 #include <arenite/arenite.hpp>
 #include <arenite/load/damping.hpp>
-#include <arenite/observe/settle.hpp>
+#include <arenite/run/settle.hpp>
 
 #include "catch.hpp"
 #include "meshes.hpp"
@@ -85,6 +85,30 @@ TEST_CASE("Local damping does not slow steady motion down") {
               bodies(fill(Box{{0.3, 0.3}, {0.6, 0.6}}, soil(), {.velocity = {1, -2, 0}})), LocalDamping{}};
   for (int k = 0; k < 20; ++k) step(scene, 1e-3);
   CHECK((momentum(scene.body()) / mass(scene.body()) - Vec<double, 2>(1, -2)).norm() < 1e-12);
+}
+
+TEST_CASE("Local damping takes 4 f / (1 + f)^2 of the energy of a mode in a cycle") {
+  // Away from rest a node is slowed down with (1 + f) times its force, k u, towards rest driven with (1 - f)
+  // times: half a cycle leaves (1 - f) / (1 + f) of the energy and takes pi / 2 (1 / sqrt(1 + f) + 1 / sqrt(1 - f)) / w.
+  const CartesianGrid<2> grid{{.lower = {0, 0}, .upper = {0.1, height}, .cell = 0.05}};
+  const double omega = pi / 2 * std::sqrt(soil().wave_modulus() / density) / height;
+  const FillOptions lowest_mode{.velocity = [](const auto& x) {
+    return std::array{0., 1e-3 * std::sin(pi / 2 * x[1] / height), 0.};
+  }};
+  for (const double f : {0.1, 0.3}) {
+    Scene scene{PlaneStrain{},
+                grid,
+                Numerics<QuadraticBSpline, Flip, Musl>{},
+                bodies(fill(Box{{0., 0.}, {0.1, height}}, soil(), lowest_mode)),
+                walls(left(roller), right(roller), bottom(roller)),
+                LocalDamping{.factor = f},
+                TrackEnergy{}};
+    const double before = kinetic_energy(scene.body());
+    run(scene, {.end = pi / omega * (1 / std::sqrt(1 + f) + 1 / std::sqrt(1 - f))});
+    const double lost = 1 - (kinetic_energy(scene.body()) + strain_energy(scene.body())) / before;
+    CHECK(lost == Approx(4 * f / ((1 + f) * (1 + f))).epsilon(0.01));
+    CHECK(energies(scene).contact == Approx(lost * before).epsilon(0.01));
+  }
 }
 
 TEST_CASE("A damped column comes to rest at its elastic settlement") {

@@ -1,15 +1,12 @@
-// Parts of a run's life: words in messages, what a folder's own files are, JSON, signals, the number of
-// steps.
-#include <csignal>
+// Parts of a run's life: words in messages, what a folder's own files are, JSON, the number of steps.
 #include <filesystem>
 #include <fstream>
 #include <limits>
 #include <random>
 
+#include "../../examples/ffp/drop_folder.hpp"
 #include "../../examples/ffp/json_file.hpp"
 #include "../../examples/ffp/range.hpp"
-#include "../../examples/ffp/run_folder.hpp"
-#include "../../examples/ffp/signals.hpp"
 #include "../../examples/ffp/step_count.hpp"
 #include "catch.hpp"
 
@@ -102,14 +99,14 @@ TEST_CASE("a folder is made, cleaned of results alone, and can be taken again") 
   namespace fs = std::filesystem;
   fs::remove_all("folder");
   const auto write = [](const char* name) { std::ofstream{name} << "old\n"; };
-  { RunFolder made{"folder/in/folder"}; }
+  { const RunFolder made = drop_folder("folder/in/folder"); }
   REQUIRE(fs::is_directory("folder/in/folder"));
   for (const char* name : {"folder/summary.json", "folder/history.csv", "folder/fields_soil_0007.vtu",
                            "folder/notes.txt", "folder/fields.txt"})
     write(name);
   fs::create_directory("folder/fields_mesh_0000.vtu");  // not what a drop writes
   for (int again = 0; again < 2; ++again) {
-    RunFolder taken{"folder"};
+    RunFolder taken = drop_folder("folder");
     REQUIRE((!fs::exists("folder/summary.json") && !fs::exists("folder/history.csv") &&
              !fs::exists("folder/fields_soil_0007.vtu")));
     REQUIRE((fs::exists("folder/notes.txt") && fs::exists("folder/fields.txt") &&
@@ -119,34 +116,8 @@ TEST_CASE("a folder is made, cleaned of results alone, and can be taken again") 
     REQUIRE(fs::file_size("folder/.arenite-ffp.lock") == 0);
   }
   write("a_file");
-  REQUIRE_THROWS_WITH(RunFolder{"a_file"}, Catch::Contains("--out = a_file: "));
-  REQUIRE_THROWS_WITH(RunFolder{"a_file/below"}, Catch::Contains("--out = a_file/below: "));
-}
-
-TEST_CASE("a signal is noted, found by the next check, and harmless before and after") {
-  for (const int signal : {SIGINT, SIGTERM}) {
-    std::signal(signal, SIG_DFL);
-    {
-      const StopSignals signals;
-      REQUIRE_NOTHROW(signals.check());
-      std::raise(signal);
-      try {
-        signals.check();
-        FAIL("not noted");
-      } catch (const Interruption& e) {
-        REQUIRE(e.exit_code() == 128 + signal);
-        REQUIRE(std::string{e.what()} ==
-                (signal == SIGINT ? "interrupted by SIGINT" : "interrupted by SIGTERM"));
-      }
-    }
-    REQUIRE(std::signal(signal, SIG_IGN) == SIG_DFL);
-    {
-      const StopSignals signals;  // what was ignored stays ignored
-      std::raise(signal);
-      REQUIRE_NOTHROW(signals.check());
-    }
-    REQUIRE(std::signal(signal, SIG_DFL) == SIG_IGN);
-  }
+  REQUIRE_THROWS_WITH(drop_folder("a_file"), Catch::Contains("--out = a_file: "));
+  REQUIRE_THROWS_WITH(drop_folder("a_file/below"), Catch::Contains("--out = a_file/below: "));
 }
 
 TEST_CASE("too many steps: the option is named that makes them") {

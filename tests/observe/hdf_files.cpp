@@ -2,17 +2,17 @@
 // reads the files that this test leaves with h5py, and compares them with the binary state file.
 #include <arenite/arenite.hpp>
 #include <arenite/mesh/box_mesh.hpp>
-#include <arenite/observe/saved_hdf5.hpp>
 #include <arenite/observe/vtkhdf.hpp>
+#include <arenite/run/saved_hdf5.hpp>
 #include <chrono>
 #include <filesystem>
 #include <fstream>
 #include <random>
 #include <thread>
 
+#include "../run/saved_files.hpp"
 #include "catch.hpp"
 #include "message.hpp"
-#include "saved_files.hpp"
 #include "state_buffer.hpp"
 
 using namespace arenite;

@@ -2,7 +2,7 @@
 // the heave of linear elasticity; the initial velocity as a function; runs that an observer ends.
 #include <arenite/arenite.hpp>
 #include <arenite/load/damping.hpp>
-#include <arenite/observe/settle.hpp>
+#include <arenite/run/settle.hpp>
 
 #include "catch.hpp"
 #include "validation.hpp"

@@ -1,7 +1,7 @@
 // A state that was saved and restored in a new scene goes on with the same bits, for each family of
 // compositions.
 #include <arenite/arenite.hpp>
-#include <arenite/observe/progress.hpp>
+#include <arenite/run/progress.hpp>
 
 #include "catch.hpp"
 #include "meshes.hpp"

@@ -41,13 +41,13 @@ template <int D>
 struct Blocked {
   static constexpr auto most = static_cast<std::size_t>(D);
   std::array<Vec<double, D>, most> named, directions;  // the first `count`
-  std::array<std::size_t, most> part{};                // that named each
+  std::array<std::size_t, most> part{}, wall{};        // numbers of the part that named each, and of its wall
   std::size_t count = 0;
 
-  void add(Vec<double, D> n, std::size_t by);
+  void add(Vec<double, D> n, std::size_t by, std::size_t wall_of_it);
   Mat<double, D> projector() const;
-  /// Takes a part's velocity u to the one blocked velocity w with n . w = n . u along what the part named and
-  /// n . w = 0 along what others did.
+  /// Matrix L [D x D] of w = L u, u the velocity of a part: w lies in the blocked directions, n . w = n . u for
+  /// the normals n that the part named and n . w = 0 for those of other parts.
   Mat<double, D> lift(std::size_t of) const;
 
  private:
@@ -89,7 +89,9 @@ class BoundaryNodes {
   }
 
   /// Blocks the velocity of node i along a direction of any length.
-  void block(Index i, const V& direction) { blocked_[i].add(direction, part_); }
+  void block(Index i, const V& direction) { blocked_[i].add(direction, part_, wall_); }
+  /// What is blocked from here on is blocked by wall number k of the part.
+  void set_wall(std::size_t k) { wall_ = k; }
   /// What is blocked at node i.
   const detail::Blocked<D>& blocked(Index i) const { return blocked_[i]; }
 
@@ -106,7 +108,7 @@ class BoundaryNodes {
   std::vector<char> used_;  // empty: all are
   std::vector<detail::Blocked<D>> blocked_;
   V lower_, upper_;
-  std::size_t part_ = 0;
+  std::size_t part_ = 0, wall_ = 0;
   bool is_part_ = false;
 };
 
@@ -148,6 +150,7 @@ class NodeConstraints : public BoundaryNodes<M::dimension> {
   template <class Part>
   void add(const Part& part, std::size_t k = 0) {
     this->part_ = k;
+    this->wall_ = 0;
     part.constrain(*this);
   }
 
@@ -183,7 +186,7 @@ std::vector<Constraint<typename M::scalar, M::dimension>> resolve(const M& mesh,
   return nodes.constraints();
 }
 
-/// Nobody asks for the impulses of single nodes.
+/// Takes the impulses of single nodes where no part reads them: does nothing.
 struct NoTaker {
   template <class V>
   constexpr void operator()(Index, const V&) const {}
@@ -212,7 +215,8 @@ Vec<T, D> constrain(const std::vector<Constraint<T, D>>& constraints, const std:
   return impulse;
 }
 
-/// The same with nodes that are driven to their targets. Returns the work of the drives, J, too.
+/// Removes the blocked part of the velocities of a field and adds the targets of its driven nodes, m/s. Returns
+/// the impulse that this gave, N s, and the work of the drives, J; `owns` and `take` as above.
 template <class T, int D, class Velocities, class Owns = OwnsAll, class Take = NoTaker>
 std::pair<Vec<T, D>, double> constrain(const std::vector<Constraint<T, D>>& constraints,
                                        const std::vector<Drive<T, D>>& drives, const std::vector<T>& mass,

@@ -11,7 +11,7 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 namespace detail {
 
 template <int D>
-ARENITE_COLD void Blocked<D>::add(Vec<double, D> n, std::size_t by) {
+ARENITE_COLD void Blocked<D>::add(Vec<double, D> n, std::size_t by, std::size_t wall_of_it) {
   const auto normalize = [&n] {
     const double length = std::sqrt(dot(n, n));
     for (int i = 0; i < D && length > 0; ++i) n[i] /= length;
@@ -27,6 +27,7 @@ ARENITE_COLD void Blocked<D>::add(Vec<double, D> n, std::size_t by) {
   if (count == most || !(normalize() > 1e-6)) return;
   named[count] = name;
   part[count] = by;
+  wall[count] = wall_of_it;
   directions[count++] = n;
 }
 

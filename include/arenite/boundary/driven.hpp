@@ -10,7 +10,7 @@
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 /// A wall whose nodes have a prescribed velocity, m/s, along the directions that the wall blocks: with
-/// `roller` the normal one alone, so that matter slides along the moving wall; with `fixed` all. See
+/// `roller` only along the normal, so that matter slides along the moving wall; with `fixed` along all. See
 /// `driven`.
 struct Driven {
   Wall wall;

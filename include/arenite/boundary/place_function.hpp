@@ -1,4 +1,4 @@
-// Functions of place and time, with their types erased: what loads and prescribed motions are given as.
+// Type-erased functions of place and time, in which loads and prescribed motions are given.
 #pragma once
 
 #include <array>

@@ -1,4 +1,4 @@
-// Reactions: what each wall gives to the matter.
+// Wall reactions: force and impulse of each wall on the matter.
 #pragma once
 
 #include <algorithm>
@@ -32,9 +32,10 @@ namespace detail {
 template <int D>
 Mat<double, D> shares_along(const Blocked<D>& blocked);
 
-/// Where a name stands in a list, which takes it if it is new.
+/// Place of a name in a list; a new name is added.
 std::size_t number_of_name(std::vector<std::string>& names, std::string_view name);
-/// The same of a wall's name that must be there. Throws `error` that names all walls if it is not.
+/// Place of a wall's name in the list of all. Throws `error` that names all walls if there is none of that
+/// name.
 std::size_t number_of_wall(const std::vector<std::string>& names, std::string_view wall);
 
 }  // namespace detail
@@ -49,17 +50,16 @@ class BoundReactions {
   static constexpr bool reads_start_state = false;
   using V = Vec<T, D>;
 
+  /// Called when the scene is made, before `connect` of the parts, with what all of them block.
   template <class Scene>
-  void connect(const Scene& scene) {
-    typename Scene::Nodes nodes(scene.mesh);
-    if constexpr (Scene::is_portion) nodes.set_whole(scene.portion().lower, scene.portion().upper);
-    std::size_t number = 0;
+  void connect_walls(const Scene& scene, const BoundaryNodes<D>& nodes) {
+    std::vector<std::vector<std::size_t>> number;  // [parts][walls] of their names
     scene.for_each_part([&](const auto& part) {
-      const std::size_t k = number++;
+      auto& of_part = number.emplace_back();
       if constexpr (requires { part.walls_here(); })
-        for (const Wall& wall : part.walls_here()) nodes.add(Walls{{wall}}, number_of(wall.name()));
-      else if constexpr (requires { part.constrain(nodes); })
-        nodes.add(part, number_of(name_of(part, k)));
+        for (const Wall& wall : part.walls_here()) of_part.push_back(number_of(wall.name()));
+      else if constexpr (requires(typename Scene::Nodes & all) { part.constrain(all); })
+        of_part.push_back(number_of(name_of(part, number.size() - 1)));
       if constexpr (requires { part.given_impulse(); }) givers_.push_back(number_of(part.wall_name()));
     });
     place_.assign(nodes.size(), none);
@@ -67,12 +67,14 @@ class BoundReactions {
       const auto& blocked = nodes.blocked(i);
       if (blocked.count == 0) continue;
       const Mat<double, D> along = detail::shares_along(blocked);
-      Share share{static_cast<int>(blocked.count), {}, {}, blocked.part};
-      for (int k = 0; k < share.count; ++k)
-        for (int d = 0; d < D; ++d) {
-          share.named(d, k) = static_cast<T>(blocked.named[static_cast<std::size_t>(k)][d]);
-          share.along(k, d) = static_cast<T>(along(k, d));
+      Share share{static_cast<int>(blocked.count), {}, {}, {}};
+      for (std::size_t k = 0; k < blocked.count; ++k) {
+        share.wall[k] = number[blocked.part[k]][blocked.wall[k]];
+        for (int d = 0, row = static_cast<int>(k); d < D; ++d) {
+          share.named(d, row) = static_cast<T>(blocked.named[k][d]);
+          share.along(row, d) = static_cast<T>(along(row, d));
         }
+      }
       place_[i] = static_cast<Index>(shares_.size());
       shares_.push_back(share);
     }

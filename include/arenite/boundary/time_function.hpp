@@ -1,4 +1,4 @@
-// Functions of time: loads and motions that are given by a few numbers, where a lambda would be as long.
+// Functions of time that a few numbers describe: `Table`, `Ramp`. For loads and motions.
 #pragma once
 
 #include <algorithm>

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <concepts>
 #include <functional>
+#include <initializer_list>
 #include <string>
 #include <utility>
 #include <vector>
@@ -25,7 +26,7 @@ inline constexpr Condition roller{
     Condition::Kind::face_normal};  ///< no motion across the face: a smooth wall, or a symmetry plane
 /// No motion across a plane with this normal (any length): a smooth wall or a symmetry plane along no axis.
 constexpr Condition symmetry(std::array<double, 3> normal) { return {Condition::Kind::normal, normal}; }
-/// Motion along this axis alone.
+/// Motion only along this axis.
 constexpr Condition free_along(std::size_t axis) {
   Condition c{Condition::Kind::all_but};
   if (axis < 3) c.direction[axis] = 1;  // an axis that the scene does not have is refused by `Walls`
@@ -58,14 +59,20 @@ inline Wall named(std::string name, Wall wall) {
   return wall;
 }
 
+namespace detail {
+
+Wall face_wall(int axis, bool upper, const Condition& condition);
+
+}  // namespace detail
+
 /// Faces of the box around the mesh: `left` and `right` at the ends of x (the inner and outer radius),
 /// `bottom` and `top` of y, `front` and `back` of z.
-inline Wall left(Condition c) { return {0, false, {}, {}, c}; }
-inline Wall right(Condition c) { return {0, true, {}, {}, c}; }
-inline Wall bottom(Condition c) { return {1, false, {}, {}, c}; }
-inline Wall top(Condition c) { return {1, true, {}, {}, c}; }
-inline Wall front(Condition c) { return {2, false, {}, {}, c}; }
-inline Wall back(Condition c) { return {2, true, {}, {}, c}; }
+inline Wall left(const Condition& c) { return detail::face_wall(0, false, c); }
+inline Wall right(const Condition& c) { return detail::face_wall(0, true, c); }
+inline Wall bottom(const Condition& c) { return detail::face_wall(1, false, c); }
+inline Wall top(const Condition& c) { return detail::face_wall(1, true, c); }
+inline Wall front(const Condition& c) { return detail::face_wall(2, false, c); }
+inline Wall back(const Condition& c) { return detail::face_wall(2, true, c); }
 /// The nodes of a named set of a simplex mesh.
 inline Wall on(std::string set, Condition c) { return {-1, false, std::move(set), {}, c}; }
 /// The nodes whose position (x, y, z = 0 in two dimensions), m, passes a test.
@@ -88,14 +95,21 @@ struct Walls {
   template <int D>
   static Vec<double, D> check(const Wall& wall);
 };
+namespace detail {
+
+/// Copies of some walls.
+Walls walls_of(std::initializer_list<const Wall*> walls);
+
+}  // namespace detail
+
 /// `walls(bottom(fixed), left(roller), ..)`
 template <std::same_as<Wall>... W>
-Walls walls(W... wall) {
-  return {{std::move(wall)...}};
+Walls walls(const W&... wall) {
+  return detail::walls_of({&wall...});
 }
 /// Refused by the compiler: a place without a condition.
 template <class... W>
-requires(!(std::same_as<W, Wall> && ...)) Walls walls(W...) {
+requires(!(std::same_as<W, Wall> && ...)) Walls walls(const W&...) {
   static_assert(
       (std::same_as<W, Wall> && ...),
       "walls: each is a place with its condition: bottom(fixed), on(\"set\", fixed), where(test, roller)");

@@ -24,6 +24,17 @@ ARENITE_COLD Vec<double, D> Walls::check(const Wall& wall) {
 
 namespace detail {
 
+ARENITE_COLD Wall face_wall(int axis, bool upper, const Condition& condition) {
+  return {axis, upper, {}, {}, condition};
+}
+
+ARENITE_COLD Walls walls_of(std::initializer_list<const Wall*> walls) {
+  Walls all;
+  all.list.reserve(walls.size());
+  for (const Wall* const wall : walls) all.list.push_back(*wall);
+  return all;
+}
+
 /// Blocks the nodes of one wall.
 template <int D>
 ARENITE_COLD void catch_nodes(const Wall& wall, BoundaryNodes<D>& nodes) {
@@ -71,7 +82,10 @@ ARENITE_COLD void catch_nodes(const Wall& wall, BoundaryNodes<D>& nodes) {
 
 template <int D>
 ARENITE_COLD void Walls::constrain(BoundaryNodes<D>& nodes) const {
-  for (const Wall& wall : list) detail::catch_nodes(wall, nodes);
+  for (std::size_t k = 0; k < list.size(); ++k) {
+    nodes.set_wall(k);
+    detail::catch_nodes(list[k], nodes);
+  }
 }
 
 #define ARENITE_INSTANCES(D)                               \

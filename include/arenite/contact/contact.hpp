@@ -99,7 +99,7 @@ void exchange_in_pairs(const Friction& friction, const Normals& normals, Fields&
 
 /// Lets the fields of each pair of bodies exchange impulses at the nodes that they share, and limits the
 /// velocities there. `impulses` [fields] receives the sum of what each field was given, N s; `pairs` those
-/// who exchanged one, in the order of their nodes. What is summed is that of nodes that `owns(node)`.
+/// of bodies between which one acts, in the order of their nodes. What is summed is that of nodes that `owns(node)`.
 template <class Contact, class Normals, class Fields, class Impulses, class Pairs, class T, class Size,
           class Owns = OwnsAll>
 ContactTally exchange(const Contact& contact, const Normals& normals, Fields& fields, Impulses& impulses,
@@ -188,9 +188,10 @@ struct BoundCoulomb {
   Friction friction;
   double velocity_limit;
   Normals normals;
-  std::array<Vec<T, D>, Fields> impulse;   ///< on each body in the last step, N s
-  std::vector<ContactPair<T, D>> pairs{};  ///< who pushed on whom in the last step, node by node
-  double dissipated = 0;                   ///< since the start, J
+  std::array<Vec<T, D>, Fields> impulse;  ///< on each body in the last step, N s
+  std::vector<ContactPair<T, D>>
+      pairs{};            ///< bodies that pushed on each other in the last step, node by node
+  double dissipated = 0;  ///< since the start, J
 
   template <class Scene>
   void connect(const Scene& scene) {

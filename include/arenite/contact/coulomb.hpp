@@ -57,7 +57,7 @@ CoulombImpulse<T, D> coulomb(const Vec<T, D>& approach, const Vec<T, D>& normal,
           false};
 }
 
-/// The same of two bodies that stick whatever the normal, for one lies inside the other.
+/// The impulse between two bodies that stick whatever the normal, because one lies inside the other.
 template <class T, int D>
 CoulombImpulse<T, D> stick(const Vec<T, D>& approach, T mass) {
   return {-mass * approach, true};

@@ -44,7 +44,7 @@ CoulombImpulse<T, D> wall_impulse(const Vec<T, D>& velocity, const Vec<T, D>& no
   return {-mass * closing * normal, false};
 }
 
-/// The same in a mesh: a part that exchanges impulses, behind bodies and rigid bodies.
+/// A frictional wall in a mesh: a part that gives impulses, after those of bodies and rigid bodies.
 template <class T, int D>
 class BoundFrictionalWall {
  public:

@@ -47,9 +47,8 @@ double hold_touched(const Touched& touched, Fields& fields, T dt) {
   return dissipation;
 }
 
-/// An exchange books its impulses with the velocities `after` it, for it knows no others yet: walls, other
-/// exchanges at the same node and MUSL change them. What the impulses dissipated beyond that, J, by the mean
-/// velocities of the step (`mean_velocity`).
+/// Contact computes its dissipation with the velocities right after it. Walls, later contacts at the same node and
+/// MUSL change them. Returns the correction, J, with the mean velocities of the step (`mean_velocity`).
 template <class Touched, class Fields>
 double rest_of_dissipation(const Touched& touched, const Fields& fields) {
   double dissipation = 0;

@@ -48,7 +48,7 @@ struct SurfaceOf {
   BodyName body = 1;  ///< which of the scene's bodies fills it: its name or number
 };
 
-/// Normals out of a region's surface, for every node of the mesh; zero where there is none.
+/// Normals out of a region's surface, for every node of the mesh; zero at nodes that are not on the surface.
 template <class T, int D>
 struct NormalMap {
   static constexpr bool needs_mass_gradient = false;

@@ -1,5 +1,5 @@
-// Alone: the exchange of a scene that has its mesh to itself. What others an exchange stands for: scenes over
-// the other portions of one mesh (`MeshPortion`), on this machine or another.
+// Communicator: how scenes on portions of one mesh (`MeshPortion`), on this machine or others, sum their nodal
+// values. `Alone` is that of a scene on the whole mesh.
 #pragma once
 
 #include <cstddef>

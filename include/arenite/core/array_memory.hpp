@@ -38,7 +38,7 @@ struct ArrayMemory {
     if (bytes >= large_page) {
       void* const memory = pages(bytes, large_page);
 #ifdef __linux__
-      madvise(memory, bytes, MADV_HUGEPAGE);  // a wish: where it is not granted, small pages do
+      madvise(memory, bytes, MADV_HUGEPAGE);  // only a hint; without huge pages it works too
 #endif
       return static_cast<T*>(memory);
     }

@@ -36,11 +36,11 @@ struct erasure<Recipe> {
 template <class Recipe>
 using erased_t = typename detail::erasure<Recipe>::type;
 
-/// The recipe as a scene over mesh M keeps it.
+/// The recipe as a scene over mesh M keeps it: itself, or another one.
 template <class M, class Recipe>
-erased_t<Recipe> erased(const Recipe& recipe) {
+decltype(auto) erased(const Recipe& recipe) {
   if constexpr (std::is_same_v<erased_t<Recipe>, Recipe>)
-    return recipe;
+    return (recipe);
   else
     return recipe.template erased<M>();
 }

@@ -10,7 +10,7 @@
 #include <arenite/core/cold.hpp>
 #include <arenite/core/instruction_set.hpp>
 
-namespace arenite {  // one for all instruction sets: who catches knows them
+namespace arenite {  // not in the inline namespace: an exception has one type for all instruction sets, or `catch` would miss it
 
 /// A value that breaks a rule. The message names the value and the rule.
 class error : public std::runtime_error {

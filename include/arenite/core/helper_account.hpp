@@ -1,4 +1,4 @@
-// Account of helpers: what the other threads of a parallel loop bring, and what they cost. On a busy machine
+// Helper account: decides whether a parallel loop wakes the other threads, from what they gained and cost. On a busy machine
 // the system stops a helper inside an item, and all wait for it; or it runs the helper on the processor of
 // the caller. Then the caller alone is faster.
 //

@@ -32,7 +32,7 @@ class Lists {
     build(rows, visit);
   }
 
-  /// The same, in the memory that is there if it suffices.
+  /// Makes the lists anew, in the memory that is there if it suffices.
   template <class Visit>
   void build(std::size_t rows, Visit&& visit) {
     begin_rows(start_, rows, [&](auto&& count) { visit([&](std::size_t row, Index) { count(row); }); });

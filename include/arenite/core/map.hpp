@@ -1,5 +1,5 @@
-// Map: `std::map` with an order of our own. What the compiler makes of it has a name of its own in units for
-// other instruction sets, where `std::map<std::string, int>` would be one for all.
+// Map: a `std::map` whose instantiations have different names for different instruction sets, so that the
+// linker never mixes them.
 #pragma once
 
 #include <functional>

@@ -1,4 +1,4 @@
-// Once in a program: the thread pool and the way of warnings serve all units, also those that are compiled
+// Globals, one in a program: the thread pool and the hook of warnings serve all units, also those that are compiled
 // for other instruction sets. Such units share the object and no function that works on it, so that each runs
 // code of its own. What they share by name is data: a word that tells where the object is.
 #pragma once
@@ -7,7 +7,7 @@
 
 #include <arenite/core/instruction_set.hpp>
 
-namespace arenite::program {
+namespace arenite::program::inline ARENITE_VERSION_NAMESPACE {
 
 /// Where an object is, once it is made.
 using Place = std::atomic<void*>;
@@ -15,7 +15,7 @@ inline constinit Place thread_pool{nullptr}, warning_outlet{nullptr};
 /// Whether this thread is in a loop of the pool.
 inline constinit thread_local bool in_loop = false;
 
-}  // namespace arenite::program
+}  // namespace arenite::program::inline ARENITE_VERSION_NAMESPACE
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 

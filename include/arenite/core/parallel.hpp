@@ -38,7 +38,7 @@ void parallel_for(std::size_t n, bool worthwhile, const F& f, const Cut& cut) {
   else
     items(&f, 0, n);
 }
-/// The same with parts of equal length.
+/// A parallel loop over parts of equal length.
 template <class F>
 void parallel_for(std::size_t n, bool worthwhile, const F& f) {
   parallel_for(n, worthwhile, f, [n](std::size_t t, std::size_t parts) { return n * t / parts; });

@@ -1,8 +1,8 @@
 // Thread pool: threads that share a loop whose items may run in any order. Each has a part of its own, the
-// same in every loop of the same length, so that what it touched is still in its cache; who is done takes
+// same in every loop of the same length, so that what it touched is still in its cache; an idle thread takes
 // from the others' ends. The caller starts at once, and a helper that wakes late finds less to do: on a busy
 // machine the loop goes on with the threads that run. (A team that starts and ends each loop at a barrier, as
-// OpenMP's does, waits for all of them each time: ten times as long as one thread alone, when another program
+// OpenMP's does, waits for all of them each time: ten times as long as one thread takes, when another program
 // held a core.) What is left is a thread that the system stops inside an item, for whom all others wait. So
 // the pool keeps account of what its helpers bring and cost, and where they cost more, the caller works
 // alone: see `HelperAccount`.
@@ -56,7 +56,7 @@ bool wait_awake(Done&& done) {
 /// - `state_` is the gate. The caller writes the loop (loop_, parts_) and then sets `open`. A
 ///   helper signs in with an acquiring addition, and touches the loop only if that saw `open`: so it sees
 ///   all that was written. It signs out with a releasing subtraction, and the caller goes on once it has acquired 0:
-///   so it sees all that the helpers' items wrote, and nobody reads the next loop before it is complete. The
+///   so it sees all that the helpers' items wrote, and no helper reads the next loop before it is complete. The
 ///   numbers in between come from read-modify-writes, which continue the release sequence of the one before.
 /// - `items` of a part only deals numbers out: each is taken by one exchange, nothing else hangs on it.
 ///   Relaxed.
@@ -64,7 +64,7 @@ bool wait_awake(Done&& done) {
 ///   `asleep_`. All four are sequentially consistent, so that one of them sees the other: a helper either
 ///   does not sleep, or is rung for. It read `bell_` before, so that a ring in between keeps it awake.
 /// - `taken_` hands the pool from one of the program's threads to another: acquired and released around all
-///   that the caller alone touches (parts_, helpers_, account_).
+///   that only the caller touches (parts_, helpers_, account_).
 class ThreadPool {
  public:
   /// The pool of the process: its threads start with the first loop that wants them.
@@ -118,7 +118,7 @@ class ThreadPool {
     const std::size_t own = take_items(0);
     account_.end_own_part();
     state_.fetch_and(~open, std::memory_order_acq_rel);
-    // Who is still at an item finishes it; then nobody looks at this loop again.
+    // A thread that is still at an item finishes it; then no thread looks at this loop again.
     for (int k = 0; state_.load(std::memory_order_acquire) != 0; ++k)
       k < patience ? relax() : std::this_thread::yield();
     account_.end_loop(n, own, threads_);
@@ -210,7 +210,7 @@ class ThreadPool {
 
   int threads_ = 1;
   std::atomic_flag taken_;   // whether a loop has the helpers
-  HelperAccount<> account_;  // of who has the helpers
+  HelperAccount<> account_;  // of the thread that has the helpers
   std::vector<std::thread> helpers_;
   std::atomic<bool> stopping_{false};
   Loop loop_{};              // that is open

@@ -38,7 +38,7 @@ Vec<T, D> vector_argument(std::string_view name, const std::array<double, 3>& gi
   return in_scene<D, T>(given);
 }
 
-/// The same for a direction, which must have a length; it is not made a unit vector.
+/// A user's direction as a vector of the scene; it must have a length, and is not made a unit vector.
 template <class T, int D>
 Vec<T, D> direction_argument(std::string_view name, const std::array<double, 3>& given) {
   Vec<T, D> v;

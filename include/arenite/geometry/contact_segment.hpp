@@ -16,7 +16,7 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 ///
 /// A shape offers `contact_segments()` (`contact_segments<D>()` where it serves both dimensions): all of its
 /// convex corners, in space also its convex edges. Another shape touches it at one of these, or with one of
-/// its own. What has none, a signed distance of a user's own, is touched by the segments of others alone.
+/// its own. What has none, a signed distance of a user's own, is touched only by the segments of other shapes.
 struct ContactSegment {
   std::array<double, 3> a, b;
   double radius = 0;

@@ -100,7 +100,7 @@ class TriangleSurface {
 
     const Place& corner(Index t, std::size_t k) const { return data.vertices[data.triangles[t][k]]; }
 
-    /// Sum of the normals around a corner, each times its angle there. Surfaces that meet in a vertex alone
+    /// Sum of the normals around a corner, each times its angle there. Surfaces that meet only in a vertex
     /// are summed each for itself.
     Place around(Index first, std::size_t k) const {
       Place sum = Place::Zero();

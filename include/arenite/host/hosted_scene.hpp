@@ -32,7 +32,7 @@ struct HostedNodes {
   std::vector<double> velocity{};  ///< [n x D], m/s, from the last step
 };
 
-/// The cells: nodes of each [m x corners], of simplices alone.
+/// The cells: nodes of each [m x corners], only of simplex meshes.
 struct HostedCells {
   std::vector<std::size_t> nodes{};
   std::size_t corners = 0;

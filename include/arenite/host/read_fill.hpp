@@ -18,7 +18,7 @@ std::vector<std::array<double, 3>> node_positions(const typename Scene::Mesh& me
   return nodes;
 }
 
-/// A fill of type F. Its functions are asked twice over: first where a body is, then what is there.
+/// A fill of type F. User functions are evaluated in two passes: first the region, then densities and stresses at the points found.
 template <class Scene, class F>
 F read_fill(const typename Scene::Mesh& mesh, const Value& value, Reading at) {
   PlaceFunctions functions;

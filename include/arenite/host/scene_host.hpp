@@ -13,11 +13,11 @@
 #include <arenite/host/hosted_scene.hpp>
 #include <arenite/host/scene_points.hpp>
 #include <arenite/observe/energy.hpp>
-#include <arenite/observe/every.hpp>
-#include <arenite/observe/run.hpp>
-#include <arenite/observe/saved_state.hpp>
-#include <arenite/observe/settle.hpp>
-#include <arenite/observe/watch.hpp>
+#include <arenite/run/every.hpp>
+#include <arenite/run/run.hpp>
+#include <arenite/run/saved_state.hpp>
+#include <arenite/run/settle.hpp>
+#include <arenite/run/watch.hpp>
 #include <arenite/scene/state.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
@@ -204,7 +204,7 @@ class SceneHost : public HostedScene {
     return run.limits ? read<WatchLimits>(*run.limits, Reading{.name = "WatchLimits"}) : WatchLimits();
   }
 
-  /// The watch of a host's own loop. Numbers that the host writes are energy that nobody books: a look that
+  /// The watch of a host's own loop. Numbers that the host writes are energy that no part books: a look that
   /// they would mislead begins a watch anew.
   class LoopWatch {
    public:

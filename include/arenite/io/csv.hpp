@@ -46,7 +46,7 @@ class CsvWriter {
   /// Appends a row, shape [columns]. Throws `error` if the length differs, `output_error` if it
   /// cannot be written; the file then ends with the row before.
   void row(std::span<const double> values) { put_row(values); }
-  /// The same; a missing value is an empty field.
+  /// Writes a row; a missing value is an empty field.
   void row(std::span<const std::optional<double>> values) { put_row(values); }
   void row(std::initializer_list<double> values) { row(std::span(values.begin(), values.size())); }
 
@@ -55,7 +55,7 @@ class CsvWriter {
   std::uintmax_t bytes() const { return written_; }
 
  private:
-  /// The file that is there, with its first bytes alone; it must have the same columns.
+  /// Opens the file that is there, cut to its first bytes; it must have the same columns.
   shared_detail::FileHandle shortened(std::uintmax_t kept) const {
     shared_detail::FileHandle file = shared_detail::open_to_change(path_);
     std::string head(line_.size() + 1, '\0');

@@ -133,7 +133,7 @@ MeshData<D> read_gmsh(std::istream& in, std::string name = "Gmsh stream") {
   return shared_detail::read_gmsh_bytes<D>(bytes, std::move(name));
 }
 
-/// The same from a file.
+/// Reads a Gmsh mesh from a file.
 template <int D>
 MeshData<D> read_gmsh(const std::filesystem::path& path) {
   static_assert(D == 2 || D == 3, "read_gmsh<D>: D must be 2 (triangles) or 3 (tetrahedra)");

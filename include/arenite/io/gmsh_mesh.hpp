@@ -54,7 +54,7 @@ class GmshMesh {
     add_position(in, [&](std::size_t i) { return in.real(axes[i]); });
     in.end_row("position of the node");
   }
-  /// The same from the caller's numbers, `x(0)` to `x(2)`.
+  /// A node from the caller's numbers, `x(0)` to `x(2)`, m.
   template <class X>
   void add_position(const MeshInput& in, const X& x) {
     auto& position = positions_.emplace_back();
@@ -164,7 +164,7 @@ class GmshMesh {
  private:
   static constexpr std::array<const char*, 3> axes{"x", "y", "z"};
 
-  /// Groups of cells for a message: names, or tags where there is none.
+  /// Groups of cells for a message: by name, or by tag if a group has no name.
   std::string names_of(std::span<const int> groups) const {
     std::string all;
     for (const int group : groups) {

@@ -62,7 +62,7 @@ enum class Hdf5Access {
   read,
   change,
   create,  ///< makes it anew, in the place of what is there
-  image    ///< in memory alone: `Hdf5File::image`
+  image    ///< only in memory: `Hdf5File::image`
 };
 
 /// An HDF5 file, for a short time. Names are paths ("bodies/sand/points/mass"); "/" is the file itself. Each
@@ -98,7 +98,7 @@ class Hdf5File {
       if (end == std::string::npos) return true;
     }
   }
-  /// Makes a group, and those above it, where there is none.
+  /// Makes a group, and those above it, unless they exist.
   void make_group(const std::string& name) const {
     if (name.empty() || has(name)) return;
     make_group_of(name);
@@ -186,7 +186,7 @@ class Hdf5File {
       check(H5Pset_fapl_core(by, std::size_t{1} << 24, false), "", "takes no properties");
       check(H5Pset_userblock(made_by, image_start), "", "takes no properties");
     }
-    if (access_ == Hdf5Access::change)  // who reads it meanwhile may
+    if (access_ == Hdf5Access::change)  // a reader may have it open meanwhile
       check(H5Pset_file_locking(by, false, true), "", "takes no properties");
     const std::string name = path_.string();
     if (access_ == Hdf5Access::create) shared_detail::make_file(path_, path_);  // in the place of a link

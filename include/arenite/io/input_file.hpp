@@ -1,4 +1,4 @@
-// Files in: regular ones alone, and of a size that is known before they are read. A pipe would be waited for
+// Files in: only regular ones, and of a size that is known before they are read. A pipe would be waited for
 // without end, and a device be read without end.
 #pragma once
 
@@ -25,7 +25,7 @@ std::string size_text(std::uintmax_t bytes);
 std::uintmax_t check_input(const std::filesystem::path& path, std::string_view what,
                            std::uintmax_t most = any_size, std::string name = "");
 
-/// The same, open to be read.
+/// An input file, open to be read.
 std::ifstream open_input(const std::filesystem::path& path, std::string_view what,
                          std::uintmax_t most = any_size, const std::string& name = "");
 

@@ -47,7 +47,7 @@ class MeshInput {
     throw error(joined_text({name_, section, ", ", place, ": ", name, " = ", value, ": ", rule}));
   }
 
-  /// The same for what is wrong with the mesh as a whole: "file: name = value: rule".
+  /// Refuses the mesh as a whole: "file: name = value: rule".
   template <class Value>
   [[noreturn]] void refuse(std::string_view name, const Value& value, std::string_view rule) const {
     throw error(joined_text({name_, ": ", name, " = ", value, ": ", rule}));
@@ -128,7 +128,7 @@ class MeshInput {
     check(more.empty(), name, quote(more), "is too much for this line (or the line before holds too little)");
   }
 
-  /// The same, where the file has lines: nothing to do in a binary one.
+  /// Skips the rest of a line in a text file; does nothing in a binary one.
   void end_row(std::string_view name) {
     if (!binary_) end_line(name);
   }

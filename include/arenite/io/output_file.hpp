@@ -59,7 +59,7 @@ struct CloseFile {
 using FileHandle = std::unique_ptr<std::FILE, CloseFile>;
 
 /// Throws `output_error` if something stands at `path` that is neither a regular file nor a symbolic link: a
-/// file that is written takes the place of those alone.
+/// file that is written replaces only those.
 void check_place(const std::filesystem::path& path);
 
 /// Makes the folder of a file if it is not there. Throws `error` that names it as that of `what`.
@@ -108,6 +108,7 @@ inline constexpr const char* vtk_byte_order() {
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET::shared_detail
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
+using shared_detail::append_number;
 using shared_detail::make_folder_of;
 using shared_detail::replace_file;
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -60,7 +60,7 @@ class StateFile : public StateSource {
   static constexpr std::size_t longest_line = 1 << 16;
 
   std::ifstream file_;
-  std::vector<std::size_t> begin_;  // [entries] bytes from the begin of the file
+  std::vector<std::size_t> begin_;  // [entries] bytes from the start of the file
 };
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

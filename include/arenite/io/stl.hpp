@@ -166,7 +166,7 @@ inline TriangleData read_stl(std::istream& in, std::string name = "STL stream", 
   return shared_detail::read_stl_bytes(bytes, std::move(name), scale);
 }
 
-/// The same from a file.
+/// Reads an STL file.
 inline TriangleData read_stl(const std::filesystem::path& path, double scale = 1) {
   return shared_detail::read_stl_bytes(shared_detail::read_all(path), path.string(), scale);
 }

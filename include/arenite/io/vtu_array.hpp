@@ -86,7 +86,7 @@ VtuArray vtu_array(std::string name, std::size_t components, std::span<const T> 
           std::move(fetch)};
 }
 
-/// The same of a vector, which must outlive the array.
+/// An array of a vector's values; the vector must outlive it.
 template <vtu_number T, class Allocator>
 VtuArray vtu_array(std::string name, std::size_t components, const std::vector<T, Allocator>& values) {
   return vtu_array(std::move(name), components, std::span<const T>(values));

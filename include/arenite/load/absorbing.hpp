@@ -71,7 +71,8 @@ Vec<T, D> dashpot_velocity(const Vec<T, D>& start, const Vec<T, D>& free, const 
   return left.inverse() * (free + z * (free - start) / 2);
 }
 
-/// The same in a mesh: a part that gives impulses, and books what they take as dissipated.
+/// An absorbing boundary in a mesh: a part that gives the impulses of the dashpots, and books their work as
+/// dissipated.
 template <class T, int D>
 class BoundAbsorbingFaces {
  public:

@@ -1,12 +1,9 @@
 // Body force: an acceleration of all matter that depends on the place.
 #pragma once
 
-#include <array>
 #include <utility>
 
 #include <arenite/boundary/place_function.hpp>
-#include <arenite/core/failure.hpp>
-#include <arenite/core/part_energy.hpp>
 #include <arenite/load/node_force.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
@@ -20,56 +17,25 @@ struct BodyForce {
 };
 inline BodyForce body_force(VectorFunction value) { return {std::move(value)}; }
 
-/// The same in a mesh: a part that adds forces, those of the step's begin.
+/// A body force in a mesh: a part that adds the forces of the start of the step.
 template <class T, int D>
-class BoundBodyForce {
+class BoundBodyForce : public BookedForces<T, D> {
  public:
   explicit BoundBodyForce(BodyForce f) : value_{std::move(f.value)} {}
 
   template <class Scene>
-  void connect(Scene& scene) {
-    forces_.connect(scene);
-  }
-  template <class Scene>
   void add_force(Scene& scene, double) {
-    Failure failure;
-    for (std::size_t k = 0; k < forces_.field.size(); ++k) {
-      const auto& field = scene.fields[k];
-      auto& force = forces_.field[k].force;
-      parallel_chunks(field.size(), [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) {
-          force[i].setZero();
-          const T mass = field.collected[i].mass();
-          if (mass > 0)
-            failure.guard(i, [&] {
-              const Vec<T, D> x = Scene::Shape::node_position(scene.mesh, static_cast<Index>(i));
-              force[i] = mass * value_at(value_, x, scene.time, "body force");
-            });
-        }
-      });
-    }
-    failure.rethrow();
-    forces_.add_to(scene);
-  }
-  template <class Scene>
-  void follow_motion(Scene& scene, double dt) {
-    work_ += forces_.work(scene, dt);
+    this->act(scene, [&](const Vec<T, D>& x, const NodeSums<T, D>& sums) {
+      return Vec<T, D>(sums.mass() * acceleration_at(x, scene.time));
+    });
   }
   /// At a position, m, and a time, s: what geostatic stresses take for gravity, m/s2.
   Vec<T, D> acceleration_at(const Vec<T, D>& x, double time) const {
     return value_at(value_, x, time, "body force");
   }
-  PartEnergy count_energy() const { return {.external = work_}; }
-  bool holds_against(const Vec<T, D>&) const { return false; }
-  template <class F>
-  void visit_state(F&& f) {
-    f("work", work_);
-  }
 
  private:
   VectorFunction value_;
-  FieldForces<T, D> forces_;
-  double work_ = 0;  // since the start, J
 };
 
 template <class Site>

@@ -24,10 +24,10 @@ struct ViscousDamping {
 };
 
 /// Local damping (Cundall 1987): at each node and along each axis a force of `factor` times the force out of
-/// balance there, against the velocity. It does not slow a steady motion down, but a free one: what falls
-/// falls with 1 - factor of gravity. It needs no frequency: each mode loses the share 4 factor /
+/// balance there, against the velocity. It does not slow a steady motion down, but a free one: matter falls
+/// with 1 - factor of gravity. It needs no frequency: each mode loses the share 4 factor /
 /// (1 + factor)^2 of its energy in a cycle. The force out of balance is that of the whole step, impulses of
-/// contact and of walls with it: what is held in balance, a footing that goes down slowly say, is not damped.
+/// contact and walls included: a body in quasi-static equilibrium, such as a slowly pushed footing, is not damped.
 struct LocalDamping {
   struct FactorRule {
     static constexpr const char* name = "LocalDamping.factor";
@@ -37,21 +37,16 @@ struct LocalDamping {
   Checked<FactorRule> factor = 0.7;
 };
 
-/// What both have in common: they can be switched off, and book the work of their forces as dissipated.
+/// Base of dampings: they can be switched off, and book the work of their forces as dissipated.
 template <class T, int D>
-class Damping {
+class Damping : public FieldForces<T, D> {
  public:
-  template <class Scene>
-  void connect(Scene& scene) {
-    forces_.connect(scene);
-  }
   /// Damps no more, or again.
   void switch_off() { on_ = false; }
   void switch_on() { on_ = true; }
   bool is_on() const { return on_; }
 
   PartEnergy count_energy() const { return {.dissipated = dissipated_}; }
-  bool holds_against(const Vec<T, D>&) const { return false; }
   template <class F>
   void visit_state(F&& f) {
     f("dissipated", dissipated_);
@@ -59,8 +54,7 @@ class Damping {
   }
 
  protected:
-  FieldForces<T, D> forces_;  // of the last step
-  double dissipated_ = 0;     // since the start, J
+  double dissipated_ = 0;  // since the start, J
   bool on_ = true;
 };
 
@@ -76,16 +70,16 @@ class BoundViscousDamping : public Damping<T, D> {
     const auto factor = static_cast<T>(std::expm1(-rate_ * dt) / dt);
     for (std::size_t k = 0; k < Scene::field_count; ++k) {
       const auto& field = scene.fields[k];
-      auto& force = this->forces_.field[k].force;
+      auto& force = this->forces_[k].force;
       parallel_chunks(field.size(), [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) force[i] = factor * field.collected[i].momentum();
       });
     }
-    this->forces_.add_to(scene);
+    this->add_to(scene);
   }
   template <class Scene>
   void follow_motion(const Scene& scene, double dt) {
-    if (this->on_) this->dissipated_ -= this->forces_.work(scene, dt);
+    if (this->on_) this->dissipated_ -= this->work(scene, dt);
   }
 
  private:
@@ -102,12 +96,12 @@ class BoundLocalDamping : public Damping<T, D> {
   ContactTally exchange_impulses(Scene& scene, double dt) {
     if (this->on_)
       for (std::size_t k = 0; k < Scene::field_count; ++k)
-        damp(scene.fields[k], static_cast<T>(dt), this->forces_.field[k].force);
+        damp(scene.fields[k], static_cast<T>(dt), this->forces_[k].force);
     return {};
   }
   template <class Scene>
   void read_end(const Scene& scene, double dt) {
-    if (this->on_) this->dissipated_ -= this->forces_.work_of_impulses(scene, dt);
+    if (this->on_) this->dissipated_ -= this->work_of_impulses(scene, dt);
   }
 
  private:

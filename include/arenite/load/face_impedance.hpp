@@ -34,7 +34,8 @@ class FaceImpedance {
     std::vector<bool> touched(scene.fields[0].size(), Scene::is_portion);
     for_each_hull_face(scene, [&](const HullFace<T, D>& face) {
       if (!is_meant(face)) return;
-      faces_.push_back(kept(scene, face, touched));
+      for_each_face_node(scene, face, [&](Index i) { touched[i] = true; });
+      faces_.push_back({face.axis, face.upper, face.node});
       cell.push_back(face.cell);
     });
     of_cell_.build(scene.mesh.cell_count(), [&](auto&& add) {
@@ -94,19 +95,6 @@ class FaceImpedance {
     std::array<Index, static_cast<std::size_t>(D)> node;  // of a simplex's
   };
 
-  template <class Body>
-  static T volume(const Body& body, Index c) {
-    T sum = 0;
-    for (const Index p : body.cells[c]) sum += body.points.volume[p];
-    return sum;
-  }
-
-  template <class Scene>
-  static T matter_in(const Scene& scene, Index c) {
-    T sum = 0;
-    scene.for_each_body([&](const auto& body, const auto&) { sum += volume(body, c); });
-    return sum;
-  }
   template <class Scene>
   static T area_of(const Scene& scene, [[maybe_unused]] Index c, const Face& face) {
     if constexpr (is_simplex_mesh<typename Scene::Mesh>) {
@@ -120,12 +108,6 @@ class FaceImpedance {
     } else {
       return grid_face<typename Scene::Kinematics>(scene.mesh, c, face.axis, face.upper).second;
     }
-  }
-
-  template <class Scene>
-  static Face kept(const Scene& scene, const HullFace<T, D>& face, std::vector<bool>& touched) {
-    for_each_face_node(scene, face, [&](Index i) { touched[i] = true; });
-    return {face.axis, face.upper, face.node};
   }
 
   static Matrix along(const Vec<T, D>& normal, const WaveImpedance& z) {
@@ -146,7 +128,7 @@ class FaceImpedance {
         sum += thickness[i] = Scene::Kinematics::thickness(x[i]);
       }
       const Vec<T, D> area = face_area(x);
-      const T size = area.norm() * volume(body, c) / matter / static_cast<T>(D * (D + 1));
+      const T size = area.norm() * volume_of<T>(body, c) / matter / static_cast<T>(D * (D + 1));
       const Matrix unit = along(area.normalized(), z);
       // The integral of N_i times a thickness that is linear over the face.
       for (std::size_t i = 0; i < D; ++i) to(face.node[i], field) += size * (sum + thickness[i]) * unit;

@@ -6,7 +6,6 @@
 #include <type_traits>
 #include <utility>
 
-#include <arenite/core/part_energy.hpp>
 #include <arenite/load/grid_faces.hpp>
 #include <arenite/load/lost_load.hpp>
 #include <arenite/load/simplex_faces.hpp>
@@ -36,10 +35,10 @@ inline FaceTraction pressure(MeshFaces where, ScalarFunction p) {
   return {std::move(where), SurfaceLoad(std::move(p))};
 }
 
-/// The same in a mesh: a part that adds forces, those of the step's begin. `Faces`: `SimplexFaces` or
+/// A traction in a mesh: a part that adds the forces of the start of the step. `Faces`: `SimplexFaces` or
 /// `GridFaces`.
 template <class T, int D, class Faces>
-class BoundFaceTraction {
+class BoundFaceTraction : public BookedForces<T, D> {
  public:
   explicit BoundFaceTraction(FaceTraction t)
       : load_{std::move(t.load)},
@@ -51,11 +50,11 @@ class BoundFaceTraction {
     faces_.emplace(scene, where_);
     require(faces_->size() > 0 || Scene::is_portion, name_ + ": faces", faces_->size(),
             "must be at least one face of the mesh's hull");
-    forces_.connect(scene);
+    BookedForces<T, D>::connect(scene);
   }
   template <class Scene, class Others = const Alone>
   void add_force(Scene& scene, double, Others& others = no_others) {
-    faces_->collect(scene, load_, name_, forces_.field, others);
+    faces_->collect(scene, load_, name_, this->forces_, others);
     if (lost_.is_due())
       lost_.look(
           faces_->magnitudes(scene, load_, name_), name_,
@@ -63,31 +62,15 @@ class BoundFaceTraction {
                        "mesh where the body ends, or load its points, ",
                        load_.name(), "(surface(..), ..)"}),
           others);
-    forces_.add_to(scene);
+    this->add_to(scene);
   }
-  template <class Scene>
-  void follow_motion(Scene& scene, double dt) {
-    work_ += forces_.work(scene, dt);
-  }
-  PartEnergy count_energy() const { return {.external = work_}; }
-  /// Nothing rests on a load.
-  bool holds_against(const Vec<T, D>&) const { return false; }
-  template <class F>
-  void visit_state(F&& f) {
-    f("work", work_);
-  }
-
-  /// Total force of the last step, N, [D].
-  Vec<T, D> force() const { return forces_.total(); }
 
  private:
   SurfaceLoad load_;
   MeshFaces where_;
   std::string name_;
   std::optional<Faces> faces_;  // from `connect` on
-  FieldForces<T, D> forces_;
   LostLoad lost_{0.98};
-  double work_ = 0;  // since the start, J
 };
 
 template <class Site>

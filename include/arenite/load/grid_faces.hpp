@@ -96,15 +96,6 @@ class GridFaces {
     int axis;
     bool upper;
   };
-  /// Volume of the points in a cell, m3.
-  template <class Scene>
-  static T matter_in(const Scene& scene, Index c) {
-    T matter = 0;
-    scene.for_each_body([&](const auto& body, const auto&) {
-      for (const Index p : body.cells[c]) matter += body.points.volume[p];
-    });
-    return matter;
-  }
   /// Where a face is on its axis, m, and its area vector, out of the mesh.
   template <class Scene>
   static std::pair<T, Vec<T, D>> placed(const Scene& scene, Index c, const Face& face) {

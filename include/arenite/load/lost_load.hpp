@@ -1,4 +1,4 @@
-// Lost load: what acts on faces of the mesh without matter behind them, told once.
+// Lost load: warns once if a load acts on faces of the mesh that have no matter behind them.
 #pragma once
 
 #include <cmath>

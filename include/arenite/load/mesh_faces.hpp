@@ -1,4 +1,4 @@
-// Faces of a mesh: which part of its hull a load acts on.
+// Mesh faces: selects the faces of a mesh's hull that a load acts on.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -143,6 +143,22 @@ void for_each_face_node(const Scene& scene, const HullFace<T, D>& face, F&& f) {
     for (std::size_t i = 0; i < has.size(); ++i)
       if (has[i]) f(cell.nodes[i]);
   }
+}
+
+/// Volume of the points of a body in a cell, m3.
+template <class T, class Body>
+T volume_of(const Body& body, Index cell) {
+  T sum = 0;
+  for (const Index p : body.cells[cell]) sum += body.points.volume[p];
+  return sum;
+}
+/// Volume of the points of all bodies in a cell, m3.
+template <class Scene>
+typename Scene::T matter_in(const Scene& scene, Index cell) {
+  typename Scene::T sum = 0;
+  scene.for_each_body(
+      [&](const auto& body, const auto&) { sum += volume_of<typename Scene::T>(body, cell); });
+  return sum;
 }
 
 /// Whether a face is among those meant. Throws `error` for a side, or a set, that the mesh does not have.

@@ -10,20 +10,19 @@
 #include <vector>
 
 #include <arenite/core/failure.hpp>
-#include <arenite/core/part_energy.hpp>
 #include <arenite/load/node_force.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 /// A part that adds the forces of some points of a body to the nodes, with the shape functions at the
-/// positions at the step's begin. `Load`: what is kept with each point, and the force that follows from it:
+/// positions at the start of the step. `Load`: what is kept with each point, and the force that follows from it:
 /// - `columns`: numbers by point, not all zero where a point is loaded; `body`: a `BodyName`; `name()`;
 /// - `place(scene, body, set)`: calls `set(p, numbers)` for the loaded points of a new scene;
 /// - `force(x, numbers, time)`: N, at a position; may throw, and runs on several threads;
 /// - `follow(numbers, gradient, hoop, dt)`: the numbers behind a step with this velocity gradient, 1/s, and
 ///   hoop rate v_r / r, if `deforms`.
 template <class T, int D, class Load>
-class BoundPointForces {
+class BoundPointForces : public BookedForces<T, D> {
  public:
   static constexpr int point_columns = Load::columns;
   using Numbers = Vec<T, Load::columns>;
@@ -43,12 +42,14 @@ class BoundPointForces {
     });
     require(count > 0 || Scene::is_portion, {load_.name(), ": points"}, count,
             "must be at least one point of the body");
-    nodes_.clear(Scene::Shape::node_count(scene.mesh));
+    this->forces_.resize(Scene::field_count);  // those of other bodies stay empty
+    nodes<Scene>().clear(Scene::Shape::node_count(scene.mesh));
   }
 
   template <class Scene, class Others = const Alone>
   void add_force(Scene& scene, double, Others& others = no_others) {
-    nodes_.clear(Scene::Shape::node_count(scene.mesh));
+    auto& nodes = this->template nodes<Scene>();
+    nodes.clear(Scene::Shape::node_count(scene.mesh));
     with_body(scene, [&](auto& body, auto& field) {
       find_loaded(body.points);
       force_.resize(loaded_.size());
@@ -64,37 +65,31 @@ class BoundPointForces {
       each_in_cell(scene, body, 0, loaded_.size(), [&](const auto& cell, std::size_t k) {
         const auto w = cell.weights(body.points.position[loaded_[k]]);
         for (std::size_t i = 0; i < cell.nodes.size(); ++i)
-          nodes_.force[cell.nodes[i]] += w[static_cast<int>(i)] * force_[k];
+          nodes.force[cell.nodes[i]] += w[static_cast<int>(i)] * force_[k];
       });
-      nodes_.sum(others);
-      nodes_.add_to(field);
+      nodes.sum(others);
+      nodes.add_to(field.collected);
     });
   }
 
   template <class Scene>
   void follow_motion(Scene& scene, double dt) {
-    with_body(scene, [&](auto& body, auto& field) {
-      work_ += nodes_.work(field, dt, scene.node_owner());
-      if constexpr (Load::deforms)
+    BookedForces<T, D>::follow_motion(scene, dt);
+    if constexpr (Load::deforms)
+      with_body(scene, [&](auto& body, auto& field) {
         parallel_chunks(loaded_.size(), [&](std::size_t begin, std::size_t end) {
           each_in_cell(scene, body, begin, end, [&](const auto& cell, std::size_t k) {
             deform<typename Scene::Kinematics>(cell, field, body.points, loaded_[k], static_cast<T>(dt));
           });
         });
-    });
+      });
   }
-  PartEnergy count_energy() const { return {.external = work_}; }
-  bool holds_against(const Vec<T, D>&) const { return false; }
-
-  template <class F>
-  void visit_state(F&& f) {
-    f("work", work_);
-  }
-
-  /// Total force of the last step, N, [D].
-  Vec<T, D> force() const { return nodes_.total(); }
 
  private:
+  template <class Scene>
+  NodeForce<T, D>& nodes() {
+    return this->forces_[Scene::field_of(body_)];
+  }
   template <class Points>
   Numbers get(const Points& points, std::size_t p) const {
     Numbers numbers;
@@ -166,8 +161,6 @@ class BoundPointForces {
   std::vector<Index> loaded_;     // points of this step
   std::vector<Vec<T, D>> force_;  // [loaded points] N
   std::vector<char> has_loaded_;  // [chunks of points]
-  NodeForce<T, D> nodes_;
-  double work_ = 0;  // since the start, J
 };
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -188,7 +188,7 @@ class PortionMaker {
   const std::vector<int>& owner_;
   int number_;
   std::vector<bool> touched_{};    // [nodes of the whole] by a cell of the portion's own
-  std::vector<int> node_owner_{};  // [nodes of the whole] `nobody` where no cell has it
+  std::vector<int> node_owner_{};  // [nodes of the whole] `nobody` for a node that no cell has
   std::vector<Index> local_{};     // [nodes of the whole] number here, or none
   MeshData<D> mesh_{};
   MeshPortion<D> portion_{};

@@ -67,7 +67,7 @@ class RectilinearGrid {
   using Point = Vec<T, D>;
   static constexpr auto dim = static_cast<std::size_t>(D);
 
-  /// Places of the lines along each axis, m: at least two, ascending; z in space alone.
+  /// Places of the lines along each axis, m: at least two, ascending; z only in three dimensions.
   struct Parameters {
     std::vector<double> x{}, y{}, z{};
   };

@@ -220,7 +220,7 @@ template <class Scene>
 inline constexpr bool tracks_energy = Scene::template has_part<TrackEnergy>;
 
 /// J. `residual` = kinetic + strain + stored + plastic + contact + transfer + walls - (initial + external +
-/// inserted): errors alone, of the time step, of contact and of laws; negative: energy lost.
+/// inserted): only errors, of the time step, of contact and of laws; negative: energy lost.
 struct Energies {
   double kinetic = 0;   ///< bodies and parts
   double strain = 0;    ///< recoverable

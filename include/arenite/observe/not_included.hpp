@@ -1,5 +1,4 @@
-// What arenite.hpp leaves to headers of their own because it writes files: its name alone, with the sentence
-// that says where it is.
+// Placeholders: `vtu` without its header gives a compile error that names the header to include.
 #pragma once
 
 #include <type_traits>

@@ -7,7 +7,7 @@
 #include <arenite/particles/body.hpp>
 #include <arenite/particles/measures.hpp>
 
-namespace arenite::inline ARENITE_INSTRUCTION_SET::detail {
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 /// The columns that all bodies have, each [count]. They are valid until points are added, removed or sorted.
 template <class T>
@@ -22,7 +22,7 @@ struct PointColumns {
 };
 
 template <class L, class T, int D, ExtraColumns E>
-PointColumns<T> point_columns(const Body<L, T, D, E>& body) {
+PointColumns<T> columns_of_points(const Body<L, T, D, E>& body) {
   const auto& points = body.points;
   PointColumns<T> columns{.count = points.size(),
                           .dimension = D,
@@ -36,4 +36,4 @@ PointColumns<T> point_columns(const Body<L, T, D, E>& body) {
   return columns;
 }
 
-}  // namespace arenite::inline ARENITE_INSTRUCTION_SET::detail
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -69,7 +69,7 @@ struct CutNode {
 
 }  // namespace detail
 
-/// The same force as the motion of nodes sees it, through a cut of the whole body: the internal forces of the
+/// The section force in the momentum balance of the nodes, through a cut of the whole body: the internal forces of the
 /// body's nodes, each for the share of its mass that is of points in front of the cut. Both sides get
 /// opposite forces, and at rest each is in balance with its weight to what forces are out of balance, also
 /// where stresses jump from cell to cell: a cantilever of linear triangles, two cells high, has its shear

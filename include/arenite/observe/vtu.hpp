@@ -58,7 +58,7 @@ VtuData points_vtu(const Body<L, T, D, E>& body, const VtuPoints& wanted = {}) {
     }));
   for (const auto& column : points.history) more.history.push_back(column.data());
   if constexpr (Points<T, D, L, E>::has_ids) more.id = &points.id;
-  return detail::columns_vtu(detail::point_columns(body), wanted, std::move(more));
+  return detail::columns_vtu(columns_of_points(body), wanted, std::move(more));
 }
 
 /// Cells of a simplex mesh with their region; only those of region `only` if it is not negative. The mesh

@@ -51,11 +51,11 @@ struct Fill {
 /// Fills a region with points of a law; `fill<"sand">(..)` gives the body a name. A region that catches no
 /// point is refused when the scene is made.
 template <Name name, class Region, class L>
-Fill<L, name, Region> fill(Region region, L law, FillOptions options = {}) {
+Fill<L, name, Region> fill(Region region, L law, const FillOptions& options = {}) {
   return {std::move(region), std::move(law), options};
 }
 template <class Region, class L>
-Fill<L, "", Region> fill(Region region, L law, FillOptions options = {}) {
+Fill<L, "", Region> fill(Region region, L law, const FillOptions& options = {}) {
   return {std::move(region), std::move(law), options};
 }
 

@@ -84,7 +84,7 @@ Places<Vec<double, D + 1>> simplex_points(int n) {
 /// How many of n points on a lattice lie along each axis; n must be a D-th power. Throws `error` otherwise.
 template <int D>
 std::array<int, static_cast<std::size_t>(D)> lattice_counts(int n);
-/// The same for a cell of a grid with these edges, so that points are about as far apart along all axes:
+/// Points along each axis of a grid cell with these edges, so that they are about as far apart along all axes:
 /// about n in all, and, unless n = 1, two along each axis at least.
 template <class T, int D>
 std::array<int, static_cast<std::size_t>(D)> even_counts(int n, const Vec<T, D>& edges);

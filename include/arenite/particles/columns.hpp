@@ -61,7 +61,7 @@ class Columns {
     for (std::size_t k = 0; k < N; ++k) value[k] = load_lanes<P>(column_[k].data() + p, count);
     return value;
   }
-  /// The same, but lanes behind them repeat point p: for what must be a sensible position.
+  /// Loads a pack; lanes beyond the last point repeat point p: for what must be a sensible position.
   template <class P>
   std::array<P, N> load_repeated(std::size_t p, int count) const {
     std::array<P, N> value;

@@ -62,10 +62,10 @@ struct AnyRegion {
   using Position = std::array<double, 3>;
   std::function<bool(const Position&)> test{};        ///< none: the region is `cells`
   std::function<double(const Position&)> distance{};  ///< signed, m; none: unknown
-  bool by_centres = false;           ///< whether `test` is for the middles of sub-cells alone
-  std::vector<std::string> cells{};  ///< regions of the mesh
-  bool has_bounds = false;           ///< whether the region has finite bounds
-  Position lower{}, upper{};         ///< m
+  bool by_centres = false;                            ///< whether `test` is only for the middles of sub-cells
+  std::vector<std::string> cells{};                   ///< regions of the mesh
+  bool has_bounds = false;                            ///< whether the region has finite bounds
+  Position lower{}, upper{};                          ///< m
 
   template <int D, class R>
   static AnyRegion of(R region) {

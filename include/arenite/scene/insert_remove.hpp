@@ -35,7 +35,7 @@ auto insert_into(Scene& scene, B& body, const std::vector<typename B::Point>& po
   return totals;
 }
 
-/// The same for the points of a `fill`, as a new scene would have them; `name`: of the body, for a warning.
+/// Inserts the points of a `fill`, as a new scene would have them; `name`: of the body, for a warning.
 template <class Scene, class B, class F>
 auto insert_fill(Scene& scene, B& body, const F& fill, const std::string& name) {
   Ground ground{.time = scene.time};

@@ -21,7 +21,7 @@ void take_foreign(Scene& scene, Send&& send) {
       auto& body = std::get<number>(scene.bodies);
       auto& points = body.points;
       double mass = 0;
-      for (const Index p : body.cells.all_unsorted()) {  // who moved is among them
+      for (const Index p : body.cells.all_unsorted()) {  // the moved points are among these
         const Index c = points.cell[p];
         if (c == none || portion.owns_cell(c)) continue;
         mass += static_cast<double>(points.mass[p]);
@@ -47,7 +47,7 @@ void take_in(Scene& scene, const std::vector<Point>& points, const std::vector<s
   body.initial_volume += totals.mass / body.law.density();
 }
 
-/// Throws `run_error` for a point that jumped over the ghost cells: it is not lost, and nobody would know.
+/// Throws `run_error` for a point that jumped over the ghost cells: it is not counted as lost, so nothing else would report it.
 template <class Scene, class Body>
 void check_outside(const Scene& scene, const Body& body) {
   if constexpr (Scene::is_portion)

@@ -1,4 +1,4 @@
-// What a step does with numbers of nodes that several scenes share. Alone it compiles to nothing.
+// Ghost sums: adds or copies nodal values that scenes on portions of one mesh share. A scene on the whole mesh skips them.
 #pragma once
 
 #include <span>

@@ -37,12 +37,12 @@ inline constexpr bool is_fill<Fill<L, name, Region>> = true;
 
 /// The deformable bodies of a scene, each made by `fill(..)`; they are numbered from 0.
 template <class... Fills>
-Bodies<Fills...> bodies(Fills... fills) {
-  return {{std::move(fills)...}};
+Bodies<Fills...> bodies(const Fills&... fills) {
+  return {{fills...}};
 }
 /// Refused by the compiler: what no `fill` made.
 template <class... Fills>
-requires(!(detail::is_fill<Fills> && ...)) auto bodies(Fills...) {
+requires(!(detail::is_fill<Fills> && ...)) auto bodies(const Fills&...) {
   static_assert(
       (detail::is_fill<Fills> && ...),
       "bodies: each argument must be a fill(region, law): bodies(fill(..), fill(..)); a list of them "
@@ -88,28 +88,54 @@ inline constexpr bool is_bodies = false;
 template <class... F>
 inline constexpr bool is_bodies<Bodies<F...>> = true;
 
-/// A scene's recipes but its bodies: groups opened, in order.
 template <class P>
-std::tuple<P> opened(const P& part) {
-  return {part};
-}
-template <class... F>
-std::tuple<> opened(const Bodies<F...>&) {
-  return {};
-}
+inline constexpr bool is_group = false;
 template <class... P>
-std::tuple<P...> opened(const PartGroup<P...>& group) {
-  return group.parts;
+inline constexpr bool is_group<PartGroup<P...>> = true;
+
+/// `f(recipe, ..)` of a scene's recipes but its bodies: groups opened, in order. Of those given the first `Left`
+/// are still to be opened; each then goes to the end.
+template <std::size_t, class F>
+auto with_recipes(const F& f) {
+  return f();
+}
+template <std::size_t Left, class F, class First, class... Rest>
+auto with_recipes(const F& f, const First& first, const Rest&... rest) {
+  if constexpr (Left == 0)
+    return f(first, rest...);
+  else if constexpr (is_bodies<First>)
+    return with_recipes<Left - 1>(f, rest...);
+  else if constexpr (is_group<First>)
+    return std::apply([&](const auto&... part) { return with_recipes<Left - 1>(f, rest..., part...); },
+                      first.parts);
+  else
+    return with_recipes<Left - 1>(f, rest..., first);
+}
+/// The kinematics come last, if they are a part.
+template <class F, class K, class... Given>
+auto with_recipes_of(const F& f, const K& kinematics, const Given&... given) {
+  if constexpr (plays_a_role<K>)
+    return with_recipes<sizeof...(Given) + 1>(f, given..., kinematics);
+  else
+    return with_recipes<sizeof...(Given)>(f, given...);
 }
 
-/// The kinematics, if they are a part.
-template <class K>
-auto opened_if_part(const K& kinematics) {
-  if constexpr (plays_a_role<K>)
-    return std::tuple<K>{kinematics};
-  else
-    return std::tuple<>{};
-}
+/// The types of recipes.
+struct TypesOf {
+  template <class... P>
+  std::type_identity<std::tuple<P...>> operator()(const P&...) const {
+    return {};
+  }
+};
+/// Binds recipes.
+template <class Site>
+struct Binder {
+  const Site& site;
+  template <class... P>
+  auto operator()(const P&... recipe) const {
+    return std::tuple<decltype(bound(recipe, site))...>{bound(recipe, site)...};
+  }
+};
 
 /// The bodies among the values given; none: no bodies.
 inline Bodies<> find_bodies() { return {}; }
@@ -119,15 +145,6 @@ decltype(auto) find_bodies(const First& first, const Rest&... rest) {
     return (first);
   else
     return find_bodies(rest...);
-}
-
-template <class... P, class Site>
-auto bind_all(const std::tuple<P...>& recipes, const Site& site) {
-  return std::apply(
-      [&](const auto&... recipe) {
-        return std::tuple<decltype(bound(recipe, site))...>{bound(recipe, site)...};
-      },
-      recipes);
 }
 
 template <class M, ExtraColumns Extra, class F>

@@ -74,8 +74,8 @@ concept holds_mapped = requires(P& part, S& scene) {
   { part.hold_mapped(scene, 0.0) } -> std::same_as<double>;
 };
 
-/// After G2P, for each body: the work of its stresses in this step, J, and perhaps what it were with those at
-/// the end of the step alone. It is computed where a part asks.
+/// After G2P, for each body: the work of its stresses in this step, J, and, if a part asks for it, its value with
+/// only the stresses of the end of the step.
 template <class P>
 concept takes_both_works = requires(P& part) {
   { part.take_stress_work(0.0, 0.0) } -> std::same_as<void>;

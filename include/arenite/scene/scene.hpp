@@ -50,14 +50,15 @@ struct Scene {
  private:
   using Fills = std::remove_cvref_t<decltype(detail::find_bodies(std::declval<const Given&>()...))>;
   /// What was given but the bodies; the kinematics are a part, too.
-  using Recipes = decltype(std::tuple_cat(detail::opened(std::declval<const Given&>())...,
-                                          detail::opened_if_part(std::declval<const K&>())));
+  using Recipes = typename decltype(detail::with_recipes_of(detail::TypesOf{}, std::declval<const K&>(),
+                                                            std::declval<const Given&>()...))::type;
 
  public:
   static constexpr std::size_t body_count = std::tuple_size_v<decltype(Fills::fills)>;
   static_assert(body_count >= 1, "Scene: bodies(..) needs at least one fill(..)");
   using SiteType = Site<K, M, N, body_count>;
-  using Parts = decltype(detail::bind_all(std::declval<const Recipes&>(), std::declval<const SiteType&>()));
+  using Parts = decltype(detail::with_recipes_of(std::declval<const detail::Binder<SiteType>&>(),
+                                                 std::declval<const K&>(), std::declval<const Given&>()...));
   static constexpr std::size_t part_count = std::tuple_size_v<Parts>;
   static_assert(
       detail::singles<Parts>,
@@ -304,12 +305,12 @@ struct Scene {
     return Place < part_count ? Place : 0;
   }
 
-  Scene(Nothing, K kinematics_value, M mesh_value, N numerics_value, Given... given);
+  Scene(Nothing, K kinematics_value, M&& mesh_value, N numerics_value, const Given&... given);
 
   static Parts bind(const M& mesh, const K& kinematics, const Given&... given) {
     static_assert(detail::check_all_roles<Scene>(std::type_identity<Parts>{}));
-    return detail::bind_all(std::tuple_cat(detail::opened(given)..., detail::opened_if_part(kinematics)),
-                            SiteType{mesh});
+    const SiteType site{mesh};
+    return detail::with_recipes_of(detail::Binder<SiteType>{site}, kinematics, given...);
   }
 
   void find_constraints() {
@@ -329,6 +330,9 @@ struct Scene {
         ++number;
       });
     }
+    for_each_part([&](auto& part) {
+      if constexpr (requires { part.connect_walls(*this, nodes); }) part.connect_walls(*this, nodes);
+    });
   }
 
   static Blocks make_blocks(const M& mesh) {
@@ -385,7 +389,8 @@ using RefusedScene = Scene<detail::Refused, Given...>;
 // Not within the class: there it would be inline, and compiled again in each unit in spite of an `extern
 // template`.
 template <class K, class M, class N, class... Given>
-Scene<K, M, N, Given...>::Scene(Nothing, K kinematics_value, M mesh_value, N numerics_value, Given... given)
+Scene<K, M, N, Given...>::Scene(Nothing, K kinematics_value, M&& mesh_value, N numerics_value,
+                                const Given&... given)
     : kinematics{kinematics_value},
       mesh{std::move(mesh_value)},
       numerics{numerics_value},

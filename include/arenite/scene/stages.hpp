@@ -27,7 +27,7 @@ void p2g(Scene& scene, double dt, [[maybe_unused]] Others& others = no_others) {
     }
 }
 
-/// Forces of parts (`add_force`), behind those who read the nodes as the points left them (`read_start`).
+/// Forces of parts (`add_force`), after the parts that read the nodes as P2G left them (`read_start`).
 /// dt: s.
 template <class Scene, class Others = const Alone>
 void add_forces(Scene& scene, double dt, [[maybe_unused]] Others& others = no_others) {
@@ -138,7 +138,7 @@ void move_massless([[maybe_unused]] Scene& scene, [[maybe_unused]] typename Scen
   }
 }
 
-/// Masses and velocities of the nodes as the points hand them over at the begin of the step, constrained.
+/// Masses and velocities of the nodes that P2G gives at the start of the step, constrained.
 template <class Scene, class Others>
 void find_start_velocities(Scene& scene, typename Scene::Field& field, Others& others) {
   using T = typename Scene::T;
@@ -340,7 +340,7 @@ void sweep_nodes(Scene& scene, [[maybe_unused]] double dt, [[maybe_unused]] Othe
 }
 
 /// MUSL: velocities mapped back from the points, held to what contact and constraints enforced. Ahead of the
-/// hold come those who read the velocities of the nodes (`read_end`). dt: s.
+/// hold run the parts that read the final nodal velocities (`read_end`). dt: s.
 template <class Scene, class Others = const Alone>
 void map_back(Scene& scene, [[maybe_unused]] double dt, [[maybe_unused]] Others& others = no_others) {
   if constexpr (Scene::NumericsType::maps_back) {

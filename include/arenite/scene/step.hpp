@@ -12,7 +12,7 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 /// Takes a scene through one step of length dt, s. Throws `error` unless dt is positive and finite, and
 /// `run_error` if the state turns into NaN or the mesh inside out, naming time, place and cause. Warns, once
 /// a scene, of a dt above the stable step. `others`: the exchange with the scenes over the other portions of
-/// the mesh, who take the same step at the same time (`core/alone.hpp`).
+/// the mesh, which take the same step at the same time (`core/alone.hpp`).
 template <class Scene, class Others>
 void step(Scene& scene, double dt, Others& others) {
   static_assert(Scene::is_portion != Others::alone,
@@ -34,7 +34,7 @@ void step(Scene& scene, double dt, Others& others) {
   finish(scene, dt);            // time, and the check that nothing has become NaN
 }
 
-/// The same for a scene that has its mesh to itself.
+/// One step of dt, s, of a scene on a whole mesh.
 template <class Scene>
 void step(Scene& scene, double dt) {
   step(scene, dt, no_others);

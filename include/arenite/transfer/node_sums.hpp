@@ -86,7 +86,7 @@ struct alignas(4 * sizeof(T)) NodeMomentum {
   friend bool operator==(const NodeMomentum&, const NodeMomentum&) = default;
 };
 
-/// Of the whole step, or none for dt = 0.
+/// Impulse of the summed forces over dt, N s (zero if dt = 0).
 template <class T, int D>
 NodePack<T, D> impulse_of_forces(const NodeMomentum<T, D>& sums, T dt) {
   return dt > 0 ? sums.momentum_pack() : NodePack<T, D>(0);

@@ -1,11 +1,13 @@
-// Signals: SIGINT and SIGTERM end a run between two steps instead of at once. POSIX.
+// Stop signals: SIGINT and SIGTERM end a run between two steps instead of at once. POSIX.
 #pragma once
 
 #include <csignal>
 #include <exception>
 #include <string>
 
-namespace arenite::ffp {
+#include <arenite/run/run_flow.hpp>
+
+namespace arenite {  // one for all instruction sets, as all exceptions
 
 /// Why a run ended between two steps: a signal asked for it.
 class Interruption : public std::exception {
@@ -21,8 +23,13 @@ class Interruption : public std::exception {
   std::string text_;
 };
 
-/// While one lives, the first SIGINT or SIGTERM is noted, for `check` to find; a second one of its kind ends
-/// the program as ever. A signal that was ignored (nohup, a job in the background) stays ignored.
+}  // namespace arenite
+
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
+
+/// While one lives, the first SIGINT or SIGTERM is noted; a second one of its kind ends the program as ever. A
+/// signal that was ignored (nohup, a job in the background) stays ignored. As an observer it ends a run after
+/// the step in which a signal came; a program that wants an exception calls `check`. One at a time.
 class StopSignals {
  public:
   StopSignals() {
@@ -46,6 +53,10 @@ class StopSignals {
   void check() const {
     if (noted_ != 0) throw Interruption(noted_);
   }
+  template <class Scene>
+  RunFlow operator()(const Scene&) const {
+    return has_come() ? RunFlow::stop : RunFlow::go_on;
+  }
 
  private:
   static constexpr int signals_[2] = {SIGINT, SIGTERM};
@@ -53,4 +64,4 @@ class StopSignals {
   struct sigaction before_[2]{};
 };
 
-}  // namespace arenite::ffp
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

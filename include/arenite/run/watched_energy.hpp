@@ -196,5 +196,5 @@ class WatchedEnergy {
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET
 
 #ifndef ARENITE_COLD_LIBRARY
-#include <arenite/observe/watched_energy_cold.hpp>
+#include <arenite/run/watched_energy_cold.hpp>
 #endif

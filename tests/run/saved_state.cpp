@@ -5,8 +5,8 @@
 
 #include <arenite/arenite.hpp>
 #include <arenite/io/pvd.hpp>
-#include <arenite/observe/saved_state.hpp>
 #include <arenite/observe/vtu.hpp>
+#include <arenite/run/saved_state.hpp>
 #include <chrono>
 #include <csignal>
 #include <fstream>

@@ -1,7 +1,7 @@
 // every: calls at multiples of a period, once each, whatever the steps and the round-off. Progress: what it
 // writes on a terminal, beside one, and nowhere.
-#include <arenite/observe/every.hpp>
-#include <arenite/observe/progress.hpp>
+#include <arenite/run/every.hpp>
+#include <arenite/run/progress.hpp>
 #include <limits>
 #include <memory>
 #include <string>

@@ -1,7 +1,7 @@
 // Steps with observers, and files as bytes: what the tests of saved states share.
 #pragma once
 
-#include <arenite/observe/saved_state.hpp>
+#include <arenite/run/saved_state.hpp>
 #include <arenite/scene/stable_step.hpp>
 #include <arenite/scene/step.hpp>
 #include <cstring>

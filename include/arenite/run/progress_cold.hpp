@@ -8,7 +8,7 @@
 #include <unistd.h>
 #endif
 
-#include <arenite/observe/progress.hpp>
+#include <arenite/run/progress.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 namespace detail {

@@ -1,7 +1,7 @@
 // Cold functions of watched_energy.hpp.
 #pragma once
 
-#include <arenite/observe/watched_energy.hpp>
+#include <arenite/run/watched_energy.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 

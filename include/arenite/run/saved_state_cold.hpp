@@ -6,7 +6,7 @@
 #include <vector>
 
 #include <arenite/core/error.hpp>
-#include <arenite/observe/saved_state.hpp>
+#include <arenite/run/saved_state.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET::detail {
 

@@ -3,7 +3,7 @@
 
 #include <utility>
 
-#include <arenite/observe/watch.hpp>
+#include <arenite/run/watch.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET::detail {
 

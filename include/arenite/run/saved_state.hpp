@@ -1,0 +1,193 @@
+// The state of a scene in a file: a run that is stopped, by whatever, goes on from the last one that was
+// saved with the same bits.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include <arenite/core/cold.hpp>
+#include <arenite/core/hash.hpp>
+#include <arenite/core/type_words.hpp>
+#include <arenite/io/state_file.hpp>
+#include <arenite/mesh/motion.hpp>
+#include <arenite/scene/state.hpp>
+#include <arenite/version.hpp>
+
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
+
+/// Where a state is saved, and optionally a line on what made the scene (its inputs, their hash): a state is
+/// restored only with the same line.
+struct SavedState {
+  std::filesystem::path path;
+  std::string recipe{};
+
+  template <class Path>
+  requires std::convertible_to<Path, std::filesystem::path> SavedState(Path&& file, std::string made_by = {})
+      : path(std::forward<Path>(file)), recipe(std::move(made_by)) {}
+};
+
+/// A value of a state, whatever its type.
+struct StateSlot {
+  StateEntry entry{};
+  bool is_array = false;
+  void* array = nullptr;  ///< whose count changes
+  void* (*resize)(void* array, std::size_t count) =
+      nullptr;  ///< returns where its numbers are then; null: no count changes
+};
+
+/// A visitor of slots: whatever is done with the values of a scene, one function finds them.
+class StateSlots {
+ public:
+  using Visit = std::function<void(const StateSlot&)>;
+
+  explicit StateSlots(const Visit& visit) : visit_{visit} {}
+
+  template <class Value>
+  void operator()(std::string_view name, Value& value) const {
+    const auto slot = [&]<class Number>(Number* data, std::size_t count, bool is_array) {
+      static_assert(!std::is_const_v<Number>, "visit_state: a state that is restored must not be constant");
+      return StateSlot{{std::string(name), number_kind<Number>, sizeof(Number), count, data}, is_array};
+    };
+    if constexpr (state_number<Value>) {
+      visit_(slot(&value, 1, false));
+    } else {
+      StateSlot numbers = slot(value.data(), static_cast<std::size_t>(value.size()), true);
+      if constexpr (resizable_state_array<Value>) {
+        numbers.array = &value;
+        numbers.resize = [](void* array, std::size_t count) -> void* {
+          static_cast<Value*>(array)->resize(count);
+          return static_cast<Value*>(array)->data();
+        };
+      }
+      visit_(numbers);
+    }
+  }
+
+ private:
+  const Visit& visit_;
+};
+
+/// A run whatever its type: calls a visitor with the state of its scene and observers.
+using StateOfRun = std::function<void(const StateSlots::Visit&)>;
+
+/// The state of a scene and of observers, "observers/0", ..
+template <class Scene, class... Observers>
+StateOfRun state_of_run(const Scene& scene, const Observers&... observers) {
+  // To visit changes nothing.
+  return [&](const StateSlots::Visit& visit) {
+    const StateSlots slots(visit);
+    for_each_state(const_cast<Scene&>(scene), slots);
+    [[maybe_unused]] std::size_t number = 0;
+    (visit_state_of(const_cast<Observers&>(observers), joined_text({"observers/", number++}), slots), ...);
+  };
+}
+
+namespace detail {
+
+/// Cells with their nodes, and places of the nodes along the axes on which they stay.
+template <class Scene>
+std::string mesh_words(const Scene& scene) {
+  using Shape = typename Scene::Shape;
+  int moved_axis = -1;
+  scene.for_each_part([&](const auto& part) {
+    if constexpr (requires {
+                    requires std::same_as<typename std::remove_cvref_t<decltype(part)>::OnlyOne, MeshMotion>;
+                  })
+      moved_axis = part.axis();
+  });
+  Hash hash;
+  const auto add = [&](const auto& number) { hash.add(&number, sizeof(number)); };
+  for (Index i = 0; i < Shape::node_count(scene.mesh); ++i) {
+    const auto x = Shape::node_position(scene.mesh, i);
+    for (int k = 0; k < Scene::D; ++k)
+      if (k != moved_axis) add(x[k]);
+  }
+  for (Index c = 0; c < scene.mesh.cell_count(); ++c)
+    for (const Index i : typename Shape::template Cell<typename Scene::Mesh>(scene.mesh, c).nodes) add(i);
+  return joined_text(
+      {Shape::node_count(scene.mesh), " nodes, ", scene.mesh.cell_count(), " cells, ", hash.digits()});
+}
+
+/// The head: `types` of kinematics, mesh, shape, transfer, order and averages; of each body its name and its law.
+std::vector<StateTerm> state_terms(const std::array<std::string, 6>& types, const std::string& mesh,
+                                   const std::vector<StateTerm>& bodies, const std::string& recipe);
+template <class Scene>
+std::vector<StateTerm> state_terms(const Scene& scene, const std::string& recipe) {
+  using N = typename Scene::NumericsType;
+  std::vector<StateTerm> bodies;
+  scene.for_each_body([&](const auto& body, const auto&) {
+    bodies.emplace_back(Scene::body_name(bodies.size()),
+                        type_words<std::remove_cvref_t<decltype(body.law)>>());
+  });
+  return state_terms({type_words<typename Scene::Kinematics>(), type_words<typename Scene::Mesh>(),
+                      type_words<typename N::Shape>(), type_words<typename N::Transfer>(),
+                      type_words<typename N::Order>(), type_words<typename N::AntiLocking>()},
+                     mesh_words(scene), bodies, recipe);
+}
+
+/// All values, where they are.
+std::vector<StateEntry> state_entries(const StateOfRun& run);
+template <class Scene, class... Observers>
+std::vector<StateEntry> state_entries(const Scene& scene, const Observers&... observers) {
+  return state_entries(state_of_run(scene, observers...));
+}
+
+/// Restores a run: first looks at all names, types and counts, then writes all values and calls `follow`. What
+/// shows only then (counts that do not fit each other, cells that hold other points, ..) is refused too: the
+/// values that were there are put back and `renew` is called.
+void restore_run(StateSource& file, const std::vector<StateTerm>& terms, const StateOfRun& run,
+                 const std::function<void()>& follow, const std::function<void()>& renew);
+
+/// Restores from a file that is open.
+template <class Scene, class... Observers>
+void restore_from(StateSource&& file, Scene& scene, const std::string& recipe, Observers&... observers) {
+  const auto follow = [&] {
+    try {
+      follow_state(scene);
+    } catch (const error& e) {
+      file.refuse(joined_text({"does not fit: ", e.what()}));
+    }
+    [[maybe_unused]] const auto follow_observer = [&](auto& observer) {
+      if constexpr (requires { observer.follow_state(std::as_const(scene)); })
+        observer.follow_state(std::as_const(scene));
+    };
+    (follow_observer(observers), ...);
+  };
+  restore_run(file, state_terms(scene, recipe), state_of_run(scene, observers...), follow,
+              [&] { renew_from_state(scene); });
+}
+
+}  // namespace detail
+
+/// Saves the state of a scene, and of observers that have a `visit_state` (`Every`, `Watch`, ..), between two
+/// steps: in the run's loop, or as an observer, which then must be the last one. At any time the file is the
+/// old or the new one as a whole. Throws `output_error` if it cannot be written.
+template <class Scene, class... Observers>
+void save_state(const Scene& scene, const SavedState& to, const Observers&... observers) {
+  write_state_file(to.path, detail::state_terms(scene, to.recipe),
+                   detail::state_entries(scene, observers...));
+}
+
+/// Puts a saved state into a scene of the same recipe, and into the same observers in the same order (one with
+/// a `follow_state(scene)` then renews what follows from it); the run
+/// then goes on with the same bits, on any number of threads. Parameters (of laws, gravity, contact) are
+/// those of the scene, not of the file. Throws `error` that names file and reason, with the values of scene
+/// and observers as they were, if the file is foreign, truncated or damaged, of another composition, mesh,
+/// recipe or set of observers, or holds values that do not fit each other.
+template <class Scene, class... Observers>
+void restore_state(Scene& scene, const SavedState& from, Observers&... observers) {
+  detail::restore_from(StateFile(from.path), scene, from.recipe, observers...);
+}
+
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET
+
+#ifndef ARENITE_COLD_LIBRARY
+#include <arenite/run/saved_state_cold.hpp>
+#endif

@@ -1,0 +1,74 @@
+// Settle: dynamic relaxation. Steps a damped scene until its forces are in balance.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <arenite/run/run.hpp>
+
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
+
+/// Unbalanced force ratio of the last step: sum of |m dv/dt| of the nodes over the sum of the greater of force (internal and of parts) and weight. 0 where nothing acts.
+template <class Scene>
+double out_of_balance(const Scene& scene) {
+  static_assert(Scene::has_start_state,
+                "out_of_balance: the scene does not keep the forces of its nodes: name a part that damps, "
+                "LocalDamping{} or ViscousDamping{..}");
+  using V = typename Scene::V;
+  const V acceleration = scene.acceleration();
+  const auto owns = scene.node_owner();
+  double out = 0, all = 0;
+  if (scene.time_step > 0)
+    for (const auto& field : scene.fields)
+      for (std::size_t i = 0; i < field.size(); ++i) {
+        if (!(field.mass[i] > 0) || !owns(static_cast<Index>(i))) continue;
+        const V change = field.velocity[i] - field.start[i];
+        out += static_cast<double>(field.mass[i] * change.norm()) / scene.time_step;
+        all += static_cast<double>(
+            std::max(field.collected[i].force().norm(), field.mass[i] * acceleration.norm()));
+      }
+  return all > 0 ? out / all : 0;
+}
+
+namespace detail {
+/// Ends a run once forces have been in balance for ten steps.
+struct Settled {
+  static constexpr bool settles = true;
+  double ratio;
+  std::size_t from;  // the scene's steps at the begin
+  int below = 0;
+  template <class Scene>
+  RunFlow operator()(const Scene& scene) {
+    if (scene.steps > from) below = out_of_balance(scene) <= ratio ? below + 1 : 0;
+    return below < 10 ? RunFlow::go_on : RunFlow::stop;
+  }
+};
+}  // namespace detail
+
+/// When a scene counts as settled, and its steps.
+struct SettleOptions {
+  double ratio = 1e-3;                                    ///< greatest force out of balance, -; positive
+  double end = std::numeric_limits<double>::quiet_NaN();  ///< s on the scene's clock; required: by when
+  double courant = 0.5;                                   ///< as in `RunOptions`
+  bool watch = true;                                      ///< as in `RunOptions`
+};
+
+/// Steps a scene, in which a part damps (`LocalDamping`), until `out_of_balance` has been at most
+/// `options.ratio` for ten steps. Observers as in `run`. Switch damping off afterwards and go on with `run`:
+/// `scene.part<LocalDamping>().switch_off()`. Throws `error` for a bad option, `run_error` if `options.end`
+/// comes first, with the ratio that was reached.
+template <class Scene, class... Observers>
+void settle(Scene& scene, const SettleOptions& options, Observers&&... observers) {
+  require(options.ratio > 0, "SettleOptions.ratio", options.ratio, "must be positive");
+  require(options.end > scene.time && std::isfinite(options.end), "SettleOptions.end", options.end,
+          {"must be given, and lie behind the scene's time ", scene.time});
+  detail::Settled check{options.ratio, scene.steps};
+  run(scene, {.end = options.end, .courant = options.courant, .watch = options.watch}, observers..., check);
+  if (check.below == 10) return;
+  throw run_error(
+      joined_text({"t = ", scene.time, " s: settle: forces are out of balance by ", out_of_balance(scene),
+                   ", not at most ", options.ratio, "; more time, or a part that damps (LocalDamping)?"}));
+}
+
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

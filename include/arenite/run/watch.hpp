@@ -1,0 +1,239 @@
+// Watch: an observer that looks at a run for what cannot be right, warns, and stops it at limits that the
+// user sets.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <arenite/core/cold.hpp>
+#include <arenite/core/state_value.hpp>
+#include <arenite/core/warning.hpp>
+#include <arenite/mesh/full_volume.hpp>
+#include <arenite/observe/point_columns.hpp>
+#include <arenite/run/damped_fall.hpp>
+#include <arenite/run/watch_limits.hpp>
+#include <arenite/run/watched_energy.hpp>
+#include <arenite/transfer/law_pass.hpp>
+
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
+namespace detail {
+
+/// A body as a watch sees it.
+template <class T>
+struct WatchedBody {
+  PointColumns<T> points;
+  int number = 0;
+  std::string_view name{};     // empty: goes by its number
+  double wave_modulus = 0;     // Pa
+  double volume_ratio = 1;     // mean V/V0, where it is wanted
+  std::size_t lost = 0;        // points that left the mesh
+  double bearing_spacing = 0;  // beyond it the shape functions do not hold points together, in cells
+  const void* mesh = nullptr;
+  double (*cell_volume)(const void* mesh, Index cell) = nullptr;  // m3
+};
+
+/// A point that shows a quantity most, and what to say of it.
+struct WatchedSpot {
+  std::array<double, 3> place = Watched::nowhere;
+  std::string text{};
+};
+
+/// What a watch keeps, and its rules for what can be judged without the types of a scene.
+class WatchBook {
+ public:
+  enum Quantity : std::size_t { energy_gain, transfer, residual, volume, speed, strength, lost };
+
+  /// Throws `error` unless all limits are positive.
+  WatchBook(const WatchLimits& limits, bool of_run);
+
+  bool wants(Quantity q) const { return std::isfinite(seen[q].limit); }
+  bool wants_energy() const { return wants(energy_gain) || wants(transfer) || wants(residual); }
+
+  /// Takes a value of a quantity; returns whether there is something to say: with `tell`.
+  bool takes(Quantity q, double time, double value, int body);
+  /// Warns of the value that it took last, or throws `run_error`.
+  void tell(Quantity q, WatchedSpot spot);
+
+  void look_at_damping(double time, double share);
+  template <class T>
+  void look_at_energy(double time, const WatchedEnergy::Found& found, bool tracked,
+                      std::span<const WatchedBody<T>> bodies);
+  template <class T>
+  void look_at_body(double time, const WatchedBody<T>& body);
+
+  std::array<Watched, 7> seen;
+  std::vector<WarningText> warnings{};
+  std::size_t every;
+  bool of_run;
+  bool hints_at_damping = true, hints_at_spacing = true;  // whether still to be given
+
+ private:
+  /// Whether the value of a quantity ends the run.
+  bool stops(Quantity q, double value) const {
+    return !(value <= seen[q].limit) && (!of_run || q == energy_gain || q == residual);
+  }
+  void hint(bool& wanted, std::string text);
+  template <class T>
+  void look_at_spacing(double time, const WatchedBody<T>& body);
+};
+
+/// "body NAME at (x, y) m", and where that is.
+template <class T>
+WatchedSpot watched_spot(const WatchedBody<T>& body, std::size_t point);
+
+}  // namespace detail
+
+/// Observer that looks at a scene at its first call, then at every `limits.every`th step, and at the end of
+/// `run`: a look costs a fifth to a half of a step. It wants to be called at every step. Past a limit it
+/// throws `run_error` with time, quantity, value, limit and place; past a tenth it warns once (`on_warning`).
+/// What it saw can be read from it afterwards. Observers behind it do not see the step at which it throws:
+/// name it last. For one scene; it may be given to several runs of it.
+template <bool OfRun>
+class BasicWatch {
+ public:
+  /// Throws `error` unless all limits are positive.
+  explicit BasicWatch(const WatchLimits& limits = {}) : book_(limits, OfRun) {}
+
+  template <class Scene>
+  void operator()(const Scene& scene) {
+    if (scene.steps >= next_)
+      look(scene);
+    else if (!tracks_energy<Scene> && scene.steps + 1 == next_ && book_.wants_energy())
+      energy_.remember(scene);
+  }
+  /// Looks at the end of a run, which may lie between two looks; `run` calls it.
+  template <class Scene>
+  void finish(const Scene& scene) {
+    if (scene.steps != last_) look(scene);
+  }
+
+  /// Looks now.
+  template <class Scene>
+  void look(const Scene& scene) {
+    using Book = detail::WatchBook;
+    std::array<detail::WatchedBody<typename Scene::T>, Scene::body_count> bodies;
+    std::size_t n = 0;
+    scene.for_each_body([&](const auto& body, const auto&) {
+      auto& watched = bodies[n];
+      watched = {.points = columns_of_points(body),
+                 .number = static_cast<int>(n),
+                 .name = Scene::body_names[n],
+                 .wave_modulus = body.law.wave_modulus(),
+                 .lost = body.lost,
+                 .bearing_spacing = bearing_spacing<typename Scene::Shape>,
+                 .mesh = &scene.mesh,
+                 .cell_volume = [](const void* mesh, Index cell) {
+                   return static_cast<double>(full_volume<typename Scene::Kinematics>(
+                       *static_cast<const typename Scene::Mesh*>(mesh), cell));
+                 }};
+      if (book_.wants(Book::volume) && watched.points.count > 0)
+        watched.volume_ratio = mean_volume_ratio(body);
+      ++n;
+    });
+    if (book_.wants(Book::energy_gain) ||
+        (tracks_energy<Scene> && (book_.wants(Book::transfer) || book_.wants(Book::residual))))
+      if (const auto found = energy_.look(scene); found.known)
+        book_.template look_at_energy<typename Scene::T>(scene.time, found, tracks_energy<Scene>, bodies);
+    if constexpr (Scene::template has_part<LocalDamping>)
+      if (book_.hints_at_damping) book_.look_at_damping(scene.time, fall_.look(scene));
+    n = 0;
+    scene.for_each_body([&](const auto& body, const auto&) {
+      const auto& watched = bodies[n++];
+      book_.look_at_body(scene.time, watched);
+      // Initial stresses may lie outside: the first step takes them back.
+      if constexpr (!OfRun)
+        if (book_.wants(Book::strength) && scene.steps > 0)
+          look_at_strength<Scene::NumericsType::template width<typename Scene::T>>(scene.time, body, watched);
+    });
+    last_ = scene.steps;
+    next_ = scene.steps + book_.every;
+  }
+
+  /// State to save, without the texts of warnings already given.
+  template <class F>
+  void visit_state(F&& f) {
+    for (Watched& w : book_.seen) {
+      const StateUnder quantity(f, std::string(w.name));
+      quantity("worst", w.worst);
+      quantity("time", w.time);
+      quantity("body", w.body);
+      quantity("place", w.place);
+      quantity("warned", w.warned);
+    }
+    f("next", next_);
+    f("last", last_);
+    energy_.visit_state(f);
+  }
+
+  /// Each quantity with its greatest value so far, in the order of `WatchLimits`.
+  const std::array<Watched, 7>& seen() const { return book_.seen; }
+  /// The warnings given, in order: at most one a quantity.
+  const std::vector<WarningText>& warnings() const { return book_.warnings; }
+
+  /// Says nothing of local damping: the scene is brought to rest on purpose (`settle`).
+  void accept_damping() { book_.hints_at_damping = false; }
+
+ private:
+  template <int Width, class L, class T, int D, ExtraColumns E>
+  void look_at_strength(double time, const Body<L, T, D, E>& body, const detail::WatchedBody<T>& watched) {
+    using P = typename LawLanes<L, T, Width>::type;
+    if constexpr (knows_yield<L, P, D>) {
+      // Stresses much smaller than those of a strain of 1e-6 are round-off of larger ones.
+      const P small(static_cast<T>(1e-6 * body.law.wave_modulus()));
+      struct Worst {
+        double value;
+        std::size_t point;
+      };
+      const Worst worst = parallel_reduce(
+          body.points.size(), Worst{0, body.points.size()},
+          [&](std::size_t begin, std::size_t end) {
+            using std::sqrt;
+            Worst most{0, begin};
+            for (std::size_t p = begin; p < end; p += lane_count<P>) {
+              const int count = static_cast<int>(std::min<std::size_t>(lane_count<P>, end - p));
+              const Sym<P, D> stress{body.points.stress.template load<P>(p, count)};
+              const P size = sqrt(contract(stress, stress));
+              const P beyond = yield_of(body.law, stress, body.points.template load_history<P>(p, count)) *
+                               size / (size + small);
+              const auto more = beyond > P(static_cast<T>(most.value));
+              if (!any_of(more)) continue;
+              for (int k = 0; k < count; ++k) {
+                double value;
+                if constexpr (is_pack<P>)
+                  value = static_cast<double>(beyond[k]);
+                else
+                  value = static_cast<double>(beyond);
+                if (value > most.value) most = {value, p + static_cast<std::size_t>(k)};
+              }
+            }
+            return most;
+          },
+          [](const Worst& a, const Worst& b) { return b.value > a.value ? b : a; });
+      if (book_.takes(detail::WatchBook::strength, time, worst.value, watched.number))
+        book_.tell(detail::WatchBook::strength, detail::watched_spot(watched, worst.point));
+    }
+  }
+
+  static constexpr std::size_t never = std::numeric_limits<std::size_t>::max() / 2;
+
+  detail::WatchBook book_;
+  DampedFall fall_;
+  std::size_t next_ = 0, last_ = never;
+  WatchedEnergy energy_;
+};
+
+/// A watch to hand to `run`.
+using Watch = BasicWatch<false>;
+/// The one that `run` has of its own: it does not look at strength, which would be compiled for each law.
+using WatchOfRun = BasicWatch<true>;
+
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET
+
+#ifndef ARENITE_COLD_LIBRARY
+#include <arenite/run/watch_cold.hpp>
+#endif

@@ -126,9 +126,9 @@ class PointImpulses {
   /// A point: its axes are the normal and tangents.
   struct Row : LocalContact<D> {
     std::size_t first, count = 0;  // of its shares
-    V normal, arm;
-    Mat<double, D> axes;             // rows
-    Eigen::Matrix<double, N, D> by;  // of the body's velocity, 1/kg
+    V normal = zeros<V>(), arm = zeros<V>();
+    Mat<double, D> axes = Mat<double, D>::Zero();                          // rows
+    Eigen::Matrix<double, N, D> by = Eigen::Matrix<double, N, D>::Zero();  // of the body's velocity, 1/kg
   };
 
   std::span<const Share> shares_of(const Row& row) const { return {shares_.data() + row.first, row.count}; }

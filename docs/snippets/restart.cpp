@@ -23,17 +23,19 @@ int main() {
     run(stopped, {.end = 9.5}, watch, pictures);
     save_state(stopped, "column.state", watch, pictures);
   }
-  auto scene = make_scene();  // the recipe, the same in both runs
-  Watch watch;
-  auto pictures = every(0.1, vtu("out/column"));
-  if (std::filesystem::exists("column.state")) restore_state(scene, "column.state", watch, pictures);
-  run(scene, {.end = 10}, watch, pictures,
-      every(0.5, [&](const auto& s) { save_state(s, "column.state", watch, pictures); }));
-  if (scene.time < 10) return 1;
+  {
+    auto scene = make_scene();  // the recipe, the same in both runs
+    Watch watch;
+    auto pictures = every(0.1, vtu("out/column"));
+    if (std::filesystem::exists("column.state")) restore_state(scene, "column.state", watch, pictures);
+    run(scene, {.end = 10}, watch, pictures,
+        every(0.5, [&](const auto& s) { save_state(s, "column.state", watch, pictures); }));
+    if (scene.time < 10) return 1;
+  }
 
-  auto again = make_scene();
+  auto scene = make_scene();  // the recipe, the same each time
   const RunEnd end =
-      run_in_folder(again, {.end = 10}, {.folder = "out/column", .checkpoint_every = 0.5, .resume = true},
+      run_in_folder(scene, {.end = 10}, {.folder = "out/column", .checkpoint_every = 0.5, .resume = true},
                     every(0.1, vtu("out/column/points")));
   return end == RunEnd::finished ? 0 : 1;
 }

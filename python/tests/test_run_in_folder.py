@@ -26,7 +26,15 @@ def raises_signal(at, number=signal.SIGTERM):
     return lambda scene: os.kill(os.getpid(), number) if scene.step_count == at else None
 
 
-def test_an_interrupted_run_goes_on_with_the_same_bits(tmp_path):
+@pytest.fixture
+def interruptible():
+    """SIGINT as a terminal has it: in a background job it is ignored, and `run_in_folder` leaves that so."""
+    before = signal.signal(signal.SIGINT, signal.default_int_handler)
+    yield
+    signal.signal(signal.SIGINT, before)
+
+
+def test_an_interrupted_run_goes_on_with_the_same_bits(tmp_path, interruptible):
     whole, part, rest = column(), column(), column()
     before = signal.getsignal(signal.SIGTERM), signal.getsignal(signal.SIGINT)
     assert ar.run_in_folder(whole, 0.05, tmp_path / "whole", checkpoint_every=0.01) == "finished"

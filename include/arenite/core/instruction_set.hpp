@@ -9,7 +9,8 @@
 #include <arenite/core/requirements.hpp>
 #include <arenite/version.hpp>
 
-#define ARENITE_NAMESPACE_FOR(set) ARENITE_VERSIONED_NAME(ARENITE_VERSION_MAJOR, ARENITE_VERSION_MINOR, _##set)
+#define ARENITE_NAMESPACE_FOR(set) \
+  ARENITE_VERSIONED_NAME(ARENITE_VERSION_MAJOR, ARENITE_VERSION_MINOR, _##set)
 
 #if defined(__AVX512F__) && defined(__FMA__)
 #define ARENITE_INSTRUCTION_SET ARENITE_NAMESPACE_FOR(avx512_fma)

@@ -99,7 +99,7 @@ template <int W, class T, int D, class Law>
   using Value = typename LawLanes<Law, T, W>::type;
   constexpr int count = lane_count<Value>;
   static_assert(LawStates<T, D>::n % count == 0);
-  const auto take = [](const std::vector<T>& column, std::size_t p) {
+  const auto gather = [](const std::vector<T>& column, std::size_t p) {
     return load_lanes<Value>(&column[p], count);
   };
   const auto give = [](std::vector<T>& column, std::size_t p, const Value& value) {
@@ -108,18 +108,18 @@ template <int W, class T, int D, class Law>
   const Law own = law;  // a copy: its constants stay in registers
   for (std::size_t p = 0; p < states.n; p += count) {
     const auto all = [&](const auto& columns) {
-      return Sym<Value, D>::each([&](std::size_t i) { return take(columns[i], p); });
+      return Sym<Value, D>::each([&](std::size_t i) { return gather(columns[i], p); });
     };
     Sym<Value, D> stress = all(states.stress);
     StrainStep<Value, D> inc;
     inc.strain = all(states.strain);
     inc.dt = time_step;
-    for (std::size_t i = 0; i < states.spins; ++i) inc.spin[i] = take(states.spin[i], p);
+    for (std::size_t i = 0; i < states.spins; ++i) inc.spin[i] = gather(states.spin[i], p);
     typename Law::template History<Value> history{};
     const auto each_memory = [&](auto&& f) {
       std::apply([&](auto&... m) { (f(m), ...); }, history.members());
     };
-    each_memory([&](Value& m) { m = take(states.memory, p); });
+    each_memory([&](Value& m) { m = gather(states.memory, p); });
     const Value opened = inelastic(own.update(stress, inc, history)).opening;
     for (std::size_t i = 0; i < states.stresses; ++i) give(states.result[i], p, stress[i]);
     give(states.opened, p, opened);

@@ -2,8 +2,8 @@
 // and adds.
 #pragma once
 
-#include <arenite/core/pack.hpp>
-#include <arenite/core/parallel.hpp>
+#include <arenite/parallel/parallel.hpp>
+#include <arenite/simd/pack.hpp>
 #include <arenite/transfer/numerics.hpp>
 #include <array>
 #include <cstddef>

@@ -37,10 +37,10 @@ void take_stages(Scene& scene, Timed&& timed) {
       update_grid(scene, dt);
       constrain(scene, dt);
     });
-    if constexpr (Scene::Needs::exchange)
-      timed(Stage::contact, [&] { exchange(scene, dt); });
+    if constexpr (Scene::Needs::contact)
+      timed(Stage::contact, [&] { contact_impulses(scene, dt); });
     else
-      exchange(scene, dt);
+      contact_impulses(scene, dt);
     if constexpr (Scene::NumericsType::maps_back) timed(Stage::remap, [&] { map_back(scene, dt); });
     timed(Stage::deform, [&] { g2p(scene, dt); });
     follow(scene, dt);
@@ -62,7 +62,7 @@ void add_stages(const std::string& name, Make make) {
     maps_back = requires(Scene s) { s.map_back(); };
     relocates = requires(Scene s) { s.relocate(); };
   } else {
-    contact = Scene::Needs::exchange;
+    contact = Scene::Needs::contact;
     maps_back = Scene::NumericsType::maps_back;
   }
   for (const Named& named : {Named{"relocate", Stage::relocate, relocates}, Named{"p2g", Stage::scatter},

@@ -35,8 +35,9 @@ State state_of(const Scene& scene) {
     const auto x = points.position[p], v = points.velocity[p];
     s.angular_momentum += points.mass[p] * (x[0] * v[1] - x[1] * v[0]);
     if constexpr (Scene::NumericsType::Transfer::affine && !Scene::Shape::constant_gradient)
-      s.angular_momentum +=
-          points.mass[p] * (points.motion[p](1, 0) - points.motion[p](0, 1)) * square(scene.mesh.edge()) / 4;
+      s.angular_momentum += points.mass[p] *
+                            (points.velocity_gradient[p](1, 0) - points.velocity_gradient[p](0, 1)) *
+                            square(scene.mesh.edge()) / 4;
     s.square += x.squaredNorm();
   }
   return s;
@@ -52,7 +53,7 @@ void disc(const char* name, const Mesh& mesh, int per_cell, const N& numerics) {
   gradient << 0, -spin, spin, 0;
   for (std::size_t p = 0; p < points.size(); ++p) {
     points.velocity.set(p, gradient * points.position[p]);
-    if constexpr (N::Transfer::affine) points.motion.set(p, gradient);
+    if constexpr (N::Transfer::affine) points.velocity_gradient.set(p, gradient);
   }
   const State start = state_of(scene);
   const std::size_t count = points.size();

@@ -9,12 +9,12 @@ using namespace arenite;
 struct Drag {
   using OnlyOne = ContactOfBodies;                // a scene has one at most
   static constexpr bool separates_bodies = true;  // a velocity field for each body
-  static constexpr int exchange_rank = 0;         // bodies with each other, before rigid bodies
+  static constexpr int contact_order = 0;         // bodies with each other, before rigid bodies
   double tau;                                     // s
   double dissipated = 0;                          // since the start, J
 
   template <class Scene>
-  ContactTally exchange_impulses(Scene& scene, double dt) {
+  ContactTally apply_impulses(Scene& scene, double dt) {
     auto& [first, second] = scene.fields;
     ContactTally tally;
     for (std::size_t i = 0; i < first.size(); ++i) {

@@ -35,9 +35,9 @@ struct BoundDamped : BoundGuided<T, D> {
     return before + dt * (acceleration.dot(this->axis) * this->axis - static_cast<T>(rate) * before);
   }
 };
-template <class Site>
-auto bind_part(const Damped& motion, const Site&) {
-  return BoundDamped<typename Site::T, Site::D>(motion);
+template <class Traits>
+auto bind_part(const Damped& motion, const Traits&) {
+  return BoundDamped<typename Traits::T, Traits::D>(motion);
 }
 
 int main() {

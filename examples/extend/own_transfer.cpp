@@ -18,13 +18,13 @@ struct DampedFlip {
 
   // P2G: the velocity field that a point hands over; p is a pack of points.
   template <class Point>
-  auto hand(const Point& p) const {
+  auto particle_field(const Point& p) const {
     return VelocityField{p.velocity()};
   }
 
   // G2P: made once a cell, called for each pack of its points.
   template <class T, class Rows>
-  struct Taken {
+  struct Gathered {
     static constexpr bool needs_moments = false;
     T kept;
     Rows velocity;  // d_i: what points take sums of, m/s
@@ -38,12 +38,12 @@ struct DampedFlip {
     }
   };
   template <class Cell, class Nodes>
-  auto take(const Cell& cell, const Nodes& nodes) const {
+  auto gather(const Cell& cell, const Nodes& nodes) const {
     using T = typename Cell::T;
-    Taken<T, NodeRows<T, Cell::D, Cell::size>> taken{static_cast<T>(kept), {}};
+    Gathered<T, CellVectors<T, Cell::D, Cell::size>> gathered{static_cast<T>(kept), {}};
     for (std::size_t i = 0; i < Cell::size; ++i)
-      taken.velocity.set(i, nodes.velocity.pack(cell.nodes[i]) - nodes.start.pack(cell.nodes[i]));
-    return taken;
+      gathered.velocity.set(i, nodes.velocity.pack(cell.nodes[i]) - nodes.start.pack(cell.nodes[i]));
+    return gathered;
   }
 };
 

@@ -21,7 +21,7 @@ struct BoundSpringBed {
   template <class Scene>
   void add_force(Scene& scene, double) {
     for (std::size_t k = 0; k < nodes.size(); ++k)
-      scene.fields[0].collected[nodes[k]].add_force(V(0, -stiffness * deflection[k]));
+      scene.fields[0].sums[nodes[k]].add_force(V(0, -stiffness * deflection[k]));
   }
   template <class Scene>
   void follow_motion(Scene& scene, double dt) {
@@ -47,13 +47,13 @@ struct BoundSpringBed {
   }
 };
 
-template <class Site>
-auto bind_part(const SpringBed& bed, const Site& site) {
-  using V = Vec<typename Site::T, Site::D>;
-  using Shape = typename Site::Shape;
+template <class Traits>
+auto bind_part(const SpringBed& bed, const Traits& traits) {
+  using V = Vec<typename Traits::T, Traits::D>;
+  using Shape = typename Traits::Shape;
   BoundSpringBed<V> part;
-  for (Index i = 0; i < Shape::node_count(site.mesh); ++i)
-    if (std::abs(Shape::node_position(site.mesh, i)[1] - bed.height) <= site.mesh.edge() / 4)
+  for (Index i = 0; i < Shape::node_count(traits.mesh); ++i)
+    if (std::abs(Shape::node_position(traits.mesh, i)[1] - bed.height) <= traits.mesh.edge() / 4)
       part.nodes.push_back(i);
   part.stiffness = bed.stiffness / static_cast<double>(part.nodes.size());
   part.deflection.assign(part.nodes.size(), 0);

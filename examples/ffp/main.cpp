@@ -11,7 +11,7 @@
 #include <variant>
 #include <vector>
 
-#include <arenite/core/parallel.hpp>
+#include <arenite/parallel/parallel.hpp>
 
 #include "command.hpp"
 #include "drop.hpp"

@@ -1,14 +1,20 @@
 // Definitions of all cold functions (core/cold.hpp), for one unit of a program whose others are compiled with ARENITE_COLD_LIBRARY: that of
 // the target arenite::cold, or one of your own.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <arenite/boundary/constraints_cold.hpp>
 #include <arenite/boundary/reactions_cold.hpp>
 #include <arenite/boundary/walls_cold.hpp>
 #include <arenite/core/error_cold.hpp>
-#include <arenite/core/thread_pool.hpp>
 #include <arenite/core/vector_argument_cold.hpp>
 #include <arenite/core/warning_cold.hpp>
+#include <arenite/fill/cell_parts_cold.hpp>
+#include <arenite/fill/cell_points_cold.hpp>
+#include <arenite/fill/filling_cold.hpp>
+#include <arenite/fill/initial_stress_cold.hpp>
+#include <arenite/fill/initial_velocity_cold.hpp>
+#include <arenite/fill/jitter_cold.hpp>
 #include <arenite/io/input_file_cold.hpp>
 #include <arenite/io/output_file_cold.hpp>
 #include <arenite/io/pvd_cold.hpp>
@@ -20,13 +26,8 @@
 #include <arenite/mesh/blocks_cold.hpp>
 #include <arenite/mesh/cartesian_grid_cold.hpp>
 #include <arenite/observe/vtu_cold.hpp>
+#include <arenite/parallel/thread_pool.hpp>
 #include <arenite/particles/cell_list_cold.hpp>
-#include <arenite/particles/cell_parts_cold.hpp>
-#include <arenite/particles/cell_points_cold.hpp>
-#include <arenite/particles/filling_cold.hpp>
-#include <arenite/particles/initial_stress_cold.hpp>
-#include <arenite/particles/initial_velocity_cold.hpp>
-#include <arenite/particles/jitter_cold.hpp>
 #include <arenite/particles/measures_cold.hpp>
 #include <arenite/rigid/anchor_cold.hpp>
 #include <arenite/rigid/contact_balance_cold.hpp>

@@ -2,6 +2,7 @@
 // these types from the CMake target `arenite::compositions`, which it must link, and compiles in half the
 // time. To name one of your own: docs/compile_time.md.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <arenite/arenite.hpp>
 

@@ -1,5 +1,6 @@
 // Contact of bodies of matter with each other and with frictional walls: for a scene that holds any.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <arenite/contact/contact.hpp>
 #include <arenite/contact/frictional_wall.hpp>

@@ -1,5 +1,6 @@
 // Loads, damping, and faces that absorb waves: for a scene that holds any.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <arenite/load/absorbing.hpp>
 #include <arenite/load/body_force.hpp>

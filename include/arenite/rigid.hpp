@@ -1,5 +1,6 @@
 // Rigid bodies, their motions, and their contact with matter and with each other: for a scene that holds any.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <arenite/geometry/cone_cylinder.hpp>
 #include <arenite/matter.hpp>

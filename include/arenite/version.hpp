@@ -1,6 +1,7 @@
 // The version of the library. The three numbers are the one place where it is written: CMake and the Conan
 // recipe read them here.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <string_view>
 

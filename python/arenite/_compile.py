@@ -71,7 +71,7 @@ def source(what: str, type_name: str, headers: Sequence[str]) -> str:
     return (f"{ELSEWHERE}#include <arenite/host/plugin.hpp>\n#include <arenite/host/{file}.hpp>\n{own}"
             "namespace arenite::compiled_on_first_use {\n"
             f"using Type = {type_name};\n"
-            f'static const shared_detail::Offer offer{{Plugin::{maker}{{"{type_name}", &{make}<Type>}}}};\n'
+            f'static const shared_detail::Registration offer{{Plugin::{maker}{{"{type_name}", &{make}<Type>}}}};\n'
             "}\n"
             "ARENITE_PLUGIN\n")
 

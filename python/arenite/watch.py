@@ -58,7 +58,7 @@ class Progress:
         self._tenth = 0
 
     def start(self, now: float, end: float) -> None:
-        """At the begin of a run from a time until another, s."""
+        """At the start of a run from a time until another, s."""
         self._from, self._end, self._tenth = now, end, 0
         self._began = self._shown = time.monotonic()
 

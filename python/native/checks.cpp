@@ -19,38 +19,39 @@ using Checks = std::map<std::string, Check>;
 
 template <class T>
 void reads(const Value& values) {
-  read<T>(values, Reading{.name = detail::spoken_name<T>()});
+  read<T>(values, ReadContext{.name = detail::spoken_name<T>()});
 }
 /// Read, and bound as in a scene in space, which bears whatever one in the plane does.
 template <class Bound, class T>
 void binds(const Value& values) {
-  Bound(read<T>(values, Reading{.name = detail::spoken_name<T>()}));
+  Bound(read<T>(values, ReadContext{.name = detail::spoken_name<T>()}));
 }
 
 /// In the plane the inertia is one number, in axisymmetry none.
 void check_free(const Value& values) {
-  Free body = read<Free>(values, Reading{.name = "Free"});
+  Free body = read<Free>(values, ReadContext{.name = "Free"});
   if (values.find("inertia")) body.inertia.check<2>();
   body.inertia = 1.0;
   BoundFree<double, 3>{body};
 }
 void check_anchor(const Value& values) {
   Free body{.mass = 1, .inertia = 1.0, .centre = {0, 0, 0}};
-  body.anchor = read<Anchor>(values, Reading{.name = "Anchor"});
+  body.anchor = read<Anchor>(values, ReadContext{.name = "Anchor"});
   BoundFree<double, 3>{body};
 }
 void check_geostatic(const Value& values) {
-  read<Geostatic>(*values.find("geostatic"), Reading{.name = "Geostatic"}).check();
+  read<Geostatic>(*values.find("geostatic"), ReadContext{.name = "Geostatic"}).check();
 }
 void check_wall(const Value& values) {
-  Wall wall = read<Wall>(values, Reading{.name = "Wall"});
+  Wall wall = read<Wall>(values, ReadContext{.name = "Wall"});
   if (wall.axis < 0 && wall.set.empty()) wall.test = [](const auto&) { return true; };  // it is not called
   Walls::check<3>(wall);
 }
 void check_rigid(const Value& values) {
-  read<Friction>(*values.find("friction"), Reading{.name = "Rigid.friction"});
+  read<Friction>(*values.find("friction"), ReadContext{.name = "Rigid.friction"});
   if (const Value* reach = values.find("surface")->find("reach")) {
-    DistanceSurface<> surface{AnyDistance{}, read<double>(*reach, Reading{.name = "DistanceSurface.reach"})};
+    DistanceSurface<> surface{AnyDistance{},
+                              read<double>(*reach, ReadContext{.name = "DistanceSurface.reach"})};
     BoundDistanceSurface<double, 3>{surface};
   }
 }
@@ -61,7 +62,7 @@ int dimension_of(const Value& shape) {
     const Value* v = shape.find(key);
     if (v == nullptr) continue;
     if (v->find("shape")) return dimension_of(*v);
-    if (detail::is_numbers(*v)) return detail::numbers(*v, Reading{.name = key}).size() == 2 ? 2 : 3;
+    if (detail::is_numbers(*v)) return detail::numbers(*v, ReadContext{.name = key}).size() == 2 ? 2 : 3;
   }
   const Value* kind = shape.find("shape");
   if (kind == nullptr) return 0;
@@ -70,7 +71,7 @@ int dimension_of(const Value& shape) {
 }
 void check_shape(const Value& shape) {
   const int dimension = dimension_of(shape);
-  const Reading at{.name = "shape", .dimension = dimension};
+  const ReadContext at{.name = "shape", .dimension = dimension};
   if (dimension == 2) detail::read_shape<2>(shape, at);
   if (dimension == 3) detail::read_shape<3>(shape, at);
 }
@@ -78,8 +79,8 @@ void check_shape(const Value& shape) {
 template <template <int, class> class Mesh>
 void check_grid(const Value& values) {
   const Value *lower = values.find("lower"), *z = values.find("z");
-  const bool plane = lower ? detail::numbers(*lower, Reading{.name = "CartesianGrid.lower"}).size() == 2
-                           : !z || detail::numbers(*z, Reading{.name = "RectilinearGrid.z"}).empty();
+  const bool plane = lower ? detail::numbers(*lower, ReadContext{.name = "CartesianGrid.lower"}).size() == 2
+                           : !z || detail::numbers(*z, ReadContext{.name = "RectilinearGrid.z"}).empty();
   if (plane)
     reads<Mesh<2, double>>(values);
   else
@@ -119,27 +120,27 @@ void add_laws(Checks& checks, const char* name) {
 
 // Options of parts, bodies and paths that hang on no scene. Their functions of place are called by the scene.
 void check_fill(const Value& values) {
-  const auto options = read<FillOptions>(values, Reading{.name = "FillOptions"});
+  const auto options = read<FillOptions>(values, ReadContext{.name = "FillOptions"});
   options.check();
   options.velocity.at<double, 3>(Vec<double, 3>::Zero());
   for (const auto& [name, number] : options.history)
     require(std::isfinite(number({})), {"FillOptions.history, ", name}, number({}), "must be finite");
 }
 void check_absorbing(const Value& values) {
-  read<AbsorbingFaces>(values, Reading{.name = "Absorbing"}).options.check("Absorbing");
+  read<AbsorbingFaces>(values, ReadContext{.name = "Absorbing"}).options.check("Absorbing");
 }
 void check_stage(const Value& values) {
-  read<DriveStage<3>>(values, Reading{.name = "Stage", .dimension = 3}).check();
+  read<DriveStage<3>>(values, ReadContext{.name = "Stage", .dimension = 3}).check();
 }
 void check_rigid_pair(const Value& values) {
-  const auto pair = read<RigidPair>(values, Reading{.name = "RigidPair"});
+  const auto pair = read<RigidPair>(values, ReadContext{.name = "RigidPair"});
   for (const auto& [member, word] : {std::pair("first", pair.first), std::pair("second", pair.second)})
     require(!word.empty() && word.find_first_not_of("0123456789") == std::string::npos,
             {"RigidPair.", member}, word, "must be the number of a rigid body, 0 or more");
   require(pair.first != pair.second, "RigidPair.second", pair.second, "must be another body than the first");
 }
 void check_ugimp(const Value& values) {
-  const int points = read<int>(*values.find("points"), Reading{.name = "UGimp.points"});
+  const int points = read<int>(*values.find("points"), ReadContext{.name = "UGimp.points"});
   require(points >= 1, "UGimp.points", points, "must be at least 1");
 }
 
@@ -159,11 +160,12 @@ Checks made() {
            Prescribed>(checks);
   checks.emplace("Fmpm", &reads<Fmpm>);  // the one and the other of `SweptFlip`
   checks.emplace("Xpic", &reads<Xpic>);
-  checks.emplace(
-      "Watch", [](const Value& values) { Watch(read<WatchLimits>(values, Reading{.name = "WatchLimits"})); });
+  checks.emplace("Watch", [](const Value& values) {
+    Watch(read<WatchLimits>(values, ReadContext{.name = "WatchLimits"}));
+  });
   checks.emplace("Geostatic", &check_geostatic);
   checks.emplace("SurfaceOptions", [](const Value& values) {
-    read<SurfaceOptions>(values, Reading{.name = "SurfaceOptions"}).check();
+    read<SurfaceOptions>(values, ReadContext{.name = "SurfaceOptions"}).check();
   });
   checks.emplace("Fill", &check_fill);
   checks.emplace("AbsorbingFaces", &check_absorbing);
@@ -177,7 +179,7 @@ Checks made() {
   checks.emplace("Anchor", &check_anchor);
   checks.emplace("Rigid", &check_rigid);
   checks.emplace("MovingMesh", [](const Value& values) {
-    check_moving_mesh<3>(read<MovingMesh<>>(values, Reading{.name = "MovingMesh"}));
+    check_moving_mesh<3>(read<MovingMesh<>>(values, ReadContext{.name = "MovingMesh"}));
   });
   checks.emplace("Wall", &check_wall);
   checks.emplace("Shape", &check_shape);

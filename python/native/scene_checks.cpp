@@ -62,8 +62,8 @@ class SceneCheck {
   template <class P>
   void bound(const Value& value, const char* name) const {
     if (holds_function(value)) return;
-    const Site<Kinematics, Mesh, Numerics<Shape>, 1> site{mesh_};
-    bind_part(read<P>(value, at_.renamed(name)), site);
+    const SceneTraits<Kinematics, Mesh, Numerics<Shape>, 1> traits{mesh_};
+    bind_part(read<P>(value, at_.renamed(name)), traits);
   }
   void vector(const Value* value, const char* name) const {
     if (value == nullptr) return;
@@ -119,7 +119,7 @@ class SceneCheck {
     if (moves_by(", Free") && motion.find("inertia")) bound<Free>(motion, "Free");
   }
 
-  Reading at_{.dimension = D};
+  ReadContext at_{.dimension = D};
   Mesh mesh_;
 };
 

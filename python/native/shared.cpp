@@ -9,10 +9,10 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 namespace {
 
 template <class Parameters>
-shared_detail::Offer parameters(const char* of) {
-  return shared_detail::Offer(Plugin::Recipe{of, &members_of<Parameters>});
+shared_detail::Registration parameters(const char* of) {
+  return shared_detail::Registration(Plugin::Recipe{of, &members_of<Parameters>});
 }
-const shared_detail::Offer recipes[]{
+const shared_detail::Registration recipes[]{
     parameters<LinearElasticParameters>("LinearElastic"),
     parameters<MohrCoulombParameters>("MohrCoulomb"),
     parameters<DruckerPragerParameters>("DruckerPrager"),

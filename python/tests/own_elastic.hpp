@@ -25,6 +25,6 @@ struct Held {
   arenite::Elasticity elasticity;
 };
 
-struct Offer : Held {  // a detail of the library
+struct Registration : Held {  // a detail of the library
   using Held::Held;
 };

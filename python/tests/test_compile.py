@@ -163,7 +163,7 @@ def test_without_a_compiler_the_cure_is_named(ar, monkeypatch, tmp_path):
 LAW = """
 import sys
 import arenite as ar
-law = ar.compile(law=sys.argv[1], name="Offer")(density=1000, young=1e6, poisson=0.3)
+law = ar.compile(law=sys.argv[1], name="Registration")(density=1000, young=1e6, poisson=0.3)
 print(ar.drive(law, ar.oedometer(axial=-0.01)).stress[-1, 1])
 """
 

@@ -75,7 +75,7 @@ TEST_CASE("Bar: a smooth load runs through it as d'Alembert has it, for both way
     CHECK(std::abs(e.residual) <= 2e-3 * e.external);
     // What a wave carries: half kinetic, half strain.
     CHECK(std::abs(e.kinetic / e.strain - 1) <= 0.02);
-    // The impulse is on the bar: the load's, summed from the begin of each step.
+    // The impulse is on the bar: the load's, summed from the start of each step.
     const double impulse = load * h * (end - rise / 2) / speed;
     CHECK(std::abs(-momentum(scene.body())[0] - impulse) <= load * h * scene.time_step);
     return errors(scene, layer);

@@ -178,13 +178,13 @@ struct Sums {
   Vec<double, 2> momentum = {0, 0}, wall = {0, 0};
   double external = 0, residual = 0;
 };
-template <class Scene, class Others = const Alone>
-Sums sums(const Scene& scene, Others& others = no_others) {
+template <class Scene, class Communicator = const Serial>
+Sums sums(const Scene& scene, Communicator& comm = serial) {
   Sums all;
   all.momentum = momentum(scene.body());
-  sum_over(others, all.momentum);
-  all.wall = reaction(scene, "left", others).impulse;
-  const Energies e = energies(scene, others);
+  sum_over(comm, all.momentum);
+  all.wall = reaction(scene, "left", comm).impulse;
+  const Energies e = energies(scene, comm);
   all.external = e.external;
   all.residual = e.residual;
   return all;
@@ -221,12 +221,12 @@ TEST_CASE("Portions of a mesh bear every kind of load as the whole does") {
   std::vector<std::thread> threads;
   for (std::size_t s = 0; s < 2; ++s)
     threads.emplace_back([&, s] {
-      test::Joined<Part> others(table, s);
+      test::Joined<Part> comm(table, s);
       try {
-        for (int k = 0; k < steps; ++k) step(scenes[s], dt, others);
-        found[s] = sums(scenes[s], others);
+        for (int k = 0; k < steps; ++k) step(scenes[s], dt, comm);
+        found[s] = sums(scenes[s], comm);
       } catch (const std::exception& e) {
-        others.fail(e.what());
+        comm.fail(e.what());
         thrown[s] = e.what();
       }
     });

@@ -15,7 +15,7 @@ struct Lone : BoundGuided<double, 2> {
 };
 
 struct Neighbours {
-  static constexpr bool alone = false;
+  static constexpr bool is_serial = false;
   template <class V>
   void sum_nodes(const V&, std::size_t) {}
   template <class V>
@@ -38,6 +38,6 @@ int main() {
               bodies(fill(Box{{0., 0.}, {1., 0.5}}, rubber)),
               rigid(DistanceSurface{Ball<2>({0.5, 0.9}, 0.3)}, Lone{}, Friction(0.1)),
               portion};
-  Neighbours others;
-  step(scene, 1e-6, others);
+  Neighbours comm;
+  step(scene, 1e-6, comm);
 }

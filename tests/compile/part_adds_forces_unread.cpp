@@ -11,7 +11,7 @@ struct Wind {
   double pressure;
   template <class Scene>
   void add_force(Scene& scene, double) {
-    scene.fields[0].collected[0].add_force({pressure, 0});
+    scene.fields[0].sums[0].add_force({pressure, 0});
   }
 };
 

@@ -37,7 +37,7 @@ std::pair<ContactTally, std::array<Vec<double, 2>, N>> meet(const C& contact, st
                                                             const Map& map, double dt = 1e-3) {
   std::array<Vec<double, 2>, N> impulses;
   Pairs pairs;
-  const auto tally = exchange(contact, map, fields, impulses, pairs, dt, [](Index) { return 0.1; });
+  const auto tally = apply_contact(contact, map, fields, impulses, pairs, dt, [](Index) { return 0.1; });
   REQUIRE(pairs.size() == tally.nodes);
   return {tally, impulses};
 }
@@ -205,7 +205,8 @@ TEST_CASE(
       for (Index i = 0; i < 200; ++i) f.mapped[i] = {uniform(random), uniform(random)};
     std::array<Vec<double, 2>, 2> impulses;
     Pairs pairs;
-    exchange(Coulomb<>(friction), MassGradient{}, fields, impulses, pairs, 1e-3, [](Index) { return 0.1; });
+    apply_contact(Coulomb<>(friction), MassGradient{}, fields, impulses, pairs, 1e-3,
+                  [](Index) { return 0.1; });
     REQUIRE(pairs.size() > 20);
     const auto before = fields;
     const double dissipation = rest_between(pairs, fields);  // what is mapped is of the points yet

@@ -40,8 +40,8 @@ std::pair<double, double> angles(const M& mesh, double a, int per_cell) {
   const auto before = fields;
   std::array<Vec<double, 2>, 2> impulses;
   std::vector<ContactPair<double, 2>> pairs;
-  const auto tally = exchange(Coulomb<>(Friction::frictionless()), MassGradient{}, fields, impulses, pairs,
-                              1e-9, [](Index) { return 1.0; });
+  const auto tally = apply_contact(Coulomb<>(Friction::frictionless()), MassGradient{}, fields, impulses,
+                                   pairs, 1e-9, [](Index) { return 1.0; });
   REQUIRE(tally.nodes > 10);
   double worst = 0, sum = 0, all = 0;
   for (Index i = 0; i < Shape::node_count(mesh); ++i) {

@@ -2,7 +2,7 @@
 // page.
 #include "catch.hpp"
 
-#include <arenite/core/array_memory.hpp>
+#include <arenite/parallel/array_memory.hpp>
 #include <cstdint>
 #include <fstream>
 #include <numeric>

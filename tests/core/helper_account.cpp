@@ -2,8 +2,8 @@
 // and where helpers bring time they work.
 #include "catch.hpp"
 
-#include <arenite/core/helper_account.hpp>
-#include <arenite/core/thread_pool.hpp>
+#include <arenite/parallel/helper_account.hpp>
+#include <arenite/parallel/thread_pool.hpp>
 #include <initializer_list>
 
 using namespace std::chrono_literals;

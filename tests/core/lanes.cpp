@@ -1,7 +1,7 @@
 // What kernels do with packs beside arithmetic: parts of columns in and out, sums over the lanes, twin packs.
 #include "catch.hpp"
 
-#include <arenite/core/lanes.hpp>
+#include <arenite/simd/lanes.hpp>
 #include <random>
 
 using namespace arenite;

@@ -1,6 +1,6 @@
 // A pack must do in each lane what a scalar does, and a mask must choose lane by lane, whatever the compiler.
-#include <arenite/core/pack.hpp>
-#include <arenite/core/pack_functions.hpp>
+#include <arenite/simd/pack.hpp>
+#include <arenite/simd/pack_functions.hpp>
 #include <cmath>
 #include <random>
 #include <type_traits>

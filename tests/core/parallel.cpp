@@ -2,7 +2,7 @@
 // change.
 #include "catch.hpp"
 
-#include <arenite/core/parallel.hpp>
+#include <arenite/parallel/parallel.hpp>
 #include <array>
 #include <atomic>
 #include <chrono>

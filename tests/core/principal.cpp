@@ -1,8 +1,8 @@
 // Principal values against their definition and against Eigen's solver, where the axes are anything and the
 // values nearly or exactly equal.
 #include <Eigen/Eigenvalues>
-#include <arenite/core/pack.hpp>
 #include <arenite/core/principal.hpp>
+#include <arenite/simd/pack.hpp>
 #include <cmath>
 #include <random>
 

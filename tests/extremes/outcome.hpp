@@ -119,7 +119,8 @@ class Books {
         carried += static_cast<double>(body.points.mass[p] * body.points.velocity[p].norm());
         // The affine part hands each node its share, which sum to nothing but round-off.
         if constexpr (Scene::NumericsType::Transfer::affine)
-          carried += static_cast<double>(body.points.mass[p] * body.points.motion[p].norm()) * cell_;
+          carried +=
+              static_cast<double>(body.points.mass[p] * body.points.velocity_gradient[p].norm()) * cell_;
         pushed += static_cast<double>(body.points.volume[p]) *
                   std::sqrt(static_cast<double>(contract(s, s))) / size * scene.time_step;
       }

@@ -1,9 +1,9 @@
 // Closed surfaces of triangles: exact distances against all triangles and against closed forms, mass and
 // inertia, what is refused.
+#include <arenite/fill/regions.hpp>
 #include <arenite/geometry/mass_properties.hpp>
 #include <arenite/geometry/solids.hpp>
 #include <arenite/geometry/triangle_surface.hpp>
-#include <arenite/particles/regions.hpp>
 #include <random>
 
 #include "catch.hpp"

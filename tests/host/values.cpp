@@ -24,7 +24,7 @@ Dict sand() { return {{"density", 1540.0}, {"young", 1e6}, {"poisson", 0.3}, {"f
 
 template <class T>
 T given(const Value& value) {
-  return read<T>(value, Reading{.name = "given", .dimension = 2});
+  return read<T>(value, ReadContext{.name = "given", .dimension = 2});
 }
 
 }  // namespace

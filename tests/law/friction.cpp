@@ -1,8 +1,8 @@
 // Friction as a policy: a slope by point, from rate and history, through the same return as the constant one.
-#include <arenite/core/lanes.hpp>
 #include <arenite/core/units.hpp>
 #include <arenite/law/drucker_prager.hpp>
 #include <arenite/law/mohr_coulomb.hpp>
+#include <arenite/simd/lanes.hpp>
 
 #include "catch.hpp"
 #include "states.hpp"

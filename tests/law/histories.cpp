@@ -1,10 +1,10 @@
 // Random histories of laws with extreme but legal constants: every number stays finite, every stress
 // admissible, nothing closes that was not open, and plastic work is never negative, each to the round-off of
 // the trial stress.
-#include <arenite/core/lanes.hpp>
 #include <arenite/law/drucker_prager.hpp>
 #include <arenite/law/linear_elastic.hpp>
 #include <arenite/law/mohr_coulomb.hpp>
+#include <arenite/simd/lanes.hpp>
 #include <limits>
 #include <string>
 

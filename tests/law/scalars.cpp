@@ -1,9 +1,9 @@
 // The same law on doubles, floats and packs of any width, in the plane and in space, gives the same stress.
-#include <arenite/core/pack.hpp>
 #include <arenite/core/units.hpp>
 #include <arenite/law/drucker_prager.hpp>
 #include <arenite/law/linear_elastic.hpp>
 #include <arenite/law/mohr_coulomb.hpp>
+#include <arenite/simd/pack.hpp>
 
 #include "catch.hpp"
 #include "states.hpp"

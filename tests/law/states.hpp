@@ -4,8 +4,8 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <arenite/core/lanes.hpp>
 #include <arenite/law/elasticity.hpp>
+#include <arenite/simd/lanes.hpp>
 #include <cmath>
 #include <random>
 

@@ -247,7 +247,7 @@ TEST_CASE("Simple shear between periodic sides stays homogeneous, by Jaumann tau
   for (std::size_t p = 0; p < points.size(); ++p) {
     points.velocity.set(p, {rate * points.position[p][1], 0});
     // As APIC has it: the gradient of the velocity.
-    points.motion.set(p, (Mat<double, 2>() << 0, rate, 0, 0).finished());
+    points.velocity_gradient.set(p, (Mat<double, 2>() << 0, rate, 0, 0).finished());
   }
   const double dt = 2.5e-4;
   for (int k = 0; k < 400; ++k) step(scene, dt);  // the top has gone round twice

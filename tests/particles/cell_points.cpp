@@ -1,9 +1,9 @@
 // Initial points of a cell: how many, where, and what equal weights integrate exactly.
 #include "catch.hpp"
 
+#include <arenite/fill/cell_points.hpp>
+#include <arenite/fill/jitter.hpp>
 #include <arenite/mesh/rectilinear_grid.hpp>
-#include <arenite/particles/cell_points.hpp>
-#include <arenite/particles/jitter.hpp>
 
 #include "../mesh/sample_meshes.hpp"
 

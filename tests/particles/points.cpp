@@ -63,7 +63,7 @@ TEST_CASE("bytes a point: nothing that the composition does not need") {
   REQUIRE(bytes(plain) == 5 * Plain::bytes_per_point());
   REQUIRE(bytes(apic) == 5 * Apic3::bytes_per_point());
   REQUIRE(bytes(single) == 5 * Single::bytes_per_point());
-  REQUIRE(plain.motion.column(0).capacity() == 0);
+  REQUIRE(plain.velocity_gradient.column(0).capacity() == 0);
 }
 
 TEST_CASE("history starts as the law says, and is stored by column") {
@@ -87,7 +87,7 @@ TEST_CASE("a new order keeps each point together and drops those not named") {
     points.push_back(Vec<double, 3>::Constant(v), Vec<double, 3>::Constant(10 + v), 20 + v, 30 + v,
                      {{40 + v, 0, 0, 0, 0, v}}, 50 + i);
     points.store_history(i, {60 + v, 70 + v});
-    points.motion.set(i, Mat<double, 3>::Constant(80 + v));
+    points.velocity_gradient.set(i, Mat<double, 3>::Constant(80 + v));
   }
   points.reorder({4, 0, 5});
   REQUIRE(points.size() == 3);
@@ -100,6 +100,6 @@ TEST_CASE("a new order keeps each point together and drops those not named") {
     REQUIRE((points.stress[p][0] == 40 + v && points.stress[p][5] == v));
     REQUIRE(points.cell[p] == 50 + static_cast<Index>(v));
     REQUIRE((points.history[0][p] == 60 + v && points.history[1][p] == 70 + v));
-    REQUIRE(points.motion[p] == Mat<double, 3>::Constant(80 + v));
+    REQUIRE(points.velocity_gradient[p] == Mat<double, 3>::Constant(80 + v));
   }
 }

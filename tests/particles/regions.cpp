@@ -1,9 +1,9 @@
 // Balls, polygons and what is made of several: areas and volumes in closed form, sides that are shared, and
 // what is refused.
+#include <arenite/fill/regions.hpp>
 #include <arenite/law/linear_elastic.hpp>
 #include <arenite/mesh/cartesian_grid.hpp>
 #include <arenite/particles/body.hpp>
-#include <arenite/particles/regions.hpp>
 #include <random>
 
 #include "catch.hpp"

@@ -25,7 +25,7 @@ auto numbered_body(const M& mesh) {
       mesh, fill(Box<M::dimension>{lower, upper}, law, {.per_cell = 1}));
   for (std::size_t p = 0; p < body.points.size(); ++p) {
     body.points.velocity.column(0)[p] = static_cast<typename M::scalar>(p);
-    body.points.motion.set(
+    body.points.velocity_gradient.set(
         p, Mat<typename M::scalar, M::dimension>::Constant(static_cast<typename M::scalar>(p)));
   }
   return body;
@@ -69,7 +69,8 @@ void check_relocation(M mesh, double spread) {
       const auto number = static_cast<std::size_t>(body.points.velocity[p][0]);
       const std::size_t q = place.at(number);
       same = same && body.points.position[p] == before.position[q] && body.points.mass[p] == before.mass[q] &&
-             body.points.volume[p] == before.volume[q] && body.points.motion[p] == before.motion[q];
+             body.points.volume[p] == before.volume[q] &&
+             body.points.velocity_gradient[p] == before.velocity_gradient[q];
       const Index c = body.points.cell[p];
       there = there && mesh.walk(body.points.position[p], c) == c;
     }

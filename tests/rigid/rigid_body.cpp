@@ -162,7 +162,7 @@ TEST_CASE("a load in time: a guided mass under F sin(w t) gains 2 F / (m w) in h
   REQUIRE(std::abs(body.velocity[1] / gained - 1) < 1e-6);
   REQUIRE(std::abs(body.displacement[1] / way - 1) < 1e-3);
   REQUIRE(std::abs(body.driving_work / (mass * gained * gained / 2) - 1) < 1e-5);
-  // A ramp, whose value is that of the begin of the step.
+  // A ramp, whose value is that of the start of the step.
   auto ramped = make_rigid({{7}, {P(0, -1)}, {1}}, Guided{.mass = mass, .load = Ramp{.to = 8, .over = 1}},
                            Friction::frictionless());
   for (int n = 1; n <= 8; ++n) meet(ramped, fields, {0, 0}, 0.125, n * 0.125);

@@ -38,8 +38,8 @@ double angular_momentum(const Scene& scene) {
     const auto &x = points.position[p], &v = points.velocity[p];
     sum += points.mass[p] * (x[0] * v[1] - x[1] * v[0]);
     if constexpr (std::remove_cvref_t<decltype(points)>::affine)
-      sum +=
-          points.mass[p] * (points.motion[p](1, 0) - points.motion[p](0, 1)) * square(scene.mesh.edge()) / 4;
+      sum += points.mass[p] * (points.velocity_gradient[p](1, 0) - points.velocity_gradient[p](0, 1)) *
+             square(scene.mesh.edge()) / 4;
   }
   return sum;
 }

@@ -39,7 +39,7 @@ struct Manufactured {
       const auto w = cell.weights(x);
       const double f = points.mass[p] * body_force(at, scene.time);
       for (int i = 0; i < w.size(); ++i)
-        scene.fields[0].collected[cell.nodes[static_cast<std::size_t>(i)]].add_force({w[i] * f, 0});
+        scene.fields[0].sums[cell.nodes[static_cast<std::size_t>(i)]].add_force({w[i] * f, 0});
     }
   }
 };

@@ -33,9 +33,9 @@ void start_uniform(Scene& scene) {
     v[1] = -speed * points.position[p][1] / height;
     points.velocity.set(p, v);
     if constexpr (std::remove_cvref_t<decltype(points)>::affine) {
-      auto gradient = points.motion[p];
+      auto gradient = points.velocity_gradient[p];
       gradient(1, 1) = -speed / height;
-      points.motion.set(p, gradient);
+      points.velocity_gradient.set(p, gradient);
     }
   }
 }

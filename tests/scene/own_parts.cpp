@@ -36,7 +36,7 @@ struct Piston {
 struct Drag {
   double rate, taken = 0;
   template <class Scene>
-  ContactTally exchange_impulses(Scene& scene, double dt) {
+  ContactTally apply_impulses(Scene& scene, double dt) {
     ContactTally tally;
     for (auto& field : scene.fields)
       for (std::size_t i = 0; i < field.size(); ++i) {

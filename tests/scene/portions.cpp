@@ -53,14 +53,14 @@ std::pair<std::vector<std::string>, std::size_t> all_together(std::vector<S>& sc
   std::vector<std::thread> threads;
   for (std::size_t k = 0; k < scenes.size(); ++k)
     threads.emplace_back([&, k] {
-      test::Joined<S> others(table, k);
+      test::Joined<S> comm(table, k);
       try {
-        f(scenes[k], others);
+        f(scenes[k], comm);
       } catch (const std::exception& e) {
-        others.fail(e.what());
+        comm.fail(e.what());
         thrown[k] = e.what();
       }
-      migrated[k] = others.migrated;
+      migrated[k] = comm.migrated;
     });
   for (auto& thread : threads) thread.join();
   std::size_t sum = 0;
@@ -126,12 +126,12 @@ void check(const MeshData<2>& data, int count, int steps, Make&& make) {
   }
   std::vector<Energies> balance(scenes.size());
   std::vector<double> impulse(scenes.size());
-  const auto [thrown, migrated] = all_together(scenes, portions, [&](auto& scene, auto& others) {
-    for (int k = 0; k < steps; ++k) step(scene, 0.4 * others.least(stable_step(scene)), others);
+  const auto [thrown, migrated] = all_together(scenes, portions, [&](auto& scene, auto& comm) {
+    for (int k = 0; k < steps; ++k) step(scene, 0.4 * comm.least(stable_step(scene)), comm);
     const auto number = static_cast<std::size_t>(scene.portion().number);
-    if constexpr (tracks_energy<decltype(whole)>) balance[number] = energies(scene, others);
+    if constexpr (tracks_energy<decltype(whole)>) balance[number] = energies(scene, comm);
     auto sum = scene.wall_impulse;
-    sum_over(others, sum);
+    sum_over(comm, sum);
     impulse[number] = sum[1];
   });
   for (const auto& what : thrown) CHECK(what == "");
@@ -289,8 +289,8 @@ TEST_CASE(
     auto [scenes, portions] = scenes_of(data, 2, make);
     CHECK(scenes[1].point_count() == 0);
     scenes[0].body().points.position.set(0, place);
-    auto thrown = all_together(scenes, portions, [&](auto& scene, auto& others) {
-                    run_with(others, scene, {.end = 1e-3});
+    auto thrown = all_together(scenes, portions, [&](auto& scene, auto& comm) {
+                    run_with(comm, scene, {.end = 1e-3});
                   }).first;
     return std::pair{thrown, scenes[0].body().lost};
   };

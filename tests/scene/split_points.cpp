@@ -33,7 +33,7 @@ Carried carried(const Body& body, double affine_inertia = 0) {
     sum.kinetic += m * v.squaredNorm() / 2;
     sum.strain += points.volume[p] * body.law.elastic_energy(points.stress[p]);
     if constexpr (std::remove_cvref_t<decltype(points)>::affine) {
-      const Eigen::Matrix2d l = points.motion[p];
+      const Eigen::Matrix2d l = points.velocity_gradient[p];
       sum.angular += m * affine_inertia * (l(1, 0) - l(0, 1));
     }
   }
@@ -111,7 +111,7 @@ double unevenness(const Scene& scene) {
   for (Index i = 0; i < QuadraticBSpline::node_count(scene.mesh); ++i) {
     const auto x = QuadraticBSpline::node_position(scene.mesh, i);
     if (x[0] < end - 0.4 || x[0] > end - 0.1 || x[1] < 0.4 || x[1] > 0.6) continue;
-    worst = std::max(worst, std::abs(scene.fields[0].collected[i].mass() / whole - 1));
+    worst = std::max(worst, std::abs(scene.fields[0].sums[i].mass() / whole - 1));
     ++seen;
   }
   REQUIRE(seen > 20);

@@ -294,7 +294,7 @@ Spun spin(double turns, double courant, int per_cell = D == 2 ? 3 : 4) {
   whirl(0, 1) = -rate, whirl(1, 0) = rate;
   for (std::size_t p = 0; p < points.size(); ++p) {
     points.velocity.set(p, whirl * points.position[p]);
-    if constexpr (N::Transfer::affine) points.motion.set(p, whirl);
+    if constexpr (N::Transfer::affine) points.velocity_gradient.set(p, whirl);
   }
   const auto energy = [&] { return kinetic_energy(body) + strain_energy(body); };
   const auto angular = [&] {

@@ -130,7 +130,8 @@ TEST_CASE("Initial velocity as a function: a rigid rotation, with its gradient w
   for (std::size_t p = 0; p < points.size(); ++p) {
     REQUIRE((points.velocity[p] - 3 * Vec<double, 2>(-points.position[p][1], points.position[p][0])).norm() <
             1e-15);
-    REQUIRE((Mat<double, 2>(points.motion[p]) - 3 * Mat<double, 2>{{0, -1}, {1, 0}}).norm() < 1e-8);
+    REQUIRE((Mat<double, 2>(points.velocity_gradient[p]) - 3 * Mat<double, 2>{{0, -1}, {1, 0}}).norm() <
+            1e-8);
   }
   const auto refused = [&](auto velocity) {
     Scene{PlaneStrain{}, CartesianGrid<2>{{.lower = {-1, -1}, .upper = {1, 1}, .cell = 0.1}},

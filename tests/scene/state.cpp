@@ -67,7 +67,7 @@ struct Dashpot {
   void add_force(Scene& scene, double) {
     for (auto& field : scene.fields)
       for (std::size_t i = 0; i < field.size(); ++i)
-        field.collected[i].add_force(-rate * field.mass[i] * field.velocity[i]);
+        field.sums[i].add_force(-rate * field.mass[i] * field.velocity[i]);
   }
 };
 

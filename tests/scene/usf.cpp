@@ -79,7 +79,7 @@ void check_step(Scene scene) {
     REQUIRE(points.volume[p] == Approx(body.points.volume[p]).epsilon(1e-13));
   }
   for (std::size_t i = 0; i < after.size(); ++i)
-    REQUIRE((scene.fields[0].collected[i].force() - after[i].force).norm() <= 1e-12 * force_size);
+    REQUIRE((scene.fields[0].sums[i].force() - after[i].force).norm() <= 1e-12 * force_size);
 }
 
 }  // namespace
@@ -158,13 +158,13 @@ TEST_CASE("A disc that spins with APIC keeps its angular momentum; it swells wit
     gradient << 0, -spin, spin, 0;
     for (std::size_t p = 0; p < points.size(); ++p) {
       points.velocity.set(p, gradient * points.position[p]);
-      points.motion.set(p, gradient);
+      points.velocity_gradient.set(p, gradient);
     }
     const auto angular_momentum = [&] {
       double sum = 0;
       for (std::size_t p = 0; p < points.size(); ++p) {
         const auto x = points.position[p], v = points.velocity[p];
-        const auto c = points.motion[p];
+        const auto c = points.velocity_gradient[p];
         sum += points.mass[p] *
                (x[0] * v[1] - x[1] * v[0] + (c(1, 0) - c(0, 1)) * square(scene.mesh.edge()) / 4);
       }

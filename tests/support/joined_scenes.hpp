@@ -61,7 +61,7 @@ struct Table {
 template <class Scene>
 class Joined {
  public:
-  static constexpr bool alone = false;
+  static constexpr bool is_serial = false;
   Joined(Table<Scene>& table, std::size_t number) : table_{table}, number_{number} {}
 
   void sum_nodes(std::span<double> values, std::size_t count) {

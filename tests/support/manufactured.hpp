@@ -101,7 +101,7 @@ struct PushedAlong {
       const auto w = cell.weights(points.position[p]);
       const Vec<double, 2> f = points.mass[p] * body_force(start[points.id[p]], scene.time);
       for (int i = 0; i < w.size(); ++i)
-        scene.fields[0].collected[cell.nodes[static_cast<std::size_t>(i)]].add_force(w[i] * f);
+        scene.fields[0].sums[cell.nodes[static_cast<std::size_t>(i)]].add_force(w[i] * f);
     }
   }
 };
@@ -131,7 +131,7 @@ double error_of(const Motion& motion, const Mesh& mesh, int per_cell, const N& n
         d[k] = 1e-5;
         gradient.col(k) = (motion.start_velocity(x + d) - motion.start_velocity(x - d)) / 2e-5;
       }
-      points.motion.set(p, gradient);
+      points.velocity_gradient.set(p, gradient);
     }
   }
   double worst = 0;

@@ -3,7 +3,7 @@
 #include "setup.hpp"
 
 #include <Eigen/Geometry>
-#include <arenite/core/alone.hpp>
+#include <arenite/parallel/communicator.hpp>
 #include <arenite/transfer/light_nodes.hpp>
 
 using namespace arenite;
@@ -31,7 +31,7 @@ Eigen::Vector3d of_points(const S& s) {
     const typename S::Cell cell(s.mesh, points.cell[p]);
     const auto w = cell.weights(points.position[p]);
     const auto r = (cell.node_positions().colwise() - points.position[p]).eval();
-    const Mat<double, S::D> b = points.motion[p] * r * w.asDiagonal() * r.transpose();
+    const Mat<double, S::D> b = points.velocity_gradient[p] * r * w.asDiagonal() * r.transpose();
     sum += points.mass[p] * (moment(points.position[p], points.velocity[p]) + moment(b));
   }
   return sum;
@@ -69,7 +69,7 @@ void check_affine_field(S s) {
   spin(0, 1) = -3;
   for (const Mat<double, D>& A : {spin, any}) {
     s.set_affine(a, A);
-    const auto motion = s.body.points.motion;
+    const auto motion = s.body.points.velocity_gradient;
     double node_off = 0, point_off = 0, motion_off = 0;
     for (int cycle = 0; cycle < 3; ++cycle) {
       s.p2g();
@@ -81,7 +81,7 @@ void check_affine_field(S s) {
       for (std::size_t p = 0; p < s.body.points.size(); ++p) {
         point_off =
             std::max(point_off, (s.body.points.velocity[p] - a - A * s.body.points.position[p]).norm());
-        motion_off = std::max(motion_off, (s.body.points.motion[p] - motion[p]).norm());
+        motion_off = std::max(motion_off, (s.body.points.velocity_gradient[p] - motion[p]).norm());
       }
     }
     REQUIRE(node_off < 1e-12);
@@ -106,8 +106,9 @@ TEMPLATE_TEST_CASE("APIC keeps angular momentum to round-off, orbital and affine
   check_angular_momentum(ApicFlat(CartesianGrid<2>({.lower = {-3, 5}, .upper = {-2, 6}, .cell = 1}), 8));
 }
 
-TEMPLATE_TEST_CASE("APIC: points on a face and at a corner hand on what they have, finite and conserved", "",
-                   LinearGrid, QuadraticBSpline, CubicBSpline) {
+TEMPLATE_TEST_CASE(
+    "APIC: points on a face and at a corner particle_field on what they have, finite and conserved", "",
+    LinearGrid, QuadraticBSpline, CubicBSpline) {
   using ApicFlat = Flat<TestType>;
   ApicFlat s(flat_grid());
   for (const Vec<double, 2>& x :
@@ -141,7 +142,7 @@ TEMPLATE_TEST_CASE("APIC: a point that comes close to a face hands on no more en
     }
     double has = 0;
     Vec<double, 2> handed = s.node_momentum();
-    for (const Index i : s.nodes.massless) handed += s.nodes.collected[i].mass() * s.nodes.velocity[i];
+    for (const Index i : s.nodes.massless) handed += s.nodes.sums[i].mass() * s.nodes.velocity[i];
     for (Index i = 0; i < s.nodes.size(); ++i) has += s.nodes.mass[i] * s.nodes.velocity[i].squaredNorm();
     CAPTURE(x, had, has);
     REQUIRE(has <= 2 * had);  // its own, and that of a gradient of 1/s over half a cell

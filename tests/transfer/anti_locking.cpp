@@ -93,8 +93,8 @@ TEST_CASE("element average: a filled cell bears the mean stress over its whole v
   // Gradients: node 1 belongs to cell 0 alone, (1, -1); node 3 to cell 1 alone, (-1, 1).
   const Vec<double, 2> at_1(-0.5 * (mean[0] - mean[3]), -0.5 * (mean[3] - mean[1]));
   const Vec<double, 2> at_3(-0.24 * (-partly[0] + partly[3]), -0.24 * (-partly[3] + partly[1]));
-  REQUIRE((s.nodes.collected[1].force() - at_1).norm() < 1e-15);
-  REQUIRE((s.nodes.collected[3].force() - at_3).norm() < 1e-15);
+  REQUIRE((s.nodes.sums[1].force() - at_1).norm() < 1e-15);
+  REQUIRE((s.nodes.sums[3].force() - at_3).norm() < 1e-15);
 
   for (std::size_t p = 0; p < 4; ++p)
     for (std::size_t k = 0; k < 4; ++k)
@@ -109,7 +109,7 @@ TEST_CASE("element average: the work of the stress is that of the force, over th
   s.nodes.velocity[1] = {2, 1};
   s.nodes.velocity[3] = {-1, 3};
   double power = 0;  // of the internal force, W
-  for (std::size_t i = 0; i < 4; ++i) power -= s.nodes.collected[i].force().dot(s.nodes.velocity[i]);
+  for (std::size_t i = 0; i < 4; ++i) power -= s.nodes.sums[i].force().dot(s.nodes.velocity[i]);
   CHECK(std::abs(s.g2p(dt).work / dt - power) <= 1e-2 * std::abs(power));
 }
 
@@ -124,7 +124,7 @@ TEST_CASE("element average in axisymmetry: the whole volume is the full circle's
   p2g<Axisymmetric>(Numerics<LinearSimplex, Flip, Usl>{}, ring, blocks, body, plain);
   p2g<Axisymmetric>(Numerics<LinearSimplex, Flip, Usl, ElementAverage>{}, ring, blocks, body, average);
   for (std::size_t i = 0; i < 3; ++i)
-    REQUIRE((average.collected[i].force() - plain.collected[i].force() / 0.95).norm() < 1e-13);
+    REQUIRE((average.sums[i].force() - plain.sums[i].force() / 0.95).norm() < 1e-13);
   // Unlike stresses: the hoop stress of each point is the mean one too.
   auto alike = body;
   for (std::size_t p = 0; p < body.points.size(); ++p) {
@@ -135,6 +135,5 @@ TEST_CASE("element average in axisymmetry: the whole volume is the full circle's
   NodeField<double, 2, false, false> unlike(3), same(3);
   p2g<Axisymmetric>(Numerics<LinearSimplex, Flip, Usl, ElementAverage>{}, ring, blocks, body, unlike);
   p2g<Axisymmetric>(Numerics<LinearSimplex, Flip, Usl, ElementAverage>{}, ring, blocks, alike, same);
-  for (std::size_t i = 0; i < 3; ++i)
-    REQUIRE((unlike.collected[i].force() - same.collected[i].force()).norm() < 1e-13);
+  for (std::size_t i = 0; i < 3; ++i) REQUIRE((unlike.sums[i].force() - same.sums[i].force()).norm() < 1e-13);
 }

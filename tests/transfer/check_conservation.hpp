@@ -18,7 +18,7 @@ void check_conservation(S s) {
   T node_mass = 0;
   auto sum = momentum;
   sum.setZero();
-  for (const auto& sums : s.nodes.collected) {
+  for (const auto& sums : s.nodes.sums) {
     node_mass += sums.mass();
     sum += sums.momentum();
   }
@@ -29,7 +29,7 @@ void check_conservation(S s) {
   T force = 0;
   auto total = momentum;
   total.setZero();
-  for (const auto& sums : s.nodes.collected) {
+  for (const auto& sums : s.nodes.sums) {
     force += sums.force().norm();
     total += sums.force();
   }
@@ -41,7 +41,7 @@ void check_conservation(S s) {
   gravity.setZero();
   gravity[1] = T(-9.81);
   if constexpr (S::K::hoop)
-    for (auto& sums : s.nodes.collected) sums.lane[sums.force_lane] = 0;
+    for (auto& sums : s.nodes.sums) sums.lane[sums.force_lane] = 0;
   s.update_grid(T(0.01), gravity);
   REQUIRE((s.node_momentum() - momentum - T(0.01) * mass * gravity).norm() <= tolerance * (mass + force));
   const auto before = s.body.points.position;
@@ -49,7 +49,7 @@ void check_conservation(S s) {
   REQUIRE((s.point_momentum() - momentum - T(0.01) * mass * gravity).norm() <= tolerance * (mass + force));
   REQUIRE(s.body.points.position == before);
 
-  if constexpr (S::N::Order::maps_back) {
+  if constexpr (S::N::StressUpdate::maps_back) {
     // The mapped velocities are those that a second scatter of the new points gives.
     const auto mapped = s.nodes.strain_velocity();
     S again = s;

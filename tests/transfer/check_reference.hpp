@@ -36,11 +36,11 @@ void check_reference(S s, double bound = 1e-13) {
     expected.clear();
   };
   const std::size_t n = sums.size();
-  for (std::size_t i = 0; i < n; ++i) add(s.nodes.collected[i].mass() * V::Ones(), sums[i].mass * V::Ones());
+  for (std::size_t i = 0; i < n; ++i) add(s.nodes.sums[i].mass() * V::Ones(), sums[i].mass * V::Ones());
   check();
-  for (std::size_t i = 0; i < n; ++i) add(s.nodes.collected[i].momentum(), sums[i].momentum);
+  for (std::size_t i = 0; i < n; ++i) add(s.nodes.sums[i].momentum(), sums[i].momentum);
   check();
-  for (std::size_t i = 0; i < n; ++i) add(s.nodes.collected[i].force(), sums[i].force);
+  for (std::size_t i = 0; i < n; ++i) add(s.nodes.sums[i].force(), sums[i].force);
   check();
   for (std::size_t i = 0; i < n; ++i) add(s.nodes.mass_gradient[i], sums[i].mass_gradient);
   check();

@@ -76,7 +76,7 @@ TEST_CASE("The exchange at faces keeps momentum, and lets the energy of the node
     energy_before += nodes.mass[i] * nodes.velocity[i].squaredNorm();
     carried += nodes.mass[i];
   }
-  CHECK(exchange_at_faces<QuadraticBSpline>(scene.mesh, nodes, nodes.velocity, 1e-4) ==
+  CHECK(redistribute_at_faces<QuadraticBSpline>(scene.mesh, nodes, nodes.velocity, 1e-4) ==
         6);  // above the four cells of the layer, and beside them
   for (Index i = 0; i < nodes.size(); ++i) {
     after += nodes.mass[i] * nodes.velocity[i];
@@ -94,8 +94,8 @@ TEST_CASE("Where a body fills the cells at a face no node is light") {
     relocate(scene);
     p2g(scene, 1e-4);
     update_grid(scene, 1e-4);
-    CHECK(exchange_at_faces<QuadraticBSpline>(scene.mesh, scene.fields[0], scene.fields[0].velocity, 1e-4) ==
-          0);
+    CHECK(redistribute_at_faces<QuadraticBSpline>(scene.mesh, scene.fields[0], scene.fields[0].velocity,
+                                                  1e-4) == 0);
   }
 }
 
@@ -145,7 +145,7 @@ TEMPLATE_TEST_CASE("The force of points exactly on a face is handed on, not lost
     Vec<double, 2> momentum = Vec<double, 2>::Zero(), force = momentum;
     for (Index i = 0; i < nodes.size(); ++i) {
       momentum += nodes.mass[i] * nodes.velocity[i];
-      force += nodes.collected[i].force();
+      force += nodes.sums[i].force();
     }
     CHECK(force.norm() <= 1e-9);
     CHECK(momentum.norm() <= 1e-12);  // without the massless node's force: 1e-4 s times some 1000 N

@@ -1,5 +1,5 @@
 // Internal force: its virtual work, its sums, and the patch of uniform stress.
-#include <arenite/core/alone.hpp>
+#include <arenite/parallel/communicator.hpp>
 #include <arenite/transfer/light_nodes.hpp>
 
 #include "catch.hpp"
@@ -21,8 +21,7 @@ void check_virtual_work(S s) {
     for (auto& value : v)
       for (int k = 0; k < D; ++k) value[k] = s.number();
     double work = 0, inner = 0, size = 0;
-    for (std::size_t i = 0; i < v.size(); ++i)
-      work += static_cast<double>(s.nodes.collected[i].force().dot(v[i]));
+    for (std::size_t i = 0; i < v.size(); ++i) work += static_cast<double>(s.nodes.sums[i].force().dot(v[i]));
     const auto& points = s.body.points;
     for (std::size_t p = 0; p < points.size(); ++p) {
       const typename S::Cell cell(s.mesh, points.cell[p]);
@@ -66,9 +65,9 @@ std::pair<double, double> patch(const M& mesh, int per_cell, const Sym<double, M
   double inside = 0, all = 0;
   for (Index i = 0; i < nodes.size(); ++i) {
     const auto x = Shape::node_position(mesh, i);
-    all = std::max(all, nodes.collected[i].force().norm());
+    all = std::max(all, nodes.sums[i].force().norm());
     if (((x - low).array() > 1e-9).all() && ((high - x).array() > 1e-9).all())
-      inside = std::max(inside, nodes.collected[i].force().norm());
+      inside = std::max(inside, nodes.sums[i].force().norm());
   }
   return {inside, all};
 }
@@ -109,7 +108,7 @@ TEST_CASE("a uniform stress loads no node inside") {
 TEST_CASE("nodes of no mass stay at rest, and those below the floor count as none") {
   Setup<PlaneStrain, Simplex, SimplexMesh<2>> s(sample_mesh<2>(4));
   s.p2g();
-  auto& sums = s.nodes.collected;
+  auto& sums = s.nodes.sums;
   sums[0].lane[sums[0].mass_lane] = 1e-200;
   sums[1].lane[sums[1].mass_lane] = 0;
   sums[1].lane[sums[1].force_lane] = 1;
@@ -163,7 +162,7 @@ TEST_CASE("gradients of mass point out of the body and sum to zero") {
   for (const auto& g : s.nodes.mass_gradient) sum += g;
   REQUIRE(sum.norm() < 1e-11);
   for (Index i = 0; i < s.nodes.size(); ++i)
-    if (s.node(i)[1] > 0.5 && s.nodes.collected[i].mass() > 0.1) REQUIRE(s.nodes.mass_gradient[i][1] > 0);
+    if (s.node(i)[1] > 0.5 && s.nodes.sums[i].mass() > 0.1) REQUIRE(s.nodes.mass_gradient[i][1] > 0);
 }
 
 TEST_CASE("Points on a face: the node behind it has a force and no mass, and momentum is kept") {
@@ -178,7 +177,7 @@ TEST_CASE("Points on a face: the node behind it has a force and no mass, and mom
   arenite::update_grid(s.nodes, Vec<double, 2>(Vec<double, 2>::Zero()), dt, 1e-14);
   double pushed = 0;
   for (Index i = 0; i < s.nodes.size(); ++i)
-    if (!(s.nodes.mass[i] > 0)) pushed += dt * s.nodes.collected[i].force().norm();
+    if (!(s.nodes.mass[i] > 0)) pushed += dt * s.nodes.sums[i].force().norm();
   REQUIRE(pushed > 0.1);
   list_massless(s.nodes, OwnsAll{});
   hand_forces_on<LinearSimplex>(s.mesh, s.nodes, dt, InPlace{s.nodes.velocity});

@@ -26,11 +26,10 @@ double off(const M& mesh, int per_cell) {
     double difference = 0, size = 0, mass_difference = 0, mass = 0;
     for (std::size_t i = 0; i < expected.size(); ++i) {
       const Vec<T, D> momentum = expected[i].momentum + static_cast<T>(dt) * expected[i].force;
-      difference =
-          std::max(difference, static_cast<double>((nodes.collected[i].momentum() - momentum).norm()));
+      difference = std::max(difference, static_cast<double>((nodes.sums[i].momentum() - momentum).norm()));
       size = std::max(size, static_cast<double>(momentum.norm()));
-      mass_difference = std::max(mass_difference,
-                                 static_cast<double>(std::abs(nodes.collected[i].mass() - expected[i].mass)));
+      mass_difference =
+          std::max(mass_difference, static_cast<double>(std::abs(nodes.sums[i].mass() - expected[i].mass)));
       mass = std::max(mass, static_cast<double>(expected[i].mass));
     }
     worst = std::max({worst, difference / size, mass_difference / mass});

@@ -13,10 +13,10 @@ struct Pic {
   static constexpr bool fits = true;
 
   template <class Point>
-  auto hand(const Point& p) const {
+  auto particle_field(const Point& p) const {
     return VelocityField{p.velocity()};
   }
-  struct Taken {
+  struct Gathered {
     static constexpr bool needs_moments = false;
     Nothing velocity{};  // what points take are the new velocities of the nodes
     template <class Cell, class Point, class X, class Sums>
@@ -26,8 +26,8 @@ struct Pic {
     }
   };
   template <class Cell, class Nodes>
-  auto take(const Cell&, const Nodes&) const {
-    return Taken{};
+  auto gather(const Cell&, const Nodes&) const {
+    return Gathered{};
   }
 };
 
@@ -35,20 +35,20 @@ struct Pic {
 struct DampedApic : Apic {
   double fraction = 1;
 
-  struct Taken : Apic::Taken {
+  struct Gathered : Apic::Gathered {
     double fraction = 1;
     template <class Cell, class Point, class X, class Sums>
     auto operator()(const Cell& cell, const Point& p, const X& x, const Sums& sums) const {
       using P = typename Point::P;
-      auto field = Apic::Taken::operator()(cell, p, x, sums);
+      auto field = Apic::Gathered::operator()(cell, p, x, sums);
       for (P& component : field.gradient) component = component * P(static_cast<typename Point::T>(fraction));
       p.set_velocity_gradient(field.gradient);
       return field;
     }
   };
   template <class Cell, class Nodes>
-  auto take(const Cell&, const Nodes&) const {
-    return Taken{{}, fraction};
+  auto gather(const Cell&, const Nodes&) const {
+    return Gathered{{}, fraction};
   }
 };
 

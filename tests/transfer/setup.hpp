@@ -55,7 +55,7 @@ struct RandomBody {
     if constexpr (Extra.affine) {
       Mat<T, D> motion;
       for (int k = 0; k < D * D; ++k) motion(k / D, k % D) = number();
-      body.points.motion.set(body.points.size() - 1, motion);
+      body.points.velocity_gradient.set(body.points.size() - 1, motion);
     }
   }
 
@@ -80,7 +80,7 @@ struct RandomBody {
     auto& points = body.points;
     for (std::size_t p = 0; p < points.size(); ++p) {
       points.velocity.set(p, a + A * points.position[p]);
-      if constexpr (Extra.affine) points.motion.set(p, A);
+      if constexpr (Extra.affine) points.velocity_gradient.set(p, A);
     }
   }
 

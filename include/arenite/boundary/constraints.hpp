@@ -1,6 +1,7 @@
 // Constraints: nodes that may not move freely. Parts name the directions that they block; what several parts
 // block at one node becomes one projector, so that their order does not matter.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <array>
 #include <cstddef>
@@ -9,10 +10,10 @@
 #include <utility>
 #include <vector>
 
-#include <arenite/core/alone.hpp>
 #include <arenite/core/cold.hpp>
 #include <arenite/core/error.hpp>
 #include <arenite/mesh/mesh.hpp>
+#include <arenite/parallel/communicator.hpp>
 #include <arenite/shape/shape.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
@@ -40,8 +41,8 @@ namespace detail {
 template <int D>
 struct Blocked {
   static constexpr auto most = static_cast<std::size_t>(D);
-  std::array<Vec<double, D>, most> named, directions;  // the first `count`
-  std::array<std::size_t, most> part{}, wall{};        // numbers of the part that named each, and of its wall
+  std::array<Vec<double, D>, most> normals, directions;  // the first `count`
+  std::array<std::size_t, most> part{}, wall{};  // numbers of the part that named each, and of its wall
   std::size_t count = 0;
 
   void add(Vec<double, D> n, std::size_t by, std::size_t wall_of_it);
@@ -187,14 +188,14 @@ std::vector<Constraint<typename M::scalar, M::dimension>> resolve(const M& mesh,
 }
 
 /// Takes the impulses of single nodes where no part reads them: does nothing.
-struct NoTaker {
+struct NoSink {
   template <class V>
   constexpr void operator()(Index, const V&) const {}
 };
 
 /// Removes the blocked part of the velocities of a field. Returns the impulse that this gave to the nodes
 /// that `owns(node)`, N s; `take(node, impulse)` gets that of each.
-template <class T, int D, class Velocities, class Owns = OwnsAll, class Take = NoTaker>
+template <class T, int D, class Velocities, class Owns = OwnsAll, class Take = NoSink>
 Vec<T, D> constrain(const std::vector<Constraint<T, D>>& constraints, const std::vector<T>& mass,
                     Velocities& velocity, const Owns& owns = {}, const Take& take = {}) {
   Vec<T, D> impulse = zeros<Vec<T, D>>();
@@ -217,7 +218,7 @@ Vec<T, D> constrain(const std::vector<Constraint<T, D>>& constraints, const std:
 
 /// Removes the blocked part of the velocities of a field and adds the targets of its driven nodes, m/s. Returns
 /// the impulse that this gave, N s, and the work of the drives, J; `owns` and `take` as above.
-template <class T, int D, class Velocities, class Owns = OwnsAll, class Take = NoTaker>
+template <class T, int D, class Velocities, class Owns = OwnsAll, class Take = NoSink>
 std::pair<Vec<T, D>, double> constrain(const std::vector<Constraint<T, D>>& constraints,
                                        const std::vector<Drive<T, D>>& drives, const std::vector<T>& mass,
                                        Velocities& velocity, const Owns& owns = {}, const Take& take = {}) {

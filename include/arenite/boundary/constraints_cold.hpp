@@ -1,5 +1,6 @@
 // Cold functions of constraints.hpp.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <algorithm>
 #include <cmath>
@@ -25,7 +26,7 @@ ARENITE_COLD void Blocked<D>::add(Vec<double, D> n, std::size_t by, std::size_t 
       for (int i = 0; i < D; ++i) n[i] -= along * directions[k][i];
     }
   if (count == most || !(normalize() > 1e-6)) return;
-  named[count] = name;
+  normals[count] = name;
   part[count] = by;
   wall[count] = wall_of_it;
   directions[count++] = n;
@@ -49,9 +50,9 @@ template <int D>
 ARENITE_COLD std::array<Vec<double, D>, Blocked<D>::most> Blocked<D>::shares(std::size_t of) const {
   std::array<Vec<double, D>, most> along;
   for (std::size_t k = 0; k < count; ++k) {
-    along[k] = part[k] == of ? named[k] : zeros<Vec<double, D>>();
-    for (std::size_t j = 0; j < k; ++j) along[k] -= named[k].dot(directions[j]) * along[j];
-    along[k] /= named[k].dot(directions[k]);
+    along[k] = part[k] == of ? normals[k] : zeros<Vec<double, D>>();
+    for (std::size_t j = 0; j < k; ++j) along[k] -= normals[k].dot(directions[j]) * along[j];
+    along[k] /= normals[k].dot(directions[k]);
   }
   return along;
 }

@@ -1,5 +1,6 @@
 // Driven walls: nodes that move as prescribed.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <string>
 #include <utility>
@@ -44,8 +45,8 @@ struct BoundDriven {
   }
 };
 
-template <class Site>
-BoundDriven<typename Site::T, Site::D> bind_part(const Driven& driven, const Site&) {
+template <class Traits>
+BoundDriven<typename Traits::T, Traits::D> bind_part(const Driven& driven, const Traits&) {
   return {{{driven.wall}}, driven.velocity, joined_text({"velocity of the wall ", driven.wall.name()})};
 }
 

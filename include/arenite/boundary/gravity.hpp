@@ -1,5 +1,6 @@
 // Gravity: one acceleration for all matter, constant or in time.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <array>
 #include <utility>
@@ -46,10 +47,10 @@ struct BoundGravity {
   Vec<T, D> acceleration(double) const { return g; }
 };
 
-template <class Site>
-BoundGravity<typename Site::T, Site::D> bind_part(const Gravity& gravity, const Site&) {
-  detail::check_components<Site::D>(gravity.components);
-  return {vector_argument<typename Site::T, Site::D>("gravity", gravity.g)};
+template <class Traits>
+BoundGravity<typename Traits::T, Traits::D> bind_part(const Gravity& gravity, const Traits&) {
+  detail::check_components<Traits::D>(gravity.components);
+  return {vector_argument<typename Traits::T, Traits::D>("gravity", gravity.g)};
 }
 
 /// Acceleration of all matter in time, m/s2.
@@ -82,9 +83,9 @@ struct BoundGravityInTime {
   Vec<T, D> acceleration(double time) const { return value_at(g, zeros<Vec<T, D>>(), time, "gravity"); }
 };
 
-template <class Site>
-BoundGravityInTime<typename Site::T, Site::D> bind_part(const GravityInTime& gravity, const Site&) {
-  detail::check_components<Site::D>(gravity.components);
+template <class Traits>
+BoundGravityInTime<typename Traits::T, Traits::D> bind_part(const GravityInTime& gravity, const Traits&) {
+  detail::check_components<Traits::D>(gravity.components);
   return {gravity.g};
 }
 

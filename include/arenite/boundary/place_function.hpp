@@ -1,5 +1,6 @@
 // Type-erased functions of place and time, in which loads and prescribed motions are given.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <array>
 #include <cmath>

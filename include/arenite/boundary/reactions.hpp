@@ -1,5 +1,6 @@
 // Wall reactions: force and impulse of each wall on the matter.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <algorithm>
 #include <string>
@@ -7,7 +8,7 @@
 #include <vector>
 
 #include <arenite/boundary/walls.hpp>
-#include <arenite/core/alone.hpp>
+#include <arenite/parallel/communicator.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
@@ -71,7 +72,7 @@ class BoundReactions {
       for (std::size_t k = 0; k < blocked.count; ++k) {
         share.wall[k] = number[blocked.part[k]][blocked.wall[k]];
         for (int d = 0, row = static_cast<int>(k); d < D; ++d) {
-          share.named(d, row) = static_cast<T>(blocked.named[k][d]);
+          share.normals(d, row) = static_cast<T>(blocked.normals[k][d]);
           share.along(row, d) = static_cast<T>(along(row, d));
         }
       }
@@ -84,7 +85,7 @@ class BoundReactions {
   void take_wall_impulse(Index node, const V& impulse) {
     const Share& share = shares_[place_[node]];
     for (int k = 0; k < share.count; ++k) {
-      const V part = share.along.row(k).dot(impulse) * share.named.col(k);
+      const V part = share.along.row(k).dot(impulse) * share.normals.col(k);
       double* const sum = now_.data() + share.wall[static_cast<std::size_t>(k)] * dim;
       for (std::size_t d = 0; d < dim; ++d) sum[d] += static_cast<double>(part[static_cast<int>(d)]);
     }
@@ -126,7 +127,7 @@ class BoundReactions {
   static constexpr auto dim = static_cast<std::size_t>(D);
   struct Share {
     int count;
-    Mat<T, D> named;                    // columns: directions, as walls block them
+    Mat<T, D> normals;                  // columns: directions, as walls block them
     Mat<T, D> along;                    // rows: the share of an impulse along each
     std::array<std::size_t, dim> wall;  // that blocks each
   };
@@ -147,18 +148,18 @@ class BoundReactions {
   std::vector<double> now_, last_, impulse_;  // [walls x D] N s
 };
 
-template <class Site>
-BoundReactions<typename Site::T, Site::D> bind_part(const Reactions&, const Site&) {
+template <class Traits>
+BoundReactions<typename Traits::T, Traits::D> bind_part(const Reactions&, const Traits&) {
   return {};
 }
 
 /// What a wall gives to the matter. Needs a scene with `Reactions`. Of a scene over a portion of a mesh: of
 /// all portions, through `others`.
-template <class Scene, class Others = const Alone>
-auto reaction(const Scene& scene, std::string_view wall, [[maybe_unused]] Others& others = no_others) {
+template <class Scene, class Communicator = const Serial>
+auto reaction(const Scene& scene, std::string_view wall, [[maybe_unused]] Communicator& comm = serial) {
   static_assert(Scene::template has_part<Reactions>, "reaction: name Reactions{} among the scene's parts");
   auto [last, impulse] = scene.template part<Reactions>().impulses(wall);
-  sum_over(others, last, impulse);
+  sum_over(comm, last, impulse);
   if (scene.time_step > 0) last /= static_cast<typename Scene::T>(scene.time_step);
   return Reaction<typename Scene::T, Scene::D>{last, impulse};
 }

@@ -1,5 +1,6 @@
 // Cold functions of reactions.hpp.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <Eigen/QR>
 
@@ -9,10 +10,11 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET::detail {
 
 template <int D>
 ARENITE_COLD Mat<double, D> shares_along(const Blocked<D>& blocked) {
-  Eigen::Matrix<double, D, Eigen::Dynamic, 0, D, D> named(D, static_cast<Eigen::Index>(blocked.count));
-  for (std::size_t k = 0; k < blocked.count; ++k) named.col(static_cast<Eigen::Index>(k)) = blocked.named[k];
+  Eigen::Matrix<double, D, Eigen::Dynamic, 0, D, D> normals(D, static_cast<Eigen::Index>(blocked.count));
+  for (std::size_t k = 0; k < blocked.count; ++k)
+    normals.col(static_cast<Eigen::Index>(k)) = blocked.normals[k];
   Mat<double, D> along = zeros<Mat<double, D>>();
-  along.topRows(named.cols()) = named.colPivHouseholderQr().solve(Mat<double, D>::Identity());
+  along.topRows(normals.cols()) = normals.colPivHouseholderQr().solve(Mat<double, D>::Identity());
   return along;
 }
 

@@ -1,5 +1,6 @@
 // Functions of time that a few numbers describe: `Table`, `Ramp`. For loads and motions.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,7 @@
 // Walls: which nodes may not move, and in which directions. A wall blocks the velocity along some normals;
 // where several walls meet at a node their blocked directions add up.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <array>
 #include <cmath>

@@ -1,6 +1,7 @@
 // Contact of deformable bodies: one velocity field for all (they stick), or one for each with Coulomb's law
 // between them.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <array>
 #include <span>
@@ -70,7 +71,7 @@ namespace detail {
 /// Lets each pair of bodies meet at the nodes that they share. An impulse is computed once and given with
 /// both signs, so that momentum is kept to round-off. Calls `done(pair)` for each.
 template <class Normals, class Fields, class Done>
-void exchange_in_pairs(const Friction& friction, const Normals& normals, Fields& fields, Done&& done) {
+void apply_in_pairs(const Friction& friction, const Normals& normals, Fields& fields, Done&& done) {
   using V = std::remove_cvref_t<decltype(fields[0].start[0])>;
   using T = typename V::Scalar;
   constexpr int D = V::RowsAtCompileTime;
@@ -102,8 +103,8 @@ void exchange_in_pairs(const Friction& friction, const Normals& normals, Fields&
 /// of bodies between which one acts, in the order of their nodes. What is summed is that of nodes that `owns(node)`.
 template <class Contact, class Normals, class Fields, class Impulses, class Pairs, class T, class Size,
           class Owns = OwnsAll>
-ContactTally exchange(const Contact& contact, const Normals& normals, Fields& fields, Impulses& impulses,
-                      Pairs& pairs, T dt, Size&& node_size, const Owns& owns = {}) {
+ContactTally apply_contact(const Contact& contact, const Normals& normals, Fields& fields, Impulses& impulses,
+                           Pairs& pairs, T dt, Size&& node_size, const Owns& owns = {}) {
   static_assert(contact_normals<Normals, Fields>,
                 "Coulomb: the normals lack a member; see arenite/contact/normals.hpp");
   ContactTally tally;
@@ -122,7 +123,7 @@ ContactTally exchange(const Contact& contact, const Normals& normals, Fields& fi
   pairs.clear();
   constexpr auto nowhere = static_cast<std::size_t>(-1);
   std::size_t last = nowhere;  // node whose impulses are being given; they come node by node
-  detail::exchange_in_pairs(contact.friction, normals, fields, [&](const auto& pair) {
+  detail::apply_in_pairs(contact.friction, normals, fields, [&](const auto& pair) {
     const std::size_t i = pair.node, a = pair.first, b = pair.second;
     const auto& impulse = pair.impulse;
     if (contact.velocity_limit > 0 && last != nowhere && last != i) limit(last);
@@ -153,7 +154,7 @@ double hold_together(const Pairs& pairs, Fields& fields, T dt, const Owns& owns 
     using V = std::remove_cvref_t<decltype(pair.normal)>;
     const V apart = a.mapped[i] - b.mapped[i];
     const T share_a = b.mass[i] / (a.mass[i] + b.mass[i]), share_b = 1 - share_a;
-    const V force = share_a * a.collected[i].force() - share_b * b.collected[i].force();
+    const V force = share_a * a.sums[i].force() - share_b * b.sums[i].force();
     const auto held = hold<T, V::RowsAtCompileTime>(apart, pair.normal, pair.sticks, force, dt);
     if (owns(pair.node)) dissipation += held.dissipation;
     a.mapped[i] -= share_a * held.removed;
@@ -182,7 +183,7 @@ struct BoundCoulomb {
   using OnlyOne = ContactOfBodies;
   static constexpr bool separates_bodies = true;
   static constexpr bool needs_mass_gradient = Normals::needs_mass_gradient;
-  static constexpr int exchange_rank = 0;
+  static constexpr int contact_order = 0;
   static constexpr std::string_view state_name = "contact";
 
   Friction friction;
@@ -199,23 +200,23 @@ struct BoundCoulomb {
     pairs.reserve(scene.fields[0].size() * (Fields * (Fields - 1) / 2));  // a step allocates nothing
   }
   template <class Scene>
-  ContactTally exchange_impulses(Scene& scene, double dt) {
+  ContactTally apply_impulses(Scene& scene, double dt) {
     const auto size = [&](Index i) { return scene.mesh.node_size(i); };
-    const auto tally =
-        exchange(*this, normals, scene.fields, impulse, pairs, static_cast<T>(dt), size, scene.node_owner());
+    const auto tally = apply_contact(*this, normals, scene.fields, impulse, pairs, static_cast<T>(dt), size,
+                                     scene.node_owner());
     dissipated += tally.dissipation;
     return tally;
   }
   /// On a body in the last step, N s.
   const Vec<T, D>& contact_impulse(std::size_t body) const { return impulse[body]; }
   template <class Scene>
-  double read_end(const Scene& scene, double) {
+  double after_grid(const Scene& scene, double) {
     const double dissipation = rest_between(pairs, scene.fields, scene.node_owner());
     dissipated += dissipation;
     return dissipation;
   }
   template <class Scene>
-  double hold_mapped(Scene& scene, double dt) {
+  double constrain_mapped(Scene& scene, double dt) {
     const double dissipation = hold_together(pairs, scene.fields, static_cast<T>(dt), scene.node_owner());
     dissipated += dissipation;
     return dissipation;
@@ -228,17 +229,17 @@ struct BoundCoulomb {
   }
 };
 
-template <class N, class Site>
-auto bind_part(const Coulomb<N>& contact, const Site& site) {
-  using T = typename Site::T;
-  constexpr int D = Site::D;
-  constexpr bool maps_back = Site::NumericsType::maps_back;
-  const auto normals = bound(contact.normals, site);
+template <class N, class Traits>
+auto bind_part(const Coulomb<N>& contact, const Traits& traits) {
+  using T = typename Traits::T;
+  constexpr int D = Traits::D;
+  constexpr bool maps_back = Traits::NumericsType::maps_back;
+  const auto normals = bound(contact.normals, traits);
   using Normals = std::remove_const_t<decltype(normals)>;
   constexpr bool complete = [] {
     if constexpr (requires { std::bool_constant<Normals::needs_mass_gradient>(); })
       return contact_normals<
-          Normals, std::array<NodeField<T, D, maps_back, Normals::needs_mass_gradient>, Site::body_count>>;
+          Normals, std::array<NodeField<T, D, maps_back, Normals::needs_mass_gradient>, Traits::body_count>>;
     else
       return false;
   }();
@@ -246,7 +247,8 @@ auto bind_part(const Coulomb<N>& contact, const Site& site) {
                 "Coulomb: the normals lack a member: static constexpr bool needs_mass_gradient, "
                 "between(fields, a, b, node) const; see arenite/contact/normals.hpp");
   if constexpr (complete) {
-    BoundCoulomb<T, D, Normals, Site::body_count> part{contact.friction, contact.velocity_limit, normals, {}};
+    BoundCoulomb<T, D, Normals, Traits::body_count> part{
+        contact.friction, contact.velocity_limit, normals, {}};
     part.impulse.fill(Vec<T, D>::Zero());
     return part;
   } else {

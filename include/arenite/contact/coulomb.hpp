@@ -1,6 +1,7 @@
 // Coulomb's law at a node: the impulse that two velocity fields exchange, with no penetration and limited
 // friction.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <cmath>
 #include <limits>

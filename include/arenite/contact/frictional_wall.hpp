@@ -1,6 +1,7 @@
 // Frictional wall: faces of the mesh on which matter slides against Coulomb friction, and from which it may
 // part.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <array>
 #include <string>
@@ -76,7 +77,7 @@ class BoundFrictionalWall {
   }
 
   template <class Scene>
-  ContactTally exchange_impulses(Scene& scene, double) {
+  ContactTally apply_impulses(Scene& scene, double) {
     if constexpr (is_simplex_mesh<typename Scene::Mesh>) find_normals(scene.mesh);  // it may move
     const auto owns = scene.node_owner();
     ContactTally tally;
@@ -103,13 +104,13 @@ class BoundFrictionalWall {
     return tally;
   }
   template <class Scene>
-  double read_end(const Scene& scene, double) {
+  double after_grid(const Scene& scene, double) {
     const double dissipation = rest_of_dissipation(touched_, scene.fields);
     dissipated_ += dissipation;
     return dissipation;
   }
   template <class Scene>
-  double hold_mapped(Scene& scene, double dt) {
+  double constrain_mapped(Scene& scene, double dt) {
     const double dissipation = hold_touched(touched_, scene.fields, static_cast<T>(dt));
     dissipated_ += dissipation;
     return dissipation;
@@ -172,9 +173,9 @@ class BoundFrictionalWall {
   double dissipated_ = 0;         // since the start, J
 };
 
-template <class Site>
-auto bind_part(const FrictionalWall& wall, const Site&) {
-  return BoundFrictionalWall<typename Site::T, Site::D>(wall);
+template <class Traits>
+auto bind_part(const FrictionalWall& wall, const Traits&) {
+  return BoundFrictionalWall<typename Traits::T, Traits::D>(wall);
 }
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -1,5 +1,6 @@
 // Hold: how the mapped velocities of MUSL keep what contact enforced.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <type_traits>
 
@@ -40,7 +41,7 @@ double hold_touched(const Touched& touched, Fields& fields, T dt) {
     auto& field = fields[t.field];
     auto& v = field.mapped[t.node];
     const auto held = hold<T, V::RowsAtCompileTime>(v - field.velocity[t.node], t.normal, t.sticks,
-                                                    field.collected[t.node].force(), dt);
+                                                    field.sums[t.node].force(), dt);
     dissipation += held.dissipation;
     v -= held.removed;
   }

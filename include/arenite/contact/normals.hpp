@@ -1,5 +1,6 @@
 // Normals between two bodies that meet at a node: from the gradients of their masses, or of a surface.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <array>
 #include <limits>
@@ -70,9 +71,9 @@ struct NormalMap {
   }
 };
 
-template <class Site>
-NormalMap<typename Site::T, Site::D> bind_part(const SurfaceOf& normals, const Site&) {
-  static_assert(Site::body_count == 2,
+template <class Traits>
+NormalMap<typename Traits::T, Traits::D> bind_part(const SurfaceOf& normals, const Traits&) {
+  static_assert(Traits::body_count == 2,
                 "Scene: Coulomb contact with SurfaceOf is between two bodies; for more use MassGradient");
   return {{}, 0, normals};
 }

@@ -1,6 +1,7 @@
 // Surface of a region of a simplex mesh: the nodes where it meets other regions, with unit normals out of it,
 // and the nodes inside.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <string>
 #include <vector>

@@ -1,5 +1,6 @@
 // Binding: a recipe, which is what a user writes, becomes the part that it stands for in a scene's mesh.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <type_traits>
 
@@ -7,13 +8,13 @@
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
-/// What `bind_part(recipe, site)`, found by argument-dependent look-up, makes of a recipe; where there is
+/// What `bind_part(recipe, traits)`, found by argument-dependent look-up, makes of a recipe; where there is
 /// none, the recipe itself is the part. (`bind` alone would be std::bind, where a recipe holds a type of
 /// std.)
-template <class Recipe, class Site>
-auto bound(const Recipe& recipe, const Site& site) {
-  if constexpr (requires { bind_part(recipe, site); })
-    return bind_part(recipe, site);
+template <class Recipe, class Traits>
+auto bound(const Recipe& recipe, const Traits& traits) {
+  if constexpr (requires { bind_part(recipe, traits); })
+    return bind_part(recipe, traits);
   else
     return recipe;
 }
@@ -24,25 +25,25 @@ struct erasure {
   using type = Recipe;
 };
 template <class Recipe>
-requires requires { typename Recipe::Erased; }
+requires requires { typename Recipe::TypeErased; }
 struct erasure<Recipe> {
-  using type = typename Recipe::Erased;
+  using type = typename Recipe::TypeErased;
 };
 }  // namespace detail
 
 /// The type of a recipe within the type of a scene: without the types of regions, distances and other
-/// functions, so that it can be written down. A recipe with such types has a member type `Erased` and a
-/// member `erased<M>()` that returns one for a mesh M; all other recipes stay what they are.
+/// functions, so that it can be written down. A recipe with such types has a member type `TypeErased` and a
+/// member `type_erased<M>()` that returns one for a mesh M; all other recipes stay what they are.
 template <class Recipe>
-using erased_t = typename detail::erasure<Recipe>::type;
+using type_erased_t = typename detail::erasure<Recipe>::type;
 
 /// The recipe as a scene over mesh M keeps it: itself, or another one.
 template <class M, class Recipe>
-decltype(auto) erased(const Recipe& recipe) {
-  if constexpr (std::is_same_v<erased_t<Recipe>, Recipe>)
+decltype(auto) type_erased(const Recipe& recipe) {
+  if constexpr (std::is_same_v<type_erased_t<Recipe>, Recipe>)
     return (recipe);
   else
-    return recipe.template erased<M>();
+    return recipe.template type_erased<M>();
 }
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -1,5 +1,6 @@
 // A number that cannot hold a value out of bounds: parameters of aggregates check themselves.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <arenite/core/error.hpp>
 #include <arenite/core/instruction_set.hpp>

@@ -3,6 +3,7 @@
 // one that links the target arenite::cold (which sets ARENITE_COLD_LIBRARY) takes them from there, compiled once. ARENITE_ONCE is for
 // those that are no templates either, but run often: the pool of threads.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #ifdef ARENITE_COLD_LIBRARY
 #define ARENITE_ONCE

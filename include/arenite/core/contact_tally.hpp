@@ -1,5 +1,6 @@
 // Tally: what the exchange of impulses did in a step.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <cstddef>
 

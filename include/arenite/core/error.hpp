@@ -1,5 +1,6 @@
 // Errors: what a user's mistake and a failed run say. A programmer's mistake is an assert instead.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <concepts>
 #include <initializer_list>

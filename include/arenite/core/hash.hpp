@@ -1,5 +1,6 @@
 // Hash: 64 bits that tell whether bytes are the same, for files and inputs.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <algorithm>
 #include <array>

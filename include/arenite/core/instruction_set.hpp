@@ -5,6 +5,7 @@
 // built with other versions meet in one program, too. A name can only come from a macro, which no flag sets.
 // Outside are exceptions, and what tells where the one thread pool is (core/once.hpp).
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <arenite/core/requirements.hpp>
 #include <arenite/version.hpp>

@@ -1,6 +1,7 @@
 // Lists of numbers, one for each row, in one array (compressed sparse rows): cells at the nodes, cells in the
 // buckets of a search, blocks of a colour, unsorted points of a cell.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <algorithm>
 #include <cstddef>

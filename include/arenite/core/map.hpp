@@ -1,6 +1,7 @@
 // Map: a `std::map` whose instantiations have different names for different instruction sets, so that the
 // linker never mixes them.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <functional>
 #include <map>
@@ -10,9 +11,9 @@
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 /// As `<` has it; texts are found without a copy.
-struct Order : std::less<> {};
+struct MapOrder : std::less<> {};
 
 template <class Key, class Value>
-using Map = std::map<Key, Value, Order>;
+using Map = std::map<Key, Value, MapOrder>;
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -1,5 +1,6 @@
 // Name: what a body of a scene is called, known to the compiler.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <cstddef>
 #include <string>

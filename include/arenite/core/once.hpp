@@ -2,6 +2,7 @@
 // for other instruction sets. Such units share the object and no function that works on it, so that each runs
 // code of its own. What they share by name is data: a word that tells where the object is.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <atomic>
 

@@ -1,5 +1,6 @@
 // Energy that a part of a scene accounts for.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <arenite/core/instruction_set.hpp>
 

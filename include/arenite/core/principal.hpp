@@ -2,6 +2,7 @@
 // isotropic law needs to work in principal space, on a scalar or on a pack. Derivation:
 // docs/return_mapping.md.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,7 @@
 // Requirements: what a translation unit must be compiled with, in one sentence. `core/instruction_set.hpp`,
 // which nearly every header takes, includes it first.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #if defined(__clang__) && !defined(__apple_build_version__) && __clang_major__ < 13 || \
     defined(__GNUC__) && !defined(__clang__) && __GNUC__ < 12

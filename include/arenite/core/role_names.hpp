@@ -2,6 +2,7 @@
 // knows what they do, and what they say of themselves. They are looked for by name first and then by
 // signature: a member with a role's name and another signature would else be left out in silence.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <type_traits>
 
@@ -34,8 +35,8 @@ ARENITE_ROLE(names)
 // Of transfers (transfer/transfer.hpp).
 ARENITE_ROLE(in_step)
 ARENITE_ROLE(sweeps)
-ARENITE_ROLE(hand)
-ARENITE_ROLE(take)
+ARENITE_ROLE(particle_field)
+ARENITE_ROLE(gather)
 // Of laws and parts.
 ARENITE_ROLE(stable_step)
 // Of parts (scene/roles.hpp).
@@ -44,13 +45,13 @@ ARENITE_ROLE(constrain)
 ARENITE_ROLE(driven_velocity)
 ARENITE_ROLE(add_force)
 ARENITE_ROLE(acceleration)
-ARENITE_ROLE(exchange_impulses)
-ARENITE_ROLE(hold_mapped)
+ARENITE_ROLE(apply_impulses)
+ARENITE_ROLE(constrain_mapped)
 ARENITE_ROLE(take_stress_work)
 ARENITE_ROLE(take_wall_impulse)
-ARENITE_ROLE(read_start)
-ARENITE_ROLE(read_end)
-ARENITE_ROLE(take_wall_hold)
+ARENITE_ROLE(after_p2g)
+ARENITE_ROLE(after_grid)
+ARENITE_ROLE(take_mapped_momentum)
 ARENITE_ROLE(given_impulse)
 ARENITE_ROLE(follow_motion)
 ARENITE_ROLE(renew_points)
@@ -61,7 +62,7 @@ ARENITE_ROLE(follow_state)
 #undef ARENITE_ROLE
 
 /// Whether a part or a transfer may read, of the nodes, the velocity at the start of the step (`field.start`)
-/// or the force (`field.collected[i].force()`). It may, unless it says `static constexpr bool
+/// or the force (`field.sums[i].force()`). It may, unless it says `static constexpr bool
 /// reads_start_state = false`. Where none does, B-splines sum momentum and force in one.
 template <class P>
 inline constexpr bool reads_start_state = [] {

@@ -1,5 +1,6 @@
 // Scalars: the number types that the library computes with, and the branch-free choice that laws use.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <cmath>
 #include <concepts>

@@ -1,5 +1,6 @@
 // Values of a state: what a visitor of a state is shown, and the paths that name them.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <concepts>
 #include <cstddef>

@@ -1,6 +1,7 @@
 // Small tensors: vectors and matrices are Eigen's; symmetric tensors are our own, because a plane problem
 // carries an out-of-plane component and because a law's scalar may be a pack.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <Eigen/Core>
 #include <array>

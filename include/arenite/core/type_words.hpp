@@ -1,5 +1,6 @@
 // Types as words: what a file says of the composition that wrote it.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <string>
 #include <string_view>

@@ -1,5 +1,6 @@
 // Units at the call site: the library computes in SI and radians; `40_deg`, `5_MPa`, `1_cm` convert.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <arenite/core/scalar.hpp>
 

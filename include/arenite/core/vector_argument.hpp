@@ -1,6 +1,7 @@
 // Vectors of a user, always {x, y, z}, and those of a scene, which have as many components as the scene has
 // dimensions.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <array>
 #include <cstddef>

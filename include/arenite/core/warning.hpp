@@ -1,6 +1,7 @@
 // Warnings: what is worth a line although nothing is forbidden. They go through one hook of the process,
 // which a program may replace.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <cstddef>
 #include <functional>

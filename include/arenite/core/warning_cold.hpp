@@ -1,5 +1,6 @@
 // Cold functions of warning.hpp.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <atomic>
 #include <cstdio>

@@ -1,5 +1,6 @@
 // Box: a region, a signed distance, and the bounds of other shapes.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <algorithm>
 #include <array>

@@ -1,5 +1,6 @@
 // Whether triangles form a closed surface that knows its outside, and which of them meet at their edges.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <Eigen/Geometry>
 #include <algorithm>

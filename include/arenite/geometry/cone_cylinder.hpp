@@ -1,5 +1,6 @@
 // Cone-tipped cylinder: the signed distance of a penetrometer.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <algorithm>
 #include <array>

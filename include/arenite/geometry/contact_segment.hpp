@@ -1,5 +1,6 @@
 // Contact segments: where a shape can touch another first, corners and edges, rounded by a radius.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <array>
 #include <concepts>

@@ -1,5 +1,6 @@
 // Mass, centre of mass and moments of inertia of uniform bodies: closed surfaces of triangles, polygons.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <Eigen/LU>
 #include <cmath>

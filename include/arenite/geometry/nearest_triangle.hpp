@@ -1,5 +1,6 @@
 // The nearest of many triangles, and those that a ray crosses, by a tree of boxes around them.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <Eigen/Geometry>
 #include <algorithm>

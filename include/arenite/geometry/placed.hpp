@@ -1,5 +1,6 @@
 // A shape moved and turned.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <array>
 #include <cmath>

@@ -1,5 +1,6 @@
 // Polygon: the inside of a closed line in the plane, as region and as signed distance.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <algorithm>
 #include <array>

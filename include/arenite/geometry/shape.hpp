@@ -1,5 +1,6 @@
 // Shapes: what is a region and a signed distance in one, and their bounds.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <concepts>
 #include <limits>

@@ -1,5 +1,6 @@
 // Balls, rounded boxes, capsules and cylinders: regions and exact signed distances.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <algorithm>
 #include <array>

@@ -1,5 +1,6 @@
 // Triangles as data: what readers return and a `TriangleSurface` is made of.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <array>
 #include <vector>

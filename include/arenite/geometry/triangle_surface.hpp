@@ -1,5 +1,6 @@
 // Closed surface of triangles: the inside of an STL file, as region and as signed distance.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <Eigen/Geometry>
 #include <array>

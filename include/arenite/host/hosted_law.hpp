@@ -1,5 +1,6 @@
 // Hosted law: any law behind one interface, over arrays of states.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <cstddef>
 #include <string>

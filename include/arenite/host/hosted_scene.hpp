@@ -1,6 +1,7 @@
 // Hosted scene: any scene behind one interface, for a program that learns its type when it runs. Calls are
 // virtual around a step, never within one. Bodies go by their numbers.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <array>
 #include <cstddef>

@@ -1,5 +1,6 @@
 // Law host: a law of any type as a `HostedLaw`, in packs.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <algorithm>
 #include <array>
@@ -8,11 +9,11 @@
 #include <utility>
 #include <vector>
 
-#include <arenite/core/kernel.hpp>
-#include <arenite/core/parallel.hpp>
 #include <arenite/host/hosted_law.hpp>
 #include <arenite/host/readers.hpp>
 #include <arenite/law/drive.hpp>
+#include <arenite/parallel/parallel.hpp>
+#include <arenite/simd/kernel.hpp>
 #include <arenite/transfer/law_pass.hpp>
 #include <arenite/transfer/numerics.hpp>
 
@@ -126,7 +127,7 @@ class LawHost : public HostedLaw {
     HostedPath path;
     for (const auto& at : arenite::drive(
              law_,
-             arenite::read<std::vector<DriveStage<D>>>(stages, Reading{.name = "stages", .dimension = D}),
+             arenite::read<std::vector<DriveStage<D>>>(stages, ReadContext{.name = "stages", .dimension = D}),
              point)) {
       ++path.rows;
       path.time.push_back(at.time);
@@ -158,7 +159,7 @@ class LawHost : public HostedLaw {
 /// Makes a law of a host's values.
 template <class Law>
 std::unique_ptr<HostedLaw> make_hosted_law(const Value& values) {
-  return std::make_unique<LawHost<Law>>(read<Law>(values, Reading{.name = "law"}));
+  return std::make_unique<LawHost<Law>>(read<Law>(values, ReadContext{.name = "law"}));
 }
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -1,6 +1,7 @@
 // Members of an aggregate by name: names and types of its data members, taken from the compiler, so that a
 // host's values find their places without a list to keep.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <array>
 #include <cstddef>

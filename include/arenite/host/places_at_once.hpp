@@ -1,6 +1,7 @@
 // Functions of place that the host is asked for once, for all places together: one call of an interpreter
 // costs as much as the arithmetic of a thousand places.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <algorithm>
 #include <array>

@@ -1,5 +1,6 @@
 // Plugin: the compositions and laws that a shared object offers to the program that opens it.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <cstddef>
 #include <limits>
@@ -10,11 +11,11 @@
 #include <vector>
 
 #include <arenite/core/once.hpp>
-#include <arenite/core/parallel.hpp>
 #include <arenite/core/warning.hpp>
 #include <arenite/host/hosted_law.hpp>
 #include <arenite/host/hosted_scene.hpp>
 #include <arenite/host/members.hpp>
+#include <arenite/parallel/parallel.hpp>
 #include <arenite/version.hpp>
 
 namespace arenite::program {
@@ -62,10 +63,10 @@ namespace shared_detail {
 }
 
 /// Adds to the plugin when the shared object is opened.
-struct Offer {
-  explicit Offer(Plugin::SceneMaker scene) { this_plugin().scenes.push_back(std::move(scene)); }
-  explicit Offer(Plugin::LawMaker law) { this_plugin().laws.push_back(std::move(law)); }
-  explicit Offer(Plugin::Recipe recipe) { this_plugin().recipes.push_back(std::move(recipe)); }
+struct Registration {
+  explicit Registration(Plugin::SceneMaker scene) { this_plugin().scenes.push_back(std::move(scene)); }
+  explicit Registration(Plugin::LawMaker law) { this_plugin().laws.push_back(std::move(law)); }
+  explicit Registration(Plugin::Recipe recipe) { this_plugin().recipes.push_back(std::move(recipe)); }
 };
 
 }  // namespace shared_detail

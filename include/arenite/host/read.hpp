@@ -1,6 +1,7 @@
 // Reading: a host's value as a value of the library, by the names of its members; what does not fit is an
 // error that names the place, the value and the rule.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <algorithm>
 #include <array>
@@ -28,11 +29,11 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 /// How a T is read: `static T read(const Value&, const Reading& at)`. Aggregates are read member by member,
 /// classes with a struct `Parameters` through that; others need a specialisation.
 template <class T>
-struct Reader;
+struct ValueReader;
 
 template <class T>
-T read(const Value& value, const Reading& at) {
-  return Reader<T>::read(value, at);
+T read(const Value& value, const ReadContext& at) {
+  return ValueReader<T>::read(value, at);
 }
 
 namespace detail {
@@ -48,7 +49,7 @@ std::string spoken_name() {
 }
 
 /// The numbers of a list or an array of one dimension.
-std::vector<double> numbers(const Value& value, const Reading& at);
+std::vector<double> numbers(const Value& value, const ReadContext& at);
 
 /// Whether a value is numbers, and not a function.
 inline bool is_numbers(const Value& value) {
@@ -56,14 +57,14 @@ inline bool is_numbers(const Value& value) {
 }
 
 /// Refuses a name that is none of those known.
-void refuse_unknown(const Value::Dict& given, std::span<const std::string_view> known, const Reading& at);
+void refuse_unknown(const Value::Dict& given, std::span<const std::string_view> known, const ReadContext& at);
 
 /// The names of a value; nothing stands for no names.
-const Value::Dict& dict(const Value& value, const Reading& at);
+const Value::Dict& dict(const Value& value, const ReadContext& at);
 
 /// Member K of an aggregate: what was given, or as the aggregate has it.
 template <class T, std::size_t K>
-member_type<T, K> read_member(const Value::Dict& given, const Reading& at) {
+member_type<T, K> read_member(const Value::Dict& given, const ReadContext& at) {
   const std::string key(member_names<T>[K]);
   const auto found = given.find(key);
   if (found != given.end()) return read<member_type<T, K>>(found->second, at / key);
@@ -82,15 +83,15 @@ concept has_parameters = requires {
 }  // namespace detail
 
 template <class T>
-struct Reader {
-  static T read(const Value& value, const Reading& at) {
+struct ValueReader {
+  static T read(const Value& value, const ReadContext& at) {
     if constexpr (detail::has_parameters<T>) {
       return T(arenite::read<typename T::Parameters>(value, at.renamed(detail::spoken_name<T>())));
     } else {
       static_assert(std::is_aggregate_v<T>,
                     "host: a law or part made of values by name must be an aggregate, or hold a struct "
                     "Parameters { double density = 0, ..; } and a constructor that takes one "
-                    "(examples/own_law.hpp); C++ may specialise Reader<T>");
+                    "(examples/own_law.hpp); C++ may specialise ValueReader<T>");
       const Value::Dict& given = detail::dict(value, at);
       detail::refuse_unknown(given, member_names<T>, at);
       return with_members(given, at, std::make_index_sequence<member_count<T>>{});
@@ -99,31 +100,31 @@ struct Reader {
 
  private:
   template <std::size_t... K>
-  static T with_members([[maybe_unused]] const Value::Dict& given, [[maybe_unused]] const Reading& at,
+  static T with_members([[maybe_unused]] const Value::Dict& given, [[maybe_unused]] const ReadContext& at,
                         std::index_sequence<K...>) {
     return T{detail::read_member<T, K>(given, at)...};
   }
 };
 
 template <>
-struct Reader<Value> {
+struct ValueReader<Value> {
   static Value read(const Value& value, const std::string&) { return value; }
 };
 template <>
-struct Reader<bool> {
-  static bool read(const Value&, const Reading&);
+struct ValueReader<bool> {
+  static bool read(const Value&, const ReadContext&);
 };
 template <std::floating_point T>
-struct Reader<T> {
-  static T read(const Value& value, const Reading& at) {
+struct ValueReader<T> {
+  static T read(const Value& value, const ReadContext& at) {
     const double* x = value.get<double>();
     if (x == nullptr) at.refuse(value, "must be a number");
     return static_cast<T>(*x);
   }
 };
 template <std::integral T>
-struct Reader<T> {
-  static T read(const Value& value, const Reading& at) {
+struct ValueReader<T> {
+  static T read(const Value& value, const ReadContext& at) {
     const double x = arenite::read<double>(value, at);
     const bool fits = x == std::floor(x) && x >= static_cast<double>(std::numeric_limits<T>::min()) &&
                       x <= std::min(static_cast<double>(std::numeric_limits<T>::max()), 9007199254740992.0);
@@ -133,25 +134,25 @@ struct Reader<T> {
 };
 template <class T>
 requires std::is_enum_v<T>
-struct Reader<T> {
-  static T read(const Value& value, const Reading& at) {
+struct ValueReader<T> {
+  static T read(const Value& value, const ReadContext& at) {
     return static_cast<T>(arenite::read<int>(value, at));
   }
 };
 template <>
-struct Reader<std::string> {
-  static std::string read(const Value&, const Reading&);
+struct ValueReader<std::string> {
+  static std::string read(const Value&, const ReadContext&);
 };
 template <class Rule>
-struct Reader<Checked<Rule>> {
-  static Checked<Rule> read(const Value& value, const Reading& at) {
+struct ValueReader<Checked<Rule>> {
+  static Checked<Rule> read(const Value& value, const ReadContext& at) {
     return arenite::read<double>(value, at);
   }
 };
 /// Three numbers may be fewer: as many as the scene has dimensions.
 template <std::size_t N>
-struct Reader<std::array<double, N>> {
-  static std::array<double, N> read(const Value& value, const Reading& at) {
+struct ValueReader<std::array<double, N>> {
+  static std::array<double, N> read(const Value& value, const ReadContext& at) {
     const auto given = detail::numbers(value, at);
     const bool fits = given.size() == N || (N == 3 && given.size() < N && !given.empty());
     if (!fits) at.refuse(value, joined_text({"must be ", N == 3 ? "up to " : "", N, " numbers"}));
@@ -161,8 +162,8 @@ struct Reader<std::array<double, N>> {
   }
 };
 template <class T, std::size_t N>
-requires(!std::is_same_v<T, double>) struct Reader<std::array<T, N>> {
-  static std::array<T, N> read(const Value& value, const Reading& at) {
+requires(!std::is_same_v<T, double>) struct ValueReader<std::array<T, N>> {
+  static std::array<T, N> read(const Value& value, const ReadContext& at) {
     const auto* list = value.get<Value::List>();
     if (list == nullptr || list->size() != N) at.refuse(value, joined_text({"must be a list of ", N}));
     std::array<T, N> all{};
@@ -171,12 +172,12 @@ requires(!std::is_same_v<T, double>) struct Reader<std::array<T, N>> {
   }
 };
 template <>
-struct Reader<std::vector<double>> {
-  static std::vector<double> read(const Value&, const Reading&);
+struct ValueReader<std::vector<double>> {
+  static std::vector<double> read(const Value&, const ReadContext&);
 };
 template <class T>
-struct Reader<std::vector<T>> {
-  static std::vector<T> read(const Value& value, const Reading& at) {
+struct ValueReader<std::vector<T>> {
+  static std::vector<T> read(const Value& value, const ReadContext& at) {
     const auto* list = value.get<Value::List>();
     if (list == nullptr) at.refuse(value, "must be a list");
     std::vector<T> all;
@@ -185,15 +186,15 @@ struct Reader<std::vector<T>> {
   }
 };
 template <class T>
-struct Reader<std::optional<T>> {
-  static std::optional<T> read(const Value& value, const Reading& at) {
+struct ValueReader<std::optional<T>> {
+  static std::optional<T> read(const Value& value, const ReadContext& at) {
     if (value.is_none()) return {};
     return arenite::read<T>(value, at);
   }
 };
 template <class T>
-struct Reader<Map<std::string, T>> {
-  static Map<std::string, T> read(const Value& value, const Reading& at) {
+struct ValueReader<Map<std::string, T>> {
+  static Map<std::string, T> read(const Value& value, const ReadContext& at) {
     Map<std::string, T> all;
     for (const auto& [key, v] : detail::dict(value, at)) all.emplace(key, arenite::read<T>(v, at / key));
     return all;
@@ -204,7 +205,7 @@ struct Reader<Map<std::string, T>> {
 
 namespace detail {
 
-ARENITE_READER std::vector<double> numbers(const Value& value, const Reading& at) {
+ARENITE_READER std::vector<double> numbers(const Value& value, const ReadContext& at) {
   if (const HostArray* a = value.array()) {
     if (a->shape.size() > 1) at.refuse(value, "must be numbers side by side");
     return a->numbers;
@@ -221,7 +222,7 @@ ARENITE_READER std::vector<double> numbers(const Value& value, const Reading& at
 }
 
 ARENITE_READER void refuse_unknown(const Value::Dict& given, std::span<const std::string_view> known,
-                                   const Reading& at) {
+                                   const ReadContext& at) {
   for (const auto& [key, value] : given) {
     if (std::ranges::find(known, key) != known.end()) continue;
     std::string all;
@@ -231,7 +232,7 @@ ARENITE_READER void refuse_unknown(const Value::Dict& given, std::span<const std
   }
 }
 
-ARENITE_READER const Value::Dict& dict(const Value& value, const Reading& at) {
+ARENITE_READER const Value::Dict& dict(const Value& value, const ReadContext& at) {
   static const Value::Dict none_given;
   if (value.is_none()) return none_given;
   const auto* given = value.get<Value::Dict>();
@@ -241,17 +242,18 @@ ARENITE_READER const Value::Dict& dict(const Value& value, const Reading& at) {
 
 }  // namespace detail
 
-ARENITE_READER bool Reader<bool>::read(const Value& value, const Reading& at) {
+ARENITE_READER bool ValueReader<bool>::read(const Value& value, const ReadContext& at) {
   const bool* b = value.get<bool>();
   if (b == nullptr) at.refuse(value, "must be true or false");
   return *b;
 }
-ARENITE_READER std::string Reader<std::string>::read(const Value& value, const Reading& at) {
+ARENITE_READER std::string ValueReader<std::string>::read(const Value& value, const ReadContext& at) {
   const auto* s = value.get<std::string>();
   if (s == nullptr) at.refuse(value, "must be a word");
   return *s;
 }
-ARENITE_READER std::vector<double> Reader<std::vector<double>>::read(const Value& value, const Reading& at) {
+ARENITE_READER std::vector<double> ValueReader<std::vector<double>>::read(const Value& value,
+                                                                          const ReadContext& at) {
   return detail::numbers(value, at);
 }
 

@@ -1,5 +1,6 @@
 // Any friction out of a host's values: the name of a policy's class, and its values.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <string>
 
@@ -11,13 +12,13 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 /// `{"policy": "LinearRateFriction", "values": {..}}`; none: the law's own angle.
 template <>
-struct Reader<AnyFriction> {
-  static AnyFriction read(const Value&, const Reading&);
+struct ValueReader<AnyFriction> {
+  static AnyFriction read(const Value&, const ReadContext&);
 };
 
 #ifndef ARENITE_HOST_ELSEWHERE
 
-ARENITE_READER AnyFriction Reader<AnyFriction>::read(const Value& value, const Reading& at) {
+ARENITE_READER AnyFriction ValueReader<AnyFriction>::read(const Value& value, const ReadContext& at) {
   if (value.is_none()) return {};
   const Value* const policy = value.find("policy");
   const auto* const name = policy ? policy->get<std::string>() : nullptr;

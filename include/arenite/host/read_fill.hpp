@@ -1,5 +1,6 @@
 // Read fill: bodies out of a host's values, whose functions of place are asked for once each.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <array>
 #include <vector>
@@ -20,7 +21,7 @@ std::vector<std::array<double, 3>> node_positions(const typename Scene::Mesh& me
 
 /// A fill of type F. User functions are evaluated in two passes: first the region, then densities and stresses at the points found.
 template <class Scene, class F>
-F read_fill(const typename Scene::Mesh& mesh, const Value& value, Reading at) {
+F read_fill(const typename Scene::Mesh& mesh, const Value& value, ReadContext at) {
   PlaceFunctions functions;
   at.places = &functions;
   F fill = read<F>(value, at);

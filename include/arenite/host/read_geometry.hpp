@@ -1,5 +1,6 @@
 // Shapes by name: a host's word for a shape becomes a signed distance and a region.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <functional>
 #include <memory>
@@ -7,10 +8,10 @@
 #include <utility>
 #include <vector>
 
+#include <arenite/fill/region.hpp>
+#include <arenite/fill/regions.hpp>
 #include <arenite/geometry/cone_cylinder.hpp>
 #include <arenite/host/read_functions.hpp>
-#include <arenite/particles/region.hpp>
-#include <arenite/particles/regions.hpp>
 #include <arenite/rigid/signed_distance.hpp>
 
 #ifndef ARENITE_HOST_ELSEWHERE
@@ -26,13 +27,13 @@
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 template <>
-struct Reader<AnyDistance> {
-  static AnyDistance read(const Value&, const Reading&);
+struct ValueReader<AnyDistance> {
+  static AnyDistance read(const Value&, const ReadContext&);
 };
 /// A shape; `{"cells": [names]}`, regions of a simplex mesh; `{"where": f}`, a test of positions.
 template <>
-struct Reader<AnyRegion> {
-  static AnyRegion read(const Value&, const Reading&);
+struct ValueReader<AnyRegion> {
+  static AnyRegion read(const Value&, const ReadContext&);
 };
 
 #ifndef ARENITE_HOST_ELSEWHERE
@@ -79,11 +80,11 @@ struct HostDistance {
 };
 
 template <int D>
-HostShape<D> read_shape(const Value& value, const Reading& at);
+HostShape<D> read_shape(const Value& value, const ReadContext& at);
 
 /// The two shapes that `{"a": .., "b": ..}` joins.
 template <int D, class Rule>
-HostShape<D> read_combined(const Value& value, const Reading& at) {
+HostShape<D> read_combined(const Value& value, const ReadContext& at) {
   return HostShape<D>(Combined<HostShape<D>, HostShape<D>, Rule>{read_shape<D>(*value.find("a"), at),
                                                                  read_shape<D>(*value.find("b"), at)});
 }
@@ -110,7 +111,7 @@ inline TriangleData read_triangles(const Value& value) {
 
 /// `{"shape": "Box", "lower": .., "upper": ..}` and the like; a function is a signed distance.
 template <int D>
-HostShape<D> read_shape(const Value& value, const Reading& at) {
+HostShape<D> read_shape(const Value& value, const ReadContext& at) {
   constexpr auto dim = static_cast<std::size_t>(D);
   using Place = std::array<double, dim>;
   if (value.function()) return HostShape<D>(HostDistance<D>{*value.function()});
@@ -161,11 +162,11 @@ HostShape<D> read_shape(const Value& value, const Reading& at) {
 
 }  // namespace detail
 
-ARENITE_READER AnyDistance Reader<AnyDistance>::read(const Value& value, const Reading& at) {
+ARENITE_READER AnyDistance ValueReader<AnyDistance>::read(const Value& value, const ReadContext& at) {
   if (at.dimension == 2) return AnyDistance::of<2>(detail::read_shape<2>(value, at));
   return AnyDistance::of<3>(detail::read_shape<3>(value, at));
 }
-ARENITE_READER AnyRegion Reader<AnyRegion>::read(const Value& value, const Reading& at) {
+ARENITE_READER AnyRegion ValueReader<AnyRegion>::read(const Value& value, const ReadContext& at) {
   AnyRegion region;
   if (const Value* cells = value.find("cells")) {
     region.cells = arenite::read<std::vector<std::string>>(*cells, at);

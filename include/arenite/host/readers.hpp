@@ -1,6 +1,7 @@
 // Readers of what many scenes have: compiled once for all scenes of a program that defines
 // ARENITE_HOST_ELSEWHERE (host/reading.hpp), else where they are needed.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <arenite/arenite.hpp>
 #include <arenite/host/read_any_friction.hpp>
@@ -9,9 +10,9 @@
 #if defined(ARENITE_HOST_ELSEWHERE) || defined(ARENITE_HOST_HERE)
 
 #ifdef ARENITE_HOST_HERE
-#define ARENITE_READ(...) template __VA_ARGS__ read<__VA_ARGS__>(const Value&, const Reading&)
+#define ARENITE_READ(...) template __VA_ARGS__ read<__VA_ARGS__>(const Value&, const ReadContext&)
 #else
-#define ARENITE_READ(...) extern template __VA_ARGS__ read<__VA_ARGS__>(const Value&, const Reading&)
+#define ARENITE_READ(...) extern template __VA_ARGS__ read<__VA_ARGS__>(const Value&, const ReadContext&)
 #endif
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {

@@ -1,5 +1,6 @@
 // Reading: where in a host's value a reader is, and what the scene to be made tells it.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <array>
 #include <cstddef>
@@ -22,16 +23,16 @@
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 /// What readers are handed: the name of the place for messages, and what the scene knows.
-struct Reading {
+struct ReadContext {
   std::string name{};
   int dimension = 3;                 ///< of the scene
   PlaceFunctions* places = nullptr;  ///< where functions of place are collected; none: they are not
   const std::vector<std::array<double, 3>>* nodes = nullptr;  ///< positions of the mesh's nodes, m; or none
 
-  Reading operator/(std::string_view member) const { return renamed(joined_text({name, ".", member})); }
-  Reading operator[](std::size_t k) const { return renamed(joined_text({name, "[", k, "]"})); }
-  Reading renamed(std::string other) const {
-    Reading at = *this;
+  ReadContext operator/(std::string_view member) const { return renamed(joined_text({name, ".", member})); }
+  ReadContext operator[](std::size_t k) const { return renamed(joined_text({name, "[", k, "]"})); }
+  ReadContext renamed(std::string other) const {
+    ReadContext at = *this;
     at.name = std::move(other);
     return at;
   }

@@ -1,5 +1,6 @@
 // Scene host: a scene of any type as a `HostedScene`, made of a host's values.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <cstddef>
 #include <memory>
@@ -82,7 +83,7 @@ class SceneHost : public HostedScene {
       if (!(scene_->time < options.end)) return 0.0;
       watch->before(written);
       const Moved moved(*this);
-      const double dt = step_towards(*scene_, options, span, no_others);
+      const double dt = step_towards(*scene_, options, span, serial);
       watch->after(!(scene_->time < options.end));
       return dt;
     };
@@ -201,7 +202,7 @@ class SceneHost : public HostedScene {
     return run.watch && run.limits ? std::make_shared<Watch>(limits_of(run)) : nullptr;
   }
   static WatchLimits limits_of(const HostedRun& run) {
-    return run.limits ? read<WatchLimits>(*run.limits, Reading{.name = "WatchLimits"}) : WatchLimits();
+    return run.limits ? read<WatchLimits>(*run.limits, ReadContext{.name = "WatchLimits"}) : WatchLimits();
   }
 
   /// The watch of a host's own loop. Numbers that the host writes are energy that no part books: a look that
@@ -291,11 +292,11 @@ class SceneReader<Scene<K, M, N, Given...>> {
   using Made = Scene<K, M, N, Given...>;
 
   static std::unique_ptr<HostedScene> make(const Value& values) {
-    const Reading at{.name = "Scene", .dimension = Made::D};
+    const ReadContext at{.name = "Scene", .dimension = Made::D};
     const auto given = [&](const char* key) { return values.find(key) ? *values.find(key) : Value(); };
     const M mesh = read<M>(given("mesh"), at / "mesh");
     const auto nodes = node_positions<Made>(mesh);
-    Reading in_mesh = at;
+    ReadContext in_mesh = at;
     in_mesh.nodes = &nodes;
     const Value parts = given("parts");
     const auto* list = parts.template get<Value::List>();
@@ -309,21 +310,21 @@ class SceneReader<Scene<K, M, N, Given...>> {
  private:
   template <std::size_t... I>
   static std::unique_ptr<HostedScene> make(K kinematics, const M& mesh, N numerics, const Value::List& list,
-                                           const Reading& at, std::index_sequence<I...>) {
+                                           const ReadContext& at, std::index_sequence<I...>) {
     return std::make_unique<SceneHost<Made>>(std::make_unique<Made>(
         kinematics, mesh, numerics, read_part(std::type_identity<Given>{}, mesh, list[I], at[I])...));
   }
   template <class P>
-  static P read_part(std::type_identity<P>, const M&, const Value& value, const Reading& at) {
+  static P read_part(std::type_identity<P>, const M&, const Value& value, const ReadContext& at) {
     return read<P>(value, at);
   }
   template <class... F>
   static Bodies<F...> read_part(std::type_identity<Bodies<F...>>, const M& mesh, const Value& value,
-                                const Reading& at) {
+                                const ReadContext& at) {
     return read_bodies<F...>(mesh, value, at.renamed("bodies"), std::index_sequence_for<F...>{});
   }
   template <class... F, std::size_t... I>
-  static Bodies<F...> read_bodies(const M& mesh, const Value& value, const Reading& at,
+  static Bodies<F...> read_bodies(const M& mesh, const Value& value, const ReadContext& at,
                                   std::index_sequence<I...>) {
     const auto* list = value.get<Value::List>();
     if (list == nullptr || list->size() != sizeof...(F))

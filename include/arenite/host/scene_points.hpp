@@ -1,6 +1,7 @@
 // Scene points: points of a body of a scene, by its number, that a host adds, removes and looks at between
 // two steps.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <algorithm>
 #include <array>
@@ -31,9 +32,9 @@ void with_number(std::size_t body, F&& f) {
 }
 
 /// Rows of numbers that a host gives under a name, one a point; empty if it gives none.
-class PointRows {
+class PointTable {
  public:
-  PointRows(const Value& values, const std::string& name, std::size_t rows, std::size_t columns)
+  PointTable(const Value& values, const std::string& name, std::size_t rows, std::size_t columns)
       : columns_{columns} {
     const Value* given = values.find(name);
     if (given == nullptr || given->is_none()) return;
@@ -63,7 +64,7 @@ void read_history(const Value& values, std::vector<Point>& points) {
   for (const auto& [name, row] : *rows) {
     const auto k = static_cast<std::size_t>(std::ranges::find(names, name) - names.begin());
     require(!name.empty() && k < names.size(), "history", name, "is no number of the law's history");
-    const PointRows row_of(*given, name, points.size(), 1);
+    const PointTable row_of(*given, name, points.size(), 1);
     for (std::size_t p = 0; p < points.size(); ++p)
       std::apply(
           [&](auto&... member) {
@@ -88,7 +89,7 @@ std::vector<typename B::Point> read_points(const Value& values) {
           "must be an array");
   std::vector<Point> points(place->array()->rows());
   const auto rows = [&](const char* name, std::size_t columns) {
-    return PointRows(values, name, points.size(), columns);
+    return PointTable(values, name, points.size(), columns);
   };
   const auto position = rows("position", D), velocity = rows("velocity", D), volume = rows("volume", 1),
              mass = rows("mass", 1), stress = rows("stress", Point{}.stress.c.size());
@@ -131,7 +132,7 @@ template <class Scene>
 HostedTotals fill_more(Scene& scene, std::size_t body, const Value& value) {
   return change_points(scene, body, [&](auto& of) {
     using Recipe = Fill<std::remove_cvref_t<decltype(of.law)>>;
-    const Reading at{.name = "fill", .dimension = Scene::D};
+    const ReadContext at{.name = "fill", .dimension = Scene::D};
     return insert_fill(scene, of, read_fill<Scene, Recipe>(scene.mesh, value, at), Scene::body_name(body));
   });
 }
@@ -154,7 +155,7 @@ HostedTotals remove_where(Scene& scene, std::size_t body, const Value& where) {
               {"must have one for each of ", points.size(), " points"});
       return remove_from(scene, of, [&](Index p) { return flags->numbers[p] != 0; });
     }
-    const auto region = read<AnyRegion>(where, Reading{.name = "where", .dimension = Scene::D});
+    const auto region = read<AnyRegion>(where, ReadContext{.name = "where", .dimension = Scene::D});
     const auto numbers = region_numbers(scene.mesh, region);
     return remove_from(scene, of, [&](Index p) {
       if (region.test) return region.contains(points.position[p]);
@@ -191,7 +192,7 @@ template <class Scene>
 std::vector<double> force_across(const Scene& scene, std::size_t body, const Value& section, bool of_nodes) {
   std::vector<double> force;
   with_number<Scene>(body, [&]<std::size_t which>() {
-    const auto cut = read<Section>(section, Reading{.name = "Section", .dimension = Scene::D});
+    const auto cut = read<Section>(section, ReadContext{.name = "Section", .dimension = Scene::D});
     const auto f =
         of_nodes ? nodal_section_force<Name(which)>(scene, cut) : section_force<Name(which)>(scene, cut);
     force.assign(f.begin(), f.end());

@@ -1,6 +1,7 @@
 // Value: what a program in another language says of a scene, before anyone knows the scene's type: numbers,
 // words, lists, names with values, arrays and functions.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <array>
 #include <concepts>

@@ -1,5 +1,6 @@
 // A table of numbers as comma-separated text (RFC 4180 with plain names), row by row while a run goes on.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <algorithm>
 #include <cerrno>

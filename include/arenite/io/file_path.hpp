@@ -1,5 +1,6 @@
 // The path of a file as an argument, without the header <filesystem>, which costs every unit that includes it.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <concepts>
 #include <string>

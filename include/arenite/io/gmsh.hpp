@@ -1,5 +1,6 @@
 // Gmsh meshes in: formats 2.2 and 4.1, text and binary.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <cstdint>
 #include <filesystem>
@@ -61,7 +62,7 @@ MeshData<D> read_gmsh_bytes(std::string_view bytes, std::string name) {
   GmshMesh<D> mesh;
   GmshEntities entities;
   GmshFormat format{};
-  std::set<std::string, Order> seen;
+  std::set<std::string, MapOrder> seen;
   while (true) {
     const std::string section = in.open_section();
     if (section.empty()) break;

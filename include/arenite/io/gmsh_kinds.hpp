@@ -1,5 +1,6 @@
 // The kinds of elements that a Gmsh file can hold, and how they are called in messages.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <array>
 #include <cstddef>

@@ -1,6 +1,7 @@
 // What the readers of all Gmsh formats have in common: node tags turned into indices,
 // physical groups turned into regions and node sets, and the checks of the mesh as a whole.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <algorithm>
 #include <array>

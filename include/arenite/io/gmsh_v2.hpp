@@ -1,6 +1,7 @@
 // Sections $Nodes and $Elements of Gmsh's format 2.2 (reference manual, "MSH file format version 2
 // (Legacy)").
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <cstdint>
 #include <span>

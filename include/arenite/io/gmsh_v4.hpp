@@ -1,5 +1,6 @@
 // Sections $Entities, $Nodes and $Elements of Gmsh's format 4.1 (reference manual, "MSH file format").
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <cstdint>
 #include <map>

@@ -2,6 +2,7 @@
 // that name the file and the reason. Needs HDF5 1.10.7 or newer (CMake: arenite::hdf5). Files are of the
 // oldest format that holds them, and hold no times: equal contents are equal bytes.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <hdf5.h>
 

@@ -1,5 +1,6 @@
 // Data sets of numbers in HDF5 files: of one length, and such that grow.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,7 @@
 // Files in: only regular ones, and of a size that is known before they are read. A pipe would be waited for
 // without end, and a device be read without end.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <cstdint>
 #include <filesystem>

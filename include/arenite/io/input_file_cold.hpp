@@ -1,5 +1,6 @@
 // Cold functions of input_file.hpp.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <cerrno>
 #include <new>

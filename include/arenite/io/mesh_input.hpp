@@ -2,6 +2,7 @@
 // against the end of the file, and whatever is wrong is reported with file, section, and line (text) or byte
 // (binary): a file is a user's input, so no content of it may do worse than throw.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <algorithm>
 #include <charconv>

@@ -3,6 +3,7 @@
 // a name is replaced, not followed. A file that goes on (a table, a lock) must be a regular one. A folder may
 // be reached by links. Also what all writers share: numbers as text, and the message of a failed write.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <bit>
 #include <cerrno>

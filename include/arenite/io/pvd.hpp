@@ -1,5 +1,6 @@
 // Time series of VTK files (.pvd): the list of files and times that ParaView opens as one.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <filesystem>
 #include <span>

@@ -9,6 +9,7 @@
 //   ..
 //   (an empty line)
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <bit>
 #include <filesystem>

@@ -3,6 +3,7 @@
 // of a file free for the program that writes it ("user block"): two lines with the hash of all that follows them, so that no
 // damaged file comes to the library.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <algorithm>
 #include <cstddef>

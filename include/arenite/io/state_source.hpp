@@ -1,6 +1,7 @@
 // State source: named numbers of a run's state, wherever they are kept: in a file of either kind, or aside in
 // memory.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <algorithm>
 #include <cstddef>

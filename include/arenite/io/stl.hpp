@@ -1,5 +1,6 @@
 // STL files in: triangles of a closed surface, text and binary.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <algorithm>
 #include <array>
@@ -32,7 +33,7 @@ inline std::uint64_t stl_binary_size(std::string_view bytes) {
   return 84 + 50 * count;
 }
 
-/// Whether a file is text: it has not the length of a binary one, and no byte at its begin that text does not
+/// Whether a file is text: it has not the length of a binary one, and no byte at its start that text does not
 /// have. (Many a binary file begins with "solid", and a text with a blank line or a byte-order mark.)
 inline bool is_stl_text(std::string_view bytes) {
   const auto in_text = [](char c) { return (c >= '\t' && c <= '\r') || c >= ' ' || c < 0; };

@@ -3,6 +3,7 @@
 // Steps, one part a step. What did not change since the step before is not written again: the step refers to
 // it.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <algorithm>
 #include <array>

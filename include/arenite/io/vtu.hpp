@@ -2,6 +2,7 @@
 // Data are in raw appended form, which ParaView and meshio read: base64 would take a third more bytes, and
 // time. Format: "VTK XML file formats", docs.vtk.org, version 1.0 with 64-bit sizes.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <array>
 #include <cstddef>

@@ -1,5 +1,6 @@
 // An array of a VTU file as a recipe: its name, shape and number type, and how to fetch its values.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <array>
 #include <concepts>

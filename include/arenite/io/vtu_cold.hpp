@@ -1,5 +1,6 @@
 // Cold functions of vtu.hpp.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <algorithm>
 #include <array>
@@ -22,7 +23,7 @@ namespace shared_detail {
 /// The array is one that VTK knows and has `items` items.
 ARENITE_COLD void check_vtu_arrays(const std::vector<VtuArray>& arrays, std::size_t items,
                                    std::string_view where) {
-  std::set<std::string_view, Order> names;
+  std::set<std::string_view, MapOrder> names;
   for (const VtuArray& a : arrays) {
     require(!a.name.empty() && names.insert(a.name).second, {"name of an array of ", where}, a.name,
             "must be given, and once");

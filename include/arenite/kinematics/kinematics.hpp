@@ -1,5 +1,6 @@
 // Kinematics: what the dimensions of a scene mean. A value of one of these types is the first of every scene.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <arenite/core/error.hpp>
 #include <arenite/core/tensor.hpp>

@@ -1,6 +1,7 @@
 // Friction chosen at run time: one type for all of the library's policies, so that what is compiled with it
 // serves them all.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <type_traits>
 #include <variant>

@@ -1,6 +1,7 @@
 // Drive: takes one point of a law along a path on which of each component either the strain or the stress is
 // prescribed: simple shear, triaxial and oedometer tests, and any mixture.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <Eigen/Cholesky>
 #include <algorithm>
@@ -20,7 +21,7 @@ struct DrivenComponent {
 };
 /// The strain changes by `change`, -, evenly over the stage; shear: of the tensor, half of gamma.
 inline DrivenComponent strain_by(double change) { return {false, change}; }
-/// The stress goes evenly from its value at the begin of the stage to `end`, Pa, tension positive.
+/// The stress goes evenly from its value at the start of the stage to `end`, Pa, tension positive.
 inline DrivenComponent stress_to(double end) { return {true, end}; }
 
 /// One stage of a path.

@@ -2,6 +2,7 @@
 // cone in place of Mohr-Coulomb's pyramid, returned to in closed form. Where it touches the pyramid is a
 // parameter. Derivations: docs/return_mapping.md.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <algorithm>
 #include <cmath>
@@ -81,7 +82,7 @@ class DruckerPragerSurface {
   /// and that of the cut-off's flow.
   template <class T, int D>
   Inelastic<T> return_to_yield(Sym<T, D>& stress) const {
-    return return_from(stress, Truth<T>(true));
+    return return_from(stress, mask_of<T>(true));
   }
 
   /// The same for stresses of which `outside` says, by point, which may lie outside; the others stay.
@@ -138,11 +139,11 @@ class DruckerPragerSurface {
  private:
   double bulk_, cohesion_;  // Pa
   Flow flow_;               // eta', -
-  Truth<Flow> dilates_;     // whether the angle of dilatancy is positive
+  mask_of<Flow> dilates_;   // whether the angle of dilatancy is positive
   N slope_, strength_;      // eta, -; kappa, Pa
   N p_change_, q_kept_;     // of p to the cone, and what q keeps, per unit of yield function, -
   N limit_;                 // the lower of apex and cut-off, Pa
-  Truth<N> cuts_;           // whether the cut-off lies below the apex
+  mask_of<N> cuts_;         // whether the cut-off lies below the apex
   N q_at_limit_;            // q where the cut-off meets the cone, Pa
   Flow cut_dilation_;       // K eta' / G, -
 };

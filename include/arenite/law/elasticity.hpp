@@ -1,6 +1,7 @@
 // Isotropic linear elasticity, the part that the laws share: checked constants, moduli, Hooke's law and its
 // energy.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <cmath>
 #include <limits>

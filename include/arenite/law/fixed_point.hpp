@@ -1,6 +1,7 @@
 // The fixed point of a function of one number, in each lane of a pack on its own: for what a return to the
 // yield surface depends on and changes itself.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <cmath>
 #include <limits>

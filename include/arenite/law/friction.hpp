@@ -1,6 +1,7 @@
 // Friction of a frictional law as a policy: the angle of its parameters, or one by point, from rate and
 // history.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <cmath>
 #include <concepts>

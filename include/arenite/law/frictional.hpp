@@ -1,6 +1,7 @@
 // Frictional laws: what Mohr-Coulomb and Drucker-Prager share. Elastic trial stress, memory of a separation,
 // return to the yield surface, and what opened and dilated.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <cmath>
 #include <limits>
@@ -38,7 +39,7 @@ using WithHistory =
 
 /// The answer to a comparison of Ts: `bool`, or a mask of a pack.
 template <class T>
-using Truth = decltype(std::declval<T>() < std::declval<T>());
+using mask_of = decltype(std::declval<T>() < std::declval<T>());
 
 /// `mask` in the lanes in which `condition` holds, too, or all of them where it is one of the whole law: a
 /// `bool` that has been found true.
@@ -211,7 +212,7 @@ class Frictional : public Memory, public detail::ElasticPart<Stiffness> {
     const auto within_cone = [&](const T& slope) {
       return invariants.within_cone(slope, parameters_.cohesion);
     };
-    detail::Truth<T> within(false);  // the cones of all slopes
+    detail::mask_of<T> within(false);  // the cones of all slopes
     if constexpr (bounded) {
       // What lies within the cones of the least and of the greatest slope lies within all between them, as
       // sqrt(J2 (1 + 4/3 tan^2 phi)) + p tan(phi) is convex in tan(phi). Without cohesion the least is

@@ -1,5 +1,6 @@
 // Cold functions of frictional.hpp.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <cmath>
 

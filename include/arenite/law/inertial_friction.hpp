@@ -1,5 +1,6 @@
 // Friction by the inertial number, mu(I): dense flows of grains.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <algorithm>
 #include <cmath>

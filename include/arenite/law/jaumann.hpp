@@ -1,5 +1,6 @@
 // Stress that turns with the matter: the Jaumann rate, integrated so that a rigid turn changes no invariant.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <arenite/core/tensor.hpp>
 

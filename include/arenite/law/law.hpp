@@ -1,6 +1,7 @@
 // The concept of a constitutive law: mathematics over a scalar, which may be a pack. Storage and loops live
 // elsewhere.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <algorithm>
 #include <array>
@@ -9,8 +10,8 @@
 #include <string_view>
 #include <tuple>
 
-#include <arenite/core/pack_functions.hpp>
 #include <arenite/law/strain_step.hpp>
+#include <arenite/simd/pack_functions.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
@@ -71,7 +72,7 @@ struct Inelastic {
 ///   within (< 0), as a fraction of the stress, -, for `Watch`.
 /// - `static constexpr int max_pack_width`: most points that a loop may hand over at once; 1 for a law with
 ///   `if`s on its scalars. Without it laws are called with a register's worth of points: write branches as
-///   `select`, and the functions of <cmath> without `std::` (`core/pack_functions.hpp`).
+///   `select`, and the functions of <cmath> without `std::` (`simd/pack_functions.hpp`).
 /// - `static constexpr bool two_packs_at_once = true` for a long chain of dependent operations: the loop
 ///   calls it with two packs side by side.
 ///

@@ -1,5 +1,6 @@
 // Linear elasticity with the Jaumann rate: small elastic strains, any rotation.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <arenite/law/elasticity.hpp>
 #include <arenite/law/jaumann.hpp>

@@ -1,5 +1,6 @@
 // Friction that grows in proportion to the shear rate: a length scale for bands of shear.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <cmath>
 

@@ -1,5 +1,6 @@
 // Friction that grows with the logarithm of the shear rate.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <algorithm>
 #include <cmath>

@@ -2,6 +2,7 @@
 // return in principal space to the plane, an edge or the apex, without a branch, so that a pack of points
 // returns at once. Derivations: docs/return_mapping.md.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <array>
 #include <cmath>
@@ -206,10 +207,10 @@ class MohrCoulombSurface {
   // In the order in which a return asks for them: another one was 10 % slower in packs of two and four.
   N slope_, strength_, apex_;     // k; sc, Pa; mean stress at the apex, Pa
   double tension_;                // Pa
-  Truth<N> cuts_;                 // whether the cut-off lies below the apex
+  mask_of<N> cuts_;               // whether the cut-off lies below the apex
   N corner_;                      // s3 where it meets the pyramid, Pa
   Flow dilation_;                 // (k' - 1) 3 K / (2 G)
-  Truth<Flow> dilates_;           // whether the angle of dilatancy is positive
+  mask_of<Flow> dilates_;         // whether the angle of dilatancy is positive
   N sin_, cohesive_, inscribed_;  // sin(phi); c cos(phi), Pa; 1 + sin^2(phi)/3
   double cohesion_;               // Pa
   std::array<N, 3> plane_;  // change of the stresses on the way to the plane, per unit of yield function

@@ -1,6 +1,7 @@
 // Softening and shear rate together: peak angles that grow with the logarithm of the rate, and fall to
 // residual ones with plastic shear.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <cmath>
 

@@ -1,5 +1,6 @@
 // Stiffness that grows with the shear rate and falls with plastic shear, beside its growth with pressure.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <cmath>
 

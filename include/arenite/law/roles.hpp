@@ -1,6 +1,7 @@
 // Roles of a law: its optional members, looked for by name first and then by signature. Otherwise a
 // member with a role's name and another signature would be ignored without a message.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <arenite/core/role_names.hpp>
 #include <arenite/law/law.hpp>

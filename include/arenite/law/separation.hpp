@@ -1,6 +1,7 @@
 // Memory of separation. Granular matter opens without stress when it is pulled beyond its tension limit;
 // these policies say what happens when it is compressed again.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,7 @@
 // Shear rate of a point, smoothed over a given time: what friction and stiffness that depend on the rate
 // share.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <algorithm>
 #include <array>
@@ -9,9 +10,9 @@
 #include <string_view>
 #include <tuple>
 
-#include <arenite/core/elementary.hpp>
 #include <arenite/law/elasticity.hpp>
 #include <arenite/law/law.hpp>
+#include <arenite/simd/elementary.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 

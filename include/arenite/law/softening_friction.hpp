@@ -1,5 +1,6 @@
 // Friction and dilatancy that soften with plastic shear: from peak to residual values.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <algorithm>
 #include <array>
@@ -7,9 +8,9 @@
 #include <string_view>
 #include <tuple>
 
-#include <arenite/core/elementary.hpp>
 #include <arenite/law/elasticity.hpp>
 #include <arenite/law/friction.hpp>
+#include <arenite/simd/elementary.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 

@@ -1,14 +1,15 @@
 // Stiffness of a frictional law as a policy: the moduli of its parameters, or moduli that grow with the mean
 // pressure.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <algorithm>
 #include <cmath>
 #include <type_traits>
 
-#include <arenite/core/elementary.hpp>
 #include <arenite/law/elasticity.hpp>
 #include <arenite/law/law.hpp>
+#include <arenite/simd/elementary.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
@@ -21,7 +22,7 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 ///   template <class T, int D>
 ///   T energy(const Elasticity& elasticity, const Sym<T, D>& stress, const History<T>& history) const;
 ///
-/// by how much all moduli of a point, in its stress at the begin of the step, exceed those of the law's
+/// by how much all moduli of a point, in its stress at the start of the step, exceed those of the law's
 /// parameters, -, positive; and the elastic energy of the unit volume, J/m3. Poisson's ratio is that of the
 /// parameters. A history that the friction policy has too is one and the same, kept up by that policy; with
 /// `static constexpr bool reads_friction_history = true` the compiler refuses another friction policy.
@@ -30,7 +31,7 @@ struct ConstantStiffness {
   using History = NoHistory<T>;
 };
 
-/// E = E_ref (p / p_ref)^n of the mean pressure p at the begin of the step, E_ref of the law's parameters;
+/// E = E_ref (p / p_ref)^n of the mean pressure p at the start of the step, E_ref of the law's parameters;
 /// not below that of `lowest_pressure`. Ohde (1939) and Janbu (1963), as in the hardening soil model (Schanz,
 /// Vermeer & Bonnier 1999).
 ///

@@ -1,5 +1,6 @@
 // What a law sees of one step: strain, spin and time.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <arenite/core/tensor.hpp>
 

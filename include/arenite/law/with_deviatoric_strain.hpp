@@ -1,6 +1,7 @@
 // Any law, with the deviatoric strain of its points recorded beside it. A scene that does not ask for it
 // stores no such columns.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <array>
 #include <cmath>

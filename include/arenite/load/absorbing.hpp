@@ -1,5 +1,6 @@
 // Absorbing boundary: faces of the mesh through which waves leave.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <cmath>
 #include <limits>
@@ -10,11 +11,11 @@
 #include <utility>
 #include <vector>
 
-#include <arenite/core/alone.hpp>
 #include <arenite/core/contact_tally.hpp>
 #include <arenite/core/part_energy.hpp>
 #include <arenite/load/face_impedance.hpp>
 #include <arenite/load/lost_load.hpp>
+#include <arenite/parallel/communicator.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
@@ -95,14 +96,14 @@ class BoundAbsorbingFaces {
     if (options_.support == Support::first_reaction) support_.assign(all * dim, 0);
   }
 
-  template <class Scene, class Others = const Alone>
-  ContactTally exchange_impulses(Scene& scene, double dt, Others& others = no_others) {
-    faces_->collect(scene, others);
+  template <class Scene, class Communicator = const Serial>
+  ContactTally apply_impulses(Scene& scene, double dt, Communicator& comm = serial) {
+    faces_->collect(scene, comm);
     if (lost_.is_due())
       lost_.look(
           faces_->areas(scene), called(),
           " % of the faces have matter behind them: they absorb nothing; end the mesh where the body ends",
-          others);
+          comm);
     if (!supported_ && !support_.empty()) take_first_reaction(scene);
     const auto step = static_cast<T>(dt);
     const auto owns = scene.node_owner();
@@ -123,7 +124,7 @@ class BoundAbsorbingFaces {
     return {};
   }
   template <class Scene>
-  void read_end(const Scene& scene, double dt) {
+  void after_grid(const Scene& scene, double dt) {
     const auto owns = scene.node_owner();
     for (std::size_t k = 0, at = 0; k < faces_->nodes().size(); ++k)
       for (std::size_t f = 0; f < Scene::field_count; ++f, ++at) {
@@ -182,7 +183,7 @@ class BoundAbsorbingFaces {
     for (std::size_t k = 0, at = 0; k < faces_->nodes().size(); ++k)
       for (std::size_t f = 0; f < Scene::field_count; ++f, ++at) {
         if ((faces_->at(k, f).array() == 0).all()) continue;  // not of these faces
-        const auto& sums = scene.fields[f].collected[faces_->nodes()[k]];
+        const auto& sums = scene.fields[f].sums[faces_->nodes()[k]];
         const V force = sums.force() + sums.mass() * acceleration;
         for (std::size_t d = 0; d < dim; ++d)
           support_[at * dim + d] = -static_cast<double>(force[static_cast<int>(d)]);
@@ -202,9 +203,9 @@ class BoundAbsorbingFaces {
   bool supported_ = false;            // whether the first reaction is known
 };
 
-template <class Site>
-auto bind_part(const AbsorbingFaces& faces, const Site&) {
-  return BoundAbsorbingFaces<typename Site::T, Site::D>(faces);
+template <class Traits>
+auto bind_part(const AbsorbingFaces& faces, const Traits&) {
+  return BoundAbsorbingFaces<typename Traits::T, Traits::D>(faces);
 }
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -1,5 +1,6 @@
 // Body force: an acceleration of all matter that depends on the place.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <utility>
 
@@ -38,9 +39,9 @@ class BoundBodyForce : public BookedForces<T, D> {
   VectorFunction value_;
 };
 
-template <class Site>
-BoundBodyForce<typename Site::T, Site::D> bind_part(const BodyForce& force, const Site&) {
-  return BoundBodyForce<typename Site::T, Site::D>(force);
+template <class Traits>
+BoundBodyForce<typename Traits::T, Traits::D> bind_part(const BodyForce& force, const Traits&) {
+  return BoundBodyForce<typename Traits::T, Traits::D>(force);
 }
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

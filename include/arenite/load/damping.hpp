@@ -1,14 +1,15 @@
 // Damping: parts that bring a scene to rest, for static states by dynamic relaxation.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <cmath>
 #include <limits>
 
 #include <arenite/core/checked.hpp>
 #include <arenite/core/contact_tally.hpp>
-#include <arenite/core/parallel.hpp>
 #include <arenite/core/part_energy.hpp>
 #include <arenite/load/node_force.hpp>
+#include <arenite/parallel/parallel.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
@@ -72,7 +73,7 @@ class BoundViscousDamping : public Damping<T, D> {
       const auto& field = scene.fields[k];
       auto& force = this->forces_[k].force;
       parallel_chunks(field.size(), [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) force[i] = factor * field.collected[i].momentum();
+        for (std::size_t i = begin; i < end; ++i) force[i] = factor * field.sums[i].momentum();
       });
     }
     this->add_to(scene);
@@ -93,14 +94,14 @@ class BoundLocalDamping : public Damping<T, D> {
   explicit BoundLocalDamping(const LocalDamping& d) : factor_{static_cast<T>(d.factor)} {}
 
   template <class Scene>
-  ContactTally exchange_impulses(Scene& scene, double dt) {
+  ContactTally apply_impulses(Scene& scene, double dt) {
     if (this->on_)
       for (std::size_t k = 0; k < Scene::field_count; ++k)
         damp(scene.fields[k], static_cast<T>(dt), this->forces_[k].force);
     return {};
   }
   template <class Scene>
-  void read_end(const Scene& scene, double dt) {
+  void after_grid(const Scene& scene, double dt) {
     if (this->on_) this->dissipated_ -= this->work_of_impulses(scene, dt);
   }
 
@@ -125,13 +126,13 @@ class BoundLocalDamping : public Damping<T, D> {
   T factor_;
 };
 
-template <class Site>
-auto bind_part(const ViscousDamping& d, const Site&) {
-  return BoundViscousDamping<typename Site::T, Site::D>(d);
+template <class Traits>
+auto bind_part(const ViscousDamping& d, const Traits&) {
+  return BoundViscousDamping<typename Traits::T, Traits::D>(d);
 }
-template <class Site>
-auto bind_part(const LocalDamping& d, const Site&) {
-  return BoundLocalDamping<typename Site::T, Site::D>(d);
+template <class Traits>
+auto bind_part(const LocalDamping& d, const Traits&) {
+  return BoundLocalDamping<typename Traits::T, Traits::D>(d);
 }
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

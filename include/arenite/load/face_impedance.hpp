@@ -1,5 +1,6 @@
 // Impedance of faces: dashpots of the matter behind faces of the mesh, gathered at the nodes of the faces.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <algorithm>
 #include <array>
@@ -57,8 +58,8 @@ class FaceImpedance {
   const Matrix& at(std::size_t k, std::size_t field) const { return dashpots_[k * fields_ + field]; }
 
   /// Renews C from where mesh and points are now.
-  template <class Scene, class Others>
-  void collect(const Scene& scene, [[maybe_unused]] Others& others) {
+  template <class Scene, class Communicator>
+  void collect(const Scene& scene, [[maybe_unused]] Communicator& comm) {
     std::ranges::fill(dashpots_, Matrix(Matrix::Zero()));
     scene.blocks.for_each_colored([&](Index c) {
       if (of_cell_[c].empty()) return;
@@ -71,8 +72,8 @@ class FaceImpedance {
         ++number;
       });
     });
-    if constexpr (!Others::alone)
-      others.sum_nodes(std::span<T>(dashpots_[0].data(), dashpots_.size() * D * D), fields_ * D * D);
+    if constexpr (!Communicator::is_serial)
+      comm.sum_nodes(std::span<T>(dashpots_[0].data(), dashpots_.size() * D * D), fields_ * D * D);
   }
 
   /// Areas of all faces, and of those with matter behind them, m2.

@@ -1,5 +1,6 @@
 // Traction on faces of the mesh.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <optional>
 #include <string>
@@ -52,16 +53,16 @@ class BoundFaceTraction : public BookedForces<T, D> {
             "must be at least one face of the mesh's hull");
     BookedForces<T, D>::connect(scene);
   }
-  template <class Scene, class Others = const Alone>
-  void add_force(Scene& scene, double, Others& others = no_others) {
-    faces_->collect(scene, load_, name_, this->forces_, others);
+  template <class Scene, class Communicator = const Serial>
+  void add_force(Scene& scene, double, Communicator& comm = serial) {
+    faces_->collect(scene, load_, name_, this->forces_, comm);
     if (lost_.is_due())
       lost_.look(
           faces_->magnitudes(scene, load_, name_), name_,
           joined_text({" % of it acts on matter; the rest is lost on faces without any behind them; end the "
                        "mesh where the body ends, or load its points, ",
                        load_.name(), "(surface(..), ..)"}),
-          others);
+          comm);
     this->add_to(scene);
   }
 
@@ -73,12 +74,12 @@ class BoundFaceTraction : public BookedForces<T, D> {
   LostLoad lost_{0.98};
 };
 
-template <class Site>
-auto bind_part(const FaceTraction& traction, const Site&) {
-  using T = typename Site::T;
-  using Faces = std::conditional_t<is_simplex_mesh<typename Site::Mesh>, SimplexFaces<T, Site::D>,
-                                   GridFaces<T, Site::D>>;
-  return BoundFaceTraction<T, Site::D, Faces>(traction);
+template <class Traits>
+auto bind_part(const FaceTraction& traction, const Traits&) {
+  using T = typename Traits::T;
+  using Faces = std::conditional_t<is_simplex_mesh<typename Traits::Mesh>, SimplexFaces<T, Traits::D>,
+                                   GridFaces<T, Traits::D>>;
+  return BoundFaceTraction<T, Traits::D, Faces>(traction);
 }
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

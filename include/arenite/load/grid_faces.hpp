@@ -1,16 +1,17 @@
 // Loaded faces of a grid: the points behind a face share its area.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <exception>
 #include <string_view>
 #include <utility>
 #include <vector>
 
-#include <arenite/core/failure.hpp>
 #include <arenite/core/lists.hpp>
 #include <arenite/load/mesh_faces.hpp>
 #include <arenite/load/node_force.hpp>
 #include <arenite/load/surface_load.hpp>
+#include <arenite/parallel/failure.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
@@ -37,9 +38,9 @@ class GridFaces {
   std::size_t size() const { return faces_.size(); }
 
   /// Forces of a load into those of each field. Faces without matter behind them take none.
-  template <class Scene, class Others>
+  template <class Scene, class Communicator>
   void collect(const Scene& scene, const SurfaceLoad& load, std::string_view name,
-               std::vector<NodeForce<T, D>>& nodes, Others&) {
+               std::vector<NodeForce<T, D>>& nodes, Communicator&) {
     for (auto& n : nodes) n.clear(n.force.size());
     Failure failure;
     scene.blocks.for_each_colored([&](Index c) {

@@ -1,14 +1,15 @@
 // Lost load: warns once if a load acts on faces of the mesh that have no matter behind them.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <cmath>
 #include <string>
 #include <string_view>
 #include <utility>
 
-#include <arenite/core/alone.hpp>
 #include <arenite/core/error.hpp>
 #include <arenite/core/warning.hpp>
+#include <arenite/parallel/communicator.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
@@ -23,15 +24,15 @@ class LostLoad {
 
   /// `given` = {all of it, what matter takes}, of any unit, in this scene; `what` names it, and `text` goes
   /// on behind the percentage.
-  template <class Others>
+  template <class Communicator>
   void look(std::pair<double, double> given, const std::string& what, const std::string& text,
-            Others& others) {
+            Communicator& comm) {
     auto& [all, taken] = given;
-    sum_over(others, all, taken);
+    sum_over(comm, all, taken);
     if (!(all > 0)) return;
     is_due_ = false;
-    if constexpr (!Others::alone)
-      if (!others.first()) return;
+    if constexpr (!Communicator::is_serial)
+      if (!comm.first()) return;
     tell(taken / all, what, text);
   }
 

@@ -1,5 +1,6 @@
 // Mesh faces: selects the faces of a mesh's hull that a load acts on.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <Eigen/Geometry>
 #include <array>

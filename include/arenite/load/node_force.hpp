@@ -1,14 +1,15 @@
 // Node forces: forces of a load at the nodes of a scene, and their work. The base of loads.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <functional>
 #include <span>
 #include <type_traits>
 #include <vector>
 
-#include <arenite/core/alone.hpp>
 #include <arenite/core/cold.hpp>
 #include <arenite/core/part_energy.hpp>
+#include <arenite/parallel/communicator.hpp>
 #include <arenite/transfer/node_field.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
@@ -70,9 +71,10 @@ class NodeForce {
   /// Sets them to zero.
   void clear(std::size_t nodes);
   /// Each copy of a node that several scenes share gets the sum of what they put there.
-  template <class Others>
-  void sum([[maybe_unused]] Others& others) {
-    if constexpr (!Others::alone) others.sum_nodes(force.numbers(), force.numbers().size() / force.size());
+  template <class Communicator>
+  void sum([[maybe_unused]] Communicator& comm) {
+    if constexpr (!Communicator::is_serial)
+      comm.sum_nodes(force.numbers(), force.numbers().size() / force.size());
   }
   /// Sets them to `force_at(position, sums)`, N, at the nodes with mass, else to zero; it may throw, and runs
   /// on several threads.
@@ -111,7 +113,7 @@ class FieldForces {
  protected:
   template <class Scene>
   void add_to(Scene& scene) const {
-    for (std::size_t k = 0; k < forces_.size(); ++k) forces_[k].add_to(scene.fields[k].collected);
+    for (std::size_t k = 0; k < forces_.size(); ++k) forces_[k].add_to(scene.fields[k].sums);
   }
   /// Work in the step dt, J, at the nodes that the scene counts.
   template <class Scene>
@@ -153,7 +155,7 @@ class BookedForces : public FieldForces<T, D> {
   template <class Scene>
   void act(Scene& scene, const typename NodeForce<T, D>::ForceAt& force_at) {
     for (std::size_t k = 0; k < this->forces_.size(); ++k)
-      this->forces_[k].set(scene.fields[k].collected, NodePlaces<T, D>::of(scene), force_at);
+      this->forces_[k].set(scene.fields[k].sums, NodePlaces<T, D>::of(scene), force_at);
     this->add_to(scene);
   }
 

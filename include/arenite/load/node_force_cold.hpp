@@ -1,10 +1,11 @@
 // Cold functions of node_force.hpp.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <functional>
 
-#include <arenite/core/failure.hpp>
 #include <arenite/load/node_force.hpp>
+#include <arenite/parallel/failure.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 

@@ -1,5 +1,6 @@
 // Point forces: loads that act where material points are, and go with them.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <algorithm>
 #include <cmath>
@@ -9,8 +10,8 @@
 #include <utility>
 #include <vector>
 
-#include <arenite/core/failure.hpp>
 #include <arenite/load/node_force.hpp>
+#include <arenite/parallel/failure.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
@@ -46,8 +47,8 @@ class BoundPointForces : public BookedForces<T, D> {
     nodes<Scene>().clear(Scene::Shape::node_count(scene.mesh));
   }
 
-  template <class Scene, class Others = const Alone>
-  void add_force(Scene& scene, double, Others& others = no_others) {
+  template <class Scene, class Communicator = const Serial>
+  void add_force(Scene& scene, double, Communicator& comm = serial) {
     auto& nodes = this->template nodes<Scene>();
     nodes.clear(Scene::Shape::node_count(scene.mesh));
     with_body(scene, [&](auto& body, auto& field) {
@@ -67,8 +68,8 @@ class BoundPointForces : public BookedForces<T, D> {
         for (std::size_t i = 0; i < cell.nodes.size(); ++i)
           nodes.force[cell.nodes[i]] += w[static_cast<int>(i)] * force_[k];
       });
-      nodes.sum(others);
-      nodes.add_to(field.collected);
+      nodes.sum(comm);
+      nodes.add_to(field.sums);
     });
   }
 
@@ -93,12 +94,14 @@ class BoundPointForces : public BookedForces<T, D> {
   template <class Points>
   Numbers get(const Points& points, std::size_t p) const {
     Numbers numbers;
-    for (int k = 0; k < Load::columns; ++k) numbers[k] = points.kept[first_ + static_cast<std::size_t>(k)][p];
+    for (int k = 0; k < Load::columns; ++k)
+      numbers[k] = points.part_columns[first_ + static_cast<std::size_t>(k)][p];
     return numbers;
   }
   template <class Points>
   void set(Points& points, std::size_t p, const Numbers& numbers) {
-    for (int k = 0; k < Load::columns; ++k) points.kept[first_ + static_cast<std::size_t>(k)][p] = numbers[k];
+    for (int k = 0; k < Load::columns; ++k)
+      points.part_columns[first_ + static_cast<std::size_t>(k)][p] = numbers[k];
   }
 
   /// Calls `f(body, field)` for the body that is loaded.
@@ -117,7 +120,7 @@ class BoundPointForces : public BookedForces<T, D> {
       T any = 0;
       for (int k = 0; k < Load::columns; ++k)
         for (std::size_t p = begin; p < end; ++p)
-          any += std::abs(points.kept[first_ + static_cast<std::size_t>(k)][p]);
+          any += std::abs(points.part_columns[first_ + static_cast<std::size_t>(k)][p]);
       has_loaded_[begin / chunk_size] = any != 0;
     });
     loaded_.clear();

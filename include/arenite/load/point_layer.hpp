@@ -1,5 +1,6 @@
 // Point layer: the points under a part of a body's surface, which carry its area.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <algorithm>
 #include <cmath>
@@ -34,9 +35,9 @@ struct PointLayer {
   Region region;
   SurfaceOptions options;
 
-  using Erased = PointLayer<>;
+  using TypeErased = PointLayer<>;
   template <class M>
-  Erased erased() const {
+  TypeErased type_erased() const {
     if constexpr (std::same_as<Region, AnyRegion>)
       return *this;
     else

@@ -1,5 +1,6 @@
 // Point load: a force on one material point.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <limits>
 #include <string>
@@ -68,10 +69,10 @@ struct LoadedPoint {
   }
 };
 
-template <class Site>
-auto bind_part(const PointLoad& load, const Site&) {
-  using Load = LoadedPoint<typename Site::T, Site::D>;
-  return BoundPointForces<typename Site::T, Site::D, Load>(Load{load.body, load.place, load.force});
+template <class Traits>
+auto bind_part(const PointLoad& load, const Traits&) {
+  using Load = LoadedPoint<typename Traits::T, Traits::D>;
+  return BoundPointForces<typename Traits::T, Traits::D, Load>(Load{load.body, load.place, load.force});
 }
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

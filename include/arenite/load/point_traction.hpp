@@ -1,5 +1,6 @@
 // Traction on the surface of a body: points near the surface carry its area and the load on it.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <cmath>
 #include <string>
@@ -23,10 +24,10 @@ struct PointTraction {
   PointLayer<Region> where;
   SurfaceLoad load;
 
-  using Erased = PointTraction<>;
+  using TypeErased = PointTraction<>;
   template <class M>
-  Erased erased() const {
-    return {where.template erased<M>(), load};
+  TypeErased type_erased() const {
+    return {where.template type_erased<M>(), load};
   }
 };
 
@@ -75,10 +76,10 @@ struct LoadedArea {
   }
 };
 
-template <class Site>
-auto bind_part(const PointTraction<>& t, const Site&) {
-  using Load = LoadedArea<typename Site::T, Site::D>;
-  return BoundPointForces<typename Site::T, Site::D, Load>(
+template <class Traits>
+auto bind_part(const PointTraction<>& t, const Traits&) {
+  using Load = LoadedArea<typename Traits::T, Traits::D>;
+  return BoundPointForces<typename Traits::T, Traits::D, Load>(
       Load{t.where.body, t.where.region, t.where.options, t.load,
            joined_text({t.load.name(), " on the surface of a body", t.where.body.word.empty() ? "" : ", ",
                         t.where.body.word})});

@@ -1,5 +1,6 @@
 // Loaded faces of a simplex mesh: nodal forces from the integrals of the shape functions over them.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <algorithm>
 #include <array>
@@ -7,10 +8,10 @@
 #include <utility>
 #include <vector>
 
-#include <arenite/core/failure.hpp>
 #include <arenite/load/mesh_faces.hpp>
 #include <arenite/load/node_force.hpp>
 #include <arenite/load/surface_load.hpp>
+#include <arenite/parallel/failure.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
@@ -48,9 +49,9 @@ class SimplexFaces {
 
   /// Forces of a load on the faces where the mesh is now, into those of each field; matter of several fields
   /// at a node bears them in proportion to its mass, and where there is none the load is lost.
-  template <class Scene, class Others>
+  template <class Scene, class Communicator>
   void collect(const Scene& scene, const SurfaceLoad& load, std::string_view name,
-               std::vector<NodeForce<T, D>>& nodes, Others& others) {
+               std::vector<NodeForce<T, D>>& nodes, Communicator& comm) {
     Failure failure;
     parallel_chunks(samples_.size(), [&](std::size_t begin, std::size_t end) {
       for (std::size_t s = begin; s < end; ++s) {
@@ -65,13 +66,14 @@ class SimplexFaces {
       }
     });
     failure.rethrow();
-    if constexpr (!Others::alone) nodes[0].clear(scene.fields[0].size());  // others add to more nodes
+    if constexpr (!Communicator::is_serial)
+      nodes[0].clear(scene.fields[0].size());  // others add to more nodes
     parallel_chunks(nodes_.size(), [&](std::size_t begin, std::size_t end) {
       for (std::size_t k = begin; k < end; ++k) {
         nodes[0].force[nodes_[k]] = force_at(k);
       }
     });
-    nodes[0].sum(others);
+    nodes[0].sum(comm);
     share(scene.fields, nodes);
   }
 
@@ -83,7 +85,7 @@ class SimplexFaces {
       const auto size = static_cast<double>(force_at(k).norm());
       sum.first += size;
       if (std::ranges::any_of(scene.fields,
-                              [&](const auto& field) { return field.collected[nodes_[k]].mass() > 0; }))
+                              [&](const auto& field) { return field.sums[nodes_[k]].mass() > 0; }))
         sum.second += size;
     }
     return sum;
@@ -126,10 +128,10 @@ class SimplexFaces {
       const Vec<T, D> whole = nodes[0].force[i];
       if ((whole.array() == 0).all()) continue;
       T all = 0;
-      for (const auto& field : fields) all += field.collected[i].mass();
+      for (const auto& field : fields) all += field.sums[i].mass();
       for (std::size_t k = 0; k < fields.size(); ++k)
         nodes[k].force[i] =
-            all > 0 ? Vec<T, D>(fields[k].collected[i].mass() / all * whole) : Vec<T, D>(Vec<T, D>::Zero());
+            all > 0 ? Vec<T, D>(fields[k].sums[i].mass() / all * whole) : Vec<T, D>(Vec<T, D>::Zero());
     }
   }
 

@@ -1,5 +1,6 @@
 // Surface load: a traction or a normal pressure as a function of place and time.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <string>
 #include <string_view>

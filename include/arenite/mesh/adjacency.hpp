@@ -1,5 +1,6 @@
 // Adjacency of a simplex mesh: which cells meet at a node, and which cell lies behind a face.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <algorithm>
 #include <array>

@@ -1,16 +1,17 @@
 // Blocks of cells in colours: blocks of one colour share no node, so that threads scatter to nodes without
 // atomics and each node's order of summation is the same for any number of threads.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <algorithm>
 #include <span>
 #include <vector>
 
-#include <arenite/core/array_memory.hpp>
 #include <arenite/core/cold.hpp>
 #include <arenite/core/lists.hpp>
-#include <arenite/core/parallel.hpp>
 #include <arenite/core/scalar.hpp>
+#include <arenite/parallel/array_memory.hpp>
+#include <arenite/parallel/parallel.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 

@@ -1,5 +1,6 @@
 // Cold functions of blocks.hpp.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <arenite/mesh/blocks.hpp>
 

@@ -1,5 +1,6 @@
 // Simplex meshes of boxes: the simplest meshes there are, and what others are bent from.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,7 @@
 // Cartesian grid: equal square or cubic cells in a box. Which nodes it has is the business of the shape
 // function.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <array>
 #include <cmath>

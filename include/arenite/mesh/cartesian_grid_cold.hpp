@@ -1,5 +1,6 @@
 // Cold functions of cartesian_grid.hpp.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <cmath>
 #include <limits>

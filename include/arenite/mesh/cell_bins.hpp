@@ -1,6 +1,7 @@
 // Bins over a simplex mesh: a uniform grid of buckets that names the cells near a position, for a search with
 // no hint.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <algorithm>
 #include <array>

@@ -1,5 +1,6 @@
 // Sizes of cells that a scalar bears: outside of them volumes or gradients overflow or vanish.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <cmath>
 #include <limits>

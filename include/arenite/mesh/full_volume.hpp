@@ -1,5 +1,6 @@
 // Volume of a cell in the kinematics of a scene: of the full circle in axisymmetry.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <arenite/kinematics/kinematics.hpp>
 #include <arenite/mesh/mesh.hpp>

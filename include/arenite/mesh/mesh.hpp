@@ -1,5 +1,6 @@
 // The concept of a mesh: cells that hold points.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <concepts>
 

@@ -1,5 +1,6 @@
 // A simplex mesh as a file or a generator gives it: plain arrays, nothing derived.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <array>
 #include <string>

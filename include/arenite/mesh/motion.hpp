@@ -1,16 +1,17 @@
 // Motion of a mesh with a body: a zone that moves rigidly, a zone below it that is compressed and one above
 // that is stretched.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <cmath>
 #include <limits>
 #include <string_view>
 #include <vector>
 
-#include <arenite/core/alone.hpp>
 #include <arenite/core/name.hpp>
 #include <arenite/mesh/mesh.hpp>
 #include <arenite/mesh/rectilinear_grid.hpp>
+#include <arenite/parallel/communicator.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
@@ -19,19 +20,19 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 /// start, m, `before` being that of the step before.
 template <Name body = 0>
 struct LedByRigid {
-  template <class Scene, class T, class Others>
-  T travel(const Scene& scene, int axis, T, T, Others&) const {
+  template <class Scene, class T, class Communicator>
+  T travel(const Scene& scene, int axis, T, T, Communicator&) const {
     return scene.template rigid<body>().displacement[axis];
   }
 };
 /// The mean velocity of a deformable body leads, by name or number.
 template <Name which = 0>
 struct LedByBody {
-  template <class Scene, class T, class Others>
-  T travel(const Scene& scene, int axis, T before, T dt, Others& others) const {
+  template <class Scene, class T, class Communicator>
+  T travel(const Scene& scene, int axis, T before, T dt, Communicator& comm) const {
     const auto& body = scene.template body<which>();
     double along = momentum(body)[axis], all = mass(body);
-    sum_over(others, along, all);
+    sum_over(comm, along, all);
     if (all == 0)
       throw run_error(joined_text(
           {"body ", which.word().empty() ? std::to_string(which.number) : std::string(which.word()),
@@ -113,12 +114,12 @@ class BoundMotion {
   /// Travel of the leader since the start along the axis, m.
   T travel() const { return travel_; }
 
-  template <class Scene, class Others = const Alone>
-  void follow_motion(Scene& scene, double dt, Others& others = no_others) {
+  template <class Scene, class Communicator = const Serial>
+  void follow_motion(Scene& scene, double dt, Communicator& comm = serial) {
     const auto travel = [&] {
       const auto step = static_cast<T>(dt);
-      if constexpr (requires { motion_.leader.travel(scene, motion_.axis, travel_, step, others); })
-        return motion_.leader.travel(scene, motion_.axis, travel_, step, others);
+      if constexpr (requires { motion_.leader.travel(scene, motion_.axis, travel_, step, comm); })
+        return motion_.leader.travel(scene, motion_.axis, travel_, step, comm);
       else
         return motion_.leader.travel(scene, motion_.axis, travel_, step);
     };
@@ -208,12 +209,12 @@ struct NoMotion {
 };
 }  // namespace detail
 
-template <class Leader, class Site>
-auto bind_part(const MovingMesh<Leader>& motion, const Site& site) {
-  constexpr bool moves = is_simplex_mesh<typename Site::Mesh> || is_rectilinear<typename Site::Mesh>;
+template <class Leader, class Traits>
+auto bind_part(const MovingMesh<Leader>& motion, const Traits& traits) {
+  constexpr bool moves = is_simplex_mesh<typename Traits::Mesh> || is_rectilinear<typename Traits::Mesh>;
   static_assert(moves, "MovingMesh: a simplex mesh or a RectilinearGrid moves, a CartesianGrid rests");
   if constexpr (moves)
-    return BoundMotion<typename Site::Mesh, Leader>(motion, site.mesh);
+    return BoundMotion<typename Traits::Mesh, Leader>(motion, traits.mesh);
   else
     return detail::NoMotion{};  // one sentence is enough
 }

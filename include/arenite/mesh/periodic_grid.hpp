@@ -1,5 +1,6 @@
 // Periodic grid: a grid of which some axes are closed to a ring. What leaves on one side enters on the other.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <cmath>
 #include <utility>

@@ -1,5 +1,6 @@
 // Portion: a part of a mesh, with one layer of ghost cells, over which a scene of its own is made.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <algorithm>
 #include <array>

@@ -1,5 +1,6 @@
 // Rectilinear grid: cells between lines at any distances along each axis.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <algorithm>
 #include <array>

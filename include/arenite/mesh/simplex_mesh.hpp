@@ -1,6 +1,7 @@
 // Simplex mesh: triangles (D = 2) or tetrahedra (D = 3), unstructured and graded, with the barycentric frame
 // of each cell, its neighbours and a point search that walks from cell to cell.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <Eigen/LU>
 #include <algorithm>
@@ -11,11 +12,11 @@
 
 #include <arenite/core/error.hpp>
 #include <arenite/core/map.hpp>
-#include <arenite/core/parallel.hpp>
 #include <arenite/mesh/adjacency.hpp>
 #include <arenite/mesh/cell_bins.hpp>
 #include <arenite/mesh/cell_size.hpp>
 #include <arenite/mesh/mesh_data.hpp>
+#include <arenite/parallel/parallel.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 

@@ -1,5 +1,6 @@
 // Force of contact on a body, rigid or not.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <cstddef>
 

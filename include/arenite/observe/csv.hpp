@@ -1,5 +1,6 @@
 // A table of a run: an observer that writes named columns, computed from the scene, as comma-separated text.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <concepts>
 #include <cstdint>

@@ -1,5 +1,6 @@
 // Energy of a scene, balanced: what was put in, where it is, and what the numerics lost.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <array>
 #include <cmath>
@@ -10,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include <arenite/core/alone.hpp>
+#include <arenite/parallel/communicator.hpp>
 #include <arenite/scene/scene.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
@@ -19,7 +20,7 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 /// and walls take, are summed at each step. Without it they are not computed. Energies in J.
 ///
 /// What the transfer takes is what the nodes gained and the points did not: over a step the nodes gain
-/// sum m (v - v_old) . (v_old + u) / 2, with the velocities v_old at its begin, v at its end, and u that
+/// sum m (v - v_old) . (v_old + u) / 2, with the velocities v_old at its start, v at its end, and u that
 /// strains (MUSL: as the points hand it back, ahead of walls and contact; else v). With u of the points FLIP
 /// takes nothing, as it should. Where u is v the nodes begin the next step with another velocity than they
 /// were strained with: the work of its forces f over that half step, dt f . (v_old - v_before) / 2, is the
@@ -69,7 +70,7 @@ struct TrackEnergy {
       given_.back().impulse[static_cast<std::size_t>(d)] = static_cast<double>(impulse[d]);
   }
   template <class Scene>
-  void read_start(const Scene& scene, double dt) {
+  void after_p2g(const Scene& scene, double dt) {
     if constexpr (keeps_before<Scene>) {
       using V = typename Scene::V;
       constexpr bool first = Scene::NumericsType::strains_first;
@@ -78,7 +79,7 @@ struct TrackEnergy {
       for (const auto& field : scene.fields) {
         const auto half_step = [&](auto&& work) {
           return dt / 2 * sum_nodes(scene, field, [&](std::size_t i) {
-                   return field.collected[i].mass() > 0 ? static_cast<double>(work(i)) : 0.0;
+                   return field.sums[i].mass() > 0 ? static_cast<double>(work(i)) : 0.0;
                  });
         };
         const auto jump = [&](std::size_t i, const V& force, const V& now) {
@@ -89,16 +90,16 @@ struct TrackEnergy {
           return work;
         };
         if constexpr (first) {  // what strained is here: the velocities at the start, held by walls
-          grid_gain += half_step(
-              [&](std::size_t i) { return jump(i, field.collected[i].force(), field.velocity[i]); });
+          grid_gain +=
+              half_step([&](std::size_t i) { return jump(i, field.sums[i].force(), field.velocity[i]); });
           walls -= half_step([&](std::size_t i) {
-            const auto& sums = field.collected[i];
+            const auto& sums = field.sums[i];
             return field.mass[i] > 0 ? sums.force().dot(sums.momentum() / sums.mass() - field.velocity[i])
                                      : 0;
           });
         } else {
           grid_gain -= half_step([&](std::size_t i) {
-            const auto& sums = field.collected[i];
+            const auto& sums = field.sums[i];
             return jump(i, sums.force() + sums.mass() * acceleration, sums.momentum() / sums.mass());
           });
         }
@@ -107,7 +108,7 @@ struct TrackEnergy {
     }
   }
   template <class Scene>
-  void read_end(const Scene& scene, double) {
+  void after_grid(const Scene& scene, double) {
     for (const auto& field : scene.fields)
       grid_gain += sum_nodes(scene, field, [&](std::size_t i) {
         if (!(field.mass[i] > 0)) return 0.0;
@@ -137,9 +138,9 @@ struct TrackEnergy {
     }
   }
   template <class Scene, class V>
-  void take_wall_hold(const Scene& scene, double dt, std::size_t field, Index node, const V& momentum) {
+  void take_mapped_momentum(const Scene& scene, double dt, std::size_t field, Index node, const V& momentum) {
     const auto& nodes = scene.fields[field];
-    walls += dt * static_cast<double>(nodes.collected[node].force().dot(momentum) / nodes.mass[node]);
+    walls += dt * static_cast<double>(nodes.sums[node].force().dot(momentum) / nodes.mass[node]);
   }
   template <class Scene>
   void follow_motion(const Scene& scene, double dt) {
@@ -236,12 +237,12 @@ struct Energies {
 };
 
 /// Needs a scene with `TrackEnergy`. Of a scene over a portion of a mesh: of all portions, through `others`.
-template <class Scene, class Others = const Alone>
-Energies energies(const Scene& scene, [[maybe_unused]] Others& others = no_others) {
+template <class Scene, class Communicator = const Serial>
+Energies energies(const Scene& scene, [[maybe_unused]] Communicator& comm = serial) {
   static_assert(tracks_energy<Scene>, "energies: name TrackEnergy{} among the scene's parts");
   const auto& balance = scene.template part<TrackEnergy>();
   bool shared = true;
-  if constexpr (!Others::alone) shared = others.first();
+  if constexpr (!Communicator::is_serial) shared = comm.first();
   const PartEnergy parts = energy_of_parts(scene, shared);
   Energies e;
   double inserted_strain = 0;
@@ -263,7 +264,7 @@ Energies energies(const Scene& scene, [[maybe_unused]] Others& others = no_other
                balance.initial() - e.external - e.inserted;
   if (!shared) e.residual += balance.initial_shared;
   e.lag = balance.lag;
-  sum_over(others, e.kinetic, e.strain, e.stored, e.plastic, e.contact, e.external, e.inserted, e.transfer,
+  sum_over(comm, e.kinetic, e.strain, e.stored, e.plastic, e.contact, e.external, e.inserted, e.transfer,
            e.walls, e.residual, e.lag);
   return e;
 }

@@ -1,6 +1,7 @@
 // Fill ratio: how full of matter the cells at some nodes are. Cells that run empty bear no load, which no
 // other result shows.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <algorithm>
 #include <limits>

@@ -1,5 +1,6 @@
 // Placeholders: `vtu` without its header gives a compile error that names the header to include.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <type_traits>
 

@@ -1,5 +1,6 @@
 // Columns of a body's points without the types of its law: what observers read of points in plain functions.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <array>
 #include <cstddef>

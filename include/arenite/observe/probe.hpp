@@ -1,5 +1,6 @@
 // Probes: velocity and stress of a body at a place, interpolated between its points.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <algorithm>
 #include <array>

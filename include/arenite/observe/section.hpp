@@ -1,5 +1,6 @@
 // Section forces: what one side of a cut through a body puts on the other.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <algorithm>
 #include <array>
@@ -9,7 +10,7 @@
 
 #include <arenite/core/error.hpp>
 #include <arenite/core/vector_argument.hpp>
-#include <arenite/particles/region.hpp>
+#include <arenite/fill/region.hpp>
 #include <arenite/scene/scene.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {

@@ -1,6 +1,7 @@
 // VTKHDF files of a scene: the whole run of points, and of the mesh, in one file each, for ParaView 5.12 and
 // newer.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <cstdint>
 #include <filesystem>

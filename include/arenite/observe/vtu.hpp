@@ -1,5 +1,6 @@
 // VTU files of a scene: points and mesh, for ParaView.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <array>
 #include <cstdint>
@@ -10,12 +11,12 @@
 #include <utility>
 #include <vector>
 
-#include <arenite/core/array_memory.hpp>
 #include <arenite/core/cold.hpp>
 #include <arenite/io/file_path.hpp>
 #include <arenite/io/vtu.hpp>
 #include <arenite/law/with_deviatoric_strain.hpp>
 #include <arenite/observe/point_columns.hpp>
+#include <arenite/parallel/array_memory.hpp>
 #include <arenite/scene/scene.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {

@@ -1,5 +1,6 @@
 // Body: points that share a law, and the list of which cell holds which of them.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <algorithm>
 #include <cmath>
@@ -7,17 +8,17 @@
 #include <vector>
 
 #include <arenite/core/name.hpp>
+#include <arenite/fill/cell_parts.hpp>
+#include <arenite/fill/cell_points.hpp>
+#include <arenite/fill/filling.hpp>
+#include <arenite/fill/jitter.hpp>
+#include <arenite/fill/region.hpp>
 #include <arenite/kinematics/kinematics.hpp>
 #include <arenite/law/roles.hpp>
 #include <arenite/mesh/mesh.hpp>
 #include <arenite/particles/cell_list.hpp>
-#include <arenite/particles/cell_parts.hpp>
-#include <arenite/particles/cell_points.hpp>
 #include <arenite/particles/cell_sums.hpp>
-#include <arenite/particles/filling.hpp>
-#include <arenite/particles/jitter.hpp>
 #include <arenite/particles/points.hpp>
-#include <arenite/particles/region.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
@@ -29,9 +30,9 @@ struct Fill {
   L law;
   FillOptions options;
 
-  using Erased = Fill<L, name>;
+  using TypeErased = Fill<L, name>;
   template <class M>
-  Erased erased() const {
+  TypeErased type_erased() const {
     if constexpr (std::same_as<Region, AnyRegion>) {
       return *this;
     } else {
@@ -140,7 +141,7 @@ auto make_body(const M& mesh, const Fill<L, name>& recipe, const Owns& owns = {}
     for (const auto& point : filling.points(Extra.affine)) {
       body.points.push_back(point.position, point.velocity, point.mass, point.volume, point.stress,
                             point.cell);
-      if constexpr (Extra.affine) body.points.motion.set(body.points.size() - 1, point.gradient);
+      if constexpr (Extra.affine) body.points.velocity_gradient.set(body.points.size() - 1, point.gradient);
     }
   };
   for (Index c = 0; c < mesh.cell_count(); ++c) {
@@ -171,7 +172,7 @@ auto make_body(const M& mesh, const Fill<L, name>& recipe, const Owns& owns = {}
 }
 template <class K, ExtraColumns Extra = ExtraColumns{}, class M, class L, Name name, class Region>
 auto make_body(const M& mesh, const Fill<L, name, Region>& recipe, const Ground& ground = {}) {
-  return make_body<K, Extra>(mesh, recipe.template erased<M>(), OwnsAllCells{}, ground);
+  return make_body<K, Extra>(mesh, recipe.template type_erased<M>(), OwnsAllCells{}, ground);
 }
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -1,6 +1,7 @@
 // Cell list: which points lie in which cell. The points of a cell are neighbours in memory; one that moves to
 // another cell becomes an unsorted point there until all are regrouped.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <algorithm>
 #include <numeric>

@@ -1,14 +1,15 @@
 // Columns: vectors or tensors of many points, component by component, so that a pack reads neighbouring
 // points with one load.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <array>
 #include <cstddef>
 #include <vector>
 
-#include <arenite/core/array_memory.hpp>
-#include <arenite/core/lanes.hpp>
 #include <arenite/core/tensor.hpp>
+#include <arenite/parallel/array_memory.hpp>
+#include <arenite/simd/lanes.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 

@@ -1,6 +1,7 @@
 // Points that leave a body and join it, as values. Between `find_cells` and `regroup`, which makes the lists
 // of cells right again.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <cmath>
 #include <string>
@@ -57,12 +58,14 @@ void check_point(const B& body, const typename B::Point& point, std::size_t numb
   require(std::isnan(point.mass) || (point.mass > 0 && std::isfinite(point.mass)), name("mass"), point.mass,
           "must be positive, or NaN for the law's density times the volume");
   for (const auto& s : point.stress.c) require(std::isfinite(s), name("stress"), s, "must be finite");
-  require(point.motion.allFinite(), name("motion"), point.motion.norm(), "must be finite");
+  require(point.velocity_gradient.allFinite(), name("velocity_gradient"), point.velocity_gradient.norm(),
+          "must be finite");
   require(std::isfinite(point.dilation), name("dilation"), point.dilation, "must be finite");
   std::apply(
       [&](const auto&... h) { (require(std::isfinite(h), name("history"), h, "must be finite"), ...); },
       point.history.members());
-  for (const auto& value : point.kept) require(std::isfinite(value), name("kept"), value, "must be finite");
+  for (const auto& value : point.part_columns)
+    require(std::isfinite(value), name("part_columns"), value, "must be finite");
   require(body.points.size() + number < none - 1, name("number"), body.points.size() + number,
           "a body holds fewer than 2^32 points");
 }

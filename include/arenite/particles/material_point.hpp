@@ -1,6 +1,7 @@
 // Material point: all that one point carries, as a value. Bodies store points as columns; values are for
 // those that join a body or leave it.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <array>
 #include <cstdint>
@@ -22,10 +23,11 @@ struct MaterialPoint {
   T mass = std::numeric_limits<T>::quiet_NaN();    ///< kg; NaN: the law's density times the volume
   Sym<T, D> stress{};                              ///< Pa, tension positive
   History history{};
-  Mat<T, D> motion = zeros<Mat<T, D>>();  ///< velocity gradient of APIC or TPIC, 1/s; else without meaning
-  T dilation = 0;                         ///< plastic volumetric strain of the last step, -
-  std::array<T, Kept> kept{};             ///< see `point_columns`
-  std::uint64_t id = no_id;               ///< where the scene has `PointIds`
+  Mat<T, D> velocity_gradient =
+      zeros<Mat<T, D>>();              ///< velocity gradient of APIC or TPIC, 1/s; else without meaning
+  T dilation = 0;                      ///< plastic volumetric strain of the last step, -
+  std::array<T, Kept> part_columns{};  ///< see `point_columns`
+  std::uint64_t id = no_id;            ///< where the scene has `PointIds`
 };
 
 /// Sums over points.

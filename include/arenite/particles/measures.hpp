@@ -1,6 +1,7 @@
 // Measures of a body: energies, momentum, volume. Each sums over the points in fixed chunks, the same on any
 // number of threads.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <array>
 #include <functional>
@@ -86,7 +87,7 @@ double gradient_kinetic_energy(const M& mesh, const Blocks& blocks, const B& bod
           for (std::size_t d = 0; d < D; ++d) {
             double v = 0;  // of C (x_i - x_p)
             for (std::size_t a = 0; a < D; ++a)
-              v += static_cast<double>(points.motion.column(a * D + d)[p] *
+              v += static_cast<double>(points.velocity_gradient.column(a * D + d)[p] *
                                        (node(static_cast<int>(a), i) - x[static_cast<int>(a)]));
             twice += static_cast<double>(w[i]) * v * v;
           }

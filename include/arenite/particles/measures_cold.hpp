@@ -1,5 +1,6 @@
 // Cold functions of measures.hpp.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <arenite/particles/measures.hpp>
 

@@ -1,6 +1,7 @@
 // Ids of points: numbers that a point keeps as it moves from place to place in its columns, from body to body
 // and from machine to machine.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <cstdint>
 #include <string_view>

@@ -1,5 +1,6 @@
 // Points: the material points of one body as columns. Only what the composition needs is stored.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <algorithm>
 #include <cstdint>
@@ -9,9 +10,9 @@
 #include <vector>
 
 #include <arenite/core/error.hpp>
-#include <arenite/core/parallel.hpp>
 #include <arenite/law/law.hpp>
 #include <arenite/mesh/blocks.hpp>
+#include <arenite/parallel/parallel.hpp>
 #include <arenite/particles/cell_list.hpp>
 #include <arenite/particles/columns.hpp>
 #include <arenite/particles/material_point.hpp>
@@ -23,7 +24,7 @@ struct ExtraColumns {
   bool affine = false;    ///< a point carries a velocity field (APIC, TPIC)
   bool dilation = false;  ///< a strain average needs the dilation, where the law has one
   bool ids = false;       ///< points have ids (`PointIds`)
-  int kept = 0;           ///< numbers that parts keep with each point
+  int part_columns = 0;   ///< numbers that parts keep with each point
 };
 
 /// Columns of material points: law L gives the history, `Extra` what else the composition needs. Mass and
@@ -35,8 +36,8 @@ class Points {
   using scalar = T;
   static constexpr int dimension = D;
   using History = typename L::template History<T>;
-  static constexpr auto kept_size = static_cast<std::size_t>(Extra.kept);
-  using Point = MaterialPoint<T, D, History, kept_size>;
+  static constexpr auto part_column_count = static_cast<std::size_t>(Extra.part_columns);
+  using Point = MaterialPoint<T, D, History, part_column_count>;
   static constexpr std::size_t history_size = arenite::history_size<History>;
   static constexpr bool affine = Extra.affine, has_ids = Extra.ids;
   static constexpr bool has_dilation = [] {
@@ -50,12 +51,13 @@ class Points {
   Column<T> volume;              ///< volume that bears stress, m3: opened voids do not count
   TensorColumns<T, D> stress;    ///< Cauchy stress, Pa, tension positive
   std::array<Column<T>, history_size>
-      history;                 ///< columns of the law's history, in the order of its `members()`
-  MatrixColumns<T, D> motion;  ///< [n if affine] velocity gradient of APIC or TPIC, 1/s
-  Column<T> dilation;          ///< [n if has_dilation] plastic volumetric strain of the last step, -
-  std::array<Column<T>, kept_size> kept;  ///< what parts keep with each point (`point_columns`)
-  std::vector<std::uint64_t> id;          ///< [n if has_ids]
-  std::vector<Index> cell;                ///< cell that holds the point
+      history;                            ///< columns of the law's history, in the order of its `members()`
+  MatrixColumns<T, D> velocity_gradient;  ///< [n if affine] velocity gradient of APIC or TPIC, 1/s
+  Column<T> dilation;  ///< [n if has_dilation] plastic volumetric strain of the last step, -
+  std::array<Column<T>, part_column_count>
+      part_columns;               ///< what parts keep with each point (`point_columns`)
+  std::vector<std::uint64_t> id;  ///< [n if has_ids]
+  std::vector<Index> cell;        ///< cell that holds the point
 
   std::size_t size() const { return mass.size(); }
 
@@ -75,18 +77,18 @@ class Points {
     push_back(point.position, point.velocity, point.mass, point.volume, point.stress, c);
     const std::size_t p = size() - 1;
     store_history(p, point.history);
-    if constexpr (affine) motion.set(p, point.motion);
+    if constexpr (affine) velocity_gradient.set(p, point.velocity_gradient);
     if constexpr (has_dilation) dilation[p] = point.dilation;
-    for (std::size_t k = 0; k < kept_size; ++k) kept[k][p] = point.kept[k];
+    for (std::size_t k = 0; k < part_column_count; ++k) part_columns[k][p] = point.part_columns[k];
     if constexpr (has_ids) id[p] = point.id;
   }
 
   /// Point p as a value.
   Point operator[](std::size_t p) const {
     Point point{position[p], velocity[p], volume[p], mass[p], stress[p], load_history(p)};
-    if constexpr (affine) point.motion = motion[p];
+    if constexpr (affine) point.velocity_gradient = velocity_gradient[p];
     if constexpr (has_dilation) point.dilation = dilation[p];
-    for (std::size_t k = 0; k < kept_size; ++k) point.kept[k] = kept[k][p];
+    for (std::size_t k = 0; k < part_column_count; ++k) point.part_columns[k] = part_columns[k][p];
     if constexpr (has_ids) point.id = id[p];
     return point;
   }
@@ -155,9 +157,10 @@ class Points {
       f(named ? joined_text({"history/", names[k]}) : joined_text({"history/", k}), history[k]);
     }
     if constexpr (affine)
-      each("motion", motion, D * D, [&](std::size_t k) { return axes(k % D) + axes(k / D); });
+      each("velocity_gradient", velocity_gradient, D * D,
+           [&](std::size_t k) { return axes(k % D) + axes(k / D); });
     if constexpr (has_dilation) f("dilation", dilation);
-    for (std::size_t k = 0; k < kept_size; ++k) f(joined_text({"kept/", k}), kept[k]);
+    for (std::size_t k = 0; k < part_column_count; ++k) f(joined_text({"part_columns/", k}), part_columns[k]);
     if constexpr (has_ids) f("id", id);
     f("cell", cell);
   }
@@ -217,7 +220,8 @@ class Points {
 
   /// Bytes of columns a point.
   static constexpr std::size_t bytes_per_point() {
-    return (2 * D + 2 + Sym<T, D>::size + history_size + (affine ? D * D : 0) + has_dilation + kept_size) *
+    return (2 * D + 2 + Sym<T, D>::size + history_size + (affine ? D * D : 0) + has_dilation +
+            part_column_count) *
                sizeof(T) +
            sizeof(Index) + has_ids * sizeof(std::uint64_t);
   }
@@ -236,9 +240,9 @@ class Points {
     for (std::size_t k = 0; k < Sym<T, D>::size; ++k) f(self.stress.column(k));
     for (auto& column : self.history) f(column);
     if constexpr (affine)
-      for (std::size_t k = 0; k < D * D; ++k) f(self.motion.column(k));
+      for (std::size_t k = 0; k < D * D; ++k) f(self.velocity_gradient.column(k));
     if constexpr (has_dilation) f(self.dilation);
-    for (auto& column : self.kept) f(column);
+    for (auto& column : self.part_columns) f(column);
     if constexpr (has_ids) f(self.id);
     f(self.cell);
   }

@@ -1,5 +1,6 @@
 // Relocation: finds the cell of each point; a point that stayed in its cell costs one test.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <arenite/mesh/blocks.hpp>
 #include <arenite/particles/body.hpp>

@@ -1,5 +1,6 @@
 // Springs and dashpots between a rigid body and the world.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <array>
 

@@ -1,18 +1,19 @@
 // Contact of a rigid body with the node fields of a scene: the body gains the momentum that the matter loses
 // in a step.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <utility>
 
-#include <arenite/core/alone.hpp>
 #include <arenite/core/contact_tally.hpp>
+#include <arenite/parallel/communicator.hpp>
 #include <arenite/rigid/rigid_state.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 /// The nodes with matter that the body touches where it is now, with the fields' velocities before contact.
-template <class Shape, class M, class R, class Fields, class Owns, class Others>
-void find_touched_nodes(const M& mesh, R& body, const Fields& fields, const Owns& owns, Others& others) {
+template <class Shape, class M, class R, class Fields, class Owns, class Communicator>
+void find_touched_nodes(const M& mesh, R& body, const Fields& fields, const Owns& owns, Communicator& comm) {
   using T = typename M::scalar;
   body.touched_nodes.clear();
   body.inside_nodes = 0;
@@ -39,7 +40,7 @@ void find_touched_nodes(const M& mesh, R& body, const Fields& fields, const Owns
           body.inside_nodes += inside;
         }
       });
-  sum_over(others, body.inside_nodes);
+  sum_over(comm, body.inside_nodes);
 }
 
 /// The body's velocity at the end of the step without contact.
@@ -52,15 +53,15 @@ typename R::Velocity free_velocity(R& body, const Vec<T, D>& acceleration, T tim
 }
 
 /// The velocity with which impulses are found.
-template <class R, class Others>
-typename R::Velocity velocity_in_contact(const R& body, const typename R::Velocity& free, Others& others) {
-  if constexpr (requires { body.motion.velocity_in_contact(body, free, others); }) {
-    return body.motion.velocity_in_contact(body, free, others);
+template <class R, class Communicator>
+typename R::Velocity velocity_in_contact(const R& body, const typename R::Velocity& free,
+                                         Communicator& comm) {
+  if constexpr (requires { body.motion.velocity_in_contact(body, free, comm); }) {
+    return body.motion.velocity_in_contact(body, free, comm);
   } else {
-    static_assert(
-        Others::alone || !R::is_free,
-        "Rigid: on a portion of a mesh velocity_in_contact(body, free_velocity, others) of a motion "
-        "with mass must sum over the others; see arenite/rigid/motion.hpp");
+    static_assert(Communicator::is_serial || !R::is_free,
+                  "Rigid: on a portion of a mesh velocity_in_contact(body, free_velocity, comm) of a motion "
+                  "with mass must sum over the comm; see arenite/rigid/motion.hpp");
     return body.motion.velocity_in_contact(body, free);
   }
 }
@@ -80,9 +81,9 @@ Mat<double, N> mobility_of(const R& body, const Mat<double, N>& resistance) {
 }
 
 /// Gives the fields the impulses of a body that moves with this velocity.
-template <class R, class Fields, class Others>
+template <class R, class Fields, class Communicator>
 typename R::Given give_impulses(R& body, Fields& fields, const typename R::Velocity& contact_velocity,
-                                Others& others) {
+                                Communicator& comm) {
   auto given = body.find_impulses(contact_velocity);
   for (auto& t : body.touched_nodes) {
     if (t.impulse.squaredNorm() == 0) continue;
@@ -92,7 +93,7 @@ typename R::Given give_impulses(R& body, Fields& fields, const typename R::Veloc
     const typename R::V twice_mean = fields[t.field].start[t.node] + v;
     given.gained += t.impulse.dot(twice_mean) / 2;
   }
-  sum_over(others, given.total, given.gained, given.exchanged, body.contact_nodes);
+  sum_over(comm, given.total, given.gained, given.exchanged, body.contact_nodes);
   return given;
 }
 
@@ -121,14 +122,14 @@ std::pair<double, typename R::Velocity> finish_step(R& body, const typename R::V
 /// then the impulses with its new velocity. Returns what contact dissipated. Each scene that shares the body
 /// touches the nodes that it owns; sums are taken through `others`, and all know of the whole body.
 template <class Shape, class M, class R, class Fields, class T, int D, class Owns = OwnsAll,
-          class Others = const Alone>
+          class Communicator = const Serial>
 ContactTally collide(const M& mesh, R& body, Fields& fields, const Vec<T, D>& acceleration, T time, T dt,
-                     const Owns& owns = {}, Others& others = no_others) {
+                     const Owns& owns = {}, Communicator& comm = serial) {
   using Velocity = typename R::Velocity;
-  find_touched_nodes<Shape>(mesh, body, fields, owns, others);
+  find_touched_nodes<Shape>(mesh, body, fields, owns, comm);
   const Velocity free = free_velocity(body, acceleration, time, dt);
-  const Velocity contact_velocity = velocity_in_contact(body, free, others);
-  const auto given = give_impulses(body, fields, contact_velocity, others);
+  const Velocity contact_velocity = velocity_in_contact(body, free, comm);
+  const auto given = give_impulses(body, fields, contact_velocity, comm);
   const double dissipation =
       finish_step(body, free, free, zeros<Velocity>(), contact_velocity, given, dt).first;
   return {.dissipation = dissipation, .nodes = body.contact_nodes};

@@ -1,6 +1,7 @@
 // Contact of a rigid body with the material points of a scene (`PointContact`): the body gains the momentum
 // that the matter loses in a step.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <cstddef>
 #include <optional>

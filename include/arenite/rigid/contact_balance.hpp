@@ -1,6 +1,7 @@
 // Balance of contact: the velocity and spin of a rigid body at which its impulses and those of all nodes that
 // it touches balance.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <limits>
 

@@ -1,5 +1,6 @@
 // Cold functions of contact_balance.hpp.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <Eigen/Cholesky>
 #include <Eigen/LU>

@@ -1,6 +1,7 @@
 // Points at which two rigid bodies touch or soon may: the corners and edges of one against the signed
 // distance of the other.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <cstddef>
 #include <string>
@@ -37,14 +38,14 @@ struct RigidTouch {
   std::size_t first, second;  ///< numbers of the bodies; a corner or edge of the first one
   Vec<double, D> own;         ///< centre of its rounding, in the first body's frame, m
   double radius;              ///< m
-  Vec<double, D> place;       ///< of the first body's surface at the begin of the step, m
+  Vec<double, D> place;       ///< of the first body's surface at the start of the step, m
   Vec<double, D> normal;      ///< out of the second body
-  double gap;                 ///< at the begin of the step, m; negative where they overlap
+  double gap;                 ///< at the start of the step, m; negative where they overlap
   double end_gap = 0;         ///< at its end, m
   Vec<double, D> impulse = Vec<double, D>::Zero();  ///< on the first body, N s
 };
 
-/// All points of the first body nearer than `margin`, m, to the second, at the begin of the step.
+/// All points of the first body nearer than `margin`, m, to the second, at the start of the step.
 template <int D>
 void find_touches(const std::vector<TouchingBody<D>>& bodies, std::size_t first, std::size_t second,
                   double margin, std::vector<RigidTouch<D>>& touches);

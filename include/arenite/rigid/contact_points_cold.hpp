@@ -1,5 +1,6 @@
 // Cold functions of contact_points.hpp.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <algorithm>
 #include <array>
@@ -19,7 +20,7 @@ class ContactPoints {
   using Bodies = std::vector<TouchingBody<D>>;
   using Touches = std::vector<RigidTouch<D>>;
 
-  /// All points of the first body nearer than `margin`, m, to the second, at the begin of the step.
+  /// All points of the first body nearer than `margin`, m, to the second, at the start of the step.
   static void find(const Bodies& bodies, std::size_t first, std::size_t second, double margin,
                    Touches& touches) {
     const auto &a = bodies[first], &b = bodies[second];
@@ -166,7 +167,7 @@ class ContactPoints {
     if (std::any_of(touches.begin(), touches.end(), is_same)) return;
     touches.push_back(t);
   }
-  /// Middle of the box around a body, in the scene at the begin of the step.
+  /// Middle of the box around a body, in the scene at the start of the step.
   static V middle(const TouchingBody<D>& a) {
     V m;
     for (int i = 0; i < D; ++i) {

@@ -1,5 +1,6 @@
 // Impulses of all contacts between rigid bodies, found together.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <cstddef>
 #include <vector>
@@ -12,7 +13,7 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 /// One contact of two bodies for the solver, in axes of its own: the normal first, out of the second body,
 /// then the tangents. Its velocity is that of the first body against the second, w = W_1 u_1 - W_2 u_2.
 template <int D>
-struct ContactRow : LocalContact<D> {
+struct ContactConstraint : LocalContact<D> {
   static constexpr int N = D + rotations<D>;
   std::size_t body[2];                ///< first, second
   Eigen::Matrix<double, D, N> to[2];  ///< W_1, -W_2: from a body's twist
@@ -29,7 +30,7 @@ struct ContactRow : LocalContact<D> {
 template <int D>
 class ContactSolver {
  public:
-  using Rows = std::vector<ContactRow<D>>;
+  using Rows = std::vector<ContactConstraint<D>>;
   using Twists = std::vector<Twist<double, D>>;
 
   /// Starts from the impulses in `rows` and the twists `u` that they have led to. Returns by how much the

@@ -1,5 +1,6 @@
 // Cold functions of contact_solver.hpp.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <Eigen/LU>
 #include <algorithm>
@@ -11,11 +12,11 @@
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 template <int D>
-Vec<double, D> ContactRow<D>::velocity(const std::vector<Twist<double, D>>& u) const {
+Vec<double, D> ContactConstraint<D>::velocity(const std::vector<Twist<double, D>>& u) const {
   return to[0] * u[body[0]] + to[1] * u[body[1]];
 }
 template <int D>
-void ContactRow<D>::add(const Vec<double, D>& change, std::vector<Twist<double, D>>& u) {
+void ContactConstraint<D>::add(const Vec<double, D>& change, std::vector<Twist<double, D>>& u) {
   this->impulse += change;
   u[body[0]] += by[0] * change;
   u[body[1]] += by[1] * change;
@@ -29,7 +30,7 @@ constexpr double solver_floor = 1e-12;
 /// An impulse far above what stops the heaviest body, N s. Contacts that hold each other, as a wedge with
 /// friction does, have none of their own: any multiple would do, and of great ones round-off alone is left.
 template <int D>
-double greatest_impulse(const std::vector<ContactRow<D>>& rows, double scale) {
+double greatest_impulse(const std::vector<ContactConstraint<D>>& rows, double scale) {
   double least = std::numeric_limits<double>::infinity();  // m/s per N s, of a body alone
   for (const auto& row : rows)
     for (int i = 0; i < 2; ++i) {
@@ -41,7 +42,7 @@ double greatest_impulse(const std::vector<ContactRow<D>>& rows, double scale) {
 
 /// One sweep; returns the greatest change, as a velocity.
 template <int D>
-double sweep(std::vector<ContactRow<D>>& rows, std::vector<Twist<double, D>>& u) {
+double sweep(std::vector<ContactConstraint<D>>& rows, std::vector<Twist<double, D>>& u) {
   double most = 0;
   for (auto& row : rows) {
     // First along the normal, then across it with the velocity that this leaves.
@@ -59,7 +60,7 @@ double sweep(std::vector<ContactRow<D>>& rows, std::vector<Twist<double, D>>& u)
 }
 
 template <int D>
-double residual(const std::vector<ContactRow<D>>& rows, const std::vector<Twist<double, D>>& u) {
+double residual(const std::vector<ContactConstraint<D>>& rows, const std::vector<Twist<double, D>>& u) {
   double most = 0;
   for (const auto& row : rows) {
     const Vec<double, D> off = row.lawful(row.wanted(row.velocity(u), solver_floor)) - row.impulse;
@@ -71,7 +72,8 @@ double residual(const std::vector<ContactRow<D>>& rows, const std::vector<Twist<
 
 /// Velocity along an axis of one contact by an impulse at another.
 template <int D>
-double between(const ContactRow<D>& at, const ContactRow<D>& of, int axis, const Vec<double, D>& impulse) {
+double between(const ContactConstraint<D>& at, const ContactConstraint<D>& of, int axis,
+               const Vec<double, D>& impulse) {
   double sum = 0;
   for (int i = 0; i < 2; ++i)
     for (int k = 0; k < 2; ++k)
@@ -155,8 +157,8 @@ ARENITE_COLD void ContactSolver<D>::solve_active(Rows& rows, Twists& u) {
   }
 }
 
-#define ARENITE_INSTANCES(D)     \
-  template struct ContactRow<D>; \
+#define ARENITE_INSTANCES(D)            \
+  template struct ContactConstraint<D>; \
   template class ContactSolver<D>;
 ARENITE_FOR_DIMENSIONS(ARENITE_INSTANCES)
 #undef ARENITE_INSTANCES

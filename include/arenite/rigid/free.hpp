@@ -1,5 +1,6 @@
 // Free: a rigid body that moves and turns under gravity, contact, springs, forces and moments.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <array>
 #include <limits>
@@ -48,13 +49,13 @@ class BoundFree {
   const S& angular_momentum() const { return momentum_; }
   Velocity start() const;
 
-  /// Adds forces and moments of the begin of the step; dashpots by the velocity that they leave.
+  /// Adds forces and moments of the start of the step; dashpots by the velocity that they leave.
   Velocity free_velocity(const State& body, const Velocity& before, const Vec<T, D>& acceleration, T time,
                          T dt);
-  template <class Others = const Alone>
+  template <class Communicator = const Serial>
   Velocity velocity_in_contact(const State& body, const Velocity& free_velocity,
-                               Others& others = no_others) const {
-    return balanced(body, free_velocity, others);
+                               Communicator& comm = serial) const {
+    return balanced(body, free_velocity, comm);
   }
   Velocity after(const Velocity& contact_velocity, const Velocity& free_velocity, const Velocity& total,
                  const Vec<T, 2>& exchanged);
@@ -105,9 +106,9 @@ class BoundFree {
   U gained_, of_springs_, of_dashpots_;  // impulses without contact
 };
 
-template <class Site>
-auto bind_part(const Free& motion, const Site&) {
-  return BoundFree<typename Site::T, Site::D>(motion, Site::Kinematics::hoop);
+template <class Traits>
+auto bind_part(const Free& motion, const Traits&) {
+  return BoundFree<typename Traits::T, Traits::D>(motion, Traits::Kinematics::hoop);
 }
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -1,5 +1,6 @@
 // Cold functions of free.hpp.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <Eigen/LU>
 #include <cmath>

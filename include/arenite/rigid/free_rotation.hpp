@@ -1,5 +1,6 @@
 // Rotation of a rigid body on which no moment acts, through one step.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <Eigen/LU>
 

@@ -1,5 +1,6 @@
 // Guided: a rigid body that slides along one axis under forces.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <array>
 #include <cmath>
@@ -35,15 +36,15 @@ struct BoundGuided {
   explicit BoundGuided(const Guided& g, bool hoop = false);
 
   V start() const { return speed * axis; }
-  /// With the load at the begin of the step.
+  /// With the load at the start of the step.
   V free_velocity(const V& before, const V& acceleration, T time, T dt) const;
-  template <class Body, class Others = const Alone>
+  template <class Body, class Communicator = const Serial>
   V velocity_in_contact(const Body& body, const V& free_velocity,
-                        [[maybe_unused]] Others& others = no_others) const {
+                        [[maybe_unused]] Communicator& comm = serial) const {
     if constexpr (Body::coupling_through_centre)
       return free_velocity;  // `after` corrects it: eq. (4)
     else
-      return detail::balance_speed<T, D>(body, axis, free_velocity.dot(axis), static_cast<T>(mass), others) *
+      return detail::balance_speed<T, D>(body, axis, free_velocity.dot(axis), static_cast<T>(mass), comm) *
              axis;
   }
   V after(const V& contact_velocity, const V& free_velocity, const V& total,
@@ -57,9 +58,9 @@ struct BoundGuided {
   bool holds(const V& g) const { return std::abs(axis.dot(g)) <= 1e-6 * g.norm(); }
 };
 
-template <class Site>
-auto bind_part(const Guided& motion, const Site&) {
-  return BoundGuided<typename Site::T, Site::D>(motion, Site::Kinematics::hoop);
+template <class Traits>
+auto bind_part(const Guided& motion, const Traits&) {
+  return BoundGuided<typename Traits::T, Traits::D>(motion, Traits::Kinematics::hoop);
 }
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

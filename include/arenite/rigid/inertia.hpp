@@ -1,5 +1,6 @@
 // Moments of inertia of a rigid body, as a user gives them.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <array>
 #include <initializer_list>

@@ -1,5 +1,6 @@
 // Cold functions of inertia.hpp.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,6 @@
 // Coulomb's law at one contact, as relaxation takes an impulse to it.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <algorithm>
 

@@ -1,6 +1,7 @@
 // Matter inside of a rigid body when a scene is made: points there take part in no contact that means
 // anything.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,7 @@
 // Motion of a rigid body: the concepts. Motions are `Guided`, `Prescribed`, `Free` and `PrescribedPose`, or
 // one of a user's own.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <concepts>
 
@@ -60,7 +61,7 @@ concept rigid_motion = !rotates<M> && requires(const M motion, const V v, const 
 ///
 /// - `centre()`: the point of the body whose velocity is given, at the start, m;
 /// - `free_velocity(body, before, acceleration, time, dt)`: with the body, whose `displacement` and
-///   `orientation` are those of the begin of the step;
+///   `orientation` are those of the start of the step;
 /// - `turn(orientation, velocity, dt)`: turns the orientation through the step and returns the twist there;
 /// - optional `stored_energy(body)`, J, and `damped`, J since the start: of springs and dashpots.
 template <class M, class T, int D>

@@ -1,6 +1,7 @@
 // Contact of a rigid body at the material points: impulses that keep each point out of the body, found
 // together with the body's velocity.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <algorithm>
 #include <cstddef>
@@ -34,7 +35,7 @@ template <class T, int D>
 struct TouchedPoint {
   std::size_t body;                       ///< number
   Index point;                            ///< where it is in the body's columns until the end of the step
-  double gap;                             ///< distance from the surface at the begin of the step, m
+  double gap;                             ///< distance from the surface at the start of the step, m
   Vec<T, D> normal;                       ///< out of the rigid body
   Vec<T, D> impulse = Vec<T, D>::Zero();  ///< on the matter, N s
 };
@@ -55,7 +56,7 @@ class PointImpulses {
   using U = Vec<double, N>;
 
   std::vector<TouchedPoint<T, D>> points{};  ///< of the last step
-  double deepest = 0;                        ///< greatest depth of a point at the begin of a step so far, m
+  double deepest = 0;                        ///< greatest depth of a point at the start of a step so far, m
   int sweeps = 0;                            ///< of the last step
 
   /// A node that some of the points touch.

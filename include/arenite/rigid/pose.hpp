@@ -1,6 +1,7 @@
 // Pose of a rigid body: where its centre is and how it is turned; velocities of its points and moments of
 // forces on it.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <Eigen/Geometry>
 #include <cmath>

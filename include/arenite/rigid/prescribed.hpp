@@ -1,5 +1,6 @@
 // Prescribed: a rigid body whose motion is given in time.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <array>
 #include <concepts>
@@ -58,9 +59,9 @@ struct BoundPrescribed {
   bool holds(const V&) const { return true; }
 };
 
-template <class Site>
-auto bind_part(const Prescribed& motion, const Site&) {
-  return BoundPrescribed<typename Site::T, Site::D>(motion);
+template <class Traits>
+auto bind_part(const Prescribed& motion, const Traits&) {
+  return BoundPrescribed<typename Traits::T, Traits::D>(motion);
 }
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

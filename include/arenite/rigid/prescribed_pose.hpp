@@ -1,5 +1,6 @@
 // PrescribedPose: a rigid body whose motion and rotation are given in time.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <array>
 #include <utility>
@@ -73,9 +74,9 @@ class BoundPrescribedPose {
   VectorFunction velocity_, spin_;
 };
 
-template <class Site>
-auto bind_part(const PrescribedPose& motion, const Site&) {
-  return BoundPrescribedPose<typename Site::T, Site::D>(motion, Site::Kinematics::hoop);
+template <class Traits>
+auto bind_part(const PrescribedPose& motion, const Traits&) {
+  return BoundPrescribedPose<typename Traits::T, Traits::D>(motion, Traits::Kinematics::hoop);
 }
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

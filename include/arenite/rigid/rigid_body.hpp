@@ -1,5 +1,6 @@
 // Rigid body in a scene: what a user writes, and its state.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <string>
 #include <type_traits>
@@ -8,12 +9,12 @@
 
 #include <arenite/contact/coulomb.hpp>
 #include <arenite/contact/hold.hpp>
-#include <arenite/core/alone.hpp>
 #include <arenite/core/bind.hpp>
 #include <arenite/core/contact_tally.hpp>
 #include <arenite/core/name.hpp>
 #include <arenite/core/part_energy.hpp>
 #include <arenite/core/state_value.hpp>
+#include <arenite/parallel/communicator.hpp>
 #include <arenite/rigid/collide.hpp>
 #include <arenite/rigid/collide_at_points.hpp>
 #include <arenite/rigid/free.hpp>
@@ -52,10 +53,10 @@ struct Rigid {
   Motion motion;
   Friction friction;
 
-  using Erased = Rigid<erased_t<Surface>, erased_t<Motion>, Coupling, name>;
+  using TypeErased = Rigid<type_erased_t<Surface>, type_erased_t<Motion>, Coupling, name>;
   template <class M>
-  Erased erased() const {
-    return {arenite::erased<M>(surface), arenite::erased<M>(motion), friction};
+  TypeErased type_erased() const {
+    return {arenite::type_erased<M>(surface), arenite::type_erased<M>(motion), friction};
   }
 };
 
@@ -97,7 +98,7 @@ struct RigidBody : RigidState<T, D, velocity_components<Motion, D>> {
   using Velocity = Twist<T, D, N>;
   using Given = GivenImpulses<T, D, N>;
   static constexpr auto name = name_;
-  static constexpr int exchange_rank = 1;
+  static constexpr int contact_order = 1;
   static constexpr bool is_rigid_body = true, is_shared = true;
   static constexpr bool is_free = Motion::has_mass, rotates = arenite::rotates<Motion>;
   static constexpr bool coupling_through_centre = Coupling::through_centre_of_mass;
@@ -167,8 +168,8 @@ struct RigidBody : RigidState<T, D, velocity_components<Motion, D>> {
     });
     return name.word().empty() ? std::to_string(own) : std::string(name.word());
   }
-  template <class Scene, class Others = const Alone>
-  ContactTally exchange_impulses(Scene& scene, double dt, Others& others = no_others) {
+  template <class Scene, class Communicator = const Serial>
+  ContactTally apply_impulses(Scene& scene, double dt, Communicator& comm = serial) {
     if constexpr (Scene::Needs::moves_rigid_bodies)
       return {};
     else if constexpr (touches_points)
@@ -176,15 +177,15 @@ struct RigidBody : RigidState<T, D, velocity_components<Motion, D>> {
     else
       return collide<typename Scene::Shape>(scene.mesh, *this, scene.fields, scene.acceleration(),
                                             static_cast<T>(scene.time + dt), static_cast<T>(dt),
-                                            scene.node_owner(), others);
+                                            scene.node_owner(), comm);
   }
-  template <class Scene, class Others = const Alone>
-  double hold_mapped(Scene& scene, double dt, Others& others = no_others) {
-    return book(hold_touched(this->touched_nodes, scene.fields, static_cast<T>(dt)), others);
+  template <class Scene, class Communicator = const Serial>
+  double constrain_mapped(Scene& scene, double dt, Communicator& comm = serial) {
+    return book(hold_touched(this->touched_nodes, scene.fields, static_cast<T>(dt)), comm);
   }
-  template <class Scene, class Others = const Alone>
-  double read_end(const Scene& scene, double, Others& others = no_others) {
-    return book(rest_of_dissipation(this->touched_nodes, scene.fields), others);
+  template <class Scene, class Communicator = const Serial>
+  double after_grid(const Scene& scene, double, Communicator& comm = serial) {
+    return book(rest_of_dissipation(this->touched_nodes, scene.fields), comm);
   }
   PartEnergy count_energy() const {
     PartEnergy e{.kinetic = kinetic_energy(), .dissipated = this->dissipated, .external = this->driving_work};
@@ -202,34 +203,35 @@ struct RigidBody : RigidState<T, D, velocity_components<Motion, D>> {
   bool holds_against(const V& acceleration) const { return motion.holds(acceleration); }
 
  private:
-  template <class Others>
-  double book(double dissipation, Others& others) {
-    sum_over(others, dissipation);
+  template <class Communicator>
+  double book(double dissipation, Communicator& comm) {
+    sum_over(comm, dissipation);
     this->dissipated += dissipation;
     return dissipation;
   }
 };
 
-template <class S, class M, class C, Name name, class Site>
-auto bind_part(const Rigid<S, M, C, name>& recipe, const Site& site) {
-  auto surface = bound(recipe.surface, site);
-  auto motion = bound(recipe.motion, site);
-  using V = Vec<typename Site::T, Site::D>;
+template <class S, class M, class C, Name name, class Traits>
+auto bind_part(const Rigid<S, M, C, name>& recipe, const Traits& traits) {
+  auto surface = bound(recipe.surface, traits);
+  auto motion = bound(recipe.motion, traits);
+  using V = Vec<typename Traits::T, Traits::D>;
   constexpr bool turns = rotates<decltype(motion)>;
-  using Place = std::conditional_t<turns, Pose<Site::D>, V>;
+  using Place = std::conditional_t<turns, Pose<Traits::D>, V>;
   constexpr bool has_surface =
-      rigid_surface<decltype(surface), typename Site::Shape, typename Site::Mesh, V> ||
-      rigid_surface<decltype(surface), typename Site::Shape, typename Site::Mesh, Pose<Site::D>>;
-  constexpr bool fits = rigid_surface<decltype(surface), typename Site::Shape, typename Site::Mesh, Place>;
+      rigid_surface<decltype(surface), typename Traits::Shape, typename Traits::Mesh, V> ||
+      rigid_surface<decltype(surface), typename Traits::Shape, typename Traits::Mesh, Pose<Traits::D>>;
+  constexpr bool fits =
+      rigid_surface<decltype(surface), typename Traits::Shape, typename Traits::Mesh, Place>;
   constexpr bool has_motion =
-      rigid_motion<decltype(motion), V> || rotating_motion<decltype(motion), typename Site::T, Site::D>;
+      rigid_motion<decltype(motion), V> || rotating_motion<decltype(motion), typename Traits::T, Traits::D>;
   static_assert(has_surface, "Rigid: the surface lacks a member; see arenite/rigid/surface.hpp");
   static_assert(has_motion, "Rigid: the motion lacks a member; see arenite/rigid/motion.hpp");
   static_assert(!has_surface || !has_motion || fits,
                 "Rigid: the body rotates, and its surface does not: visit must take a Pose, as that of a "
                 "DistanceSurface does; the nodes of a MeshSurface stay where the mesh is");
   if constexpr (has_motion && fits)
-    return RigidBody<typename Site::T, Site::D, decltype(surface), decltype(motion), C, name>(
+    return RigidBody<typename Traits::T, Traits::D, decltype(surface), decltype(motion), C, name>(
         std::move(surface), std::move(motion), recipe.friction);
   else
     return detail::NoRigidBody{};  // one sentence is enough

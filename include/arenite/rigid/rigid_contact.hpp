@@ -1,6 +1,7 @@
 // RigidContact: rigid bodies that touch each other, with friction and without rebound, in one solution with
 // their contact with the matter.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <algorithm>
 #include <array>
@@ -54,7 +55,7 @@ class BoundRigidContact {
  public:
   using V = Vec<double, D>;
   using U = Twist<double, D>;
-  static constexpr int exchange_rank = 1;
+  static constexpr int contact_order = 1;
   static constexpr bool is_shared = true, moves_rigid_bodies = true;
   using OnlyOne = RigidContact;
 
@@ -65,7 +66,7 @@ class BoundRigidContact {
 
   /// Where bodies touched, or could have, in the last step.
   const std::vector<RigidTouch<D>>& touches() const { return touching_.touches; }
-  /// Greatest overlap at the begin of a step since the start, m.
+  /// Greatest overlap at the start of a step since the start, m.
   double deepest() const { return touching_.deepest; }
 
   template <class Scene>
@@ -92,24 +93,24 @@ class BoundRigidContact {
     touching_.check_start();
   }
 
-  template <class Scene, class Others = const Alone>
-  ContactTally exchange_impulses(Scene& scene, double dt, Others& others = no_others) {
+  template <class Scene, class Communicator = const Serial>
+  ContactTally apply_impulses(Scene& scene, double dt, Communicator& comm = serial) {
     auto steps = steps_of(scene, std::make_index_sequence<std::tuple_size_v<typename Scene::Parts>>{});
     look_at(scene);
     const auto acceleration = scene.acceleration();
     each(scene, steps, [&](auto& body, auto& s, std::size_t) {
-      find_touched_nodes<typename Scene::Shape>(scene.mesh, body, scene.fields, scene.node_owner(), others);
+      find_touched_nodes<typename Scene::Shape>(scene.mesh, body, scene.fields, scene.node_owner(), comm);
       s.free = free_velocity(body, acceleration, static_cast<T>(scene.time + dt), static_cast<T>(dt));
     });
     for (auto& b : touching_.bodies) b.impulse.setZero();
-    meet_matter(scene, steps, others);
+    meet_matter(scene, steps, comm);
     set_ends(scene, dt);
     touching_.find(dt);
     rounds = 1;
     while (rounds < most_rounds && !touching_.is_solved(dt, precision)) {
       touching_.solve(dt);
       take_back(scene, steps);
-      meet_matter(scene, steps, others);
+      meet_matter(scene, steps, comm);
       set_ends(scene, dt);
       ++rounds;
     }
@@ -193,8 +194,8 @@ class BoundRigidContact {
   }
 
   /// Each body in turn: its velocity in contact with the matter, and the impulses that it gives.
-  template <class Scene, class Steps, class Others>
-  void meet_matter(Scene& scene, Steps& steps, Others& others) {
+  template <class Scene, class Steps, class Communicator>
+  void meet_matter(Scene& scene, Steps& steps, Communicator& comm) {
     each(scene, steps, [&](auto& body, auto& s, std::size_t k) {
       using R = std::remove_cvref_t<decltype(body)>;
       constexpr int size = R::Velocity::RowsAtCompileTime;
@@ -204,11 +205,11 @@ class BoundRigidContact {
       const Mat<double, size> alone = mobility_of(body, zeros<Mat<double, size>>());
       s.push = push.template cast<T>();
       s.pushed = s.free + (alone * push).template cast<T>();
-      s.contact_velocity = velocity_in_contact(body, s.pushed, others);
+      s.contact_velocity = velocity_in_contact(body, s.pushed, comm);
       b.mobility.setZero();
       b.mobility.template topLeftCorner<size, size>() =
-          detail::mobility_in_matter(body, s.contact_velocity, SumOver(others));
-      s.given = give_impulses(body, scene.fields, s.contact_velocity, others);
+          detail::mobility_in_matter(body, s.contact_velocity, SumOver(comm));
+      s.given = give_impulses(body, scene.fields, s.contact_velocity, comm);
       b.twist = as_twist(s.contact_velocity);
     });
   }
@@ -264,9 +265,9 @@ class BoundRigidContact {
   TouchingBodies<D> touching_{};
 };
 
-template <class Site>
-auto bind_part(const RigidContact& recipe, const Site&) {
-  return BoundRigidContact<typename Site::T, Site::D>(recipe);
+template <class Traits>
+auto bind_part(const RigidContact& recipe, const Traits&) {
+  return BoundRigidContact<typename Traits::T, Traits::D>(recipe);
 }
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

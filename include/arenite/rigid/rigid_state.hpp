@@ -1,5 +1,6 @@
 // State of a rigid body, and the nodes that it touches: all of it that depends on neither surface nor motion.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <concepts>
 #include <cstddef>
@@ -7,8 +8,8 @@
 #include <vector>
 
 #include <arenite/contact/coulomb.hpp>
-#include <arenite/core/alone.hpp>
 #include <arenite/core/cold.hpp>
+#include <arenite/parallel/communicator.hpp>
 #include <arenite/rigid/pose.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
@@ -41,11 +42,11 @@ struct GivenImpulses {
 /// Sums numbers over the scenes that share a body, whatever their type; nothing where a scene is alone.
 class SumOver {
  public:
-  template <class Others>
-  requires(!std::same_as<Others, SumOver>) SumOver([[maybe_unused]] Others& others) {
-    if constexpr (!Others::alone) {
-      others_ = &others;
-      sum_ = [](void* all, std::span<double> values) { static_cast<Others*>(all)->sum(values); };
+  template <class Communicator>
+  requires(!std::same_as<Communicator, SumOver>) SumOver([[maybe_unused]] Communicator& comm) {
+    if constexpr (!Communicator::is_serial) {
+      comm_ = &comm;
+      sum_ = [](void* all, std::span<double> values) { static_cast<Communicator*>(all)->sum(values); };
     }
   }
   template <class... V>
@@ -53,11 +54,11 @@ class SumOver {
     if (sum_ != nullptr) sum_over(*this, value...);
   }
 
-  static constexpr bool alone = false;
-  void sum(std::span<double> values) const { sum_(others_, values); }
+  static constexpr bool is_serial = false;
+  void sum(std::span<double> values) const { sum_(comm_, values); }
 
  private:
-  void* others_ = nullptr;
+  void* comm_ = nullptr;
   void (*sum_)(void*, std::span<double>) = nullptr;
 };
 

@@ -1,5 +1,6 @@
 // Cold functions of rigid_state.hpp.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <arenite/rigid/rigid_state.hpp>
 

@@ -1,6 +1,7 @@
 // Signed distance of any type, as one value: what a scene keeps of a `DistanceSurface`, so that its own type
 // does not depend on the body's shape.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <algorithm>
 #include <array>

@@ -1,5 +1,6 @@
 // Angular velocities and moments as a user gives them: {x, y, z}, which in the plane have a z alone.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <array>
 #include <cmath>

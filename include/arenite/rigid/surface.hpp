@@ -1,6 +1,7 @@
 // Surface of a rigid body: which nodes it touches, and its normal there. Nodes of a mesh fitted to it, or a
 // signed distance.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <algorithm>
 #include <array>
@@ -15,8 +16,8 @@
 #include <arenite/contact/region_surface.hpp>
 #include <arenite/core/bind.hpp>
 #include <arenite/core/error.hpp>
-#include <arenite/core/parallel.hpp>
 #include <arenite/core/vector_argument.hpp>
+#include <arenite/parallel/parallel.hpp>
 #include <arenite/rigid/pose.hpp>
 #include <arenite/rigid/signed_distance.hpp>
 #include <arenite/shape/nodes_near.hpp>
@@ -57,9 +58,9 @@ struct DistanceSurface {
   Distance distance;
   double reach = 0.5;
 
-  using Erased = DistanceSurface<>;
+  using TypeErased = DistanceSurface<>;
   template <class M>
-  Erased erased() const {
+  TypeErased type_erased() const {
     if constexpr (std::same_as<Distance, AnyDistance>) {
       return *this;
     } else {
@@ -118,11 +119,11 @@ class BoundMeshSurface {
   RegionSurface<T, D> surface_;
 };
 
-template <class Site>
-auto bind_part(const MeshSurface& surface, const Site&) {
-  static_assert(is_simplex_mesh<typename Site::Mesh>,
+template <class Traits>
+auto bind_part(const MeshSurface& surface, const Traits&) {
+  static_assert(is_simplex_mesh<typename Traits::Mesh>,
                 "Rigid: a MeshSurface needs a simplex mesh; on a grid use a DistanceSurface");
-  return BoundMeshSurface<typename Site::T, Site::D>(surface);
+  return BoundMeshSurface<typename Traits::T, Traits::D>(surface);
 }
 
 /// A signed distance in a mesh. Visits the nodes with matter within reach; the normal is the slope of the
@@ -286,9 +287,9 @@ class BoundDistanceSurface {
   std::vector<Chunk> chunks_{};  // [chunks, or more], memory from step to step
 };
 
-template <class Distance, class Site>
-auto bind_part(const DistanceSurface<Distance>& surface, const Site&) {
-  return BoundDistanceSurface<typename Site::T, Site::D>(erased<typename Site::Mesh>(surface));
+template <class Distance, class Traits>
+auto bind_part(const DistanceSurface<Distance>& surface, const Traits&) {
+  return BoundDistanceSurface<typename Traits::T, Traits::D>(type_erased<typename Traits::Mesh>(surface));
 }
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

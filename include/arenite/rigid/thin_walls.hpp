@@ -1,6 +1,7 @@
 // Thin walls of a rigid body, found when a scene is made: where contact at nodes cannot tell one side of a
 // wall from the other, matter passes through.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <algorithm>
 #include <array>

@@ -1,5 +1,6 @@
 // The rigid bodies of a scene as they touch one another: pairs, points, and the impulses of all of them.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <cstddef>
 #include <optional>
@@ -56,13 +57,13 @@ class TouchingBodies {
   double reach_of(const TouchingBody<D>& b) const;
   /// False if no impulse along the normal moves either body.
   bool add_row(const RigidTouch<D>& t, double friction);
-  void set_response(ContactRow<D>& row) const;
+  void set_response(ContactConstraint<D>& row) const;
   V velocity_of(std::size_t k) const;
 
   std::vector<Pair> pairs_{};
-  std::vector<ContactRow<D>> rows_{};       // [touches]
-  std::vector<double> goals_{};             // [touches] least gaps at the end of the step, m
-  std::vector<Vec<double, N>> expected_{};  // [bodies] twists; none before the first solution
+  std::vector<ContactConstraint<D>> rows_{};  // [touches]
+  std::vector<double> goals_{};               // [touches] least gaps at the end of the step, m
+  std::vector<Vec<double, N>> expected_{};    // [bodies] twists; none before the first solution
   ContactSolver<D> solver_{};
   double speed_ = 0;  // greatest one of the step, m/s
 };

@@ -1,5 +1,6 @@
 // Cold functions of touching_bodies.hpp.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <algorithm>
 #include <cmath>
@@ -132,7 +133,7 @@ double TouchingBodies<D>::reach_of(const TouchingBody<D>& b) const {
 
 template <int D>
 bool TouchingBodies<D>::add_row(const RigidTouch<D>& t, double friction) {
-  ContactRow<D> row;
+  ContactConstraint<D> row;
   row.body[0] = t.first;
   row.body[1] = t.second;
   row.friction = friction;
@@ -150,7 +151,7 @@ bool TouchingBodies<D>::add_row(const RigidTouch<D>& t, double friction) {
 }
 
 template <int D>
-void TouchingBodies<D>::set_response(ContactRow<D>& row) const {
+void TouchingBodies<D>::set_response(ContactConstraint<D>& row) const {
   row.response.setZero();
   for (int i = 0; i < 2; ++i) {
     row.by[i] = bodies[row.body[i]].mobility * row.to[i].transpose();

@@ -1,5 +1,6 @@
 // Trial of a signed distance when a scene is made: at a bounded number of places, for what a user gets wrong.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <algorithm>
 #include <array>

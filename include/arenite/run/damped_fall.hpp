@@ -1,5 +1,6 @@
 // Damped fall: matter that moves freely while local damping, which is made for static states, is on.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <cmath>
 #include <limits>

@@ -1,5 +1,6 @@
 // Every: an observer that looks at a scene at regular times instead of at every step.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <cmath>
 #include <concepts>

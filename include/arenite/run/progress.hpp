@@ -1,6 +1,7 @@
 // Progress: tells how far a run is and how long it will take. A line that is rewritten on a terminal;
 // elsewhere silent, or a line each tenth of the run.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <cstddef>
 #include <cstdio>

@@ -1,5 +1,6 @@
 // Cold functions of progress.hpp.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <chrono>
 #include <cmath>

@@ -1,5 +1,6 @@
 // Run: steps a scene to an end time and shows it to observers.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <cmath>
 #include <concepts>
@@ -33,12 +34,12 @@ bool show(const Scene& scene, Observer& observer) {
   return false;
 }
 /// Shows it to all; returns whether one of them, in any of the scenes that step together, ends the run.
-template <class Scene, class Others, class... Observers>
-bool show_all(const Scene& scene, Others& others, Observers&... observers) {
+template <class Scene, class Communicator, class... Observers>
+bool show_all(const Scene& scene, Communicator& comm, Observers&... observers) {
   bool stops = false;
   ((stops = show(scene, observers) || stops), ...);
-  if constexpr (!Others::alone && (ends_runs<Observers, Scene> || ...))
-    stops = others.least(stops ? 0.0 : 1.0) == 0.0;
+  if constexpr (!Communicator::is_serial && (ends_runs<Observers, Scene> || ...))
+    stops = comm.least(stops ? 0.0 : 1.0) == 0.0;
   return stops;
 }
 /// Tells an observer that wants to know it that a run has reached its end.
@@ -67,7 +68,7 @@ bool counts_all_work(const Scene& scene) {
   bool all = true;
   scene.for_each_part([&](const auto& part) {
     using P = std::remove_cvref_t<decltype(part)>;
-    all = all && (counts_energy<P, Scene> || !(adds_force<P, Scene> || exchanges_impulses<P, Scene>));
+    all = all && (counts_energy<P, Scene> || !(adds_force<P, Scene> || applies_impulses<P, Scene>));
   });
   return all;
 }
@@ -121,10 +122,10 @@ struct RunOptions {
 };
 
 /// The next step towards `options.end`, `span` s behind the start of the run. Returns its length, s.
-template <class Scene, class Others>
-double step_towards(Scene& scene, const RunOptions& options, double span, Others& others) {
+template <class Scene, class Communicator>
+double step_towards(Scene& scene, const RunOptions& options, double span, Communicator& comm) {
   double stable = stable_step(scene);
-  if constexpr (!Others::alone) stable = others.least(stable);
+  if constexpr (!Communicator::is_serial) stable = comm.least(stable);
   scene.step_check.know(stable, scene.steps);
   double dt = std::min(options.courant * stable, options.max_step);
   if (!(dt > 1e-12 * span))
@@ -136,23 +137,23 @@ double step_towards(Scene& scene, const RunOptions& options, double span, Others
   else if (2 * dt > left)
     dt = left / 2;  // the last two steps share what is left: a sliver of a step would turn impulses into
                     // huge forces
-  if constexpr (Others::alone)
+  if constexpr (Communicator::is_serial)
     step(scene, dt);  // the one that may be compiled elsewhere
   else
-    step(scene, dt, others);
+    step(scene, dt, comm);
   if (last) scene.time = options.end;
   return dt;
 }
 
 namespace detail {
 
-template <class Scene, class Others, class... Observers>
-void run_steps(Scene& scene, const RunOptions& options, Others& others, Observers&... observers) {
-  bool stops = show_all(scene, others, observers...);
+template <class Scene, class Communicator, class... Observers>
+void run_steps(Scene& scene, const RunOptions& options, Communicator& comm, Observers&... observers) {
+  bool stops = show_all(scene, comm, observers...);
   const double span = options.end - scene.time;
   while (scene.time < options.end && !stops) {
-    step_towards(scene, options, span, others);
-    stops = show_all(scene, others, observers...);
+    step_towards(scene, options, span, comm);
+    stops = show_all(scene, comm, observers...);
   }
   (tell_end(scene, observers), ...);
 }
@@ -161,19 +162,19 @@ void run_steps(Scene& scene, const RunOptions& options, Others& others, Observer
 
 /// Steps `scene` with others over the other portions of its mesh, each with its own call, until
 /// `options.end`, which the last step hits exactly; all take the least of their steps. If one fails all do.
-template <class Scene, class Others, class... Observers>
-void run_with(Others& others, Scene& scene, const RunOptions& options, Observers&&... observers) {
+template <class Scene, class Communicator, class... Observers>
+void run_with(Communicator& comm, Scene& scene, const RunOptions& options, Observers&&... observers) {
   options.check(scene.time);
-  if constexpr (Others::alone && !(detail::is_watch<std::remove_cvref_t<Observers>> || ...)) {
+  if constexpr (Communicator::is_serial && !(detail::is_watch<std::remove_cvref_t<Observers>> || ...)) {
     OwnWatch watch(scene, options.watch, (detail::settles<std::remove_cvref_t<Observers>> || ...));
-    detail::run_steps(scene, options, others, observers..., watch);
-  } else if constexpr (Others::alone) {
-    detail::run_steps(scene, options, others, observers...);
+    detail::run_steps(scene, options, comm, observers..., watch);
+  } else if constexpr (Communicator::is_serial) {
+    detail::run_steps(scene, options, comm, observers...);
   } else {
     try {
-      detail::run_steps(scene, options, others, observers...);
+      detail::run_steps(scene, options, comm, observers...);
     } catch (const std::exception& e) {
-      others.fail(e.what());
+      comm.fail(e.what());
       throw;
     }
   }
@@ -188,7 +189,7 @@ void run_with(Others& others, Scene& scene, const RunOptions& options, Observers
 /// before.
 template <class Scene, class... Observers>
 void run(Scene& scene, const RunOptions& options, Observers&&... observers) {
-  run_with(no_others, scene, options, observers...);
+  run_with(serial, scene, options, observers...);
 }
 
 /// Of a scene that the compiler has refused: one sentence is enough.

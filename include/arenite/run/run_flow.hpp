@@ -1,5 +1,6 @@
 // Run flow: what an observer may return, to end a run before its time.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <arenite/core/instruction_set.hpp>
 

@@ -1,6 +1,7 @@
 // Run folder: where a run writes, locked so that no other run does, and without the results of an earlier one.
 // POSIX.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <fcntl.h>
 #include <sys/stat.h>

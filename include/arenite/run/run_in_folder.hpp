@@ -1,6 +1,7 @@
 // A long run in a folder of its own: locked, with its status in a file, stopped by SIGINT and SIGTERM between two
 // steps, saved from time to time, and resumed with the same bits. POSIX.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <chrono>
 #include <exception>

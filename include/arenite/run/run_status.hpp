@@ -1,5 +1,6 @@
 // Run status: how a run stands, as a small JSON file that people, scripts and queues read while it goes on. POSIX.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <unistd.h>
 

@@ -1,5 +1,6 @@
 // The state of a scene in an HDF5 file: as in run/saved_state.hpp, for other programs to read too.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <concepts>
 #include <filesystem>

@@ -1,6 +1,7 @@
 // The state of a scene in a file: a run that is stopped, by whatever, goes on from the last one that was
 // saved with the same bits.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <array>
 #include <cstddef>
@@ -128,7 +129,7 @@ std::vector<StateTerm> state_terms(const Scene& scene, const std::string& recipe
   });
   return state_terms({type_words<typename Scene::Kinematics>(), type_words<typename Scene::Mesh>(),
                       type_words<typename N::Shape>(), type_words<typename N::Transfer>(),
-                      type_words<typename N::Order>(), type_words<typename N::AntiLocking>()},
+                      type_words<typename N::StressUpdate>(), type_words<typename N::AntiLocking>()},
                      mesh_words(scene), bodies, recipe);
 }
 

@@ -1,5 +1,6 @@
 // Settle: dynamic relaxation. Steps a damped scene until its forces are in balance.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <algorithm>
 #include <cmath>
@@ -25,8 +26,8 @@ double out_of_balance(const Scene& scene) {
         if (!(field.mass[i] > 0) || !owns(static_cast<Index>(i))) continue;
         const V change = field.velocity[i] - field.start[i];
         out += static_cast<double>(field.mass[i] * change.norm()) / scene.time_step;
-        all += static_cast<double>(
-            std::max(field.collected[i].force().norm(), field.mass[i] * acceleration.norm()));
+        all +=
+            static_cast<double>(std::max(field.sums[i].force().norm(), field.mass[i] * acceleration.norm()));
       }
   return all > 0 ? out / all : 0;
 }
@@ -36,7 +37,7 @@ namespace detail {
 struct Settled {
   static constexpr bool settles = true;
   double ratio;
-  std::size_t from;  // the scene's steps at the begin
+  std::size_t from;  // the scene's steps at the start
   int below = 0;
   template <class Scene>
   RunFlow operator()(const Scene& scene) {

@@ -1,5 +1,6 @@
 // Stop signals: SIGINT and SIGTERM end a run between two steps instead of at once. POSIX.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <csignal>
 #include <exception>

@@ -1,6 +1,7 @@
 // Watch: an observer that looks at a run for what cannot be right, warns, and stops it at limits that the
 // user sets.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <array>
 #include <cmath>

@@ -1,5 +1,6 @@
 // What a `Watch` looks at: its limits, and what it saw of each quantity.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <array>
 #include <cstddef>

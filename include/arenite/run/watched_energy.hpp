@@ -1,5 +1,6 @@
 // The energy of a run that a `Watch` follows: what was gained that nothing put in, and what was lost.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <algorithm>
 #include <array>
@@ -47,8 +48,8 @@ class WatchedEnergy {
     double initial = now.stored;
     if constexpr (tracks_energy<Scene>)
       initial = std::max(initial, scene.template part<TrackEnergy>().initial());
-    if (!started_) floor_ = creep(scene);
-    return judge(now, changes(scene), pull(scene), initial, tracks_energy<Scene>);
+    if (!started_) floor_ = allowed_drift(scene);
+    return judge(now, changes(scene), work_scale(scene), initial, tracks_energy<Scene>);
   }
 
   template <class F>
@@ -75,7 +76,7 @@ class WatchedEnergy {
     f("follows", follows_);
     f("started", started_);
     f("changes", changes_);
-    f("pull", pull_);
+    f("work_scale", work_scale_);
     f("held_changes", held_changes_);
   }
 
@@ -91,7 +92,7 @@ class WatchedEnergy {
 
   /// Accelerations of the scene, m/s2.
   template <class Scene>
-  static std::array<double, 3> pull(const Scene& scene) {
+  static std::array<double, 3> work_scale(const Scene& scene) {
     std::array<double, 3> all{};
     const auto a = scene.acceleration();
     for (int k = 0; k < Scene::D; ++k) all[static_cast<std::size_t>(k)] = static_cast<double>(a[k]);
@@ -107,7 +108,7 @@ class WatchedEnergy {
   template <class Scene>
   static Held held(const Scene& scene) {
     Held h;
-    const auto g = pull(scene);
+    const auto g = work_scale(scene);
     scene.for_each_body([&](const auto& body, const auto& field) {
       const double strain = strain_energy(body);
       h.strain += strain;
@@ -124,8 +125,8 @@ class WatchedEnergy {
     double stored = 0, external = 0, brought = 0, gained = 0, transfer = 0, residual = 0;
   };
   /// `initial`: energy that there is when it begins, J.
-  Found judge(const Balance& now, std::size_t changes, const std::array<double, 3>& pull, double initial,
-              bool tracks);
+  Found judge(const Balance& now, std::size_t changes, const std::array<double, 3>& work_scale,
+              double initial, bool tracks);
   template <class Scene>
   Balance balance(const Scene& scene) const {
     Balance b;
@@ -169,12 +170,12 @@ class WatchedEnergy {
   /// Work of gravity on all points in a fall by a hundredth of a cell, J: what is less than that is a scene
   /// at rest.
   template <class Scene>
-  static double creep(const Scene& scene) {
+  static double allowed_drift(const Scene& scene) {
     double all = 0, whole = 0;
     scene.for_each_body([&](const auto& body, const auto&) { all += mass(body); });
     for (Index c = 0; c < scene.mesh.cell_count(); ++c) whole += static_cast<double>(scene.mesh.volume(c));
     const double cell = std::pow(whole / scene.mesh.cell_count(), 1.0 / Scene::D);
-    const auto g = pull(scene);
+    const auto g = work_scale(scene);
     return 0.01 * cell * all * std::sqrt(g[0] * g[0] + g[1] * g[1] + g[2] * g[2]);
   }
 
@@ -189,7 +190,7 @@ class WatchedEnergy {
   std::size_t held_step_ = std::numeric_limits<std::size_t>::max() / 2;  // none
   bool follows_ = false;                                                 // whether the one before is known
   bool started_ = false;                                                 // whether it has looked
-  std::array<double, 3> pull_{};                                         // at the last look, m/s2
+  std::array<double, 3> work_scale_{};                                   // at the last look, m/s2
   std::size_t changes_ = 0, held_changes_ = 0;  // of the points: at the last look; at held_step_
 };
 

@@ -1,23 +1,24 @@
 // Cold functions of watched_energy.hpp.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <arenite/run/watched_energy.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 ARENITE_COLD WatchedEnergy::Found WatchedEnergy::judge(const Balance& now, std::size_t changes,
-                                                       const std::array<double, 3>& pull, double initial,
-                                                       bool tracks) {
+                                                       const std::array<double, 3>& work_scale,
+                                                       double initial, bool tracks) {
   if (!started_) {
     started_ = true;
     start_ = now;
     put_in_ = initial;
     changes_ = changes;
-    pull_ = pull;
-  } else if (!tracks && (changes_ != changes || pull_ != pull)) {
+    work_scale_ = work_scale;
+  } else if (!tracks && (changes_ != changes || work_scale_ != work_scale)) {
     // What the points took with them or brought is not known, nor the work of what pulls otherwise: start
     // anew.
-    pull_ = pull;
+    work_scale_ = work_scale;
     put_in_ += now.brought - start_.brought;
     start_ = now;
     before_ = gain_;

@@ -1,6 +1,7 @@
 // Whether the values that a scene is made of are complete and in order: one sentence for each mistake, before
 // anything else is compiled.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <type_traits>
 

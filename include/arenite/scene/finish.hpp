@@ -1,5 +1,6 @@
 // End of a step: the clock, the check that nothing has become NaN, and parts that renew points.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <array>
 #include <cmath>

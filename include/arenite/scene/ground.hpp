@@ -1,5 +1,6 @@
 // Ground: what geostatic stresses take from a scene, and whether the ground is at rest in its first step.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <algorithm>
 #include <array>

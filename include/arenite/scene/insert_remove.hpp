@@ -1,5 +1,6 @@
 // Points inserted into a scene and removed from it, between two steps.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <string>
 #include <utility>
@@ -96,7 +97,7 @@ requires region_type<Region, Scene::D>
 auto insert_points(Scene& scene, Region region, const FillOptions& options = {}) {
   auto& body = scene.template body<which>();
   return insert_fill(scene, body,
-                     fill(std::move(region), body.law, options).template erased<typename Scene::Mesh>(),
+                     fill(std::move(region), body.law, options).template type_erased<typename Scene::Mesh>(),
                      Scene::body_name(Scene::template body_number<which>()));
 }
 

@@ -1,5 +1,6 @@
 // Points that move from one portion of a mesh to another. For the `migrate` of an exchange.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <cstdint>
 #include <string>

@@ -1,5 +1,6 @@
 // Warnings about a new scene: what is allowed but hardly meant.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <algorithm>
 #include <array>
@@ -108,7 +109,7 @@ void warn_no_support(const Scene& scene) {
     if constexpr (holds_against<P, Scene>)
       held = held || part.holds_against(g);
     else
-      held = held || adds_force<P, Scene> || (exchanges_impulses<P, Scene> && exchange_rank<P> > 0);
+      held = held || adds_force<P, Scene> || (applies_impulses<P, Scene> && contact_order<P> > 0);
   });
   if (!held) warn_no_support(vector_text(g));
 }

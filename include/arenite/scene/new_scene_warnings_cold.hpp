@@ -1,5 +1,6 @@
 // Cold functions of new_scene_warnings.hpp.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,7 @@
 // Parts of a scene: what a user may name after kinematics, mesh and numerics, in any order. A part is any
 // value that plays a role (`scene/roles.hpp`); what is not named does not exist.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <array>
 #include <string_view>
@@ -21,11 +22,12 @@ template <class... Fills>
 struct Bodies {
   std::tuple<Fills...> fills;
 
-  using Erased = Bodies<erased_t<Fills>...>;
+  using TypeErased = Bodies<type_erased_t<Fills>...>;
   template <class M>
-  Erased erased() const {
+  TypeErased type_erased() const {
     return {std::apply(
-        [](const auto&... f) { return std::tuple<erased_t<Fills>...>(arenite::erased<M>(f)...); }, fills)};
+        [](const auto&... f) { return std::tuple<type_erased_t<Fills>...>(arenite::type_erased<M>(f)...); },
+        fills)};
   }
 };
 namespace detail {
@@ -55,11 +57,12 @@ template <class... P>
 struct PartGroup {
   std::tuple<P...> parts;
 
-  using Erased = PartGroup<erased_t<P>...>;
+  using TypeErased = PartGroup<type_erased_t<P>...>;
   template <class M>
-  Erased erased() const {
-    return {std::apply([](const auto&... p) { return std::tuple<erased_t<P>...>(arenite::erased<M>(p)...); },
-                       parts)};
+  TypeErased type_erased() const {
+    return {std::apply(
+        [](const auto&... p) { return std::tuple<type_erased_t<P>...>(arenite::type_erased<M>(p)...); },
+        parts)};
   }
 };
 /// The rigid bodies of a scene, each made by `rigid(..)`; they are numbered from 0.
@@ -70,7 +73,7 @@ PartGroup<R...> rigids(R... body) {
 
 /// Where recipes are bound: the mesh, and what the types of a scene tell.
 template <class K, class M, class N, std::size_t Bodies>
-struct Site {
+struct SceneTraits {
   using Kinematics = K;
   using Mesh = M;
   using NumericsType = N;
@@ -128,12 +131,12 @@ struct TypesOf {
   }
 };
 /// Binds recipes.
-template <class Site>
+template <class Traits>
 struct Binder {
-  const Site& site;
+  const Traits& traits;
   template <class... P>
   auto operator()(const P&... recipe) const {
-    return std::tuple<decltype(bound(recipe, site))...>{bound(recipe, site)...};
+    return std::tuple<decltype(bound(recipe, traits))...>{bound(recipe, traits)...};
   }
 };
 
@@ -200,10 +203,10 @@ struct needs_of<std::tuple<P...>> {
   static constexpr bool drives = (names_driven_velocity<P> || ...);
   static constexpr bool stress_work = (names_take_stress_work<P> || ...);
   static constexpr bool wall_impulses = (names_take_wall_impulse<P> || ...);
-  static constexpr bool wall_holds = (names_take_wall_hold<P> || ...);
+  static constexpr bool mapped_momenta = (names_take_mapped_momentum<P> || ...);
   static constexpr bool start_state = (reads_start_state<P> || ...);
   static constexpr bool moves_rigid_bodies = (arenite::moves_rigid_bodies<P> || ...);
-  static constexpr bool exchange = (names_exchange_impulses<P> || ...);
+  static constexpr bool contact = (names_apply_impulses<P> || ...);
 };
 
 /// The parts that are rigid bodies: their places among all parts, and their names.

@@ -1,10 +1,11 @@
 // Roles of a part: what it does in a step it says by having a member that a stage looks for. A part is any
 // value of a class that is not `final`; it plays at least one role. See examples/extend/spring_bed.cpp.
 //
-// A recipe is turned into the part once, when the scene is made, by `bind_part(recipe, site)` (`Site`), found
+// A recipe is turned into the part once, when the scene is made, by `bind_part(recipe, traits)` (`SceneTraits`), found
 // by argument-dependent look-up; without one the recipe is the part. Parts are called in the order of the
 // scene, unless a role states another one.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <concepts>
 #include <string_view>
@@ -40,7 +41,7 @@ concept drives_nodes = requires(const P& part, const typename S::V& position) {
   { part.driven_velocity(position, 0.0) } -> std::convertible_to<typename S::V>;
 };
 
-/// After P2G: adds forces, N, by `field.collected[node].add_force(f)`; `scene.fields` hold mass (collected)
+/// After P2G: adds forces, N, by `field.sums[node].add_force(f)`; `scene.fields` hold mass (collected)
 /// and force of this step, and the velocities at the end of the one before. dt: s. In a scene over a portion
 /// of a mesh nodes hold the sums of all portions, and what is added must be the same in all: a part whose
 /// forces follow from its own points sums them with the exchange, a third argument.
@@ -56,22 +57,22 @@ concept accelerates = requires(const P& part) {
 };
 
 /// After the grid update: gives the fields' velocities impulses, takes its own motion through the step, and
-/// returns what it did. `static constexpr int exchange_rank` orders those who exchange: 0 bodies with each
+/// returns what it did. `static constexpr int contact_order` orders those who exchange: 0 bodies with each
 /// other, 1 rigid bodies, 2 (without one) all else. Velocities are constrained again afterwards.
 ///
 /// In a scene over a portion of a mesh it treats all nodes alike and counts those that it owns
-/// (`scene.node_owner()`); what needs sums over all nodes takes the exchange as a third argument (`Alone`),
-/// as `hold_mapped` and `follow_motion` may. `is_shared`: its numbers are those of all portions together.
+/// (`scene.node_owner()`); what needs sums over all nodes takes the exchange as a third argument (`Serial`),
+/// as `constrain_mapped` and `follow_motion` may. `is_shared`: its numbers are those of all portions together.
 template <class P, class S>
-concept exchanges_impulses = requires(P& part, S& scene) {
-  { part.exchange_impulses(scene, 0.0) } -> std::same_as<ContactTally>;
+concept applies_impulses = requires(P& part, S& scene) {
+  { part.apply_impulses(scene, 0.0) } -> std::same_as<ContactTally>;
 };
 
 /// MUSL: holds `field.mapped`, the velocities from which strains are taken, to what its impulses enforced.
 /// Returns the energy that this dissipates, J. The same order; walls act behind rank 0.
 template <class P, class S>
-concept holds_mapped = requires(P& part, S& scene) {
-  { part.hold_mapped(scene, 0.0) } -> std::same_as<double>;
+concept constrains_mapped = requires(P& part, S& scene) {
+  { part.constrain_mapped(scene, 0.0) } -> std::same_as<double>;
 };
 
 /// After G2P, for each body: the work of its stresses in this step, J, and, if a part asks for it, its value with
@@ -100,26 +101,26 @@ concept takes_wall_impulse = takes_wall_impulse_of_field<P, S> ||
 
 /// After P2G, ahead of `add_force`: reads what the nodes have collected of the points.
 template <class P, class S>
-concept reads_start = requires(P& part, const S& scene) {
-  { part.read_start(scene, 0.0) } -> std::same_as<void>;
+concept acts_after_p2g = requires(P& part, const S& scene) {
+  { part.after_p2g(scene, 0.0) } -> std::same_as<void>;
 };
 
 /// Once the velocities of the nodes at the end of the step are known. With MUSL also those that the points
-/// handed back, ahead of contact and walls, which hold them: `take_wall_hold` then gets what walls take of
+/// handed back, ahead of contact and walls, which hold them: `take_mapped_momentum` then gets what walls take of
 /// them, as momentum, kg m/s, of each node that they changed and the scene owns. Returns nothing, or the
 /// energy that the part's impulses dissipated beyond what it has told of them, J: the mean velocities of the
 /// step are known here (`mean_velocity`).
 template <class P, class S>
-concept books_end = requires(P& part, const S& scene) {
-  { part.read_end(scene, 0.0) } -> std::same_as<double>;
+concept books_after_grid = requires(P& part, const S& scene) {
+  { part.after_grid(scene, 0.0) } -> std::same_as<double>;
 };
 template <class P, class S>
-concept reads_end = books_end<P, S> || requires(P& part, const S& scene) {
-  { part.read_end(scene, 0.0) } -> std::same_as<void>;
+concept acts_after_grid = books_after_grid<P, S> || requires(P& part, const S& scene) {
+  { part.after_grid(scene, 0.0) } -> std::same_as<void>;
 };
 template <class P, class S>
-concept takes_wall_hold = requires(P& part, const S& scene, const typename S::V& momentum) {
-  { part.take_wall_hold(scene, 0.0, std::size_t{}, Index{}, momentum) } -> std::same_as<void>;
+concept takes_mapped_momentum = requires(P& part, const S& scene, const typename S::V& momentum) {
+  { part.take_mapped_momentum(scene, 0.0, std::size_t{}, Index{}, momentum) } -> std::same_as<void>;
 };
 
 /// In `Reactions`: the impulse [D], N s, that the part gave to the nodes that the scene owns in this step, as
@@ -230,7 +231,7 @@ std::size_t first_point_column(const Scene& scene, const Part& part) {
   return static_cast<std::size_t>(before);
 }
 /// A part that says `static constexpr bool moves_rigid_bodies = true` takes the rigid bodies of its scene
-/// through the step in its own `exchange_impulses`; theirs then does nothing.
+/// through the step in its own `apply_impulses`; theirs then does nothing.
 template <class P>
 inline constexpr bool moves_rigid_bodies = [] {
   if constexpr (requires { P::moves_rigid_bodies; })
@@ -239,9 +240,9 @@ inline constexpr bool moves_rigid_bodies = [] {
     return false;
 }();
 template <class P>
-inline constexpr int exchange_rank = [] {
-  if constexpr (requires { P::exchange_rank; })
-    return P::exchange_rank;
+inline constexpr int contact_order = [] {
+  if constexpr (requires { P::contact_order; })
+    return P::contact_order;
   else
     return 2;
 }();
@@ -250,10 +251,10 @@ namespace detail {
 
 template <class P>
 inline constexpr bool plays_a_role =
-    names_constrain<P> || names_add_force<P> || names_acceleration<P> || names_exchange_impulses<P> ||
-    names_hold_mapped<P> || names_take_stress_work<P> || names_take_wall_impulse<P> ||
-    names_follow_motion<P> || names_renew_points<P> || names_stable_step<P> || names_read_start<P> ||
-    names_read_end<P> || requires {
+    names_constrain<P> || names_add_force<P> || names_acceleration<P> || names_apply_impulses<P> ||
+    names_constrain_mapped<P> || names_take_stress_work<P> || names_take_wall_impulse<P> ||
+    names_follow_motion<P> || names_renew_points<P> || names_stable_step<P> || names_after_p2g<P> ||
+    names_after_grid<P> || requires {
   P::separates_bodies;
 }
 || requires { P::needs_point_ids; }
@@ -265,7 +266,7 @@ constexpr bool check_part() {
   static_assert(
       plays_a_role<P>,
       "Scene: a part plays no role; a part is bodies(..), or a class that is not final with one of "
-      "add_force, acceleration, constrain, exchange_impulses, hold_mapped, follow_motion, "
+      "add_force, acceleration, constrain, apply_impulses, constrain_mapped, follow_motion, "
       "renew_points, stable_step, take_stress_work, take_wall_impulse; see arenite/scene/roles.hpp");
   static_assert(!names_connect<P> || connects<P, S>, "part: connect must be void connect(Scene& scene)");
   static_assert(!names_constrain<P> || constrains<P, S>,
@@ -279,22 +280,23 @@ constexpr bool check_part() {
                 "part: one that adds forces must not say reads_start_state = false");
   static_assert(!names_acceleration<P> || accelerates<P, S>,
                 "part: acceleration must be Vec<T, D> acceleration(double time) const");
-  static_assert(!names_exchange_impulses<P> || exchanges_impulses<P, S>,
-                "part: exchange_impulses must be ContactTally exchange_impulses(Scene& scene, double dt)");
-  static_assert(!names_hold_mapped<P> || holds_mapped<P, S>,
-                "part: hold_mapped must be double hold_mapped(Scene& scene, double dt)");
+  static_assert(!names_apply_impulses<P> || applies_impulses<P, S>,
+                "part: apply_impulses must be ContactTally apply_impulses(Scene& scene, double dt)");
+  static_assert(!names_constrain_mapped<P> || constrains_mapped<P, S>,
+                "part: constrain_mapped must be double constrain_mapped(Scene& scene, double dt)");
   static_assert(!names_take_stress_work<P> || takes_stress_work<P, S>,
                 "part: take_stress_work must be void take_stress_work(double joules)");
   static_assert(
       !names_take_wall_impulse<P> || takes_wall_impulse<P, S>,
       "part: take_wall_impulse must be void take_wall_impulse(Index node, const Vec<T, D>& impulse)");
-  static_assert(!names_read_start<P> || reads_start<P, S>,
-                "part: read_start must be void read_start(const Scene& scene, double dt)");
+  static_assert(!names_after_p2g<P> || acts_after_p2g<P, S>,
+                "part: after_p2g must be void after_p2g(const Scene& scene, double dt)");
   static_assert(
-      !names_read_end<P> || reads_end<P, S>,
-      "part: read_end must be void read_end(const Scene& scene, double dt), or return joules as double");
-  static_assert(!names_take_wall_hold<P> || takes_wall_hold<P, S>,
-                "part: take_wall_hold must be void take_wall_hold(const Scene& scene, double dt, std::size_t "
+      !names_after_grid<P> || acts_after_grid<P, S>,
+      "part: after_grid must be void after_grid(const Scene& scene, double dt), or return joules as double");
+  static_assert(!names_take_mapped_momentum<P> || takes_mapped_momentum<P, S>,
+                "part: take_mapped_momentum must be void take_mapped_momentum(const Scene& scene, double dt, "
+                "std::size_t "
                 "field, Index node, const Vec<T, D>& momentum)");
   static_assert(!names_given_impulse<P> || gives_wall_impulse<P, S>,
                 "part: given_impulse must be Vec<T, D> given_impulse() const, beside std::string wall_name() "

@@ -1,6 +1,7 @@
 // Scene: a tuple of values. Everything that a step reads and writes is a member here; what a scene does not
 // name is not there.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <algorithm>
 #include <array>
@@ -56,8 +57,8 @@ struct Scene {
  public:
   static constexpr std::size_t body_count = std::tuple_size_v<decltype(Fills::fills)>;
   static_assert(body_count >= 1, "Scene: bodies(..) needs at least one fill(..)");
-  using SiteType = Site<K, M, N, body_count>;
-  using Parts = decltype(detail::with_recipes_of(std::declval<const detail::Binder<SiteType>&>(),
+  using TraitsType = SceneTraits<K, M, N, body_count>;
+  using Parts = decltype(detail::with_recipes_of(std::declval<const detail::Binder<TraitsType>&>(),
                                                  std::declval<const K&>(), std::declval<const Given&>()...));
   static constexpr std::size_t part_count = std::tuple_size_v<Parts>;
   static_assert(
@@ -101,12 +102,12 @@ struct Scene {
   /// Node field of a body.
   static constexpr std::size_t field_of(std::size_t body) { return Needs::own_fields ? body : 0; }
 
-  /// The types given may hold more than the scene's type keeps (`erased_t`).
+  /// The types given may hold more than the scene's type keeps (`type_erased_t`).
   template <class... G>
-  requires(std::same_as<std::tuple<erased_t<G>...>, std::tuple<Given...>>)
+  requires(std::same_as<std::tuple<type_erased_t<G>...>, std::tuple<Given...>>)
       Scene(K kinematics_value, M mesh_value, N numerics_value, const G&... given)
       : Scene(Nothing{}, std::move(kinematics_value), std::move(mesh_value), numerics_value,
-              erased<M>(given)...) {}
+              type_erased<M>(given)...) {}
 
   K kinematics;
   M mesh;
@@ -216,8 +217,8 @@ struct Scene {
   /// Number of a body; throws `error` that names the `option` if the scene has no such body.
   std::size_t number_of(const BodyName& name, std::string_view option) const {
     const std::size_t k = detail::number_among(BodiesOf::names, name.word, name.number);
-    const std::string told = name.word.empty() ? std::to_string(name.number) : name.word;
-    require(k < body_count, option, told, "must be the number or the name of a body of the scene");
+    const std::string shown = name.word.empty() ? std::to_string(name.number) : name.word;
+    require(k < body_count, option, shown, "must be the number or the name of a body of the scene");
     return k;
   }
   /// What messages call a body: its name, or its number if it has none.
@@ -309,8 +310,8 @@ struct Scene {
 
   static Parts bind(const M& mesh, const K& kinematics, const Given&... given) {
     static_assert(detail::check_all_roles<Scene>(std::type_identity<Parts>{}));
-    const SiteType site{mesh};
-    return detail::with_recipes_of(detail::Binder<SiteType>{site}, kinematics, given...);
+    const TraitsType traits{mesh};
+    return detail::with_recipes_of(detail::Binder<TraitsType>{traits}, kinematics, given...);
   }
 
   void find_constraints() {
@@ -373,7 +374,7 @@ struct Scene {
 
 template <class K, class M, class N, class... Given>
 Scene(K, M, N, Given...) -> Scene<detail::refused_unless<detail::is_complete_scene<K, M, N, Given...>(), K>,
-                                  M, N, erased_t<Given>...>;
+                                  M, N, type_erased_t<Given>...>;
 /// Two values cannot be a scene: without this guide the compiler would say so in words of its own.
 template <class K, class M>
 Scene(K, M) -> Scene<detail::refused_unless<detail::is_complete_scene<K, M, void>(), K>, M, void>;

@@ -1,6 +1,7 @@
 // Points that stand for too much of their cell split, so that matter which flows into finer cells does not
 // thin out there.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <array>
 #include <cmath>
@@ -61,7 +62,7 @@ std::size_t split_points(Scene& scene, const SplitOptions& options = {}) {
   constexpr int D = Scene::D;
   static_assert(!Scene::is_portion, "split_points: a scene over a portion of a mesh cannot split points yet");
   auto& body = scene.template body<which>();
-  static_assert(std::remove_cvref_t<decltype(body.points)>::kept_size == 0,
+  static_assert(std::remove_cvref_t<decltype(body.points)>::part_column_count == 0,
                 "split_points: a part of the scene keeps numbers with each point, which do not say how they "
                 "split (tractions on points, point loads)");
   using Point = typename std::remove_cvref_t<decltype(body)>::Point;

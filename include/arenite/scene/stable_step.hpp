@@ -1,5 +1,6 @@
 // Stable step: the largest explicit step that a scene bears.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <cmath>
 #include <limits>

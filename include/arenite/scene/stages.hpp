@@ -1,10 +1,11 @@
 // Stages of a step: each of the method's loops applied to what a scene has. A stage that a scene does not
 // need compiles to nothing.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <cmath>
 
-#include <arenite/scene/node_exchange.hpp>
+#include <arenite/scene/ghost_sums.hpp>
 #include <arenite/scene/relocate.hpp>
 #include <arenite/scene/scene.hpp>
 #include <arenite/transfer/face_nodes.hpp>
@@ -13,31 +14,31 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 /// P2G: clears the fields and collects mass, momentum and internal force of all bodies; where nothing reads
 /// them apart the momentum with the impulse of the force over the step dt, s.
-template <class Scene, class Others = const Alone>
-void p2g(Scene& scene, double dt, [[maybe_unused]] Others& others = no_others) {
+template <class Scene, class Communicator = const Serial>
+void p2g(Scene& scene, double dt, [[maybe_unused]] Communicator& comm = serial) {
   for (auto& field : scene.fields) field.clear();
   scene.for_each_body([&](auto& body, auto& field) {
     p2g<typename Scene::Kinematics>(scene.numerics, scene.mesh, scene.blocks, body, field,
                                     static_cast<typename Scene::T>(dt));
   });
-  if constexpr (!Others::alone)
+  if constexpr (!Communicator::is_serial)
     for (auto& field : scene.fields) {
-      detail::sum_nodes(others, field.collected);
-      if constexpr (Scene::Field::has_mass_gradient) detail::sum_nodes(others, field.mass_gradient);
+      detail::sum_nodes(comm, field.sums);
+      if constexpr (Scene::Field::has_mass_gradient) detail::sum_nodes(comm, field.mass_gradient);
     }
 }
 
-/// Forces of parts (`add_force`), after the parts that read the nodes as P2G left them (`read_start`).
+/// Forces of parts (`add_force`), after the parts that read the nodes as P2G left them (`after_p2g`).
 /// dt: s.
-template <class Scene, class Others = const Alone>
-void add_forces(Scene& scene, double dt, [[maybe_unused]] Others& others = no_others) {
+template <class Scene, class Communicator = const Serial>
+void add_forces(Scene& scene, double dt, [[maybe_unused]] Communicator& comm = serial) {
   scene.for_each_part([&](auto& part) {
-    if constexpr (reads_start<std::remove_reference_t<decltype(part)>, Scene>) part.read_start(scene, dt);
+    if constexpr (acts_after_p2g<std::remove_reference_t<decltype(part)>, Scene>) part.after_p2g(scene, dt);
   });
   scene.for_each_part([&](auto& part) {
     if constexpr (adds_force<std::remove_reference_t<decltype(part)>, Scene>) {
-      if constexpr (requires { part.add_force(scene, dt, others); })
-        part.add_force(scene, dt, others);
+      if constexpr (requires { part.add_force(scene, dt, comm); })
+        part.add_force(scene, dt, comm);
       else
         part.add_force(scene, dt);
     }
@@ -48,9 +49,9 @@ namespace detail {
 
 /// Takes velocities of a field to what the parts allow, and drive to at the end of the step. Returns the
 /// impulse, N s, and the work of the drives, J; `take(node, impulse)` gets what each node got.
-template <class Scene, class Field, class Velocities, class Take = NoTaker>
-std::pair<typename Scene::V, double> allow(Scene& scene, const Field& field, Velocities& velocity,
-                                           [[maybe_unused]] double dt, const Take& take = {}) {
+template <class Scene, class Field, class Velocities, class Take = NoSink>
+std::pair<typename Scene::V, double> apply_constraints(Scene& scene, const Field& field, Velocities& velocity,
+                                                       [[maybe_unused]] double dt, const Take& take = {}) {
   if constexpr (Scene::Needs::drives) {
     std::size_t number = 0;
     scene.for_each_part([&](const auto& part) {
@@ -71,7 +72,7 @@ std::pair<typename Scene::V, double> allow(Scene& scene, const Field& field, Vel
 /// What hands the impulse of constraints on a node of a field to the parts that ask for it
 /// (`take_wall_impulse`). `Sweeps`: it corrects a sweep of the nodes.
 template <bool Sweeps = false, class Scene, class Field>
-auto taker_of_wall_impulses([[maybe_unused]] Scene& scene, [[maybe_unused]] const Field& field) {
+auto wall_impulse_sink([[maybe_unused]] Scene& scene, [[maybe_unused]] const Field& field) {
   if constexpr (Scene::Needs::wall_impulses)
     return [&scene, &field](Index node, const typename Scene::V& impulse) {
       scene.for_each_part([&](auto& part) {
@@ -85,33 +86,33 @@ auto taker_of_wall_impulses([[maybe_unused]] Scene& scene, [[maybe_unused]] cons
       });
     };
   else
-    return NoTaker{};
+    return NoSink{};
 }
 
 /// What hands the momentum that constraints take of mapped velocities to the parts that ask for it.
 template <class Scene, class Field>
-auto taker_of_wall_holds([[maybe_unused]] Scene& scene, [[maybe_unused]] const Field& field,
-                         [[maybe_unused]] double dt) {
-  if constexpr (Scene::Needs::wall_holds)
+auto mapped_momentum_sink([[maybe_unused]] Scene& scene, [[maybe_unused]] const Field& field,
+                          [[maybe_unused]] double dt) {
+  if constexpr (Scene::Needs::mapped_momenta)
     return [&scene, &field, dt](Index node, const typename Scene::V& momentum) {
       scene.for_each_part([&](auto& part) {
-        if constexpr (takes_wall_hold<std::remove_reference_t<decltype(part)>, Scene>)
-          part.take_wall_hold(scene, dt, static_cast<std::size_t>(&field - scene.fields.data()), node,
-                              momentum);
+        if constexpr (takes_mapped_momentum<std::remove_reference_t<decltype(part)>, Scene>)
+          part.take_mapped_momentum(scene, dt, static_cast<std::size_t>(&field - scene.fields.data()), node,
+                                    momentum);
       });
     };
   else
-    return NoTaker{};
+    return NoSink{};
 }
 
 /// Calls `f(part)` for the parts that exchange impulses, of the ranks from `first` to `last`.
 template <class Scene, class F>
-void for_each_exchange(Scene& scene, int first, int last, F&& f) {
+void for_each_contact(Scene& scene, int first, int last, F&& f) {
   for (int rank = first; rank <= last; ++rank)
     scene.for_each_part([&](auto& part) {
       using P = std::remove_reference_t<decltype(part)>;
-      if constexpr (exchanges_impulses<P, Scene> || holds_mapped<P, Scene>)
-        if (exchange_rank<P> == rank) f(part);
+      if constexpr (applies_impulses<P, Scene> || constrains_mapped<P, Scene>)
+        if (contact_order<P> == rank) f(part);
     });
 }
 
@@ -125,13 +126,13 @@ namespace detail {
 
 /// Nodes without mass that points touch go the way of those around them (`list_massless`), in these velocities
 /// of the field, and obey the constraints with `hold()`.
-template <class Scene, class Others, class Velocities, class Hold>
+template <class Scene, class Communicator, class Velocities, class Hold>
 void move_massless([[maybe_unused]] Scene& scene, [[maybe_unused]] typename Scene::Field& field,
-                   [[maybe_unused]] Velocities& velocity, [[maybe_unused]] Others& others,
+                   [[maybe_unused]] Velocities& velocity, [[maybe_unused]] Communicator& comm,
                    [[maybe_unused]] const Hold& hold) {
   if constexpr (has_light_nodes<typename Scene::Shape>) {
-    if (Others::alone && field.massless.empty()) return;
-    change_velocities(others, velocity, [&](auto to) {
+    if (Communicator::is_serial && field.massless.empty()) return;
+    change_velocities(comm, velocity, [&](auto to) {
       follow_neighbours<typename Scene::Shape>(scene.mesh, field, velocity, to);
     });
     hold();
@@ -139,31 +140,31 @@ void move_massless([[maybe_unused]] Scene& scene, [[maybe_unused]] typename Scen
 }
 
 /// Masses and velocities of the nodes that P2G gives at the start of the step, constrained.
-template <class Scene, class Others>
-void find_start_velocities(Scene& scene, typename Scene::Field& field, Others& others) {
+template <class Scene, class Communicator>
+void find_start_velocities(Scene& scene, typename Scene::Field& field, Communicator& comm) {
   using T = typename Scene::T;
-  const auto hold = [&] { allow(scene, field, field.velocity, 0); };
+  const auto hold = [&] { apply_constraints(scene, field, field.velocity, 0); };
   start_velocities(field, least_mass<T>);
   if constexpr (has_light_nodes<typename Scene::Shape>)
     list_massless(field, scene.node_owner());
   else
-    exchange_at_faces<typename Scene::Shape>(scene.mesh, field, field.velocity, T(0));
+    redistribute_at_faces<typename Scene::Shape>(scene.mesh, field, field.velocity, T(0));
   hold();
-  move_massless(scene, field, field.velocity, others, hold);
+  move_massless(scene, field, field.velocity, comm, hold);
 }
 
 }  // namespace detail
 
 /// Forces from the stresses at the middle of the step, for elastic bodies with MUSL on simplices
 /// (`add_half_step`). dt: s.
-template <class Scene, class Others = const Alone>
-void centre_stress(Scene& scene, [[maybe_unused]] double dt, [[maybe_unused]] Others& others = no_others) {
+template <class Scene, class Communicator = const Serial>
+void centre_stress(Scene& scene, [[maybe_unused]] double dt, [[maybe_unused]] Communicator& comm = serial) {
   if constexpr (Scene::centres_any_stress) {
     using T = typename Scene::T;
     for (auto& field : scene.fields) {
       if (!field.centred) continue;
-      detail::find_start_velocities(scene, field, others);
-      if constexpr (!Others::alone) detail::keep_owned(scene, field.collected);
+      detail::find_start_velocities(scene, field, comm);
+      if constexpr (!Communicator::is_serial) detail::keep_owned(scene, field.sums);
     }
     scene.for_each_body([&](const auto& body, auto& field) {
       if constexpr (Scene::NumericsType::template centres_stress<std::remove_cvref_t<decltype(body.law)>>)
@@ -171,24 +172,24 @@ void centre_stress(Scene& scene, [[maybe_unused]] double dt, [[maybe_unused]] Ot
           add_half_step<typename Scene::Kinematics, typename Scene::Shape>(scene.mesh, scene.blocks, body,
                                                                            field, static_cast<T>(dt / 2));
     });
-    if constexpr (!Others::alone)
+    if constexpr (!Communicator::is_serial)
       for (auto& field : scene.fields)
-        if (field.centred) detail::sum_nodes(others, field.collected);
+        if (field.centred) detail::sum_nodes(comm, field.sums);
   }
 }
 
 namespace detail {
 
 /// The average of the volumetric strain of a body, where the numerics have one.
-template <class Scene, class B, class Field, class Others>
+template <class Scene, class B, class Field, class Communicator>
 void average_strains([[maybe_unused]] Scene& scene, [[maybe_unused]] B& body,
                      [[maybe_unused]] const Field& field, [[maybe_unused]] double dt,
-                     [[maybe_unused]] Others& others) {
+                     [[maybe_unused]] Communicator& comm) {
   using N = typename Scene::NumericsType;
   if constexpr (N::AntiLocking::averages_strain) {
     scene.average.template sum<typename Scene::Kinematics, N>(scene.mesh, scene.blocks, body, field,
                                                               static_cast<typename Scene::T>(dt));
-    if constexpr (!Others::alone) others.sum_nodes(scene.average.numbers(), 2);
+    if constexpr (!Communicator::is_serial) comm.sum_nodes(scene.average.numbers(), 2);
     scene.average.use(scene.mesh, scene.blocks, body);
   }
 }
@@ -212,34 +213,34 @@ void book_sums(Scene& scene, B& body, const G2pSums& sums, bool was_finite = tru
 
 /// USF: stresses ahead of the forces, from the velocities that the points handed over; then P2G of the new
 /// ones. dt: s.
-template <class Scene, class Others = const Alone>
+template <class Scene, class Communicator = const Serial>
 void update_stress_first(Scene& scene, [[maybe_unused]] double dt,
-                         [[maybe_unused]] Others& others = no_others) {
+                         [[maybe_unused]] Communicator& comm = serial) {
   if constexpr (Scene::NumericsType::strains_first) {
     using T = typename Scene::T;
-    for (auto& field : scene.fields) detail::find_start_velocities(scene, field, others);
+    for (auto& field : scene.fields) detail::find_start_velocities(scene, field, comm);
     scene.finite = true;
     scene.for_each_body([&](auto& body, const auto& field) {
-      detail::average_strains(scene, body, field, dt, others);
+      detail::average_strains(scene, body, field, dt, comm);
       detail::book_sums(scene, body,
                         update_stress<typename Scene::Kinematics, Scene::Needs::stress_work>(
                             scene.numerics, scene.mesh, body, field, static_cast<T>(dt), scene.average));
     });
-    p2g(scene, dt, others);
+    p2g(scene, dt, comm);
   }
 }
 
 /// Grid update: v = v^old + dt (f / m + a), with the parts' accelerations. dt: s.
-template <class Scene, class Others = const Alone>
-void update_grid(Scene& scene, double dt, [[maybe_unused]] Others& others = no_others) {
+template <class Scene, class Communicator = const Serial>
+void update_grid(Scene& scene, double dt, [[maybe_unused]] Communicator& comm = serial) {
   using T = typename Scene::T;
   const auto acceleration = scene.acceleration();
   for (auto& field : scene.fields) {
     update_grid(field, acceleration, static_cast<T>(dt), least_mass<T>);
     if constexpr (has_light_nodes<typename Scene::Shape>) {
       list_massless(field, scene.node_owner());
-      if (!Others::alone || !field.massless.empty())
-        detail::change_velocities(others, field.velocity, [&](auto to) {
+      if (!Communicator::is_serial || !field.massless.empty())
+        detail::change_velocities(comm, field.velocity, [&](auto to) {
           hand_forces_on<typename Scene::Shape>(scene.mesh, field, static_cast<T>(dt), to);
         });
     }
@@ -253,12 +254,12 @@ void constrain(Scene& scene, typename Scene::Field& field, double dt) {
   const auto momentum_of_massless = [&] {
     typename Scene::V sum = zeros<typename Scene::V>();
     for (const Index i : field.massless)
-      for (int k = 0; k < Scene::D; ++k) sum[k] += field.collected[i].mass() * field.velocity[i][k];
+      for (int k = 0; k < Scene::D; ++k) sum[k] += field.sums[i].mass() * field.velocity[i][k];
     return sum;
   };
   const typename Scene::V before = momentum_of_massless();
   const auto [impulse, work] =
-      detail::allow(scene, field, field.velocity, dt, detail::taker_of_wall_impulses(scene, field));
+      detail::apply_constraints(scene, field, field.velocity, dt, detail::wall_impulse_sink(scene, field));
   const typename Scene::V after = momentum_of_massless();
   for (int k = 0; k < Scene::D; ++k) scene.wall_impulse[k] += impulse[k] + (after[k] - before[k]);
   scene.driving_work += work;
@@ -270,22 +271,22 @@ void constrain(Scene& scene, double dt) {
   for (auto& field : scene.fields) constrain(scene, field, dt);
 }
 
-/// Impulses between fields and with rigid bodies (`exchange_impulses`), by rank, then constraints again. In
+/// Impulses between fields and with rigid bodies (`apply_impulses`), by rank, then constraints again. In
 /// the first step a look at whether geostatic ground is at rest. dt: s.
-template <class Scene, class Others = const Alone>
-void exchange(Scene& scene, double dt, [[maybe_unused]] Others& others = no_others) {
+template <class Scene, class Communicator = const Serial>
+void contact_impulses(Scene& scene, double dt, [[maybe_unused]] Communicator& comm = serial) {
   scene.contact_tally = {};
   const auto without_contact = detail::forces_from_rest(scene, dt);
-  if constexpr (Scene::Needs::exchange) {
-    detail::for_each_exchange(scene, 0, 2, [&](auto& part) {
+  if constexpr (Scene::Needs::contact) {
+    detail::for_each_contact(scene, 0, 2, [&](auto& part) {
       using P = std::remove_reference_t<decltype(part)>;
-      if constexpr (exchanges_impulses<P, Scene>) {
-        if constexpr (requires { part.exchange_impulses(scene, dt, others); })
-          scene.contact_tally += detail::counted_once<P>(others, part.exchange_impulses(scene, dt, others));
+      if constexpr (applies_impulses<P, Scene>) {
+        if constexpr (requires { part.apply_impulses(scene, dt, comm); })
+          scene.contact_tally += detail::counted_once<P>(comm, part.apply_impulses(scene, dt, comm));
         else
-          scene.contact_tally += part.exchange_impulses(scene, dt);
+          scene.contact_tally += part.apply_impulses(scene, dt);
         detail::share_nodes(
-            scene, others, [](auto& field) -> auto& { return field.velocity; });
+            scene, comm, [](auto& field) -> auto& { return field.velocity; });
       }
     });
     constrain(scene, dt);
@@ -295,32 +296,33 @@ void exchange(Scene& scene, double dt, [[maybe_unused]] Others& others = no_othe
   detail::check_rest(scene, dt, without_contact);
 }
 
-/// Exchange of momentum at light nodes (`LightNodes`), or beside the faces of a grid (`exchange_at_faces`);
+/// Exchange of momentum at light nodes (`LightNodes`), or beside the faces of a grid (`redistribute_at_faces`);
 /// nodes without mass follow those around them. dt: s.
-template <class Scene, class Others = const Alone>
+template <class Scene, class Communicator = const Serial>
 void smooth_light_nodes(Scene& scene, [[maybe_unused]] double dt,
-                        [[maybe_unused]] Others& others = no_others) {
+                        [[maybe_unused]] Communicator& comm = serial) {
   if constexpr (Scene::NumericsType::smooths_light_nodes) {
     for (auto& field : scene.fields)
-      detail::change_velocities(others, field.velocity, [&](auto to) {
-        scene.light_nodes.template exchange<typename Scene::Shape>(scene.mesh, field, scene.node_owner(), to);
+      detail::change_velocities(comm, field.velocity, [&](auto to) {
+        scene.light_nodes.template redistribute<typename Scene::Shape>(scene.mesh, field, scene.node_owner(),
+                                                                       to);
       });
     constrain(scene, dt);
   } else if constexpr (!has_light_nodes<typename Scene::Shape>) {
     std::size_t exchanged = 0;
     for (auto& field : scene.fields)
-      exchanged += exchange_at_faces<typename Scene::Shape>(scene.mesh, field, field.velocity,
-                                                            static_cast<typename Scene::T>(dt));
+      exchanged += redistribute_at_faces<typename Scene::Shape>(scene.mesh, field, field.velocity,
+                                                                static_cast<typename Scene::T>(dt));
     if (exchanged > 0) constrain(scene, dt);
   }
   for (auto& field : scene.fields)
-    detail::move_massless(scene, field, field.velocity, others, [&] { constrain(scene, field, dt); });
+    detail::move_massless(scene, field, field.velocity, comm, [&] { constrain(scene, field, dt); });
 }
 
 /// Node sweeps of a transfer that asks for them (XPIC, FMPM): the correction of the nodes' velocities. What
 /// constraints take of it is an impulse of the walls. dt: s.
-template <class Scene, class Others = const Alone>
-void sweep_nodes(Scene& scene, [[maybe_unused]] double dt, [[maybe_unused]] Others& others = no_others) {
+template <class Scene, class Communicator = const Serial>
+void sweep_nodes(Scene& scene, [[maybe_unused]] double dt, [[maybe_unused]] Communicator& comm = serial) {
   if constexpr (Scene::NumericsType::sweeps_nodes) {
     const auto numerics = scene.numerics.in_step(dt);
     for (auto& field : scene.fields) start_sweeps(numerics, field);
@@ -329,10 +331,10 @@ void sweep_nodes(Scene& scene, [[maybe_unused]] double dt, [[maybe_unused]] Othe
         arenite::sweep(numerics, scene.mesh, scene.blocks, body, field);
       });
       for (auto& field : scene.fields) {
-        if constexpr (!Others::alone) detail::sum_nodes(others, field.given);
+        if constexpr (!Communicator::is_serial) detail::sum_nodes(comm, field.given);
         finish_sweep(numerics, field);
         scene.wall_impulse += constrain(scene.constraints, field.mass, field.residual, scene.node_owner(),
-                                        detail::taker_of_wall_impulses<true>(scene, field));
+                                        detail::wall_impulse_sink<true>(scene, field));
         add_residual(field);
       }
     }
@@ -340,65 +342,66 @@ void sweep_nodes(Scene& scene, [[maybe_unused]] double dt, [[maybe_unused]] Othe
 }
 
 /// MUSL: velocities mapped back from the points, held to what contact and constraints enforced. Ahead of the
-/// hold run the parts that read the final nodal velocities (`read_end`). dt: s.
-template <class Scene, class Others = const Alone>
-void map_back(Scene& scene, [[maybe_unused]] double dt, [[maybe_unused]] Others& others = no_others) {
+/// hold run the parts that read the final nodal velocities (`after_grid`). dt: s.
+template <class Scene, class Communicator = const Serial>
+void map_back(Scene& scene, [[maybe_unused]] double dt, [[maybe_unused]] Communicator& comm = serial) {
   if constexpr (Scene::NumericsType::maps_back) {
     const auto numerics = scene.numerics.in_step(dt);
     scene.for_each_body(
         [&](auto& body, auto& field) { map_back(numerics, scene.mesh, scene.blocks, body, field); });
     for (auto& field : scene.fields) {
-      if constexpr (!Others::alone) detail::sum_nodes(others, field.mapped);
+      if constexpr (!Communicator::is_serial) detail::sum_nodes(comm, field.mapped);
       finish_map_back(numerics, field);
       if constexpr (!has_light_nodes<typename Scene::Shape>)
-        exchange_at_faces<typename Scene::Shape>(scene.mesh, field, field.mapped, typename Scene::T(0));
+        redistribute_at_faces<typename Scene::Shape>(scene.mesh, field, field.mapped, typename Scene::T(0));
     }
   }
   scene.for_each_part([&](auto& part) {
     using P = std::remove_reference_t<decltype(part)>;
-    if constexpr (books_end<P, Scene>) {
+    if constexpr (books_after_grid<P, Scene>) {
       double dissipation;
-      if constexpr (requires { part.read_end(scene, dt, others); })
-        dissipation = part.read_end(scene, dt, others);
+      if constexpr (requires { part.after_grid(scene, dt, comm); })
+        dissipation = part.after_grid(scene, dt, comm);
       else
-        dissipation = part.read_end(scene, dt);
-      scene.contact_tally += detail::counted_once<P>(others, ContactTally{.dissipation = dissipation});
-    } else if constexpr (reads_end<P, Scene>) {
-      part.read_end(scene, dt);
+        dissipation = part.after_grid(scene, dt);
+      scene.contact_tally += detail::counted_once<P>(comm, ContactTally{.dissipation = dissipation});
+    } else if constexpr (acts_after_grid<P, Scene>) {
+      part.after_grid(scene, dt);
     }
   });
   if constexpr (Scene::NumericsType::maps_back) {
     const auto hold = [&](auto& part) {
       using P = std::remove_reference_t<decltype(part)>;
-      if constexpr (holds_mapped<P, Scene>) {
+      if constexpr (constrains_mapped<P, Scene>) {
         double dissipation;
-        if constexpr (requires { part.hold_mapped(scene, dt, others); })
-          dissipation = part.hold_mapped(scene, dt, others);
+        if constexpr (requires { part.constrain_mapped(scene, dt, comm); })
+          dissipation = part.constrain_mapped(scene, dt, comm);
         else
-          dissipation = part.hold_mapped(scene, dt);
-        scene.contact_tally += detail::counted_once<P>(others, ContactTally{.dissipation = dissipation});
+          dissipation = part.constrain_mapped(scene, dt);
+        scene.contact_tally += detail::counted_once<P>(comm, ContactTally{.dissipation = dissipation});
         detail::share_nodes(
-            scene, others, [](auto& field) -> auto& { return field.mapped; });
+            scene, comm, [](auto& field) -> auto& { return field.mapped; });
       }
     };
-    detail::for_each_exchange(scene, 0, 0, hold);
+    detail::for_each_contact(scene, 0, 0, hold);
     for (auto& field : scene.fields)
-      detail::allow(scene, field, field.mapped, dt, detail::taker_of_wall_holds(scene, field, dt));
-    detail::for_each_exchange(scene, 1, 2, hold);
+      detail::apply_constraints(scene, field, field.mapped, dt,
+                                detail::mapped_momentum_sink(scene, field, dt));
+    detail::for_each_contact(scene, 1, 2, hold);
     for (auto& field : scene.fields)
-      detail::move_massless(scene, field, field.mapped, others,
-                            [&] { detail::allow(scene, field, field.mapped, dt); });
+      detail::move_massless(scene, field, field.mapped, comm,
+                            [&] { detail::apply_constraints(scene, field, field.mapped, dt); });
   }
 }
 
 /// G2P and the law, body by body; hands the work of the stresses to the parts that ask for it. dt: s.
-template <class Scene, class Others = const Alone>
-void g2p(Scene& scene, double dt, [[maybe_unused]] Others& others = no_others) {
+template <class Scene, class Communicator = const Serial>
+void g2p(Scene& scene, double dt, [[maybe_unused]] Communicator& comm = serial) {
   using N = typename Scene::NumericsType;
   const auto numerics = scene.numerics.in_step(dt);
   if constexpr (!N::strains_first) scene.finite = true;
   scene.for_each_body([&](auto& body, const auto& field) {
-    if constexpr (!N::strains_first) detail::average_strains(scene, body, field, dt, others);
+    if constexpr (!N::strains_first) detail::average_strains(scene, body, field, dt, comm);
     G2pSums sums = g2p<typename Scene::Kinematics, Scene::Needs::stress_work>(
         numerics, scene.mesh, body, field, static_cast<typename Scene::T>(dt), scene.average);
     if (field.centred) sums.ending_work = 0;  // the stresses are not ahead of the velocities
@@ -410,12 +413,12 @@ void g2p(Scene& scene, double dt, [[maybe_unused]] Others& others = no_others) {
 }
 
 /// Parts that move with the matter, or move the mesh (`follow_motion`). dt: s.
-template <class Scene, class Others = const Alone>
-void follow(Scene& scene, double dt, [[maybe_unused]] Others& others = no_others) {
+template <class Scene, class Communicator = const Serial>
+void follow(Scene& scene, double dt, [[maybe_unused]] Communicator& comm = serial) {
   scene.for_each_part([&](auto& part) {
     if constexpr (follows_motion<std::remove_reference_t<decltype(part)>, Scene>) {
-      if constexpr (requires { part.follow_motion(scene, dt, others); })
-        part.follow_motion(scene, dt, others);
+      if constexpr (requires { part.follow_motion(scene, dt, comm); })
+        part.follow_motion(scene, dt, comm);
       else
         part.follow_motion(scene, dt);
     }

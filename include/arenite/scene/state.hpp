@@ -1,5 +1,6 @@
 // State: all that a scene carries from one step to the next, for whoever saves, compares or sends it.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,7 @@
 // Step check: whether the length of a step is one, and one that the scene bears. A host that chooses its own
 // steps hears of a mistake at its first one.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,6 @@
 // Cold functions of step_check.hpp.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <arenite/core/warning.hpp>
 #include <arenite/scene/step_check.hpp>

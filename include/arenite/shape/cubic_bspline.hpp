@@ -2,6 +2,7 @@
 // each axis. At the faces as those: unity and linear fields are reproduced, and only the nodes on a face have
 // a value there.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <algorithm>
 #include <array>

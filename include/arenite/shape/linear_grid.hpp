@@ -1,6 +1,7 @@
 // Linear shape functions on a Cartesian grid: bilinear, trilinear. The least arithmetic; gradients jump from
 // cell to cell.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <limits>
 

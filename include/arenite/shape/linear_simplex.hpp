@@ -1,11 +1,12 @@
 // Linear shape functions on a simplex mesh: the barycentric coordinates. Their gradients are constant in a
 // cell.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <limits>
 
-#include <arenite/core/lanes.hpp>
 #include <arenite/mesh/mesh.hpp>
+#include <arenite/simd/lanes.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 

@@ -1,5 +1,6 @@
 // Nodes near a box, found without a walk over all of them: what a rigid body may touch.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,7 @@
 // Shape functions on a grid that are products along the axes: what they share. Those of one cell
 // along one axis (a line) define them.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <algorithm>
 #include <array>
@@ -9,9 +10,9 @@
 #include <type_traits>
 
 #include <arenite/core/error.hpp>
-#include <arenite/core/lanes.hpp>
 #include <arenite/core/tensor.hpp>
 #include <arenite/mesh/mesh.hpp>
+#include <arenite/simd/lanes.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
@@ -23,7 +24,7 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 ///   stable step follows; infinity where functions fall to zero with a slope that does not: their light nodes
 ///   exchange momentum (`LightNodes`), and `Shape::courant_limit` says what was measured;
 /// - `least_beside_face`: share of a face node's mass that the node beside it needs for that
-///   (`exchange_at_faces`);
+///   (`redistribute_at_faces`);
 /// - `place(i, cells)`: of node i along an axis, where linear fields are reproduced; nodes on the faces at 0
 ///   and at `cells`, and perhaps some beyond;
 /// - on a `RectilinearGrid` also `place(i, knots)`, m, and `Line(cell, knots)`, where `knots(i, j)` is the
@@ -36,7 +37,7 @@ struct ProductShape {
   static constexpr bool constant_gradient = false;
   static constexpr std::size_t nodes_per_axis = Line<double>::nodes;
   static constexpr double steepness = Line<double>::steepness;
-  /// A node beside a face is light below this share of the mass of the node on the face: `exchange_at_faces`.
+  /// A node beside a face is light below this share of the mass of the node on the face: `redistribute_at_faces`.
   static constexpr double least_beside_face = Line<double>::least_beside_face;
   /// Layers of cells that share nodes with a cell, on either side.
   static constexpr Index halo = static_cast<Index>(nodes_per_axis) - 1;

@@ -2,6 +2,7 @@
 // changed so that unity and linear fields are reproduced up to the faces, and only the nodes on a face have a
 // value there.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <algorithm>
 

@@ -1,6 +1,7 @@
 // The concept of a shape function: what couples points and nodes. One object a cell, evaluated for each of
 // its points.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <arenite/shape/cubic_bspline.hpp>
 #include <arenite/shape/linear_grid.hpp>

@@ -1,6 +1,7 @@
 // Uniform GIMP on a grid: hats averaged over a point's domain, which does not change its size. Gradients no
 // longer jump where a point crosses into another cell, at the price of four nodes along each axis.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <algorithm>
 

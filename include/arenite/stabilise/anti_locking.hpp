@@ -1,5 +1,6 @@
 // Anti-locking: cures of volumetric locking, as a policy of the numerics.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <arenite/core/checked.hpp>
 
@@ -38,7 +39,7 @@ struct NodalAveraging {
 };
 
 /// In a cell that is filled, the points take their mean stress, weighted by volume, once they are in their
-/// cells at the begin of a step, and bear it over the whole volume of the cell (Gauss integration in filled
+/// cells at the start of a step, and bear it over the whole volume of the cell (Gauss integration in filled
 /// cells; Beuth, Wieckowski, Vermeer 2011, doi:10.1002/nag.961); those of a partly filled cell keep their
 /// own, and open ones none.
 ///

@@ -1,6 +1,7 @@
 // Grid convergence: what results at three or more sizes of the cells tell about the result that no size would
 // give, and how far from it the finest one may be. Of any scalar of any scene.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <algorithm>
 #include <cmath>

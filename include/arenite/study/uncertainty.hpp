@@ -1,5 +1,6 @@
 // Uncertainty of a computed value: parts by name, each with what it was estimated from, and their sum.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <algorithm>
 #include <cmath>

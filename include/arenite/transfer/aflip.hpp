@@ -1,5 +1,6 @@
 // AFLIP: affine FLIP.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <arenite/transfer/apic.hpp>
 #include <arenite/transfer/flip.hpp>
@@ -16,35 +17,35 @@ struct Aflip {
   static constexpr bool fits = Apic::fits<Shape>;
 
   template <class Point>
-  auto hand(const Point& p) const {
+  auto particle_field(const Point& p) const {
     return VelocityField{p.velocity(), p.velocity_gradient()};
   }
 
   template <class T, class Rows>
-  struct Taken : Apic::Taken {
+  struct Gathered : Apic::Gathered {
     T fraction;
-    Rows also;  ///< s v_i^old, m/s
+    Rows second;  ///< s v_i^old, m/s
 
     template <class Cell, class Point, class X, class Sums>
     auto operator()(const Cell& cell, const Point& p, const X& x, const Sums& sums) const {
       auto v = sums.value;
       const auto own = p.velocity();
-      repeat<v.size()>([&](std::size_t d) { v[d] += typename Point::P(fraction) * own[d] - sums.also[d]; });
-      const auto field = Apic::Taken::operator()(cell, p, x, sums);
+      repeat<v.size()>([&](std::size_t d) { v[d] += typename Point::P(fraction) * own[d] - sums.second[d]; });
+      const auto field = Apic::Gathered::operator()(cell, p, x, sums);
       p.set_velocity(v);
       return VelocityField{v, field.gradient};
     }
   };
   template <class Cell, class Nodes>
-  auto take(const Cell& cell, const Nodes& nodes) const {
+  auto gather(const Cell& cell, const Nodes& nodes) const {
     using T = typename Cell::T;
-    Taken<T, NodeRows<T, Cell::D, Cell::size>> taken;
-    taken.fraction = static_cast<T>(fraction);
+    Gathered<T, CellVectors<T, Cell::D, Cell::size>> gathered;
+    gathered.fraction = static_cast<T>(fraction);
     repeat<Cell::size>([&](std::size_t i) {
       const auto v = nodes.start.pack(cell.nodes[i]);
-      taken.also.set(i, std::remove_const_t<decltype(v)>(taken.fraction) * v);
+      gathered.second.set(i, std::remove_const_t<decltype(v)>(gathered.fraction) * v);
     });
-    return taken;
+    return gathered;
   }
 };
 

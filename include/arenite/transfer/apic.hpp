@@ -1,5 +1,6 @@
 // APIC: affine particle-in-cell.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <arenite/transfer/velocity_field.hpp>
 
@@ -16,13 +17,13 @@ struct Apic {
   static constexpr bool fits = !Shape::constant_gradient;
 
   template <class Point>
-  auto hand(const Point& p) const {
+  auto particle_field(const Point& p) const {
     return VelocityField{p.velocity(), p.velocity_gradient()};
   }
 
   /// The point keeps the quotient C = B D^-1 of B and D at one position x, not B: near a face D falls to
   /// zero, and B of the position before over D of the next would give huge velocities.
-  struct Taken {
+  struct Gathered {
     static constexpr bool needs_moments = true;
     Nothing velocity{};
 
@@ -39,8 +40,8 @@ struct Apic {
     }
   };
   template <class Cell, class Nodes>
-  auto take(const Cell&, const Nodes&) const {
-    return Taken{};
+  auto gather(const Cell&, const Nodes&) const {
+    return Gathered{};
   }
 };
 

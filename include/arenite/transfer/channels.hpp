@@ -1,12 +1,13 @@
 // Channels: named quantities that P2G sums. A channel has as many scalars as a composition needs; with none,
 // loops over it are empty. The compiler packs them into lanes.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <array>
 #include <concepts>
 #include <cstddef>
 
-#include <arenite/core/lanes.hpp>
+#include <arenite/simd/lanes.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 

@@ -1,6 +1,7 @@
 // Nodes beside a grid's faces: the second function of open knots falls to zero at the face with a slope that
 // does not fall. They exchange momentum with the nodes on the face.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <limits>
 #include <vector>
@@ -26,15 +27,15 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 ///
 /// One thread: they are nodes of a surface, and few of them are light. Returns how many.
 template <class Shape, class M, class Field, class T, int D>
-std::size_t exchange_at_faces(const M& grid, const Field& nodes, NodeVectors<T, D>& velocity, T dt) {
+std::size_t redistribute_at_faces(const M& grid, const Field& nodes, NodeVectors<T, D>& velocity, T dt) {
   std::size_t count = 0;
-  const auto exchange = [&](Index face, Index beside) {
+  const auto redistribute = [&](Index face, Index beside) {
     const T m = nodes.mass[beside], on_face = nodes.mass[face],
             enough = static_cast<T>(Shape::least_beside_face) * on_face;
     if (!(m < enough)) return;
     ++count;
     if (m == 0) {
-      const auto impulse = impulse_of_forces(nodes.collected[beside], dt);
+      const auto impulse = impulse_of_forces(nodes.sums[beside], dt);
       velocity.set(beside, velocity.pack(face) + impulse / enough);
       velocity.add(face, impulse / on_face);
       return;
@@ -55,8 +56,8 @@ std::size_t exchange_at_faces(const M& grid, const Field& nodes, NodeVectors<T, 
          slab < static_cast<Index>(nodes.size()); slab += length)
       for (Index i = slab; i < slab + stride; ++i) {
         const Index low = i + face * stride, high = i + (nodes_on_axis - 1 - face) * stride;
-        exchange(low, low + stride);
-        exchange(high, high - stride);
+        redistribute(low, low + stride);
+        redistribute(high, high - stride);
       }
     stride = length;
   }

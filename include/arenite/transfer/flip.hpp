@@ -1,5 +1,6 @@
 // FLIP and PIC.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <cmath>
 #include <limits>
@@ -40,14 +41,14 @@ struct Flip {
 
   /// A point hands over its velocity: momentum_i += m w_i v_p.
   template <class Point>
-  auto hand(const Point& p) const {
+  auto particle_field(const Point& p) const {
     return VelocityField{p.velocity()};
   }
 
   /// Both are linear in the nodes' velocities: v_p = fraction v_p + sum w d with d_i = v_i^new - fraction
   /// v_i^old.
   template <class T, class Rows>
-  struct Taken {
+  struct Gathered {
     static constexpr bool needs_moments = false;
     T fraction;
     Rows velocity;  ///< d_i, m/s
@@ -62,16 +63,16 @@ struct Flip {
     }
   };
   template <class Cell, class Nodes>
-  auto take(const Cell& cell, const Nodes& nodes) const {
+  auto gather(const Cell& cell, const Nodes& nodes) const {
     using T = typename Cell::T;
-    Taken<T, NodeRows<T, Cell::D, Cell::size>> taken;
-    taken.fraction = static_cast<T>(fraction);
-    repeat<Cell::size>([&](std::size_t i) { taken.velocity.set(i, taken_velocity(nodes, cell.nodes[i])); });
-    return taken;
+    Gathered<T, CellVectors<T, Cell::D, Cell::size>> gathered;
+    gathered.fraction = static_cast<T>(fraction);
+    repeat<Cell::size>([&](std::size_t i) { gathered.velocity.set(i, increment_at(nodes, cell.nodes[i])); });
+    return gathered;
   }
   /// d_i of one node, as a pack.
   template <class Nodes>
-  auto taken_velocity(const Nodes& nodes, Index i) const {
+  auto increment_at(const Nodes& nodes, Index i) const {
     const auto v = nodes.velocity.pack(i);
     using V = std::remove_const_t<decltype(v)>;
     using T = std::remove_cvref_t<decltype(v[0])>;

@@ -1,5 +1,6 @@
 // FMPM: the full mass matrix, inverted approximately.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <arenite/transfer/swept_flip.hpp>
 

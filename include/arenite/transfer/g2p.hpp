@@ -1,6 +1,7 @@
 // G2P: velocities and strains from the nodes, stresses from the law, and the motion of the points, in one
 // pass over the points in memory order.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <arenite/transfer/law_pass.hpp>
 #include <arenite/transfer/product/g2p.hpp>
@@ -34,7 +35,7 @@ G2pSums pass_over_points(const N&, const M&, B& body, typename M::scalar dt, Run
             const std::size_t next = std::min<std::size_t>(end, body.cells.run_end(static_cast<Index>(p), c));
             chunk.check += static_cast<double>(run(c, p, next, buffer, begin));
             if constexpr (stores_bearing)
-              buffer.store_bearing(p - begin, next - p, body.cell_sums[c].bearing);
+              buffer.store_volume_factor(p - begin, next - p, body.cell_sums[c].volume_factor);
             p = next;
           }
           if constexpr (UpdatesStress)

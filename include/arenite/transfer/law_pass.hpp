@@ -1,14 +1,15 @@
 // Law pass: updates the stresses of neighbouring points by their law, a pack at a time, from the strains of a
 // step in a buffer.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 
-#include <arenite/core/kernel.hpp>
-#include <arenite/core/lanes.hpp>
 #include <arenite/law/law.hpp>
+#include <arenite/simd/kernel.hpp>
+#include <arenite/simd/lanes.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
@@ -60,17 +61,17 @@ struct StrainBuffer {
   }
 
   /// Volume that bears the stress of points `at`, .. over their own, -.
-  void store_bearing(std::size_t at, std::size_t count, T bearing) {
-    std::fill_n(bearing_.begin() + static_cast<std::ptrdiff_t>(at), count, bearing);
+  void store_volume_factor(std::size_t at, std::size_t count, T volume_factor) {
+    std::fill_n(volume_factor_.begin() + static_cast<std::ptrdiff_t>(at), count, volume_factor);
   }
   template <class P>
-  P load_bearing(std::size_t at) const {
-    return load_lanes<P>(bearing_.data() + at, lane_count<P>);
+  P load_volume_factor(std::size_t at) const {
+    return load_lanes<P>(volume_factor_.data() + at, lane_count<P>);
   }
 
  private:
   std::array<std::array<T, capacity + slack>, strain_size + spin_size> column_{};
-  std::array<T, StoresBearing ? capacity + slack : 0> bearing_{};
+  std::array<T, StoresBearing ? capacity + slack : 0> volume_factor_{};
 };
 
 /// What a law is called with where `Width` points are computed at once: a pack of them, or what the law asks
@@ -147,9 +148,9 @@ ARENITE_KERNEL void law_pass(const L& law, Points& points, std::size_t begin, st
       P done = (before + after) * contract(old + stress, step.strain) * P(0.25);
       P ending = after * contract(stress, step.strain);
       if constexpr (StoresBearing) {
-        const P bearing = buffer.template load_bearing<P>(p - begin);
-        done = done * bearing;
-        ending = ending * bearing;
+        const P volume_factor = buffer.template load_volume_factor<P>(p - begin);
+        done = done * volume_factor;
+        ending = ending * volume_factor;
       }
       work += done;
       ending_work += ending;

@@ -1,6 +1,7 @@
 // Light nodes: nodes at the edge of a body that get the force of its points and hardly any of their mass.
 // They exchange momentum with the nodes around them.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <vector>
 
@@ -60,7 +61,7 @@ void list_massless(Field& nodes, const Owns& owns) {
   nodes.massless.reserve(nodes.size());  // once: a step allocates nothing
   for (Index i = 0; i < nodes.size(); ++i) {
     if (nodes.mass[i] > 0 || !owns(i)) continue;
-    const auto& sums = nodes.collected[i];
+    const auto& sums = nodes.sums[i];
     if (sums.reach() > 0 || !(sums.force().array() == 0).all()) nodes.massless.push_back(i);
   }
 }
@@ -70,7 +71,7 @@ void list_massless(Field& nodes, const Owns& owns) {
 template <class Shape, class M, class Field, class T, class To>
 void hand_forces_on(const M& mesh, const Field& nodes, T dt, To to) {
   for (const Index i : nodes.massless) {
-    const auto force = nodes.collected[i].force();
+    const auto force = nodes.sums[i].force();
     if ((force.array() == 0).all()) continue;
     const T around = mass_around<Shape>(mesh, nodes, i);
     if (!(around > 0)) continue;
@@ -90,7 +91,7 @@ void follow_neighbours(const M& mesh, const Field& nodes, const Velocities& velo
     if (!(around > 0)) continue;
     Vec<T, M::dimension> mean = Vec<T, M::dimension>::Zero();
     Shape::for_each_neighbour(mesh, i, [&](Index j) { mean += (nodes.mass[j] / around) * velocity[j]; });
-    const Vec<T, M::dimension> left = (nodes.collected[i].mass() / around) * (velocity[i] - mean);
+    const Vec<T, M::dimension> left = (nodes.sums[i].mass() / around) * (velocity[i] - mean);
     Shape::for_each_neighbour(mesh, i, [&](Index j) {
       if (nodes.mass[j] > 0) to.add(j, left);
     });
@@ -118,12 +119,12 @@ class LightNodes {
   /// Exchanges momentum at the light nodes of a field that `owns(i)`, all with the velocities of before,
   /// which change through `to`. Returns how many nodes are light.
   template <class Shape, class M, class Field, class Owns, class To>
-  std::size_t exchange(const M& mesh, const Field& nodes, const Owns& owns, To to) {
+  std::size_t redistribute(const M& mesh, const Field& nodes, const Owns& owns, To to) {
     given_.clear();
     given_.reserve(nodes.size());  // once: a step allocates nothing
     std::size_t count = 0;
     for (Index i = 0; i < nodes.size(); ++i) {
-      const T m = nodes.mass[i], enough = static_cast<T>(least_share) * nodes.collected[i].reach();
+      const T m = nodes.mass[i], enough = static_cast<T>(least_share) * nodes.sums[i].reach();
       if (!(m > 0 && m < enough) || !owns(i)) continue;
       const T around = mass_around<Shape>(mesh, nodes, i);
       if (!(around > 0)) continue;

@@ -1,5 +1,6 @@
 // MUSL mapping: node velocities for the strains, mapped back from the new velocities of the points.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <arenite/mesh/blocks.hpp>
 #include <arenite/transfer/product/map_back.hpp>
@@ -25,7 +26,7 @@ void map_back(const N& numerics, const M& mesh, const Blocks& blocks, B& body, F
 }
 
 /// Turns what was added into velocity; of a centred field into the mean of what the points hand to the nodes
-/// at the begin and at the end of the step (see `add_half_step`).
+/// at the start and at the end of the step (see `add_half_step`).
 template <class N, class Field>
 void finish_map_back([[maybe_unused]] const N& numerics, Field& nodes) {
   parallel_chunks(nodes.size(), [&](std::size_t begin, std::size_t end) {

@@ -1,6 +1,7 @@
 // Node field: what one velocity field of the background mesh stores. A scene has one, or one for each body in
 // contact.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <algorithm>
 #include <array>
@@ -8,9 +9,9 @@
 #include <span>
 #include <vector>
 
-#include <arenite/core/pack.hpp>
-#include <arenite/core/parallel.hpp>
 #include <arenite/core/tensor.hpp>
+#include <arenite/parallel/parallel.hpp>
+#include <arenite/simd/pack.hpp>
 #include <arenite/transfer/node_sums.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
@@ -25,14 +26,14 @@ NodePack<T, D> node_pack(std::size_t first, const L& lanes) {
 
 /// Vectors of a cell's nodes as rows of scalars, from which packs of points take them one by one.
 template <class T, int D, std::size_t Size>
-struct NodeRows {
+struct CellVectors {
   static constexpr std::size_t lanes = static_cast<std::size_t>(NodePack<T, D>::width);
   static constexpr std::size_t dimension = static_cast<std::size_t>(D);
   alignas(lanes * sizeof(T)) std::array<std::array<T, lanes>, Size> row;
 
-  NodeRows() = default;
+  CellVectors() = default;
   template <class Cell, class Vectors>
-  NodeRows(const Cell& cell, const Vectors& of_nodes) {
+  CellVectors(const Cell& cell, const Vectors& of_nodes) {
     repeat<Size>([&](std::size_t i) { set(i, of_nodes.pack(cell.nodes[i])); });
   }
 
@@ -43,21 +44,21 @@ struct NodeRows {
 
 /// The first of two sets of vectors, or the second where a composition has no first.
 template <class Rows>
-const Rows& either(const Rows& own, const Rows&) {
+const Rows& value_or(const Rows& own, const Rows&) {
   return own;
 }
 template <class Rows>
-const Rows& either(const Nothing&, const Rows& instead) {
+const Rows& value_or(const Nothing&, const Rows& instead) {
   return instead;
 }
 
 /// Sums that points take of the nodes, and sums of other vectors beside.
 template <class Sums, class Value>
-struct SumsAndAlso : Sums {
-  Value also;
+struct TwoSums : Sums {
+  Value second;
 };
 template <class Sums, class Value>
-SumsAndAlso(Sums, Value) -> SumsAndAlso<Sums, Value>;
+TwoSums(Sums, Value) -> TwoSums<Sums, Value>;
 
 /// A vector for each node, padded to a whole pack, so that one load reads and one store writes it.
 template <class T, int D>
@@ -134,7 +135,7 @@ struct NodeField {
   static constexpr bool has_mass_gradient = Gradient, has_start_state = StartState;
   using Sums = std::conditional_t<StartState, NodeSums<T, D>, NodeMomentum<T, D>>;
 
-  std::vector<Sums> collected;  ///< [nodes] what `p2g` sums and `update_grid` reads
+  std::vector<Sums> sums;       ///< [nodes] what `p2g` sums and `update_grid` reads
   std::vector<T> mass;          ///< [nodes] kg
   std::vector<Index> massless;  ///< nodes without mass that points or loads touch: see `list_massless`
   [[no_unique_address]] std::conditional_t<StartState, NodeVectors<T, D>, Nothing>
@@ -148,7 +149,7 @@ struct NodeField {
   bool centred;  ///< whether what is mapped is the mean over the step (see `add_half_step`)
 
   explicit NodeField(Index nodes, bool is_centred = false)
-      : collected(nodes),
+      : sums(nodes),
         mass(nodes, T(0)),
         start(nodes, zeros<Vec<T, D>>()),
         velocity(nodes, zeros<Vec<T, D>>()),
@@ -166,7 +167,7 @@ struct NodeField {
     [[maybe_unused]] const NodePack<T, D> zero(0);
     parallel_chunks(size(), [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) {
-        collected[i] = {};
+        sums[i] = {};
         if constexpr (Mapped) mapped.set(i, zero);
         if constexpr (Gradient) mass_gradient.set(i, zero);
       }
@@ -179,7 +180,7 @@ struct NodeField {
     return velocity;
   }
   /// Mean over the step of the velocity of node i, m/s: impulses times it are work. Of the velocity at the
-  /// begin and of that which strains, known once it is mapped back and until something holds it (`read_end`).
+  /// begin and of that which strains, known once it is mapped back and until something holds it (`after_grid`).
   Vec<T, D> mean_velocity(std::size_t i) const {
     if constexpr (Mapped)
       if (centred) return mapped[i];

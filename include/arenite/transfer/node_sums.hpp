@@ -1,5 +1,6 @@
 // Node sums: what a node collects from the points in one pass, side by side: one register with AVX-512.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <cstdint>
 #include <limits>

@@ -1,6 +1,7 @@
 // Node sweeps: vectors of the nodes mapped to the points and back, for transfers that ask for it (XPIC,
 // FMPM).
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <arenite/mesh/blocks.hpp>
 #include <arenite/transfer/product/sweep.hpp>

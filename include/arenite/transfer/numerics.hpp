@@ -1,6 +1,7 @@
 // Numerics: how a scene is discretised, as one value: shape function, transfer, order of the stress update,
 // anti-locking.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <cmath>
 #include <cstddef>
@@ -26,28 +27,29 @@ constexpr std::size_t native_register_bytes =
 #endif
 
 /// `RegisterBytes`: size of the packs in which points are computed; sizeof(T) for plain scalars.
-template <class Shape_, class Transfer_ = Flip, class Order_ = Musl, class AntiLocking_ = NoAntiLocking,
-          std::size_t RegisterBytes = native_register_bytes>
+template <class Shape_, class Transfer_ = Flip, class StressUpdate_ = Musl,
+          class AntiLocking_ = NoAntiLocking, std::size_t RegisterBytes = native_register_bytes>
 struct Numerics {
   static constexpr std::size_t register_bytes = RegisterBytes;
   /// Points computed at once in scalar T.
   template <class T>
   static constexpr int width = static_cast<int>(RegisterBytes / sizeof(T));
   using Shape = Shape_;
-  static_assert(transfer_type<Transfer_, Shape_>,
-                "Numerics: the transfer lacks a member: affine, fits<Shape>, hand(point), take(cell, "
-                "nodes), of a class that is not final; see arenite/transfer/transfer.hpp");
+  static_assert(
+      transfer_type<Transfer_, Shape_>,
+      "Numerics: the transfer lacks a member: affine, fits<Shape>, particle_field(point), gather(cell, "
+      "nodes), of a class that is not final; see arenite/transfer/transfer.hpp");
   /// Flip in the place of one that the compiler has refused: one sentence is enough.
   using Transfer = std::conditional_t<transfer_type<Transfer_, Shape_>, Transfer_, Flip>;
-  using Order = Order_;
+  using StressUpdate = StressUpdate_;
   using AntiLocking = AntiLocking_;
   /// Whether strains are taken from velocities that were mapped back to the nodes.
-  static constexpr bool maps_back = Order::maps_back && !returns_unchanged<Transfer, Shape>;
+  static constexpr bool maps_back = StressUpdate::maps_back && !returns_unchanged<Transfer, Shape>;
   /// Whether the points take their velocities where they are mapped back, in a pass before that of the
   /// strains; linear simplices need no such pass (see `map_back`).
   static constexpr bool maps_back_by_points = maps_back && !Shape::constant_gradient;
-  /// Whether points are strained ahead of the forces, with what they hand over at the begin of the step.
-  static constexpr bool strains_first = Order::strains_first;
+  /// Whether points are strained ahead of the forces, with what they hand over at the start of the step.
+  static constexpr bool strains_first = StressUpdate::strains_first;
   /// Whether the velocities for the strains went through the points, which see of a light node as much as it
   /// weighs.
   static constexpr bool strains_by_points =
@@ -86,7 +88,7 @@ struct Numerics {
   static_assert(
       !(maps_back && Shape::constant_gradient) || !Transfer::affine,
       "Numerics: on linear simplices MUSL maps back velocities without a gradient; use Usl, or let the "
-      "transfer say returns_unchanged<Shape> if its points hand each node just what it gave them");
+      "transfer say returns_unchanged<Shape> if its points particle_field each node just what it gave them");
   static_assert(
       AntiLocking::template fits<Shape>,
       "Numerics: NodalAveraging and ElementAverage work on linear simplices; on B-splines use NoAntiLocking");

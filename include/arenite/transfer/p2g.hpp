@@ -1,5 +1,6 @@
 // P2G: the points of a body give their mass, momentum and internal force to a node field.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <algorithm>
 #include <cmath>
@@ -41,7 +42,7 @@ void update_grid(Field& nodes, const Vec<T, D>& gravity, T dt, T mass_floor) {
   for (int k = 0; k < D; ++k) g.set(k, gravity[k]);
   parallel_chunks(nodes.size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
-      const auto& sums = nodes.collected[i];
+      const auto& sums = nodes.sums[i];
       // Round-off may leave less than nothing, of which the velocity is known as well.
       if ((Field::has_start_state ? std::abs(sums.mass()) : sums.mass()) <= mass_floor) {
         nodes.mass[i] = 0;
@@ -72,7 +73,7 @@ template <class Field, class T>
 void start_velocities(Field& nodes, T mass_floor) {
   parallel_chunks(nodes.size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
-      const auto& sums = nodes.collected[i];
+      const auto& sums = nodes.sums[i];
       nodes.mass[i] = sums.mass() <= std::max(mass_floor, negligible_mass(sums)) ? T(0) : sums.mass();
       const bool is_known = std::abs(sums.mass()) > mass_floor;
       nodes.velocity.set(i, is_known ? (1 / sums.mass()) * sums.momentum_pack() : 0);

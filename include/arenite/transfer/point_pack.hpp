@@ -1,9 +1,10 @@
 // Point pack: a run of neighbours seen as one point whose quantities are packs, so that a kernel reads as the
 // formula of one point.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
-#include <arenite/core/lanes.hpp>
 #include <arenite/particles/points.hpp>
+#include <arenite/simd/lanes.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
@@ -28,7 +29,7 @@ struct PointPack {
   auto stress() const { return points.stress.template load<P>(first, count); }               ///< `Sym`, Pa
   P stress(std::size_t k) const { return one(points.stress.column(k)); }  ///< one component, Pa
   /// Velocity gradient that the point carries (APIC, TPIC), [D x D] column by column, 1/s.
-  auto velocity_gradient() const { return points.motion.template load<P>(first, count); }
+  auto velocity_gradient() const { return points.velocity_gradient.template load<P>(first, count); }
   /// Plastic volumetric strain of the step before, -.
   P dilation() const {
     if constexpr (Points::has_dilation) return one(points.dilation);
@@ -46,7 +47,7 @@ struct PointPack {
   void set_position(const std::array<P, D>& x) const { points.position.template store<P>(first, count, x); }
   void set_velocity(const std::array<P, D>& v) const { points.velocity.template store<P>(first, count, v); }
   void set_velocity_gradient(const std::array<P, D * D>& gradient) const {
-    points.motion.template store<P>(first, count, gradient);
+    points.velocity_gradient.template store<P>(first, count, gradient);
   }
   void set_stress(const std::array<P, Sym<T, static_cast<int>(D)>::size>& s) const {
     points.stress.template store<P>(first, count, s);

@@ -1,6 +1,7 @@
 // The method's loops point by point and node by node, in scalars, without averages: the formulas that the
 // kernels compute in packs. Read them here first; tests hold the kernels to them.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <vector>
 
@@ -27,8 +28,8 @@ std::vector<NodeSums<T, D>> p2g(const N& numerics, const M& mesh, const B& body)
     const Vec<T, D> x = points.position[p];
     const auto w = cell.weights(x);
     const auto gradient = cell.gradients(x), node = cell.node_positions();
-    const auto v =
-        numerics.transfer.hand(PointPack<std::remove_reference_t<decltype(points)>, 1>{points, p, 1});
+    const auto v = numerics.transfer.particle_field(
+        PointPack<std::remove_reference_t<decltype(points)>, 1>{points, p, 1});
     const Sym<T, D> stress = points.stress[p];
     for (int i = 0; i < cell.size; ++i) {
       auto& to = sums[cell.nodes[static_cast<std::size_t>(i)]];
@@ -76,7 +77,7 @@ std::vector<Vec<T, D>> correction(const N& numerics, const M& mesh, const B& bod
 /// the moments x_i - x.
 template <class T, int D>
 struct TakenSums {
-  std::array<T, D> value{}, also{};
+  std::array<T, D> value{}, second{};
   std::array<std::array<T, D>, D> moment_sums{};
   const auto& moments() const { return moment_sums; }
 };
@@ -84,10 +85,10 @@ struct TakenSums {
 /// Gives point p the velocity (and its gradient) that its transfer takes. Returns the field that it hands
 /// over from then on.
 template <class N, class Cell, class Points, class Field, class T = typename Cell::T, int D = Cell::D>
-auto take(const N& numerics, const Cell& cell, Points& points, std::size_t p, const Field& nodes) {
-  const NodeRows<T, D, Cell::size> v(cell, nodes.velocity);
-  const auto transfer = numerics.transfer.take(cell, nodes);
-  const auto& d = either(transfer.velocity, v);
+auto gather(const N& numerics, const Cell& cell, Points& points, std::size_t p, const Field& nodes) {
+  const CellVectors<T, D, Cell::size> v(cell, nodes.velocity);
+  const auto transfer = numerics.transfer.gather(cell, nodes);
+  const auto& d = value_or(transfer.velocity, v);
   const Vec<T, D> x = points.position[p];
   const auto w = cell.weights(x);
   const auto node = cell.node_positions();
@@ -96,7 +97,7 @@ auto take(const N& numerics, const Cell& cell, Points& points, std::size_t p, co
     for (std::size_t k = 0; k < D; ++k) {
       const auto n = static_cast<int>(i);
       sums.value[k] += w[n] * d[i][k];
-      if constexpr (requires { transfer.also; }) sums.also[k] += w[n] * transfer.also[i][k];
+      if constexpr (requires { transfer.second; }) sums.second[k] += w[n] * transfer.second[i][k];
       for (int a = 0; a < D; ++a)
         sums.moment_sums[static_cast<std::size_t>(a)][k] += w[n] * d[i][k] * (node(a, n) - x[a]);
     }
@@ -114,7 +115,7 @@ std::vector<Vec<T, D>> map_back(const N& numerics, const M& mesh, const B& body,
     const Vec<T, D> x = points.position[p];
     const auto w = cell.weights(x);
     const auto node = cell.node_positions();
-    const auto v = take(numerics, cell, points, p, nodes);
+    const auto v = gather(numerics, cell, points, p, nodes);
     for (int i = 0; i < cell.size; ++i) {
       const auto handed =
           v.at([&](std::size_t a) { return node(static_cast<int>(a), i) - x[static_cast<int>(a)]; });
@@ -138,7 +139,7 @@ std::vector<StrainStep<T, D>> g2p(const N& numerics, const M& mesh, B& body, con
     const Vec<T, D> x = points.position[p];
     const auto w = cell.weights(x);
     const auto gradient = cell.gradients(x);
-    take(numerics, cell, points, p, nodes);
+    gather(numerics, cell, points, p, nodes);
     Mat<T, D> increment = Mat<T, D>::Zero();
     Vec<T, D> displacement = Vec<T, D>::Zero();
     T radial = 0;

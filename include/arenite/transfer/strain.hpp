@@ -1,5 +1,6 @@
 // Strain of a step from velocities, and the motion of the points: pieces that G2P of all families shares.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <arenite/law/law.hpp>
 #include <arenite/transfer/point_pack.hpp>

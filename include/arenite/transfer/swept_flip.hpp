@@ -1,5 +1,6 @@
 // What XPIC and FMPM share: FLIP with a correction of the nodes' velocities, made by sweeps over the points.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <cmath>
 
@@ -48,20 +49,20 @@ struct SweptFlip {
   }
 
   template <class Point>
-  auto hand(const Point& p) const {
+  auto particle_field(const Point& p) const {
     return VelocityField{p.velocity()};
   }
   template <class Cell, class Nodes>
-  auto take(const Cell& cell, const Nodes& nodes) const {
+  auto gather(const Cell& cell, const Nodes& nodes) const {
     using T = typename Cell::T;
-    Flip::Taken<T, NodeRows<T, Cell::D, Cell::size>> taken;
-    taken.fraction = static_cast<T>(kept);
-    repeat<Cell::size>([&](std::size_t i) { taken.velocity.set(i, taken_velocity(nodes, cell.nodes[i])); });
-    return taken;
+    Flip::Gathered<T, CellVectors<T, Cell::D, Cell::size>> gathered;
+    gathered.fraction = static_cast<T>(kept);
+    repeat<Cell::size>([&](std::size_t i) { gathered.velocity.set(i, increment_at(nodes, cell.nodes[i])); });
+    return gathered;
   }
   /// d_i of v_p = k v_p + sum w_i d_i.
   template <class Nodes>
-  auto taken_velocity(const Nodes& nodes, Index i) const {
+  auto increment_at(const Nodes& nodes, Index i) const {
     return returned_velocity(nodes, i) - times(kept, nodes.start.pack(i));
   }
   /// k v_i^old + d_i.

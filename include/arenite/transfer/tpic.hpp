@@ -1,5 +1,6 @@
 // TPIC: Taylor particle-in-cell.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <arenite/transfer/node_field.hpp>
 #include <arenite/transfer/velocity_field.hpp>
@@ -19,12 +20,12 @@ struct Tpic {
   static constexpr bool returns_unchanged = Shape::constant_gradient;
 
   template <class Point>
-  auto hand(const Point& p) const {
+  auto particle_field(const Point& p) const {
     return VelocityField{p.velocity(), p.velocity_gradient()};
   }
 
   template <class T, std::size_t D>
-  struct Taken {
+  struct Gathered {
     static constexpr bool needs_moments = false;
     std::array<T, D * D> gradient;  ///< L = sum v_i (grad w_i)^T, column by column, 1/s
     Nothing velocity{};
@@ -39,10 +40,10 @@ struct Tpic {
     }
   };
   template <class Cell, class Nodes>
-  auto take(const Cell& cell, const Nodes& nodes) const {
+  auto gather(const Cell& cell, const Nodes& nodes) const {
     using T = typename Cell::T;
     constexpr std::size_t D = Cell::D;
-    Taken<T, D> taken;
+    Gathered<T, D> gathered;
     repeat<D>([&](std::size_t a) {
       const auto part = [&](std::size_t i) {
         return nodes.velocity.pack(cell.nodes[i]) *
@@ -50,9 +51,9 @@ struct Tpic {
       };
       auto column = part(0);
       repeat<Cell::size - 1>([&](std::size_t i) { column += part(i + 1); });
-      repeat<D>([&](std::size_t d) { taken.gradient[a * D + d] = column[static_cast<int>(d)]; });
+      repeat<D>([&](std::size_t d) { gathered.gradient[a * D + d] = column[static_cast<int>(d)]; });
     });
-    return taken;
+    return gathered;
   }
 };
 

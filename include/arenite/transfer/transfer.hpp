@@ -1,6 +1,7 @@
 // Transfers: how a point takes its velocity from the nodes and what of its velocity field it hands back. And
 // the order of the stress update.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <concepts>
 
@@ -20,23 +21,23 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 // - `returns_unchanged<Shape>` (optional, else false): whether points hand back to each node the
 //   velocity that they took from it, so that MUSL is USL; a transfer derived from another one must say it
 //   anew;
-// - `reads_start_state` (optional, else true): whether `take` reads the velocities of the nodes at the start
+// - `reads_start_state` (optional, else true): whether `gather` reads the velocities of the nodes at the start
 //   of the step, `nodes.start`;
 // - `in_step(dt)` (optional): the transfer of a step dt, s, where it depends on that;
-// - `hand(p)`: the `VelocityField` that a point p, a `PointPack`, hands to its nodes (P2G);
+// - `particle_field(p)`: the `VelocityField` that a point p, a `PointPack`, hands to its nodes (P2G);
 // - `sweeps()` and `swept(nodes, i)` (optional, together): how many node sweeps it needs, and of which vector
-//   u_i of node i, as a pack: `nodes.correction` then holds sum_{l=1}^{sweeps} (I - S+ S)^l u for `take`,
+//   u_i of node i, as a pack: `nodes.correction` then holds sum_{l=1}^{sweeps} (I - S+ S)^l u for `gather`,
 //   with S the interpolation to the points and S+ the lumped mapping back (`node_sweeps.hpp`);
 // - `returned_velocity(nodes, i)` (optional, else the new velocity): s v_i^old + d_i where points take v_p =
 //   s v_p + sum w_i d_i, as a pack: for MUSL on linear simplices;
-// - `taken_velocity(nodes, i)` (optional): the vector d_i, below, of one node, as a pack: MUSL on linear
+// - `increment_at(nodes, i)` (optional): the vector d_i, below, of one node, as a pack: MUSL on linear
 //   simplices needs no more of it;
-// - `take(cell, nodes)`: what the points of a cell do in G2P, made once a cell:
-//   - `velocity`: the vectors d_i of its nodes of which points take sums, `NodeRows`; or `Nothing`: the new
+// - `gather(cell, nodes)`: what the points of a cell do in G2P, made once a cell:
+//   - `velocity`: the vectors d_i of its nodes of which points take sums, `CellVectors`; or `Nothing`: the new
 //     velocities of the nodes;
-//   - `also` (optional): vectors of which points take sum w_i also_i beside;
+//   - `second` (optional): vectors of which points take sum w_i also_i beside;
 //   - `needs_moments`: whether it needs sum w_i d_i (x_i - x_p)^T, beside sum w_i d_i;
-//   - `(cell, p, x, sums)`: gives point p at x what it takes of `sums.value` [D], `sums.also` [D] and, if it
+//   - `(cell, p, x, sums)`: gives point p at x what it takes of `sums.value` [D], `sums.second` [D] and, if it
 //     needs them, `sums.moments()` [D][D], axis by axis; returns the field that it hands over from then on.
 
 /// The members above, as far as they can be asked for without a kernel.
@@ -45,7 +46,7 @@ concept transfer_type = requires(const Transfer transfer) {
   { Transfer::affine } -> std::convertible_to<bool>;
   { Transfer::template fits<Shape> } -> std::convertible_to<bool>;
 }
-&&names_hand<Transfer>&& names_take<Transfer>;
+&&names_particle_field<Transfer>&& names_gather<Transfer>;
 
 /// See above.
 template <class Transfer, class Shape>
@@ -65,7 +66,7 @@ struct Usl {
   static constexpr bool strains_first = false;
 };
 
-/// Update of stress first, from the velocities that the points hand over at the begin of the step, so that
+/// Update of stress first, from the velocities that the points hand over at the start of the step, so that
 /// the forces are those of the new stress (update stress first, USF; Bardenhagen 2002,
 /// doi:10.1006/jcph.2002.7103). It strains as MUSL does, but with the weights behind the motion in place of
 /// those ahead of it, and keeps energy with FLIP. P2G runs twice.

@@ -1,13 +1,14 @@
 // Volumetric average: the volumetric strain of each cell averaged with its neighbours' through the nodes.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <array>
 #include <span>
 #include <vector>
 
-#include <arenite/core/kernel.hpp>
-#include <arenite/core/lanes.hpp>
 #include <arenite/mesh/blocks.hpp>
+#include <arenite/simd/kernel.hpp>
+#include <arenite/simd/lanes.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 

@@ -1,5 +1,6 @@
 // XPIC: extended particle-in-cell.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <arenite/transfer/swept_flip.hpp>
 

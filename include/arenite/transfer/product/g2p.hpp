@@ -1,7 +1,8 @@
 // G2P where the functions of a cell are products along the axes.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
-#include <arenite/core/kernel.hpp>
+#include <arenite/simd/kernel.hpp>
 #include <arenite/transfer/node_field.hpp>
 #include <arenite/transfer/numerics.hpp>
 #include <arenite/transfer/product/lines.hpp>
@@ -11,18 +12,18 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 namespace product {
 
 /// Sums over node vectors with the functions of `line`: with moments if a transfer needs them, and with those
-/// over its vectors `also`.
-template <class Take, class Line, class Rows, class... Kinds>
-auto taken_sums(const Take& take, const Line& line, const Rows& rows, const Kinds&... kind) {
+/// over its vectors `second`.
+template <class Gather, class Line, class Rows, class... Kinds>
+auto gathered_sums(const Gather& gather, const Line& line, const Rows& rows, const Kinds&... kind) {
   const auto sums = [&] {
-    if constexpr (Take::needs_moments)
+    if constexpr (Gather::needs_moments)
       return line.sum(rows, kind..., line.moment);
     else
       return line.sum(rows, kind...);
   };
-  if constexpr (requires { take.also; }) {
-    keep_in_memory(take.also);
-    return SumsAndAlso{sums(), line.sum(take.also).value};
+  if constexpr (requires { gather.second; }) {
+    keep_in_memory(gather.second);
+    return TwoSums{sums(), line.sum(gather.second).value};
   } else {
     return sums();
   }
@@ -38,17 +39,17 @@ template <class K, class N, class M, class Points, class Field, class T, class B
 ARENITE_KERNEL T g2p(const N& numerics, const M& mesh, Index c, Points& points, std::size_t begin,
                      std::size_t end, const Field& nodes, T dt, Buffer& buffer, std::size_t origin) {
   using Cell = typename N::Shape::template Cell<M>;
-  using Rows = NodeRows<T, M::dimension, Cell::size>;
+  using Rows = CellVectors<T, M::dimension, Cell::size>;
   constexpr int width = cell_width<M::dimension, N::template width<T>>;
   constexpr std::size_t D = M::dimension;
   using P = lanes_of<T, width>;
   const Cell cell(mesh, c);
   const Rows v(cell, nodes.velocity);
   const std::conditional_t<N::maps_back, Rows, Nothing> mapped(cell, nodes.strain_velocity());
-  const auto& u = either(mapped, v);
-  const auto take = numerics.transfer.take(cell, nodes);
+  const auto& u = value_or(mapped, v);
+  const auto gather = numerics.transfer.gather(cell, nodes);
   // What is taken of v itself costs no sum of its own.
-  constexpr bool takes_of_v = !N::maps_back && std::same_as<decltype(take.velocity), Nothing>;
+  constexpr bool takes_of_v = !N::maps_back && std::same_as<decltype(gather.velocity), Nothing>;
   P check(0);
   for_each_pack<width>(points, begin, end, [&](const auto& p) {
     const auto x = p.position();
@@ -56,7 +57,7 @@ ARENITE_KERNEL T g2p(const N& numerics, const M& mesh, Index c, Points& points, 
     keep_in_memory(v), keep_in_memory(u);
     const auto sums = [&] {
       if constexpr (takes_of_v)
-        return taken_sums(take, line, u, line.slope);
+        return gathered_sums(gather, line, u, line.slope);
       else
         return line.sum(u, line.slope);
     }();
@@ -67,9 +68,9 @@ ARENITE_KERNEL T g2p(const N& numerics, const M& mesh, Index c, Points& points, 
     });
     const auto moving_velocity = N::maps_back ? line.sum(v).value : sums.value;
     if constexpr (takes_of_v)
-      take(cell, p, x, sums);
+      gather(cell, p, x, sums);
     else if constexpr (!N::maps_back)
-      take(cell, p, x, taken_sums(take, line, take.velocity));
+      gather(cell, p, x, gathered_sums(gather, line, gather.velocity));
     if constexpr (K::hoop) step.strain[2] = P(dt) * sums.value[0] * reciprocal(x[0]);
     if constexpr (!N::strains_first) buffer.store(p.first - origin, step);
     check += move_points(p, x, moving_velocity, dt);

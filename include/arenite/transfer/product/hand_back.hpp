@@ -1,6 +1,7 @@
 // What points hand back to the nodes of their cell where its functions are products along the axes: momentum
 // alone.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <arenite/transfer/node_field.hpp>
 #include <arenite/transfer/numerics.hpp>

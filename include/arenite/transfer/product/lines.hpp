@@ -1,12 +1,13 @@
 // Functions along the axes, whose products the functions of a cell are, and sums over its nodes: axis by
 // axis, which takes a third of the arithmetic of a sum node by node.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
 
-#include <arenite/core/lanes.hpp>
+#include <arenite/simd/lanes.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 namespace product {

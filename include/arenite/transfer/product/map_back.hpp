@@ -1,7 +1,8 @@
 // MUSL mapping where the functions of a cell are products along the axes: by the points.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
-#include <arenite/core/kernel.hpp>
+#include <arenite/simd/kernel.hpp>
 #include <arenite/transfer/product/g2p.hpp>
 #include <arenite/transfer/product/hand_back.hpp>
 
@@ -15,12 +16,12 @@ ARENITE_KERNEL void map_back(const N& numerics, const M& mesh, B& body, Index c,
   using T = typename M::scalar;
   using Cell = typename N::Shape::template Cell<M>;
   const Cell cell(mesh, c);
-  const NodeRows<T, M::dimension, Cell::size> v(cell, nodes.velocity);
-  const auto take = numerics.transfer.take(cell, nodes);
-  const auto& taken = either(take.velocity, v);
+  const CellVectors<T, M::dimension, Cell::size> v(cell, nodes.velocity);
+  const auto gather = numerics.transfer.gather(cell, nodes);
+  const auto& gathered = value_or(gather.velocity, v);
   hand_back<N>(cell, body, c, nodes.mapped, [&](const auto& p, const auto& x, const auto& line) {
-    keep_in_memory(taken);
-    return take(cell, p, x, taken_sums(take, line, taken));
+    keep_in_memory(gathered);
+    return gather(cell, p, x, gathered_sums(gather, line, gathered));
   });
 }
 

@@ -1,6 +1,7 @@
 // Rows of points where nodes collect mass and one vector, the momentum of the end of the step: four lanes a
 // node. A point is a row, so that sums over points need no sums across lanes.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <arenite/transfer/product/rows.hpp>
 
@@ -14,7 +15,7 @@ namespace product {
 /// What belongs to one axis is summed while points are columns: E_i = M_i moment + G_i slope along the first
 /// axes, and along the last one E_k + N_k own.
 template <class Cell, int Width>
-class MomentumRows {
+class MomentumBuffer {
   using T = typename Cell::T;
   static constexpr std::size_t D = Cell::D, N = Cell::nodes_per_axis, last = D - 1;
   static constexpr std::size_t at_once = static_cast<std::size_t>(std::min(Width, 4));
@@ -24,7 +25,7 @@ class MomentumRows {
   static constexpr int width = cell_width<Cell::D, Width>;  ///< points that come at once
   using P = lanes_of<T, width>;
 
-  MomentumRows() {}  // a row is written before it is read: nothing to clear for each cell
+  MomentumBuffer() {}  // a row is written before it is read: nothing to clear for each cell
 
   bool full() const { return count_ + width > capacity; }
 

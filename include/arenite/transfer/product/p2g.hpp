@@ -1,7 +1,8 @@
 // P2G where the functions of a cell are products along the axes. Points are rows, whose lanes are channels.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
-#include <arenite/core/kernel.hpp>
+#include <arenite/simd/kernel.hpp>
 #include <arenite/transfer/node_field.hpp>
 #include <arenite/transfer/numerics.hpp>
 #include <arenite/transfer/point_pack.hpp>
@@ -31,7 +32,7 @@ ARENITE_KERNEL void p2g(const N& numerics, const M& mesh, const B& body, Index c
   const auto spread = [&] {
     rows.spread([&](std::size_t i, std::size_t lane, const auto& sum) {
       using L = std::remove_cvref_t<decltype(sum)>;
-      T* const to = nodes.collected[cell.nodes[i]].lane.data() + lane;
+      T* const to = nodes.sums[cell.nodes[i]].lane.data() + lane;
       store_lanes(to, lane_count<L>, L(load_lanes<L>(to, lane_count<L>) + sum));
     });
     if constexpr (Field::has_mass_gradient)
@@ -42,7 +43,7 @@ ARENITE_KERNEL void p2g(const N& numerics, const M& mesh, const B& body, Index c
   std::size_t left = body.cells[c].size();
   for_each_pack<Sums::width>(body.cells, c, body.points, [&](const auto& p) {
     const auto x = p.position();
-    const auto field = numerics.transfer.hand(p);
+    const auto field = numerics.transfer.particle_field(p);
     const auto stress = p.stress();
     const P m = p.mass(), volume = -p.volume();
     const Lines<P, Cell> line(cell, x);
@@ -69,8 +70,7 @@ ARENITE_KERNEL void p2g(const N& numerics, const M& mesh, const B& body, Index c
     // Mean of (h |grad w|)^2 over a cell, of a function that is linear along each axis.
     constexpr T mean = D == 2 ? T(2) / 3 : T(1) / 3;
     const T reach = mean * lane_sums(std::array<P, 1>{of_cell})[0];
-    for (const Index node : cell.nodes)
-      nodes.collected[node].lane[NodeSums<T, M::dimension>::reach_lane] += reach;
+    for (const Index node : cell.nodes) nodes.sums[node].lane[NodeSums<T, M::dimension>::reach_lane] += reach;
   }
 }
 
@@ -82,21 +82,21 @@ ARENITE_KERNEL void p2g_with_impulse(const N& numerics, const M& mesh, const B& 
                                      T dt) {
   using Cell = typename N::Shape::template Cell<M>;
   constexpr std::size_t D = M::dimension;
-  using Sums = MomentumRows<Cell, N::template width<T>>;
+  using Sums = MomentumBuffer<Cell, N::template width<T>>;
   using P = typename Sums::P;
   const Cell cell(mesh, c);
   Sums rows;
   const auto spread = [&] {
     rows.spread([&](std::size_t i, std::size_t lane, const auto& sum) {
       using L = std::remove_cvref_t<decltype(sum)>;
-      T* const to = nodes.collected[cell.nodes[i]].lane.data() + lane;
+      T* const to = nodes.sums[cell.nodes[i]].lane.data() + lane;
       store_lanes(to, lane_count<L>, L(load_lanes<L>(to, lane_count<L>) + sum));
     });
   };
   std::size_t left = body.cells[c].size();
   for_each_pack<Sums::width>(body.cells, c, body.points, [&](const auto& p) {
     const auto x = p.position();
-    const auto field = numerics.transfer.hand(p);
+    const auto field = numerics.transfer.particle_field(p);
     const auto stress = p.stress();
     const P factor = P(-dt) * p.volume();
     const Lines<P, Cell> line(cell, x);

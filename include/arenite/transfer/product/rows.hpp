@@ -1,6 +1,7 @@
 // Rows of points: what the points of a cell hand to its nodes where the functions are products along the
 // axes. A point is a row whose lanes are the channels, so that sums over points need no sums across lanes.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <arenite/transfer/channels.hpp>
 #include <arenite/transfer/product/lines.hpp>

@@ -1,8 +1,9 @@
 // Strains of the points alone, for the orders that update the stress apart from G2P, where the functions of a
 // cell are products along the axes.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
-#include <arenite/core/kernel.hpp>
+#include <arenite/simd/kernel.hpp>
 #include <arenite/transfer/product/g2p.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
@@ -17,7 +18,7 @@ ARENITE_KERNEL void strain(const M& mesh, Index c, Points& points, std::size_t b
   constexpr int width = cell_width<M::dimension, N::template width<T>>;
   using P = lanes_of<T, width>;
   const Cell cell(mesh, c);
-  const NodeRows<T, M::dimension, Cell::size> u(cell, nodes.strain_velocity());
+  const CellVectors<T, M::dimension, Cell::size> u(cell, nodes.strain_velocity());
   for_each_pack<width>(points, begin, end, [&](const auto& p) {
     const auto x = p.position();
     const Lines<P, Cell> line(cell, x);

@@ -1,7 +1,8 @@
 // Node sweep where the functions of a cell are products along the axes: by the points.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
-#include <arenite/core/kernel.hpp>
+#include <arenite/simd/kernel.hpp>
 #include <arenite/transfer/product/hand_back.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
@@ -14,7 +15,7 @@ ARENITE_KERNEL void sweep(const M& mesh, const B& body, Index c, Field& nodes) {
   using T = typename M::scalar;
   using Cell = typename N::Shape::template Cell<M>;
   const Cell cell(mesh, c);
-  const NodeRows<T, M::dimension, Cell::size> residual(cell, nodes.residual);
+  const CellVectors<T, M::dimension, Cell::size> residual(cell, nodes.residual);
   hand_back<N>(cell, body, c, nodes.given, [&](const auto&, const auto&, const auto& line) {
     keep_in_memory(residual);
     return VelocityField{line.sum(residual).value};

@@ -1,5 +1,6 @@
 // Centred stress: forces of elastic bodies on simplices from the stresses of the middle of the step.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <arenite/law/law.hpp>
 #include <arenite/mesh/blocks.hpp>
@@ -12,7 +13,7 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 /// Adds to the forces of a body's nodes what half a step does to its stresses, with the velocities in
 /// `nodes.velocity`: those that the points handed over with their present weights. The points themselves keep
-/// their stresses: `g2p` then strains them with the mean of what they hand over at the begin and at the
+/// their stresses: `g2p` then strains them with the mean of what they hand over at the start and at the
 /// end of the step (`finish_map_back`). What follows is the same as two updates of the stress, one behind and
 /// one ahead of each motion of the points (USAVG; Nairn 2003, Material point method calculations with
 /// explicit cracks), with one pass of the law.
@@ -33,7 +34,7 @@ void add_half_step(const M& mesh, const Blocks& blocks, const B& body, Field& no
     if (body.cells.empty(c)) return;
     const Cell cell(mesh, c);
     const auto& sums = body.cell_sums[c];
-    auto step = simplex::cell_step(cell, NodeRows<T, D, size>(cell, nodes.velocity), half);
+    auto step = simplex::cell_step(cell, CellVectors<T, D, size>(cell, nodes.velocity), half);
     if constexpr (K::hoop) {
       repeat<size>([&](std::size_t i) { step.strain[2] += nodes.velocity[cell.nodes[i]][0] * sums.hoop[i]; });
       step.strain[2] *= half / sums.volume;
@@ -49,7 +50,7 @@ void add_half_step(const M& mesh, const Blocks& blocks, const B& body, Field& no
     repeat<size>([&](std::size_t i) {
       auto force = gained.at(cell.gradient.col(static_cast<int>(i)));
       if constexpr (K::hoop) force += quad(-gain[2] / sums.volume * sums.hoop[i], T(0), T(0), T(0));
-      nodes.collected[cell.nodes[i]].add_slopes(force);
+      nodes.sums[cell.nodes[i]].add_slopes(force);
     });
   });
 }

@@ -1,7 +1,8 @@
 // G2P on linear simplices.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
-#include <arenite/core/kernel.hpp>
+#include <arenite/simd/kernel.hpp>
 #include <arenite/transfer/node_field.hpp>
 #include <arenite/transfer/numerics.hpp>
 #include <arenite/transfer/strain.hpp>
@@ -55,8 +56,8 @@ ARENITE_KERNEL T g2p(const N& numerics, const M& mesh, Index c, Points& points, 
   constexpr int width = N::template width<T>;
   using P = lanes_of<T, width>;
   const Cell cell(mesh, c);
-  const NodeRows<T, M::dimension, Cell::size> v(cell, nodes.velocity), u(cell, nodes.strain_velocity());
-  const auto take = numerics.transfer.take(cell, nodes);
+  const CellVectors<T, M::dimension, Cell::size> v(cell, nodes.velocity), u(cell, nodes.strain_velocity());
+  const auto gather = numerics.transfer.gather(cell, nodes);
   auto of_cell = cell_step(cell, u, dt);
   if constexpr (!K::hoop) of_cell.strain = averaged<N>(of_cell.strain, average, c);
   P check(0);
@@ -65,11 +66,11 @@ ARENITE_KERNEL T g2p(const N& numerics, const M& mesh, Index c, Points& points, 
     const auto w = cell.weights(x);
     const auto moving_velocity = interpolate(w, v);
     auto step = in_all_lanes<P>(of_cell);
-    const ValueSum taken{interpolate(w, either(take.velocity, v))};
-    if constexpr (requires { take.also; })
-      take(cell, p, x, SumsAndAlso{taken, interpolate(w, take.also)});
+    const ValueSum gathered{interpolate(w, value_or(gather.velocity, v))};
+    if constexpr (requires { gather.second; })
+      gather(cell, p, x, TwoSums{gathered, interpolate(w, gather.second)});
     else
-      take(cell, p, x, taken);
+      gather(cell, p, x, gathered);
     if constexpr (K::hoop) {
       step.strain[2] = P(dt) * interpolate(w, u)[0] * reciprocal(x[0]);
       step.strain = averaged<N>(step.strain, average, c);

@@ -1,8 +1,9 @@
 // MUSL mapping on linear simplices, from sums of the cells instead of a pass over the points.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
-#include <arenite/core/kernel.hpp>
 #include <arenite/particles/cell_sums.hpp>
+#include <arenite/simd/kernel.hpp>
 #include <arenite/transfer/node_field.hpp>
 #include <arenite/transfer/simplex/sweep.hpp>
 
@@ -31,14 +32,14 @@ ARENITE_KERNEL void map_back(const N& numerics, const M& mesh, const B& body, In
   const Cell cell{mesh.nodes(c)};
   const auto transfer = numerics.transfer;  // a copy: its parameters stay in registers
   std::array<V, Cell::size> d;
-  if constexpr (requires { numerics.transfer.taken_velocity(nodes, c); }) {
-    repeat<Cell::size>([&](std::size_t i) { d[i] = transfer.taken_velocity(nodes, cell.nodes[i]); });
+  if constexpr (requires { numerics.transfer.increment_at(nodes, c); }) {
+    repeat<Cell::size>([&](std::size_t i) { d[i] = transfer.increment_at(nodes, cell.nodes[i]); });
   } else {
-    const NodeRows<T, M::dimension, Cell::size> v(cell, nodes.velocity);
-    const auto take = transfer.take(cell, nodes);
-    repeat<Cell::size>([&](std::size_t i) { d[i] = either(take.velocity, v).pack(i); });
+    const CellVectors<T, M::dimension, Cell::size> v(cell, nodes.velocity);
+    const auto gather = transfer.gather(cell, nodes);
+    repeat<Cell::size>([&](std::size_t i) { d[i] = value_or(gather.velocity, v).pack(i); });
   }
-  exchange_along_edges(cell.nodes, body.cell_sums[c].edge_mass, d, nodes.mapped);
+  diffuse_along_edges(cell.nodes, body.cell_sums[c].edge_mass, d, nodes.mapped);
 }
 
 }  // namespace simplex

@@ -1,7 +1,8 @@
 // P2G on linear simplices. Lanes are points; the sums of a cell are added up across them.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
-#include <arenite/core/kernel.hpp>
+#include <arenite/simd/kernel.hpp>
 #include <arenite/transfer/node_field.hpp>
 #include <arenite/transfer/numerics.hpp>
 #include <arenite/transfer/simplex/stress.hpp>
@@ -27,7 +28,7 @@ template <class Transfer, class Cell, class Points, int Width, class Sums>
 void add_points(const Transfer& transfer, const Cell& cell, const PointPack<Points, Width>& p, Sums& sums) {
   using P = typename PointPack<Points, Width>::P;
   const auto x = p.position();
-  const auto field = transfer.hand(p);
+  const auto field = transfer.particle_field(p);
   const auto m = p.mass();
   const auto w = cell.weights(x);
   std::array<P, Cell::size> mw;
@@ -49,7 +50,7 @@ void add_points(const Transfer& transfer, const Cell& cell, const PointPack<Poin
 template <class N, class B, class T, int D, class Total>
 void leave_sums(const B&, const StressSums<T, D>& stress, const Total& total, CellSums<T, D>& left) {
   left.volume = stress.volume;
-  if constexpr (N::AntiLocking::averages_stress) left.bearing = stress.bearing;
+  if constexpr (N::AntiLocking::averages_stress) left.volume_factor = stress.volume_factor;
   if constexpr (B::has_dilation) left.dilation = stress.dilation / stress.volume;
   if constexpr (B::knows_opening) left.open = stress.closed < stress.volume;
   total.copy(node_channel::edge_mass, left.edge_mass);
@@ -82,9 +83,9 @@ ARENITE_KERNEL void p2g(const N& numerics, const M& mesh, B& body, Index c, Fiel
   [[maybe_unused]] const T reach = mass * square(mesh.size(c));
   [[maybe_unused]] const Quad touched = quad(T(0), T(0), T(0), mass);
   const CellForce<T, M::dimension> internal(stress.stress);
-  [[maybe_unused]] const Quad hoop = quad(-stress.bearing, T(0), T(0), T(0));
+  [[maybe_unused]] const Quad hoop = quad(-stress.volume_factor, T(0), T(0), T(0));
   repeat<Cell::size>([&](std::size_t i) {
-    auto& node = nodes.collected[cell.nodes[i]];
+    auto& node = nodes.sums[cell.nodes[i]];
     const auto gradient = cell.gradient.col(static_cast<int>(i));
     Quad force = internal.at(gradient);
     repeat<K::hoop>([&](std::size_t) { force += hoop * Quad(total.node(i, node_channel::hoop_force)); });

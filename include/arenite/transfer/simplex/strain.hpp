@@ -1,7 +1,8 @@
 // Strains of the points of linear simplices alone, for the orders that update the stress apart from G2P.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
-#include <arenite/core/kernel.hpp>
+#include <arenite/simd/kernel.hpp>
 #include <arenite/transfer/simplex/g2p.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
@@ -17,7 +18,7 @@ ARENITE_KERNEL void strain(const M& mesh, Index c, Points& points, std::size_t b
   constexpr int width = N::template width<T>;
   using P = lanes_of<T, width>;
   const Cell cell(mesh, c);
-  const NodeRows<T, M::dimension, Cell::size> u(cell, nodes.strain_velocity());
+  const CellVectors<T, M::dimension, Cell::size> u(cell, nodes.strain_velocity());
   const auto of_cell = cell_step(cell, u, dt);
   for_each_pack<width>(points, begin, end, [&](const auto& p) {
     auto step = in_all_lanes<P>(of_cell);

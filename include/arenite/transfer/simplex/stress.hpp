@@ -1,5 +1,6 @@
 // Stresses of a cell of linear simplices: summed over its points, and averaged where it is filled.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <arenite/mesh/full_volume.hpp>
 #include <arenite/particles/body.hpp>
@@ -17,7 +18,7 @@ struct StressSums {
   T volume;                               ///< V, m3
   T closed;                               ///< V of the points that are not open, m3
   T dilation;                             ///< V times dilation, m3; 0 if the points have none
-  T bearing = 1;                          ///< volume over which the cell bears its stress, over V, -
+  T volume_factor = 1;                    ///< volume over which the cell bears its stress, over V, -
 };
 
 /// Internal forces of a cell: -(sum V sigma) grad w_i. The columns of the sum as packs, of which a node's
@@ -92,8 +93,8 @@ void average_stress(const N& numerics, const M& mesh, B& body, Index c, StressSu
       repeat<mean.size()>([&](std::size_t k) { stress[k] = select(open, P(0), mean[k]); });
       p.set_stress(stress);
     });
-    sums.bearing = of_cell / sums.volume;
-    for (T& component : sums.stress) component *= sums.bearing;
+    sums.volume_factor = of_cell / sums.volume;
+    for (T& component : sums.stress) component *= sums.volume_factor;
   }
 }
 

@@ -1,8 +1,9 @@
 // Node sweep on linear simplices, from the edge masses of the cells instead of a pass over the points.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
-#include <arenite/core/kernel.hpp>
 #include <arenite/particles/cell_sums.hpp>
+#include <arenite/simd/kernel.hpp>
 #include <arenite/transfer/node_field.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
@@ -12,8 +13,8 @@ namespace simplex {
 /// M_ij = sum_p m w_i w_j, added to `to`:
 ///   sum_j M_ij (r_j - r_i)
 template <std::size_t Size, class V, class EdgeMass, class Vectors>
-void exchange_along_edges(const std::array<Index, Size>& nodes, const EdgeMass& edge_mass,
-                          const std::array<V, Size>& r, Vectors& to) {
+void diffuse_along_edges(const std::array<Index, Size>& nodes, const EdgeMass& edge_mass,
+                         const std::array<V, Size>& r, Vectors& to) {
   std::array<V, Size> gain;
   repeat<Size>([&](std::size_t i) { gain[i] = V(0); });
   for_each_edge<Size>([&](std::size_t e, std::size_t i, std::size_t j) {
@@ -32,7 +33,7 @@ ARENITE_KERNEL void sweep(const M& mesh, const B& body, Index c, Field& nodes) {
   std::array<NodePack<typename M::scalar, M::dimension>, size> r;
   const auto& of_cell = mesh.nodes(c);
   repeat<size>([&](std::size_t i) { r[i] = nodes.residual.pack(of_cell[i]); });
-  exchange_along_edges(of_cell, body.cell_sums[c].edge_mass, r, nodes.given);
+  diffuse_along_edges(of_cell, body.cell_sums[c].edge_mass, r, nodes.given);
 }
 
 }  // namespace simplex

@@ -1,5 +1,6 @@
 // Failure: what a user's function threw in a parallel loop, where nothing may be thrown, to throw it behind.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <atomic>
 #include <cstddef>

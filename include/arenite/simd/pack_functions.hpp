@@ -3,11 +3,12 @@
 // function here is found by its argument. (`sqrt`, `abs`, `min` and `max` are whole-register operations of
 // `Pack`.)
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <cmath>
 #include <type_traits>
 
-#include <arenite/core/lanes.hpp>
+#include <arenite/simd/lanes.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 namespace detail {
@@ -21,7 +22,7 @@ auto refuse_std_function(const First& first, [[maybe_unused]] const More&... mor
   static_assert(
       !(is_pack<First> || ... || is_pack<More>),
       "a pack: the functions of std take one number: say using std::pow; and then pow(x, y) without "
-      "std::, and so exp, log, tanh, ..; see arenite/core/pack_functions.hpp");
+      "std::, and so exp, log, tanh, ..; see arenite/simd/pack_functions.hpp");
   if constexpr (is_pack<First>)
     return first;
   else

@@ -1,5 +1,6 @@
 // Time as the thread pool sees it: the clock, what a thread has run, and how it lets others ahead.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <arenite/core/instruction_set.hpp>
 

@@ -7,13 +7,14 @@
 // the pool keeps account of what its helpers bring and cost, and where they cost more, the caller works
 // alone: see `HelperAccount`.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <arenite/core/cold.hpp>
-#include <arenite/core/helper_account.hpp>
 #include <arenite/core/instruction_set.hpp>
-#include <arenite/core/loop.hpp>
 #include <arenite/core/once.hpp>
-#include <arenite/core/system_time.hpp>
+#include <arenite/parallel/helper_account.hpp>
+#include <arenite/parallel/loop.hpp>
+#include <arenite/parallel/system_time.hpp>
 
 #include <atomic>
 #include <chrono>

@@ -1,11 +1,12 @@
 // Cold functions of cell_parts.hpp.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
-#include <arenite/particles/cell_parts.hpp>
+#include <arenite/fill/cell_parts.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 namespace detail {

@@ -1,10 +1,11 @@
 // Cold functions of filling.hpp.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <algorithm>
 #include <cmath>
 
-#include <arenite/particles/filling.hpp>
+#include <arenite/fill/filling.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 

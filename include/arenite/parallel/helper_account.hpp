@@ -17,9 +17,10 @@
 // been stopped in it. In others the clock tells how long the caller waited for the helpers, and only a long
 // wait is booked. On an idle machine three readings of the clock a loop are all that this costs.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <arenite/core/instruction_set.hpp>
-#include <arenite/core/system_time.hpp>
+#include <arenite/parallel/system_time.hpp>
 
 #include <algorithm>
 #include <chrono>

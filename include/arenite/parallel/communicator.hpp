@@ -1,6 +1,7 @@
 // Communicator: how scenes on portions of one mesh (`MeshPortion`), on this machine or others, sum their nodal
-// values. `Alone` is that of a scene on the whole mesh.
+// values. `Serial` is that of a scene on the whole mesh.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <cstddef>
 #include <span>
@@ -23,10 +24,10 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 /// - `first()`: true in one of the scenes, which counts what all have;
 /// - `migrate(scene)`: points in cells of others go there (`take_foreign`, `add_points`);
 /// - `fail(what)`: this scene has thrown; a call of the others that waits for it must throw.
-struct Alone {
-  static constexpr bool alone = true;
+struct Serial {
+  static constexpr bool is_serial = true;
 };
-inline constexpr Alone no_others{};
+inline constexpr Serial serial{};
 
 /// All nodes are counted: where a scene has its mesh to itself.
 struct OwnsAll {
@@ -34,9 +35,9 @@ struct OwnsAll {
 };
 
 /// Sums scalars and vectors over the scenes.
-template <class Others, class... V>
-void sum_over([[maybe_unused]] Others& others, [[maybe_unused]] V&... value) {
-  if constexpr (!Others::alone) {
+template <class Communicator, class... V>
+void sum_over([[maybe_unused]] Communicator& comm, [[maybe_unused]] V&... value) {
+  if constexpr (!Communicator::is_serial) {
     std::vector<double> all;
     const auto each = [](auto& v, auto&& f) {
       if constexpr (requires { v.data(); })
@@ -45,7 +46,7 @@ void sum_over([[maybe_unused]] Others& others, [[maybe_unused]] V&... value) {
         f(v);
     };
     (each(value, [&](auto& x) { all.push_back(static_cast<double>(x)); }), ...);
-    others.sum(std::span<double>(all));
+    comm.sum(std::span<double>(all));
     std::size_t k = 0;
     (each(value, [&](auto& x) { x = static_cast<std::remove_reference_t<decltype(x)>>(all[k++]); }), ...);
   }

@@ -1,14 +1,15 @@
 // Cell parts: how much of each sub-cell of a cell lies in a region whose boundary cuts it. In plain numbers, (x,
 // y, z) with z = 0 in the plane, so that it is compiled once for all meshes.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <array>
 #include <cstddef>
 #include <vector>
 
+#include <arenite/fill/cell_points.hpp>
+#include <arenite/fill/region.hpp>
 #include <arenite/mesh/mesh.hpp>
-#include <arenite/particles/cell_points.hpp>
-#include <arenite/particles/region.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
@@ -70,5 +71,5 @@ std::vector<CellPart> cell_parts(const M& mesh, Index cell, const AnyRegion& reg
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET
 
 #ifndef ARENITE_COLD_LIBRARY
-#include <arenite/particles/cell_parts_cold.hpp>
+#include <arenite/fill/cell_parts_cold.hpp>
 #endif

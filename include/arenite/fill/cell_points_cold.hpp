@@ -1,7 +1,8 @@
 // Cold functions of cell_points.hpp.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
-#include <arenite/particles/cell_points.hpp>
+#include <arenite/fill/cell_points.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 

@@ -1,5 +1,6 @@
 // Jitter: initial points moved at random, each within its share of the cell.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <algorithm>
 #include <array>
@@ -9,7 +10,7 @@
 #include <vector>
 
 #include <arenite/core/error.hpp>
-#include <arenite/particles/cell_points.hpp>
+#include <arenite/fill/cell_points.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 namespace detail {
@@ -91,5 +92,5 @@ void jitter_points(const M& mesh, Index cell, double share, std::uint64_t seed,
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET
 
 #ifndef ARENITE_COLD_LIBRARY
-#include <arenite/particles/jitter_cold.hpp>
+#include <arenite/fill/jitter_cold.hpp>
 #endif

@@ -1,5 +1,6 @@
 // Initial stress of a body: at rest under level ground, or any function of the position.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <array>
 #include <concepts>
@@ -77,5 +78,5 @@ class InitialStress {
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET
 
 #ifndef ARENITE_COLD_LIBRARY
-#include <arenite/particles/initial_stress_cold.hpp>
+#include <arenite/fill/initial_stress_cold.hpp>
 #endif

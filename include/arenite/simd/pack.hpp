@@ -1,6 +1,7 @@
 // A pack: W scalars that a law computes with at once, over the vector types of GCC and Clang. Its operators
 // are a scalar's, so that one source serves both; a comparison gives a mask, which no `if` accepts.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <array>
 #include <bit>

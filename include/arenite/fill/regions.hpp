@@ -1,15 +1,16 @@
 // Regions and signed distances made of several: unions, intersections, differences.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <algorithm>
 #include <concepts>
 #include <cstddef>
 #include <utility>
 
+#include <arenite/fill/region.hpp>
 #include <arenite/geometry/placed.hpp>
 #include <arenite/geometry/polygon.hpp>
 #include <arenite/geometry/solids.hpp>
-#include <arenite/particles/region.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 

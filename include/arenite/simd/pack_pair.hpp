@@ -1,8 +1,9 @@
 // Pack pairs: more scalars than a register holds, as two packs that are computed side by side. A law's chain
 // of dependent operations leaves most of a processor's units idle; a second, independent chain uses them.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
-#include <arenite/core/pack.hpp>
+#include <arenite/simd/pack.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 

@@ -1,11 +1,12 @@
 // Cold functions of initial_velocity.hpp.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <algorithm>
 #include <cmath>
 #include <span>
 
-#include <arenite/particles/initial_velocity.hpp>
+#include <arenite/fill/initial_velocity.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 

@@ -1,5 +1,6 @@
-// Loops without their types, for the thread pool, which is compiled once for all loops (`core/thread_pool.hpp`).
+// Loops without their types, for the thread pool, which is compiled once for all loops (`parallel/thread_pool.hpp`).
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <cstddef>
 
@@ -25,5 +26,5 @@ void set_pool_threads(int n);
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET::shared_detail
 
 #ifndef ARENITE_COLD_LIBRARY
-#include <arenite/core/thread_pool.hpp>
+#include <arenite/parallel/thread_pool.hpp>
 #endif

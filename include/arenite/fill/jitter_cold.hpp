@@ -1,7 +1,8 @@
 // Cold functions of jitter.hpp.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
-#include <arenite/particles/jitter.hpp>
+#include <arenite/fill/jitter.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 

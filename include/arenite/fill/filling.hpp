@@ -1,5 +1,6 @@
 // Filling: makes the points of a fill as plain values, whatever mesh they lie in and whatever law they obey.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <cstdint>
 #include <functional>
@@ -10,11 +11,11 @@
 #include <vector>
 
 #include <arenite/core/map.hpp>
+#include <arenite/fill/cell_parts.hpp>
+#include <arenite/fill/initial_stress.hpp>
+#include <arenite/fill/initial_velocity.hpp>
+#include <arenite/fill/region.hpp>
 #include <arenite/mesh/mesh.hpp>
-#include <arenite/particles/cell_parts.hpp>
-#include <arenite/particles/initial_stress.hpp>
-#include <arenite/particles/initial_velocity.hpp>
-#include <arenite/particles/region.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
@@ -132,5 +133,5 @@ std::size_t history_place(std::span<const std::string_view> names, const std::st
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET
 
 #ifndef ARENITE_COLD_LIBRARY
-#include <arenite/particles/filling_cold.hpp>
+#include <arenite/fill/filling_cold.hpp>
 #endif

@@ -1,6 +1,7 @@
 // Regions: where to put points. A shape, a signed distance, the cells of a mesh region, or any test of a
 // position.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <array>
 #include <cmath>
@@ -49,7 +50,7 @@ struct Cells {
 };
 
 /// `Cells`, or any class with `bool contains(const Vec<double, D>& x) const`, x in m: the shapes of
-/// `geometry/`, what is made of several (`particles/regions.hpp`), one of your own. Members `lower` and
+/// `geometry/`, what is made of several (`fill/regions.hpp`), one of your own. Members `lower` and
 /// `upper` [D], m, or `bounds()` are its bounds, of which a new scene warns if they reach beyond the mesh.
 template <class R, int D>
 concept region_type = std::same_as<R, Cells> || requires(const R r, const Vec<double, D> x) {

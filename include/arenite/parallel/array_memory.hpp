@@ -4,6 +4,7 @@
 // B-splines in space. Very long arrays use pages of 2 MB where the system has them: with pages of 4 KB every
 // 512 numbers need another address translation (up to a sixth of the time of a million points).
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <atomic>
 #include <cstddef>

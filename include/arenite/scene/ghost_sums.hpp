@@ -1,9 +1,10 @@
 // Ghost sums: adds or copies nodal values that scenes on portions of one mesh share. A scene on the whole mesh skips them.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <span>
 
-#include <arenite/core/alone.hpp>
+#include <arenite/parallel/communicator.hpp>
 #include <arenite/scene/scene.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET::detail {
@@ -20,10 +21,10 @@ std::span<T> numbers_of(NodeVectors<T, D>& vectors) {
 }
 
 /// Each copy of a node gets the sum over all.
-template <class Others, class Nodes>
-void sum_nodes(Others& others, Nodes& nodes) {
+template <class Communicator, class Nodes>
+void sum_nodes(Communicator& comm, Nodes& nodes) {
   const auto numbers = numbers_of(nodes);
-  if (nodes.size() > 0) others.sum_nodes(numbers, numbers.size() / nodes.size());
+  if (nodes.size() > 0) comm.sum_nodes(numbers, numbers.size() / nodes.size());
 }
 
 /// Leaves a sum at the owner's copy alone, so that more can be added to the copies and summed.
@@ -35,34 +36,36 @@ void keep_owned(const Scene& scene, Nodes& nodes) {
 }
 
 /// Each copy of a node gets the owner's vector; `of(field)`: which.
-template <class Scene, class Others, class Of>
-void share_nodes([[maybe_unused]] Scene& scene, [[maybe_unused]] Others& others, [[maybe_unused]] Of&& of) {
-  if constexpr (!Others::alone)
+template <class Scene, class Communicator, class Of>
+void share_nodes([[maybe_unused]] Scene& scene, [[maybe_unused]] Communicator& comm,
+                 [[maybe_unused]] Of&& of) {
+  if constexpr (!Communicator::is_serial)
     for (auto& field : scene.fields) {
       auto& vectors = of(field);
       const auto numbers = numbers_of(vectors);
-      others.share_nodes(numbers, numbers.size() / vectors.size());
+      comm.share_nodes(numbers, numbers.size() / vectors.size());
     }
 }
 
 /// Calls `f(to)`, which changes velocities of nodes through `to`: of owned nodes and of those around them.
-template <class Others, class Velocities, class F>
-void change_velocities([[maybe_unused]] Others& others, Velocities& velocity, F&& f) {
-  if constexpr (Others::alone) {
+template <class Communicator, class Velocities, class F>
+void change_velocities([[maybe_unused]] Communicator& comm, Velocities& velocity, F&& f) {
+  if constexpr (Communicator::is_serial) {
     f(InPlace{velocity});
   } else {
     auto change = velocity;
     std::ranges::fill(numbers_of(change), 0);
     f(Apart<Velocities>{velocity, change});
-    sum_nodes(others, change);
+    sum_nodes(comm, change);
     for (std::size_t i = 0; i < velocity.size(); ++i) velocity[i] += change[i];
   }
 }
 
 /// The tally of a part whose numbers are those of all scenes (`is_shared`) counts in one of them.
-template <class P, class Others>
-ContactTally counted_once([[maybe_unused]] Others& others, const ContactTally& tally) {
-  if constexpr (!Others::alone && requires { P::is_shared; }) return others.first() ? tally : ContactTally{};
+template <class P, class Communicator>
+ContactTally counted_once([[maybe_unused]] Communicator& comm, const ContactTally& tally) {
+  if constexpr (!Communicator::is_serial && requires { P::is_shared; })
+    return comm.first() ? tally : ContactTally{};
   return tally;
 }
 

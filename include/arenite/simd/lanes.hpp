@@ -1,12 +1,13 @@
 // Lanes: what a kernel over many points needs beside arithmetic, for packs and plain scalars alike: loads and
 // stores of part of a pack, and sums over its lanes.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <array>
 #include <cstddef>
 #include <utility>
 
-#include <arenite/core/pack_pair.hpp>
+#include <arenite/simd/pack_pair.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 

@@ -1,6 +1,7 @@
 // Elementary functions for scalars and packs alike: the same operations in the same order, so that a lane has
 // the bits of a scalar. To a few units in the last place, each on the range that it names.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <algorithm>
 #include <bit>
@@ -8,7 +9,7 @@
 #include <limits>
 #include <type_traits>
 
-#include <arenite/core/pack_pair.hpp>
+#include <arenite/simd/pack_pair.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 namespace detail {

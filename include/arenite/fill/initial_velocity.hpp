@@ -1,5 +1,6 @@
 // Initial velocity of a body: one vector, or any function of the position.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <array>
 #include <concepts>
@@ -64,5 +65,5 @@ class InitialVelocity {
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET
 
 #ifndef ARENITE_COLD_LIBRARY
-#include <arenite/particles/initial_velocity_cold.hpp>
+#include <arenite/fill/initial_velocity_cold.hpp>
 #endif

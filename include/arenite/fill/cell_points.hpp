@@ -1,14 +1,15 @@
 // Places of the initial points in a cell: equal weights, and as even as the cell's shape allows.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <vector>
 
-#include <arenite/core/array_memory.hpp>
 #include <arenite/core/error.hpp>
 #include <arenite/mesh/mesh.hpp>
+#include <arenite/parallel/array_memory.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
@@ -146,5 +147,5 @@ Places<typename M::Point> initial_points(const M& mesh, Index cell, int n,
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET
 
 #ifndef ARENITE_COLD_LIBRARY
-#include <arenite/particles/cell_points_cold.hpp>
+#include <arenite/fill/cell_points_cold.hpp>
 #endif

@@ -1,13 +1,14 @@
 // Parallel loops. Every reduction works in chunks of fixed size, joined in order, so that a result does not
 // depend on the number of threads.
 #pragma once
+// SPDX-License-Identifier: BSD-3-Clause
 
 #include <algorithm>
 #include <cstddef>
 #include <vector>
 
 #include <arenite/core/instruction_set.hpp>
-#include <arenite/core/loop.hpp>
+#include <arenite/parallel/loop.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 

@@ -61,7 +61,7 @@ typename R::Velocity velocity_in_contact(const R& body, const typename R::Veloci
   } else {
     static_assert(Communicator::is_serial || !R::is_free,
                   "Rigid: on a portion of a mesh velocity_in_contact(body, free_velocity, comm) of a motion "
-                  "with mass must sum over the comm; see arenite/rigid/motion.hpp");
+                  "with mass must sum over the portions; see arenite/rigid/motion.hpp");
     return body.motion.velocity_in_contact(body, free);
   }
 }

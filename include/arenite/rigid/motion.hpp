@@ -34,7 +34,7 @@ inline constexpr int velocity_components = rotates<M> ? D + rotations<D> : D;
 ///   contact;
 /// - `velocity_in_contact(body, free_velocity)`: velocity of the surface in contact; `body.impulse_at(node,
 ///   v)` for a node of `body.touched_nodes` is the impulse on the matter if the body moves with v;
-///   with mass and on a portion of a mesh `velocity_in_contact(body, free_velocity, others)`, which sums over
+///   with mass and on a portion of a mesh `velocity_in_contact(body, free_velocity, comm)`, which sums over
 ///   the other portions (`sum_over`);
 /// - `after(contact_velocity, free_velocity, total, exchanged)`: velocity at the end of the step; `total`:
 ///   impulse on the matter, `exchanged` [2]: sums of the magnitudes of the impulses and of their moments;

@@ -91,7 +91,7 @@ T lane_tan(const T& x) {
 template <class T>
 T lane_exp_minus(const T& x) {
   using std::min;
-  using S = detail::scalar_of<T>;
+  using S = scalar_of<T>;
   const T y = min(x, T(80)), rounder = T(detail::FloatBits<S>::rounder);
   const T n = (y * T(-1.4426950408889634) + rounder) - rounder;
   // ln 2 in two parts, of which the first times n is exact.

@@ -35,6 +35,8 @@ struct Numerics {
   template <class T>
   static constexpr int width = static_cast<int>(RegisterBytes / sizeof(T));
   using Shape = Shape_;
+  static_assert(!names_hand<Transfer_> && !names_take<Transfer_>,
+                "Numerics: hand and take of a transfer are now called particle_field and gather");
   static_assert(
       transfer_type<Transfer_, Shape_>,
       "Numerics: the transfer lacks a member: affine, fits<Shape>, particle_field(point), gather(cell, "

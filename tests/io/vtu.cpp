@@ -225,7 +225,8 @@ TEST_CASE("points with the numbers that were asked for") {
   CHECK(names(points_vtu(body, {.history = {{"age"}}, .mass = true})) == always + "age mass ");
   CHECK(names(points_vtu(body, {.history = {{}}})) == always);
   CHECK_THROWS_WITH(points_vtu(body, {.id = true}), "VtuPoints.id = 1: needs a scene with PointIds{}");
-  auto numbered = make_body<PlaneStrain, ExtraColumns{.ids = true}>(grid, recipe.erased<CartesianGrid<2>>());
+  auto numbered =
+      make_body<PlaneStrain, ExtraColumns{.ids = true}>(grid, recipe.type_erased<CartesianGrid<2>>());
   for (std::size_t p = 0; p < numbered.points.size(); ++p) numbered.points.id[p] = 100 + p;
   const fs::path file = folder() / "numbered.vtu";
   write_vtu(file, points_vtu(numbered, {.history = {{}}, .mass = true, .id = true}));

@@ -91,7 +91,7 @@ double greatest(const auto& s) {
 /// One history a lane.
 template <class P, int D, class Law>
 void follow(const Law& law, const Constants& constants) {
-  using T = detail::scalar_of<P>;
+  using T = scalar_of<P>;
   const double ulp = std::numeric_limits<T>::epsilon();
   const double modulus = law.wave_modulus();
   Sym<P, D> stress;

@@ -55,8 +55,8 @@ using After = std::vector<Bits<T>>;
 /// The points of a pack, which `which` numbers, updated at once.
 template <class P, int D, class Law>
 void update(const Law& law, const std::vector<Before<D>>& points, const std::vector<std::size_t>& which,
-            std::vector<After<detail::scalar_of<P>>>& after) {
-  using T = detail::scalar_of<P>;
+            std::vector<After<scalar_of<P>>>& after) {
+  using T = scalar_of<P>;
   Sym<P, D> stress;
   StrainStep<P, D> step;
   step.dt = time_step;

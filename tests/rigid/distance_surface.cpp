@@ -24,7 +24,7 @@ struct Touched {
 
 template <class Shape, class M, class Distance>
 std::vector<Touched> touched(const M& mesh, DistanceSurface<Distance> surface, P displacement) {
-  BoundDistanceSurface<double, 2> bound(erased<M>(surface));
+  BoundDistanceSurface<double, 2> bound(type_erased<M>(surface));
   std::vector<Touched> all;
   bound.template visit<Shape>(
       mesh, displacement, [](Index) { return true; },
@@ -138,7 +138,7 @@ std::size_t compare_visits(const M& mesh, const Distance& distance, double reach
   using V = Vec<double, M::dimension>;
   const auto wanted = plainly_visited<Shape>(mesh, distance, reach, displacement, has_mass);
   const auto compare = [&](const auto& surface) {
-    BoundDistanceSurface<double, M::dimension> bound(erased<M>(surface));
+    BoundDistanceSurface<double, M::dimension> bound(type_erased<M>(surface));
     for (const int n : {1, 3}) {
       set_threads(n);
       for (int again = 0; again < 2; ++again) {
@@ -215,7 +215,7 @@ TEST_CASE("a distance is asked only near the body, and where there is matter") {
   const CartesianGrid<2> fine({.lower = {-1, -1}, .upper = {1, 1}, .cell = 0.025});
   std::size_t calls = 0;
   BoundDistanceSurface<double, 2> bound(
-      erased<CartesianGrid<2>>(DistanceSurface{Counting{{{0, 0}, 0.1}, &calls}, 0.0}));
+      type_erased<CartesianGrid<2>>(DistanceSurface{Counting{{{0, 0}, 0.1}, &calls}, 0.0}));
   std::size_t touched = 0;
   const auto visit = [&](auto&& has_mass) {
     calls = touched = 0;
@@ -250,7 +250,7 @@ template <class Shape, class M>
 int touched_on_the_way(const M& mesh) {
   const RoundedBox bar({-0.15, -0.05}, {0.15, 0.05}, 0.02);
   const double reach = 0.5;
-  BoundDistanceSurface<double, 2> bound(erased<M>(DistanceSurface{bar, reach}));
+  BoundDistanceSurface<double, 2> bound(type_erased<M>(DistanceSurface{bar, reach}));
   int touched = 0;
   for (int k = 0; k < 200; ++k) {
     const double angle = 0.03 * k, c = std::cos(angle), s = std::sin(angle);

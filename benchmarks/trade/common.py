@@ -48,22 +48,28 @@ class Points:
             np.asarray(column)[order] for column in (body.position, body.velocity, body.mass, body.stress))
 
 
+def begin_with(scene, velocity, cell):
+    """Gives points that carry a velocity gradient that of a field: of positions [n, 2]."""
+    body = scene.bodies["body"]
+    for path in [p for p in scene.state if p.startswith("bodies/0/points/velocity_gradient/")]:
+        component, along = path[-2:]
+        x, d = np.asarray(body.position), 1e-6 * cell * np.array([along == "x", along == "y"])
+        body.column(path.removeprefix("bodies/0/points/"))[:] = (velocity(x + d) - velocity(x - d))[:, "xy".index(component)] / (2e-6 * cell)
+
+
 def elastic_scene(composition, time, lower, upper, cell, per_cell, region, law, walls=None, gravity=(0, 0), velocity=None, damping=0.0):
-    """A body in plane strain, of a composition that all elastic problems share. `velocity`: of positions [n, 2], linear within a cell or
-    nearly so; transfers that carry a velocity gradient begin with its."""
+    """A body in plane strain, of a composition that all elastic problems share. `velocity`: of positions [n, 2]; points
+    that carry a velocity gradient begin with its."""
     scene = ar.Scene(ar.PlaneStrain(), mesh(composition, lower, upper, cell), composition.numerics(time), energy=False,
                      bodies=[ar.fill("body", region, law, per_cell=per_cell, velocity=velocity or (0.0, 0.0), exact_volume=False)],
                      walls=walls or [corner(lower)], gravity=gravity, parts=[ar.LocalDamping(factor=damping), IDS])
-    body = scene.bodies["body"]
-    paths = [p for p in scene.state if p.startswith("bodies/0/points/velocity_gradient/")]
-    if velocity and paths:
-        x = np.asarray(body.position)
-        for path in paths:
-            component, along = path[-2:]
-            d = 1e-6 * cell * np.array([along == "x", along == "y"])
-            slope = (velocity(x + d) - velocity(x - d))[:, "xy".index(component)] / (2e-6 * cell)
-            body.column(path.removeprefix("bodies/0/points/"))[:] = slope
+    if velocity:
+        begin_with(scene, velocity, cell)
     return scene
+
+
+class Failed(Exception):
+    """A run whose result counts for nothing."""
 
 
 class Clock:
@@ -79,6 +85,8 @@ class Clock:
         self.seconds += time.process_time() - start
         self.steps += scene.step_count - steps
         self.point_steps += points * (scene.step_count - steps)
+        if lost := sum(b.lost for b in scene.bodies.values()):
+            raise Failed(f"{lost} points left the mesh")
 
 
 @functools.lru_cache(maxsize=None)
@@ -135,3 +143,11 @@ def come_to_rest(scene, clock, period, courant, periods=2):
                 if path.startswith(("bodies/0/points/velocity/", "bodies/0/points/velocity_gradient/")):
                     body.column(path.removeprefix("bodies/0/points/"))[:] = 0
             highest, since = 0.0, 0
+
+
+def soil_scene(composition, time, lower, upper, cell, per_cell, region, law, walls, gravity=(0, 0), driven=None, damping=0.0):
+    """A body of soil in plane strain, of a composition that all problems of soil share. `driven`: a wall and its velocity."""
+    wall, velocity = driven or (corner(upper), (0, 0, 0))
+    return ar.Scene(ar.PlaneStrain(), mesh(composition, lower, upper, cell), composition.numerics(time), energy=False, reactions=True,
+                    bodies=[ar.fill("body", region, law, per_cell=per_cell)], walls=walls, gravity=gravity,
+                    parts=[ar.Driven(wall, ar.Scaled(velocity, ar.Ramp(over=time))), ar.LocalDamping(factor=damping)])

@@ -3,7 +3,7 @@
 import statistics
 from pathlib import Path
 
-from trade import problem, problems, read
+from trade import HERE, problem, problems, read
 
 TARGETS = [0.1, 0.03, 0.01, 0.003]  # errors that advice is given for
 FAMILIES = ["FLIP", "APIC", "AFLIP", "TPIC", "XPIC", "FMPM", "PIC"]
@@ -19,6 +19,7 @@ class Row:
     def __init__(self, given):
         self.problem, self.composition = given["problem"], composition(given)
         self.shape, self.transfer, self.order = given["shape"], given["transfer"], given["order"]
+        self.average = given["average"]
         self.per_cell, self.cells, self.courant = int(given["per_cell"]), int(given["cells"]), float(given["courant"])
         self.failure = given["failure"]
         self.error, self.seconds = (float(given[k]) if given[k] else float("inf") for k in ("error", "seconds"))
@@ -42,30 +43,35 @@ def rows_of(out):
     return [Row(r) for r in read(Path(out) / "rows.csv")]
 
 
+def kept_error(r, rows):
+    """The error that the composition of a row of a problem keeps on finer cells, too (at the usual points and steps), so that what is exact by
+    chance does not count."""
+    return max([r.error, *(o.error for o in rows if o.composition == r.composition and o.cells > r.cells and o.usual)])
+
+
 def cheapest(rows, target):
-    """The row of the least time with an error of at most `target`; None."""
-    return min((r for r in rows if r.error <= target), key=lambda r: r.seconds, default=None)
+    """The row of a problem of the least time whose error is kept below `target`; None."""
+    return min((r for r in rows if kept_error(r, rows) <= target), key=lambda r: r.seconds, default=None)
 
 
 def front(rows):
-    """Rows than which none is both more exact and cheaper."""
-    kept, best = [], float("inf")
-    for r in sorted((r for r in rows if not r.failure), key=lambda r: (r.seconds, r.error)):
-        if r.error < best:
+    """Rows of a problem with an error that may be of use, than which none is both more exact and cheaper."""
+    kept, best = [], TARGETS[0] * (1 + 1e-9)
+    for r in sorted(rows, key=lambda r: (r.seconds, kept_error(r, rows))):
+        if kept_error(r, rows) < best:
             kept.append(r)
-            best = r.error
+            best = kept_error(r, rows)
     return kept
 
 
-def dominated(rows):
-    """Compositions for each of whose rows, on every problem, another composition's is clearly cheaper and no less exact."""
-    names = list(dict.fromkeys(r.composition for r in rows))
+def dominated(of):
+    """Compositions for each of whose rows of use, on every problem, another composition is clearly cheaper and no less exact. of: rows by problem."""
+    def beaten(r, rows):
+        return kept_error(r, rows) > TARGETS[0] or any(o.composition != r.composition and kept_error(o, rows) <= kept_error(r, rows)
+                                                       and o.seconds * CLEARLY < r.seconds for o in rows)
 
-    def beaten(r):
-        return r.failure or any(o.problem == r.problem and o.composition != r.composition and o.error <= r.error
-                                and o.seconds * CLEARLY < r.seconds for o in rows)
-
-    return [n for n in names if all(beaten(r) for r in rows if r.composition == n)]
+    names = list(dict.fromkeys(r.composition for rows in of.values() for r in rows))
+    return [n for n in names if all(beaten(r, rows) for rows in of.values() for r in rows if r.composition == n)]
 
 
 def percent(x):
@@ -76,16 +82,19 @@ def time_of(x):
     return f"{x:.2g} s"
 
 
+def count(n, word):
+    return f"{n} {word}" + ("" if n == 1 else "s")
+
+
 def told(r):
-    return f"`{r.composition}` on {r.cells} cells, {r.per_cell} points a cell, Courant number {r.courant:g}"
+    return f"`{r.composition}` on {r.cells} cells, {count(r.per_cell, 'point')} a cell, Courant number {r.courant:g}"
 
 
 def advice(rows, target):
     """A sentence on the cheapest row for an error."""
     r = cheapest(rows, target)
     if r is None:
-        best = min(rows, key=lambda r: r.error)
-        return f"- For {percent(target)}: none of these; the least error is {percent(best.error)}, {told(best)}, {time_of(best.seconds)}."
+        return f"- For {percent(target)}: none of these."
     return f"- For {percent(target)} the cheapest is {told(r)}: {percent(r.error)} in {time_of(r.seconds)}."
 
 
@@ -122,7 +131,7 @@ def changes(rows):
     for differs, a, b, words in CHANGES:
         found = pairs(rows, differs, a, b)
         if found:
-            lines.append(f"- {words[0].upper() + words[1:]}: {found[0]:.2g} times the time, {found[1]:.2g} times the error (medians).")
+            lines.append(f"- {words[0].upper() + words[1:]}: {found[0]:.2f} times the time, {found[1]:.2f} times the error (medians).")
     return lines
 
 
@@ -221,13 +230,21 @@ def text(out):
         cells = []
         for t in TARGETS:
             r = cheapest(of[n], t)
-            cells.append("none" if r is None else f"{r.composition}; {r.cells} cells; {r.per_cell} points; {r.courant:g}: {time_of(r.seconds)}")
+            cells.append("none" if r is None else f"{r.composition}; {r.cells} cells; {count(r.per_cell, 'point')}; {r.courant:g}: {time_of(r.seconds)}")
         lines.append(f"| [{problem(n).TITLE}](#{anchor(problem(n).TITLE)}) | {problem(n).KIND} | {' | '.join(cells)} |")
-    beaten = dominated(rows)
-    lines += ["", "\"None\": no row of the table is as exact. Cells are counted as each problem says.", "",
-              "## Dominated everywhere", "",
-              "On every problem, for each of their rows, another composition is as exact in clearly less time (a tenth): "
-              + (", ".join(f"`{n}`" for n in beaten) or "none") + ".", "", "## More points, longer steps", ""]
+    lines += ["", "A row counts where its composition keeps to the error on finer cells, too. \"None\": no row does. Cells are counted as each problem says,",
+              "the last number is the Courant number. `arenite.recommend` asks the same table.", "",
+              "## Where each composition is best", "",
+              "A problem is named where a row of the composition, of an error of at most 10 %, is on its front: none is both cheaper and more exact. ns: a point and step, median over",
+              "all rows with the usual points and steps.", "", "| composition | ns | on the front of |", "|---|---|---|"]
+    fronts = {n: {r.composition for r in front(of[n])} for n in there}
+    for name in dict.fromkeys(r.composition for r in rows):
+        rates = [1e9 / r.rate for r in rows if r.composition == name and r.usual and not r.failure]
+        lines.append(f"| {name} | {statistics.median(rates):.0f} | {', '.join(n.replace('_', ' ') for n in there if name in fronts[n])} |")
+    beaten = dominated(of)
+    lines += ["", "Dominated everywhere (on every problem another composition is as exact as each of its rows of at most 10 %, in less time by a tenth or more): "
+              + (", ".join(f"`{n}`" for n in beaten) or "none") + ".", "", "## More points, longer steps", "",
+              "The points of a cell are computed side by side, in packs of up to eight numbers ([performance](performance.md)): up to there more of them cost little.", ""]
     lines += changes(rows)
     for n in there:
         p = problem(n)
@@ -248,8 +265,36 @@ def anchor(title):
     return "".join(c for c in title.lower() if c.isalnum() or c in " -").replace(" ", "-")
 
 
+RECOMMENDED = HERE.parent.parent / "python" / "arenite" / "_trade.csv"
+
+
+def recommended(out):
+    """The table of `arenite.recommend`: rows of the fronts, without those that need a time of the problem."""
+    import csv
+    import dataclasses
+    import io
+
+    from compositions import Composition
+
+    text, rows = io.StringIO(), rows_of(out)
+    writer = csv.writer(text, lineterminator="\n")
+    writer.writerow("problem title shape transfer values order average cells cells_are per_cell courant error seconds".split())
+    for n in problems():
+        p, mine = problem(n), [r for r in rows if r.problem == n and "time" not in r.transfer]
+        for r in front(mine):
+            numerics = Composition(r.shape, r.transfer, r.order, r.average).numerics()
+            shape, transfer, order, average = numerics.kinds()
+            values = " ".join(f"{f.name}={getattr(numerics.transfer, f.name):g}" for f in dataclasses.fields(numerics.transfer)
+                              if getattr(numerics.transfer, f.name) != f.default)
+            writer.writerow([p.KIND, p.TITLE, shape, transfer, values, order, average, r.cells, p.CELLS_ARE, r.per_cell, f"{r.courant:g}",
+                             f"{kept_error(r, mine):.4g}", f"{r.seconds:.4g}"])
+    return text.getvalue()
+
+
 def write(path, out):
     path.write_text(text(out))
+    if path.resolve() == RECOMMENDED.parent.parent.parent / "docs" / "trade.md":
+        RECOMMENDED.write_text(recommended(out))
     rows = rows_of(out)
     for n in problems():
         mine = [r for r in rows if r.problem == n]

@@ -27,7 +27,7 @@ COLUMNS = [*KEY, "error", "seconds", "steps", "points", "figures", "failure"]
 def problems():
     """Names, in the order of the page."""
     there = sorted(p.stem for p in (HERE / "problems").glob("*.py"))
-    first = ["bar", "drifting_bar", "spin", "settling", "cantilever", "footing", "collapse"]
+    first = ["bar", "drifting_bar", "spin", "cantilever", "settling", "manufactured", "vortex", "footing", "collapse"]
     return [n for n in first if n in there] + [n for n in there if n not in first]
 
 
@@ -91,7 +91,7 @@ def _too_long(*_):
 def measure(c, row, longest):
     """A row with its error and cost; one that fails has the sentence. Short runs are repeated, and their mean time counts."""
     import arenite as ar
-    from common import Clock
+    from common import Clock, Failed
 
     p, times = problem(row["problem"]), []
     signal.signal(signal.SIGPROF, _too_long)
@@ -104,13 +104,13 @@ def measure(c, row, longest):
             times.append(clock.seconds)
         error = float(found.pop("error"))
         if not math.isfinite(error):
-            raise ar.RunError("the result is not a number")
+            raise Failed("the result is not a number")
         figures = "; ".join(f"{name} {value:.6g}" for name, value in found.items())
         return {**row, "error": f"{error:.4g}", "seconds": f"{sum(times) / len(times):.4g}", "steps": clock.steps,
                 "points": round(clock.point_steps / max(clock.steps, 1)), "figures": figures}
     except TooLong:
         return {**row, "failure": f"stopped after {longest:g} s"}
-    except (ar.Error, ar.RunError) as e:
+    except (ar.Error, ar.RunError, Failed) as e:
         return {**row, "failure": " ".join(str(e).split())}
     finally:
         signal.setitimer(signal.ITIMER_PROF, 0)

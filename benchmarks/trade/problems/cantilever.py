@@ -6,7 +6,7 @@ import arenite as ar
 from common import Points, come_to_rest, elastic_scene, elastica
 
 TITLE = "Cantilever that hangs far"
-KIND = "bending, large rotation"
+KIND = "bending"
 SOURCE = """The elastica (Bisshopp and Drucker 1945, Q. Appl. Math. 3, 272-275, for a load at the tip; here for a weight of q L^3 / EI = 2
 along it, integrated by Runge-Kutta and checked on their tip loads), with the shear of a section of L / 6. Kinetic damping, two periods."""
 ERROR = "root mean square over the points of the distance from where the beam's sections take them, over the fall of the tip"

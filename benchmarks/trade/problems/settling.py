@@ -6,7 +6,7 @@ import arenite as ar
 from common import Points, come_to_rest, elastic_scene
 
 TITLE = "Column that settles"
-KIND = "rest under weight, large settlement"
+KIND = "rest"
 SOURCE = """Equilibrium: sigma_yy = -rho g (H - Y) of the height Y at the start, whatever the law: between smooth walls the matter above a point
 stays above it. The top sinks by some 0.1 H, 1.6, 3 and 6 cells; local and kinetic damping, four periods."""
 ERROR = "root mean square over the points of sigma_yy less the exact one, over rho g H"

@@ -41,6 +41,10 @@ class Composition:
             return False
         return True
 
+    def points(self):
+        """Points a cell: the usual ones, and others. uGIMP is of the usual ones alone: their number is part of its type."""
+        return (3, (1, 6)) if not self.on_grid() else (4, ()) if self.shape == "uGIMP" else (4, (1, 9))
+
 
 #: The quick table: those that share a body's law and parts compile once for all problems.
 BASE = [Composition(*words) for words in (

@@ -10,6 +10,7 @@ FAMILIES = ["FLIP", "APIC", "AFLIP", "TPIC", "XPIC", "FMPM", "PIC"]
 COLOURS = ["#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#6b6b6b"]  # Okabe and Ito
 DASHES = {"linear": ":", "uGIMP": (0, (5, 1, 1, 1)), "quadratic": "-", "cubic": "--", "triangles": "-."}
 MARKS = {"MUSL": "s", "USL": "o", "USF": "^"}
+MACHINE = "one core of an AMD EPYC with AVX-512, g++ 12 -O3"  # of rows.csv
 CLEARLY = 1.1  # times of the processor agree to some 10 %
 
 
@@ -108,10 +109,21 @@ def advices(rows):
     return lines
 
 
+CHOICES = ("shape", "transfer", "order", "average", "per_cell", "courant")
+CHANGES = [("per_cell", 4, 9, "9 points a cell for 4"), ("per_cell", 4, 1, "1 point a cell for 4"), ("per_cell", 3, 6, "6 points a triangle for 3"),
+           ("per_cell", 3, 1, "1 point a triangle for 3"), ("courant", 0.5, 0.9, "a Courant number of 0.9 for 0.5"),
+           ("courant", 0.5, 0.25, "a Courant number of 0.25 for 0.5"), ("order", "MUSL", "USL", "USL for MUSL"), ("order", "MUSL", "USF", "USF for MUSL"),
+           ("shape", "quadratic", "linear", "linear functions for quadratic"), ("shape", "quadratic", "uGIMP", "uGIMP for quadratic B-splines"),
+           ("shape", "quadratic", "cubic", "cubic B-splines for quadratic"), ("transfer", "FLIP", "FLIP, time", "FLIP with a time for FLIP"),
+           ("transfer", "FLIP", "APIC", "APIC for FLIP"), ("transfer", "FLIP", "XPIC(2)", "XPIC(2) for FLIP"), ("transfer", "FLIP", "FMPM(4)", "FMPM(4) for FLIP"),
+           ("transfer", "APIC", "AFLIP", "AFLIP for APIC"), ("average", "none", "nodal", "the nodal average for none"),
+           ("average", "nodal", "nodal and element", "the nodal and element average for the nodal one")]
+
+
 def pairs(rows, differs, a, b):
-    """Medians over compositions and sizes of time and error of rows that differ in one thing, b over a; None."""
+    """Medians of time and error of rows that differ in one choice, b over a; None."""
     def others(r):
-        return (r.problem, r.composition, r.cells, *(getattr(r, k) for k in ("per_cell", "courant") if k != differs))
+        return (r.problem, r.cells, *(getattr(r, k) for k in CHOICES if k != differs))
 
     first = {others(r): r for r in rows if getattr(r, differs) == a and not r.failure}
     second = {others(r): r for r in rows if getattr(r, differs) == b and not r.failure}
@@ -121,17 +133,24 @@ def pairs(rows, differs, a, b):
     return [statistics.median(q(y) / q(x) for x, y in both) for q in (lambda r: r.seconds, lambda r: r.error)]
 
 
-CHANGES = [("per_cell", 4, 9, "9 points a cell for 4"), ("per_cell", 4, 1, "1 point a cell for 4"), ("per_cell", 3, 6, "6 points a triangle for 3"),
-           ("per_cell", 3, 1, "1 point a triangle for 3"), ("courant", 0.5, 0.9, "a Courant number of 0.9 for 0.5"),
-           ("courant", 0.5, 0.25, "a Courant number of 0.25 for 0.5")]
-
-
 def changes(rows):
+    """Sentences on points and steps."""
     lines = []
     for differs, a, b, words in CHANGES:
         found = pairs(rows, differs, a, b)
+        if found and differs in ("per_cell", "courant"):
+            lines.append(f"- {words[0].upper() + words[1:]} costs {found[0]:.2f} times the time and has {found[1]:.2f} times the error (medians).")
+    return lines
+
+
+def what_changes(rows, of):
+    """A table: what each choice changes in time, and in error by problem."""
+    lines = ["| choice | time | " + " | ".join(f"{n.replace('_', ' ')}" for n in of) + " |", "|" + "---|" * (2 + len(of))]
+    for differs, a, b, words in CHANGES:
+        found = pairs(rows, differs, a, b)
         if found:
-            lines.append(f"- {words[0].upper() + words[1:]}: {found[0]:.2f} times the time, {found[1]:.2f} times the error (medians).")
+            each = [pairs(of[n], differs, a, b) for n in of]
+            lines.append(f"| {words} | {found[0]:.2f} | " + " | ".join("" if e is None else f"{e[1]:.2g}" for e in each) + " |")
     return lines
 
 
@@ -218,10 +237,11 @@ def text(out):
     of = {n: [r for r in rows if r.problem == n] for n in there}
     lines = [
         "# What a result costs", "",
-        "How wrong compositions are on problems with a known answer, and what that costs. Each row is one run: a shape function, a transfer, an order",
-        "of the stress update, an average, points a cell, cells, a Courant number. The page is written by [benchmarks/trade](../benchmarks/trade/trade.py)",
-        "from its table `rows.csv`; nothing on it is typed. Seconds are those of one core, of steps alone; they agree to some 10 %, for the machine did other",
-        "work. Python has double precision alone. `FLIP, time` has the time of the problem: its period, unless it says otherwise.", "",
+        "How wrong compositions are on problems with a known answer, and what that costs. A row of the table is one run: a shape function, a transfer, an",
+        "order of the stress update, an average, points a cell, cells, a Courant number. `benchmarks/trade/trade.py` runs them from Python and writes this page from",
+        f"its table, `benchmarks/trade/rows.csv` ({len(rows)} rows): all numbers are from there. Seconds are those of the processor for the steps alone, {MACHINE};",
+        "they agree to some 10 %, for the machine did other work. Python has double precision alone. `FLIP, time` takes the period of the problem, or its whole time,",
+        "as its time.", "",
         "```sh", "benchmarks/trade/trade.py                          # runs what the table lacks, and appends row by row",
         "benchmarks/trade/trade.py --page docs/trade.md     # writes this page from it", "```", "",
         "## The cheapest for an error", "",
@@ -243,9 +263,9 @@ def text(out):
         lines.append(f"| {name} | {statistics.median(rates):.0f} | {', '.join(n.replace('_', ' ') for n in there if name in fronts[n])} |")
     beaten = dominated(of)
     lines += ["", "Dominated everywhere (on every problem another composition is as exact as each of its rows of at most 10 %, in less time by a tenth or more): "
-              + (", ".join(f"`{n}`" for n in beaten) or "none") + ".", "", "## More points, longer steps", "",
-              "The points of a cell are computed side by side, in packs of up to eight numbers ([performance](performance.md)): up to there more of them cost little.", ""]
-    lines += changes(rows)
+              + (", ".join(f"`{n}`" for n in beaten) or "none") + ".", "", "## What each choice changes", "",
+              "Times over all problems, errors by problem, of rows that differ in this choice alone: medians of the ratios.", "", *what_changes(rows, of), "",
+              "The points of a cell are computed side by side, in packs of up to eight numbers ([performance](performance.md)): up to there more of them cost little.", "", *changes(rows)]
     for n in there:
         p = problem(n)
         lines += ["", f"## {p.TITLE}", "", *p.SOURCE.splitlines(), "", f"Error: {p.ERROR}. Cells: {p.CELLS_ARE}.", "",

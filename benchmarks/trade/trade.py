@@ -27,7 +27,7 @@ COLUMNS = [*KEY, "error", "seconds", "steps", "points", "figures", "failure"]
 def problems():
     """Names, in the order of the page."""
     there = sorted(p.stem for p in (HERE / "problems").glob("*.py"))
-    first = ["bar", "drifting_bar", "spin", "cantilever", "settling", "manufactured", "vortex", "footing", "collapse"]
+    first = ["bar", "drifting_bar", "impact", "spin", "cantilever", "settling", "manufactured", "vortex", "footing", "collapse"]
     return [n for n in first if n in there] + [n for n in there if n not in first]
 
 
@@ -71,7 +71,7 @@ def plan(name, compositions, quick):
     p = problem(name)
     sizes = p.CELLS[:2] if quick else p.CELLS
     for c in compositions:
-        usual, others = (4, (1, 9)) if c.on_grid() else (3, (1, 6))
+        usual, others = c.points()
         chosen = [(n, usual, 0.5) for n in sizes]
         if not quick:
             chosen += [(n, k, 0.5) for n in sizes[:2] for k in others] + [(sizes[1], usual, courant) for courant in (0.25, 0.9)]

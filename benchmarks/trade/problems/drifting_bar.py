@@ -7,7 +7,7 @@ from common import Points, elastic_scene
 from problems.bar import LAW, LENGTH, STRAIN, WAVE
 
 TITLE = "Vibrating bar that drifts"
-KIND = "impact"
+KIND = "waves"
 SOURCE = """Closed form: u = V t + A cos(pi X / L) sin(w t), w = pi / L sqrt(M / rho). Three periods at strains of 1e-4, while the bar drifts
 by half of its length: points cross 8, 16 and 32 cells."""
 ERROR = "as for the vibrating bar, in the frame that drifts along"

@@ -45,9 +45,10 @@ def rows_of(out):
 
 
 def kept_error(r, rows):
-    """The error that the composition of a row of a problem keeps on finer cells, too (at the usual points and steps), so that what is exact by
-    chance does not count."""
-    return max([r.error, *(o.error for o in rows if o.composition == r.composition and o.cells > r.cells and o.usual)])
+    """The error that the composition of a row of a problem keeps on finer cells, too (at the usual points and steps, and at its own), so that what
+    is exact by chance does not count."""
+    return max([r.error, *(o.error for o in rows if o.composition == r.composition and o.cells > r.cells
+                           and (o.usual or (o.per_cell, o.courant) == (r.per_cell, r.courant)))])
 
 
 def cheapest(rows, target):
@@ -176,11 +177,13 @@ def orders(rows, sizes, theory):
 
 
 def failures(rows):
-    lines = []
+    """Rows that failed, by the cause and what they share."""
+    found = {}
     for r in rows:
         if r.failure:
-            lines.append(f"- {told(r)}: {r.failure}")
-    return lines
+            where = f"{r.cells} cells, {count(r.per_cell, 'point')} a cell, Courant number {r.courant:g}: {r.failure}"
+            found.setdefault(where, []).append(f"`{r.composition}`")
+    return [f"- {where}: {', '.join(names)}" for where, names in found.items()]
 
 
 def draw(rows, path, title):

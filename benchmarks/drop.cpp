@@ -1,7 +1,7 @@
 // Steps of the penetrometer's default drop (axisymmetric triangles, 28 points each, contact with a rigid
 // body, a mesh that moves), after it has hit the sand.
 //   --short  fewer steps
-#include "../examples/ffp/model.hpp"
+#include "../examples/ffp/drop/model.hpp"
 #include "whole.hpp"
 
 int main(int argc, char** argv) {

@@ -1,6 +1,6 @@
 // Cost of contact: of bodies with normals from the gradient of mass, of a cone given by a signed distance
 // and of the penetrometer's surface with the sand; and of finding the cell of a point.
-#include "../examples/ffp/model.hpp"
+#include "../examples/ffp/drop/model.hpp"
 #include "stages.hpp"
 
 namespace arenite::bench {

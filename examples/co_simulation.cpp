@@ -1,5 +1,8 @@
 // Co-simulation: a spring outside of the scene drives the cone; between two steps the program takes the force
 // of the sand and gives the velocity.
+//
+//   g++ -std=c++20 -O3 -march=native -Iinclude -I/usr/include/eigen3 examples/co_simulation.cpp -o co_simulation -pthread && ./co_simulation
+//   prints: after 0.050 s the cone lies 0.0323 m deep and moves at 1.037 m/s
 #include <arenite/arenite.hpp>
 #include <cstdio>
 using namespace arenite;

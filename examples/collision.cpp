@@ -1,5 +1,8 @@
 // Two elastic discs meet and part: initial velocities, contact of bodies, and the energy balance that shows
 // where the energy goes. Their momentum together stays to round-off.
+//
+//   g++ -std=c++20 -O3 -march=native -Iinclude -I/usr/include/eigen3 examples/collision.cpp -o collision -pthread && ./collision
+//   prints: t = 0.40 s  kinetic 110.7 J  strain 10.4 J  contact 20.0 J  residual +0.7 J
 #include <arenite/arenite.hpp>
 #include <cstdio>
 using namespace arenite;

@@ -1,5 +1,8 @@
 // A cone pushed into sand at constant speed on a Cartesian grid: a rigid body with a signed distance and a
 // prescribed motion, and its force as a history. No mesh to fit, no penetrometer to guide.
+//
+//   g++ -std=c++20 -O3 -march=native -Iinclude -I/usr/include/eigen3 examples/cone_on_grid.cpp -o cone_on_grid -pthread && ./cone_on_grid
+//   prints: depth 0.0500 m  force     50.3 N on 7 nodes
 #include <arenite/arenite.hpp>
 #include <cstdio>
 using namespace arenite;

@@ -1,5 +1,8 @@
 // A dam breaks: water is a law of one's own (extend/laws). Shallow water's wave (Ritter 1892) is 4/9 of the
 // depth where the dam was, and 8/27 h sqrt(g h) of water a second passes there.
+//
+//   g++ -std=c++20 -O3 -march=native -Iinclude -I/usr/include/eigen3 examples/dam_break.cpp -o dam_break -pthread && ./dam_break
+//   prints: at the dam 0.465 of the depth, theory 0.444; flow 0.281 h sqrt(g h), theory 0.296
 #include <cstdio>
 
 #include "extend/laws/newtonian_fluid.hpp"

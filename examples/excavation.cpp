@@ -3,6 +3,9 @@
 // 2000); Taylor's slip circle gives 3.83, Coulomb's wedge 4.
 //
 //   example.excavation [cell, m]     half of a trench of 12 m width, clay 6 m deep; cells of 0.25 m
+//
+//   g++ -std=c++20 -O3 -march=native -Iinclude -I/usr/include/eigen3 examples/excavation.cpp -o excavation -pthread && ./excavation
+//   prints: 4.25 m deep, rho g H / c = 4.17: fails
 #include <arenite/arenite.hpp>
 #include <arenite/io/csv.hpp>
 #include <cstdio>

@@ -1,5 +1,8 @@
 // Loads in time: a bar is loaded at its end, and the wave that runs in is compared with the exact one. Both
 // ways of loading a surface: on the faces of the mesh, and on points of the body.
+//
+//   g++ -std=c++20 -O3 -march=native -Iinclude -I/usr/include/eigen3 examples/loaded_bar.cpp -o loaded_bar -pthread && ./loaded_bar
+//   prints: stress 1.0000 of the load, reaction of the wall 1.0005 of twice the load
 #include <arenite/arenite.hpp>
 #include <cmath>
 #include <cstdio>

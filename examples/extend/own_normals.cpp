@@ -1,6 +1,9 @@
 // Contact normals of your own: a block slides down an elastic plane, x = g (sin a - mu cos a) t^2 / 2.
 // Normals from the gradients of mass are tilted at the edges of the block, which then hardly moves (0.001 m);
 // here the normal is known. The plane lies level, and gravity is tilted.
+//
+//   g++ -std=c++20 -O3 -march=native -Iinclude -I/usr/include/eigen3 examples/extend/own_normals.cpp -o own_normals -pthread && ./own_normals
+//   prints: the block has slid 0.1188 m, exact 0.1183 m
 #include <arenite/arenite.hpp>
 #include <cstdio>
 using namespace arenite;

@@ -1,5 +1,8 @@
 // An observer of your own: any callable that takes the scene as const, here an object that also wants to
 // know the end of the run. It measures the period of a bar that vibrates along its axis: T = 4 L / c.
+//
+//   g++ -std=c++20 -O3 -march=native -Iinclude -I/usr/include/eigen3 examples/extend/own_observer.cpp -o own_observer -pthread && ./own_observer
+//   prints: period 0.01259 s, exact 0.01265 s
 #include <arenite/arenite.hpp>
 #include <cstdio>
 using namespace arenite;

@@ -1,6 +1,9 @@
 // A surface and a motion of your own for a rigid body: a plate with a damper, set onto an elastic layer. It
 // comes to rest where the layer bears its weight: force = m g, sigma_yy = -(m g / A + rho g (H - y)) below
 // it.
+//
+//   g++ -std=c++20 -O3 -march=native -Iinclude -I/usr/include/eigen3 examples/extend/own_rigid_body.cpp -o own_rigid_body -pthread && ./own_rigid_body
+//   prints: force 1962.17 N, weight 1962.00 N; stress -12038 Pa, exact -12017 Pa
 #include <arenite/arenite.hpp>
 #include <cstdio>
 using namespace arenite;

@@ -1,6 +1,9 @@
 // A transfer of your own: FLIP whose points lose a fraction of their velocity in each step, for bodies that
 // are to come to rest (dynamic relaxation). A class with the members of arenite/transfer/transfer.hpp; no
 // kernel knows of it. A column settles under its weight: sigma_yy = -rho g (H - y).
+//
+//   g++ -std=c++20 -O3 -march=native -Iinclude -I/usr/include/eigen3 examples/extend/own_transfer.cpp -o own_transfer -pthread && ./own_transfer
+//   prints: at rest after 1608 steps: the stress is off by at most 0.0055 of the weight
 #include <arenite/arenite.hpp>
 #include <cstdio>
 using namespace arenite;

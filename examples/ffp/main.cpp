@@ -13,17 +13,17 @@
 
 #include <arenite/parallel/parallel.hpp>
 
-#include "command.hpp"
-#include "drop.hpp"
-#include "error_bar.hpp"
-#include "paper.hpp"
-#include "paper_cases.hpp"
-#include "reduce.hpp"
-#include "say.hpp"
-#include "values.hpp"
-#include "words.hpp"
+#include "command/command.hpp"
+#include "drop/drop.hpp"
+#include "drop/error_bar.hpp"
+#include "paper/paper.hpp"
+#include "paper/paper_cases.hpp"
+#include "reduce/reduce.hpp"
+#include "text/say.hpp"
+#include "command/values.hpp"
+#include "text/words.hpp"
 #ifdef ARENITE_FFP_COMMAND_LINE
-#include "command_line.hpp"
+#include "command/command_line.hpp"
 #endif
 
 namespace arenite::ffp {

@@ -80,9 +80,9 @@ fi
 
 echo "drawing the pictures: about 10 seconds"
 # Debian's own Python by its path: another, without matplotlib, may come first.
-/usr/bin/python3 "$root/examples/ffp/plot.py" "$out" > /dev/null || fail "drawing the pictures failed"
+/usr/bin/python3 "$root/examples/ffp/scripts/plot.py" "$out" > /dev/null || fail "drawing the pictures failed"
 printf '\n'
-/usr/bin/python3 "$root/examples/ffp/report.py" "$out"
+/usr/bin/python3 "$root/examples/ffp/scripts/report.py" "$out"
 if [ -e "$out/reduced.csv" ]; then
   printf '\nAs practitioners read it (arenite-ffp reduce %s):\n' "$out"
   "$driver" reduce "$out" || fail "the reduction failed"

@@ -32,7 +32,7 @@ def blocks(page, language):
 
 def test_mathematics_of_packs_are_listed():
     """In python.md, as the header has them."""
-    header = (SOURCE / "include" / "arenite" / "core" / "pack_functions.hpp").read_text()
+    header = (SOURCE / "include" / "arenite" / "simd" / "pack_functions.hpp").read_text()
     lists = re.findall(r"#define ARENITE_FUNCTIONS_OF_\w+\(list\)((?:.*\\\n)*.*)", header)
     there = {name for text in lists for name in re.findall(r"list\((\w+)\)", text)}
     row = re.search(r"^\| lane by lane \| (.*) \|$", (SOURCE / "docs" / "python.md").read_text(), re.MULTILINE)

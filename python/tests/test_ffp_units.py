@@ -27,12 +27,12 @@ def package(ar, monkeypatch, tmp_path):
     except ar.Error as e:
         pytest.skip(str(e))
     folder = tmp_path / "arenite"
-    for part in ("bin", "lib", "share/arenite/ffp", "include/arenite"):
+    for part in ("bin", "lib", "share/arenite/ffp/drop", "include/arenite"):
         (folder / part).mkdir(parents=True)
     (tmp_path / "main.cpp").write_text(MAIN)
     subprocess.run([*compiler, "-c", tmp_path / "main.cpp", "-o", tmp_path / "main.o"], check=True)
     subprocess.run(["ar", "rcs", folder / "lib" / "libffp_16.a", tmp_path / "main.o"], check=True)
-    (folder / "share/arenite/ffp/drop_slice.cpp").write_text('const char* unit() { return "slice"; }\n')
+    (folder / "share/arenite/ffp/drop/drop_slice.cpp").write_text('const char* unit() { return "slice"; }\n')
     for module in (_compile, _units):
         monkeypatch.setattr(module, "PACKAGE", folder)
     own = folder / "bin" / "arenite-ffp"
@@ -61,7 +61,7 @@ def test_what_a_drop_needs_is_compiled_once(package, capfd):
         said = capfd.readouterr().err
         assert ("compiling arenite-ffp for drops of the kind slice (once, about a minute; " in said) == first
         assert "built without" not in said
-    sources = package.folder / "share/arenite/ffp/drop_slice.cpp"
+    sources = package.folder / "share/arenite/ffp/drop/drop_slice.cpp"
     sources.write_text('const char* unit() { return "another"; }\n')  # of another version of the package
     assert _driver.run(COMMAND) == (0, ["another"])
 

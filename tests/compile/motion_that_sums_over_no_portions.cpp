@@ -1,4 +1,4 @@
-// must print: Rigid: on a portion of a mesh velocity_in_contact(body, free_velocity, others) of a motion with mass must sum over the others; see arenite/rigid/motion.hpp
+// must print: Rigid: on a portion of a mesh velocity_in_contact(body, free_velocity, comm) of a motion with mass must sum over the portions; see arenite/rigid/motion.hpp
 // errors: 1
 // A guided motion of a user's own that finds its velocity from the contact in this portion alone.
 #include <arenite/arenite.hpp>

@@ -1,5 +1,5 @@
 # cmake -D root=FOLDER -P check_rooms.cmake: no include runs back against the order of the rooms (the line `core < ..` of
-# docs/design.md; `io` takes core, geometry and mesh, `observe` and `run` take io), and no room uses what another one has in `detail`.
+# docs/design.md; `io` takes core, geometry and mesh, `observe` and `run` take io), and no room uses what another one has in `detail`. Each header names the licence.
 file(STRINGS ${root}/docs/design.md order REGEX "^core < ")
 string(REPLACE " < " ";" order "${order}")
 set(rooms ${order} io)
@@ -9,6 +9,9 @@ foreach(room IN LISTS rooms)
   list(FIND order ${room} place)
   foreach(header IN LISTS headers)
     file(READ ${header} text)
+    if(NOT text MATCHES "// SPDX-License-Identifier: BSD-3-Clause\n")
+      list(APPEND wrong "${header} does not name the licence (SPDX) behind its #pragma once")
+    endif()
     if(text MATCHES "^// Moved to ")  # a name of before, which includes the header that has its place
       continue()
     endif()

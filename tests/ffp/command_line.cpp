@@ -1,6 +1,6 @@
 // The command line of the drop: defaults are the paper's case; whatever is wrong becomes one sentence.
-#include "../../examples/ffp/command_line.hpp"
-#include "../../examples/ffp/values.hpp"
+#include "../../examples/ffp/command/command_line.hpp"
+#include "../../examples/ffp/command/values.hpp"
 
 #include <array>
 #include <fstream>

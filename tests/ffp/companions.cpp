@@ -1,5 +1,5 @@
 // The error bar of a drop in numbers: which drops it takes, and what their results make of it.
-#include "../../examples/ffp/companions.hpp"
+#include "../../examples/ffp/drop/companions.hpp"
 
 #include <map>
 #include <set>

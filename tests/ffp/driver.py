@@ -1066,7 +1066,7 @@ class ErrorBar(DriverTest):
         # A companion is the drop that its inputs say.
         self.run_drop("bar_cells", "--cell", "0.04", *self.OPTIONS[2:-1], "0")
         self.assertEqual(content("bar_cells"), content("bar/error-bar/cells-2"))
-        report = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "examples", "ffp", "report.py")
+        report = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "examples", "ffp", "scripts", "report.py")
         done = subprocess.run([sys.executable, report, "bar"], capture_output=True, text=True)
         self.assertIn(" ".join(line.split()[2:6]).rstrip(","), done.stdout)
 
@@ -1410,7 +1410,7 @@ class CommandLine(DriverTest):
 class Study(DriverTest):
     """The script that runs the documentation's tables."""
 
-    SCRIPT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "examples", "ffp", "study.py")
+    SCRIPT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "examples", "ffp", "scripts", "study.py")
     COMMON = " ".join([*COARSE, "--end", "0.03"])
 
     def study(self, *options):

@@ -1,7 +1,7 @@
 // The shapes of the drop, against the formulas of solids, and the line grading.
-#include "../../examples/ffp/geometry.hpp"
+#include "../../examples/ffp/geometry/geometry.hpp"
 
-#include "../../examples/ffp/grading.hpp"
+#include "../../examples/ffp/geometry/grading.hpp"
 #include "catch.hpp"
 
 using namespace arenite;

@@ -5,10 +5,10 @@
 
 #include <arenite/mesh/simplex_mesh.hpp>
 
-#include "../../examples/ffp/mesh_grid.hpp"
-#include "../../examples/ffp/mesh_quality.hpp"
-#include "../../examples/ffp/mesh_slice.hpp"
-#include "../../examples/ffp/tip.hpp"
+#include "../../examples/ffp/geometry/mesh_grid.hpp"
+#include "../../examples/ffp/geometry/mesh_quality.hpp"
+#include "../../examples/ffp/geometry/mesh_slice.hpp"
+#include "../../examples/ffp/geometry/tip.hpp"
 #include "catch.hpp"
 
 using namespace arenite;

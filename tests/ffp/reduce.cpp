@@ -8,10 +8,10 @@
 #include <string>
 #include <vector>
 
-#include "../../examples/ffp/read_measurement.hpp"
-#include "../../examples/ffp/read_reduce.hpp"
-#include "../../examples/ffp/reduction.hpp"
-#include "../../examples/ffp/reduction_files.hpp"
+#include "../../examples/ffp/reduce/read_measurement.hpp"
+#include "../../examples/ffp/command/read_reduce.hpp"
+#include "../../examples/ffp/reduce/reduction.hpp"
+#include "../../examples/ffp/reduce/reduction_files.hpp"
 #include "catch.hpp"
 
 using namespace arenite;

@@ -1,6 +1,6 @@
 // Filter, peaks, history and summary of a drop, against closed forms.
-#include "../../examples/ffp/results.hpp"
-#include "../../examples/ffp/summary_file.hpp"
+#include "../../examples/ffp/drop/results.hpp"
+#include "../../examples/ffp/drop/summary_file.hpp"
 
 #include <fstream>
 #include <random>

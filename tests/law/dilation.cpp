@@ -4,7 +4,7 @@
 #include <arenite/law/drucker_prager.hpp>
 #include <arenite/law/mohr_coulomb.hpp>
 #include <arenite/particles/points.hpp>
-#include <arenite/transfer/law_pass.hpp>
+#include <arenite/law/pass.hpp>
 
 #include "catch.hpp"
 #include "states.hpp"

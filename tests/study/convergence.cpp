@@ -77,7 +77,7 @@ TEST_CASE("Convergence: results that diverge have a negative order and no limit"
   CHECK(std::abs(*convergence({{1, 1}, {2, 2}, {4, 3}}).order) < 1e-12);
 }
 
-TEST_CASE("Convergence: the numbers by which examples/ffp/resolution.py is tested") {
+TEST_CASE("Convergence: the numbers by which examples/ffp/scripts/resolution.py is tested") {
   const Convergence c = convergence({{2, 0.173}, {1, 0.184}, {0.5, 0.191}});
   CHECK(c.converged);
   CHECK(std::abs(*c.order - std::log2(11.0 / 7)) < 1e-9);

@@ -79,7 +79,7 @@ TEST_CASE("nodal averaging: the dilation of the last step stays in its cell, by 
   nodes.velocity[3] = {0, 3};
   VolumetricAverage<double> average;
   average.sum<PlaneStrain, N>(mesh, blocks, body, nodes, dt);
-  average.use(mesh, blocks, body);
+  average.finish(mesh, blocks, body);
   const double e0 = 2 * dt - mean[0], e1 = 3 * dt - mean[1], shared = (v0 * e0 + v1 * e1) / (v0 + v1);
   CHECK(std::abs(average.cell_strain[0] - ((2 * shared + e0) / 3 + mean[0])) <= 1e-16);
   CHECK(std::abs(average.cell_strain[1] - ((2 * shared + e1) / 3 + mean[1])) <= 1e-16);

@@ -134,10 +134,10 @@ struct Setup : RandomBody<typename N_::Shape, M_, N_::extra_columns, N_::maps_ba
     }
   }
   G2pSums g2p(T dt) {
-    VolumetricAverage<T> average;
-    if constexpr (N::AntiLocking::averages_strain) {
+    typename N::template StrainAverage<T> average;
+    if constexpr (N::averages_strain) {
       average.template sum<K, N>(mesh, blocks, body, nodes, dt);
-      average.use(mesh, blocks, body);
+      average.finish(mesh, blocks, body);
     }
     return arenite::g2p<K, true>(numerics, mesh, body, nodes, dt, average);
   }

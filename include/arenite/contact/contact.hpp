@@ -163,7 +163,7 @@ double hold_together(const Pairs& pairs, Fields& fields, T dt, const Owns& owns 
   return dissipation;
 }
 
-/// What pairs dissipated beyond what `exchange` has booked (see `rest_of_dissipation`), J.
+/// What pairs dissipated beyond what `apply_contact` has booked (see `rest_of_dissipation`), J.
 template <class Pairs, class Fields, class Owns = OwnsAll>
 double rest_between(const Pairs& pairs, const Fields& fields, const Owns& owns = {}) {
   double dissipation = 0;

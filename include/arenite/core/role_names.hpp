@@ -10,56 +10,42 @@
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
+// clang-format off
+/// All roles: of laws (law/roles.hpp), transfers (transfer/transfer.hpp), both laws and parts, parts
+/// (scene/roles.hpp); in the last lines names of 0.1, which are refused with the new ones.
+#define ARENITE_ROLES(role)                                                                           \
+  role(is_open) role(yield) role(greatest_volume_ratio) role(max_pack_width) role(two_packs_at_once)  \
+  role(linear) role(names)                                                                            \
+  role(in_step) role(sweeps) role(particle_field) role(gather)                                        \
+  role(stable_step)                                                                                   \
+  role(connect) role(constrain) role(driven_velocity) role(add_force) role(acceleration)              \
+  role(apply_impulses) role(constrain_mapped) role(take_stress_work) role(take_wall_impulse)          \
+  role(after_p2g) role(after_grid) role(take_mapped_momentum) role(given_impulse) role(follow_motion) \
+  role(renew_points) role(count_energy) role(holds_against) role(visit_state) role(follow_state)      \
+  role(hand) role(take) role(exchange_impulses) role(exchange_rank) role(hold_mapped)                 \
+  role(read_start) role(read_end) role(take_wall_hold)
+// clang-format on
+
+namespace detail {
+#define ARENITE_ROLE(role) int role;
+struct AllRoles {
+  ARENITE_ROLES(ARENITE_ROLE)
+};
+#undef ARENITE_ROLE
+template <class P>
+struct WithAllRoles : P, AllRoles {};
+}  // namespace detail
+
 /// names_<role><P>: whether P, a class that is not final, has any member of that name. Beside a second base
 /// with such a member the name is ambiguous.
 #define ARENITE_ROLE(role)                                                        \
-  namespace detail {                                                              \
-  struct Has_##role {                                                             \
-    int role;                                                                     \
-  };                                                                              \
-  template <class P>                                                              \
-  struct With_##role : P, Has_##role {};                                          \
-  }                                                                               \
   template <class P>                                                              \
   concept names_##role = std::is_class_v<P> && !std::is_final_v<P> && !requires { \
-    &detail::With_##role<P>::role;                                                \
+    &detail::WithAllRoles<P>::role;                                               \
   };
-// Of laws (law/roles.hpp).
-ARENITE_ROLE(is_open)
-ARENITE_ROLE(yield)
-ARENITE_ROLE(greatest_volume_ratio)
-ARENITE_ROLE(max_pack_width)
-ARENITE_ROLE(two_packs_at_once)
-ARENITE_ROLE(linear)
-ARENITE_ROLE(names)
-// Of transfers (transfer/transfer.hpp).
-ARENITE_ROLE(in_step)
-ARENITE_ROLE(sweeps)
-ARENITE_ROLE(particle_field)
-ARENITE_ROLE(gather)
-// Of laws and parts.
-ARENITE_ROLE(stable_step)
-// Of parts (scene/roles.hpp).
-ARENITE_ROLE(connect)
-ARENITE_ROLE(constrain)
-ARENITE_ROLE(driven_velocity)
-ARENITE_ROLE(add_force)
-ARENITE_ROLE(acceleration)
-ARENITE_ROLE(apply_impulses)
-ARENITE_ROLE(constrain_mapped)
-ARENITE_ROLE(take_stress_work)
-ARENITE_ROLE(take_wall_impulse)
-ARENITE_ROLE(after_p2g)
-ARENITE_ROLE(after_grid)
-ARENITE_ROLE(take_mapped_momentum)
-ARENITE_ROLE(given_impulse)
-ARENITE_ROLE(follow_motion)
-ARENITE_ROLE(renew_points)
-ARENITE_ROLE(count_energy)
-ARENITE_ROLE(holds_against)
-ARENITE_ROLE(visit_state)
-ARENITE_ROLE(follow_state)
+ARENITE_ROLES(ARENITE_ROLE)
 #undef ARENITE_ROLE
+#undef ARENITE_ROLES
 
 /// Whether a part or a transfer may read, of the nodes, the velocity at the start of the step (`field.start`)
 /// or the force (`field.sums[i].force()`). It may, unless it says `static constexpr bool

@@ -69,10 +69,12 @@ requires requires { typename T::scalar; }
 struct ScalarOf<T> {
   using type = typename T::scalar;
 };
-template <class T>
-using scalar_of = typename ScalarOf<T>::type;
 
 }  // namespace detail
+
+/// The scalar of a pack; T itself where it is one.
+template <class T>
+using scalar_of = typename detail::ScalarOf<T>::type;
 
 /// Stands in for a member, or for a value, that a composition does not need; made of anything.
 struct Nothing {

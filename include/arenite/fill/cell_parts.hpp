@@ -20,9 +20,15 @@ struct CellPart {
   bool whole = false;
 };
 
-namespace detail {
-
 using SpacePosition = AnyRegion::Position;
+
+/// A ball without the boundary of a region in it, m.
+struct ClearBall {
+  SpacePosition centre{};
+  double radius = 0;
+};
+
+namespace detail {
 
 double distance_between(const SpacePosition& x, const SpacePosition& y);
 
@@ -30,11 +36,6 @@ double distance_between(const SpacePosition& x, const SpacePosition& y);
 struct CellCorners {
   std::array<SpacePosition, 8> at{};
   std::size_t count = 0;
-};
-/// A ball without the boundary of a region in it, m.
-struct ClearBall {
-  SpacePosition centre{};
-  double radius = 0;
 };
 
 /// `cell_parts` of a simplex with these corners and volume, m^D.
@@ -49,17 +50,16 @@ std::vector<CellPart> simplex_parts(const CellCorners& corners, double volume, c
 /// what lies nearest to a place. `clear`: of the cell before.
 template <class T, int D>
 std::vector<CellPart> cell_parts(const CellBox<T, D>& cell, const AnyRegion& region,
-                                 const Places<Vec<T, D>>& places, int per_cell, bool even,
-                                 detail::ClearBall& clear);
+                                 const Places<Vec<T, D>>& places, int per_cell, bool even, ClearBall& clear);
 template <class M>
 std::vector<CellPart> cell_parts(const M& mesh, Index cell, const AnyRegion& region,
                                  const Places<typename M::Point>& places, [[maybe_unused]] int per_cell,
-                                 [[maybe_unused]] bool even, detail::ClearBall& clear) {
+                                 [[maybe_unused]] bool even, ClearBall& clear) {
   if (!region.test || region.by_centres) return {};
   if constexpr (is_simplex_mesh<M>) {
     detail::CellCorners corners;
     for (const Index i : mesh.nodes(cell)) corners.at[corners.count++] = in_space(mesh.position(i));
-    std::vector<detail::SpacePosition> middles;
+    std::vector<SpacePosition> middles;
     for (const auto& x : places) middles.push_back(in_space(x));
     return detail::simplex_parts<M::dimension>(corners, static_cast<double>(mesh.volume(cell)), region,
                                                middles, clear);

@@ -149,8 +149,7 @@ ARENITE_COLD std::vector<CellPart> simplex_parts(const CellCorners& corners, dou
 template <class T, int D>
 ARENITE_COLD std::vector<CellPart> cell_parts(const CellBox<T, D>& cell, const AnyRegion& region,
                                               const Places<Vec<T, D>>& places, int per_cell, bool even,
-                                              detail::ClearBall& clear) {
-  using detail::SpacePosition;
+                                              ClearBall& clear) {
   const SpacePosition lower = in_space(cell.corner);
   SpacePosition edges = in_space(cell.extent);
   detail::CellCorners corners;
@@ -165,16 +164,15 @@ ARENITE_COLD std::vector<CellPart> cell_parts(const CellBox<T, D>& cell, const A
   return std::move(sums).parts();
 }
 
-#define ARENITE_INSTANCES(D)                                                                           \
-  template std::vector<CellPart> detail::simplex_parts<D>(                                             \
-      const detail::CellCorners&, double, const AnyRegion&, const std::vector<detail::SpacePosition>&, \
-      detail::ClearBall&);
+#define ARENITE_INSTANCES(D)                               \
+  template std::vector<CellPart> detail::simplex_parts<D>( \
+      const detail::CellCorners&, double, const AnyRegion&, const std::vector<SpacePosition>&, ClearBall&);
 ARENITE_FOR_DIMENSIONS(ARENITE_INSTANCES)
 #undef ARENITE_INSTANCES
 
 #define ARENITE_INSTANCES(T, D)                                                     \
   template std::vector<CellPart> cell_parts(const CellBox<T, D>&, const AnyRegion&, \
-                                            const Places<Vec<T, D>>&, int, bool, detail::ClearBall&);
+                                            const Places<Vec<T, D>>&, int, bool, ClearBall&);
 ARENITE_FOR_NUMBERS_AND_DIMENSIONS(ARENITE_INSTANCES)
 #undef ARENITE_INSTANCES
 

@@ -81,6 +81,8 @@ struct FillPlace {
   bool sliver = false;  // whether it stands for less than a tenth of a sub-cell
 };
 
+}  // namespace detail
+
 /// A point that a fill makes.
 template <class T, int D>
 struct FillPoint {
@@ -122,14 +124,13 @@ class Filling {
   double density_;
   std::optional<InitialStress> stress_;
   T (*thickness_)(const Point&);
-  std::vector<FillPlace> places_{};
+  std::vector<detail::FillPlace> places_{};
   std::vector<FillPoint<T, D>> points_{};
 };
 
 /// Place of a history's member, by name. Throws `error` if there is none.
 std::size_t history_place(std::span<const std::string_view> names, const std::string& name);
 
-}  // namespace detail
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET
 
 #ifndef ARENITE_COLD_LIBRARY

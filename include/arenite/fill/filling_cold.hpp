@@ -14,9 +14,7 @@ ARENITE_COLD void FillOptions::check() const {
   require(jitter >= 0 && jitter <= 1, "FillOptions.jitter", jitter, "must lie in [0, 1]");
 }
 
-namespace detail {
-
-ARENITE_COLD void refuse_cells_of_grid(const std::string& name) {
+ARENITE_COLD void detail::refuse_cells_of_grid(const std::string& name) {
   throw error(joined_text({"Cells = ", name, ": a grid has no regions; they go with simplices"}));
 }
 
@@ -70,12 +68,13 @@ ARENITE_COLD void Filling<T, D>::add_cell(Index cell, T volume, const Places<Poi
 
 template <class T, int D>
 ARENITE_COLD void Filling<T, D>::join_slivers(const std::function<Index(const SpacePosition&, Index)>& walk) {
+  using detail::distance_between;
   for (auto& small : places_) {
     if (!small.sliver) continue;
-    FillPlace* nearest = nullptr;
+    detail::FillPlace* nearest = nullptr;
     const auto look = [&](Index cell) {
       auto other = std::lower_bound(places_.begin(), places_.end(), cell,
-                                    [](const FillPlace& place, Index c) { return place.cell < c; });
+                                    [](const detail::FillPlace& place, Index c) { return place.cell < c; });
       for (; other != places_.end() && other->cell == cell; ++other)
         if (!other->sliver && (!nearest || distance_between(other->position, small.position) <
                                                distance_between(nearest->position, small.position)))
@@ -97,13 +96,13 @@ ARENITE_COLD void Filling<T, D>::join_slivers(const std::function<Index(const Sp
     nearest->volume = both;
     small.volume = 0;
   }
-  std::erase_if(places_, [](const FillPlace& place) { return place.volume == 0; });
+  std::erase_if(places_, [](const detail::FillPlace& place) { return place.volume == 0; });
 }
 
 template <class T, int D>
 ARENITE_COLD const std::vector<FillPoint<T, D>>& Filling<T, D>::points(bool with_gradients) {
   points_.clear();
-  for (const FillPlace& place : places_) {
+  for (const auto& place : places_) {
     FillPoint<T, D> point;
     point.position = in_scene<D, T>(place.position);
     point.velocity = options_.velocity.at(point.position);
@@ -124,5 +123,4 @@ ARENITE_COLD const std::vector<FillPoint<T, D>>& Filling<T, D>::points(bool with
 ARENITE_FOR_NUMBERS_AND_DIMENSIONS(ARENITE_INSTANCES)
 #undef ARENITE_INSTANCES
 
-}  // namespace detail
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -12,9 +12,9 @@
 #include <arenite/host/hosted_law.hpp>
 #include <arenite/host/readers.hpp>
 #include <arenite/law/drive.hpp>
+#include <arenite/law/pass.hpp>
 #include <arenite/parallel/parallel.hpp>
 #include <arenite/simd/kernel.hpp>
-#include <arenite/transfer/law_pass.hpp>
 #include <arenite/transfer/numerics.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {

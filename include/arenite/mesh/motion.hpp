@@ -16,7 +16,7 @@
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 /// A rigid body of the scene leads, by name or number. A leader has `travel(scene, axis, before, dt)`, or
-/// with the exchange behind them where its travel is a sum over scenes: its travel along the axis since the
+/// with the communicator behind them where its travel is a sum over scenes: its travel along the axis since the
 /// start, m, `before` being that of the step before.
 template <Name body = 0>
 struct LedByRigid {

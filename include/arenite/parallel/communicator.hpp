@@ -12,10 +12,10 @@
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
-/// Nothing to exchange; compiles to nothing. Any exchange has these members, which all scenes call in the
+/// Nothing to sum; compiles to nothing. Any communicator has these members, which all scenes call in the
 /// same order; what they return is the same in all, bit for bit, if sums are taken in one order:
 ///
-/// - `alone`: false;
+/// - `is_serial`: false;
 /// - `sum_nodes(values, count)`: each copy of a node gets the sum over all of its copies; `values` has
 ///   `count` numbers a node;
 /// - `share_nodes(values, count)`: each copy gets the numbers of the scene that owns the node;

@@ -134,7 +134,7 @@ auto make_body(const M& mesh, const Fill<L, name>& recipe, const Owns& owns = {}
   const FillOptions& o = recipe.options;
   constexpr bool simplices = is_simplex_mesh<M>;
   const auto thickness = [](const Vec<T, D>& x) -> T { return K::thickness(x); };
-  detail::Filling<T, D> filling(o, recipe.region, recipe.law.density(), ground, simplices, thickness);
+  Filling<T, D> filling(o, recipe.region, recipe.law.density(), ground, simplices, thickness);
   const int per_cell = o.points_in_cell<M>();
   const auto numbers = region_numbers(mesh, recipe.region);
   const auto add_points = [&] {
@@ -157,7 +157,7 @@ auto make_body(const M& mesh, const Fill<L, name>& recipe, const Owns& owns = {}
   }
   if (o.exact_volume) {
     filling.join_slivers(
-        [&](const detail::SpacePosition& x, Index near) { return mesh.walk(in_scene<D, T>(x), near); });
+        [&](const SpacePosition& x, Index near) { return mesh.walk(in_scene<D, T>(x), near); });
     add_points();
   }
   body.initial_volume = filling.initial_volume;

@@ -2,8 +2,10 @@
 #pragma once
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include <algorithm>
 #include <cmath>
 #include <concepts>
+#include <limits>
 #include <type_traits>
 #include <utility>
 
@@ -120,6 +122,22 @@ struct RunOptions {
     require(max_step > 0, "RunOptions.max_step", max_step, "must be positive");
   }
 };
+
+/// Steps of a run, before the first.
+struct ExpectedSteps {
+  double count = 0;
+  double length = 0;  ///< s
+};
+
+/// The steps that a run would take if the stable step stayed what it is now. A mesh that is compressed to half
+/// its height, say, doubles them. Throws `error` for a bad option.
+template <class Scene>
+ExpectedSteps expected_steps(const Scene& scene, const RunOptions& options) {
+  options.check(scene.time);
+  const double left = options.end - scene.time;
+  const double length = std::min({options.courant * stable_step(scene), options.max_step, left});
+  return {length > 0 ? std::ceil(left / length * (1 - 1e-9)) : 0, length};
+}
 
 /// The next step towards `options.end`, `span` s behind the start of the run. Returns its length, s.
 template <class Scene, class Communicator>

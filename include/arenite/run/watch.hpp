@@ -14,12 +14,12 @@
 #include <arenite/core/cold.hpp>
 #include <arenite/core/state_value.hpp>
 #include <arenite/core/warning.hpp>
+#include <arenite/law/pass.hpp>
 #include <arenite/mesh/full_volume.hpp>
 #include <arenite/observe/point_columns.hpp>
 #include <arenite/run/damped_fall.hpp>
 #include <arenite/run/watch_limits.hpp>
 #include <arenite/run/watched_energy.hpp>
-#include <arenite/transfer/law_pass.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 namespace detail {

@@ -1,4 +1,4 @@
-// Points that move from one portion of a mesh to another. For the `migrate` of an exchange.
+// Points that move from one portion of a mesh to another. For the `migrate` of a communicator.
 #pragma once
 // SPDX-License-Identifier: BSD-3-Clause
 

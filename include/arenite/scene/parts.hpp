@@ -11,9 +11,9 @@
 
 #include <arenite/core/bind.hpp>
 #include <arenite/core/name.hpp>
+#include <arenite/law/pass.hpp>
 #include <arenite/particles/body.hpp>
 #include <arenite/scene/roles.hpp>
-#include <arenite/transfer/law_pass.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 

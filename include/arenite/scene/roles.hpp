@@ -41,10 +41,10 @@ concept drives_nodes = requires(const P& part, const typename S::V& position) {
   { part.driven_velocity(position, 0.0) } -> std::convertible_to<typename S::V>;
 };
 
-/// After P2G: adds forces, N, by `field.sums[node].add_force(f)`; `scene.fields` hold mass (collected)
+/// After P2G: adds forces, N, by `field.sums[node].add_force(f)`; `scene.fields` hold mass (`sums`)
 /// and force of this step, and the velocities at the end of the one before. dt: s. In a scene over a portion
 /// of a mesh nodes hold the sums of all portions, and what is added must be the same in all: a part whose
-/// forces follow from its own points sums them with the exchange, a third argument.
+/// forces follow from its own points sums them with the communicator, a third argument.
 template <class P, class S>
 concept adds_force = requires(P& part, S& scene) {
   { part.add_force(scene, 0.0) } -> std::same_as<void>;
@@ -57,11 +57,11 @@ concept accelerates = requires(const P& part) {
 };
 
 /// After the grid update: gives the fields' velocities impulses, takes its own motion through the step, and
-/// returns what it did. `static constexpr int contact_order` orders those who exchange: 0 bodies with each
+/// returns what it did. `static constexpr int contact_order` orders these parts: 0 bodies with each
 /// other, 1 rigid bodies, 2 (without one) all else. Velocities are constrained again afterwards.
 ///
 /// In a scene over a portion of a mesh it treats all nodes alike and counts those that it owns
-/// (`scene.node_owner()`); what needs sums over all nodes takes the exchange as a third argument (`Serial`),
+/// (`scene.node_owner()`); what needs sums over all nodes takes the communicator as a third argument (`Serial`),
 /// as `constrain_mapped` and `follow_motion` may. `is_shared`: its numbers are those of all portions together.
 template <class P, class S>
 concept applies_impulses = requires(P& part, S& scene) {
@@ -263,6 +263,12 @@ inline constexpr bool plays_a_role =
 /// Stops the compiler with the cure for a part that a scene would else leave out in silence.
 template <class P, class S>
 constexpr bool check_part() {
+  static_assert(!names_exchange_impulses<P>, "part: exchange_impulses is now called apply_impulses");
+  static_assert(!names_exchange_rank<P>, "part: exchange_rank is now called contact_order");
+  static_assert(!names_hold_mapped<P>, "part: hold_mapped is now called constrain_mapped");
+  static_assert(!names_read_start<P>, "part: read_start is now called after_p2g");
+  static_assert(!names_read_end<P>, "part: read_end is now called after_grid");
+  static_assert(!names_take_wall_hold<P>, "part: take_wall_hold is now called take_mapped_momentum");
   static_assert(
       plays_a_role<P>,
       "Scene: a part plays no role; a part is bodies(..), or a class that is not final with one of "
@@ -296,8 +302,7 @@ constexpr bool check_part() {
       "part: after_grid must be void after_grid(const Scene& scene, double dt), or return joules as double");
   static_assert(!names_take_mapped_momentum<P> || takes_mapped_momentum<P, S>,
                 "part: take_mapped_momentum must be void take_mapped_momentum(const Scene& scene, double dt, "
-                "std::size_t "
-                "field, Index node, const Vec<T, D>& momentum)");
+                "std::size_t field, Index node, const Vec<T, D>& momentum)");
   static_assert(!names_given_impulse<P> || gives_wall_impulse<P, S>,
                 "part: given_impulse must be Vec<T, D> given_impulse() const, beside std::string wall_name() "
                 "const");

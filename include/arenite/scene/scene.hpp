@@ -120,8 +120,7 @@ struct Scene {
   std::vector<Constraint<T, D>> constraints;  ///< of all parts
   [[no_unique_address]] std::conditional_t<Needs::drives, std::vector<Drive<T, D>>, Nothing>
       drives{};  ///< nodes that parts move
-  [[no_unique_address]] std::conditional_t<N::AntiLocking::averages_strain, VolumetricAverage<T>, Nothing>
-      average{};
+  [[no_unique_address]] typename N::template StrainAverage<T> average{};
   [[no_unique_address]] std::conditional_t<N::smooths_light_nodes, LightNodes<T, D>, Nothing> light_nodes{};
 
   double time = 0;       ///< s

@@ -186,11 +186,12 @@ void average_strains([[maybe_unused]] Scene& scene, [[maybe_unused]] B& body,
                      [[maybe_unused]] const Field& field, [[maybe_unused]] double dt,
                      [[maybe_unused]] Communicator& comm) {
   using N = typename Scene::NumericsType;
-  if constexpr (N::AntiLocking::averages_strain) {
+  if constexpr (N::averages_strain) {
     scene.average.template sum<typename Scene::Kinematics, N>(scene.mesh, scene.blocks, body, field,
                                                               static_cast<typename Scene::T>(dt));
-    if constexpr (!Communicator::is_serial) comm.sum_nodes(scene.average.numbers(), 2);
-    scene.average.use(scene.mesh, scene.blocks, body);
+    if constexpr (!Communicator::is_serial && N::template StrainAverage<double>::numbers_per_node > 0)
+      comm.sum_nodes(scene.average.numbers(), scene.average.numbers_per_node);
+    scene.average.finish(scene.mesh, scene.blocks, body);
   }
 }
 

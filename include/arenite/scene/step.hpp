@@ -12,12 +12,12 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 /// Takes a scene through one step of length dt, s. Throws `error` unless dt is positive and finite, and
 /// `run_error` if the state turns into NaN or the mesh inside out, naming time, place and cause. Warns, once
-/// a scene, of a dt above the stable step. `comm`: the exchange with the scenes over the other portions of
+/// a scene, of a dt above the stable step. `comm`: the communicator of the scenes over the other portions of
 /// the mesh, which take the same step at the same time (`parallel/communicator.hpp`).
 template <class Scene, class Communicator>
 void step(Scene& scene, double dt, Communicator& comm) {
   static_assert(Scene::is_portion != Communicator::is_serial,
-                "step: a scene over a MeshPortion needs the exchange with the other portions, others none");
+                "step: a scene over a MeshPortion needs the communicator of the portions, others none");
   scene.step_check(dt, scene.time, scene.steps, [&] { return stable_step(scene); });
   relocate(scene, comm);                 // find the cell of each point
   p2g(scene, dt, comm);                  // P2G: mass, momentum, internal force

@@ -3,7 +3,7 @@
 #pragma once
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include <arenite/transfer/law_pass.hpp>
+#include <arenite/law/pass.hpp>
 #include <arenite/transfer/product/g2p.hpp>
 #include <arenite/transfer/product/strain.hpp>
 #include <arenite/transfer/simplex/g2p.hpp>
@@ -11,7 +11,25 @@
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
+/// Strain steps of the points of a cell, made from the cell and the node velocities that strain: called with a
+/// pack of its points, it gives their sym(dt sum u_i (grad w_i)^T), in axisymmetry with
+/// de_hoop = dt sum w_i u_r,i / r_p. K: kinematics, N: numerics, M: mesh.
+template <class K, class N, class M>
+using CellStrain = std::conditional_t<N::Shape::constant_gradient, simplex::CellStrain<K, N, M>,
+                                      product::CellStrain<K, N, M>>;
+
 namespace detail {
+
+/// Strains of a run of points of a cell into `buffer`, that of point `origin` first.
+template <class K, class N, class M, class Points, class Field, class Average, class Buffer>
+ARENITE_KERNEL void strain(const M& mesh, Index c, Points& points, std::size_t begin, std::size_t end,
+                           const Field& nodes, typename M::scalar dt, const Average& average, Buffer& buffer,
+                           std::size_t origin) {
+  const CellStrain<K, N, M> strain(mesh, c, nodes, dt);
+  for_each_pack<strain.width>(points, begin, end, [&](const auto& p) {
+    buffer.store(p.first - origin, averaged(strain(p), average, c));
+  });
+}
 
 /// Calls `run(cell, first, last, buffer, origin)` for the runs of points of one cell as they lie in memory,
 /// which returns a part of the check; where `UpdatesStress`, the law takes the strains that it left in the
@@ -61,7 +79,7 @@ G2pSums g2p(const N& numerics, const M& mesh, B& body, const Field& nodes, typen
         if constexpr (N::Shape::constant_gradient)
           return simplex::g2p<K>(numerics, mesh, c, points, first, last, nodes, dt, average, buffer, origin);
         else
-          return product::g2p<K>(numerics, mesh, c, points, first, last, nodes, dt, buffer, origin);
+          return product::g2p<K>(numerics, mesh, c, points, first, last, nodes, dt, average, buffer, origin);
       });
 }
 
@@ -73,10 +91,7 @@ G2pSums update_stress(const N& numerics, const M& mesh, B& body, const Field& no
   return detail::pass_over_points<TracksWork, true>(
       numerics, mesh, body, dt,
       [&](Index c, std::size_t first, std::size_t last, auto& buffer, std::size_t origin) {
-        if constexpr (N::Shape::constant_gradient)
-          simplex::strain<K, N>(mesh, c, points, first, last, nodes, dt, average, buffer, origin);
-        else
-          product::strain<K, N>(mesh, c, points, first, last, nodes, dt, buffer, origin);
+        detail::strain<K, N>(mesh, c, points, first, last, nodes, dt, average, buffer, origin);
         return 0;
       });
 }

@@ -9,7 +9,7 @@
 #include <arenite/law/law.hpp>
 #include <arenite/particles/points.hpp>
 #include <arenite/shape/shape.hpp>
-#include <arenite/stabilise/anti_locking.hpp>
+#include <arenite/transfer/anti_locking.hpp>
 #include <arenite/transfer/transfer.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
@@ -35,6 +35,8 @@ struct Numerics {
   template <class T>
   static constexpr int width = static_cast<int>(RegisterBytes / sizeof(T));
   using Shape = Shape_;
+  static_assert(!names_hand<Transfer_> && !names_take<Transfer_>,
+                "Numerics: hand and take of a transfer are now called particle_field and gather");
   static_assert(
       transfer_type<Transfer_, Shape_>,
       "Numerics: the transfer lacks a member: affine, fits<Shape>, particle_field(point), gather(cell, "
@@ -43,6 +45,9 @@ struct Numerics {
   using Transfer = std::conditional_t<transfer_type<Transfer_, Shape_>, Transfer_, Flip>;
   using StressUpdate = StressUpdate_;
   using AntiLocking = AntiLocking_;
+  template <class T>
+  using StrainAverage = typename detail::StrainAverageOf<AntiLocking, T>::type;
+  static constexpr bool averages_strain = !std::same_as<StrainAverage<double>, Nothing>;
   /// Whether strains are taken from velocities that were mapped back to the nodes.
   static constexpr bool maps_back = StressUpdate::maps_back && !returns_unchanged<Transfer, Shape>;
   /// Whether the points take their velocities where they are mapped back, in a pass before that of the
@@ -67,13 +72,11 @@ struct Numerics {
   static constexpr bool needs_edge_mass = (maps_back || sweeps_nodes) && Shape::constant_gradient;
   /// Whether the stresses of bodies with laws L are taken at the middle of the step (see `add_half_step`).
   template <class... L>
-  static constexpr bool centres_stress =
-      maps_back&& Shape::constant_gradient && !AntiLocking::averages_strain &&
-      !AntiLocking::averages_stress && (is_linear<L> && ...);
+  static constexpr bool centres_stress = maps_back&& Shape::constant_gradient && !averages_strain &&
+                                         !AntiLocking::averages_stress && (is_linear<L> && ...);
   static constexpr bool needs_cell_sums =
-      needs_edge_mass || AntiLocking::averages_strain || AntiLocking::averages_stress;
-  static constexpr ExtraColumns extra_columns{.affine = Transfer::affine,
-                                              .dilation = AntiLocking::averages_strain};
+      needs_edge_mass || (Shape::constant_gradient && averages_strain) || AntiLocking::averages_stress;
+  static constexpr ExtraColumns extra_columns{.affine = Transfer::affine, .dilation = averages_strain};
 
   static_assert(Transfer::template fits<Shape>,
                 "Numerics: APIC needs B-splines (its inertia tensor is singular at a node of a linear "

@@ -140,22 +140,21 @@ std::vector<StrainStep<T, D>> g2p(const N& numerics, const M& mesh, B& body, con
     const auto w = cell.weights(x);
     const auto gradient = cell.gradients(x);
     gather(numerics, cell, points, p, nodes);
-    Mat<T, D> increment = Mat<T, D>::Zero();
+    std::array<std::array<T, D>, D> derivative{};  // by column, 1/s
+    std::array<T, D> straining{}, place{};         // m/s, m
     Vec<T, D> displacement = Vec<T, D>::Zero();
-    T radial = 0;
     for (int i = 0; i < cell.size; ++i) {
       const Index node = cell.nodes[static_cast<std::size_t>(i)];
       displacement += dt * w[i] * nodes.velocity[node];
-      increment += dt * nodes.strain_velocity()[node] * gradient.col(i).transpose();
-      radial += dt * w[i] * nodes.strain_velocity()[node][0];
+      const Vec<T, D> u = nodes.strain_velocity()[node];
+      for (std::size_t a = 0; a < D; ++a) {
+        const auto row = static_cast<int>(a);
+        straining[a] += w[i] * u[row];
+        place[a] = x[row];
+        for (std::size_t b = 0; b < D; ++b) derivative[b][a] += u[row] * gradient(static_cast<int>(b), i);
+      }
     }
-    auto strain = in_plane_step<T, static_cast<std::size_t>(D)>([&](int b) {
-      std::array<T, D> column;
-      for (int a = 0; a < D; ++a) column[static_cast<std::size_t>(a)] = increment(a, b);
-      return column;
-    });
-    if (K::hoop) strain.strain[2] = radial / x[0];
-    strains.push_back(strain);
+    strains.push_back(strain_step_of<K>(derivative, straining, place, dt));
     points.position.set(p, x + displacement);
   }
   return strains;

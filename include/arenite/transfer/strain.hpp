@@ -4,15 +4,14 @@
 
 #include <arenite/law/law.hpp>
 #include <arenite/transfer/point_pack.hpp>
-#include <arenite/transfer/volumetric_average.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 /// Strain and spin of one step from the velocity gradient times dt, whose columns are `derivative(j)`[i] =
-/// dv_i/dx_j dt; no strain out of plane.
-template <class P, std::size_t D, class Columns>
-StrainStep<P, static_cast<int>(D)> in_plane_step(Columns&& derivative) {
-  StrainStep<P, static_cast<int>(D)> step;
+/// dv_i/dx_j dt; no strain out of the plane.
+template <class P, int D, class Columns>
+StrainStep<P, D> strain_step_of(Columns&& derivative) {
+  StrainStep<P, D> step;
   auto& e = step.strain;
   const P half(0.5);
   const auto x = derivative(0), y = derivative(1);
@@ -33,7 +32,28 @@ StrainStep<P, static_cast<int>(D)> in_plane_step(Columns&& derivative) {
   return step;
 }
 
-/// The same for all lanes of P.
+/// The hoop strain of axisymmetry, dt v_r / r, of points at x [D], m, with the velocity v [D], m/s.
+template <class K, class P, int D, class Vector, class T>
+void set_hoop_strain(StrainStep<P, D>& step, const Vector& v, const Vector& x, T dt) {
+  if constexpr (K::hoop) step.strain[2] = P(dt) * v[0] * reciprocal(x[0]);
+}
+
+/// Strain and spin of a step dt, s, of points at x [D], m, where the velocity that strains is v [D], m/s, and
+/// its gradient has the columns `gradient` [D][D], 1/s.
+template <class K, class P, std::size_t D, class T>
+StrainStep<P, static_cast<int>(D)> strain_step_of(const std::array<std::array<P, D>, D>& gradient,
+                                                  const std::array<P, D>& v, const std::array<P, D>& x,
+                                                  T dt) {
+  auto step = strain_step_of<P, static_cast<int>(D)>([&](std::size_t b) {
+    auto column = gradient[b];
+    for (P& component : column) component = component * P(dt);
+    return column;
+  });
+  set_hoop_strain<K>(step, v, x, dt);
+  return step;
+}
+
+/// A strain step that is one for all lanes of P.
 template <class P, class T, int D>
 StrainStep<P, D> in_all_lanes(const StrainStep<T, D>& one) {
   StrainStep<P, D> step;
@@ -42,13 +62,12 @@ StrainStep<P, D> in_all_lanes(const StrainStep<T, D>& one) {
   return step;
 }
 
-/// A strain with the trace of its cell's average in place of its own, where the numerics average.
-template <class N, class P, int D, class Average>
-Sym<P, D> averaged(const Sym<P, D>& strain, const Average& average, Index c) {
-  if constexpr (N::AntiLocking::averages_strain)
-    return add_isotropic(strain, P((P(average.cell_strain[c]) - trace(strain)) * P(1.0 / 3)));
-  else
-    return strain;
+/// The strain step with what its cell c makes of the strain, where there is an average.
+template <class P, int D, class Average>
+StrainStep<P, D> averaged(StrainStep<P, D> step, [[maybe_unused]] const Average& average,
+                          [[maybe_unused]] Index c) {
+  if constexpr (!std::same_as<Average, Nothing>) step.strain = average.average(step.strain, c);
+  return step;
 }
 
 /// Moves a pack of points from x by dt times the velocity v. Returns the sums of their new coordinates,

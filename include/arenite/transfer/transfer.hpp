@@ -16,7 +16,7 @@
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 // A transfer is a value of a class, not `final`, with (examples/extend/own_transfer.cpp)
-// - `affine`: whether points carry a velocity gradient (`Points::motion`) beside their velocity;
+// - `affine`: whether points carry a velocity gradient (`Points::velocity_gradient`) beside their velocity;
 // - `fits<Shape>`: whether it goes with the shape functions. Parameters check themselves (`Checked`);
 // - `returns_unchanged<Shape>` (optional, else false): whether points hand back to each node the
 //   velocity that they took from it, so that MUSL is USL; a transfer derived from another one must say it
@@ -35,7 +35,7 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 // - `gather(cell, nodes)`: what the points of a cell do in G2P, made once a cell:
 //   - `velocity`: the vectors d_i of its nodes of which points take sums, `CellVectors`; or `Nothing`: the new
 //     velocities of the nodes;
-//   - `second` (optional): vectors of which points take sum w_i also_i beside;
+//   - `second` (optional): vectors of which points take sum w_i s_i beside;
 //   - `needs_moments`: whether it needs sum w_i d_i (x_i - x_p)^T, beside sum w_i d_i;
 //   - `(cell, p, x, sums)`: gives point p at x what it takes of `sums.value` [D], `sums.second` [D] and, if it
 //     needs them, `sums.moments()` [D][D], axis by axis; returns the field that it hands over from then on.

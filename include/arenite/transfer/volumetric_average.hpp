@@ -6,14 +6,21 @@
 #include <span>
 #include <vector>
 
+#include <arenite/core/tensor.hpp>
 #include <arenite/mesh/blocks.hpp>
 #include <arenite/simd/kernel.hpp>
 #include <arenite/simd/lanes.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
-/// Volumetric strain of each cell after averaging over the nodes, for policies with `averages_strain`. Reads
-/// the points' sums that `p2g` left, not the points.
+/// A strain with another trace.
+template <class P, int D>
+Sym<P, D> with_trace(const Sym<P, D>& strain, const P& wanted) {
+  return add_isotropic(strain, P((wanted - trace(strain)) * P(1.0 / 3)));
+}
+
+/// Volumetric strain of each cell of linear simplices after averaging over the nodes: the `StrainAverage` of
+/// `NodalAveraging`. Reads the points' sums that `p2g` left, not the points.
 ///
 /// Only the elastic part is averaged. With theta the strain of a cell, A the average and K the bulk modulus,
 /// the mean stress K A theta is conjugate to theta, for V A is symmetric and positive semidefinite: the
@@ -39,7 +46,7 @@ struct VolumetricAverage {
   }
   /// The strain of each cell from the sums.
   template <class M, class B>
-  void use(const M& mesh, const Blocks& blocks, const B& body) {
+  void finish(const M& mesh, const Blocks& blocks, const B& body) {
     parallel_chunks(node_sums.size(), [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i)
         if (node_sums[i][1] != 0) node_sums[i][0] /= node_sums[i][1];
@@ -55,7 +62,14 @@ struct VolumetricAverage {
     });
   }
 
-  /// All sums of the nodes, two a node.
+  /// The strain of a point in cell c: its own deviator with the trace of the cell.
+  template <class P, int D>
+  Sym<P, D> average(const Sym<P, D>& strain, Index c) const {
+    return with_trace(strain, P(cell_strain[c]));
+  }
+
+  static constexpr int numbers_per_node = 2;
+  /// All sums of the nodes.
   std::span<T> numbers() { return {node_sums.data()->data(), 2 * node_sums.size()}; }
 
  private:

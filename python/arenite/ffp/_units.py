@@ -21,7 +21,7 @@ def program_with(units: Sequence[str], check: Callable[[], None]) -> Optional[Pa
     compiled."""
     width = _width()
     objects = PACKAGE / "lib" / f"libffp_{width}.a"
-    sources = [PACKAGE / "share" / "arenite" / "ffp" / f"drop_{unit}.cpp" for unit in units]
+    sources = [PACKAGE / "share" / "arenite" / "ffp" / "drop" / f"drop_{unit}.cpp" for unit in units]
     if not all(path.is_file() for path in (objects, *sources)):
         return None
 

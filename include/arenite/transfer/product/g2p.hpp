@@ -35,13 +35,13 @@ auto gathered_sums(const Gather& gather, const Line& line, const Rows& rows, con
 ///   de = sym(dt sum u_i (grad w_i)^T), in axisymmetry de_hoop = dt sum w_i u_r,i / r_p
 /// Strains go into `buffer`, that of point `origin` first (USF took them before). Returns a sum of the
 /// positions.
-template <class K, class N, class M, class Points, class Field, class T, class Buffer>
+template <class K, class N, class M, class Points, class Field, class T, class Average, class Buffer>
 ARENITE_KERNEL T g2p(const N& numerics, const M& mesh, Index c, Points& points, std::size_t begin,
-                     std::size_t end, const Field& nodes, T dt, Buffer& buffer, std::size_t origin) {
+                     std::size_t end, const Field& nodes, T dt, const Average& average, Buffer& buffer,
+                     std::size_t origin) {
   using Cell = typename N::Shape::template Cell<M>;
   using Rows = CellVectors<T, M::dimension, Cell::size>;
   constexpr int width = cell_width<M::dimension, N::template width<T>>;
-  constexpr std::size_t D = M::dimension;
   using P = lanes_of<T, width>;
   const Cell cell(mesh, c);
   const Rows v(cell, nodes.velocity);
@@ -61,17 +61,12 @@ ARENITE_KERNEL T g2p(const N& numerics, const M& mesh, Index c, Points& points, 
       else
         return line.sum(u, line.slope);
     }();
-    auto step = in_plane_step<P, D>([&](std::size_t b) {
-      auto column = sums.by_axis[0][b];
-      for (P& component : column) component = component * P(dt);
-      return column;
-    });
+    const auto step = averaged(strain_step_of<K>(sums.by_axis[0], sums.value, x, dt), average, c);
     const auto moving_velocity = N::maps_back ? line.sum(v).value : sums.value;
     if constexpr (takes_of_v)
       gather(cell, p, x, sums);
     else if constexpr (!N::maps_back)
       gather(cell, p, x, gathered_sums(gather, line, gather.velocity));
-    if constexpr (K::hoop) step.strain[2] = P(dt) * sums.value[0] * reciprocal(x[0]);
     if constexpr (!N::strains_first) buffer.store(p.first - origin, step);
     check += move_points(p, x, moving_velocity, dt);
   });

@@ -3,11 +3,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include <arenite/law/law.hpp>
+#include <arenite/law/pass.hpp>
 #include <arenite/mesh/blocks.hpp>
 #include <arenite/particles/body.hpp>
-#include <arenite/transfer/law_pass.hpp>
+#include <arenite/transfer/cell_stress.hpp>
 #include <arenite/transfer/simplex/g2p.hpp>
-#include <arenite/transfer/simplex/stress.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 

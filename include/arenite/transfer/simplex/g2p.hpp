@@ -5,19 +5,10 @@
 #include <arenite/simd/kernel.hpp>
 #include <arenite/transfer/node_field.hpp>
 #include <arenite/transfer/numerics.hpp>
-#include <arenite/transfer/strain.hpp>
+#include <arenite/transfer/simplex/strain.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 namespace simplex {
-
-/// sum w_i v_i over the nodes, from their vectors in rows.
-template <class P, std::size_t Size, class Rows>
-auto interpolate(const std::array<P, Size>& w, const Rows& rows) {
-  std::array<P, Rows::dimension> v{};
-  repeat<Size>(
-      [&](std::size_t i) { repeat<Rows::dimension>([&](std::size_t d) { v[d] += w[i] * P(rows[i][d]); }); });
-  return v;
-}
 
 /// What a transfer takes.
 template <class V>
@@ -26,21 +17,6 @@ struct ValueSum {
 };
 template <class V>
 ValueSum(V) -> ValueSum<V>;
-
-/// Strain of a whole cell in a step: that of dt sum u_i (grad w_i)^T.
-template <class Cell, class Rows, class T = typename Cell::T>
-StrainStep<T, Cell::D> cell_step(const Cell& cell, const Rows& u, T dt) {
-  return in_plane_step<T, Cell::D>([&](std::size_t b) {
-    using V = NodePack<T, Cell::D>;
-    V column(0);
-    repeat<Cell::size>([&](std::size_t i) {
-      column += u.pack(i) * V(dt * cell.gradient(static_cast<int>(b), static_cast<int>(i)));
-    });
-    std::array<T, V::width> lane;
-    column.store(lane.data());
-    return lane;
-  });
-}
 
 /// G2P of a run of points of a cell, with weights w_i at x_p, the new node velocities v_i, and u_i, those for
 /// the strains (the same, unless MUSL maps others back):
@@ -55,26 +31,21 @@ ARENITE_KERNEL T g2p(const N& numerics, const M& mesh, Index c, Points& points, 
   using Cell = typename N::Shape::template Cell<M>;
   constexpr int width = N::template width<T>;
   using P = lanes_of<T, width>;
-  const Cell cell(mesh, c);
-  const CellVectors<T, M::dimension, Cell::size> v(cell, nodes.velocity), u(cell, nodes.strain_velocity());
+  const CellStrain<K, N, M> strain(mesh, c, nodes, dt);
+  const Cell& cell = strain.cell;
+  const CellVectors<T, M::dimension, Cell::size> v(cell, nodes.velocity);
   const auto gather = numerics.transfer.gather(cell, nodes);
-  auto of_cell = cell_step(cell, u, dt);
-  if constexpr (!K::hoop) of_cell.strain = averaged<N>(of_cell.strain, average, c);
   P check(0);
   for_each_pack<width>(points, begin, end, [&](const auto& p) {
     const auto x = p.position();
     const auto w = cell.weights(x);
     const auto moving_velocity = interpolate(w, v);
-    auto step = in_all_lanes<P>(of_cell);
+    const auto step = averaged(strain(p), average, c);
     const ValueSum gathered{interpolate(w, value_or(gather.velocity, v))};
     if constexpr (requires { gather.second; })
       gather(cell, p, x, TwoSums{gathered, interpolate(w, gather.second)});
     else
       gather(cell, p, x, gathered);
-    if constexpr (K::hoop) {
-      step.strain[2] = P(dt) * interpolate(w, u)[0] * reciprocal(x[0]);
-      step.strain = averaged<N>(step.strain, average, c);
-    }
     if constexpr (!N::strains_first) buffer.store(p.first - origin, step);
     check += move_points(p, x, moving_velocity, dt);
   });

@@ -3,22 +3,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include <arenite/simd/kernel.hpp>
+#include <arenite/transfer/cell_stress.hpp>
 #include <arenite/transfer/node_field.hpp>
 #include <arenite/transfer/numerics.hpp>
-#include <arenite/transfer/simplex/stress.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 namespace simplex {
 
 /// What P2G sums over the points of a cell, beside the stress.
 template <class K, class N, class Cell, class P, bool CentresStress>
-using P2gSums = PointSums<
-    P, Cell::size,
-    ChannelList<Channel<node_channel::Momentum, Cell::D>, Channel<node_channel::Mass, 1>,
-                Channel<node_channel::HoopForce, K::hoop>>,
-    ChannelList<Channel<node_channel::EdgeMass, N::needs_edge_mass ? Cell::D*(Cell::D + 1) / 2 : 0>,
-                Channel<node_channel::HoopMean,
-                        K::hoop && (N::AntiLocking::averages_strain || CentresStress) ? Cell::size : 0>>>;
+using P2gSums =
+    PointSums<P, Cell::size,
+              ChannelList<Channel<node_channel::Momentum, Cell::D>, Channel<node_channel::Mass, 1>,
+                          Channel<node_channel::HoopForce, K::hoop>>,
+              ChannelList<Channel<node_channel::EdgeMass, N::needs_edge_mass ? Cell::D*(Cell::D + 1) / 2 : 0>,
+                          Channel<node_channel::HoopMean,
+                                  K::hoop && (N::averages_strain || CentresStress) ? Cell::size : 0>>>;
 
 /// What a pack of points p gives to the nodes i of its cell:
 ///   mass_i += m_p w_i     momentum_i += m_p w_i v_p(x_i)     hoop_force_i += V_p sigma_hoop w_i / r_p

@@ -1,0 +1,153 @@
+"""What the problems share: meshes of either kind, points with numbers, a clock for the steps, and beams that bend far."""
+
+import functools
+import math
+import time
+from pathlib import Path
+
+import numpy as np
+
+import arenite as ar
+from arenite import _compile
+
+#: Names the points, whose places in memory change: `points_of`.
+IDS = ar.OwnPart("arenite::PointIds", str(Path(_compile.include_folders()[0]) / "arenite" / "particles" / "point_ids.hpp"))
+
+
+def mesh(composition, lower, upper, cell):
+    """Squares of an edge, or two triangles in each, whose diagonals take turns."""
+    if composition.on_grid():
+        return ar.CartesianGrid(lower, upper, cell=cell)
+    n = [round((b - a) / cell) for a, b in zip(lower, upper)]
+    x, y = np.meshgrid(*(np.linspace(a, b, k + 1) for a, b, k in zip(lower, upper, n)))
+    i, j = (k.ravel() for k in np.meshgrid(np.arange(n[0]), np.arange(n[1])))
+    a = i + j * (n[0] + 1)
+    b, c, d = a + 1, a + n[0] + 1, a + n[0] + 2
+    even = ((i + j) % 2 == 0)[:, None]
+    cells = np.concatenate([np.where(even, np.stack([a, b, d], 1), np.stack([a, b, c], 1)),
+                            np.where(even, np.stack([a, d, c], 1), np.stack([b, d, c], 1))])
+    nodes = np.stack([x.ravel(), y.ravel()], 1)
+    numbers = np.arange(len(nodes))
+    sides = {"left": numbers[numbers % (n[0] + 1) == 0], "right": numbers[numbers % (n[0] + 1) == n[0]],
+             "bottom": numbers[:n[0] + 1], "top": numbers[-n[0] - 1:]}
+    return ar.SimplexMesh(nodes, cells, node_sets=sides)
+
+
+def corner(lower):
+    """A wall that holds the lowest node of a mesh alone, which no matter reaches: a scene without walls is another composition."""
+    return ar.where(lambda x: np.abs(x - np.asarray(lower)).max(axis=1) < 1e-9, "fixed")
+
+
+class Points:
+    """Columns of a body by number of the point, copies."""
+
+    def __init__(self, scene):
+        body = next(iter(scene.bodies.values()))
+        order = np.argsort(np.asarray(body.column("id")))
+        self.position, self.velocity, self.mass, self.stress = (
+            np.asarray(column)[order] for column in (body.position, body.velocity, body.mass, body.stress))
+
+
+def begin_with(scene, velocity, cell):
+    """Gives points that carry a velocity gradient that of a field: of positions [n, 2]."""
+    body = scene.bodies["body"]
+    for path in [p for p in scene.state if p.startswith("bodies/0/points/velocity_gradient/")]:
+        component, along = path[-2:]
+        x, d = np.asarray(body.position), 1e-6 * cell * np.array([along == "x", along == "y"])
+        body.column(path.removeprefix("bodies/0/points/"))[:] = (velocity(x + d) - velocity(x - d))[:, "xy".index(component)] / (2e-6 * cell)
+
+
+def elastic_scene(composition, time, lower, upper, cell, per_cell, region, law, walls=None, gravity=(0, 0), velocity=None, damping=0.0):
+    """A body in plane strain, of a composition that all elastic problems share. `velocity`: of positions [n, 2]; points
+    that carry a velocity gradient begin with its."""
+    scene = ar.Scene(ar.PlaneStrain(), mesh(composition, lower, upper, cell), composition.numerics(time), energy=False,
+                     bodies=[ar.fill("body", region, law, per_cell=per_cell, velocity=velocity or (0.0, 0.0), exact_volume=False)],
+                     walls=walls or [corner(lower)], gravity=gravity, parts=[ar.LocalDamping(factor=damping), IDS])
+    if velocity:
+        begin_with(scene, velocity, cell)
+    return scene
+
+
+class Failed(Exception):
+    """A run whose result counts for nothing."""
+
+
+class Clock:
+    """Sums what steps cost: seconds of the processor, steps, and points times steps."""
+
+    def __init__(self):
+        self.seconds, self.steps, self.point_steps = 0.0, 0, 0
+
+    def run(self, scene, end, courant, **more):
+        steps, points = scene.step_count, sum(len(b) for b in scene.bodies.values())
+        start = time.process_time()
+        ar.run(scene, end=end, courant=courant, watch=False, **more)
+        self.seconds += time.process_time() - start
+        self.steps += scene.step_count - steps
+        self.point_steps += points * (scene.step_count - steps)
+        if any(b.lost for b in scene.bodies.values()):
+            raise Failed("points left the mesh")
+
+
+@functools.lru_cache(maxsize=None)
+def elastica(weight, load=0.0, shear=0.0, n=400):
+    """Rows (s, x, y, angle) of a clamped beam of length 1 that bends far: weight = q L^3 / EI along it, load = P L^2 / EI at its tip, both
+    down; shear = EI / (k G A L^2). Without shear Euler's elastica (Bisshopp and Drucker 1945), with it Reissner's beam that does not stretch.
+    Shooting on the moment at the clamp, Runge-Kutta of order 4."""
+    h = 1.0 / n
+
+    def slopes(s, state):
+        force = load + weight * (1 - s)
+        cos, sin = math.cos(state[2]), math.sin(state[2])
+        slip = -shear * force * cos
+        x = cos - slip * sin
+        return x, sin + slip * cos, -state[3], -force * x
+
+    def line(moment):
+        state, rows = (0.0, 0.0, 0.0, moment), []
+        for k in range(n):
+            rows.append((k * h, *state[:3]))
+            a = slopes(k * h, state)
+            b = slopes((k + 0.5) * h, [u + h / 2 * v for u, v in zip(state, a)])
+            c = slopes((k + 0.5) * h, [u + h / 2 * v for u, v in zip(state, b)])
+            d = slopes((k + 1) * h, [u + h * v for u, v in zip(state, c)])
+            state = tuple(u + h / 6 * (p + 2 * q + 2 * r + t) for u, p, q, r, t in zip(state, a, b, c, d))
+        return rows + [(1.0, *state[:3])], state[3]
+
+    low, high = 0.0, load + weight  # of the moment at the clamp over EI / L
+    a, b = line(low)[1], line(high)[1]
+    while True:  # regula falsi; an end that stays counts half
+        middle = low - a * (high - low) / (b - a)
+        rows, rest = line(middle)
+        if abs(rest) < 1e-11 * (load + weight):
+            return np.array(rows)
+        if rest < 0:
+            low, a, b = middle, rest, b / 2
+        else:
+            high, b, a = middle, rest, a / 2
+
+
+def come_to_rest(scene, clock, period, courant, periods=2):
+    """Runs a scene for so many of its periods, s, and stops all points where the kinetic energy of the nodes has begun to fall (kinetic
+    damping), once in an eighth of a period at most. (Local damping
+    under the noise of points that cross cells acts like a thick fluid: far from rest after eight periods.)"""
+    body, begin, highest, since = next(iter(scene.bodies.values())), scene.time, 0.0, 0
+    parts = 32  # of a period
+    for k in range(1, periods * parts + 1):
+        clock.run(scene, begin + k * period / parts, courant)
+        nodes = scene.nodes()
+        now = float((nodes.mass * (nodes.velocity**2).sum(axis=1)).sum())  # without the noise of the points
+        highest, since = max(now, highest), since + 1
+        if now < 0.9 * highest and since > parts / 8:
+            for path in scene.state:
+                if path.startswith(("bodies/0/points/velocity/", "bodies/0/points/velocity_gradient/")):
+                    body.column(path.removeprefix("bodies/0/points/"))[:] = 0
+            highest, since = 0.0, 0
+
+
+def soil_scene(composition, time, lower, upper, cell, per_cell, region, law, walls, gravity=(0, 0), driven=None, damping=0.0):
+    """A body of soil in plane strain, of a composition that all problems of soil share. `driven`: a wall and its velocity."""
+    wall, velocity = driven or (corner(upper), (0, 0, 0))
+    return ar.Scene(ar.PlaneStrain(), mesh(composition, lower, upper, cell), composition.numerics(time), energy=False, reactions=True,
+                    bodies=[ar.fill("body", region, law, per_cell=per_cell)], walls=walls, gravity=gravity,
+                    parts=[ar.Driven(wall, ar.Scaled(velocity, ar.Ramp(over=time))), ar.LocalDamping(factor=damping)])

@@ -1,0 +1,61 @@
+"""Compositions that are compared: shape function x transfer x order of the stress update x average. What does not go together is asked
+of the library, which refuses it with a sentence; nothing here lists it."""
+
+import itertools
+from dataclasses import dataclass
+
+import arenite as ar
+from arenite._recipe import check_together
+
+SHAPES = {"linear": ar.LinearGrid, "uGIMP": ar.UGimp, "quadratic": ar.QuadraticBSpline, "cubic": ar.CubicBSpline, "triangles": ar.LinearSimplex}
+#: Each a function of a time of the problem, s.
+TRANSFERS = {"PIC": lambda time: ar.Flip(fraction=0), "FLIP": lambda time: ar.Flip(), "FLIP, time": lambda time: ar.Flip(time=time),
+             "APIC": lambda time: ar.Apic(), "AFLIP": lambda time: ar.Aflip(), "TPIC": lambda time: ar.Tpic(),
+             "XPIC(2)": lambda time: ar.Xpic(order=2), "XPIC(2), time": lambda time: ar.Xpic(order=2, time=time),
+             "FMPM(4)": lambda time: ar.Fmpm(order=4), "FMPM(4), time": lambda time: ar.Fmpm(order=4, time=time)}
+ORDERS = {"MUSL": ar.Musl, "USL": ar.Usl, "USF": ar.Usf}
+AVERAGES = {"none": ar.NoAntiLocking, "nodal": ar.NodalAveraging, "element": ar.ElementAverage, "nodal and element": ar.NodalAndElementAverage}
+
+
+@dataclass(frozen=True)
+class Composition:
+    """By the names above."""
+
+    shape: str
+    transfer: str
+    order: str
+    average: str = "none"
+
+    @property
+    def name(self):
+        return "; ".join([self.shape, self.transfer, self.order] + ([] if self.average == "none" else [f"{self.average} average"]))
+
+    def numerics(self, time=1.0):
+        """Of a time that the transfer may take, s. Raises `arenite.Error` where the library refuses it."""
+        return ar.Numerics(SHAPES[self.shape], TRANSFERS[self.transfer](time), ORDERS[self.order], AVERAGES[self.average])
+
+    def on_grid(self):
+        try:
+            check_together(SHAPES[self.shape].__name__, "CartesianGrid")
+        except ar.Error:
+            return False
+        return True
+
+    def points(self):
+        """Points a cell: the usual ones, and others. uGIMP is of the usual ones alone: their number is part of its type."""
+        return (3, (1, 6)) if not self.on_grid() else (4, ()) if self.shape == "uGIMP" else (4, (1, 9))
+
+
+#: The quick table: those that share a body's law and parts compile once for all problems.
+BASE = [Composition(*words) for words in (
+    ("linear", "FLIP", "MUSL"), ("linear", "APIC", "USL"), ("uGIMP", "FLIP", "MUSL"),
+    ("quadratic", "FLIP", "MUSL"), ("quadratic", "FLIP", "USL"), ("quadratic", "FLIP", "USF"), ("quadratic", "FLIP, time", "MUSL"),
+    ("quadratic", "APIC", "USL"), ("quadratic", "APIC", "MUSL"), ("quadratic", "AFLIP", "USL"), ("quadratic", "XPIC(2)", "USL"),
+    ("quadratic", "FMPM(4)", "USL"), ("cubic", "FLIP", "MUSL"), ("cubic", "APIC", "USL"),
+    ("triangles", "FLIP", "MUSL"), ("triangles", "TPIC", "USL"), ("triangles", "FLIP", "MUSL", "nodal"),
+    ("triangles", "FLIP", "MUSL", "nodal and element"))]
+
+
+def every():
+    """All products of the names above."""
+    return [Composition(*words) for words in itertools.product(SHAPES, TRANSFERS, ORDERS, AVERAGES)]

@@ -1,0 +1,325 @@
+"""Writes docs/trade.md and its pictures from the rows: each number and each advice of the page is taken from them."""
+
+import statistics
+from pathlib import Path
+
+from trade import HERE, problem, problems, read
+
+TARGETS = [0.1, 0.03, 0.01, 0.003]  # errors that advice is given for
+FAMILIES = ["FLIP", "APIC", "AFLIP", "TPIC", "XPIC", "FMPM", "PIC"]
+COLOURS = ["#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#6b6b6b"]  # Okabe and Ito
+DASHES = {"linear": ":", "uGIMP": (0, (5, 1, 1, 1)), "quadratic": "-", "cubic": "--", "triangles": "-."}
+MARKS = {"MUSL": "s", "USL": "o", "USF": "^"}
+MACHINE = "one core of an AMD EPYC with AVX-512, g++ 12 -O3"  # of rows.csv
+CLEARLY = 1.1  # times of the processor agree to some 10 %
+
+
+class Row:
+    """A row of the table with numbers in the place of texts."""
+
+    def __init__(self, given):
+        self.problem, self.composition = given["problem"], composition(given)
+        self.shape, self.transfer, self.order = given["shape"], given["transfer"], given["order"]
+        self.average = given["average"]
+        self.per_cell, self.cells, self.courant = int(given["per_cell"]), int(given["cells"]), float(given["courant"])
+        self.failure = given["failure"]
+        self.error, self.seconds = (float(given[k]) if given[k] else float("inf") for k in ("error", "seconds"))
+        self.steps, self.points = (int(given[k] or 0) for k in ("steps", "points"))
+
+    @property
+    def usual(self):
+        return self.courant == 0.5 and self.per_cell in (3, 4)
+
+    @property
+    def rate(self):
+        """Point-steps a second."""
+        return self.steps * self.points / self.seconds
+
+
+def composition(given):
+    return "; ".join([given["shape"], given["transfer"], given["order"]] + ([] if given["average"] == "none" else [given["average"] + " average"]))
+
+
+def rows_of(out):
+    return [Row(r) for r in read(Path(out) / "rows.csv")]
+
+
+def kept_error(r, rows):
+    """The error that the composition of a row of a problem keeps on finer cells, too (at the usual points and steps, and at its own), so that what
+    is exact by chance does not count."""
+    return max([r.error, *(o.error for o in rows if o.composition == r.composition and o.cells > r.cells
+                           and (o.usual or (o.per_cell, o.courant) == (r.per_cell, r.courant)))])
+
+
+def cheapest(rows, target):
+    """The row of a problem of the least time whose error is kept below `target`; None."""
+    return min((r for r in rows if kept_error(r, rows) <= target), key=lambda r: r.seconds, default=None)
+
+
+def front(rows):
+    """Rows of a problem with an error that may be of use, than which none is both more exact and cheaper."""
+    kept, best = [], TARGETS[0] * (1 + 1e-9)
+    for r in sorted(rows, key=lambda r: (r.seconds, kept_error(r, rows))):
+        if kept_error(r, rows) < best:
+            kept.append(r)
+            best = kept_error(r, rows)
+    return kept
+
+
+def dominated(of):
+    """Compositions for each of whose rows of use, on every problem, another composition is clearly cheaper and no less exact. of: rows by problem."""
+    def beaten(r, rows):
+        return kept_error(r, rows) > TARGETS[0] or any(o.composition != r.composition and kept_error(o, rows) <= kept_error(r, rows)
+                                                       and o.seconds * CLEARLY < r.seconds for o in rows)
+
+    names = list(dict.fromkeys(r.composition for rows in of.values() for r in rows))
+    return [n for n in names if all(beaten(r, rows) for rows in of.values() for r in rows if r.composition == n)]
+
+
+def percent(x):
+    return f"{100 * x:.2g} %" if x < 0.995 else f"{100 * x:.0f} %"
+
+
+def time_of(x):
+    return f"{x:.2g} s"
+
+
+def count(n, word):
+    return f"{n} {word}" + ("" if n == 1 else "s")
+
+
+def told(r):
+    return f"`{r.composition}` on {r.cells} cells, {count(r.per_cell, 'point')} a cell, Courant number {r.courant:g}"
+
+
+def advice(rows, target):
+    """A sentence on the cheapest row for an error."""
+    r = cheapest(rows, target)
+    if r is None:
+        return f"- For {percent(target)}: none of these."
+    return f"- For {percent(target)} the cheapest is {told(r)}: {percent(r.error)} in {time_of(r.seconds)}."
+
+
+def advices(rows):
+    """Until none reaches it."""
+    lines = []
+    for target in TARGETS:
+        lines.append(advice(rows, target))
+        if cheapest(rows, target) is None:
+            break
+    return lines
+
+
+CHOICES = ("shape", "transfer", "order", "average", "per_cell", "courant")
+CHANGES = [("per_cell", 4, 9, "9 points a cell for 4"), ("per_cell", 4, 1, "1 point a cell for 4"), ("per_cell", 3, 6, "6 points a triangle for 3"),
+           ("per_cell", 3, 1, "1 point a triangle for 3"), ("courant", 0.5, 0.9, "a Courant number of 0.9 for 0.5"),
+           ("courant", 0.5, 0.25, "a Courant number of 0.25 for 0.5"), ("order", "MUSL", "USL", "USL for MUSL"), ("order", "MUSL", "USF", "USF for MUSL"),
+           ("shape", "quadratic", "linear", "linear functions for quadratic"), ("shape", "quadratic", "uGIMP", "uGIMP for quadratic B-splines"),
+           ("shape", "quadratic", "cubic", "cubic B-splines for quadratic"), ("transfer", "FLIP", "FLIP, time", "FLIP with a time for FLIP"),
+           ("transfer", "FLIP", "APIC", "APIC for FLIP"), ("transfer", "FLIP", "XPIC(2)", "XPIC(2) for FLIP"), ("transfer", "FLIP", "FMPM(4)", "FMPM(4) for FLIP"),
+           ("transfer", "APIC", "AFLIP", "AFLIP for APIC"), ("average", "none", "nodal", "the nodal average for none"),
+           ("average", "nodal", "nodal and element", "the nodal and element average for the nodal one")]
+
+
+def pairs(rows, differs, a, b):
+    """Medians of time and error of rows that differ in one choice, b over a; None."""
+    def others(r):
+        return (r.problem, r.cells, *(getattr(r, k) for k in CHOICES if k != differs))
+
+    first = {others(r): r for r in rows if getattr(r, differs) == a and not r.failure}
+    second = {others(r): r for r in rows if getattr(r, differs) == b and not r.failure}
+    both = [(first[k], second[k]) for k in first if k in second]
+    if not both:
+        return None
+    return [statistics.median(q(y) / q(x) for x, y in both) for q in (lambda r: r.seconds, lambda r: r.error)]
+
+
+def changes(rows):
+    """Sentences on points and steps."""
+    lines = []
+    for differs, a, b, words in CHANGES:
+        found = pairs(rows, differs, a, b)
+        if found and differs in ("per_cell", "courant"):
+            lines.append(f"- {words[0].upper() + words[1:]} costs {found[0]:.2f} times the time and has {found[1]:.2f} times the error (medians).")
+    return lines
+
+
+def what_changes(rows, of):
+    """A table: what each choice changes in time, and in error by problem."""
+    lines = ["| choice | time | " + " | ".join(f"{n.replace('_', ' ')}" for n in of) + " |", "|" + "---|" * (2 + len(of))]
+    for differs, a, b, words in CHANGES:
+        found = pairs(rows, differs, a, b)
+        if found:
+            each = [pairs(of[n], differs, a, b) for n in of]
+            lines.append(f"| {words} | {found[0]:.2f} | " + " | ".join("" if e is None else f"{e[1]:.2g}" for e in each) + " |")
+    return lines
+
+
+def orders(rows, sizes, theory):
+    """Error, observed order and time of each composition by size of the cells, at the usual points and steps."""
+    import math
+
+    lines = [f"| composition | {' | '.join(f'{n} cells' for n in sizes)} | order | s | ns a point and step |",
+             "|" + "---|" * (len(sizes) + 4)]
+    for name in dict.fromkeys(r.composition for r in rows):
+        mine = {r.cells: r for r in rows if r.composition == name and r.usual}
+        cells, last = [], None
+        for n in sizes:
+            r = mine.get(n)
+            cells.append("" if r is None else "failed" if r.failure else f"{r.error:.3g}")
+        there = [mine[n] for n in sizes if n in mine and not mine[n].failure]
+        if len(there) > 1:
+            a, b = there[-2:]
+            last = f"{math.log(a.error / b.error) / math.log(b.cells / a.cells):.2f}"
+        costs = f"{there[-1].seconds:.2g} | {1e9 / there[-1].rate:.0f}" if there else " | "
+        lines.append(f"| {name} | {' | '.join(cells)} | {last or ''} | {costs} |")
+    return [*lines, "", f"Order: of the last two sizes; theory: {theory}. s, ns: on the finest cells that ran."]
+
+
+def failures(rows):
+    """Rows that failed, by the cause and what they share."""
+    found = {}
+    for r in rows:
+        if r.failure:
+            where = f"{r.cells} cells, {count(r.per_cell, 'point')} a cell, Courant number {r.courant:g}: {r.failure}"
+            found.setdefault(where, []).append(f"`{r.composition}`")
+    return [f"- {where}: {', '.join(names)}" for where, names in found.items()]
+
+
+def draw(rows, path, title):
+    """Error over time of the processor: a line for each composition, the front ringed."""
+    import matplotlib
+
+    matplotlib.use("Agg")
+    matplotlib.rcParams.update({"svg.hashsalt": "trade", "svg.fonttype": "none"})
+    from matplotlib import pyplot
+
+    figure, axes = pyplot.subplots(figsize=(9.5, 5), constrained_layout=True)
+    for name in dict.fromkeys(r.composition for r in rows):
+        mine = sorted((r for r in rows if r.composition == name and r.usual and not r.failure), key=lambda r: r.cells)
+        if not mine:
+            continue
+        r = mine[0]
+        family = r.transfer.split("(")[0].split(",")[0]
+        face = "none" if "time" in r.transfer or "average" in name else None
+        axes.loglog([q.seconds for q in mine], [q.error for q in mine], linestyle=DASHES[r.shape], marker=MARKS[r.order], markersize=4,
+                    linewidth=1.1, color=COLOURS[FAMILIES.index(family)], markerfacecolor=face, label=name)
+    others = [r for r in rows if not r.usual and not r.failure]
+    axes.loglog([r.seconds for r in others], [r.error for r in others], ".", color="#c8c8c8", markersize=3, zorder=0,
+                label="other points a cell, Courant numbers")
+    best = front(rows)
+    axes.loglog([r.seconds for r in best], [r.error for r in best], "o", color="k", markerfacecolor="none", markersize=9, markeredgewidth=0.8,
+                label="none is cheaper and more exact")
+    axes.set(xlabel="time of one core [s]", ylabel="error", title=title)
+    axes.spines[["top", "right"]].set_visible(False)
+    figure.legend(loc="outside right upper", frameon=False, fontsize=8)
+    path.parent.mkdir(parents=True, exist_ok=True)
+    figure.savefig(path, metadata={"Date": None})
+    pyplot.close(figure)
+
+
+def refused():
+    """What the library refuses of all products of names, by its sentence: [(sentence, how many, of how many)]."""
+    import arenite as ar
+    from compositions import every
+
+    counts, all_of = {}, every()
+    for c in all_of:
+        try:
+            c.numerics()
+        except ar.Error as e:
+            sentence = " ".join(str(e).split())
+            counts[sentence] = counts.get(sentence, 0) + 1
+    return sorted(counts.items(), key=lambda item: -item[1]), len(all_of)
+
+
+def text(out):
+    """The page."""
+    rows = rows_of(out)
+    there = [n for n in problems() if any(r.problem == n for r in rows)]
+    of = {n: [r for r in rows if r.problem == n] for n in there}
+    lines = [
+        "# What a result costs", "",
+        "How wrong compositions are on problems with a known answer, and what that costs. A row of the table is one run: a shape function, a transfer, an",
+        "order of the stress update, an average, points a cell, cells, a Courant number. `benchmarks/trade/trade.py` runs them from Python and writes this page from",
+        f"its table, `benchmarks/trade/rows.csv` ({len(rows)} rows): all numbers are from there. Seconds are those of the processor for the steps alone, {MACHINE};",
+        "they agree to some 10 %, for the machine did other work. Python has double precision alone. `FLIP, time` takes the period of the problem, or its whole time,",
+        "as its time.", "",
+        "```sh", "benchmarks/trade/trade.py                          # runs what the table lacks, and appends row by row",
+        "benchmarks/trade/trade.py --page docs/trade.md     # writes this page from it", "```", "",
+        "## The cheapest for an error", "",
+        "| problem | kind | " + " | ".join(percent(t) for t in TARGETS) + " |", "|" + "---|" * (2 + len(TARGETS))]
+    for n in there:
+        cells = []
+        for t in TARGETS:
+            r = cheapest(of[n], t)
+            cells.append("none" if r is None else f"{r.composition}; {r.cells} cells; {count(r.per_cell, 'point')}; {r.courant:g}: {time_of(r.seconds)}")
+        lines.append(f"| [{problem(n).TITLE}](#{anchor(problem(n).TITLE)}) | {problem(n).KIND} | {' | '.join(cells)} |")
+    lines += ["", "A row counts where its composition keeps to the error on finer cells, too. \"None\": no row does. Cells are counted as each problem says,",
+              "the last number is the Courant number. `arenite.recommend` asks the same table.", "",
+              "## Where each composition is best", "",
+              "A problem is named where a row of the composition, of an error of at most 10 %, is on its front: none is both cheaper and more exact. ns: a point and step, median over",
+              "all rows with the usual points and steps.", "", "| composition | ns | on the front of |", "|---|---|---|"]
+    fronts = {n: {r.composition for r in front(of[n])} for n in there}
+    for name in dict.fromkeys(r.composition for r in rows):
+        rates = [1e9 / r.rate for r in rows if r.composition == name and r.usual and not r.failure]
+        lines.append(f"| {name} | {statistics.median(rates):.0f} | {', '.join(n.replace('_', ' ') for n in there if name in fronts[n])} |")
+    beaten = dominated(of)
+    lines += ["", "Dominated everywhere (on every problem another composition is as exact as each of its rows of at most 10 %, in less time by a tenth or more): "
+              + (", ".join(f"`{n}`" for n in beaten) or "none") + ".", "", "## What each choice changes", "",
+              "Times over all problems, errors by problem, of rows that differ in this choice alone: medians of the ratios.", "", *what_changes(rows, of), "",
+              "The points of a cell are computed side by side, in packs of up to eight numbers ([performance](performance.md)): up to there more of them cost little.", "", *changes(rows)]
+    for n in there:
+        p = problem(n)
+        lines += ["", f"## {p.TITLE}", "", *p.SOURCE.splitlines(), "", f"Error: {p.ERROR}. Cells: {p.CELLS_ARE}.", "",
+                  f"![Error over time of one core](images/trade/{n}.svg)", "", *advices(of[n]), *changes(of[n]), "",
+                  *orders(of[n], p.CELLS, p.ORDER)]
+        failed = failures(of[n])
+        if failed:
+            lines += ["", "Failed:", "", *failed]
+    found, all_of = refused()
+    lines += ["", "## What does not go together", "",
+              f"Of {all_of} products of the names of `compositions.py` the library refuses {sum(k for _, k in found)}, with these sentences:", "",
+              "| sentence | products |", "|---|---|", *(f"| {sentence} | {count} |" for sentence, count in found), ""]
+    return "\n".join(lines)
+
+
+def anchor(title):
+    return "".join(c for c in title.lower() if c.isalnum() or c in " -").replace(" ", "-")
+
+
+RECOMMENDED = HERE.parent.parent / "python" / "arenite" / "_trade.csv"
+
+
+def recommended(out):
+    """The table of `arenite.recommend`: rows of the fronts, without those that need a time of the problem."""
+    import csv
+    import dataclasses
+    import io
+
+    from compositions import Composition
+
+    text, rows = io.StringIO(), rows_of(out)
+    writer = csv.writer(text, lineterminator="\n")
+    writer.writerow("problem title shape transfer values order average cells cells_are per_cell courant error seconds".split())
+    for n in problems():
+        p, mine = problem(n), [r for r in rows if r.problem == n and "time" not in r.transfer]
+        for r in front(mine):
+            numerics = Composition(r.shape, r.transfer, r.order, r.average).numerics()
+            shape, transfer, order, average = numerics.kinds()
+            values = " ".join(f"{f.name}={getattr(numerics.transfer, f.name):g}" for f in dataclasses.fields(numerics.transfer)
+                              if getattr(numerics.transfer, f.name) != f.default)
+            writer.writerow([p.KIND, p.TITLE, shape, transfer, values, order, average, r.cells, p.CELLS_ARE, r.per_cell, f"{r.courant:g}",
+                             f"{kept_error(r, mine):.4g}", f"{r.seconds:.4g}"])
+    return text.getvalue()
+
+
+def write(path, out):
+    path.write_text(text(out))
+    if path.resolve() == RECOMMENDED.parent.parent.parent / "docs" / "trade.md":
+        RECOMMENDED.write_text(recommended(out))
+    rows = rows_of(out)
+    for n in problems():
+        mine = [r for r in rows if r.problem == n]
+        if mine:
+            draw(mine, path.parent / "images" / "trade" / f"{n}.svg", problem(n).TITLE)

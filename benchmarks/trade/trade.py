@@ -1,0 +1,171 @@
+#!/usr/bin/env python3
+"""What compositions cost and how wrong they are, on problems whose answers are known.
+
+    trade.py [--quick] [--all] [--only bar,spin] [--out FOLDER]     runs what is not in FOLDER/rows.csv yet, and appends row by row
+    trade.py --page PAGE [--out FOLDER]                             writes docs/trade.md and its pictures from the rows
+
+With a Python that has the package arenite, numpy and, for the page, matplotlib. A composition that the package does not have is compiled when it
+first runs, 20 s each, and cached. --quick: two sizes of cells, no other numbers of points and steps; --all: every composition that the library
+admits instead of those of compositions.BASE."""
+
+import argparse
+import csv
+import importlib
+import math
+import os
+import signal
+import sys
+from pathlib import Path
+
+HERE = Path(__file__).resolve().parent
+sys.path.insert(0, str(HERE))
+
+KEY = ["problem", "shape", "transfer", "order", "average", "per_cell", "cells", "courant", "number"]
+COLUMNS = [*KEY, "error", "seconds", "steps", "points", "figures", "failure"]
+
+
+def problems():
+    """Names, in the order of the page."""
+    there = sorted(p.stem for p in (HERE / "problems").glob("*.py"))
+    first = ["bar", "drifting_bar", "impact", "spin", "cantilever", "settling", "manufactured", "vortex", "footing", "collapse"]
+    return [n for n in first if n in there] + [n for n in there if n not in first]
+
+
+def problem(name):
+    return importlib.import_module(f"problems.{name}")
+
+
+def read(path):
+    if not path.exists():
+        return []
+    with open(path, newline="") as file:
+        return list(csv.DictReader(file))
+
+
+def key(row):
+    return tuple(str(row[k]) for k in KEY)
+
+
+class Rows:
+    """A table that grows by a row at a time; a row that is there is not asked for again."""
+
+    def __init__(self, path):
+        self.path = path
+        self.keys = {key(row) for row in read(path)}
+
+    def __contains__(self, row):
+        return key(row) in self.keys
+
+    def append(self, row):
+        new = not self.path.exists()
+        with open(self.path, "a", newline="") as file:
+            writer = csv.DictWriter(file, COLUMNS, lineterminator="\n")
+            if new:
+                writer.writeheader()
+            writer.writerow(row)
+        self.keys.add(key(row))
+
+
+def plan(name, compositions, quick):
+    """Rows to run of a problem: all cell sizes with the usual points a cell and Courant number; the others of both where cells are coarse."""
+    p = problem(name)
+    sizes = p.CELLS[:2] if quick else p.CELLS
+    for c in compositions:
+        usual, others = c.points()
+        chosen = [(n, usual, 0.5) for n in sizes]
+        if not quick:
+            chosen += [(n, k, 0.5) for n in sizes[:2] for k in others] + [(sizes[1], usual, courant) for courant in (0.25, 0.9)]
+        for n, k, courant in chosen:
+            yield c, {"problem": name, "shape": c.shape, "transfer": c.transfer, "order": c.order, "average": c.average, "per_cell": k,
+                      "cells": n, "courant": courant, "number": "double"}
+
+
+class TooLong(Exception):
+    pass
+
+
+def _too_long(*_):
+    raise TooLong
+
+
+def measure(c, row, longest):
+    """A row with its error and cost; one that fails has the sentence. Short runs are repeated, and their mean time counts."""
+    import arenite as ar
+    from common import Clock, Failed
+
+    p, times = problem(row["problem"]), []
+    signal.signal(signal.SIGPROF, _too_long)
+    try:
+        while not times or (len(times) < 50 and sum(times) < 0.2):  # the processor's clock may go in 4 ms
+            clock = Clock()
+            signal.setitimer(signal.ITIMER_PROF, longest)
+            found = p.solve(c, row["cells"], row["per_cell"], row["courant"], clock)
+            signal.setitimer(signal.ITIMER_PROF, 0)
+            times.append(clock.seconds)
+        error = float(found.pop("error"))
+        if not math.isfinite(error):
+            raise Failed("the result is not a number")
+        figures = "; ".join(f"{name} {value:.6g}" for name, value in found.items())
+        return {**row, "error": f"{error:.4g}", "seconds": f"{sum(times) / len(times):.4g}", "steps": clock.steps,
+                "points": round(clock.point_steps / max(clock.steps, 1)), "figures": figures}
+    except TooLong:
+        return {**row, "failure": f"stopped after {longest:g} s"}
+    except (ar.Error, ar.RunError, Failed) as e:
+        return {**row, "failure": " ".join(str(e).split())}
+    finally:
+        signal.setitimer(signal.ITIMER_PROF, 0)
+
+
+def admitted():
+    """All compositions that the library does not refuse."""
+    import arenite as ar
+    from compositions import every
+
+    for c in every():
+        try:
+            c.numerics()
+        except ar.Error:
+            continue
+        yield c
+
+
+def run(names, out, quick, every, longest):
+    import arenite as ar
+    from compositions import BASE
+
+    ar.set_threads(1)
+    out.mkdir(parents=True, exist_ok=True)
+    rows, compositions = Rows(out / "rows.csv"), list(admitted()) if every else BASE
+    for name in names:
+        for c, row in plan(name, compositions, quick):
+            if row in rows:
+                continue
+            done = measure(c, row, longest)
+            rows.append(done)
+            told = done.get("failure") or f"error {done['error']} in {done['seconds']} s"
+            print(f"{name}: {c.name}; {row['cells']} cells, {row['per_cell']} points, {row['courant']}: {told}", flush=True)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--quick", action="store_true")
+    parser.add_argument("--all", action="store_true")
+    parser.add_argument("--only", default="", help="names of problems, with commas")
+    parser.add_argument("--out", type=Path, default=HERE, help="folder of rows.csv [benchmarks/trade]")
+    parser.add_argument("--page", type=Path, help="writes the page instead")
+    parser.add_argument("--longest", type=float, default=60, help="seconds of the processor that one run may take [60]")
+    given = parser.parse_args()
+    names = given.only.split(",") if given.only else problems()
+    if unknown := set(names) - set(problems()):
+        parser.error(f"--only {', '.join(sorted(unknown))}: must be of {', '.join(problems())}")
+    if given.page:
+        import page
+
+        page.write(given.page, given.out)
+    else:
+        run(names, given.out, given.quick, given.all, given.longest)
+
+
+if __name__ == "__main__":
+    os.environ.setdefault("ARENITE_THREADS", "1")
+    main()

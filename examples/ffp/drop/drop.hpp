@@ -1,0 +1,57 @@
+// One drop, end to end: what `arenite-ffp drop` does once its options are read. Each
+// kinematics is compiled in a file of its own.
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+#include <arenite/core/error.hpp>
+
+#include "../options/options.hpp"
+
+namespace arenite::ffp {
+
+/// A run that began and came to another end than the one asked for: it failed, its files could not be
+/// written, or a signal ended it.
+class Ended : public std::runtime_error {
+ public:
+  Ended(const std::string& what, int exit_code) : std::runtime_error{what}, exit_code_{exit_code} {}
+  int exit_code() const { return exit_code_; }
+
+ private:
+  int exit_code_;
+};
+
+/// Runs a drop and writes all of its files into `options.out`. Throws `error` for an unusable mesh or folder,
+/// which is then left as it was, and `Ended` for a run that did not come to its end; history and summary are
+/// complete up to then.
+void drop(const DropOptions& options);
+
+/// The drop of the default options, or of others that keep its composition (`is_default`).
+void drop_default(const DropOptions& options);
+inline bool is_default(const DropOptions& o) {
+  return !o.on_grid() && o.kinematics == Kinematics::axisymmetric && o.device == DeviceKind::rigid &&
+         o.law.kind == LawKind::mohr_coulomb && o.contact_kind() == ContactKind::rigid && o.averages();
+}
+
+/// The unit, drop_<name>.cpp, that computes a drop.
+inline std::string unit_of(const DropOptions& o) {
+  if (is_default(o)) return "default";
+  return o.on_grid() ? word_of(mesh_kind_words, o.mesh_kind) : word_of(kinematics_words, o.kinematics);
+}
+
+/// Each unit but the default one adds itself, so that a program can be built without some.
+struct DropUnit {
+  DropUnit(const std::string& name, void (*run)(const DropOptions&));
+};
+
+/// Units that a command needs and this program was built without.
+class NotBuilt : public error {
+ public:
+  explicit NotBuilt(const std::string& units)
+      : error{joined_text(
+            {"drops = ", units,
+             ": this program was built without them; build the target arenite-ffp, which has all"})} {}
+};
+
+}  // namespace arenite::ffp

@@ -1,0 +1,233 @@
+// Every option of a drop: name, limits and help, in the order of `--help`. The command line, its help and
+// the checks all read this table.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include <arenite/core/error.hpp>
+#include <arenite/io/mesh_input.hpp>
+
+#include "options.hpp"
+#include "../text/range.hpp"
+#include "../text/words.hpp"
+
+namespace arenite::ffp {
+
+/// Material points that an element of sand can have.
+inline constexpr std::array triangle_points{1, 3, 4, 6, 9, 10, 15, 16, 21, 25, 28, 36, 49};
+inline constexpr std::array tetrahedron_points{1, 4, 10, 20, 35, 56, 84};
+inline constexpr std::array grid_points{4, 9, 16, 25, 36, 49};
+
+/// "1, 2 or 3".
+template <std::size_t N>
+std::string listed(const std::array<int, N>& numbers) {
+  std::string text;
+  for (std::size_t i = 0; i < N; ++i)
+    text += (i == 0 ? "" : i + 1 < N ? ", " : " or ") + std::to_string(numbers[i]);
+  return text;
+}
+
+/// Largest cell of a drop with an error bar, m: half of the largest that --cell takes.
+inline constexpr double largest_cell_with_bar = 0.02;
+
+/// Sets of field files that a run may write.
+inline constexpr double most_fields = 1000;
+
+/// Shows the options one after the other to `v`, which provides group(title), choice(name, words, value,
+/// help), number(name, value, metavar, range, help), counts(name, value, help), text(name, value, metavar,
+/// help) and flag(name, value, help). `Options` is `DropOptions` or const.
+template <class Options, class Visitor>
+void visit_options(Options& o, Visitor& v) {
+  v.group("Model");
+  v.choice("--kinematics", kinematics_words, o.kinematics,
+           "Half-section of triangles, or the 20-degree slice of tetrahedra");
+  v.choice("--device", device_words, o.device, "Penetrometer that moves as one, or one that deforms");
+  v.number("--velocity", o.velocity, "M_S", above(0, 50, "m/s"), "Velocity at the impact");
+  v.choice("--tip", tip_words, o.tip,
+           "Cone of 60 degrees, sharp or with the instrument's flat end, parabola, or a flat end alone");
+  v.number("--mass", o.mass, "KG", Range{0.1, 1000, "kg"},
+           "Mass of the whole penetrometer, of itself 7.71 with a cone, 9.15 parabolic, 10.30 blunt");
+  v.choice("--shoulder", shoulder_words, o.shoulder, "Edge between cone and cylinder");
+  v.number("--fillet", o.fillet, "M", Range{0.0005, 0.03, "m"},
+           "Radius of the rounded edge, with --shoulder fillet");
+  v.number("--device-young", o.device_young, "PA", Range{1e5, 1e12, "Pa"},
+           "Young's modulus of the elastic penetrometer");
+  v.number("--device-poisson", o.device_poisson, "X", between(-1, 0.5),
+           "Poisson's ratio of the elastic penetrometer");
+  v.group("Sand (Mohr-Coulomb)");
+  v.number("--friction", o.friction, "DEG", Range{1, 60, "deg"}, "Angle of friction");
+  v.number("--dilatancy", o.dilatancy, "DEG", Range{0, 60, "deg"},
+           "Angle of dilatancy, at most that of friction");
+  v.number("--cohesion", o.cohesion, "PA", Range{0, 1e6, "Pa"}, "Cohesion");
+  v.number("--young", o.young, "PA", Range{1e4, 1e10, "Pa"}, "Young's modulus");
+  v.number("--poisson", o.poisson, "X", between(-1, 0.5), "Poisson's ratio");
+  v.number("--unit-weight", o.unit_weight, "N_M3", Range{1000, 100000, "N/m^3"}, "Unit weight");
+  v.number("--k0", o.k0, "X", Range{0, 3}, "Earth pressure at rest, of itself poisson / (1 - poisson)");
+  visit_law_options(o.law, v);
+  v.group("Contact");
+  v.number("--delta", o.delta, "DEG", Range{0, 60, "deg"}, "Angle of friction between sand and penetrometer");
+  v.flag("--no-slip", o.no_slip, "Sand sticks to the penetrometer, whatever --delta says");
+  v.choice(
+      "--contact", contact_words, o.contact,
+      "Contact of the rigid penetrometer at nodes, through the centre-of-mass velocity (the paper's), or "
+      "at material points (of itself rigid; with --mesh-kind grid points)");
+  v.number("--contact-offset", o.contact_offset, "M", Range{-0.02, 0.02, "m"},
+           "The sand meets a surface this far outside of the penetrometer's, or inside if negative");
+  v.group("Numerics");
+  v.choice("--mesh-kind", mesh_kind_words, o.mesh_kind,
+           "Elements fitted to the penetrometer, or a grid of quadratic B-splines that moves with it");
+  v.number("--cell", o.cell, "M", Range{0.0025, 0.04, "m"}, "Edge of the cells around the cone");
+  v.number(
+      "--cell-at-cone", o.cell_at_cone, "M", Range{0.0005, 0.04, "m"},
+      "Edge of the cells at cone, tip and shoulder, which grow to --cell away from them, of itself --cell");
+  v.number("--split", o.split, "N", Range{0, 100},
+           "Split points of sand that stand for more than 1 / N of their cell, 0 for none, of itself 9 with "
+           "--cell-at-cone (4 with --mesh-kind grid)");
+  v.counts("--points-per-element", o.points_per_element,
+           "Material points in each element of sand: " + listed(triangle_points) +
+               " in triangles (default 28), " + listed(tetrahedron_points) + " in tetrahedra (default 10), " +
+               listed(grid_points) + " in cells of a grid (default 9)");
+  v.number("--jitter", o.jitter, "SHARE", Range{0, 1},
+           "Move initial points of sand at random, within this share of the spacing between them");
+  v.number("--jitter-seed", o.jitter_seed, "N", Range{0, 1e9}, "Seed of the random numbers of --jitter");
+  v.number("--moving-depth", o.moving_depth, "M", Range{0.02, 0.15, "m"},
+           "The mesh moves as one from this depth below the tip upward");
+  v.text("--mesh", o.mesh, "FILE.msh", "Gmsh mesh in the place of the generated one");
+  v.choice(
+      "--anti-locking", switch_words, o.anti_locking,
+      "Average volumetric strains over nodes and stresses over filled elements (of itself on; a grid has "
+      "none)");
+  v.number("--flip", o.flip, "SHARE", Range{0, 1}, "Share of FLIP in the velocity update, the rest is PIC");
+  v.number(
+      "--flip-time", o.flip_time, "S", Range{0, 100, "s"},
+      "Time constant of the share of FLIP, which is then --flip exp(-dt / S) whatever the step; 0 for none, "
+      "of itself 0; 0.1 with --mesh-kind grid");
+  v.number("--courant", o.courant, "X", above(0, 1), "Time step over the stable one, h / c");
+  v.group("Run");
+  v.number("--end", o.end, "S", above(0, 10, "s"), "End of the run");
+  v.number("--threads", o.threads, "N", Range{0, 1024}, "Threads, 0 for all");
+  v.number("--fields-every", o.fields_every, "S", Range{0, 10, "s"},
+           joined_text({"Time between field files, 0 for none, at most ", most_fields, " sets in a run"}));
+  v.number("--checkpoint-every", o.checkpoint_every, "S", Range{0, 10, "s"},
+           "Time between saved states, 0 for none but when the run is interrupted");
+  v.flag(
+      "--resume", o.resume,
+      "Go on from the state saved last in DIR, by a run of the same inputs; a finished one is left as it is");
+  v.text("--out", o.out, "DIR", "Folder of the results; those of an earlier run in it are removed");
+  v.number(
+      "--watch-energy", o.watch_energy, "SHARE", above(0, 1e6),
+      "Stop when energy that nothing put in exceeds this share of what was put in; warn past a tenth of it");
+  v.number("--watch-volume", o.watch_volume, "X", above(0, 1e6),
+           "Stop when the mean V/V0 of a body leaves 1 by more; warn past a tenth");
+  v.number("--watch-lost", o.watch_lost, "SHARE", above(0, 1),
+           "Stop when more of a body's points have left the mesh; warn past a tenth");
+  v.flag("--no-watch", o.no_watch,
+         "Do not stop or warn, whatever becomes of energy, volume, stress and points");
+  v.flag("--error-bar", o.error_bar,
+         "Run also coarser drops, and such with other numerics, and tell the uncertainty of depth and peak");
+  v.flag("--force", o.force, "Run even if it takes more than 1e8 steps");
+  v.flag("--quiet", o.quiet, "Nothing on the terminal but errors and warnings");
+}
+
+namespace detail {
+
+/// Tests each number against its range.
+struct RangeCheck {
+  void group(const char*) {}
+  template <class Number>
+  void number(const char* name, const Number& value, const char*, const Range& range, std::string_view) {
+    require(range.contains(value), name, exactly(value), "must lie in " + range.text());
+  }
+  template <class Number>
+  void number(const char* name, const std::optional<Number>& value, const char* metavar, const Range& range,
+              std::string_view help) {
+    if (value) number(name, *value, metavar, range, help);
+  }
+  template <class Words, class Value>
+  void choice(const char*, const Words&, const Value&, const char*) {}
+  void counts(const char*, const std::optional<int>&, std::string_view) {}
+  void text(const char*, const std::string&, const char*, const char*) {}
+  void flag(const char*, bool, const char*) {}
+};
+
+}  // namespace detail
+
+/// Throws `error("--option = value: rule")` at the first value that breaks a rule.
+inline void check(const DropOptions& o) {
+  detail::RangeCheck ranges;
+  visit_options(o, ranges);
+  require(o.dilatancy <= o.friction, "--dilatancy", o.dilatancy,
+          {"must lie in [0, ", o.friction, "] deg, from nothing to the sand's angle of friction"});
+  check(o.law, o.friction, o.dilatancy);
+  const bool rounded_edge = o.shoulder == Shoulder::fillet;
+  require(!rounded_edge || o.tip == Tip::cone || o.tip == Tip::cone_truncated, "--shoulder", "fillet",
+          "needs --tip cone or cone-truncated");
+  if (rounded_edge && o.fillet < 0.001 && o.mesh.empty()) {
+    const double most = 2 * o.fillet * o.body().half_angle();
+    require(o.mesh_sizes().cone_cell() <= most, "--fillet", o.fillet,
+            {"below 0.001 m needs --cell-at-cone of at most ", most, " m, to be seen"});
+  }
+  if (o.cell_at_cone) {
+    require(*o.cell_at_cone <= o.cell, "--cell-at-cone", *o.cell_at_cone,
+            {"must not exceed --cell = ", o.cell, " m"});
+    require(o.kinematics == Kinematics::axisymmetric && o.mesh.empty(), "--cell-at-cone", *o.cell_at_cone,
+            "needs --kinematics axisymmetric, and goes without --mesh");
+  }
+  require(o.split_share() == 0 || o.split_share() >= 1, "--split", o.split_share(),
+          "must be 0 or at least 1");
+  require(o.split_share() == 0 || o.device == DeviceKind::rigid, "--split", o.split_share(),
+          "needs --device rigid");
+  if (o.on_grid()) {
+    require(o.kinematics == Kinematics::axisymmetric && o.device == DeviceKind::rigid && o.mesh.empty() &&
+                o.contact_kind() != ContactKind::centre_of_mass && !o.averages(),
+            "--mesh-kind", "grid",
+            "needs --kinematics axisymmetric, --device rigid, --contact points or rigid and --anti-locking "
+            "off, and goes without --mesh");
+  } else {
+    require(o.contact_kind() != ContactKind::points, "--contact", "points", "needs --mesh-kind grid");
+  }
+  if (!o.averages() && !o.on_grid())
+    require(o.device == DeviceKind::rigid && o.contact_kind() == ContactKind::rigid, "--anti-locking", "off",
+            "needs --device rigid and --contact rigid");
+  if (o.law.kind != LawKind::mohr_coulomb && !o.on_grid())
+    require(o.device == DeviceKind::rigid && o.contact_kind() == ContactKind::rigid && o.averages(), "--law",
+            word_of(law_words, o.law.kind), "needs --device rigid, --contact rigid and --anti-locking on");
+  require(o.k0 || (o.earth_pressure() >= 0 && o.earth_pressure() <= 3), "--poisson", exactly(o.poisson),
+          {"must give an earth pressure at rest poisson / (1 - poisson) in [0, 3], not ", o.earth_pressure(),
+           ", unless --k0 is given"});
+  require(o.contact_offset == 0 || o.mesh.empty(), "--contact-offset", exactly(o.contact_offset),
+          "goes without --mesh");
+  if (!o.mesh.empty())
+    require(arenite::shared_detail::check_input(o.mesh, "--mesh", arenite::shared_detail::most_mesh_bytes,
+                                                shown(o.mesh)) > 0,
+            "--mesh", shown(o.mesh), "must be a file that is not empty");
+  const int n = o.points_in_element();
+  const auto among = [n](const auto& counts) {
+    return std::find(counts.begin(), counts.end(), n) != counts.end();
+  };
+  if (o.on_grid())
+    require(among(grid_points), "--points-per-element", n,
+            "must be " + listed(grid_points) + " in the cells of a grid");
+  else if (o.kinematics == Kinematics::slice)
+    require(among(tetrahedron_points), "--points-per-element", n,
+            "must be " + listed(tetrahedron_points) + " in the slice's tetrahedra");
+  else
+    require(among(triangle_points), "--points-per-element", n,
+            "must be " + listed(triangle_points) + " in triangles");
+  if (o.error_bar) {
+    require(o.mesh.empty(), "--mesh", shown(o.mesh), "goes without --error-bar, which needs coarser meshes");
+    require(o.cell <= largest_cell_with_bar, "--cell", o.cell,
+            {"must be at most ", largest_cell_with_bar,
+             " m with --error-bar, which runs drops at twice the cell"});
+  }
+  require(o.fields_every == 0 || o.end / o.fields_every <= most_fields, "--fields-every", o.fields_every,
+          {"must be 0, for none, or at least ", o.end / most_fields, " s, for ", most_fields,
+           " sets of files until --end = ", o.end, " s"});
+  require(!o.out.empty(), "--out", "\"\"", "must name a folder");
+}
+
+}  // namespace arenite::ffp

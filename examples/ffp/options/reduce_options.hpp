@@ -1,0 +1,135 @@
+// What the reduction of a measured or simulated deceleration can be told: values, limits, help and checks.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include <arenite/core/error.hpp>
+
+#include "option_table.hpp"
+#include "../text/range.hpp"
+#include "../geometry/tip.hpp"
+#include "../text/words.hpp"
+
+namespace arenite::ffp {
+
+enum class Medium { air, water };
+enum class Soil { sand, clay };
+enum class Area { mantle, projected };
+enum class TimeUnit { named, s, ms, us };
+enum class DecelerationUnit { named, g, m_s2 };
+enum class Reading { net, proper };
+
+inline constexpr std::array<std::pair<std::string_view, Medium>, 2> medium_words{
+    {{"air", Medium::air}, {"water", Medium::water}}};
+inline constexpr std::array<std::pair<std::string_view, Soil>, 2> soil_words{
+    {{"sand", Soil::sand}, {"clay", Soil::clay}}};
+inline constexpr std::array<std::pair<std::string_view, Area>, 2> area_words{
+    {{"mantle", Area::mantle}, {"projected", Area::projected}}};
+inline constexpr std::array<std::pair<std::string_view, TimeUnit>, 4> time_unit_words{
+    {{"named", TimeUnit::named}, {"s", TimeUnit::s}, {"ms", TimeUnit::ms}, {"us", TimeUnit::us}}};
+inline constexpr std::array<std::pair<std::string_view, DecelerationUnit>, 3> deceleration_unit_words{
+    {{"named", DecelerationUnit::named}, {"g", DecelerationUnit::g}, {"m_s2", DecelerationUnit::m_s2}}};
+inline constexpr std::array<std::pair<std::string_view, Reading>, 2> reading_words{
+    {{"net", Reading::net}, {"proper", Reading::proper}}};
+
+/// Everything that decides a reduction beside the record itself. What is not given comes from a drop's
+/// folder, or is the default that `visit_reduce_options` tells.
+struct ReduceOptions {
+  std::string file;                      ///< table, .bin, or folder of a drop
+  TimeUnit time_unit = TimeUnit::named;  ///< of a table whose header names none
+  DecelerationUnit deceleration_unit = DecelerationUnit::named;
+  Reading reads = Reading::net;
+  bool invert = false;        ///< the record is positive when the penetrometer gets faster
+  bool zero_at_rest = false;  ///< the level at rest is taken off
+  std::string calibration;    ///< JSON of a BlueDrop's scales and offsets; empty: samples
+  std::string scale, offset;  ///< "2g=1.62e6,18g=1.6e5": win over the file's
+  Tip tip = Tip::cone;        ///< unless a drop's folder tells
+  std::optional<double> mass, gravity;
+  std::optional<double> impact_time, impact_velocity;  ///< s as in the record, m/s
+  std::optional<double> threshold;                     ///< g, net
+  double window = 2e-3;                                ///< s, of the mean; 0: none
+  double from_depth = 0.02;                            ///< m
+  Medium medium = Medium::air;
+  Soil soil = Soil::sand;
+  Area area = Area::mantle;               ///< of the columns of q_sbc
+  double water_density = 1025;            ///< kg/m^3
+  double volume = 0.002473;               ///< m^3, the BlueDrop's
+  std::optional<double> drag;             ///< drag coefficient on the base
+  std::optional<double> unit_weight, k0;  ///< of the soil, N/m^3 (in water: submerged)
+  std::string out;                        ///< empty: beside the file, or the drop's folder
+  bool no_picture = false, quiet = false;
+
+  /// Net deceleration that counts as the impact, g: in air the end of free fall; in water the fall may have
+  /// come to its terminal speed, 0 g.
+  double impact_threshold() const { return threshold.value_or(medium == Medium::air ? -0.8 : 0.5); }
+};
+
+/// Shows the options to a visitor: see `visit_options` in option_table.hpp.
+template <class Options, class Visitor>
+void visit_reduce_options(Options& o, Visitor& v) {
+  v.group("Record");
+  v.choice("--time-unit", time_unit_words, o.time_unit, "Unit of the time of a table; named: by its header");
+  v.choice("--deceleration-unit", deceleration_unit_words, o.deceleration_unit,
+           "Unit of the deceleration of a table; named: by its header");
+  v.choice("--reads", reading_words, o.reads,
+           "net: 0 at rest and -1 g in free fall; proper: 1 g at rest and 0 in free fall");
+  v.flag("--invert", o.invert, "The record is positive when the penetrometer gets faster");
+  v.flag("--zero-at-rest", o.zero_at_rest,
+         "Take off what the accelerometer reads at rest before the release, or without it after the end");
+  v.text("--calibration", o.calibration, "FILE.json",
+         "Scales and offsets of a BlueDrop's accelerometers, {\"2g\": {\"scale\": S, \"offset\": O}, ..}; "
+         "without, "
+         "sample values that belong to no probe");
+  v.text("--scale", o.scale, "RANGE=S,..", "Counts a g by range of a BlueDrop, 2g, 18g, 50g, 200g, 250g");
+  v.text("--offset", o.offset, "RANGE=O,..", "Counts that are added before the division, by range");
+  v.number("--impact-time", o.impact_time, "S", Range{-1e9, 1e9, "s"},
+           "Time of the impact in the record; without, where the deceleration leaves the fall");
+  v.number("--impact-velocity", o.impact_velocity, "M_S", above(0, 100, "m/s"),
+           "Velocity at the impact; without, integrated from the release, or back from rest");
+  v.number("--threshold", o.threshold, "G", Range{-1, 10, "g"},
+           "Net deceleration that ends the fall, of itself -0.8 in air and 0.5 in water");
+  v.number("--window", o.window, "S", Range{0, 0.1, "s"},
+           "Window of the moving mean of the deceleration, 0 for none");
+  v.group("Penetrometer");
+  v.choice("--tip", tip_words, o.tip, "Tip; the folder of a drop tells its own");
+  v.number("--mass", o.mass, "KG", Range{0.1, 1000, "kg"},
+           "Mass, of itself that of the instrument with its tip, or the drop's");
+  v.group("Surroundings");
+  v.number("--gravity", o.gravity, "M_S2", Range{0.1, 100, "m/s^2"},
+           "Gravity, which is also the g of the record, of itself 9.81 or the drop's");
+  v.choice("--medium", medium_words, o.medium, "What it falls through; in air buoyancy and drag are 0");
+  v.number("--water-density", o.water_density, "KG_M3", Range{900, 1300, "kg/m^3"}, "Density of the water");
+  v.number("--volume", o.volume, "M3", Range{0, 1, "m^3"}, "Volume that the water lifts");
+  v.number("--drag", o.drag, "X", Range{0, 10},
+           "Drag coefficient on the base in water; without, drag is left out");
+  v.group("Soil");
+  v.choice("--soil", soil_words, o.soil, "Which bands of K are said to be within their range");
+  v.choice("--area", area_words, o.area, "Area of the columns of q_sbc: mantle (sands) or projected (clays)");
+  v.number("--from-depth", o.from_depth, "M", Range{0, 1, "m"},
+           "Bearing resistance from this depth on; above it the area is tiny");
+  v.number("--unit-weight", o.unit_weight, "N_M3", Range{1000, 100000, "N/m^3"},
+           "Unit weight of the soil (in water: submerged), for density and strength; without, they are left "
+           "out, or "
+           "the drop's");
+  v.number("--k0", o.k0, "X", Range{0, 3}, "Earth pressure at rest, of itself 0.5 or the drop's");
+  v.group("Run");
+  v.text("--out", o.out, "DIR", "Folder of the results; without, that of FILE");
+  v.flag("--no-picture", o.no_picture, "Draw nothing");
+  v.flag("--quiet", o.quiet, "Nothing on the terminal but errors and warnings");
+}
+
+/// Throws `error("--option = value: rule")` at the first value that breaks a rule.
+inline void check(const ReduceOptions& o) {
+  detail::RangeCheck ranges;
+  visit_reduce_options(o, ranges);
+  require(
+      !o.file.empty(), "FILE", "(none)",
+      "must be given: a table with a time and a deceleration, a BlueDrop's .bin, or the folder of a drop");
+  require(o.medium == Medium::water || !o.drag, "--drag", o.drag.value_or(0), "needs --medium water");
+}
+
+}  // namespace arenite::ffp

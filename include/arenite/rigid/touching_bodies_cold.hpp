@@ -1,0 +1,172 @@
+// Cold functions of touching_bodies.hpp.
+#pragma once
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include <algorithm>
+#include <cmath>
+
+#include <arenite/core/error.hpp>
+#include <arenite/rigid/contact_points_cold.hpp>
+#include <arenite/rigid/contact_solver_cold.hpp>
+#include <arenite/rigid/touching_bodies.hpp>
+
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
+
+template <int D>
+ARENITE_COLD void TouchingBodies<D>::set_pairs(const Friction& of_all,
+                                               const std::vector<RigidPair>& exceptions) {
+  pairs_.clear();
+  for (std::size_t a = 0; a < bodies.size(); ++a)
+    for (std::size_t b = a + 1; b < bodies.size(); ++b) {
+      std::optional<Friction> friction = of_all;
+      for (const auto& p : exceptions) {
+        const std::size_t x = number_of(p.first), y = number_of(p.second);
+        require(x != y, "RigidContact.pairs", p.first, "must be two different bodies");
+        if (std::minmax(x, y) == std::minmax(a, b)) friction = p.friction;
+      }
+      if (!friction) continue;
+      require(!segments[a].empty() || !segments[b].empty(), "RigidContact",
+              joined_text({bodies[a].name, ", ", bodies[b].name}),
+              "one of both must be a shape with contact_segments(), such as Ball, Box or Polygon");
+      pairs_.push_back({a, b, friction->coefficient()});
+    }
+}
+
+template <int D>
+ARENITE_COLD void TouchingBodies<D>::check_start() const {
+  for (const auto& [first, second, friction] : pairs_) check_start(first, second);
+}
+
+template <int D>
+ARENITE_COLD void TouchingBodies<D>::find(double dt) {
+  touches.clear();
+  rows_.clear();
+  speed_ = 0;
+  for (const auto& b : bodies) speed_ = std::max(speed_, b.speed(reach_of(b)));
+  for (const auto& [first, second, friction] : pairs_) {
+    if (!bodies[first].moves() && !bodies[second].moves()) continue;
+    const double size = std::min(bodies[first].size, bodies[second].size);
+    // A body may be thrown as fast as twice the fastest.
+    const double margin = 4 * dt * speed_ + (std::isfinite(size) ? 1e-4 * size : 0);
+    find_touches<D>(bodies, first, second, margin, touches);
+    find_touches<D>(bodies, second, first, margin, touches);
+    while (rows_.size() < touches.size())
+      if (!add_row(touches[rows_.size()], friction))
+        touches.erase(touches.begin() + static_cast<std::ptrdiff_t>(rows_.size()));
+  }
+  set_end_gaps();
+  expected_.clear();
+  goals_.clear();
+  for (std::size_t k = 0; k < touches.size(); ++k) {
+    const auto& t = touches[k];
+    deepest = std::max(deepest, -t.gap);
+    // Out of an overlap no faster than the bodies would close without contact: no energy comes of it.
+    const double closing = std::max(0.0, -velocity_of(k)[0]);
+    goals_.push_back(t.gap >= 0 ? 0 : t.gap + std::min(-0.2 * t.gap, dt * closing));
+  }
+}
+
+template <int D>
+ARENITE_COLD void TouchingBodies<D>::set_end_gaps() {
+  for (auto& t : touches) t.end_gap = end_gap<D>(bodies, t);
+}
+
+template <int D>
+ARENITE_COLD bool TouchingBodies<D>::is_solved(double dt, double precision) const {
+  for (std::size_t k = 0; k < expected_.size(); ++k)
+    if (!((expected_[k] - bodies[k].twist).template head<D>().norm() <= precision * speed_)) return false;
+  for (std::size_t k = 0; k < touches.size(); ++k) {
+    const double enough = precision * (dt * speed_ + 1e-6 * std::abs(touches[k].gap)),
+                 off = touches[k].end_gap - goals_[k];
+    if (off < -enough || (rows_[k].impulse[0] > 0 && off > enough)) return false;
+  }
+  return true;
+}
+
+template <int D>
+ARENITE_COLD void TouchingBodies<D>::solve(double dt) {
+  expected_.resize(bodies.size());
+  for (std::size_t k = 0; k < bodies.size(); ++k) expected_[k] = bodies[k].twist;
+  for (std::size_t k = 0; k < touches.size(); ++k) {
+    auto& row = rows_[k];
+    row.least = velocity_of(k)[0] + (goals_[k] - touches[k].end_gap) / dt;
+    set_response(row);
+  }
+  solver_.solve(rows_, expected_, speed_);
+  for (auto& b : bodies) b.impulse.setZero();
+  for (std::size_t k = 0; k < touches.size(); ++k) {
+    const auto& row = rows_[k];
+    touches[k].impulse = row.to[0].template leftCols<D>().transpose() * row.impulse;
+    for (int i = 0; i < 2; ++i) bodies[row.body[i]].impulse += row.to[i].transpose() * row.impulse;
+  }
+}
+
+template <int D>
+std::size_t TouchingBodies<D>::number_of(const std::string& name) const {
+  for (std::size_t k = 0; k < bodies.size(); ++k)
+    if (bodies[k].name == name) return k;
+  require(false, "RigidContact.pairs", name, "must be the name or the number of a rigid body of the scene");
+  return 0;
+}
+
+template <int D>
+void TouchingBodies<D>::check_start(std::size_t first, std::size_t second) const {
+  std::vector<RigidTouch<D>> found;
+  find_touches<D>(bodies, first, second, 0, found);
+  find_touches<D>(bodies, second, first, 0, found);
+  for (const auto& t : found)
+    require(t.gap >= -1e-4 * std::min(bodies[first].size, bodies[second].size), "RigidContact",
+            joined_text({bodies[first].name, ", ", bodies[second].name}), "must not overlap at the start");
+}
+
+template <int D>
+double TouchingBodies<D>::reach_of(const TouchingBody<D>& b) const {
+  double square = 0;
+  for (int i = 0; i < D; ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    const double far = std::max(std::abs(b.distance->lower()[k] - b.begin.centre[i]),
+                                std::abs(b.distance->upper()[k] - b.begin.centre[i]));
+    if (std::isfinite(far)) square += far * far;
+  }
+  return std::sqrt(square);
+}
+
+template <int D>
+bool TouchingBodies<D>::add_row(const RigidTouch<D>& t, double friction) {
+  ContactConstraint<D> row;
+  row.body[0] = t.first;
+  row.body[1] = t.second;
+  row.friction = friction;
+  const Mat<double, D> axes = contact_axes<D>(t.normal);
+  for (int i = 0; i < 2; ++i) {
+    const V arm = t.place - bodies[row.body[i]].centre();
+    row.to[i] = (i == 0 ? 1.0 : -1.0) * axes * velocity_map<N, D>(arm);
+  }
+  set_response(row);
+  const double any = bodies[t.first].mobility.template topLeftCorner<D, D>().trace() +
+                     bodies[t.second].mobility.template topLeftCorner<D, D>().trace();
+  if (!(row.response(0, 0) > 1e-12 * any)) return false;
+  rows_.push_back(row);
+  return true;
+}
+
+template <int D>
+void TouchingBodies<D>::set_response(ContactConstraint<D>& row) const {
+  row.response.setZero();
+  for (int i = 0; i < 2; ++i) {
+    row.by[i] = bodies[row.body[i]].mobility * row.to[i].transpose();
+    row.response += row.to[i] * row.by[i];
+  }
+}
+
+template <int D>
+auto TouchingBodies<D>::velocity_of(std::size_t k) const -> V {
+  const auto& row = rows_[k];
+  return row.to[0] * bodies[row.body[0]].twist + row.to[1] * bodies[row.body[1]].twist;
+}
+
+#define ARENITE_INSTANCES(D) template class TouchingBodies<D>;
+ARENITE_FOR_DIMENSIONS(ARENITE_INSTANCES)
+#undef ARENITE_INSTANCES
+
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

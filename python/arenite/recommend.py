@@ -1,0 +1,51 @@
+"""A composition for a kind of problem and an error, out of the measured table of docs/trade.md."""
+
+from __future__ import annotations
+
+import csv
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Dict, List
+
+from . import numerics as _numerics
+from ._errors import Error
+from .numerics import Numerics
+
+
+@dataclass(frozen=True)
+class Recommended:
+    """What was the cheapest: `numerics`, points a cell, Courant number and cells, counted as `cells_are` says; its error there and on finer
+    cells, -, and the seconds of one core that it took there. `title`: of the problem on the page."""
+
+    numerics: Numerics
+    per_cell: int
+    courant: float
+    cells: int
+    cells_are: str
+    error: float
+    seconds: float
+    title: str
+
+
+def recommend(problem: str, error: float) -> Recommended:
+    """The cheapest composition that kept to an error, -, on the measured problem of a kind: vibration, waves, impact, rotation, bending,
+    rest, large strain, large shear, bearing or flow. An advice to begin with: your problem is another one. Raises `Error` for a kind that is not in the table, and where none is as exact."""
+    with open(Path(__file__).parent / "_trade.csv", newline="", encoding="utf-8") as file:
+        rows: List[Dict[str, str]] = list(csv.DictReader(file))
+    kinds = list(dict.fromkeys(row["problem"] for row in rows))
+    if problem not in kinds:
+        raise Error(f"problem = {problem}: must be one of {', '.join(kinds)}")
+    if not error > 0:
+        raise Error(f"error = {error:g}: must be positive")
+    of = [row for row in rows if row["problem"] == problem]
+    enough = [row for row in of if float(row["error"]) <= error]
+    if not enough:
+        raise Error(f"error = {error:g}: none of the table is as exact on {problem}; the least there is {min(float(r['error']) for r in of):g}")
+    best = min(enough, key=lambda row: float(row["seconds"]))
+    values = {name: float(value) for name, value in (word.split("=") for word in best["values"].split())}
+    shape, order, average = (getattr(_numerics, best[k]) for k in ("shape", "order", "average"))
+    return Recommended(Numerics(shape, getattr(_numerics, best["transfer"])(**values), order, average), int(best["per_cell"]),
+                       float(best["courant"]), int(best["cells"]), best["cells_are"], float(best["error"]), float(best["seconds"]), best["title"])
+
+
+__all__ = ["Recommended", "recommend"]

@@ -1,0 +1,163 @@
+"""benchmarks/trade and docs/trade.md: the page is what the table says, and its advice the cheapest row."""
+
+import csv
+import re
+from pathlib import Path
+
+import pytest
+
+SOURCE = Path(__file__).resolve().parents[2]
+FOLDER = SOURCE / "benchmarks" / "trade"
+PAGE = SOURCE / "docs" / "trade.md"
+
+
+@pytest.fixture
+def trade(ar, monkeypatch):
+    monkeypatch.syspath_prepend(str(FOLDER))
+    import trade
+
+    return trade
+
+
+@pytest.fixture
+def table():
+    with open(FOLDER / "rows.csv", newline="") as file:
+        return list(csv.DictReader(file))
+
+
+def test_page_is_what_the_table_says(trade):
+    import page
+
+    assert page.text(FOLDER) == PAGE.read_text(), "write it anew: benchmarks/trade/trade.py --page docs/trade.md"
+    assert page.recommended(FOLDER) == page.RECOMMENDED.read_text()
+
+
+def test_pictures_are_there():
+    named = re.findall(r"\]\((images/trade/.*?)\)", PAGE.read_text())
+    assert named and {p.name for p in (PAGE.parent / "images" / "trade").glob("*")} == {Path(n).name for n in named}
+    assert all((PAGE.parent / n).stat().st_size > 0 for n in named)
+
+
+def exact_enough(table, name, target):
+    """Rows of a problem within an error, on finer cells of their composition too."""
+    def composition(r):
+        return [r[k] for k in ("shape", "transfer", "order", "average")]
+
+    def off(r):
+        return bool(r["failure"]) or float(r["error"]) > target
+
+    rows = [r for r in table if r["problem"] == name]
+
+    def counts(o, r):
+        same = o["courant"] == r["courant"] and o["per_cell"] == r["per_cell"]
+        return composition(o) == composition(r) and int(o["cells"]) > int(r["cells"]) and (
+            same or (o["courant"] == "0.5" and o["per_cell"] in ("3", "4")))
+
+    return [r for r in rows if not off(r) and not any(off(o) for o in rows if counts(o, r))]
+
+
+def test_advice_is_the_cheapest_row(trade, table):
+    """Of each sentence: no row of the problem that is as exact as is asked takes less time, and the row is there."""
+    parts = re.split(r"^## ", PAGE.read_text(), flags=re.MULTILINE)[1:]
+    seen = 0
+    for name in dict.fromkeys(r["problem"] for r in table):
+        part = next(p for p in parts if p.startswith(trade.problem(name).TITLE + "\n"))
+        for target, told, cells, points, courant in re.findall(
+                r"- For (\S+) % the cheapest is `(.*?)` on (\d+) cells, (\d+) points? a cell, Courant number (\S+):", part):
+            enough = exact_enough(table, name, float(target) / 100)
+            best = min(enough, key=lambda r: float(r["seconds"]))
+            average = [] if best["average"] == "none" else [best["average"] + " average"]
+            assert told == "; ".join([best["shape"], best["transfer"], best["order"], *average])
+            assert (cells, points, float(courant)) == (best["cells"], best["per_cell"], float(best["courant"]))
+            seen += 1
+        for target in re.findall(r"- For (\S+) %: none of these", part):
+            assert not exact_enough(table, name, float(target) / 100)
+            seen += 1
+    assert seen >= 2 * len({r["problem"] for r in table})
+
+
+def test_table_holds_each_composition_once(trade, table):
+    from compositions import BASE
+
+    keys = [trade.key(r) for r in table]
+    assert len(set(keys)) == len(keys)
+    for name in dict.fromkeys(r["problem"] for r in table):
+        missing = [row for _, row in trade.plan(name, BASE, quick=False) if trade.key(row) not in set(keys)]
+        assert not missing
+    assert all(bool(r["failure"]) != (float(r["error"] or 0) > 0 and float(r["seconds"] or 0) > 0) for r in table)
+
+
+def test_rows_that_are_there_are_not_run_again(trade, tmp_path, monkeypatch):
+    ran = []
+
+    def measure(c, row, longest):
+        ran.append(row)
+        if row["cells"] == trade.problem("bar").CELLS[1]:
+            return {**row, "failure": "it failed, with a comma"}
+        return {**row, "error": "0.1", "seconds": "1", "steps": 1, "points": 1, "figures": ""}
+
+    monkeypatch.setattr(trade, "measure", measure)
+    for more in (36, 0, 0):
+        before = len(ran)
+        trade.run(["bar"], tmp_path, quick=True, every=False, longest=1)
+        assert len(ran) - before == more
+    assert {r["failure"] for r in trade.read(tmp_path / "rows.csv")} == {"", "it failed, with a comma"}
+
+
+def test_what_the_library_refuses_is_not_run(trade, ar):
+    from compositions import Composition, every
+
+    admitted = set(trade.admitted())
+    assert Composition("quadratic", "APIC", "USL") in admitted and Composition("triangles", "APIC", "USL") not in admitted
+    assert 0 < len(admitted) < len(every())
+    with pytest.raises(ar.Error, match="APIC needs B-splines"):
+        Composition("triangles", "APIC", "USL").numerics()
+
+
+def test_elastica(trade):
+    """Tips of Bisshopp and Drucker (1945), as Mattiasson (1981) tabulates them; a small weight has the deflection of linear theory."""
+    from common import elastica
+
+    for load, across, down in ((1, 0.94357, 0.30172), (2, 0.83936, 0.49346), (5, 0.61237, 0.71379), (10, 0.44500, 0.81061)):
+        assert elastica(0.0, load)[-1][1:3] == pytest.approx((across, -down), abs=2e-5)
+    assert elastica(1e-3, 0.0, 0.02)[-1][2] == pytest.approx(-1e-3 * (1 / 8 + 0.02 / 2), rel=1e-5)
+
+
+def test_recommendation(trade, ar):
+    """Is what the page advises, and runs."""
+    import page
+
+    rows = [r for r in page.rows_of(FOLDER) if r.problem == "bar" and "time" not in r.transfer]
+    for error in (0.1, 0.01):
+        best, found = page.cheapest(rows, error), ar.recommend("vibration", error)
+        assert (found.cells, found.per_cell, found.courant) == (best.cells, best.per_cell, best.courant)
+        assert found.error <= error and found.seconds == best.seconds
+        assert found.numerics.kinds()[0] == type(page_numerics(best).shape).__name__
+    loose, tight = ar.recommend("waves", 0.1), ar.recommend("waves", 0.01)
+    assert tight.seconds > loose.seconds
+    with pytest.raises(ar.Error, match="problem = tea: must be one of vibration, waves"):
+        ar.recommend("tea", 0.1)
+    with pytest.raises(ar.Error, match="error = 1e-09: none of the table is as exact on waves"):
+        ar.recommend("waves", 1e-9)
+    with pytest.raises(ar.Error, match="error = 0: must be positive"):
+        ar.recommend("waves", 0)
+
+
+def page_numerics(row):
+    from compositions import Composition
+
+    return Composition(row.shape, row.transfer, row.order, row.average).numerics()
+
+
+def test_a_run_gives_the_row_of_the_table(trade, table, compiler):
+    """But for its time, and for what other products of a compiler change."""
+    from compositions import Composition
+
+    row = {"problem": "bar", "shape": "quadratic", "transfer": "APIC", "order": "USL", "average": "none", "per_cell": 4, "cells": 16, "courant": 0.5,
+           "number": "double"}
+    there = next(r for r in table if trade.key(r) == trade.key(row))
+    found = trade.measure(Composition("quadratic", "APIC", "USL"), row, 60)
+    assert (found["steps"], found["points"]) == (int(there["steps"]), int(there["points"]))
+    assert float(found["error"]) == pytest.approx(float(there["error"]), rel=1e-3) and float(found["seconds"]) > 0
+    failed = trade.measure(Composition("triangles", "APIC", "USL"), row, 60)
+    assert "APIC needs B-splines" in failed["failure"] and "error" not in failed

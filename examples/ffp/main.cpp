@@ -14,13 +14,13 @@
 #include <arenite/parallel/parallel.hpp>
 
 #include "command/command.hpp"
+#include "command/values.hpp"
 #include "drop/drop.hpp"
 #include "drop/error_bar.hpp"
 #include "paper/paper.hpp"
 #include "paper/paper_cases.hpp"
 #include "reduce/reduce.hpp"
 #include "text/say.hpp"
-#include "command/values.hpp"
 #include "text/words.hpp"
 #ifdef ARENITE_FFP_COMMAND_LINE
 #include "command/command_line.hpp"

@@ -6,8 +6,8 @@
 #include <sstream>
 #include <string>
 
-#include "../../examples/ffp/paper/paper_table.hpp"
 #include "../../examples/ffp/command/read_paper.hpp"
+#include "../../examples/ffp/paper/paper_table.hpp"
 #include "catch.hpp"
 
 using namespace arenite;

@@ -5,9 +5,9 @@
 #include <random>
 
 #include "../../examples/ffp/drop/drop_folder.hpp"
+#include "../../examples/ffp/drop/step_count.hpp"
 #include "../../examples/ffp/text/json_file.hpp"
 #include "../../examples/ffp/text/range.hpp"
-#include "../../examples/ffp/drop/step_count.hpp"
 #include "catch.hpp"
 
 using namespace arenite;

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "../../examples/ffp/reduce/read_measurement.hpp"
 #include "../../examples/ffp/command/read_reduce.hpp"
+#include "../../examples/ffp/reduce/read_measurement.hpp"
 #include "../../examples/ffp/reduce/reduction.hpp"
 #include "../../examples/ffp/reduce/reduction_files.hpp"
 #include "catch.hpp"

@@ -3,8 +3,8 @@
 #include <arenite/core/units.hpp>
 #include <arenite/law/drucker_prager.hpp>
 #include <arenite/law/mohr_coulomb.hpp>
-#include <arenite/particles/points.hpp>
 #include <arenite/law/pass.hpp>
+#include <arenite/particles/points.hpp>
 
 #include "catch.hpp"
 #include "states.hpp"

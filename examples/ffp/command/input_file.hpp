@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "../drop/history.hpp"
-#include "../text/json_file.hpp"
 #include "../options/option_table.hpp"
+#include "../text/json_file.hpp"
 
 namespace arenite::ffp {
 

@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
+#include "../options/option_table.hpp"
 #include "input_file.hpp"
 #include "option_reader.hpp"
-#include "../options/option_table.hpp"
 
 namespace arenite::ffp {
 

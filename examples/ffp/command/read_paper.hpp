@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "option_reader.hpp"
 #include "../options/paper_options.hpp"
+#include "option_reader.hpp"
 
 namespace arenite::ffp {
 

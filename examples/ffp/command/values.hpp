@@ -12,10 +12,10 @@
 #include <string_view>
 #include <utility>
 
+#include "../options/option_visitor.hpp"
+#include "../text/json_file.hpp"
 #include "command.hpp"
 #include "input_file.hpp"
-#include "../text/json_file.hpp"
-#include "../options/option_visitor.hpp"
 
 namespace arenite::ffp {
 

@@ -5,11 +5,11 @@
 #include <map>
 #include <string>
 
+#include "../text/say.hpp"
 #include "companions.hpp"
 #include "drop.hpp"
 #include "drop_folder.hpp"
 #include "results.hpp"
-#include "../text/say.hpp"
 #include "summary_file.hpp"
 
 namespace arenite::ffp {

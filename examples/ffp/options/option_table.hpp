@@ -11,9 +11,9 @@
 #include <arenite/core/error.hpp>
 #include <arenite/io/mesh_input.hpp>
 
-#include "options.hpp"
 #include "../text/range.hpp"
 #include "../text/words.hpp"
+#include "options.hpp"
 
 namespace arenite::ffp {
 

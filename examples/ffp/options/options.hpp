@@ -12,9 +12,9 @@
 #include <arenite/core/error.hpp>
 
 #include "../geometry/geometry.hpp"
-#include "law_options.hpp"
 #include "../geometry/mesh_axisymmetric.hpp"
 #include "../geometry/tip.hpp"
+#include "law_options.hpp"
 
 namespace arenite::ffp {
 

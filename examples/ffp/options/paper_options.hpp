@@ -3,9 +3,9 @@
 
 #include <string>
 
+#include "../text/range.hpp"
 #include "law_options.hpp"
 #include "option_table.hpp"
-#include "../text/range.hpp"
 
 namespace arenite::ffp {
 

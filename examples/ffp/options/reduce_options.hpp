@@ -9,10 +9,10 @@
 
 #include <arenite/core/error.hpp>
 
-#include "option_table.hpp"
-#include "../text/range.hpp"
 #include "../geometry/tip.hpp"
+#include "../text/range.hpp"
 #include "../text/words.hpp"
+#include "option_table.hpp"
 
 namespace arenite::ffp {
 

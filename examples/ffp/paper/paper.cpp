@@ -10,11 +10,11 @@
 #include "../drop/drop.hpp"
 #include "../drop/error_bar.hpp"
 #include "../text/json_file.hpp"
-#include "paper_cases.hpp"
-#include "paper_table.hpp"
 #include "../text/python_script.hpp"
 #include "../text/say.hpp"
 #include "../text/words.hpp"
+#include "paper_cases.hpp"
+#include "paper_table.hpp"
 
 namespace arenite::ffp {
 

@@ -13,12 +13,12 @@
 #include <vector>
 
 #include "../drop/history.hpp"
-#include "../options/options.hpp"
-#include "paper_cases.hpp"
-#include "../options/paper_options.hpp"
 #include "../drop/summary_file.hpp"
+#include "../options/options.hpp"
+#include "../options/paper_options.hpp"
 #include "../text/table_reader.hpp"
 #include "../text/words.hpp"
+#include "paper_cases.hpp"
 
 namespace arenite::ffp {
 

@@ -15,11 +15,11 @@
 
 #include <arenite/core/error.hpp>
 
-#include "../text/json_file.hpp"
-#include "measurement.hpp"
 #include "../options/reduce_options.hpp"
+#include "../text/json_file.hpp"
 #include "../text/table_reader.hpp"
 #include "../text/words.hpp"
+#include "measurement.hpp"
 
 namespace arenite::ffp {
 

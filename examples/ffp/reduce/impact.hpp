@@ -11,9 +11,9 @@
 
 #include <arenite/core/error.hpp>
 
-#include "measurement.hpp"
 #include "../drop/peaks.hpp"
 #include "../text/words.hpp"
+#include "measurement.hpp"
 
 namespace arenite::ffp {
 

@@ -9,10 +9,10 @@
 #include <string>
 #include <vector>
 
-#include "measurement.hpp"
 #include "../drop/peaks.hpp"
 #include "../options/reduce_options.hpp"
 #include "../text/words.hpp"
+#include "measurement.hpp"
 
 namespace arenite::ffp {
 

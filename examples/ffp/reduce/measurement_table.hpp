@@ -12,10 +12,10 @@
 
 #include <arenite/core/error.hpp>
 
-#include "measurement.hpp"
 #include "../options/reduce_options.hpp"
 #include "../text/table_reader.hpp"
 #include "../text/words.hpp"
+#include "measurement.hpp"
 
 namespace arenite::ffp {
 

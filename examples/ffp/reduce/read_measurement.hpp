@@ -5,11 +5,11 @@
 #include <string>
 #include <system_error>
 
-#include "bluedrop_file.hpp"
 #include "../drop/history.hpp"
-#include "../text/json_file.hpp"
-#include "measurement_table.hpp"
 #include "../drop/summary_file.hpp"
+#include "../text/json_file.hpp"
+#include "bluedrop_file.hpp"
+#include "measurement_table.hpp"
 
 namespace arenite::ffp {
 

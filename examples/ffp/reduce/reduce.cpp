@@ -6,11 +6,11 @@
 #include <system_error>
 
 #include "../text/python_script.hpp"
+#include "../text/say.hpp"
+#include "../text/words.hpp"
 #include "read_measurement.hpp"
 #include "reduction.hpp"
 #include "reduction_files.hpp"
-#include "../text/say.hpp"
-#include "../text/words.hpp"
 
 namespace arenite::ffp {
 

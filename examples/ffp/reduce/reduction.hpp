@@ -10,14 +10,14 @@
 #include <utility>
 #include <vector>
 
+#include "../drop/history.hpp"
+#include "../geometry/geometry.hpp"
+#include "../options/reduce_options.hpp"
 #include "bearing.hpp"
 #include "correlations.hpp"
-#include "../geometry/geometry.hpp"
-#include "../drop/history.hpp"
 #include "impact.hpp"
 #include "levels.hpp"
 #include "measurement.hpp"
-#include "../options/reduce_options.hpp"
 #include "sampling.hpp"
 
 namespace arenite::ffp {

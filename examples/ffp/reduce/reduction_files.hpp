@@ -11,10 +11,10 @@
 
 #include <arenite/io/output_file.hpp>
 
-#include "../text/json_file.hpp"
 #include "../options/options.hpp"
-#include "reduction.hpp"
+#include "../text/json_file.hpp"
 #include "../text/words.hpp"
+#include "reduction.hpp"
 
 namespace arenite::ffp {
 

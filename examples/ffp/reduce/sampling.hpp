@@ -11,8 +11,8 @@
 
 #include <arenite/core/error.hpp>
 
-#include "measurement.hpp"
 #include "../text/words.hpp"
+#include "measurement.hpp"
 
 namespace arenite::ffp {
 

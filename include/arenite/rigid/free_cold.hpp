@@ -150,8 +150,10 @@ ARENITE_COLD auto BoundFree<T, D>::turn(Orientation<D>& orientation, const Veloc
     return velocity;
   } else {
     rotate_freely(orientation, inertia_, momentum_, static_cast<double>(dt));
-    const Spin<T, D> spin = (inertia_in_space(orientation).inverse() * momentum_).template cast<T>();
-    return twist<T, D>(linear_part<D>(velocity), spin);
+    const Spin<double, D> spin = inertia_in_space(orientation).inverse() * momentum_;
+    Velocity turned = velocity;
+    for (int k = 0; k < rotations<D>; ++k) turned[D + k] = static_cast<T>(spin[k]);
+    return turned;
   }
 }
 

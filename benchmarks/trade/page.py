@@ -155,6 +155,21 @@ def what_changes(rows, of):
     return lines
 
 
+def in_words(rows, of):
+    """What each choice costs, and where it halves or doubles the error at least."""
+    lines = []
+    for differs, a, b, words in CHANGES:
+        found = pairs(rows, differs, a, b)
+        if not found:
+            continue
+        each = {n.replace("_", " "): pairs(of[n], differs, a, b) for n in of}
+        halves, doubles = ([f"{n} ({e[1]:.2g})" for n, e in each.items() if e and test(e[1])] for test in (lambda q: q <= 0.5, lambda q: q >= 2))
+        told = [f"{word} the error of {', '.join(names)}" for word, names in (("halves", halves), ("doubles", doubles)) if names]
+        lines.append(f"- **{words}**: {found[0]:.2f} times the time; "
+                     + (" and ".join("at least " + t for t in told) if told else "neither halves nor doubles an error") + ".")
+    return lines
+
+
 def orders(rows, sizes, theory):
     """Error, observed order and time of each composition by size of the cells, at the usual points and steps."""
     import math
@@ -268,7 +283,7 @@ def text(out):
     lines += ["", "Dominated everywhere (on every problem another composition is as exact as each of its rows of at most 10 %, in less time by a tenth or more): "
               + (", ".join(f"`{n}`" for n in beaten) or "none") + ".", "", "## What each choice changes", "",
               "Times over all problems, errors by problem, of rows that differ in this choice alone: medians of the ratios.", "", *what_changes(rows, of), "",
-              "The points of a cell are computed side by side, in packs of up to eight numbers ([performance](performance.md)): up to there more of them cost little.", "", *changes(rows)]
+              "The points of a cell are computed side by side, in packs of up to eight numbers ([performance](performance.md)): up to there more of them cost little.", "", *in_words(rows, of)]
     for n in there:
         p = problem(n)
         lines += ["", f"## {p.TITLE}", "", *p.SOURCE.splitlines(), "", f"Error: {p.ERROR}. Cells: {p.CELLS_ARE}.", "",

@@ -27,7 +27,7 @@ COLUMNS = [*KEY, "error", "seconds", "steps", "points", "figures", "failure"]
 def problems():
     """Names, in the order of the page."""
     there = sorted(p.stem for p in (HERE / "problems").glob("*.py"))
-    first = ["bar", "drifting_bar", "impact", "spin", "cantilever", "settling", "manufactured", "vortex", "footing", "collapse"]
+    first = ["bar", "drifting_bar", "impact", "spin", "cantilever", "settling", "manufactured", "footing", "collapse"]
     return [n for n in first if n in there] + [n for n in there if n not in first]
 
 

@@ -12,6 +12,10 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 /// double, but for products that the compiler fuses in one of them alone (FMA at -O3; seen in `yield` of
 /// scalars). In float the constants of its dilatancy are computed in float, too, and differ by round-off.
 ///
+/// In Mohr-Coulomb a point-step takes 0.2 to 0.9 ns more where all is elastic and 0.6 to 1.6 ns where 60 %
+/// yield (packs of eight, AVX-512). A drop with `LinearRateFriction`, which is the cheapest, takes 1.06 to 1.08
+/// of the time (packs of two): much of it for the two numbers of the history.
+///
 /// The history is that of all of them: `shear_rate`, which stays 0 if the policy does not read it, and
 /// `plastic_strain`, which is kept up for all.
 class AnyFriction : public detail::AnyPolicy<Frictions> {

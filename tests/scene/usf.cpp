@@ -59,7 +59,7 @@ void check_step(Scene scene) {
       l += dt * v * gradient.col(i).transpose();
       radial += dt * w[i] * v[0];
     }
-    auto strain = in_plane_step<double, 2>([&](int b) { return std::array<double, 2>{l(0, b), l(1, b)}; });
+    auto strain = strain_step_of<double, 2>([&](int b) { return std::array<double, 2>{l(0, b), l(1, b)}; });
     if (Scene::Kinematics::hoop) strain.strain[2] = radial / points.position[p][0];
     auto stress = body.points.stress[p];
     NoHistory<double> none;

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import warnings
 from typing import Any, Dict, List, Sequence, Tuple
 
 import numpy as np
@@ -167,7 +168,10 @@ class Body:
         return {p[len(begin):]: View(self._state, [p], True) for p in self._state.columns() if p.startswith(begin)}
 
     def column(self, name: str) -> View:
-        """Any column of the points by its path, such as "motion" (the velocity gradient of APIC)."""
+        """Any column of the points by its path, such as "velocity_gradient" (of APIC)."""
+        if name == "motion":  # its name before 0.2
+            warnings.warn('column("motion") is called column("velocity_gradient")', DeprecationWarning, stacklevel=2)
+            name = "velocity_gradient"
         return self._view(name, name not in ("cell", "position", "mass", "volume"))
 
     def _number_at(self, rest: str) -> float:

@@ -83,7 +83,10 @@ def test_functions_of_place_are_called_once_with_all_positions(ar, column, sand)
     assert np.array_equal(scene.bodies["sand"].position, same.bodies["sand"].position)
     x = np.asarray(scene.bodies["sand"].position)
     assert np.array_equal(scene.bodies["sand"].velocity[:, 0], x[:, 1])
-    assert np.allclose(scene.bodies["sand"].column("motion")[:, 2], 1, atol=1e-6)  # dv_x/dy
+    gradient = scene.bodies["sand"].column("velocity_gradient")
+    assert np.allclose(gradient[:, 2], 1, atol=1e-6)  # dv_x/dy
+    with pytest.warns(DeprecationWarning, match="velocity_gradient"):
+        assert np.array_equal(scene.bodies["sand"].column("motion"), gradient)
     assert np.allclose(scene.bodies["sand"].stress[:, 1], -1540 * 9.81 * (0.15 - x[:, 1]))
 
 

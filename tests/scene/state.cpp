@@ -122,7 +122,7 @@ TEST_CASE("Restored: B-splines, APIC, MUSL, two bodies in contact and a rigid on
                       Guided{.mass = 50, .velocity = -2}, Friction(20_deg)))};
       },
       30, 20);
-  CHECK(middle.has("bodies/above/points/motion/xy"));
+  CHECK(middle.has("bodies/above/points/velocity_gradient/xy"));
   CHECK(middle.has("bodies/1/points/mass"));
   CHECK(middle.has("rigids/0/impulse"));
   CHECK(middle.has("contact/dissipated"));

@@ -29,16 +29,6 @@
 #include <arenite/parallel/thread_pool.hpp>
 #include <arenite/particles/cell_list_cold.hpp>
 #include <arenite/particles/measures_cold.hpp>
-#include <arenite/rigid/anchor_cold.hpp>
-#include <arenite/rigid/contact_balance_cold.hpp>
-#include <arenite/rigid/contact_points_cold.hpp>
-#include <arenite/rigid/contact_solver_cold.hpp>
-#include <arenite/rigid/free_cold.hpp>
-#include <arenite/rigid/guided_cold.hpp>
-#include <arenite/rigid/inertia_cold.hpp>
-#include <arenite/rigid/point_contact_cold.hpp>
-#include <arenite/rigid/rigid_state_cold.hpp>
-#include <arenite/rigid/touching_bodies_cold.hpp>
 #include <arenite/rigid/try_distance_cold.hpp>
 #include <arenite/run/progress_cold.hpp>
 #include <arenite/run/saved_state_cold.hpp>

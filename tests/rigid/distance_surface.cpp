@@ -2,8 +2,8 @@
 #include "catch.hpp"
 
 #include <arenite/core/units.hpp>
-#include <arenite/geometry/cone_cylinder.hpp>
 #include <arenite/geometry/solids.hpp>
+#include <arenite/rigid/cone_cylinder.hpp>
 #include <arenite/rigid/surface.hpp>
 #include <random>
 #include <stdexcept>

@@ -10,8 +10,8 @@
 
 #include <arenite/fill/region.hpp>
 #include <arenite/fill/regions.hpp>
-#include <arenite/geometry/cone_cylinder.hpp>
 #include <arenite/host/read_functions.hpp>
+#include <arenite/rigid/cone_cylinder.hpp>
 #include <arenite/rigid/signed_distance.hpp>
 
 #ifndef ARENITE_HOST_ELSEWHERE

@@ -3,11 +3,14 @@
 #pragma once
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include <algorithm>
 #include <utility>
 
+#include <arenite/contact/hold.hpp>
 #include <arenite/core/contact_tally.hpp>
+#include <arenite/core/tensor.hpp>
 #include <arenite/parallel/communicator.hpp>
-#include <arenite/rigid/rigid_state.hpp>
+#include <arenite/rigid/pose.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
@@ -80,18 +83,34 @@ Mat<double, N> mobility_of(const R& body, const Mat<double, N>& resistance) {
   }
 }
 
-/// Gives the fields the impulses of a body that moves with this velocity.
+/// Impulses of a body on the fields in a step.
+template <class R>
+struct GivenImpulses {
+  using T = typename R::V::Scalar;
+  typename R::Velocity total = R::Velocity::Zero();  ///< N s, with their moments
+  T gained = 0;  ///< impulses times the fields' mean velocities over the step, J
+  decltype(R::no_size()) exchanged = R::no_size();  ///< their magnitudes
+};
+
+/// Gives the fields the impulses of a body that moves with velocity `met`.
 template <class R, class Fields, class Communicator>
-typename R::Given give_impulses(R& body, Fields& fields, const typename R::Velocity& contact_velocity,
-                                Communicator& comm) {
-  auto given = body.find_impulses(contact_velocity);
+GivenImpulses<R> give_impulses(R& body, Fields& fields, const typename R::Velocity& met, Communicator& comm) {
+  GivenImpulses<R> given;
+  body.contact_nodes = 0;
   for (auto& t : body.touched_nodes) {
-    if (t.impulse.squaredNorm() == 0) continue;
+    const auto contact = body.contact_at(t, met);
+    const typename R::V& j = contact.impulse;
+    if (j.squaredNorm() == 0) continue;
+    t.impulse = j;
+    t.sticks = contact.sticks;
     typename R::V& v = fields[t.field].velocity[t.node];
-    v += t.impulse / t.mass;
+    v += j / t.mass;
     t.after = v;
+    given.total += body.with_moment(t, j);
+    given.exchanged += body.size_of(t, j);
     const typename R::V twice_mean = fields[t.field].start[t.node] + v;
-    given.gained += t.impulse.dot(twice_mean) / 2;
+    given.gained += j.dot(twice_mean) / 2;
+    ++body.contact_nodes;
   }
   sum_over(comm, given.total, given.gained, given.exchanged, body.contact_nodes);
   return given;
@@ -104,16 +123,16 @@ template <class R, class T>
 std::pair<double, typename R::Velocity> finish_step(R& body, const typename R::Velocity& free,
                                                     const typename R::Velocity& pushed,
                                                     const typename R::Velocity& push,
-                                                    const typename R::Velocity& contact_velocity,
-                                                    const typename R::Given& given, T dt) {
+                                                    const typename R::Velocity& met,
+                                                    const GivenImpulses<R>& given, T dt) {
   using Velocity = typename R::Velocity;
   const Velocity before = body.whole_velocity();
   body.take_impulse(given.total, dt);
-  const Velocity after = body.motion.after(contact_velocity, pushed, given.total, given.exchanged);
+  const Velocity after = body.motion.after(met, pushed, given.total, given.exchanged);
   const Velocity mean = body.motion.mean(before, after);
   const double dissipation = static_cast<double>(given.total.dot(mean) - given.gained);
   body.dissipated += dissipation;
-  body.driving_work += body.motion.work(before, free, mean, Velocity(given.total - push));
+  body.driving_work += body.motion.drive(before, free, mean, Velocity(given.total - push));
   body.move(after, dt);
   return {dissipation, mean};
 }
@@ -128,10 +147,9 @@ ContactTally collide(const M& mesh, R& body, Fields& fields, const Vec<T, D>& ac
   using Velocity = typename R::Velocity;
   find_touched_nodes<Shape>(mesh, body, fields, owns, comm);
   const Velocity free = free_velocity(body, acceleration, time, dt);
-  const Velocity contact_velocity = velocity_in_contact(body, free, comm);
-  const auto given = give_impulses(body, fields, contact_velocity, comm);
-  const double dissipation =
-      finish_step(body, free, free, zeros<Velocity>(), contact_velocity, given, dt).first;
+  const Velocity met = velocity_in_contact(body, free, comm);
+  const auto given = give_impulses(body, fields, met, comm);
+  const double dissipation = finish_step(body, free, free, Velocity(Velocity::Zero()), met, given, dt).first;
   return {.dissipation = dissipation, .nodes = body.contact_nodes};
 }
 

@@ -36,11 +36,11 @@ void find_touched_points(Scene& scene, R& body) {
   });
 }
 
-/// Gives the fields the impulses that were found.
+/// Gives the fields the impulses that were found, with which the body moves at velocity `met`.
 template <class R, class Fields>
-typename R::Given give_point_impulses(R& body, Fields& fields) {
+GivenImpulses<R> give_point_impulses(R& body, Fields& fields) {
   using T = typename R::V::Scalar;
-  typename R::Given given;
+  GivenImpulses<R> given;
   body.touched_nodes.clear();
   body.contact_nodes = body.inside_nodes = 0;
   for (const auto& n : body.at_points.nodes()) {
@@ -56,7 +56,13 @@ typename R::Given give_point_impulses(R& body, Fields& fields) {
         {n.field, n.node, false, field.mass[n.node], 1, before, R::V::Zero(), false, j, after});
     ++body.contact_nodes;
   }
-  body.at_points.add_to(given);
+  for (std::size_t k = 0; k < body.at_points.points.size(); ++k) {
+    typename R::TouchedNode at{};
+    at.arm = body.at_points.arm(k).template cast<T>();
+    const auto& j = body.at_points.points[k].impulse;
+    given.total += body.with_moment(at, j);
+    given.exchanged += body.size_of(at, j);
+  }
   return given;
 }
 
@@ -70,13 +76,13 @@ ContactTally collide_at_points(Scene& scene, R& body, double dt) {
   find_touched_points(scene, body);
   const Velocity free =
       free_velocity(body, scene.acceleration(), static_cast<T>(scene.time + dt), static_cast<T>(dt));
-  const Mat<double, N> mobility = mobility_of(body, zeros<Mat<double, N>>());
-  const Velocity contact_velocity =
+  const Mat<double, N> mobility = mobility_of(body, Mat<double, N>(Mat<double, N>::Zero()));
+  const Velocity met =
       body.at_points.solve(free.template cast<double>(), mobility, scene.constraints, body.friction, dt)
           .template cast<T>();
   const auto given = give_point_impulses(body, scene.fields);
   const double dissipation =
-      finish_step(body, free, free, zeros<Velocity>(), contact_velocity, given, static_cast<T>(dt)).first;
+      finish_step(body, free, free, Velocity(Velocity::Zero()), met, given, static_cast<T>(dt)).first;
   return {.dissipation = dissipation, .nodes = body.contact_nodes};
 }
 

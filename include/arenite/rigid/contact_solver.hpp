@@ -2,10 +2,13 @@
 #pragma once
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
-#include <arenite/rigid/local_contact.hpp>
 #include <arenite/rigid/pose.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
@@ -13,14 +16,24 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 /// One contact of two bodies for the solver, in axes of its own: the normal first, out of the second body,
 /// then the tangents. Its velocity is that of the first body against the second, w = W_1 u_1 - W_2 u_2.
 template <int D>
-struct ContactConstraint : LocalContact<D> {
+struct ContactConstraint {
   static constexpr int N = D + rotations<D>;
-  std::size_t body[2];                ///< first, second
-  Eigen::Matrix<double, D, N> to[2];  ///< W_1, -W_2: from a body's twist
-  Eigen::Matrix<double, N, D> by[2];  ///< change of each twist by the impulse
+  std::size_t body[2];                              ///< first, second
+  Eigen::Matrix<double, D, N> to[2];                ///< W_1, -W_2: from a body's twist
+  Eigen::Matrix<double, N, D> by[2];                ///< change of each twist by the impulse
+  Mat<double, D> response;                          ///< of the velocity to the impulse, m/s per N s
+  double friction = 0;                              ///< coefficient; infinite: no slip
+  double least = 0;                                 ///< least normal velocity, m/s
+  Vec<double, D> impulse = Vec<double, D>::Zero();  ///< on the first body, N s
 
-  Vec<double, D> velocity(const std::vector<Twist<double, D>>& u) const;
-  void add(const Vec<double, D>& change, std::vector<Twist<double, D>>& u);
+  Vec<double, D> velocity(const std::vector<Vec<double, N>>& u) const {
+    return to[0] * u[body[0]] + to[1] * u[body[1]];
+  }
+  void add(const Vec<double, D>& change, std::vector<Vec<double, N>>& u) {
+    impulse += change;
+    u[body[0]] += by[0] * change;
+    u[body[1]] += by[1] * change;
+  }
 };
 
 /// Finds impulses j that keep to the laws of contact: w_n >= least, j_n >= 0 and one of them an equality;
@@ -30,15 +43,161 @@ struct ContactConstraint : LocalContact<D> {
 template <int D>
 class ContactSolver {
  public:
+  static constexpr int N = D + rotations<D>;
   using Rows = std::vector<ContactConstraint<D>>;
-  using Twists = std::vector<Twist<double, D>>;
+  using Twists = std::vector<Vec<double, N>>;
+  using Real = typename Vec<double, D>::Scalar;
 
   /// Starts from the impulses in `rows` and the twists `u` that they have led to. Returns by how much the
   /// worst contact fails, m/s; `scale`: size of the velocities, m/s.
-  double solve(Rows& rows, Twists& u, double scale);
+  double solve(Rows& rows, Twists& u, double scale) {
+    const double enough = 1e-13 * scale, most = greatest_impulse(rows, scale);
+    double rest = 0;
+    for (int round = 0; round < 20; ++round) {
+      for (int k = 0; k < 20; ++k) {
+        rest = sweep(rows, u);
+        if (rest <= enough) return rest;
+      }
+      if (rows.size() > most_rows) continue;
+      const Rows swept = rows;
+      const Twists before = u;
+      double left = 0;  // not a number: no use
+      for (int k = 0; k < 12; ++k) {
+        solve_active(rows, u);
+        const bool bounded =
+            std::ranges::all_of(rows, [&](const auto& row) { return row.impulse.norm() <= most; });
+        left = bounded ? residual(rows, u) : std::numeric_limits<double>::quiet_NaN();
+        if (left <= enough) return left;
+        if (!std::isfinite(left)) break;
+      }
+      // Small enough for round-off of masses that differ much, or not a solution at all.
+      if (left <= 1e-10 * scale) return left;
+      if (!(left <= rest)) rows = swept, u = before;
+    }
+    return rest;
+  }
 
  private:
-  void solve_active(Rows& rows, Twists& u);
+  static constexpr std::size_t most_rows = 200;
+
+  /// An impulse far above what stops the heaviest body, N s. Contacts that hold each other, as a wedge with
+  /// friction does, have none of their own: any multiple would do, and of great ones round-off alone is left.
+  static double greatest_impulse(const Rows& rows, double scale) {
+    double least = std::numeric_limits<double>::infinity();  // m/s per N s, of a body alone
+    for (const auto& row : rows)
+      for (int i = 0; i < 2; ++i) {
+        const double of_body = row.to[i].row(0).dot(row.by[i].col(0));
+        if (of_body > 0) least = std::min(least, of_body);
+      }
+    return 1e4 * scale / least;
+  }
+
+  /// The impulse to which the laws take one, for the velocity w there.
+  static Vec<double, D> projected(const ContactConstraint<D>& row, const Vec<double, D>& w) {
+    Vec<double, D> j;
+    j[0] = std::max(0.0, row.impulse[0] - (w[0] - row.least) / row.response(0, 0));
+    Vec<double, D - 1> t = row.impulse.template tail<D - 1>() - w.template tail<D - 1>() / across(row);
+    if (j[0] == 0) {
+      t.setZero();
+    } else if (const double size = t.norm(), most = row.friction * j[0]; size > most) {
+      t *= most / size;
+    }
+    j.template tail<D - 1>() = t;
+    return j;
+  }
+  /// Bound of the tangential response; where no impulse moves the bodies across the normal, it finds none.
+  static double across(const ContactConstraint<D>& row) {
+    return std::max(row.response.trace() - row.response(0, 0), 1e-12 * row.response(0, 0));
+  }
+
+  /// One sweep; returns the greatest change, as a velocity.
+  static double sweep(Rows& rows, Twists& u) {
+    double most = 0;
+    for (auto& row : rows) {
+      // First along the normal, then across it with the velocity that this leaves.
+      Vec<double, D> w = row.velocity(u), change = Vec<double, D>::Zero();
+      change[0] = projected(row, w)[0] - row.impulse[0];
+      row.add(change, u);
+      w = row.velocity(u);
+      Vec<double, D> next = projected(row, w);
+      next[0] = row.impulse[0];
+      if (const double size = next.template tail<D - 1>().norm(), limit = row.friction * next[0];
+          next[0] == 0)
+        next.template tail<D - 1>().setZero();
+      else if (size > limit)
+        next.template tail<D - 1>() *= limit / size;
+      const Vec<double, D> along = next - row.impulse;
+      row.add(along, u);
+      most = std::max({most, std::abs(change[0]) * row.response(0, 0), along.norm() * across(row)});
+    }
+    return most;
+  }
+
+  static double residual(const Rows& rows, const Twists& u) {
+    double most = 0;
+    for (const auto& row : rows) {
+      const Vec<double, D> off = projected(row, row.velocity(u)) - row.impulse;
+      const double size =
+          std::max(std::abs(off[0]) * row.response(0, 0), off.template tail<D - 1>().norm() * across(row));
+      if (!(size <= most)) most = size;
+    }
+    return most;
+  }
+
+  /// One Newton step: the contacts that act now stick or slip as they do now, the others give nothing.
+  void solve_active(Rows& rows, Twists& u) {
+    unknowns_.clear();
+    for (std::size_t c = 0; c < rows.size(); ++c) {
+      auto& row = rows[c];
+      const Vec<double, D> w = row.velocity(u);
+      const double normal = row.impulse[0] - (w[0] - row.least) / row.response(0, 0);
+      if (normal <= 0) {
+        row.add(-row.impulse, u);
+        continue;
+      }
+      const Vec<double, D - 1> t =
+          row.impulse.template tail<D - 1>() - w.template tail<D - 1>() / across(row);
+      Vec<double, D> along = Vec<double, D>::Unit(0);
+      const double size = t.norm();
+      if (size <= row.friction * normal && row.friction > 0) {
+        for (int k = 0; k < D; ++k) unknowns_.push_back({c, k, Vec<double, D>::Unit(k)});
+      } else {
+        if (size > 0) along.template tail<D - 1>() = row.friction / size * t;
+        // From now on the impulse lies along this line.
+        row.add(row.impulse[0] * along - row.impulse, u);
+        unknowns_.push_back({c, 0, along});
+      }
+    }
+    const auto count = static_cast<Eigen::Index>(unknowns_.size());
+    if (count == 0) return;
+    Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic> a(count, count);
+    Eigen::Matrix<Real, Eigen::Dynamic, 1> b(count);
+    for (Eigen::Index p = 0; p < count; ++p) {
+      const auto& [row_p, axis, unused] = unknowns_[static_cast<std::size_t>(p)];
+      const auto& row = rows[row_p];
+      b[p] = (axis == 0 ? row.least : 0) - row.velocity(u)[axis];
+      for (Eigen::Index q = 0; q < count; ++q) {
+        const auto& unknown = unknowns_[static_cast<std::size_t>(q)];
+        a(p, q) = between(row, rows[unknown.row], axis, unknown.along);
+      }
+      a(p, p) += 1e-11 * row.response(axis, axis);  // where contacts share one load
+    }
+    const Eigen::Matrix<Real, Eigen::Dynamic, 1> x = a.partialPivLu().solve(b);
+    for (Eigen::Index q = 0; q < count; ++q) {
+      const auto& unknown = unknowns_[static_cast<std::size_t>(q)];
+      rows[unknown.row].add(x[q] * unknown.along, u);
+    }
+  }
+
+  /// Velocity along an axis of one contact by an impulse at another.
+  static double between(const ContactConstraint<D>& at, const ContactConstraint<D>& of, int axis,
+                        const Vec<double, D>& impulse) {
+    double sum = 0;
+    for (int i = 0; i < 2; ++i)
+      for (int k = 0; k < 2; ++k)
+        if (at.body[i] == of.body[k]) sum += at.to[i].row(axis).dot(of.by[k] * impulse);
+    return sum;
+  }
 
   struct Unknown {
     std::size_t row;
@@ -49,7 +208,3 @@ class ContactSolver {
 };
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET
-
-#ifndef ARENITE_COLD_LIBRARY
-#include <arenite/rigid/contact_solver_cold.hpp>
-#endif

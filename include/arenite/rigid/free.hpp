@@ -3,12 +3,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include <array>
+#include <cmath>
 #include <limits>
+#include <utility>
 
 #include <arenite/boundary/place_function.hpp>
+#include <arenite/core/vector_argument.hpp>
+#include <arenite/parallel/communicator.hpp>
 #include <arenite/rigid/anchor.hpp>
 #include <arenite/rigid/contact_balance.hpp>
+#include <arenite/rigid/free_rotation.hpp>
 #include <arenite/rigid/inertia.hpp>
+#include <arenite/rigid/pose.hpp>
+#include <arenite/rigid/spin_function.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
@@ -30,54 +37,161 @@ struct Free {
 template <class T, int D>
 class BoundFree {
  public:
-  static constexpr int N = D + rotations<D>;
   using V = Vec<double, D>;
   using S = Spin<double, D>;
-  using U = Twist<double, D>;
   using Velocity = Twist<T, D>;
-  using State = RigidState<T, D, N>;
   static constexpr bool has_mass = true, rotates = true;
   double mass;        ///< kg
   double damped = 0;  ///< by the anchor's dashpots since the start, J
 
   /// `hoop`: in axisymmetry the body moves along the axis.
-  explicit BoundFree(const Free& f, bool hoop = false);
+  explicit BoundFree(const Free& f, bool hoop = false)
+      : mass{f.mass}, hoop_{hoop}, anchor_{f.anchor}, force_{f.force}, moment_{f.moment} {
+    require(mass > 0 && std::isfinite(mass), "Free.mass", mass, "must be given, positive");
+    centre_ = vector_argument<double, D>("Free.centre", f.centre);
+    velocity_ = vector_argument<double, D>("Free.velocity", f.velocity);
+    spin_ = spin_argument<D>("Free.spin", f.spin);
+    if (hoop) {
+      require(centre_[0] == 0, "Free.centre", centre_[0], "must lie on the axis in an axisymmetric scene");
+      require(velocity_[0] == 0 && spin_.isZero(0), "Free.velocity, spin", vector_text(velocity_),
+              "must be along the axis, without spin, in an axisymmetric scene");
+      inertia_.setIdentity();
+    } else {
+      f.inertia.check<D>();
+      if constexpr (D == 2)
+        inertia_(0, 0) = f.inertia.about_z();
+      else
+        inertia_ = f.inertia.template tensor<D>();
+    }
+    momentum_ = inertia_ * spin_;
+  }
 
   /// Of mass, at the start, m.
   const V& centre() const { return centre_; }
   /// About the centre of mass, kg m2/s.
   const S& angular_momentum() const { return momentum_; }
-  Velocity start() const;
+  Velocity start() const { return twist<double, D>(velocity_, spin_).template cast<T>(); }
 
   /// Adds forces and moments of the start of the step; dashpots by the velocity that they leave.
-  Velocity free_velocity(const State& body, const Velocity& before, const Vec<T, D>& acceleration, T time,
-                         T dt);
-  template <class Communicator = const Serial>
-  Velocity velocity_in_contact(const State& body, const Velocity& free_velocity,
-                               Communicator& comm = serial) const {
-    return balanced(body, free_velocity, comm);
+  template <class Body>
+  Velocity free_velocity(const Body& body, const Velocity& before, const Vec<T, D>& acceleration, T time,
+                         T dt_) {
+    const double dt = static_cast<double>(dt_), begin = static_cast<double>(time) - dt;
+    const V displacement = body.displacement.template cast<double>(), place = centre_ + displacement;
+    in_space_ = inertia_in_space(body.orientation);
+    const V old = linear_part(before).template cast<double>();
+    const V spring = dt * anchor_.force(displacement);
+    V v = old + dt * acceleration.template cast<double>() +
+          (dt * value_at<double, D>(force_, place, begin, "Free.force") + spring) / mass;
+    v = v.cwiseQuotient(V::Ones() + dt / mass * anchor_.damping);
+    S twisted = S::Zero(), slowed = S::Zero();
+    S added = dt * spin_value_at<D>(moment_, place, begin, "Free.moment");
+    if (!anchor_.rotational_stiffness.isZero(0)) twisted = dt * anchor_.moment_of_springs(body.orientation);
+    added += twisted;
+    if (!anchor_.rotational_damping.isZero(0)) {
+      Mat<double, rotations<D>> slow = in_space_;
+      slow.diagonal() += dt * anchor_.rotational_damping;
+      const S left = slow.inverse() * (momentum_ + added);
+      slowed = -dt * anchor_.rotational_damping.cwiseProduct(left);
+      added += slowed;
+    }
+    if (hoop_) v[0] = 0, added.setZero();
+    free_momentum_ = momentum_ + added;
+    of_springs_ = twist<double, D>(spring, twisted);
+    of_dashpots_ = twist<double, D>(-dt * anchor_.damping.cwiseProduct(v), slowed);
+    gained_ = twist<double, D>(mass * (v - old), added);
+    return twist<double, D>(v, in_space_.inverse() * free_momentum_).template cast<T>();
   }
-  Velocity after(const Velocity& contact_velocity, const Velocity& free_velocity, const Velocity& total,
-                 const Vec<T, 2>& exchanged);
-  Velocity mean(const Velocity& before, const Velocity& after) const;
+
+  template <class Body, class Communicator = const Serial>
+  Velocity velocity_in_contact(const Body& body, const Velocity& free_velocity,
+                               Communicator& comm = serial) const {
+    constexpr int N = D + rotations<D>;
+    Mat<double, N> inertia = Mat<double, N>::Zero();
+    inertia.template topLeftCorner<D, D>().diagonal().setConstant(mass);
+    inertia.template bottomRightCorner<rotations<D>, rotations<D>>() = in_space_;
+    ContactBalance<Body, Communicator, D, N> balance(body, free_velocity.template cast<double>(), inertia,
+                                                     moves(), comm);
+    return balance.solve().template cast<T>();
+  }
+
+  /// The remainder of the balance is given to the body, unless it is round-off of the impulses, which would
+  /// give a very light body a large velocity. `exchanged`: sums of the magnitudes of impulses and of their
+  /// moments.
+  Velocity after(const Velocity& met, const Velocity& free_velocity, const Velocity& total,
+                 const Vec<T, 2>& exchanged) {
+    constexpr double round_off = 64 * static_cast<double>(std::numeric_limits<T>::epsilon());
+    const Vec<double, D + rotations<D>> given = total.template cast<double>().cwiseProduct(moves()),
+                                        change = (met - free_velocity).template cast<double>();
+    const V left = mass * linear_part(change) + linear_part(given);
+    const S left_spin = in_space_ * angular_part(change) + angular_part(given);
+    if (left.norm() <= round_off * static_cast<double>(exchanged[0]) &&
+        left_spin.norm() <= round_off * static_cast<double>(exchanged[1])) {
+      momentum_ = free_momentum_ + in_space_ * angular_part(change);
+      return met;
+    }
+    momentum_ = free_momentum_ - angular_part(given);
+    const V v = linear_part(free_velocity).template cast<double>() - linear_part(given) / mass;
+    return twist<double, D>(v, in_space_.inverse() * momentum_).template cast<T>();
+  }
+  Velocity mean(const Velocity& before, const Velocity& after) const { return (before + after) / 2; }
 
   /// For the contact of rigid bodies (`RigidContact`). Change of the twist by an impulse and its moment, once
   /// `free_velocity` was asked for; `added`: how the impulse of the matter opposes the twist, as an inertia.
-  Mat<double, N> mobility(const Mat<double, N>& added) const;
+  Mat<double, D + rotations<D>> mobility(const Mat<double, D + rotations<D>>& added) const {
+    constexpr int N = D + rotations<D>;
+    const Vec<double, N> can = moves();
+    Mat<double, N> inertia = added;
+    inertia.template topLeftCorner<D, D>().diagonal().array() += mass;
+    inertia.template bottomRightCorner<rotations<D>, rotations<D>>() += in_space_;
+    inertia = can.asDiagonal() * inertia * can.asDiagonal();
+    inertia.diagonal() += Vec<double, N>::Ones() - can;
+    const Mat<double, N> response = can.asDiagonal() * inertia.inverse() * can.asDiagonal();
+    return response;
+  }
   /// Takes an impulse of another rigid body with its moment, before `after`.
-  void push(const U& impulse);
+  void push(const Vec<double, D + rotations<D>>& impulse) {
+    free_momentum_ += angular_part(Vec<double, D + rotations<D>>(impulse.cwiseProduct(moves())));
+  }
   /// The orientation at the end of a step with this twist.
-  Orientation<D> turned(Orientation<D> orientation, const U& u, double dt) const;
+  Orientation<D> turned(Orientation<D> orientation, const Vec<double, D + rotations<D>>& u, double dt) const {
+    if constexpr (D == 2)
+      orientation.turn(dt * angular_part(u));
+    else
+      rotate_freely(orientation, inertia_, S(in_space_ * angular_part(u)), dt);
+    return orientation;
+  }
 
-  /// Of gravity, forces and moments, J; that of dashpots is booked as `damped`.
-  double work(const Velocity&, const Velocity&, const Velocity& mean, const Velocity&);
+  /// Work of gravity, forces and moments, J; that of dashpots is booked as `damped`.
+  double drive(const Velocity&, const Velocity&, const Velocity& mean, const Velocity&) {
+    const Vec<double, D + rotations<D>> with = mean.template cast<double>();
+    damped -= of_dashpots_.dot(with);
+    return (gained_ - of_springs_ - of_dashpots_).dot(with);
+  }
 
   /// Turns the body through the step; returns its velocity and spin there.
-  Velocity turn(Orientation<D>& orientation, const Velocity& velocity, T dt) const;
+  Velocity turn(Orientation<D>& orientation, const Velocity& velocity, T dt) const {
+    if constexpr (D == 2) {
+      orientation.turn(dt * angular_part(velocity).template cast<double>());
+      return velocity;
+    } else {
+      rotate_freely(orientation, inertia_, momentum_, static_cast<double>(dt));
+      const Spin<T, D> spin = (inertia_in_space(orientation).inverse() * momentum_).template cast<T>();
+      return twist<T, D>(linear_part(velocity), spin);
+    }
+  }
 
-  double kinetic_energy(const Velocity& v) const;
-  double stored_energy(const State& body) const;
-  bool holds(const Vec<T, D>& g) const;
+  double kinetic_energy(const Velocity& v) const {
+    const Twist<double, D> u = v.template cast<double>();
+    return (mass * linear_part(u).squaredNorm() + momentum_.dot(angular_part(u))) / 2;
+  }
+  template <class Body>
+  double stored_energy(const Body& body) const {
+    return anchor_.stored_energy(body.displacement.template cast<double>(), body.orientation);
+  }
+  bool holds(const Vec<T, D>& g) const {
+    return anchor_.stiffness.cwiseProduct(g.template cast<double>()).norm() > 0;
+  }
   template <class F>
   void visit_state(F&& f) {
     f("angular_momentum", momentum_);
@@ -87,23 +201,31 @@ class BoundFree {
  private:
   using Inertias = Mat<double, rotations<D>>;
 
-  Velocity balanced(const State& body, const Velocity& free_velocity, SumOver sum) const;
-  Mat<double, N> whole_inertia() const;
-  Inertias inertia_in_space(const Orientation<D>& orientation) const;
+  Inertias inertia_in_space(const Orientation<D>& orientation) const {
+    if constexpr (D == 2) {
+      return inertia_;
+    } else {
+      const Mat<double, 3> r = orientation.matrix();
+      return r * inertia_ * r.transpose();
+    }
+  }
   /// 1 for each component of the velocity that may change.
-  U moves() const;
+  Vec<double, D + rotations<D>> moves() const {
+    if (hoop_) return Vec<double, D + rotations<D>>::Unit(1);
+    return Vec<double, D + rotations<D>>::Ones();
+  }
 
   bool hoop_;
   BoundAnchor<D> anchor_;
   VectorFunction force_, moment_;
   V centre_, velocity_;
   S spin_;
-  Inertias inertia_ = zeros<Inertias>();  // in the body's frame
+  Inertias inertia_ = Inertias::Zero();  // in the body's frame
   S momentum_;
   // Of the step.
-  Inertias in_space_;
-  S free_momentum_ = zeros<S>();
-  U gained_, of_springs_, of_dashpots_;  // impulses without contact
+  Inertias in_space_ = Inertias::Identity();
+  S free_momentum_ = S::Zero();
+  Vec<double, D + rotations<D>> gained_, of_springs_, of_dashpots_;  // impulses without contact
 };
 
 template <class Traits>
@@ -112,7 +234,3 @@ auto bind_part(const Free& motion, const Traits&) {
 }
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET
-
-#ifndef ARENITE_COLD_LIBRARY
-#include <arenite/rigid/free_cold.hpp>
-#endif

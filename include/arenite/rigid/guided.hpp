@@ -5,10 +5,13 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include <arenite/boundary/place_function.hpp>
+#include <arenite/core/error.hpp>
 #include <arenite/core/tensor.hpp>
-#include <arenite/rigid/contact_balance.hpp>
+#include <arenite/core/vector_argument.hpp>
+#include <arenite/parallel/communicator.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
@@ -22,6 +25,48 @@ struct Guided {
   ScalarFunction load = 0.0;                               ///< external force along the axis, N; of time
 };
 
+namespace detail {
+
+/// Speed along the guide that balances the impulses: f(s) = M (s - trial) + axis . sum J(s) = 0. f is made of
+/// pieces that are straight (or nearly so, with friction in three dimensions), whose slopes may differ by as
+/// much as soil and body: Newton steps on the pieces, inside a bracket that is halved where they leave it or
+/// do not get ahead.
+/// The sums are taken over the touches of all scenes that share the body.
+template <class R, class V, class T, class Communicator>
+T balance_speed(const R& body, const V& axis, T trial, T mass, Communicator& comm) {
+  T soil = 0;
+  for (const auto& t : body.touched_nodes) soil += t.mass_ratio * t.mass;
+  sum_over(comm, soil);
+  const auto contact_impulse = [&](T s) {
+    T sum = 0;
+    for (const auto& t : body.touched_nodes) sum += body.impulse_at(t, s * axis).dot(axis);
+    sum_over(comm, sum);
+    return sum;
+  };
+  constexpr T round_off = std::numeric_limits<T>::epsilon();
+  T s = trial, f = contact_impulse(s);
+  if (f == 0) return trial;
+  const T sign = f > 0 ? T(1) : T(-1);
+  T near = trial;            // f has the sign of the start here, and the other one (or none) at `far`
+  T far = trial - f / mass;  // where the body alone would take up the impulse at the trial speed
+  T before = std::numeric_limits<T>::infinity();
+  for (int k = 0; k < 200; ++k) {
+    const T h = -sign * std::sqrt(round_off) * std::max(std::abs(s - trial), std::abs(f) / (mass + soil));
+    const T slope = mass + (contact_impulse(s + h) - contact_impulse(s)) / h;
+    T next = s - f / slope;
+    if (!((next - near) * (next - far) < 0) || 2 * std::abs(f) > before) next = near + (far - near) / 2;
+    before = std::abs(f);
+    const T change = std::abs(next - s);
+    s = next;
+    f = mass * (s - trial) + contact_impulse(s);
+    (f * sign > 0 ? near : far) = s;
+    if (f == 0 || change <= 4 * round_off * std::abs(s - trial)) break;
+  }
+  return s;
+}
+
+}  // namespace detail
+
 /// A guided motion in D dimensions over scalar T.
 template <class T, int D>
 struct BoundGuided {
@@ -33,27 +78,56 @@ struct BoundGuided {
   T speed;              ///< at the start, m/s
 
   /// `hoop`: in axisymmetry the guide is the axis.
-  explicit BoundGuided(const Guided& g, bool hoop = false);
+  explicit BoundGuided(const Guided& g, bool hoop = false)
+      : mass{g.mass}, load{g.load}, speed{static_cast<T>(g.velocity)} {
+    require(g.mass > 0 && std::isfinite(g.mass), "Guided.mass", g.mass, "must be given, positive");
+    require(std::isfinite(g.velocity), "Guided.velocity", g.velocity, "must be finite");
+    require(load.is_uniform(), "Guided.load", "f(x, t)", "must be a number or a function of time");
+    if (load.is_constant()) {
+      const double force = load({}, 0);
+      require(std::isfinite(force), "Guided.load", force, "must be finite");
+    }
+    axis = direction_argument<T, D>("Guided.axis", g.axis);
+    require(!hoop || axis[0] == 0, "Guided.axis", vector_text(axis),
+            "must be the axis of symmetry (0, 1) in an axisymmetric scene");
+    axis.normalize();
+  }
 
   V start() const { return speed * axis; }
   /// With the load at the start of the step.
-  V free_velocity(const V& before, const V& acceleration, T time, T dt) const;
+  V free_velocity(const V& before, const V& acceleration, T time, T dt) const {
+    const double begin = static_cast<double>(time) - static_cast<double>(dt);
+    const double force = value_at<double, D>(load, Vec<double, D>::Zero(), begin, "Guided.load");
+    const T drive = acceleration.dot(axis) + static_cast<T>(force / mass);
+    return before + dt * drive * axis;
+  }
   template <class Body, class Communicator = const Serial>
   V velocity_in_contact(const Body& body, const V& free_velocity,
                         [[maybe_unused]] Communicator& comm = serial) const {
     if constexpr (Body::coupling_through_centre)
       return free_velocity;  // `after` corrects it: eq. (4)
     else
-      return detail::balance_speed<T, D>(body, axis, free_velocity.dot(axis), static_cast<T>(mass), comm) *
-             axis;
+      return detail::balance_speed(body, axis, free_velocity.dot(axis), static_cast<T>(mass), comm) * axis;
   }
-  V after(const V& contact_velocity, const V& free_velocity, const V& total,
-          const Vec<T, 2>& exchanged) const;
+  /// The remainder of the balance is given to the body, unless it is round-off of the impulses, which would
+  /// give a very light body a large velocity.
+  V after(const V& met, const V& free_velocity, const V& total, T exchanged) const {
+    const V change = met - free_velocity;
+    const T m = static_cast<T>(mass), left = m * change.dot(axis) + total.dot(axis);
+    const bool round_off = !(std::abs(left) > 16 * std::numeric_limits<T>::epsilon() * exchanged);
+    return round_off ? met : V(free_velocity - (total.dot(axis) / m) * axis);
+  }
   V mean(const V& before, const V& after) const { return (before + after) / 2; }
   /// For the contact of rigid bodies (`RigidContact`): change of the velocity by an impulse; `added`: how the
   /// impulse of the matter opposes the velocity, as a mass.
-  Mat<double, D> mobility(const Mat<double, D>& added) const;
-  double work(const V& before, const V& free_velocity, const V& mean, const V&) const;
+  Mat<double, D> mobility(const Mat<double, D>& added) const {
+    const Vec<double, D> along = axis.template cast<double>();
+    return along * along.transpose() / (mass + along.dot(added * along));
+  }
+  double drive(const V& before, const V& free_velocity, const V& mean, const V&) const {
+    const V change = free_velocity - before;
+    return static_cast<double>(static_cast<T>(mass) * change.dot(mean));
+  }
   double kinetic_energy(const V& v) const { return 0.5 * mass * static_cast<double>(v.squaredNorm()); }
   bool holds(const V& g) const { return std::abs(axis.dot(g)) <= 1e-6 * g.norm(); }
 };
@@ -64,7 +138,3 @@ auto bind_part(const Guided& motion, const Traits&) {
 }
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET
-
-#ifndef ARENITE_COLD_LIBRARY
-#include <arenite/rigid/guided_cold.hpp>
-#endif

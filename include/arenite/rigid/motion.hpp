@@ -19,10 +19,6 @@ inline constexpr bool rotates = [] {
     return false;
 }();
 
-/// Components of the velocity of a body with this motion (`Twist`).
-template <class M, int D>
-inline constexpr int velocity_components = rotates<M> ? D + rotations<D> : D;
-
 /// A motion without rotation, once bound to a scene (a recipe may have a `bind_part`). V: a vector [D] of the
 /// scene; velocities in m/s, impulses in N s. In a step contact asks for the velocity that the body would
 /// have without contact, for the one with which impulses are found, and, once they are given, for the one
@@ -34,24 +30,22 @@ inline constexpr int velocity_components = rotates<M> ? D + rotations<D> : D;
 ///   contact;
 /// - `velocity_in_contact(body, free_velocity)`: velocity of the surface in contact; `body.impulse_at(node,
 ///   v)` for a node of `body.touched_nodes` is the impulse on the matter if the body moves with v;
-///   with mass and on a portion of a mesh `velocity_in_contact(body, free_velocity, comm)`, which sums over
+///   with mass and on a portion of a mesh `velocity_in_contact(body, free_velocity, others)`, which sums over
 ///   the other portions (`sum_over`);
-/// - `after(contact_velocity, free_velocity, total, exchanged)`: velocity at the end of the step; `total`:
-///   impulse on the matter, `exchanged` [2]: sums of the magnitudes of the impulses and of their moments;
+/// - `after(met, free_velocity, total, exchanged)`: velocity at the end of the step; `met`: the velocity in
+///   contact, `total`: impulse on the matter, `exchanged`: sum of the magnitudes of the impulses;
 /// - `mean(before, after)`: velocity with which the impulses did work;
-/// - `work(before, free_velocity, mean, total)`: work of the motion's own forces in the step (gravity, load,
-///   what prescribes it), J;
+/// - `drive(before, free_velocity, mean, total)`: work of gravity, load or drive in the step, J;
 /// - `kinetic_energy(v)`: J;
 /// - `holds(acceleration)`: whether the body would not fall with the matter.
 template <class M, class V>
-concept rigid_motion = !rotates<M> && requires(const M motion, const V v, const Vec<typename V::Scalar, 2> e,
-                                               typename V::Scalar t) {
+concept rigid_motion = !rotates<M> && requires(const M motion, const V v, typename V::Scalar t) {
   { M::has_mass } -> std::convertible_to<bool>;
   { motion.start() } -> std::convertible_to<V>;
   { motion.free_velocity(v, v, t, t) } -> std::convertible_to<V>;
-  { motion.after(v, v, v, e) } -> std::convertible_to<V>;
+  { motion.after(v, v, v, t) } -> std::convertible_to<V>;
   { motion.mean(v, v) } -> std::convertible_to<V>;
-  { motion.work(v, v, v, v) } -> std::convertible_to<double>;
+  { motion.drive(v, v, v, v) } -> std::convertible_to<double>;
   { motion.kinetic_energy(v) } -> std::convertible_to<double>;
   { motion.holds(v) } -> std::convertible_to<bool>;
 };
@@ -62,6 +56,8 @@ concept rigid_motion = !rotates<M> && requires(const M motion, const V v, const 
 /// - `centre()`: the point of the body whose velocity is given, at the start, m;
 /// - `free_velocity(body, before, acceleration, time, dt)`: with the body, whose `displacement` and
 ///   `orientation` are those of the start of the step;
+/// - `after(met, free_velocity, total, exchanged)`: `exchanged` are the sums of the magnitudes of impulses
+///   and of their moments;
 /// - `turn(orientation, velocity, dt)`: turns the orientation through the step and returns the twist there;
 /// - optional `stored_energy(body)`, J, and `damped`, J since the start: of springs and dashpots.
 template <class M, class T, int D>
@@ -73,7 +69,7 @@ concept rotating_motion = rotates<M> &&
   { motion.after(u, u, u, e) } -> std::convertible_to<Twist<T, D>>;
   { motion.turn(o, u, t) } -> std::convertible_to<Twist<T, D>>;
   { motion.mean(u, u) } -> std::convertible_to<Twist<T, D>>;
-  { motion.work(u, u, u, u) } -> std::convertible_to<double>;
+  { motion.drive(u, u, u, u) } -> std::convertible_to<double>;
   { motion.kinetic_energy(u) } -> std::convertible_to<double>;
   { motion.holds(v) } -> std::convertible_to<bool>;
 };

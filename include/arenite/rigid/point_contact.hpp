@@ -4,13 +4,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <limits>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include <arenite/boundary/constraints.hpp>
-#include <arenite/rigid/local_contact.hpp>
-#include <arenite/rigid/rigid_state.hpp>
+#include <arenite/contact/coulomb.hpp>
+#include <arenite/core/tensor.hpp>
+#include <arenite/rigid/pose.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
@@ -88,10 +92,7 @@ class PointImpulses {
   template <class Cell, class Weights, class Field>
   void add(const TouchedPoint<T, D>& touched, std::size_t field_number, const Field& field, const Cell& cell,
            const Weights& weights, const V& arm) {
-    Row row{};
-    row.first = shares_.size();
-    row.normal = touched.normal.template cast<double>();
-    row.arm = arm;
+    Row row{.first = shares_.size(), .normal = touched.normal.template cast<double>(), .arm = arm};
     for (std::size_t i = 0; i < cell.nodes.size(); ++i) {
       const Index node = cell.nodes[i];
       const auto weight = static_cast<double>(weights[static_cast<int>(i)]);
@@ -115,9 +116,32 @@ class PointImpulses {
   /// Finds all impulses for a step dt, s. `free`: the body's velocity at its end without contact, `mobility`:
   /// its change by an impulse, 1/kg. Returns the body's velocity in contact.
   U solve(const U& free, const Mat<double, N>& mobility, const std::vector<Constraint<T, D>>& constraints,
-          const Friction& friction, double dt);
-  /// Adds the impulses of all points, with their moments, and their sizes.
-  void add_to(GivenImpulses<T, D, N>& given) const;
+          const Friction& friction, double dt) {
+    U u = free;
+    sweeps = 0;
+    if (rows_.empty()) return u;
+    find_constrained(constraints);
+    double scale = 0;
+    for (std::size_t k = 0; k < rows_.size(); ++k) {
+      Row& row = rows_[k];
+      row.least = -(points[k].gap < 0 ? PointContact::push : 1) * points[k].gap / dt;
+      prepare(row, mobility, constraints);
+      scale = std::max({scale, velocity_of(row, u).norm(), std::abs(row.least)});
+    }
+    for (double change = scale;
+         sweeps < PointContact::most_sweeps && change > PointContact::precision * scale; ++sweeps) {
+      change = 0;
+      for (Row& row : rows_)
+        if (row.response(0, 0) > 0) change = std::max(change, relax(row, friction, constraints, u));
+    }
+    for (std::size_t k = 0; k < rows_.size(); ++k) {
+      const Row& row = rows_[k];
+      const V impulse = row.axes.transpose() * row.impulse;
+      points[k].impulse = impulse.template cast<T>();
+      for (const Share& s : shares_of(row)) nodes_[s.node].impulse += s.weight * impulse;
+    }
+    return u;
+  }
 
  private:
   struct Share {
@@ -125,19 +149,107 @@ class PointImpulses {
     double weight;
   };
   /// A point: its axes are the normal and tangents.
-  struct Row : LocalContact<D> {
+  struct Row {
     std::size_t first, count = 0;  // of its shares
-    V normal = zeros<V>(), arm = zeros<V>();
+    V normal, arm;
+    double least = 0;                                                      // normal velocity, m/s
     Mat<double, D> axes = Mat<double, D>::Zero();                          // rows
+    Mat<double, D> response = Mat<double, D>::Zero();                      // in these axes, 1/kg
     Eigen::Matrix<double, N, D> by = Eigen::Matrix<double, N, D>::Zero();  // of the body's velocity, 1/kg
+    V impulse = V::Zero();                                                 // in these axes, N s
   };
 
   std::span<const Share> shares_of(const Row& row) const { return {shares_.data() + row.first, row.count}; }
-  void find_constrained(const std::vector<Constraint<T, D>>& constraints);
-  V velocity_of(const Row& row, const U& u) const;
+
+  /// Notes which of the nodes are constrained.
+  void find_constrained(const std::vector<Constraint<T, D>>& constraints) {
+    const std::size_t fields = number_.size() / field_size_;
+    for (std::size_t k = 0; k < constraints.size(); ++k)
+      for (std::size_t f = 0; f < fields; ++f)
+        if (const Index n = number_[f * field_size_ + constraints[k].node]; n != none)
+          nodes_[n].constraint = static_cast<Index>(k);
+  }
+  /// Velocity of a node by an impulse on it, as far as constraints allow.
+  static V change_of(const Node& n, const V& impulse, const std::vector<Constraint<T, D>>& constraints) {
+    const V change = n.per_mass * impulse;
+    if (n.constraint == none) return change;
+    return constraints[n.constraint].projector.template cast<double>() * change;
+  }
+
+  /// Velocity of the body at a point, [D x N].
+  static Eigen::Matrix<double, D, N> matrix_at(const Row& row) {
+    Eigen::Matrix<double, D, N> w;
+    if constexpr (N == D)
+      w.setIdentity();
+    else
+      for (int k = 0; k < N; ++k) w.col(k) = velocity_at<double, D>(U::Unit(k), row.arm);
+    return w;
+  }
+  V body_velocity(const Row& row, const U& u) const {
+    if constexpr (N == D)
+      return u;
+    else
+      return velocity_at<double, D>(u, row.arm);
+  }
+  V velocity_of(const Row& row, const U& u) const {
+    V v = -body_velocity(row, u);
+    for (const Share& s : shares_of(row)) v += s.weight * nodes_[s.node].velocity;
+    return v;
+  }
+
   void prepare(Row& row, const Mat<double, N>& mobility,
-               const std::vector<Constraint<T, D>>& constraints) const;
-  double relax(Row& row, const std::vector<Constraint<T, D>>& constraints, U& u);
+               const std::vector<Constraint<T, D>>& constraints) const {
+    row.axes.row(0) = row.normal.transpose();
+    if constexpr (D == 2) {
+      row.axes.row(1) << -row.normal[1], row.normal[0];
+    } else {
+      const V beside = row.normal.unitOrthogonal();
+      row.axes.row(1) = beside.transpose();
+      row.axes.row(2) = row.normal.cross(beside).transpose();
+    }
+    const auto w = matrix_at(row);
+    row.by = mobility * w.transpose() * row.axes.transpose();
+    Mat<double, D> response = w * mobility * w.transpose();
+    double unconstrained = 0;
+    for (const Share& s : shares_of(row)) {
+      const Node& n = nodes_[s.node];
+      const double moved = s.weight * s.weight * n.per_mass;
+      unconstrained += moved;
+      if (n.constraint == none)
+        response.diagonal().array() += moved;
+      else
+        response += moved * constraints[n.constraint].projector.template cast<double>();
+    }
+    row.response = row.axes * response * row.axes.transpose();
+    // What no impulse along the normal can move.
+    if (!(row.response(0, 0) > 1e-9 * (unconstrained + mobility.trace()))) row.response(0, 0) = 0;
+  }
+
+  /// Takes the impulse at a point to what the others leave; returns by how much this changed its velocity,
+  /// m/s.
+  double relax(Row& row, const Friction& friction, const std::vector<Constraint<T, D>>& constraints, U& u) {
+    V w = row.axes * velocity_of(row, u), change = V::Zero();
+    const double normal = std::max(0.0, row.impulse[0] - (w[0] - row.least) / row.response(0, 0));
+    change[0] = normal - row.impulse[0];
+    if (normal == 0 && row.impulse[0] == 0) return 0;
+    w += change[0] * row.response.col(0);
+    // A bound of the response across the normal; in the plane the response itself.
+    const double across = std::max(row.response.trace() - row.response(0, 0), 1e-9 * row.response(0, 0));
+    Vec<double, D - 1> along = row.impulse.template tail<D - 1>() - w.template tail<D - 1>() / across;
+    if (normal == 0)
+      along.setZero();
+    else if (const double size = along.norm(), most = friction.coefficient() * normal; size > most)
+      along *= most / size;
+    change.template tail<D - 1>() = along - row.impulse.template tail<D - 1>();
+    row.impulse += change;
+    u -= row.by * change;
+    const V impulse = row.axes.transpose() * change;
+    for (const Share& s : shares_of(row)) {
+      Node& n = nodes_[s.node];
+      n.velocity += s.weight * change_of(n, impulse, constraints);
+    }
+    return std::max(std::abs(change[0]) * row.response(0, 0), change.template tail<D - 1>().norm() * across);
+  }
 
   std::vector<Row> rows_{};  // [points]
   std::vector<Share> shares_{};
@@ -147,7 +259,3 @@ class PointImpulses {
 };
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET
-
-#ifndef ARENITE_COLD_LIBRARY
-#include <arenite/rigid/point_contact_cold.hpp>
-#endif

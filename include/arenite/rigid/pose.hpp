@@ -19,10 +19,9 @@ template <class T, int D>
 using Spin = Vec<T, rotations<D>>;
 
 /// Velocity of a rigid body's centre, m/s, and its angular velocity, rad/s, one behind the other; or impulse,
-/// N s, and angular impulse about the centre, N m s. [3] in the plane, [6] in space; of a body that does not
-/// rotate the first part alone, N = D.
-template <class T, int D, int N = D + rotations<D>>
-using Twist = Vec<T, N>;
+/// N s, and angular impulse about the centre, N m s. [3] in the plane, [6] in space.
+template <class T, int D>
+using Twist = Vec<T, D + rotations<D>>;
 
 template <class T, int D>
 Twist<T, D> twist(const Vec<T, D>& linear, const Spin<T, D>& angular) {
@@ -30,34 +29,22 @@ Twist<T, D> twist(const Vec<T, D>& linear, const Spin<T, D>& angular) {
   both << linear, angular;
   return both;
 }
-template <int D, class T, int N>
-Vec<T, D> linear_part(const Vec<T, N>& both) {
-  return both.template head<D>();
+template <class T, int N>
+auto linear_part(const Vec<T, N>& both) {
+  return Vec < T, N == 3 ? 2 : 3 > (both.template head < N == 3 ? 2 : 3 > ());
 }
-template <int D, class T, int N>
-Spin<T, D> angular_part(const Vec<T, N>& both) {
-  if constexpr (N == D)
-    return Spin<T, D>::Zero();
-  else
-    return both.template tail<rotations<D>>();
+template <class T, int N>
+auto angular_part(const Vec<T, N>& both) {
+  return Vec < T, N == 3 ? 1 : 3 > (both.template tail < N == 3 ? 1 : 3 > ());
 }
 
 /// Velocity, m/s, of a rigid body's point at `arm`, m, from its centre.
-template <class T, int D, int N>
-Vec<T, D> velocity_at(const Vec<T, N>& body, const Vec<T, D>& arm) {
-  if constexpr (N == D)
-    return body;
-  else if constexpr (D == 2)
+template <class T, int D>
+Vec<T, D> velocity_at(const Twist<T, D>& body, const Vec<T, D>& arm) {
+  if constexpr (D == 2)
     return {body[0] - body[2] * arm[1], body[1] + body[2] * arm[0]};
   else
-    return linear_part<D>(body) + angular_part<D>(body).cross(arm);
-}
-/// The same as a matrix: W with v = W u.
-template <int N, int D>
-Eigen::Matrix<double, D, N> velocity_map(const Vec<double, D>& arm) {
-  Eigen::Matrix<double, D, N> w;
-  for (int k = 0; k < N; ++k) w.col(k) = velocity_at<double, D, N>(Vec<double, N>::Unit(k), arm);
-  return w;
+    return linear_part(body) + angular_part(body).cross(arm);
 }
 
 /// Moment of a force or impulse that acts at `arm` from the centre.
@@ -67,30 +54,6 @@ Spin<T, D> moment(const Vec<T, D>& arm, const Vec<T, D>& force) {
     return Spin<T, D>(arm[0] * force[1] - arm[1] * force[0]);
   else
     return arm.cross(force);
-}
-
-/// A force or impulse that acts at `arm` with its moment, as far as a body knows it.
-template <int N, class T, int D>
-Twist<T, D, N> with_moment(const Vec<T, D>& arm, const Vec<T, D>& force) {
-  if constexpr (N == D)
-    return force;
-  else
-    return twist<T, D>(force, moment<T, D>(arm, force));
-}
-
-/// Axes of a contact as rows: its normal, then the tangents.
-template <int D>
-Mat<double, D> contact_axes(const Vec<double, D>& normal) {
-  Mat<double, D> axes;
-  axes.row(0) = normal.transpose();
-  if constexpr (D == 2) {
-    axes.row(1) << -normal[1], normal[0];
-  } else {
-    const Vec<double, D> beside = normal.unitOrthogonal();
-    axes.row(1) = beside.transpose();
-    axes.row(2) = normal.cross(beside).transpose();
-  }
-  return axes;
 }
 
 /// How a body is turned against its start. In the plane an angle, rad, that counts whole turns; in space a

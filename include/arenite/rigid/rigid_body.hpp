@@ -91,16 +91,14 @@ struct NoRigidBody {
 /// and `force` after any step; of one that rotates also `position()`, `orientation`, `spin` and `torque`. The
 /// velocity of a body that rotates is that of its centre; spins and moments have one component in the plane.
 template <class T, int D, class Surface, class Motion, class Coupling = RigidVelocity, Name name_ = "">
-struct RigidBody : RigidState<T, D, velocity_components<Motion, D>> {
-  static constexpr int N = velocity_components<Motion, D>;
-  using State = RigidState<T, D, N>;
+struct RigidBody {
   using V = Vec<T, D>;
-  using Velocity = Twist<T, D, N>;
-  using Given = GivenImpulses<T, D, N>;
   static constexpr auto name = name_;
   static constexpr int contact_order = 1;
   static constexpr bool is_rigid_body = true, is_shared = true;
   static constexpr bool is_free = Motion::has_mass, rotates = arenite::rotates<Motion>;
+  /// Velocity, or velocity and spin of a body that rotates; impulse, or impulse and its moment.
+  using Velocity = std::conditional_t<rotates, Twist<T, D>, V>;
   static constexpr bool coupling_through_centre = Coupling::through_centre_of_mass;
   static_assert(!coupling_through_centre || (Surface::has_volume_fractions && is_free),
                 "Rigid: CentreOfMass needs a MeshSurface and a Guided motion, which give the body's nodes "
@@ -112,28 +110,124 @@ struct RigidBody : RigidState<T, D, velocity_components<Motion, D>> {
       "Rigid: PointContact needs a DistanceSurface, which tells the distance of a point");
   Surface surface;
   Motion motion;
+  Friction friction;
+  V velocity = linear(motion.start());  ///< m/s
+  V displacement = V::Zero();           ///< since the start, m
+  V force = V::Zero();                  ///< mean contact force on the body during the last step, N
+  V impulse = V::Zero();                ///< contact impulse on the body since the start, N s
+  double driving_work = 0;              ///< work of gravity, load or the prescribed motion's drive, J
+  double dissipated = 0;                ///< by contact, since the start, J
+  std::size_t contact_nodes = 0;        ///< nodes that pushed on the body in the last step
+  /// Nodes inside the body that carried mass in the last step; `PointContact` does not look for them.
+  std::size_t inside_nodes = 0;
+  Spin<T, D> spin = angular(motion.start());        ///< angular velocity, rad/s
+  Orientation<D> orientation{};                     ///< against the start
+  Spin<T, D> torque = Spin<T, D>::Zero();           ///< mean moment of contact about the centre, N m
+  Spin<T, D> angular_impulse = Spin<T, D>::Zero();  ///< of contact since the start, N m s
+
+  /// One touched node of one field.
+  struct TouchedNode {
+    std::size_t field;
+    Index node;
+    bool inside;
+    T mass;        ///< of the field at the node, kg
+    T mass_ratio;  ///< what an impulse has to move, as a share of `mass`: 1, or m_rigid / (m_rigid + mass)
+    V start;       ///< velocity of the field before contact, m/s
+    V normal;      ///< out of the body
+    bool sticks = false;    ///< to the body: no relative motion at all
+    V impulse = V::Zero();  ///< on the field, N s
+    V after = V::Zero();    ///< velocity of the field with the impulse
+    V arm = V::Zero();      ///< from the centre of a body that rotates, m
+  };
+  /// Of the last step; with `PointContact` those that took an impulse, without normals.
+  std::vector<TouchedNode> touched_nodes{};
   /// What touched, with `PointContact`.
-  [[no_unique_address]] std::conditional_t<touches_points, PointImpulses<T, D, N>, Nothing> at_points{};
+  [[no_unique_address]] std::conditional_t<touches_points, PointImpulses<T, D, Velocity::RowsAtCompileTime>,
+                                           Nothing>
+      at_points{};
 
-  RigidBody(Surface s, Motion m, const Friction& f)
-      : State(f, m.start()), surface{std::move(s)}, motion{std::move(m)} {}
-
-  double kinetic_energy() const { return motion.kinetic_energy(this->whole_velocity()); }
+  double kinetic_energy() const { return motion.kinetic_energy(whole_velocity()); }
 
   /// Of the centre of a body that rotates, m.
-  V position() const requires(rotates) { return motion.centre().template cast<T>() + this->displacement; }
+  V position() const requires(rotates) { return motion.centre().template cast<T>() + displacement; }
   /// Where a surface finds the body: its displacement, or its pose.
   auto place() const {
     if constexpr (rotates)
-      return Pose<D>{motion.centre(), this->displacement.template cast<double>(), this->orientation.matrix()};
+      return Pose<D>{motion.centre(), displacement.template cast<double>(), orientation.matrix()};
     else
-      return this->displacement;
+      return displacement;
+  }
+  Velocity whole_velocity() const {
+    if constexpr (rotates)
+      return twist<T, D>(velocity, spin);
+    else
+      return velocity;
+  }
+
+  /// On a field in the last step, N s.
+  V contact_impulse(std::size_t field) const {
+    V sum = V::Zero();
+    for (const auto& t : touched_nodes)
+      if (t.field == field) sum += t.impulse;
+    return sum;
+  }
+
+  /// Velocity of the body at a touched node if it moves with v, m/s.
+  V surface_velocity([[maybe_unused]] const TouchedNode& t, const Velocity& v) const {
+    if constexpr (rotates)
+      return velocity_at<T, D>(v, t.arm);
+    else
+      return v;
+  }
+  /// Impulse on the field at a touched node if the body moves with velocity v, m/s.
+  CoulombImpulse<T, D> contact_at(const TouchedNode& t, const Velocity& v) const {
+    const V approach = t.start - surface_velocity(t, v);
+    if (t.inside) return stick<T, D>(approach, t.mass_ratio * t.mass);
+    return coulomb<T, D>(approach, t.normal, t.mass_ratio * t.mass, friction);
+  }
+  V impulse_at(const TouchedNode& t, const Velocity& v) const { return contact_at(t, v).impulse; }
+  /// An impulse on the field at a touched node, N s, with its moment about the centre, N m s.
+  Velocity with_moment([[maybe_unused]] const TouchedNode& t, const V& j) const {
+    if constexpr (rotates)
+      return twist<T, D>(j, moment<T, D>(t.arm, j));
+    else
+      return j;
+  }
+  /// Magnitudes of an impulse, and of its moment.
+  auto size_of([[maybe_unused]] const TouchedNode& t, const V& j) const {
+    if constexpr (rotates)
+      return Vec<T, 2>(j.norm(), j.norm() * t.arm.norm());
+    else
+      return j.norm();
+  }
+  static auto no_size() {
+    if constexpr (rotates)
+      return Vec<T, 2>(0, 0);
+    else
+      return T(0);
+  }
+  /// Books the impulses of a step on the fields.
+  void take_impulse(const Velocity& total, T dt) {
+    const V given = linear(total);
+    const Spin<T, D> turned = angular(total);
+    for (int k = 0; k < D; ++k) {
+      force[k] = -given[k] / dt;
+      impulse[k] -= given[k];
+    }
+    for (int k = 0; k < rotations<D>; ++k) {
+      torque[k] = -turned[k] / dt;
+      angular_impulse[k] -= turned[k];
+    }
   }
   /// Moves through a step with the velocity of its end.
   void move(const Velocity& v, T dt) {
-    this->set_velocity(v);
-    this->displacement += dt * this->velocity;
-    if constexpr (rotates) this->set_velocity(motion.turn(this->orientation, v, dt));
+    velocity = linear(v);
+    displacement += dt * velocity;
+    if constexpr (rotates) {
+      const Velocity turned = motion.turn(orientation, v, dt);
+      velocity = linear(turned);
+      spin = angular(turned);
+    }
   }
 
   template <class Scene>
@@ -181,21 +275,34 @@ struct RigidBody : RigidState<T, D, velocity_components<Motion, D>> {
   }
   template <class Scene, class Communicator = const Serial>
   double constrain_mapped(Scene& scene, double dt, Communicator& comm = serial) {
-    return book(hold_touched(this->touched_nodes, scene.fields, static_cast<T>(dt)), comm);
+    return book(hold_touched(touched_nodes, scene.fields, static_cast<T>(dt)), comm);
   }
   template <class Scene, class Communicator = const Serial>
   double after_grid(const Scene& scene, double, Communicator& comm = serial) {
-    return book(rest_of_dissipation(this->touched_nodes, scene.fields), comm);
+    return book(rest_of_dissipation(touched_nodes, scene.fields), comm);
   }
   PartEnergy count_energy() const {
-    PartEnergy e{.kinetic = kinetic_energy(), .dissipated = this->dissipated, .external = this->driving_work};
+    PartEnergy e{.kinetic = kinetic_energy(), .dissipated = dissipated, .external = driving_work};
     if constexpr (requires { motion.stored_energy(*this); }) e.stored = motion.stored_energy(*this);
     if constexpr (requires { motion.damped; }) e.dissipated += motion.damped;
     return e;
   }
   template <class F>
   void visit_state(F&& f) {
-    State::visit_state(f);
+    f("velocity", velocity);
+    f("displacement", displacement);
+    f("force", force);
+    f("impulse", impulse);
+    f("driving_work", driving_work);
+    f("dissipated", dissipated);
+    f("contact_nodes", contact_nodes);
+    f("inside_nodes", inside_nodes);
+    if constexpr (rotates) {
+      f("spin", spin);
+      f("torque", torque);
+      f("angular_impulse", angular_impulse);
+      orientation.visit_state(f);
+    }
     if constexpr (touches_points) f("deepest_point", at_points.deepest);
     if constexpr (requires { motion.visit_state(f); }) motion.visit_state(StateUnder(f, "motion"));
     if constexpr (requires { surface.visit_state(f); }) surface.visit_state(StateUnder(f, "surface"));
@@ -206,8 +313,20 @@ struct RigidBody : RigidState<T, D, velocity_components<Motion, D>> {
   template <class Communicator>
   double book(double dissipation, Communicator& comm) {
     sum_over(comm, dissipation);
-    this->dissipated += dissipation;
+    dissipated += dissipation;
     return dissipation;
+  }
+  static V linear(const Velocity& v) {
+    if constexpr (rotates)
+      return linear_part(v);
+    else
+      return v;
+  }
+  static Spin<T, D> angular([[maybe_unused]] const Velocity& v) {
+    if constexpr (rotates)
+      return angular_part(v);
+    else
+      return Spin<T, D>::Zero();
   }
 };
 
@@ -231,8 +350,8 @@ auto bind_part(const Rigid<S, M, C, name>& recipe, const Traits& traits) {
                 "Rigid: the body rotates, and its surface does not: visit must take a Pose, as that of a "
                 "DistanceSurface does; the nodes of a MeshSurface stay where the mesh is");
   if constexpr (has_motion && fits)
-    return RigidBody<typename Traits::T, Traits::D, decltype(surface), decltype(motion), C, name>(
-        std::move(surface), std::move(motion), recipe.friction);
+    return RigidBody<typename Traits::T, Traits::D, decltype(surface), decltype(motion), C, name>{
+        std::move(surface), std::move(motion), recipe.friction};
   else
     return detail::NoRigidBody{};  // one sentence is enough
 }

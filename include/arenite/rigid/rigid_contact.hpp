@@ -3,6 +3,7 @@
 #pragma once
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include <Eigen/Cholesky>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -14,9 +15,11 @@
 #include <utility>
 #include <vector>
 
+#include <arenite/contact/coulomb.hpp>
 #include <arenite/core/contact_tally.hpp>
 #include <arenite/core/error.hpp>
 #include <arenite/core/part_energy.hpp>
+#include <arenite/parallel/communicator.hpp>
 #include <arenite/rigid/collide.hpp>
 #include <arenite/rigid/contact_balance.hpp>
 #include <arenite/rigid/touching_bodies.hpp>
@@ -31,15 +34,45 @@ struct RigidContact {
 
 namespace detail {
 
+/// How the impulses of the matter on a body oppose its velocity, as an inertia [N x N]; `coupling`: see
+/// `coulomb_slope`.
+template <class R, class Communicator>
+auto resistance_of_matter(const R& body, const typename R::Velocity& met, bool coupling, Communicator& comm) {
+  constexpr int D = R::V::RowsAtCompileTime, N = R::Velocity::RowsAtCompileTime;
+  using U = Vec<double, N>;
+  Mat<double, N> sum = Mat<double, N>::Zero();
+  for (const auto& t : body.touched_nodes) {
+    Eigen::Matrix<double, D, N> w;
+    if constexpr (R::rotates)
+      for (int k = 0; k < N; ++k)
+        w.col(k) = velocity_at<double, D>(U::Unit(k), t.arm.template cast<double>());
+    else
+      w.setIdentity();
+    const Vec<double, D> v = w * met.template cast<double>(), approach = t.start.template cast<double>() - v;
+    const Mat<double, D> slope =
+        t.inside ? Mat<double, D>(Mat<double, D>::Identity())
+                 : coulomb_slope<D>(approach, t.normal.template cast<double>(), body.friction, coupling);
+    sum += static_cast<double>(t.mass) * (w.transpose() * slope * w);
+  }
+  sum_over(comm, sum);
+  return sum;
+}
+
 /// Change of a body's velocity by an impulse in matter that resists. Friction that grows with the normal
 /// impulse can make an impulse gain energy (a wedge that jams): impulses of contacts need not exist then,
 /// and the growth is left to the next round.
-template <class R>
-auto mobility_in_matter(const R& body, const typename R::Velocity& contact_velocity, SumOver sum) {
-  auto mobility = mobility_of(body, resistance_of_matter(body, contact_velocity, true, sum));
-  if constexpr (R::is_free)
-    if (gains_energy(mobility))
-      mobility = mobility_of(body, resistance_of_matter(body, contact_velocity, false, sum));
+template <class R, class Communicator>
+auto mobility_in_matter(const R& body, const typename R::Velocity& met, Communicator& comm) {
+  constexpr int N = R::Velocity::RowsAtCompileTime;
+  Mat<double, N> mobility = mobility_of(body, resistance_of_matter(body, met, true, comm));
+  if constexpr (R::is_free) {
+    Mat<double, N> twice = mobility + mobility.transpose();
+    // Components that cannot move have rows of zeros.
+    for (int k = 0; k < N; ++k)
+      if (twice(k, k) == 0) twice(k, k) = 1;
+    if (!(twice.llt().info() == Eigen::Success))
+      mobility = mobility_of(body, resistance_of_matter(body, met, false, comm));
+  }
   return mobility;
 }
 
@@ -54,7 +87,7 @@ template <class T, int D>
 class BoundRigidContact {
  public:
   using V = Vec<double, D>;
-  using U = Twist<double, D>;
+  static constexpr int N = D + rotations<D>;
   static constexpr int contact_order = 1;
   static constexpr bool is_shared = true, moves_rigid_bodies = true;
   using OnlyOne = RigidContact;
@@ -137,8 +170,8 @@ class BoundRigidContact {
   /// Of one body in a step; of other parts nothing.
   template <class R>
   struct Step {
-    typename R::Velocity free, pushed, push, contact_velocity;
-    typename R::Given given;
+    typename R::Velocity free, pushed, push, met;
+    GivenImpulses<R> given;
   };
   struct NoStep {};
   template <class P>
@@ -168,10 +201,16 @@ class BoundRigidContact {
 
   /// A twist, or a velocity [D] with no spin.
   template <int size>
-  static U as_twist(const Vec<T, size>& v) {
-    U u = zeros<U>();
-    for (int k = 0; k < size; ++k) u[k] = static_cast<double>(v[k]);
+  static Vec<double, N> as_twist(const Vec<T, size>& v) {
+    Vec<double, N> u = Vec<double, N>::Zero();
+    u.template head<size>() = v.template cast<double>();
     return u;
+  }
+  /// The share of a twist or impulse that a body knows.
+  template <class R>
+  static auto for_body(const Vec<double, N>& u) {
+    constexpr int size = R::Velocity::RowsAtCompileTime;
+    return Vec<double, size>(u.template head<size>());
   }
 
   /// Where the bodies are.
@@ -201,16 +240,15 @@ class BoundRigidContact {
       constexpr int size = R::Velocity::RowsAtCompileTime;
       auto& b = touching_.bodies[k];
       for (auto& t : body.touched_nodes) t.start = scene.fields[t.field].velocity[t.node];
-      const Vec<double, size> push = b.impulse.template head<size>();  // what the body knows of it
-      const Mat<double, size> alone = mobility_of(body, zeros<Mat<double, size>>());
+      const auto push = for_body<R>(b.impulse);
+      const Mat<double, size> alone = mobility_of(body, Mat<double, size>(Mat<double, size>::Zero()));
       s.push = push.template cast<T>();
       s.pushed = s.free + (alone * push).template cast<T>();
-      s.contact_velocity = velocity_in_contact(body, s.pushed, comm);
+      s.met = velocity_in_contact(body, s.pushed, comm);
       b.mobility.setZero();
-      b.mobility.template topLeftCorner<size, size>() =
-          detail::mobility_in_matter(body, s.contact_velocity, SumOver(comm));
-      s.given = give_impulses(body, scene.fields, s.contact_velocity, comm);
-      b.twist = as_twist(s.contact_velocity);
+      b.mobility.template topLeftCorner<size, size>() = detail::mobility_in_matter(body, s.met, comm);
+      s.given = give_impulses(body, scene.fields, s.met, comm);
+      b.twist = as_twist(s.met);
     });
   }
   /// Takes back what the bodies gave to the matter, the last body first.
@@ -233,7 +271,7 @@ class BoundRigidContact {
       using R = std::remove_cvref_t<decltype(body)>;
       auto& b = touching_.bodies[k++];
       b.end = b.begin;
-      b.end.displacement += dt * linear_part<D>(b.twist);
+      b.end.displacement += dt * linear_part(b.twist);
       if constexpr (R::rotates) {
         auto orientation = body.orientation;
         if constexpr (requires { body.motion.turned(orientation, b.twist, dt); })
@@ -253,7 +291,7 @@ class BoundRigidContact {
       if constexpr (requires { body.motion.push(touching_.bodies[k].impulse); })
         body.motion.push(touching_.bodies[k].impulse);
       const auto [lost, mean] =
-          finish_step(body, s.free, s.pushed, s.push, s.contact_velocity, s.given, static_cast<T>(dt));
+          finish_step(body, s.free, s.pushed, s.push, s.met, s.given, static_cast<T>(dt));
       const double between = -touching_.bodies[k].impulse.dot(as_twist(mean));
       dissipated += between;
       tally += {.dissipation = lost + between, .nodes = body.contact_nodes};

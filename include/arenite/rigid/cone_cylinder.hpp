@@ -9,7 +9,7 @@
 
 #include <arenite/core/error.hpp>
 #include <arenite/core/tensor.hpp>
-#include <arenite/geometry/shape.hpp>
+#include <arenite/fill/region.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 

@@ -64,8 +64,8 @@ TEST_CASE("A body that begins empty and gets the points of a filled one goes the
     step(empty, dt);
   }
   StateBuffer a(filled), b(empty);
-  for (const char* name : {"points/position/x", "points/velocity/y", "points/stress/xy", "points/velocity_gradient/xx",
-                           "points/id", "points/cell", "cells/unsorted"}) {
+  for (const char* name : {"points/position/x", "points/velocity/y", "points/stress/xy",
+                           "points/velocity_gradient/xx", "points/id", "points/cell", "cells/unsorted"}) {
     CAPTURE(name);
     CHECK(a.of(std::string("bodies/block/") + name) == b.of(std::string("bodies/block/") + name));
   }

@@ -6,8 +6,6 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any, Callable, Dict, FrozenSet, Iterable, List, NamedTuple, Optional, Tuple
 
-from . import _core
-
 Values = Dict[str, Any]
 
 
@@ -38,9 +36,16 @@ PARTS = (
 )
 
 #: The policy that stands for all these, and the numbers of its history that each of them keeps itself.
-KEPT: Dict[str, FrozenSet[str]] = {name: frozenset(history) for name, history in _core.frictions()}
-ANY, OF_ANY = _core.frictions()[-1]
-del KEPT[ANY]
+ANY = "AnyFriction"
+KEPT: Dict[str, FrozenSet[str]] = {
+    "ConstantFriction": frozenset(),
+    "LinearRateFriction": frozenset({"shear_rate"}),
+    "InertialFriction": frozenset({"shear_rate"}),
+    "LogarithmicFriction": frozenset({"shear_rate"}),
+    "SofteningFriction": frozenset({"plastic_strain"}),
+    "RateSofteningFriction": frozenset({"shear_rate", "plastic_strain"}),
+}
+OF_ANY = ("shear_rate", "plastic_strain")
 
 
 class StandIn(NamedTuple):

@@ -57,12 +57,6 @@ struct GivenAngles {
 struct ConstantFriction {
   template <class T>
   using History = NoHistory<T>;
-
-  bool constant() const { return true; }
-  template <class T, int D>
-  T slope(double given, const StrainStep<T, D>&, const NoHistory<T>&) const {
-    return T(given);
-  }
 };
 
 namespace detail {

@@ -37,28 +37,6 @@ template <class T, class A, class B>
 using WithHistory =
     std::conditional_t<std::is_same_v<B, NoHistory<T>> || std::is_base_of_v<B, A>, A, JoinedHistory<A, B>>;
 
-/// Calls `call` with a policy, or with that which one chosen at run time holds.
-template <class Policy, class Call>
-void visit_policy(const Policy& policy, const Call& call) {
-  if constexpr (requires { policy.visit(call); })
-    policy.visit(call);
-  else
-    call(policy);
-}
-/// Throws `error` unless the friction keeps what the stiffness reads: for policies chosen at run time, which
-/// the compiler cannot refuse.
-template <class Stiffness, class Friction>
-void check_history(const Stiffness& stiffness, const Friction& friction) {
-  visit_policy(stiffness, [&]<class S>(const S&) {
-    if constexpr (requires { requires S::reads_friction_history; })
-      visit_policy(friction, []<class F>(const F&) {
-        if (!std::is_base_of_v<typename S::template History<double>, typename F::template History<double>>)
-          throw error(
-              "Stiffness: reads a history that the friction policy must keep, such as RateSofteningFriction");
-      });
-  });
-}
-
 /// The answer to a comparison of Ts: `bool`, or a mask of a pack.
 template <class T>
 using mask_of = decltype(std::declval<T>() < std::declval<T>());
@@ -144,10 +122,8 @@ class Frictional : public Memory, public detail::ElasticPart<Stiffness> {
         friction_(friction),
         parameters_(p) {
     detail::check_strength(name, {p.friction, p.cohesion, p.dilatancy, p.tension, p.greatest_volume_ratio},
-                           memory.remembers());
+                           Memory::remembers);
     if constexpr (requires { friction.check(given_); }) friction.check(given_);
-    if constexpr (requires { requires Stiffness::reads_friction_history; })
-      detail::check_history(stiffness, friction);
     if constexpr (bounded) least_slope_ = friction.least_slope(given_);
     if constexpr (implicit)
       pressure_changes_ =
@@ -175,7 +151,8 @@ class Frictional : public Memory, public detail::ElasticPart<Stiffness> {
       parts = {parts.opening * compliance, parts.dilation * compliance};
     }
     Memory::open(parts.opening, history);
-    if (Memory::remembers()) parts.opening = parts.opening + trace(step.strain) - trace(carried.strain);
+    if constexpr (Memory::remembers)
+      parts.opening = parts.opening + trace(step.strain) - trace(carried.strain);
     return parts;
   }
 

@@ -1,12 +1,11 @@
-// Body forces of manufactured solutions of a neo-Hookean solid (examples/extend/laws/neo_hookean.hpp), as functions of place and time: the
+// Body force of a manufactured solution of a neo-Hookean solid (examples/extend/laws/neo_hookean.hpp), as a function of place and time: the
 // derivation stands in tests/support/manufactured.hpp.
 #pragma once
 #include <arenite/arenite.hpp>
 
 /// A part that loads the points of the first body. Moduli over the density, m2/s2.
 struct ManufacturedForce {
-  double vortex = 0;     ///< 0: axis-aligned displacements in a unit square; 1: generalised vortex
-  double amplitude = 0;  ///< m; rad
+  double amplitude = 0;  ///< m, of axis-aligned displacements in a unit square
   double shear = 0, lame = 0;
 
   template <class Scene>
@@ -15,8 +14,7 @@ struct ManufacturedForce {
     for (std::size_t p = 0; p < points.size(); ++p) {
       const typename Scene::Shape::template Cell<typename Scene::Mesh> cell(scene.mesh, points.cell[p]);
       const auto w = cell.weights(points.position[p]);
-      const V f = points.mass[p] * (vortex != 0 ? turning(points.position[p], scene.time)
-                                                : stretching(points.position[p], scene.time));
+      const V f = points.mass[p] * stretching(points.position[p], scene.time);
       for (int i = 0; i < w.size(); ++i)
         scene.fields[0].sums[cell.nodes[static_cast<std::size_t>(i)]].add_force(w[i] * f);
     }
@@ -40,13 +38,5 @@ struct ManufacturedForce {
     for (int a = 0; a < 2; ++a)
       b[a] = pi * pi * moved[a] * (shear - 1 - (lame * (k - 1) - shear) / (f[a] * f[a]));
     return b;
-  }
-  V turning(const V& x, double t) const {
-    const double r = x.norm(), q = (4 * r - 3) * (4 * r - 5), h = q * q, h1 = 64 * (r - 1) * q,
-                 h2 = 64 * (48 * r * r - 96 * r + 47);
-    const double g = amplitude * std::sin(pi * t), gt = pi * amplitude * std::cos(pi * t);
-    const double radial = -r * (gt * h) * (gt * h) + shear * r * (g * h1) * (g * h1),
-                 around = -r * pi * pi * g * h - shear * g * (3 * h1 + r * h2);
-    return V((radial * x + around * V(-x[1], x[0])) / r);
   }
 };

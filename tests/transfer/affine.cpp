@@ -106,9 +106,8 @@ TEMPLATE_TEST_CASE("APIC keeps angular momentum to round-off, orbital and affine
   check_angular_momentum(ApicFlat(CartesianGrid<2>({.lower = {-3, 5}, .upper = {-2, 6}, .cell = 1}), 8));
 }
 
-TEMPLATE_TEST_CASE(
-    "APIC: points on a face and at a corner particle_field on what they have, finite and conserved", "",
-    LinearGrid, QuadraticBSpline, CubicBSpline) {
+TEMPLATE_TEST_CASE("APIC: points on a face and at a corner hand on what they have, finite and conserved", "",
+                   LinearGrid, QuadraticBSpline, CubicBSpline) {
   using ApicFlat = Flat<TestType>;
   ApicFlat s(flat_grid());
   for (const Vec<double, 2>& x :

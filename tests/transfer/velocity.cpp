@@ -47,7 +47,7 @@ TEST_CASE("FLIP without forces changes no velocity") {
     REQUIRE((s.body.points.velocity[p] - before[p]).norm() < 1e-15);
 }
 
-TEST_CASE("points gather the same velocities however long the step: with the weights of its begin") {
+TEST_CASE("points take the same velocities however long the step: with the weights of its begin") {
   const auto check = [](auto s) {
     s = advanced(std::move(s));
     auto still = s;

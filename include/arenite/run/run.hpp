@@ -113,6 +113,9 @@ struct RunOptions {
   bool watch =
       true;  ///< looks for what cannot be right (`WatchLimits::of_runs`), unless an observer is a `Watch`
 
+  /// Length of a step where `stable` is the stable one, s.
+  double step_length(double stable) const { return std::min(courant * stable, max_step); }
+
   /// Throws `error` unless a scene at this time, s, can run so. A host's own loop may have no end.
   void check(double time, bool may_have_no_end = false) const {
     require(std::isfinite(end) || (may_have_no_end && end > 0), "RunOptions.end", end, "must be given");
@@ -135,7 +138,7 @@ template <class Scene>
 ExpectedSteps expected_steps(const Scene& scene, const RunOptions& options) {
   options.check(scene.time);
   const double left = options.end - scene.time;
-  const double length = std::min({options.courant * stable_step(scene), options.max_step, left});
+  const double length = std::min(options.step_length(stable_step(scene)), left);
   return {length > 0 ? std::ceil(left / length * (1 - 1e-9)) : 0, length};
 }
 
@@ -145,7 +148,7 @@ double step_towards(Scene& scene, const RunOptions& options, double span, Commun
   double stable = stable_step(scene);
   if constexpr (!Communicator::is_serial) stable = comm.least(stable);
   scene.step_check.know(stable, scene.steps);
-  double dt = std::min(options.courant * stable, options.max_step);
+  double dt = options.step_length(stable);
   if (!(dt > 1e-12 * span))
     throw run_error(joined_text({"t = ", scene.time, " s: the stable step has shrunk to ", dt, " s"}));
   const double left = options.end - scene.time;

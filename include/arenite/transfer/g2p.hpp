@@ -27,7 +27,9 @@ ARENITE_KERNEL void strain(const M& mesh, Index c, Points& points, std::size_t b
                            std::size_t origin) {
   const CellStrain<K, N, M> strain(mesh, c, nodes, dt);
   for_each_pack<strain.width>(points, begin, end, [&](const auto& p) {
-    buffer.store(p.first - origin, averaged(strain(p), average, c));
+    auto step = strain(p);
+    apply_average(step, average, c);
+    buffer.store(p.first - origin, step);
   });
 }
 

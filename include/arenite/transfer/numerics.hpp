@@ -91,7 +91,7 @@ struct Numerics {
   static_assert(
       !(maps_back && Shape::constant_gradient) || !Transfer::affine,
       "Numerics: on linear simplices MUSL maps back velocities without a gradient; use Usl, or let the "
-      "transfer say returns_unchanged<Shape> if its points particle_field each node just what it gave them");
+      "transfer say returns_unchanged<Shape> if its points hand each node just what it gave them");
   static_assert(
       AntiLocking::template fits<Shape>,
       "Numerics: NodalAveraging and ElementAverage work on linear simplices; on B-splines use NoAntiLocking");

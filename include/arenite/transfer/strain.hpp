@@ -62,12 +62,12 @@ StrainStep<P, D> in_all_lanes(const StrainStep<T, D>& one) {
   return step;
 }
 
-/// The strain step with what its cell c makes of the strain, where there is an average.
+/// Gives a strain step what its cell c makes of the strain, where there is an average. In place: by value
+/// this took 7 to 18 % of a whole step.
 template <class P, int D, class Average>
-StrainStep<P, D> averaged(StrainStep<P, D> step, [[maybe_unused]] const Average& average,
-                          [[maybe_unused]] Index c) {
+void apply_average(StrainStep<P, D>& step, [[maybe_unused]] const Average& average,
+                   [[maybe_unused]] Index c) {
   if constexpr (!std::same_as<Average, Nothing>) step.strain = average.average(step.strain, c);
-  return step;
 }
 
 /// Moves a pack of points from x by dt times the velocity v. Returns the sums of their new coordinates,

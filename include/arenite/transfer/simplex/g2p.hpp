@@ -31,21 +31,26 @@ ARENITE_KERNEL T g2p(const N& numerics, const M& mesh, Index c, Points& points, 
   using Cell = typename N::Shape::template Cell<M>;
   constexpr int width = N::template width<T>;
   using P = lanes_of<T, width>;
-  const CellStrain<K, N, M> strain(mesh, c, nodes, dt);
-  const Cell& cell = strain.cell;
-  const CellVectors<T, M::dimension, Cell::size> v(cell, nodes.velocity);
+  const Cell cell(mesh, c);
+  const CellVectors<T, M::dimension, Cell::size> v(cell, nodes.velocity), u(cell, nodes.strain_velocity());
   const auto gather = numerics.transfer.gather(cell, nodes);
+  auto of_cell = cell_step(cell, u, dt);
+  if constexpr (!K::hoop) apply_average(of_cell, average, c);  // one for all points
   P check(0);
   for_each_pack<width>(points, begin, end, [&](const auto& p) {
     const auto x = p.position();
     const auto w = cell.weights(x);
     const auto moving_velocity = interpolate(w, v);
-    const auto step = averaged(strain(p), average, c);
+    auto step = in_all_lanes<P>(of_cell);
     const ValueSum gathered{interpolate(w, value_or(gather.velocity, v))};
     if constexpr (requires { gather.second; })
       gather(cell, p, x, TwoSums{gathered, interpolate(w, gather.second)});
     else
       gather(cell, p, x, gathered);
+    if constexpr (K::hoop) {
+      set_hoop_strain<K>(step, interpolate(w, u), x, dt);
+      apply_average(step, average, c);
+    }
     if constexpr (!N::strains_first) buffer.store(p.first - origin, step);
     check += move_points(p, x, moving_velocity, dt);
   });

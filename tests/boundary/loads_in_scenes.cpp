@@ -178,13 +178,13 @@ struct Sums {
   Vec<double, 2> momentum = {0, 0}, wall = {0, 0};
   double external = 0, residual = 0;
 };
-template <class Scene, class Communicator = const Serial>
-Sums sums(const Scene& scene, Communicator& comm = serial) {
+template <class Scene>
+Sums sums(const Scene& scene) {
   Sums all;
   all.momentum = momentum(scene.body());
-  sum_over(comm, all.momentum);
-  all.wall = reaction(scene, "left", comm).impulse;
-  const Energies e = energies(scene, comm);
+  sum_over(scene.communicator(), all.momentum);
+  all.wall = reaction(scene, "left").impulse;
+  const Energies e = energies(scene);
   all.external = e.external;
   all.residual = e.residual;
   return all;
@@ -207,26 +207,28 @@ TEST_CASE("Portions of a mesh bear every kind of load as the whole does") {
     for (const Index i : cell) x += data.nodes[i][0] / 3;
     owner.push_back(x < 0.5 ? 0 : 1);
   }
-  using Part = decltype(loaded(SimplexMesh<2>(data), numerics, MeshPortion<2>{}));
-  std::vector<Part> scenes;
+  std::vector<SimplexMesh<2>> meshes;
   std::vector<MeshPortion<2>> portions;
   for (int k = 0; k < 2; ++k) {
     auto [mesh, portion] = split_mesh(data, owner, k);
+    meshes.push_back(SimplexMesh<2>(mesh));
     portions.push_back(portion);
-    scenes.push_back(loaded(SimplexMesh<2>(mesh), numerics, portion));
   }
-  test::Table<Part> table(portions);
+  test::Table<2> table(portions);
+  const auto scene_on = [&](std::size_t k) {
+    return loaded(meshes[k], numerics, on_portion(portions[k], test::Joined<2>(table, k)));
+  };
+  std::vector scenes{scene_on(0), scene_on(1)};
   std::array<Sums, 2> found;
   std::array<std::string, 2> thrown;
   std::vector<std::thread> threads;
   for (std::size_t s = 0; s < 2; ++s)
     threads.emplace_back([&, s] {
-      test::Joined<Part> comm(table, s);
       try {
-        for (int k = 0; k < steps; ++k) step(scenes[s], dt, comm);
-        found[s] = sums(scenes[s], comm);
+        for (int k = 0; k < steps; ++k) step(scenes[s], dt);
+        found[s] = sums(scenes[s]);
       } catch (const std::exception& e) {
-        comm.fail(e.what());
+        scenes[s].communicator().fail(e.what());
         thrown[s] = e.what();
       }
     });

@@ -16,17 +16,14 @@ struct Lone : BoundGuided<double, 2> {
 
 struct Neighbours {
   static constexpr bool is_serial = false;
-  template <class V>
-  void sum_nodes(const V&, std::size_t) {}
-  template <class V>
-  void share_nodes(const V&, std::size_t) {}
-  template <class V>
-  void sum(const V&) {}
-  double least(double value) { return value; }
-  bool first() { return true; }
-  template <class S>
-  void migrate(S&) {}
-  void fail(const std::string&) {}
+  void sum_nodes(std::span<double>, std::size_t) const {}
+  void share_nodes(std::span<double>, std::size_t) const {}
+  void sum(std::span<double>) const {}
+  double least(double value) const { return value; }
+  bool first() const { return true; }
+  std::size_t size() const { return 1; }
+  Messages exchange(Messages messages) const { return messages; }
+  void fail(const std::string&) const {}
 };
 
 int main() {
@@ -37,7 +34,6 @@ int main() {
               Numerics<LinearSimplex, Flip, Usl>{},
               bodies(fill(Box{{0., 0.}, {1., 0.5}}, rubber)),
               rigid(DistanceSurface{Ball<2>({0.5, 0.9}, 0.3)}, Lone{}, Friction(0.1)),
-              portion};
-  Neighbours comm;
-  step(scene, 1e-6, comm);
+              on_portion(portion, Neighbours{})};
+  step(scene, 1e-6);
 }

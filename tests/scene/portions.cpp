@@ -1,6 +1,7 @@
 // Scenes over the portions of a mesh that exchange what they share go the way of one over the whole.
 #include <arenite/arenite.hpp>
 #include <map>
+#include <memory>
 
 #include "catch.hpp"
 #include "joined_scenes.hpp"
@@ -27,45 +28,47 @@ std::vector<int> slabs(const MeshData<2>& data, int count) {
   return owner;
 }
 
-/// Scenes over portions, made by `make(mesh, portion)`.
-template <class Make>
-auto scenes_of(const MeshData<2>& data, int count, Make&& make) {
-  std::vector<MeshPortion<2>> portions;
-  using S = decltype(make(SimplexMesh<2>(data), MeshPortion<2>{}));
-  std::vector<S> scenes;
-  for (int k = 0; k < count; ++k) {
-    auto [mesh, portion] = split_mesh(data, slabs(data, count), k);
-    portions.push_back(portion);
-    scenes.push_back(make(SimplexMesh<2>(mesh), portion));
+/// Scenes over portions, made by `make(mesh, on_portion(..))`.
+template <class S>
+struct Portions {
+  template <class Make>
+  Portions(const MeshData<2>& data, int count, Make&& make) {
+    std::vector<SimplexMesh<2>> meshes;
+    std::vector<MeshPortion<2>> portions;
+    for (int k = 0; k < count; ++k) {
+      auto [mesh, portion] = split_mesh(data, slabs(data, count), k);
+      meshes.push_back(SimplexMesh<2>(mesh));
+      portions.push_back(portion);
+    }
+    table = std::make_unique<test::Table<2>>(portions);
+    for (std::size_t k = 0; k < portions.size(); ++k)
+      scenes.push_back(make(meshes[k], on_portion(portions[k], test::Joined<2>(*table, k))));
   }
-  return std::pair{std::move(scenes), std::move(portions)};
+  std::unique_ptr<test::Table<2>> table;
+  std::vector<S> scenes;
+};
+template <class Make>
+auto portions_of(const MeshData<2>& data, int count, Make&& make) {
+  using S = decltype(make(SimplexMesh<2>(data), std::declval<OnPortion<MeshPortion<2>, test::Joined<2>>>()));
+  return Portions<S>(data, count, make);
 }
 
-/// Calls `f(scene, exchange)` for each scene in a thread of its own. Returns what they threw, and how many
-/// points went from one to another.
+/// Calls `f(scene)` for each scene in a thread of its own. Returns what they threw.
 template <class S, class F>
-std::pair<std::vector<std::string>, std::size_t> all_together(std::vector<S>& scenes,
-                                                              const std::vector<MeshPortion<2>>& portions,
-                                                              F&& f) {
-  test::Table<S> table(portions);
+std::vector<std::string> all_together(std::vector<S>& scenes, F&& f) {
   std::vector<std::string> thrown(scenes.size());
-  std::vector<std::size_t> migrated(scenes.size());
   std::vector<std::thread> threads;
   for (std::size_t k = 0; k < scenes.size(); ++k)
     threads.emplace_back([&, k] {
-      test::Joined<S> comm(table, k);
       try {
-        f(scenes[k], comm);
+        f(scenes[k]);
       } catch (const std::exception& e) {
-        comm.fail(e.what());
+        scenes[k].communicator().fail(e.what());
         thrown[k] = e.what();
       }
-      migrated[k] = comm.migrated;
     });
   for (auto& thread : threads) thread.join();
-  std::size_t sum = 0;
-  for (const std::size_t n : migrated) sum += n;
-  return {thrown, sum};
+  return thrown;
 }
 
 /// Gives points that begin at one place one id.
@@ -112,7 +115,8 @@ void check(const MeshData<2>& data, int count, int steps, Make&& make) {
   auto whole = make(SimplexMesh<2>(data));
   Places places;
   places.number(whole);
-  auto [scenes, portions] = scenes_of(data, count, make);
+  auto portions = portions_of(data, count, make);
+  auto& scenes = portions.scenes;
   for (auto& scene : scenes) places.number(scene);
   REQUIRE(places.size() == whole.point_count());
   std::size_t in_portions = 0;
@@ -126,16 +130,20 @@ void check(const MeshData<2>& data, int count, int steps, Make&& make) {
   }
   std::vector<Energies> balance(scenes.size());
   std::vector<double> impulse(scenes.size());
-  const auto [thrown, migrated] = all_together(scenes, portions, [&](auto& scene, auto& comm) {
-    for (int k = 0; k < steps; ++k) step(scene, 0.4 * comm.least(stable_step(scene)), comm);
+  const auto thrown = all_together(scenes, [&](auto& scene) {
+    for (int k = 0; k < steps; ++k) step(scene, 0.4 * scene.communicator().least(stable_step(scene)));
     const auto number = static_cast<std::size_t>(scene.portion().number);
-    if constexpr (tracks_energy<decltype(whole)>) balance[number] = energies(scene, comm);
+    if constexpr (tracks_energy<decltype(whole)>) balance[number] = energies(scene);
     auto sum = scene.wall_impulse;
-    sum_over(comm, sum);
+    sum_over(scene.communicator(), sum);
     impulse[number] = sum[1];
   });
   for (const auto& what : thrown) CHECK(what == "");
-  CHECK(migrated > 20);
+  std::size_t point = 0;  // bytes of its message
+  whole.for_each_body([&](auto& body, auto&) {
+    point = std::max(point, body.points.bytes_per_point() + 2 * sizeof(std::uint64_t));
+  });
+  CHECK(portions.table->bytes > 20 * point);
   Numbers expected, found;
   collect(whole, expected);
   for (auto& scene : scenes) {
@@ -286,12 +294,11 @@ TEST_CASE(
                  portion...};
   };
   const auto outcome = [&](const Vec<double, 2>& place) {
-    auto [scenes, portions] = scenes_of(data, 2, make);
+    auto portions = portions_of(data, 2, make);
+    auto& scenes = portions.scenes;
     CHECK(scenes[1].point_count() == 0);
     scenes[0].body().points.position.set(0, place);
-    auto thrown = all_together(scenes, portions, [&](auto& scene, auto& comm) {
-                    run_with(comm, scene, {.end = 1e-3});
-                  }).first;
+    auto thrown = all_together(scenes, [](auto& scene) { run(scene, {.end = 1e-3}); });
     return std::pair{thrown, scenes[0].body().lost};
   };
   const auto [fine, lost] = outcome({-0.02, 0.01});

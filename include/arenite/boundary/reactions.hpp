@@ -155,11 +155,11 @@ BoundReactions<typename Traits::T, Traits::D> bind_part(const Reactions&, const 
 
 /// What a wall gives to the matter. Needs a scene with `Reactions`. Of a scene over a portion of a mesh: of
 /// all portions, through `others`.
-template <class Scene, class Communicator = const Serial>
-auto reaction(const Scene& scene, std::string_view wall, [[maybe_unused]] Communicator& comm = serial) {
+template <class Scene>
+auto reaction(const Scene& scene, std::string_view wall) {
   static_assert(Scene::template has_part<Reactions>, "reaction: name Reactions{} among the scene's parts");
   auto [last, impulse] = scene.template part<Reactions>().impulses(wall);
-  sum_over(comm, last, impulse);
+  sum_over(scene.communicator(), last, impulse);
   if (scene.time_step > 0) last /= static_cast<typename Scene::T>(scene.time_step);
   return Reaction<typename Scene::T, Scene::D>{last, impulse};
 }

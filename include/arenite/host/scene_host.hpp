@@ -83,7 +83,7 @@ class SceneHost : public HostedScene {
       if (!(scene_->time < options.end)) return 0.0;
       watch->before(written);
       const Moved moved(*this);
-      const double dt = step_towards(*scene_, options, span, serial);
+      const double dt = step_towards(*scene_, options, span);
       watch->after(!(scene_->time < options.end));
       return dt;
     };

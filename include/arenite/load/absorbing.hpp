@@ -96,14 +96,14 @@ class BoundAbsorbingFaces {
     if (options_.support == Support::first_reaction) support_.assign(all * dim, 0);
   }
 
-  template <class Scene, class Communicator = const Serial>
-  ContactTally apply_impulses(Scene& scene, double dt, Communicator& comm = serial) {
-    faces_->collect(scene, comm);
+  template <class Scene>
+  ContactTally apply_impulses(Scene& scene, double dt) {
+    faces_->collect(scene);
     if (lost_.is_due())
       lost_.look(
           faces_->areas(scene), called(),
           " % of the faces have matter behind them: they absorb nothing; end the mesh where the body ends",
-          comm);
+          scene.communicator());
     if (!supported_ && !support_.empty()) take_first_reaction(scene);
     const auto step = static_cast<T>(dt);
     const auto owns = scene.node_owner();

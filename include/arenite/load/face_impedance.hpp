@@ -58,8 +58,8 @@ class FaceImpedance {
   const Matrix& at(std::size_t k, std::size_t field) const { return dashpots_[k * fields_ + field]; }
 
   /// Renews C from where mesh and points are now.
-  template <class Scene, class Communicator>
-  void collect(const Scene& scene, [[maybe_unused]] Communicator& comm) {
+  template <class Scene>
+  void collect(const Scene& scene) {
     std::ranges::fill(dashpots_, Matrix(Matrix::Zero()));
     scene.blocks.for_each_colored([&](Index c) {
       if (of_cell_[c].empty()) return;
@@ -72,8 +72,9 @@ class FaceImpedance {
         ++number;
       });
     });
-    if constexpr (!Communicator::is_serial)
-      comm.sum_nodes(std::span<T>(dashpots_[0].data(), dashpots_.size() * D * D), fields_ * D * D);
+    if constexpr (Scene::is_portion)
+      scene.communicator().sum_nodes(std::span<T>(dashpots_[0].data(), dashpots_.size() * D * D),
+                                     fields_ * D * D);
   }
 
   /// Areas of all faces, and of those with matter behind them, m2.

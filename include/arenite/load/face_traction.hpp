@@ -53,16 +53,16 @@ class BoundFaceTraction : public BookedForces<T, D> {
             "must be at least one face of the mesh's hull");
     BookedForces<T, D>::connect(scene);
   }
-  template <class Scene, class Communicator = const Serial>
-  void add_force(Scene& scene, double, Communicator& comm = serial) {
-    faces_->collect(scene, load_, name_, this->forces_, comm);
+  template <class Scene>
+  void add_force(Scene& scene, double) {
+    faces_->collect(scene, load_, name_, this->forces_);
     if (lost_.is_due())
       lost_.look(
           faces_->magnitudes(scene, load_, name_), name_,
           joined_text({" % of it acts on matter; the rest is lost on faces without any behind them; end the "
                        "mesh where the body ends, or load its points, ",
                        load_.name(), "(surface(..), ..)"}),
-          comm);
+          scene.communicator());
     this->add_to(scene);
   }
 

@@ -38,9 +38,9 @@ class GridFaces {
   std::size_t size() const { return faces_.size(); }
 
   /// Forces of a load into those of each field. Faces without matter behind them take none.
-  template <class Scene, class Communicator>
+  template <class Scene>
   void collect(const Scene& scene, const SurfaceLoad& load, std::string_view name,
-               std::vector<NodeForce<T, D>>& nodes, Communicator&) {
+               std::vector<NodeForce<T, D>>& nodes) {
     for (auto& n : nodes) n.clear(n.force.size());
     Failure failure;
     scene.blocks.for_each_colored([&](Index c) {

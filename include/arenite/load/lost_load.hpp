@@ -26,7 +26,7 @@ class LostLoad {
   /// on behind the percentage.
   template <class Communicator>
   void look(std::pair<double, double> given, const std::string& what, const std::string& text,
-            Communicator& comm) {
+            const Communicator& comm) {
     auto& [all, taken] = given;
     sum_over(comm, all, taken);
     if (!(all > 0)) return;

@@ -71,10 +71,10 @@ class NodeForce {
   /// Sets them to zero.
   void clear(std::size_t nodes);
   /// Each copy of a node that several scenes share gets the sum of what they put there.
-  template <class Communicator>
-  void sum([[maybe_unused]] Communicator& comm) {
-    if constexpr (!Communicator::is_serial)
-      comm.sum_nodes(force.numbers(), force.numbers().size() / force.size());
+  template <class Scene>
+  void sum([[maybe_unused]] const Scene& scene) {
+    if constexpr (Scene::is_portion)
+      scene.communicator().sum_nodes(force.numbers(), force.numbers().size() / force.size());
   }
   /// Sets them to `force_at(position, sums)`, N, at the nodes with mass, else to zero; it may throw, and runs
   /// on several threads.

@@ -47,8 +47,8 @@ class BoundPointForces : public BookedForces<T, D> {
     nodes<Scene>().clear(Scene::Shape::node_count(scene.mesh));
   }
 
-  template <class Scene, class Communicator = const Serial>
-  void add_force(Scene& scene, double, Communicator& comm = serial) {
+  template <class Scene>
+  void add_force(Scene& scene, double) {
     auto& nodes = this->template nodes<Scene>();
     nodes.clear(Scene::Shape::node_count(scene.mesh));
     with_body(scene, [&](auto& body, auto& field) {
@@ -68,7 +68,7 @@ class BoundPointForces : public BookedForces<T, D> {
         for (std::size_t i = 0; i < cell.nodes.size(); ++i)
           nodes.force[cell.nodes[i]] += w[static_cast<int>(i)] * force_[k];
       });
-      nodes.sum(comm);
+      nodes.sum(scene);
       nodes.add_to(field.sums);
     });
   }

@@ -49,9 +49,9 @@ class SimplexFaces {
 
   /// Forces of a load on the faces where the mesh is now, into those of each field; matter of several fields
   /// at a node bears them in proportion to its mass, and where there is none the load is lost.
-  template <class Scene, class Communicator>
+  template <class Scene>
   void collect(const Scene& scene, const SurfaceLoad& load, std::string_view name,
-               std::vector<NodeForce<T, D>>& nodes, Communicator& comm) {
+               std::vector<NodeForce<T, D>>& nodes) {
     Failure failure;
     parallel_chunks(samples_.size(), [&](std::size_t begin, std::size_t end) {
       for (std::size_t s = begin; s < end; ++s) {
@@ -66,14 +66,13 @@ class SimplexFaces {
       }
     });
     failure.rethrow();
-    if constexpr (!Communicator::is_serial)
-      nodes[0].clear(scene.fields[0].size());  // others add to more nodes
+    if constexpr (Scene::is_portion) nodes[0].clear(scene.fields[0].size());  // others add to more nodes
     parallel_chunks(nodes_.size(), [&](std::size_t begin, std::size_t end) {
       for (std::size_t k = begin; k < end; ++k) {
         nodes[0].force[nodes_[k]] = force_at(k);
       }
     });
-    nodes[0].sum(comm);
+    nodes[0].sum(scene);
     share(scene.fields, nodes);
   }
 

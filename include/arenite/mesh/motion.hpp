@@ -20,19 +20,19 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 /// start, m, `before` being that of the step before.
 template <Name body = 0>
 struct LedByRigid {
-  template <class Scene, class T, class Communicator>
-  T travel(const Scene& scene, int axis, T, T, Communicator&) const {
+  template <class Scene, class T>
+  T travel(const Scene& scene, int axis, T, T) const {
     return scene.template rigid<body>().displacement[axis];
   }
 };
 /// The mean velocity of a deformable body leads, by name or number.
 template <Name which = 0>
 struct LedByBody {
-  template <class Scene, class T, class Communicator>
-  T travel(const Scene& scene, int axis, T before, T dt, Communicator& comm) const {
+  template <class Scene, class T>
+  T travel(const Scene& scene, int axis, T before, T dt) const {
     const auto& body = scene.template body<which>();
     double along = momentum(body)[axis], all = mass(body);
-    sum_over(comm, along, all);
+    sum_over(scene.communicator(), along, all);
     if (all == 0)
       throw run_error(joined_text(
           {"body ", which.word().empty() ? std::to_string(which.number) : std::string(which.word()),
@@ -114,17 +114,10 @@ class BoundMotion {
   /// Travel of the leader since the start along the axis, m.
   T travel() const { return travel_; }
 
-  template <class Scene, class Communicator = const Serial>
-  void follow_motion(Scene& scene, double dt, Communicator& comm = serial) {
-    const auto travel = [&] {
-      const auto step = static_cast<T>(dt);
-      if constexpr (requires { motion_.leader.travel(scene, motion_.axis, travel_, step, comm); })
-        return motion_.leader.travel(scene, motion_.axis, travel_, step, comm);
-      else
-        return motion_.leader.travel(scene, motion_.axis, travel_, step);
-    };
+  template <class Scene>
+  void follow_motion(Scene& scene, double dt) {
     try {
-      move(scene.mesh, travel());
+      move(scene.mesh, motion_.leader.travel(scene, motion_.axis, travel_, static_cast<T>(dt)));
     } catch (const run_error& e) {
       throw run_error(joined_text({"t = ", scene.time + dt, " s: ", e.what()}));
     }

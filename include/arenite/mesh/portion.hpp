@@ -14,15 +14,11 @@
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
-/// What a scene over a part of a mesh has to know of the whole: a part of the scene (`split_mesh` makes it).
+/// What a scene over a part of a mesh has to know of the whole (`split_mesh` makes it).
 /// Its own cells hold its points; ghost cells are those of others that share a node with them, so that all
 /// cells at an owned node are there. Bodies without points are legal then, and walls that catch no node.
 template <int D>
 struct MeshPortion {
-  struct MeshOfOthers;
-  using OnlyOne = MeshOfOthers;
-  static constexpr bool is_mesh_portion = true;
-
   int number = 0;                         ///< of this portion
   std::vector<int> owner;                 ///< [cells] portion that holds a cell's points
   std::vector<std::uint64_t> whole_cell;  ///< [cells] number in the whole mesh, ascending
@@ -80,6 +76,22 @@ struct MeshPortion {
     return (from + edges * share.template tail<D - 1>() - x).norm();
   }
 };
+
+/// The part of a scene over a portion: with it the communicator of the scenes over all portions, by value (see
+/// `parallel/communicator.hpp`).
+template <class Portion, class Communicator>
+struct OnPortion {
+  struct PortionOfMesh;
+  using OnlyOne = PortionOfMesh;
+  static constexpr bool is_on_portion = true;
+
+  Portion portion;
+  Communicator communicator;
+};
+template <int D, class Communicator>
+OnPortion<MeshPortion<D>, Communicator> on_portion(MeshPortion<D> portion, Communicator communicator) {
+  return {std::move(portion), std::move(communicator)};
+}
 
 /// `owns(cell)`: whether a portion holds the points of a cell.
 template <int D>

@@ -237,12 +237,12 @@ struct Energies {
 };
 
 /// Needs a scene with `TrackEnergy`. Of a scene over a portion of a mesh: of all portions, through `others`.
-template <class Scene, class Communicator = const Serial>
-Energies energies(const Scene& scene, [[maybe_unused]] Communicator& comm = serial) {
+template <class Scene>
+Energies energies(const Scene& scene) {
   static_assert(tracks_energy<Scene>, "energies: name TrackEnergy{} among the scene's parts");
   const auto& balance = scene.template part<TrackEnergy>();
   bool shared = true;
-  if constexpr (!Communicator::is_serial) shared = comm.first();
+  if constexpr (Scene::is_portion) shared = scene.communicator().first();
   const PartEnergy parts = energy_of_parts(scene, shared);
   Energies e;
   double inserted_strain = 0;
@@ -264,8 +264,8 @@ Energies energies(const Scene& scene, [[maybe_unused]] Communicator& comm = seri
                balance.initial() - e.external - e.inserted;
   if (!shared) e.residual += balance.initial_shared;
   e.lag = balance.lag;
-  sum_over(comm, e.kinetic, e.strain, e.stored, e.plastic, e.contact, e.external, e.inserted, e.transfer,
-           e.walls, e.residual, e.lag);
+  sum_over(scene.communicator(), e.kinetic, e.strain, e.stored, e.plastic, e.contact, e.external, e.inserted,
+           e.transfer, e.walls, e.residual, e.lag);
   return e;
 }
 

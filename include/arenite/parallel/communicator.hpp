@@ -12,22 +12,28 @@
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
-/// Nothing to sum; compiles to nothing. Any communicator has these members, which all scenes call in the
-/// same order; what they return is the same in all, bit for bit, if sums are taken in one order:
+/// The communicator of a scene alone: there is nothing to sum, and it compiles to nothing. Any other is a handle
+/// that can be copied, and has these members, which all scenes call in the same order; what they return is the
+/// same in all, bit for bit, if sums are taken in one order:
 ///
 /// - `is_serial`: false;
-/// - `sum_nodes(values, count)`: each copy of a node gets the sum over all of its copies; `values` has
-///   `count` numbers a node;
+/// - `sum_nodes(values, count)`: each copy of a node gets the sum over all of its copies; `values`, a span of
+///   the scene's scalar, has `count` numbers a node;
 /// - `share_nodes(values, count)`: each copy gets the numbers of the scene that owns the node;
-/// - `sum(values)`: each number is summed over the scenes;
+/// - `sum(values)`: each number (double) is summed over the scenes;
 /// - `least(value)`: the least of the scenes;
 /// - `first()`: true in one of the scenes, which counts what all have;
-/// - `migrate(scene)`: points in cells of others go there (`take_foreign`, `add_points`);
+/// - `size()`: number of portions;
+/// - `exchange(messages)`: bytes for each portion, which come back as those from each;
 /// - `fail(what)`: this scene has thrown; a call of the others that waits for it must throw.
 struct Serial {
   static constexpr bool is_serial = true;
+  double least(double value) const { return value; }
 };
 inline constexpr Serial serial{};
+
+/// Bytes for each portion of a mesh, or from each.
+using Messages = std::vector<std::vector<std::byte>>;
 
 /// All nodes are counted: where a scene has its mesh to itself.
 struct OwnsAll {
@@ -36,7 +42,7 @@ struct OwnsAll {
 
 /// Sums scalars and vectors over the scenes.
 template <class Communicator, class... V>
-void sum_over([[maybe_unused]] Communicator& comm, [[maybe_unused]] V&... value) {
+void sum_over([[maybe_unused]] const Communicator& comm, [[maybe_unused]] V&... value) {
   if constexpr (!Communicator::is_serial) {
     std::vector<double> all;
     const auto each = [](auto& v, auto&& f) {

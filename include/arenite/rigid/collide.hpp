@@ -16,7 +16,8 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 /// The nodes with matter that the body touches where it is now, with the fields' velocities before contact.
 template <class Shape, class M, class R, class Fields, class Owns, class Communicator>
-void find_touched_nodes(const M& mesh, R& body, const Fields& fields, const Owns& owns, Communicator& comm) {
+void find_touched_nodes(const M& mesh, R& body, const Fields& fields, const Owns& owns,
+                        const Communicator& comm) {
   using T = typename M::scalar;
   body.touched_nodes.clear();
   body.inside_nodes = 0;
@@ -58,7 +59,7 @@ typename R::Velocity free_velocity(R& body, const Vec<T, D>& acceleration, T tim
 /// The velocity with which impulses are found.
 template <class R, class Communicator>
 typename R::Velocity velocity_in_contact(const R& body, const typename R::Velocity& free,
-                                         Communicator& comm) {
+                                         const Communicator& comm) {
   if constexpr (requires { body.motion.velocity_in_contact(body, free, comm); }) {
     return body.motion.velocity_in_contact(body, free, comm);
   } else {
@@ -94,7 +95,8 @@ struct GivenImpulses {
 
 /// Gives the fields the impulses of a body that moves with velocity `met`.
 template <class R, class Fields, class Communicator>
-GivenImpulses<R> give_impulses(R& body, Fields& fields, const typename R::Velocity& met, Communicator& comm) {
+GivenImpulses<R> give_impulses(R& body, Fields& fields, const typename R::Velocity& met,
+                               const Communicator& comm) {
   GivenImpulses<R> given;
   body.contact_nodes = 0;
   for (auto& t : body.touched_nodes) {
@@ -141,9 +143,9 @@ std::pair<double, typename R::Velocity> finish_step(R& body, const typename R::V
 /// then the impulses with its new velocity. Returns what contact dissipated. Each scene that shares the body
 /// touches the nodes that it owns; sums are taken through `others`, and all know of the whole body.
 template <class Shape, class M, class R, class Fields, class T, int D, class Owns = OwnsAll,
-          class Communicator = const Serial>
+          class Communicator = Serial>
 ContactTally collide(const M& mesh, R& body, Fields& fields, const Vec<T, D>& acceleration, T time, T dt,
-                     const Owns& owns = {}, Communicator& comm = serial) {
+                     const Owns& owns = {}, const Communicator& comm = serial) {
   using Velocity = typename R::Velocity;
   find_touched_nodes<Shape>(mesh, body, fields, owns, comm);
   const Velocity free = free_velocity(body, acceleration, time, dt);

@@ -45,7 +45,7 @@ class ContactBalance {
 
   /// `inertia`: M; `moves`: 1 for each component of the twist that may change, else 0.
   ContactBalance(const R& body, const U& free, const Mat<double, N>& inertia, const U& moves,
-                 Communicator& comm)
+                 const Communicator& comm)
       : body_{body}, comm_{comm}, free_{free}, inertia_{inertia}, moves_{moves} {
     U moved = U::Zero();
     for (const auto& t : body.touched_nodes)
@@ -170,7 +170,7 @@ class ContactBalance {
   }
 
   const R& body_;
-  Communicator& comm_;
+  const Communicator& comm_;
   U free_, scale_;
   Mat<double, N> inertia_;
   U moves_;

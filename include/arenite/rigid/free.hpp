@@ -103,9 +103,9 @@ class BoundFree {
     return twist<double, D>(v, in_space_.inverse() * free_momentum_).template cast<T>();
   }
 
-  template <class Body, class Communicator = const Serial>
+  template <class Body, class Communicator = Serial>
   Velocity velocity_in_contact(const Body& body, const Velocity& free_velocity,
-                               Communicator& comm = serial) const {
+                               const Communicator& comm = serial) const {
     constexpr int N = D + rotations<D>;
     Mat<double, N> inertia = Mat<double, N>::Zero();
     inertia.template topLeftCorner<D, D>().diagonal().setConstant(mass);

@@ -33,7 +33,7 @@ namespace detail {
 /// do not get ahead.
 /// The sums are taken over the touches of all scenes that share the body.
 template <class R, class V, class T, class Communicator>
-T balance_speed(const R& body, const V& axis, T trial, T mass, Communicator& comm) {
+T balance_speed(const R& body, const V& axis, T trial, T mass, const Communicator& comm) {
   T soil = 0;
   for (const auto& t : body.touched_nodes) soil += t.mass_ratio * t.mass;
   sum_over(comm, soil);
@@ -101,9 +101,9 @@ struct BoundGuided {
     const T drive = acceleration.dot(axis) + static_cast<T>(force / mass);
     return before + dt * drive * axis;
   }
-  template <class Body, class Communicator = const Serial>
+  template <class Body, class Communicator = Serial>
   V velocity_in_contact(const Body& body, const V& free_velocity,
-                        [[maybe_unused]] Communicator& comm = serial) const {
+                        [[maybe_unused]] const Communicator& comm = serial) const {
     if constexpr (Body::coupling_through_centre)
       return free_velocity;  // `after` corrects it: eq. (4)
     else

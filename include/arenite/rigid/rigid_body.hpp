@@ -262,8 +262,8 @@ struct RigidBody {
     });
     return name.word().empty() ? std::to_string(own) : std::string(name.word());
   }
-  template <class Scene, class Communicator = const Serial>
-  ContactTally apply_impulses(Scene& scene, double dt, Communicator& comm = serial) {
+  template <class Scene>
+  ContactTally apply_impulses(Scene& scene, double dt) {
     if constexpr (Scene::Needs::moves_rigid_bodies)
       return {};
     else if constexpr (touches_points)
@@ -271,15 +271,15 @@ struct RigidBody {
     else
       return collide<typename Scene::Shape>(scene.mesh, *this, scene.fields, scene.acceleration(),
                                             static_cast<T>(scene.time + dt), static_cast<T>(dt),
-                                            scene.node_owner(), comm);
+                                            scene.node_owner(), scene.communicator());
   }
-  template <class Scene, class Communicator = const Serial>
-  double constrain_mapped(Scene& scene, double dt, Communicator& comm = serial) {
-    return book(hold_touched(touched_nodes, scene.fields, static_cast<T>(dt)), comm);
+  template <class Scene>
+  double constrain_mapped(Scene& scene, double dt) {
+    return book(hold_touched(touched_nodes, scene.fields, static_cast<T>(dt)), scene.communicator());
   }
-  template <class Scene, class Communicator = const Serial>
-  double after_grid(const Scene& scene, double, Communicator& comm = serial) {
-    return book(rest_of_dissipation(touched_nodes, scene.fields), comm);
+  template <class Scene>
+  double after_grid(const Scene& scene, double) {
+    return book(rest_of_dissipation(touched_nodes, scene.fields), scene.communicator());
   }
   PartEnergy count_energy() const {
     PartEnergy e{.kinetic = kinetic_energy(), .dissipated = dissipated, .external = driving_work};
@@ -311,7 +311,7 @@ struct RigidBody {
 
  private:
   template <class Communicator>
-  double book(double dissipation, Communicator& comm) {
+  double book(double dissipation, const Communicator& comm) {
     sum_over(comm, dissipation);
     dissipated += dissipation;
     return dissipation;

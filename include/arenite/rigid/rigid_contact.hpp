@@ -37,7 +37,8 @@ namespace detail {
 /// How the impulses of the matter on a body oppose its velocity, as an inertia [N x N]; `coupling`: see
 /// `coulomb_slope`.
 template <class R, class Communicator>
-auto resistance_of_matter(const R& body, const typename R::Velocity& met, bool coupling, Communicator& comm) {
+auto resistance_of_matter(const R& body, const typename R::Velocity& met, bool coupling,
+                          const Communicator& comm) {
   constexpr int D = R::V::RowsAtCompileTime, N = R::Velocity::RowsAtCompileTime;
   using U = Vec<double, N>;
   Mat<double, N> sum = Mat<double, N>::Zero();
@@ -62,7 +63,7 @@ auto resistance_of_matter(const R& body, const typename R::Velocity& met, bool c
 /// impulse can make an impulse gain energy (a wedge that jams): impulses of contacts need not exist then,
 /// and the growth is left to the next round.
 template <class R, class Communicator>
-auto mobility_in_matter(const R& body, const typename R::Velocity& met, Communicator& comm) {
+auto mobility_in_matter(const R& body, const typename R::Velocity& met, const Communicator& comm) {
   constexpr int N = R::Velocity::RowsAtCompileTime;
   Mat<double, N> mobility = mobility_of(body, resistance_of_matter(body, met, true, comm));
   if constexpr (R::is_free) {
@@ -126,8 +127,9 @@ class BoundRigidContact {
     touching_.check_start();
   }
 
-  template <class Scene, class Communicator = const Serial>
-  ContactTally apply_impulses(Scene& scene, double dt, Communicator& comm = serial) {
+  template <class Scene>
+  ContactTally apply_impulses(Scene& scene, double dt) {
+    const auto& comm = scene.communicator();
     auto steps = steps_of(scene, std::make_index_sequence<std::tuple_size_v<typename Scene::Parts>>{});
     look_at(scene);
     const auto acceleration = scene.acceleration();
@@ -234,7 +236,7 @@ class BoundRigidContact {
 
   /// Each body in turn: its velocity in contact with the matter, and the impulses that it gives.
   template <class Scene, class Steps, class Communicator>
-  void meet_matter(Scene& scene, Steps& steps, Communicator& comm) {
+  void meet_matter(Scene& scene, Steps& steps, const Communicator& comm) {
     each(scene, steps, [&](auto& body, auto& s, std::size_t k) {
       using R = std::remove_cvref_t<decltype(body)>;
       constexpr int size = R::Velocity::RowsAtCompileTime;

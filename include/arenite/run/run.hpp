@@ -36,12 +36,12 @@ bool show(const Scene& scene, Observer& observer) {
   return false;
 }
 /// Shows it to all; returns whether one of them, in any of the scenes that step together, ends the run.
-template <class Scene, class Communicator, class... Observers>
-bool show_all(const Scene& scene, Communicator& comm, Observers&... observers) {
+template <class Scene, class... Observers>
+bool show_all(const Scene& scene, Observers&... observers) {
   bool stops = false;
   ((stops = show(scene, observers) || stops), ...);
-  if constexpr (!Communicator::is_serial && (ends_runs<Observers, Scene> || ...))
-    stops = comm.least(stops ? 0.0 : 1.0) == 0.0;
+  if constexpr (Scene::is_portion && (ends_runs<Observers, Scene> || ...))
+    stops = scene.communicator().least(stops ? 0.0 : 1.0) == 0.0;
   return stops;
 }
 /// Tells an observer that wants to know it that a run has reached its end.
@@ -143,10 +143,9 @@ ExpectedSteps expected_steps(const Scene& scene, const RunOptions& options) {
 }
 
 /// The next step towards `options.end`, `span` s behind the start of the run. Returns its length, s.
-template <class Scene, class Communicator>
-double step_towards(Scene& scene, const RunOptions& options, double span, Communicator& comm) {
-  double stable = stable_step(scene);
-  if constexpr (!Communicator::is_serial) stable = comm.least(stable);
+template <class Scene>
+double step_towards(Scene& scene, const RunOptions& options, double span) {
+  const double stable = scene.communicator().least(stable_step(scene));
   scene.step_check.know(stable, scene.steps);
   double dt = options.step_length(stable);
   if (!(dt > 1e-12 * span))
@@ -158,48 +157,25 @@ double step_towards(Scene& scene, const RunOptions& options, double span, Commun
   else if (2 * dt > left)
     dt = left / 2;  // the last two steps share what is left: a sliver of a step would turn impulses into
                     // huge forces
-  if constexpr (Communicator::is_serial)
-    step(scene, dt);  // the one that may be compiled elsewhere
-  else
-    step(scene, dt, comm);
+  step(scene, dt);
   if (last) scene.time = options.end;
   return dt;
 }
 
 namespace detail {
 
-template <class Scene, class Communicator, class... Observers>
-void run_steps(Scene& scene, const RunOptions& options, Communicator& comm, Observers&... observers) {
-  bool stops = show_all(scene, comm, observers...);
+template <class Scene, class... Observers>
+void run_steps(Scene& scene, const RunOptions& options, Observers&... observers) {
+  bool stops = show_all(scene, observers...);
   const double span = options.end - scene.time;
   while (scene.time < options.end && !stops) {
-    step_towards(scene, options, span, comm);
-    stops = show_all(scene, comm, observers...);
+    step_towards(scene, options, span);
+    stops = show_all(scene, observers...);
   }
   (tell_end(scene, observers), ...);
 }
 
 }  // namespace detail
-
-/// Steps `scene` with others over the other portions of its mesh, each with its own call, until
-/// `options.end`, which the last step hits exactly; all take the least of their steps. If one fails all do.
-template <class Scene, class Communicator, class... Observers>
-void run_with(Communicator& comm, Scene& scene, const RunOptions& options, Observers&&... observers) {
-  options.check(scene.time);
-  if constexpr (Communicator::is_serial && !(detail::is_watch<std::remove_cvref_t<Observers>> || ...)) {
-    OwnWatch watch(scene, options.watch, (detail::settles<std::remove_cvref_t<Observers>> || ...));
-    detail::run_steps(scene, options, comm, observers..., watch);
-  } else if constexpr (Communicator::is_serial) {
-    detail::run_steps(scene, options, comm, observers...);
-  } else {
-    try {
-      detail::run_steps(scene, options, comm, observers...);
-    } catch (const std::exception& e) {
-      comm.fail(e.what());
-      throw;
-    }
-  }
-}
 
 /// Steps `scene` until `options.end`, which the last step hits exactly. Each observer is called with the
 /// scene (const) at the start and after every step; one with a member `finish(scene)` is told the end. An
@@ -208,9 +184,25 @@ void run_with(Communicator& comm, Scene& scene, const RunOptions& options, Obser
 /// if energy doubles from nothing, unless `options.watch` is false or an observer is a `Watch`. Throws
 /// `error` for a bad option, `run_error` if the run fails; observers have then seen everything up to the step
 /// before.
+///
+/// Scenes over the portions of one mesh (`on_portion`) are run together, each by its own call: all take the
+/// least of their steps, and if one fails all do.
 template <class Scene, class... Observers>
 void run(Scene& scene, const RunOptions& options, Observers&&... observers) {
-  run_with(serial, scene, options, observers...);
+  options.check(scene.time);
+  if constexpr (Scene::is_portion) {
+    try {
+      detail::run_steps(scene, options, observers...);
+    } catch (const std::exception& e) {
+      scene.communicator().fail(e.what());
+      throw;
+    }
+  } else if constexpr ((detail::is_watch<std::remove_cvref_t<Observers>> || ...)) {
+    detail::run_steps(scene, options, observers...);
+  } else {
+    OwnWatch watch(scene, options.watch, (detail::settles<std::remove_cvref_t<Observers>> || ...));
+    detail::run_steps(scene, options, observers..., watch);
+  }
 }
 
 /// Of a scene that the compiler has refused: one sentence is enough.

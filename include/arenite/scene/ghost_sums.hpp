@@ -21,51 +21,52 @@ std::span<T> numbers_of(NodeVectors<T, D>& vectors) {
 }
 
 /// Each copy of a node gets the sum over all.
-template <class Communicator, class Nodes>
-void sum_nodes(Communicator& comm, Nodes& nodes) {
-  const auto numbers = numbers_of(nodes);
-  if (nodes.size() > 0) comm.sum_nodes(numbers, numbers.size() / nodes.size());
+template <class Scene, class Nodes>
+void sum_nodes([[maybe_unused]] const Scene& scene, [[maybe_unused]] Nodes& nodes) {
+  if constexpr (Scene::is_portion) {
+    const auto numbers = numbers_of(nodes);
+    if (nodes.size() > 0) scene.communicator().sum_nodes(numbers, numbers.size() / nodes.size());
+  }
 }
 
 /// Leaves a sum at the owner's copy alone, so that more can be added to the copies and summed.
 template <class Scene, class Nodes>
-void keep_owned(const Scene& scene, Nodes& nodes) {
-  const auto owns = scene.node_owner();
-  for (Index i = 0; i < nodes.size(); ++i)
-    if (!owns(i)) nodes[i] = {};
+void keep_owned([[maybe_unused]] const Scene& scene, [[maybe_unused]] Nodes& nodes) {
+  if constexpr (Scene::is_portion)
+    for (Index i = 0; i < nodes.size(); ++i)
+      if (!scene.portion().owns_node(i)) nodes[i] = {};
 }
 
 /// Each copy of a node gets the owner's vector; `of(field)`: which.
-template <class Scene, class Communicator, class Of>
-void share_nodes([[maybe_unused]] Scene& scene, [[maybe_unused]] Communicator& comm,
-                 [[maybe_unused]] Of&& of) {
-  if constexpr (!Communicator::is_serial)
+template <class Scene, class Of>
+void share_nodes([[maybe_unused]] Scene& scene, [[maybe_unused]] Of&& of) {
+  if constexpr (Scene::is_portion)
     for (auto& field : scene.fields) {
       auto& vectors = of(field);
       const auto numbers = numbers_of(vectors);
-      comm.share_nodes(numbers, numbers.size() / vectors.size());
+      scene.communicator().share_nodes(numbers, numbers.size() / vectors.size());
     }
 }
 
 /// Calls `f(to)`, which changes velocities of nodes through `to`: of owned nodes and of those around them.
-template <class Communicator, class Velocities, class F>
-void change_velocities([[maybe_unused]] Communicator& comm, Velocities& velocity, F&& f) {
-  if constexpr (Communicator::is_serial) {
+template <class Scene, class Velocities, class F>
+void change_velocities([[maybe_unused]] const Scene& scene, Velocities& velocity, F&& f) {
+  if constexpr (!Scene::is_portion) {
     f(InPlace{velocity});
   } else {
     auto change = velocity;
     std::ranges::fill(numbers_of(change), 0);
     f(Apart<Velocities>{velocity, change});
-    sum_nodes(comm, change);
+    sum_nodes(scene, change);
     for (std::size_t i = 0; i < velocity.size(); ++i) velocity[i] += change[i];
   }
 }
 
 /// The tally of a part whose numbers are those of all scenes (`is_shared`) counts in one of them.
-template <class P, class Communicator>
-ContactTally counted_once([[maybe_unused]] Communicator& comm, const ContactTally& tally) {
-  if constexpr (!Communicator::is_serial && requires { P::is_shared; })
-    return comm.first() ? tally : ContactTally{};
+template <class P, class Scene>
+ContactTally counted_once([[maybe_unused]] const Scene& scene, const ContactTally& tally) {
+  if constexpr (Scene::is_portion && requires { P::is_shared; })
+    return scene.communicator().first() ? tally : ContactTally{};
   return tally;
 }
 

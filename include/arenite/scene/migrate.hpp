@@ -1,54 +1,103 @@
-// Points that move from one portion of a mesh to another. For the `migrate` of a communicator.
+// Points that move from one portion of a mesh to another.
 #pragma once
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include <cstdint>
-#include <string>
+#include <cstring>
+#include <span>
+#include <tuple>
+#include <utility>
 #include <vector>
 
-#include <arenite/particles/exchange_points.hpp>
+#include <arenite/parallel/communicator.hpp>
 #include <arenite/scene/scene.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
-/// Takes the points out of a scene that are in ghost cells, after `find_cells`: calls `send(body, to, point,
-/// cell)` with the number of their body (a `std::integral_constant`), the portion that owns the cell, the
-/// point as a value, and the cell's number in the whole mesh.
-template <class Scene, class Send>
-void take_foreign(Scene& scene, Send&& send) {
+namespace detail {
+
+template <class V>
+void append_bytes(std::vector<std::byte>& to, const V& value) {
+  const auto bytes = std::as_bytes(std::span(&value, 1));
+  to.insert(to.end(), bytes.begin(), bytes.end());
+}
+template <class V>
+V read_bytes(std::span<const std::byte>& from) {
+  V value;
+  std::memcpy(&value, from.data(), sizeof(V));
+  from = from.subspan(sizeof(V));
+  return value;
+}
+
+/// Calls `f(body, number)` for each body of a scene.
+template <class Scene, class F>
+void for_each_numbered_body(Scene& scene, F&& f) {
+  std::uint64_t number = 0;
+  scene.for_each_body([&](auto& body, auto&) { f(body, number++); });
+}
+
+/// Takes the points out of a scene that are in ghost cells, into a message to the owner of the cell: number of
+/// the body, number of the cell in the whole mesh, and the columns.
+template <class Scene>
+Messages take_foreign(Scene& scene) {
   const auto& portion = scene.portion();
-  [&]<std::size_t... I>(std::index_sequence<I...>) {
-    const auto of_body = [&](auto number) {
-      auto& body = std::get<number>(scene.bodies);
+  Messages messages(scene.communicator().size());
+  for_each_numbered_body(scene, [&](auto& body, std::uint64_t number) {
+    auto& points = body.points;
+    double mass = 0;
+    for (const Index p : body.cells.all_unsorted()) {  // the moved points are among these
+      const Index c = points.cell[p];
+      if (c == none || portion.owns_cell(c)) continue;
+      mass += static_cast<double>(points.mass[p]);
+      auto& to = messages[static_cast<std::size_t>(portion.owner[c])];
+      append_bytes(to, number);
+      append_bytes(to, portion.whole_cell[c]);
+      points.for_each_column([&](const auto& column) { append_bytes(to, column[p]); });
+      points.cell[p] = none;
+      body.moved = body.dropped = true;
+    }
+    body.initial_volume -= mass / body.law.density();
+  });
+  return messages;
+}
+
+/// Puts the points of a message behind all others, in its order.
+template <class Scene>
+void take_in(Scene& scene, std::span<const std::byte> message) {
+  while (!message.empty()) {
+    const auto to = read_bytes<std::uint64_t>(message);
+    for_each_numbered_body(scene, [&](auto& body, std::uint64_t number) {
+      if (number != to) return;
       auto& points = body.points;
-      double mass = 0;
-      for (const Index p : body.cells.all_unsorted()) {  // the moved points are among these
-        const Index c = points.cell[p];
-        if (c == none || portion.owns_cell(c)) continue;
-        mass += static_cast<double>(points.mass[p]);
-        send(number, portion.owner[c], points[p], portion.whole_cell[c]);
-        points.cell[p] = none;
-        body.moved = body.dropped = true;
-      }
-      body.initial_volume -= mass / body.law.density();
-    };
-    (of_body(std::integral_constant<std::size_t, I>{}), ...);
+      const Index cell = scene.portion().cell_here(read_bytes<std::uint64_t>(message));
+      points.for_each_column([&](auto& column) {
+        column.push_back(read_bytes<typename std::remove_cvref_t<decltype(column)>::value_type>(message));
+      });
+      points.cell.back() = cell;
+      body.cells.admit_new(static_cast<Index>(points.size() - 1));
+      body.initial_volume += static_cast<double>(points.mass.back()) / body.law.density();
+      body.moved = true;
+    });
   }
-  (std::make_index_sequence<Scene::body_count>{});
 }
 
-/// Puts points that come from other portions into body number `Body`; `cell`: their cells' numbers in the
-/// whole mesh. They stand behind all others in the order given.
-template <std::size_t Body, class Scene, class Point>
-void take_in(Scene& scene, const std::vector<Point>& points, const std::vector<std::uint64_t>& cell) {
-  auto& body = std::get<Body>(scene.bodies);
-  std::vector<Index> here;
-  for (const auto c : cell) here.push_back(scene.portion().cell_here(c));
-  const auto totals = append_points(body, points, here, [](const auto& point) { return point.id; });
-  body.initial_volume += totals.mass / body.law.density();
+}  // namespace detail
+
+/// Points of a scene over a portion that are in ghost cells go to the scenes that own them, after `find_cells`.
+template <class Scene>
+void migrate([[maybe_unused]] Scene& scene) {
+  if constexpr (Scene::is_portion) {
+    for (const auto& message : scene.communicator().exchange(detail::take_foreign(scene)))
+      detail::take_in(scene, message);
+    scene.for_each_body([](auto& body, auto&) {
+      body.points.reserve_spare();
+      body.cells.reserve(body.points.size());
+    });
+  }
 }
 
-/// Throws `run_error` for a point that jumped over the ghost cells: it is not counted as lost, so nothing else would report it.
+/// Throws `run_error` for a point that jumped over the ghost cells: it is not counted as lost, so nothing else
+/// would report it.
 template <class Scene, class Body>
 void check_outside(const Scene& scene, const Body& body) {
   if constexpr (Scene::is_portion)

@@ -4,21 +4,20 @@
 
 #include <array>
 
-#include <arenite/parallel/communicator.hpp>
 #include <arenite/scene/migrate.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 /// Throws `run_error` if the last point has left the mesh; warns when one body of several has lost its last.
 /// Points that moved to cells of others go there before the lists of cells are renewed.
-template <class Scene, class Communicator = const Serial>
-void relocate(Scene& scene, [[maybe_unused]] Communicator& comm = serial) {
+template <class Scene>
+void relocate(Scene& scene) {
   constexpr int width = Scene::NumericsType::template width<typename Scene::T>;
   scene.for_each_body([&](auto& body, auto&) { find_cells<width>(body, scene.mesh, scene.blocks); });
   std::array<bool, Scene::body_count> had_points{};
   std::size_t number = 0;
   scene.for_each_body([&](auto& body, auto&) { had_points[number++] = body.points.size() > 0; });
-  if constexpr (!Communicator::is_serial) comm.migrate(scene);
+  migrate(scene);
   bool regrouped = false;
   scene.for_each_body([&](auto& body, auto&) {
     check_outside(scene, body);
@@ -26,7 +25,7 @@ void relocate(Scene& scene, [[maybe_unused]] Communicator& comm = serial) {
     regrouped = regroup(body, scene.blocks) || regrouped;
   });
   if (regrouped) scene.balance_threads();
-  if constexpr (Communicator::is_serial) {
+  if constexpr (!Scene::is_portion) {
     if (scene.lost_points() > 0 && scene.point_count() == 0)
       throw run_error(joined_text(
           {"t = ", scene.time, " s: all ", scene.lost_points(), " points of the scene have left the mesh"}));

@@ -44,7 +44,7 @@ concept drives_nodes = requires(const P& part, const typename S::V& position) {
 /// After P2G: adds forces, N, by `field.sums[node].add_force(f)`; `scene.fields` hold mass (`sums`)
 /// and force of this step, and the velocities at the end of the one before. dt: s. In a scene over a portion
 /// of a mesh nodes hold the sums of all portions, and what is added must be the same in all: a part whose
-/// forces follow from its own points sums them with the communicator, a third argument.
+/// forces follow from its own points sums them with `scene.communicator()`.
 template <class P, class S>
 concept adds_force = requires(P& part, S& scene) {
   { part.add_force(scene, 0.0) } -> std::same_as<void>;
@@ -61,8 +61,8 @@ concept accelerates = requires(const P& part) {
 /// other, 1 rigid bodies, 2 (without one) all else. Velocities are constrained again afterwards.
 ///
 /// In a scene over a portion of a mesh it treats all nodes alike and counts those that it owns
-/// (`scene.node_owner()`); what needs sums over all nodes takes the communicator as a third argument (`Serial`),
-/// as `constrain_mapped` and `follow_motion` may. `is_shared`: its numbers are those of all portions together.
+/// (`scene.node_owner()`); sums over all nodes are those of `scene.communicator()`. `is_shared`: its numbers are
+/// those of all portions together.
 template <class P, class S>
 concept applies_impulses = requires(P& part, S& scene) {
   { part.apply_impulses(scene, 0.0) } -> std::same_as<ContactTally>;
@@ -258,7 +258,7 @@ inline constexpr bool plays_a_role =
   P::separates_bodies;
 }
 || requires { P::needs_point_ids; }
-|| requires { P::is_mesh_portion; };
+|| requires { P::is_on_portion; };
 
 /// Stops the compiler with the cure for a part that a scene would else leave out in silence.
 template <class P, class S>

@@ -11,6 +11,7 @@
 #include <arenite/boundary/constraints.hpp>
 #include <arenite/core/contact_tally.hpp>
 #include <arenite/mesh/portion.hpp>
+#include <arenite/parallel/communicator.hpp>
 #include <arenite/particles/measures.hpp>
 #include <arenite/particles/relocate.hpp>
 #include <arenite/scene/complete.hpp>
@@ -225,12 +226,18 @@ struct Scene {
     return joined_text({body_names[body].empty() ? TextPart(body) : TextPart(body_names[body])});
   }
 
-  /// Whether the mesh is a part of a larger one, which other scenes share (`MeshPortion`).
-  static constexpr bool is_portion =
-      detail::place_of<MeshPortion<D>>(std::type_identity<Recipes>{}) < part_count;
-  template <class Portion = MeshPortion<D>>  // only asked for where there is one
-  const Portion& portion() const {
-    return part<Portion>();
+  /// Whether the mesh is a part of a larger one, which other scenes share (`on_portion`).
+  static constexpr bool is_portion = detail::place_of<OnPortion>(std::type_identity<Recipes>{}) < part_count;
+  template <class Self = Scene>  // only asked for where there is one
+  const auto& portion() const {
+    return static_cast<const Self&>(*this).template part<OnPortion>().portion;
+  }
+  /// What sums over all scenes on the portions of the mesh; `Serial` where the mesh is whole.
+  const auto& communicator() const {
+    if constexpr (is_portion)
+      return part<OnPortion>().communicator;
+    else
+      return serial;
   }
   /// `owns(node)`, `owns(cell)`: whether this scene counts a node in sums, and holds the points of a cell.
   auto node_owner() const {

@@ -14,34 +14,28 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 /// P2G: clears the fields and collects mass, momentum and internal force of all bodies; where nothing reads
 /// them apart the momentum with the impulse of the force over the step dt, s.
-template <class Scene, class Communicator = const Serial>
-void p2g(Scene& scene, double dt, [[maybe_unused]] Communicator& comm = serial) {
+template <class Scene>
+void p2g(Scene& scene, double dt) {
   for (auto& field : scene.fields) field.clear();
   scene.for_each_body([&](auto& body, auto& field) {
     p2g<typename Scene::Kinematics>(scene.numerics, scene.mesh, scene.blocks, body, field,
                                     static_cast<typename Scene::T>(dt));
   });
-  if constexpr (!Communicator::is_serial)
-    for (auto& field : scene.fields) {
-      detail::sum_nodes(comm, field.sums);
-      if constexpr (Scene::Field::has_mass_gradient) detail::sum_nodes(comm, field.mass_gradient);
-    }
+  for (auto& field : scene.fields) {
+    detail::sum_nodes(scene, field.sums);
+    if constexpr (Scene::Field::has_mass_gradient) detail::sum_nodes(scene, field.mass_gradient);
+  }
 }
 
 /// Forces of parts (`add_force`), after the parts that read the nodes as P2G left them (`after_p2g`).
 /// dt: s.
-template <class Scene, class Communicator = const Serial>
-void add_forces(Scene& scene, double dt, [[maybe_unused]] Communicator& comm = serial) {
+template <class Scene>
+void add_forces(Scene& scene, double dt) {
   scene.for_each_part([&](auto& part) {
     if constexpr (acts_after_p2g<std::remove_reference_t<decltype(part)>, Scene>) part.after_p2g(scene, dt);
   });
   scene.for_each_part([&](auto& part) {
-    if constexpr (adds_force<std::remove_reference_t<decltype(part)>, Scene>) {
-      if constexpr (requires { part.add_force(scene, dt, comm); })
-        part.add_force(scene, dt, comm);
-      else
-        part.add_force(scene, dt);
-    }
+    if constexpr (adds_force<std::remove_reference_t<decltype(part)>, Scene>) part.add_force(scene, dt);
   });
 }
 
@@ -126,13 +120,12 @@ namespace detail {
 
 /// Nodes without mass that points touch go the way of those around them (`list_massless`), in these velocities
 /// of the field, and obey the constraints with `hold()`.
-template <class Scene, class Communicator, class Velocities, class Hold>
+template <class Scene, class Velocities, class Hold>
 void move_massless([[maybe_unused]] Scene& scene, [[maybe_unused]] typename Scene::Field& field,
-                   [[maybe_unused]] Velocities& velocity, [[maybe_unused]] Communicator& comm,
-                   [[maybe_unused]] const Hold& hold) {
+                   [[maybe_unused]] Velocities& velocity, [[maybe_unused]] const Hold& hold) {
   if constexpr (has_light_nodes<typename Scene::Shape>) {
-    if (Communicator::is_serial && field.massless.empty()) return;
-    change_velocities(comm, velocity, [&](auto to) {
+    if (!Scene::is_portion && field.massless.empty()) return;
+    change_velocities(scene, velocity, [&](auto to) {
       follow_neighbours<typename Scene::Shape>(scene.mesh, field, velocity, to);
     });
     hold();
@@ -140,8 +133,8 @@ void move_massless([[maybe_unused]] Scene& scene, [[maybe_unused]] typename Scen
 }
 
 /// Masses and velocities of the nodes that P2G gives at the start of the step, constrained.
-template <class Scene, class Communicator>
-void find_start_velocities(Scene& scene, typename Scene::Field& field, Communicator& comm) {
+template <class Scene>
+void find_start_velocities(Scene& scene, typename Scene::Field& field) {
   using T = typename Scene::T;
   const auto hold = [&] { apply_constraints(scene, field, field.velocity, 0); };
   start_velocities(field, least_mass<T>);
@@ -150,21 +143,21 @@ void find_start_velocities(Scene& scene, typename Scene::Field& field, Communica
   else
     redistribute_at_faces<typename Scene::Shape>(scene.mesh, field, field.velocity, T(0));
   hold();
-  move_massless(scene, field, field.velocity, comm, hold);
+  move_massless(scene, field, field.velocity, hold);
 }
 
 }  // namespace detail
 
 /// Forces from the stresses at the middle of the step, for elastic bodies with MUSL on simplices
 /// (`add_half_step`). dt: s.
-template <class Scene, class Communicator = const Serial>
-void centre_stress(Scene& scene, [[maybe_unused]] double dt, [[maybe_unused]] Communicator& comm = serial) {
+template <class Scene>
+void centre_stress(Scene& scene, [[maybe_unused]] double dt) {
   if constexpr (Scene::centres_any_stress) {
     using T = typename Scene::T;
     for (auto& field : scene.fields) {
       if (!field.centred) continue;
-      detail::find_start_velocities(scene, field, comm);
-      if constexpr (!Communicator::is_serial) detail::keep_owned(scene, field.sums);
+      detail::find_start_velocities(scene, field);
+      detail::keep_owned(scene, field.sums);
     }
     scene.for_each_body([&](const auto& body, auto& field) {
       if constexpr (Scene::NumericsType::template centres_stress<std::remove_cvref_t<decltype(body.law)>>)
@@ -172,25 +165,23 @@ void centre_stress(Scene& scene, [[maybe_unused]] double dt, [[maybe_unused]] Co
           add_half_step<typename Scene::Kinematics, typename Scene::Shape>(scene.mesh, scene.blocks, body,
                                                                            field, static_cast<T>(dt / 2));
     });
-    if constexpr (!Communicator::is_serial)
-      for (auto& field : scene.fields)
-        if (field.centred) detail::sum_nodes(comm, field.sums);
+    for (auto& field : scene.fields)
+      if (field.centred) detail::sum_nodes(scene, field.sums);
   }
 }
 
 namespace detail {
 
 /// The average of the volumetric strain of a body, where the numerics have one.
-template <class Scene, class B, class Field, class Communicator>
+template <class Scene, class B, class Field>
 void average_strains([[maybe_unused]] Scene& scene, [[maybe_unused]] B& body,
-                     [[maybe_unused]] const Field& field, [[maybe_unused]] double dt,
-                     [[maybe_unused]] Communicator& comm) {
+                     [[maybe_unused]] const Field& field, [[maybe_unused]] double dt) {
   using N = typename Scene::NumericsType;
   if constexpr (N::averages_strain) {
     scene.average.template sum<typename Scene::Kinematics, N>(scene.mesh, scene.blocks, body, field,
                                                               static_cast<typename Scene::T>(dt));
-    if constexpr (!Communicator::is_serial && N::template StrainAverage<double>::numbers_per_node > 0)
-      comm.sum_nodes(scene.average.numbers(), scene.average.numbers_per_node);
+    if constexpr (Scene::is_portion && N::template StrainAverage<double>::numbers_per_node > 0)
+      scene.communicator().sum_nodes(scene.average.numbers(), scene.average.numbers_per_node);
     scene.average.finish(scene.mesh, scene.blocks, body);
   }
 }
@@ -214,34 +205,33 @@ void book_sums(Scene& scene, B& body, const G2pSums& sums, bool was_finite = tru
 
 /// USF: stresses ahead of the forces, from the velocities that the points handed over; then P2G of the new
 /// ones. dt: s.
-template <class Scene, class Communicator = const Serial>
-void update_stress_first(Scene& scene, [[maybe_unused]] double dt,
-                         [[maybe_unused]] Communicator& comm = serial) {
+template <class Scene>
+void update_stress_first(Scene& scene, [[maybe_unused]] double dt) {
   if constexpr (Scene::NumericsType::strains_first) {
     using T = typename Scene::T;
-    for (auto& field : scene.fields) detail::find_start_velocities(scene, field, comm);
+    for (auto& field : scene.fields) detail::find_start_velocities(scene, field);
     scene.finite = true;
     scene.for_each_body([&](auto& body, const auto& field) {
-      detail::average_strains(scene, body, field, dt, comm);
+      detail::average_strains(scene, body, field, dt);
       detail::book_sums(scene, body,
                         update_stress<typename Scene::Kinematics, Scene::Needs::stress_work>(
                             scene.numerics, scene.mesh, body, field, static_cast<T>(dt), scene.average));
     });
-    p2g(scene, dt, comm);
+    p2g(scene, dt);
   }
 }
 
 /// Grid update: v = v^old + dt (f / m + a), with the parts' accelerations. dt: s.
-template <class Scene, class Communicator = const Serial>
-void update_grid(Scene& scene, double dt, [[maybe_unused]] Communicator& comm = serial) {
+template <class Scene>
+void update_grid(Scene& scene, double dt) {
   using T = typename Scene::T;
   const auto acceleration = scene.acceleration();
   for (auto& field : scene.fields) {
     update_grid(field, acceleration, static_cast<T>(dt), least_mass<T>);
     if constexpr (has_light_nodes<typename Scene::Shape>) {
       list_massless(field, scene.node_owner());
-      if (!Communicator::is_serial || !field.massless.empty())
-        detail::change_velocities(comm, field.velocity, [&](auto to) {
+      if (Scene::is_portion || !field.massless.empty())
+        detail::change_velocities(scene, field.velocity, [&](auto to) {
           hand_forces_on<typename Scene::Shape>(scene.mesh, field, static_cast<T>(dt), to);
         });
     }
@@ -274,20 +264,17 @@ void constrain(Scene& scene, double dt) {
 
 /// Impulses between fields and with rigid bodies (`apply_impulses`), by rank, then constraints again. In
 /// the first step a look at whether geostatic ground is at rest. dt: s.
-template <class Scene, class Communicator = const Serial>
-void contact_impulses(Scene& scene, double dt, [[maybe_unused]] Communicator& comm = serial) {
+template <class Scene>
+void contact_impulses(Scene& scene, double dt) {
   scene.contact_tally = {};
   const auto without_contact = detail::forces_from_rest(scene, dt);
   if constexpr (Scene::Needs::contact) {
     detail::for_each_contact(scene, 0, 2, [&](auto& part) {
       using P = std::remove_reference_t<decltype(part)>;
       if constexpr (applies_impulses<P, Scene>) {
-        if constexpr (requires { part.apply_impulses(scene, dt, comm); })
-          scene.contact_tally += detail::counted_once<P>(comm, part.apply_impulses(scene, dt, comm));
-        else
-          scene.contact_tally += part.apply_impulses(scene, dt);
+        scene.contact_tally += detail::counted_once<P>(scene, part.apply_impulses(scene, dt));
         detail::share_nodes(
-            scene, comm, [](auto& field) -> auto& { return field.velocity; });
+            scene, [](auto& field) -> auto& { return field.velocity; });
       }
     });
     constrain(scene, dt);
@@ -299,12 +286,11 @@ void contact_impulses(Scene& scene, double dt, [[maybe_unused]] Communicator& co
 
 /// Exchange of momentum at light nodes (`LightNodes`), or beside the faces of a grid (`redistribute_at_faces`);
 /// nodes without mass follow those around them. dt: s.
-template <class Scene, class Communicator = const Serial>
-void smooth_light_nodes(Scene& scene, [[maybe_unused]] double dt,
-                        [[maybe_unused]] Communicator& comm = serial) {
+template <class Scene>
+void smooth_light_nodes(Scene& scene, [[maybe_unused]] double dt) {
   if constexpr (Scene::NumericsType::smooths_light_nodes) {
     for (auto& field : scene.fields)
-      detail::change_velocities(comm, field.velocity, [&](auto to) {
+      detail::change_velocities(scene, field.velocity, [&](auto to) {
         scene.light_nodes.template redistribute<typename Scene::Shape>(scene.mesh, field, scene.node_owner(),
                                                                        to);
       });
@@ -317,13 +303,13 @@ void smooth_light_nodes(Scene& scene, [[maybe_unused]] double dt,
     if (exchanged > 0) constrain(scene, dt);
   }
   for (auto& field : scene.fields)
-    detail::move_massless(scene, field, field.velocity, comm, [&] { constrain(scene, field, dt); });
+    detail::move_massless(scene, field, field.velocity, [&] { constrain(scene, field, dt); });
 }
 
 /// Node sweeps of a transfer that asks for them (XPIC, FMPM): the correction of the nodes' velocities. What
 /// constraints take of it is an impulse of the walls. dt: s.
-template <class Scene, class Communicator = const Serial>
-void sweep_nodes(Scene& scene, [[maybe_unused]] double dt, [[maybe_unused]] Communicator& comm = serial) {
+template <class Scene>
+void sweep_nodes(Scene& scene, [[maybe_unused]] double dt) {
   if constexpr (Scene::NumericsType::sweeps_nodes) {
     const auto numerics = scene.numerics.in_step(dt);
     for (auto& field : scene.fields) start_sweeps(numerics, field);
@@ -332,7 +318,7 @@ void sweep_nodes(Scene& scene, [[maybe_unused]] double dt, [[maybe_unused]] Comm
         arenite::sweep(numerics, scene.mesh, scene.blocks, body, field);
       });
       for (auto& field : scene.fields) {
-        if constexpr (!Communicator::is_serial) detail::sum_nodes(comm, field.given);
+        detail::sum_nodes(scene, field.given);
         finish_sweep(numerics, field);
         scene.wall_impulse += constrain(scene.constraints, field.mass, field.residual, scene.node_owner(),
                                         detail::wall_impulse_sink<true>(scene, field));
@@ -344,14 +330,14 @@ void sweep_nodes(Scene& scene, [[maybe_unused]] double dt, [[maybe_unused]] Comm
 
 /// MUSL: velocities mapped back from the points, held to what contact and constraints enforced. Ahead of the
 /// hold run the parts that read the final nodal velocities (`after_grid`). dt: s.
-template <class Scene, class Communicator = const Serial>
-void map_back(Scene& scene, [[maybe_unused]] double dt, [[maybe_unused]] Communicator& comm = serial) {
+template <class Scene>
+void map_back(Scene& scene, [[maybe_unused]] double dt) {
   if constexpr (Scene::NumericsType::maps_back) {
     const auto numerics = scene.numerics.in_step(dt);
     scene.for_each_body(
         [&](auto& body, auto& field) { map_back(numerics, scene.mesh, scene.blocks, body, field); });
     for (auto& field : scene.fields) {
-      if constexpr (!Communicator::is_serial) detail::sum_nodes(comm, field.mapped);
+      detail::sum_nodes(scene, field.mapped);
       finish_map_back(numerics, field);
       if constexpr (!has_light_nodes<typename Scene::Shape>)
         redistribute_at_faces<typename Scene::Shape>(scene.mesh, field, field.mapped, typename Scene::T(0));
@@ -360,12 +346,8 @@ void map_back(Scene& scene, [[maybe_unused]] double dt, [[maybe_unused]] Communi
   scene.for_each_part([&](auto& part) {
     using P = std::remove_reference_t<decltype(part)>;
     if constexpr (books_after_grid<P, Scene>) {
-      double dissipation;
-      if constexpr (requires { part.after_grid(scene, dt, comm); })
-        dissipation = part.after_grid(scene, dt, comm);
-      else
-        dissipation = part.after_grid(scene, dt);
-      scene.contact_tally += detail::counted_once<P>(comm, ContactTally{.dissipation = dissipation});
+      const double dissipation = part.after_grid(scene, dt);
+      scene.contact_tally += detail::counted_once<P>(scene, ContactTally{.dissipation = dissipation});
     } else if constexpr (acts_after_grid<P, Scene>) {
       part.after_grid(scene, dt);
     }
@@ -374,14 +356,10 @@ void map_back(Scene& scene, [[maybe_unused]] double dt, [[maybe_unused]] Communi
     const auto hold = [&](auto& part) {
       using P = std::remove_reference_t<decltype(part)>;
       if constexpr (constrains_mapped<P, Scene>) {
-        double dissipation;
-        if constexpr (requires { part.constrain_mapped(scene, dt, comm); })
-          dissipation = part.constrain_mapped(scene, dt, comm);
-        else
-          dissipation = part.constrain_mapped(scene, dt);
-        scene.contact_tally += detail::counted_once<P>(comm, ContactTally{.dissipation = dissipation});
+        const double dissipation = part.constrain_mapped(scene, dt);
+        scene.contact_tally += detail::counted_once<P>(scene, ContactTally{.dissipation = dissipation});
         detail::share_nodes(
-            scene, comm, [](auto& field) -> auto& { return field.mapped; });
+            scene, [](auto& field) -> auto& { return field.mapped; });
       }
     };
     detail::for_each_contact(scene, 0, 0, hold);
@@ -390,19 +368,19 @@ void map_back(Scene& scene, [[maybe_unused]] double dt, [[maybe_unused]] Communi
                                 detail::mapped_momentum_sink(scene, field, dt));
     detail::for_each_contact(scene, 1, 2, hold);
     for (auto& field : scene.fields)
-      detail::move_massless(scene, field, field.mapped, comm,
+      detail::move_massless(scene, field, field.mapped,
                             [&] { detail::apply_constraints(scene, field, field.mapped, dt); });
   }
 }
 
 /// G2P and the law, body by body; hands the work of the stresses to the parts that ask for it. dt: s.
-template <class Scene, class Communicator = const Serial>
-void g2p(Scene& scene, double dt, [[maybe_unused]] Communicator& comm = serial) {
+template <class Scene>
+void g2p(Scene& scene, double dt) {
   using N = typename Scene::NumericsType;
   const auto numerics = scene.numerics.in_step(dt);
   if constexpr (!N::strains_first) scene.finite = true;
   scene.for_each_body([&](auto& body, const auto& field) {
-    if constexpr (!N::strains_first) detail::average_strains(scene, body, field, dt, comm);
+    if constexpr (!N::strains_first) detail::average_strains(scene, body, field, dt);
     G2pSums sums = g2p<typename Scene::Kinematics, Scene::Needs::stress_work>(
         numerics, scene.mesh, body, field, static_cast<typename Scene::T>(dt), scene.average);
     if (field.centred) sums.ending_work = 0;  // the stresses are not ahead of the velocities
@@ -414,14 +392,11 @@ void g2p(Scene& scene, double dt, [[maybe_unused]] Communicator& comm = serial) 
 }
 
 /// Parts that move with the matter, or move the mesh (`follow_motion`). dt: s.
-template <class Scene, class Communicator = const Serial>
-void follow(Scene& scene, double dt, [[maybe_unused]] Communicator& comm = serial) {
+template <class Scene>
+void follow(Scene& scene, double dt) {
   scene.for_each_part([&](auto& part) {
     if constexpr (follows_motion<std::remove_reference_t<decltype(part)>, Scene>) {
-      if constexpr (requires { part.follow_motion(scene, dt, comm); })
-        part.follow_motion(scene, dt, comm);
-      else
-        part.follow_motion(scene, dt);
+      part.follow_motion(scene, dt);
     }
   });
 }

@@ -12,33 +12,25 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 /// Takes a scene through one step of length dt, s. Throws `error` unless dt is positive and finite, and
 /// `run_error` if the state turns into NaN or the mesh inside out, naming time, place and cause. Warns, once
-/// a scene, of a dt above the stable step. `comm`: the communicator of the scenes over the other portions of
-/// the mesh, which take the same step at the same time (`parallel/communicator.hpp`).
-template <class Scene, class Communicator>
-void step(Scene& scene, double dt, Communicator& comm) {
-  static_assert(Scene::is_portion != Communicator::is_serial,
-                "step: a scene over a MeshPortion needs the communicator of the portions, others none");
-  scene.step_check(dt, scene.time, scene.steps, [&] { return stable_step(scene); });
-  relocate(scene, comm);                 // find the cell of each point
-  p2g(scene, dt, comm);                  // P2G: mass, momentum, internal force
-  update_stress_first(scene, dt, comm);  // USF: strains and stresses ahead of the forces
-  add_forces(scene, dt, comm);           // springs, tractions, ..
-  centre_stress(scene, dt, comm);       // elastic bodies, MUSL on simplices: forces of the middle of the step
-  update_grid(scene, dt, comm);         // nodal momentum balance
-  constrain(scene, dt);                 // fixities, rollers, symmetry planes
-  contact_impulses(scene, dt, comm);    // body against body, rigid body against bodies: impulses that cancel
-  smooth_light_nodes(scene, dt, comm);  // nodes at a body's edge that have force and hardly any mass
-  sweep_nodes(scene, dt, comm);         // XPIC, FMPM: what the lumped mass does to the nodes' velocities
-  map_back(scene, dt, comm);  // MUSL: node velocities for the strains, as the points would hand them back
-  g2p(scene, dt, comm);       // G2P: velocities, strains, positions; stresses by the law of each body
-  follow(scene, dt, comm);    // what moves with the matter: the mesh, springs, ..
-  finish(scene, dt);          // time, and the check that nothing has become NaN
-}
-
-/// One step of dt, s, of a scene on a whole mesh.
+/// a scene, of a dt above the stable step. Scenes over the portions of one mesh (`on_portion`) take the same
+/// step at the same time.
 template <class Scene>
 void step(Scene& scene, double dt) {
-  step(scene, dt, serial);
+  scene.step_check(dt, scene.time, scene.steps, [&] { return stable_step(scene); });
+  relocate(scene);                 // find the cell of each point
+  p2g(scene, dt);                  // P2G: mass, momentum, internal force
+  update_stress_first(scene, dt);  // USF: strains and stresses ahead of the forces
+  add_forces(scene, dt);           // springs, tractions, ..
+  centre_stress(scene, dt);        // elastic bodies, MUSL on simplices: forces of the middle of the step
+  update_grid(scene, dt);          // nodal momentum balance
+  constrain(scene, dt);            // fixities, rollers, symmetry planes
+  contact_impulses(scene, dt);     // body against body, rigid body against bodies: impulses that cancel
+  smooth_light_nodes(scene, dt);   // nodes at a body's edge that have force and hardly any mass
+  sweep_nodes(scene, dt);          // XPIC, FMPM: what the lumped mass does to the nodes' velocities
+  map_back(scene, dt);  // MUSL: node velocities for the strains, as the points would hand them back
+  g2p(scene, dt);       // G2P: velocities, strains, positions; stresses by the law of each body
+  follow(scene, dt);    // what moves with the matter: the mesh, springs, ..
+  finish(scene, dt);    // time, and the check that nothing has become NaN
 }
 
 /// Of a scene that the compiler has refused.

@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <span>
+#include <string>
 #include <type_traits>
 #include <vector>
 
@@ -33,7 +34,7 @@ struct Serial {
 inline constexpr Serial serial{};
 
 /// Bytes for each portion of a mesh, or from each.
-using Messages = std::vector<std::vector<std::byte>>;
+using Messages = std::vector<std::string>;
 
 /// All nodes are counted: where a scene has its mesh to itself.
 struct OwnsAll {

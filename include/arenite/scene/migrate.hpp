@@ -4,10 +4,9 @@
 
 #include <cstdint>
 #include <cstring>
-#include <span>
-#include <tuple>
-#include <utility>
-#include <vector>
+#include <string>
+#include <string_view>
+#include <type_traits>
 
 #include <arenite/parallel/communicator.hpp>
 #include <arenite/scene/scene.hpp>
@@ -17,15 +16,14 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 namespace detail {
 
 template <class V>
-void append_bytes(std::vector<std::byte>& to, const V& value) {
-  const auto bytes = std::as_bytes(std::span(&value, 1));
-  to.insert(to.end(), bytes.begin(), bytes.end());
+void append_bytes(std::string& to, const V& value) {
+  to.append(reinterpret_cast<const char*>(&value), sizeof(V));
 }
 template <class V>
-V read_bytes(std::span<const std::byte>& from) {
+V read_bytes(std::string_view& from) {
   V value;
   std::memcpy(&value, from.data(), sizeof(V));
-  from = from.subspan(sizeof(V));
+  from.remove_prefix(sizeof(V));
   return value;
 }
 
@@ -63,7 +61,7 @@ Messages take_foreign(Scene& scene) {
 
 /// Puts the points of a message behind all others, in its order.
 template <class Scene>
-void take_in(Scene& scene, std::span<const std::byte> message) {
+void take_in(Scene& scene, std::string_view message) {
   while (!message.empty()) {
     const auto to = read_bytes<std::uint64_t>(message);
     for_each_numbered_body(scene, [&](auto& body, std::uint64_t number) {

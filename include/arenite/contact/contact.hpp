@@ -189,7 +189,7 @@ struct BoundCoulomb {
   Friction friction;
   double velocity_limit;
   Normals normals;
-  std::array<Vec<T, D>, Fields> impulse;  ///< on each body in the last step, N s
+  ByBody<Vec<T, D>, Fields> impulse{};  ///< on each body in the last step, N s
   std::vector<ContactPair<T, D>>
       pairs{};            ///< bodies that pushed on each other in the last step, node by node
   double dissipated = 0;  ///< since the start, J
@@ -197,7 +197,11 @@ struct BoundCoulomb {
   template <class Scene>
   void connect(const Scene& scene) {
     if constexpr (requires { normals.connect(scene); }) normals.connect(scene);
-    pairs.reserve(scene.fields[0].size() * (Fields * (Fields - 1) / 2));  // a step allocates nothing
+    const std::size_t bodies = scene.fields.size();
+    impulse = by_body<Vec<T, D>, Fields>(bodies);
+    for (auto& sum : impulse) sum.setZero();
+    // A step allocates nothing, unless more than four bodies meet at each node.
+    pairs.reserve(scene.fields[0].size() * std::min<std::size_t>(bodies * (bodies - 1) / 2, 6));
   }
   template <class Scene>
   ContactTally apply_impulses(Scene& scene, double dt) {
@@ -225,7 +229,7 @@ struct BoundCoulomb {
   template <class F>
   void visit_state(F&& f) {
     f("dissipated", dissipated);
-    f("impulse", std::span(impulse[0].data(), Fields * static_cast<std::size_t>(D)));
+    f("impulse", std::span(impulse[0].data(), impulse.size() * static_cast<std::size_t>(D)));
   }
 };
 
@@ -239,7 +243,7 @@ auto bind_part(const Coulomb<N>& contact, const Traits& traits) {
   constexpr bool complete = [] {
     if constexpr (requires { std::bool_constant<Normals::needs_mass_gradient>(); })
       return contact_normals<
-          Normals, std::array<NodeField<T, D, maps_back, Normals::needs_mass_gradient>, Traits::body_count>>;
+          Normals, ByBody<NodeField<T, D, maps_back, Normals::needs_mass_gradient>, Traits::body_count>>;
     else
       return false;
   }();
@@ -247,10 +251,7 @@ auto bind_part(const Coulomb<N>& contact, const Traits& traits) {
                 "Coulomb: the normals lack a member: static constexpr bool needs_mass_gradient, "
                 "between(fields, a, b, node) const; see arenite/contact/normals.hpp");
   if constexpr (complete) {
-    BoundCoulomb<T, D, Normals, Traits::body_count> part{
-        contact.friction, contact.velocity_limit, normals, {}};
-    part.impulse.fill(Vec<T, D>::Zero());
-    return part;
+    return BoundCoulomb<T, D, Normals, Traits::body_count>{contact.friction, contact.velocity_limit, normals};
   } else {
     return OneField{};  // one sentence is enough
   }

@@ -73,7 +73,7 @@ class BoundFrictionalWall {
     require(!faces_.empty() || Scene::is_portion, {"frictional(", name_, "): faces"}, faces_.size(),
             "must be at least one face of the mesh's hull");
     find_normals(scene.mesh);
-    touched_.reserve(nodes_.size() * Scene::field_count);
+    touched_.reserve(nodes_.size() * scene.fields.size());
   }
 
   template <class Scene>
@@ -85,7 +85,7 @@ class BoundFrictionalWall {
     impulse_.setZero();
     for (const auto& [node, normal] : nodes_) {
       if (!owns(node)) continue;
-      for (std::size_t f = 0; f < Scene::field_count; ++f) {
+      for (std::size_t f = 0; f < scene.fields.size(); ++f) {
         auto& field = scene.fields[f];
         const T mass = field.mass[node];
         if (!(mass > 0)) continue;

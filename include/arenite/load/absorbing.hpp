@@ -91,7 +91,7 @@ class BoundAbsorbingFaces {
     faces_.emplace(scene, where_, std::move(of_body));
     require(faces_->faces() > 0 || Scene::is_portion, {called(), ": faces"}, faces_->faces(),
             "must be at least one face of the mesh's hull");
-    const std::size_t all = faces_->nodes().size() * Scene::field_count;
+    const std::size_t all = faces_->nodes().size() * scene.fields.size();
     given_.assign(all, V::Zero());
     if (options_.support == Support::first_reaction) support_.assign(all * dim, 0);
   }
@@ -109,7 +109,7 @@ class BoundAbsorbingFaces {
     const auto owns = scene.node_owner();
     impulse_ = V::Zero();
     for (std::size_t k = 0, at = 0; k < faces_->nodes().size(); ++k)
-      for (std::size_t f = 0; f < Scene::field_count; ++f, ++at) {
+      for (std::size_t f = 0; f < scene.fields.size(); ++f, ++at) {
         auto& field = scene.fields[f];
         const Index i = faces_->nodes()[k];
         const T m = field.mass[i];
@@ -127,7 +127,7 @@ class BoundAbsorbingFaces {
   void after_grid(const Scene& scene, double dt) {
     const auto owns = scene.node_owner();
     for (std::size_t k = 0, at = 0; k < faces_->nodes().size(); ++k)
-      for (std::size_t f = 0; f < Scene::field_count; ++f, ++at) {
+      for (std::size_t f = 0; f < scene.fields.size(); ++f, ++at) {
         const Index i = faces_->nodes()[k];
         if (!owns(i)) continue;
         const V mean = scene.fields[f].mean_velocity(i);
@@ -181,7 +181,7 @@ class BoundAbsorbingFaces {
   void take_first_reaction(const Scene& scene) {
     const V acceleration = scene.acceleration();
     for (std::size_t k = 0, at = 0; k < faces_->nodes().size(); ++k)
-      for (std::size_t f = 0; f < Scene::field_count; ++f, ++at) {
+      for (std::size_t f = 0; f < scene.fields.size(); ++f, ++at) {
         if ((faces_->at(k, f).array() == 0).all()) continue;  // not of these faces
         const auto& sums = scene.fields[f].sums[faces_->nodes()[k]];
         const V force = sums.force() + sums.mass() * acceleration;

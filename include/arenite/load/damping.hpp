@@ -69,7 +69,7 @@ class BoundViscousDamping : public Damping<T, D> {
   void add_force(Scene& scene, double dt) {
     if (!this->on_) return;
     const auto factor = static_cast<T>(std::expm1(-rate_ * dt) / dt);
-    for (std::size_t k = 0; k < Scene::field_count; ++k) {
+    for (std::size_t k = 0; k < scene.fields.size(); ++k) {
       const auto& field = scene.fields[k];
       auto& force = this->forces_[k].force;
       parallel_chunks(field.size(), [&](std::size_t begin, std::size_t end) {
@@ -96,7 +96,7 @@ class BoundLocalDamping : public Damping<T, D> {
   template <class Scene>
   ContactTally apply_impulses(Scene& scene, double dt) {
     if (this->on_)
-      for (std::size_t k = 0; k < Scene::field_count; ++k)
+      for (std::size_t k = 0; k < scene.fields.size(); ++k)
         damp(scene.fields[k], static_cast<T>(dt), this->forces_[k].force);
     return {};
   }

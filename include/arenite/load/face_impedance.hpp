@@ -29,7 +29,7 @@ class FaceImpedance {
 
   template <class Scene>
   FaceImpedance(const Scene& scene, const MeshFaces& where, std::vector<WaveImpedance> of_body)
-      : of_body_{std::move(of_body)}, fields_{Scene::field_count} {
+      : of_body_{std::move(of_body)}, fields_{scene.fields.size()} {
     const auto is_meant = face_test(scene, where);
     std::vector<Index> cell;
     std::vector<bool> touched(scene.fields[0].size(), Scene::is_portion);

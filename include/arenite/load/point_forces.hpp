@@ -43,7 +43,7 @@ class BoundPointForces : public BookedForces<T, D> {
     });
     require(count > 0 || Scene::is_portion, {load_.name(), ": points"}, count,
             "must be at least one point of the body");
-    this->forces_.resize(Scene::field_count);  // those of other bodies stay empty
+    this->forces_.resize(scene.fields.size());  // those of other bodies stay empty
     nodes<Scene>().clear(Scene::Shape::node_count(scene.mesh));
   }
 

@@ -17,7 +17,7 @@ typename Scene::V contact_force(const Scene& scene) {
     return scene.template rigid<which>().force;
   } else {
     static_assert(
-        Scene::field_count == Scene::body_count,
+        Scene::Needs::own_fields || Scene::body_count == 1,
         "contact_force: the bodies move in one velocity field, which tells no force on one of them; "
         "give the scene a contact: Coulomb{..}");
     constexpr std::size_t field = Scene::field_of(Scene::template body_number<which>());

@@ -52,9 +52,9 @@ struct TrackEnergy {
     initial_kinetic += initial_points + parts.kinetic;
     initial_stored += parts.stored;
     initial_shared = parts.kinetic + parts.stored - own.kinetic - own.stored;
-    given_.reserve(3 * Scene::field_count * scene.constraints.size());
+    given_.reserve(3 * scene.fields.size() * scene.constraints.size());
     if constexpr (keeps_before<Scene>)
-      before_.assign(Scene::field_count * scene.fields[0].size() * dim<Scene>,
+      before_.assign(scene.fields.size() * scene.fields[0].size() * dim<Scene>,
                      std::numeric_limits<double>::quiet_NaN());
   }
   /// Energy that there was, J.

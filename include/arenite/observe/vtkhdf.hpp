@@ -32,7 +32,7 @@ class VtkhdfSeries {
   template <class Scene>
   void operator()(const Scene& scene) {
     if (files_.empty()) {
-      const std::filesystem::path first = file_of(detail::frame_parts<Scene>(options_).front());
+      const std::filesystem::path first = file_of(detail::frame_parts(scene, options_).front());
       steps_ = kept_times(first, vtkhdf_times(first), scene.time, options_.resumed).size();
       follow_state(scene);
     }
@@ -49,17 +49,17 @@ class VtkhdfSeries {
   }
   /// Goes on with the files of an earlier part of the run, which must be there.
   template <class Scene>
-  void follow_state(const Scene&) {
-    open<Scene>(steps_ > 0);
+  void follow_state(const Scene& scene) {
+    open(scene, steps_ > 0);
     if (steps_ > 0)
       for (auto& file : files_) file.keep(steps_);
   }
 
  private:
   template <class Scene>
-  void open(bool keep) {
+  void open(const Scene& scene, bool keep) {
     files_.clear();
-    for (const std::string& name : detail::frame_parts<Scene>(options_))
+    for (const std::string& name : detail::frame_parts(scene, options_))
       files_.emplace_back(file_of(name), keep);
   }
   std::filesystem::path file_of(const std::string& name) const { return prefix_ + "_" + name + ".vtkhdf"; }

@@ -96,11 +96,13 @@ namespace detail {
 
 using VtuNames = std::vector<std::string, ArrayMemory<std::string>>;
 
-/// Names of what a frame consists of: bodies, mesh, region.
-VtuNames frame_parts(const VtuOptions& options, std::span<const std::string_view> bodies, bool has_mesh);
+/// Names of what a frame consists of: bodies, those behind `names` by their numbers, mesh, region.
+VtuNames frame_parts(const VtuOptions& options, std::size_t bodies, std::span<const std::string_view> names,
+                     bool has_mesh);
 template <class Scene>
-VtuNames frame_parts(const VtuOptions& options) {
-  return frame_parts(options, Scene::body_names, is_simplex_mesh<typename Scene::Mesh>);
+VtuNames frame_parts(const Scene& scene, const VtuOptions& options) {
+  return frame_parts(options, scene.number_of_bodies(), Scene::body_names,
+                     is_simplex_mesh<typename Scene::Mesh>);
 }
 
 /// Calls `f(data)` for each of them.
@@ -125,7 +127,7 @@ class VtuSeries {
 
   template <class Scene>
   void operator()(const Scene& scene) {
-    begin_frame(scene.time, detail::frame_parts<Scene>(options_));
+    begin_frame(scene.time, detail::frame_parts(scene, options_));
     detail::for_each_frame_part(scene, options_, [this](const VtuData& data) { write_part(data); });
     end_frame();
   }
@@ -137,8 +139,8 @@ class VtuSeries {
   }
   /// Lists the files of an earlier part of the run, which must be there.
   template <class Scene>
-  void follow_state(const Scene&) {
-    names_ = detail::frame_parts<Scene>(options_);
+  void follow_state(const Scene& scene) {
+    names_ = detail::frame_parts(scene, options_);
     part_ = 0;
     write_list();
   }

@@ -53,13 +53,13 @@ ARENITE_COLD VtuData columns_vtu(const PointColumns<T>& columns, const VtuPoints
   return data;
 }
 
-ARENITE_COLD VtuNames frame_parts(const VtuOptions& options, std::span<const std::string_view> bodies,
-                                  bool has_mesh) {
+ARENITE_COLD VtuNames frame_parts(const VtuOptions& options, std::size_t bodies,
+                                  std::span<const std::string_view> body_names, bool has_mesh) {
   VtuNames names;
-  for (std::size_t k = 0; k < bodies.size(); ++k)
-    names.push_back(k < options.body_names.size() ? options.body_names[k]
-                    : bodies[k].empty()           ? joined_text({"body", k})
-                                                  : std::string(bodies[k]));
+  for (std::size_t k = 0; k < bodies; ++k)
+    names.push_back(k < options.body_names.size()                     ? options.body_names[k]
+                    : k >= body_names.size() || body_names[k].empty() ? joined_text({"body", k})
+                                                                      : std::string(body_names[k]));
   if (has_mesh && options.mesh) names.emplace_back("mesh");
   if (has_mesh && !options.region.empty()) names.push_back(options.region);
   return names;

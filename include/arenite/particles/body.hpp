@@ -30,6 +30,7 @@ struct Fill {
   L law;
   FillOptions options;
 
+  static constexpr std::string_view word = name.word();
   using TypeErased = Fill<L, name>;
   template <class M>
   TypeErased type_erased() const {

@@ -117,13 +117,14 @@ class BasicWatch {
   template <class Scene>
   void look(const Scene& scene) {
     using Book = detail::WatchBook;
-    std::array<detail::WatchedBody<typename Scene::T>, Scene::body_count> bodies;
+    auto bodies =
+        by_body<detail::WatchedBody<typename Scene::T>, Scene::body_count>(scene.number_of_bodies());
     std::size_t n = 0;
     scene.for_each_body([&](const auto& body, const auto&) {
       auto& watched = bodies[n];
       watched = {.points = columns_of_points(body),
                  .number = static_cast<int>(n),
-                 .name = Scene::body_names[n],
+                 .name = Scene::lists_bodies ? std::string_view() : Scene::body_names[n],
                  .wave_modulus = body.law.wave_modulus(),
                  .lost = body.lost,
                  .bearing_spacing = bearing_spacing<typename Scene::Shape>,

@@ -67,16 +67,14 @@ struct GroundFill {
 };
 
 /// The fills of a recipe; regions have no bounds yet.
-template <class... Fills>
-std::array<GroundFill, sizeof...(Fills)> ground_fills(const Bodies<Fills...>& recipe) {
-  return [&]<std::size_t... I>(std::index_sequence<I...>) {
-    const auto& fills = recipe.fills;
-    return std::array<GroundFill, sizeof...(Fills)>{
-        GroundFill{&std::get<I>(fills).options,
-                   &std::get<I>(fills).region,
-                   {std::get<I>(fills).law.density(), {}, {}}}...};
-  }
-  (std::index_sequence_for<Fills...>{});
+template <class Recipe>
+auto ground_fills(const Recipe& recipe) {
+  auto fills = by_body<GroundFill, Recipe::count>(recipe.size());
+  std::size_t number = 0;
+  recipe.for_each([&](const auto& fill) {
+    fills[number++] = {&fill.options, &fill.region, {fill.law.density(), {}, {}}};
+  });
+  return fills;
 }
 
 /// Whether any of them is geostatic; gives the regions their bounds.
@@ -87,10 +85,10 @@ std::vector<GroundAtRest> grounds_at_rest(std::span<const GroundFill> fills,
 
 /// The ground of each body of a recipe: gravity, and the layers above it. A layer is another body with a
 /// geostatic stress, whose region lies wholly above.
-template <class Scene, class... Fills>
-std::vector<Ground> grounds_of(const Scene& scene, const Bodies<Fills...>& recipe) {
+template <class Scene, class Recipe>
+std::vector<Ground> grounds_of(const Scene& scene, const Recipe& recipe) {
   auto fills = ground_fills(recipe);
-  if (!begin_grounds(fills, Scene::D)) return std::vector<Ground>(sizeof...(Fills));
+  if (!begin_grounds(fills, Scene::D)) return std::vector<Ground>(fills.size());
   const Ground common{.gravity = gravity_of_ground(scene, 0)};
   common.axis();
   if constexpr (is_simplex_mesh<typename Scene::Mesh> && !Scene::is_portion)
@@ -112,9 +110,8 @@ std::vector<Ground> grounds_of(const Scene& scene, const Bodies<Fills...>& recip
 }
 
 /// The bodies of a new scene that are to be at rest.
-template <class M, class... Fills>
-std::vector<GroundAtRest> grounds_at_rest(const Bodies<Fills...>& recipe,
-                                          const std::vector<Ground>& grounds) {
+template <class M, class Recipe>
+std::vector<GroundAtRest> grounds_at_rest(const Recipe& recipe, const std::vector<Ground>& grounds) {
   return grounds_at_rest(ground_fills(recipe), grounds, FillOptions{}.template points_in_cell<M>());
 }
 
@@ -239,9 +236,9 @@ void check_rest(Scene& scene, double dt, const std::vector<typename Scene::V>& b
   resting.after = forces_from_rest(scene, dt);
   resting.cell_count = scene.mesh.cell_count();
   resting.hoop = Scene::Kinematics::hoop;
-  std::array<std::span<const typename Scene::T>, Scene::field_count> masses;
+  auto masses = by_body<std::span<const typename Scene::T>, Scene::field_count>(scene.fields.size());
   for (std::size_t f = 0; f < masses.size(); ++f) masses[f] = scene.fields[f].mass;
-  std::array<typename RestingSceneOf<Scene>::OfBody, Scene::body_count> bodies;
+  auto bodies = by_body<typename RestingSceneOf<Scene>::OfBody, Scene::body_count>(scene.number_of_bodies());
   std::size_t number = 0;
   scene.for_each_body([&](const auto& body, const auto&) {
     const auto& p = body.points;

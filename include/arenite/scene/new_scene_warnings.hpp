@@ -115,14 +115,16 @@ void warn_no_support(const Scene& scene) {
 }
 
 /// All warnings about a new scene and the recipes of its bodies.
-template <class Scene, class... Fills>
-void warn_about_new_scene(const Scene& scene, const Bodies<Fills...>& recipe) {
-  using Summary = BodySummary<typename Scene::T, Scene::D>;
-  std::array<Summary, sizeof...(Fills)> bodies = [&]<std::size_t... I>(std::index_sequence<I...>) {
-    return std::array<Summary, sizeof...(Fills)>{
-        summary_of(Scene::body_name(I), std::get<I>(scene.bodies), std::get<I>(recipe.fills).region)...};
-  }
-  (std::index_sequence_for<Fills...>{});
+template <class Scene, class Recipe>
+void warn_about_new_scene(const Scene& scene, const Recipe& recipe) {
+  auto bodies = by_body<BodySummary<typename Scene::T, Scene::D>, Scene::body_count>(recipe.size());
+  std::size_t number = 0;
+  recipe.for_each([&](const auto& fill) { bodies[number++].region = &fill.region; });
+  number = 0;
+  scene.for_each_body([&](const auto& body, const auto&) {
+    bodies[number] = summary_of(Scene::body_name(number), body, *bodies[number].region);
+    ++number;
+  });
   if constexpr (is_simplex_mesh<typename Scene::Mesh>)
     for (auto& body : bodies)
       if (!body.region->test && bodies.size() > 1) {

@@ -8,6 +8,7 @@
 #include <tuple>
 #include <type_traits>
 #include <utility>
+#include <vector>
 
 #include <arenite/core/bind.hpp>
 #include <arenite/core/name.hpp>
@@ -20,7 +21,17 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 /// The recipe that `bodies` makes.
 template <class... Fills>
 struct Bodies {
+  static constexpr std::size_t count = sizeof...(Fills);
+
   std::tuple<Fills...> fills;
+
+  std::size_t size() const { return count; }
+  /// Calls `f(fill)` for each.
+  template <class F>
+  void for_each(F&& f) const {
+    [&]<std::size_t... I>(std::index_sequence<I...>) { (f(std::get<I>(fills)), ...); }
+    (std::make_index_sequence<count>{});
+  }
 
   using TypeErased = Bodies<type_erased_t<Fills>...>;
   template <class M>
@@ -30,6 +41,43 @@ struct Bodies {
         fills)};
   }
 };
+/// In the place of a count that only a run knows.
+inline constexpr std::size_t counted_at_run_time = static_cast<std::size_t>(-1);
+
+/// The recipe of bodies of one law, as many as a list has.
+template <class F>
+struct BodyList {
+  static constexpr std::size_t count = counted_at_run_time;
+
+  std::vector<F> fills;
+
+  std::size_t size() const { return fills.size(); }
+  template <class Call>
+  void for_each(Call&& f) const {
+    for (const F& fill : fills) f(fill);
+  }
+
+  using TypeErased = BodyList<type_erased_t<F>>;
+  template <class M>
+  TypeErased type_erased() const {
+    TypeErased erased;
+    for (const F& fill : fills) erased.fills.push_back(arenite::type_erased<M>(fill));
+    return erased;
+  }
+};
+
+/// Values X, one a body: an array, or a vector where only a run knows how many there are.
+template <class X, std::size_t Count>
+using ByBody = std::conditional_t<Count == counted_at_run_time, std::vector<X>,
+                                  std::array<X, Count == counted_at_run_time ? 0 : Count>>;
+template <class X, std::size_t Count>
+ByBody<X, Count> by_body([[maybe_unused]] std::size_t count) {
+  if constexpr (Count == counted_at_run_time)
+    return ByBody<X, Count>(count);
+  else
+    return {};
+}
+
 namespace detail {
 template <class F>
 inline constexpr bool is_fill = false;
@@ -42,13 +90,21 @@ template <class... Fills>
 Bodies<Fills...> bodies(const Fills&... fills) {
   return {{fills...}};
 }
+/// Bodies of one law, as many as the list has, each with its own region, parameters and options:
+/// `bodies(std::vector{fill(..), fill(..)})`; `scene.body(k)` is number k. A list of regions of several types
+/// holds `Fill<Law>`, made by `fill(AnyRegion::of<D>(region), law)`. Throws `error` if it is empty.
+template <class F>
+requires detail::is_fill<F> BodyList<F> bodies(std::vector<F> fills) {
+  static_assert(F::word.empty(), "bodies: the fills of a list have no names; they are numbered");
+  require(!fills.empty(), "bodies", fills.size(), "must be at least one fill");
+  return {std::move(fills)};
+}
 /// Refused by the compiler: what no `fill` made.
 template <class... Fills>
 requires(!(detail::is_fill<Fills> && ...)) auto bodies(const Fills&...) {
-  static_assert(
-      (detail::is_fill<Fills> && ...),
-      "bodies: each argument must be a fill(region, law): bodies(fill(..), fill(..)); a list of them "
-      "cannot be given, for the law of each is a part of the scene's type");
+  static_assert((detail::is_fill<Fills> && ...),
+                "bodies: each argument must be a fill(region, law): bodies(fill(..), fill(..)), or "
+                "a std::vector of fills of one law");
   return Bodies<>{};
 }
 
@@ -80,7 +136,7 @@ struct SceneTraits {
   using Shape = typename N::Shape;
   using T = typename M::scalar;
   static constexpr int D = M::dimension;
-  static constexpr std::size_t body_count = Bodies;
+  static constexpr std::size_t body_count = Bodies;  ///< perhaps `counted_at_run_time`
   const M& mesh;
 };
 
@@ -90,6 +146,8 @@ template <class P>
 inline constexpr bool is_bodies = false;
 template <class... F>
 inline constexpr bool is_bodies<Bodies<F...>> = true;
+template <class F>
+inline constexpr bool is_bodies<BodyList<F>> = true;
 
 template <class P>
 inline constexpr bool is_group = false;
@@ -188,6 +246,15 @@ struct bodies_of<M, Extra, Bodies<F...>> {
       return std::array{N::template centres_stress<typename body_of<M, Extra, F>::Law>...}[field];
     else
       return N::template centres_stress<typename body_of<M, Extra, F>::Law...>;
+  }
+};
+template <class M, ExtraColumns Extra, class F>
+struct bodies_of<M, Extra, BodyList<F>> : bodies_of<M, Extra, Bodies<F>> {
+  using type = std::vector<typename body_of<M, Extra, F>::type>;
+  static constexpr std::array<std::string_view, 0> names{};
+  template <class N, bool Apart>
+  static constexpr bool centres_stress(std::size_t) {
+    return N::template centres_stress<typename body_of<M, Extra, F>::Law>;
   }
 };
 

@@ -2,8 +2,6 @@
 #pragma once
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include <array>
-
 #include <arenite/scene/migrate.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
@@ -14,7 +12,7 @@ template <class Scene>
 void relocate(Scene& scene) {
   constexpr int width = Scene::NumericsType::template width<typename Scene::T>;
   scene.for_each_body([&](auto& body, auto&) { find_cells<width>(body, scene.mesh, scene.blocks); });
-  std::array<bool, Scene::body_count> had_points{};
+  auto had_points = by_body<bool, Scene::body_count>(scene.number_of_bodies());
   std::size_t number = 0;
   scene.for_each_body([&](auto& body, auto&) { had_points[number++] = body.points.size() > 0; });
   migrate(scene);

@@ -56,7 +56,7 @@ struct Scene {
                                                             std::declval<const Given&>()...))::type;
 
  public:
-  static constexpr std::size_t body_count = std::tuple_size_v<decltype(Fills::fills)>;
+  static constexpr std::size_t body_count = Fills::count;  ///< perhaps `counted_at_run_time`
   static_assert(body_count >= 1, "Scene: bodies(..) needs at least one fill(..)");
   using TraitsType = SceneTraits<K, M, N, body_count>;
   using Parts = decltype(detail::with_recipes_of(std::declval<const detail::Binder<TraitsType>&>(),
@@ -84,6 +84,8 @@ struct Scene {
   static_assert(detail::differ(detail::rigids_of<Parts>::found.second),
                 "Scene: two rigid bodies have one name: rigid<\"name\">(..)");
   static constexpr std::size_t field_count = Needs::own_fields ? body_count : 1;
+  /// Whether the bodies are those of a list: of one law, in a number that only a run knows.
+  static constexpr bool lists_bodies = body_count == counted_at_run_time;
   static constexpr std::size_t rigid_count = detail::rigids_of<Parts>::count;
   /// Whether nodes hold the velocity at the start of the step and the force, apart.
   static constexpr bool has_start_state = N::reads_start_state || Needs::start_state;
@@ -96,7 +98,7 @@ struct Scene {
   /// Whether those of any field are.
   static constexpr bool centres_any_stress = [] {
     bool any = false;
-    for (std::size_t f = 0; f < field_count; ++f) any = any || centres_stress(f);
+    for (std::size_t f = 0; f < (lists_bodies ? 1 : field_count); ++f) any = any || centres_stress(f);
     return any;
   }();
 
@@ -116,8 +118,8 @@ struct Scene {
   Blocks blocks;  ///< colours of the mesh's cells
   [[no_unique_address]] Parts
       parts;  ///< what the recipes mean in this mesh, in the order given; then the kinematics, if a part
-  std::array<Field, field_count> fields;      ///< node fields: one, or one a body
-  BodyTuple bodies;                           ///< deformable bodies
+  ByBody<Field, field_count> fields;          ///< node fields: one, or one a body
+  BodyTuple bodies;                           ///< deformable bodies: a tuple, or a vector
   std::vector<Constraint<T, D>> constraints;  ///< of all parts
   [[no_unique_address]] std::conditional_t<Needs::drives, std::vector<Drive<T, D>>, Nothing>
       drives{};  ///< nodes that parts move
@@ -139,11 +141,11 @@ struct Scene {
   /// Calls `f(body, field)` for each deformable body and its node field.
   template <class F>
   void for_each_body(F&& f) {
-    each_body(*this, f, std::make_index_sequence<body_count>{});
+    each_body(*this, f);
   }
   template <class F>
   void for_each_body(F&& f) const {
-    each_body(*this, f, std::make_index_sequence<body_count>{});
+    each_body(*this, f);
   }
   /// Calls `f(part)` for each part, in order.
   template <class F>
@@ -168,14 +170,23 @@ struct Scene {
     });
   }
 
+  std::size_t number_of_bodies() const {
+    if constexpr (lists_bodies)
+      return bodies.size();
+    else
+      return body_count;
+  }
+  /// A deformable body of a list.
+  auto& body(std::size_t number) requires lists_bodies { return bodies[number]; }
+  const auto& body(std::size_t number) const requires lists_bodies { return bodies[number]; }
   /// A deformable body: `body<"sand">()`, `body<0>()`, or `body()`, the only one.
   template <Name which = "">
   auto& body() {
-    return std::get<body_place<which>()>(bodies);
+    return body_of<which>(*this);
   }
   template <Name which = "">
   const auto& body() const {
-    return std::get<body_place<which>()>(bodies);
+    return body_of<which>(*this);
   }
   /// A rigid body: `rigid<"cone">()`, `rigid<0>()`, or `rigid()`, the only one.
   template <Name which = "">
@@ -218,12 +229,13 @@ struct Scene {
   std::size_t number_of(const BodyName& name, std::string_view option) const {
     const std::size_t k = detail::number_among(BodiesOf::names, name.word, name.number);
     const std::string shown = name.word.empty() ? std::to_string(name.number) : name.word;
-    require(k < body_count, option, shown, "must be the number or the name of a body of the scene");
+    require(k < number_of_bodies(), option, shown, "must be the number or the name of a body of the scene");
     return k;
   }
   /// What messages call a body: its name, or its number if it has none.
   static std::string body_name(std::size_t body) {
-    return joined_text({body_names[body].empty() ? TextPart(body) : TextPart(body_names[body])});
+    const std::string_view name = body < body_names.size() ? body_names[body] : std::string_view();
+    return joined_text({name.empty() ? TextPart(body) : TextPart(name)});
   }
 
   /// Whether the mesh is a part of a larger one, which other scenes share (`on_portion`).
@@ -286,13 +298,22 @@ struct Scene {
   }
 
  private:
+  template <Name which, class Self>
+  static auto& body_of(Self& self) {
+    constexpr std::size_t place = body_place<which>();
+    if constexpr (lists_bodies)
+      return self.bodies[place];  // one sentence is enough
+    else
+      return std::get<place>(self.bodies);
+  }
   template <Name which>
   static constexpr std::size_t body_place() {
+    static_assert(!lists_bodies, "Scene: the bodies of a list are numbered at run time: say body(number)");
     constexpr std::size_t k = detail::number_among(BodiesOf::names, which.word(), which.number);
     static_assert(k < body_count,
                   "Scene: no such body; say body<\"name\">() of fill<\"name\">(..), or "
                   "body<number>(); body() is the only one");
-    return k < body_count ? k : 0;  // one sentence is enough
+    return k < body_count && !lists_bodies ? k : 0;  // one sentence is enough
   }
   template <Name which>
   static constexpr std::size_t rigid_place() {
@@ -356,21 +377,42 @@ struct Scene {
                   [&](Index c) { return typename Shape::template Cell<M>(mesh, c).nodes; });
   }
 
-  template <std::size_t... I>
-  std::array<Field, field_count> make_fields(std::index_sequence<I...>) const {
-    return {Field(Shape::node_count(mesh), centres_stress(I))...};
+  auto make_fields([[maybe_unused]] std::size_t body_number) const {
+    if constexpr (field_count == counted_at_run_time)
+      return std::vector<Field>(body_number, Field(Shape::node_count(mesh), centres_stress(0)));
+    else
+      return [&]<std::size_t... I>(std::index_sequence<I...>) {
+        return std::array<Field, field_count>{Field(Shape::node_count(mesh), centres_stress(I))...};
+      }
+    (std::make_index_sequence<field_count>{});
   }
 
-  template <class... F, std::size_t... I>
-  BodyTuple make_bodies(const Bodies<F...>& recipe, const std::vector<Ground>& grounds,
-                        std::index_sequence<I...>) const {
-    return BodyTuple{
-        make_body<K, extra_columns>(mesh, std::get<I>(recipe.fills), cell_owner(), grounds[I])...};
+  template <class Recipe>
+  BodyTuple make_bodies(const Recipe& recipe, const std::vector<Ground>& grounds) const {
+    const auto made = [&](const auto& fill, std::size_t number) {
+      return make_body<K, extra_columns>(mesh, fill, cell_owner(), grounds[number]);
+    };
+    if constexpr (lists_bodies) {
+      BodyTuple all;
+      for (const auto& fill : recipe.fills) all.push_back(made(fill, all.size()));
+      return all;
+    } else {
+      return [&]<std::size_t... I>(std::index_sequence<I...>) {
+        return BodyTuple{made(std::get<I>(recipe.fills), I)...};
+      }
+      (std::make_index_sequence<body_count>{});
+    }
   }
 
-  template <class Self, class F, std::size_t... I>
-  static void each_body(Self& self, F& f, std::index_sequence<I...>) {
-    (f(std::get<I>(self.bodies), self.fields[field_of(I)]), ...);
+  template <class Self, class F>
+  static void each_body(Self& self, F& f) {
+    if constexpr (lists_bodies)
+      for (std::size_t k = 0; k < self.bodies.size(); ++k) f(self.bodies[k], self.fields[field_of(k)]);
+    else
+      [&]<std::size_t... I>(std::index_sequence<I...>) {
+        (f(std::get<I>(self.bodies), self.fields[field_of(I)]), ...);
+      }
+    (std::make_index_sequence<body_count>{});
   }
   template <class Self, class F, std::size_t... I>
   static void each_part([[maybe_unused]] Self& self, [[maybe_unused]] F& f, std::index_sequence<I...>) {
@@ -403,10 +445,9 @@ Scene<K, M, N, Given...>::Scene(Nothing, K kinematics_value, M&& mesh_value, N n
       numerics{numerics_value},
       blocks{make_blocks(mesh)},
       parts{bind(mesh, kinematics, given...)},
-      fields{make_fields(std::make_index_sequence<field_count>{})},
+      fields{make_fields(detail::find_bodies(given...).size())},
       bodies{make_bodies(detail::find_bodies(given...),
-                         detail::grounds_of(*this, detail::find_bodies(given...)),
-                         std::make_index_sequence<body_count>{})} {
+                         detail::grounds_of(*this, detail::find_bodies(given...)))} {
   balance_threads();
   for_each_body([&](auto& body, const auto&) { body.points.place_by_thread(body.cells, blocks); });
   find_constraints();

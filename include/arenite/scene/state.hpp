@@ -84,7 +84,7 @@ void visit_scene(Scene& scene, const F& f) {
   });
   if constexpr (reads_last_nodes<Scene>(std::type_identity<typename Scene::Parts>{}))
     for (std::size_t k = 0; k < scene.fields.size(); ++k) {
-      StateUnder nodes(f, Scene::field_count > 1 ? joined_text({"nodes/", Scene::body_name(k)}) : "nodes");
+      StateUnder nodes(f, scene.fields.size() > 1 ? joined_text({"nodes/", Scene::body_name(k)}) : "nodes");
       nodes("mass", std::span(scene.fields[k].mass.data(), scene.fields[k].mass.size()));
       nodes("velocity", scene.fields[k].velocity.numbers());
     }

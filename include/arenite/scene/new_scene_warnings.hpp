@@ -118,12 +118,12 @@ void warn_no_support(const Scene& scene) {
 template <class Scene, class Recipe>
 void warn_about_new_scene(const Scene& scene, const Recipe& recipe) {
   auto bodies = by_body<BodySummary<typename Scene::T, Scene::D>, Scene::body_count>(recipe.size());
-  std::size_t number = 0;
-  recipe.for_each([&](const auto& fill) { bodies[number++].region = &fill.region; });
-  number = 0;
+  std::size_t next = 0;
+  recipe.for_each([&](const auto& fill) { bodies[next++].region = &fill.region; });
+  next = 0;
   scene.for_each_body([&](const auto& body, const auto&) {
-    bodies[number] = summary_of(Scene::body_name(number), body, *bodies[number].region);
-    ++number;
+    bodies[next] = summary_of(Scene::body_name(next), body, *bodies[next].region);
+    ++next;
   });
   if constexpr (is_simplex_mesh<typename Scene::Mesh>)
     for (auto& body : bodies)

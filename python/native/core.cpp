@@ -112,7 +112,7 @@ class SceneHandle {
   }
 
   /// The numbers of a value of the state, where they are; Python's side checks that they still are.
-  static py::array column(const HostedState& entry, const py::object& owner) {
+  static py::array column(const StateSlot& entry, const py::object& owner) {
     const std::string type =
         entry.kind == 'b' ? "?" : std::string(1, entry.kind) + std::to_string(entry.bytes);
     return py::array(py::dtype(type), std::vector<py::ssize_t>{static_cast<py::ssize_t>(entry.count)},

@@ -41,9 +41,9 @@ void check_crafted(Make&& make, bool takes_doubles, Save&& save, Restore&& resto
   auto source = make(), scene = make(), untouched = make();
   steps(source, 3);
   const StateBuffer before(scene);
-  const auto good = detail::state_entries(std::as_const(source));
+  const auto good = state_slots(source);
   std::vector<char> numbers(1 << 20, 1);
-  const auto refused = [&](const std::vector<StateEntry>& entries, const std::string& reason) {
+  const auto refused = [&](const std::vector<StateSlot>& entries, const std::string& reason) {
     save(entries);
     REQUIRE_THROWS_WITH(restore(scene),
                         Catch::Matchers::Contains("state file = ") && Catch::Matchers::Contains(reason));

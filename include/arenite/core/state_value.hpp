@@ -1,4 +1,4 @@
-// Values of a state: what a visitor of a state is shown, and the paths that name them.
+// Values of a state: what a visitor of a state is shown, the paths that name them, and the list of them.
 #pragma once
 // SPDX-License-Identifier: BSD-3-Clause
 
@@ -9,6 +9,7 @@
 #include <string_view>
 #include <type_traits>
 #include <utility>
+#include <vector>
 
 #include <arenite/core/instruction_set.hpp>
 
@@ -40,13 +41,14 @@ template <class F, bool ReadOnly = false>
 class StateUnder {
  public:
   StateUnder(F& f, std::string prefix) : f_{f}, prefix_{std::move(prefix)} {}
+  StateUnder(const StateUnder& above, std::string prefix) : f_{above.f_}, prefix_{above.path_of(prefix)} {}
 
   template <class V>
   void operator()(std::string_view name, V&& value) const {
     static_assert(state_value<std::remove_reference_t<V>>,
                   "visit_state: call f(name, value) with a number, or with numbers side by side: data() and "
                   "size(), and resize(n) if their count changes");
-    const std::string path = prefix_.empty() ? std::string(name) : prefix_ + "/" + std::string(name);
+    const std::string path = path_of(name);
     if constexpr (state_number<V>) {
       if constexpr (ReadOnly)
         f_(path, std::as_const(value));
@@ -65,17 +67,86 @@ class StateUnder {
   }
 
  private:
+  std::string path_of(std::string_view name) const {
+    return prefix_.empty() ? std::string(name) : prefix_ + "/" + std::string(name);
+  }
+
   F& f_;
   std::string prefix_;
 };
+// Below a path below a path: one visitor.
+template <class F, bool ReadOnly>
+StateUnder(StateUnder<F, ReadOnly>&, std::string) -> StateUnder<F, ReadOnly>;
+template <class F, bool ReadOnly>
+StateUnder(const StateUnder<F, ReadOnly>&, std::string) -> StateUnder<F, ReadOnly>;
+
+namespace detail {
+/// An owner of a state to call `visit_state` of: that changes nothing, but is not constant, so that those who
+/// restore a state may write what they are shown.
+template <class Owner>
+std::remove_const_t<Owner>& state_owner(Owner& owner) {
+  return const_cast<std::remove_const_t<Owner>&>(owner);
+}
+}  // namespace detail
 
 /// Calls `f("path/name", value)` for the state of what has a `visit_state`: of an observer, say.
 template <class Owner, class F>
 void visit_state_of(Owner& owner, std::string path, F&& f) {
-  constexpr bool constant = std::is_const_v<Owner>;
-  // `visit_state` itself changes nothing.
-  const_cast<std::remove_const_t<Owner>&>(owner).visit_state(
-      StateUnder<std::remove_reference_t<F>, constant>(f, std::move(path)));
+  detail::state_owner(owner).visit_state(
+      StateUnder<std::remove_reference_t<F>, std::is_const_v<Owner>>(f, std::move(path)));
 }
+
+/// Kind of a number: 'f' floating, 'i' signed, 'u' unsigned, 'b' bool.
+template <class Number>
+inline constexpr char number_kind = std::is_same_v<Number, bool>       ? 'b'
+                                    : std::is_floating_point_v<Number> ? 'f'
+                                    : std::is_signed_v<Number>         ? 'i'
+                                                                       : 'u';
+
+/// A value of a state whatever its type: valid until the next step.
+struct StateSlot {
+  std::string name;       ///< path, such as "bodies/sand/points/position/x"
+  char kind = 'f';        ///< `number_kind`
+  std::size_t bytes = 8;  ///< of a number
+  std::size_t count = 0;
+  void* data = nullptr;   ///< [count]; null: the numbers are in a file
+  bool is_array = false;  ///< numbers side by side, or one number
+  void* array = nullptr;  ///< whose count changes
+  /// Returns where the numbers are then; null: no count changes.
+  void* (*resize)(void* array, std::size_t count) = nullptr;
+
+  std::size_t size() const { return bytes * count; }
+  /// "f8", "u4"
+  std::string type() const { return kind + std::to_string(bytes); }
+};
+
+/// The visitor that lists a state: whatever is done with its values, one function finds them.
+struct StateSlots {
+  std::vector<StateSlot> slots{};
+
+  template <class Value>
+  void operator()(std::string_view name, Value& value) {
+    if constexpr (state_number<Value>) {
+      add(name, &value, 1);
+    } else {
+      add(name, value.data(), static_cast<std::size_t>(value.size()));
+      slots.back().is_array = true;
+    }
+    if constexpr (resizable_state_array<Value>) {
+      slots.back().array = &value;
+      slots.back().resize = [](void* array, std::size_t count) -> void* {
+        static_cast<Value*>(array)->resize(count);
+        return static_cast<Value*>(array)->data();
+      };
+    }
+  }
+
+ private:
+  template <class Number>
+  void add(std::string_view name, Number* data, std::size_t count) {
+    static_assert(!std::is_const_v<Number>, "visit_state: a state that is restored must not be constant");
+    slots.push_back({std::string(name), number_kind<Number>, sizeof(Number), count, data});
+  }
+};
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -12,19 +12,10 @@
 #include <vector>
 
 #include <arenite/core/instruction_set.hpp>
+#include <arenite/core/state_value.hpp>
 #include <arenite/host/value.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
-
-/// A value of a scene's state (`for_each_state`), where it is: valid until the next step.
-struct HostedState {
-  std::string name;   ///< path, such as "bodies/0/points/position/x"
-  char kind;          ///< 'f' floating point, 'i' signed, 'u' unsigned, 'b' bool
-  std::size_t bytes;  ///< of a number
-  std::size_t count;
-  bool is_array;
-  void* data;
-};
 
 /// Nodes of the mesh [n] with their velocity field.
 struct HostedNodes {
@@ -111,7 +102,8 @@ class HostedScene {
   /// Ends damping by all parts that damp.
   virtual void switch_off_damping() = 0;
 
-  virtual std::vector<HostedState> state() = 0;
+  /// `state_slots` of the scene.
+  virtual std::vector<StateSlot> state() = 0;
   virtual HostedNodes nodes(std::size_t body) const = 0;
   virtual HostedCells cells() const = 0;
   virtual HostedEnergies energies() const = 0;

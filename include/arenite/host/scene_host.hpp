@@ -108,14 +108,7 @@ class SceneHost : public HostedScene {
     });
   }
 
-  std::vector<HostedState> state() override {
-    std::vector<HostedState> all;
-    state_of_run (*scene_)([&](const StateSlot& slot) {
-      const StateEntry& e = slot.entry;
-      all.push_back({e.name, e.kind, e.bytes, e.count, slot.is_array, const_cast<void*>(e.data)});
-    });
-    return all;
-  }
+  std::vector<StateSlot> state() override { return state_slots(*scene_); }
 
   HostedNodes nodes(std::size_t body) const override {
     HostedNodes all;

@@ -32,7 +32,7 @@ inline constexpr const char* byte_order() {
 }
 
 /// The head. Throws `error` for a name or a term with a line break.
-std::string state_head(const std::vector<StateTerm>& terms, const std::vector<StateEntry>& entries);
+std::string state_head(const std::vector<StateTerm>& terms, const std::vector<StateSlot>& entries);
 
 }  // namespace shared_detail
 
@@ -40,7 +40,7 @@ std::string state_head(const std::vector<StateTerm>& terms, const std::vector<St
 /// whole, whenever the process is killed or the machine stops. Throws `output_error` if it cannot be written,
 /// `error` for a name or a term with a line break.
 void write_state_file(const std::filesystem::path& path, const std::vector<StateTerm>& terms,
-                      const std::vector<StateEntry>& entries);
+                      const std::vector<StateSlot>& entries);
 
 /// A state file that is read: whole and undamaged, or the constructor throws.
 class StateFile : public StateSource {
@@ -50,11 +50,11 @@ class StateFile : public StateSource {
   explicit StateFile(const std::filesystem::path& path);
 
  private:
-  void get(const StateEntry& entry, void* to) override;
+  void get(const StateSlot& entry, void* to) override;
   std::string next_line();
   void read_head();
   std::size_t number_in(std::string_view text) const;
-  StateEntry entry_in(const std::string& line) const;
+  StateSlot entry_in(const std::string& line) const;
   /// Size and hash of the whole file; finds where each entry begins.
   void check_whole();
 

@@ -22,7 +22,7 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 namespace shared_detail {
 
 ARENITE_COLD std::string state_head(const std::vector<StateTerm>& terms,
-                                    const std::vector<StateEntry>& entries) {
+                                    const std::vector<StateSlot>& entries) {
   std::string head = joined_text({state_magic, state_format, "\nbyte order: ", byte_order(), "\n"});
   const auto line = [&](const std::string& text) {
     require(text.find_first_of("\r\n") == std::string::npos, "state", text, "must not hold a line break");
@@ -37,7 +37,7 @@ ARENITE_COLD std::string state_head(const std::vector<StateTerm>& terms,
 }  // namespace shared_detail
 
 ARENITE_COLD void write_state_file(const std::filesystem::path& path, const std::vector<StateTerm>& terms,
-                                   const std::vector<StateEntry>& entries) {
+                                   const std::vector<StateSlot>& entries) {
   const std::string head = shared_detail::state_head(terms, entries);
   shared_detail::replace_file(
       path,
@@ -61,7 +61,7 @@ ARENITE_COLD StateFile::StateFile(const std::filesystem::path& path) : StateSour
   check_whole();
 }
 
-ARENITE_COLD void StateFile::get(const StateEntry& entry, void* to) {
+ARENITE_COLD void StateFile::get(const StateSlot& entry, void* to) {
   const auto number = static_cast<std::size_t>(&entry - entries_.data());
   file_.clear();
   file_.seekg(static_cast<std::streamoff>(begin_[number]));
@@ -113,12 +113,12 @@ ARENITE_COLD std::size_t StateFile::number_in(std::string_view text) const {
     refuse(joined_text({"is damaged: \"", text.substr(0, 60), "\" is no number"}));
   return number;
 }
-ARENITE_COLD StateEntry StateFile::entry_in(const std::string& line) const {
+ARENITE_COLD StateSlot StateFile::entry_in(const std::string& line) const {
   const auto type = line.find(' '), count = line.find(' ', type + 1);
   if (type == std::string::npos || type < 2 || count == std::string::npos)
     refuse(joined_text({"is damaged: \"", line.substr(0, 60), "\" is no value"}));
-  StateEntry entry{line.substr(count + 1), line[0], number_in(line.substr(1, type - 1)),
-                   number_in(line.substr(type + 1, count - type - 1))};
+  StateSlot entry{line.substr(count + 1), line[0], number_in(line.substr(1, type - 1)),
+                  number_in(line.substr(type + 1, count - type - 1))};
   if (entry.bytes == 0 || entry.bytes > 16)
     refuse(joined_text({"is damaged: numbers of ", entry.bytes, " bytes"}));
   return entry;

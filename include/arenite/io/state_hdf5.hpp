@@ -36,7 +36,7 @@ inline std::string state_hdf5_lines(const Hash& hash) {
 /// Writes a state file as HDF5, as whole at any time as `write_state_file` does, and with the same errors. It
 /// takes twice the file's size in memory meanwhile.
 inline void write_state_hdf5(const std::filesystem::path& path, const std::vector<StateTerm>& terms,
-                             const std::vector<StateEntry>& entries) {
+                             const std::vector<StateSlot>& entries) {
   shared_detail::state_head(terms, entries);  // refuses what is no name
   Hdf5File file(path, Hdf5Access::image, "state file");
   file.put_text("/", "byte order", shared_detail::byte_order());
@@ -77,7 +77,7 @@ class StateHdf5 : public StateSource {
   }
 
  private:
-  void get(const StateEntry& entry, void* to) override {
+  void get(const StateSlot& entry, void* to) override {
     get_numbers(file_, entry.name, {entry.kind, entry.bytes}, to);
   }
 

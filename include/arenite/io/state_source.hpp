@@ -9,33 +9,13 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
 #include <arenite/core/error.hpp>
+#include <arenite/core/state_value.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
-
-/// Kind of a number: 'f' floating, 'i' signed, 'u' unsigned, 'b' bool.
-template <class Number>
-inline constexpr char number_kind = std::is_same_v<Number, bool>       ? 'b'
-                                    : std::is_floating_point_v<Number> ? 'f'
-                                    : std::is_signed_v<Number>         ? 'i'
-                                                                       : 'u';
-
-/// Numbers of one name in a state.
-struct StateEntry {
-  std::string name;
-  char kind = 'f';
-  std::size_t bytes = 8;  ///< of a number
-  std::size_t count = 0;
-  const void* data = nullptr;  ///< [count], where they are to be written from
-
-  std::size_t size() const { return bytes * count; }
-  /// "f8", "u4"
-  std::string type() const { return kind + std::to_string(bytes); }
-};
 
 /// A line of the head: what must be the same in the run that reads the file.
 using StateTerm = std::pair<std::string, std::string>;
@@ -46,14 +26,14 @@ class StateSource {
   virtual ~StateSource() = default;
 
   const std::vector<StateTerm>& terms() const { return terms_; }
-  const std::vector<StateEntry>& entries() const { return entries_; }
+  const std::vector<StateSlot>& entries() const { return entries_; }
   /// The entry of this name; null: there is none.
-  const StateEntry* find(std::string_view name) const {
-    const auto there = std::ranges::find(entries_, name, &StateEntry::name);
+  const StateSlot* find(std::string_view name) const {
+    const auto there = std::ranges::find(entries_, name, &StateSlot::name);
     return there != entries_.end() ? &*there : nullptr;
   }
   /// Writes an entry's numbers to `to`. Throws `error` for a bool that is neither 0 nor 1.
-  void read(const StateEntry& entry, void* to) {
+  void read(const StateSlot& entry, void* to) {
     if (entry.count == 0) return;
     get(entry, to);
     const auto* byte = static_cast<const unsigned char*>(to);
@@ -72,18 +52,18 @@ class StateSource {
   StateSource(StateSource&&) = default;
   StateSource& operator=(const StateSource&) = default;
   StateSource& operator=(StateSource&&) = default;
-  virtual void get(const StateEntry& entry, void* to) = 0;
+  virtual void get(const StateSlot& entry, void* to) = 0;
 
   std::filesystem::path path_;
   std::vector<StateTerm> terms_;
-  std::vector<StateEntry> entries_;
+  std::vector<StateSlot> entries_;
 };
 
 /// A state put aside in memory.
 class StateCopy : public StateSource {
  public:
   /// Copies the numbers that the entries point to.
-  explicit StateCopy(std::vector<StateEntry> entries) : StateSource("memory") {
+  explicit StateCopy(std::vector<StateSlot> entries) : StateSource("memory") {
     entries_ = std::move(entries);
     for (auto& entry : entries_) {
       const auto* byte = static_cast<const unsigned char*>(entry.data);
@@ -93,7 +73,7 @@ class StateCopy : public StateSource {
   }
 
  private:
-  void get(const StateEntry& entry, void* to) override { std::memcpy(to, entry.data, entry.size()); }
+  void get(const StateSlot& entry, void* to) override { std::memcpy(to, entry.data, entry.size()); }
 
   std::vector<std::vector<unsigned char>> bytes_;  // [entries]
 };

@@ -50,7 +50,7 @@ namespace detail {
 /// An observer, if it has a state to save.
 template <class Observer>
 auto with_state(Observer& observer) {
-  if constexpr (requires(const StateSlots& slots) { observer.visit_state(slots); })
+  if constexpr (requires(StateSlots & slots) { observer.visit_state(slots); })
     return std::tie(observer);
   else
     return std::tuple<>();

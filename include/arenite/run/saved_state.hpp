@@ -8,7 +8,6 @@
 #include <filesystem>
 #include <functional>
 #include <string>
-#include <string_view>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -33,62 +32,6 @@ struct SavedState {
   requires std::convertible_to<Path, std::filesystem::path> SavedState(Path&& file, std::string made_by = {})
       : path(std::forward<Path>(file)), recipe(std::move(made_by)) {}
 };
-
-/// A value of a state, whatever its type.
-struct StateSlot {
-  StateEntry entry{};
-  bool is_array = false;
-  void* array = nullptr;  ///< whose count changes
-  void* (*resize)(void* array, std::size_t count) =
-      nullptr;  ///< returns where its numbers are then; null: no count changes
-};
-
-/// A visitor of slots: whatever is done with the values of a scene, one function finds them.
-class StateSlots {
- public:
-  using Visit = std::function<void(const StateSlot&)>;
-
-  explicit StateSlots(const Visit& visit) : visit_{visit} {}
-
-  template <class Value>
-  void operator()(std::string_view name, Value& value) const {
-    const auto slot = [&]<class Number>(Number* data, std::size_t count, bool is_array) {
-      static_assert(!std::is_const_v<Number>, "visit_state: a state that is restored must not be constant");
-      return StateSlot{{std::string(name), number_kind<Number>, sizeof(Number), count, data}, is_array};
-    };
-    if constexpr (state_number<Value>) {
-      visit_(slot(&value, 1, false));
-    } else {
-      StateSlot numbers = slot(value.data(), static_cast<std::size_t>(value.size()), true);
-      if constexpr (resizable_state_array<Value>) {
-        numbers.array = &value;
-        numbers.resize = [](void* array, std::size_t count) -> void* {
-          static_cast<Value*>(array)->resize(count);
-          return static_cast<Value*>(array)->data();
-        };
-      }
-      visit_(numbers);
-    }
-  }
-
- private:
-  const Visit& visit_;
-};
-
-/// A run whatever its type: calls a visitor with the state of its scene and observers.
-using StateOfRun = std::function<void(const StateSlots::Visit&)>;
-
-/// The state of a scene and of observers, "observers/0", ..
-template <class Scene, class... Observers>
-StateOfRun state_of_run(const Scene& scene, const Observers&... observers) {
-  // To visit changes nothing.
-  return [&](const StateSlots::Visit& visit) {
-    const StateSlots slots(visit);
-    for_each_state(const_cast<Scene&>(scene), slots);
-    [[maybe_unused]] std::size_t number = 0;
-    (visit_state_of(const_cast<Observers&>(observers), joined_text({"observers/", number++}), slots), ...);
-  };
-}
 
 namespace detail {
 
@@ -133,18 +76,12 @@ std::vector<StateTerm> state_terms(const Scene& scene, const std::string& recipe
                      mesh_words(scene), bodies, recipe);
 }
 
-/// All values, where they are.
-std::vector<StateEntry> state_entries(const StateOfRun& run);
-template <class Scene, class... Observers>
-std::vector<StateEntry> state_entries(const Scene& scene, const Observers&... observers) {
-  return state_entries(state_of_run(scene, observers...));
-}
-
 /// Restores a run: first looks at all names, types and counts, then writes all values and calls `follow`. What
 /// shows only then (counts that do not fit each other, cells that hold other points, ..) is refused too: the
 /// values that were there are put back and `renew` is called.
-void restore_run(StateSource& file, const std::vector<StateTerm>& terms, const StateOfRun& run,
-                 const std::function<void()>& follow, const std::function<void()>& renew);
+void restore_run(StateSource& file, const std::vector<StateTerm>& terms,
+                 const std::function<std::vector<StateSlot>()>& slots, const std::function<void()>& follow,
+                 const std::function<void()>& renew);
 
 /// Restores from a file that is open.
 template <class Scene, class... Observers>
@@ -161,8 +98,9 @@ void restore_from(StateSource&& file, Scene& scene, const std::string& recipe, O
     };
     (follow_observer(observers), ...);
   };
-  restore_run(file, state_terms(scene, recipe), state_of_run(scene, observers...), follow,
-              [&] { renew_from_state(scene); });
+  restore_run(
+      file, state_terms(scene, recipe), [&] { return state_slots(scene, observers...); }, follow,
+      [&] { renew_from_state(scene); });
 }
 
 }  // namespace detail
@@ -173,7 +111,7 @@ void restore_from(StateSource&& file, Scene& scene, const std::string& recipe, O
 template <class Scene, class... Observers>
 void save_state(const Scene& scene, const SavedState& to, const Observers&... observers) {
   write_state_file(to.path, detail::state_terms(scene, to.recipe),
-                   detail::state_entries(scene, observers...));
+                   state_slots(detail::state_owner(scene), detail::state_owner(observers)...));
 }
 
 /// Puts a saved state into a scene of the same recipe, and into the same observers in the same order (one with

@@ -24,15 +24,9 @@ ARENITE_COLD std::vector<StateTerm> state_terms(const std::array<std::string, 6>
   return terms;
 }
 
-ARENITE_COLD std::vector<StateEntry> state_entries(const StateOfRun& run) {
-  std::vector<StateEntry> entries;
-  run([&](const StateSlot& slot) { entries.push_back(slot.entry); });
-  return entries;
-}
-
 /// Throws the refusal of a state file of another run: its head, or its values, are not those of this one.
 ARENITE_COLD void refuse_other_run(const StateSource& file, const std::vector<StateTerm>& wanted,
-                                   const StateOfRun& run) {
+                                   const std::vector<StateSlot>& slots) {
   for (std::size_t k = 0; k < std::max(wanted.size(), file.terms().size()); ++k) {
     const StateTerm none_there{"nothing", "more"},
         &here = k < wanted.size() ? wanted[k] : none_there,
@@ -41,37 +35,37 @@ ARENITE_COLD void refuse_other_run(const StateSource& file, const std::vector<St
       file.refuse(joined_text({"is of another run: ", there.first, ": ", there.second, "; this one has ",
                                here.first, ": ", here.second}));
   }
-  std::size_t known = 0;
-  run([&](const StateSlot& slot) {
-    const StateEntry &here = slot.entry, *there = file.find(here.name);
+  for (const StateSlot& here : slots) {
+    const StateSlot* there = file.find(here.name);
     if (there == nullptr) file.refuse(joined_text({"has no ", here.name, ", which this run has"}));
     if (there->type() != here.type())
       file.refuse(joined_text({here.name, " is ", there->type(), "; in this run it is ", here.type()}));
-    if (slot.resize == nullptr && there->count != here.count)
+    if (here.resize == nullptr && there->count != here.count)
       file.refuse(
           joined_text({here.name, " has ", there->count, " numbers; in this run it has ", here.count}));
-    ++known;
-  });
-  if (known != file.entries().size())
-    file.refuse(joined_text({"holds ", file.entries().size(), " values; this run has ", known}));
+  }
+  if (slots.size() != file.entries().size())
+    file.refuse(joined_text({"holds ", file.entries().size(), " values; this run has ", slots.size()}));
 }
 
-ARENITE_COLD void write_values(StateSource& from, const StateOfRun& run) {
-  run([&](const StateSlot& slot) {
-    const StateEntry& entry = *from.find(slot.entry.name);
-    from.read(entry, slot.resize ? slot.resize(slot.array, entry.count) : const_cast<void*>(slot.entry.data));
-  });
+ARENITE_COLD void write_values(StateSource& from, const std::vector<StateSlot>& slots) {
+  for (const StateSlot& slot : slots) {
+    const StateSlot& entry = *from.find(slot.name);
+    from.read(entry, slot.resize ? slot.resize(slot.array, entry.count) : slot.data);
+  }
 }
 
-ARENITE_COLD void restore_run(StateSource& file, const std::vector<StateTerm>& terms, const StateOfRun& run,
+ARENITE_COLD void restore_run(StateSource& file, const std::vector<StateTerm>& terms,
+                              const std::function<std::vector<StateSlot>()>& slots,
                               const std::function<void()>& follow, const std::function<void()>& renew) {
-  refuse_other_run(file, terms, run);
-  StateCopy before(state_entries(run));
+  const std::vector<StateSlot> there = slots();
+  refuse_other_run(file, terms, there);
+  StateCopy before(there);
   try {
-    write_values(file, run);
+    write_values(file, there);
     follow();
   } catch (...) {
-    write_values(before, run);
+    write_values(before, slots());  // what follows from a state may have moved
     renew();
     throw;
   }

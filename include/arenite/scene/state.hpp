@@ -9,6 +9,8 @@
 #include <string>
 #include <tuple>
 #include <type_traits>
+#include <utility>
+#include <vector>
 
 #include <arenite/core/state_value.hpp>
 #include <arenite/scene/scene.hpp>
@@ -109,12 +111,22 @@ void visit_scene(Scene& scene, const F& f) {
 /// follows from the state is not in it: the sums and velocities of nodes (but masses and velocities where a
 /// part adds forces or bounds the step, for it may read those of the step before), the moved mesh, which
 /// unsorted point is in which cell, colours. Observers that carry something have a `visit_state` of their own
-/// (`visit_state_of`).
+/// (`visit_state_of`). Without types: `state_slots`.
 template <class Scene, class F>
 void for_each_state(Scene& scene, F&& f) {
   constexpr bool constant = std::is_const_v<Scene>;
   const StateUnder<std::remove_reference_t<F>, constant> top(f, "");
-  detail::visit_scene(const_cast<std::remove_const_t<Scene>&>(scene), top);
+  detail::visit_scene(detail::state_owner(scene), top);
+}
+
+/// The list of the state of a scene and of observers, "observers/0", ..
+template <class Scene, class... Observers>
+std::vector<StateSlot> state_slots(Scene& scene, Observers&... observers) {
+  StateSlots list;
+  for_each_state(scene, list);
+  [[maybe_unused]] std::size_t number = 0;
+  (visit_state_of(observers, joined_text({"observers/", number++}), list), ...);
+  return std::move(list.slots);
 }
 
 namespace detail {
@@ -122,10 +134,12 @@ namespace detail {
 /// Throws `error` where the columns of a body are no points: of unequal length, or nowhere, or of no mass.
 template <class Body>
 void check_points(Body& body, const std::string& path) {
-  body.points.visit_state([&](const std::string& name, const auto& column) {
-    require(column.size() == body.points.size(), {path, "/", name}, joined_text({column.size(), " numbers"}),
+  StateSlots columns;
+  StateUnder points(columns, path);
+  body.points.visit_state(points);
+  for (const StateSlot& column : columns.slots)
+    require(column.count == body.points.size(), column.name, joined_text({column.count, " numbers"}),
             {"must be as many as points have a mass, ", body.points.size()});
-  });
   for (std::size_t p = 0; p < body.points.size(); ++p) {
     const auto x = body.points.position[p];
     const auto name_of = [&](const char* name) { return joined_text({path, "/", name, "[", p, "]"}); };

@@ -210,17 +210,20 @@ class Frictional : public Memory, public detail::ElasticPart<Stiffness> {
       const bool returns = return_by_point(stress, step, history, back, parts);
       constexpr bool tells = requires { friction_.flow(compliance, history); };
       if constexpr (tells || sums_plastic_strain) {
-        T strain(0);
+        const auto flow = [&](const T& strain) {
+          if constexpr (tells)
+            friction_.flow(strain, history);
+          else
+            history.plastic_strain = history.plastic_strain + strain;
+        };
         if (returns) {
           using std::sqrt;
           const Sym<T, D> plastic = deviator(stress - back);  // strain times 2 G of the point, Pa
           const T per_stress = T(std::sqrt(2.0 / 3) / (2 * elasticity().shear())) * compliance;
-          strain = sqrt(contract(plastic, plastic)) * per_stress;
+          flow(T(sqrt(contract(plastic, plastic)) * per_stress));
+        } else {
+          flow(T(0));
         }
-        if constexpr (tells)
-          friction_.flow(strain, history);
-        else
-          history.plastic_strain = history.plastic_strain + strain;
       }
       if (returns) stress = back;
       return parts;

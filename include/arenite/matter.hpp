@@ -10,15 +10,9 @@
 #include <arenite/boundary/walls.hpp>
 #include <arenite/core/units.hpp>
 #include <arenite/law/drucker_prager.hpp>
-#include <arenite/law/inertial_friction.hpp>
 #include <arenite/law/linear_elastic.hpp>
-#include <arenite/law/linear_rate_friction.hpp>
-#include <arenite/law/logarithmic_friction.hpp>
 #include <arenite/law/mohr_coulomb.hpp>
-#include <arenite/law/rate_softening_friction.hpp>
-#include <arenite/law/rate_stiffness.hpp>
-#include <arenite/law/softening_friction.hpp>
-#include <arenite/law/stiffness.hpp>
+#include <arenite/law/policies.hpp>
 #include <arenite/law/with_deviatoric_strain.hpp>
 #include <arenite/mesh/motion.hpp>
 #include <arenite/mesh/periodic_grid.hpp>

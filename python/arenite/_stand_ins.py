@@ -1,10 +1,13 @@
 """Compositions that stand for others: what is neither prebuilt nor in the cache runs in a prebuilt composition that has more, if one
-does, with the same bits. `PARTS` and `KEPT` are the whole rule; what costs more than 5 % of a step is not in it."""
+does, with the same bits. `PARTS` and `kept` are the whole rule; what costs more than 5 % of a step is not in it."""
 
 from __future__ import annotations
 
+import functools
 from dataclasses import dataclass
-from typing import Any, Callable, Dict, FrozenSet, Iterable, List, NamedTuple, Optional, Tuple
+from typing import Any, Callable, Dict, Iterable, List, NamedTuple, Optional, Tuple
+
+from . import _core
 
 Values = Dict[str, Any]
 
@@ -35,17 +38,14 @@ PARTS = (
     PartStandIn("Reactions", None, lambda *_: {}, "reactions/"),
 )
 
-#: The policy that stands for all these, and the numbers of its history that each of them keeps itself.
+#: The policy that stands for all frictions.
 ANY = "AnyFriction"
-KEPT: Dict[str, FrozenSet[str]] = {
-    "ConstantFriction": frozenset(),
-    "LinearRateFriction": frozenset({"shear_rate"}),
-    "InertialFriction": frozenset({"shear_rate"}),
-    "LogarithmicFriction": frozenset({"shear_rate"}),
-    "SofteningFriction": frozenset({"plastic_strain"}),
-    "RateSofteningFriction": frozenset({"shear_rate", "plastic_strain"}),
-}
-OF_ANY = ("shear_rate", "plastic_strain")
+
+
+@functools.lru_cache(maxsize=None)
+def kept() -> Dict[str, List[str]]:
+    """The numbers of its history that each friction keeps; `ANY` keeps those of all."""
+    return dict(_core.frictions())
 
 
 class StandIn(NamedTuple):
@@ -80,7 +80,7 @@ def law_stand_in(law: str, of: str) -> Optional[str]:
         return law_stand_in(given[0], given_of[0]) if given[1:] == given_of[1:] else None
     usual = ("ForgetsOpening", "ConstantFriction", "ConstantStiffness")
     full, full_of = given + usual[len(given):], given_of + usual[len(given_of):]
-    return full_of[1] if full[0::2] == full_of[0::2] and full[1] == ANY and full_of[1] in KEPT else None
+    return full_of[1] if full[0::2] == full_of[0::2] and full[1] == ANY and full_of[1] in kept() else None
 
 
 def law_value(value: Values, policy: Optional[str]) -> Values:
@@ -95,7 +95,7 @@ def fill_value(value: Values, policy: Optional[str]) -> Values:
 
 def hidden_history(policy: Optional[str]) -> List[str]:
     """Numbers of a history which `ANY` keeps and a policy does not."""
-    return [name for name in OF_ANY if policy and name not in KEPT[policy]]
+    return [name for name in kept()[ANY] if name not in kept()[policy]] if policy else []
 
 
 def _bodies(type_name: str, of: str, values: List[Values]) -> Optional[Tuple[List[Any], List[str], List[Optional[str]]]]:
@@ -154,4 +154,4 @@ def find(type_name: str, values: List[Any], dimension: int, prebuilt: Iterable[s
     return min(found)[2] if found else None
 
 
-__all__ = ["ANY", "KEPT", "PARTS", "PartStandIn", "StandIn", "find"]
+__all__ = ["ANY", "PARTS", "PartStandIn", "StandIn", "find", "kept"]

@@ -10,6 +10,7 @@ from typing import Any, Dict, Optional, Tuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from ._core import frictions
 from ._errors import Error
 from ._recipe import Recipe, check_together
 
@@ -196,9 +197,9 @@ class AnyFriction(Policy):
     policy: Policy = field(default_factory=ConstantFriction)
 
     def __post_init__(self) -> None:
-        held = (ConstantFriction, LinearRateFriction, InertialFriction, LogarithmicFriction, SofteningFriction, RateSofteningFriction)
-        if not isinstance(self.policy, held):
-            raise Error(f"AnyFriction.policy = {self.policy!r}: must be one of {', '.join(policy.__name__ for policy in held)}")
+        held = [name for name, _ in frictions() if name != "AnyFriction"]
+        if type(self.policy).__name__ not in held:
+            raise Error(f"AnyFriction.policy = {self.policy!r}: must be one of {', '.join(held)}")
 
     def value(self) -> Any:
         return {"policy": type(self.policy).__name__, "values": self.policy.value()}

@@ -3,6 +3,7 @@
 #include "checks.hpp"
 
 #include <arenite/host/read_recipes.hpp>
+#include <arenite/law/any_friction.hpp>
 #include <arenite/run/watch.hpp>
 #include <cmath>
 #include <map>
@@ -101,21 +102,15 @@ void check_law(const Value& values) {
   of_law.erase("stiffness_law");
   reads<Law>(Value(std::move(of_law)));
 }
-template <template <class, class, class> class Law, class Memory, class... Friction>
-void add_law(Checks& checks, const char* name) {
-  (checks.emplace(
-       joined_text({name, "<", detail::spoken_name<Memory>(), ", ", detail::spoken_name<Friction>(), ">"}),
-       &check_law<Law<Memory, Friction, ConstantStiffness>>),
-   ...);
-}
 template <template <class, class, class> class Law>
 void add_laws(Checks& checks, const char* name) {
-  const auto with = [&]<class Memory>(std::type_identity<Memory>) {
-    add_law<Law, Memory, ConstantFriction, LinearRateFriction, InertialFriction, LogarithmicFriction,
-            SofteningFriction, RateSofteningFriction>(checks, name);
-  };
-  with(std::type_identity<ForgetsOpening>{});
-  with(std::type_identity<RemembersOpening>{});
+  Memories::each([&]<class Memory>(std::type_identity<Memory>) {
+    Frictions::each([&]<class Friction>(std::type_identity<Friction>) {
+      checks.emplace(
+          joined_text({name, "<", detail::spoken_name<Memory>(), ", ", detail::spoken_name<Friction>(), ">"}),
+          &check_law<Law<Memory, Friction, ConstantStiffness>>);
+    });
+  });
 }
 
 // Options of parts, bodies and paths that hang on no scene. Their functions of place are called by the scene.
@@ -149,12 +144,22 @@ void add_read(Checks& checks) {
   (checks.emplace(detail::spoken_name<T>(), &reads<T>), ...);
 }
 
+/// Those of a family that have parameters.
+template <class Family>
+void add_policies(Checks& checks) {
+  Family::each([&]<class P>(std::type_identity<P>) {
+    if constexpr (requires { typename P::Parameters; }) add_read<P>(checks);
+  });
+}
+
 Checks made() {
   Checks checks;
   add_laws<MohrCoulomb>(checks, "MohrCoulomb");
   add_laws<DruckerPrager>(checks, "DruckerPrager");
-  add_read<LinearElastic, RemembersOpening, LinearRateFriction, InertialFriction, LogarithmicFriction,
-           SofteningFriction, RateSofteningFriction, PressureStiffness, RateStiffness>(checks);
+  add_read<LinearElastic>(checks);
+  add_policies<Memories>(checks);
+  add_policies<Frictions>(checks);
+  add_policies<Stiffnesses>(checks);
   add_read<Flip, Aflip, ElementAverage, NodalAndElementAverage>(checks);
   add_read<ViscousDamping, LocalDamping, Coulomb<>, FrictionalWall, FaceTraction, BodyForce, PointLoad,
            Prescribed>(checks);
@@ -254,15 +259,16 @@ void refuse_meshes(Refusals& refused) {
                    "LinearGrid, QuadraticBSpline and CubicBSpline with CartesianGrid")),
    ...);
 }
-template <class Stiffness, class... Friction>
 void refuse_stiffness(Refusals& refused) {
-  using Read = typename Stiffness::template History<double>;
-  ((std::is_base_of_v<Read, typename Friction::template History<double>>
-        ? void()
-        : void(refused[{word<Stiffness>(), word<Friction>()}] =
-                   "Stiffness: reads a history that the friction policy must keep, such as "
-                   "RateSofteningFriction")),
-   ...);
+  Stiffnesses::each([&]<class Stiffness>(std::type_identity<Stiffness>) {
+    if constexpr (requires { requires Stiffness::reads_friction_history; })
+      Frictions::each([&]<class Friction>(std::type_identity<Friction>) {
+        if (!std::is_base_of_v<typename Stiffness::template History<double>,
+                               typename Friction::template History<double>>)
+          refused[{word<Stiffness>(), word<Friction>()}] =
+              "Stiffness: reads a history that the friction policy must keep, such as RateSofteningFriction";
+      });
+  });
 }
 
 template <class Mesh>
@@ -321,9 +327,7 @@ Refusals refusals() {
   of_shape(std::type_identity<CubicBSpline>{});
   of_shape(std::type_identity<UGimp<2>>{});
   of_shape(std::type_identity<LinearSimplex>{});
-  static_assert(RateStiffness::reads_friction_history);
-  refuse_stiffness<RateStiffness, ConstantFriction, LinearRateFriction, InertialFriction, LogarithmicFriction,
-                   SofteningFriction, RateSofteningFriction>(refused);
+  refuse_stiffness(refused);
   const auto in_space = [&]<class K>(std::type_identity<K>) {
     for (const int d : {2, 3})
       if (d != K::dimension)
@@ -353,6 +357,16 @@ void check_recipe(const std::string& recipe, const Value& values) {
 std::vector<std::string> checked_recipes() {
   std::vector<std::string> all;
   for (const auto& [recipe, check] : checks()) all.push_back(recipe);
+  return all;
+}
+std::vector<std::pair<std::string, std::vector<std::string>>> frictions() {
+  std::vector<std::pair<std::string, std::vector<std::string>>> all;
+  const auto add = [&]<class P>(std::type_identity<P>) {
+    const auto& names = history_names<typename P::template History<double>>;
+    all.emplace_back(detail::spoken_name<P>(), std::vector<std::string>(names.begin(), names.end()));
+  };
+  Frictions::each(add);
+  add(std::type_identity<AnyFriction>{});
   return all;
 }
 void check_together(const std::vector<std::string>& recipes) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <arenite/host/value.hpp>
@@ -15,6 +16,9 @@ void check_recipe(const std::string& recipe, const Value& values);
 
 /// The recipes that have rules.
 std::vector<std::string> checked_recipes();
+
+/// The library's frictions, each with the names of its history, and `AnyFriction`, which stands for all.
+std::vector<std::pair<std::string, std::vector<std::string>>> frictions();
 
 /// Throws `error` if recipes, by their classes, do not go together: {"LinearSimplex", "Apic"}.
 void check_together(const std::vector<std::string>& recipes);

@@ -376,6 +376,7 @@ PYBIND11_MODULE(_core, m) {
   });
   m.def("check_together", &check_together);
   m.def("checked_recipes", &checked_recipes);
+  m.def("frictions", &frictions);
   m.def("check_scene", [](const std::string& mesh_type, py::handle mesh,
                           const std::vector<std::string>& types, py::handle parts) {
     const CallFromPython call;

@@ -12,18 +12,23 @@ template <class Parameters>
 shared_detail::Registration parameters(const char* of) {
   return shared_detail::Registration(Plugin::Recipe{of, &members_of<Parameters>});
 }
+/// Those of a family of policies.
+template <class Family>
+struct Policies {
+  Policies() {
+    Family::each([]<class P>(std::type_identity<P>) {
+      if constexpr (requires { typename P::Parameters; })
+        parameters<typename P::Parameters>(type_words<P>().c_str());
+    });
+  }
+};
+const Policies<Memories> memories;
+const Policies<Frictions> frictions;
+const Policies<Stiffnesses> stiffnesses;
 const shared_detail::Registration recipes[]{
     parameters<LinearElasticParameters>("LinearElastic"),
     parameters<MohrCoulombParameters>("MohrCoulomb"),
     parameters<DruckerPragerParameters>("DruckerPrager"),
-    parameters<RemembersOpening::Parameters>("RemembersOpening"),
-    parameters<LinearRateFriction::Parameters>("LinearRateFriction"),
-    parameters<InertialFriction::Parameters>("InertialFriction"),
-    parameters<LogarithmicFriction::Parameters>("LogarithmicFriction"),
-    parameters<SofteningParameters>("SofteningFriction"),
-    parameters<RateSofteningFriction::Parameters>("RateSofteningFriction"),
-    parameters<RateStiffness::Parameters>("RateStiffness"),
-    parameters<PressureStiffness::Parameters>("PressureStiffness"),
     parameters<Flip>("Flip"),
     parameters<Aflip>("Aflip"),
     parameters<Fmpm>("Fmpm"),

@@ -178,7 +178,7 @@ void check(const Friction& friction = {}, const Stiffness& stiffness = {}) {
                    .friction = s.friction,
                    .cohesion = s.cohesion,
                    .dilatancy = s.dilatancy};
-      if (!Memory::remembers) p.tension = s.tension;
+      if (!Memory::remembers()) p.tension = s.tension;
       if constexpr (requires { p.cone; })
         p.cone = cone;
       else if (cone != Cone::compression)

@@ -164,6 +164,46 @@ TEST_CASE("the dilatancy of a step is that of its rate and of the plastic strain
   CHECK(point.dilation > 0.01);
 }
 
+namespace {
+
+/// Constant friction that sums twice what it is told.
+struct Told {
+  template <class T>
+  using History = PlasticStrainHistory<T>;
+  template <class T, int D>
+  T slope(double given, const StrainStep<T, D>&, const History<T>&) const {
+    return T(given);
+  }
+  template <class T>
+  void flow(const T& strain, History<T>& history) const {
+    history.plastic_strain = history.plastic_strain + T(2) * strain;
+  }
+};
+/// The same, summed by the law.
+struct Untold {
+  template <class T>
+  using History = PlasticStrainHistory<T>;
+  template <class T, int D>
+  T slope(double given, const StrainStep<T, D>&, const History<T>&) const {
+    return T(given);
+  }
+};
+
+}  // namespace
+
+TEST_CASE("the law sums the plastic strain of a history, unless the policy does") {
+  const auto summed = [](const auto& policy) {
+    return simple_shear(mohr_coulomb(policy), 10_kPa, 0.1, 1, 1000);
+  };
+  const auto by_law = summed(Untold{});
+  const auto by_policy = summed(Told{});
+  // The plastic strain is what the elastic strain leaves of the whole.
+  const double shear = mohr_coulomb(Untold{}).elasticity().shear();
+  CHECK(by_law.history.plastic_strain ==
+        Approx((0.1 - by_law.stress[3] / shear) / std::sqrt(3.0)).epsilon(1e-9));
+  CHECK(by_policy.history.plastic_strain == Approx(2 * by_law.history.plastic_strain).epsilon(1e-14));
+}
+
 TEST_CASE("the displacement over which a band of one cell softens does not depend on the cells") {
   const auto slope_after = [](double cell, double slip) {
     auto p = soft;

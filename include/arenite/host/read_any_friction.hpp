@@ -25,17 +25,11 @@ ARENITE_READER AnyFriction ValueReader<AnyFriction>::read(const Value& value, co
   const Value* const values = value.find("values");
   AnyFriction any;
   bool found = false;
-  const auto look = [&]<class P>(std::type_identity<P>) {
+  Frictions::each([&]<class P>(std::type_identity<P>) {
     if (!name || *name != type_words<P>()) return;
     any = AnyFriction{arenite::read<P>(values ? *values : Value(), at)};
     found = true;
-  };
-  look(std::type_identity<ConstantFriction>{});
-  look(std::type_identity<LinearRateFriction>{});
-  look(std::type_identity<InertialFriction>{});
-  look(std::type_identity<LogarithmicFriction>{});
-  look(std::type_identity<SofteningFriction>{});
-  look(std::type_identity<RateSofteningFriction>{});
+  });
   if (!found) at.refuse(value, "must name a friction policy of the library");
   return any;
 }

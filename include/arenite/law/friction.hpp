@@ -3,9 +3,12 @@
 #pragma once
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include <array>
 #include <cmath>
 #include <concepts>
 #include <limits>
+#include <tuple>
+#include <type_traits>
 
 #include <arenite/law/law.hpp>
 
@@ -15,6 +18,16 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 struct GivenAngles {
   double friction, dilatancy;     ///< rad
   double slope, dilatancy_slope;  ///< their tangents
+};
+
+/// History of a policy that depends on the plastic strain, or a base of it: the law sums it, from the strains
+/// that `flow` is told.
+template <class T>
+struct PlasticStrainHistory {
+  T plastic_strain{0};  ///< deviatoric, sum of sqrt(2/3 de:de), -
+  static constexpr std::array names{"plastic_strain"};
+  constexpr auto members() { return std::tie(plastic_strain); }
+  constexpr auto members() const { return std::tie(plastic_strain); }
 };
 
 /// The angle of the law's parameters, everywhere and always. Stores nothing.
@@ -50,13 +63,19 @@ struct GivenAngles {
 /// - `bool own_dilatancy() const`: whether `dilatancy_slope` is to be asked, where constants decide on it.
 /// - `void flow(const T& strain, History<T>& history) const`: is told the deviatoric plastic strain of each
 ///   step, sqrt(2/3 e:e), -; 0 where nothing yields. What hardens or softens with it does so from the next
-///   step on.
+///   step on. A history that is a `PlasticStrainHistory` needs none.
 /// - `bool constant() const`: whether its constants make it the same as `ConstantFriction` (a rate term of
 ///   0). The law then returns to its one surface, with the same results to the bit; the history is kept up.
 /// - `void check(const GivenAngles& given) const`: throws `error` if its constants do not go with the law's.
 struct ConstantFriction {
   template <class T>
   using History = NoHistory<T>;
+
+  bool constant() const { return true; }
+  template <class T, int D>
+  T slope(double given, const StrainStep<T, D>&, const NoHistory<T>&) const {
+    return T(given);
+  }
 };
 
 namespace detail {

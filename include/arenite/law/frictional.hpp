@@ -37,6 +37,28 @@ template <class T, class A, class B>
 using WithHistory =
     std::conditional_t<std::is_same_v<B, NoHistory<T>> || std::is_base_of_v<B, A>, A, JoinedHistory<A, B>>;
 
+/// Calls `call` with a policy, or with that which one chosen at run time holds.
+template <class Policy, class Call>
+void visit_policy(const Policy& policy, const Call& call) {
+  if constexpr (requires { policy.visit(call); })
+    policy.visit(call);
+  else
+    call(policy);
+}
+/// Throws `error` unless the friction keeps what the stiffness reads: for policies chosen at run time, which
+/// the compiler cannot refuse.
+template <class Stiffness, class Friction>
+void check_history(const Stiffness& stiffness, const Friction& friction) {
+  visit_policy(stiffness, [&]<class S>(const S&) {
+    if constexpr (requires { requires S::reads_friction_history; })
+      visit_policy(friction, []<class F>(const F&) {
+        if (!std::is_base_of_v<typename S::template History<double>, typename F::template History<double>>)
+          throw error(
+              "Stiffness: reads a history that the friction policy must keep, such as RateSofteningFriction");
+      });
+  });
+}
+
 /// The answer to a comparison of Ts: `bool`, or a mask of a pack.
 template <class T>
 using mask_of = decltype(std::declval<T>() < std::declval<T>());
@@ -94,6 +116,8 @@ class Frictional : public Memory, public detail::ElasticPart<Stiffness> {
   static constexpr bool constant_stiffness = std::is_same_v<Stiffness, ConstantStiffness>;
   static constexpr bool bounded = requires(const Friction f, GivenAngles g) { f.least_slope(g); };
   static constexpr bool implicit = requires(const Friction f) { f.implicit(); };
+  static constexpr bool sums_plastic_strain =
+      std::is_base_of_v<PlasticStrainHistory<double>, typename Friction::template History<double>>;
   static constexpr bool has_dilatancy =
       requires(const Friction f, GivenAngles g, const typename Friction::template History<double> h) {
     f.dilatancy_slope(g, h);
@@ -122,8 +146,10 @@ class Frictional : public Memory, public detail::ElasticPart<Stiffness> {
         friction_(friction),
         parameters_(p) {
     detail::check_strength(name, {p.friction, p.cohesion, p.dilatancy, p.tension, p.greatest_volume_ratio},
-                           Memory::remembers);
+                           memory.remembers());
     if constexpr (requires { friction.check(given_); }) friction.check(given_);
+    if constexpr (requires { requires Stiffness::reads_friction_history; })
+      detail::check_history(stiffness, friction);
     if constexpr (bounded) least_slope_ = friction.least_slope(given_);
     if constexpr (implicit)
       pressure_changes_ =
@@ -151,8 +177,7 @@ class Frictional : public Memory, public detail::ElasticPart<Stiffness> {
       parts = {parts.opening * compliance, parts.dilation * compliance};
     }
     Memory::open(parts.opening, history);
-    if constexpr (Memory::remembers)
-      parts.opening = parts.opening + trace(step.strain) - trace(carried.strain);
+    if (Memory::remembers()) parts.opening = parts.opening + trace(step.strain) - trace(carried.strain);
     return parts;
   }
 
@@ -183,14 +208,21 @@ class Frictional : public Memory, public detail::ElasticPart<Stiffness> {
       Sym<T, D> back;
       Inelastic<T> parts{T(0), T(0)};
       const bool returns = return_by_point(stress, step, history, back, parts);
-      if constexpr (requires { friction_.flow(compliance, history); }) {
-        using std::sqrt;
+      constexpr bool tells = requires { friction_.flow(compliance, history); };
+      if constexpr (tells || sums_plastic_strain) {
+        const auto flow = [&](const T& strain) {
+          if constexpr (tells)
+            friction_.flow(strain, history);
+          else
+            history.plastic_strain = history.plastic_strain + strain;
+        };
         if (returns) {
+          using std::sqrt;
           const Sym<T, D> plastic = deviator(stress - back);  // strain times 2 G of the point, Pa
           const T per_stress = T(std::sqrt(2.0 / 3) / (2 * elasticity().shear())) * compliance;
-          friction_.flow(T(sqrt(contract(plastic, plastic)) * per_stress), history);
+          flow(T(sqrt(contract(plastic, plastic)) * per_stress));
         } else {
-          friction_.flow(T(0), history);
+          flow(T(0));
         }
       }
       if (returns) stress = back;

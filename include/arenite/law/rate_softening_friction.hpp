@@ -63,10 +63,6 @@ class RateSofteningFriction {
     return softening_.dilatancy_slope(peak(given.dilatancy, dilatancy_per_decade_, history.shear_rate),
                                       softening_.left(history));
   }
-  template <class T>
-  void flow(const T& strain, History<T>& history) const {
-    history.plastic_strain = history.plastic_strain + strain;
-  }
 
  private:
   static constexpr const char* name = "RateSofteningFriction";

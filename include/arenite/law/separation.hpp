@@ -16,7 +16,7 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 /// Separated matter carries stress as soon as it is compressed again, however far it had opened. Stores
 /// nothing.
 struct ForgetsOpening {
-  static constexpr bool remembers = false;
+  static constexpr bool remembers() { return false; }
 
   template <class T>
   using History = NoHistory<T>;
@@ -34,7 +34,7 @@ struct ForgetsOpening {
 /// Separated matter carries no stress until what it had opened is closed again.
 class RemembersOpening {
  public:
-  static constexpr bool remembers = true;
+  static constexpr bool remembers() { return true; }
 
   template <class T>
   struct History {

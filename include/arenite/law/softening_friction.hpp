@@ -3,10 +3,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <string_view>
-#include <tuple>
 
 #include <arenite/law/elasticity.hpp>
 #include <arenite/law/friction.hpp>
@@ -22,15 +20,6 @@ struct SofteningParameters {
   /// Size of the cells, m, and size of those, or thickness of the band of shear, that `decay` belongs to.
   /// Both 0: `decay` as it is.
   double cell_size = 0, reference_size = 0;
-};
-
-/// History of a policy that depends on the plastic strain.
-template <class T>
-struct PlasticStrainHistory {
-  T plastic_strain{0};  ///< deviatoric, sum of sqrt(2/3 de:de), -
-  static constexpr std::array names{"plastic_strain"};
-  constexpr auto members() { return std::tie(plastic_strain); }
-  constexpr auto members() const { return std::tie(plastic_strain); }
 };
 
 namespace detail {
@@ -123,10 +112,6 @@ class SofteningFriction {
   template <class T>
   T dilatancy_slope(const GivenAngles& given, const History<T>& history) const {
     return softening_.dilatancy_slope(T(given.dilatancy), softening_.left(history));
-  }
-  template <class T>
-  void flow(const T& strain, History<T>& history) const {
-    history.plastic_strain = history.plastic_strain + strain;
   }
 
  private:

@@ -29,6 +29,15 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 struct ConstantStiffness {
   template <class T>
   using History = NoHistory<T>;
+
+  template <class T, int D>
+  T factor(const Sym<T, D>&, const NoHistory<T>&) const {
+    return T(1);
+  }
+  template <class T, int D>
+  T energy(const Elasticity& elasticity, const Sym<T, D>& stress, const NoHistory<T>&) const {
+    return elasticity.energy(stress);
+  }
 };
 
 /// E = E_ref (p / p_ref)^n of the mean pressure p at the start of the step, E_ref of the law's parameters;

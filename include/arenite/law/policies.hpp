@@ -1,0 +1,38 @@
+// Policies of frictional laws: the one list of each family. A new policy of the library is its header and its
+// name here; from these lists come the laws whose policies are chosen at run time, what a host can read, and
+// which rules are checked.
+#pragma once
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include <type_traits>
+
+#include <arenite/law/inertial_friction.hpp>
+#include <arenite/law/linear_rate_friction.hpp>
+#include <arenite/law/logarithmic_friction.hpp>
+#include <arenite/law/rate_softening_friction.hpp>
+#include <arenite/law/rate_stiffness.hpp>
+#include <arenite/law/separation.hpp>
+#include <arenite/law/softening_friction.hpp>
+#include <arenite/law/stiffness.hpp>
+
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
+
+/// Types of a family, the default first.
+template <class... Policy>
+struct PolicyFamily {
+  template <template <class...> class Template>
+  using in = Template<Policy...>;
+
+  /// Calls `call(std::type_identity<Policy>{})` for each.
+  template <class Call>
+  static constexpr void each(const Call& call) {
+    (call(std::type_identity<Policy>{}), ...);
+  }
+};
+
+using Memories = PolicyFamily<ForgetsOpening, RemembersOpening>;
+using Frictions = PolicyFamily<ConstantFriction, LinearRateFriction, InertialFriction, LogarithmicFriction,
+                               SofteningFriction, RateSofteningFriction>;
+using Stiffnesses = PolicyFamily<ConstantStiffness, PressureStiffness, RateStiffness>;
+
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

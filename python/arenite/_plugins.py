@@ -115,7 +115,7 @@ def scene_plugin(type_name: str, headers: Sequence[str], check: Callable[[], Non
 
 
 class _NarrowLaw:
-    """A law whose history has the columns of the policy that another one stands for."""
+    """A law whose history has only the numbers of its own policies."""
 
     def __init__(self, native: Any, hidden: Sequence[str]) -> None:
         self._native = native
@@ -162,13 +162,8 @@ def law(recipe: Any) -> Any:
     header, type_name = recipe.header(), recipe.cpp()
     with _lock:
         plugin = None if header else _at_hand(_laws, "law", type_name)
-        if plugin is None and not header:
-            for name in _prebuilt_names(_laws):
-                policy = _stand_ins.law_stand_in(name, type_name)
-                if policy:
-                    native = _laws[name].law(name, _stand_ins.law_value(recipe.value(), policy))
-                    return _NarrowLaw(native, _stand_ins.hidden_history(policy))
-        return (plugin or _built("law", type_name, [header] if header else [])).law(type_name, recipe.value())
+        native = (plugin or _built("law", type_name, [header] if header else [])).law(type_name, recipe.value())
+    return _NarrowLaw(native, recipe.hidden_history()) if recipe.hidden_history() else native
 
 
 def recipes() -> List[Any]:

@@ -1,9 +1,8 @@
 """Compositions that stand for others: what is neither prebuilt nor in the cache runs in a prebuilt composition that has more, if one
-does, with the same bits. `PARTS` and `kept` are the whole rule; what costs more than 5 % of a step is not in it."""
+does, with the same bits. `PARTS` is the whole rule; what costs more than 5 % of a step is not in it."""
 
 from __future__ import annotations
 
-import functools
 from dataclasses import dataclass
 from typing import Any, Callable, Dict, Iterable, List, NamedTuple, Optional, Tuple
 
@@ -38,22 +37,11 @@ PARTS = (
     PartStandIn("Reactions", None, lambda *_: {}, "reactions/"),
 )
 
-#: The policy that stands for all frictions.
-ANY = "AnyFriction"
-
-
-@functools.lru_cache(maxsize=None)
-def kept() -> Dict[str, List[str]]:
-    """The numbers of its history that each friction keeps; `ANY` keeps those of all."""
-    return dict(_core.frictions())
-
-
 class StandIn(NamedTuple):
     type: str
     parts: List[Any]  #: values of its parts, that of the bodies first
     hidden: Tuple[str, ...]  #: beginnings of paths of its state that the scene does not have
     neutral: Tuple[str, ...]  #: types of parts that the scene does not have
-    frictions: Tuple[Optional[str], ...]  #: by body: the policy that `ANY` stands for
 
 
 def arguments(type_name: str) -> Tuple[str, Tuple[str, ...]]:
@@ -67,52 +55,6 @@ def arguments(type_name: str) -> Tuple[str, Tuple[str, ...]]:
         else:
             found[-1] += letter
     return head, tuple(a.strip() for a in found if a.strip())
-
-
-def law_stand_in(law: str, of: str) -> Optional[str]:
-    """The policy of law `of` which `ANY` in `law` stands for; "" if the laws are the same, None if it does not stand for it."""
-    if law == of:
-        return ""
-    (name, given), (name_of, given_of) = arguments(law), arguments(of)
-    if name != name_of:
-        return None
-    if name == "WithDeviatoricStrain":
-        return law_stand_in(given[0], given_of[0]) if given[1:] == given_of[1:] else None
-    usual = ("ForgetsOpening", "ConstantFriction", "ConstantStiffness")
-    full, full_of = given + usual[len(given):], given_of + usual[len(given_of):]
-    return full_of[1] if full[0::2] == full_of[0::2] and full[1] == ANY and full_of[1] in kept() else None
-
-
-def law_value(value: Values, policy: Optional[str]) -> Values:
-    """The values of a law with `ANY` in the place of a policy."""
-    return {**value, "friction_law": {"policy": policy, "values": value.get("friction_law", {})}} if policy else value
-
-
-def fill_value(value: Values, policy: Optional[str]) -> Values:
-    """The values of a fill with such a law."""
-    return {**value, "law": law_value(value["law"], policy)}
-
-
-def hidden_history(policy: Optional[str]) -> List[str]:
-    """Numbers of a history which `ANY` keeps and a policy does not."""
-    return [name for name in kept()[ANY] if name not in kept()[policy]] if policy else []
-
-
-def _bodies(type_name: str, of: str, values: List[Values]) -> Optional[Tuple[List[Any], List[str], List[Optional[str]]]]:
-    fills, fills_of = arguments(type_name)[1], arguments(of)[1]
-    if len(fills) != len(fills_of):
-        return None
-    made: List[Any] = []
-    hidden: List[str] = []
-    policies: List[Optional[str]] = []
-    for k, (fill, fill_of, value) in enumerate(zip(fills, fills_of, values)):
-        policy = law_stand_in(arguments(fill)[1][0], arguments(fill_of)[1][0])
-        if policy is None or set(value["options"]["history"]) & set(hidden_history(policy)):
-            return None
-        made.append(fill_value(value, policy))
-        policies.append(policy or None)
-        hidden += [f"bodies/{k}/points/history/{name}" for name in hidden_history(policy)]
-    return made, hidden, policies
 
 
 def _parts(parts: Tuple[str, ...], of: Tuple[str, ...], values: List[Any],
@@ -137,21 +79,19 @@ def _parts(parts: Tuple[str, ...], of: Tuple[str, ...], values: List[Any],
 
 
 def find(type_name: str, values: List[Any], dimension: int, prebuilt: Iterable[str]) -> Optional[StandIn]:
-    """The prebuilt composition that stands for a scene's, the one with the fewest other policies and parts; None if there is none.
+    """The prebuilt composition that stands for a scene's, the one with the fewest other parts; None if there is none.
     `values`: of the scene's parts."""
     of = arguments(type_name)[1]
     found: List[Tuple[int, str, StandIn]] = []
     for name in prebuilt:
         given = arguments(name)[1]
-        if given[:3] != of[:3]:
+        if given[:4] != of[:4]:
             continue
-        bodies = _bodies(given[3], of[3], values[0])
         parts = _parts(given[4:], of[4:], values[1:], dimension)
-        if bodies is None or parts is None:
-            continue
-        made = StandIn(name, [bodies[0], *parts[0]], (*bodies[1], *parts[1]), tuple(parts[2]), tuple(bodies[2]))
-        found.append((sum(p is not None for p in made.frictions) + len(set(given[4:]) - set(of[4:])), name, made))
+        if parts is not None:
+            made = StandIn(name, [values[0], *parts[0]], tuple(parts[1]), tuple(parts[2]))
+            found.append((len(set(given[4:]) - set(of[4:])), name, made))
     return min(found)[2] if found else None
 
 
-__all__ = ["ANY", "PARTS", "PartStandIn", "StandIn", "find", "kept"]
+__all__ = ["PARTS", "PartStandIn", "StandIn", "find"]

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import dataclasses
 import enum
+import warnings
 from dataclasses import dataclass, field
 from typing import Any, Dict, Optional, Tuple
 
@@ -23,6 +24,10 @@ class Law(Recipe):
     def header(self) -> Optional[str]:
         """The C++ header of a law of one's own."""
         return None
+
+    def hidden_history(self) -> Tuple[str, ...]:
+        """Numbers which the points of its C++ class remember for other policies."""
+        return ()
 
     def native(self) -> Any:
         from . import _plugins
@@ -186,23 +191,10 @@ class RateSofteningFriction(Policy):
     smoothing: float = 0.0
 
 
-@dataclass(frozen=True)
-class AnyFriction(Policy):
-    """One of the other frictions, chosen when the scene is made: the same results, and one composition for all of them. The points
-    have `shear_rate` and `plastic_strain` whichever it is. A scene whose own composition is not at hand takes it by itself.
-
-    parameter  unit  range       default
-    policy     -     a friction  ConstantFriction"""
-
-    policy: Policy = field(default_factory=ConstantFriction)
-
-    def __post_init__(self) -> None:
-        held = [name for name, _ in frictions() if name != "AnyFriction"]
-        if type(self.policy).__name__ not in held:
-            raise Error(f"AnyFriction.policy = {self.policy!r}: must be one of {', '.join(held)}")
-
-    def value(self) -> Any:
-        return {"policy": type(self.policy).__name__, "values": self.policy.value()}
+def AnyFriction(policy: Policy) -> Policy:
+    """Deprecated: any friction is chosen at run time. Give the law the friction itself."""
+    warnings.warn("AnyFriction(policy) is policy: each friction is chosen at run time", DeprecationWarning, stacklevel=2)
+    return policy
 
 
 @dataclass(frozen=True)
@@ -266,21 +258,22 @@ class _Frictional(Law):
     stiffness_law: Policy = field(default_factory=ConstantStiffness)
 
     def cpp(self) -> str:
-        given = [self.memory.cpp(), self.friction_law.cpp(), self.stiffness_law.cpp()]
-        usual = ["ForgetsOpening", "ConstantFriction", "ConstantStiffness"]
-        while given and given[-1] == usual[len(given) - 1]:
-            given.pop()
-        return f"{type(self).__name__}<{', '.join(given)}>"
+        stiffness = self.stiffness_law.cpp()
+        return self.rules() if stiffness == "ConstantStiffness" else f"{self.rules()[:-1]}, {stiffness}>"
+
+    def value(self) -> Any:
+        return {**super().value(), "friction_law": {"policy": type(self.friction_law).__name__, "values": self.friction_law.value()}}
+
+    def hidden_history(self) -> Tuple[str, ...]:
+        kept = dict(frictions())
+        return tuple(name for name in kept["AnyFriction"] if name not in kept[type(self.friction_law).__name__])
 
     def __post_init__(self) -> None:
-        if isinstance(self.friction_law, AnyFriction):
-            dataclasses.replace(self, friction_law=self.friction_law.policy)  # which is checked
-            return
         super().__post_init__()
         check_together(type(self.stiffness_law).__name__, type(self.friction_law).__name__)
 
     def rules(self) -> str:
-        return f"{type(self).__name__}<{self.memory.cpp()}, {self.friction_law.cpp()}>"
+        return f"{type(self).__name__}<{self.memory.cpp()}, AnyFriction>"
 
 
 @dataclass(frozen=True)
@@ -344,6 +337,9 @@ class WithDeviatoricStrain(Law):
 
     def header(self) -> Optional[str]:
         return self.law.header()
+
+    def hidden_history(self) -> Tuple[str, ...]:
+        return self.law.hidden_history()
 
     def value(self) -> Any:
         return self.law.value()

@@ -13,7 +13,6 @@ from . import _core, _plugins
 from ._errors import Error, bodies_named
 from ._pickle import refuse_unpicklable
 from ._recipe import Recipe, check_together, function_value
-from ._stand_ins import fill_value
 from .boundary import PointLoad, Surface, Wall
 from .fill import Fill
 from .laws import Law
@@ -136,6 +135,8 @@ class Scene:
         names = [b.name for b in r["bodies"]]
         if len(set(names)) < len(names):
             raise Error(f"Scene.bodies = {names}: each body must have a name of its own")
+        for k, b in enumerate(r["bodies"]):
+            self._check_history(k, b.history)
         types.append(f"Bodies<{', '.join(b.cpp() for b in r['bodies'])}>")
         values.append([b.value() for b in r["bodies"]])
         if r["walls"]:
@@ -189,7 +190,9 @@ class Scene:
     def _take(self, core: Any) -> None:
         self._core = core
         self._restored_at: Optional[int] = None  # steps of the state that was restored
-        self._state = State(core, self._stand_in.hidden if self._stand_in else ())
+        self._state = State(core, [*(self._stand_in.hidden if self._stand_in else ()),
+                                   *(f"bodies/{k}/points/history/{name}" for k, b in enumerate(self._recipes["bodies"])
+                                     for name in b.law.hidden_history())])
         #: deformable bodies by name
         self.bodies: Dict[str, Body] = {b.name: Body(self._state, k, b.name)
                                         for k, b in enumerate(self._recipes["bodies"])}
@@ -302,14 +305,14 @@ class Scene:
         return self._stand_in.type if self._stand_in else self._type
 
     def _fill_value(self, number: int, fill: Fill) -> Any:
-        """The values of a fill of a body, as what it runs in takes them."""
+        """The values of a fill of a body."""
         self._check_history(number, fill.history)
-        return fill_value(fill.value(), self._stand_in.frictions[number] if self._stand_in else None)
+        return fill.value()
 
     def _check_history(self, number: int, names: Iterable[str]) -> None:
         """Refuses numbers of a history that are those of another policy."""
         for name in names:
-            if self._stand_in and f"bodies/{number}/points/history/{name}" in self._stand_in.hidden:
+            if name in self._recipes["bodies"][number].law.hidden_history():
                 raise Error(f"history = {name}: is no number of the law's history")
 
     def __repr__(self) -> str:

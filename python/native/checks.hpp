@@ -10,7 +10,7 @@
 namespace arenite::python {
 
 /// Throws `error` if the values of a recipe break a rule that needs no scene. `recipe`: its class; of a
-/// frictional law with its policies, "MohrCoulomb<ForgetsOpening, ConstantFriction>". Of one that has no such
+/// frictional law with its memory, "MohrCoulomb<ForgetsOpening, AnyFriction>". Of one that has no such
 /// rules nothing is checked.
 void check_recipe(const std::string& recipe, const Value& values);
 

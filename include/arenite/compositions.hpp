@@ -6,49 +6,42 @@
 
 #include <arenite/arenite.hpp>
 
+// The types, as macros: the language takes no alias where a class is instantiated.
+#define ARENITE_PLANE_SAND                                                                                   \
+  Scene<PlaneStrain, CartesianGrid<2>, Numerics<QuadraticBSpline, Apic>, Bodies<Fill<MohrCoulomb<>>>, Walls, \
+        Gravity>
+#define ARENITE_PUSHED_INTO_SAND                                                                        \
+  Scene<Axisymmetric, CartesianGrid<2>, Numerics<QuadraticBSpline>, Bodies<Fill<MohrCoulomb<>>>, Walls, \
+        Gravity, Rigid<DistanceSurface<>, Prescribed>>
+#define ARENITE_SAND                                                                                       \
+  Scene<ThreeDimensional, CartesianGrid<3>, Numerics<QuadraticBSpline, Apic>, Bodies<Fill<MohrCoulomb<>>>, \
+        Walls, Gravity>
+#define ARENITE_DROPPED_INTO_SAND                                                                          \
+  Scene<ThreeDimensional, CartesianGrid<3>, Numerics<QuadraticBSpline, Apic>, Bodies<Fill<MohrCoulomb<>>>, \
+        Walls, Gravity, Rigid<DistanceSurface<>, Guided>>
+
+/// What is compiled of a composition: declared here with `extern`, defined in src/compositions without it.
+#define ARENITE_COMPOSITION(EXTERN, name, ...)            \
+  EXTERN template struct __VA_ARGS__;                     \
+  EXTERN template void step(compositions::name&, double); \
+  EXTERN template double stable_step(const compositions::name&)
+
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 namespace compositions {
-
 /// Sand between walls, in the plane.
-using PlaneSand = Scene<PlaneStrain, CartesianGrid<2>, Numerics<QuadraticBSpline, Apic>,
-                        Bodies<Fill<MohrCoulomb<>>>, Walls, Gravity>;
-
+using PlaneSand = ARENITE_PLANE_SAND;
 /// Sand into which a rigid body of any shape is pushed, axisymmetric.
-using PushedIntoSand =
-    Scene<Axisymmetric, CartesianGrid<2>, Numerics<QuadraticBSpline>, Bodies<Fill<MohrCoulomb<>>>, Walls,
-          Gravity, Rigid<DistanceSurface<>, Prescribed>>;
-
+using PushedIntoSand = ARENITE_PUSHED_INTO_SAND;
 /// Sand between walls, in space.
-using Sand = Scene<ThreeDimensional, CartesianGrid<3>, Numerics<QuadraticBSpline, Apic>,
-                   Bodies<Fill<MohrCoulomb<>>>, Walls, Gravity>;
-
+using Sand = ARENITE_SAND;
 /// Sand into which a rigid body of any shape falls along a guide, in space.
-using DroppedIntoSand = Scene<ThreeDimensional, CartesianGrid<3>, Numerics<QuadraticBSpline, Apic>,
-                              Bodies<Fill<MohrCoulomb<>>>, Walls, Gravity, Rigid<DistanceSurface<>, Guided>>;
-
+using DroppedIntoSand = ARENITE_DROPPED_INTO_SAND;
 }  // namespace compositions
 
-// A class must be spelled out here: the language takes no alias.
-extern template struct Scene<PlaneStrain, CartesianGrid<2>, Numerics<QuadraticBSpline, Apic>,
-                             Bodies<Fill<MohrCoulomb<>>>, Walls, Gravity>;
-extern template void step(compositions::PlaneSand&, double);
-extern template double stable_step(const compositions::PlaneSand&);
-
-extern template struct Scene<Axisymmetric, CartesianGrid<2>, Numerics<QuadraticBSpline>,
-                             Bodies<Fill<MohrCoulomb<>>>, Walls, Gravity,
-                             Rigid<DistanceSurface<>, Prescribed>>;
-extern template void step(compositions::PushedIntoSand&, double);
-extern template double stable_step(const compositions::PushedIntoSand&);
-
-extern template struct Scene<ThreeDimensional, CartesianGrid<3>, Numerics<QuadraticBSpline, Apic>,
-                             Bodies<Fill<MohrCoulomb<>>>, Walls, Gravity>;
-extern template void step(compositions::Sand&, double);
-extern template double stable_step(const compositions::Sand&);
-
-extern template struct Scene<ThreeDimensional, CartesianGrid<3>, Numerics<QuadraticBSpline, Apic>,
-                             Bodies<Fill<MohrCoulomb<>>>, Walls, Gravity, Rigid<DistanceSurface<>, Guided>>;
-extern template void step(compositions::DroppedIntoSand&, double);
-extern template double stable_step(const compositions::DroppedIntoSand&);
+ARENITE_COMPOSITION(extern, PlaneSand, ARENITE_PLANE_SAND);
+ARENITE_COMPOSITION(extern, PushedIntoSand, ARENITE_PUSHED_INTO_SAND);
+ARENITE_COMPOSITION(extern, Sand, ARENITE_SAND);
+ARENITE_COMPOSITION(extern, DroppedIntoSand, ARENITE_DROPPED_INTO_SAND);
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -2,10 +2,5 @@
 #include <arenite/compositions.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
-
-template struct Scene<ThreeDimensional, CartesianGrid<3>, Numerics<QuadraticBSpline, Apic>,
-                      Bodies<Fill<MohrCoulomb<>>>, Walls, Gravity, Rigid<DistanceSurface<>, Guided>>;
-template void step(compositions::DroppedIntoSand&, double);
-template double stable_step(const compositions::DroppedIntoSand&);
-
+ARENITE_COMPOSITION(, DroppedIntoSand, ARENITE_DROPPED_INTO_SAND);
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

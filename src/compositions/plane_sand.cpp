@@ -2,10 +2,5 @@
 #include <arenite/compositions.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
-
-template struct Scene<PlaneStrain, CartesianGrid<2>, Numerics<QuadraticBSpline, Apic>,
-                      Bodies<Fill<MohrCoulomb<>>>, Walls, Gravity>;
-template void step(compositions::PlaneSand&, double);
-template double stable_step(const compositions::PlaneSand&);
-
+ARENITE_COMPOSITION(, PlaneSand, ARENITE_PLANE_SAND);
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -2,10 +2,5 @@
 #include <arenite/compositions.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
-
-template struct Scene<Axisymmetric, CartesianGrid<2>, Numerics<QuadraticBSpline>, Bodies<Fill<MohrCoulomb<>>>,
-                      Walls, Gravity, Rigid<DistanceSurface<>, Prescribed>>;
-template void step(compositions::PushedIntoSand&, double);
-template double stable_step(const compositions::PushedIntoSand&);
-
+ARENITE_COMPOSITION(, PushedIntoSand, ARENITE_PUSHED_INTO_SAND);
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

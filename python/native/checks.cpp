@@ -2,8 +2,8 @@
 // goes together is asked of the same constants as the library's static_asserts ask.
 #include "checks.hpp"
 
+#include <arenite/host/read_any_friction.hpp>
 #include <arenite/host/read_recipes.hpp>
-#include <arenite/law/any_friction.hpp>
 #include <arenite/run/watch.hpp>
 #include <cmath>
 #include <map>

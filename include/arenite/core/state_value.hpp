@@ -80,19 +80,17 @@ StateUnder(StateUnder<F, ReadOnly>&, std::string) -> StateUnder<F, ReadOnly>;
 template <class F, bool ReadOnly>
 StateUnder(const StateUnder<F, ReadOnly>&, std::string) -> StateUnder<F, ReadOnly>;
 
-namespace detail {
-/// An owner of a state to call `visit_state` of: that changes nothing, but is not constant, so that those who
-/// restore a state may write what they are shown.
+/// An owner of a state whose `visit_state` can be called: it changes nothing, but is not a constant member, for
+/// who restores a state writes to what it shows.
 template <class Owner>
 std::remove_const_t<Owner>& state_owner(Owner& owner) {
   return const_cast<std::remove_const_t<Owner>&>(owner);
 }
-}  // namespace detail
 
 /// Calls `f("path/name", value)` for the state of what has a `visit_state`: of an observer, say.
 template <class Owner, class F>
 void visit_state_of(Owner& owner, std::string path, F&& f) {
-  detail::state_owner(owner).visit_state(
+  state_owner(owner).visit_state(
       StateUnder<std::remove_reference_t<F>, std::is_const_v<Owner>>(f, std::move(path)));
 }
 

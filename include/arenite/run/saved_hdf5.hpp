@@ -26,7 +26,7 @@ struct Hdf5State {
 template <class Scene, std::same_as<Hdf5State> To, class... Observers>
 void save_state(const Scene& scene, const To& to, const Observers&... observers) {
   write_state_hdf5(to.path, detail::state_terms(scene, to.recipe),
-                   state_slots(detail::state_owner(scene), detail::state_owner(observers)...));
+                   state_slots(state_owner(scene), state_owner(observers)...));
 }
 
 /// Puts a state that was saved as HDF5 into a scene of the same recipe: the same bits, and the same refusals,

@@ -111,7 +111,7 @@ void restore_from(StateSource&& file, Scene& scene, const std::string& recipe, O
 template <class Scene, class... Observers>
 void save_state(const Scene& scene, const SavedState& to, const Observers&... observers) {
   write_state_file(to.path, detail::state_terms(scene, to.recipe),
-                   state_slots(detail::state_owner(scene), detail::state_owner(observers)...));
+                   state_slots(state_owner(scene), state_owner(observers)...));
 }
 
 /// Puts a saved state into a scene of the same recipe, and into the same observers in the same order (one with

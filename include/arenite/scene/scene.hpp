@@ -177,8 +177,8 @@ struct Scene {
       return body_count;
   }
   /// A deformable body of a list.
-  auto& body(std::size_t number) requires lists_bodies { return bodies[number]; }
-  const auto& body(std::size_t number) const requires lists_bodies { return bodies[number]; }
+  auto& body(std::integral auto number) requires lists_bodies { return listed(*this, number); }
+  const auto& body(std::integral auto number) const requires lists_bodies { return listed(*this, number); }
   /// A deformable body: `body<"sand">()`, `body<0>()`, or `body()`, the only one.
   template <Name which = "">
   auto& body() {
@@ -377,6 +377,12 @@ struct Scene {
                   [&](Index c) { return typename Shape::template Cell<M>(mesh, c).nodes; });
   }
 
+  template <class Self, class Number>
+  static auto& listed(Self& self, Number number) {
+    require(std::cmp_less(number, self.bodies.size()) && std::cmp_greater_equal(number, 0), "Scene::body",
+            number, "must be less than number_of_bodies()");
+    return self.bodies[static_cast<std::size_t>(number)];
+  }
   auto make_fields([[maybe_unused]] std::size_t body_number) const {
     if constexpr (field_count == counted_at_run_time)
       return std::vector<Field>(body_number, Field(Shape::node_count(mesh), centres_stress(0)));

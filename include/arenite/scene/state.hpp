@@ -116,7 +116,7 @@ template <class Scene, class F>
 void for_each_state(Scene& scene, F&& f) {
   constexpr bool constant = std::is_const_v<Scene>;
   const StateUnder<std::remove_reference_t<F>, constant> top(f, "");
-  detail::visit_scene(detail::state_owner(scene), top);
+  detail::visit_scene(state_owner(scene), top);
 }
 
 /// The list of the state of a scene and of observers, "observers/0", ..

@@ -198,7 +198,7 @@ def test_what_stands_for_a_scene_has_its_bits_and_its_saved_states(ar, stands_in
     assert again.compiled_as == own.compiled_as
     again.restore(tmp_path / "other")
     assert again.compiled_as == other.compiled_as
-    with pytest.raises(ar.Error, match=r"is of another run.*\n.*ar.compile\(scene\)"):
+    with pytest.raises(ar.Error, match=r"has no parts/2/dissipated.*\n.*ar.compile\(scene\)"):
         stands_in(make).restore(tmp_path / "own")
     ar.run(again, end=0.03)
     ar.run(own, end=0.03)

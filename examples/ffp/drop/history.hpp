@@ -62,17 +62,16 @@ inline constexpr std::array<std::pair<const char*, double HistoryRow::*>, 18> hi
     {"mean_volume_ratio", &HistoryRow::mean_volume_ratio},
 }};
 
-/// Rows as numbers side by side, for a saved state.
-class RowNumbers {
- public:
-  explicit RowNumbers(std::vector<HistoryRow>& rows) : rows_{rows} {}
-  double* data() { return reinterpret_cast<double*>(rows_.data()); }
-  std::size_t size() const { return rows_.size() * history_columns.size(); }
-  void resize(std::size_t numbers) { rows_.resize(numbers / history_columns.size()); }
+/// Rows of a run so far: for a saved state numbers side by side.
+struct HistoryRows {
+  std::vector<HistoryRow> all{};
+
+  double* data() { return reinterpret_cast<double*>(all.data()); }
+  std::size_t size() const { return all.size() * history_columns.size(); }
+  void resize(std::size_t numbers) { all.resize(numbers / history_columns.size()); }
 
  private:
   static_assert(sizeof(HistoryRow) == history_columns.size() * sizeof(double));
-  std::vector<HistoryRow>& rows_;
 };
 
 /// history.csv as it grows.

@@ -85,8 +85,7 @@ class Run {
   /// What it carries from step to step: the rows so far, and what its observers carry.
   template <class F>
   void visit_state(F&& f) {
-    RowNumbers rows(rows_);
-    f("history", rows);
+    f("history", rows_);
     f("point_steps", numbers_.point_steps);
     if (watch_) watch_->visit_state(StateUnder(f, "watch"));
     if (fields_) fields_->visit_state(StateUnder(f, "fields"));
@@ -102,7 +101,7 @@ class Run {
     try {
       write_summary("running");
       history_.emplace(folder_.path() / "history.csv");
-      for (const HistoryRow& row : rows_) history_->write(row);
+      for (const HistoryRow& row : rows_.all) history_->write(row);
       open_fields();
       writing_ += Clock::now() - begin_;
       arenite::run(scene_, {.end = o_.end, .courant = o_.courant}, *this);
@@ -118,17 +117,17 @@ class Run {
     } catch (const std::exception& e) {
       end("failed", at_time(e.what()), 1);
     }
-    if (!o_.quiet) std::cout << sentence_of(figures_of(rows_), o_.out) << std::endl;
+    if (!o_.quiet) std::cout << sentence_of(figures_of(rows_.all), o_.out) << std::endl;
   }
 
   /// Takes a step down, and stops the run if there is reason.
   void operator()(const Scene& scene) {
-    if (scene.steps < rows_.size()) return;  // taken down before its state was saved
+    if (scene.steps < rows_.all.size()) return;  // taken down before its state was saved
     const auto from = Clock::now();
-    HistoryRow row = history_row(scene, rows_.empty() ? nullptr : &rows_.back(), Model::whole);
+    HistoryRow row = history_row(scene, rows_.all.empty() ? nullptr : &rows_.all.back(), Model::whole);
     row.penetration_m -= tip_above_;
     history_->write(row);
-    rows_.push_back(row);  // so that the summary is that of the file
+    rows_.all.push_back(row);  // so that the summary is that of the file
     if (fields_) (*fields_)(scene);
     if (scene.steps > 0) numbers_.point_steps += static_cast<double>(scene.point_count());
     if (!o_.quiet) {
@@ -198,9 +197,9 @@ class Run {
   void write_summary(const std::string& status) {
     numbers_.status = status;
     std::optional<DropFigures> figures;
-    if (!rows_.empty()) {
-      figures = figures_of(rows_);
-      numbers_.steps = static_cast<long>(rows_.size()) - 1;
+    if (!rows_.all.empty()) {
+      figures = figures_of(rows_.all);
+      numbers_.steps = static_cast<long>(rows_.all.size()) - 1;
       numbers_.wall_s = wall_before_ + seconds(Clock::now() - begin_ - writing_);
     }
     numbers_.lost_points = static_cast<long>(scene_.lost_points());
@@ -240,7 +239,7 @@ class Run {
   std::optional<HistoryFile> history_;
   std::optional<Every<FieldFiles>> fields_;
   std::function<void(const Scene&)> due_state_;
-  std::vector<HistoryRow> rows_;
+  HistoryRows rows_;
   RunNumbers numbers_;
   Clock::time_point begin_{}, pace_from_{};
   Clock::duration writing_{};  ///< time of the output

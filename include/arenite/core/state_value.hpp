@@ -118,7 +118,8 @@ struct StateSlot {
   std::string type() const { return kind + std::to_string(bytes); }
 };
 
-/// The visitor that lists a state: whatever is done with its values, one function finds them.
+/// The visitor that lists a state: whatever is done with its values, one function finds them. What it is shown
+/// must last until the values are read or restored: members, and spans of what members hold.
 struct StateSlots {
   std::vector<StateSlot> slots{};
 
@@ -131,6 +132,10 @@ struct StateSlots {
       slots.back().is_array = true;
     }
     if constexpr (resizable_state_array<Value>) {
+      static_assert(
+          !std::is_trivially_copyable_v<Value>,
+          "visit_state: an array whose count changes must own its numbers: a view of them may be gone "
+          "when the state is restored");
       slots.back().array = &value;
       slots.back().resize = [](void* array, std::size_t count) -> void* {
         static_cast<Value*>(array)->resize(count);

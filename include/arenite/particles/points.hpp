@@ -27,6 +27,35 @@ struct ExtraColumns {
   int part_columns = 0;   ///< numbers that parts keep with each point
 };
 
+/// What the columns of a quantity are.
+enum class Components { scalar, vector, symmetric, matrix, named, numbered };
+
+/// Name of column k of a quantity of points in D dimensions: "mass", "position/x", "stress/xx", "history/NAME"
+/// by `names` where one is there once, else "history/0".
+inline std::string column_name(int D, Components components, std::string_view quantity, std::size_t k,
+                               std::span<const std::string_view> names) {
+  constexpr std::array<std::string_view, 6> pairs{"xx", "yy", "zz", "xy", "yz", "xz"};
+  constexpr std::string_view axes = "xyz";
+  const auto d = static_cast<std::size_t>(D);
+  switch (components) {
+    case Components::scalar:
+      return std::string(quantity);
+    case Components::vector:
+      return joined_text({quantity, "/", axes[k]});
+    case Components::symmetric:
+      return joined_text({quantity, "/", pairs[k]});
+    case Components::matrix:
+      return joined_text({quantity, "/", axes[k % d], axes[k / d]});
+    case Components::named:
+      if (!names[k].empty() && std::count(names.begin(), names.end(), names[k]) == 1)
+        return joined_text({quantity, "/", names[k]});
+      break;
+    case Components::numbered:
+      break;
+  }
+  return joined_text({quantity, "/", k});
+}
+
 /// Columns of material points: law L gives the history, `Extra` what else the composition needs. Mass and
 /// volume are those of what the point stands for: a metre of thickness in plane strain, the full circle in
 /// axisymmetry. The order of the points changes as they move from cell to cell.
@@ -127,42 +156,23 @@ class Points {
         h.members());
   }
 
-  /// Calls `f(column)` for each stored column, a `Column` or (the cells) a `std::vector`.
+  /// Calls `f(column)` for each stored column, a `Column` or (ids and cells) a `std::vector`.
   template <class F>
   void for_each_column(F&& f) {
-    visit(*this, f);
+    visit(*this, [&](Components, const char*, std::size_t, auto& column) { f(column); });
   }
   template <class F>
   void for_each_column(F&& f) const {
-    visit(*this, f);
+    visit(*this, [&](Components, const char*, std::size_t, const auto& column) { f(column); });
   }
 
-  /// Calls `f(name, column)` for each stored column; histories go by their names, where they have any.
+  /// Calls `f(name, column)` for each stored column: "mass", "stress/xx", "history/shear_rate" or, if the
+  /// law's history gives it no name of its own, "history/0".
   template <class F>
   void visit_state(F&& f) {
-    static constexpr std::array<const char*, 3> axis{"x", "y", "z"};
-    static constexpr std::array<const char*, 6> pair{"xx", "yy", "zz", "xy", "yz", "xz"};
-    const auto each = [&](const std::string& name, auto& columns, std::size_t count, auto&& component) {
-      for (std::size_t k = 0; k < count; ++k) f(joined_text({name, "/", component(k)}), columns.column(k));
-    };
-    const auto axes = [](std::size_t k) { return std::string(axis[k]); };
-    each("position", position, D, axes);
-    each("velocity", velocity, D, axes);
-    f("mass", mass);
-    f("volume", volume);
-    each("stress", stress, Sym<T, D>::size, [](std::size_t k) { return std::string(pair[k]); });
-    constexpr auto& names = history_names<History>;
-    for (std::size_t k = 0; k < history_size; ++k) {
-      const bool named = !names[k].empty() && std::count(names.begin(), names.end(), names[k]) == 1;
-      f(named ? joined_text({"history/", names[k]}) : joined_text({"history/", k}), history[k]);
-    }
-    if constexpr (affine)
-      each("velocity_gradient", velocity_gradient, D * D,
-           [&](std::size_t k) { return axes(k % D) + axes(k / D); });
-    if constexpr (has_dilation) f("dilation", dilation);
-    for (std::size_t k = 0; k < part_column_count; ++k) f(joined_text({"part_columns/", k}), part_columns[k]);
-    if constexpr (has_ids) f("id", id);
-    f("cell", cell);
+    visit(*this, [&](Components components, const char* quantity, std::size_t k, auto& column) {
+      f(column_name(D, components, quantity, k, history_names<History>), column);
+    });
   }
 
   /// Prefetches the columns of a point.
@@ -231,20 +241,24 @@ class Points {
   [[gnu::noinline]] static void add_zero(C& column) {
     column.push_back(0);
   }
+  /// The table of the columns, in their order in files.
   template <class Self, class F>
-  static void visit(Self& self, F& f) {
-    for (std::size_t k = 0; k < D; ++k) f(self.position.column(k));
-    for (std::size_t k = 0; k < D; ++k) f(self.velocity.column(k));
-    f(self.mass);
-    f(self.volume);
-    for (std::size_t k = 0; k < Sym<T, D>::size; ++k) f(self.stress.column(k));
-    for (auto& column : self.history) f(column);
-    if constexpr (affine)
-      for (std::size_t k = 0; k < D * D; ++k) f(self.velocity_gradient.column(k));
-    if constexpr (has_dilation) f(self.dilation);
-    for (auto& column : self.part_columns) f(column);
-    if constexpr (has_ids) f(self.id);
-    f(self.cell);
+  [[gnu::always_inline]] static void visit(Self& self, const F& f) {
+    const auto all = [&](Components components, const char* quantity, auto& columns, std::size_t count) {
+      for (std::size_t k = 0; k < count; ++k) f(components, quantity, k, columns.column(k));
+    };
+    using enum Components;
+    all(vector, "position", self.position, D);
+    all(vector, "velocity", self.velocity, D);
+    f(scalar, "mass", 0, self.mass);
+    f(scalar, "volume", 0, self.volume);
+    all(symmetric, "stress", self.stress, Sym<T, D>::size);
+    for (std::size_t k = 0; k < history_size; ++k) f(named, "history", k, self.history[k]);
+    if constexpr (affine) all(matrix, "velocity_gradient", self.velocity_gradient, D * D);
+    if constexpr (has_dilation) f(scalar, "dilation", 0, self.dilation);
+    for (std::size_t k = 0; k < part_column_count; ++k) f(numbered, "part_columns", k, self.part_columns[k]);
+    if constexpr (has_ids) f(scalar, "id", 0, self.id);
+    f(scalar, "cell", 0, self.cell);
   }
 
   Column<T>& spare(const Column<T>&) { return spare_; }

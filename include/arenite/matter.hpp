@@ -10,9 +10,9 @@
 #include <arenite/boundary/walls.hpp>
 #include <arenite/core/units.hpp>
 #include <arenite/law/drucker_prager.hpp>
+#include <arenite/law/frictional/policies.hpp>
 #include <arenite/law/linear_elastic.hpp>
 #include <arenite/law/mohr_coulomb.hpp>
-#include <arenite/law/policies.hpp>
 #include <arenite/law/with_deviatoric_strain.hpp>
 #include <arenite/mesh/motion.hpp>
 #include <arenite/mesh/periodic_grid.hpp>

@@ -1,6 +1,6 @@
 // A law whose friction is chosen at run time has the bits of the law that is compiled for that policy.
 #include <arenite/arenite.hpp>
-#include <arenite/law/any_friction.hpp>
+#include <arenite/law/frictional/any_friction.hpp>
 
 #include "bits.hpp"
 #include "catch.hpp"

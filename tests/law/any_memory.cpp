@@ -1,8 +1,8 @@
 // A law whose memory and stiffness are chosen at run time has the bits of the law that is compiled for them.
 #include <arenite/arenite.hpp>
-#include <arenite/law/any_friction.hpp>
-#include <arenite/law/any_memory.hpp>
-#include <arenite/law/any_stiffness.hpp>
+#include <arenite/law/frictional/any_friction.hpp>
+#include <arenite/law/frictional/any_memory.hpp>
+#include <arenite/law/frictional/any_stiffness.hpp>
 
 #include "bits.hpp"
 #include "catch.hpp"

@@ -2,7 +2,7 @@
 // all laws.
 #pragma once
 
-#include <arenite/law/any_friction.hpp>
+#include <arenite/law/frictional/any_friction.hpp>
 
 #include "../options/law_options.hpp"
 

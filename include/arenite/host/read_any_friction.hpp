@@ -6,7 +6,7 @@
 
 #include <arenite/core/type_words.hpp>
 #include <arenite/host/read.hpp>
-#include <arenite/law/any_friction.hpp>
+#include <arenite/law/frictional/any_friction.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 

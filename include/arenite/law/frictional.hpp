@@ -11,10 +11,10 @@
 
 #include <arenite/law/elasticity.hpp>
 #include <arenite/law/fixed_point.hpp>
-#include <arenite/law/friction.hpp>
+#include <arenite/law/frictional/friction.hpp>
+#include <arenite/law/frictional/separation.hpp>
+#include <arenite/law/frictional/stiffness.hpp>
 #include <arenite/law/jaumann.hpp>
-#include <arenite/law/separation.hpp>
-#include <arenite/law/stiffness.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 namespace detail {

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include <arenite/law/friction.hpp>
-#include <arenite/law/shear_rate.hpp>
+#include <arenite/law/frictional/friction.hpp>
+#include <arenite/law/frictional/shear_rate.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 

@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include <arenite/law/rate_softening_friction.hpp>
-#include <arenite/law/stiffness.hpp>
+#include <arenite/law/frictional/rate_softening_friction.hpp>
+#include <arenite/law/frictional/stiffness.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 

@@ -2,7 +2,7 @@
 #pragma once
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include <arenite/law/any_policy.hpp>
+#include <arenite/law/frictional/any_policy.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 

@@ -5,8 +5,8 @@
 
 #include <cmath>
 
-#include <arenite/law/shear_rate.hpp>
-#include <arenite/law/softening_friction.hpp>
+#include <arenite/law/frictional/shear_rate.hpp>
+#include <arenite/law/frictional/softening_friction.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include <arenite/law/shear_rate.hpp>
+#include <arenite/law/frictional/shear_rate.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 

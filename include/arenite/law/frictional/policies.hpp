@@ -6,14 +6,14 @@
 
 #include <type_traits>
 
-#include <arenite/law/inertial_friction.hpp>
-#include <arenite/law/linear_rate_friction.hpp>
-#include <arenite/law/logarithmic_friction.hpp>
-#include <arenite/law/rate_softening_friction.hpp>
-#include <arenite/law/rate_stiffness.hpp>
-#include <arenite/law/separation.hpp>
-#include <arenite/law/softening_friction.hpp>
-#include <arenite/law/stiffness.hpp>
+#include <arenite/law/frictional/inertial_friction.hpp>
+#include <arenite/law/frictional/linear_rate_friction.hpp>
+#include <arenite/law/frictional/logarithmic_friction.hpp>
+#include <arenite/law/frictional/rate_softening_friction.hpp>
+#include <arenite/law/frictional/rate_stiffness.hpp>
+#include <arenite/law/frictional/separation.hpp>
+#include <arenite/law/frictional/softening_friction.hpp>
+#include <arenite/law/frictional/stiffness.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 

@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include <arenite/law/elasticity.hpp>
-#include <arenite/law/friction.hpp>
+#include <arenite/law/frictional/friction.hpp>
 #include <arenite/simd/elementary.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {

@@ -6,7 +6,7 @@
 #include <utility>
 #include <variant>
 
-#include <arenite/law/policies.hpp>
+#include <arenite/law/frictional/policies.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 namespace detail {

@@ -2,6 +2,7 @@
 // goes together is asked of the same constants as the library's static_asserts ask.
 #include "checks.hpp"
 
+#include <arenite/core/refusals.hpp>
 #include <arenite/host/read_any_friction.hpp>
 #include <arenite/host/read_recipes.hpp>
 #include <arenite/run/watch.hpp>
@@ -219,21 +220,15 @@ void refuse_order(Refusals& refused) {
   constexpr bool maps_back = Order::maps_back && !returns_unchanged<Transfer, Shape>;
   if (maps_back)
     refused[{"PointContact", word<Shape>(), word<Transfer>(), word<Order>()}] =
-        "Rigid: PointContact needs Usl: it does not hold the velocities that MUSL maps back";
+        ARENITE_SAYS_POINT_CONTACT_MUSL;
   if (maps_back && Shape::constant_gradient && Transfer::affine)
-    refused[{word<Shape>(), word<Transfer>(), word<Order>()}] =
-        "Numerics: on linear simplices MUSL maps back velocities without a gradient; use Usl, or let the "
-        "transfer say "
-        "returns_unchanged<Shape> if its points hand each node just what it gave them";
+    refused[{word<Shape>(), word<Transfer>(), word<Order>()}] = ARENITE_SAYS_MUSL_WITHOUT_GRADIENT;
 }
 template <class Shape, class... Transfer>
 void refuse_transfers(Refusals& refused) {
   const auto look = [&]<class T>(std::type_identity<T>) {
     if (!T::template fits<Shape>)
-      refused[{word<Shape>(), word<T>()}] =
-          "Numerics: APIC needs B-splines (its inertia tensor is singular at a node of a linear simplex: use "
-          "Tpic there); "
-          "Tpic needs linear simplices (use Apic on B-splines)";
+      refused[{word<Shape>(), word<T>()}] = ARENITE_SAYS_TRANSFER_SHAPE;
     else
       refuse_order<Shape, T, Musl>(refused);
   };
@@ -241,19 +236,15 @@ void refuse_transfers(Refusals& refused) {
 }
 template <class Shape, class... AntiLocking>
 void refuse_anti_locking(Refusals& refused) {
-  ((AntiLocking::template fits<Shape> ? void()
-                                      : void(refused[{word<Shape>(), word<AntiLocking>()}] =
-                                                 "Numerics: NodalAveraging and ElementAverage work on "
-                                                 "linear simplices; on B-splines use NoAntiLocking")),
+  ((AntiLocking::template fits<Shape>
+        ? void()
+        : void(refused[{word<Shape>(), word<AntiLocking>()}] = ARENITE_SAYS_AVERAGES_SHAPE)),
    ...);
 }
 template <class Shape, class... Mesh>
 void refuse_meshes(Refusals& refused) {
-  ((shape_function<Shape, Mesh>
-        ? void()
-        : void(refused[{word<Shape>(), word<Mesh>()}] =
-                   "Scene: the shape function does not fit the mesh: LinearSimplex goes with SimplexMesh; "
-                   "LinearGrid, QuadraticBSpline and CubicBSpline with CartesianGrid")),
+  ((shape_function<Shape, Mesh> ? void()
+                                : void(refused[{word<Shape>(), word<Mesh>()}] = ARENITE_SAYS_SHAPE_MESH)),
    ...);
 }
 void refuse_stiffness(Refusals& refused) {
@@ -262,43 +253,33 @@ void refuse_stiffness(Refusals& refused) {
       Frictions::each([&]<class Friction>(std::type_identity<Friction>) {
         if (!std::is_base_of_v<typename Stiffness::template History<double>,
                                typename Friction::template History<double>>)
-          refused[{word<Stiffness>(), word<Friction>()}] =
-              "Stiffness: reads a history that the friction policy must keep, such as RateSofteningFriction";
+          refused[{word<Stiffness>(), word<Friction>()}] = ARENITE_SAYS_STIFFNESS_HISTORY;
       });
   });
 }
 
 template <class Mesh>
 void refuse_on_mesh(Refusals& refused) {
-  if (!is_simplex_mesh<Mesh>)
-    refused[{"MeshSurface", word<Mesh>()}] =
-        "Rigid: a MeshSurface needs a simplex mesh; on a grid use a DistanceSurface";
+  if (!is_simplex_mesh<Mesh>) refused[{"MeshSurface", word<Mesh>()}] = ARENITE_SAYS_MESH_SURFACE_ON_GRID;
   if (!is_simplex_mesh<Mesh> && !is_rectilinear<Mesh>)
-    refused[{"MovingMesh", word<Mesh>()}] =
-        "MovingMesh: a simplex mesh or a RectilinearGrid moves, a CartesianGrid rests";
+    refused[{"MovingMesh", word<Mesh>()}] = ARENITE_SAYS_RESTING_GRID;
 }
 template <class Surface, class Bound>
 void refuse_surface(Refusals& refused) {
-  const char* const through_centre =
-      "Rigid: CentreOfMass needs a MeshSurface and a Guided motion, which give the body's nodes their masses";
+  const char* const through_centre = ARENITE_SAYS_CENTRE_OF_MASS;
   if (!Bound::has_volume_fractions) refused[{"CentreOfMass", word<Surface>()}] = through_centre;
   const auto of_motion = [&]<class Motion>(std::type_identity<Motion>, const char* name) {
     if (!Motion::has_mass) refused[{"CentreOfMass", name}] = through_centre;
     if (rotates<Motion> && !rigid_surface<Bound, LinearSimplex, SimplexMesh<2, double>, Pose<2>>)
-      refused[{name, word<Surface>()}] =
-          "Rigid: the body rotates, and its surface does not: visit must take a Pose, as that of a "
-          "DistanceSurface "
-          "does; the nodes of a MeshSurface stay where the mesh is";
+      refused[{name, word<Surface>()}] = ARENITE_SAYS_RESTING_SURFACE;
   };
   of_motion(std::type_identity<BoundGuided<double, 2>>{}, "Guided");
   of_motion(std::type_identity<BoundPrescribed<double, 2>>{}, "Prescribed");
   of_motion(std::type_identity<BoundPrescribedPose<double, 2>>{}, "PrescribedPose");
   of_motion(std::type_identity<BoundFree<double, 2>>{}, "Free");
   if (!requires(const Bound surface) { surface.distance(); }) {
-    refused[{"PointContact", word<Surface>()}] =
-        "Rigid: PointContact needs a DistanceSurface, which tells the distance of a point";
-    refused[{"RigidContact", word<Surface>()}] =
-        "RigidContact: each rigid body of the scene needs a DistanceSurface";
+    refused[{"PointContact", word<Surface>()}] = ARENITE_SAYS_POINT_CONTACT_SURFACE;
+    refused[{"RigidContact", word<Surface>()}] = ARENITE_SAYS_RIGID_CONTACT_SURFACE;
   }
 }
 
@@ -310,8 +291,8 @@ Refusals refusals() {
   refuse_on_mesh<SimplexMesh<2, double>>(refused);
   refuse_surface<MeshSurface, BoundMeshSurface<double, 2>>(refused);
   refuse_surface<DistanceSurface<>, BoundDistanceSurface<double, 2>>(refused);
-  refused[{"RigidContact", "CentreOfMass"}] = "RigidContact: CentreOfMass cannot be joined with it";
-  refused[{"RigidContact", "PointContact"}] = "RigidContact: PointContact cannot be joined with it";
+  refused[{"RigidContact", "CentreOfMass"}] = ARENITE_SAYS_RIGID_CONTACT_CENTRE;
+  refused[{"RigidContact", "PointContact"}] = ARENITE_SAYS_RIGID_CONTACT_POINTS;
   const auto of_shape = [&]<class Shape>(std::type_identity<Shape>) {
     refuse_transfers<Shape, Flip, Apic, Tpic, Aflip, Fmpm, Xpic>(refused);
     refuse_anti_locking<Shape, NoAntiLocking, NodalAveraging, ElementAverage, NodalAndElementAverage>(
@@ -327,8 +308,7 @@ Refusals refusals() {
   refuse_stiffness(refused);
   const auto in_space = [&]<class K>(std::type_identity<K>) {
     for (const int d : {2, 3})
-      if (d != K::dimension)
-        refused[{word<K>(), std::to_string(d)}] = "Scene: mesh and kinematics must have the same dimension";
+      if (d != K::dimension) refused[{word<K>(), std::to_string(d)}] = ARENITE_SAYS_DIMENSIONS;
   };
   in_space(std::type_identity<PlaneStrain>{});
   in_space(std::type_identity<Axisymmetric>{});

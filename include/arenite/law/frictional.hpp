@@ -9,6 +9,7 @@
 #include <type_traits>
 #include <utility>
 
+#include <arenite/core/refusals.hpp>
 #include <arenite/law/elasticity.hpp>
 #include <arenite/law/fixed_point.hpp>
 #include <arenite/law/frictional/friction.hpp>
@@ -53,8 +54,7 @@ void check_history(const Stiffness& stiffness, const Friction& friction) {
     if constexpr (requires { requires S::reads_friction_history; })
       visit_policy(friction, []<class F>(const F&) {
         if (!std::is_base_of_v<typename S::template History<double>, typename F::template History<double>>)
-          throw error(
-              "Stiffness: reads a history that the friction policy must keep, such as RateSofteningFriction");
+          throw error(ARENITE_SAYS_STIFFNESS_HISTORY);
       });
   });
 }
@@ -134,7 +134,7 @@ class Frictional : public Memory, public detail::ElasticPart<Stiffness> {
       !requires { requires Stiffness::reads_friction_history; } ||
           std::is_base_of_v<typename Stiffness::template History<double>,
                             typename Friction::template History<double>>,
-      "Stiffness: reads a history that the friction policy must keep, such as RateSofteningFriction");
+      ARENITE_SAYS_STIFFNESS_HISTORY);
 
   Frictional(std::string_view name, const Parameters& p, const Memory& memory, const Friction& friction,
              const Stiffness& stiffness)

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include <arenite/core/name.hpp>
+#include <arenite/core/refusals.hpp>
 #include <arenite/mesh/mesh.hpp>
 #include <arenite/mesh/rectilinear_grid.hpp>
 #include <arenite/parallel/communicator.hpp>
@@ -205,7 +206,7 @@ struct NoMotion {
 template <class Leader, class Traits>
 auto bind_part(const MovingMesh<Leader>& motion, const Traits& traits) {
   constexpr bool moves = is_simplex_mesh<typename Traits::Mesh> || is_rectilinear<typename Traits::Mesh>;
-  static_assert(moves, "MovingMesh: a simplex mesh or a RectilinearGrid moves, a CartesianGrid rests");
+  static_assert(moves, ARENITE_SAYS_RESTING_GRID);
   if constexpr (moves)
     return BoundMotion<typename Traits::Mesh, Leader>(motion, traits.mesh);
   else

@@ -13,6 +13,7 @@
 #include <arenite/core/contact_tally.hpp>
 #include <arenite/core/name.hpp>
 #include <arenite/core/part_energy.hpp>
+#include <arenite/core/refusals.hpp>
 #include <arenite/core/state_value.hpp>
 #include <arenite/parallel/communicator.hpp>
 #include <arenite/rigid/collide.hpp>
@@ -101,13 +102,11 @@ struct RigidBody {
   using Velocity = std::conditional_t<rotates, Twist<T, D>, V>;
   static constexpr bool coupling_through_centre = Coupling::through_centre_of_mass;
   static_assert(!coupling_through_centre || (Surface::has_volume_fractions && is_free),
-                "Rigid: CentreOfMass needs a MeshSurface and a Guided motion, which give the body's nodes "
-                "their masses");
+                ARENITE_SAYS_CENTRE_OF_MASS);
   /// Whether it touches material points (`PointContact`), not nodes.
   static constexpr bool touches_points = requires { Coupling::at_points; };
   static_assert(
-      !touches_points || requires(const Surface s) { s.distance(); },
-      "Rigid: PointContact needs a DistanceSurface, which tells the distance of a point");
+      !touches_points || requires(const Surface s) { s.distance(); }, ARENITE_SAYS_POINT_CONTACT_SURFACE);
   Surface surface;
   Motion motion;
   Friction friction;
@@ -240,8 +239,7 @@ struct RigidBody {
         !(Scene::is_portion && touches_points),
         "Rigid: PointContact sweeps over the points of the whole body, and a portion of the mesh has "
         "some of them; use RigidVelocity");
-    static_assert(!(Scene::NumericsType::maps_back && touches_points),
-                  "Rigid: PointContact needs Usl: it does not hold the velocities that MUSL maps back");
+    static_assert(!(Scene::NumericsType::maps_back && touches_points), ARENITE_SAYS_POINT_CONTACT_MUSL);
     if constexpr (requires { surface.connect(scene); }) surface.connect(scene);
     if constexpr (requires { surface.distance(); }) {
       detail::try_distance(scene, surface.distance(), called_in(scene));
@@ -346,9 +344,7 @@ auto bind_part(const Rigid<S, M, C, name>& recipe, const Traits& traits) {
       rigid_motion<decltype(motion), V> || rotating_motion<decltype(motion), typename Traits::T, Traits::D>;
   static_assert(has_surface, "Rigid: the surface lacks a member; see arenite/rigid/surface.hpp");
   static_assert(has_motion, "Rigid: the motion lacks a member; see arenite/rigid/motion.hpp");
-  static_assert(!has_surface || !has_motion || fits,
-                "Rigid: the body rotates, and its surface does not: visit must take a Pose, as that of a "
-                "DistanceSurface does; the nodes of a MeshSurface stay where the mesh is");
+  static_assert(!has_surface || !has_motion || fits, ARENITE_SAYS_RESTING_SURFACE);
   if constexpr (has_motion && fits)
     return RigidBody<typename Traits::T, Traits::D, decltype(surface), decltype(motion), C, name>{
         std::move(surface), std::move(motion), recipe.friction};

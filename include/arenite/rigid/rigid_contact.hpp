@@ -19,6 +19,7 @@
 #include <arenite/core/contact_tally.hpp>
 #include <arenite/core/error.hpp>
 #include <arenite/core/part_energy.hpp>
+#include <arenite/core/refusals.hpp>
 #include <arenite/parallel/communicator.hpp>
 #include <arenite/rigid/collide.hpp>
 #include <arenite/rigid/contact_balance.hpp>
@@ -109,10 +110,9 @@ class BoundRigidContact {
     scene.for_each_rigid([&](auto& body) {
       using R = std::remove_cvref_t<decltype(body)>;
       static_assert(
-          requires { body.surface.distance(); },
-          "RigidContact: each rigid body of the scene needs a DistanceSurface");
-      static_assert(!R::coupling_through_centre, "RigidContact: CentreOfMass cannot be joined with it");
-      static_assert(!R::touches_points, "RigidContact: PointContact cannot be joined with it");
+          requires { body.surface.distance(); }, ARENITE_SAYS_RIGID_CONTACT_SURFACE);
+      static_assert(!R::coupling_through_centre, ARENITE_SAYS_RIGID_CONTACT_CENTRE);
+      static_assert(!R::touches_points, ARENITE_SAYS_RIGID_CONTACT_POINTS);
       TouchingBody<D> b;
       b.name = R::name.word().empty() ? std::to_string(touching_.bodies.size()) : std::string(R::name.word());
       b.size = std::numeric_limits<double>::infinity();

@@ -16,6 +16,7 @@
 #include <arenite/contact/region_surface.hpp>
 #include <arenite/core/bind.hpp>
 #include <arenite/core/error.hpp>
+#include <arenite/core/refusals.hpp>
 #include <arenite/core/vector_argument.hpp>
 #include <arenite/parallel/parallel.hpp>
 #include <arenite/rigid/pose.hpp>
@@ -121,8 +122,7 @@ class BoundMeshSurface {
 
 template <class Traits>
 auto bind_part(const MeshSurface& surface, const Traits&) {
-  static_assert(is_simplex_mesh<typename Traits::Mesh>,
-                "Rigid: a MeshSurface needs a simplex mesh; on a grid use a DistanceSurface");
+  static_assert(is_simplex_mesh<typename Traits::Mesh>, ARENITE_SAYS_MESH_SURFACE_ON_GRID);
   return BoundMeshSurface<typename Traits::T, Traits::D>(surface);
 }
 

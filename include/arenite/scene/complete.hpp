@@ -5,6 +5,7 @@
 
 #include <type_traits>
 
+#include <arenite/core/refusals.hpp>
 #include <arenite/kinematics/kinematics.hpp>
 #include <arenite/mesh/mesh.hpp>
 #include <arenite/scene/parts.hpp>
@@ -39,11 +40,9 @@ constexpr bool is_complete_scene() {
                 "Numerics<LinearSimplex>{} on a simplex mesh");
   if constexpr (has_kinematics && has_mesh && has_numerics) {
     constexpr bool agrees = M::dimension == K::dimension;
-    static_assert(agrees, "Scene: mesh and kinematics must have the same dimension");
+    static_assert(agrees, ARENITE_SAYS_DIMENSIONS);
     constexpr bool fits = shape_function<typename N::Shape, M>;
-    static_assert(fits,
-                  "Scene: the shape function does not fit the mesh: LinearSimplex goes with SimplexMesh; "
-                  "LinearGrid, QuadraticBSpline and CubicBSpline with CartesianGrid");
+    static_assert(fits, ARENITE_SAYS_SHAPE_MESH);
     constexpr bool has_bodies = (0 + ... + int(is_bodies<Given>)) == 1;
     static_assert(has_bodies, "Scene: exactly one bodies(..) is needed");
     return agrees && fits && has_bodies;

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstddef>
 
+#include <arenite/core/refusals.hpp>
 #include <arenite/law/law.hpp>
 #include <arenite/particles/points.hpp>
 #include <arenite/shape/shape.hpp>
@@ -78,23 +79,16 @@ struct Numerics {
       needs_edge_mass || (Shape::constant_gradient && averages_strain) || AntiLocking::averages_stress;
   static constexpr ExtraColumns extra_columns{.affine = Transfer::affine, .dilation = averages_strain};
 
-  static_assert(Transfer::template fits<Shape>,
-                "Numerics: APIC needs B-splines (its inertia tensor is singular at a node of a linear "
-                "simplex: use Tpic there); "
-                "Tpic needs linear simplices (use Apic on B-splines)");
+  static_assert(Transfer::template fits<Shape>, ARENITE_SAYS_TRANSFER_SHAPE);
   static_assert(
       !sweeps_nodes ||
           requires(const Transfer t) {
             { t.sweeps() } -> std::same_as<int>;
           },
       "transfer: sweeps must be int sweeps() const, beside swept(nodes, i)");
-  static_assert(
-      !(maps_back && Shape::constant_gradient) || !Transfer::affine,
-      "Numerics: on linear simplices MUSL maps back velocities without a gradient; use Usl, or let the "
-      "transfer say returns_unchanged<Shape> if its points hand each node just what it gave them");
-  static_assert(
-      AntiLocking::template fits<Shape>,
-      "Numerics: NodalAveraging and ElementAverage work on linear simplices; on B-splines use NoAntiLocking");
+  static_assert(!(maps_back && Shape::constant_gradient) || !Transfer::affine,
+                ARENITE_SAYS_MUSL_WITHOUT_GRADIENT);
+  static_assert(AntiLocking::template fits<Shape>, ARENITE_SAYS_AVERAGES_SHAPE);
 
   /// Largest step that the composition bears in D dimensions, in cell sizes over the wave speed: where
   /// `stable_step` is.

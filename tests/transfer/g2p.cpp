@@ -1,4 +1,4 @@
-// Strains, volumes, work and positions of a step with a uniform velocity gradient.
+// Strains, volumes, work and positions of a step with a uniform velocity gradient, and the same stresses on trial.
 #include "catch.hpp"
 #include "setup.hpp"
 
@@ -46,6 +46,10 @@ void check_deform(S s) {
     if constexpr (S::N::maps_back) s.nodes.mapped[i] = s.nodes.velocity[i];
   }
   const auto before = s.body.points;
+  TrialStates trial(s.body.points);
+  const G2pSums tried = s.update_stress(trial, dt);
+  REQUIRE(s.body.points.stress == before.stress);
+  REQUIRE(s.body.points.volume == before.volume);
   const auto inc = exact<D>(A, dt, S::K::hoop);
   const G2pSums sums = s.g2p(dt);
   double stress_off = 0, volume_off = 0, position_off = 0, work = 0;
@@ -67,6 +71,9 @@ void check_deform(S s) {
   REQUIRE(position_off < 1e-15);
   REQUIRE(std::abs(sums.work - work) < 1e-9 * std::abs(work));
   REQUIRE(sums.opened_volume == 0);
+  REQUIRE(trial.stress == s.body.points.stress);
+  REQUIRE(trial.volume == s.body.points.volume);
+  REQUIRE(tried.work == sums.work);
 }
 
 template <class A>

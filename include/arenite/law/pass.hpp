@@ -1,5 +1,5 @@
 // Law pass: updates the stresses of neighbouring points by their law, a pack at a time, from the strains of a
-// step in a buffer.
+// step in a buffer; in place, or into trial states beside the points.
 #pragma once
 // SPDX-License-Identifier: BSD-3-Clause
 
@@ -74,6 +74,22 @@ struct StrainBuffer {
   std::array<T, StoresBearing ? capacity + slack : 0> volume_factor_{};
 };
 
+/// Stress, history and volume of points after a step that may be tried again: what the law pass writes, apart
+/// from the points that it reads. `Points`: their columns.
+template <class Points>
+struct TrialStates {
+  static constexpr bool has_dilation = Points::has_dilation;
+
+  decltype(Points::stress) stress;      ///< Cauchy stress, Pa, tension positive
+  decltype(Points::history) history;    ///< columns of the law's history
+  decltype(Points::volume) volume;      ///< volume that bears stress, m3
+  decltype(Points::dilation) dilation;  ///< [n if has_dilation] plastic volumetric strain of the step
+
+  /// Those of the points before a step.
+  explicit TrialStates(const Points& points)
+      : stress{points.stress}, history{points.history}, volume{points.volume}, dilation{points.dilation} {}
+};
+
 /// What a law is called with where `Width` points are computed at once: a pack of them, or what the law asks
 /// for: a narrower one, or two packs side by side.
 template <class L, class T, int Width>
@@ -83,22 +99,24 @@ struct LawLanes {
       std::conditional_t<two_packs_at_once<L> && (width > 1), PackPair<Pack<T, width>>, lanes_of<T, width>>;
 };
 
-/// Updates stress, history and volume of the points [begin, end) through a step of dt, s, with the strains in
-/// `buffer`. A volume follows the trace of the strain less what opened: V = V_0 exp(sum (tr de - opening)).
-/// Matter that dilates stops at its greatest V / V_0: what it would dilate beyond that counts as opened.
+/// Stress, history and volume of the points [begin, end) after a step of dt, s, with the strains in `buffer`,
+/// written to `after`: the points themselves, or their `TrialStates`. A volume follows the trace of the strain
+/// less what opened: V = V_0 exp(sum (tr de - opening)). Matter that dilates stops at its greatest V / V_0:
+/// what it would dilate beyond that counts as opened.
 /// `TracksWork`: whether the work of the stresses is summed.
-template <bool TracksWork, int Width, class L, class Points, class T, int D, bool StoresBearing>
-ARENITE_KERNEL void law_pass(const L& law, Points& points, std::size_t begin, std::size_t end,
-                             const StrainBuffer<T, D, StoresBearing>& buffer, double dt, G2pSums& sums) {
+template <bool TracksWork, int Width, class L, class Points, class After, class T, int D, bool StoresBearing>
+ARENITE_KERNEL void law_pass(const L& law, const Points& points, After& after, std::size_t begin,
+                             std::size_t end, const StrainBuffer<T, D, StoresBearing>& buffer, double dt,
+                             G2pSums& sums) {
   using P = typename LawLanes<L, T, Width>::type;
   constexpr int width = lane_count<P>;
   using History = typename L::template History<P>;
   using std::max;
-  const auto each_history = [&](auto& history, auto&& f) {
+  const auto each_history = [](auto& history, auto& columns, auto&& f) {
     std::apply(
         [&](auto&... member) {
           [[maybe_unused]] std::size_t k = 0;
-          (f(member, points.history[k++]), ...);
+          (f(member, columns[k++]), ...);
         },
         history.members());
   };
@@ -114,7 +132,8 @@ ARENITE_KERNEL void law_pass(const L& law, Points& points, std::size_t begin, st
     const auto load = [&](auto&& lanes) {
       buffer.load(p - begin, step, lanes);
       repeat<stress.size>([&](std::size_t k) { stress[k] = lanes(points.stress.column(k).data() + p); });
-      each_history(history, [&](P& value, const auto& column) { value = lanes(column.data() + p); });
+      each_history(history, points.history,
+                   [&](P& value, const auto& column) { value = lanes(column.data() + p); });
     };
     if (count == width) {
       load([](const T* from) { return load_lanes<P>(from, width); });
@@ -128,25 +147,25 @@ ARENITE_KERNEL void law_pass(const L& law, Points& points, std::size_t begin, st
 
     [[maybe_unused]] const Sym<P, D> old = stress;
     const auto [opening, dilation] = inelastic(law.update(stress, step, history));
-    P after = before * small_exp(P(trace(step.strain) - opening));
+    P volume = before * small_exp(P(trace(step.strain) - opening));
     if constexpr (dilates<L, T, D>) {
       if (any_of(dilation > P(0))) {
         const T loosest = static_cast<T>(law.greatest_volume_ratio() / law.density());  // m3/kg
         const P limit = max(before, P(P(loosest) * load_lanes<P>(points.mass.data() + p, count)));
-        const P beyond = select(dilation > P(0), P(max(P(after - limit), P(0))), P(0));
-        after -= beyond;
+        const P beyond = select(dilation > P(0), P(max(P(volume - limit), P(0))), P(0));
+        volume -= beyond;
         opened += beyond;
       }
-      if constexpr (Points::has_dilation) store_lanes(points.dilation.data() + p, count, dilation);
+      if constexpr (After::has_dilation) store_lanes(after.dilation.data() + p, count, dilation);
     }
 
-    each_history(history,
+    each_history(history, after.history,
                  [&](const P& value, auto& column) { store_lanes(column.data() + p, count, value); });
-    points.stress.template store<P>(p, count, stress.c);
-    store_lanes(points.volume.data() + p, count, after);
+    after.stress.template store<P>(p, count, stress.c);
+    store_lanes(after.volume.data() + p, count, volume);
     if constexpr (TracksWork) {
-      P done = (before + after) * contract(old + stress, step.strain) * P(0.25);
-      P ending = after * contract(stress, step.strain);
+      P done = (before + volume) * contract(old + stress, step.strain) * P(0.25);
+      P ending = volume * contract(stress, step.strain);
       if constexpr (StoresBearing) {
         const P volume_factor = buffer.template load_volume_factor<P>(p - begin);
         done = done * volume_factor;
@@ -155,8 +174,8 @@ ARENITE_KERNEL void law_pass(const L& law, Points& points, std::size_t begin, st
       work += done;
       ending_work += ending;
     }
-    opened += after * opening;
-    check += (trace(stress) + stress[3]) * after;
+    opened += volume * opening;
+    check += (trace(stress) + stress[3]) * volume;
   }
   const auto total = lane_sums(std::array<P, 2>{opened, check});
   sums.opened_volume += static_cast<double>(total[0]);

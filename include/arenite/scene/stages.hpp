@@ -213,9 +213,10 @@ void update_stress_first(Scene& scene, [[maybe_unused]] double dt) {
     scene.finite = true;
     scene.for_each_body([&](auto& body, const auto& field) {
       detail::average_strains(scene, body, field, dt);
-      detail::book_sums(scene, body,
-                        update_stress<typename Scene::Kinematics, Scene::Needs::stress_work>(
-                            scene.numerics, scene.mesh, body, field, static_cast<T>(dt), scene.average));
+      detail::book_sums(
+          scene, body,
+          update_stress<typename Scene::Kinematics, Scene::Needs::stress_work>(
+              scene.numerics, scene.mesh, body, body.points, field, static_cast<T>(dt), scene.average));
     });
     p2g(scene, dt);
   }

@@ -22,7 +22,7 @@ namespace detail {
 
 /// Strains of a run of points of a cell into `buffer`, that of point `origin` first.
 template <class K, class N, class M, class Points, class Field, class Average, class Buffer>
-ARENITE_KERNEL void strain(const M& mesh, Index c, Points& points, std::size_t begin, std::size_t end,
+ARENITE_KERNEL void strain(const M& mesh, Index c, const Points& points, std::size_t begin, std::size_t end,
                            const Field& nodes, typename M::scalar dt, const Average& average, Buffer& buffer,
                            std::size_t origin) {
   const CellStrain<K, N, M> strain(mesh, c, nodes, dt);
@@ -35,13 +35,14 @@ ARENITE_KERNEL void strain(const M& mesh, Index c, Points& points, std::size_t b
 
 /// Calls `run(cell, first, last, buffer, origin)` for the runs of points of one cell as they lie in memory,
 /// which returns a part of the check; where `UpdatesStress`, the law takes the strains that it left in the
-/// buffer.
-template <bool TracksWork, bool UpdatesStress, class N, class M, class B, class Run>
-G2pSums pass_over_points(const N&, const M&, B& body, typename M::scalar dt, Run&& run) {
+/// buffer, and writes the states `after` the step.
+template <bool TracksWork, bool UpdatesStress, class N, class M, class B, class After, class Run>
+G2pSums pass_over_points(const N&, const M&, const B& body, [[maybe_unused]] After& after,
+                         typename M::scalar dt, Run&& run) {
   using T = typename M::scalar;
   constexpr bool stores_bearing = TracksWork && N::AntiLocking::averages_stress;
   using Buffer = StrainBuffer<T, M::dimension, stores_bearing>;
-  auto& points = body.points;
+  const auto& points = body.points;
   return parallel_reduce(
       points.size(), G2pSums{},
       [&](std::size_t chunk_begin, std::size_t chunk_end) {
@@ -59,7 +60,7 @@ G2pSums pass_over_points(const N&, const M&, B& body, typename M::scalar dt, Run
             p = next;
           }
           if constexpr (UpdatesStress)
-            law_pass<TracksWork, N::template width<T>>(law, points, begin, end, buffer, dt, chunk);
+            law_pass<TracksWork, N::template width<T>>(law, points, after, begin, end, buffer, dt, chunk);
         }
         return chunk;
       },
@@ -76,7 +77,7 @@ G2pSums g2p(const N& numerics, const M& mesh, B& body, const Field& nodes, typen
             const Average& average) {
   auto& points = body.points;
   return detail::pass_over_points<TracksWork, !N::strains_first>(
-      numerics, mesh, body, dt,
+      numerics, mesh, body, points, dt,
       [&](Index c, std::size_t first, std::size_t last, auto& buffer, std::size_t origin) {
         if constexpr (N::Shape::constant_gradient)
           return simplex::g2p<K>(numerics, mesh, c, points, first, last, nodes, dt, average, buffer, origin);
@@ -85,15 +86,15 @@ G2pSums g2p(const N& numerics, const M& mesh, B& body, const Field& nodes, typen
       });
 }
 
-/// Updates stress, history and volume of the points by the law of their body, and nothing else.
-template <class K, bool TracksWork, class N, class M, class B, class Field, class Average>
-G2pSums update_stress(const N& numerics, const M& mesh, B& body, const Field& nodes, typename M::scalar dt,
-                      const Average& average) {
-  auto& points = body.points;
+/// Stress, history and volume of the points after a step by the law of their body, and nothing else, written
+/// to `after`: the points of the body, or their `TrialStates`.
+template <class K, bool TracksWork, class N, class M, class B, class After, class Field, class Average>
+G2pSums update_stress(const N& numerics, const M& mesh, const B& body, After& after, const Field& nodes,
+                      typename M::scalar dt, const Average& average) {
   return detail::pass_over_points<TracksWork, true>(
-      numerics, mesh, body, dt,
+      numerics, mesh, body, after, dt,
       [&](Index c, std::size_t first, std::size_t last, auto& buffer, std::size_t origin) {
-        detail::strain<K, N>(mesh, c, points, first, last, nodes, dt, average, buffer, origin);
+        detail::strain<K, N>(mesh, c, body.points, first, last, nodes, dt, average, buffer, origin);
         return 0;
       });
 }

@@ -69,10 +69,8 @@ struct HistoryRows {
   double* data() { return reinterpret_cast<double*>(all.data()); }
   std::size_t size() const { return all.size() * history_columns.size(); }
   void resize(std::size_t numbers) { all.resize(numbers / history_columns.size()); }
-
- private:
-  static_assert(sizeof(HistoryRow) == history_columns.size() * sizeof(double));
 };
+static_assert(sizeof(HistoryRow) == history_columns.size() * sizeof(double));
 
 /// history.csv as it grows.
 class HistoryFile {

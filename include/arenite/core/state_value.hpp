@@ -48,6 +48,9 @@ class StateUnder {
     static_assert(state_value<std::remove_reference_t<V>>,
                   "visit_state: call f(name, value) with a number, or with numbers side by side: data() and "
                   "size(), and resize(n) if their count changes");
+    static_assert(!state_number<V> || std::is_lvalue_reference_v<V>,
+                  "visit_state: call f(name, value) with a member: a number that is computed there cannot be "
+                  "restored");
     const std::string path = path_of(name);
     if constexpr (state_number<V>) {
       if constexpr (ReadOnly)

@@ -86,21 +86,28 @@ Mat<double, N> mobility_of(const R& body, const Mat<double, N>& resistance) {
 
 /// Impulses of a body on the fields in a step.
 template <class R>
-struct GivenImpulses {
+struct ContactImpulses {
   using T = typename R::V::Scalar;
   typename R::Velocity total = R::Velocity::Zero();  ///< N s, with their moments
-  T gained = 0;  ///< impulses times the fields' mean velocities over the step, J
-  decltype(R::no_size()) exchanged = R::no_size();  ///< their magnitudes
+  T gained = 0;                              ///< impulses times the fields' mean velocities over the step, J
+  Vec<T, 2> magnitudes = Vec<T, 2>::Zero();  ///< sums of |impulse|, N s, and |arm| |impulse|, N m s
+
+  void add(const typename R::V& impulse, const typename R::V& arm) {
+    total += with_moment<R::Velocity::RowsAtCompileTime>(impulse, arm);
+    const T size = impulse.norm();
+    magnitudes += Vec<T, 2>(size, size * arm.norm());
+  }
 };
 
-/// Gives the fields the impulses of a body that moves with velocity `met`.
+/// Gives the fields the impulses of a body that moves with `contact_velocity`.
 template <class R, class Fields, class Communicator>
-GivenImpulses<R> give_impulses(R& body, Fields& fields, const typename R::Velocity& met,
-                               const Communicator& comm) {
-  GivenImpulses<R> given;
+ContactImpulses<R> apply_contact_impulses(R& body, Fields& fields,
+                                          const typename R::Velocity& contact_velocity,
+                                          const Communicator& comm) {
+  ContactImpulses<R> impulses;
   body.contact_nodes = 0;
   for (auto& t : body.touched_nodes) {
-    const auto contact = body.contact_at(t, met);
+    const auto contact = body.contact_at(t, contact_velocity);
     const typename R::V& j = contact.impulse;
     if (j.squaredNorm() == 0) continue;
     t.impulse = j;
@@ -108,14 +115,13 @@ GivenImpulses<R> give_impulses(R& body, Fields& fields, const typename R::Veloci
     typename R::V& v = fields[t.field].velocity[t.node];
     v += j / t.mass;
     t.after = v;
-    given.total += body.with_moment(t, j);
-    given.exchanged += body.size_of(t, j);
+    impulses.add(j, t.arm);
     const typename R::V twice_mean = fields[t.field].start[t.node] + v;
-    given.gained += j.dot(twice_mean) / 2;
+    impulses.gained += j.dot(twice_mean) / 2;
     ++body.contact_nodes;
   }
-  sum_over(comm, given.total, given.gained, given.exchanged, body.contact_nodes);
-  return given;
+  sum_over(comm, impulses.total, impulses.gained, impulses.magnitudes, body.contact_nodes);
+  return impulses;
 }
 
 /// Books the impulses on the fields and moves the body. `free`: its velocity without contact; `pushed`: with
@@ -125,16 +131,21 @@ template <class R, class T>
 std::pair<double, typename R::Velocity> finish_step(R& body, const typename R::Velocity& free,
                                                     const typename R::Velocity& pushed,
                                                     const typename R::Velocity& push,
-                                                    const typename R::Velocity& met,
-                                                    const GivenImpulses<R>& given, T dt) {
+                                                    const typename R::Velocity& contact_velocity,
+                                                    const ContactImpulses<R>& impulses, T dt) {
   using Velocity = typename R::Velocity;
   const Velocity before = body.whole_velocity();
-  body.take_impulse(given.total, dt);
-  const Velocity after = body.motion.after(met, pushed, given.total, given.exchanged);
+  const auto& [total, gained, magnitudes] = impulses;
+  body.take_impulse(total, dt);
+  Velocity after;
+  if constexpr (R::rotates)
+    after = body.motion.after(contact_velocity, pushed, total, magnitudes);
+  else
+    after = body.motion.after(contact_velocity, pushed, total, magnitudes[0]);
   const Velocity mean = body.motion.mean(before, after);
-  const double dissipation = static_cast<double>(given.total.dot(mean) - given.gained);
+  const double dissipation = static_cast<double>(total.dot(mean) - gained);
   body.dissipated += dissipation;
-  body.driving_work += body.motion.drive(before, free, mean, Velocity(given.total - push));
+  body.driving_work += body.motion.work(before, free, mean, Velocity(total - push));
   body.move(after, dt);
   return {dissipation, mean};
 }
@@ -149,9 +160,10 @@ ContactTally collide(const M& mesh, R& body, Fields& fields, const Vec<T, D>& ac
   using Velocity = typename R::Velocity;
   find_touched_nodes<Shape>(mesh, body, fields, owns, comm);
   const Velocity free = free_velocity(body, acceleration, time, dt);
-  const Velocity met = velocity_in_contact(body, free, comm);
-  const auto given = give_impulses(body, fields, met, comm);
-  const double dissipation = finish_step(body, free, free, Velocity(Velocity::Zero()), met, given, dt).first;
+  const Velocity contact_velocity = velocity_in_contact(body, free, comm);
+  const auto impulses = apply_contact_impulses(body, fields, contact_velocity, comm);
+  const double dissipation =
+      finish_step(body, free, free, Velocity(Velocity::Zero()), contact_velocity, impulses, dt).first;
   return {.dissipation = dissipation, .nodes = body.contact_nodes};
 }
 

@@ -36,11 +36,11 @@ void find_touched_points(Scene& scene, R& body) {
   });
 }
 
-/// Gives the fields the impulses that were found, with which the body moves at velocity `met`.
+/// Gives the fields the impulses that were found, with which the body moves at velocity `contact_velocity`.
 template <class R, class Fields>
-GivenImpulses<R> give_point_impulses(R& body, Fields& fields) {
+ContactImpulses<R> apply_point_impulses(R& body, Fields& fields) {
   using T = typename R::V::Scalar;
-  GivenImpulses<R> given;
+  ContactImpulses<R> impulses;
   body.touched_nodes.clear();
   body.contact_nodes = body.inside_nodes = 0;
   for (const auto& n : body.at_points.nodes()) {
@@ -51,19 +51,15 @@ GivenImpulses<R> give_point_impulses(R& body, Fields& fields) {
     v += j / field.mass[n.node];
     // What constraints take of it afterwards they take without work.
     const typename R::V after = n.velocity.template cast<T>();
-    given.gained += j.dot(field.start[n.node] + after) / 2;
+    impulses.gained += j.dot(field.start[n.node] + after) / 2;
     body.touched_nodes.push_back(
         {n.field, n.node, false, field.mass[n.node], 1, before, R::V::Zero(), false, j, after});
     ++body.contact_nodes;
   }
   for (std::size_t k = 0; k < body.at_points.points.size(); ++k) {
-    typename R::TouchedNode at{};
-    at.arm = body.at_points.arm(k).template cast<T>();
-    const auto& j = body.at_points.points[k].impulse;
-    given.total += body.with_moment(at, j);
-    given.exchanged += body.size_of(at, j);
+    impulses.add(body.at_points.points[k].impulse, body.at_points.arm(k).template cast<T>());
   }
-  return given;
+  return impulses;
 }
 
 /// Advances the body by dt, s, and lets it exchange impulses with the points of a scene. Returns what contact
@@ -77,12 +73,13 @@ ContactTally collide_at_points(Scene& scene, R& body, double dt) {
   const Velocity free =
       free_velocity(body, scene.acceleration(), static_cast<T>(scene.time + dt), static_cast<T>(dt));
   const Mat<double, N> mobility = mobility_of(body, Mat<double, N>(Mat<double, N>::Zero()));
-  const Velocity met =
+  const Velocity contact_velocity =
       body.at_points.solve(free.template cast<double>(), mobility, scene.constraints, body.friction, dt)
           .template cast<T>();
-  const auto given = give_point_impulses(body, scene.fields);
-  const double dissipation =
-      finish_step(body, free, free, Velocity(Velocity::Zero()), met, given, static_cast<T>(dt)).first;
+  const auto impulses = apply_point_impulses(body, scene.fields);
+  const double dissipation = finish_step(body, free, free, Velocity(Velocity::Zero()), contact_velocity,
+                                         impulses, static_cast<T>(dt))
+                                 .first;
   return {.dissipation = dissipation, .nodes = body.contact_nodes};
 }
 

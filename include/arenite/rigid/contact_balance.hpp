@@ -10,7 +10,7 @@
 
 #include <arenite/contact/coulomb.hpp>
 #include <arenite/parallel/communicator.hpp>
-#include <arenite/rigid/pose.hpp>
+#include <arenite/rigid/twist.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
@@ -56,17 +56,17 @@ class ContactBalance {
 
   U solve() {
     look(U::Zero());
-    if (touch_ == 0) return free_;
+    if (contact_magnitude_ == 0) return free_;
     U x = U::Zero(), best = x;  // scaled, from `free` on
     double least = iterate(x);
-    if (least > solved * exchanged_ && !body_.friction.is_no_slip()) {
+    if (least > solved * magnitude_ && !body_.friction.is_no_slip()) {
       // Of a far heavier body, then of ever lighter ones, each from where the one before ended.
       const auto keep_better = [&](double size) {
         if (size < least) best = x, least = size;
       };
       best = x;
       x.setZero();
-      for (added_ = 1; added_ > 1e-12 && least > solved * exchanged_; added_ /= 8) {
+      for (added_ = 1; added_ > 1e-12 && least > solved * magnitude_; added_ /= 8) {
         added_from_ = x;
         iterate(x);
         const double added = std::exchange(added_, 0.0);
@@ -87,11 +87,8 @@ class ContactBalance {
   static constexpr double round_off = std::numeric_limits<double>::epsilon();
 
   template <class Touched>
-  Eigen::Matrix<double, D, N> matrix_at(const Touched& t) const {
-    Eigen::Matrix<double, D, N> w;
-    const Vec<double, D> arm = t.arm.template cast<double>();
-    for (int k = 0; k < N; ++k) w.col(k) = velocity_at<double, D>(U::Unit(k), arm);
-    return w;
+  static Eigen::Matrix<double, D, N> matrix_at(const Touched& t) {
+    return velocity_map<D, N>(t.arm.template cast<double>());
   }
 
   /// f and its slope, scaled, at x.
@@ -103,21 +100,21 @@ class ContactBalance {
       const Vec<double, D> v = w * u, approach = t.start.template cast<double>() - v;
       const Vec<double, D> normal = t.normal.template cast<double>();
       const double mass = static_cast<double>(t.mass_ratio * t.mass);
-      const auto given = t.inside ? stick<double, D>(approach, mass)
-                                  : coulomb<double, D>(approach, normal, mass, body_.friction);
-      if (given.impulse.squaredNorm() == 0) continue;
+      const auto contact = t.inside ? stick<double, D>(approach, mass)
+                                    : coulomb<double, D>(approach, normal, mass, body_.friction);
+      if (contact.impulse.squaredNorm() == 0) continue;
       const Mat<double, D> slope = t.inside ? Mat<double, D>(Mat<double, D>::Identity())
                                             : coulomb_slope<D>(approach, normal, body_.friction);
-      const U share = w.transpose() * given.impulse;
+      const U share = w.transpose() * contact.impulse;
       sums.col(N) += share;
       sums.col(N + 1) += share.cwiseAbs();
       sums.template leftCols<N>() += mass * (w.transpose() * slope * w);
     }
     sum_over(comm_, sums);
     const U by = moves_.cwiseQuotient(scale_), own = inertia_ * change;
-    touch_ = sums.col(N + 1).sum();
+    contact_magnitude_ = sums.col(N + 1).sum();
     rest_ = by.cwiseProduct(own + sums.col(N));
-    exchanged_ = by.cwiseProduct(own.cwiseAbs() + sums.col(N + 1)).norm();
+    magnitude_ = by.cwiseProduct(own.cwiseAbs() + sums.col(N + 1)).norm();
     slope_ = by.asDiagonal() * (inertia_ + sums.template leftCols<N>()) * by.asDiagonal();
     slope_.diagonal() += U::Ones() - moves_;
     if (added_ > 0) {
@@ -143,7 +140,7 @@ class ContactBalance {
         best = x;
         least = size;
       }
-      if (size <= solved * exchanged_ && !better) break;  // round-off
+      if (size <= solved * magnitude_ && !better) break;  // round-off
       if (share * direction.norm() <= round_off * x.norm()) break;
     }
     x = best;
@@ -156,7 +153,7 @@ class ContactBalance {
     double near = 0, far = 1, at_near = begin;
     look(x + direction);
     double ahead = direction.dot(rest_);
-    if (ahead <= 0.9 * std::abs(begin) || rest_.norm() <= solved * exchanged_) return 1;
+    if (ahead <= 0.9 * std::abs(begin) || rest_.norm() <= solved * magnitude_) return 1;
     double share = 1, at_far = ahead;
     for (int k = 0; k < 40; ++k) {
       share = k % 3 == 2 ? (near + far) / 2 : near + (far - near) * at_near / (at_near - at_far);
@@ -176,7 +173,7 @@ class ContactBalance {
   U moves_;
   U rest_;
   Mat<double, N> slope_;
-  double exchanged_ = 0, touch_ = 0;
+  double magnitude_ = 0, contact_magnitude_ = 0;
   double added_ = 0;          // mass that is added to the body, as a share of what each component moves
   U added_from_ = U::Zero();  // where it rests
 };

@@ -30,7 +30,9 @@ struct TouchingBody {
   Vec<double, D> centre() const { return begin.centre + begin.displacement; }
   bool moves() const { return !mobility.isZero(0); }
   /// Greatest speed of its points, m/s, within `reach` from the centre.
-  double speed(double reach) const { return linear_part(twist).norm() + angular_part(twist).norm() * reach; }
+  double speed(double reach) const {
+    return linear_part<D>(twist).norm() + angular_part<D>(twist).norm() * reach;
+  }
 };
 
 /// One point at which a body touches another, or may within the step.

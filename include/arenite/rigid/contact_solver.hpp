@@ -9,7 +9,8 @@
 #include <limits>
 #include <vector>
 
-#include <arenite/rigid/pose.hpp>
+#include <arenite/rigid/relaxed_impulse.hpp>
+#include <arenite/rigid/twist.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
@@ -92,43 +93,21 @@ class ContactSolver {
     return 1e4 * scale / least;
   }
 
-  /// The impulse to which the laws take one, for the velocity w there.
-  static Vec<double, D> projected(const ContactConstraint<D>& row, const Vec<double, D>& w) {
-    Vec<double, D> j;
-    j[0] = std::max(0.0, row.impulse[0] - (w[0] - row.least) / row.response(0, 0));
-    Vec<double, D - 1> t = row.impulse.template tail<D - 1>() - w.template tail<D - 1>() / across(row);
-    if (j[0] == 0) {
-      t.setZero();
-    } else if (const double size = t.norm(), most = row.friction * j[0]; size > most) {
-      t *= most / size;
-    }
-    j.template tail<D - 1>() = t;
-    return j;
-  }
-  /// Bound of the tangential response; where no impulse moves the bodies across the normal, it finds none.
-  static double across(const ContactConstraint<D>& row) {
-    return std::max(row.response.trace() - row.response(0, 0), 1e-12 * row.response(0, 0));
+  static double across(const ContactConstraint<D>& row) { return tangential_response(row.response, 1e-12); }
+  /// Change of an impulse by its relaxation.
+  static Vec<double, D> relaxation(const ContactConstraint<D>& row, const Twists& u) {
+    return relaxed_impulse<D>(row.impulse, row.velocity(u), row.least, row.response, across(row),
+                              row.friction) -
+           row.impulse;
   }
 
   /// One sweep; returns the greatest change, as a velocity.
   static double sweep(Rows& rows, Twists& u) {
     double most = 0;
     for (auto& row : rows) {
-      // First along the normal, then across it with the velocity that this leaves.
-      Vec<double, D> w = row.velocity(u), change = Vec<double, D>::Zero();
-      change[0] = projected(row, w)[0] - row.impulse[0];
+      const Vec<double, D> change = relaxation(row, u);
       row.add(change, u);
-      w = row.velocity(u);
-      Vec<double, D> next = projected(row, w);
-      next[0] = row.impulse[0];
-      if (const double size = next.template tail<D - 1>().norm(), limit = row.friction * next[0];
-          next[0] == 0)
-        next.template tail<D - 1>().setZero();
-      else if (size > limit)
-        next.template tail<D - 1>() *= limit / size;
-      const Vec<double, D> along = next - row.impulse;
-      row.add(along, u);
-      most = std::max({most, std::abs(change[0]) * row.response(0, 0), along.norm() * across(row)});
+      most = std::max(most, velocity_change<D>(change, row.response, across(row)));
     }
     return most;
   }
@@ -136,9 +115,7 @@ class ContactSolver {
   static double residual(const Rows& rows, const Twists& u) {
     double most = 0;
     for (const auto& row : rows) {
-      const Vec<double, D> off = projected(row, row.velocity(u)) - row.impulse;
-      const double size =
-          std::max(std::abs(off[0]) * row.response(0, 0), off.template tail<D - 1>().norm() * across(row));
+      const double size = velocity_change<D>(relaxation(row, u), row.response, across(row));
       if (!(size <= most)) most = size;
     }
     return most;

@@ -41,6 +41,7 @@ class BoundFree {
   using S = Spin<double, D>;
   using Velocity = Twist<T, D>;
   static constexpr bool has_mass = true, rotates = true;
+  static constexpr int N = D + rotations<D>;
   double mass;        ///< kg
   double damped = 0;  ///< by the anchor's dashpots since the start, J
 
@@ -79,7 +80,7 @@ class BoundFree {
     const double dt = static_cast<double>(dt_), begin = static_cast<double>(time) - dt;
     const V displacement = body.displacement.template cast<double>(), place = centre_ + displacement;
     in_space_ = inertia_in_space(body.orientation);
-    const V old = linear_part(before).template cast<double>();
+    const V old = linear_part<D>(before).template cast<double>();
     const V spring = dt * anchor_.force(displacement);
     V v = old + dt * acceleration.template cast<double>() +
           (dt * value_at<double, D>(force_, place, begin, "Free.force") + spring) / mass;
@@ -106,65 +107,58 @@ class BoundFree {
   template <class Body, class Communicator = Serial>
   Velocity velocity_in_contact(const Body& body, const Velocity& free_velocity,
                                const Communicator& comm = serial) const {
-    constexpr int N = D + rotations<D>;
-    Mat<double, N> inertia = Mat<double, N>::Zero();
-    inertia.template topLeftCorner<D, D>().diagonal().setConstant(mass);
-    inertia.template bottomRightCorner<rotations<D>, rotations<D>>() = in_space_;
-    ContactBalance<Body, Communicator, D, N> balance(body, free_velocity.template cast<double>(), inertia,
-                                                     moves(), comm);
+    ContactBalance<Body, Communicator, D, N> balance(body, free_velocity.template cast<double>(),
+                                                     inertia_of_twist(), moves(), comm);
     return balance.solve().template cast<T>();
   }
 
   /// The remainder of the balance is given to the body, unless it is round-off of the impulses, which would
-  /// give a very light body a large velocity. `exchanged`: sums of the magnitudes of impulses and of their
+  /// give a very light body a large velocity. `magnitudes`: sums of the magnitudes of impulses and of their
   /// moments.
-  Velocity after(const Velocity& met, const Velocity& free_velocity, const Velocity& total,
-                 const Vec<T, 2>& exchanged) {
+  Velocity after(const Velocity& contact_velocity, const Velocity& free_velocity, const Velocity& total,
+                 const Vec<T, 2>& magnitudes) {
     constexpr double round_off = 64 * static_cast<double>(std::numeric_limits<T>::epsilon());
-    const Vec<double, D + rotations<D>> given = total.template cast<double>().cwiseProduct(moves()),
-                                        change = (met - free_velocity).template cast<double>();
-    const V left = mass * linear_part(change) + linear_part(given);
-    const S left_spin = in_space_ * angular_part(change) + angular_part(given);
-    if (left.norm() <= round_off * static_cast<double>(exchanged[0]) &&
-        left_spin.norm() <= round_off * static_cast<double>(exchanged[1])) {
-      momentum_ = free_momentum_ + in_space_ * angular_part(change);
-      return met;
+    const Vec<double, N> given = total.template cast<double>().cwiseProduct(moves()),
+                         change = (contact_velocity - free_velocity).template cast<double>();
+    const V left = mass * linear_part<D>(change) + linear_part<D>(given);
+    const S left_spin = in_space_ * angular_part<D>(change) + angular_part<D>(given);
+    if (left.norm() <= round_off * static_cast<double>(magnitudes[0]) &&
+        left_spin.norm() <= round_off * static_cast<double>(magnitudes[1])) {
+      momentum_ = free_momentum_ + in_space_ * angular_part<D>(change);
+      return contact_velocity;
     }
-    momentum_ = free_momentum_ - angular_part(given);
-    const V v = linear_part(free_velocity).template cast<double>() - linear_part(given) / mass;
+    momentum_ = free_momentum_ - angular_part<D>(given);
+    const V v = linear_part<D>(free_velocity).template cast<double>() - linear_part<D>(given) / mass;
     return twist<double, D>(v, in_space_.inverse() * momentum_).template cast<T>();
   }
   Velocity mean(const Velocity& before, const Velocity& after) const { return (before + after) / 2; }
 
   /// For the contact of rigid bodies (`RigidContact`). Change of the twist by an impulse and its moment, once
   /// `free_velocity` was asked for; `added`: how the impulse of the matter opposes the twist, as an inertia.
-  Mat<double, D + rotations<D>> mobility(const Mat<double, D + rotations<D>>& added) const {
-    constexpr int N = D + rotations<D>;
+  Mat<double, N> mobility(const Mat<double, N>& added) const {
     const Vec<double, N> can = moves();
-    Mat<double, N> inertia = added;
-    inertia.template topLeftCorner<D, D>().diagonal().array() += mass;
-    inertia.template bottomRightCorner<rotations<D>, rotations<D>>() += in_space_;
+    Mat<double, N> inertia = inertia_of_twist() + added;
     inertia = can.asDiagonal() * inertia * can.asDiagonal();
     inertia.diagonal() += Vec<double, N>::Ones() - can;
     const Mat<double, N> response = can.asDiagonal() * inertia.inverse() * can.asDiagonal();
     return response;
   }
   /// Takes an impulse of another rigid body with its moment, before `after`.
-  void push(const Vec<double, D + rotations<D>>& impulse) {
-    free_momentum_ += angular_part(Vec<double, D + rotations<D>>(impulse.cwiseProduct(moves())));
+  void push(const Vec<double, N>& impulse) {
+    free_momentum_ += angular_part<D>(Vec<double, N>(impulse.cwiseProduct(moves())));
   }
   /// The orientation at the end of a step with this twist.
-  Orientation<D> turned(Orientation<D> orientation, const Vec<double, D + rotations<D>>& u, double dt) const {
+  Orientation<D> turned(Orientation<D> orientation, const Vec<double, N>& u, double dt) const {
     if constexpr (D == 2)
-      orientation.turn(dt * angular_part(u));
+      orientation.turn(dt * angular_part<D>(u));
     else
-      rotate_freely(orientation, inertia_, S(in_space_ * angular_part(u)), dt);
+      rotate_freely(orientation, inertia_, S(in_space_ * angular_part<D>(u)), dt);
     return orientation;
   }
 
   /// Work of gravity, forces and moments, J; that of dashpots is booked as `damped`.
-  double drive(const Velocity&, const Velocity&, const Velocity& mean, const Velocity&) {
-    const Vec<double, D + rotations<D>> with = mean.template cast<double>();
+  double work(const Velocity&, const Velocity&, const Velocity& mean, const Velocity&) {
+    const Vec<double, N> with = mean.template cast<double>();
     damped -= of_dashpots_.dot(with);
     return (gained_ - of_springs_ - of_dashpots_).dot(with);
   }
@@ -172,18 +166,18 @@ class BoundFree {
   /// Turns the body through the step; returns its velocity and spin there.
   Velocity turn(Orientation<D>& orientation, const Velocity& velocity, T dt) const {
     if constexpr (D == 2) {
-      orientation.turn(dt * angular_part(velocity).template cast<double>());
+      orientation.turn(dt * angular_part<D>(velocity).template cast<double>());
       return velocity;
     } else {
       rotate_freely(orientation, inertia_, momentum_, static_cast<double>(dt));
       const Spin<T, D> spin = (inertia_in_space(orientation).inverse() * momentum_).template cast<T>();
-      return twist<T, D>(linear_part(velocity), spin);
+      return twist<T, D>(linear_part<D>(velocity), spin);
     }
   }
 
   double kinetic_energy(const Velocity& v) const {
     const Twist<double, D> u = v.template cast<double>();
-    return (mass * linear_part(u).squaredNorm() + momentum_.dot(angular_part(u))) / 2;
+    return (mass * linear_part<D>(u).squaredNorm() + momentum_.dot(angular_part<D>(u))) / 2;
   }
   template <class Body>
   double stored_energy(const Body& body) const {
@@ -209,10 +203,17 @@ class BoundFree {
       return r * inertia_ * r.transpose();
     }
   }
+  /// Of the step: takes the twist to momentum and angular momentum.
+  Mat<double, N> inertia_of_twist() const {
+    Mat<double, N> inertia = Mat<double, N>::Zero();
+    inertia.template topLeftCorner<D, D>().diagonal().setConstant(mass);
+    inertia.template bottomRightCorner<rotations<D>, rotations<D>>() = in_space_;
+    return inertia;
+  }
   /// 1 for each component of the velocity that may change.
-  Vec<double, D + rotations<D>> moves() const {
-    if (hoop_) return Vec<double, D + rotations<D>>::Unit(1);
-    return Vec<double, D + rotations<D>>::Ones();
+  Vec<double, N> moves() const {
+    if (hoop_) return Vec<double, N>::Unit(1);
+    return Vec<double, N>::Ones();
   }
 
   bool hoop_;
@@ -225,7 +226,7 @@ class BoundFree {
   // Of the step.
   Inertias in_space_ = Inertias::Identity();
   S free_momentum_ = S::Zero();
-  Vec<double, D + rotations<D>> gained_, of_springs_, of_dashpots_;  // impulses without contact
+  Vec<double, N> gained_, of_springs_, of_dashpots_;  // impulses without contact
 };
 
 template <class Traits>

@@ -44,7 +44,7 @@ T balance_speed(const R& body, const V& axis, T trial, T mass, const Communicato
     return sum;
   };
   constexpr T round_off = std::numeric_limits<T>::epsilon();
-  T s = trial, f = contact_impulse(s);
+  T s = trial, impulse = contact_impulse(s), f = impulse;
   if (f == 0) return trial;
   const T sign = f > 0 ? T(1) : T(-1);
   T near = trial;            // f has the sign of the start here, and the other one (or none) at `far`
@@ -52,13 +52,14 @@ T balance_speed(const R& body, const V& axis, T trial, T mass, const Communicato
   T before = std::numeric_limits<T>::infinity();
   for (int k = 0; k < 200; ++k) {
     const T h = -sign * std::sqrt(round_off) * std::max(std::abs(s - trial), std::abs(f) / (mass + soil));
-    const T slope = mass + (contact_impulse(s + h) - contact_impulse(s)) / h;
+    const T slope = mass + (contact_impulse(s + h) - impulse) / h;
     T next = s - f / slope;
     if (!((next - near) * (next - far) < 0) || 2 * std::abs(f) > before) next = near + (far - near) / 2;
     before = std::abs(f);
     const T change = std::abs(next - s);
     s = next;
-    f = mass * (s - trial) + contact_impulse(s);
+    impulse = contact_impulse(s);
+    f = mass * (s - trial) + impulse;
     (f * sign > 0 ? near : far) = s;
     if (f == 0 || change <= 4 * round_off * std::abs(s - trial)) break;
   }
@@ -98,8 +99,8 @@ struct BoundGuided {
   V free_velocity(const V& before, const V& acceleration, T time, T dt) const {
     const double begin = static_cast<double>(time) - static_cast<double>(dt);
     const double force = value_at<double, D>(load, Vec<double, D>::Zero(), begin, "Guided.load");
-    const T drive = acceleration.dot(axis) + static_cast<T>(force / mass);
-    return before + dt * drive * axis;
+    const T along = acceleration.dot(axis) + static_cast<T>(force / mass);
+    return before + dt * along * axis;
   }
   template <class Body, class Communicator = Serial>
   V velocity_in_contact(const Body& body, const V& free_velocity,
@@ -111,11 +112,11 @@ struct BoundGuided {
   }
   /// The remainder of the balance is given to the body, unless it is round-off of the impulses, which would
   /// give a very light body a large velocity.
-  V after(const V& met, const V& free_velocity, const V& total, T exchanged) const {
-    const V change = met - free_velocity;
+  V after(const V& contact_velocity, const V& free_velocity, const V& total, T magnitudes) const {
+    const V change = contact_velocity - free_velocity;
     const T m = static_cast<T>(mass), left = m * change.dot(axis) + total.dot(axis);
-    const bool round_off = !(std::abs(left) > 16 * std::numeric_limits<T>::epsilon() * exchanged);
-    return round_off ? met : V(free_velocity - (total.dot(axis) / m) * axis);
+    const bool round_off = !(std::abs(left) > 16 * std::numeric_limits<T>::epsilon() * magnitudes);
+    return round_off ? contact_velocity : V(free_velocity - (total.dot(axis) / m) * axis);
   }
   V mean(const V& before, const V& after) const { return (before + after) / 2; }
   /// For the contact of rigid bodies (`RigidContact`): change of the velocity by an impulse; `added`: how the
@@ -124,7 +125,7 @@ struct BoundGuided {
     const Vec<double, D> along = axis.template cast<double>();
     return along * along.transpose() / (mass + along.dot(added * along));
   }
-  double drive(const V& before, const V& free_velocity, const V& mean, const V&) const {
+  double work(const V& before, const V& free_velocity, const V& mean, const V&) const {
     const V change = free_velocity - before;
     return static_cast<double>(static_cast<T>(mass) * change.dot(mean));
   }

@@ -32,10 +32,10 @@ inline constexpr bool rotates = [] {
 ///   v)` for a node of `body.touched_nodes` is the impulse on the matter if the body moves with v;
 ///   with mass and on a portion of a mesh `velocity_in_contact(body, free_velocity, others)`, which sums over
 ///   the other portions (`sum_over`);
-/// - `after(met, free_velocity, total, exchanged)`: velocity at the end of the step; `met`: the velocity in
-///   contact, `total`: impulse on the matter, `exchanged`: sum of the magnitudes of the impulses;
+/// - `after(contact_velocity, free_velocity, total, magnitudes)`: velocity at the end of the step; `contact_velocity`: the velocity in
+///   contact, `total`: impulse on the matter, `magnitudes`: sum of the magnitudes of the impulses;
 /// - `mean(before, after)`: velocity with which the impulses did work;
-/// - `drive(before, free_velocity, mean, total)`: work of gravity, load or drive in the step, J;
+/// - `work(before, free_velocity, mean, total)`: work of gravity, load or drive in the step, J;
 /// - `kinetic_energy(v)`: J;
 /// - `holds(acceleration)`: whether the body would not fall with the matter.
 template <class M, class V>
@@ -45,7 +45,7 @@ concept rigid_motion = !rotates<M> && requires(const M motion, const V v, typena
   { motion.free_velocity(v, v, t, t) } -> std::convertible_to<V>;
   { motion.after(v, v, v, t) } -> std::convertible_to<V>;
   { motion.mean(v, v) } -> std::convertible_to<V>;
-  { motion.drive(v, v, v, v) } -> std::convertible_to<double>;
+  { motion.work(v, v, v, v) } -> std::convertible_to<double>;
   { motion.kinetic_energy(v) } -> std::convertible_to<double>;
   { motion.holds(v) } -> std::convertible_to<bool>;
 };
@@ -56,7 +56,7 @@ concept rigid_motion = !rotates<M> && requires(const M motion, const V v, typena
 /// - `centre()`: the point of the body whose velocity is given, at the start, m;
 /// - `free_velocity(body, before, acceleration, time, dt)`: with the body, whose `displacement` and
 ///   `orientation` are those of the start of the step;
-/// - `after(met, free_velocity, total, exchanged)`: `exchanged` are the sums of the magnitudes of impulses
+/// - `after(contact_velocity, free_velocity, total, magnitudes)`: `magnitudes` are the sums of the magnitudes of impulses
 ///   and of their moments;
 /// - `turn(orientation, velocity, dt)`: turns the orientation through the step and returns the twist there;
 /// - optional `stored_energy(body)`, J, and `damped`, J since the start: of springs and dashpots.
@@ -69,9 +69,16 @@ concept rotating_motion = rotates<M> &&
   { motion.after(u, u, u, e) } -> std::convertible_to<Twist<T, D>>;
   { motion.turn(o, u, t) } -> std::convertible_to<Twist<T, D>>;
   { motion.mean(u, u) } -> std::convertible_to<Twist<T, D>>;
-  { motion.drive(u, u, u, u) } -> std::convertible_to<double>;
+  { motion.work(u, u, u, u) } -> std::convertible_to<double>;
   { motion.kinetic_energy(u) } -> std::convertible_to<double>;
   { motion.holds(v) } -> std::convertible_to<bool>;
 };
+
+/// Whether a motion still has `work` by its former name.
+template <class M, class T, int D>
+inline constexpr bool names_drive = requires(M motion, const Vec<T, D> v) {
+  motion.drive(v, v, v, v);
+}
+|| requires(M motion, const Twist<T, D> u) { motion.drive(u, u, u, u); };
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -14,7 +14,8 @@
 #include <arenite/boundary/constraints.hpp>
 #include <arenite/contact/coulomb.hpp>
 #include <arenite/core/tensor.hpp>
-#include <arenite/rigid/pose.hpp>
+#include <arenite/rigid/relaxed_impulse.hpp>
+#include <arenite/rigid/twist.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
@@ -176,38 +177,16 @@ class PointImpulses {
     return constraints[n.constraint].projector.template cast<double>() * change;
   }
 
-  /// Velocity of the body at a point, [D x N].
-  static Eigen::Matrix<double, D, N> matrix_at(const Row& row) {
-    Eigen::Matrix<double, D, N> w;
-    if constexpr (N == D)
-      w.setIdentity();
-    else
-      for (int k = 0; k < N; ++k) w.col(k) = velocity_at<double, D>(U::Unit(k), row.arm);
-    return w;
-  }
-  V body_velocity(const Row& row, const U& u) const {
-    if constexpr (N == D)
-      return u;
-    else
-      return velocity_at<double, D>(u, row.arm);
-  }
   V velocity_of(const Row& row, const U& u) const {
-    V v = -body_velocity(row, u);
+    V v = -velocity_at<double, D>(u, row.arm);
     for (const Share& s : shares_of(row)) v += s.weight * nodes_[s.node].velocity;
     return v;
   }
 
   void prepare(Row& row, const Mat<double, N>& mobility,
                const std::vector<Constraint<T, D>>& constraints) const {
-    row.axes.row(0) = row.normal.transpose();
-    if constexpr (D == 2) {
-      row.axes.row(1) << -row.normal[1], row.normal[0];
-    } else {
-      const V beside = row.normal.unitOrthogonal();
-      row.axes.row(1) = beside.transpose();
-      row.axes.row(2) = row.normal.cross(beside).transpose();
-    }
-    const auto w = matrix_at(row);
+    row.axes = contact_axes<D>(row.normal);
+    const auto w = velocity_map<D, N>(row.arm);
     row.by = mobility * w.transpose() * row.axes.transpose();
     Mat<double, D> response = w * mobility * w.transpose();
     double unconstrained = 0;
@@ -228,19 +207,11 @@ class PointImpulses {
   /// Takes the impulse at a point to what the others leave; returns by how much this changed its velocity,
   /// m/s.
   double relax(Row& row, const Friction& friction, const std::vector<Constraint<T, D>>& constraints, U& u) {
-    V w = row.axes * velocity_of(row, u), change = V::Zero();
-    const double normal = std::max(0.0, row.impulse[0] - (w[0] - row.least) / row.response(0, 0));
-    change[0] = normal - row.impulse[0];
-    if (normal == 0 && row.impulse[0] == 0) return 0;
-    w += change[0] * row.response.col(0);
-    // A bound of the response across the normal; in the plane the response itself.
-    const double across = std::max(row.response.trace() - row.response(0, 0), 1e-9 * row.response(0, 0));
-    Vec<double, D - 1> along = row.impulse.template tail<D - 1>() - w.template tail<D - 1>() / across;
-    if (normal == 0)
-      along.setZero();
-    else if (const double size = along.norm(), most = friction.coefficient() * normal; size > most)
-      along *= most / size;
-    change.template tail<D - 1>() = along - row.impulse.template tail<D - 1>();
+    const double across = tangential_response(row.response, 1e-9);
+    const V next = relaxed_impulse<D>(row.impulse, row.axes * velocity_of(row, u), row.least, row.response,
+                                      across, friction.coefficient());
+    const V change = next - row.impulse;
+    if (next[0] == 0 && row.impulse[0] == 0) return 0;
     row.impulse += change;
     u -= row.by * change;
     const V impulse = row.axes.transpose() * change;
@@ -248,7 +219,7 @@ class PointImpulses {
       Node& n = nodes_[s.node];
       n.velocity += s.weight * change_of(n, impulse, constraints);
     }
-    return std::max(std::abs(change[0]) * row.response(0, 0), change.template tail<D - 1>().norm() * across);
+    return velocity_change<D>(change, row.response, across);
   }
 
   std::vector<Row> rows_{};  // [points]

@@ -1,5 +1,4 @@
-// Pose of a rigid body: where its centre is and how it is turned; velocities of its points and moments of
-// forces on it.
+// Pose of a rigid body: where its centre is and how it is turned.
 #pragma once
 // SPDX-License-Identifier: BSD-3-Clause
 
@@ -7,54 +6,9 @@
 #include <cmath>
 
 #include <arenite/core/tensor.hpp>
+#include <arenite/rigid/twist.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
-
-/// Components of a rotation: one in the plane, about z; three in space.
-template <int D>
-inline constexpr int rotations = D == 2 ? 1 : 3;
-
-/// Angular velocity, rad/s, angular momentum or moment of force, [1] in the plane, [3] in space.
-template <class T, int D>
-using Spin = Vec<T, rotations<D>>;
-
-/// Velocity of a rigid body's centre, m/s, and its angular velocity, rad/s, one behind the other; or impulse,
-/// N s, and angular impulse about the centre, N m s. [3] in the plane, [6] in space.
-template <class T, int D>
-using Twist = Vec<T, D + rotations<D>>;
-
-template <class T, int D>
-Twist<T, D> twist(const Vec<T, D>& linear, const Spin<T, D>& angular) {
-  Twist<T, D> both;
-  both << linear, angular;
-  return both;
-}
-template <class T, int N>
-auto linear_part(const Vec<T, N>& both) {
-  return Vec < T, N == 3 ? 2 : 3 > (both.template head < N == 3 ? 2 : 3 > ());
-}
-template <class T, int N>
-auto angular_part(const Vec<T, N>& both) {
-  return Vec < T, N == 3 ? 1 : 3 > (both.template tail < N == 3 ? 1 : 3 > ());
-}
-
-/// Velocity, m/s, of a rigid body's point at `arm`, m, from its centre.
-template <class T, int D>
-Vec<T, D> velocity_at(const Twist<T, D>& body, const Vec<T, D>& arm) {
-  if constexpr (D == 2)
-    return {body[0] - body[2] * arm[1], body[1] + body[2] * arm[0]};
-  else
-    return linear_part(body) + angular_part(body).cross(arm);
-}
-
-/// Moment of a force or impulse that acts at `arm` from the centre.
-template <class T, int D>
-Spin<T, D> moment(const Vec<T, D>& arm, const Vec<T, D>& force) {
-  if constexpr (D == 2)
-    return Spin<T, D>(arm[0] * force[1] - arm[1] * force[0]);
-  else
-    return arm.cross(force);
-}
 
 /// How a body is turned against its start. In the plane an angle, rad, that counts whole turns; in space a
 /// unit quaternion (w, x, y, z).

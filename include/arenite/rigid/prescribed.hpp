@@ -50,9 +50,9 @@ struct BoundPrescribed {
   V velocity_in_contact(const Body&, const V& free_velocity) const {
     return free_velocity;
   }
-  V after(const V& met, const V&, const V&, T) const { return met; }
+  V after(const V& contact_velocity, const V&, const V&, T) const { return contact_velocity; }
   V mean(const V&, const V& after) const { return after; }
-  double drive(const V&, const V&, const V& mean, const V& total) const {
+  double work(const V&, const V&, const V& mean, const V& total) const {
     return static_cast<double>(total.dot(mean));
   }
   double kinetic_energy(const V&) const { return 0; }

@@ -54,15 +54,15 @@ class BoundPrescribedPose {
   Velocity velocity_in_contact(const Body&, const Velocity& free_velocity) const {
     return free_velocity;
   }
-  Velocity after(const Velocity& met, const Velocity&, const Velocity&, const Vec<T, 2>&) const {
-    return met;
+  Velocity after(const Velocity& contact_velocity, const Velocity&, const Velocity&, const Vec<T, 2>&) const {
+    return contact_velocity;
   }
   Velocity mean(const Velocity&, const Velocity& after) const { return after; }
-  double drive(const Velocity&, const Velocity&, const Velocity& mean, const Velocity& total) const {
+  double work(const Velocity&, const Velocity&, const Velocity& mean, const Velocity& total) const {
     return static_cast<double>(total.dot(mean));
   }
   Velocity turn(Orientation<D>& orientation, const Velocity& velocity, T dt) const {
-    orientation.turn(static_cast<double>(dt) * angular_part(velocity).template cast<double>());
+    orientation.turn(static_cast<double>(dt) * angular_part<D>(velocity).template cast<double>());
     return velocity;
   }
   double kinetic_energy(const Velocity&) const { return 0; }

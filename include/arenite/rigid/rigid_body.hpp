@@ -110,17 +110,17 @@ struct RigidBody {
   Surface surface;
   Motion motion;
   Friction friction;
-  V velocity = linear(motion.start());  ///< m/s
-  V displacement = V::Zero();           ///< since the start, m
-  V force = V::Zero();                  ///< mean contact force on the body during the last step, N
-  V impulse = V::Zero();                ///< contact impulse on the body since the start, N s
-  double driving_work = 0;              ///< work of gravity, load or the prescribed motion's drive, J
-  double dissipated = 0;                ///< by contact, since the start, J
-  std::size_t contact_nodes = 0;        ///< nodes that pushed on the body in the last step
+  V velocity = linear_part<D>(Velocity(motion.start()));  ///< m/s
+  V displacement = V::Zero();                             ///< since the start, m
+  V force = V::Zero();            ///< mean contact force on the body during the last step, N
+  V impulse = V::Zero();          ///< contact impulse on the body since the start, N s
+  double driving_work = 0;        ///< work of gravity, load or the prescribed motion's drive, J
+  double dissipated = 0;          ///< by contact, since the start, J
+  std::size_t contact_nodes = 0;  ///< nodes that pushed on the body in the last step
   /// Nodes inside the body that carried mass in the last step; `PointContact` does not look for them.
   std::size_t inside_nodes = 0;
-  Spin<T, D> spin = angular(motion.start());        ///< angular velocity, rad/s
-  Orientation<D> orientation{};                     ///< against the start
+  Spin<T, D> spin = angular_part<D>(Velocity(motion.start()));  ///< angular velocity, rad/s
+  Orientation<D> orientation{};                                 ///< against the start
   Spin<T, D> torque = Spin<T, D>::Zero();           ///< mean moment of contact about the centre, N m
   Spin<T, D> angular_impulse = Spin<T, D>::Zero();  ///< of contact since the start, N m s
 
@@ -171,61 +171,34 @@ struct RigidBody {
     return sum;
   }
 
-  /// Velocity of the body at a touched node if it moves with v, m/s.
-  V surface_velocity([[maybe_unused]] const TouchedNode& t, const Velocity& v) const {
-    if constexpr (rotates)
-      return velocity_at<T, D>(v, t.arm);
-    else
-      return v;
-  }
   /// Impulse on the field at a touched node if the body moves with velocity v, m/s.
   CoulombImpulse<T, D> contact_at(const TouchedNode& t, const Velocity& v) const {
-    const V approach = t.start - surface_velocity(t, v);
+    const V approach = t.start - velocity_at<T, D>(v, t.arm);
     if (t.inside) return stick<T, D>(approach, t.mass_ratio * t.mass);
     return coulomb<T, D>(approach, t.normal, t.mass_ratio * t.mass, friction);
   }
   V impulse_at(const TouchedNode& t, const Velocity& v) const { return contact_at(t, v).impulse; }
-  /// An impulse on the field at a touched node, N s, with its moment about the centre, N m s.
-  Velocity with_moment([[maybe_unused]] const TouchedNode& t, const V& j) const {
-    if constexpr (rotates)
-      return twist<T, D>(j, moment<T, D>(t.arm, j));
-    else
-      return j;
-  }
-  /// Magnitudes of an impulse, and of its moment.
-  auto size_of([[maybe_unused]] const TouchedNode& t, const V& j) const {
-    if constexpr (rotates)
-      return Vec<T, 2>(j.norm(), j.norm() * t.arm.norm());
-    else
-      return j.norm();
-  }
-  static auto no_size() {
-    if constexpr (rotates)
-      return Vec<T, 2>(0, 0);
-    else
-      return T(0);
-  }
   /// Books the impulses of a step on the fields.
   void take_impulse(const Velocity& total, T dt) {
-    const V given = linear(total);
-    const Spin<T, D> turned = angular(total);
+    const V linear = linear_part<D>(total);
+    const Spin<T, D> angular = angular_part<D>(total);
     for (int k = 0; k < D; ++k) {
-      force[k] = -given[k] / dt;
-      impulse[k] -= given[k];
+      force[k] = -linear[k] / dt;
+      impulse[k] -= linear[k];
     }
     for (int k = 0; k < rotations<D>; ++k) {
-      torque[k] = -turned[k] / dt;
-      angular_impulse[k] -= turned[k];
+      torque[k] = -angular[k] / dt;
+      angular_impulse[k] -= angular[k];
     }
   }
   /// Moves through a step with the velocity of its end.
   void move(const Velocity& v, T dt) {
-    velocity = linear(v);
+    velocity = linear_part<D>(v);
     displacement += dt * velocity;
     if constexpr (rotates) {
       const Velocity turned = motion.turn(orientation, v, dt);
-      velocity = linear(turned);
-      spin = angular(turned);
+      velocity = linear_part<D>(turned);
+      spin = angular_part<D>(turned);
     }
   }
 
@@ -314,18 +287,6 @@ struct RigidBody {
     dissipated += dissipation;
     return dissipation;
   }
-  static V linear(const Velocity& v) {
-    if constexpr (rotates)
-      return linear_part(v);
-    else
-      return v;
-  }
-  static Spin<T, D> angular([[maybe_unused]] const Velocity& v) {
-    if constexpr (rotates)
-      return angular_part(v);
-    else
-      return Spin<T, D>::Zero();
-  }
 };
 
 template <class S, class M, class C, Name name, class Traits>
@@ -343,7 +304,9 @@ auto bind_part(const Rigid<S, M, C, name>& recipe, const Traits& traits) {
   constexpr bool has_motion =
       rigid_motion<decltype(motion), V> || rotating_motion<decltype(motion), typename Traits::T, Traits::D>;
   static_assert(has_surface, "Rigid: the surface lacks a member; see arenite/rigid/surface.hpp");
-  static_assert(has_motion, "Rigid: the motion lacks a member; see arenite/rigid/motion.hpp");
+  constexpr bool names_old = names_drive<decltype(motion), typename Traits::T, Traits::D>;
+  static_assert(!names_old, "Rigid: drive(..) of a motion is now called work(..)");
+  static_assert(has_motion || names_old, "Rigid: the motion lacks a member; see arenite/rigid/motion.hpp");
   static_assert(!has_surface || !has_motion || fits, ARENITE_SAYS_RESTING_SURFACE);
   if constexpr (has_motion && fits)
     return RigidBody<typename Traits::T, Traits::D, decltype(surface), decltype(motion), C, name>{

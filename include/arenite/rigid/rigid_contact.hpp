@@ -38,19 +38,14 @@ namespace detail {
 /// How the impulses of the matter on a body oppose its velocity, as an inertia [N x N]; `coupling`: see
 /// `coulomb_slope`.
 template <class R, class Communicator>
-auto resistance_of_matter(const R& body, const typename R::Velocity& met, bool coupling,
+auto resistance_of_matter(const R& body, const typename R::Velocity& contact_velocity, bool coupling,
                           const Communicator& comm) {
   constexpr int D = R::V::RowsAtCompileTime, N = R::Velocity::RowsAtCompileTime;
-  using U = Vec<double, N>;
   Mat<double, N> sum = Mat<double, N>::Zero();
   for (const auto& t : body.touched_nodes) {
-    Eigen::Matrix<double, D, N> w;
-    if constexpr (R::rotates)
-      for (int k = 0; k < N; ++k)
-        w.col(k) = velocity_at<double, D>(U::Unit(k), t.arm.template cast<double>());
-    else
-      w.setIdentity();
-    const Vec<double, D> v = w * met.template cast<double>(), approach = t.start.template cast<double>() - v;
+    const auto w = velocity_map<D, N>(t.arm.template cast<double>());
+    const Vec<double, D> v = w * contact_velocity.template cast<double>(),
+                         approach = t.start.template cast<double>() - v;
     const Mat<double, D> slope =
         t.inside ? Mat<double, D>(Mat<double, D>::Identity())
                  : coulomb_slope<D>(approach, t.normal.template cast<double>(), body.friction, coupling);
@@ -64,16 +59,17 @@ auto resistance_of_matter(const R& body, const typename R::Velocity& met, bool c
 /// impulse can make an impulse gain energy (a wedge that jams): impulses of contacts need not exist then,
 /// and the growth is left to the next round.
 template <class R, class Communicator>
-auto mobility_in_matter(const R& body, const typename R::Velocity& met, const Communicator& comm) {
+auto mobility_in_matter(const R& body, const typename R::Velocity& contact_velocity,
+                        const Communicator& comm) {
   constexpr int N = R::Velocity::RowsAtCompileTime;
-  Mat<double, N> mobility = mobility_of(body, resistance_of_matter(body, met, true, comm));
+  Mat<double, N> mobility = mobility_of(body, resistance_of_matter(body, contact_velocity, true, comm));
   if constexpr (R::is_free) {
     Mat<double, N> twice = mobility + mobility.transpose();
     // Components that cannot move have rows of zeros.
     for (int k = 0; k < N; ++k)
       if (twice(k, k) == 0) twice(k, k) = 1;
     if (!(twice.llt().info() == Eigen::Success))
-      mobility = mobility_of(body, resistance_of_matter(body, met, false, comm));
+      mobility = mobility_of(body, resistance_of_matter(body, contact_velocity, false, comm));
   }
   return mobility;
 }
@@ -172,8 +168,8 @@ class BoundRigidContact {
   /// Of one body in a step; of other parts nothing.
   template <class R>
   struct Step {
-    typename R::Velocity free, pushed, push, met;
-    GivenImpulses<R> given;
+    typename R::Velocity free, pushed, push, contact_velocity;
+    ContactImpulses<R> impulses;
   };
   struct NoStep {};
   template <class P>
@@ -201,18 +197,10 @@ class BoundRigidContact {
     each_of(scene, steps, f, std::make_index_sequence<std::tuple_size_v<Steps>>{});
   }
 
-  /// A twist, or a velocity [D] with no spin.
+  /// A twist; where the body does not rotate, with no spin.
   template <int size>
   static Vec<double, N> as_twist(const Vec<T, size>& v) {
-    Vec<double, N> u = Vec<double, N>::Zero();
-    u.template head<size>() = v.template cast<double>();
-    return u;
-  }
-  /// The share of a twist or impulse that a body knows.
-  template <class R>
-  static auto for_body(const Vec<double, N>& u) {
-    constexpr int size = R::Velocity::RowsAtCompileTime;
-    return Vec<double, size>(u.template head<size>());
+    return resized<N>(Vec<double, size>(v.template cast<double>()));
   }
 
   /// Where the bodies are.
@@ -242,15 +230,16 @@ class BoundRigidContact {
       constexpr int size = R::Velocity::RowsAtCompileTime;
       auto& b = touching_.bodies[k];
       for (auto& t : body.touched_nodes) t.start = scene.fields[t.field].velocity[t.node];
-      const auto push = for_body<R>(b.impulse);
+      const Vec<double, size> push = resized<size>(b.impulse);
       const Mat<double, size> alone = mobility_of(body, Mat<double, size>(Mat<double, size>::Zero()));
       s.push = push.template cast<T>();
       s.pushed = s.free + (alone * push).template cast<T>();
-      s.met = velocity_in_contact(body, s.pushed, comm);
+      s.contact_velocity = velocity_in_contact(body, s.pushed, comm);
       b.mobility.setZero();
-      b.mobility.template topLeftCorner<size, size>() = detail::mobility_in_matter(body, s.met, comm);
-      s.given = give_impulses(body, scene.fields, s.met, comm);
-      b.twist = as_twist(s.met);
+      b.mobility.template topLeftCorner<size, size>() =
+          detail::mobility_in_matter(body, s.contact_velocity, comm);
+      s.impulses = apply_contact_impulses(body, scene.fields, s.contact_velocity, comm);
+      b.twist = as_twist(s.contact_velocity);
     });
   }
   /// Takes back what the bodies gave to the matter, the last body first.
@@ -273,7 +262,7 @@ class BoundRigidContact {
       using R = std::remove_cvref_t<decltype(body)>;
       auto& b = touching_.bodies[k++];
       b.end = b.begin;
-      b.end.displacement += dt * linear_part(b.twist);
+      b.end.displacement += dt * linear_part<D>(b.twist);
       if constexpr (R::rotates) {
         auto orientation = body.orientation;
         if constexpr (requires { body.motion.turned(orientation, b.twist, dt); })
@@ -293,7 +282,7 @@ class BoundRigidContact {
       if constexpr (requires { body.motion.push(touching_.bodies[k].impulse); })
         body.motion.push(touching_.bodies[k].impulse);
       const auto [lost, mean] =
-          finish_step(body, s.free, s.pushed, s.push, s.met, s.given, static_cast<T>(dt));
+          finish_step(body, s.free, s.pushed, s.push, s.contact_velocity, s.impulses, static_cast<T>(dt));
       const double between = -touching_.bodies[k].impulse.dot(as_twist(mean));
       dissipated += between;
       tally += {.dissipation = lost + between, .nodes = body.contact_nodes};

@@ -13,6 +13,8 @@
 #include <arenite/core/error.hpp>
 #include <arenite/rigid/contact_points.hpp>
 #include <arenite/rigid/contact_solver.hpp>
+#include <arenite/rigid/relaxed_impulse.hpp>
+#include <arenite/rigid/twist.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
@@ -155,21 +157,9 @@ class TouchingBodies {
     row.body[0] = t.first;
     row.body[1] = t.second;
     row.friction = friction;
-    Mat<double, D> axes;  // rows: normal, tangents
-    axes.row(0) = t.normal.transpose();
-    if constexpr (D == 2) {
-      axes.row(1) << -t.normal[1], t.normal[0];
-    } else {
-      const V beside = t.normal.unitOrthogonal();
-      axes.row(1) = beside.transpose();
-      axes.row(2) = t.normal.cross(beside).transpose();
-    }
-    for (int i = 0; i < 2; ++i) {
-      const V arm = t.place - bodies[row.body[i]].centre();
-      Eigen::Matrix<double, D, N> w;
-      for (int k = 0; k < N; ++k) w.col(k) = velocity_at<double, D>(Vec<double, N>::Unit(k), arm);
-      row.to[i] = (i == 0 ? 1.0 : -1.0) * axes * w;
-    }
+    const Mat<double, D> axes = contact_axes<D>(t.normal);
+    for (int i = 0; i < 2; ++i)
+      row.to[i] = (i == 0 ? 1.0 : -1.0) * axes * velocity_map<D, N>(t.place - bodies[row.body[i]].centre());
     set_response(row);
     const double any = bodies[t.first].mobility.template topLeftCorner<D, D>().trace() +
                        bodies[t.second].mobility.template topLeftCorner<D, D>().trace();

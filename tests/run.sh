@@ -74,6 +74,7 @@ if chosen python; then
   need python3-dev "headers of Python" python3-config
   need python3-venv "clean environments"
   need libcli11-dev "typed options of the driver, with which those of Python are compared"
+  need doxygen "reads the headers that the recipes are written from" doxygen
 fi
 if chosen clang || chosen asan; then
   need clang "the second compiler" clang++

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import dataclasses
 import inspect
-from typing import Any, Callable
+from typing import Any, Callable, Tuple
 
 import numpy as np
 
@@ -16,6 +16,8 @@ _WITH_RULES = frozenset(_core.checked_recipes())
 class Recipe:
     """A dataclass whose fields are the members of the C++ class of the same name. It is checked when it is made, by the
     rules of that class."""
+
+    functions: Tuple[str, ...] = ()  #: names of the fields that may be functions of time or place
 
     def __post_init__(self) -> None:
         for name, value in list(vars(self).items()):
@@ -38,7 +40,8 @@ class Recipe:
 
     def value(self) -> Any:
         """The values of the fields, by name, for the native core."""
-        return {f.name: plain(getattr(self, f.name)) for f in dataclasses.fields(self)}  # type: ignore[arg-type]
+        fields = ((f.name, getattr(self, f.name)) for f in dataclasses.fields(self))  # type: ignore[arg-type]
+        return {name: function_value(given) if name in self.functions else plain(given) for name, given in fields}
 
 
 def check_together(*recipes: str) -> None:

@@ -5,7 +5,9 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from typing import Any, Callable, Optional, Sequence, Tuple, Union
 
+from ._bases import Part
 from ._recipe import Recipe, function_value, plain
+from ._recipes import LocalDamping, ViscousDamping
 from .shapes import Region, region_value
 
 
@@ -106,10 +108,6 @@ def on(set: str, condition: Union[str, Condition] = fixed) -> Wall:
 def where(test: Callable[[Any], Any], condition: Union[str, Condition] = fixed) -> Wall:
     """The nodes whose positions pass a test: positions [n, 2 or 3], m, in, [n] booleans out, called once."""
     return Wall(test=test, condition=condition)
-
-
-class Part(Recipe):
-    """What a scene may name beside bodies and walls."""
 
 
 @dataclass(frozen=True)
@@ -295,27 +293,6 @@ class Absorbing(Part):
         return {"where": _faces(self.where),
                 "options": {"density": self.density, "pressure_wave": self.pressure_wave,
                             "shear_wave": self.shear_wave, "support": int(self.first_reaction)}}
-
-
-@dataclass(frozen=True)
-class ViscousDamping(Part):
-    """Velocities decay as exp(-rate t), a free fall's too; critical for a mode of angular frequency w at 2 w.
-
-    parameter  unit  range  default  meaning
-    rate       1/s   >= 0   needed   velocities decay as exp(-rate t)"""
-
-    rate: float
-
-
-@dataclass(frozen=True)
-class LocalDamping(Part):
-    """At each node a share of the force out of balance, against the velocity (Cundall 1987). For static states: what
-    falls falls with 1 - factor of gravity (`Scene.switch_off_damping`).
-
-    parameter  unit  range   default  meaning
-    factor     -     [0, 1)  0.7      share of the force out of balance"""
-
-    factor: float = 0.7
 
 
 @dataclass(frozen=True)

@@ -5,29 +5,15 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from typing import Any, Callable, Dict, Optional, Sequence, Union
 
+from . import _recipes
 from ._recipe import Recipe, plain
 from .laws import Law
 from .shapes import Region, region_value
 
 
-@dataclass(frozen=True)
-class Geostatic(Recipe):
-    """Stress of level ground at rest under the scene's gravity: that of the body's own weight up to the surface, and
-    of the layers above it, which are other bodies with a `Geostatic`. The first step warns if the ground is not at rest.
-
-    parameter  unit  range        default  meaning
-    surface    m     any          needed   height of the surface
-    k0         -     >= 0         needed   horizontal over vertical stress
-    surcharge  Pa    >= 0         0.0      pressure on the surface
-    may_move   -     True, False  False    ground that is not at rest is no mistake"""
-
-    surface: float = float("nan")
-    k0: float = float("nan")
-    surcharge: float = 0.0
-    may_move: bool = False
-
+class Geostatic(_recipes.Geostatic):
     def value(self) -> Any:
-        return {"geostatic": Recipe.value(self)}
+        return {"geostatic": super().value()}
 
 
 @dataclass(frozen=True)

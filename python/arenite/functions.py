@@ -6,28 +6,14 @@ import math
 from dataclasses import dataclass
 from typing import Any, Sequence, Tuple
 
-from . import _core
+from . import _core, _recipes
 from ._recipe import Recipe, function_value
 
 
 deg = math.pi / 180  #: a degree, rad: `35 * ar.deg`
 
 
-@dataclass(frozen=True)
-class Ramp(Recipe):
-    """From one value to another, linearly in time, constant before and behind.
-
-    parameter    unit  range  default  meaning
-    to           any   any    1.0      value at the end
-    over         s     >= 0   needed   duration; 0: a step at `start`
-    start_value  any   any    0.0      value at the start (C++: `from`)
-    start        s     any    0.0      when it begins"""
-
-    to: float = 1.0
-    over: float = float("nan")
-    start_value: float = 0.0
-    start: float = 0.0
-
+class Ramp(_recipes.Ramp):
     def value(self) -> Any:
         return {"ramp": {"to": self.to, "over": self.over, "from": self.start_value, "start": self.start}}
 

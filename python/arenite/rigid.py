@@ -2,30 +2,14 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from typing import Any, Callable, Optional, Sequence, Tuple, Type, Union
 
+from . import _recipes
+from ._bases import Contact
 from ._recipe import Recipe, check_together, function_value, plain
+from ._recipes import Anchor, CentreOfMass, Guided, PointContact, PrescribedPose, RigidVelocity
 from .shapes import Shape, distance_value
-
-
-@dataclass(frozen=True)
-class Guided(Recipe):
-    """A mass that slides along one axis under gravity, a load and contact.
-
-    parameter  unit  range                            default          meaning
-    mass       kg    > 0                              needed           of what the scene models: a metre, the full circle
-    axis       -     any                              (0.0, 1.0, 0.0)  direction of the guide
-    velocity   m/s   any                              0.0              along the axis, at the start
-    load       N     a number, or a function of time  0.0              force along the axis; each step takes that of its begin"""
-
-    mass: float = float("nan")
-    axis: Sequence[float] = (0.0, 1.0, 0.0)
-    velocity: float = 0.0
-    load: Any = 0.0
-
-    def value(self) -> Any:
-        return {**Recipe.value(self), "load": function_value(self.load)}
 
 
 @dataclass(frozen=True)
@@ -41,88 +25,12 @@ class Prescribed(Recipe):
         return function_value(self.velocity)
 
 
-@dataclass(frozen=True)
-class PrescribedPose(Recipe):
-    """Velocity of one point, m/s, and the spin about it, rad/s.
-
-    parameter  unit   range                                               default          meaning
-    centre     m      any                                                 (0.0, 0.0, 0.0)  the point, at the start
-    velocity   m/s    up to 3 numbers, a `Signal`, or a function of time  (0.0, 0.0, 0.0)  of the point
-    spin       rad/s  up to 3 numbers, a `Signal`, or a function of time  (0.0, 0.0, 0.0)  in the plane (0, 0, z)"""
-
-    centre: Sequence[float] = (0.0, 0.0, 0.0)
-    velocity: Any = (0.0, 0.0, 0.0)
-    spin: Any = (0.0, 0.0, 0.0)
-
+class Free(_recipes.Free):
     def value(self) -> Any:
-        return {"centre": list(self.centre), "velocity": function_value(self.velocity),
-                "spin": function_value(self.spin)}
-
-
-@dataclass(frozen=True)
-class Anchor(Recipe):
-    """Springs, N/m and N m/rad, and dashpots, N s/m and N m s/rad, to the place at the start.
-
-    parameter             unit       range  default          meaning
-    stiffness             N/m        >= 0   (0.0, 0.0, 0.0)  along each axis
-    damping               N s/m      >= 0   (0.0, 0.0, 0.0)  along each axis
-    rotational_stiffness  N m/rad    >= 0   (0.0, 0.0, 0.0)  about each axis
-    rotational_damping    N m s/rad  >= 0   (0.0, 0.0, 0.0)  about each axis"""
-
-    stiffness: Sequence[float] = (0.0, 0.0, 0.0)
-    damping: Sequence[float] = (0.0, 0.0, 0.0)
-    rotational_stiffness: Sequence[float] = (0.0, 0.0, 0.0)
-    rotational_damping: Sequence[float] = (0.0, 0.0, 0.0)
-
-
-@dataclass(frozen=True)
-class Free(Recipe):
-    """A mass that moves and turns freely; force, N, and moment, N m, may be vectors, signals or functions.
-
-    parameter  unit   range                                               default          meaning
-    mass       kg     > 0                                                 needed           of what the scene models: a metre, the full circle
-    inertia    kg m2  > 0                                                 None             about the centre: one number, three or six; none in axisymmetry
-    centre     m      any                                                 needed           of mass, at the start
-    velocity   m/s    any                                                 (0.0, 0.0, 0.0)  at the start
-    spin       rad/s  any                                                 (0.0, 0.0, 0.0)  at the start; in the plane (0, 0, z)
-    anchor     -      an `Anchor`                                         Anchor           springs and dashpots to the world
-    force      N      up to 3 numbers, a `Signal`, or a function of time  (0.0, 0.0, 0.0)
-    moment     N m    up to 3 numbers, a `Signal`, or a function of time  (0.0, 0.0, 0.0)"""
-
-    mass: float = float("nan")
-    inertia: Union[float, Sequence[float], None] = None
-    centre: Sequence[float] = (float("nan"), float("nan"), 0.0)
-    velocity: Sequence[float] = (0.0, 0.0, 0.0)
-    spin: Sequence[float] = (0.0, 0.0, 0.0)
-    anchor: Anchor = field(default_factory=Anchor)
-    force: Any = (0.0, 0.0, 0.0)
-    moment: Any = (0.0, 0.0, 0.0)
-
-    def value(self) -> Any:
-        value = Recipe.value(self)
-        value["force"], value["moment"] = function_value(self.force), function_value(self.moment)
+        value = super().value()
         if self.inertia is None:
             del value["inertia"]
         return value
-
-
-class Contact(Recipe):
-    pass
-
-
-@dataclass(frozen=True)
-class RigidVelocity(Contact):
-    """At nodes: a touched one may not move into the body."""
-
-
-@dataclass(frozen=True)
-class CentreOfMass(Contact):
-    """At nodes, through the centre-of-mass velocity; needs a `MeshSurface`."""
-
-
-@dataclass(frozen=True)
-class PointContact(Contact):
-    """At the material points; needs `Usl` and a shape."""
 
 
 @dataclass(frozen=True)
@@ -207,32 +115,12 @@ class RigidContact(Recipe):
     pairs: Sequence[RigidPair] = ()
 
 
-@dataclass(frozen=True)
-class MovingMesh(Recipe):
-    """The mesh moves along an axis with rigid body number `leader`; heights in m.
-
-    parameter    unit  range           default  meaning
-    fixed_below  m     any             needed   nodes below it rest
-    moving_from  m     > fixed_below   needed   nodes from here on move
-    moving_to    m     >= moving_from  inf      up to here
-    fixed_above  m     > moving_to     inf      nodes above it rest
-    axis         -     0 to 2          1
-    least        -     (0, 1)          0.05     share of its height that a zone keeps, or the run stops
-    leader       -     >= 0            0        number of the rigid body"""
-
-    fixed_below: float
-    moving_from: float
-    moving_to: float = float("inf")
-    fixed_above: float = float("inf")
-    axis: int = 1
-    least: float = 0.05
-    leader: int = 0
-
+class MovingMesh(_recipes.MovingMesh):
     def cpp(self) -> str:
         return f"MovingMesh<LedByRigid<{self.leader}>>" if self.leader else "MovingMesh<>"
 
     def value(self) -> Any:
-        value = Recipe.value(self)
+        value = super().value()
         del value["leader"]
         return value
 

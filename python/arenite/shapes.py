@@ -9,6 +9,7 @@ from typing import Any, Callable, Sequence, Union
 import numpy as np
 from numpy.typing import ArrayLike
 
+from . import _recipes
 from ._recipe import Recipe, plain
 
 
@@ -105,25 +106,7 @@ class Polygon(Shape):
     corners: Sequence[Sequence[float]]
 
 
-@dataclass(frozen=True)
-class ConeCylinder(Shape):
-    """Cylinder about the y axis with a cone that points down, its lowest point at height `tip`.
-
-    parameter   unit  range    default  meaning
-    radius      m     > 0      needed   of the shaft
-    apex        rad   (0, pi)  needed   full angle of the cone
-    length      m     > 0      needed   from the tip to the upper end
-    tip         m     any      0.0      height of the lowest point
-    tip_radius  m     >= 0     0.0      of the rounded tip
-    fillet      m     >= 0     0.0      radius between cone and shaft"""
-
-    radius: float
-    apex: float
-    length: float
-    tip: float = 0.0
-    tip_radius: float = 0.0
-    fillet: float = 0.0
-
+class ConeCylinder(_recipes.ConeCylinder, Shape):
     def value(self) -> Any:
         return {"shape": "ConeCylinder", "parameters": Recipe.value(self)}
 

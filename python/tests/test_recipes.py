@@ -6,6 +6,9 @@ import dataclasses
 import inspect
 import math
 import re
+import shutil
+import subprocess
+import sys
 from pathlib import Path
 
 import numpy as np
@@ -55,6 +58,15 @@ def test_each_recipe_tells_its_parameters_with_unit_range_and_default(ar):
                 assert ast.literal_eval(row.replace("inf", "1e999")) == default, (recipe.__name__, name, row)
             else:
                 assert row, (recipe.__name__, name)
+
+
+def test_recipes_are_what_the_headers_say():
+    """A changed comment, default or member of an aggregate is written into _recipes.py."""
+    tool = INCLUDE.parents[1] / "python" / "tools" / "recipes.py"
+    if not shutil.which("doxygen") or not tool.exists():
+        pytest.skip("needs Doxygen and the sources")
+    run = subprocess.run([sys.executable, str(tool), "--check"], capture_output=True, text=True, check=False)
+    assert run.returncode == 0, run.stderr
 
 
 def test_help_shows_the_table(ar):

@@ -47,13 +47,15 @@ class Table {
   std::vector<Row> rows_;
 };
 
-/// From one value to another, linearly in time, constant before and behind: `Ramp{.to = 100_kPa, .over =
-/// 0.2}`.
+/// From one value to another, linearly in time, constant before and behind.
+///
+/// `Ramp{.to = 100_kPa, .over = 0.2}`.
 struct Ramp {
-  double to = 1;                                           ///< value at the end
-  double over = std::numeric_limits<double>::quiet_NaN();  ///< duration, s; 0: a step at `start`
-  double from = 0;                                         ///< value at the start
-  double start = 0;                                        ///< s
+  double to = 1;  ///< value at the end, any, any
+  double over =
+      std::numeric_limits<double>::quiet_NaN();  ///< duration, s; required, >= 0; 0: a step at `start`
+  double from = 0;                               ///< value at the start, any, any
+  double start = 0;                              ///< when it begins, s, any
 
   double operator()(double time) const {
     if (time >= start + over) return to;

@@ -17,11 +17,13 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 /// Initial stress of level ground at rest under the scene's gravity: vertical stress from the weight above,
 /// horizontal stress k0 times that. The weight is that of the body's own matter up to the surface, and of the
-/// layers above it: other bodies with a `Geostatic`, by the bounds of their regions (`Ground`).
+/// layers above it: other bodies with a `Geostatic`, by the bounds of their regions.
 struct Geostatic {
-  double surface = std::numeric_limits<double>::quiet_NaN();  ///< height of the free surface, m
-  double k0 = std::numeric_limits<double>::quiet_NaN();       ///< horizontal over vertical stress, -
-  double surcharge = 0;   ///< vertical stress on the surface, Pa, pressure positive
+  double surface =
+      std::numeric_limits<double>::quiet_NaN();  ///< height of the free surface, m; required, any
+  double k0 =
+      std::numeric_limits<double>::quiet_NaN();  ///< horizontal over vertical stress, -; required, >= 0
+  double surcharge = 0;                          ///< pressure on the surface, Pa, >= 0
   bool may_move = false;  ///< whether forces out of balance in the first step are no mistake (a dam breaks)
 
   /// Throws `error` unless all is given.

@@ -26,11 +26,11 @@ struct DruckerPragerParameters {
   double young = detail::not_given;     ///< Young's modulus, Pa; required, positive
   double poisson = detail::not_given;   ///< Poisson's ratio, -; required, in (-1, 0.5)
   double friction = detail::not_given;  ///< angle of friction, rad; required, in [0, 1.55]; 0: von Mises
-  double cohesion = 0;                  ///< Pa; >= 0, positive where friction is 0
+  double cohesion = 0;                  ///< Pa, >= 0; positive where friction is 0
   double dilatancy = 0;                 ///< angle of dilatancy, rad; in [0, friction]
-  /// V / V0 beyond which the matter dilates no further, -, >= 1; as in `MohrCoulombParameters`.
+  /// V / V0 beyond which the matter dilates no further, -, >= 1. See `MohrCoulombParameters`.
   double greatest_volume_ratio = 1.5;
-  /// Greatest mean stress, Pa, >= 0. Acts below the apex, cohesion / tan(friction); default: the apex.
+  /// Greatest mean stress, Pa, >= 0; infinite: that of the apex, cohesion / tan(friction).
   double tension = std::numeric_limits<double>::infinity();
   Cone cone = Cone::compression;  ///< which Mohr-Coulomb strength it reproduces
 };
@@ -150,8 +150,9 @@ class DruckerPragerSurface {
 
 }  // namespace detail
 
-/// Drucker-Prager law. A trial stress returns to cone and cut-off at once (Koiter's rule). What opened: as in
-/// mohr_coulomb.hpp.
+/// Drucker-Prager law. A trial stress returns to cone and cut-off at once (Koiter's rule).
+///
+/// What opened: as in mohr_coulomb.hpp.
 template <class Memory = ForgetsOpening, class Friction = ConstantFriction,
           class Stiffness = ConstantStiffness>
 class DruckerPrager

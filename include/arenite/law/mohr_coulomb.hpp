@@ -19,13 +19,13 @@ struct MohrCoulombParameters {
   double young = detail::not_given;     ///< Young's modulus, Pa; required, positive
   double poisson = detail::not_given;   ///< Poisson's ratio, -; required, in (-1, 0.5)
   double friction = detail::not_given;  ///< angle of friction, rad; required, in [0, 1.55]; 0: Tresca
-  double cohesion = 0;                  ///< Pa; >= 0, positive where friction is 0
+  double cohesion = 0;                  ///< Pa, >= 0; positive where friction is 0
   double dilatancy = 0;                 ///< angle of dilatancy, rad; in [0, friction]
   /// V / V0 beyond which the matter dilates no further, -, >= 1. A bound that keeps single points from
   /// growing without limit (up to 77 times at psi = 20 deg); the default lies beyond the loosest packing of
   /// sand.
   double greatest_volume_ratio = 1.5;
-  /// Greatest principal stress, Pa, >= 0. Acts below the apex, cohesion / tan(friction); default: the apex.
+  /// Greatest principal stress, Pa, >= 0; infinite: that of the apex, cohesion / tan(friction).
   double tension = std::numeric_limits<double>::infinity();
 };
 

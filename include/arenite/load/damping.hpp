@@ -21,7 +21,7 @@ struct ViscousDamping {
     static constexpr const char* bounds = "must be given, and not negative";
     static bool holds(double rate) { return rate >= 0 && rate < std::numeric_limits<double>::infinity(); }
   };
-  Checked<RateRule> rate;  ///< 1/s
+  Checked<RateRule> rate;  ///< 1/s; required, >= 0
 };
 
 /// Local damping (Cundall 1987): at each node and along each axis a force of `factor` times the force out of
@@ -35,7 +35,7 @@ struct LocalDamping {
     static constexpr const char* bounds = "must lie in [0, 1)";
     static bool holds(double factor) { return factor >= 0 && factor < 1; }
   };
-  Checked<FactorRule> factor = 0.7;
+  Checked<FactorRule> factor = 0.7;  ///< share of the force out of balance, -, in [0, 1)
 };
 
 /// Base of dampings: they can be switched off, and book the work of their forces as dissipated.

@@ -45,17 +45,19 @@ struct LedByBody {
 /// Nodes of a simplex mesh, or lines of a `RectilinearGrid`, move along one axis by a share of the leader's
 /// travel that depends on their initial place on the axis: 0 up to `fixed_below`, then linearly up to 1 at
 /// `moving_from`, 1 up to `moving_to`, then linearly down to 0 at `fixed_above`; without the last two
-/// everything above `moving_from` moves. Heights in m. Values are checked when the scene is made, which
-/// throws `error`.
+/// everything above `moving_from` moves.
+///
+/// Values are checked when the scene is made, which throws `error`.
 template <class Leader = LedByRigid<>>
 struct MovingMesh {
   Leader leader{};
-  double fixed_below = std::numeric_limits<double>::quiet_NaN();
-  double moving_from = std::numeric_limits<double>::quiet_NaN();
-  double moving_to = std::numeric_limits<double>::infinity();
-  double fixed_above = std::numeric_limits<double>::infinity();
-  int axis = 1;
-  double least = 0.05;  ///< a zone that is squeezed to less than this share of its height stops the run
+  double fixed_below = std::numeric_limits<double>::quiet_NaN();  ///< what lies below rests, m; required, any
+  double moving_from = std::numeric_limits<
+      double>::quiet_NaN();  ///< its top, and what is above, moves, m; required, > fixed_below
+  double moving_to = std::numeric_limits<double>::infinity();    ///< up to here, m, >= moving_from
+  double fixed_above = std::numeric_limits<double>::infinity();  ///< what lies above rests, m, > moving_to
+  int axis = 1;                                                  ///< -, in [0, 2]
+  double least = 0.05;  ///< share of its height that a zone keeps, -, in (0, 1); below it the run stops
 
   /// Share of the leader's travel that a node at height y takes.
   double fraction(double y) const {

@@ -14,10 +14,12 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 /// Springs and dashpots that hold a body to its place and orientation at the start, {x, y, z}. Rotational
 /// ones act on the rotation vector (axis times angle), in space below a turn of pi.
 struct Anchor {
-  std::array<double, 3> stiffness{};             ///< N/m
-  std::array<double, 3> damping{};               ///< N s/m
-  std::array<double, 3> rotational_stiffness{};  ///< N m/rad; in the plane about z alone
-  std::array<double, 3> rotational_damping{};    ///< N m s/rad; in the plane about z alone
+  std::array<double, 3> stiffness{};  ///< along each axis, N/m, >= 0
+  std::array<double, 3> damping{};    ///< along each axis, N s/m, >= 0
+  std::array<double, 3>
+      rotational_stiffness{};  ///< about each axis, N m/rad, >= 0; in the plane only about z
+  std::array<double, 3>
+      rotational_damping{};  ///< about each axis, N m s/rad, >= 0; in the plane only about z
 };
 
 /// An anchor in D dimensions.

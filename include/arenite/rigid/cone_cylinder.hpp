@@ -18,13 +18,14 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 /// flat, and the edge between cone and cylinder rounded. A region too.
 class ConeCylinder {
  public:
+  static constexpr double not_given = std::numeric_limits<double>::quiet_NaN();
   struct Parameters {
-    double radius = std::numeric_limits<double>::quiet_NaN();  ///< of the cylinder, m
-    double apex = std::numeric_limits<double>::quiet_NaN();    ///< apex angle of the cone, the full one, rad
-    double length = std::numeric_limits<double>::quiet_NaN();  ///< from the lowest point to the flat end, m
-    double tip = 0;                                            ///< height of the lowest point, m
-    double tip_radius = 0;  ///< of the flat tip of a truncated cone, m; 0: a point
-    double fillet = 0;      ///< radius of the rounded edge between cone and cylinder, m; 0: sharp
+    double radius = not_given;  ///< of the cylinder, m; required, positive
+    double apex = not_given;    ///< full angle of the cone, rad; required, in (0, pi)
+    double length = not_given;  ///< from the lowest point to the upper end, m; required, positive
+    double tip = 0;                     ///< height of the lowest point, m, any
+    double tip_radius = 0;  ///< of the flat tip of a truncated cone, m, in [0, radius); 0: a point
+    double fillet = 0;      ///< radius of the edge between cone and cylinder, m, >= 0; 0: sharp
   };
 
   explicit ConeCylinder(const Parameters& p) : tip_{p.tip}, fillet_{p.fillet} {

@@ -23,14 +23,16 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 /// axisymmetry along the axis alone. Vectors are {x, y, z}; in the plane spins and moments have a z alone.
 struct Free {
   static constexpr double not_given = std::numeric_limits<double>::quiet_NaN();
-  double mass = not_given;  ///< kg: that of what the scene models (a slice, a metre, the full circle)
-  Inertia inertia{};        ///< about the centre of mass, kg m2; not needed in axisymmetry
-  std::array<double, 3> centre{not_given, not_given, 0};  ///< of mass, at the start, m
-  std::array<double, 3> velocity{};                       ///< of the centre at the start, m/s
-  std::array<double, 3> spin{};                           ///< angular velocity at the start, rad/s
-  Anchor anchor{};                                        ///< springs and dashpots to the world
-  VectorFunction force{0, 0, 0};                          ///< on the centre, N; of time
-  VectorFunction moment{0, 0, 0};                         ///< N m; of time
+  /// Of what the scene models (a slice, a metre, the full circle), kg; required, positive.
+  double mass = not_given;
+  /// About the centre of mass, kg m2, positive; in axisymmetry none is needed.
+  Inertia inertia{};
+  std::array<double, 3> centre{not_given, not_given, 0};  ///< of mass, at the start, m; required, any
+  std::array<double, 3> velocity{};                       ///< of the centre at the start, m/s, any
+  std::array<double, 3> spin{};    ///< angular velocity at the start, rad/s, any; in the plane {0, 0, z}
+  Anchor anchor{};                 ///< springs and dashpots to the world
+  VectorFunction force{0, 0, 0};   ///< on the centre, N
+  VectorFunction moment{0, 0, 0};  ///< N m
 };
 
 /// A free body in D dimensions over scalar T.

@@ -18,11 +18,12 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 /// A mass that slides along one axis without friction, under gravity, a load and the contact forces (the
 /// paper's eqs. 1 to 4).
 struct Guided {
-  double mass = std::numeric_limits<double>::quiet_NaN();  ///< kg: that of what the scene models (a slice, a
-                                                           ///< metre, the full circle)
-  std::array<double, 3> axis{0, 1, 0};                     ///< direction of the guide; any length
-  double velocity = 0;                                     ///< initial velocity along the axis, m/s
-  ScalarFunction load = 0.0;                               ///< external force along the axis, N; of time
+  /// Of what the scene models (a slice, a metre, the full circle), kg; required, positive.
+  double mass = std::numeric_limits<double>::quiet_NaN();
+  std::array<double, 3> axis{0, 1, 0};  ///< direction of the guide, -, any; its length does not count
+  double velocity = 0;                  ///< initial velocity along the axis, m/s, any
+  /// External force along the axis, N; a step takes that of its start.
+  ScalarFunction load = 0.0;
 };
 
 namespace detail {

@@ -14,12 +14,13 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 /// A motion given in time, with rotation: the velocity of one point of the body, and the spin about it. No
 /// impulse changes them; the work of the drive is booked. Values are those of the end of each step, in which
-/// the body turns by spin times dt about their axis. `PrescribedPose{.centre = {0, 1}, .spin = {0, 0, 2}}` is
-/// a wheel.
+/// the body turns by spin times dt about their axis.
+///
+/// A wheel: `PrescribedPose{.centre = {0, 1}, .spin = {0, 0, 2}}`.
 struct PrescribedPose {
-  std::array<double, 3> centre{};    ///< the point, at the start, m
-  VectorFunction velocity{0, 0, 0};  ///< of the point, m/s; of time
-  VectorFunction spin{0, 0, 0};      ///< angular velocity, rad/s, in the plane {0, 0, z}; of time
+  std::array<double, 3> centre{};    ///< the point, at the start, m, any
+  VectorFunction velocity{0, 0, 0};  ///< of the point, m/s
+  VectorFunction spin{0, 0, 0};      ///< angular velocity, rad/s; in the plane {0, 0, z}
 };
 
 /// A prescribed motion with rotation in D dimensions over scalar T.

@@ -90,7 +90,9 @@ class CubicBSplineLine {
   std::array<T, 3> cubic_;           // 1 / the support of the quadratic functions
 };
 
-/// Cubic B-splines on a grid; see `ProductShape` for its members.
+/// Cubic B-splines on a grid.
+///
+/// Members: see `ProductShape`.
 struct CubicBSpline : ProductShape<CubicBSplineLine> {
   static constexpr const char* name = "CubicBSpline";
   static constexpr double bearing_spacing = 0.4;

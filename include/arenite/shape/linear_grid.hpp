@@ -40,7 +40,9 @@ struct LinearGridLine {
   T inverse_inertia() const { return 0; }
 };
 
-/// Linear functions on a grid; see `ProductShape` for its members.
+/// Linear functions on a grid.
+///
+/// Members: see `ProductShape`.
 struct LinearGrid : ProductShape<LinearGridLine> {
   /// Measured: docs/decisions.md.
   static constexpr double courant_limit(bool maps_back) { return maps_back ? 0.5 : 0.35; }

@@ -66,7 +66,9 @@ class QuadraticBSplineLine {
   T before_, after_, first_, last_;
 };
 
-/// Quadratic B-splines on a grid; see `ProductShape` for its members.
+/// Quadratic B-splines on a grid.
+///
+/// Members: see `ProductShape`.
 struct QuadraticBSpline : ProductShape<QuadraticBSplineLine> {
   static constexpr const char* name = "QuadraticBSpline";
 };

@@ -67,9 +67,11 @@ struct UGimpOf {
   };
 };
 
-/// Uniform GIMP on a `CartesianGrid`, of bodies with `Points` points along each axis of a cell at first; see
-/// `ProductShape` for its members. (Of one point its functions are those of quadratic splines, half a cell
-/// away from the faces.)
+/// Uniform GIMP on a `CartesianGrid` (Bardenhagen and Kober 2004), of bodies with `Points` points along each
+/// axis of a cell at first. (Of one point its functions are those of quadratic splines, half a cell away from
+/// the faces.)
+///
+/// Members: see `ProductShape`.
 template <int Points = 2>
 struct UGimp : ProductShape<UGimpOf<Points>::template Line> {
   static constexpr const char* name = "UGimp";

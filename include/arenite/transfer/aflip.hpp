@@ -12,7 +12,7 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 /// APIC.
 struct Aflip {
   static constexpr bool affine = true;
-  Checked<Flip::FractionRule> fraction = 1.0;  ///< FLIP fraction s, 0 to 1
+  Checked<Flip::FractionRule> fraction = 1.0;  ///< FLIP fraction s, -, in [0, 1]
   template <class Shape>
   static constexpr bool fits = Apic::fits<Shape>;
 

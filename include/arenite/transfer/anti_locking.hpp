@@ -69,7 +69,7 @@ struct NodalAveraging {
 /// hardly depends on `fill`, and at 0.5 hardly on the number of points (docs/decisions.md, averages).
 struct ElementAverage {
   static constexpr bool averages_stress = true;
-  Checked<detail::FillRule> fill = 0.5;  ///< a cell counts as filled from this fraction of its volume on, -
+  Checked<detail::FillRule> fill = 0.5;  ///< a cell counts as filled from this fraction on, -, positive
   template <class Shape>
   static constexpr bool fits = Shape::constant_gradient;
 };
@@ -82,7 +82,7 @@ struct NodalAndElementAverage {
   template <class T>
   using StrainAverage = VolumetricAverage<T>;
   static constexpr bool averages_stress = true;
-  Checked<detail::FillOfBothRule> fill = 0.5;  ///< as that of `ElementAverage`
+  Checked<detail::FillOfBothRule> fill = 0.5;  ///< a cell counts as filled from this fraction on, -, positive
   template <class Shape>
   static constexpr bool fits = Shape::constant_gradient;
 };

@@ -28,8 +28,9 @@ struct Flip {
     static constexpr const char* bounds = "must be positive";
     static bool holds(double time) { return time > 0; }
   };
-  Checked<FractionRule> fraction = 1.0;                              ///< FLIP fraction, 0 to 1
-  Checked<TimeRule> time = std::numeric_limits<double>::infinity();  ///< time constant, s
+  Checked<FractionRule> fraction = 1.0;  ///< FLIP fraction, -, in [0, 1]; 0: PIC
+  /// Time constant of the fraction, s, positive; infinite: the fraction is that of each step.
+  Checked<TimeRule> time = std::numeric_limits<double>::infinity();
   template <class Shape>
   static constexpr bool fits = true;
 

@@ -31,8 +31,8 @@ struct SweptFlip {
     static constexpr const char* bounds = "must not be negative (0: all of it in each step)";
     static bool holds(double time) { return time >= 0; }
   };
-  Checked<OrderRule> order = 2.0;
-  Checked<TimeRule> time = 0.0;            ///< time constant, s; 0: all of it in each step
+  Checked<OrderRule> order = 2.0;          ///< a whole number, -, in [1, 1e6]; 1: PIC
+  Checked<TimeRule> time = 0.0;            ///< time constant, s, >= 0; 0: all of it in each step
   Checked<Flip::FractionRule> kept = 0.0;  ///< k of a step: `in_step` sets it
   template <class Shape>
   static constexpr bool fits = true;

@@ -16,10 +16,10 @@ struct XpicStart {
 };
 
 /// Extended particle-in-cell of order m (Hammerquist and Nairn 2017, Comput. Methods Appl. Mech. Eng. 318,
-/// 724-738):
+/// 724-738): FLIP, of which the noise that the nodes do not see is damped, and the higher the order the less
+/// of anything else. Accelerations come as FLIP's.
+///
 ///   v_p = v_p + sum w_i (v_i^new - v_i^old) - (I - S S+)^m v_p
-/// FLIP, of which the noise that the nodes do not see is damped, and the higher the order the less of
-/// anything else. Accelerations come as FLIP's.
 using Xpic = SweptFlip<XpicStart>;
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -45,7 +45,7 @@ class RemembersOpening {
   };
 
   struct Parameters {
-    /// Greatest opening that is remembered, a volumetric strain, -. Without a limit grains that flew apart
+    /// Greatest opening that is remembered, a volumetric strain, -, positive. Without a limit grains that flew apart
     /// and meet again as a new heap would bear no stress until the whole opening is closed.
     double limit = 1.0;
   };

@@ -14,12 +14,11 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 /// Residual angles, and how fast the peak ones fall to them.
 struct SofteningParameters {
-  double residual_friction = detail::not_given;  ///< rad; required, positive, at most the law's
-  double residual_dilatancy = 0;                 ///< rad, >= 0, at most the law's; 0: ends at constant volume
-  double decay = detail::not_given;              ///< eta, per unit of plastic strain, -, >= 0; required
-  /// Size of the cells, m, and size of those, or thickness of the band of shear, that `decay` belongs to.
-  /// Both 0: `decay` as it is.
-  double cell_size = 0, reference_size = 0;
+  double residual_friction = detail::not_given;  ///< rad; required, in (0, 1.55], at most the law's friction
+  double residual_dilatancy = 0;     ///< rad, in [0, residual_friction]; 0: ends at constant volume
+  double decay = detail::not_given;  ///< eta, per unit of plastic strain, -; required, >= 0
+  double cell_size = 0;              ///< size of the cells, m, >= 0; 0: `decay` as it is
+  double reference_size = 0;  ///< size of the cells, or thickness of the band, that has `decay`, m, >= 0
 };
 
 namespace detail {

@@ -23,9 +23,9 @@ class ConeCylinder {
     double radius = not_given;  ///< of the cylinder, m; required, positive
     double apex = not_given;    ///< full angle of the cone, rad; required, in (0, pi)
     double length = not_given;  ///< from the lowest point to the upper end, m; required, positive
-    double tip = 0;                     ///< height of the lowest point, m, any
-    double tip_radius = 0;  ///< of the flat tip of a truncated cone, m, in [0, radius); 0: a point
-    double fillet = 0;      ///< radius of the edge between cone and cylinder, m, >= 0; 0: sharp
+    double tip = 0;             ///< height of the lowest point, m, any
+    double tip_radius = 0;      ///< of the flat tip of a truncated cone, m, in [0, radius); 0: a point
+    double fillet = 0;          ///< radius of the edge between cone and cylinder, m, >= 0; 0: sharp
   };
 
   explicit ConeCylinder(const Parameters& p) : tip_{p.tip}, fillet_{p.fillet} {

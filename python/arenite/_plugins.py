@@ -166,13 +166,6 @@ def law(recipe: Any) -> Any:
     return _NarrowLaw(native, recipe.hidden_history()) if recipe.hidden_history() else native
 
 
-def recipes() -> List[Any]:
-    """Plugins that tell the parameters of recipes, for tests."""
-    with _lock:
-        _ensure_prebuilt()
-        return [p for p in _plugins.values() if p.recipes()]
-
-
 def set_threads(n: int) -> None:
     """Threads that steps may use from here on."""
     global _threads

@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from typing import Any, Sequence, Tuple, Union
+from typing import TYPE_CHECKING, Any, Dict, Optional, Sequence, Union
 
 from ._bases import Contact, Cone, Frictional, Kind, Law, NOT_GIVEN, Part, Policy
 from ._recipe import Recipe
+
+if TYPE_CHECKING:
+    from .shapes import Region
 
 
 @dataclass(frozen=True)
@@ -655,12 +658,71 @@ class Geostatic(Recipe):
     surface    m     any          needed   height of the free surface
     k0         -     >= 0         needed   horizontal over vertical stress
     surcharge  Pa    >= 0         0.0      pressure on the surface
-    may_move   -     True, False  False    whether forces out of balance in the first step are no mistake (a dam breaks)"""
+    may_move   -     True, False  False    ground that is not at rest is no mistake: a dam breaks"""
 
     surface: float = NOT_GIVEN
     k0: float = NOT_GIVEN
     surcharge: float = 0.0
     may_move: bool = False
+
+
+@dataclass(frozen=True)
+class Fill(Recipe):
+    """What `fill` returns: a region, a law and how to fill; the scene makes a `Body` of it, once it knows the mesh. In
+    the type of the scene only law and name remain: `Fill<MohrCoulomb<>>`.
+
+    parameter     unit  range                                        default          meaning
+    name          -     a name                                       needed
+    region        -     a shape, `Cells`, or a test of positions     needed
+    law           -     a law                                        needed
+    per_cell      -     >= 1                                         None             points a cell; on a grid a square or cube; none: 4, in the cells of a grid in space 8
+    velocity      m/s   up to 3 numbers, or a function of positions  (0.0, 0.0, 0.0)  at the start
+    stress        Pa    `Geostatic`, or a function of positions      None             at the start; none: unstressed
+    may_be_empty  -     True, False                                  False            a region without points is no mistake: some come later
+    history       -     numbers or functions of positions, by name   {}               Initial values of the law's history; those not named begin as the law says
+    jitter        -     [0, 1]                                       0.0              share of its sub-cell within which each point is moved at random
+    seed          -     >= 0                                         0                of the jitter
+    even          -     True, False                                  False            As far apart along all axes, in cells of unequal edges
+    exact_volume  -     True, False                                  False            Points stand for the part of their sub-cells in the region"""
+
+    name: str
+    region: Region
+    law: Law
+    per_cell: Optional[int] = None
+    velocity: Any = (0.0, 0.0, 0.0)
+    stress: Any = None
+    may_be_empty: bool = False
+    history: Dict[str, Any] = field(default_factory=dict)
+    jitter: float = 0.0
+    seed: int = 0
+    even: bool = False
+    exact_volume: bool = False
+
+
+@dataclass(frozen=True)
+class Watch(Recipe):
+    """A watch to hand to `run`.
+
+    parameter    unit  range  default  meaning
+    energy_gain  -     > 0    0.1      energy that nothing put in, over all that was put in
+    transfer     -     > 0    1.0      energy that the transfer took, over all that was put in; needs the energy balance (`TrackEnergy`)
+    residual     -     > 0    0.5      what is left of the energy balance, over all that was put in; needs `TrackEnergy`
+    volume       -     > 0    0.5      change of a body's mean volume, |V/V0 - 1|, voids included
+    speed        -     > 0    10.0     greatest speed of a point over the wave speed of its body
+    strength     -     > 0    0.1      how far a stress lies outside the yield surface of its law
+    lost         -     > 0    0.1      share of a body's points that left the mesh
+    every        -     >= 1   100      steps from one look to the next"""
+
+    __module__ = "arenite.watch"
+
+    energy_gain: float = 0.1
+    transfer: float = 1.0
+    residual: float = 0.5
+    volume: float = 0.5
+    speed: float = 10.0
+    strength: float = 0.1
+    lost: float = 0.1
+    every: int = 100
 
 
 @dataclass(frozen=True)

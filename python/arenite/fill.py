@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
 from typing import Any, Callable, Dict, Optional, Sequence, Union
 
 from . import _recipes
-from ._recipe import Recipe, plain
+from ._recipe import plain
 from .laws import Law
 from .shapes import Region, region_value
 
@@ -16,37 +15,7 @@ class Geostatic(_recipes.Geostatic):
         return {"geostatic": super().value()}
 
 
-@dataclass(frozen=True)
-class Fill(Recipe):
-    """A region filled with points of a law, as `fill` makes it.
-
-    parameter     unit  range                                        default          meaning
-    name          -     a name                                       needed
-    region        -     a shape, `Cells`, or a test of positions     needed
-    law           -     a law                                        needed
-    per_cell      -     >= 1                                         None             points a cell, on a grid a square or cube; 4, on a grid in space 8
-    velocity      m/s   up to 3 numbers, or a function of positions  (0.0, 0.0, 0.0)
-    stress        Pa    `Geostatic`, or a function of positions      None
-    may_be_empty  -     True, False                                  False            a region without points is no mistake
-    history       -     numbers or functions of positions, by name   {}
-    jitter        -     [0, 1]                                       0.0              share of its sub-cell that a point is moved in
-    seed          -     >= 0                                         0                of the jitter
-    even          -     True, False                                  False            as far apart along all axes, in cells of unequal edges
-    exact_volume  -     True, False                                  False            points stand for the part of their sub-cells in the region"""
-
-    name: str
-    region: Region
-    law: Law
-    per_cell: Optional[int] = None
-    velocity: Any = (0.0, 0.0, 0.0)
-    stress: Any = None
-    may_be_empty: bool = False
-    history: Dict[str, Any] = field(default_factory=dict)
-    jitter: float = 0.0
-    seed: int = 0
-    even: bool = False
-    exact_volume: bool = False
-
+class Fill(_recipes.Fill):
     def cpp(self) -> str:
         return f"Fill<{self.law.cpp()}>"
 

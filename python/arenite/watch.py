@@ -5,36 +5,9 @@ from __future__ import annotations
 import math
 import sys
 import time
-from dataclasses import dataclass
 from typing import Any, NamedTuple, Optional, TextIO, Tuple
 
-from ._recipe import Recipe
-
-
-@dataclass(frozen=True)
-class Watch(Recipe):
-    """Limits of what `run` watches: `Watch(volume=0.2, energy_gain=0.05)`. Past a limit the run stops with `RunError`, past a tenth of
-    it comes one `Warning`; infinity switches a quantity off. `scene.watched` tells what was seen of each quantity. The watch that a
-    run has of its own, `watch=True`, has an `energy_gain` of 1, a `volume` of 5 and `lost` 1.
-
-    parameter    unit  range  default  meaning
-    energy_gain  -     > 0    0.1      energy that nothing put in, over all that was put in
-    transfer     -     > 0    1        energy that the transfer took, over all that was put in; needs the energy balance
-    residual     -     > 0    0.5      what is left of the energy balance, over all that was put in
-    volume       -     > 0    0.5      change of a body's mean volume, V/V0 - 1, voids included
-    speed        -     > 0    10       greatest speed of a point over the wave speed of its body
-    strength     -     > 0    0.1      how far a stress lies outside its law's yield surface
-    lost         -     > 0    0.1      share of a body's points that left the mesh
-    every        -     >= 1   100      steps from one look to the next"""
-
-    energy_gain: float = 0.1
-    transfer: float = 1
-    residual: float = 0.5
-    volume: float = 0.5
-    speed: float = 10
-    strength: float = 0.1
-    lost: float = 0.1
-    every: int = 100
+from ._recipes import Watch
 
 
 class Watched(NamedTuple):

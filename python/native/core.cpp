@@ -204,13 +204,6 @@ class PluginHandle {
     const auto& maker = find(plugin_->laws, type);
     return without_lock([&] { return std::shared_ptr<HostedLaw>(maker.make(given)); });
   }
-  py::list members(const std::string& type) const {
-    py::list all;
-    for (const auto& [name, start] : find(plugin_->recipes, type).members())
-      all.append(py::make_tuple(name, start));
-    return all;
-  }
-  std::vector<std::string> recipes() const { return types(plugin_->recipes); }
 
  private:
   template <class Makers>
@@ -393,8 +386,6 @@ PYBIND11_MODULE(_core, m) {
       .def(py::init<std::string>())
       .def("scenes", &PluginHandle::scenes)
       .def("laws", &PluginHandle::laws)
-      .def("recipes", &PluginHandle::recipes)
-      .def("members", &PluginHandle::members)
       .def("scene", &PluginHandle::scene)
       .def("law", &PluginHandle::law)
       .def("set_threads", [](const PluginHandle& p, int n) { p->set_threads(n); });

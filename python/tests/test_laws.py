@@ -1,6 +1,5 @@
-"""Laws without a scene: closed forms, and defaults that are those of C++."""
+"""Laws without a scene: closed forms."""
 
-import dataclasses
 import math
 
 import numpy as np
@@ -63,28 +62,3 @@ def test_unknown_parameters_and_bad_values(ar):
     with pytest.raises(ar.RunError, match="no strain gives the prescribed stress"):
         ar.drive(ar.MohrCoulomb(density=1, young=1e6, poisson=0.3, friction=0.6),
                  ar.Stage(stresses=(-1e6, -1e3, -1e3, 0.0, 0.0, 0.0)), stress=(-1e3, -1e3, -1e3, 0, 0, 0))
-
-
-def test_names_and_defaults_are_those_of_cplusplus(ar):
-    """Of every recipe that the shared objects know."""
-    from arenite import _plugins
-
-    elsewhere = {"Fill": {"name", "region", "law"}, "Fmpm": {"kept"}, "Xpic": {"kept"}, "MovingMesh": {"leader"},
-                 "Free": set()}
-    policies = {"memory", "friction_law", "stiffness_law"}
-    plugin = _plugins.recipes()[0]
-    assert len(plugin.recipes()) > 20
-    for name in plugin.recipes():
-        recipe = getattr(ar, name)
-        fields = {f.name: f for f in dataclasses.fields(recipe)}
-        members = dict(plugin.members(name))
-        extra = set(fields) ^ set(members)
-        assert extra <= elsewhere.get(name, set()) | policies, (name, extra)
-        for member, start in members.items():
-            if member not in fields:
-                continue
-            default = fields[member].default
-            if isinstance(default, (int, float)) and not math.isnan(start):
-                assert float(default) == start, (name, member)
-            if isinstance(default, float) and math.isnan(start):
-                assert math.isnan(default), (name, member)

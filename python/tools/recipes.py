@@ -44,7 +44,7 @@ class Member:
     def shown(self) -> str:
         """The default in the table."""
         made = re.match(r"field\(default_factory=(?:lambda: )?(.*)\)$", self.default)
-        text = made[1] if made else self.default
+        text = {"dict": "{}"}.get(made[1], made[1]) if made else self.default
         if not text or text.startswith("NOT_GIVEN") or "NOT_GIVEN" in text:
             return "needed"
         return re.sub(r'float\("inf"\)', "inf", text)
@@ -52,12 +52,15 @@ class Member:
 
 @dataclass(frozen=True)
 class Recipe:
-    """A class to write: `of` is the C++ class of its members (by default that of the same name, - for none)."""
+    """A class to write: `of` is the C++ class of its members (by default that of the same name, - for none), `doc` the one
+    whose comment tells of it (by default that of the same name)."""
 
     name: str
     base: str = "Recipe"
     of: str = ""
+    doc: str = ""
     extended: bool = False  # by a class of the same name in the module that shows it
+    first: Tuple[Member, ...] = ()
     more: Tuple[Member, ...] = ()
     without: Tuple[str, ...] = ()
     renamed: Tuple[Tuple[str, str], ...] = ()
@@ -106,7 +109,13 @@ RECIPES: Dict[str, List[Recipe]] = {
         Recipe("MovingMesh", extended=True, without=("leader",), more=(Member("leader", "int", "0", ">= 0", "number of the rigid body that leads it"),)),
     ],
     "shapes": [parameters("ConeCylinder", "Recipe", extended=True)],
-    "fill": [Recipe("Geostatic", extended=True)],
+    "fill": [
+        Recipe("Geostatic", extended=True),
+        Recipe("Fill", of="FillOptions", extended=True,
+               first=(Member("name", "str", "", "a name"), Member("region", "Region", "", "a shape, `Cells`, or a test of positions"),
+                      Member("law", "Law", "", "a law"))),
+    ],
+    "watch": [Recipe("Watch", of="WatchLimits", doc="WatchLimits")],
     "functions": [Recipe("Ramp", extended=True, renamed=(("from", "start_value"),))],
 }
 
@@ -115,10 +124,13 @@ HEAD = '''"""Recipes that are aggregates of the C++ library. Written by python/t
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from typing import Any, Sequence, Tuple, Union
+from typing import TYPE_CHECKING, Any, Dict, Optional, Sequence, Union
 
 from ._bases import Contact, Cone, Frictional, Kind, Law, NOT_GIVEN, Part, Policy
 from ._recipe import Recipe
+
+if TYPE_CHECKING:
+    from .shapes import Region
 '''
 
 UNITS = ("kg/m3", "N m s/rad", "N m/rad", "N s/m", "kg m2", "m/s2", "rad/s", "N/m", "N m", "1/s", "m/s", "Pa", "rad", "kg", "N", "m", "s", "any", "-")
@@ -188,13 +200,21 @@ def number(text: str) -> str:
 def member(of: str, name: str, type: str, initial: str, comment: str) -> Member:
     where = f"recipes.py: {of}::{name}"
     initial = re.sub(r"^=\s*", "", initial)
-    comment = comment.split(". ")[0].rstrip(".")
+    comment = uncapitalised(comment.split(". ")[0].rstrip("."))
     unit, rule, meaning = parts_of(comment)
     inner = re.fullmatch(r"\{(.*)\}", initial)
     if re.fullmatch(r"double|Checked<.*>", type.replace(" ", "")):
         made = Member(name, "float", number(initial), rule, meaning, unit)
-    elif type == "int":
+    elif type in ("int", "std::uint64_t", "std::size_t"):
         made = Member(name, "int", initial, rule, meaning, unit)
+    elif type == "std::optional< int >":
+        made = Member(name, "Optional[int]", "None", rule, meaning, unit)
+    elif type == "InitialVelocity":
+        made = Member(name, "Any", "(0.0, 0.0, 0.0)", "up to 3 numbers, or a function of positions", meaning, unit)
+    elif type == "std::optional< InitialStress >":
+        made = Member(name, "Any", "None", "`Geostatic`, or a function of positions", meaning, unit)
+    elif type.startswith("Map< std::string"):
+        return Member(name, "Dict[str, Any]", "field(default_factory=dict)", "numbers or functions of positions, by name", comment)
     elif type == "bool":
         return Member(name, "bool", initial.capitalize(), "True, False", comment)
     elif re.fullmatch(r"std::array<double,3>", type.replace(" ", "")):
@@ -222,6 +242,11 @@ def member(of: str, name: str, type: str, initial: str, comment: str) -> Member:
     return made
 
 
+def uncapitalised(comment: str) -> str:
+    """That of a sentence above a member; not a name, as in Young's modulus."""
+    return comment[0].lower() + comment[1:] if re.match(r"[A-Z][a-z]* ", comment) else comment
+
+
 def parts_of(comment: str) -> Tuple[str, str, str]:
     """Unit, rule and meaning."""
     unit = rule = ""
@@ -238,10 +263,7 @@ def parts_of(comment: str) -> Tuple[str, str, str]:
         rule = re.sub("^in ", "", found[1]).replace("positive", "> 0")
         comment = comment[: found.start()] + comment[found.end():]
     meaning = "; ".join(filter(None, (before.strip(" ,;"), comment.strip(" ,;"))))
-    meaning = meaning.strip(" .")
-    if re.match(r"[A-Z][a-z]* ", meaning):  # a sentence above the member, not a name as in Young's modulus
-        meaning = meaning[0].lower() + meaning[1:]
-    return unit, rule, meaning
+    return unit, rule, meaning.strip(" .")
 
 
 def table(members: List[Member]) -> List[str]:
@@ -256,8 +278,8 @@ def table(members: List[Member]) -> List[str]:
 def written(recipe: Recipe, module: str, headers: Headers) -> str:
     members = [] if recipe.of == "-" else headers.members(recipe.of or recipe.name, recipe.without)
     names = dict(recipe.renamed)
-    members = [replace(m, name=names.get(m.name, m.name)) for m in members] + list(recipe.more)
-    lines = textwrap.wrap(headers.description(recipe.name), WIDTH - 4, initial_indent='"""', break_long_words=False, break_on_hyphens=False)
+    members = [*recipe.first, *(replace(m, name=names.get(m.name, m.name)) for m in members), *recipe.more]
+    lines = textwrap.wrap(headers.description(recipe.doc or recipe.name), WIDTH - 4, initial_indent='"""', break_long_words=False, break_on_hyphens=False)
     if members:
         lines += ["", *table(members)]
     lines[-1] += '"""'

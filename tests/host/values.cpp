@@ -1,6 +1,6 @@
 // Values of a host become recipes: by the names of members, with the sentences of the library where they do
 // not fit.
-#include <arenite/host/plugin.hpp>
+#include <arenite/host/members.hpp>
 #include <arenite/host/scene_host.hpp>
 
 #include "catch.hpp"
@@ -36,8 +36,6 @@ TEST_CASE("members of an aggregate by name", "[host]") {
   CHECK(names[7] == "tension");
   CHECK(member_names<Free>[7] == "moment");
   CHECK(member_count<Apic> == 0);
-  const auto parameters = members_of<RemembersOpening::Parameters>();
-  CHECK(parameters == PluginMembers{{"limit", 1.0}});
 }
 
 TEST_CASE("an aggregate takes what is given, and its own for the rest", "[host]") {

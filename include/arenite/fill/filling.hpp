@@ -21,24 +21,24 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 /// How `fill` makes points. Values are checked when the scene is made, which throws `error`.
 struct FillOptions {
-  /// Points a cell; none: four, in the cells of a grid in space eight.
+  /// Points a cell, -, >= 1; on a grid a square or cube; none: 4, in the cells of a grid in space 8.
   std::optional<int> per_cell{};
-  InitialVelocity velocity{};             ///< (x, y, z), m/s, or a function of the position
-  std::optional<InitialStress> stress{};  ///< `Geostatic`, or a function of the position; none: unstressed
-  bool may_be_empty = false;              ///< whether a region without points is no mistake: some come later
-  /// Initial values of members of the law's history, by name, as functions of the position (x, y, z = 0 in
-  /// two dimensions), m; those not named begin as the law says.
+  InitialVelocity velocity{};             ///< at the start, m/s
+  std::optional<InitialStress> stress{};  ///< at the start, Pa; none: unstressed
+  bool may_be_empty = false;              ///< a region without points is no mistake: some come later
+  /// Initial values of the law's history; those not named begin as the law says. By name, as functions of the
+  /// position (x, y, z = 0 in two dimensions), m.
   Map<std::string, std::function<double(const std::array<double, 3>&)>> history{};
-  /// Moves each point at random within this share, 0 to 1, of its sub-cell (`jitter_points`); those that it
-  /// takes out of the region are left out, those that it takes into it are put in.
+  /// Share of its sub-cell within which each point is moved at random, -, in [0, 1]. Points that it takes out
+  /// of the region are left out, those that it takes into it are put in (`jitter_points`).
   double jitter = 0;
-  std::uint64_t seed = 0;  ///< of the jitter
-  /// On a grid with cells of unequal edges: about `per_cell`, but as far apart along all axes, so that they
-  /// lie evenly where the matter flows into other cells.
+  std::uint64_t seed = 0;  ///< of the jitter, -, >= 0
+  /// As far apart along all axes, in cells of unequal edges. About `per_cell` points a cell then lie evenly
+  /// where the matter flows into other cells.
   bool even = false;
-  /// Whether a point stands for the part of its sub-cell that lies in the region, and lies in the middle of
-  /// that part: so that the mass is that of the region. Otherwise it stands for all of its sub-cell, if the
-  /// middle of the sub-cell lies in the region.
+  /// Points stand for the part of their sub-cells in the region. They lie in the middle of that part, and the
+  /// mass is that of the region. Otherwise a point stands for all of its sub-cell, if the middle of the
+  /// sub-cell lies in the region.
   bool exact_volume = false;
 
   /// `per_cell` in a mesh.

@@ -24,7 +24,7 @@ struct Geostatic {
   double k0 =
       std::numeric_limits<double>::quiet_NaN();  ///< horizontal over vertical stress, -; required, >= 0
   double surcharge = 0;                          ///< pressure on the surface, Pa, >= 0
-  bool may_move = false;  ///< whether forces out of balance in the first step are no mistake (a dam breaks)
+  bool may_move = false;                         ///< ground that is not at rest is no mistake: a dam breaks
 
   /// Throws `error` unless all is given.
   void check() const;

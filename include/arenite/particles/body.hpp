@@ -23,7 +23,9 @@
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 /// What `fill` returns: a region, a law and how to fill; the scene makes a `Body` of it, once it knows the
-/// mesh. In the type of the scene only law and name remain: `Fill<MohrCoulomb<>>`.
+/// mesh.
+///
+/// In the type of the scene only law and name remain: `Fill<MohrCoulomb<>>`.
 template <class L, Name name = "", class Region = AnyRegion>
 struct Fill {
   Region region;

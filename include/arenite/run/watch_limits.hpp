@@ -12,35 +12,37 @@
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 /// Limits of a `Watch`. Past a limit the run stops, past a tenth of it comes one warning. Infinity switches a
-/// quantity off: it is not computed.
+/// quantity off: it is not computed. The watch that a run has of its own has an `energy_gain` of 1, a `volume`
+/// of 5 and `lost` 1.
 struct WatchLimits {
-  /// Energy that nothing put in, over all that was put in (the energy there was, that of points inserted, and
-  /// the work of gravity, loads and prescribed motions), -: the balance's residual, and dissipation that is
-  /// negative, above their lowest value at a look, so that energy that transfers took hides no gain. Without
+  /// Energy that nothing put in, over all that was put in, -, positive. Put in are the energy there was, that
+  /// of points inserted, and the work of gravity, loads and prescribed motions. Counted are the balance's
+  /// residual, and dissipation that is negative, above their lowest value at a look, so that energy that
+  /// transfers took hides no gain. Without
   /// `TrackEnergy` what was dissipated is not known: then only a gain beyond it since the first look shows,
   /// and none at the end of a run between two looks. An elastic law stretched by 0.1, beyond the small strains
   /// that it is made for, shows 0.03.
   double energy_gain = 0.1;
-  /// Energy that the transfer took, over all that was put in, -. Needs `TrackEnergy`. More than 1 cannot be;
+  /// Energy that the transfer took, over all that was put in, -, positive; needs the energy balance
+  /// (`TrackEnergy`). More than 1 cannot be;
   /// the warning comes at a tenth: APIC takes 0.17 of a column of sand that collapses in cells of a tenth of
   /// its width, and the heap stays short by a fifth.
   double transfer = 1;
-  /// What is left of the energy balance, |residual| over all that was put in, -: errors of time steps,
-  /// contact and laws. Needs `TrackEnergy`. It stays below 0.01 in a sound run; contact with MUSL leaves
-  /// 0.02.
+  /// What is left of the energy balance, over all that was put in, -, positive; needs `TrackEnergy`. Errors of
+  /// time steps, contact and laws. It stays below 0.01 in a sound run; contact with MUSL leaves 0.02.
   double residual = 0.5;
-  /// Change of a body's mean volume, |V/V0 - 1|, voids that opened included, -.
+  /// Change of a body's mean volume, |V/V0 - 1|, voids included, -, positive.
   double volume = 0.5;
-  /// Greatest speed of a point over the wave speed of its body, -. Above 1 matter cannot give way to what
+  /// Greatest speed of a point over the wave speed of its body, -, positive. Above 1 matter cannot give way to what
   /// comes: strains become large in one blow, for which laws of small strains are not made.
   double speed = 10;
-  /// How far the stress of a point lies outside the yield surface, as `yield(stress)` of its law has it, -:
-  /// for laws with that member. A law that returns to its surface stays within round-off (1e-13, in float
+  /// How far a stress lies outside the yield surface of its law, -, positive. As `yield(stress)` of the law has
+  /// it, for laws with that member. A law that returns to its surface stays within round-off (1e-13, in float
   /// 5e-5).
   double strength = 0.1;
-  /// Share of a body's points that left the mesh, -.
+  /// Share of a body's points that left the mesh, -, positive.
   double lost = 0.1;
-  /// Steps from one look to the next.
+  /// Steps from one look to the next, -, >= 1.
   std::size_t every = 100;
 
   /// Of the watch that `run` has of its own. It warns past a tenth of the energy put in gained from nothing

@@ -218,7 +218,7 @@ class MohrCoulomb(Frictional):
     friction               rad    [0, 1.55]            needed             angle of friction; 0: Tresca
     cohesion               Pa     >= 0                 0.0                positive where friction is 0
     dilatancy              rad    [0, friction]        0.0                angle of dilatancy
-    greatest_volume_ratio  -      >= 1                 1.5                v / V0 beyond which the matter dilates no further
+    greatest_volume_ratio  -      >= 1                 1.5                V / V0 beyond which the matter dilates no further
     tension                Pa     >= 0                 inf                greatest principal stress; infinite: that of the apex, cohesion / tan(friction)
     memory                 -      a memory of opening  ForgetsOpening
     friction_law           -      a friction           ConstantFriction   by point
@@ -250,7 +250,7 @@ class DruckerPrager(Frictional):
     friction               rad    [0, 1.55]            needed             angle of friction; 0: von Mises
     cohesion               Pa     >= 0                 0.0                positive where friction is 0
     dilatancy              rad    [0, friction]        0.0                angle of dilatancy
-    greatest_volume_ratio  -      >= 1                 1.5                v / V0 beyond which the matter dilates no further
+    greatest_volume_ratio  -      >= 1                 1.5                V / V0 beyond which the matter dilates no further
     tension                Pa     >= 0                 inf                greatest mean stress; infinite: that of the apex, cohesion / tan(friction)
     cone                   -      a `Cone`             Cone.compression   which Mohr-Coulomb strength it reproduces
     memory                 -      a memory of opening  ForgetsOpening
@@ -668,8 +668,7 @@ class Geostatic(Recipe):
 
 @dataclass(frozen=True)
 class Fill(Recipe):
-    """What `fill` returns: a region, a law and how to fill; the scene makes a `Body` of it, once it knows the mesh. In
-    the type of the scene only law and name remain: `Fill<MohrCoulomb<>>`.
+    """What `fill` returns: a region, a law and how to fill; the scene makes a `Body` of it, once it knows the mesh.
 
     parameter     unit  range                                        default          meaning
     name          -     a name                                       needed
@@ -679,11 +678,11 @@ class Fill(Recipe):
     velocity      m/s   up to 3 numbers, or a function of positions  (0.0, 0.0, 0.0)  at the start
     stress        Pa    `Geostatic`, or a function of positions      None             at the start; none: unstressed
     may_be_empty  -     True, False                                  False            a region without points is no mistake: some come later
-    history       -     numbers or functions of positions, by name   {}               Initial values of the law's history; those not named begin as the law says
+    history       -     numbers or functions of positions, by name   {}               initial values of the law's history; those not named begin as the law says
     jitter        -     [0, 1]                                       0.0              share of its sub-cell within which each point is moved at random
     seed          -     >= 0                                         0                of the jitter
-    even          -     True, False                                  False            As far apart along all axes, in cells of unequal edges
-    exact_volume  -     True, False                                  False            Points stand for the part of their sub-cells in the region"""
+    even          -     True, False                                  False            as far apart along all axes, in cells of unequal edges
+    exact_volume  -     True, False                                  False            points stand for the part of their sub-cells in the region"""
 
     name: str
     region: Region
@@ -701,7 +700,9 @@ class Fill(Recipe):
 
 @dataclass(frozen=True)
 class Watch(Recipe):
-    """A watch to hand to `run`.
+    """Limits of a `Watch`. Past a limit the run stops, past a tenth of it comes one warning. Infinity switches a
+    quantity off: it is not computed. The watch that a run has of its own has an `energy_gain` of 1, a `volume` of 5 and
+    `lost` 1.
 
     parameter    unit  range  default  meaning
     energy_gain  -     > 0    0.1      energy that nothing put in, over all that was put in

@@ -244,7 +244,7 @@ def member(of: str, name: str, type: str, initial: str, comment: str) -> Member:
 
 def uncapitalised(comment: str) -> str:
     """That of a sentence above a member; not a name, as in Young's modulus."""
-    return comment[0].lower() + comment[1:] if re.match(r"[A-Z][a-z]* ", comment) else comment
+    return comment[0].lower() + comment[1:] if re.match(r"[A-Z][a-z]+ ", comment) else comment
 
 
 def parts_of(comment: str) -> Tuple[str, str, str]:

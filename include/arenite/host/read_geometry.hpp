@@ -11,8 +11,8 @@
 #include <arenite/fill/region.hpp>
 #include <arenite/fill/regions.hpp>
 #include <arenite/host/read_functions.hpp>
+#include <arenite/rigid/body/signed_distance.hpp>
 #include <arenite/rigid/cone_cylinder.hpp>
-#include <arenite/rigid/signed_distance.hpp>
 
 #ifndef ARENITE_HOST_ELSEWHERE
 #include <arenite/geometry/box.hpp>

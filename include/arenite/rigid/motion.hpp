@@ -6,7 +6,7 @@
 #include <concepts>
 
 #include <arenite/core/tensor.hpp>
-#include <arenite/rigid/pose.hpp>
+#include <arenite/rigid/body/pose.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 

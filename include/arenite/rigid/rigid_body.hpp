@@ -16,19 +16,19 @@
 #include <arenite/core/refusals.hpp>
 #include <arenite/core/state_value.hpp>
 #include <arenite/parallel/communicator.hpp>
-#include <arenite/rigid/collide.hpp>
-#include <arenite/rigid/collide_at_points.hpp>
-#include <arenite/rigid/free.hpp>
-#include <arenite/rigid/guided.hpp>
-#include <arenite/rigid/matter_inside.hpp>
+#include <arenite/rigid/body/matter_inside.hpp>
+#include <arenite/rigid/body/pose.hpp>
+#include <arenite/rigid/body/thin_walls.hpp>
+#include <arenite/rigid/body/try_distance.hpp>
 #include <arenite/rigid/motion.hpp>
-#include <arenite/rigid/point_contact.hpp>
-#include <arenite/rigid/pose.hpp>
-#include <arenite/rigid/prescribed.hpp>
-#include <arenite/rigid/prescribed_pose.hpp>
+#include <arenite/rigid/motion/free.hpp>
+#include <arenite/rigid/motion/guided.hpp>
+#include <arenite/rigid/motion/prescribed.hpp>
+#include <arenite/rigid/motion/prescribed_pose.hpp>
 #include <arenite/rigid/surface.hpp>
-#include <arenite/rigid/thin_walls.hpp>
-#include <arenite/rigid/try_distance.hpp>
+#include <arenite/rigid/with_matter/collide.hpp>
+#include <arenite/rigid/with_matter/collide_at_points.hpp>
+#include <arenite/rigid/with_matter/point_contact.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 

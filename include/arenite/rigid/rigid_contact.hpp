@@ -21,9 +21,9 @@
 #include <arenite/core/part_energy.hpp>
 #include <arenite/core/refusals.hpp>
 #include <arenite/parallel/communicator.hpp>
-#include <arenite/rigid/collide.hpp>
-#include <arenite/rigid/contact_balance.hpp>
-#include <arenite/rigid/touching_bodies.hpp>
+#include <arenite/rigid/between_bodies/touching_bodies.hpp>
+#include <arenite/rigid/with_matter/collide.hpp>
+#include <arenite/rigid/with_matter/contact_balance.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 

@@ -19,8 +19,8 @@
 #include <arenite/core/refusals.hpp>
 #include <arenite/core/vector_argument.hpp>
 #include <arenite/parallel/parallel.hpp>
-#include <arenite/rigid/pose.hpp>
-#include <arenite/rigid/signed_distance.hpp>
+#include <arenite/rigid/body/pose.hpp>
+#include <arenite/rigid/body/signed_distance.hpp>
 #include <arenite/shape/nodes_near.hpp>
 #include <arenite/shape/shape.hpp>
 

@@ -10,12 +10,12 @@
 #include <arenite/boundary/place_function.hpp>
 #include <arenite/core/vector_argument.hpp>
 #include <arenite/parallel/communicator.hpp>
-#include <arenite/rigid/anchor.hpp>
-#include <arenite/rigid/contact_balance.hpp>
-#include <arenite/rigid/free_rotation.hpp>
-#include <arenite/rigid/inertia.hpp>
-#include <arenite/rigid/pose.hpp>
-#include <arenite/rigid/spin_function.hpp>
+#include <arenite/rigid/body/inertia.hpp>
+#include <arenite/rigid/body/pose.hpp>
+#include <arenite/rigid/motion/anchor.hpp>
+#include <arenite/rigid/motion/free_rotation.hpp>
+#include <arenite/rigid/motion/spin_function.hpp>
+#include <arenite/rigid/with_matter/contact_balance.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 

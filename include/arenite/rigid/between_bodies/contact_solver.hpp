@@ -9,8 +9,8 @@
 #include <limits>
 #include <vector>
 
-#include <arenite/rigid/relaxed_impulse.hpp>
-#include <arenite/rigid/twist.hpp>
+#include <arenite/contact/relaxed_impulse.hpp>
+#include <arenite/rigid/body/twist.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 

@@ -7,7 +7,7 @@
 #include <string>
 
 #include <arenite/core/error.hpp>
-#include <arenite/rigid/pose.hpp>
+#include <arenite/rigid/body/pose.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 

@@ -10,7 +10,7 @@
 
 #include <arenite/contact/coulomb.hpp>
 #include <arenite/parallel/communicator.hpp>
-#include <arenite/rigid/twist.hpp>
+#include <arenite/rigid/body/twist.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 

@@ -10,7 +10,7 @@
 #include <arenite/core/contact_tally.hpp>
 #include <arenite/core/tensor.hpp>
 #include <arenite/parallel/communicator.hpp>
-#include <arenite/rigid/pose.hpp>
+#include <arenite/rigid/body/pose.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
@@ -77,7 +77,7 @@ Mat<double, N> mobility_of(const R& body, const Mat<double, N>& resistance) {
     static_assert(
         requires { body.motion.mobility(resistance); },
         "Rigid: for RigidContact and PointContact a motion that impulses change must have mobility(added); "
-        "see arenite/rigid/free.hpp");
+        "see arenite/rigid/motion/free.hpp");
     return body.motion.mobility(resistance);
   } else {
     return Mat<double, N>::Zero();

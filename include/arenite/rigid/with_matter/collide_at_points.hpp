@@ -7,8 +7,8 @@
 #include <optional>
 
 #include <arenite/core/contact_tally.hpp>
-#include <arenite/rigid/collide.hpp>
-#include <arenite/rigid/point_contact.hpp>
+#include <arenite/rigid/with_matter/collide.hpp>
+#include <arenite/rigid/with_matter/point_contact.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 

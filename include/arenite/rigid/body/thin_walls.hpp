@@ -15,7 +15,7 @@
 #include <arenite/core/tensor.hpp>
 #include <arenite/core/warning.hpp>
 #include <arenite/mesh/mesh.hpp>
-#include <arenite/rigid/try_distance.hpp>
+#include <arenite/rigid/body/try_distance.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET::detail {
 

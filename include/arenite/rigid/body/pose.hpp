@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include <arenite/core/tensor.hpp>
-#include <arenite/rigid/twist.hpp>
+#include <arenite/rigid/body/twist.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 

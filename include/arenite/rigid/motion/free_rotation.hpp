@@ -5,7 +5,7 @@
 #include <Eigen/LU>
 
 #include <arenite/core/error.hpp>
-#include <arenite/rigid/pose.hpp>
+#include <arenite/rigid/body/pose.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 

@@ -10,7 +10,7 @@
 
 #include <arenite/core/error.hpp>
 #include <arenite/core/warning.hpp>
-#include <arenite/rigid/try_distance.hpp>
+#include <arenite/rigid/body/try_distance.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET::detail {
 

@@ -8,7 +8,7 @@
 
 #include <arenite/boundary/place_function.hpp>
 #include <arenite/core/error.hpp>
-#include <arenite/rigid/pose.hpp>
+#include <arenite/rigid/body/pose.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 

@@ -10,11 +10,11 @@
 #include <vector>
 
 #include <arenite/contact/coulomb.hpp>
+#include <arenite/contact/relaxed_impulse.hpp>
 #include <arenite/core/error.hpp>
-#include <arenite/rigid/contact_points.hpp>
-#include <arenite/rigid/contact_solver.hpp>
-#include <arenite/rigid/relaxed_impulse.hpp>
-#include <arenite/rigid/twist.hpp>
+#include <arenite/rigid/between_bodies/contact_points.hpp>
+#include <arenite/rigid/between_bodies/contact_solver.hpp>
+#include <arenite/rigid/body/twist.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 

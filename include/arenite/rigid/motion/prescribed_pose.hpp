@@ -7,8 +7,8 @@
 
 #include <arenite/boundary/place_function.hpp>
 #include <arenite/core/vector_argument.hpp>
-#include <arenite/rigid/pose.hpp>
-#include <arenite/rigid/spin_function.hpp>
+#include <arenite/rigid/body/pose.hpp>
+#include <arenite/rigid/motion/spin_function.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 

@@ -10,7 +10,7 @@
 
 #include <arenite/core/error.hpp>
 #include <arenite/core/warning.hpp>
-#include <arenite/rigid/signed_distance.hpp>
+#include <arenite/rigid/body/signed_distance.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET::detail {
 
@@ -88,5 +88,5 @@ void try_distance(const Scene& scene, const AnyDistance& distance, const std::st
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET::detail
 
 #ifndef ARENITE_COLD_LIBRARY
-#include <arenite/rigid/try_distance_cold.hpp>
+#include <arenite/rigid/body/try_distance_cold.hpp>
 #endif

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include <arenite/core/warning.hpp>
-#include <arenite/rigid/try_distance.hpp>
+#include <arenite/rigid/body/try_distance.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET::detail {
 

@@ -552,7 +552,7 @@ class Anchor(Recipe):
 @dataclass(frozen=True)
 class Free(Recipe):
     """A mass that moves and turns freely: in the plane with three degrees of freedom, in space with six, in axisymmetry
-    along the axis alone. Vectors are {x, y, z}; in the plane spins and moments have a z alone.
+    only along the axis. Vectors are {x, y, z}; in the plane spins and moments have only z.
 
     parameter  unit   range                                               default          meaning
     mass       kg     > 0                                                 needed           of what the scene models (a slice, a metre, the full circle)

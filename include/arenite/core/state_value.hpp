@@ -83,8 +83,8 @@ StateUnder(StateUnder<F, ReadOnly>&, std::string) -> StateUnder<F, ReadOnly>;
 template <class F, bool ReadOnly>
 StateUnder(const StateUnder<F, ReadOnly>&, std::string) -> StateUnder<F, ReadOnly>;
 
-/// An owner of a state whose `visit_state` can be called: it changes nothing, but is not a constant member, for
-/// who restores a state writes to what it shows.
+/// An owner of a state whose `visit_state` can be called: it changes nothing, but is not a constant member,
+/// because a state is restored by writing to what it shows.
 template <class Owner>
 std::remove_const_t<Owner>& state_owner(Owner& owner) {
   return const_cast<std::remove_const_t<Owner>&>(owner);

@@ -74,7 +74,7 @@ void jitter_in_simplex(const M& mesh, Index cell, double share, std::uint64_t se
 /// Moves the initial points of a cell at random, each as likely to any place in its sub-cell, times `share`
 /// from 0 to 1. On a grid that is its part of the lattice, of so many points along each axis (`even`: see
 /// `initial_points`); in a simplex a copy of it about the point, as large as keeps all points in the cell.
-/// The same points on any machine, and in any order of the cells.
+/// The points do not depend on the machine, nor on the order of the cells.
 template <class T, int D>
 void jitter_points(const CellBox<T, D>& box, Index cell, double share, std::uint64_t seed,
                    Places<Vec<T, D>>& points, int per_cell, bool even);

@@ -18,8 +18,8 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET::detail {
 ///
 /// First x = f(x), then secants; the middle of the bounds where a secant leaves them or |f(x) - x| did not
 /// halve. A lane ends at |f(x) - x| <= 128 units in the last place of 1 + x, or, where f jumps, at the least
-/// number found for which f(x) < x. It stays there while others go on, so that its answer is the one that it
-/// has alone. The last f was that of `at()` in all lanes.
+/// number found for which f(x) < x. It stays there while others go on, so that its answer does not
+/// depend on them. The last f was that of `at()` in all lanes.
 template <class T>
 class FixedPoint {
  public:

@@ -132,7 +132,7 @@ inline constexpr bool knows_yield = requires(const L law, const Sym<T, D> stress
   };
 };
 
-/// `elastic_energy` and `yield` of a law, by stress and history or by stress alone.
+/// `elastic_energy` and `yield` of a law, by stress and history or only by stress.
 template <class L, class S, class H>
 auto elastic_energy_of(const L& law, const S& stress, const H& history) {
   if constexpr (requires { law.elastic_energy(stress, history); })
@@ -155,7 +155,7 @@ inline constexpr bool is_linear = requires {
   requires L::linear;
 };
 
-/// What `update` returned as both parts; a law that returns its opening alone does not dilate.
+/// Both parts of what `update` returned; a law that returns only its opening does not dilate.
 template <class T>
 Inelastic<T> inelastic(const T& opening) {
   return {opening, T(0)};

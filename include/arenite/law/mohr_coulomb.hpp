@@ -64,7 +64,7 @@ class MohrCoulombSurface {
   }
 
   /// Takes a trial stress [Pa] back to the yield surface, in place; one within it stays bit for bit. Returns
-  /// what opened and what dilated, -: the opening is the volumetric plastic strain of a return to the apex,
+  /// what opened and what dilated, volumetric strains. The opening is the volumetric plastic strain of a return to the apex,
   /// and that of the cut-off's flow.
   template <class T, int D>
   Inelastic<T> return_to_yield(Sym<T, D>& stress) const {
@@ -73,7 +73,7 @@ class MohrCoulombSurface {
     return return_from(stress, outside);
   }
 
-  /// The same for stresses of which `outside` says, by point, which may lie outside; the others stay.
+  /// As `return_to_yield`, only of the points in `outside`; the stresses of the others stay.
   template <class T, int D, class M>
   Inelastic<T> return_from(Sym<T, D>& stress, const M& outside) const {
     const Principal<T, D> trial(stress);

@@ -16,7 +16,7 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 /// Sums of a pass over the points, each in a fixed order.
 struct G2pSums {
   double work = 0;           ///< work of the stresses, J; 0 unless asked for
-  double ending_work = 0;    ///< what it were with the stresses at the end of the step alone, J; as `work`
+  double ending_work = 0;    ///< their work if they were those at the end of the step, J; as `work`
   double opened_volume = 0;  ///< voids that opened without stress, m3
   double check = 0;          ///< finite as long as every position, stress and volume is
 

@@ -48,7 +48,7 @@ class SimplexFaces {
   std::size_t size() const { return faces_; }
 
   /// Forces of a load on the faces where the mesh is now, into those of each field; matter of several fields
-  /// at a node bears them in proportion to its mass, and where there is none the load is lost.
+  /// at a node bears them in proportion to its mass. At a node without matter the load is lost.
   template <class Scene>
   void collect(const Scene& scene, const SurfaceLoad& load, std::string_view name,
                std::vector<NodeForce<T, D>>& nodes) {
@@ -91,7 +91,7 @@ class SimplexFaces {
   }
 
  private:
-  /// Of the samples that were collected last, at loaded node number k, N.
+  /// Force, N, at loaded node number k from the samples that were collected last.
   Vec<T, D> force_at(std::size_t k) const {
     Vec<T, D> sum = Vec<T, D>::Zero();
     for (std::size_t w = start_[k]; w < start_[k + 1]; ++w)

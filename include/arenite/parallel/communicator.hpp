@@ -13,8 +13,8 @@
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
-/// The communicator of a scene alone: there is nothing to sum, and it compiles to nothing. Any other is a handle
-/// that can be copied, and has these members, which all scenes call in the same order; what they return is the
+/// The communicator of a scene on the whole mesh: there is nothing to sum, and it compiles to nothing. Any other
+/// is a handle that can be copied, and has these members, which all scenes call in the same order; what they return is the
 /// same in all, bit for bit, if sums are taken in one order:
 ///
 /// - `is_serial`: false;

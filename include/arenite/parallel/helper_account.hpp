@@ -1,6 +1,6 @@
 // Helper account: decides whether a parallel loop wakes the other threads, from what they gained and cost. On a busy machine
 // the system stops a helper inside an item, and all wait for it; or it runs the helper on the processor of
-// the caller. Then the caller alone is faster.
+// the caller. Then the caller is faster without them.
 //
 // What a loop brings is the time that the caller's part of it, scaled up to all items, would have taken
 // alone, less the time that the loop took. It is added to a balance, which begins with nothing. A loop that

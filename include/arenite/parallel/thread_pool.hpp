@@ -90,7 +90,7 @@ class ThreadPool {
   }
 
   /// Runs the items [0, n) of a loop, on as many threads as come in time. A loop within a loop, and one that
-  /// starts while another of the program's threads has the pool, run on their own thread alone; so do all
+  /// starts while another of the program's threads has the pool, run only on their own thread; so do all loops
   /// while helpers do not pay.
   void run(std::size_t n, const Loop& loop) {
     if (threads_ < 2 || program::in_loop || taken_.test_and_set(std::memory_order_acquire)) {

@@ -78,9 +78,9 @@ auto mobility_in_matter(const R& body, const typename R::Velocity& contact_veloc
 
 /// The contact of rigid bodies in D dimensions over scalar T. Read `touches()` after any step.
 ///
-/// In a step the bodies first meet the matter alone. Then impulses between them are found that keep the gap
-/// of each point from becoming negative by the end of the step, with the matter's resistance to the bodies'
-/// velocities made linear; the bodies meet the matter again with these, until both agree.
+/// In a step, contact of each body with the matter is solved first. Impulses between the bodies are then found
+/// that keep the gap of each point from becoming negative by the end of the step; the matter's resistance to
+/// the bodies' velocities is linearised for this. The two are solved in turn until velocities no longer change.
 template <class T, int D>
 class BoundRigidContact {
  public:

@@ -16,7 +16,7 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 /// Observer that calls `f(scene)` at the first step at or after each multiple of a period, s; the start
 /// counts as one. A step that passes several multiples is one call. The rest goes through: `f` may end the
-/// run (`RunFlow`), and one with a member `finish(scene)` is told the end. `F` is a reference where the
+/// run (`RunFlow`), and its `finish(scene)`, if it has one, is called at the end. `F` is a reference where the
 /// observer is the caller's.
 template <class F>
 class Every {

@@ -178,7 +178,7 @@ void run_steps(Scene& scene, const RunOptions& options, Observers&... observers)
 }  // namespace detail
 
 /// Steps `scene` until `options.end`, which the last step hits exactly. Each observer is called with the
-/// scene (const) at the start and after every step; one with a member `finish(scene)` is told the end. An
+/// scene (const) at the start and after every step; of one that has it, `finish(scene)` is called at the end. An
 /// observer that returns `RunFlow::stop` ends the run there (with several scenes over one mesh: in all of
 /// them, which then need an observer that returns a `RunFlow` each). Warns of what cannot be right, and stops
 /// if energy doubles from nothing, unless `options.watch` is false or an observer is a `Watch`. Throws

@@ -17,7 +17,7 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 /// Follows the energy of one scene from look to look.
 class WatchedEnergy {
  public:
-  /// As fractions of the energy put in, -: what was gained since the lowest look (without `TrackEnergy`: the
+  /// Fractions of the energy put in: what was gained since the lowest look (without `TrackEnergy`: since the
   /// first); with `TrackEnergy` what the transfer took since the first, and the size of what is left of the
   /// balance. Not known when the step before was not seen.
   struct Found {

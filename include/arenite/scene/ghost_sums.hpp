@@ -29,7 +29,7 @@ void sum_nodes([[maybe_unused]] const Scene& scene, [[maybe_unused]] Nodes& node
   }
 }
 
-/// Leaves a sum at the owner's copy alone, so that more can be added to the copies and summed.
+/// Sets all copies of a sum but the owner's to zero, so that more can be added to the copies and summed.
 template <class Scene, class Nodes>
 void keep_owned([[maybe_unused]] const Scene& scene, [[maybe_unused]] Nodes& nodes) {
   if constexpr (Scene::is_portion)

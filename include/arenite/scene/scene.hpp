@@ -369,7 +369,7 @@ struct Scene {
       // Long runs of points, which memory serves best, but blocks enough to share out.
       size = std::clamp<Index>(mesh.cell_count() / 128, 24, 800);
     } else {
-      // As many layers of cells as share nodes: a block then shares nodes with its two neighbours alone, so
+      // As many layers of cells as share nodes: a block then shares nodes only with its two neighbours, so
       // that two colours are enough.
       size = Shape::halo * (mesh.cell_count() / mesh.cells(D - 1));
     }

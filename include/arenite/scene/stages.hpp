@@ -257,7 +257,7 @@ void constrain(Scene& scene, typename Scene::Field& field, double dt) {
   scene.driving_work += work;
 }
 
-/// The same of all fields.
+/// Applies the constraints to all fields.
 template <class Scene>
 void constrain(Scene& scene, double dt) {
   for (auto& field : scene.fields) constrain(scene, field, dt);

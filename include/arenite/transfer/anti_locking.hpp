@@ -64,7 +64,7 @@ struct NodalAveraging {
 /// own, and open ones none.
 ///
 /// `fill` parts cells inside a body from those at its free surface. Shear leaves cells inside short of points
-/// for a while; one that then bears its stress over its points alone gives way, the more often the fewer
+/// for a while; one that then bears its stress only over its points gives way, the more often the fewer
 /// points there are: at 0.9 a cell of nine as soon as one is missing. From 0.3 to 0.7 the penetrometer's drop
 /// hardly depends on `fill`, and at 0.5 hardly on the number of points (docs/decisions.md, averages).
 struct ElementAverage {

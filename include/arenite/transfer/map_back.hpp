@@ -10,7 +10,7 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 /// What the points of a body would hand back of their new velocities, added to `nodes.mapped`: call
 /// `finish_map_back` once all bodies of the field have been through. Linear simplices need no pass over the
-/// points, who take their velocities in `g2p`; in all else they take them here, and the momentum that they
+/// points: they take their velocities in `g2p`. Elsewhere the points take them here, and the momentum that they
 /// hand back is added. Positions stay: they move with the strains in `g2p`, so that all weights
 /// of a step are those at its start.
 template <class N, class M, class B, class Field>

@@ -16,7 +16,7 @@
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
-/// The same from the lanes of a pack that holds components `first`, .. of a vector; 0 elsewhere.
+/// A pack of a node's vector: the lanes of `lanes` are its components from `first` on, the others 0.
 template <class T, int D, class L>
 NodePack<T, D> node_pack(std::size_t first, const L& lanes) {
   std::array<T, 8> all{};

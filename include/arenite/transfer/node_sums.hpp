@@ -74,7 +74,7 @@ NodePack<T, D> impulse_of_forces(const NodeSums<T, D>& sums, T dt) {
   return dt * sums.force_pack();
 }
 
-/// Momentum and mass alone: where nothing reads the velocity at the start of the step nor the force
+/// Only momentum and mass: where nothing reads the velocity at the start of the step nor the force
 /// (`reads_start_state`), the impulse of the internal force over the step is part of the momentum.
 template <class T, int D>
 struct alignas(4 * sizeof(T)) NodeMomentum {

@@ -68,7 +68,7 @@ void update_grid(Field& nodes, const Vec<T, D>& gravity, T dt, T mass_floor) {
   });
 }
 
-/// Of the grid update the masses and the velocities that the points hand over alone.
+/// The part of the grid update that needs only masses and the momentum that the points hand over.
 template <class Field, class T>
 void start_velocities(Field& nodes, T mass_floor) {
   parallel_chunks(nodes.size(), [&](std::size_t begin, std::size_t end) {

@@ -42,7 +42,7 @@ struct PlasticStrainHistory {
 ///
 /// tan(phi) of a step, >= 0; `given` is that of the law's parameters, `step` what the matter feels of the
 /// step, `trial` the elastic trial stress, Pa. The law then computes its yield surface anew for each point,
-/// with slopes up to tan(1.55). What a policy says of a point may depend on that point alone, not on the
+/// with slopes up to tan(1.55). What a policy says of a point may depend only on that point, not on the
 /// others of its pack: a `select` for a branch.
 ///
 /// Optional members of a policy:

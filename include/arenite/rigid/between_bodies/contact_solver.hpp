@@ -82,7 +82,7 @@ class ContactSolver {
   static constexpr std::size_t most_rows = 200;
 
   /// An impulse far above what stops the heaviest body, N s. Contacts that hold each other, as a wedge with
-  /// friction does, have none of their own: any multiple would do, and of great ones round-off alone is left.
+  /// friction does, have none of their own: any multiple would do, and with great ones only round-off is left.
   static double greatest_impulse(const Rows& rows, double scale) {
     double least = std::numeric_limits<double>::infinity();  // m/s per N s, of a body alone
     for (const auto& row : rows)

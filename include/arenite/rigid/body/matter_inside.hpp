@@ -65,7 +65,7 @@ void warn_points_inside(const Scene& scene, const AnyDistance& distance, const s
       warn_matter_inside(rigid, f.body, f.inside, f.all, "fill(region - shape, ..)");
 }
 
-/// The same of a rigid body whose surface is that of a region of the mesh.
+/// Warns of material points in the region of the mesh whose boundary is the surface of a rigid body.
 template <class Scene>
 void warn_points_in_region(const Scene& scene, const std::string& region, const std::string& rigid) {
   const int own = scene.mesh.region_number(region);

@@ -28,7 +28,7 @@ std::vector<double> tried_distances(const AnyDistance& distance,
                                     const std::vector<AnyDistance::Position>& places);
 
 /// The median of the magnitudes of the gradient at the places that are nearest to the surface, -, by central
-/// differences; 1 where there is none that is finite. The nearest are those of the least distance, in
+/// differences; 1 if none of them is finite. The nearest are those of the least distance, in
 /// whatever unit that is. Differences are over 1e-4 of `sizes`, m, one a place.
 double median_gradient(const AnyDistance& distance, const std::vector<AnyDistance::Position>& places,
                        const std::vector<double>& sizes, const std::vector<double>& at_places,

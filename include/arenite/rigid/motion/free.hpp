@@ -20,7 +20,7 @@
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 /// A mass that moves and turns freely: in the plane with three degrees of freedom, in space with six, in
-/// axisymmetry along the axis alone. Vectors are {x, y, z}; in the plane spins and moments have a z alone.
+/// axisymmetry only along the axis. Vectors are {x, y, z}; in the plane spins and moments have only z.
 struct Free {
   static constexpr double not_given = std::numeric_limits<double>::quiet_NaN();
   /// Of what the scene models (a slice, a metre, the full circle), kg; required, positive.

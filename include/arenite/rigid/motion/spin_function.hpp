@@ -1,4 +1,4 @@
-// Angular velocities and moments as a user gives them: {x, y, z}, which in the plane have a z alone.
+// Angular velocities and moments as a user gives them: {x, y, z}, in the plane only z.
 #pragma once
 // SPDX-License-Identifier: BSD-3-Clause
 
@@ -28,7 +28,7 @@ Spin<double, D> spin_argument(std::string_view name, const std::array<double, 3>
   return spin;
 }
 
-/// The same of a function at a position, m, and time, s. Throws `run_error`.
+/// Angular velocity or moment that a function gives at a position, m, and time, s. Throws `run_error`.
 template <int D>
 Spin<double, D> spin_value_at(const VectorFunction& f, const Vec<double, D>& position, double time,
                               std::string_view name) {

@@ -1,5 +1,5 @@
-// What points hand back to the nodes of their cell where its functions are products along the axes: momentum
-// alone.
+// What points hand back to the nodes of their cell where its functions are products along the axes: only
+// momentum.
 #pragma once
 // SPDX-License-Identifier: BSD-3-Clause
 

@@ -74,7 +74,7 @@ ARENITE_KERNEL void p2g(const N& numerics, const M& mesh, const B& body, Index c
   }
 }
 
-/// The same where nodes collect mass and the momentum of the end of the step alone (`NodeMomentum`):
+/// P2G where nodes collect only mass and the momentum at the end of the step (`NodeMomentum`):
 ///   mass_i += m_p w_i     momentum_i += m_p w_i v_p(x_i) - dt V_p sigma_p grad w_i
 ///   in axisymmetry momentum_r,i -= dt V_p sigma_hoop w_i / r_p
 template <class K, class N, class M, class B, class Field, class T>

@@ -20,9 +20,9 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 ///
 /// Points that keep their velocities but move give another velocity gradient to the grid. Their kinetic
 /// energy changes by the stress times the gradients with their old and with their new weights, each for half
-/// a step. MUSL strains with the old weights alone: what the gradient changes by then leaves energy in the
-/// stresses, on average, and strains with the new weights alone do so as well. With half of each none is left
-/// to this order. For laws that are linear: the force then needs the cells' sums of stress alone, not the
+/// a step. MUSL strains only with the old weights: what the gradient changes by then leaves energy in the
+/// stresses, on average, and strains only with the new weights do so as well. With half of each none is left
+/// to this order. For laws that are linear: the force then needs only the cells' sums of stress, not the
 /// points. (Of the hoop strain it takes the mean of the cell.)
 template <class K, class Shape, class M, class B, class Field, class T>
 void add_half_step(const M& mesh, const Blocks& blocks, const B& body, Field& nodes, T half) {

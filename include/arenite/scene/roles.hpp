@@ -189,7 +189,7 @@ concept follows_state = requires(P& part, S& scene) {
 
 /// What a part needs of the scene it says by static constants: `separates_bodies` (a velocity field for each
 /// body instead of one for all), `needs_mass_gradient` (of each field), `needs_point_ids`, `point_columns`
-/// (how many numbers it keeps with each point, zero at first: `points.kept[k]`, k from
+/// (how many numbers it keeps with each point, zero at first: `points.part_columns[k]`, k from
 /// `first_point_column(scene, *this)` on); a type `OnlyOne` names a kind of which a scene has one at most.
 template <class P>
 inline constexpr bool separates_bodies = [] {

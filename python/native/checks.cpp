@@ -161,7 +161,7 @@ Checks made() {
   add_read<Flip, Aflip, ElementAverage, NodalAndElementAverage>(checks);
   add_read<ViscousDamping, LocalDamping, Coulomb<>, FrictionalWall, FaceTraction, BodyForce, PointLoad,
            Prescribed>(checks);
-  checks.emplace("Fmpm", &reads<Fmpm>);  // the one and the other of `SweptFlip`
+  checks.emplace("Fmpm", &reads<Fmpm>);  // the one and the other of `CorrectedFlip`
   checks.emplace("Xpic", &reads<Xpic>);
   checks.emplace("Watch", [](const Value& values) {
     Watch(read<WatchLimits>(values, ReadContext{.name = "WatchLimits"}));

@@ -99,7 +99,7 @@ RECIPES: Dict[str, List[Recipe]] = {
         *plain("Kind", "LinearSimplex", "LinearGrid", "QuadraticBSpline", "CubicBSpline"),
         Recipe("UGimp", "Kind", of="-", extended=True, more=(Member("points", "int", "2", ">= 1", "along each axis of a cell at first"),)),
         *plain("Kind", "Flip", "Apic", "Tpic", "Aflip"),
-        Recipe("Fmpm", "Kind", of="SweptFlip", without=("kept",)), Recipe("Xpic", "Kind", of="SweptFlip", without=("kept",)),
+        Recipe("Fmpm", "Kind", of="CorrectedFlip", without=("kept",)), Recipe("Xpic", "Kind", of="CorrectedFlip", without=("kept",)),
         *plain("Kind", "Musl", "Usl", "Usf", "NoAntiLocking", "NodalAveraging", "ElementAverage", "NodalAndElementAverage"),
     ],
     "boundary": plain("Part", "ViscousDamping", "LocalDamping"),

@@ -45,9 +45,9 @@ void check_reference(S s, double bound = 1e-13) {
   for (std::size_t i = 0; i < n; ++i) add(s.nodes.mass_gradient[i], sums[i].mass_gradient);
   check();
 
-  if constexpr (S::N::sweeps_nodes) {
+  if constexpr (S::N::corrects_nodes) {
     const auto correction = reference::correction(s.numerics, s.mesh, s.body, s.nodes);
-    s.sweep_nodes();
+    s.correct_nodes();
     for (std::size_t i = 0; i < n; ++i) add(s.nodes.correction[i], correction[i]);
     check();
   }

@@ -4,7 +4,7 @@
 #include <arenite/law/linear_elastic.hpp>
 #include <arenite/transfer/g2p.hpp>
 #include <arenite/transfer/map_back.hpp>
-#include <arenite/transfer/node_sweeps.hpp>
+#include <arenite/transfer/node_correction.hpp>
 #include <arenite/transfer/p2g.hpp>
 #include <numeric>
 
@@ -117,12 +117,12 @@ struct Setup : RandomBody<typename N_::Shape, M_, N_::extra_columns, N_::maps_ba
     nodes.clear();
     arenite::p2g<K>(numerics, mesh, blocks, body, nodes);
   }
-  void sweep_nodes() {
-    if constexpr (N::sweeps_nodes) {
-      start_sweeps(numerics, nodes);
-      for (int k = 0; k < numerics.transfer.sweeps(); ++k) {
-        sweep(numerics, mesh, blocks, body, nodes);
-        finish_sweep(numerics, nodes);
+  void correct_nodes() {
+    if constexpr (N::corrects_nodes) {
+      start_correction(numerics, nodes);
+      for (int k = 0; k < numerics.transfer.iterations(); ++k) {
+        map_residual(numerics, mesh, blocks, body, nodes);
+        finish_residual(numerics, nodes);
         add_residual(nodes);
       }
     }
@@ -148,7 +148,7 @@ struct Setup : RandomBody<typename N_::Shape, M_, N_::extra_columns, N_::maps_ba
   }
   /// New velocities of the points, and nothing else: a step without length neither moves nor strains.
   void gather() {
-    sweep_nodes();
+    correct_nodes();
     map_back();
     if constexpr (!N::maps_back_by_points) g2p(0);
   }

@@ -16,14 +16,14 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 #define ARENITE_ROLES(role)                                                                           \
   role(is_open) role(yield) role(greatest_volume_ratio) role(max_pack_width) role(two_packs_at_once)  \
   role(linear) role(names)                                                                            \
-  role(in_step) role(sweeps) role(particle_field) role(gather)                                        \
+  role(in_step) role(iterations) role(particle_field) role(gather)                                    \
   role(stable_step)                                                                                   \
   role(connect) role(constrain) role(driven_velocity) role(add_force) role(acceleration)              \
   role(apply_impulses) role(constrain_mapped) role(take_stress_work) role(take_wall_impulse)          \
   role(after_p2g) role(after_grid) role(take_mapped_momentum) role(given_impulse) role(follow_motion) \
   role(renew_points) role(count_energy) role(holds_against) role(visit_state) role(follow_state)      \
   role(hand) role(take) role(exchange_impulses) role(exchange_rank) role(hold_mapped)                 \
-  role(read_start) role(read_end) role(take_wall_hold)
+  role(read_start) role(read_end) role(take_wall_hold) role(sweeps)
 // clang-format on
 
 namespace detail {

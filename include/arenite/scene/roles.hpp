@@ -88,7 +88,7 @@ concept takes_stress_work = takes_both_works<P> || requires(P& part) {
 
 /// Wherever velocities at the end of the step are constrained, up to three times a step: the impulse that the
 /// constraints gave to a node, N s, for each node that they changed and the scene owns. With the number of
-/// the field as first argument: of each field, and not what constraints take of node sweeps.
+/// the field as first argument: of each field, and not what constraints take of a node correction's residual.
 template <class P, class S>
 concept takes_wall_impulse_of_field = requires(P& part, const typename S::V& impulse) {
   { part.take_wall_impulse(std::size_t{}, Index{}, impulse) } -> std::same_as<void>;

@@ -23,7 +23,7 @@
 #include <arenite/transfer/g2p.hpp>
 #include <arenite/transfer/light_nodes.hpp>
 #include <arenite/transfer/map_back.hpp>
-#include <arenite/transfer/node_sweeps.hpp>
+#include <arenite/transfer/node_correction.hpp>
 #include <arenite/transfer/numerics.hpp>
 #include <arenite/transfer/p2g.hpp>
 #include <arenite/transfer/simplex/centred_stress.hpp>
@@ -89,7 +89,7 @@ struct Scene {
   static constexpr std::size_t rigid_count = detail::rigids_of<Parts>::count;
   /// Whether nodes hold the velocity at the start of the step and the force, apart.
   static constexpr bool has_start_state = N::reads_start_state || Needs::start_state;
-  using Field = NodeField<T, D, N::maps_back, Needs::mass_gradient, N::sweeps_nodes, has_start_state>;
+  using Field = NodeField<T, D, N::maps_back, Needs::mass_gradient, N::corrects_nodes, has_start_state>;
   /// Whether the stresses of the bodies in a node field are taken at the middle of the step: where all their
   /// laws are linear (see `add_half_step`).
   static constexpr bool centres_stress(std::size_t field) {

@@ -64,15 +64,15 @@ std::pair<typename Scene::V, double> apply_constraints(Scene& scene, const Field
 }
 
 /// What hands the impulse of constraints on a node of a field to the parts that ask for it
-/// (`take_wall_impulse`). `Sweeps`: it corrects a sweep of the nodes.
-template <bool Sweeps = false, class Scene, class Field>
+/// (`take_wall_impulse`). `OfResidual`: they act on the residual of `correct_nodes`.
+template <bool OfResidual = false, class Scene, class Field>
 auto wall_impulse_sink([[maybe_unused]] Scene& scene, [[maybe_unused]] const Field& field) {
   if constexpr (Scene::Needs::wall_impulses)
     return [&scene, &field](Index node, const typename Scene::V& impulse) {
       scene.for_each_part([&](auto& part) {
         using P = std::remove_reference_t<decltype(part)>;
         if constexpr (takes_wall_impulse_of_field<P, Scene>) {
-          if (!Sweeps)
+          if (!OfResidual)
             part.take_wall_impulse(static_cast<std::size_t>(&field - scene.fields.data()), node, impulse);
         } else if constexpr (takes_wall_impulse<P, Scene>) {
           part.take_wall_impulse(node, impulse);
@@ -307,20 +307,20 @@ void smooth_light_nodes(Scene& scene, [[maybe_unused]] double dt) {
     detail::move_massless(scene, field, field.velocity, [&] { constrain(scene, field, dt); });
 }
 
-/// Node sweeps of a transfer that asks for them (XPIC, FMPM): the correction of the nodes' velocities. What
-/// constraints take of it is an impulse of the walls. dt: s.
+/// The correction of the nodes' velocities by a transfer that asks for it (XPIC, FMPM). What constraints take of
+/// it is an impulse of the walls. dt: s.
 template <class Scene>
-void sweep_nodes(Scene& scene, [[maybe_unused]] double dt) {
-  if constexpr (Scene::NumericsType::sweeps_nodes) {
+void correct_nodes(Scene& scene, [[maybe_unused]] double dt) {
+  if constexpr (Scene::NumericsType::corrects_nodes) {
     const auto numerics = scene.numerics.in_step(dt);
-    for (auto& field : scene.fields) start_sweeps(numerics, field);
-    for (int sweep = 0; sweep < numerics.transfer.sweeps(); ++sweep) {
+    for (auto& field : scene.fields) start_correction(numerics, field);
+    for (int k = 0; k < numerics.transfer.iterations(); ++k) {
       scene.for_each_body([&](const auto& body, auto& field) {
-        arenite::sweep(numerics, scene.mesh, scene.blocks, body, field);
+        map_residual(numerics, scene.mesh, scene.blocks, body, field);
       });
       for (auto& field : scene.fields) {
-        detail::sum_nodes(scene, field.given);
-        finish_sweep(numerics, field);
+        detail::sum_nodes(scene, field.mapped_residual);
+        finish_residual(numerics, field);
         scene.wall_impulse += constrain(scene.constraints, field.mass, field.residual, scene.node_owner(),
                                         detail::wall_impulse_sink<true>(scene, field));
         add_residual(field);

@@ -26,7 +26,7 @@ void step(Scene& scene, double dt) {
   constrain(scene, dt);            // fixities, rollers, symmetry planes
   contact_impulses(scene, dt);     // body against body, rigid body against bodies: impulses that cancel
   smooth_light_nodes(scene, dt);   // nodes at a body's edge that have force and hardly any mass
-  sweep_nodes(scene, dt);          // XPIC, FMPM: what the lumped mass does to the nodes' velocities
+  correct_nodes(scene, dt);        // XPIC, FMPM: what the lumped mass does to the nodes' velocities
   map_back(scene, dt);  // MUSL: node velocities for the strains, as the points would hand them back
   g2p(scene, dt);       // G2P: velocities, strains, positions; stresses by the law of each body
   follow(scene, dt);    // what moves with the matter: the mesh, springs, ..

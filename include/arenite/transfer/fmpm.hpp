@@ -2,11 +2,11 @@
 #pragma once
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include <arenite/transfer/swept_flip.hpp>
+#include <arenite/transfer/corrected_flip.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
-/// What FMPM sweeps: the new velocities of the nodes.
+/// What FMPM iterates: the new velocities of the nodes.
 struct FmpmStart {
   static constexpr const char *order_name = "Fmpm.order", *time_name = "Fmpm.time";
   template <class Nodes>
@@ -20,6 +20,6 @@ struct FmpmStart {
 /// place of the lumped one, of whose inverse the first k terms of the series (I - S+ S)^l are taken.
 /// Accelerations are corrected, too. Strains and positions follow the lumped velocities: with the corrected
 /// ones the stable step would fall as 1 / sqrt(k), for they multiply what is light among the nodes by k.
-using Fmpm = SweptFlip<FmpmStart>;
+using Fmpm = CorrectedFlip<FmpmStart>;
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

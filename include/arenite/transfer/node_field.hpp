@@ -128,9 +128,9 @@ class NodeVectors {
 };
 
 /// Columns over all nodes of the mesh. `Mapped`: a second velocity for the stress update (MUSL); `Gradient`:
-/// the gradient of mass, for contact normals. `Swept`: what node sweeps make. `StartState`: the velocity at
+/// the gradient of mass, for contact normals. `Corrected`: what a node correction needs. `StartState`: the velocity at
 /// the start of the step and the force, apart (`reads_start_state`). What is not asked for is not stored.
-template <real_scalar T, int D, bool Mapped, bool Gradient, bool Swept = false, bool StartState = true>
+template <real_scalar T, int D, bool Mapped, bool Gradient, bool Corrected = false, bool StartState = true>
 struct NodeField {
   static constexpr bool has_mass_gradient = Gradient, has_start_state = StartState;
   using Sums = std::conditional_t<StartState, NodeSums<T, D>, NodeMomentum<T, D>>;
@@ -143,9 +143,9 @@ struct NodeField {
   NodeVectors<T, D> velocity;       ///< [nodes] velocity at the step's end, m/s
   NodeVectors<T, D> mapped;         ///< [nodes if Mapped] momentum, then velocity for the stress update, m/s
   NodeVectors<T, D> mass_gradient;  ///< [nodes if Gradient] sum of m grad N, kg/m: points out of the body
-  NodeVectors<T, D> correction;     ///< [nodes if Swept] sum of the residuals of all sweeps, m/s
-  NodeVectors<T, D> residual;       ///< [nodes if Swept] of the last sweep, m/s
-  NodeVectors<T, D> given;          ///< [nodes if Swept] what points hand back in a sweep, kg m/s
+  NodeVectors<T, D> correction;     ///< [nodes if Corrected] sum of the residuals, m/s
+  NodeVectors<T, D> residual;       ///< [nodes if Corrected] of the last iteration, m/s
+  NodeVectors<T, D> mapped_residual;  ///< [nodes if Corrected] what points hand back of it, kg m/s
   bool centred;  ///< whether what is mapped is the mean over the step (see `add_half_step`)
 
   explicit NodeField(Index nodes, bool is_centred = false)
@@ -155,9 +155,9 @@ struct NodeField {
         velocity(nodes, zeros<Vec<T, D>>()),
         mapped(Mapped ? nodes : 0, zeros<Vec<T, D>>()),
         mass_gradient(Gradient ? nodes : 0, zeros<Vec<T, D>>()),
-        correction(Swept ? nodes : 0, zeros<Vec<T, D>>()),
+        correction(Corrected ? nodes : 0, zeros<Vec<T, D>>()),
         residual(correction),
-        given(correction),
+        mapped_residual(correction),
         centred(is_centred) {}
 
   std::size_t size() const { return mass.size(); }
@@ -189,7 +189,7 @@ struct NodeField {
 
   std::size_t bytes() const {
     return size() * (sizeof(Sums) + sizeof(T)) + (StartState ? 2 : 1) * velocity.bytes() + mapped.bytes() +
-           mass_gradient.bytes() + correction.bytes() + residual.bytes() + given.bytes();
+           mass_gradient.bytes() + correction.bytes() + residual.bytes() + mapped_residual.bytes();
   }
 };
 

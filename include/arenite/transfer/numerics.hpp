@@ -38,6 +38,8 @@ struct Numerics {
   using Shape = Shape_;
   static_assert(!names_hand<Transfer_> && !names_take<Transfer_>,
                 "Numerics: hand and take of a transfer are now called particle_field and gather");
+  static_assert(!names_sweeps<Transfer_>,
+                "Numerics: sweeps and swept of a transfer are now called iterations and iterated");
   static_assert(
       transfer_type<Transfer_, Shape_>,
       "Numerics: the transfer lacks a member: affine, fits<Shape>, particle_field(point), gather(cell, "
@@ -63,14 +65,14 @@ struct Numerics {
   /// Whether the light nodes at a body's edge exchange momentum with their neighbours (see `LightNodes`).
   /// Those of MUSL and USF take their strains from what their neighbours move.
   static constexpr bool smooths_light_nodes = has_light_nodes<Shape> && !strains_by_points;
-  /// Whether vectors of the nodes are swept over the points (see `start_sweeps`).
-  static constexpr bool sweeps_nodes = names_sweeps<Transfer>;
+  /// Whether the velocities of the nodes are corrected (see `start_correction`).
+  static constexpr bool corrects_nodes = names_iterations<Transfer>;
   /// Whether velocities at the start of the step or forces of the nodes are read, by the transfer or at light
   /// nodes; the kernels of simplices do not sum them as one.
   static constexpr bool reads_start_state = Shape::constant_gradient || has_light_nodes<Shape> ||
-                                            strains_first || sweeps_nodes ||
+                                            strains_first || corrects_nodes ||
                                             arenite::reads_start_state<Transfer>;
-  static constexpr bool needs_edge_mass = (maps_back || sweeps_nodes) && Shape::constant_gradient;
+  static constexpr bool needs_edge_mass = (maps_back || corrects_nodes) && Shape::constant_gradient;
   /// Whether the stresses of bodies with laws L are taken at the middle of the step (see `add_half_step`).
   template <class... L>
   static constexpr bool centres_stress = maps_back&& Shape::constant_gradient && !averages_strain &&
@@ -81,11 +83,11 @@ struct Numerics {
 
   static_assert(Transfer::template fits<Shape>, ARENITE_SAYS_TRANSFER_SHAPE);
   static_assert(
-      !sweeps_nodes ||
+      !corrects_nodes ||
           requires(const Transfer t) {
-            { t.sweeps() } -> std::same_as<int>;
+            { t.iterations() } -> std::same_as<int>;
           },
-      "transfer: sweeps must be int sweeps() const, beside swept(nodes, i)");
+      "transfer: iterations must be int iterations() const, beside iterated(nodes, i)");
   static_assert(!(maps_back && Shape::constant_gradient) || !Transfer::affine,
                 ARENITE_SAYS_MUSL_WITHOUT_GRADIENT);
   static_assert(AntiLocking::template fits<Shape>, ARENITE_SAYS_AVERAGES_SHAPE);

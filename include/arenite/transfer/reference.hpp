@@ -46,16 +46,16 @@ std::vector<NodeSums<T, D>> p2g(const N& numerics, const M& mesh, const B& body)
   return sums;
 }
 
-/// The correction of a transfer with node sweeps: sum_{l=1}^{sweeps} (I - S+ S)^l u, without constraints,
+/// The correction of a transfer that asks for one: sum_{l=1}^{iterations} (I - S+ S)^l u, without constraints,
 /// with (S+ S u)_i = sum_p m w_i sum_j w_j u_j / m_i.
 template <class N, class M, class B, class Field, class T = typename M::scalar, int D = M::dimension>
 std::vector<Vec<T, D>> correction(const N& numerics, const M& mesh, const B& body, const Field& nodes) {
   const Vec<T, D> zero = Vec<T, D>::Zero();
   std::vector<Vec<T, D>> sum(nodes.size(), zero), residual = sum;
   for (std::size_t i = 0; i < nodes.size(); ++i)
-    for (int k = 0; k < D; ++k) residual[i][k] = numerics.transfer.swept(nodes, static_cast<Index>(i))[k];
-  for (int sweep = 0; sweep < numerics.transfer.sweeps(); ++sweep) {
-    std::vector<Vec<T, D>> given(nodes.size(), zero);
+    for (int k = 0; k < D; ++k) residual[i][k] = numerics.transfer.iterated(nodes, static_cast<Index>(i))[k];
+  for (int l = 0; l < numerics.transfer.iterations(); ++l) {
+    std::vector<Vec<T, D>> mapped(nodes.size(), zero);
     for (std::size_t p = 0; p < body.points.size(); ++p) {
       const typename N::Shape::template Cell<M> cell(mesh, body.points.cell[p]);
       const auto w = cell.weights(body.points.position[p]);
@@ -63,10 +63,10 @@ std::vector<Vec<T, D>> correction(const N& numerics, const M& mesh, const B& bod
       for (std::size_t j = 0; j < cell.size; ++j)
         at_point += w[static_cast<int>(j)] * residual[cell.nodes[j]];
       for (std::size_t i = 0; i < cell.size; ++i)
-        given[cell.nodes[i]] += body.points.mass[p] * w[static_cast<int>(i)] * at_point;
+        mapped[cell.nodes[i]] += body.points.mass[p] * w[static_cast<int>(i)] * at_point;
     }
     for (std::size_t i = 0; i < nodes.size(); ++i) {
-      residual[i] = nodes.mass[i] > 0 ? Vec<T, D>(residual[i] - given[i] / nodes.mass[i]) : zero;
+      residual[i] = nodes.mass[i] > 0 ? Vec<T, D>(residual[i] - mapped[i] / nodes.mass[i]) : zero;
       sum[i] += residual[i];
     }
   }

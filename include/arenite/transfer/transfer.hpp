@@ -25,9 +25,9 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 //   of the step, `nodes.start`;
 // - `in_step(dt)` (optional): the transfer of a step dt, s, where it depends on that;
 // - `particle_field(p)`: the `VelocityField` that a point p, a `PointPack`, hands to its nodes (P2G);
-// - `sweeps()` and `swept(nodes, i)` (optional, together): how many node sweeps it needs, and of which vector
-//   u_i of node i, as a pack: `nodes.correction` then holds sum_{l=1}^{sweeps} (I - S+ S)^l u for `gather`,
-//   with S the interpolation to the points and S+ the lumped mapping back (`node_sweeps.hpp`);
+// - `iterations()` and `iterated(nodes, i)` (optional, together): how many iterations it needs, and of which vector
+//   u_i of node i, as a pack: `nodes.correction` then holds sum_{l=1}^{iterations} (I - S+ S)^l u for `gather`,
+//   with S the interpolation to the points and S+ the lumped mapping back (`node_correction.hpp`);
 // - `returned_velocity(nodes, i)` (optional, else the new velocity): s v_i^old + d_i where points take v_p =
 //   s v_p + sum w_i d_i, as a pack: for MUSL on linear simplices;
 // - `increment_at(nodes, i)` (optional): the vector d_i, below, of one node, as a pack: MUSL on linear

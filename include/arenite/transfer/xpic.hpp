@@ -2,11 +2,11 @@
 #pragma once
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include <arenite/transfer/swept_flip.hpp>
+#include <arenite/transfer/corrected_flip.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
-/// What XPIC sweeps: the velocities that the points handed over.
+/// What XPIC iterates: the velocities that the points handed over.
 struct XpicStart {
   static constexpr const char *order_name = "Xpic.order", *time_name = "Xpic.time";
   template <class Nodes>
@@ -20,6 +20,6 @@ struct XpicStart {
 /// of anything else. Accelerations come as FLIP's.
 ///
 ///   v_p = v_p + sum w_i (v_i^new - v_i^old) - (I - S S+)^m v_p
-using Xpic = SweptFlip<XpicStart>;
+using Xpic = CorrectedFlip<XpicStart>;
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

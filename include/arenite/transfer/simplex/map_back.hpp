@@ -5,7 +5,7 @@
 #include <arenite/particles/cell_sums.hpp>
 #include <arenite/simd/kernel.hpp>
 #include <arenite/transfer/node_field.hpp>
-#include <arenite/transfer/simplex/sweep.hpp>
+#include <arenite/transfer/simplex/map_residual.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 namespace simplex {

@@ -1,4 +1,4 @@
-// Transfers beside FLIP and APIC: XPIC and FMPM, whose nodes are swept, and AFLIP. Kernels against the
+// Transfers beside FLIP and APIC: XPIC and FMPM, which correct the nodes' velocities, and AFLIP. Kernels against the
 // formulas of one point, and the laws that the authors state.
 #include <arenite/arenite.hpp>
 

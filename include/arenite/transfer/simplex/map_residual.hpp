@@ -1,4 +1,4 @@
-// Node sweep on linear simplices, from the edge masses of the cells instead of a pass over the points.
+// Node residual mapped to the points and back on linear simplices, from the edge masses of the cells instead of a pass over the points.
 #pragma once
 // SPDX-License-Identifier: BSD-3-Clause
 
@@ -25,15 +25,15 @@ void diffuse_along_edges(const std::array<Index, Size>& nodes, const EdgeMass& e
   repeat<Size>([&](std::size_t i) { to.add(nodes[i], gain[i]); });
 }
 
-/// Adds to `nodes.given` what the points of a cell hand back of the vectors r_i in `nodes.residual`, less
+/// Adds to `nodes.mapped_residual` what the points of a cell hand back of the vectors r_i in `nodes.residual`, less
 /// m_i r_i: since sum_j M_ij = m_i, an exchange along the edges.
 template <class M, class B, class Field>
-ARENITE_KERNEL void sweep(const M& mesh, const B& body, Index c, Field& nodes) {
+ARENITE_KERNEL void map_residual(const M& mesh, const B& body, Index c, Field& nodes) {
   constexpr std::size_t size = static_cast<std::size_t>(M::dimension) + 1;
   std::array<NodePack<typename M::scalar, M::dimension>, size> r;
   const auto& of_cell = mesh.nodes(c);
   repeat<size>([&](std::size_t i) { r[i] = nodes.residual.pack(of_cell[i]); });
-  diffuse_along_edges(of_cell, body.cell_sums[c].edge_mass, r, nodes.given);
+  diffuse_along_edges(of_cell, body.cell_sums[c].edge_mass, r, nodes.mapped_residual);
 }
 
 }  // namespace simplex

@@ -1,4 +1,4 @@
-// What XPIC and FMPM share: FLIP with a correction of the nodes' velocities, made by sweeps over the points.
+// What XPIC and FMPM share: FLIP with a correction of the nodes' velocities, made by iterations over the points.
 #pragma once
 // SPDX-License-Identifier: BSD-3-Clause
 
@@ -11,7 +11,7 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 /// With S the interpolation to the points and S+ the lumped mapping to the nodes a step takes
 ///   v_p = sum w_i (v_i^new + c_i),   c = sum_{l=1}^{order-1} (I - S+ S)^l u
-/// where u = `Start::of(nodes, i)` are velocities of the nodes. Each term but the first is a sweep over the
+/// where u = `Start::of(nodes, i)` are velocities of the nodes. Each term but the first is an iteration over the
 /// points (on linear simplices over the cells). Order 1 is PIC.
 ///
 /// That is the formula of a step: smaller steps damp more. With a time constant the points keep the fraction
@@ -19,7 +19,7 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 ///   v_p = k (v_p + sum w_i (v_i^new - v_i^old)) + (1 - k) sum w_i (v_i^new + c_i)
 /// (The authors take a step with, and some without, instead: Nairn and Hammerquist 2021.)
 template <class Start>
-struct SweptFlip {
+struct CorrectedFlip {
   static constexpr bool affine = false;
   struct OrderRule {
     static constexpr const char* name = Start::order_name;
@@ -37,14 +37,14 @@ struct SweptFlip {
   template <class Shape>
   static constexpr bool fits = true;
 
-  SweptFlip in_step(double dt) const {
+  CorrectedFlip in_step(double dt) const {
     return {.order = order, .time = time, .kept = time > 0 ? std::exp(-dt / time) : 0.0};
   }
-  /// How many sweeps a step takes.
-  int sweeps() const { return static_cast<int>(order) - 1; }
-  /// What is swept, of node i, as a pack.
+  /// Iterations in a step.
+  int iterations() const { return static_cast<int>(order) - 1; }
+  /// u of node i, as a pack.
   template <class Nodes>
-  auto swept(const Nodes& nodes, Index i) const {
+  auto iterated(const Nodes& nodes, Index i) const {
     return times(1 - kept, Start::of(nodes).pack(i));
   }
 

@@ -1,4 +1,4 @@
-// Node sweep where the functions of a cell are products along the axes: by the points.
+// Node residual mapped to the points and back where the functions of a cell are products along the axes: by the points.
 #pragma once
 // SPDX-License-Identifier: BSD-3-Clause
 
@@ -8,15 +8,15 @@
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 namespace product {
 
-/// Adds to `nodes.given` what the points of a cell hand back of the vectors r_i in `nodes.residual`:
+/// Adds to `nodes.mapped_residual` what the points of a cell hand back of the vectors r_i in `nodes.residual`:
 ///   m_p w_i sum_j w_j r_j
 template <class N, class M, class B, class Field>
-ARENITE_KERNEL void sweep(const M& mesh, const B& body, Index c, Field& nodes) {
+ARENITE_KERNEL void map_residual(const M& mesh, const B& body, Index c, Field& nodes) {
   using T = typename M::scalar;
   using Cell = typename N::Shape::template Cell<M>;
   const Cell cell(mesh, c);
   const CellVectors<T, M::dimension, Cell::size> residual(cell, nodes.residual);
-  hand_back<N>(cell, body, c, nodes.given, [&](const auto&, const auto&, const auto& line) {
+  hand_back<N>(cell, body, c, nodes.mapped_residual, [&](const auto&, const auto&, const auto& line) {
     keep_in_memory(residual);
     return VelocityField{line.sum(residual).value};
   });

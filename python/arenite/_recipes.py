@@ -22,8 +22,6 @@ class LinearElastic(Law):
     young      Pa     > 0        needed   Young's modulus
     poisson    -      (-1, 0.5)  needed   Poisson's ratio"""
 
-    __module__ = "arenite.laws"
-
     density: float = NOT_GIVEN
     young: float = NOT_GIVEN
     poisson: float = NOT_GIVEN
@@ -33,8 +31,6 @@ class LinearElastic(Law):
 class ForgetsOpening(Policy):
     """Separated matter carries stress as soon as it is compressed again, however far it had opened. Stores nothing."""
 
-    __module__ = "arenite.laws"
-
 
 @dataclass(frozen=True)
 class RemembersOpening(Policy):
@@ -43,16 +39,12 @@ class RemembersOpening(Policy):
     parameter  unit  range  default  meaning
     limit      -     > 0    1.0      greatest opening that is remembered, a volumetric strain"""
 
-    __module__ = "arenite.laws"
-
     limit: float = 1.0
 
 
 @dataclass(frozen=True)
 class ConstantFriction(Policy):
     """The angle of the law's parameters, everywhere and always. Stores nothing."""
-
-    __module__ = "arenite.laws"
 
 
 @dataclass(frozen=True)
@@ -63,8 +55,6 @@ class LinearRateFriction(Policy):
     parameter  unit  range  default  meaning
     time       s     >= 0   0.001    0: the friction of the law's parameters
     smoothing  s     >= 0   0.0      time over which the rate is smoothed; 0: none"""
-
-    __module__ = "arenite.laws"
 
     time: float = 0.001
     smoothing: float = 0.0
@@ -82,8 +72,6 @@ class InertialFriction(Policy):
     grain_size         m      > 0    0.00053  d
     grain_density      kg/m3  > 0    2450.0   rho_s
     smoothing          s      >= 0   0.0      time over which the rate is smoothed; 0: none"""
-
-    __module__ = "arenite.laws"
 
     rise: float = 0.261
     reference_inertia: float = 0.279
@@ -104,8 +92,6 @@ class LogarithmicFriction(Policy):
     reference_rate  1/s   > 0    2.1e-05
     smoothing       s     >= 0   0.0      time over which the rate is smoothed; 0: none"""
 
-    __module__ = "arenite.laws"
-
     per_decade: float = 0.027
     reference_rate: float = 2.1e-05
     smoothing: float = 0.0
@@ -124,8 +110,6 @@ class SofteningFriction(Policy):
     decay               -     >= 0                    needed   eta, per unit of plastic strain
     cell_size           m     >= 0                    0.0      size of the cells; 0: `decay` as it is
     reference_size      m     >= 0                    0.0      size of the cells, or thickness of the band, that has `decay`"""
-
-    __module__ = "arenite.laws"
 
     residual_friction: float = NOT_GIVEN
     residual_dilatancy: float = 0.0
@@ -148,8 +132,6 @@ class RateSofteningFriction(Policy):
     reference_rate        1/s   > 0                  2.1e-05
     smoothing             s     >= 0                 0.0                time over which the rate is smoothed; 0: none"""
 
-    __module__ = "arenite.laws"
-
     softening: SofteningFriction = field(default_factory=SofteningFriction)
     friction_per_decade: float = 0.027
     dilatancy_per_decade: float = 0.27
@@ -160,8 +142,6 @@ class RateSofteningFriction(Policy):
 @dataclass(frozen=True)
 class ConstantStiffness(Policy):
     """The moduli of the law's parameters, everywhere and always."""
-
-    __module__ = "arenite.laws"
 
 
 @dataclass(frozen=True)
@@ -174,8 +154,6 @@ class PressureStiffness(Policy):
     exponent            -     [0, 1]  0.5       n; 0: the moduli of the law's parameters
     reference_pressure  Pa    > 0     100000.0  p_ref
     lowest_pressure     Pa    > 0     1000.0    below it the moduli are those at it"""
-
-    __module__ = "arenite.laws"
 
     exponent: float = 0.5
     reference_pressure: float = 100000.0
@@ -196,8 +174,6 @@ class RateStiffness(Policy):
     residual        -     (0, 1]               1.0                              G_r / G_p
     decay           -     >= 0                 0.0                              eta, per unit of plastic strain
     pressure        -     `PressureStiffness`  PressureStiffness(exponent=0.0)"""
-
-    __module__ = "arenite.laws"
 
     per_decade: float = 0.102
     reference_rate: float = 2.1e-05
@@ -223,8 +199,6 @@ class MohrCoulomb(Frictional):
     memory                 -      a memory of opening  ForgetsOpening
     friction_law           -      a friction           ConstantFriction   by point
     stiffness_law          -      a stiffness          ConstantStiffness  by point"""
-
-    __module__ = "arenite.laws"
 
     density: float = NOT_GIVEN
     young: float = NOT_GIVEN
@@ -275,28 +249,20 @@ class DruckerPrager(Frictional):
 class LinearSimplex(Kind):
     """Shape function of triangles (3 nodes a cell) and tetrahedra (4)."""
 
-    __module__ = "arenite.numerics"
-
 
 @dataclass(frozen=True)
 class LinearGrid(Kind):
     """Linear functions on a grid."""
-
-    __module__ = "arenite.numerics"
 
 
 @dataclass(frozen=True)
 class QuadraticBSpline(Kind):
     """Quadratic B-splines on a grid."""
 
-    __module__ = "arenite.numerics"
-
 
 @dataclass(frozen=True)
 class CubicBSpline(Kind):
     """Cubic B-splines on a grid."""
-
-    __module__ = "arenite.numerics"
 
 
 @dataclass(frozen=True)
@@ -321,8 +287,6 @@ class Flip(Kind):
     fraction   -     [0, 1]  1.0      FLIP fraction; 0: PIC
     time       s     > 0     inf      time constant of the fraction; infinite: the fraction is that of each step"""
 
-    __module__ = "arenite.numerics"
-
     fraction: float = 1.0
     time: float = float("inf")
 
@@ -333,15 +297,11 @@ class Apic(Kind):
     carries C = B D^-1, D = sum w (x_i - x_p)(x_i - x_p)^T, and hands back w (v_p + C (x_i - x_p)). Keeps angular
     momentum to round-off where D is the same everywhere: not in the outermost cells of a grid."""
 
-    __module__ = "arenite.numerics"
-
 
 @dataclass(frozen=True)
 class Tpic(Kind):
     """Taylor particle-in-cell: a point carries the velocity gradient L and hands back w (v_p + L (x_i - x_p))
     (Wallstedt and Guilkey 2007, doi:10.1016/j.jcp.2007.08.023, their velocity projection). No inertia tensor to invert."""
-
-    __module__ = "arenite.numerics"
 
 
 @dataclass(frozen=True)
@@ -351,8 +311,6 @@ class Aflip(Kind):
 
     parameter  unit  range   default  meaning
     fraction   -     [0, 1]  1.0      FLIP fraction s"""
-
-    __module__ = "arenite.numerics"
 
     fraction: float = 1.0
 
@@ -369,8 +327,6 @@ class Fmpm(Kind):
     order      -     [1, 1e6]  2.0      a whole number; 1: PIC
     time       s     >= 0      0.0      time constant; 0: all of it in each step"""
 
-    __module__ = "arenite.numerics"
-
     order: float = 2.0
     time: float = 0.0
 
@@ -385,8 +341,6 @@ class Xpic(Kind):
     order      -     [1, 1e6]  2.0      a whole number; 1: PIC
     time       s     >= 0      0.0      time constant; 0: all of it in each step"""
 
-    __module__ = "arenite.numerics"
-
     order: float = 2.0
     time: float = 0.0
 
@@ -397,14 +351,10 @@ class Musl(Kind):
     Schreyer 1995, doi:10.1016/0010-4655(94)00170-7): nodes of little mass get no spurious strain. Elastic bodies on
     simplices, without averages, take their stress at the middle of the step."""
 
-    __module__ = "arenite.numerics"
-
 
 @dataclass(frozen=True)
 class Usl(Kind):
     """Update of stress last, from the nodal velocities of the step (update stress last, USL)."""
-
-    __module__ = "arenite.numerics"
 
 
 @dataclass(frozen=True)
@@ -414,14 +364,10 @@ class Usf(Kind):
     strains as MUSL does, but with the weights behind the motion in place of those ahead of it, and keeps energy with
     FLIP. P2G runs twice."""
 
-    __module__ = "arenite.numerics"
-
 
 @dataclass(frozen=True)
 class NoAntiLocking(Kind):
     """The strain of each point as the shape functions give it."""
-
-    __module__ = "arenite.numerics"
 
 
 @dataclass(frozen=True)
@@ -430,8 +376,6 @@ class NodalAveraging(Kind):
     weighted by the volume of their points, a cell the mean of its nodes (Detournay and Dzik 2006, nodal mixed
     discretization; in MPM: Al-Kafaji 2013, Formulation of a dynamic material point method, sec. 4.1.3). For linear
     simplices."""
-
-    __module__ = "arenite.numerics"
 
 
 @dataclass(frozen=True)
@@ -442,8 +386,6 @@ class ElementAverage(Kind):
 
     parameter  unit  range  default  meaning
     fill       -     > 0    0.5      a cell counts as filled from this fraction on"""
-
-    __module__ = "arenite.numerics"
 
     fill: float = 0.5
 
@@ -457,8 +399,6 @@ class NodalAndElementAverage(Kind):
     parameter  unit  range  default  meaning
     fill       -     > 0    0.5      a cell counts as filled from this fraction on"""
 
-    __module__ = "arenite.numerics"
-
     fill: float = 0.5
 
 
@@ -469,8 +409,6 @@ class ViscousDamping(Part):
 
     parameter  unit  range  default
     rate       1/s   >= 0   needed"""
-
-    __module__ = "arenite.boundary"
 
     rate: float = NOT_GIVEN
 
@@ -486,8 +424,6 @@ class LocalDamping(Part):
     parameter  unit  range   default  meaning
     factor     -     [0, 1)  0.7      share of the force out of balance"""
 
-    __module__ = "arenite.boundary"
-
     factor: float = 0.7
 
 
@@ -502,7 +438,6 @@ class Guided(Recipe):
     velocity   m/s   any                              0.0              initial velocity along the axis
     load       N     a number, or a function of time  0.0              external force along the axis; a step takes that of its start"""
 
-    __module__ = "arenite.rigid"
     functions = ("load",)
 
     mass: float = NOT_GIVEN
@@ -522,7 +457,6 @@ class PrescribedPose(Recipe):
     velocity   m/s    up to 3 numbers, a `Signal`, or a function of time  (0.0, 0.0, 0.0)  of the point
     spin       rad/s  up to 3 numbers, a `Signal`, or a function of time  (0.0, 0.0, 0.0)  angular velocity; in the plane (0, 0, z)"""
 
-    __module__ = "arenite.rigid"
     functions = ("velocity", "spin",)
 
     centre: Sequence[float] = (0.0, 0.0, 0.0)
@@ -540,8 +474,6 @@ class Anchor(Recipe):
     damping               N s/m      >= 0   (0.0, 0.0, 0.0)  along each axis
     rotational_stiffness  N m/rad    >= 0   (0.0, 0.0, 0.0)  about each axis; in the plane only about z
     rotational_damping    N m s/rad  >= 0   (0.0, 0.0, 0.0)  about each axis; in the plane only about z"""
-
-    __module__ = "arenite.rigid"
 
     stiffness: Sequence[float] = (0.0, 0.0, 0.0)
     damping: Sequence[float] = (0.0, 0.0, 0.0)
@@ -563,6 +495,7 @@ class Free(Recipe):
     anchor     -      `Anchor`                                            Anchor           springs and dashpots to the world
     force      N      up to 3 numbers, a `Signal`, or a function of time  (0.0, 0.0, 0.0)  on the centre
     moment     N m    up to 3 numbers, a `Signal`, or a function of time  (0.0, 0.0, 0.0)"""
+
     functions = ("force", "moment",)
 
     mass: float = NOT_GIVEN
@@ -580,15 +513,11 @@ class RigidVelocity(Contact):
     """Contact by rigid nodal velocity: a touched node may not move into the body, whatever the masses. The body's new
     velocity and all impulses are found together, so that a light body is as stable as a heavy one."""
 
-    __module__ = "arenite.rigid"
-
 
 @dataclass(frozen=True)
 class CentreOfMass(Contact):
     """Contact through the centre-of-mass velocity of the soil's and the body's nodal mass (the paper's choice): softer,
     and nodes may move into the body. Needs a `MeshSurface`, which spreads the body's mass over its nodes."""
-
-    __module__ = "arenite.rigid"
 
 
 @dataclass(frozen=True)
@@ -598,8 +527,6 @@ class PointContact(Contact):
     `DistanceSurface`); a point stands for matter around it, of which half its size is inside the body when it touches.
     Needs a `DistanceSurface`, and points whose velocities are not mapped back (no MUSL). Impulses are found by sweeps
     of projected Gauss-Seidel, the body's velocity with them."""
-
-    __module__ = "arenite.rigid"
 
 
 @dataclass(frozen=True)
@@ -714,8 +641,6 @@ class Watch(Recipe):
     lost         -     > 0    0.1      share of a body's points that left the mesh
     every        -     >= 1   100      steps from one look to the next"""
 
-    __module__ = "arenite.watch"
-
     energy_gain: float = 0.1
     transfer: float = 1.0
     residual: float = 0.5
@@ -740,3 +665,45 @@ class Ramp(Recipe):
     over: float = NOT_GIVEN
     start_value: float = 0.0
     start: float = 0.0
+
+
+# The modules that show them, which pickles name.
+LinearElastic.__module__ = "arenite.laws"
+ForgetsOpening.__module__ = "arenite.laws"
+RemembersOpening.__module__ = "arenite.laws"
+ConstantFriction.__module__ = "arenite.laws"
+LinearRateFriction.__module__ = "arenite.laws"
+InertialFriction.__module__ = "arenite.laws"
+LogarithmicFriction.__module__ = "arenite.laws"
+SofteningFriction.__module__ = "arenite.laws"
+RateSofteningFriction.__module__ = "arenite.laws"
+ConstantStiffness.__module__ = "arenite.laws"
+PressureStiffness.__module__ = "arenite.laws"
+RateStiffness.__module__ = "arenite.laws"
+MohrCoulomb.__module__ = "arenite.laws"
+LinearSimplex.__module__ = "arenite.numerics"
+LinearGrid.__module__ = "arenite.numerics"
+QuadraticBSpline.__module__ = "arenite.numerics"
+CubicBSpline.__module__ = "arenite.numerics"
+Flip.__module__ = "arenite.numerics"
+Apic.__module__ = "arenite.numerics"
+Tpic.__module__ = "arenite.numerics"
+Aflip.__module__ = "arenite.numerics"
+Fmpm.__module__ = "arenite.numerics"
+Xpic.__module__ = "arenite.numerics"
+Musl.__module__ = "arenite.numerics"
+Usl.__module__ = "arenite.numerics"
+Usf.__module__ = "arenite.numerics"
+NoAntiLocking.__module__ = "arenite.numerics"
+NodalAveraging.__module__ = "arenite.numerics"
+ElementAverage.__module__ = "arenite.numerics"
+NodalAndElementAverage.__module__ = "arenite.numerics"
+ViscousDamping.__module__ = "arenite.boundary"
+LocalDamping.__module__ = "arenite.boundary"
+Guided.__module__ = "arenite.rigid"
+PrescribedPose.__module__ = "arenite.rigid"
+Anchor.__module__ = "arenite.rigid"
+RigidVelocity.__module__ = "arenite.rigid"
+CentreOfMass.__module__ = "arenite.rigid"
+PointContact.__module__ = "arenite.rigid"
+Watch.__module__ = "arenite.watch"

@@ -275,7 +275,7 @@ def table(members: List[Member]) -> List[str]:
     return ["  ".join(cell.ljust(w) for cell, w in zip(row, widths)).rstrip() for row in rows]
 
 
-def written(recipe: Recipe, module: str, headers: Headers) -> str:
+def written(recipe: Recipe, headers: Headers) -> str:
     members = [] if recipe.of == "-" else headers.members(recipe.of or recipe.name, recipe.without)
     names = dict(recipe.renamed)
     members = [*recipe.first, *(replace(m, name=names.get(m.name, m.name)) for m in members), *recipe.more]
@@ -283,10 +283,8 @@ def written(recipe: Recipe, module: str, headers: Headers) -> str:
     if members:
         lines += ["", *table(members)]
     lines[-1] += '"""'
-    if not recipe.extended:
-        lines += ["", f'__module__ = "arenite.{module}"']
     if functions := [m.name for m in members if m.is_function]:
-        lines += [f"functions = ({' '.join(f'{chr(34)}{name}{chr(34)},' for name in functions)})"]
+        lines += ["", f"functions = ({' '.join(f'{chr(34)}{name}{chr(34)},' for name in functions)})"]
     if members:
         lines += [""]
     lines += [f"{m.name}: {m.type}" + (f" = {m.default}" if m.default else "") for m in members]
@@ -298,8 +296,10 @@ def text() -> str:
     """What the file is to hold."""
     with tempfile.TemporaryDirectory() as folder:
         headers = Headers(Path(folder))
-        classes = [written(recipe, module, headers) for module, recipes in RECIPES.items() for recipe in recipes]
-    return "\n\n".join([HEAD, *classes])
+        classes = [written(recipe, headers) for recipes in RECIPES.values() for recipe in recipes]
+    modules = [f'{recipe.name}.__module__ = "arenite.{module}"\n'
+               for module, recipes in RECIPES.items() for recipe in recipes if not recipe.extended]
+    return "\n\n".join([HEAD, *classes, "# The modules that show them, which pickles name.\n" + "".join(modules)])
 
 
 def main() -> int:

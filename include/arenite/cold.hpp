@@ -7,6 +7,7 @@
 #include <arenite/boundary/reactions_cold.hpp>
 #include <arenite/boundary/walls_cold.hpp>
 #include <arenite/core/error_cold.hpp>
+#include <arenite/core/linear_solve_cold.hpp>
 #include <arenite/core/vector_argument_cold.hpp>
 #include <arenite/core/warning_cold.hpp>
 #include <arenite/fill/cell_parts_cold.hpp>

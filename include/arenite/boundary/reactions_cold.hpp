@@ -2,19 +2,24 @@
 #pragma once
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include <Eigen/QR>
-
 #include <arenite/boundary/reactions.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET::detail {
 
 template <int D>
 ARENITE_COLD Mat<double, D> shares_along(const Blocked<D>& blocked) {
-  Eigen::Matrix<double, D, Eigen::Dynamic, 0, D, D> normals(D, static_cast<Eigen::Index>(blocked.count));
-  for (std::size_t k = 0; k < blocked.count; ++k)
-    normals.col(static_cast<Eigen::Index>(k)) = blocked.normals[k];
+  // The normals are the directions times R, which is upper triangular: R by back substitution.
   Mat<double, D> along = zeros<Mat<double, D>>();
-  along.topRows(normals.cols()) = normals.colPivHouseholderQr().solve(Mat<double, D>::Identity());
+  for (std::size_t k = blocked.count; k-- > 0;) {
+    const Vec<double, D>& direction = blocked.directions[k];
+    const int row = static_cast<int>(k);
+    for (int d = 0; d < D; ++d) {
+      double left = direction[d];
+      for (std::size_t j = k + 1; j < blocked.count; ++j)
+        left -= dot(direction, blocked.normals[j]) * along(static_cast<int>(j), d);
+      along(row, d) = left / dot(direction, blocked.normals[k]);
+    }
+  }
   return along;
 }
 

@@ -3,7 +3,6 @@
 #pragma once
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -18,6 +17,7 @@
 #include <arenite/contact/coulomb.hpp>
 #include <arenite/core/contact_tally.hpp>
 #include <arenite/core/error.hpp>
+#include <arenite/core/linear_solve.hpp>
 #include <arenite/core/part_energy.hpp>
 #include <arenite/core/refusals.hpp>
 #include <arenite/parallel/communicator.hpp>
@@ -68,7 +68,7 @@ auto mobility_in_matter(const R& body, const typename R::Velocity& contact_veloc
     // Components that cannot move have rows of zeros.
     for (int k = 0; k < N; ++k)
       if (twice(k, k) == 0) twice(k, k) = 1;
-    if (!(twice.llt().info() == Eigen::Success))
+    if (!is_positive_definite<N>(twice))
       mobility = mobility_of(body, resistance_of_matter(body, contact_velocity, false, comm));
   }
   return mobility;

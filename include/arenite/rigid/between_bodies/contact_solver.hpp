@@ -2,7 +2,6 @@
 #pragma once
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -10,6 +9,7 @@
 #include <vector>
 
 #include <arenite/contact/relaxed_impulse.hpp>
+#include <arenite/core/linear_solve.hpp>
 #include <arenite/rigid/body/twist.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
@@ -47,7 +47,6 @@ class ContactSolver {
   static constexpr int N = D + rotations<D>;
   using Rows = std::vector<ContactConstraint<D>>;
   using Twists = std::vector<Vec<double, N>>;
-  using Real = typename Vec<double, D>::Scalar;
 
   /// Starts from the impulses in `rows` and the twists `u` that they have led to. Returns by how much the
   /// worst contact fails, m/s; `scale`: size of the velocities, m/s.
@@ -145,25 +144,19 @@ class ContactSolver {
         unknowns_.push_back({c, 0, along});
       }
     }
-    const auto count = static_cast<Eigen::Index>(unknowns_.size());
+    const std::size_t count = unknowns_.size();
     if (count == 0) return;
-    Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic> a(count, count);
-    Eigen::Matrix<Real, Eigen::Dynamic, 1> b(count);
-    for (Eigen::Index p = 0; p < count; ++p) {
-      const auto& [row_p, axis, unused] = unknowns_[static_cast<std::size_t>(p)];
+    std::vector<double> a(count * count), b(count);  // by columns
+    for (std::size_t p = 0; p < count; ++p) {
+      const auto& [row_p, axis, unused] = unknowns_[p];
       const auto& row = rows[row_p];
       b[p] = (axis == 0 ? row.least : 0) - row.velocity(u)[axis];
-      for (Eigen::Index q = 0; q < count; ++q) {
-        const auto& unknown = unknowns_[static_cast<std::size_t>(q)];
-        a(p, q) = between(row, rows[unknown.row], axis, unknown.along);
-      }
-      a(p, p) += 1e-11 * row.response(axis, axis);  // where contacts share one load
+      for (std::size_t q = 0; q < count; ++q)
+        a[p + q * count] = between(row, rows[unknowns_[q].row], axis, unknowns_[q].along);
+      a[p + p * count] += 1e-11 * row.response(axis, axis);  // where contacts share one load
     }
-    const Eigen::Matrix<Real, Eigen::Dynamic, 1> x = a.partialPivLu().solve(b);
-    for (Eigen::Index q = 0; q < count; ++q) {
-      const auto& unknown = unknowns_[static_cast<std::size_t>(q)];
-      rows[unknown.row].add(x[q] * unknown.along, u);
-    }
+    detail::solve_in_place(a.data(), b.data(), count, 1);
+    for (std::size_t q = 0; q < count; ++q) rows[unknowns_[q].row].add(b[q] * unknowns_[q].along, u);
   }
 
   /// Velocity along an axis of one contact by an impulse at another.

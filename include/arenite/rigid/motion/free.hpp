@@ -8,6 +8,7 @@
 #include <utility>
 
 #include <arenite/boundary/place_function.hpp>
+#include <arenite/core/linear_solve.hpp>
 #include <arenite/core/vector_argument.hpp>
 #include <arenite/parallel/communicator.hpp>
 #include <arenite/rigid/body/inertia.hpp>
@@ -142,7 +143,7 @@ class BoundFree {
     Mat<double, N> inertia = inertia_of_twist() + added;
     inertia = can.asDiagonal() * inertia * can.asDiagonal();
     inertia.diagonal() += Vec<double, N>::Ones() - can;
-    const Mat<double, N> response = can.asDiagonal() * inertia.inverse() * can.asDiagonal();
+    const Mat<double, N> response = can.asDiagonal() * inverse_of<N>(inertia) * can.asDiagonal();
     return response;
   }
   /// Takes an impulse of another rigid body with its moment, before `after`.

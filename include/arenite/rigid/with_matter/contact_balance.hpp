@@ -3,12 +3,12 @@
 #pragma once
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include <Eigen/LU>
 #include <cmath>
 #include <limits>
 #include <utility>
 
 #include <arenite/contact/coulomb.hpp>
+#include <arenite/core/linear_solve.hpp>
 #include <arenite/parallel/communicator.hpp>
 #include <arenite/rigid/body/twist.hpp>
 
@@ -130,7 +130,7 @@ class ContactBalance {
     double least = rest_.norm();
     for (int k = 0; k < most_steps && least > 0; ++k) {
       const U begin = rest_;
-      U direction = -slope_.partialPivLu().solve(begin);
+      U direction = -solve_linear<N>(slope_, begin);
       if (!direction.allFinite() || !(direction.dot(begin) < 0)) direction = -begin;
       const double share = follow(x, direction, direction.dot(begin));
       x += share * direction;

@@ -1,0 +1,50 @@
+// Small systems of linear equations by Gaussian elimination: one function for all sizes, where Eigen's decompositions would be compiled
+// for each.
+#pragma once
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include <cstddef>
+
+#include <arenite/core/tensor.hpp>
+
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
+
+namespace detail {
+
+/// Solves A X = B with partial pivoting (Golub and Van Loan, Matrix Computations, 4th edition, 3.4). `a` [n x n] and `b` [n x columns],
+/// by columns; `a` is overwritten, `b` becomes X. What a singular A leaves is not finite.
+void solve_in_place(double* a, double* b, std::size_t n, std::size_t columns);
+
+/// Whether a symmetric matrix [n x n] is positive definite: whether elimination without pivoting finds positive pivots only. `a` is
+/// overwritten.
+bool has_positive_pivots(double* a, std::size_t n);
+
+}  // namespace detail
+
+/// x [N] of A x = b; not finite if A is singular.
+template <int N>
+Vec<double, N> solve_linear(Mat<double, N> a, Vec<double, N> b) {
+  detail::solve_in_place(a.data(), b.data(), static_cast<std::size_t>(N), 1);
+  return b;
+}
+
+/// The inverse [N x N]; not finite if A is singular.
+template <int N>
+Mat<double, N> inverse_of(Mat<double, N> a) {
+  Mat<double, N> inverse = zeros<Mat<double, N>>();
+  for (int k = 0; k < N; ++k) inverse(k, k) = 1;
+  detail::solve_in_place(a.data(), inverse.data(), static_cast<std::size_t>(N), static_cast<std::size_t>(N));
+  return inverse;
+}
+
+/// Whether a symmetric matrix is positive definite.
+template <int N>
+bool is_positive_definite(Mat<double, N> a) {
+  return detail::has_positive_pivots(a.data(), static_cast<std::size_t>(N));
+}
+
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET
+
+#ifndef ARENITE_COLD_LIBRARY
+#include <arenite/core/linear_solve_cold.hpp>
+#endif

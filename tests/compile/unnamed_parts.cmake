@@ -1,0 +1,25 @@
+# What a scene does not name is not in its program: no symbol is of an optional part.
+# cmake -D scene=FILE -D include=FOLDER -D nm=PROGRAM -D folder=FOLDER -P unnamed_parts.cmake -- COMPILER OPTIONS...
+include(${CMAKE_CURRENT_LIST_DIR}/command.cmake)
+set(parts Walls Driven Frictional Absorbing Gravity BodyForce PointLoad FaceTraction PointLayer LocalDamping ViscousDamping Reactions TrackEnergy
+          PointIds SplitPoints Coulomb Rigid BoundFree ContactBalance PointContact DistanceSurface MeshSurface NodalAveraging ElementAverage
+          MovingMesh MohrCoulomb DruckerPrager WithDeviatoricStrain Watch Progress Vtu Apic Aflip Tpic Xpic Fmpm)
+foreach(part IN LISTS parts)
+  execute_process(COMMAND grep -rqE "(struct|class) [A-Za-z]*${part}" ${include} RESULT_VARIABLE unknown)
+  if(unknown)
+    message(FATAL_ERROR "no class is named ${part}: the search would be in vain")
+  endif()
+endforeach()
+set(object ${folder}/unnamed_parts.o)
+execute_process(COMMAND ${command} -O2 -c ${scene} -o ${object} COMMAND_ERROR_IS_FATAL ANY)
+execute_process(COMMAND ${nm} -C --defined-only ${object} OUTPUT_FILE ${object}.txt COMMAND_ERROR_IS_FATAL ANY)
+execute_process(COMMAND grep -q LinearElastic ${object}.txt RESULT_VARIABLE unnamed)
+if(unnamed)
+  message(FATAL_ERROR "no symbol is of LinearElastic, which the scene names: the search finds nothing")
+endif()
+list(JOIN parts "|" any)
+execute_process(COMMAND grep -E ${any} ${object}.txt OUTPUT_VARIABLE found RESULT_VARIABLE none)
+if(NOT none)
+  string(SUBSTRING "${found}" 0 2000 found)
+  message(FATAL_ERROR "symbols are of parts that the scene does not name:\n${found}")
+endif()

@@ -31,6 +31,7 @@
 #include <arenite/particles/cell_list_cold.hpp>
 #include <arenite/particles/measures_cold.hpp>
 #include <arenite/rigid/body/try_distance_cold.hpp>
+#include <arenite/rigid/with_matter/contact_balance_cold.hpp>
 #include <arenite/run/progress_cold.hpp>
 #include <arenite/run/saved_state_cold.hpp>
 #include <arenite/run/watch_cold.hpp>

@@ -41,16 +41,11 @@ template <class R, class Communicator>
 auto resistance_of_matter(const R& body, const typename R::Velocity& contact_velocity, bool coupling,
                           const Communicator& comm) {
   constexpr int D = R::V::RowsAtCompileTime, N = R::Velocity::RowsAtCompileTime;
-  Mat<double, N> sum = Mat<double, N>::Zero();
-  for (const auto& t : body.touched_nodes) {
-    const auto w = velocity_map<D, N>(t.arm.template cast<double>());
-    const Vec<double, D> v = w * contact_velocity.template cast<double>(),
-                         approach = t.start.template cast<double>() - v;
-    const Mat<double, D> slope =
-        t.inside ? Mat<double, D>(Mat<double, D>::Identity())
-                 : coulomb_slope<D>(approach, t.normal.template cast<double>(), body.friction, coupling);
-    sum += static_cast<double>(t.mass) * (w.transpose() * slope * w);
-  }
+  std::vector<ResistingNode<D, N>> nodes;
+  for (const auto& t : body.touched_nodes)
+    nodes.push_back(resisting_node<D, N>(t, static_cast<double>(t.mass)));
+  Mat<double, N> sum =
+      resistance_of<D, N>(nodes, contact_velocity.template cast<double>(), body.friction, coupling);
   sum_over(comm, sum);
   return sum;
 }

@@ -69,8 +69,10 @@ template <int D, int N>
 Eigen::Matrix<double, D, N> velocity_map(const Vec<double, D>& arm) {
   Eigen::Matrix<double, D, N> w;
   for (int k = 0; k < N; ++k) {
-    const Vec<double, N> unit = Vec<double, N>::Unit(k);
-    w.col(k) = velocity_at<double, D>(unit, arm);
+    Vec<double, N> unit = zeros<Vec<double, N>>();
+    unit[k] = 1;
+    const Vec<double, D> v = velocity_at<double, D>(unit, arm);
+    for (int d = 0; d < D; ++d) w(d, k) = v[d];
   }
   return w;
 }

@@ -81,7 +81,7 @@ TEST_CASE("a system whose size is known at run time is solved") {
   const Eigen::MatrixXd matrix = Eigen::Map<Eigen::MatrixXd>(a.data(), n, n);
   const Eigen::VectorXd right = Eigen::Map<Eigen::VectorXd>(b.data(), n),
                         of_eigen = matrix.fullPivLu().solve(right);
-  detail::solve_in_place(a.data(), b.data(), n, 1);
+  solve_in_place(a.data(), b.data(), n, 1);
   CHECK((Eigen::Map<Eigen::VectorXd>(b.data(), n) - of_eigen).norm() < 1e-11 * of_eigen.norm());
 }
 

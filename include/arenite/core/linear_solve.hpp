@@ -9,11 +9,11 @@
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
-namespace detail {
-
 /// Solves A X = B with partial pivoting (Golub and Van Loan, Matrix Computations, 4th edition, 3.4). `a` [n x n] and `b` [n x columns],
 /// by columns; `a` is overwritten, `b` becomes X. What a singular A leaves is not finite.
 void solve_in_place(double* a, double* b, std::size_t n, std::size_t columns);
+
+namespace detail {
 
 /// Whether a symmetric matrix [n x n] is positive definite: whether elimination without pivoting finds positive pivots only. `a` is
 /// overwritten.
@@ -24,7 +24,7 @@ bool has_positive_pivots(double* a, std::size_t n);
 /// x [N] of A x = b; not finite if A is singular.
 template <int N>
 Vec<double, N> solve_linear(Mat<double, N> a, Vec<double, N> b) {
-  detail::solve_in_place(a.data(), b.data(), static_cast<std::size_t>(N), 1);
+  solve_in_place(a.data(), b.data(), static_cast<std::size_t>(N), 1);
   return b;
 }
 
@@ -33,7 +33,7 @@ template <int N>
 Mat<double, N> inverse_of(Mat<double, N> a) {
   Mat<double, N> inverse = zeros<Mat<double, N>>();
   for (int k = 0; k < N; ++k) inverse(k, k) = 1;
-  detail::solve_in_place(a.data(), inverse.data(), static_cast<std::size_t>(N), static_cast<std::size_t>(N));
+  solve_in_place(a.data(), inverse.data(), static_cast<std::size_t>(N), static_cast<std::size_t>(N));
   return inverse;
 }
 

@@ -7,7 +7,7 @@
 
 #include <arenite/core/linear_solve.hpp>
 
-namespace arenite::inline ARENITE_INSTRUCTION_SET::detail {
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 ARENITE_COLD void solve_in_place(double* a, double* b, std::size_t n, std::size_t columns) {
   for (std::size_t k = 0; k < n; ++k) {
@@ -32,7 +32,7 @@ ARENITE_COLD void solve_in_place(double* a, double* b, std::size_t n, std::size_
     }
 }
 
-ARENITE_COLD bool has_positive_pivots(double* a, std::size_t n) {
+ARENITE_COLD bool detail::has_positive_pivots(double* a, std::size_t n) {
   for (std::size_t k = 0; k < n; ++k) {
     if (!(a[k + k * n] > 0)) return false;
     for (std::size_t i = k + 1; i < n; ++i) {
@@ -43,4 +43,4 @@ ARENITE_COLD bool has_positive_pivots(double* a, std::size_t n) {
   return true;
 }
 
-}  // namespace arenite::inline ARENITE_INSTRUCTION_SET::detail
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

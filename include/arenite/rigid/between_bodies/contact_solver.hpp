@@ -155,7 +155,7 @@ class ContactSolver {
         a[p + q * count] = between(row, rows[unknowns_[q].row], axis, unknowns_[q].along);
       a[p + p * count] += 1e-11 * row.response(axis, axis);  // where contacts share one load
     }
-    detail::solve_in_place(a.data(), b.data(), count, 1);
+    solve_in_place(a.data(), b.data(), count, 1);
     for (std::size_t q = 0; q < count; ++q) rows[unknowns_[q].row].add(b[q] * unknowns_[q].along, u);
   }
 

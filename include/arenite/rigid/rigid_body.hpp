@@ -28,6 +28,7 @@
 #include <arenite/rigid/surface.hpp>
 #include <arenite/rigid/with_matter/collide.hpp>
 #include <arenite/rigid/with_matter/collide_at_points.hpp>
+#include <arenite/rigid/with_matter/node_gaps.hpp>
 #include <arenite/rigid/with_matter/point_contact.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
@@ -45,7 +46,14 @@ struct CentreOfMass {
   static constexpr bool through_centre_of_mass = true;
 };
 
-// The third kind is `PointContact`: at the material points, without the gap of nodes (point_contact.hpp).
+/// `RigidVelocity` that keeps the gap of each touched node: matter that has parted from the body there may come back
+/// by as much, (v - v_body) . n >= -gap / dt with gap' = max(0, gap + dt (v - v_body) . n). Without it contact at nodes is a ratchet:
+/// what vibration opens does not close, and what rests or rubs on the body is lifted. Costs a number a touched node.
+struct NodalGap {
+  static constexpr bool through_centre_of_mass = false, keeps_gaps = true;
+};
+
+// The fourth kind is `PointContact`: at the material points, without the gap of nodes (point_contact.hpp).
 
 /// The recipe that `rigid` makes: surface, motion, friction and kind of contact of one rigid body.
 template <class Surface, class Motion, class Coupling = RigidVelocity, Name name = "">
@@ -101,6 +109,7 @@ struct RigidBody {
   /// Velocity, or velocity and spin of a body that rotates; impulse, or impulse and its moment.
   using Velocity = std::conditional_t<rotates, Twist<T, D>, V>;
   static constexpr bool coupling_through_centre = Coupling::through_centre_of_mass;
+  static constexpr bool keeps_gaps = requires { Coupling::keeps_gaps; };
   static_assert(!coupling_through_centre || (Surface::has_volume_fractions && is_free),
                 ARENITE_SAYS_CENTRE_OF_MASS);
   /// Whether it touches material points (`PointContact`), not nodes.
@@ -137,9 +146,19 @@ struct RigidBody {
     V impulse = V::Zero();  ///< on the field, N s
     V after = V::Zero();    ///< velocity of the field with the impulse
     V arm = V::Zero();      ///< from the centre of a body that rotates, m
+    T closing = 0;          ///< with `NodalGap`: with which it may close its gap, m/s
+
+    /// Velocity of the field before contact, m/s, less what closes the gap.
+    V before_contact() const {
+      if constexpr (keeps_gaps)
+        return start + closing * normal;
+      else
+        return start;
+    }
   };
   /// Of the last step; with `PointContact` those that took an impulse, without normals.
   std::vector<TouchedNode> touched_nodes{};
+  [[no_unique_address]] std::conditional_t<keeps_gaps, NodeGaps<T>, Nothing> gaps{};
   /// What touched, with `PointContact`.
   [[no_unique_address]] std::conditional_t<touches_points, PointImpulses<T, D, Velocity::RowsAtCompileTime>,
                                            Nothing>
@@ -173,7 +192,7 @@ struct RigidBody {
 
   /// Impulse on the field at a touched node if the body moves with velocity v, m/s.
   CoulombImpulse<T, D> contact_at(const TouchedNode& t, const Velocity& v) const {
-    const V approach = t.start - velocity_at<T, D>(v, t.arm);
+    const V approach = t.before_contact() - velocity_at<T, D>(v, t.arm);
     if (t.inside) return stick<T, D>(approach, t.mass_ratio * t.mass);
     return coulomb<T, D>(approach, t.normal, t.mass_ratio * t.mass, friction);
   }
@@ -249,7 +268,12 @@ struct RigidBody {
     return book(hold_touched(touched_nodes, scene.fields, static_cast<T>(dt)), scene.communicator());
   }
   template <class Scene>
-  double after_grid(const Scene& scene, double) {
+  double after_grid(const Scene& scene, [[maybe_unused]] double dt) {
+    if constexpr (keeps_gaps)
+      gaps.follow(touched_nodes, static_cast<T>(dt), [&](const TouchedNode& t) {
+        const V& v = scene.fields[t.field].velocity[t.node];
+        return dot<T, D>(V(v - velocity_at<T, D>(whole_velocity(), t.arm)), t.normal);
+      });
     return book(rest_of_dissipation(touched_nodes, scene.fields), scene.communicator());
   }
   PartEnergy count_energy() const {
@@ -275,6 +299,7 @@ struct RigidBody {
       orientation.visit_state(f);
     }
     if constexpr (touches_points) f("deepest_point", at_points.deepest);
+    if constexpr (keeps_gaps) gaps.visit_state(StateUnder(f, "gaps"));
     if constexpr (requires { motion.visit_state(f); }) motion.visit_state(StateUnder(f, "motion"));
     if constexpr (requires { surface.visit_state(f); }) surface.visit_state(StateUnder(f, "surface"));
   }

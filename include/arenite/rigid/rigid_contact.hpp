@@ -125,7 +125,8 @@ class BoundRigidContact {
     look_at(scene);
     const auto acceleration = scene.acceleration();
     each(scene, steps, [&](auto& body, auto& s, std::size_t) {
-      find_touched_nodes<typename Scene::Shape>(scene.mesh, body, scene.fields, scene.node_owner(), comm);
+      find_touched_nodes<typename Scene::Shape>(scene.mesh, body, scene.fields, static_cast<T>(dt),
+                                                scene.node_owner(), comm);
       s.free = free_velocity(body, acceleration, static_cast<T>(scene.time + dt), static_cast<T>(dt));
     });
     for (auto& b : touching_.bodies) b.impulse.setZero();

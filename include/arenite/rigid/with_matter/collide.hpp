@@ -14,10 +14,10 @@
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
-/// The nodes with matter that the body touches where it is now, with the fields' velocities before contact.
+/// The nodes with matter that the body touches where it is now, with the fields' velocities before contact, for a step of dt, s.
 template <class Shape, class M, class R, class Fields, class Owns, class Communicator>
-void find_touched_nodes(const M& mesh, R& body, const Fields& fields, const Owns& owns,
-                        const Communicator& comm) {
+void find_touched_nodes(const M& mesh, R& body, const Fields& fields, [[maybe_unused]] typename M::scalar dt,
+                        const Owns& owns, const Communicator& comm) {
   using T = typename M::scalar;
   body.touched_nodes.clear();
   body.inside_nodes = 0;
@@ -44,6 +44,7 @@ void find_touched_nodes(const M& mesh, R& body, const Fields& fields, const Owns
           body.inside_nodes += inside;
         }
       });
+  if constexpr (R::keeps_gaps) body.gaps.give(body.touched_nodes, fields[0].mass.size(), dt);
   sum_over(comm, body.inside_nodes);
 }
 
@@ -158,7 +159,7 @@ template <class Shape, class M, class R, class Fields, class T, int D, class Own
 ContactTally collide(const M& mesh, R& body, Fields& fields, const Vec<T, D>& acceleration, T time, T dt,
                      const Owns& owns = {}, const Communicator& comm = serial) {
   using Velocity = typename R::Velocity;
-  find_touched_nodes<Shape>(mesh, body, fields, owns, comm);
+  find_touched_nodes<Shape>(mesh, body, fields, dt, owns, comm);
   const Velocity free = free_velocity(body, acceleration, time, dt);
   const Velocity contact_velocity = velocity_in_contact(body, free, comm);
   const auto impulses = apply_contact_impulses(body, fields, contact_velocity, comm);

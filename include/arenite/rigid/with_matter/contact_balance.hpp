@@ -41,7 +41,7 @@ template <int D, int N, class Touched>
 ResistingNode<D, N> resisting_node(const Touched& t, double mass) {
   ResistingNode<D, N> node;
   node.map = velocity_map<D, N>(t.arm.template cast<double>());
-  node.start = t.start.template cast<double>();
+  node.start = t.before_contact().template cast<double>();
   node.normal = t.normal.template cast<double>();
   node.mass = mass;
   node.inside = t.inside;

@@ -27,7 +27,7 @@
 #include <arenite/mesh/blocks_cold.hpp>
 #include <arenite/mesh/cartesian_grid_cold.hpp>
 #include <arenite/observe/vtu_cold.hpp>
-#include <arenite/parallel/thread_pool.hpp>
+#include <arenite/parallel/loop_once.hpp>
 #include <arenite/particles/cell_list_cold.hpp>
 #include <arenite/particles/measures_cold.hpp>
 #include <arenite/rigid/body/try_distance_cold.hpp>

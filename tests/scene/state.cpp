@@ -129,6 +129,22 @@ TEST_CASE("Restored: B-splines, APIC, MUSL, two bodies in contact and a rigid on
   CHECK(middle.size("bodies/above/points/mass") < 70 * 4 * sizeof(double));  // filled with 70 cells
 }
 
+TEST_CASE("Restored: a block that vibrates on a rigid surface, with the gaps of nodes") {
+  const auto middle = check(
+      [] {
+        return Scene{
+            PlaneStrain{},
+            grid(),
+            Numerics<QuadraticBSpline, Apic>{},
+            bodies(fill(Box{{0.5, 0.42}, {1., 0.7}}, rubber(), {.per_cell = 4, .velocity = {0, -1, 0}})),
+            gravity({3, -9.81}),
+            rigid(DistanceSurface{Box{{-1, -1}, {3, 0.4}}}, Guided{.mass = 1e3}, Friction(20_deg),
+                  NodalGap{})};
+      },
+      60, 40);
+  CHECK(middle.size("rigids/0/gaps/gap") > 0);
+}
+
 TEST_CASE("Restored: triangles, FLIP, MUSL, elastic bodies in contact, centred stresses") {
   check(
       [] {

@@ -1,4 +1,4 @@
-// Loops without their types, for the thread pool, which is compiled once for all loops (`parallel/thread_pool.hpp`).
+// Loops without their types, for the thread pool, which is compiled once for all loops (`parallel/loop_once.hpp`).
 #pragma once
 // SPDX-License-Identifier: BSD-3-Clause
 
@@ -26,5 +26,5 @@ void set_pool_threads(int n);
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET::shared_detail
 
 #ifndef ARENITE_COLD_LIBRARY
-#include <arenite/parallel/thread_pool.hpp>
+#include <arenite/parallel/loop_once.hpp>
 #endif

@@ -9,7 +9,6 @@
 #pragma once
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include <arenite/core/cold.hpp>
 #include <arenite/core/instruction_set.hpp>
 #include <arenite/core/once.hpp>
 #include <arenite/parallel/helper_account.hpp>
@@ -220,9 +219,5 @@ class ThreadPool {
   alignas(64) std::atomic<std::uint32_t> bell_{0};
   std::atomic<int> asleep_{0};
 };
-
-ARENITE_ONCE void run_loop(std::size_t n, const Loop& loop) { ThreadPool::instance().run(n, loop); }
-ARENITE_ONCE int pool_threads() { return ThreadPool::instance().threads(); }
-ARENITE_ONCE void set_pool_threads(int n) { ThreadPool::instance().set_threads(n); }
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET::shared_detail

@@ -515,6 +515,14 @@ class RigidVelocity(Contact):
 
 
 @dataclass(frozen=True)
+class NodalGap(Contact):
+    """`RigidVelocity` that keeps the gap of each touched node: matter that has parted from the body there may come back
+    by as much, (v - v_body) . n >= -gap / dt with gap' = max(0, gap + dt (v - v_body) . n). Without it contact at nodes
+    is a ratchet: what vibration opens does not close, and what rests or rubs on the body is lifted. Costs a number a
+    touched node."""
+
+
+@dataclass(frozen=True)
 class CentreOfMass(Contact):
     """Contact through the centre-of-mass velocity of the soil's and the body's nodal mass (the paper's choice): softer,
     and nodes may move into the body. Needs a `MeshSurface`, which spreads the body's mass over its nodes."""
@@ -704,6 +712,7 @@ Guided.__module__ = "arenite.rigid"
 PrescribedPose.__module__ = "arenite.rigid"
 Anchor.__module__ = "arenite.rigid"
 RigidVelocity.__module__ = "arenite.rigid"
+NodalGap.__module__ = "arenite.rigid"
 CentreOfMass.__module__ = "arenite.rigid"
 PointContact.__module__ = "arenite.rigid"
 Watch.__module__ = "arenite.watch"

@@ -8,7 +8,7 @@ from typing import Any, Callable, Optional, Sequence, Tuple, Type, Union
 from . import _recipes
 from ._bases import Contact
 from ._recipe import Recipe, check_together, function_value, plain
-from ._recipes import Anchor, CentreOfMass, Guided, PointContact, PrescribedPose, RigidVelocity
+from ._recipes import Anchor, CentreOfMass, Guided, NodalGap, PointContact, PrescribedPose, RigidVelocity
 from .shapes import Shape, distance_value
 
 
@@ -125,5 +125,5 @@ class MovingMesh(_recipes.MovingMesh):
         return value
 
 
-__all__ = ["Anchor", "CentreOfMass", "Free", "Guided", "MeshSurface", "MovingMesh", "PointContact", "Prescribed",
+__all__ = ["Anchor", "CentreOfMass", "Free", "Guided", "MeshSurface", "MovingMesh", "NodalGap", "PointContact", "Prescribed",
            "PrescribedPose", "Rigid", "RigidContact", "RigidPair", "RigidVelocity"]

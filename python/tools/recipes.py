@@ -105,7 +105,7 @@ RECIPES: Dict[str, List[Recipe]] = {
     "boundary": plain("Part", "ViscousDamping", "LocalDamping"),
     "rigid": [
         *plain("Recipe", "Guided", "PrescribedPose", "Anchor"), Recipe("Free", extended=True),
-        *plain("Contact", "RigidVelocity", "CentreOfMass", "PointContact"),
+        *plain("Contact", "RigidVelocity", "NodalGap", "CentreOfMass", "PointContact"),
         Recipe("MovingMesh", extended=True, without=("leader",), more=(Member("leader", "int", "0", ">= 0", "number of the rigid body that leads it"),)),
     ],
     "shapes": [parameters("ConeCylinder", "Recipe", extended=True)],

@@ -5,7 +5,6 @@
 #include <array>
 #include <cmath>
 #include <functional>
-#include <limits>
 #include <span>
 #include <string_view>
 #include <utility>
@@ -24,8 +23,8 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 /// strains (MUSL: as the points hand it back, ahead of walls and contact; else v). With u of the points FLIP
 /// takes nothing, as it should. Where u is v the nodes begin the next step with another velocity than they
 /// were strained with: the work of its forces f over that half step, dt f . (v_old - v_before) / 2, is the
-/// transfer's too. Walls take -J . (v_old + u) / 2 by their impulses J, and dt f . (u_held - u) where they
-/// hold the velocities that strain.
+/// transfer's too, but for nodes that matter has just reached. Walls take -J . (v_old + u) / 2 by their
+/// impulses J, and dt f . (u_held - u) where they hold the velocities that strain.
 struct TrackEnergy {
   using OnlyOne = TrackEnergy;
   static constexpr std::string_view state_name = "energy";
@@ -54,8 +53,7 @@ struct TrackEnergy {
     initial_shared = parts.kinetic + parts.stored - own.kinetic - own.stored;
     given_.reserve(3 * scene.fields.size() * scene.constraints.size());
     if constexpr (keeps_before<Scene>)
-      before_.assign(scene.fields.size() * scene.fields[0].size() * dim<Scene>,
-                     std::numeric_limits<double>::quiet_NaN());
+      before_.assign(scene.fields.size() * scene.fields[0].size() * (dim<Scene> + 1), 0);
   }
   /// Energy that there was, J.
   double initial() const { return initial_kinetic + initial_strain + initial_stored; }
@@ -83,9 +81,10 @@ struct TrackEnergy {
                  });
         };
         const auto jump = [&](std::size_t i, const V& force, const V& now) {
-          const double* const before = &before_[(at + i) * dim<Scene>];
+          const double* const before = &before_[(at + i) * (dim<Scene> + 1)];
           double work = 0;
-          for (int d = 0; d < Scene::D && !std::isnan(before[0]); ++d)
+          if (!(static_cast<double>(field.sums[i].mass()) <= new_above * before[dim<Scene>])) return work;
+          for (int d = 0; d < Scene::D; ++d)
             work += static_cast<double>(force[d]) * (static_cast<double>(now[d]) - before[d]);
           return work;
         };
@@ -127,11 +126,12 @@ struct TrackEnergy {
       std::size_t at = 0;
       for (const auto& field : scene.fields) {
         parallel_chunks(field.size(), [&](std::size_t begin, std::size_t end) {
-          for (std::size_t i = begin; i < end; ++i)
-            for (std::size_t d = 0; d < dim<Scene>; ++d)
-              before_[(at + i) * dim<Scene> + d] =
-                  field.mass[i] > 0 ? static_cast<double>(field.velocity[i][static_cast<int>(d)])
-                                    : std::numeric_limits<double>::quiet_NaN();
+          for (std::size_t i = begin; i < end; ++i) {
+            double* const before = &before_[(at + i) * (dim<Scene> + 1)];
+            before[dim<Scene>] = static_cast<double>(field.mass[i]);
+            for (std::size_t d = 0; d < dim<Scene> && field.mass[i] > 0; ++d)
+              before[d] = static_cast<double>(field.velocity[i][static_cast<int>(d)]);
+          }
         });
         at += field.size();
       }
@@ -198,10 +198,15 @@ struct TrackEnergy {
         std::plus<>{});
   }
 
-  std::vector<Given> given_;    // by walls in this step
-  std::vector<double> before_;  // [fields x nodes x D] velocity of the last step's end, m/s; NaN: no matter
-  double driven_ = 0;           // work of driven walls until the last step, J
-  double ending_ = 0;           // work of this step with the stresses at its end, J
+  std::vector<Given> given_;  // by walls in this step
+  /// A node whose mass has grown by more in a step has just been reached by matter: it had next to none, and a velocity that
+  /// is that of nothing, 1e9 m/s and more.
+  static constexpr double new_above = 4;
+
+  // [fields x nodes x (D + 1)] velocity, m/s, and mass, kg, of the last step's end
+  std::vector<double> before_;
+  double driven_ = 0;  // work of driven walls until the last step, J
+  double ending_ = 0;  // work of this step with the stresses at its end, J
 };
 
 /// What the parts of a scene count. `shared`: those too whose numbers several scenes share.

@@ -269,6 +269,7 @@ def test_what_goes_together_is_made(ar):
     ar.Numerics(ar.QuadraticBSpline, ar.Aflip)
     ar.Rigid(ar.MeshSurface("body"), ar.Guided(mass=1), 0.1, ar.CentreOfMass)
     ar.Rigid(ar.Ball((0, 0), 1), ar.Prescribed(lambda t: (0, -t)), math.inf, ar.PointContact)
+    ar.Rigid(ar.Ball((0, 0), 1), ar.Guided(mass=1), 0.1, ar.NodalGap)
     ar.Rigid(lambda x: np.ones(len(x)), ar.Prescribed(ar.Signal(0, 1)), 0.1)
     ar.MohrCoulomb(**FRICTIONAL, stiffness_law=ar.RateStiffness(),
                    friction_law=ar.RateSofteningFriction(softening=ar.SofteningFriction(residual_friction=0.5, decay=1)))

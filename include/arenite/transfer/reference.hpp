@@ -154,7 +154,7 @@ std::vector<StrainStep<T, D>> g2p(const N& numerics, const M& mesh, B& body, con
         for (std::size_t b = 0; b < D; ++b) derivative[b][a] += u[row] * gradient(static_cast<int>(b), i);
       }
     }
-    strains.push_back(strain_step_of<K>(derivative, straining, place, dt));
+    strains.push_back(strain_step_of<K, N::squares>(derivative, straining, place, dt));
     points.position.set(p, x + displacement);
   }
   return strains;

@@ -7,10 +7,33 @@
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
+/// The columns of G + squares / 2 G^2, from those of G [D x D] (`MidpointStrain`).
+template <int squares, class P, std::size_t D, class Columns>
+std::array<std::array<P, D>, D> with_half_square(const Columns& columns) {
+  std::array<std::array<P, D>, D> g{}, sum{};
+  repeat<D>([&](std::size_t column) {
+    const auto given = columns(column);
+    repeat<D>([&](std::size_t row) { g[column][row] = given[row]; });
+  });
+  const P half(0.5 * squares);
+  repeat<D>([&](std::size_t column) {
+    repeat<D>([&](std::size_t row) {
+      P square = g[0][row] * g[column][0];
+      repeat<D - 1>([&](std::size_t k) { square += g[k + 1][row] * g[column][k + 1]; });
+      sum[column][row] = g[column][row] + half * square;
+    });
+  });
+  return sum;
+}
+
 /// Strain and spin of one step from the velocity gradient times dt, whose columns are `derivative(j)`[i] =
-/// dv_i/dx_j dt; no strain out of the plane.
-template <class P, int D, class Columns>
+/// dv_i/dx_j dt; no strain out of the plane. `squares`: see `Numerics`.
+template <class P, int D, int squares = 0, class Columns>
 StrainStep<P, D> strain_step_of(Columns&& derivative) {
+  if constexpr (squares != 0) {
+    const auto whole = with_half_square<squares, P, static_cast<std::size_t>(D)>(derivative);
+    return strain_step_of<P, D>([&](std::size_t b) -> const auto& { return whole[b]; });
+  }
   StrainStep<P, D> step;
   auto& e = step.strain;
   const P half(0.5);
@@ -33,23 +56,26 @@ StrainStep<P, D> strain_step_of(Columns&& derivative) {
 }
 
 /// The hoop strain of axisymmetry, dt v_r / r, of points at x [D], m, with the velocity v [D], m/s.
-template <class K, class P, int D, class Vector, class T>
+template <class K, int squares = 0, class P, int D, class Vector, class T>
 void set_hoop_strain(StrainStep<P, D>& step, const Vector& v, const Vector& x, T dt) {
-  if constexpr (K::hoop) step.strain[2] = P(dt) * v[0] * reciprocal(x[0]);
+  if constexpr (K::hoop) {
+    step.strain[2] = P(dt) * v[0] * reciprocal(x[0]);
+    if constexpr (squares != 0) step.strain[2] += P(0.5 * squares) * step.strain[2] * step.strain[2];
+  }
 }
 
 /// Strain and spin of a step dt, s, of points at x [D], m, where the velocity that strains is v [D], m/s, and
 /// its gradient has the columns `gradient` [D][D], 1/s.
-template <class K, class P, std::size_t D, class T>
+template <class K, int squares = 0, class P, std::size_t D, class T>
 StrainStep<P, static_cast<int>(D)> strain_step_of(const std::array<std::array<P, D>, D>& gradient,
                                                   const std::array<P, D>& v, const std::array<P, D>& x,
                                                   T dt) {
-  auto step = strain_step_of<P, static_cast<int>(D)>([&](std::size_t b) {
+  auto step = strain_step_of<P, static_cast<int>(D), squares>([&](std::size_t b) {
     auto column = gradient[b];
     for (P& component : column) component = component * P(dt);
     return column;
   });
-  set_hoop_strain<K>(step, v, x, dt);
+  set_hoop_strain<K, squares>(step, v, x, dt);
   return step;
 }
 

@@ -83,4 +83,12 @@ struct Musl {
   static constexpr bool strains_first = false;
 };
 
+/// An order of the stress update, `MidpointStrain<Usl>`, with the strain at the middle of the step's motion: sym(G - G^2 / 2), G = dt L,
+/// where it else is sym(G). Points move along straight lines; what that adds to a length in a rotation by an angle a, a^2 / 2, is then strained,
+/// and a body that turns does not swell with each step. With USF, which strains behind the motion, sym(G + G^2 / 2).
+template <class Order>
+struct MidpointStrain : Order {
+  static constexpr bool strains_at_middle = true;
+};
+
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -61,7 +61,7 @@ ARENITE_KERNEL T g2p(const N& numerics, const M& mesh, Index c, Points& points, 
       else
         return line.sum(u, line.slope);
     }();
-    auto step = strain_step_of<K>(sums.by_axis[0], sums.value, x, dt);
+    auto step = strain_step_of<K, N::squares>(sums.by_axis[0], sums.value, x, dt);
     apply_average(step, average, c);
     const auto moving_velocity = N::maps_back ? line.sum(v).value : sums.value;
     if constexpr (takes_of_v)

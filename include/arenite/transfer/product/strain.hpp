@@ -31,7 +31,7 @@ struct CellStrain {
     const Lines<lanes_of<T, width>, Cell> line(cell, x);
     keep_in_memory(u);
     const auto sums = line.sum(u, line.slope);
-    return strain_step_of<K>(sums.by_axis[0], sums.value, x, dt);
+    return strain_step_of<K, N::squares>(sums.by_axis[0], sums.value, x, dt);
   }
 };
 

@@ -34,7 +34,7 @@ ARENITE_KERNEL T g2p(const N& numerics, const M& mesh, Index c, Points& points, 
   const Cell cell(mesh, c);
   const CellVectors<T, M::dimension, Cell::size> v(cell, nodes.velocity), u(cell, nodes.strain_velocity());
   const auto gather = numerics.transfer.gather(cell, nodes);
-  auto of_cell = cell_step(cell, u, dt);
+  auto of_cell = cell_step<N::squares>(cell, u, dt);
   if constexpr (!K::hoop) apply_average(of_cell, average, c);  // one for all points
   P check(0);
   for_each_pack<width>(points, begin, end, [&](const auto& p) {
@@ -48,7 +48,7 @@ ARENITE_KERNEL T g2p(const N& numerics, const M& mesh, Index c, Points& points, 
     else
       gather(cell, p, x, gathered);
     if constexpr (K::hoop) {
-      set_hoop_strain<K>(step, interpolate(w, u), x, dt);
+      set_hoop_strain<K, N::squares>(step, interpolate(w, u), x, dt);
       apply_average(step, average, c);
     }
     if constexpr (!N::strains_first) buffer.store(p.first - origin, step);

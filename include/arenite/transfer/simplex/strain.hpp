@@ -20,9 +20,9 @@ auto interpolate(const std::array<P, Size>& w, const Rows& rows) {
 }
 
 /// Strain of a whole cell in a step: that of dt sum u_i (grad w_i)^T.
-template <class Cell, class Rows, class T = typename Cell::T>
+template <int squares = 0, class Cell, class Rows, class T = typename Cell::T>
 StrainStep<T, Cell::D> cell_step(const Cell& cell, const Rows& u, T dt) {
-  return strain_step_of<T, Cell::D>([&](std::size_t b) {
+  return strain_step_of<T, Cell::D, squares>([&](std::size_t b) {
     using V = NodePack<T, Cell::D>;
     V column(0);
     repeat<Cell::size>([&](std::size_t i) {
@@ -47,14 +47,17 @@ struct CellStrain {
 
   template <class Field>
   CellStrain(const M& mesh, Index c, const Field& nodes, T step)
-      : cell(mesh, c), u(cell, nodes.strain_velocity()), dt{step}, of_cell(cell_step(cell, u, dt)) {}
+      : cell(mesh, c),
+        u(cell, nodes.strain_velocity()),
+        dt{step},
+        of_cell(cell_step<N::squares>(cell, u, dt)) {}
 
   template <class Points>
   auto operator()(const PointPack<Points, width>& p) const {
     auto step = in_all_lanes<lanes_of<T, width>>(of_cell);
     if constexpr (K::hoop) {
       const auto x = p.position();
-      set_hoop_strain<K>(step, interpolate(cell.weights(x), u), x, dt);
+      set_hoop_strain<K, N::squares>(step, interpolate(cell.weights(x), u), x, dt);
     }
     return step;
   }

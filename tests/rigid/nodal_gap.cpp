@@ -97,7 +97,7 @@ TEST_CASE("A gap grows as matter parts, closes by as much, and is forgotten wher
   const double dt = 0.1;
   double velocity = 2;
   const auto step = [&](std::vector<Touched> touched) {
-    gaps.give(touched, nodes, dt);
+    gaps.give(touched, 2, nodes, dt);
     gaps.follow(touched, dt, [&](const Touched&) { return velocity; });
     return touched[0].closing;
   };

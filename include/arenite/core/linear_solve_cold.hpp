@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include <arenite/core/cold.hpp>
 #include <arenite/core/linear_solve.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {

@@ -12,7 +12,7 @@
 #include <arenite/core/instruction_set.hpp>
 #include <arenite/core/once.hpp>
 #include <arenite/parallel/helper_account.hpp>
-#include <arenite/parallel/loop.hpp>
+#include <arenite/parallel/loop_items.hpp>
 #include <arenite/parallel/system_time.hpp>
 
 #include <atomic>

@@ -41,11 +41,8 @@ template <class R, class Communicator>
 auto resistance_of_matter(const R& body, const typename R::Velocity& contact_velocity, bool coupling,
                           const Communicator& comm) {
   constexpr int D = R::V::RowsAtCompileTime, N = R::Velocity::RowsAtCompileTime;
-  std::vector<ResistingNode<D, N>> nodes;
-  for (const auto& t : body.touched_nodes)
-    nodes.push_back(resisting_node<D, N>(t, static_cast<double>(t.mass)));
-  Mat<double, N> sum =
-      resistance_of<D, N>(nodes, contact_velocity.template cast<double>(), body.friction, coupling);
+  Mat<double, N> sum = resistance_of<D, N>(resisting_nodes(body), contact_velocity.template cast<double>(),
+                                           body.friction, coupling);
   sum_over(comm, sum);
   return sum;
 }

@@ -58,9 +58,9 @@ struct Numerics {
   static constexpr bool maps_back_by_points = maps_back && !Shape::constant_gradient;
   /// Whether points are strained ahead of the forces, with what they hand over at the start of the step.
   static constexpr bool strains_first = StressUpdate::strains_first;
-  /// Half of the square of a step's gradient that its strain takes along: see `MidpointStrain`.
-  static constexpr int squares = !requires { StressUpdate::strains_at_middle; }
-  ? 0 : strains_first ? 1 : -1;
+  static constexpr bool strains_at_middle = requires { StressUpdate::strains_at_middle; };
+  /// How many halves of the square of a step's gradient its strain takes along: see `MidpointStrain`.
+  static constexpr int squares = !strains_at_middle ? 0 : strains_first ? 1 : -1;
   /// Whether the velocities for the strains went through the points, which see of a light node as much as it
   /// weighs.
   static constexpr bool strains_by_points =

@@ -110,11 +110,7 @@ class BoundFree {
   template <class Body, class Communicator = Serial>
   Velocity velocity_in_contact(const Body& body, const Velocity& free_velocity,
                                const Communicator& comm = serial) const {
-    typename ContactBalance<D>::Nodes nodes;
-    nodes.reserve(body.touched_nodes.size());
-    for (const auto& t : body.touched_nodes)
-      nodes.push_back(resisting_node<D, N>(t, static_cast<double>(t.mass_ratio * t.mass)));
-    ContactBalance<D> balance(std::move(nodes), body.friction, free_velocity.template cast<double>(),
+    ContactBalance<D> balance(resisting_nodes(body), body.friction, free_velocity.template cast<double>(),
                               inertia_of_twist(), moves(), SumOverScenes(comm));
     return balance.solve().template cast<T>();
   }

@@ -44,7 +44,7 @@ void find_touched_nodes(const M& mesh, R& body, const Fields& fields, [[maybe_un
           body.inside_nodes += inside;
         }
       });
-  if constexpr (R::keeps_gaps) body.gaps.give(body.touched_nodes, fields[0].mass.size(), dt);
+  if constexpr (R::keeps_gaps) body.gaps.give(body.touched_nodes, fields.size(), fields[0].size(), dt);
   sum_over(comm, body.inside_nodes);
 }
 

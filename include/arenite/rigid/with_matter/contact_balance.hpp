@@ -32,20 +32,23 @@ struct ResistingNode {
 
   /// Relative velocity, the matter's less the body's, where the body's is u.
   Vec<double, D> approach(const Vec<double, N>& u) const;
+  /// `coulomb_slope` where the relative velocity is that; inside the body all motion is opposed.
+  Mat<double, D> slope_at(const Vec<double, D>& relative, const Friction& friction, bool coupling) const;
   /// Adds mass W^T slope W to `sum` [N x N].
   void add_resistance(const Mat<double, D>& slope, double* sum) const;
 };
 
-/// Of a touched node (`RigidBody::TouchedNode`), which gives `mass`.
-template <int D, int N, class Touched>
-ResistingNode<D, N> resisting_node(const Touched& t, double mass) {
-  ResistingNode<D, N> node;
-  node.map = velocity_map<D, N>(t.arm.template cast<double>());
-  node.start = t.before_contact().template cast<double>();
-  node.normal = t.normal.template cast<double>();
-  node.mass = mass;
-  node.inside = t.inside;
-  return node;
+/// The nodes that a body touches (`RigidBody::touched_nodes`).
+template <class R>
+auto resisting_nodes(const R& body) {
+  constexpr int D = R::V::RowsAtCompileTime, N = R::Velocity::RowsAtCompileTime;
+  std::vector<ResistingNode<D, N>> nodes;
+  nodes.reserve(body.touched_nodes.size());
+  for (const auto& t : body.touched_nodes)
+    nodes.push_back({velocity_map<D, N>(t.arm.template cast<double>()),
+                     t.before_contact().template cast<double>(), t.normal.template cast<double>(),
+                     static_cast<double>(t.mass_ratio * t.mass), t.inside});
+  return nodes;
 }
 
 /// How the impulses of the matter oppose the velocity u of a body, as an inertia [N x N]; `coupling`: see

@@ -46,6 +46,15 @@ ARENITE_COLD Vec<double, D> ResistingNode<D, N>::approach(const Vec<double, N>& 
 }
 
 template <int D, int N>
+ARENITE_COLD Mat<double, D> ResistingNode<D, N>::slope_at(const Vec<double, D>& relative,
+                                                          const Friction& friction, bool coupling) const {
+  if (!inside) return coulomb_slope<D>(relative, normal, friction, coupling);
+  Mat<double, D> all = zeros<Mat<double, D>>();
+  for (int d = 0; d < D; ++d) all(d, d) = 1;
+  return all;
+}
+
+template <int D, int N>
 ARENITE_COLD void ResistingNode<D, N>::add_resistance(const Mat<double, D>& slope, double* sum) const {
   for (int column = 0; column < N; ++column)
     for (int d = 0; d < D; ++d) {
@@ -60,11 +69,8 @@ template <int D, int N>
 ARENITE_COLD Mat<double, N> resistance_of(const std::vector<ResistingNode<D, N>>& nodes,
                                           const Vec<double, N>& u, const Friction& friction, bool coupling) {
   Mat<double, N> sum = zeros<Mat<double, N>>();
-  Mat<double, D> all = zeros<Mat<double, D>>();
-  for (int d = 0; d < D; ++d) all(d, d) = 1;
   for (const auto& node : nodes)
-    node.add_resistance(
-        node.inside ? all : coulomb_slope<D>(node.approach(u), node.normal, friction, coupling), sum.data());
+    node.add_resistance(node.slope_at(node.approach(u), friction, coupling), sum.data());
   return sum;
 }
 
@@ -141,12 +147,7 @@ ARENITE_COLD void ContactBalance<D>::look(const U& x) {
       sums[N * N + k] += share;
       sums[N * N + N + k] += std::abs(share);
     }
-    Mat<double, D> slope = zeros<Mat<double, D>>();
-    if (node.inside)
-      for (int d = 0; d < D; ++d) slope(d, d) = 1;
-    else
-      slope = coulomb_slope<D>(a, node.normal, friction_);
-    node.add_resistance(slope, sums);
+    node.add_resistance(node.slope_at(a, friction_, true), sums);
   }
   sum_over_scenes_(sums);
   contact_magnitude_ = 0;

@@ -2,7 +2,6 @@
 #pragma once
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -14,13 +13,14 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 template <class T>
 class NodeGaps {
  public:
-  /// Gives touched nodes the velocity with which each may close its gap in a step of dt, s.
+  /// Gives touched nodes, of so many fields and nodes, the velocity with which each may close its gap in a step of dt, s.
   template <class Touched>
-  void give(std::vector<Touched>& touched, std::size_t nodes, T dt) {
-    for (std::size_t k = 0; k < gap_.size(); ++k) at(field_[k], node_[k], nodes) = gap_[k];
+  void give(std::vector<Touched>& touched, std::size_t fields, std::size_t nodes, T dt) {
+    all_.resize(fields * nodes);
+    for (std::size_t k = 0; k < gap_.size(); ++k) all_[field_[k] * nodes + node_[k]] = gap_[k];
     for (auto& t : touched)
-      if (!t.inside && t.field * nodes + t.node < all_.size()) t.closing = at(t.field, t.node, nodes) / dt;
-    for (std::size_t k = 0; k < gap_.size(); ++k) at(field_[k], node_[k], nodes) = 0;
+      if (!t.inside) t.closing = all_[t.field * nodes + t.node] / dt;
+    for (std::size_t k = 0; k < gap_.size(); ++k) all_[field_[k] * nodes + node_[k]] = 0;
   }
   /// Follows the step: `parting(t)` is the velocity with which matter parts from the body at a touched node, m/s.
   template <class Touched, class Parting>
@@ -42,12 +42,6 @@ class NodeGaps {
   }
 
  private:
-  T& at(std::size_t field, std::size_t node, std::size_t nodes) {
-    const std::size_t place = field * nodes + node;
-    if (place >= all_.size()) all_.resize(std::max((field + 1) * nodes, all_.size()));
-    return all_[place];
-  }
-
   std::vector<std::size_t> field_, node_;
   std::vector<T> gap_;  // m, above zero
   std::vector<T> all_;  // [fields x nodes], zero between steps

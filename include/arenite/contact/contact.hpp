@@ -14,6 +14,7 @@
 #include <arenite/contact/coulomb.hpp>
 #include <arenite/contact/hold.hpp>
 #include <arenite/contact/normals.hpp>
+#include <arenite/core/by_body.hpp>
 #include <arenite/core/contact_tally.hpp>
 #include <arenite/core/part_energy.hpp>
 #include <arenite/transfer/node_field.hpp>

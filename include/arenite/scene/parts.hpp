@@ -11,6 +11,7 @@
 #include <vector>
 
 #include <arenite/core/bind.hpp>
+#include <arenite/core/by_body.hpp>
 #include <arenite/core/name.hpp>
 #include <arenite/law/pass.hpp>
 #include <arenite/particles/body.hpp>
@@ -41,8 +42,6 @@ struct Bodies {
         fills)};
   }
 };
-/// In the place of a count that only a run knows.
-inline constexpr std::size_t counted_at_run_time = static_cast<std::size_t>(-1);
 
 /// The recipe of bodies of one law, as many as a list has.
 template <class F>
@@ -65,18 +64,6 @@ struct BodyList {
     return erased;
   }
 };
-
-/// Values X, one a body: an array, or a vector where only a run knows how many there are.
-template <class X, std::size_t Count>
-using ByBody = std::conditional_t<Count == counted_at_run_time, std::vector<X>,
-                                  std::array<X, Count == counted_at_run_time ? 0 : Count>>;
-template <class X, std::size_t Count>
-ByBody<X, Count> by_body([[maybe_unused]] std::size_t count) {
-  if constexpr (Count == counted_at_run_time)
-    return ByBody<X, Count>(count);
-  else
-    return {};
-}
 
 namespace detail {
 template <class F>

@@ -33,7 +33,6 @@ int main() {{
   const MohrCoulomb sand{{{{.density = 1540, .young = 1_MPa, .poisson = 0.3, .friction = 35_deg, .cohesion = 100}}}};
   const LinearElastic rubber{{{{.density = 1540, .young = 1_MPa, .poisson = 0.3}}}};
   (void)rubber;
-  {before}
   Scene scene{{PlaneStrain{{}}, {mesh}, {numerics}, {bodies}, walls(bottom(fixed), left(roller), right(roller)), gravity({{0, -9.81}}){parts}}};
   const double dt = 0.3 * stable_step(scene);
   for (int k = 0; k < 20; ++k) step(scene, dt);
@@ -50,12 +49,16 @@ int main() {{
 GRID = "CartesianGrid<2>{{.lower = {0, 0}, .upper = {size, 1.2 * size}, .cell = cell}}"
 TRIANGLES = "SimplexMesh<2>{box_mesh(BoxMesh<2>{.lower = {0, 0}, .upper = {size, size}, .bricks = {60, 60}})}"
 SPLINES = "Numerics<QuadraticBSpline>{}"
+USL = "Numerics<QuadraticBSpline, Flip, Usl>{}"
 LINEAR = "Numerics<LinearSimplex, {}>{{}}"
 SAND = "fill<\"sand\">(Box{{0, 0}, {size, size}}, sand, {.per_cell = 4})"
 TWO = ("fill<\"low\">(Box{{0, 0}, {size, size / 2}}, sand, {.per_cell = 4}), "
        "fill<\"high\">(Box{{0, size / 2}, {size, size}}, sand, {.per_cell = 4})")
 BALL = "DistanceSurface{Ball({size / 2, size + 0.045}, 0.05)}"
 FREE = "Free{.mass = 10, .inertia = 0.01, .centre = {size / 2, size + 0.045, 0}}"
+
+
+NOTHING = "nothing: the same scene again"
 
 
 @dataclass
@@ -67,11 +70,11 @@ class Row:
     mesh: str = GRID
     numerics: str = SPLINES
     bodies: str = SAND
-    before: str = ""
+    beside: str = ""  # numerics of the scene without it, where they are not those of the group's
 
     def code(self):
         parts = f", {self.part}" if self.part else ""
-        return PROGRAM.format(mesh=self.mesh, numerics=self.numerics, bodies=f"bodies({self.bodies})", parts=parts, before=self.before)
+        return PROGRAM.format(mesh=self.mesh, numerics=self.numerics, bodies=f"bodies({self.bodies})", parts=parts)
 
 
 def triangles(name, average="", part=""):
@@ -82,6 +85,7 @@ def triangles(name, average="", part=""):
 BASES = {"B-splines": Row("sand on quadratic B-splines, 4 points a cell, FLIP, MUSL: nothing named"),
          "triangles": triangles("sand on triangles, 4 points a triangle, FLIP, USL: nothing named")}
 ROWS = [
+    Row(NOTHING),
     Row("energy balance", "TrackEnergy{}"),
     Row("reactions of walls", "Reactions{}"),
     Row("numbers of points", "PointIds{}"),
@@ -92,14 +96,18 @@ ROWS = [
     Row("frictional wall", "frictional(right(), Friction(20_deg))"),
     Row("absorbing faces", "absorbing(right(), {.density = 1540, .pressure_wave = 30, .shear_wave = 16})"),
     Row("deviatoric strain recorded", bodies=SAND.replace("sand", "WithDeviatoricStrain{sand}")),
+    Row("strain at the middle (`MidpointStrain`)", numerics="Numerics<QuadraticBSpline, Flip, MidpointStrain<Musl>>{}"),
     Row("second body of the same law, one field", bodies=TWO),
     Row("second body, Coulomb contact", "Coulomb{Friction(20_deg)}", bodies=TWO),
     Row("rigid ball, prescribed", f"rigid({BALL}, Prescribed{{[](double) {{ return std::array{{0.0, -0.01, 0.0}}; }}}}, Friction(20_deg))"),
+    Row("rigid ball, prescribed, gaps of nodes (`NodalGap`)",
+        f"rigid({BALL}, Prescribed{{[](double) {{ return std::array{{0.0, -0.01, 0.0}}; }}}}, Friction(20_deg), NodalGap{{}})"),
     Row("rigid ball, free", f"rigid({BALL}, {FREE}, Friction(20_deg))"),
     Row("rigid ball, free, contact at points", f"rigid({BALL}, {FREE}, Friction(20_deg), PointContact{{}})",
-        numerics="Numerics<QuadraticBSpline, Flip, Usl>{}"),
+        numerics=USL, beside=USL),
     Row("two rigid balls and their contact", f"rigids(rigid<\"a\">({BALL}, {FREE}, Friction(20_deg)), rigid<\"b\">("
         f"{BALL.replace('0.045', '0.146')}, {FREE.replace('0.045', '0.146')}, Friction(20_deg))), RigidContact{{Friction(20_deg)}}"),
+    triangles(NOTHING),
     triangles("averages by node", "NodalAveraging"),
     triangles("averages by cell", "ElementAverage"),
     triangles("averages by node and by cell", "NodalAndElementAverage"),
@@ -153,7 +161,7 @@ def main():
     version = subprocess.run([*options.compiler.split(), "--version"], stdout=subprocess.PIPE, text=True).stdout.splitlines()[0]
     print("# What each part costs\n\nA scene pays for the parts that it names. Each row is a scene with the part beside the same scene without it, written by",
           f"`benchmarks/parts.py`; {processor()}, one\nthread, {version}, `{' '.join(FLAGS)}`, header-only. Time: the median of {options.rounds} ratios of whole steps, run in turns;",
-          "a ratio within 0.03 of 1 is noise. The other columns are\nwhat the part adds. What a scene does not name costs 0: no symbol of it is in the program",
+          "the first row of each table tells the noise. The other columns are\nwhat the part adds. What a scene does not name costs 0: no symbol of it is in the program",
           "(test `compile.unnamed_parts`), and a step beside a loop written by\nhand stands in [performance](performance.md).\n")
     with tempfile.TemporaryDirectory() as folder:
         for group, base in BASES.items():
@@ -165,8 +173,8 @@ def main():
             print(f"## {base.name[0].upper() + base.name[1:]}\n\n{told}.\n\n| part | time of a step | bytes a point | compiler, s | code, kB |\n|---|---|---|---|---|")
             for number, row in enumerate(rows):
                 own = without
-                if row.numerics != base.numerics and group == "B-splines":  # its scene without it is another one
-                    own = compiled(Row(base.name, numerics=row.numerics), "own", options, folder)
+                if row.beside:
+                    own = compiled(Row(base.name, numerics=row.beside), "own", options, folder)
                 part = compiled(row, number, options, folder)
                 ratio = statistics.median(part.nanoseconds() / own.nanoseconds() for _ in range(options.rounds))
                 print(f"| {row.name} | {ratio:.2f} | {part.bytes - own.bytes:+d} | {part.seconds - own.seconds:+.1f} | {part.kilobytes - own.kilobytes:+.0f} |", flush=True)

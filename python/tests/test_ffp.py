@@ -95,7 +95,8 @@ def test_peak_of_the_picture_is_that_of_the_summary():
 
 
 def test_paper_within_the_error_bar():
-    drop = ffp.drop(delta=20, cell=0.02, fields_every=0, error_bar=True)
+    drop = ffp.drop(delta=20, accuracy="coarse", fields_every=0, error_bar=True)
+    assert (drop.summary["inputs"]["cell_m"], drop.summary["inputs"]["courant"]) == (0.02, 0.9)
     for name, paper in (("final_penetration_m", 0.20), ("peak_deceleration_g", 17)):
         bar = drop.uncertainty[name]
         assert bar["value"] == drop.summary[name]

@@ -48,7 +48,7 @@ TEST_CASE("without options: the paper's case") {
   REQUIRE(o.cohesion == 0);
   REQUIRE(o.dilatancy == 0);
   REQUIRE(o.device_young == 20e6);
-  REQUIRE(o.cell == 0.01);
+  REQUIRE((o.cell_size() == 0.01 && o.courant_number() == 0.5));
   REQUIRE(o.end == 0.1);
   REQUIRE(std::abs(o.earth_pressure() - 0.33 / 0.67) < 1e-15);
   REQUIRE(o.points_in_element() == 28);
@@ -134,6 +134,22 @@ TEST_CASE("every option reaches its value") {
   REQUIRE((o.moving_depth == 0.1 && o.earth_pressure() == 0.4 && o.device_young == 1e7 &&
            o.device_poisson == 0.2));
   REQUIRE(read({"--cell", "0.02", "--cell", "0.03"}).cell == 0.03);  // the last one wins, as scripts expect
+}
+
+TEST_CASE("--accuracy decides the cells and the time step that are not given") {
+  const auto sizes = [](const std::vector<std::string>& given) {
+    const DropOptions o = read(given);
+    return std::pair{o.cell_size(), o.courant_number()};
+  };
+  REQUIRE(sizes({"--accuracy", "coarse"}) == std::pair{0.02, 0.9});
+  REQUIRE(sizes({"--accuracy", "normal"}) == sizes({}));
+  REQUIRE(sizes({"--accuracy", "fine"}) == std::pair{0.005, 0.5});
+  REQUIRE(sizes({"--accuracy", "coarse", "--cell", "0.015"}) == std::pair{0.015, 0.9});
+  REQUIRE(sizes({"--courant", "0.3", "--accuracy", "coarse"}) == std::pair{0.02, 0.3});
+  REQUIRE(read({"--accuracy", "fine"}).mesh_sizes().cell == 0.005);
+  REQUIRE(refusal({"drop", "--accuracy", "fine", "--cell-at-cone", "0.006"}) ==
+          "--cell-at-cone = 0.006: must not exceed --cell = 0.005 m");
+  REQUIRE(refusal({"drop", "--accuracy", "best"}) == "--accuracy = best: must be coarse or normal or fine");
 }
 
 TEST_CASE("a mistake is one sentence with option, value and rule") {
@@ -400,8 +416,9 @@ TEST_CASE("help goes to the stream and names every option") {
   // Ranges and defaults are those of the checks.
   for (const char* range : {"Angle of friction, in [1, 60] deg (default 40)", "in (0, 50] m/s (default 5.6)",
                             "in (-1, 0.5) (default 0.33)", "Earth pressure at rest", "in [0, 3]",
-                            "in [0.0025, 0.04] m (default 0.01)", "36 or 49 in triangles (default 28)",
-                            "cells of a grid (default 9)"})
+                            "that of --accuracy, in [0.0025, 0.04] m", "36 or 49 in triangles (default 28)",
+                            "cells of a grid (default 9)",
+                            "coarse 0.02 and 0.9, normal 0.01 and 0.5, fine 0.005 and 0.5 (default normal)"})
     REQUIRE(help.str().find(range) != std::string::npos);
   for (const std::vector<std::string>& words :
        {std::vector<std::string>{"--version"}, {"drop", "--version"}}) {

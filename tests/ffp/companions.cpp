@@ -48,7 +48,7 @@ TEST_CASE("companions: coarser cells, other points, jitters, offsets, a time of 
     CHECK(o.delta == 33);
     CHECK((o.quiet && o.fields_every == 0 && !o.error_bar && !o.resume));
     CHECK_NOTHROW(check(o));
-    const double ratio = o.cell / drop.cell;
+    const double ratio = o.cell_size() / drop.cell_size();
     CHECK(std::abs(*o.cell_at_cone / 0.004 - ratio) < 1e-12);
     CHECK((ratio == 2 || std::abs(ratio - 1.41) < 1e-12));
     CHECK((ratio == 2 || (o.jitter == 0 && o.points_in_element() == 28)));

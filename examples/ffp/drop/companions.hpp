@@ -70,7 +70,7 @@ inline std::vector<Companion> companions_of(const DropOptions& drop) {
   base.fields_every = 0;
   const auto coarser = [&](double ratio) {
     DropOptions o = base;
-    o.cell *= ratio;
+    o.cell = ratio * drop.cell_size();
     if (o.cell_at_cone) *o.cell_at_cone *= ratio;
     return o;
   };
@@ -95,7 +95,7 @@ inline std::vector<Companion> companions_of(const DropOptions& drop) {
   add("cells-1.41", coarser(coarse_ratio));
   for (const auto& [name, sign] : {std::pair{"offset-in", -1}, {"offset-out", 1}}) {
     DropOptions o = coarser(coarse_ratio);
-    o.contact_offset += sign * offset_share * drop.cell_at_cone.value_or(drop.cell);
+    o.contact_offset += sign * offset_share * drop.cell_at_cone.value_or(drop.cell_size());
     add(name, o);
   }
   DropOptions o = coarser(coarse_ratio);
@@ -136,9 +136,9 @@ BarredResult barred_result(const DropOptions& drop, double value, const Of& of) 
   };
   const auto coarse = all_of({"cells-1.41", "cells-2"});
   if (coarse)
-    result.cells = convergence({{drop.cell, value},
-                                {coarse_ratio * drop.cell, (*coarse)[0]},
-                                {coarsest_ratio * drop.cell, (*coarse)[1]}});
+    result.cells = convergence({{drop.cell_size(), value},
+                                {coarse_ratio * drop.cell_size(), (*coarse)[0]},
+                                {coarsest_ratio * drop.cell_size(), (*coarse)[1]}});
   result.uncertainty.add("cells", coarse ? std::optional{result.cells->uncertainty} : std::nullopt);
   add("contact_offset", {"offset-in", "offset-out"}, 1);
   std::vector<std::string> points{"cells-2"};

@@ -91,7 +91,7 @@ inline MohrCoulombParameters sand_of(const DropOptions& o) {
 }
 inline MohrCoulomb<> plain_sand(const DropOptions& o) { return MohrCoulomb{sand_of(o)}; }
 inline auto sand_with_law(const DropOptions& o) {
-  return MohrCoulomb{sand_of(o), ForgetsOpening{}, friction_of(o.law, o.cell)};
+  return MohrCoulomb{sand_of(o), ForgetsOpening{}, friction_of(o.law, o.cell_size())};
 }
 
 template <int D, class Region, class Law>

@@ -104,7 +104,7 @@ class Run {
       for (const HistoryRow& row : rows_.all) history_->write(row);
       open_fields();
       writing_ += Clock::now() - begin_;
-      arenite::run(scene_, {.end = o_.end, .courant = o_.courant}, *this);
+      arenite::run(scene_, {.end = o_.end, .courant = o_.courant_number()}, *this);
       write_summary("done");
       std::error_code ignored;  // it only takes space
       std::filesystem::remove(folder_.path() / state_file_name, ignored);
@@ -265,7 +265,7 @@ void record(const DropOptions& o, const Make& make) {
       throw error(joined_text({"--mesh = ", shown(o.mesh), ": ", e.what()}));
     } catch (const std::bad_alloc&) {
       require(o.mesh.empty(), "--mesh", shown(o.mesh), "there is no memory for a mesh of this size");
-      throw error(joined_text({"--cell = ", o.cell, ": there is no memory for cells of this size"}));
+      throw error(joined_text({"--cell = ", o.cell_size(), ": there is no memory for cells of this size"}));
     }
   }();
   const ExpectedSteps expected = accepted_steps(scene, o);

@@ -142,7 +142,7 @@ inline Json inputs_of(const DropOptions& o) {
   j["contact"] = word_of(contact_words, o.contact_kind());
   j["contact_offset_m"] = o.contact_offset;
   j["mesh_kind"] = word_of(mesh_kind_words, o.mesh_kind);
-  j["cell_m"] = o.cell;
+  j["cell_m"] = o.cell_size();
   if (o.cell_at_cone) j["cell_at_cone_m"] = *o.cell_at_cone;
   if (o.split_share() > 0) j["split"] = o.split_share();
   j["points_per_element"] = o.points_in_element();
@@ -155,7 +155,7 @@ inline Json inputs_of(const DropOptions& o) {
   j["anti_locking"] = word_of(switch_words, o.averages());
   j["flip"] = o.flip;
   j["flip_time_s"] = o.flip_time_constant();
-  j["courant"] = o.courant;
+  j["courant"] = o.courant_number();
   j["end_s"] = o.end;
   j["fields_every_s"] = o.fields_every;
   return j;

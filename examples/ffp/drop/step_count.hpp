@@ -31,7 +31,7 @@ inline std::string cause_of_steps(const DropOptions& o, double smallest) {
   const bool elastic = o.device == DeviceKind::elastic;
   const double none = 0;
   const std::array causes{
-      option("--courant", o.courant, usual.courant / o.courant),
+      option("--courant", o.courant_number(), usual.courant_number() / o.courant_number()),
       option("--end", o.end, o.end / usual.end),
       option("--young", o.young, std::sqrt(o.young / usual.young)),
       option("--poisson", o.poisson, std::sqrt(stiffness(o.poisson) / stiffness(usual.poisson))),
@@ -41,10 +41,11 @@ inline std::string cause_of_steps(const DropOptions& o, double smallest) {
       option("--device-poisson", o.device_poisson,
              elastic ? std::sqrt(stiffness(o.device_poisson) / stiffness(usual.device_poisson)) : none),
       option("--mass", o.device_mass(), elastic ? std::sqrt(usual.device_mass() / o.device_mass()) : none),
-      option("--cell", o.cell, o.mesh.empty() && !o.cell_at_cone ? usual.cell / o.cell : none),
+      option("--cell", o.cell_size(),
+             o.mesh.empty() && !o.cell_at_cone ? usual.cell_size() / o.cell_size() : none),
       option("--cell-at-cone", o.cell_at_cone.value_or(0),
-             o.cell_at_cone ? usual.cell / *o.cell_at_cone : none),
-      std::pair{o.mesh.empty() ? none : usual.cell / smallest,
+             o.cell_at_cone ? usual.cell_size() / *o.cell_at_cone : none),
+      std::pair{o.mesh.empty() ? none : usual.cell_size() / smallest,
                 joined_text({"--mesh = ", shown(o.mesh), " (smallest cell ", rounded(smallest), " m)"})}};
   return std::max_element(causes.begin(), causes.end(),
                           [](const auto& a, const auto& b) { return a.first < b.first; })
@@ -55,7 +56,7 @@ inline std::string cause_of_steps(const DropOptions& o, double smallest) {
 /// `--force` is not given.
 template <class Scene>
 ExpectedSteps accepted_steps(const Scene& scene, const DropOptions& o) {
-  const ExpectedSteps expected = expected_steps(scene, {.end = o.end, .courant = o.courant});
+  const ExpectedSteps expected = expected_steps(scene, {.end = o.end, .courant = o.courant_number()});
   if (expected.count <= most_steps || o.force) return expected;
   auto smallest = scene.mesh.size(0);
   for (Index c = 1; c < scene.mesh.cell_count(); ++c) smallest = std::min(smallest, scene.mesh.size(c));

@@ -80,7 +80,12 @@ void visit_options(Options& o, Visitor& v) {
   v.group("Numerics");
   v.choice("--mesh-kind", mesh_kind_words, o.mesh_kind,
            "Elements fitted to the penetrometer, or a grid of quadratic B-splines that moves with it");
-  v.number("--cell", o.cell, "M", Range{0.0025, 0.04, "m"}, "Edge of the cells around the cone");
+  v.choice(
+      "--accuracy", accuracy_words, o.accuracy,
+      "What --cell and --courant are of themselves: coarse 0.02 and 0.9, normal 0.01 and 0.5, fine 0.005 "
+      "and 0.5");
+  v.number("--cell", o.cell, "M", Range{0.0025, 0.04, "m"},
+           "Edge of the cells around the cone, of itself that of --accuracy");
   v.number(
       "--cell-at-cone", o.cell_at_cone, "M", Range{0.0005, 0.04, "m"},
       "Edge of the cells at cone, tip and shoulder, which grow to --cell away from them, of itself --cell");
@@ -106,7 +111,8 @@ void visit_options(Options& o, Visitor& v) {
       "--flip-time", o.flip_time, "S", Range{0, 100, "s"},
       "Time constant of the share of FLIP, which is then --flip exp(-dt / S) whatever the step; 0 for none, "
       "of itself 0; 0.1 with --mesh-kind grid");
-  v.number("--courant", o.courant, "X", above(0, 1), "Time step over the stable one, h / c");
+  v.number("--courant", o.courant, "X", above(0, 1),
+           "Time step over the stable one, h / c, of itself that of --accuracy");
   v.group("Run");
   v.number("--end", o.end, "S", above(0, 10, "s"), "End of the run");
   v.number("--threads", o.threads, "N", Range{0, 1024}, "Threads, 0 for all");
@@ -172,8 +178,8 @@ inline void check(const DropOptions& o) {
             {"below 0.001 m needs --cell-at-cone of at most ", most, " m, to be seen"});
   }
   if (o.cell_at_cone) {
-    require(*o.cell_at_cone <= o.cell, "--cell-at-cone", *o.cell_at_cone,
-            {"must not exceed --cell = ", o.cell, " m"});
+    require(*o.cell_at_cone <= o.cell_size(), "--cell-at-cone", *o.cell_at_cone,
+            {"must not exceed --cell = ", o.cell_size(), " m"});
     require(o.kinematics == Kinematics::axisymmetric && o.mesh.empty(), "--cell-at-cone", *o.cell_at_cone,
             "needs --kinematics axisymmetric, and goes without --mesh");
   }
@@ -220,7 +226,7 @@ inline void check(const DropOptions& o) {
             "must be " + listed(triangle_points) + " in triangles");
   if (o.error_bar) {
     require(o.mesh.empty(), "--mesh", shown(o.mesh), "goes without --error-bar, which needs coarser meshes");
-    require(o.cell <= largest_cell_with_bar, "--cell", o.cell,
+    require(o.cell_size() <= largest_cell_with_bar, "--cell", o.cell_size(),
             {"must be at most ", largest_cell_with_bar,
              " m with --error-bar, which runs drops at twice the cell"});
   }

@@ -23,6 +23,7 @@ enum class DeviceKind { rigid, elastic };
 enum class MeshKind { fitted, grid };
 enum class ContactKind { rigid, centre_of_mass, points };
 enum class Shoulder { sharp, fillet };
+enum class Accuracy { coarse, normal, fine };
 
 /// Words of the options that choose: the command line, the summary and the checks share them.
 inline constexpr std::array<std::pair<std::string_view, Kinematics>, 2> kinematics_words{
@@ -37,6 +38,8 @@ inline constexpr std::array<std::pair<std::string_view, ContactKind>, 3> contact
      {"points", ContactKind::points}}};
 inline constexpr std::array<std::pair<std::string_view, Shoulder>, 2> shoulder_words{
     {{"sharp", Shoulder::sharp}, {"fillet", Shoulder::fillet}}};
+inline constexpr std::array<std::pair<std::string_view, Accuracy>, 3> accuracy_words{
+    {{"coarse", Accuracy::coarse}, {"normal", Accuracy::normal}, {"fine", Accuracy::fine}}};
 inline constexpr std::array<std::pair<std::string_view, bool>, 2> switch_words{
     {{"on", true}, {"off", false}}};
 
@@ -71,8 +74,9 @@ struct DropOptions {
   LawOptions law;                         ///< of the sand's friction
   std::optional<double> k0;               ///< earth pressure at rest; default poisson / (1 - poisson) (ours)
   MeshKind mesh_kind = MeshKind::fitted;  ///< triangles fitted to the device, or a grid under it
-  double cell = 0.01;                     ///< edge of the cells around the cone, m
-  std::optional<double> cell_at_cone;     ///< edge of the cells at the cone itself, m; without: `cell`
+  Accuracy accuracy = Accuracy::normal;   ///< decides cells and time step that are not given
+  std::optional<double> cell;             ///< edge of the cells around the cone, m; default: `cell_size`
+  std::optional<double> cell_at_cone;     ///< edge of the cells at the cone itself, m; without: `cell_size`
   std::optional<double> split;  ///< points that stand for more than 1 / split of their cell split; 0: none
   double moving_depth = 0.06;   ///< the mesh moves as one from here below the tip upward, m (ours)
   std::string mesh;             ///< Gmsh file in the place of the generated mesh; empty: none
@@ -86,21 +90,21 @@ struct DropOptions {
   double flip = 1;  ///< share of FLIP in the velocity update, the rest is PIC
   /// s: time constant of the share, flip exp(-dt / time); 0: none; default: `flip_time_constant`.
   std::optional<double> flip_time;
-  double courant = 0.5;         ///< time step over the stable estimate h / c
-  double end = 0.1;             ///< s
-  int threads = 0;              ///< 0: the environment's ARENITE_THREADS, else one for each processor
-  double fields_every = 0.02;   ///< s; 0: no fields
-  double checkpoint_every = 0;  ///< s; 0: a state is saved only when the run is interrupted
-  bool resume = false;          ///< goes on from the state saved last in `out`
-  std::string out = "out/ffp";  ///< folder of the results
-  bool quiet = false;           ///< nothing on the terminal but errors and warnings
-  double watch_energy = 0.1;    ///< a run stops past it: energy that nothing put in, over all put in
-  double watch_volume = 0.5;    ///< the same: |V/V0 - 1| of the sand or of an elastic device, mean
-  double watch_lost = 0.1;      ///< the same: share of the points that left the mesh
-  bool no_watch = false;        ///< nothing stops a run that cannot be right
-  bool error_bar = false;       ///< runs the drops around it, too, that tell how far it can be trusted
-  std::string name{};           ///< of the run, in front of its warnings; empty: the only one
-  bool force = false;           ///< runs however many steps it takes
+  std::optional<double> courant;  ///< time step over the stable estimate h / c; default: `courant_number`
+  double end = 0.1;               ///< s
+  int threads = 0;                ///< 0: the environment's ARENITE_THREADS, else one for each processor
+  double fields_every = 0.02;     ///< s; 0: no fields
+  double checkpoint_every = 0;    ///< s; 0: a state is saved only when the run is interrupted
+  bool resume = false;            ///< goes on from the state saved last in `out`
+  std::string out = "out/ffp";    ///< folder of the results
+  bool quiet = false;             ///< nothing on the terminal but errors and warnings
+  double watch_energy = 0.1;      ///< a run stops past it: energy that nothing put in, over all put in
+  double watch_volume = 0.5;      ///< the same: |V/V0 - 1| of the sand or of an elastic device, mean
+  double watch_lost = 0.1;        ///< the same: share of the points that left the mesh
+  bool no_watch = false;          ///< nothing stops a run that cannot be right
+  bool error_bar = false;         ///< runs the drops around it, too, that tell how far it can be trusted
+  std::string name{};             ///< of the run, in front of its warnings; empty: the only one
+  bool force = false;             ///< runs however many steps it takes
 
   /// The paper's 10 in tetrahedra; 28 in triangles, from where on more change depth by 0.4 % and peak by 1 %:
   /// 9, 15, 21, 28, 36, 49 give 0.192, 0.189, 0.187, 0.186, 0.187, 0.187 m and 18.2 to 18.5 g; nine in cells
@@ -108,6 +112,11 @@ struct DropOptions {
   int points_in_element() const {
     return points_per_element.value_or(on_grid() ? 9 : kinematics == Kinematics::slice ? 10 : 28);
   }
+  /// m; depth, peak, bars and times of each accuracy: docs/ffp_accuracy.md, Speed against accuracy.
+  double cell_size() const {
+    return cell.value_or(accuracy == Accuracy::coarse ? 0.02 : accuracy == Accuracy::fine ? 0.005 : 0.01);
+  }
+  double courant_number() const { return courant.value_or(accuracy == Accuracy::coarse ? 0.9 : 0.5); }
   bool on_grid() const { return mesh_kind == MeshKind::grid; }
   ContactKind contact_kind() const {
     if (device == DeviceKind::elastic) return ContactKind::centre_of_mass;
@@ -126,7 +135,7 @@ struct DropOptions {
     return Device{shape};
   }
   MeshSizes mesh_sizes() const {
-    return {.cell = cell, .at_cone = cell_at_cone.value_or(0), .moving_depth = moving_depth};
+    return {.cell = cell_size(), .at_cone = cell_at_cone.value_or(0), .moving_depth = moving_depth};
   }
   /// Sand that comes from coarser cells would thin out in refined ones.
   double split_share() const { return split.value_or(!cell_at_cone ? 0 : on_grid() ? 4 : 9); }

@@ -114,7 +114,7 @@ inline std::optional<double> ratio(std::optional<double> a, std::optional<double
 
 /// Step at which an element would become unstable, s: that of the first step over the Courant number.
 inline std::optional<double> critical_step(const CaseResult& r) {
-  return r.step.size() > 1 ? std::optional{r.step[1] / DropOptions{}.courant} : std::nullopt;
+  return r.step.size() > 1 ? std::optional{r.step[1] / DropOptions{}.courant_number()} : std::nullopt;
 }
 
 /// Speed of a compression wave in the paper's sand, m/s.

@@ -1,7 +1,7 @@
-# Flags of the compiler for each width of registers, in bytes (widths.json; the Python package compiles with the same ones). Products and
+# Flags of the compiler for each width of registers, in bytes (those with which the Python package compiles on first use). Products and
 # sums are not fused: a compiler fuses others in another program, and results of one composition would differ in their last bits between
 # programs. What it costs: docs/performance.md, Registers.
-set(ARENITE_WIDTHS_FILE ${CMAKE_CURRENT_LIST_DIR}/widths.json)
+set(ARENITE_WIDTHS_FILE ${CMAKE_CURRENT_LIST_DIR}/../python/arenite/_widths.json)
 set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${ARENITE_WIDTHS_FILE})
 
 # arenite_width_flags(WIDTH OUT): OUT is the list of flags for registers of WIDTH bytes.

@@ -94,6 +94,7 @@ struct Draw {
   double contact_friction;  ///< rad
   double contrast;          ///< modulus of a second body, or mass of a rigid one, over that of the first
   int steps;
+  int per_cell = 0;  ///< points a cell; 0: the few of `fill_options`
 
   std::string text() const {
     constexpr const char* layouts[] = {"free", "boxed", "floor"};

@@ -29,15 +29,37 @@ struct Outcome {
   Ending ending = Ending::sound;
   /// Residual, and what the law gave beyond what it had stored, over the energy put in, -.
   double energy = 0;
-  double momentum = 0;  ///< error over its bound, -
-  double volume = 1;    ///< largest mean V / V0 of a body
+  double momentum = 0;         ///< error over its bound, -
+  double volume = 1;           ///< largest mean V / V0 of a body
+  double least = 1, most = 1;  ///< V / V0 of points, as the run ended, -
+  double thinnest = 1;         ///< size of the smallest cell over the edge drawn, -
+  std::size_t per_cell = 0;    ///< most points in a cell at the start
   std::size_t lost = 0;
   std::size_t steps = 0;
   std::string message{};
+  std::string scene{};  ///< the type of the scene, as the compiler writes it
   std::string text() const {
-    return joined_text({ending_names[static_cast<std::size_t>(ending)], " energy=", energy,
-                        " momentum=", momentum, " V/V0=", volume, " lost=", lost, " steps=", steps,
-                        message.empty() ? "" : " | ", message});
+    return joined_text({ending_names[static_cast<std::size_t>(ending)],
+                        " energy=",
+                        energy,
+                        " momentum=",
+                        momentum,
+                        " V/V0=",
+                        volume,
+                        " lost=",
+                        lost,
+                        " steps=",
+                        steps,
+                        " J=",
+                        least,
+                        " to ",
+                        most,
+                        " thinnest=",
+                        thinnest,
+                        " points=",
+                        per_cell,
+                        message.empty() ? "" : " | ",
+                        message});
   }
 };
 
@@ -103,7 +125,8 @@ class Books {
   void check_momentum(const Scene& scene) {
     V now = V::Zero(), joined = V::Zero();
     // Of the last step: points were inserted and removed behind it.
-    V given = mass_ * scene.time_step * scene.acceleration().template cast<double>();
+    V given = mass_ * scene.time_step * acceleration_;
+    acceleration_ = scene.acceleration().template cast<double>();  // of the step to come
     double carried = 0, limited = 0, pushed = 0;
     mass_ = 0;
     scene.for_each_body([&](const auto& body, const auto&) {
@@ -172,8 +195,41 @@ class Books {
 
   std::size_t steps_, lost_ = 0, since_ = 0;
   double cell_, external_ = 0, kinetic_ = 0, scale_ = 0, carried_ = 0, limited_ = 0, mass_ = 0;
-  V expected_ = V::Zero(), outside_ = V::Zero(), joined_ = V::Zero();
+  V acceleration_ = V::Zero(), expected_ = V::Zero(), outside_ = V::Zero(), joined_ = V::Zero();
 };
+
+template <class Scene>
+std::string type_of_scene() {
+  return __PRETTY_FUNCTION__;
+}
+
+/// What a scene begins with.
+template <class Scene>
+void see_start(const Scene& scene, double cell, Outcome& o) {
+  o.scene = type_of_scene<Scene>();
+  for (Index c = 0; c < scene.mesh.cell_count(); ++c)
+    o.thinnest = std::min(o.thinnest, static_cast<double>(scene.mesh.size(c)) / cell);
+  scene.for_each_body([&](const auto& body, const auto&) {
+    for (Index c = 0; c < scene.mesh.cell_count(); ++c)
+      o.per_cell = std::max(o.per_cell, static_cast<std::size_t>(body.cells[c].size()));
+  });
+}
+
+/// What is left of it; whether all of its numbers are finite.
+template <class Scene>
+bool see_end(const Scene& scene, Outcome& o) {
+  bool finite = true;
+  scene.for_each_body([&](const auto& body, const auto&) {
+    for (std::size_t p = 0; p < body.points.size(); ++p) {
+      finite = finite && is_finite(body.points, p);
+      const double ratio = static_cast<double>(body.points.volume[p]) * body.law.density() /
+                           static_cast<double>(body.points.mass[p]);
+      o.least = std::min(o.least, ratio);
+      o.most = std::max(o.most, ratio);
+    }
+  });
+  return finite;
+}
 
 /// Runs a scene for the steps of its draw, with the watch that a user would have on, and judges it. Sand may
 /// fly apart and points may leave the mesh: the watch has no limits there. `make`: returns the scene.
@@ -190,6 +246,7 @@ Outcome judge(Draw& d, Make&& make) {
   bool running = false;
   try {
     Scene scene = make();
+    see_start(scene, d.cell, o);
     const double step = d.courant * stable_step(scene);
     running = true;
     constexpr double any = std::numeric_limits<double>::infinity();
@@ -199,10 +256,7 @@ Outcome judge(Draw& d, Make&& make) {
     } catch (const typename Books<Scene>::Enough&) {
       watch.look(scene);
     }
-    bool finite = true;
-    scene.for_each_body([&](const auto& body, const auto&) {
-      for (std::size_t p = 0; p < body.points.size(); ++p) finite = finite && is_finite(body.points, p);
-    });
+    const bool finite = see_end(scene, o);
     if (!finite || !std::isfinite(o.energy)) return end_with(Ending::nan);
     if (scene.point_count() == 0) return end_with(Ending::empty);
   } catch (const run_error& e) {

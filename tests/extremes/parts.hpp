@@ -192,6 +192,7 @@ FillOptions fill_options(const Draw& d, const M& mesh) {
     o.per_cell = M::dimension == 2 ? (d.fine ? 10 : 3) : (d.fine ? 10 : 4);
   else
     o.per_cell = M::dimension == 2 ? (d.fine ? 9 : 4) : (d.fine ? 27 : 8);
+  if (d.per_cell > 0) o.per_cell = d.per_cell;
   if (d.k0 >= 0 && d.gravity > 0) o.stress = Geostatic{.surface = 0.6 * extent(mesh), .k0 = d.k0};
   return o;
 }

@@ -33,7 +33,9 @@ struct Outcome {
   double volume = 1;           ///< largest mean V / V0 of a body
   double least = 1, most = 1;  ///< V / V0 of points, as the run ended, -
   double thinnest = 1;         ///< size of the smallest cell over the edge drawn, -
-  std::size_t per_cell = 0;    ///< most points in a cell at the start
+  double speed = 0;            ///< of the fastest point at the start, m/s
+  double rigid = 0;          ///< mass of the heaviest rigid body over that of all matter; 0: none has a mass
+  std::size_t per_cell = 0;  ///< most points in a cell at the start
   std::size_t lost = 0;
   std::size_t steps = 0;
   std::string message{};
@@ -209,9 +211,17 @@ void see_start(const Scene& scene, double cell, Outcome& o) {
   o.scene = type_of_scene<Scene>();
   for (Index c = 0; c < scene.mesh.cell_count(); ++c)
     o.thinnest = std::min(o.thinnest, static_cast<double>(scene.mesh.size(c)) / cell);
+  double matter = 0;
   scene.for_each_body([&](const auto& body, const auto&) {
+    matter += mass(body);
+    for (std::size_t p = 0; p < body.points.size(); ++p)
+      o.speed = std::max(o.speed, static_cast<double>(body.points.velocity[p].norm()));
     for (Index c = 0; c < scene.mesh.cell_count(); ++c)
       o.per_cell = std::max(o.per_cell, static_cast<std::size_t>(body.cells[c].size()));
+  });
+  scene.for_each_rigid([&](const auto& body) {
+    if constexpr (requires { body.motion.mass; })
+      o.rigid = std::max(o.rigid, static_cast<double>(body.motion.mass) / matter);
   });
 }
 

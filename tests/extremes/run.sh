@@ -2,13 +2,17 @@
 # Runs N random scenes, shared out over all processors, and prints the share of each ending by composition, what stopped
 # the runs, and each fault with its seed. Exit 1 if there is a fault.
 #
-#   tests/extremes/run.sh [N [FIRST]]     default: 20000 scenes, from seed 0 on
+#   tests/extremes/run.sh [--page] [N [FIRST]]     default: 20000 scenes, from seed 0 on
+#
+#   --page   writes docs/envelope.md and what `arenite.check` asks (with matplotlib)
 #
 # Environment: ARENITE_BUILD, where to build (default: build/extremes in the checkout).
 set -euo pipefail
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 build=${ARENITE_BUILD:-$root/build/extremes}
+page=()
+if [ "${1:-}" = --page ]; then page=(--page) && shift; fi
 scenes=${1:-20000}
 first=${2:-0}
 units=$(cd "$root/tests/extremes" && ls ./*.cpp | sed 's|^\./||; s|\.cpp$||')
@@ -44,32 +48,4 @@ for unit in $units; do
   done
 done | xargs -P "$(nproc)" -L 1 bash -c 'run_chunk "$@"' run_chunk
 
-cat "$lines"/*.tsv | awk -F '\t' '
-  BEGIN { count = split("sound damped left stopped refused fault", column, " ") }
-  {
-    ending = $3 ~ /^[a-z]/ ? $3 : "fault"
-    ++of[$2]; ++n[$2, ending]; ++all; ++n["all", ending]
-    if (ending == "fault") fault[++faults] = sprintf("%s, %s, seed %s: %s\n    %s", $2, $3, $4, $5, $6)
-    if (ending == "stopped") {
-      cause = $5
-      sub(/.* \| t = [^:]*: /, "", cause)
-      sub(/[0-9=].*/, "", cause)
-      ++by[$2, cause]; ++causes[cause]; ++by["all", cause]
-    }
-  }
-  function share(part, whole) { return part == 0 ? "        " : sprintf("%7.2f ", 100 * part / whole) }
-  function row(name, whole,   k, cause) {
-    printf "%-66.66s %6d ", name, whole
-    for (k = 1; k <= count; ++k) printf "%s", share(n[name, column[k]], whole)
-    for (cause in causes) if (by[name, cause] > 0) printf " %s%.2f;", cause, 100 * by[name, cause] / whole
-    printf "\n"
-  }
-  END {
-    printf "%-66s %6s ", "composition, % of its scenes", "scenes"
-    for (k = 1; k <= count; ++k) printf "%7s ", column[k]
-    printf " stopped by\n"
-    for (name in of) row(name, of[name])
-    row("all", all)
-    for (k = 1; k <= faults; ++k) printf "\n%s\n", fault[k]
-    exit faults > 0
-  }'
+python3 "$root/tests/extremes/report.py" "$lines" "${page[@]}"

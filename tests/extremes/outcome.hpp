@@ -60,6 +60,10 @@ struct Outcome {
                         thinnest,
                         " points=",
                         per_cell,
+                        " speed=",
+                        speed,
+                        " rigid=",
+                        rigid,
                         message.empty() ? "" : " | ",
                         message});
   }

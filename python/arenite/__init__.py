@@ -3,12 +3,13 @@
 A scene is made of recipes with the words of the C++ library and stepped by compiled code; SI units, angles in radians,
 tension positive."""
 
-from . import (_core, boundary, drive as _drive, ffp, fill as _fill, laws, long_run as _long_run, meshes, numerics, pictures, points,
+from . import (_core, boundary, check as _check, drive as _drive, ffp, fill as _fill, laws, long_run as _long_run, meshes, numerics, pictures, points,
                recommend as _recommend, rigid, scene as _scene, shapes, watch as _watch)
 from ._errors import Error, RunError, Warning
 from ._plugins import set_threads
 from ._sweep import Sweep, sweep
 from .boundary import *  # noqa: F403
+from .check import *  # noqa: F403
 from .convert import to_meshio, to_pyvista
 from .drive import *  # noqa: F403
 from .fill import *  # noqa: F403
@@ -31,5 +32,5 @@ from .watch import *  # noqa: F403
 __version__: str = _core.version
 
 __all__ = ["Error", "Ramp", "RunError", "Scaled", "Signal", "Sweep", "Table", "View", "Vtu", "Warning", "compile", "deg", "ffp", "set_threads", "sweep", "to_meshio", "to_pyvista",
-           *boundary.__all__, *_drive.__all__, *_fill.__all__, *laws.__all__, *_long_run.__all__, *meshes.__all__, *numerics.__all__, *pictures.__all__, *points.__all__,
+           *boundary.__all__, *_check.__all__, *_drive.__all__, *_fill.__all__, *laws.__all__, *_long_run.__all__, *meshes.__all__, *numerics.__all__, *pictures.__all__, *points.__all__,
            *_recommend.__all__, *rigid.__all__, *_scene.__all__, *shapes.__all__, *_watch.__all__]

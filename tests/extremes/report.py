@@ -107,8 +107,12 @@ def read(folder):
 
 
 def cause(scene):
-    """What stopped a scene, without its numbers."""
-    return re.sub(r"[0-9=].*", "", re.sub(r"^t = [^:]*: ", "", scene.message)).strip(" :,") or scene.message
+    """What stopped or refused a scene, without its numbers."""
+    said = re.sub(r"^t = [^:]*: ", "", scene.message)
+    limit = re.match(r"(\w+) = \S+ \(([^,)]*)", said)
+    if limit:
+        return f"watch: {limit[1]} ({limit[2]})"
+    return re.sub(r"\(?-?\d[\d.e+, -]*\)?", ".. ", re.split(r" after |; |: \.|: -", said)[0]).replace("  ", " ").strip()
 
 
 def shares(scenes):
@@ -233,6 +237,8 @@ def page(scenes):
         lines += ["", f"In no random scene: {', '.join(left)}.", ""] if left else [""]
     lines += ["## What stopped them", "", "| cause | scenes | median of speed over wave speed | median of weight over stiffness |", "|---|---|---|---|"]
     lines += [f"| {c} | {len(of)} | {number(median(of, 'mach'))} | {number(median(of, 'weight'))} |" for c, of in sorted(stops.items(), key=lambda i: -len(i[1]))]
+    refused = by([s for s in known if s.ending == "refused"], cause)
+    lines += ["", "Refused as they were made:", "", *(f"- {c}: {len(of)}" for c, of in sorted(refused.items()))]
     lines += ["", "## By composition", ""]
     lines += table("composition", sorted(by(scenes, lambda s: s.composition).items()))
     lines += ["", "## Single limits", "", "Tests that go to one limit each, in every run of the tests:", "", "| what holds | where |", "|---|---|", *limits_in_tests(), "",
@@ -241,14 +247,16 @@ def page(scenes):
         lines += ["", "## Faults", "", *(f"- {s.composition}, seed {s.seed}: {s.line[0]}" for s in faults)]
     PAGE.write_text("\n".join(lines) + "\n")
     draw(known)
-    together = sorted({tuple(sorted(s.classes & {n for g in NUMERICS for n in GROUPS[g].split()})) for s in known})
+    numerics = [n for g in NUMERICS for n in GROUPS[g].split()]
+    together = by(known, lambda s: tuple(sorted(s.classes & set(numerics))))
     data = {
         "scenes": len(known),
         "quantities": {q: {"meaning": QUANTITIES[q][0], "unit": QUANTITIES[q][1], "from": a, "to": b} for q, (a, b) in of_all.items()},
         "parts": {n: {"what": g, "scenes": len(of), **{e: round(x, 2) for e, x in zip(ENDINGS, shares(of))}}
                   for g, names in GROUPS.items() for n in names.split() for of in [[s for s in known if n in s.classes]] if of},
-        "numerics": [n for g in NUMERICS for n in GROUPS[g].split()],
-        "together": together}
+        "numerics": numerics,
+        "together": [{"classes": list(names), "scenes": len(of), "endings": {e: round(x, 2) for e, x in zip(ENDINGS, shares(of))}}
+                     for names, of in sorted(together.items())]}
     DATA.write_text(json.dumps(data, indent=1) + "\n")
 
 

@@ -28,7 +28,7 @@ std::string what_of(Scene& scene, const RunOptions& options) {
 
 }  // namespace
 
-TEST_CASE("A single point falls freely, exactly") {
+TEST_CASE("A single point falls freely, exactly", "[limit]") {
   Scene scene{PlaneStrain{}, CartesianGrid<2>{{.lower = {0, 0}, .upper = {1, 1}, .cell = 0.5}},
               Numerics<QuadraticBSpline, Apic>{},
               bodies(fill(Box{{0., 0.5}, {0.5, 1.}}, rubber(), {.per_cell = 1})), gravity({0, -10})};
@@ -37,7 +37,8 @@ TEST_CASE("A single point falls freely, exactly") {
   CHECK(std::abs(scene.body().points.velocity[0][1] + 2) <= 1e-12);
 }
 
-TEST_CASE("Points that leave the mesh are counted with their mass; without any point the run stops") {
+TEST_CASE("Points that leave the mesh are counted with their mass; without any point the run stops",
+          "[limit]") {
   const auto check = [](auto scene) {
     const std::size_t all = scene.point_count();
     const double before = mass(scene.body());
@@ -90,7 +91,7 @@ TEST_CASE("Bad options of a run name the option and the rule") {
   CHECK(what_of(scene, {.end = 0}).empty());
 }
 
-TEST_CASE("A NaN stops the run at its step with time, body and point") {
+TEST_CASE("A NaN stops the run at its step with time, body and point", "[limit]") {
   Scene scene{PlaneStrain{}, grid(), Numerics<QuadraticBSpline, Apic>{},
               bodies(fill(Box{{0., 0.}, {1., 0.5}}, rubber()))};
   run(scene, {.end = 0.01});
@@ -104,7 +105,7 @@ TEST_CASE("A NaN stops the run at its step with time, body and point") {
   CHECK(scene.steps == steps + 1);
 }
 
-TEST_CASE("Sums that are not finite stop the run even where every number of every point is") {
+TEST_CASE("Sums that are not finite stop the run even where every number of every point is", "[limit]") {
   Scene scene{PlaneStrain{}, grid(), Numerics<QuadraticBSpline, Apic>{},
               bodies(fill(Box{{0., 0.}, {1., 0.5}}, rubber()))};
   step(scene, 1e-5);
@@ -157,7 +158,7 @@ TEST_CASE("Lanes without a point stay out of the sums, whatever a law's history 
   CHECK(scene.body().opened_volume == 0);
 }
 
-TEST_CASE("Float follows double") {
+TEST_CASE("Float follows double", "[limit]") {
   const auto fall = [](auto g) {
     Scene scene{PlaneStrain{},
                 g,
@@ -176,7 +177,7 @@ TEST_CASE("Float follows double") {
   CHECK(std::abs(rounded - exact) <= 1e-3 * std::abs(exact - 0.4));
 }
 
-TEST_CASE("A stiff body on one a million times softer, at once") {
+TEST_CASE("A stiff body on one a million times softer, at once", "[limit]") {
   Scene scene{
       PlaneStrain{},
       grid(),
@@ -192,7 +193,7 @@ TEST_CASE("A stiff body on one a million times softer, at once") {
   }
 }
 
-TEST_CASE("Courant number 1: an elastic body on splines still swings, with no energy gained") {
+TEST_CASE("Courant number 1: an elastic body on splines still swings, with no energy gained", "[limit]") {
   Scene scene{PlaneStrain{},
               grid(),
               Numerics<QuadraticBSpline, Apic, Usl>{},
@@ -248,7 +249,8 @@ constexpr MohrCoulombParameters sand{
 
 }  // namespace
 
-TEST_CASE("Sand thrown apart and caught again does not blow up: stress comes back, swollen volume does not") {
+TEST_CASE("Sand thrown apart and caught again does not blow up: stress comes back, swollen volume does not",
+          "[limit]") {
   // Without memory it bears stress as soon as it is compressed: it rests stretched. With memory it closes
   // first.
   const double forgets = throw_and_catch(MohrCoulomb{sand}),

@@ -81,7 +81,7 @@ auto on_grid(Motion motion) {
 
 }  // namespace
 
-TEST_CASE("Rigid body on triangles: light, middling and heavy, impulses balance") {
+TEST_CASE("Rigid body on triangles: light, middling and heavy, impulses balance", "[limit]") {
   double before = 0;
   for (const double mass : {1e-3, 10.0, 1000.0}) {
     CAPTURE(mass);
@@ -98,7 +98,7 @@ TEST_CASE("Rigid body on triangles: light, middling and heavy, impulses balance"
   CHECK(before < -0.01);
 }
 
-TEST_CASE("Rigid body on B-splines: light, middling and heavy, impulses balance") {
+TEST_CASE("Rigid body on B-splines: light, middling and heavy, impulses balance", "[limit]") {
   for (const double mass : {1e-3, 10.0, 1000.0}) {
     CAPTURE(mass);
     auto scene = on_grid(dropped(mass));
@@ -113,7 +113,7 @@ TEST_CASE("Impulses balance with a prescribed motion, and through the centre-of-
   balance(soft, 0.03);
 }
 
-TEST_CASE("A body far heavier than the layer keeps its speed; one far lighter takes the layer's") {
+TEST_CASE("A body far heavier than the layer keeps its speed; one far lighter takes the layer's", "[limit]") {
   auto heavy = on_grid(dropped(1e9));
   run(heavy, {.end = 0.01});
   CHECK(std::abs(heavy.rigid().velocity[1] + speed + g * 0.01) <= 1e-5);

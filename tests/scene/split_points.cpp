@@ -161,7 +161,8 @@ TEST_CASE("Splits are the same bits on any number of threads, and where a run go
   CHECK(one.part<SplitPoints<"block">>().split > 0);
 }
 
-TEST_CASE("A bar that is stretched to 2.1 parts from its wall, after a warning, unless its points split") {
+TEST_CASE("A bar that is stretched to 2.1 parts from its wall, after a warning, unless its points split",
+          "[limit]") {
   const Elasticity elasticity("NeoHookean", 1000, 1e6, 0.3);
   const double stretch = 2.1, shear = elasticity.shear(), lame = elasticity.lame();
   const double stress =

@@ -44,7 +44,7 @@ TEST_CASE("Stable step: cell size over wave speed, times what the numerics bear"
   CHECK(stable_step(above) == Approx(0.35 * 0.1 * 0.01 / std::hypot(0.1, 0.01) / c));
 }
 
-TEST_CASE("Stable step: the fastest point counts, in whatever cell, lane and direction") {
+TEST_CASE("Stable step: the fastest point counts, in whatever cell, lane and direction", "[limit]") {
   Scene scene{PlaneStrain{}, grid(), Splines{}, bodies(fill(Box{{0., 0.}, {1., 0.5}}, rubber()))};
   auto& points = scene.body().points;
   const double c = wave(rubber());
@@ -204,14 +204,14 @@ double worst_on_splines() {
 }  // namespace
 
 // What the sum of two energies half a step apart swings by stays below a tenth.
-TEST_CASE("Courant number 1: no elastic block on splines gains energy") {
+TEST_CASE("Courant number 1: no elastic block on splines gains energy", "[limit]") {
   CHECK(worst_on_splines<Numerics<QuadraticBSpline, Apic, Usl>>() <= 1.1);
   CHECK(worst_on_splines<Numerics<QuadraticBSpline, Flip, Usl>>() <= 1.1);
   CHECK(worst_on_splines<Numerics<QuadraticBSpline, Apic, Musl>>() <= 1.1);
   CHECK(worst_on_splines<Numerics<CubicBSpline, Flip, Usl>>() <= 1.1);
   CHECK(worst_on_splines<Numerics<CubicBSpline, Apic, Musl>>() <= 1.1);
 }
-TEST_CASE("Courant number 1: no elastic block on linear functions gains energy") {
+TEST_CASE("Courant number 1: no elastic block on linear functions gains energy", "[limit]") {
   CHECK(worst_on_splines<Numerics<LinearGrid, Apic, Usl>>() <= 1.1);
   CHECK(worst_on_splines<Numerics<LinearGrid, Flip, Usl>>() <= 1.1);
   CHECK(worst_on_splines<Numerics<LinearGrid, Apic, Musl>>() <= 1.1);
@@ -257,7 +257,7 @@ double worst_on_simplices(double speed, unsigned count) {
 // Of points that hardly move in their cells the two energies belong to one time, and their sum does not even
 // sway (with a hoop strain it does, which differs from point to point: its half step is the cell's mean).
 // Where points cross cells the gradient that they give to the grid changes.
-TEST_CASE("Courant number 1: no free elastic block on simplices gains energy in FLIP with MUSL") {
+TEST_CASE("Courant number 1: no free elastic block on simplices gains energy in FLIP with MUSL", "[limit]") {
   CHECK(worst_on_simplices<PlaneStrain>(1e-4, 20) <= 1.01);
   CHECK(worst_on_simplices<Axisymmetric>(1e-4, 20) <= 1.1);
   CHECK(worst_on_simplices<ThreeDimensional>(1e-4, 2) <= 1.01);

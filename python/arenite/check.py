@@ -96,12 +96,12 @@ def _values(scene: Scene, courant: float) -> Iterator[Tuple[str, str, float]]:
     if recipes["contact"] is not None and len(moduli) > 1:
         ratio = max(moduli.values()) / min(moduli.values())
         yield "stiffest body over the softest", "stiffness_ratio", ratio
-    for name, rigid in zip(scene.rigids, recipes["rigids"]):
+    for named, rigid in zip(scene.rigids, recipes["rigids"]):
         mass = getattr(rigid.motion, "mass", None)
         if mass is not None:
-            yield f"rigid {name}: mass over that of all matter", "mass_ratio", float(mass) / matter
+            yield f"rigid {named}: mass over that of all matter", "mass_ratio", float(mass) / matter
         if np.isfinite(rigid.friction):
-            yield f"rigid {name}: friction, deg", "contact_friction", float(np.degrees(rigid.friction))
+            yield f"rigid {named}: friction, deg", "contact_friction", float(np.degrees(rigid.friction))
     yield "Courant number", "courant", courant
 
 
@@ -110,7 +110,7 @@ def _own_classes(scene: Scene) -> List[str]:
     not_chosen = {"Scene", "Numerics", "Bodies", "Fill", "Rigid", "TrackEnergy", "Reactions", "AnyFriction", "ConstantFriction", "ConstantStiffness",
                   "ForgetsOpening", "NoAntiLocking"}
     policies = [fill.law.value().get("friction_law", {}).get("policy") for fill in scene._recipes["bodies"]]
-    words = re.findall(r"[A-Za-z]\w*", scene.composition) + [p for p in policies if p]
+    words = [*re.findall(r"[A-Za-z]\w*", scene.composition), *scene._recipes["numerics"].kinds(), *(p for p in policies if p)]
     return [w for w in dict.fromkeys(words) if w not in not_chosen and not w.startswith(("Any", "Constant"))]
 
 

@@ -48,7 +48,7 @@ QUANTITIES = {  # name: (meaning, unit, logarithmic axis in the picture or None)
     "gravity": ("gravity", "m/s2", None),
     "speed": ("greatest speed at the start", "m/s", None),
     "mach": ("speed over that of pressure waves", "-", True),
-    "weight": ("weight of ten cells over the stiffness, rho g (10 h) / M", "-", True),
+    "weight": ("weight of ten cells over stiffness, 10 rho g h / M", "-", True),
     "courant": ("Courant number", "-", False),
     "per_cell": ("most points in a cell at the start", "-", True),
     "thinnest": ("smallest cell over the edge drawn", "-", False),
@@ -67,7 +67,7 @@ class Scene:
         self.line, self.ending = (figures, draw), ending if ending in ENDINGS else "fault"
         self.fault = ending
         figures, _, self.message = figures.partition(" | ")
-        self.classes = classes(kind[0]) if kind else set()
+        self.classes = classes(kind[0]) if kind and kind[0] else set()
         self.is_float = bool(kind) and re.search(r"(Grid|Mesh)<\d, float>", kind[0]) is not None
         self.values = self.quantities(numbers(figures), numbers(draw)) if self.classes else {}
 
@@ -97,6 +97,8 @@ def numbers(text):
 def classes(kind):
     """Classes of GROUPS that a scene's type names, as the compiler writes it: an argument that is the default may be left out."""
     words = {ALIASES.get(w, w) for w in re.findall(r"\w+", kind)}
+    usual = {"transfer": "Flip", "stress update": "Musl"}
+    words |= {name for group, name in usual.items() if not words & set(GROUPS[group].split())}
     if "Rigid" in words and not words & set(CONTACTS):
         words.add("RigidVelocity")
     return words & {name for names in GROUPS.values() for name in names.split()}
@@ -112,6 +114,9 @@ def cause(scene):
     limit = re.match(r"(\w+) = \S+ \(([^,)]*)", said)
     if limit:
         return f"watch: {limit[1]} ({limit[2]})"
+    rule = re.match(r"([\w.: ]+) = (?:\([^)]*\)|[^:]*): (.*)", said)
+    if rule:
+        return f"{rule[1]}: {rule[2]}"
     return re.sub(r"\(?-?\d[\d.e+, -]*\)?", ".. ", re.split(r" after |; |: \.|: -", said)[0]).replace("  ", " ").strip()
 
 
@@ -202,8 +207,8 @@ def draw(scenes):
         axis.set_ylabel("share of scenes, %")
     for axis in list(axes.flat)[len(shown):]:
         axis.axis("off")
-    figure.legend(*axes.flat[0].get_legend_handles_labels(), loc="outside lower center" if hasattr(figure, "legends") and
-                  tuple(map(int, matplotlib.__version__.split(".")[:2])) >= (3, 7) else "upper center", ncol=len(ENDINGS), fontsize=9)
+    figure.suptitle(" ")  # room for the legend
+    figure.legend(*axes.flat[0].get_legend_handles_labels(), loc="upper center", ncol=len(ENDINGS), fontsize=9)
     figure.savefig(PICTURE, metadata={"Date": None})
 
 
@@ -227,7 +232,7 @@ def page(scenes):
     lines += [f"| {e} | {x:.2f} | {m} |" for e, x, m in zip(ENDINGS, shares(scenes), meanings)]
     lines += ["", "`arenite.check(scene)` in Python says which parts and values of a scene lie outside of what is on this page.", "",
               "![Shares of the endings by quantity](images/envelope.svg)", "", "(each bar an eighth of the scenes)", "",
-              "## Ranges", "", "| quantity | unit | from | to |", "|---|---|---|---|"]
+              "## Ranges", "", "(of all scenes; the watch had no limits for volume, speed and points that leave, so that points are torn apart or crushed without end)", "", "| quantity | unit | from | to |", "|---|---|---|---|"]
     lines += [f"| {QUANTITIES[q][0]} | {QUANTITIES[q][1]} | {number(a)} | {number(b)} |" for q, (a, b) in of_all.items()]
     lines += ["", "## By part", "", "In % of the scenes that have it.", ""]
     for group, names in GROUPS.items():
@@ -237,7 +242,7 @@ def page(scenes):
         lines += ["", f"In no random scene: {', '.join(left)}.", ""] if left else [""]
     lines += ["## What stopped them", "", "| cause | scenes | median of speed over wave speed | median of weight over stiffness |", "|---|---|---|---|"]
     lines += [f"| {c} | {len(of)} | {number(median(of, 'mach'))} | {number(median(of, 'weight'))} |" for c, of in sorted(stops.items(), key=lambda i: -len(i[1]))]
-    refused = by([s for s in known if s.ending == "refused"], cause)
+    refused = by([s for s in scenes if s.ending == "refused"], cause)
     lines += ["", "Refused as they were made:", "", *(f"- {c}: {len(of)}" for c, of in sorted(refused.items()))]
     lines += ["", "## By composition", ""]
     lines += table("composition", sorted(by(scenes, lambda s: s.composition).items()))
@@ -257,7 +262,7 @@ def page(scenes):
         "numerics": numerics,
         "together": [{"classes": list(names), "scenes": len(of), "endings": {e: round(x, 2) for e, x in zip(ENDINGS, shares(of))}}
                      for names, of in sorted(together.items())]}
-    DATA.write_text(json.dumps(data, indent=1) + "\n")
+    DATA.write_text(json.dumps(data) + "\n")
 
 
 def main(folder, *options):

@@ -1,17 +1,19 @@
 #!/usr/bin/env bash
 # Builds and runs tests. On a fresh Debian it installs what is missing. Safe to repeat; works from any folder.
 #
-#   tests/run.sh [--change | --nightly | --all] [--gcc] [--asan] [--clang] [--python] [--docs] [--format]
+#   tests/run.sh [--change | --nightly | --all] [--gcc] [--asan] [--clang] [--python] [--trade] [--docs] [--format]
 #
 # How much (tests/scopes.cmake has the lists):
 #   no option  g++ Release: the core of each room, one scene of a family, the driver
 #   --change   what a change may break, beside that: the other tests of g++ but the long ones, examples, memory and files under the
 #              sanitizers (clang++), the Python package, the documentation site, the format
-#   --nightly  the rest: long tests, all under the sanitizers, clang++ Release, each header by itself, benchmarks, the driver's second width
+#   --nightly  the rest: long tests, all under the sanitizers, clang++ Release, each header by itself, benchmarks, the driver's second width,
+#              a tenth of the table of errors and costs (docs/trade.md)
 #   --all      all three
 # Stages (options add up; without one, all of what was asked for; without how much, whole stages):
 #   --gcc      g++ Release              --asan     clang++ under the address and undefined-behaviour sanitizers
 #   --clang    clang++ Release          --python   Python package: wheel, clean environment, pytest, mypy
+#   --trade    errors of compositions on problems with a known answer, two sizes of cells, beside the table that docs/trade.md is from
 #   --docs     documentation site, warnings are errors                --format   clang-format
 #
 # Environment: ARENITE_BUILD, where to build (default: build/tests in the checkout).
@@ -28,9 +30,9 @@ scope=
 for option in "$@"; do
   case $option in
     --change | --nightly | --all) scope=${option#--} ;;
-    --gcc | --asan | --clang | --python | --docs | --format) stages+=("${option#--}") ;;
+    --gcc | --asan | --clang | --python | --trade | --docs | --format) stages+=("${option#--}") ;;
     -h | --help) sed -n '2,/^set /{/^set /d;s/^# \{0,1\}//;p}' "${BASH_SOURCE[0]}" && exit ;;
-    *) fail "unknown option $option (known: --change, --nightly, --all, --gcc, --asan, --clang, --python, --docs, --format)" ;;
+    *) fail "unknown option $option (known: --change, --nightly, --all, --gcc, --asan, --clang, --python, --trade, --docs, --format)" ;;
   esac
 done
 if [ ${#stages[@]} -gt 0 ]; then
@@ -39,8 +41,8 @@ else
   case ${scope:=quick} in
     quick) stages=(gcc) ;;
     change) stages=(gcc asan python docs format) ;;
-    nightly) stages=(gcc asan clang) ;;
-    all) stages=(gcc asan clang python docs format) ;;
+    nightly) stages=(gcc asan clang trade) ;;
+    all) stages=(gcc asan clang python trade docs format) ;;
   esac
 fi
 # What is built, and which of it runs: --change and --nightly leave out what those before them run.
@@ -69,7 +71,7 @@ if chosen gcc || chosen clang || chosen asan; then
   need python3-matplotlib "the driver's pictures are drawn"
   need python3-venv "meshio and h5py, in a virtual environment, write and read the files that the readers and writers are tested on"
 fi
-if chosen python; then
+if chosen python || chosen trade; then
   need g++ "the compiler of the package, and of compositions on first use" g++
   need python3-dev "headers of Python" python3-config
   need python3-venv "clean environments"
@@ -155,23 +157,46 @@ if chosen clang; then
   run_stage "clang++ Release" clang -DCMAKE_CXX_COMPILER=clang++ -DCMAKE_BUILD_TYPE=Release -DARENITE_WERROR=ON \
     -DARENITE_BENCHMARKS=OFF -DARENITE_TEST_HEADERS=OFF -DARENITE_TEST_EXTREMES=OFF
 fi
-if chosen python; then
-  printf '\n=== Python\n'
-  start=$SECONDS
-  clean=$build/python
+# package STAGE: the Python package, built as a wheel and installed into a clean environment.
+clean=$build/python
+package() {
+  [ -z "${wheel:-}" ] || return 0
   rm -rf "$clean/env" "$clean/wheel" "$clean/cache"
   mkdir -p "$clean"
   /usr/bin/python3 -m venv "$clean/env"
   pip() { "$clean/env/bin/python" -m pip --quiet --disable-pip-version-check "$@" < /dev/null; }
-  pip wheel --no-deps -w "$clean/wheel" --config-settings build-dir="$clean/build" "$root" || fail "stage Python: the wheel was not built"
+  pip wheel --no-deps -w "$clean/wheel" --config-settings build-dir="$clean/build" "$root" || fail "stage $1: the wheel was not built"
   wheel=$(ls "$clean"/wheel/arenite-*.whl)
-  [ "$(stat -c %s "$wheel")" -le 25000000 ] || fail "stage Python: $wheel is larger than 25 MB"
-  pip install "$wheel" -r "$root/python/tests/requirements.txt" || fail "stage Python: the wheel was not installed"
+  [ "$(stat -c %s "$wheel")" -le 25000000 ] || fail "stage $1: $wheel is larger than 25 MB"
+  pip install "$wheel" -r "$root/python/tests/requirements.txt" || fail "stage $1: the wheel was not installed"
+}
+if chosen python; then
+  printf '\n=== Python\n'
+  start=$SECONDS
+  package Python
   # From another folder, so that the installed package is tested.
   (cd "$clean" && ARENITE_CACHE="$clean/cache" "$clean/env/bin/python" -m pytest -q -n "$jobs" --dist loadfile "$root/python/tests" < /dev/null) ||
     fail "stage Python: tests failed"
   (cd "$root" && "$clean/env/bin/python" -m mypy < /dev/null) || fail "stage Python: types do not fit"
   summary+=("Python: wheel of $(($(stat -c %s "$wheel") / 1000000)) MB, built, installed, tested ($((SECONDS - start)) s)")
+fi
+if chosen trade; then
+  printf '\n=== trade\n'
+  start=$SECONDS
+  package trade
+  rm -rf "$build/trade"
+  trade() {
+    ARENITE_CACHE="$clean/cache" "$clean/env/bin/python" "$root/benchmarks/trade/trade.py" --only "$1" --out "$build/trade/$1" "${@:2}" < /dev/null
+  }
+  for problem in "$root"/benchmarks/trade/problems/*.py; do
+    while [ "$(jobs -r | wc -l)" -ge "$jobs" ]; do wait -n || fail "stage trade: a problem was not solved"; done
+    trade "$(basename "$problem" .py)" --quick > /dev/null 2>&1 &
+  done
+  wait
+  for problem in "$root"/benchmarks/trade/problems/*.py; do
+    trade "$(basename "$problem" .py)" --compare || fail "stage trade: errors are not those of benchmarks/trade/rows.csv"
+  done
+  summary+=("trade: errors as in benchmarks/trade/rows.csv ($((SECONDS - start)) s)")
 fi
 if chosen docs; then
   printf '\n=== documentation\n'

@@ -57,12 +57,13 @@ def begin_with(scene, velocity, cell):
         body.column(path.removeprefix("bodies/0/points/"))[:] = (velocity(x + d) - velocity(x - d))[:, "xy".index(component)] / (2e-6 * cell)
 
 
-def elastic_scene(composition, time, lower, upper, cell, per_cell, region, law, walls=None, gravity=(0, 0), velocity=None, damping=0.0):
-    """A body in plane strain, of a composition that all elastic problems share. `velocity`: of positions [n, 2]; points
-    that carry a velocity gradient begin with its."""
+def elastic_scene(composition, time, lower, upper, cell, per_cell, region, law, walls=None, gravity=(0, 0), velocity=None, damping=0.0,
+                  parts=()):
+    """A body in plane strain, of a composition that all elastic problems share but for more `parts`. `velocity`: of positions [n, 2];
+    points that carry a velocity gradient begin with its."""
     scene = ar.Scene(ar.PlaneStrain(), mesh(composition, lower, upper, cell), composition.numerics(time), energy=False,
                      bodies=[ar.fill("body", region, law, per_cell=per_cell, velocity=velocity or (0.0, 0.0), exact_volume=False)],
-                     walls=walls or [corner(lower)], gravity=gravity, parts=[ar.LocalDamping(factor=damping), IDS])
+                     walls=walls or [corner(lower)], gravity=gravity, parts=[*parts, ar.LocalDamping(factor=damping), IDS])
     if velocity:
         begin_with(scene, velocity, cell)
     return scene

@@ -46,7 +46,8 @@ class Composition:
         return (3, (1, 6)) if not self.on_grid() else (4, ()) if self.shape == "uGIMP" else (4, (1, 9))
 
 
-#: The quick table: those that share a body's law and parts compile once for all problems.
+#: In full, and `MORE` on two sizes of cells. Those that share a body's law and parts compile once for all problems; numbers of a transfer
+#: (PIC's, a time) need no compiler of their own.
 BASE = [Composition(*words) for words in (
     ("linear", "FLIP", "MUSL"), ("linear", "APIC", "USL"), ("uGIMP", "FLIP", "MUSL"),
     ("quadratic", "FLIP", "MUSL"), ("quadratic", "FLIP", "USL"), ("quadratic", "FLIP", "USF"), ("quadratic", "FLIP, time", "MUSL"),
@@ -54,6 +55,13 @@ BASE = [Composition(*words) for words in (
     ("quadratic", "FMPM(4)", "USL"), ("cubic", "FLIP", "MUSL"), ("cubic", "APIC", "USL"),
     ("triangles", "FLIP", "MUSL"), ("triangles", "TPIC", "USL"), ("triangles", "FLIP", "MUSL", "nodal"),
     ("triangles", "FLIP", "MUSL", "nodal and element"))]
+MORE = [Composition(*words) for words in (
+    ("linear", "PIC", "MUSL"), ("linear", "FLIP, time", "MUSL"), ("linear", "FLIP", "USL"), ("uGIMP", "FLIP, time", "MUSL"),
+    ("uGIMP", "FLIP", "USL"), ("uGIMP", "APIC", "USL"), ("quadratic", "PIC", "MUSL"), ("quadratic", "PIC", "USL"),
+    ("quadratic", "FLIP, time", "USL"), ("quadratic", "FLIP, time", "USF"), ("quadratic", "AFLIP", "MUSL"), ("quadratic", "XPIC(2)", "MUSL"),
+    ("quadratic", "XPIC(2), time", "USL"), ("quadratic", "FMPM(4), time", "USL"), ("cubic", "PIC", "MUSL"), ("cubic", "FLIP, time", "MUSL"),
+    ("cubic", "FLIP", "USL"), ("cubic", "AFLIP", "USL"), ("triangles", "PIC", "MUSL"), ("triangles", "FLIP, time", "MUSL"),
+    ("triangles", "FLIP", "USL"), ("triangles", "FLIP, time", "MUSL", "nodal"), ("triangles", "FLIP, time", "MUSL", "nodal and element"))]
 
 
 def every():

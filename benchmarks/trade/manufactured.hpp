@@ -1,30 +1,39 @@
-// Body force of a manufactured solution of a neo-Hookean solid (examples/extend/laws/neo_hookean.hpp), as a function of place and time: the
-// derivation stands in tests/support/manufactured.hpp.
+// Body forces of manufactured solutions of a neo-Hookean solid (examples/extend/laws/neo_hookean.hpp), as functions of place and time.
 #pragma once
 #include <arenite/arenite.hpp>
 
-/// A part that loads the points of the first body. Moduli over the density, m2/s2.
+namespace manufactured {
+using V = arenite::Vec<double, 2>;
+using arenite::pi;
+
+/// Loads the points of the first body with an acceleration, m/s2, of a position.
+template <class Scene, class At>
+void accelerate(Scene& scene, At&& at) {
+  const auto& points = scene.body().points;
+  for (std::size_t p = 0; p < points.size(); ++p) {
+    const typename Scene::Shape::template Cell<typename Scene::Mesh> cell(scene.mesh, points.cell[p]);
+    const auto w = cell.weights(points.position[p]);
+    const V f = points.mass[p] * at(V(points.position[p]));
+    for (int i = 0; i < w.size(); ++i)
+      scene.fields[0].sums[cell.nodes[static_cast<std::size_t>(i)]].add_force(w[i] * f);
+  }
+}
+}  // namespace manufactured
+
+/// Axis-aligned displacements in a unit square: the derivation stands in tests/support/manufactured.hpp.
 struct ManufacturedForce {
-  double amplitude = 0;  ///< m, of axis-aligned displacements in a unit square
-  double shear = 0, lame = 0;
+  double amplitude = 0;        ///< m
+  double shear = 0, lame = 0;  ///< moduli over the density, m2/s2
 
   template <class Scene>
-  void add_force(Scene& scene, double) {
-    const auto& points = scene.body().points;
-    for (std::size_t p = 0; p < points.size(); ++p) {
-      const typename Scene::Shape::template Cell<typename Scene::Mesh> cell(scene.mesh, points.cell[p]);
-      const auto w = cell.weights(points.position[p]);
-      const V f = points.mass[p] * stretching(points.position[p], scene.time);
-      for (int i = 0; i < w.size(); ++i)
-        scene.fields[0].sums[cell.nodes[static_cast<std::size_t>(i)]].add_force(w[i] * f);
-    }
+  void add_force(Scene& scene, double) const {
+    manufactured::accelerate(scene, [&](const V& x) { return at(x, scene.time); });
   }
 
  private:
-  using V = arenite::Vec<double, 2>;
-  static constexpr double pi = arenite::pi;
-
-  V stretching(const V& x, double t) const {
+  using V = manufactured::V;
+  static constexpr double pi = manufactured::pi;
+  V at(const V& x, double t) const {
     V moved, f, b;
     for (int a = 0; a < 2; ++a) {
       const double s = (a == 0 ? amplitude : -amplitude) * std::sin(pi * t);
@@ -38,5 +47,31 @@ struct ManufacturedForce {
     for (int a = 0; a < 2; ++a)
       b[a] = pi * pi * moved[a] * (shear - 1 - (lame * (k - 1) - shear) / (f[a] * f[a]));
     return b;
+  }
+};
+
+/// Each radius R of a ring turns by the angle g(t) h(R), h = (1 - 16 (R - 1)^2)^2, g = amplitude sin(pi t). With the shear
+/// gamma = R g h' and J = 1 the stresses of the solid are s_rt = mu gamma, s_tt = mu gamma^2 and s_rr = 0 in the axes of the radius,
+/// and balance of momentum gives b_r = c gamma^2 / R - R (g' h)^2, b_t = R g'' h - c (gamma' + 2 gamma / R), c = mu / density.
+struct VortexForce {
+  double amplitude = 0;  ///< rad
+  double shear = 0;      ///< modulus over the density, m2/s2
+
+  template <class Scene>
+  void add_force(Scene& scene, double) const {
+    manufactured::accelerate(scene, [&](const V& x) { return at(x, scene.time); });
+  }
+
+ private:
+  using V = manufactured::V;
+  static constexpr double pi = manufactured::pi;
+  V at(const V& x, double t) const {
+    const double r = x.norm(), d = r - 1, q = 1 - 16 * d * d;
+    const double h = q * q, slope = -64 * d * q, curve = -64 * q + 2048 * d * d;
+    const double g = amplitude * std::sin(pi * t), rate = amplitude * pi * std::cos(pi * t) * h;
+    const double gamma = r * g * slope;
+    const double radial = shear * gamma * gamma / r - r * rate * rate;
+    const double along = -r * pi * pi * g * h - shear * (g * slope + r * g * curve + 2 * gamma / r);
+    return (radial * x + along * V(-x[1], x[0])) / r;
   }
 };

@@ -17,7 +17,7 @@ if(PROJECT_VERSION_MAJOR EQUAL 0)
 endif()
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/arenite-config-version.cmake
                                  COMPATIBILITY ${compatibility} ARCH_INDEPENDENT)
-install(FILES ${PROJECT_SOURCE_DIR}/cmake/compiled.cmake ${PROJECT_SOURCE_DIR}/cmake/hdf5.cmake
+install(FILES ${PROJECT_SOURCE_DIR}/cmake/compiled.cmake ${PROJECT_SOURCE_DIR}/cmake/hdf5.cmake ${PROJECT_SOURCE_DIR}/cmake/mpi.cmake
               ${PROJECT_BINARY_DIR}/arenite-config.cmake ${PROJECT_BINARY_DIR}/arenite-config-version.cmake
         DESTINATION ${package_dir} COMPONENT library)
 

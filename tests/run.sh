@@ -68,6 +68,7 @@ if chosen gcc || chosen clang || chosen asan; then
   need dpkg-dev "the driver's Debian package lists the libraries that it needs" dpkg-shlibdeps
   need qemu-user "a program runs on a processor without AVX" qemu-x86_64
   need libhdf5-dev "states and series in HDF5 files"
+  need libopenmpi-dev "tiles on many ranks, and their tests" mpicxx
   need python3-matplotlib "the driver's pictures are drawn"
   need python3-venv "meshio and h5py, in a virtual environment, write and read the files that the readers and writers are tested on"
 fi

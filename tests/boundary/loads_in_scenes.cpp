@@ -1,7 +1,8 @@
 // Loads as parts of scenes: their work, the same bits on threads and after a restored state, portions of a
 // mesh, and what is refused. Functions of time.
+#include <arenite/tiles.hpp>
+
 #include "catch.hpp"
-#include "joined_scenes.hpp"
 #include "loaded_bar.hpp"
 #include "message.hpp"
 #include "state_buffer.hpp"
@@ -207,35 +208,16 @@ TEST_CASE("Portions of a mesh bear every kind of load as the whole does") {
     for (const Index i : cell) x += data.nodes[i][0] / 3;
     owner.push_back(x < 0.5 ? 0 : 1);
   }
-  std::vector<SimplexMesh<2>> meshes;
-  std::vector<MeshPortion<2>> portions;
-  for (int k = 0; k < 2; ++k) {
-    auto [mesh, portion] = split_mesh(data, owner, k);
-    meshes.push_back(SimplexMesh<2>(mesh));
-    portions.push_back(portion);
-  }
-  test::Table<2> table(portions);
-  const auto scene_on = [&](std::size_t k) {
-    return loaded(meshes[k], numerics, on_portion(portions[k], test::Joined<2>(table, k)));
-  };
-  std::vector scenes{scene_on(0), scene_on(1)};
+  OneRank here;
+  auto tiled = distribute(here, data, {.tile = owner},
+                          [&](auto mesh, auto portion) { return loaded(mesh, numerics, portion); });
   std::array<Sums, 2> found;
-  std::array<std::string, 2> thrown;
-  std::vector<std::thread> threads;
-  for (std::size_t s = 0; s < 2; ++s)
-    threads.emplace_back([&, s] {
-      try {
-        for (int k = 0; k < steps; ++k) step(scenes[s], dt);
-        found[s] = sums(scenes[s]);
-      } catch (const std::exception& e) {
-        scenes[s].communicator().fail(e.what());
-        thrown[s] = e.what();
-      }
-    });
-  for (auto& thread : threads) thread.join();
+  tiled.together([&](auto& scene) {
+    for (int k = 0; k < steps; ++k) step(scene, dt);
+    found[static_cast<std::size_t>(scene.portion().number)] = sums(scene);
+  });
   for (std::size_t s = 0; s < 2; ++s) {
-    CAPTURE(s, thrown[s], expected.external, found[s].external);
-    CHECK(thrown[s] == "");
+    CAPTURE(s, expected.external, found[s].external);
     CHECK((found[s].momentum - expected.momentum).norm() <= 1e-11 * expected.momentum.norm());
     CHECK((found[s].wall - expected.wall).norm() <= 1e-11 * expected.wall.norm());
     CHECK(std::abs(found[s].external / expected.external - 1) <= 1e-11);

@@ -1,5 +1,5 @@
 # cmake -D root=FOLDER -P check_rooms.cmake: no include runs back against the order of the rooms (the line `core < ..` of
-# docs/design.md; `io` takes core, geometry and mesh, `observe` and `run` take io), and no room uses what another one has in `detail`. Each header names the licence.
+# docs/design.md; `io` takes core, geometry and mesh, `observe`, `run` and `tiles` take io), and no room uses what another one has in `detail`. Each header names the licence.
 file(STRINGS ${root}/docs/design.md order REGEX "^core < ")
 string(REPLACE " < " ";" order "${order}")
 set(rooms ${order} io)
@@ -19,7 +19,7 @@ foreach(room IN LISTS rooms)
     list(TRANSFORM includes REPLACE ".*/([a-z]+)/$" "\\1")
     foreach(other IN LISTS includes)
       list(FIND order ${other} other_place)
-      if((room STREQUAL io AND NOT other MATCHES "^(io|core|geometry|mesh)$") OR (other STREQUAL io AND NOT room MATCHES "^(io|observe|run)$")
+      if((room STREQUAL io AND NOT other MATCHES "^(io|core|geometry|mesh)$") OR (other STREQUAL io AND NOT room MATCHES "^(io|observe|run|tiles)$")
          OR (other_place GREATER place AND NOT room STREQUAL io))
         list(APPEND wrong "${header} includes a header of ${other}")
       endif()

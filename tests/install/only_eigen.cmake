@@ -1,7 +1,7 @@
-# Configures `source` without Catch2, CLI11, nlohmann-json, Google Benchmark and HDF5, installs it unbuilt, and checks that the
+# Configures `source` without Catch2, CLI11, nlohmann-json, Google Benchmark, HDF5 and MPI, installs it unbuilt, and checks that the
 # headers are there; then that ARENITE_REQUIRE_ALL refuses the same.
 set(without)
-foreach(package Catch2 CLI11 nlohmann_json benchmark HDF5)
+foreach(package Catch2 CLI11 nlohmann_json benchmark HDF5 MPI)
   list(APPEND without -DCMAKE_DISABLE_FIND_PACKAGE_${package}=ON)
 endforeach()
 file(REMOVE_RECURSE ${build} ${build}_strict)

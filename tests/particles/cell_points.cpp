@@ -90,7 +90,7 @@ TEST_CASE("points as far apart along all axes of a cell of a grid") {
   REQUIRE((points[0] - Vec<double, 2>(0.0625, 1. / 12)).norm() < 1e-15);
   for (Index c = 0; c < grid.cell_count(); ++c) {
     auto moved = initial_points(grid, c, 9, true);
-    jitter_points(grid, c, 1, 7, moved, 9, true);
+    jitter_points(grid, c, c, 1, 7, moved, 9, true);
     for (const auto& x : moved) REQUIRE(grid.walk(x) == c);
   }
 }

@@ -1,10 +1,9 @@
 // Scenes over the portions of a mesh that exchange what they share go the way of one over the whole.
 #include <arenite/arenite.hpp>
+#include <arenite/tiles.hpp>
 #include <map>
-#include <memory>
 
 #include "catch.hpp"
-#include "joined_scenes.hpp"
 #include "meshes.hpp"
 
 using namespace arenite;
@@ -28,46 +27,28 @@ std::vector<int> slabs(const MeshData<2>& data, int count) {
   return owner;
 }
 
-/// Scenes over portions, made by `make(mesh, on_portion(..))`.
-template <class S>
-struct Portions {
-  template <class Make>
-  Portions(const MeshData<2>& data, int count, Make&& make) {
-    std::vector<SimplexMesh<2>> meshes;
-    std::vector<MeshPortion<2>> portions;
-    for (int k = 0; k < count; ++k) {
-      auto [mesh, portion] = split_mesh(data, slabs(data, count), k);
-      meshes.push_back(SimplexMesh<2>(mesh));
-      portions.push_back(portion);
-    }
-    table = std::make_unique<test::Table<2>>(portions);
-    for (std::size_t k = 0; k < portions.size(); ++k)
-      scenes.push_back(make(meshes[k], on_portion(portions[k], test::Joined<2>(*table, k))));
-  }
-  std::unique_ptr<test::Table<2>> table;
-  std::vector<S> scenes;
-};
+/// Scenes over slabs, in this process.
 template <class Make>
-auto portions_of(const MeshData<2>& data, int count, Make&& make) {
-  using S = decltype(make(SimplexMesh<2>(data), std::declval<OnPortion<MeshPortion<2>, test::Joined<2>>>()));
-  return Portions<S>(data, count, make);
+auto portions_of(Ranks& ranks, const MeshData<2>& data, int count, Make&& make) {
+  return distribute(ranks, data, {.tile = slabs(data, count)}, make);
 }
 
-/// Calls `f(scene)` for each scene in a thread of its own. Returns what they threw.
+/// Calls `f(scene)` for all tiles at once. Returns what they threw.
 template <class S, class F>
-std::vector<std::string> all_together(std::vector<S>& scenes, F&& f) {
-  std::vector<std::string> thrown(scenes.size());
-  std::vector<std::thread> threads;
-  for (std::size_t k = 0; k < scenes.size(); ++k)
-    threads.emplace_back([&, k] {
-      try {
-        f(scenes[k]);
-      } catch (const std::exception& e) {
-        scenes[k].communicator().fail(e.what());
-        thrown[k] = e.what();
-      }
-    });
-  for (auto& thread : threads) thread.join();
+std::vector<std::string> all_together(Tiled<S>& tiled, F&& f) {
+  std::vector<std::string> thrown(tiled.tiles_here());
+  const auto told = [&](S& scene) {
+    try {
+      f(scene);
+    } catch (const std::exception& e) {
+      thrown[static_cast<std::size_t>(scene.portion().number)] = e.what();
+      throw;
+    }
+  };
+  try {
+    tiled.together(told);
+  } catch (const run_error&) {
+  }
   return thrown;
 }
 
@@ -115,12 +96,12 @@ void check(const MeshData<2>& data, int count, int steps, Make&& make) {
   auto whole = make(SimplexMesh<2>(data));
   Places places;
   places.number(whole);
-  auto portions = portions_of(data, count, make);
-  auto& scenes = portions.scenes;
-  for (auto& scene : scenes) places.number(scene);
+  OneRank here;
+  auto tiled = portions_of(here, data, count, make);
+  tiled.for_each_tile([&](auto& scene) { places.number(scene); });
   REQUIRE(places.size() == whole.point_count());
   std::size_t in_portions = 0;
-  for (const auto& scene : scenes) in_portions += scene.point_count();
+  tiled.for_each_tile([&](const auto& scene) { in_portions += scene.point_count(); });
   REQUIRE(in_portions == whole.point_count());
   double end = 0;
   for (int k = 0; k < steps; ++k) {
@@ -128,9 +109,9 @@ void check(const MeshData<2>& data, int count, int steps, Make&& make) {
     step(whole, dt);
     end += dt;
   }
-  std::vector<Energies> balance(scenes.size());
-  std::vector<double> impulse(scenes.size());
-  const auto thrown = all_together(scenes, [&](auto& scene) {
+  std::vector<Energies> balance(tiled.tiles_here());
+  std::vector<double> impulse(tiled.tiles_here());
+  const auto thrown = all_together(tiled, [&](auto& scene) {
     for (int k = 0; k < steps; ++k) step(scene, 0.4 * scene.communicator().least(stable_step(scene)));
     const auto number = static_cast<std::size_t>(scene.portion().number);
     if constexpr (tracks_energy<decltype(whole)>) balance[number] = energies(scene);
@@ -143,10 +124,10 @@ void check(const MeshData<2>& data, int count, int steps, Make&& make) {
   whole.for_each_body([&](auto& body, auto&) {
     point = std::max(point, body.points.bytes_per_point() + 2 * sizeof(std::uint64_t));
   });
-  CHECK(portions.table->bytes > 20 * point);
+  CHECK(tiled.shared().migrated_bytes() > 20 * point);
   Numbers expected, found;
   collect(whole, expected);
-  for (auto& scene : scenes) {
+  tiled.for_each_tile([&](auto& scene) {
     CHECK(scene.time == Approx(end).epsilon(1e-13));
     collect(scene, found);
     if constexpr (decltype(whole)::rigid_count > 0) {
@@ -163,7 +144,7 @@ void check(const MeshData<2>& data, int count, int steps, Make&& make) {
         CHECK(std::abs(alone.angular_impulse[0]) > 1);
       }
     }
-  }
+  });
   REQUIRE(expected.size() == found.size());
   std::vector<double> scale, worst;
   for (const auto& [id, numbers] : expected) {
@@ -178,7 +159,7 @@ void check(const MeshData<2>& data, int count, int steps, Make&& make) {
     CAPTURE(k, worst[k], scale[k]);
     CHECK(worst[k] <= 1e-12 * scale[k]);
   }
-  for (std::size_t s = 0; s < scenes.size(); ++s) {
+  for (std::size_t s = 0; s < tiled.tiles_here(); ++s) {
     CHECK(impulse[s] == Approx(whole.wall_impulse[1]).epsilon(1e-12));
     if constexpr (tracks_energy<decltype(whole)>) {
       const auto e = energies(whole);
@@ -294,18 +275,24 @@ TEST_CASE(
                  portion...};
   };
   const auto outcome = [&](const Vec<double, 2>& place) {
-    auto portions = portions_of(data, 2, make);
-    auto& scenes = portions.scenes;
-    CHECK(scenes[1].point_count() == 0);
-    scenes[0].body().points.position.set(0, place);
-    auto thrown = all_together(scenes, [](auto& scene) { run(scene, {.end = 1e-3}); });
-    return std::pair{thrown, scenes[0].body().lost};
+    OneRank here;
+    auto tiled = portions_of(here, data, 2, make);
+    std::vector<std::size_t> points;
+    tiled.for_each_tile([&](auto& scene) {
+      points.push_back(scene.point_count());
+      if (scene.portion().number == 0) scene.body().points.position.set(0, place);
+    });
+    CHECK(points[1] == 0);
+    auto thrown = all_together(tiled, [](auto& scene) { run(scene, {.end = 1e-3}); });
+    std::size_t lost = 0;
+    tiled.for_each_tile([&](const auto& scene) { lost += scene.lost_points(); });
+    return std::pair{thrown, lost};
   };
   const auto [fine, lost] = outcome({-0.02, 0.01});
   CHECK(fine == std::vector<std::string>{"", ""});
   CHECK(lost == 1);
   const auto [beyond, none_lost] = outcome({0.8, 0.3});
   CHECK_THAT(beyond[0], Catch::Matchers::Contains("beyond its ghost cells"));
-  CHECK_THAT(beyond[1], Catch::Matchers::StartsWith("another portion failed"));
+  CHECK_THAT(beyond[1], Catch::Matchers::StartsWith("tile 0 failed: "));
   CHECK(none_lost == 0);
 }

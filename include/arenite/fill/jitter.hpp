@@ -52,7 +52,7 @@ Vec<double, D + 1> random_in_simplex(RandomAt& random) {
 
 /// `jitter_points` in a simplex.
 template <class M>
-void jitter_in_simplex(const M& mesh, Index cell, double share, std::uint64_t seed,
+void jitter_in_simplex(const M& mesh, Index cell, std::uint64_t number, double share, std::uint64_t seed,
                        Places<typename M::Point>& points) {
   using T = typename M::scalar;
   constexpr int D = M::dimension;
@@ -61,7 +61,7 @@ void jitter_in_simplex(const M& mesh, Index cell, double share, std::uint64_t se
     size = std::min(size, (D + 1) * static_cast<double>(mesh.barycentric(cell, x).minCoeff()));
   const auto scale = static_cast<T>(share * size);
   for (std::size_t p = 0; p < points.size(); ++p) {
-    RandomAt random(seed, cell, p);
+    RandomAt random(seed, number, p);
     const auto b = random_in_simplex<D>(random);
     for (int k = 0; k <= D; ++k)
       points[p] += scale * static_cast<T>(b[k] - 1.0 / (D + 1)) *
@@ -74,19 +74,19 @@ void jitter_in_simplex(const M& mesh, Index cell, double share, std::uint64_t se
 /// Moves the initial points of a cell at random, each as likely to any place in its sub-cell, times `share`
 /// from 0 to 1. On a grid that is its part of the lattice, of so many points along each axis (`even`: see
 /// `initial_points`); in a simplex a copy of it about the point, as large as keeps all points in the cell.
-/// The points do not depend on the machine, nor on the order of the cells.
+/// `number`: of the cell in the whole mesh. The points do not depend on the machine, nor on the order of the cells.
 template <class T, int D>
-void jitter_points(const CellBox<T, D>& box, Index cell, double share, std::uint64_t seed,
+void jitter_points(const CellBox<T, D>& box, std::uint64_t number, double share, std::uint64_t seed,
                    Places<Vec<T, D>>& points, int per_cell, bool even);
 template <class M>
-void jitter_points(const M& mesh, Index cell, double share, std::uint64_t seed,
+void jitter_points(const M& mesh, Index cell, std::uint64_t number, double share, std::uint64_t seed,
                    Places<typename M::Point>& points, [[maybe_unused]] int per_cell,
                    [[maybe_unused]] bool even = false) {
   if (share == 0) return;
   if constexpr (is_simplex_mesh<M>)
-    detail::jitter_in_simplex(mesh, cell, share, seed, points);
+    detail::jitter_in_simplex(mesh, cell, number, share, seed, points);
   else
-    jitter_points(cell_box(mesh, cell), cell, share, seed, points, per_cell, even);
+    jitter_points(cell_box(mesh, cell), number, share, seed, points, per_cell, even);
 }
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -29,9 +29,9 @@ std::vector<double> pvd_times(const std::filesystem::path& path);
 
 /// What stays of a series `path`, with frames at the times `earlier`, s, under the name of a run that begins
 /// at `time`, s: the frames before that, if the run goes on with them (`resumed`). A run that begins anew
-/// replaces them, with a warning; one that begins behind their first is hardly meant to: throws `error`.
+/// replaces them, with a warning (`warns`: of one of those who ask); one that begins behind their first is hardly meant to: throws `error`.
 std::vector<double> kept_times(const std::filesystem::path& path, const std::vector<double>& earlier,
-                               double time, bool resumed);
+                               double time, bool resumed, bool warns = true);
 
 /// A series that grows with a run: the list on disk is complete and readable after each step.
 class PvdWriter {

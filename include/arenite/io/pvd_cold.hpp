@@ -51,19 +51,21 @@ ARENITE_COLD std::vector<double> pvd_times(const std::filesystem::path& path) {
 }
 
 ARENITE_COLD std::vector<double> kept_times(const std::filesystem::path& path,
-                                            const std::vector<double>& earlier, double time, bool resumed) {
+                                            const std::vector<double>& earlier, double time, bool resumed,
+                                            bool warns) {
   if (earlier.empty()) return {};
   const std::string file = path.string();
   const auto end = std::lower_bound(earlier.begin(), earlier.end(), time);
   const std::string holds =
       joined_text({"series = ", file, ": holds ", earlier.size(),
                    " frames of an earlier run, t = ", earlier.front(), " to ", earlier.back(), " s"});
-  if (end == earlier.begin())
-    warn(joined_text({holds, ", which are replaced (another prefix keeps them)"}));
-  else if (!resumed)
+  if (end == earlier.begin()) {
+    if (warns) warn(joined_text({holds, ", which are replaced (another prefix keeps them)"}));
+  } else if (!resumed) {
     throw error(joined_text({holds, ", which this one, from t = ", time,
                              " s on, would replace: to go on with them say resumed, else remove ",
                              file.substr(file.rfind('/') + 1), " or take another prefix"}));
+  }
   return {earlier.begin(), end};
 }
 

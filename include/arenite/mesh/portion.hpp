@@ -93,12 +93,13 @@ OnPortion<MeshPortion<D>, Communicator> on_portion(MeshPortion<D> portion, Commu
   return {std::move(portion), std::move(communicator)};
 }
 
-/// `owns(cell)`: whether a portion holds the points of a cell.
+/// `owns(cell)`: whether a portion holds the points of a cell; `number(cell)`: its number in the whole mesh.
 template <int D>
 struct OwnedCells {
   static constexpr bool is_whole = false;
   const MeshPortion<D>& portion;
   bool operator()(Index c) const { return portion.owns_cell(c); }
+  std::uint64_t number(Index c) const { return portion.whole_cell[c]; }
 };
 
 namespace detail {

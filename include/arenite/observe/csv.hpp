@@ -43,7 +43,7 @@ inline constexpr int csv_fields<Vec<T, D>> = D;
 
 /// Observer that appends a row at each call: the time, then the columns. Each row goes to the operating
 /// system as a whole, so that the table can be read while the run goes on. A run that goes on from a saved
-/// state goes on with its table.
+/// state goes on with its table. Of scenes over the portions of a mesh all work out a row, and one writes it.
 template <class... F>
 class CsvTable {
  public:
@@ -55,9 +55,10 @@ class CsvTable {
     constexpr bool fits = (std::invocable<F&, const Scene&> && ...);
     static_assert(fits, "csv: a column's value is called with the scene: [](const auto& scene) { .. }");
     if constexpr (fits) {
-      if (!writer_) open<Scene>();
       row_.assign(1, scene.time);
       std::apply([&](auto&... column) { (put(column.value(scene)), ...); }, columns_);
+      if (!speaks_for_all(scene)) return;
+      if (!writer_) open<Scene>();
       writer_->row(row_);
       bytes_ = writer_->bytes();
     }

@@ -241,13 +241,12 @@ struct Energies {
   double lag = 0;  ///< of the residual: what half a step makes (`TrackEnergy::lag`)
 };
 
-/// Needs a scene with `TrackEnergy`. Of a scene over a portion of a mesh: of all portions, through `others`.
+/// Needs a scene with `TrackEnergy`. Of a scene over a portion of a mesh: of all portions, which must all ask.
 template <class Scene>
 Energies energies(const Scene& scene) {
   static_assert(tracks_energy<Scene>, "energies: name TrackEnergy{} among the scene's parts");
   const auto& balance = scene.template part<TrackEnergy>();
-  bool shared = true;
-  if constexpr (Scene::is_portion) shared = scene.communicator().first();
+  const bool shared = speaks_for_all(scene);
   const PartEnergy parts = energy_of_parts(scene, shared);
   Energies e;
   double inserted_strain = 0;

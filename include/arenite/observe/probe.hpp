@@ -68,6 +68,8 @@ std::vector<Index> cells_about(const M& mesh, Index cell) {
 /// outside of the mesh, or if none of its nodes has matter. `probe<"sand">(scene, {0.1, 0.2, 0})`.
 template <Name which = "", class Scene>
 std::optional<Probed<Scene::D>> probe(const Scene& scene, const std::array<double, 3>& place) {
+  static_assert(!Scene::is_portion,
+                "probe: a scene over a portion of a mesh knows only its own part of the matter");
   using T = typename Scene::T;
   using Shape = typename Scene::Shape;
   using Cell = typename Shape::template Cell<typename Scene::Mesh>;

@@ -56,6 +56,7 @@ Vec<double, Scene::D> section_force(const Scene& scene, const Section& section, 
     for (int i = 0; i < D; ++i)
       for (int k = 0; k < D; ++k) force[i] += share * static_cast<double>(stress(i, k)) * normal[k];
   }
+  sum_over(scene.communicator(), force);
   return force;
 }
 
@@ -79,6 +80,10 @@ struct CutNode {
 /// and radial forces in axisymmetry go without the hoop.
 template <Name which = "", class Scene>
 Vec<double, Scene::D> nodal_section_force(const Scene& scene, const Section& section) {
+  static_assert(!Scene::is_portion,
+                "nodal_section_force: a scene over a portion of a mesh knows only its own part of the "
+                "matter; section_force "
+                "sums over all");
   constexpr int D = Scene::D;
   using V = Vec<double, D>;
   using Shape = typename Scene::Shape;

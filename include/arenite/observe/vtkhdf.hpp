@@ -31,6 +31,9 @@ class VtkhdfSeries {
 
   template <class Scene>
   void operator()(const Scene& scene) {
+    static_assert(!Scene::is_portion,
+                  "vtkhdf: scenes over portions of a mesh cannot write one file together: use vtu, whose "
+                  "list has their pieces");
     if (files_.empty()) {
       const std::filesystem::path first = file_of(detail::frame_parts(scene, options_).front());
       steps_ = kept_times(first, vtkhdf_times(first), scene.time, options_.resumed).size();

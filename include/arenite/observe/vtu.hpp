@@ -119,7 +119,7 @@ void for_each_frame_part(const Scene& scene, const VtuOptions& options, F&& f) {
 
 /// Observer that writes the points of each body as PREFIX_body0_0000.vtu, .., the listed parts of the mesh,
 /// and PREFIX.pvd, which ParaView opens as one series. Creates the folder. Use with `every(period,
-/// vtu(prefix))`. Restored with a state, or `resumed`, it goes on with the series; else one of an earlier run
+/// vtu(prefix))`. Of scenes over the portions of a mesh each writes its piece, PREFIX_body0_p2_0000.vtu, and one lists all. Restored with a state, or `resumed`, it goes on with the series; else one of an earlier run
 /// is replaced with a warning, and kept by an `error` if the scene is past its first frame.
 class VtuSeries {
  public:
@@ -127,8 +127,11 @@ class VtuSeries {
 
   template <class Scene>
   void operator()(const Scene& scene) {
+    piece_ = piece_of(scene);
     begin_frame(scene.time, detail::frame_parts(scene, options_));
     detail::for_each_frame_part(scene, options_, [this](const VtuData& data) { write_part(data); });
+    if constexpr (Scene::is_portion)
+      scene.communicator().least(0);  // all pieces are there, and all have read the old list
     end_frame();
   }
 
@@ -140,23 +143,34 @@ class VtuSeries {
   /// Lists the files of an earlier part of the run, which must be there.
   template <class Scene>
   void follow_state(const Scene& scene) {
+    piece_ = piece_of(scene);
     names_ = detail::frame_parts(scene, options_);
     part_ = 0;
-    write_list();
+    if (piece_.number == 0) write_list();
   }
 
  private:
+  /// The part of a frame that this series writes; number 0 writes the list.
+  struct Piece {
+    int number = 0, count = 1;
+  };
+  template <class Scene>
+  static Piece piece_of([[maybe_unused]] const Scene& scene) {
+    if constexpr (Scene::is_portion) return {scene.portion().number, scene.communicator().size()};
+    return {};
+  }
   void begin_frame(double time, detail::VtuNames names);
   void write_part(const VtuData& data);
   void end_frame();
   /// The list of all files of the frames so far, and of the parts of this one.
   void write_list() const;
-  std::string file_of(const std::string& name, std::size_t frame) const;
+  std::string file_of(const std::string& name, std::size_t frame, int piece) const;
 
   std::string prefix_;
   VtuOptions options_;
   std::vector<double> times_;  // [frames] s
 
+  Piece piece_{};
   detail::VtuNames names_;            // of the parts of a frame
   double time_ = 0;                   // of the frame that is being written, s
   std::size_t frame_ = 0, part_ = 0;  // its number; how many parts it has so far

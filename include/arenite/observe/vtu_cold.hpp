@@ -83,8 +83,8 @@ ARENITE_COLD void VtuSeries::begin_frame(double time, detail::VtuNames names) {
   part_ = 0;
   if (times_.empty()) {
     const std::string list = prefix_ + ".pvd";
-    times_ = kept_times(list, pvd_times(list), time, options_.resumed);
-    write_list();
+    times_ = kept_times(list, pvd_times(list), time, options_.resumed, piece_.number == 0);
+    if (piece_.count == 1) write_list();
   }
   time_ = time;
   again_ = !times_.empty() && times_.back() == time;
@@ -92,31 +92,36 @@ ARENITE_COLD void VtuSeries::begin_frame(double time, detail::VtuNames names) {
 }
 
 ARENITE_COLD void VtuSeries::write_part(const VtuData& data) {
-  write_vtu(file_of(names_[part_], frame_), data);
+  write_vtu(file_of(names_[part_], frame_, piece_.number), data);
   ++part_;
-  if (!again_) write_list();
+  if (!again_ && piece_.count == 1) write_list();
 }
 
 ARENITE_COLD void VtuSeries::end_frame() {
   part_ = 0;
-  if (!again_) times_.push_back(time_);
+  if (again_) return;
+  times_.push_back(time_);
+  if (piece_.count > 1 && piece_.number == 0) write_list();
 }
 
 ARENITE_COLD void VtuSeries::write_list() const {
   std::vector<PvdEntry> entries;
   const auto add = [&](double time, std::size_t frame, std::size_t parts) {
+    int number = 0;
     for (std::size_t part = 0; part < parts; ++part)
-      entries.push_back({time, file_of(names_[part], frame), static_cast<int>(part)});
+      for (int piece = 0; piece < piece_.count; ++piece)
+        entries.push_back({time, file_of(names_[part], frame, piece), number++});
   };
   for (std::size_t frame = 0; frame < times_.size(); ++frame) add(times_[frame], frame, names_.size());
   add(time_, frame_, part_);
   write_pvd(prefix_ + ".pvd", entries);
 }
 
-ARENITE_COLD std::string VtuSeries::file_of(const std::string& name, std::size_t frame) const {
+ARENITE_COLD std::string VtuSeries::file_of(const std::string& name, std::size_t frame, int piece) const {
   std::string digits = std::to_string(frame);
   digits.insert(0, digits.size() < 4 ? 4 - digits.size() : 0, '0');
-  return joined_text({prefix_, "_", name, "_", digits, ".vtu"});
+  const std::string of_piece = piece_.count > 1 ? joined_text({"_p", piece}) : "";
+  return joined_text({prefix_, "_", name, of_piece, "_", digits, ".vtu"});
 }
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -4,6 +4,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include <cstddef>
+#include <map>
 #include <span>
 #include <string>
 #include <type_traits>
@@ -25,7 +26,7 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 /// - `least(value)`: the least of the scenes;
 /// - `first()`: true in one of the scenes, which counts what all have;
 /// - `size()`: number of portions;
-/// - `exchange(messages)`: bytes for each portion, which come back as those from each;
+/// - `exchange(messages)`: bytes for portions, which come back as those from portions;
 /// - `fail(what)`: this scene has thrown; a call of the others that waits for it must throw.
 struct Serial {
   static constexpr bool is_serial = true;
@@ -33,13 +34,20 @@ struct Serial {
 };
 inline constexpr Serial serial{};
 
-/// Bytes for each portion of a mesh, or from each.
-using Messages = std::vector<std::string>;
+/// Bytes for portions of a mesh, or from them, by their numbers.
+using Messages = std::map<int, std::string>;
 
 /// All nodes are counted: where a scene has its mesh to itself.
 struct OwnsAll {
   constexpr bool operator()(Index) const { return true; }
 };
+
+/// Whether this scene writes and tells what all have in common: one of them does.
+template <class Scene>
+bool speaks_for_all([[maybe_unused]] const Scene& scene) {
+  if constexpr (Scene::is_portion) return scene.communicator().first();
+  return true;
+}
 
 /// Sums scalars and vectors over the scenes.
 template <class Communicator, class... V>

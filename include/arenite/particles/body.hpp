@@ -124,6 +124,7 @@ void begin_history(Points<T, D, L, E>& points, const FillOptions& options) {
 struct OwnsAllCells {
   static constexpr bool is_whole = true;
   constexpr bool operator()(Index) const { return true; }
+  constexpr std::uint64_t number(Index c) const { return c; }
 };
 
 /// Makes the body of a recipe, with points in the cells that `owns(cell)`; `ground`: of a geostatic stress.
@@ -154,7 +155,7 @@ auto make_body(const M& mesh, const Fill<L, name>& recipe, const Owns& owns = {}
     }
     auto of_cell = initial_points(mesh, c, per_cell, o.even);
     const auto parts = cell_parts(mesh, c, recipe.region, of_cell, per_cell, o.even, filling.clear);
-    jitter_points(mesh, c, o.jitter, o.seed, of_cell, per_cell, o.even);
+    jitter_points(mesh, c, owns.number(c), o.jitter, o.seed, of_cell, per_cell, o.even);
     filling.add_cell(c, mesh.volume(c), of_cell, parts);
     if (!o.exact_volume) add_points();
   }

@@ -21,6 +21,8 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 template <class F>
 class Every {
  public:
+  static constexpr bool refers = std::is_reference_v<F>;  ///< to the caller's observer, which copies share
+
   /// Throws `error` unless period > 0.
   Every(double period, F f) : period_{period}, f_{std::forward<F>(f)} {
     require(period > 0, "every: period", period, "must be positive");

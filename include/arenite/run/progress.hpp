@@ -8,6 +8,7 @@
 
 #include <arenite/core/cold.hpp>
 #include <arenite/core/instruction_set.hpp>
+#include <arenite/parallel/communicator.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
@@ -24,7 +25,7 @@ class Progress {
 
   template <class Scene>
   void operator()(const Scene& scene) {
-    if (terminal_ || tenths_) look(scene.time, scene.steps, scene.time_step);
+    if ((terminal_ || tenths_) && speaks_for_all(scene)) look(scene.time, scene.steps, scene.time_step);
   }
 
   /// What was told and the time spent, for a run that goes on elsewhere.

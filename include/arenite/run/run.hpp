@@ -190,18 +190,23 @@ void run_steps(Scene& scene, const RunOptions& options, Observers&... observers)
 template <class Scene, class... Observers>
 void run(Scene& scene, const RunOptions& options, Observers&&... observers) {
   options.check(scene.time);
+  const auto steps = [&] {
+    if constexpr ((detail::is_watch<std::remove_cvref_t<Observers>> || ...)) {
+      detail::run_steps(scene, options, observers...);
+    } else {
+      OwnWatch watch(scene, options.watch, (detail::settles<std::remove_cvref_t<Observers>> || ...));
+      detail::run_steps(scene, options, observers..., watch);
+    }
+  };
   if constexpr (Scene::is_portion) {
     try {
-      detail::run_steps(scene, options, observers...);
+      steps();
     } catch (const std::exception& e) {
       scene.communicator().fail(e.what());
       throw;
     }
-  } else if constexpr ((detail::is_watch<std::remove_cvref_t<Observers>> || ...)) {
-    detail::run_steps(scene, options, observers...);
   } else {
-    OwnWatch watch(scene, options.watch, (detail::settles<std::remove_cvref_t<Observers>> || ...));
-    detail::run_steps(scene, options, observers..., watch);
+    steps();
   }
 }
 

@@ -29,6 +29,7 @@ double out_of_balance(const Scene& scene) {
         all +=
             static_cast<double>(std::max(field.sums[i].force().norm(), field.mass[i] * acceleration.norm()));
       }
+  sum_over(scene.communicator(), out, all);
   return all > 0 ? out / all : 0;
 }
 

@@ -139,10 +139,11 @@ class BasicWatch {
     });
     if (book_.wants(Book::energy_gain) ||
         (tracks_energy<Scene> && (book_.wants(Book::transfer) || book_.wants(Book::residual))))
-      if (const auto found = energy_.look(scene); found.known)
+      if (const auto found = energy_.look(scene); found.known && speaks_for_all(scene))
         book_.template look_at_energy<typename Scene::T>(scene.time, found, tracks_energy<Scene>, bodies);
     if constexpr (Scene::template has_part<LocalDamping>)
-      if (book_.hints_at_damping) book_.look_at_damping(scene.time, fall_.look(scene));
+      if (book_.hints_at_damping && speaks_for_all(scene))
+        book_.look_at_damping(scene.time, fall_.look(scene));
     n = 0;
     scene.for_each_body([&](const auto& body, const auto&) {
       const auto& watched = bodies[n++];

@@ -84,10 +84,12 @@ class WatchedEnergy {
   /// Points lost, inserted and removed since the start.
   template <class Scene>
   static std::size_t changes(const Scene& scene) {
-    std::size_t n = scene.lost_points();
-    scene.for_each_body(
-        [&](const auto& body, const auto&) { n += body.inserted.count + body.removed.count; });
-    return n;
+    auto n = static_cast<double>(scene.lost_points());
+    scene.for_each_body([&](const auto& body, const auto&) {
+      n += static_cast<double>(body.inserted.count + body.removed.count);
+    });
+    sum_over(scene.communicator(), n);
+    return static_cast<std::size_t>(n);
   }
 
   /// Accelerations of the scene, m/s2.
@@ -116,6 +118,7 @@ class WatchedEnergy {
       const auto& p = body.points;
       h.potential -= work_of_gravity(p.size(), p.mass.data(), Scene::D, column_data(p.position), g);
     });
+    sum_over(scene.communicator(), h.strain, h.ahead, h.potential);
     return h;
   }
 
@@ -140,13 +143,14 @@ class WatchedEnergy {
       b.gained =
           e.residual - e.transfer - e.walls - e.lag - std::min(e.plastic, 0.0) - std::min(e.contact, 0.0);
     } else {
-      const PartEnergy parts = energy_of_parts(scene);
-      double kinetic = 0;
+      const PartEnergy parts = energy_of_parts(scene, speaks_for_all(scene));
+      double kinetic = 0, external = parts.external;
       scene.for_each_body([&](const auto& body, const auto&) { kinetic += kinetic_energy(body); });
       kinetic += parts.kinetic + parts.stored;
+      sum_over(scene.communicator(), kinetic, external);
       b.stored = kinetic + held_.strain;
-      b.external = parts.external - held_.potential;
-      b.gained = kinetic + held_.sum() - parts.external;
+      b.external = external - held_.potential;
+      b.gained = kinetic + held_.sum() - external;
       // Velocities are those of the middle of a step where positions are those of its end: energy sways by a
       // share of (frequency x step) unless the positions' part of it is taken half a step earlier, or later
       // with USF. Stresses that are centred are those of the middle already.
@@ -156,14 +160,17 @@ class WatchedEnergy {
     }
     // What the velocity gradients of points hold they give back to their velocities. With AFLIP those keep
     // their share of what is also in the gradients.
+    double all_spread = 0;
     scene.for_each_body([&](const auto& body, const auto&) {
       b.brought += body.inserted.kinetic_energy + body.inserted.strain_energy;
       double spread = gradient_kinetic_energy<typename Scene::Shape>(scene.mesh, scene.blocks, body);
       if constexpr (requires { scene.numerics.transfer.fraction; })
         spread *= 1 - static_cast<double>(scene.numerics.transfer.fraction);
-      b.stored += spread;
-      b.gained += spread;
+      all_spread += spread;
     });
+    sum_over(scene.communicator(), b.brought, all_spread);
+    b.stored += all_spread;
+    b.gained += all_spread;
     return b;
   }
 
@@ -173,6 +180,7 @@ class WatchedEnergy {
   static double allowed_drift(const Scene& scene) {
     double all = 0, whole = 0;
     scene.for_each_body([&](const auto& body, const auto&) { all += mass(body); });
+    sum_over(scene.communicator(), all);
     for (Index c = 0; c < scene.mesh.cell_count(); ++c) whole += static_cast<double>(scene.mesh.volume(c));
     const double cell = std::pow(whole / scene.mesh.cell_count(), 1.0 / Scene::D);
     const auto g = work_scale(scene);

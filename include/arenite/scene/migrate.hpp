@@ -39,7 +39,7 @@ void for_each_numbered_body(Scene& scene, F&& f) {
 template <class Scene>
 Messages take_foreign(Scene& scene) {
   const auto& portion = scene.portion();
-  Messages messages(scene.communicator().size());
+  Messages messages;
   for_each_numbered_body(scene, [&](auto& body, std::uint64_t number) {
     auto& points = body.points;
     double mass = 0;
@@ -47,7 +47,7 @@ Messages take_foreign(Scene& scene) {
       const Index c = points.cell[p];
       if (c == none || portion.owns_cell(c)) continue;
       mass += static_cast<double>(points.mass[p]);
-      auto& to = messages[static_cast<std::size_t>(portion.owner[c])];
+      auto& to = messages[portion.owner[c]];
       append_bytes(to, number);
       append_bytes(to, portion.whole_cell[c]);
       points.for_each_column([&](const auto& column) { append_bytes(to, column[p]); });
@@ -85,7 +85,7 @@ void take_in(Scene& scene, std::string_view message) {
 template <class Scene>
 void migrate([[maybe_unused]] Scene& scene) {
   if constexpr (Scene::is_portion) {
-    for (const auto& message : scene.communicator().exchange(detail::take_foreign(scene)))
+    for (const auto& [from, message] : scene.communicator().exchange(detail::take_foreign(scene)))
       detail::take_in(scene, message);
     scene.for_each_body([](auto& body, auto&) {
       body.points.reserve_spare();

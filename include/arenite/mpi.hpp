@@ -1,0 +1,6 @@
+// Tiles on many machines, by MPI. Needs its headers and library: the target arenite::mpi.
+#pragma once
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include <arenite/mpi/world.hpp>
+#include <arenite/tiles.hpp>

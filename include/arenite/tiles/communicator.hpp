@@ -1,0 +1,248 @@
+// The communicator of a tile: its sums and messages go to the tiles of its rank through memory, to those of other ranks through `Ranks`.
+#pragma once
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstring>
+#include <limits>
+#include <map>
+#include <span>
+#include <string>
+#include <string_view>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include <arenite/core/error.hpp>
+#include <arenite/parallel/communicator.hpp>
+#include <arenite/tiles/exact_sum.hpp>
+#include <arenite/tiles/halo.hpp>
+#include <arenite/tiles/meeting.hpp>
+#include <arenite/tiles/ranks.hpp>
+
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
+
+/// What the tiles of one rank have in common: each is stepped by a thread of its own.
+class TilesOfRank {
+ public:
+  /// `rank_of`: [tiles of the whole] their ranks; `first`: the first tile here.
+  TilesOfRank(Ranks& ranks, Halo halo, std::vector<int> rank_of, int first)
+      : ranks_{&ranks},
+        halo_{std::move(halo)},
+        rank_of_{std::move(rank_of)},
+        first_{first},
+        meeting_{halo_.tiles.size()},
+        round_(halo_.tiles.size()),
+        numbers_(halo_.tiles.size()),
+        least_(halo_.tiles.size()),
+        to_(halo_.tiles.size()),
+        from_(halo_.tiles.size()) {}
+  TilesOfRank(const TilesOfRank&) = delete;
+  TilesOfRank& operator=(const TilesOfRank&) = delete;
+
+  Ranks& ranks() const { return *ranks_; }
+  std::size_t tiles() const { return halo_.tiles.size(); }
+  /// Tiles of the whole.
+  int size() const { return static_cast<int>(rank_of_.size()); }
+  const Halo& halo() const { return halo_; }
+  /// Bytes that points have taken to other tiles since the start.
+  std::size_t migrated_bytes() const { return migrated_; }
+
+  /// Calls `f()` once all tiles of the rank have come, in the last one.
+  template <class F>
+  void meet(F&& f) {
+    meeting_.meet(f);
+  }
+
+  /// Each shared node of a tile gets the sum over its copies in the order of the tiles, or the numbers of its owner.
+  template <class T>
+  void sum_nodes(std::size_t tile, std::span<T> values, std::size_t count) {
+    const auto& buffers = pass_on(tile, values, count);
+    const auto& shared = halo_.tiles[tile];
+    for (std::size_t n = 0; n < shared.nodes.size(); ++n)
+      for (std::size_t k = 0; k < count; ++k) {
+        T total = 0;
+        for (std::size_t c = shared.first[n]; c < shared.first[n + 1]; ++c)
+          total += buffers[shared.copies[c].buffer][shared.copies[c].node * count + k];
+        values[shared.nodes[n] * count + k] = total;
+      }
+  }
+  template <class T>
+  void share_nodes(std::size_t tile, std::span<T> values, std::size_t count) {
+    const auto& buffers = pass_on(tile, values, count);
+    const auto& shared = halo_.tiles[tile];
+    for (std::size_t n = 0; n < shared.nodes.size(); ++n)
+      std::copy_n(&buffers[shared.owned[n].buffer][shared.owned[n].node * count], count,
+                  &values[shared.nodes[n] * count]);
+  }
+
+  /// Sums that do not depend on the order of the tiles.
+  void sum(std::size_t tile, std::span<double> values) {
+    numbers_[tile] = values;
+    meeting_.meet([&] {
+      std::vector<ExactSum> sums(values.size());
+      for (const auto& of_tile : numbers_) {
+        require(of_tile.size() == values.size(), "communicator: numbers to sum", of_tile.size(),
+                "must be as many in all tiles");
+        for (std::size_t k = 0; k < values.size(); ++k) sums[k].add(of_tile[k]);
+      }
+      if (ranks_->size() > 1 && !sums.empty()) {
+        std::vector<std::int64_t> words;
+        for (auto& s : sums) words.insert(words.end(), s.all().begin(), s.all().end());
+        ranks_->sum(words);
+        for (std::size_t k = 0; k < sums.size(); ++k)
+          std::copy_n(words.begin() + static_cast<std::ptrdiff_t>(k * ExactSum::words), ExactSum::words,
+                      sums[k].all().begin());
+      }
+      for (std::size_t k = 0; k < values.size(); ++k) {
+        const double total = sums[k].value();
+        for (const auto& of_tile : numbers_) of_tile[k] = total;
+      }
+    });
+  }
+
+  /// NaN counts as less than all numbers.
+  double least(std::size_t tile, double value) {
+    least_[tile] = std::isnan(value) ? -std::numeric_limits<double>::infinity() : value;
+    meeting_.meet([&] { least_of_all_ = ranks_->least(*std::ranges::min_element(least_)); });
+    return least_of_all_;  // the next round needs this tile, too
+  }
+
+  Messages exchange(std::size_t tile, Messages to) {
+    to_[tile] = std::move(to);
+    meeting_.meet([&] { deliver(); });
+    return std::exchange(from_[tile], {});
+  }
+
+  void fail(std::size_t tile, const std::string& what) {
+    const std::string told = joined_text({"tile ", first_ + static_cast<int>(tile), " failed: ", what});
+    if (meeting_.fail(told)) ranks_->fail(told);
+  }
+
+ private:
+  /// Two sets, which take turns: a tile may write the next numbers while another still reads these.
+  template <class T>
+  using Buffers = std::array<std::vector<std::vector<T>>, 2>;
+
+  /// Passes a tile's numbers at its shared nodes to all who have copies. Returns all buffers.
+  template <class T>
+  const std::vector<std::vector<T>>& pass_on(std::size_t tile, std::span<T> values, std::size_t count) {
+    auto& buffers = std::get<Buffers<T>>(buffers_)[round_[tile]++ % 2];
+    const auto& shared = halo_.tiles[tile].nodes;
+    auto& own = buffers[tile];
+    own.resize(shared.size() * count);
+    for (std::size_t n = 0; n < shared.size(); ++n)
+      std::copy_n(&values[shared[n] * count], count, &own[n * count]);
+    meeting_.meet([&] { swap(buffers, count); });
+    return buffers;
+  }
+
+  /// Numbers of copies to and from the neighbours.
+  template <class T>
+  void swap(std::vector<std::vector<T>>& buffers, std::size_t count) {
+    std::vector<std::vector<T>> sent(halo_.neighbours.size());
+    std::vector<Ranks::Swap> swaps;
+    for (std::size_t r = 0; r < halo_.neighbours.size(); ++r) {
+      const auto& neighbour = halo_.neighbours[r];
+      sent[r].resize(neighbour.sent.size() * count);
+      for (std::size_t n = 0; n < neighbour.sent.size(); ++n)
+        std::copy_n(&buffers[neighbour.sent[n].buffer][neighbour.sent[n].node * count], count,
+                    &sent[r][n * count]);
+      auto& received = buffers[tiles() + r];
+      received.resize(neighbour.received * count);
+      swaps.push_back(
+          {neighbour.rank, std::as_bytes(std::span(sent[r])), std::as_writable_bytes(std::span(received))});
+    }
+    ranks_->swap(swaps);
+  }
+
+  /// Messages of the tiles here to all tiles: head of tile, tile and length, and bytes.
+  void deliver() {
+    const std::size_t count = halo_.neighbours.size();
+    std::vector<std::string> out(count);
+    std::vector<int> ranks;
+    for (const auto& neighbour : halo_.neighbours) ranks.push_back(neighbour.rank);
+    for (std::size_t t = 0; t < tiles(); ++t) {
+      for (auto& [to, message] : to_[t]) {
+        const int own = first_ + static_cast<int>(t), rank = rank_of_.at(static_cast<std::size_t>(to));
+        migrated_ += message.size();
+        if (rank == ranks_->rank()) {
+          from_[static_cast<std::size_t>(to - first_)][own] = std::move(message);
+          continue;
+        }
+        const auto at = std::ranges::find(ranks, rank);
+        if (at == ranks.end())
+          throw run_error(
+              joined_text({"tile ", own, " has points for tile ", to, ", with which it shares no node"}));
+        auto& bytes = out[static_cast<std::size_t>(at - ranks.begin())];
+        const std::array<std::uint64_t, 3> head{static_cast<std::uint64_t>(own),
+                                                static_cast<std::uint64_t>(to), message.size()};
+        bytes.append(reinterpret_cast<const char*>(head.data()), sizeof(head));
+        bytes += message;
+      }
+      to_[t].clear();
+    }
+    for (const auto& bytes : ranks_->exchange(ranks, out))
+      for (std::string_view rest = bytes; !rest.empty();) {
+        std::array<std::uint64_t, 3> head;
+        std::memcpy(head.data(), rest.data(), sizeof(head));
+        rest.remove_prefix(sizeof(head));
+        from_[head[1] - static_cast<std::uint64_t>(first_)][static_cast<int>(head[0])] =
+            rest.substr(0, head[2]);
+        rest.remove_prefix(head[2]);
+      }
+  }
+
+  Ranks* ranks_;
+  Halo halo_;
+  std::vector<int> rank_of_;
+  int first_;
+  Meeting meeting_;
+  std::vector<std::size_t> round_;  // [tiles] exchanges of nodes so far
+  std::tuple<Buffers<double>, Buffers<float>, Buffers<long double>> buffers_ = made_buffers();
+  std::vector<std::span<double>> numbers_;  // [tiles]
+  std::vector<double> least_;               // [tiles]
+  double least_of_all_ = 0;
+  std::vector<Messages> to_, from_;  // [tiles] by the other tile
+  std::size_t migrated_ = 0;
+
+  std::tuple<Buffers<double>, Buffers<float>, Buffers<long double>> made_buffers() const {
+    const auto made = [&](auto all) {
+      for (auto& set : all) set.resize(tiles() + halo_.neighbours.size());
+      return all;
+    };
+    return {made(Buffers<double>{}), made(Buffers<float>{}), made(Buffers<long double>{})};
+  }
+};
+
+/// The communicator of the scene over a tile (see `parallel/communicator.hpp`): a handle.
+class TileCommunicator {
+ public:
+  static constexpr bool is_serial = false;
+  TileCommunicator(TilesOfRank& all, std::size_t tile, bool first) : all_{&all}, tile_{tile}, first_{first} {}
+
+  template <class T>
+  void sum_nodes(std::span<T> values, std::size_t count) const {
+    all_->sum_nodes(tile_, values, count);
+  }
+  template <class T>
+  void share_nodes(std::span<T> values, std::size_t count) const {
+    all_->share_nodes(tile_, values, count);
+  }
+  void sum(std::span<double> values) const { all_->sum(tile_, values); }
+  double least(double value) const { return all_->least(tile_, value); }
+  bool first() const { return first_; }
+  int size() const { return all_->size(); }
+  Messages exchange(Messages to) const { return all_->exchange(tile_, std::move(to)); }
+  void fail(const std::string& what) const { all_->fail(tile_, what); }
+
+ private:
+  TilesOfRank* all_;
+  std::size_t tile_;
+  bool first_;
+};
+
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -1,0 +1,101 @@
+// Saved tiles: the state of a scene cut into tiles, a file each, from which a run goes on with the same bits on any number of ranks.
+#pragma once
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include <cstddef>
+#include <filesystem>
+#include <fstream>
+#include <ostream>
+#include <string>
+#include <system_error>
+#include <utility>
+
+#include <arenite/io/output_file.hpp>
+#include <arenite/run/saved_state.hpp>
+#include <arenite/tiles/tiled.hpp>
+
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
+
+namespace detail {
+
+/// What the list of saved tiles says, in FOLDER/tiles.txt: it names the last save that is complete.
+struct TileList {
+  int tiles = 0;
+  std::size_t step = 0;
+};
+inline TileList read_tile_list(const std::filesystem::path& folder) {
+  const auto path = folder / "tiles.txt";
+  std::ifstream text(path);
+  std::string format, word;
+  TileList list;
+  text >> format >> word >> list.tiles >> word >> list.step;
+  require(text && format == "arenite-tiles-1" && list.tiles > 0, "saved tiles", path.string(),
+          "must be a list of saved tiles");
+  return list;
+}
+inline void write_tile_list(const std::filesystem::path& folder, const TileList& list) {
+  replace_file(folder / "tiles.txt", [&](std::ostream& out) {
+    out << "arenite-tiles-1\ntiles " << list.tiles << "\nstep " << list.step << '\n';
+  });
+}
+inline std::filesystem::path tile_file(const std::filesystem::path& folder, int tile, std::size_t step) {
+  return folder / joined_text({"tile", tile, "_", step, ".state"});
+}
+
+}  // namespace detail
+
+/// Observer that saves the tile of each scene that shows itself, FOLDER/tile3_1200.state with the number of the step, and, once all are on
+/// the disk, the list of them, FOLDER/tiles.txt. A run that is killed while it saves leaves the save before. Use with `every(period,
+/// save_tiles(folder))`. All ranks must see the folder.
+class SavedTiles {
+ public:
+  /// `folder.recipe`: a line on what made the scene, as in `SavedState`.
+  explicit SavedTiles(SavedState folder) : folder_{std::move(folder)} {
+    make_folder_of(folder_.path / "tiles.txt", "saved tiles");
+  }
+
+  template <class Scene>
+  void operator()(const Scene& scene) const {
+    static_assert(Scene::is_portion, "save_tiles: the scene is whole: save_state");
+    const int tile = scene.portion().number;
+    save_state(scene, {detail::tile_file(folder_.path, tile, scene.steps), folder_.recipe});
+    scene.communicator().least(0);  // all are written
+    if (scene.communicator().first())
+      detail::write_tile_list(folder_.path, {scene.communicator().size(), scene.steps});
+    scene.communicator().least(0);  // the list names the new ones: the old ones may go
+    const std::string own = joined_text({"tile", tile, "_"}),
+                      kept = detail::tile_file("", tile, scene.steps).string();
+    std::error_code status;
+    for (const auto& entry : std::filesystem::directory_iterator(folder_.path, status)) {
+      const std::string name = entry.path().filename().string();
+      if (name.starts_with(own) && name.ends_with(".state") && name != kept)
+        std::filesystem::remove(entry.path(), status);
+    }
+  }
+
+ private:
+  SavedState folder_;
+};
+inline SavedTiles save_tiles(SavedState folder) { return SavedTiles(std::move(folder)); }
+
+/// Saves all tiles to a folder now.
+template <class S>
+void save_state(Tiled<S>& tiled, const SavedState& folder) {
+  const SavedTiles saver(folder);
+  tiled.together([&](S& scene) { saver(std::as_const(scene)); });
+}
+
+/// Puts the state of a folder into the tiles of the same mesh, cut alike, on any number of ranks. Throws `error` on all ranks for a folder of
+/// other tiles, and what `restore_state` throws.
+template <class S>
+void restore_state(Tiled<S>& tiled, const SavedState& folder) {
+  tiled.together([&](S& scene) {
+    const auto list = detail::read_tile_list(folder.path);
+    require(list.tiles == tiled.tiles(), "saved tiles", list.tiles,
+            {"must be as many as those of the scene, ", tiled.tiles()});
+    restore_state(
+        scene, SavedState(detail::tile_file(folder.path, scene.portion().number, list.step), folder.recipe));
+  });
+}
+
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -1,0 +1,94 @@
+// Split cells: which tile has which cell of a mesh, and which rank has which tile.
+#pragma once
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include <arenite/core/error.hpp>
+#include <arenite/mesh/simplex_mesh.hpp>
+
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
+
+namespace detail {
+
+/// Centres of cells with what they weigh, and their numbers in the mesh.
+template <int D>
+struct WeighedCell {
+  std::array<double, static_cast<std::size_t>(D)> centre;
+  double weight;
+  std::size_t number;
+};
+
+/// Gives cells the tiles first, .., first + count - 1: cuts across the longest side of the box around their centres, so that both
+/// sides weigh as much as the tiles that they get.
+template <int D>
+void bisect(std::span<WeighedCell<D>> cells, int first, int count, std::vector<int>& tile) {
+  if (count == 1) {
+    for (const auto& c : cells) tile[c.number] = first;
+    return;
+  }
+  std::size_t axis = 0;
+  double longest = -1;
+  for (std::size_t k = 0; k < static_cast<std::size_t>(D); ++k) {
+    const auto [least, most] = std::ranges::minmax(cells, {}, [&](const auto& c) { return c.centre[k]; });
+    if (most.centre[k] - least.centre[k] > longest * (1 + 1e-9)) {
+      longest = most.centre[k] - least.centre[k];
+      axis = k;
+    }
+  }
+  std::ranges::sort(cells, {}, [&](const auto& c) { return std::pair{c.centre[axis], c.number}; });
+  double all = 0, before = 0;
+  for (const auto& c : cells) all += c.weight;
+  const int left = count / 2;
+  // At least one cell for each tile.
+  std::size_t cut = 0;
+  const auto least = static_cast<std::size_t>(left),
+             most = cells.size() - static_cast<std::size_t>(count - left);
+  while (cut < most && (cut < least || before + cells[cut].weight / 2 < all * left / count))
+    before += cells[cut++].weight;
+  bisect(cells.first(cut), first, left, tile);
+  bisect(cells.subspan(cut), first + left, count - left, tile);
+}
+
+}  // namespace detail
+
+/// [cells] the tile of each cell: boxes around the cells' centres are halved again and again across their longest side (recursive
+/// coordinate bisection, Berger and Bokhari 1987), so that tiles weigh the same. `weights`: [cells] what a cell costs, such as
+/// its points; empty: all the same. Depends on nothing else. Throws `error` for fewer cells than tiles.
+template <int D>
+std::vector<int> split_cells(const MeshData<D>& mesh, int tiles, const std::vector<double>& weights = {}) {
+  require(tiles >= 1 && static_cast<std::size_t>(tiles) <= mesh.cells.size(), "split_cells.tiles", tiles,
+          {"must be between 1 and the number of cells, ", mesh.cells.size()});
+  require(weights.empty() || weights.size() == mesh.cells.size(), "split_cells.weights", weights.size(),
+          "must have one entry a cell");
+  std::vector<detail::WeighedCell<D>> cells;
+  cells.reserve(mesh.cells.size());
+  for (std::size_t c = 0; c < mesh.cells.size(); ++c) {
+    auto& cell = cells.emplace_back();
+    cell.number = c;
+    cell.weight = weights.empty() ? 1 : weights[c];
+    require(cell.weight >= 0, "split_cells.weights", cell.weight, "must not be negative");
+    for (std::size_t k = 0; k < cell.centre.size(); ++k) {
+      cell.centre[k] = 0;
+      for (const Index i : mesh.cells[c]) cell.centre[k] += mesh.nodes[i][static_cast<int>(k)] / (D + 1);
+    }
+  }
+  std::vector<int> tile(mesh.cells.size());
+  detail::bisect<D>(cells, 0, tiles, tile);
+  return tile;
+}
+
+/// [tiles] the rank of each tile: as many in a row for each, or one more. Throws `error` for fewer tiles than ranks.
+inline std::vector<int> deal_tiles(int tiles, int ranks) {
+  require(tiles >= ranks, "tiles", tiles, {"must not be less than the number of ranks, ", ranks});
+  std::vector<int> rank;
+  for (int t = 0; t < tiles; ++t) rank.push_back(static_cast<int>(static_cast<long long>(t) * ranks / tiles));
+  return rank;
+}
+
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -1,0 +1,204 @@
+// Tiled: a scene cut into tiles, each an ordinary scene over its portion of the mesh, on one rank or dealt out to many.
+#pragma once
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include <cstddef>
+#include <exception>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <thread>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include <arenite/core/once.hpp>
+#include <arenite/mesh/portion.hpp>
+#include <arenite/particles/point_ids.hpp>
+#include <arenite/run/run.hpp>
+#include <arenite/tiles/communicator.hpp>
+#include <arenite/tiles/split_cells.hpp>
+
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
+
+namespace detail {
+/// Whether copies of an observer call the same one.
+template <class Observer>
+inline constexpr bool shares_observer = [] {
+  if constexpr (requires { Observer::refers; }) return Observer::refers;
+  return false;
+}();
+}  // namespace detail
+
+/// How a mesh is cut.
+struct TileOptions {
+  int tiles =
+      0;  ///< of the whole mesh; 0: one for each rank. Results have the same bits on any ranks for the same tiles
+  std::vector<double> weights{};  ///< [cells] what a cell costs, -; empty: all the same
+  std::vector<int> tile{};        ///< [cells] tile of each cell, in the place of `split_cells`
+};
+
+/// The tiles of a scene that this rank has (`distribute` makes them). They are stepped at once, each by a thread of its own.
+template <class S>
+class Tiled {
+ public:
+  using Scene = S;
+  static constexpr int D = S::D;
+
+  Tiled(Tiled&&) = default;
+  Tiled& operator=(Tiled&&) = default;
+
+  /// Tiles of the whole; of this rank.
+  int tiles() const { return static_cast<int>(rank_of_.size()); }
+  std::size_t tiles_here() const { return scenes_.size(); }
+  /// [cells of the whole mesh] the tile of each.
+  const std::vector<int>& tile_of_cells() const { return tile_; }
+  Ranks& ranks() const { return all_->ranks(); }
+  const TilesOfRank& shared() const { return *all_; }
+  double time() const { return scenes_.front().time; }
+
+  /// Calls `f(scene)` for each tile here, one after another: it must not use the communicator.
+  template <class F>
+  void for_each_tile(F&& f) {
+    for (auto& scene : scenes_) f(scene);
+  }
+  template <class F>
+  void for_each_tile(F&& f) const {
+    for (const auto& scene : scenes_) f(scene);
+  }
+
+  /// Calls `f(scene)` for all tiles at once; what it asks of the communicator all tiles of all ranks must ask. If one throws, all
+  /// do, on all ranks; here the first exception goes on.
+  template <class F>
+  void together(F&& f) {
+    std::exception_ptr first;
+    std::mutex mutex;
+    const auto call = [&](S& scene) {
+      try {
+        f(scene);
+      } catch (...) {
+        {
+          const std::lock_guard lock(mutex);
+          if (!first) first = std::current_exception();
+        }
+        try {
+          throw;
+        } catch (const std::exception& e) {
+          scene.communicator().fail(e.what());
+        } catch (...) {
+          scene.communicator().fail("an exception that is none of the standard library's");
+        }
+      }
+    };
+    if (scenes_.size() == 1) {
+      call(scenes_.front());  // its loops have all threads
+    } else {
+      std::vector<std::thread> threads;
+      for (auto& scene : scenes_)
+        threads.emplace_back([&] {
+          program::in_loop = true;  // the tiles share the processors: loops stay on their thread
+          call(scene);
+        });
+      for (auto& thread : threads) thread.join();
+    }
+    if (first) std::rethrow_exception(first);
+  }
+
+  /// The sum of a number over all tiles: `of(scene)`.
+  template <class Of>
+  double sum(Of&& of) const {
+    double total = 0;
+    const_cast<Tiled&>(*this).together([&](S& scene) {
+      double number = of(std::as_const(scene));
+      sum_over(scene.communicator(), number);
+      if (&scene == &scenes_.front()) total = number;
+    });
+    return total;
+  }
+
+ private:
+  template <int Dim, class Make>
+  friend auto distribute(Ranks& ranks, const MeshData<Dim>& whole, const TileOptions& options, Make&& make);
+  Tiled() = default;
+
+  /// Gives the points of all tiles ids of their own, tile by tile; those that are inserted later get others.
+  void number_points() {
+    std::vector<std::int64_t> counts(rank_of_.size());
+    for (const auto& scene : scenes_)
+      counts[static_cast<std::size_t>(scene.portion().number)] =
+          static_cast<std::int64_t>(scene.point_count());
+    ranks().sum(counts);
+    const std::uint64_t given =
+        scenes_.front().template part<PointIds>().first - scenes_.front().point_count();
+    std::uint64_t all = given;
+    for (const auto n : counts) all += static_cast<std::uint64_t>(n);
+    for (auto& scene : scenes_) {
+      const auto number = static_cast<std::size_t>(scene.portion().number);
+      std::uint64_t id = given;
+      for (std::size_t t = 0; t < number; ++t) id += static_cast<std::uint64_t>(counts[t]);
+      scene.for_each_body([&](auto& body, const auto&) {
+        for (auto& of_point : body.points.id) of_point = id++;
+      });
+      scene.template part<PointIds>().first = all + (static_cast<std::uint64_t>(number) << 40);
+    }
+  }
+
+  std::unique_ptr<TilesOfRank> all_;
+  std::vector<int> tile_, rank_of_;
+  std::vector<S> scenes_;
+};
+
+/// Cuts a scene over a simplex mesh into tiles and makes those of this rank, by `make(mesh, portion)`: a scene over `mesh`, with
+/// `portion` among its parts. All ranks give the same mesh and options. Throws `error` for tiles that cannot be.
+template <int D, class Make>
+auto distribute(Ranks& ranks, const MeshData<D>& whole, const TileOptions& options, Make&& make) {
+  using Portion = OnPortion<MeshPortion<D>, TileCommunicator>;
+  using S = std::remove_cvref_t<decltype(make(std::declval<SimplexMesh<D>>(), std::declval<Portion>()))>;
+  static_assert(S::is_portion,
+                "distribute: make(mesh, portion) must put `portion` among the parts of its scene");
+  Tiled<S> all;
+  all.tile_ = options.tile.empty()
+                  ? split_cells(whole, options.tiles > 0 ? options.tiles : ranks.size(), options.weights)
+                  : options.tile;
+  require(all.tile_.size() == whole.cells.size(), "TileOptions.tile", all.tile_.size(),
+          "must have one entry a cell");
+  const auto [least, most] = std::ranges::minmax(all.tile_);
+  require(least >= 0, "TileOptions.tile", least, "must not be negative");
+  const int tiles = std::max(options.tiles, most + 1);
+  all.rank_of_ = deal_tiles(tiles, ranks.size());
+  std::vector<std::pair<MeshData<D>, MeshPortion<D>>> parts;
+  int first = tiles;
+  for (int t = 0; t < tiles; ++t)
+    if (all.rank_of_[static_cast<std::size_t>(t)] == ranks.rank()) {
+      first = std::min(first, t);
+      parts.push_back(split_mesh(whole, all.tile_, t));
+    }
+  std::vector<const MeshPortion<D>*> portions;
+  for (const auto& part : parts) portions.push_back(&part.second);
+  all.all_ = std::make_unique<TilesOfRank>(
+      ranks, make_halo(copies_of_nodes(whole, all.tile_), all.rank_of_, ranks.rank(), portions), all.rank_of_,
+      first);
+  all.scenes_.reserve(parts.size());
+  for (std::size_t t = 0; t < parts.size(); ++t) {
+    const TileCommunicator communicator(*all.all_, t, first + static_cast<int>(t) == 0);
+    all.scenes_.push_back(
+        make(SimplexMesh<D>(parts[t].first), on_portion(std::move(parts[t].second), communicator)));
+  }
+  if constexpr (S::template has_part<PointIds>) all.number_points();
+  return all;
+}
+
+/// Steps all tiles to `options.end`: see `run` of a scene. Each tile has its own copies of the observers, which are called at once
+/// from several threads: what they write must be their own, or be written where `scene.communicator().first()`.
+template <class S, class... Observers>
+void run(Tiled<S>& tiled, const RunOptions& options, Observers&&... observers) {
+  constexpr bool apart = (!detail::shares_observer<std::remove_cvref_t<Observers>> && ...);
+  static_assert(apart,
+                "run: each tile needs an observer of its own: give `every` one that is no variable, "
+                "every(0.1, vtu(..))");
+  tiled.together([&](S& scene) {
+    [&](std::remove_cvref_t<Observers>... own) { run(scene, options, own...); }(std::as_const(observers)...);
+  });
+}
+
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

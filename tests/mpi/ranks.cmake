@@ -1,0 +1,10 @@
+# run_on(RANKS OUTPUT STATUS ERRORS ARGUMENTS..): runs the program on so many ranks, as root too. OUTPUT: what it printed.
+function(run_on ranks output status errors)
+  set(ENV{OMPI_ALLOW_RUN_AS_ROOT} 1)
+  set(ENV{OMPI_ALLOW_RUN_AS_ROOT_CONFIRM} 1)
+  set(ENV{OMPI_MCA_rmaps_base_oversubscribe} 1)
+  execute_process(COMMAND ${mpiexec} -n ${ranks} ${program} ${ARGN} OUTPUT_VARIABLE out ERROR_VARIABLE err RESULT_VARIABLE result TIMEOUT 120)
+  set(${output} "${out}" PARENT_SCOPE)
+  set(${status} ${result} PARENT_SCOPE)
+  set(${errors} "${err}" PARENT_SCOPE)
+endfunction()

@@ -1,0 +1,99 @@
+// tests.mpi.tiles TILES STEPS [save FOLDER STEP | restore FOLDER | fail | outside | mesh | killed FOLDER]: sand with a body that is pushed
+// into it, cut into tiles on the ranks that there are; prints a hash of all points.
+#include <arenite/arenite.hpp>
+#include <arenite/mpi.hpp>
+
+#include <csignal>
+#include <cstdio>
+#include <string>
+
+#include "meshes.hpp"
+
+using namespace arenite;
+
+namespace {
+
+MeshData<2> soil_and_block() {
+  auto data = test::triangles({0, 0}, {1, 1}, 30, 30);
+  test::name_region(data, "block", [](const auto& x) { return std::abs(x[0] - 0.5) < 0.2 && x[1] > 0.6; });
+  test::name_region(data, "soil", [](const auto& x) { return x[1] < 0.6; });
+  return data;
+}
+
+auto make(SimplexMesh<2> mesh, OnPortion<MeshPortion<2>, TileCommunicator> portion) {
+  return Scene{
+      PlaneStrain{},
+      mesh,
+      Numerics<LinearSimplex, Flip, Musl, NodalAndElementAverage>{},
+      bodies(fill<"sand">(
+          Cells("soil"),
+          MohrCoulomb<RemembersOpening>{
+              {.density = 1500, .young = 1e6, .poisson = 0.3, .friction = 35_deg, .dilatancy = 10_deg}},
+          {.per_cell = 3,
+           .velocity = {1, 0, 0},
+           .stress = Geostatic{.surface = 0.6, .k0 = 0.5},
+           .jitter = 0.3,
+           .seed = 2})),
+      walls(bottom(fixed), left(roller), right(roller)),
+      gravity({0, -9.81}),
+      rigids(rigid(MeshSurface{"block"}, Guided{.mass = 100, .velocity = -2}, Friction(20_deg))),
+      MovingMesh<>{.fixed_below = 0.1, .moving_from = 0.6},
+      TrackEnergy{},
+      PointIds{},
+      portion};
+}
+
+/// A number that all bits of a point, whatever its place in memory, change.
+std::uint64_t bits_of(const auto& points, std::size_t p) {
+  Hash hash;
+  points.for_each_column([&](const auto& column) {
+    const auto value = column[p];
+    hash.add(&value, sizeof(value));
+  });
+  return std::stoull(hash.digits().substr(0, 12), nullptr, 16);
+}
+
+void work(mpi::World& world, const std::vector<std::string>& given) {
+  const int tiles = std::stoi(given.at(1));
+  const auto steps = std::stoul(given.at(2));
+  const std::string what = given.size() > 3 ? given[3] : "", folder = given.size() > 4 ? given[4] : "";
+  if (what == "mesh" && world.rank() == 1) throw error("mesh.msh: the sentence of a failure");
+  auto scene = distribute(world, soil_and_block(), {.tiles = tiles}, make);
+  if (what == "restore") restore_state(scene, folder);
+  if (what == "outside" && world.rank() == world.size() - 1) throw error("the sentence of a failure");
+  const auto save_at = what == "save" ? std::stoul(given.at(5)) : 0;
+  scene.together([&](auto& s) {
+    while (s.steps < steps) {
+      step_towards(s, {.end = 1e9}, 1);
+      if (what == "save" && s.steps == save_at) SavedTiles{folder}(s);
+      if (what == "fail" && s.steps == 20 && s.portion().number == 4)
+        throw run_error("the sentence of a failure");
+      if (what == "killed") {
+        SavedTiles{folder}(s);
+        if (s.steps == 10 && s.portion().number == 7) std::raise(SIGKILL);
+      }
+    }
+  });
+  std::int64_t count = 0, bits = 0, migrated = static_cast<std::int64_t>(scene.shared().migrated_bytes());
+  scene.for_each_tile([&](auto& s) {
+    auto& points = s.body().points;
+    for (std::size_t p = 0; p < points.size(); ++p) {
+      ++count;
+      points.id[p] = 0;  // the rest of a point tells which it is
+      points.cell[p] = static_cast<Index>(s.portion().whole_cell[points.cell[p]]);
+      bits += static_cast<std::int64_t>(bits_of(points, p));
+    }
+  });
+  std::array<std::int64_t, 3> all{count, bits, migrated};
+  world.sum(all);
+  if (world.rank() == 0)
+    std::printf("points %ld %lx migrated %ld bytes\n", static_cast<long>(all[0]),
+                static_cast<unsigned long>(all[1]), static_cast<long>(all[2]));
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const std::vector<std::string> given(argv, argv + argc);
+  return mpi::program(argc, argv, [&](mpi::World& world) { work(world, given); });
+}

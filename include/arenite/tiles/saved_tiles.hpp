@@ -16,33 +16,32 @@
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
-namespace detail {
-
-/// What the list of saved tiles says, in FOLDER/tiles.txt: it names the last save that is complete.
+/// What stands in FOLDER/tiles.txt: the last save that is complete.
 struct TileList {
-  int tiles = 0;
-  std::size_t step = 0;
-};
-inline TileList read_tile_list(const std::filesystem::path& folder) {
-  const auto path = folder / "tiles.txt";
-  std::ifstream text(path);
-  std::string format, word;
-  TileList list;
-  text >> format >> word >> list.tiles >> word >> list.step;
-  require(text && format == "arenite-tiles-1" && list.tiles > 0, "saved tiles", path.string(),
-          "must be a list of saved tiles");
-  return list;
-}
-inline void write_tile_list(const std::filesystem::path& folder, const TileList& list) {
-  replace_file(folder / "tiles.txt", [&](std::ostream& out) {
-    out << "arenite-tiles-1\ntiles " << list.tiles << "\nstep " << list.step << '\n';
-  });
-}
-inline std::filesystem::path tile_file(const std::filesystem::path& folder, int tile, std::size_t step) {
-  return folder / joined_text({"tile", tile, "_", step, ".state"});
-}
+  int tiles = 0;         ///< of the whole, -
+  std::size_t step = 0;  ///< of the scene when it was saved, -
 
-}  // namespace detail
+  /// Throws `error` if it is not there, or none.
+  static TileList read(const std::filesystem::path& folder) {
+    const auto path = folder / "tiles.txt";
+    std::ifstream text(path);
+    std::string format, word;
+    TileList list;
+    text >> format >> word >> list.tiles >> word >> list.step;
+    require(text && format == "arenite-tiles-1" && list.tiles > 0, "saved tiles", path.string(),
+            "must be a list of saved tiles");
+    return list;
+  }
+  void write(const std::filesystem::path& folder) const {
+    replace_file(folder / "tiles.txt", [&](std::ostream& out) {
+      out << "arenite-tiles-1\ntiles " << tiles << "\nstep " << step << '\n';
+    });
+  }
+  /// The file of a tile.
+  std::filesystem::path file(const std::filesystem::path& folder, int tile) const {
+    return folder / joined_text({"tile", tile, "_", step, ".state"});
+  }
+};
 
 /// Observer that saves the tile of each scene that shows itself, FOLDER/tile3_1200.state with the number of the step, and, once all are on
 /// the disk, the list of them, FOLDER/tiles.txt. A run that is killed while it saves leaves the save before. Use with `every(period,
@@ -58,13 +57,12 @@ class SavedTiles {
   void operator()(const Scene& scene) const {
     static_assert(Scene::is_portion, "save_tiles: the scene is whole: save_state");
     const int tile = scene.portion().number;
-    save_state(scene, {detail::tile_file(folder_.path, tile, scene.steps), folder_.recipe});
+    const TileList list{scene.communicator().size(), scene.steps};
+    save_state(scene, {list.file(folder_.path, tile), folder_.recipe});
     scene.communicator().least(0);  // all are written
-    if (scene.communicator().first())
-      detail::write_tile_list(folder_.path, {scene.communicator().size(), scene.steps});
+    if (scene.communicator().first()) list.write(folder_.path);
     scene.communicator().least(0);  // the list names the new ones: the old ones may go
-    const std::string own = joined_text({"tile", tile, "_"}),
-                      kept = detail::tile_file("", tile, scene.steps).string();
+    const std::string own = joined_text({"tile", tile, "_"}), kept = list.file("", tile).string();
     std::error_code status;
     for (const auto& entry : std::filesystem::directory_iterator(folder_.path, status)) {
       const std::string name = entry.path().filename().string();
@@ -90,11 +88,10 @@ void save_state(Tiled<S>& tiled, const SavedState& folder) {
 template <class S>
 void restore_state(Tiled<S>& tiled, const SavedState& folder) {
   tiled.together([&](S& scene) {
-    const auto list = detail::read_tile_list(folder.path);
+    const auto list = TileList::read(folder.path);
     require(list.tiles == tiled.tiles(), "saved tiles", list.tiles,
             {"must be as many as those of the scene, ", tiled.tiles()});
-    restore_state(
-        scene, SavedState(detail::tile_file(folder.path, scene.portion().number, list.step), folder.recipe));
+    restore_state(scene, SavedState(list.file(folder.path, scene.portion().number), folder.recipe));
   });
 }
 

@@ -1,14 +1,14 @@
-# The same tiles on 1 to 4 ranks and on 1 and 2 threads: the same bits of all points after 400 steps.
+# The same tiles on 1 to 4 ranks and on 1 and 2 threads: the same bits of all points after so many steps.
 include(${CMAKE_CURRENT_LIST_DIR}/ranks.cmake)
-foreach(tiles_and_steps "8;400" "3;100")  # of three tiles on three ranks each has all threads of its rank
+foreach(given IN ITEMS "8;400" "3;100" "grid;8;100")  # of three tiles on three ranks each has all threads of its rank
   set(expected)
   foreach(threads 1 2)
     foreach(ranks 1 2 3 4)
-      if(ranks EQUAL 4 AND tiles_and_steps MATCHES "^3")
+      if(ranks EQUAL 4 AND given MATCHES "^3")
         continue()
       endif()
       set(ENV{ARENITE_THREADS} ${threads})
-      run_on(${ranks} found status errors ${tiles_and_steps})
+      run_on(${ranks} found status errors ${given})
       if(NOT status EQUAL 0 OR NOT found MATCHES "^points [0-9]+ [0-9a-f]+ migrated [1-9]")
         message(FATAL_ERROR "${ranks} ranks, ${threads} threads: ${found}${errors}")
       endif()

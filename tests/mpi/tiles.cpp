@@ -1,4 +1,4 @@
-// tests.mpi.tiles TILES STEPS [save FOLDER STEP | restore FOLDER | fail | outside | mesh | killed FOLDER]: sand with a body that is pushed
+// tests.mpi.tiles [grid] TILES STEPS [save FOLDER STEP | restore FOLDER | fail | outside | mesh | killed FOLDER]: sand with a body that is pushed
 // into it, cut into tiles on the ranks that there are; prints a hash of all points.
 #include <arenite/arenite.hpp>
 #include <arenite/mpi.hpp>
@@ -43,6 +43,25 @@ auto make(SimplexMesh<2> mesh, OnPortion<MeshPortion<2>, TileCommunicator> porti
       portion};
 }
 
+/// The same sand in space, on a grid.
+auto make_on_grid(WindowGrid<CartesianGrid<3>> mesh, OnPortion<MeshPortion<3>, TileCommunicator> portion) {
+  return Scene{
+      ThreeDimensional{},
+      mesh,
+      Numerics<QuadraticBSpline, Apic, Usl>{},
+      bodies(fill<"sand">(
+          Box{{0., 0., 0.}, {0.7, 0.7, 0.6}},
+          DruckerPrager{{.density = 1500, .young = 1e6, .poisson = 0.3, .friction = 35_deg, .cohesion = 100}},
+          {.per_cell = 8, .velocity = {2, 1, 0}, .jitter = 0.3, .seed = 2})),
+      walls(bottom(fixed), left(roller)),
+      gravity({0, 0, -9.81}),
+      rigid(DistanceSurface{Ball{{0.4, 0.4, 0.75}, 0.15}}, Guided{.mass = 20, .velocity = -2},
+            Friction(20_deg)),
+      TrackEnergy{},
+      PointIds{},
+      portion};
+}
+
 /// A number that all bits of a point, whatever its place in memory, change.
 std::uint64_t bits_of(const auto& points, std::size_t p) {
   Hash hash;
@@ -53,12 +72,13 @@ std::uint64_t bits_of(const auto& points, std::size_t p) {
   return std::stoull(hash.digits().substr(0, 12), nullptr, 16);
 }
 
-void work(mpi::World& world, const std::vector<std::string>& given) {
+template <class Mesh, class Make>
+void work(mpi::World& world, const std::vector<std::string>& given, const Mesh& mesh, Make&& make) {
   const int tiles = std::stoi(given.at(1));
   const auto steps = std::stoul(given.at(2));
   const std::string what = given.size() > 3 ? given[3] : "", folder = given.size() > 4 ? given[4] : "";
   if (what == "mesh" && world.rank() == 1) throw error("mesh.msh: the sentence of a failure");
-  auto scene = distribute(world, soil_and_block(), {.tiles = tiles}, make);
+  auto scene = distribute(world, mesh, {.tiles = tiles}, make);
   if (what == "restore") restore_state(scene, folder);
   if (what == "outside" && world.rank() == world.size() - 1) throw error("the sentence of a failure");
   const auto save_at = what == "save" ? std::stoul(given.at(5)) : 0;
@@ -94,6 +114,14 @@ void work(mpi::World& world, const std::vector<std::string>& given) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  const std::vector<std::string> given(argv, argv + argc);
-  return mpi::program(argc, argv, [&](mpi::World& world) { work(world, given); });
+  std::vector<std::string> given(argv, argv + argc);
+  return mpi::program(argc, argv, [&](mpi::World& world) {
+    if (given.at(1) == "grid") {
+      given.erase(given.begin() + 1);
+      work(world, given, CartesianGrid<3>({.lower = {0, 0, 0}, .upper = {1, 1, 1}, .cell = 0.1}),
+           make_on_grid);
+    } else {
+      work(world, given, soil_and_block(), make);
+    }
+  });
 }

@@ -98,7 +98,7 @@ void for_each_hull_face(const Scene& scene, F&& f) {
         if (is_periodic<M>(k)) continue;
         for (const bool upper : {false, true}) {
           const Index at = mesh.place(c)[static_cast<std::size_t>(k)];
-          if (upper ? at + 1 != mesh.cells(k) : at != 0) continue;
+          if (upper ? at + 1 != whole_cells(mesh, k) : at != 0) continue;
           HullFace<T, D> face{c, k, upper, {}, {}};
           for (std::size_t n = 0; n < (std::size_t{1} << (dim - 1)); ++n) {
             Vec<T, D> x = mesh.corner(c);

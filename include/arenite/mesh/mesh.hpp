@@ -6,6 +6,7 @@
 
 #include <arenite/mesh/cartesian_grid.hpp>
 #include <arenite/mesh/simplex_mesh.hpp>
+#include <arenite/mesh/window_grid.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 

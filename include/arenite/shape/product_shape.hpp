@@ -72,19 +72,19 @@ struct ProductShape {
     typename M::Point x;
     for (int k = 0; k < M::dimension; ++k) {
       const Index nodes_on_axis = node_count(grid, k);
-      x[k] = grid.lower()[k] + place(grid, k, node % nodes_on_axis);
+      x[k] = grid.lower()[k] + place(grid, k, first_cell(grid, k) + node % nodes_on_axis);
       node /= nodes_on_axis;
     }
     if constexpr (is_periodic<M>()) return grid.wrapped(x);
     return x;
   }
 
-  /// Place of the node of number i along an axis, from the grid's lower corner, m; on a periodic one as if it
+  /// Place of the node of number i along an axis of the whole grid, from its lower corner, m; on a periodic one as if it
   /// went on: node n lies one period behind node 0.
   template <class M>
   static auto place(const M& grid, int axis, Index i) {
     using T = typename M::scalar;
-    const Index cells = grid.cells(axis);
+    const Index cells = whole_cells(grid, axis);
     if constexpr (is_rectilinear<M>)
       return Line<T>::place(i, grid.knots(axis)) - grid.lower()[axis];
     else if (is_periodic<M>(axis))
@@ -237,7 +237,8 @@ struct ProductShape {
         for (std::size_t i = 0; i < nodes_per_axis; ++i) {
           const Index at = place[k] + static_cast<Index>(i);
           along_[k][i] = ProductShape::place(grid, axis, at);
-          number[k][i] = stride * (is_periodic<M>(axis) && at >= count ? at - count : at);
+          number[k][i] =
+              stride * ((is_periodic<M>(axis) && at >= count ? at - count : at) - first_cell(grid, axis));
         }
         stride *= count;
       }
@@ -253,7 +254,7 @@ struct ProductShape {
       else if (is_periodic<M>(axis))  // as in the middle of a longer axis
         return Line<T>(at + halo, grid.cells(axis) + 2 * halo);
       else
-        return Line<T>(at, grid.cells(axis));
+        return Line<T>(at, whole_cells(grid, axis));
     }
     T corner_of(const M& grid, int axis, Index at) const {
       if constexpr (is_rectilinear<M>)

@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <map>
 #include <utility>
@@ -54,9 +55,48 @@ struct Halo {
   std::vector<Neighbour> neighbours;  ///< other ranks with copies of the same nodes, ascending
 };
 
-/// The halo of a rank. `copies`: `copies_of_nodes`; `rank_of`: [tiles]; `here`: portions of the tiles of the rank, in their order.
+/// [nodes of the windows `here`] the tiles whose window has a node, by its number in the whole grid. `nodes`: [tiles] the nodes of each
+/// window, by their places along the axes; `count`: of the whole grid along each axis.
 template <int D>
-Halo make_halo(const std::vector<std::vector<int>>& copies, const std::vector<int>& rank_of, int rank,
+class CopiesInWindows {
+ public:
+  CopiesInWindows(std::vector<CellRange<D>> nodes,
+                  const std::array<Index, static_cast<std::size_t>(D)>& count)
+      : nodes_{std::move(nodes)}, count_{count} {}
+
+  const std::vector<int>& operator()(int tile, std::uint64_t node) {
+    if (tile != looked_at_) look_near(tile);
+    std::array<Index, static_cast<std::size_t>(D)> at;
+    for (std::size_t k = 0; k < at.size(); ++k) {
+      at[k] = static_cast<Index>(node % count_[k]);
+      node /= count_[k];
+    }
+    found_.clear();
+    for (const int t : near_)
+      if (nodes_[static_cast<std::size_t>(t)].holds(at)) found_.push_back(t);
+    if (found_.size() < 2) found_.clear();
+    return found_;
+  }
+
+ private:
+  /// Looks from here on only at the tiles that share nodes with this one.
+  void look_near(int tile) {
+    looked_at_ = tile;
+    near_.clear();
+    for (std::size_t t = 0; t < nodes_.size(); ++t)
+      if (nodes_[t].meets(nodes_[static_cast<std::size_t>(tile)])) near_.push_back(static_cast<int>(t));
+  }
+
+  std::vector<CellRange<D>> nodes_;
+  std::array<Index, static_cast<std::size_t>(D)> count_;
+  std::vector<int> near_{}, found_{};
+  int looked_at_ = -1;
+};
+
+/// The halo of a rank. `copies(tile, node)`: the tiles that have a copy of a node of a tile, ascending, none where it is the only one;
+/// `rank_of`: [tiles]; `here`: portions of the tiles of the rank, in their order.
+template <int D, class Copies>
+Halo make_halo(Copies&& copies, const std::vector<int>& rank_of, int rank,
                const std::vector<const MeshPortion<D>*>& here) {
   using Copy = std::pair<int, std::uint64_t>;  // tile, node of the whole mesh
   std::map<Copy, Halo::Place> place;
@@ -66,7 +106,7 @@ Halo make_halo(const std::vector<std::vector<int>>& copies, const std::vector<in
   for (std::size_t t = 0; t < here.size(); ++t) {
     const auto& portion = *here[t];
     for (Index i = 0; i < portion.whole_node.size(); ++i) {
-      const auto& tiles = copies[portion.whole_node[i]];
+      const auto& tiles = copies(portion.number, portion.whole_node[i]);
       if (tiles.empty()) continue;
       const Copy own{portion.number, portion.whole_node[i]};
       place[own] = {t, halo.tiles[t].nodes.size()};
@@ -98,7 +138,7 @@ Halo make_halo(const std::vector<std::vector<int>>& copies, const std::vector<in
     tile.first.push_back(0);
     for (const Index i : tile.nodes) {
       const std::uint64_t node = here[t]->whole_node[i];
-      for (const int other : copies[node]) tile.copies.push_back(place.at({other, node}));
+      for (const int other : copies(here[t]->number, node)) tile.copies.push_back(place.at({other, node}));
       tile.first.push_back(tile.copies.size());
       tile.owned.push_back(place.at({here[t]->node_owner[i], node}));
     }

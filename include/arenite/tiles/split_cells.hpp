@@ -10,7 +10,8 @@
 #include <vector>
 
 #include <arenite/core/error.hpp>
-#include <arenite/mesh/simplex_mesh.hpp>
+#include <arenite/mesh/cartesian_grid.hpp>
+#include <arenite/mesh/portion.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
@@ -81,6 +82,73 @@ std::vector<int> split_cells(const MeshData<D>& mesh, int tiles, const std::vect
   std::vector<int> tile(mesh.cells.size());
   detail::bisect<D>(cells, 0, tiles, tile);
   return tile;
+}
+
+namespace detail {
+
+/// Cuts a box of cells across its longest side, again and again. `weight(range)`: of the cells in a range.
+template <int D, class Weight>
+void bisect(const CellRange<D>& box, int count, const Weight& weight, std::vector<CellRange<D>>& boxes) {
+  if (count == 1) {
+    boxes.push_back(box);
+    return;
+  }
+  std::size_t axis = 0;
+  for (std::size_t k = 1; k < static_cast<std::size_t>(D); ++k)
+    if (box.end[k] - box.first[k] > box.end[axis] - box.first[axis]) axis = k;
+  require(box.end[axis] - box.first[axis] > 1, "split_cells.tiles", count,
+          "leaves tiles without a cell: take fewer");
+  auto left = box, right = box;
+  const double wanted = weight(box) * (count / 2) / count;
+  // The cut at which the left side is next to what it should weigh; one layer at least on either side.
+  double before = 0;
+  left.end[axis] = box.first[axis];
+  for (Index at = box.first[axis]; at + 1 < box.end[axis]; ++at) {
+    auto layer = box;
+    layer.first[axis] = at;
+    layer.end[axis] = at + 1;
+    const double more = weight(layer);
+    if (at > box.first[axis] && before + more / 2 >= wanted) break;
+    before += more;
+    left.end[axis] = at + 1;
+  }
+  right.first[axis] = left.end[axis];
+  bisect(left, count / 2, weight, boxes);
+  bisect(right, count - count / 2, weight, boxes);
+}
+
+}  // namespace detail
+
+/// [tiles] the box of cells of each tile of a grid, halved again and again as those of a mesh. `weights`: [cells], or empty. Throws `error`
+/// where a box cannot be halved.
+template <int D, class T>
+std::vector<CellRange<D>> split_cells(const CartesianGrid<D, T>& grid, int tiles,
+                                      const std::vector<double>& weights = {}) {
+  require(tiles >= 1 && static_cast<Index>(tiles) <= grid.cell_count(), "split_cells.tiles", tiles,
+          {"must be between 1 and the number of cells, ", grid.cell_count()});
+  require(weights.empty() || weights.size() == grid.cell_count(), "split_cells.weights", weights.size(),
+          "must have one entry a cell");
+  CellRange<D> all;
+  for (std::size_t k = 0; k < all.end.size(); ++k) all.end[k] = grid.cells(static_cast<int>(k));
+  std::vector<CellRange<D>> boxes;
+  detail::bisect(
+      all, tiles,
+      [&](const CellRange<D>& range) {
+        double sum = 1;
+        for (std::size_t k = 0; k < range.end.size(); ++k) sum *= range.end[k] - range.first[k];
+        if (weights.empty()) return sum;
+        sum = 0;
+        auto at = range.first;
+        for (std::size_t k = 0; k < at.size();) {
+          Index cell = 0;
+          for (std::size_t a = at.size(); a-- > 0;) cell = cell * grid.cells(static_cast<int>(a)) + at[a];
+          sum += weights[cell];
+          for (k = 0; k < at.size() && ++at[k] == range.end[k]; ++k) at[k] = range.first[k];
+        }
+        return sum;
+      },
+      boxes);
+  return boxes;
 }
 
 /// [tiles] the rank of each tile: as many in a row for each, or one more. Throws `error` for fewer tiles than ranks.

@@ -28,6 +28,8 @@ inline constexpr bool shares_observer = [] {
   if constexpr (requires { Observer::refers; }) return Observer::refers;
   return false;
 }();
+template <class S>
+class TileMaker;
 }  // namespace detail
 
 /// How a mesh is cut.
@@ -51,8 +53,6 @@ class Tiled {
   /// Tiles of the whole; of this rank.
   int tiles() const { return static_cast<int>(rank_of_.size()); }
   std::size_t tiles_here() const { return scenes_.size(); }
-  /// [cells of the whole mesh] the tile of each.
-  const std::vector<int>& tile_of_cells() const { return tile_; }
   Ranks& ranks() const { return all_->ranks(); }
   const TilesOfRank& shared() const { return *all_; }
   double time() const { return scenes_.front().time; }
@@ -117,8 +117,7 @@ class Tiled {
   }
 
  private:
-  template <int Dim, class Make>
-  friend auto distribute(Ranks& ranks, const MeshData<Dim>& whole, const TileOptions& options, Make&& make);
+  friend class detail::TileMaker<S>;
   Tiled() = default;
 
   /// Gives the points of all tiles ids of their own, tile by tile; those that are inserted later get others.
@@ -144,48 +143,107 @@ class Tiled {
   }
 
   std::unique_ptr<TilesOfRank> all_;
-  std::vector<int> tile_, rank_of_;
+  std::vector<int> rank_of_;
   std::vector<S> scenes_;
 };
 
-/// Cuts a scene over a simplex mesh into tiles and makes those of this rank, by `make(mesh, portion)`: a scene over `mesh`, with
-/// `portion` among its parts. All ranks give the same mesh and options. Throws `error` for tiles that cannot be.
+namespace detail {
+
+/// Makes the tiles of a rank. `part(t)`: mesh and portion of a tile; `copies`: see `make_halo`.
+template <class S>
+class TileMaker {
+ public:
+  template <class Part, class Copies, class Make>
+  static Tiled<S> make_all(Ranks& ranks, int tiles, Part&& part, Copies&& copies, Make&& make) {
+    constexpr int D = S::D;
+    static_assert(S::is_portion,
+                  "distribute: make(mesh, portion) must put `portion` among the parts of its scene");
+    Tiled<S> all;
+    all.rank_of_ = deal_tiles(tiles, ranks.size());
+    std::vector<decltype(part(0))> parts;
+    int first = tiles;
+    for (int t = 0; t < tiles; ++t)
+      if (all.rank_of_[static_cast<std::size_t>(t)] == ranks.rank()) {
+        first = std::min(first, t);
+        parts.push_back(part(t));
+      }
+    std::vector<const MeshPortion<D>*> portions;
+    for (const auto& of_tile : parts) portions.push_back(&of_tile.second);
+    all.all_ = std::make_unique<TilesOfRank>(ranks, make_halo(copies, all.rank_of_, ranks.rank(), portions),
+                                             all.rank_of_, first);
+    all.scenes_.reserve(parts.size());
+    for (std::size_t t = 0; t < parts.size(); ++t) {
+      const TileCommunicator communicator(*all.all_, t, first + static_cast<int>(t) == 0);
+      all.scenes_.push_back(
+          make(std::move(parts[t].first), on_portion(std::move(parts[t].second), communicator)));
+    }
+    if constexpr (S::template has_part<PointIds>) all.number_points();
+    return all;
+  }
+};
+
+template <int D>
+using TilePortion = OnPortion<MeshPortion<D>, TileCommunicator>;
+
+}  // namespace detail
+
+/// Cuts a scene over a simplex mesh into tiles and makes those of this rank, by `make(mesh, portion)`: a scene
+/// over `mesh`, with `portion` among its parts. All ranks give the same mesh and options. Throws `error` for
+/// tiles that cannot be.
 template <int D, class Make>
 auto distribute(Ranks& ranks, const MeshData<D>& whole, const TileOptions& options, Make&& make) {
-  using Portion = OnPortion<MeshPortion<D>, TileCommunicator>;
-  using S = std::remove_cvref_t<decltype(make(std::declval<SimplexMesh<D>>(), std::declval<Portion>()))>;
-  static_assert(S::is_portion,
-                "distribute: make(mesh, portion) must put `portion` among the parts of its scene");
-  Tiled<S> all;
-  all.tile_ = options.tile.empty()
-                  ? split_cells(whole, options.tiles > 0 ? options.tiles : ranks.size(), options.weights)
-                  : options.tile;
-  require(all.tile_.size() == whole.cells.size(), "TileOptions.tile", all.tile_.size(),
-          "must have one entry a cell");
-  const auto [least, most] = std::ranges::minmax(all.tile_);
+  using S = std::remove_cvref_t<decltype(make(std::declval<SimplexMesh<D>>(),
+                                              std::declval<detail::TilePortion<D>>()))>;
+  const auto tile =
+      options.tile.empty()
+          ? split_cells(whole, options.tiles > 0 ? options.tiles : ranks.size(), options.weights)
+          : options.tile;
+  require(tile.size() == whole.cells.size(), "TileOptions.tile", tile.size(), "must have one entry a cell");
+  const auto [least, most] = std::ranges::minmax(tile);
   require(least >= 0, "TileOptions.tile", least, "must not be negative");
-  const int tiles = std::max(options.tiles, most + 1);
-  all.rank_of_ = deal_tiles(tiles, ranks.size());
-  std::vector<std::pair<MeshData<D>, MeshPortion<D>>> parts;
-  int first = tiles;
-  for (int t = 0; t < tiles; ++t)
-    if (all.rank_of_[static_cast<std::size_t>(t)] == ranks.rank()) {
-      first = std::min(first, t);
-      parts.push_back(split_mesh(whole, all.tile_, t));
-    }
-  std::vector<const MeshPortion<D>*> portions;
-  for (const auto& part : parts) portions.push_back(&part.second);
-  all.all_ = std::make_unique<TilesOfRank>(
-      ranks, make_halo(copies_of_nodes(whole, all.tile_), all.rank_of_, ranks.rank(), portions), all.rank_of_,
-      first);
-  all.scenes_.reserve(parts.size());
-  for (std::size_t t = 0; t < parts.size(); ++t) {
-    const TileCommunicator communicator(*all.all_, t, first + static_cast<int>(t) == 0);
-    all.scenes_.push_back(
-        make(SimplexMesh<D>(parts[t].first), on_portion(std::move(parts[t].second), communicator)));
+  const auto copies = copies_of_nodes(whole, tile);
+  return detail::TileMaker<S>::make_all(
+      ranks, std::max(options.tiles, most + 1),
+      [&](int t) {
+        auto [mesh, portion] = split_mesh(whole, tile, t);
+        return std::pair{SimplexMesh<D>(mesh), std::move(portion)};
+      },
+      [&](int, std::uint64_t node) -> const std::vector<int>& { return copies[node]; }, make);
+}
+
+/// The same over a grid: the tiles are boxes of its cells, and `make` is given windows of it (`WindowGrid`).
+template <int D, class T, class Make>
+auto distribute(Ranks& ranks, const CartesianGrid<D, T>& whole, const TileOptions& options, Make&& make) {
+  using Grid = WindowGrid<CartesianGrid<D, T>>;
+  using S = std::remove_cvref_t<decltype(make(std::declval<Grid>(), std::declval<detail::TilePortion<D>>()))>;
+  using Shape = typename S::Shape;
+  require(options.tile.empty(), "TileOptions.tile", options.tile.size(),
+          "goes with simplices: tiles of a grid are boxes");
+  const int tiles = options.tiles > 0 ? options.tiles : ranks.size();
+  const auto boxes = split_cells(whole, tiles, options.weights);
+  std::array<Index, static_cast<std::size_t>(D)> cells, nodes;
+  for (std::size_t k = 0; k < cells.size(); ++k) {
+    cells[k] = whole.cells(static_cast<int>(k));
+    nodes[k] = cells[k] + Shape::halo;
   }
-  if constexpr (S::template has_part<PointIds>) all.number_points();
-  return all;
+  std::vector<CellRange<D>> of_windows;
+  for (const auto& box : boxes) {
+    auto range = box.grown(Shape::halo, cells);
+    for (Index& end : range.end) end += Shape::halo;
+    of_windows.push_back(range);
+  }
+  return detail::TileMaker<S>::make_all(
+      ranks, tiles, [&](int t) { return split_grid<Shape>(whole, boxes, t); },
+      CopiesInWindows<D>(of_windows, nodes), make);
+}
+
+/// Refused by the compiler: what cannot be cut.
+template <class Mesh, class Make>
+void distribute(Ranks&, const Mesh&, const TileOptions&, Make&&) {
+  static_assert(!std::is_object_v<Mesh>,
+                "distribute: the mesh must be the MeshData of simplices or a CartesianGrid; rectilinear and "
+                "periodic grids cannot be cut "
+                "into tiles");
 }
 
 /// Steps all tiles to `options.end`: see `run` of a scene. Each tile has its own copies of the observers, which are called at once

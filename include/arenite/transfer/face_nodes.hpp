@@ -51,13 +51,14 @@ std::size_t redistribute_at_faces(const M& grid, const Field& nodes, NodeVectors
   Index stride = 1;
   for (int k = 0; k < D; ++k) {
     const Index nodes_on_axis = Shape::node_count(grid, k), length = stride * nodes_on_axis;
-    const Index face = Shape::face_node(grid.cells(k));
+    const Index whole = whole_cells(grid, k), first = first_cell(grid, k), face = Shape::face_node(whole);
+    const bool has_low = first == 0, has_high = first + grid.cells(k) == whole;
     for (Index slab = is_periodic<M>(k) ? static_cast<Index>(nodes.size()) : 0;
          slab < static_cast<Index>(nodes.size()); slab += length)
       for (Index i = slab; i < slab + stride; ++i) {
         const Index low = i + face * stride, high = i + (nodes_on_axis - 1 - face) * stride;
-        redistribute(low, low + stride);
-        redistribute(high, high - stride);
+        if (has_low) redistribute(low, low + stride);
+        if (has_high) redistribute(high, high - stride);
       }
     stride = length;
   }

@@ -4,8 +4,11 @@ from __future__ import annotations
 
 import itertools
 import os
+import re
 from concurrent.futures import ThreadPoolExecutor, as_completed
-from typing import Any, Callable, Dict, Iterable, List, Mapping, Optional, TypeVar
+from contextlib import contextmanager, suppress
+from pathlib import Path
+from typing import Any, Callable, Dict, Iterable, Iterator, List, Mapping, Optional, TypeVar, Union
 
 import numpy as np
 
@@ -36,8 +39,70 @@ def several(name: str, value: object) -> Optional[List[Any]]:
 
 
 def combinations(swept: Mapping[str, List[Any]]) -> List[Dict[str, Any]]:
-    """Every combination of the values, by their names; the last one changes fastest."""
-    return [dict(zip(swept, values)) for values in itertools.product(*swept.values())]
+    """Every combination of the values, by their names; the last one changes fastest. Names with a comma, "friction, cell", have values that go
+    together, [(0.5, 0.01), ..]."""
+    groups = []
+    for names, values in swept.items():
+        each = [name.strip() for name in names.split(",")]
+        if len(each) == 1:
+            groups.append([{names: value} for value in values])
+            continue
+        for value in values:
+            if isinstance(value, (str, bytes)) or not isinstance(value, Iterable) or len(list(value)) != len(each):
+                raise Error(f"{names} = {value!r}: must be {len(each)} values")
+        groups.append([dict(zip(each, value)) for value in values])
+    return [{name: value for part in parts for name, value in part.items()} for parts in itertools.product(*groups)]
+
+
+Cases = Union[None, str, int, Iterable[int]]
+
+
+def chosen_cases(cases: Cases, count: int, keeps: bool) -> List[bool]:
+    """Which of so many cases a sweep is to run, of its argument `cases`: "3", "0-9", "0-4,7", "none", "all", or whole numbers; None: the
+    environment's ARENITE_CASES, or all. `keeps`: whether results stay on disk."""
+    told = "cases"
+    if cases is None:
+        told, cases = "ARENITE_CASES", os.environ.get("ARENITE_CASES") or "all"
+    rule = "must be none, all, or numbers of cases and ranges of them, such as 0-9,12"
+    if cases == "all":
+        return [True] * count
+    numbers: List[int] = []
+    if isinstance(cases, str):
+        for word in [] if cases == "none" else cases.split(","):
+            found = re.fullmatch(r" *(\d+)(?:-(\d+))? *", word)
+            if not found:
+                raise Error(f"{told} = {cases}: {rule}")
+            numbers += range(int(found[1]), int(found[2] or found[1]) + 1)
+    else:
+        for k in cases if isinstance(cases, Iterable) else [cases]:
+            if isinstance(k, bool) or not isinstance(k, (int, np.integer)):
+                raise Error(f"{told} = {cases!r}: {rule}")
+            numbers.append(int(k))
+    for k in numbers:
+        if not 0 <= k < count:
+            raise Error(f"{told} = {k}: the sweep has the cases 0 to {count - 1}")
+    if not keeps:
+        raise Error(f"{told} = {cases}: needs a folder, `out`, where the other cases' results lie")
+    return [k in set(numbers) for k in range(count)]
+
+
+@contextmanager
+def alone(path: Path) -> Iterator[bool]:
+    """Holds the lock of a file; False if another process has it. The system frees it when a process ends, however that is."""
+    try:
+        import fcntl
+    except ImportError:  # a system without
+        yield True
+        return
+    with open(path, "w") as file:
+        try:
+            fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        except OSError:
+            yield False
+            return
+        yield True
+        with suppress(FileNotFoundError):
+            path.unlink()
 
 
 def run_cases(run: Callable[[int], T], count: int, jobs: int, stop: Callable[[], None], kill: Callable[[], None],

@@ -24,7 +24,7 @@ from typing import Any, Callable, Dict, Iterable, List, Mapping, NamedTuple, Opt
 
 import numpy as np
 
-from ._cases import checked_jobs, combinations, processors, run_cases, several
+from ._cases import Cases, alone, checked_jobs, chosen_cases, combinations, processors, run_cases, several
 from ._errors import Error
 from ._files import MOST_TABLE, read_bytes, read_json, replaced
 from ._folder import Folder, PathLike
@@ -33,7 +33,8 @@ from ._rows import Rows
 
 
 class Sweep(Rows):
-    """What `sweep` returns: a row a value, with "status" ("done" or "failed") and "failure". `sweep["depth"]` is a column as an array
+    """What `sweep` returns: a row a value, with "status" ("done", "failed", or "waiting" and "running" of cases that this call was not to
+    run, or that another process runs) and "failure". `sweep["depth"]` is a column as an array
     [rows], NaN where a number is missing; `to_pandas()` gives the pandas.DataFrame, `plot()` a picture over what was swept."""
 
     KIND = "value"
@@ -50,6 +51,10 @@ class Sweep(Rows):
         return self._folder.path
 
 
+#: Of a case without a result, in the place of a failure: not to be run here; run by another process.
+WAITING, RUNNING = OPEN = "waiting", "running"
+
+
 class Case(NamedTuple):
     name: str  #: of its file
     key: str  #: what decides its result, as text
@@ -57,18 +62,21 @@ class Case(NamedTuple):
 
 
 def sweep(function: Callable[..., Any], values: Union[Iterable[Any], Mapping[str, Iterable[Any]]], jobs: int = 1,
-          out: Optional[PathLike] = None, *, quiet: bool = True) -> Sweep:
+          out: Optional[PathLike] = None, *, quiet: bool = True, cases: Cases = None) -> Sweep:
     """Calls a function with each of many values, `jobs` at a time, each in a process of its own: `sweep(depth, [20, 25, 30])` calls
     `depth(20)` and so on, `sweep(depth, {"friction": [20, 30], "cell": [0.01, 0.02]})` every combination, `depth(friction=20, cell=0.01)`.
 
     function  of a module or a script, made by `def` at its top level; returns a number, a text, an array, or lists and mappings of
               them. Numbers and texts of a mapping become columns; all that it returned is in `results`
-    values    one or more values each, or values by the names of parameters; anything that pickle takes
+    values    one or more values each, or values by the names of parameters, {"friction, cell": [(0.5, 0.01), ..]} for such that go together;
+              anything that pickle takes
     jobs      calls at once; scenes in each have the processors' share of threads
     out       folder that gets a file a value as soon as it is done. The same call goes on with a sweep that was interrupted or killed:
               what is done there is read. A folder of another function, or of one whose code has changed since, is refused; what it
               calls is not looked at. Without, a temporary folder that goes with the result
     quiet     False: a line a value as it ends, on standard error
+    cases     which of the values to run here, by the number of their row: "0-9", "3,7", 3, range(10); "none" only collects. None: what the
+              environment's ARENITE_CASES says, or all. Jobs of a cluster share a folder `out` so; a value that one of them runs is left to it
 
     Returns a `Sweep`, a row a value. One that raises, or whose process ends, has the status "failed" and says why under "failure", with
     the traceback in its file NAME.failed.txt; the others go on, and the same call tries it again. Raises `Error` if all fail. Ctrl-C
@@ -78,37 +86,45 @@ def sweep(function: Callable[..., Any], values: Union[Iterable[Any], Mapping[str
     swept = list(values) if isinstance(values, Mapping) else ["value"]
     if isinstance(values, Mapping):
         told = combinations({name: _listed(f"sweep.values.{name}", given) for name, given in values.items()})
-        cases = [_case(row, (), row) for row in told]
+        planned = [_case(row, (), row) for row in told]
+        swept = list(told[0])
     else:
         told = [{"value": one} for one in _listed("sweep.values", values)]
-        cases = [_case(row, tuple(row.values()), {}) for row in told]
+        planned = [_case(row, tuple(row.values()), {}) for row in told]
+    chosen = chosen_cases(cases, len(planned), out is not None)
     folder = Folder(out)
     _claim(folder.path, function)
     workers = Workers(function, max(1, processors() // jobs), folder.path)
 
     def run(k: int) -> Tuple[str, Any]:
-        if not (folder.path / f"{cases[k].name}.npz").exists() or _stored(folder.path, cases[k]) is None:
-            failure = workers.run(cases[k])
+        case = planned[k]
+        if not (folder.path / f"{case.name}.npz").exists() or _stored(folder.path, case) is None:
+            if not chosen[k]:
+                return WAITING, None
+            with alone(folder.path / f"{case.name}.lock") as here:
+                if not here:
+                    return RUNNING, None
+                failure = workers.run(case)
             if failure:
                 return failure, None
-        found = _stored(folder.path, cases[k])
-        return ("", found[0]) if found else (f"{folder.path / cases[k].name}.npz: was changed meanwhile", None)
+        found = _stored(folder.path, case)
+        return ("", found[0]) if found else (f"{folder.path / case.name}.npz: was changed meanwhile", None)
 
     def tell(ended: int, k: int, result: Tuple[str, Any]) -> None:
-        if not quiet:
-            print(f"{ended} of {len(cases)}: {_words(told[k])}: {result[0] or 'done'}", file=sys.stderr, flush=True)
+        if not quiet and chosen[k]:
+            print(f"{ended} of {len(planned)}: {_words(told[k])}: {result[0] or 'done'}", file=sys.stderr, flush=True)
 
     try:
-        ended = run_cases(run, len(cases), jobs, workers.stop, workers.kill, tell)
+        ended = run_cases(run, len(planned), jobs, workers.stop, workers.kill, tell)
     finally:
         workers.close()
-    if ended and all(failure for failure, _ in ended):
+    if any(chosen) and all(failure and failure not in OPEN for failure, _ in ended):
         raise Error(f"sweep: each of {len(ended)} values failed; {_words(told[0])}: {ended[0][0]}")
     rows = []
     for row, (failure, result) in zip(told, ended):
         columns = result if isinstance(result, dict) else {"result": result}
-        rows.append({**{name: one if _is_plain(one) else _short(one) for name, one in row.items()}, "status": "failed" if failure else "done",
-                     "failure": failure, **{name: one for name, one in columns.items() if _is_plain(one) and one is not None}})
+        rows.append({**{name: one if _is_plain(one) else _short(one) for name, one in row.items()}, "status": failure if failure in OPEN else "failed" if failure else "done",
+                     "failure": "" if failure in OPEN else failure, **{name: one for name, one in columns.items() if _is_plain(one) and one is not None}})
     names = dict.fromkeys(name for row in rows for name in row if name not in (*swept, "status", "failure"))
     return Sweep(folder, rows, swept, list(names), [result for _, result in ended])
 

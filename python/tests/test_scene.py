@@ -359,6 +359,39 @@ def test_a_sweep_outlives_its_failures_and_goes_on(ar, tmp_path):
         ar.sweep(counted, values[1:2])
 
 
+def test_jobs_of_a_cluster_share_a_sweep(ar, tmp_path, monkeypatch):
+    """Each runs its cases; what others have done is read; numbers that are none are refused."""
+    marks, out = tmp_path / "marks", tmp_path / "out"
+    marks.mkdir()
+    values = [(str(marks), x) for x in (1, 2, 3, "raises", 5)]
+    plan = ar.sweep(counted, values, out=out, cases="none")
+    assert list(plan["status"]) == ["waiting"] * 5 and calls(marks) == []
+    monkeypatch.setenv("ARENITE_CASES", "1-2")
+    part = ar.sweep(counted, values, out=out)
+    assert list(part["status"]) == ["waiting", "done", "done", "waiting", "waiting"] and calls(marks) == ["2", "3"]
+    monkeypatch.delenv("ARENITE_CASES")
+    part = ar.sweep(counted, values, out=out, cases=[3, 4])
+    assert list(part["status"]) == ["waiting", "done", "done", "failed", "done"] and part["failure"][3] == "ValueError: too steep"
+    with ar._cases.alone(out / f"{ar._sweep._case({'value': values[0]}, (values[0],), {}).name}.lock") as here:
+        assert here and list(ar.sweep(counted, values[:3], out=out)["status"]) == ["running", "done", "done"]
+    whole = ar.sweep(counted, values, out=out, jobs=2)
+    assert whole["result"][[0, 1, 2, 4]].tolist() == [2, 4, 6, 10] and calls(marks) == ["1", "2", "3", "5", "raises", "raises"]
+    assert not list(out.glob("*.lock"))
+    for cases, rule in ((5, "cases = 5: the sweep has the cases 0 to 4"), ("2-", "cases = 2-: must be none, all, or numbers"), (1.5, "must be none, all"),
+                        ("0-9", "the sweep has the cases 0 to 4")):
+        with pytest.raises(ar.Error, match=rule):
+            ar.sweep(counted, values, out=out, cases=cases)
+    with pytest.raises(ar.Error, match="needs a folder"):
+        ar.sweep(counted, values, cases=1)
+
+
+def test_values_that_go_together(ar):
+    assert ar._cases.combinations({"a, b": [(1, 2), (3, 4)], "c": [5, 6]}) == [
+        {"a": 1, "b": 2, "c": 5}, {"a": 1, "b": 2, "c": 6}, {"a": 3, "b": 4, "c": 5}, {"a": 3, "b": 4, "c": 6}]
+    with pytest.raises(ar.Error, match="must be 2 values"):
+        ar._cases.combinations({"a, b": [(1, 2, 3)]})
+
+
 SWEEP = """
 import pathlib, signal, sys, time
 import arenite as ar

@@ -45,8 +45,10 @@ struct OwnsAll {
 /// Whether this scene writes and tells what all have in common: one of them does.
 template <class Scene>
 bool speaks_for_all([[maybe_unused]] const Scene& scene) {
-  if constexpr (Scene::is_portion) return scene.communicator().first();
-  return true;
+  if constexpr (requires { requires Scene::is_portion; })
+    return scene.communicator().first();
+  else
+    return true;
 }
 
 /// Sums scalars and vectors over the scenes.

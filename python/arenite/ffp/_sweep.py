@@ -9,7 +9,7 @@ import sys
 from pathlib import Path
 from typing import Any, Dict, List, Mapping, Optional
 
-from .._cases import checked_jobs, combinations, processors, run_cases, several
+from .._cases import Cases, checked_jobs, chosen_cases, combinations, processors, run_cases, several
 from .._errors import Error, RunError
 from .._folder import Folder, PathLike
 from ._columns import Columns
@@ -29,7 +29,7 @@ BARS = ("final_penetration_m", "peak_deceleration_g")
 HOW = ("threads", "resume", "force", "checkpoint_every")  # options that change nothing in the result
 
 
-def sweep(jobs: int = 1, out: Optional[PathLike] = None, *, quiet: bool = True, **options: object) -> Table:
+def sweep(jobs: int = 1, out: Optional[PathLike] = None, *, quiet: bool = True, cases: Cases = None, **options: object) -> Table:
     """Runs a drop for every combination of the options that are given as several values (a range, list, tuple, array ..): `sweep(delta=
     range(20, 41, 4), tip=["cone", "blunt"])` runs twelve. Units, limits and meaning of each option are those of `drop`.
 
@@ -37,6 +37,7 @@ def sweep(jobs: int = 1, out: Optional[PathLike] = None, *, quiet: bool = True, 
     out      folder that gets a folder a drop, named by its options. Drops that are finished there are read, not run again, so that the same
              call goes on with an interrupted sweep. Without, temporary folders that go with the result
     quiet    False: a line a drop as it ends, on standard error
+    cases    which drops to run here, by the number of their row, as in `arenite.sweep`; the others are read where they are done, else "waiting"
     options  of `arenite.ffp.help("drop")`; `fields_every` is 0, no files for ParaView, unless given
 
     Returns a `Table`, a row a drop: the swept options, "status" ("done", "failed" .., or "refused" if its options cannot be used),
@@ -46,13 +47,22 @@ def sweep(jobs: int = 1, out: Optional[PathLike] = None, *, quiet: bool = True, 
     jobs = checked_jobs(jobs)
     given = {"threads": max(1, processors() // jobs), "fields_every": 0, **options}
     swept = {name: values for name, value in options.items() for values in [several(name, value)] if values is not None}
-    cases = combinations(swept)
-    names = folder_names([{**options, **case} for case in cases])
+    planned = combinations(swept)
+    chosen = chosen_cases(cases, len(planned), out is not None)
+    names = folder_names([{**options, **case} for case in planned])
     runs = Runs()
 
     def run(k: int) -> Drop:
-        case, name = cases[k], names[k]
+        case, name = planned[k], names[k]
         folder, told = Folder(None if out is None else Path(out) / name), {**options, **case}
+        if not chosen[k]:
+            try:
+                done = Drop(folder, told)
+                if done.status == "done":
+                    return done
+            except Error:
+                pass  # not begun
+            return UnfinishedDrop(folder, told, "waiting", "")
         try:
             drop = run_drop(runs, folder, {**given, **case}, quiet=True, keeps=out is not None)
         except RunError as problem:
@@ -63,9 +73,9 @@ def sweep(jobs: int = 1, out: Optional[PathLike] = None, *, quiet: bool = True, 
         return drop
 
     program()  # said once, not by every drop
-    drops = run_cases(run, len(cases), jobs, runs.stop, runs.kill,
-                      lambda ended, k, drop: None if quiet else _tell(ended, cases[k], len(cases), drop))
-    return table_of(cases, drops)
+    drops = run_cases(run, len(planned), jobs, runs.stop, runs.kill,
+                      lambda ended, k, drop: None if quiet or not chosen[k] else _tell(ended, planned[k], len(planned), drop))
+    return table_of(planned, drops)
 
 
 class UnfinishedDrop(Drop):

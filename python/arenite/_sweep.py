@@ -118,8 +118,9 @@ def sweep(function: Callable[..., Any], values: Union[Iterable[Any], Mapping[str
         ended = run_cases(run, len(planned), jobs, workers.stop, workers.kill, tell)
     finally:
         workers.close()
-    if any(chosen) and all(failure and failure not in OPEN for failure, _ in ended):
-        raise Error(f"sweep: each of {len(ended)} values failed; {_words(told[0])}: {ended[0][0]}")
+    failed = [(row, failure) for row, (failure, _), here in zip(told, ended, chosen) if here and failure and failure not in OPEN]
+    if failed and len(failed) == sum(chosen):
+        raise Error(f"sweep: each of {len(failed)} values failed; {_words(failed[0][0])}: {failed[0][1]}")
     rows = []
     for row, (failure, result) in zip(told, ended):
         columns = result if isinstance(result, dict) else {"result": result}

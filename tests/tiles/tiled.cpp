@@ -1,5 +1,6 @@
 // Scenes cut into tiles in one process: the same points as the whole, output of the whole, saved and restored.
 #include <arenite/arenite.hpp>
+#include <arenite/io/pvd.hpp>
 #include <arenite/observe/csv.hpp>
 #include <arenite/observe/vtu.hpp>
 #include <arenite/tiles.hpp>

@@ -103,6 +103,23 @@ class World final : public Ranks {
                    &request);
     wait({&request, 1});
   }
+  std::vector<double> gather(const std::vector<double>& numbers) override {
+    std::vector<int> counts(static_cast<std::size_t>(size_)), first(counts.size());
+    const int own = count_of(numbers.size());
+    MPI_Request request;
+    MPI_Iallgather(&own, 1, MPI_INT, counts.data(), 1, MPI_INT, work_, &request);
+    wait({&request, 1});
+    std::size_t all = 0;
+    for (std::size_t r = 0; r < counts.size(); ++r) {
+      first[r] = count_of(all);
+      all += static_cast<std::size_t>(counts[r]);
+    }
+    std::vector<double> gathered(all);
+    MPI_Iallgatherv(numbers.data(), own, MPI_DOUBLE, gathered.data(), counts.data(), first.data(), MPI_DOUBLE,
+                    work_, &request);
+    wait({&request, 1});
+    return gathered;
+  }
   double least(double number) override {
     MPI_Request request;
     MPI_Iallreduce(MPI_IN_PLACE, &number, 1, MPI_DOUBLE, MPI_MIN, work_, &request);

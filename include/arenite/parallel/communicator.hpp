@@ -23,6 +23,7 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 ///   the scene's scalar, has `count` numbers a node;
 /// - `share_nodes(values, count)`: each copy gets the numbers of the scene that owns the node;
 /// - `sum(values)`: each number (double) is summed over the scenes;
+/// - `gather(numbers)`: those of all scenes, one after the other, always in the same order;
 /// - `least(value)`: the least of the scenes;
 /// - `first()`: true in one of the scenes, which counts what all have;
 /// - `size()`: number of portions;

@@ -30,8 +30,7 @@ inline constexpr bool rotates = [] {
 ///   contact;
 /// - `velocity_in_contact(body, free_velocity)`: velocity of the surface in contact; `body.impulse_at(node,
 ///   v)` for a node of `body.touched_nodes` is the impulse on the matter if the body moves with v;
-///   with mass and on a portion of a mesh `velocity_in_contact(body, free_velocity, others)`, which sums over
-///   the other portions (`sum_over`);
+///   of scenes over portions of a mesh each then has the touches of all;
 /// - `after(contact_velocity, free_velocity, total, magnitudes)`: velocity at the end of the step; `contact_velocity`: the velocity in
 ///   contact, `total`: impulse on the matter, `magnitudes`: sum of the magnitudes of the impulses;
 /// - `mean(before, after)`: velocity with which the impulses did work;

@@ -123,7 +123,8 @@ class BoundRigidContact {
     const auto acceleration = scene.acceleration();
     each(scene, steps, [&](auto& body, auto& s, std::size_t) {
       find_touched_nodes<typename Scene::Shape>(scene.mesh, body, scene.fields, static_cast<T>(dt),
-                                                scene.node_owner(), comm);
+                                                scene.node_owner());
+      sum_over(comm, body.inside_nodes);
       s.free = free_velocity(body, acceleration, static_cast<T>(scene.time + dt), static_cast<T>(dt));
     });
     for (auto& b : touching_.bodies) b.impulse.setZero();

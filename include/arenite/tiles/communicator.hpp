@@ -104,6 +104,17 @@ class TilesOfRank {
     });
   }
 
+  /// In the order of the tiles.
+  std::vector<double> gather(std::size_t tile, const std::vector<double>& numbers) {
+    gathered_from_[tile] = &numbers;
+    meeting_.meet([&] {
+      std::vector<double> here;
+      for (const auto* of_tile : gathered_from_) here.insert(here.end(), of_tile->begin(), of_tile->end());
+      gathered_ = ranks_->gather(here);
+    });
+    return gathered_;  // the next round needs this tile, too
+  }
+
   /// NaN counts as less than all numbers.
   double least(std::size_t tile, double value) {
     least_[tile] = std::isnan(value) ? -std::numeric_limits<double>::infinity() : value;
@@ -206,6 +217,8 @@ class TilesOfRank {
   std::vector<std::span<double>> numbers_;  // [tiles]
   std::vector<double> least_;               // [tiles]
   double least_of_all_ = 0;
+  std::vector<const std::vector<double>*> gathered_from_ = std::vector<const std::vector<double>*>(tiles());
+  std::vector<double> gathered_{};
   std::vector<Messages> to_, from_;  // [tiles] by the other tile
   std::size_t migrated_ = 0;
 
@@ -233,6 +246,9 @@ class TileCommunicator {
     all_->share_nodes(tile_, values, count);
   }
   void sum(std::span<double> values) const { all_->sum(tile_, values); }
+  std::vector<double> gather(const std::vector<double>& numbers) const {
+    return all_->gather(tile_, numbers);
+  }
   double least(double value) const { return all_->least(tile_, value); }
   bool first() const { return first_; }
   int size() const { return all_->size(); }

@@ -32,6 +32,8 @@ class Ranks {
                                             const std::vector<std::string>& to) = 0;
   /// Each number becomes the sum of those of all ranks.
   virtual void sum(std::span<std::int64_t> numbers) = 0;
+  /// The numbers of all ranks, in their order.
+  virtual std::vector<double> gather(const std::vector<double>& numbers) = 0;
   /// The least number of all ranks; none of them is NaN.
   virtual double least(double number) = 0;
   /// This rank has failed: the others throw where they wait.
@@ -48,6 +50,7 @@ class OneRank final : public Ranks {
     return {};
   }
   void sum(std::span<std::int64_t>) override {}
+  std::vector<double> gather(const std::vector<double>& numbers) override { return numbers; }
   double least(double number) override { return number; }
   void fail(const std::string&) override {}
 };

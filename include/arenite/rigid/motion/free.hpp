@@ -10,7 +10,6 @@
 #include <arenite/boundary/place_function.hpp>
 #include <arenite/core/linear_solve.hpp>
 #include <arenite/core/vector_argument.hpp>
-#include <arenite/parallel/communicator.hpp>
 #include <arenite/rigid/body/inertia.hpp>
 #include <arenite/rigid/body/pose.hpp>
 #include <arenite/rigid/motion/anchor.hpp>
@@ -107,11 +106,10 @@ class BoundFree {
     return twist<double, D>(v, in_space_.inverse() * free_momentum_).template cast<T>();
   }
 
-  template <class Body, class Communicator = Serial>
-  Velocity velocity_in_contact(const Body& body, const Velocity& free_velocity,
-                               const Communicator& comm = serial) const {
+  template <class Body>
+  Velocity velocity_in_contact(const Body& body, const Velocity& free_velocity) const {
     ContactBalance<D> balance(resisting_nodes(body), body.friction, free_velocity.template cast<double>(),
-                              inertia_of_twist(), moves(), SumOverScenes(comm));
+                              inertia_of_twist(), moves());
     return balance.solve().template cast<T>();
   }
 

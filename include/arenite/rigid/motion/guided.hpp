@@ -11,7 +11,6 @@
 #include <arenite/core/error.hpp>
 #include <arenite/core/tensor.hpp>
 #include <arenite/core/vector_argument.hpp>
-#include <arenite/parallel/communicator.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
@@ -32,16 +31,13 @@ namespace detail {
 /// pieces that are straight (or nearly so, with friction in three dimensions), whose slopes may differ by as
 /// much as soil and body: Newton steps on the pieces, inside a bracket that is halved where they leave it or
 /// do not get ahead.
-/// The sums are taken over the touches of all scenes that share the body.
-template <class R, class V, class T, class Communicator>
-T balance_speed(const R& body, const V& axis, T trial, T mass, const Communicator& comm) {
+template <class R, class V, class T>
+T balance_speed(const R& body, const V& axis, T trial, T mass) {
   T soil = 0;
   for (const auto& t : body.touched_nodes) soil += t.mass_ratio * t.mass;
-  sum_over(comm, soil);
   const auto contact_impulse = [&](T s) {
     T sum = 0;
     for (const auto& t : body.touched_nodes) sum += body.impulse_at(t, s * axis).dot(axis);
-    sum_over(comm, sum);
     return sum;
   };
   constexpr T round_off = std::numeric_limits<T>::epsilon();
@@ -103,13 +99,12 @@ struct BoundGuided {
     const T along = acceleration.dot(axis) + static_cast<T>(force / mass);
     return before + dt * along * axis;
   }
-  template <class Body, class Communicator = Serial>
-  V velocity_in_contact(const Body& body, const V& free_velocity,
-                        [[maybe_unused]] const Communicator& comm = serial) const {
+  template <class Body>
+  V velocity_in_contact(const Body& body, const V& free_velocity) const {
     if constexpr (Body::coupling_through_centre)
       return free_velocity;  // `after` corrects it: eq. (4)
     else
-      return detail::balance_speed(body, axis, free_velocity.dot(axis), static_cast<T>(mass), comm) * axis;
+      return detail::balance_speed(body, axis, free_velocity.dot(axis), static_cast<T>(mass)) * axis;
   }
   /// The remainder of the balance is given to the body, unless it is round-off of the impulses, which would
   /// give a very light body a large velocity.

@@ -4,7 +4,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include <algorithm>
+#include <span>
+#include <type_traits>
 #include <utility>
+#include <vector>
 
 #include <arenite/contact/hold.hpp>
 #include <arenite/core/contact_tally.hpp>
@@ -15,9 +18,9 @@
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 /// The nodes with matter that the body touches where it is now, with the fields' velocities before contact, for a step of dt, s.
-template <class Shape, class M, class R, class Fields, class Owns, class Communicator>
+template <class Shape, class M, class R, class Fields, class Owns>
 void find_touched_nodes(const M& mesh, R& body, const Fields& fields, [[maybe_unused]] typename M::scalar dt,
-                        const Owns& owns, const Communicator& comm) {
+                        const Owns& owns) {
   using T = typename M::scalar;
   body.touched_nodes.clear();
   body.inside_nodes = 0;
@@ -45,7 +48,6 @@ void find_touched_nodes(const M& mesh, R& body, const Fields& fields, [[maybe_un
         }
       });
   if constexpr (R::keeps_gaps) body.gaps.give(body.touched_nodes, fields.size(), fields[0].size(), dt);
-  sum_over(comm, body.inside_nodes);
 }
 
 /// The body's velocity at the end of the step without contact.
@@ -57,17 +59,44 @@ typename R::Velocity free_velocity(R& body, const Vec<T, D>& acceleration, T tim
     return body.motion.free_velocity(body.whole_velocity(), acceleration, time, dt);
 }
 
-/// The velocity with which impulses are found.
+/// The touches of a body in all scenes that share it, without their places.
+template <class TouchedNode, class Communicator>
+std::vector<TouchedNode> touches_of_all(const std::vector<TouchedNode>& own, const Communicator& comm) {
+  std::vector<double> numbers;
+  const auto with_numbers = [](auto& t, auto&& f) {
+    f(t.mass);
+    f(t.mass_ratio);
+    f(t.closing);
+    for (auto* vector : {&t.start, &t.normal, &t.arm})
+      for (auto& x : std::span(vector->data(), static_cast<std::size_t>(vector->size()))) f(x);
+  };
+  for (const TouchedNode& t : own) {
+    numbers.push_back(t.inside ? 1 : 0);
+    with_numbers(t, [&](const auto& x) { numbers.push_back(static_cast<double>(x)); });
+  }
+  std::vector<TouchedNode> all;
+  const auto gathered = comm.gather(numbers);
+  for (auto next = gathered.begin(); next != gathered.end();) {
+    TouchedNode t{};
+    t.inside = *next++ != 0;
+    with_numbers(t, [&](auto& x) { x = static_cast<std::remove_reference_t<decltype(x)>>(*next++); });
+    all.push_back(t);
+  }
+  return all;
+}
+
+/// The velocity with which impulses are found: of all scenes that share the body, which each finds from the touches of all.
 template <class R, class Communicator>
-typename R::Velocity velocity_in_contact(const R& body, const typename R::Velocity& free,
-                                         const Communicator& comm) {
-  if constexpr (requires { body.motion.velocity_in_contact(body, free, comm); }) {
-    return body.motion.velocity_in_contact(body, free, comm);
-  } else {
-    static_assert(Communicator::is_serial || !R::is_free,
-                  "Rigid: on a portion of a mesh velocity_in_contact(body, free_velocity, comm) of a motion "
-                  "with mass must sum over the portions; see arenite/rigid/motion.hpp");
+typename R::Velocity velocity_in_contact(R& body, const typename R::Velocity& free,
+                                         [[maybe_unused]] const Communicator& comm) {
+  if constexpr (Communicator::is_serial || !R::is_free) {
     return body.motion.velocity_in_contact(body, free);
+  } else {
+    auto touches = touches_of_all(body.touched_nodes, comm);
+    std::swap(touches, body.touched_nodes);
+    const typename R::Velocity u = body.motion.velocity_in_contact(body, free);
+    std::swap(touches, body.touched_nodes);
+    return u;
   }
 }
 
@@ -100,11 +129,11 @@ struct ContactImpulses {
   }
 };
 
-/// Gives the fields the impulses of a body that moves with `contact_velocity`.
-template <class R, class Fields, class Communicator>
+/// Gives the fields the impulses of a body that moves with `contact_velocity`. `more`: numbers that are summed over the scenes, too.
+template <class R, class Fields, class Communicator, class... More>
 ContactImpulses<R> apply_contact_impulses(R& body, Fields& fields,
                                           const typename R::Velocity& contact_velocity,
-                                          const Communicator& comm) {
+                                          const Communicator& comm, More&... more) {
   ContactImpulses<R> impulses;
   body.contact_nodes = 0;
   for (auto& t : body.touched_nodes) {
@@ -121,7 +150,7 @@ ContactImpulses<R> apply_contact_impulses(R& body, Fields& fields,
     impulses.gained += j.dot(twice_mean) / 2;
     ++body.contact_nodes;
   }
-  sum_over(comm, impulses.total, impulses.gained, impulses.magnitudes, body.contact_nodes);
+  sum_over(comm, impulses.total, impulses.gained, impulses.magnitudes, body.contact_nodes, more...);
   return impulses;
 }
 
@@ -159,10 +188,10 @@ template <class Shape, class M, class R, class Fields, class T, int D, class Own
 ContactTally collide(const M& mesh, R& body, Fields& fields, const Vec<T, D>& acceleration, T time, T dt,
                      const Owns& owns = {}, const Communicator& comm = serial) {
   using Velocity = typename R::Velocity;
-  find_touched_nodes<Shape>(mesh, body, fields, dt, owns, comm);
+  find_touched_nodes<Shape>(mesh, body, fields, dt, owns);
   const Velocity free = free_velocity(body, acceleration, time, dt);
   const Velocity contact_velocity = velocity_in_contact(body, free, comm);
-  const auto impulses = apply_contact_impulses(body, fields, contact_velocity, comm);
+  const auto impulses = apply_contact_impulses(body, fields, contact_velocity, comm, body.inside_nodes);
   const double dissipation =
       finish_step(body, free, free, Velocity(Velocity::Zero()), contact_velocity, impulses, dt).first;
   return {.dissipation = dissipation, .nodes = body.contact_nodes};

@@ -4,12 +4,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include <cstddef>
-#include <span>
 #include <vector>
 
 #include <arenite/contact/coulomb.hpp>
 #include <arenite/core/cold.hpp>
-#include <arenite/parallel/communicator.hpp>
 #include <arenite/rigid/body/twist.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
@@ -57,30 +55,11 @@ template <int D, int N>
 Mat<double, N> resistance_of(const std::vector<ResistingNode<D, N>>& nodes, const Vec<double, N>& u,
                              const Friction& friction, bool coupling);
 
-/// Sums numbers over the scenes that share a body, or nothing where there is one.
-struct SumOverScenes {
-  const void* communicator = nullptr;
-  void (*sum)(const void* communicator, std::span<double> numbers) = nullptr;
-
-  template <class Communicator>
-  explicit SumOverScenes([[maybe_unused]] const Communicator& comm) {
-    if constexpr (!Communicator::is_serial) {
-      communicator = &comm;
-      sum = [](const void* of, std::span<double> numbers) {
-        static_cast<const Communicator*>(of)->sum(numbers);
-      };
-    }
-  }
-  void operator()(std::span<double> numbers) const {
-    if (sum) sum(communicator, numbers);
-  }
-};
-
 /// Solves f(u) = M (u - free) + sum_i W_i^T J_i(W_i u) = 0 for the twist u of a body, W_i u its velocity at
 /// node i. f is made of pieces that are straight, or nearly so; without friction it is the gradient of a
 /// convex function. Newton steps on the pieces, each followed along its direction to where f no longer points
 /// ahead, reach the solution in a few steps, whatever the masses. Components are scaled by the square root of
-/// the mass that they move. The sums are taken over the touches of all scenes that share the body.
+/// the mass that they move.
 template <int D>
 class ContactBalance {
  public:
@@ -90,7 +69,7 @@ class ContactBalance {
 
   /// `inertia`: M; `moves`: 1 for each component of the twist that may change, else 0.
   ContactBalance(Nodes nodes, const Friction& friction, const U& free, const Mat<double, N>& inertia,
-                 const U& moves, SumOverScenes sum_over_scenes);
+                 const U& moves);
 
   /// The twist.
   U solve();
@@ -108,7 +87,6 @@ class ContactBalance {
   U free_, scale_;
   Mat<double, N> inertia_;
   U moves_;
-  SumOverScenes sum_over_scenes_;
   U rest_;
   Mat<double, N> slope_;
   double magnitude_ = 0, contact_magnitude_ = 0;

@@ -76,20 +76,17 @@ ARENITE_COLD Mat<double, N> resistance_of(const std::vector<ResistingNode<D, N>>
 
 template <int D>
 ARENITE_COLD ContactBalance<D>::ContactBalance(Nodes nodes, const Friction& friction, const U& free,
-                                               const Mat<double, N>& inertia, const U& moves,
-                                               SumOverScenes sum_over_scenes)
+                                               const Mat<double, N>& inertia, const U& moves)
     : nodes_{std::move(nodes)},
       friction_{friction},
       free_{free},
       scale_{zeros<U>()},
       inertia_{inertia},
       moves_{moves},
-      sum_over_scenes_{sum_over_scenes},
       added_from_{zeros<U>()} {
   for (const auto& node : nodes_)
     for (int k = 0; k < N; ++k)
       for (int d = 0; d < D; ++d) scale_[k] += node.mass * (node.map(d, k) * node.map(d, k));
-  sum_over_scenes_({scale_.data(), N});
   for (int k = 0; k < N; ++k) scale_[k] = std::sqrt(scale_[k] + inertia_(k, k));
 }
 
@@ -149,7 +146,6 @@ ARENITE_COLD void ContactBalance<D>::look(const U& x) {
     }
     node.add_resistance(node.slope_at(a, friction_, true), sums);
   }
-  sum_over_scenes_(sums);
   contact_magnitude_ = 0;
   double squared = 0;
   for (int row = 0; row < N; ++row) {

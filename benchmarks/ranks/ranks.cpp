@@ -15,7 +15,9 @@ using Clock = std::chrono::steady_clock;
 
 namespace {
 
-double seconds(Clock::time_point since) { return std::chrono::duration<double>(Clock::now() - since).count(); }
+double seconds(Clock::time_point since) {
+  return std::chrono::duration<double>(Clock::now() - since).count();
+}
 
 /// Median of what `f` takes, s.
 template <class F>
@@ -34,14 +36,16 @@ void work(mpi::World& world, int tiles, double points, int steps) {
   const int k = std::max(2, static_cast<int>(std::lround(std::cbrt(points / 60))));
   const double h = 1.0 / k;
   auto scene = distribute(world, bench::tetrahedra(k, h), {.tiles = tiles}, [&](auto mesh, auto portion) {
-    return Scene{ThreeDimensional{},
-                 mesh,
-                 Numerics<LinearSimplex, Flip, Musl, NodalAveraging>{},
-                 bodies(fill(Box{{0., 0., 0.}, {1., 1., 1.}}, bench::sand(),
-                             {.per_cell = 10, .velocity = {0.05, 0.02, 0}, .stress = Geostatic{.surface = 1, .k0 = 0.5}})),
-                 walls(bottom(fixed), left(roller), right(roller), front(roller), back(roller)),
-                 gravity({0, 0, -9.81}),
-                 portion};
+    return Scene{
+        ThreeDimensional{},
+        mesh,
+        Numerics<LinearSimplex, Flip, Musl, NodalAveraging>{},
+        bodies(fill(
+            Box{{0., 0., 0.}, {1., 1., 1.}}, bench::sand(),
+            {.per_cell = 10, .velocity = {0.05, 0.02, 0}, .stress = Geostatic{.surface = 1, .k0 = 0.5}})),
+        walls(bottom(fixed), left(roller), right(roller), front(roller), back(roller)),
+        gravity({0, 0, -9.81}),
+        portion};
   });
   std::vector<double> times;
   std::size_t migrated = 0;
@@ -76,10 +80,12 @@ void work(mpi::World& world, int tiles, double points, int steps) {
   if (world.rank() != 0) return;
   std::ranges::nth_element(times, times.begin() + steps / 2);
   const double step = times[static_cast<std::size_t>(steps / 2)];
-  std::printf("{\"ranks\": %d, \"tiles\": %d, \"threads\": %d, \"points\": %ld, \"step\": %.4g, \"copies\": %.4g, \"exchange\": %.4g, \"reduction\": %.4g, "
-              "\"migrated\": %.4g}\n",
-              world.size(), scene.tiles(), threads(), static_cast<long>(all[0]), step,
-              static_cast<double>(all[1]) / world.size(), exchange, reduction, moved);
+  std::printf(
+      "{\"ranks\": %d, \"tiles\": %d, \"threads\": %d, \"points\": %ld, \"step\": %.4g, \"copies\": %.4g, "
+      "\"exchange\": %.4g, \"reduction\": %.4g, "
+      "\"migrated\": %.4g}\n",
+      world.size(), scene.tiles(), threads(), static_cast<long>(all[0]), step,
+      static_cast<double>(all[1]) / world.size(), exchange, reduction, moved);
 }
 
 }  // namespace

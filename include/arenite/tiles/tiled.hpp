@@ -104,19 +104,30 @@ class Tiled {
     if (first) std::rethrow_exception(first);
   }
 
-  /// The sum of a number over all tiles: `of(scene)`.
+  /// The sum of a number `of(scene)` over all tiles, or the least of them: asked on all ranks, which get the same.
   template <class Of>
   double sum(Of&& of) const {
-    double total = 0;
-    const_cast<Tiled&>(*this).together([&](S& scene) {
-      double number = of(std::as_const(scene));
+    return of_all(of, [](const S& scene, double number) {
       sum_over(scene.communicator(), number);
-      if (&scene == &scenes_.front()) total = number;
+      return number;
     });
-    return total;
+  }
+  template <class Of>
+  double least(Of&& of) const {
+    return of_all(of, [](const S& scene, double number) { return scene.communicator().least(number); });
   }
 
  private:
+  template <class Of, class Join>
+  double of_all(Of& of, Join&& join) const {
+    double found = 0;
+    const_cast<Tiled&>(*this).together([&](S& scene) {
+      const double joined = join(scene, static_cast<double>(of(std::as_const(scene))));
+      if (&scene == &scenes_.front()) found = joined;
+    });
+    return found;
+  }
+
   friend class detail::TileMaker<S>;
   Tiled() = default;
 

@@ -25,7 +25,8 @@ int main(int argc, char** argv) {
                    gravity({0, -9.81, 0}),
                    portion};
     });
-    run(scene, {.end = 0.2, .courant = 0.8}, Progress(0.2), every(0.1, vtu("out/tiles")));
+    run(scene, {.end = 0.2, .courant = 0.8}, Progress(0.2), every(0.1, vtu("out/tiles")),
+        every(0.1, save_tiles("out/state")));
 
     const double toe = -scene.least([](const auto& tile) {
       double reach = 0;

@@ -90,6 +90,17 @@ class Clock:
             raise Failed("points left the mesh")
 
 
+def farthest_off(scene, clock, courant, end, position):
+    """Runs a scene and looks at it twenty times: the greatest root mean square of the points' distances, m, from `position` (of where they
+    began [n, 2], and the time)."""
+    start, worst = Points(scene).position, 0.0
+    for k in range(1, 21):
+        clock.run(scene, k * end / 20, courant)
+        off = Points(scene).position - position(start, scene.time)
+        worst = max(worst, np.sqrt((off**2).sum(axis=1).mean()))
+    return worst
+
+
 @functools.lru_cache(maxsize=None)
 def elastica(weight, load=0.0, shear=0.0, n=400):
     """Rows (s, x, y, angle) of a clamped beam of length 1 that bends far: weight = q L^3 / EI along it, load = P L^2 / EI at its tip, both

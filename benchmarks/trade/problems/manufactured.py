@@ -5,7 +5,7 @@ from pathlib import Path
 import numpy as np
 
 import arenite as ar
-from common import IDS, Points, begin_with, mesh
+from common import IDS, begin_with, farthest_off, mesh
 
 HERE = Path(__file__).resolve().parents[1]
 NeoHookean = ar.compile(law=HERE.parents[1] / "examples" / "extend" / "laws" / "neo_hookean.hpp")
@@ -39,9 +39,4 @@ def solve(composition, cells, per_cell, courant, clock):
                      bodies=[ar.fill("body", ar.Box((0, 0), (1, 1)), LAW, per_cell=per_cell, velocity=velocity)],
                      walls=[side("roller") for side in (ar.left, ar.right, ar.bottom, ar.top)], parts=[IDS, force])
     begin_with(scene, velocity, cell)
-    start, worst = Points(scene).position, 0.0
-    for k in range(1, 21):
-        clock.run(scene, k * TIME / 20, courant)
-        off = Points(scene).position - position(start, scene.time)
-        worst = max(worst, np.sqrt((off**2).sum(axis=1).mean()) / A)
-    return {"error": worst}
+    return {"error": farthest_off(scene, clock, courant, TIME, position) / A}

@@ -5,7 +5,7 @@ from pathlib import Path
 import numpy as np
 
 import arenite as ar
-from common import IDS, Points, begin_with, corner, mesh
+from common import IDS, begin_with, corner, farthest_off, mesh
 from problems.manufactured import HERE, LAW, SHEAR
 
 TITLE = "Generalised vortex"
@@ -42,9 +42,4 @@ def solve(composition, cells, per_cell, courant, clock):
                      bodies=[ar.fill("body", ring, LAW, per_cell=per_cell, velocity=velocity)], walls=[corner((-reach, -reach))],
                      parts=[IDS, force])
     begin_with(scene, velocity, cell)
-    start, worst = Points(scene).position, 0.0
-    for k in range(1, 21):
-        clock.run(scene, k * TIME / 20, courant)
-        off = Points(scene).position - position(start, scene.time)
-        worst = max(worst, np.sqrt((off**2).sum(axis=1).mean()) / ANGLE)
-    return {"error": worst}
+    return {"error": farthest_off(scene, clock, courant, TIME, position) / ANGLE}

@@ -162,19 +162,19 @@ TEST_CASE(
     "The watch of a run sees the energy of all tiles: what is pushed across a cut is no gain, what comes "
     "from nowhere is") {
   OneRank here;
-  const auto flying = [](auto mesh, auto portion) {
+  const auto flying_block = [](auto mesh, auto portion) {
     return Scene{PlaneStrain{}, mesh, Numerics<LinearSimplex, Flip, Musl>{},
                  bodies(fill(Box{{0.1, 0.3}, {0.4, 0.7}},
                              LinearElastic{{.density = 1000, .young = 1e7, .poisson = 0.3}},
                              {.per_cell = 3, .velocity = {1, 0, 0}})),
                  portion};
   };
-  auto tiled = distribute(here, mesh(), {.tiles = 4}, flying);
+  auto tiled = distribute(here, mesh(), {.tiles = 4}, flying_block);
   run(tiled, {.end = 0.4});  // through all tiles
   double lost = 0;
   tiled.for_each_tile([&](const auto& scene) { lost += static_cast<double>(scene.lost_points()); });
   CHECK(lost == 0);
-  auto gains = distribute(here, mesh(), {.tiles = 4}, flying);
+  auto gains = distribute(here, mesh(), {.tiles = 4}, flying_block);
   CHECK_THAT(test::message<run_error>([&] {
                run(gains, {.end = 0.2}, [](const auto& scene) {
                  auto& points = const_cast<std::remove_cvref_t<decltype(scene)>&>(scene).body().points;

@@ -1,7 +1,5 @@
 """A ring that is twisted in its middle and back, a manufactured solution with large rotations and shear."""
 
-from pathlib import Path
-
 import numpy as np
 
 import arenite as ar

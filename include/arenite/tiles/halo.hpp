@@ -122,7 +122,7 @@ Halo make_halo(Copies&& copies, const std::vector<int>& rank_of, int rank,
   for (auto& [r, nodes] : from) {
     const auto unique = [](std::vector<Copy>& all) {
       std::ranges::sort(all);
-      all.erase(std::ranges::unique(all).begin(), all.end());
+      all.erase(std::unique(all.begin(), all.end()), all.end());
     };
     unique(nodes);
     unique(to[r]);

@@ -2,8 +2,9 @@
 #pragma once
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include <condition_variable>
+#include <atomic>
 #include <cstddef>
+#include <cstdint>
 #include <exception>
 #include <mutex>
 #include <string>
@@ -12,7 +13,8 @@
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
-/// A number of threads that meet again and again. Once one has failed, all who wait, and all who come, throw `run_error`.
+/// A number of threads that meet again and again. Once one has failed, all who wait, and all who come, throw
+/// `run_error`.
 class Meeting {
  public:
   explicit Meeting(std::size_t count) : count_{count} {}
@@ -20,40 +22,50 @@ class Meeting {
   /// Returns when all have come; the last one has then called its `f()`, while the others waited.
   template <class F>
   void meet(F&& f) {
-    std::unique_lock lock(mutex_);
-    if (!failure_.empty()) throw run_error(failure_);
-    const std::size_t round = round_;
-    if (++here_ == count_) {
+    throw_failure();
+    const std::uint32_t round = round_.load(std::memory_order_acquire);
+    if (here_.fetch_add(1, std::memory_order_acq_rel) + 1 == count_) {
       try {
         f();
       } catch (const std::exception& e) {
-        failure_ = e.what();
-        all_.notify_all();
+        fail(e.what());
         throw;
       }
-      here_ = 0;
-      ++round_;
-      all_.notify_all();
+      here_.store(0, std::memory_order_relaxed);
+      round_.fetch_add(1, std::memory_order_release);
+      round_.notify_all();
       return;
     }
-    all_.wait(lock, [&] { return round != round_ || !failure_.empty(); });
-    if (round == round_) throw run_error(failure_);
+    round_.wait(round, std::memory_order_acquire);
+    throw_failure();
   }
 
   /// Lets all others throw. Returns whether it is the first failure.
   bool fail(const std::string& what) {
-    const std::lock_guard lock(mutex_);
-    if (!failure_.empty()) return false;
-    failure_ = what;
-    all_.notify_all();
+    {
+      const std::lock_guard lock(mutex_);
+      if (failed_.load(std::memory_order_relaxed)) return false;
+      failure_ = what;
+      failed_.store(true, std::memory_order_release);
+    }
+    round_.fetch_add(1, std::memory_order_release);
+    round_.notify_all();
     return true;
   }
 
  private:
-  std::mutex mutex_;
-  std::condition_variable all_;
-  std::size_t count_, here_ = 0, round_ = 0;
-  std::string failure_{};
+  void throw_failure() {
+    if (!failed_.load(std::memory_order_acquire)) return;
+    const std::lock_guard lock(mutex_);
+    throw run_error(failure_);
+  }
+
+  std::size_t count_;
+  std::atomic<std::size_t> here_{0};
+  std::atomic<std::uint32_t> round_{0};
+  std::atomic<bool> failed_{false};
+  std::mutex mutex_{};     // of the sentence
+  std::string failure_{};  // why all throw
 };
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

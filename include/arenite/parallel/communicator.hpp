@@ -4,9 +4,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include <cstddef>
-#include <map>
 #include <span>
-#include <string>
 #include <type_traits>
 #include <vector>
 
@@ -27,16 +25,14 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 /// - `least(value)`: the least of the scenes;
 /// - `first()`: true in one of the scenes, which counts what all have;
 /// - `size()`: number of portions;
-/// - `exchange(messages)`: bytes for portions, which come back as those from portions;
+/// - `Messages`: bytes for portions of the mesh, or from them, a map by their numbers; `exchange(messages)`: those for
+///   others, which come back as those from others;
 /// - `fail(what)`: this scene has thrown; a call of the others that waits for it must throw.
 struct Serial {
   static constexpr bool is_serial = true;
   double least(double value) const { return value; }
 };
 inline constexpr Serial serial{};
-
-/// Bytes for portions of a mesh, or from them, by their numbers.
-using Messages = std::map<int, std::string>;
 
 /// All nodes are counted: where a scene has its mesh to itself.
 struct OwnsAll {

@@ -37,9 +37,9 @@ void for_each_numbered_body(Scene& scene, F&& f) {
 /// Takes the points out of a scene that are in ghost cells, into a message to the owner of the cell: number of
 /// the body, number of the cell in the whole mesh, and the columns.
 template <class Scene>
-Messages take_foreign(Scene& scene) {
+auto take_foreign(Scene& scene) {
   const auto& portion = scene.portion();
-  Messages messages;
+  typename std::remove_cvref_t<decltype(scene.communicator())>::Messages messages;
   for_each_numbered_body(scene, [&](auto& body, std::uint64_t number) {
     auto& points = body.points;
     double mass = 0;

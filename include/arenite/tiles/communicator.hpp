@@ -25,6 +25,9 @@
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
+/// Bytes for tiles, or from them, by their numbers.
+using Messages = std::map<int, std::string>;
+
 /// What the tiles of one rank have in common: each is stepped by a thread of its own.
 class TilesOfRank {
  public:
@@ -235,6 +238,7 @@ class TilesOfRank {
 class TileCommunicator {
  public:
   static constexpr bool is_serial = false;
+  using Messages = arenite::Messages;
   TileCommunicator(TilesOfRank& all, std::size_t tile, bool first) : all_{&all}, tile_{tile}, first_{first} {}
 
   template <class T>

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include <arenite/mesh/portion.hpp>
+#include <arenite/tiles/split_grid.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 

@@ -11,7 +11,7 @@
 
 #include <arenite/core/error.hpp>
 #include <arenite/mesh/cartesian_grid.hpp>
-#include <arenite/mesh/portion.hpp>
+#include <arenite/tiles/split_grid.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 

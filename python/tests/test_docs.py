@@ -19,7 +19,7 @@ LEFT_OUT = {
     ("restart.md", "cpp", "#include <arenite/run/saved_hdf5.hpp>"): "needs HDF5; tests/observe/hdf_files.cpp makes the same calls",
     ("compile_time.md", "cpp", "// slope.hpp"): "the header of slope.cpp, a sketch; arenite/compositions.hpp has such declarations, and tests/install/named.cpp uses them",
     ("python.md", "python", "sweep = ar.sweep(toe"): "its function must be one of a module; test_scene.py makes the same calls",
-    ("many_machines.md", "python", "if __name__"): "the end of a script of its own; test_scene.py makes the same calls",
+    ("many_machines.md", "python", "import arenite as ar\n\n\ndef toe"): "a script of its own; test_scene.py makes the same calls",
     ("python.md", "python", "drop = ar.ffp.drop(delta=20)"): "takes a minute; test_ffp.py and the notebook run the same calls",
 }
 

@@ -19,7 +19,7 @@ HEADERS = ROOT / "include" / "arenite"
 PAGES = ROOT / "docs" / "api"
 
 # In the order of the includes (docs/design.md): nothing of a room includes a later one.
-ROOMS = ("core simd parallel geometry kinematics mesh shape law fill particles boundary transfer load contact rigid scene observe run study host "
+ROOMS = ("core simd parallel geometry kinematics mesh shape law fill particles boundary transfer load contact rigid scene observe run tiles mpi study host "
          "io").split()
 
 

@@ -33,16 +33,7 @@ class TilesOfRank {
  public:
   /// `rank_of`: [tiles of the whole] their ranks; `first`: the first tile here.
   TilesOfRank(Ranks& ranks, Halo halo, std::vector<int> rank_of, int first)
-      : ranks_{&ranks},
-        halo_{std::move(halo)},
-        rank_of_{std::move(rank_of)},
-        first_{first},
-        meeting_{halo_.tiles.size()},
-        round_(halo_.tiles.size()),
-        numbers_(halo_.tiles.size()),
-        least_(halo_.tiles.size()),
-        to_(halo_.tiles.size()),
-        from_(halo_.tiles.size()) {}
+      : ranks_{&ranks}, halo_{std::move(halo)}, rank_of_{std::move(rank_of)}, first_{first} {}
   TilesOfRank(const TilesOfRank&) = delete;
   TilesOfRank& operator=(const TilesOfRank&) = delete;
 
@@ -53,12 +44,6 @@ class TilesOfRank {
   const Halo& halo() const { return halo_; }
   /// Bytes that points have taken to other tiles since the start.
   std::size_t migrated_bytes() const { return migrated_; }
-
-  /// Calls `f()` once all tiles of the rank have come, in the last one.
-  template <class F>
-  void meet(F&& f) {
-    meeting_.meet(f);
-  }
 
   /// Each shared node of a tile gets the sum over its copies in the order of the tiles, or the numbers of its owner.
   template <class T>
@@ -214,15 +199,15 @@ class TilesOfRank {
   Halo halo_;
   std::vector<int> rank_of_;
   int first_;
-  Meeting meeting_;
-  std::vector<std::size_t> round_;  // [tiles] exchanges of nodes so far
+  Meeting meeting_{tiles()};
+  std::vector<std::size_t> round_ = std::vector<std::size_t>(tiles());  // [tiles] exchanges of nodes so far
   std::tuple<Buffers<double>, Buffers<float>, Buffers<long double>> buffers_ = made_buffers();
-  std::vector<std::span<double>> numbers_;  // [tiles]
-  std::vector<double> least_;               // [tiles]
+  std::vector<std::span<double>> numbers_ = std::vector<std::span<double>>(tiles());
+  std::vector<double> least_ = std::vector<double>(tiles());
   double least_of_all_ = 0;
   std::vector<const std::vector<double>*> gathered_from_ = std::vector<const std::vector<double>*>(tiles());
   std::vector<double> gathered_{};
-  std::vector<Messages> to_, from_;  // [tiles] by the other tile
+  std::vector<Messages> to_ = std::vector<Messages>(tiles()), from_ = to_;  // [tiles] by the other tile
   std::size_t migrated_ = 0;
 
   std::tuple<Buffers<double>, Buffers<float>, Buffers<long double>> made_buffers() const {

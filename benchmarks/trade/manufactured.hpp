@@ -6,14 +6,14 @@ namespace manufactured {
 using V = arenite::Vec<double, 2>;
 using arenite::pi;
 
-/// Loads the points of the first body with an acceleration, m/s2, of a position.
-template <class Scene, class At>
-void accelerate(Scene& scene, At&& at) {
+/// Loads the points of the first body with the acceleration `solution.at(place, time)`, m/s2.
+template <class Scene, class Solution>
+void accelerate(Scene& scene, const Solution& solution) {
   const auto& points = scene.body().points;
   for (std::size_t p = 0; p < points.size(); ++p) {
     const typename Scene::Shape::template Cell<typename Scene::Mesh> cell(scene.mesh, points.cell[p]);
     const auto w = cell.weights(points.position[p]);
-    const V f = points.mass[p] * at(V(points.position[p]));
+    const V f = points.mass[p] * solution.at(points.position[p], scene.time);
     for (int i = 0; i < w.size(); ++i)
       scene.fields[0].sums[cell.nodes[static_cast<std::size_t>(i)]].add_force(w[i] * f);
   }
@@ -27,25 +27,24 @@ struct ManufacturedForce {
 
   template <class Scene>
   void add_force(Scene& scene, double) const {
-    manufactured::accelerate(scene, [&](const V& x) { return at(x, scene.time); });
+    manufactured::accelerate(scene, *this);
   }
 
- private:
-  using V = manufactured::V;
-  static constexpr double pi = manufactured::pi;
-  V at(const V& x, double t) const {
-    V moved, f, b;
+  manufactured::V at(const manufactured::V& x, double t) const {
+    manufactured::V moved, f, b;
     for (int a = 0; a < 2; ++a) {
-      const double s = (a == 0 ? amplitude : -amplitude) * std::sin(pi * t);
+      const double s = (a == 0 ? amplitude : -amplitude) * std::sin(manufactured::pi * t);
       double start = x[a];
       for (int k = 0; k < 4; ++k)
-        start -= (start + s * std::sin(pi * start) - x[a]) / (1 + s * pi * std::cos(pi * start));  // Newton
+        start -= (start + s * std::sin(manufactured::pi * start) - x[a]) /
+                 (1 + s * manufactured::pi * std::cos(manufactured::pi * start));  // Newton
       moved[a] = x[a] - start;
-      f[a] = 1 + s * pi * std::cos(pi * start);
+      f[a] = 1 + s * manufactured::pi * std::cos(manufactured::pi * start);
     }
     const double k = std::log(f[0] * f[1]);
     for (int a = 0; a < 2; ++a)
-      b[a] = pi * pi * moved[a] * (shear - 1 - (lame * (k - 1) - shear) / (f[a] * f[a]));
+      b[a] = manufactured::pi * manufactured::pi * moved[a] *
+             (shear - 1 - (lame * (k - 1) - shear) / (f[a] * f[a]));
     return b;
   }
 };
@@ -59,19 +58,18 @@ struct VortexForce {
 
   template <class Scene>
   void add_force(Scene& scene, double) const {
-    manufactured::accelerate(scene, [&](const V& x) { return at(x, scene.time); });
+    manufactured::accelerate(scene, *this);
   }
 
- private:
-  using V = manufactured::V;
-  static constexpr double pi = manufactured::pi;
-  V at(const V& x, double t) const {
+  manufactured::V at(const manufactured::V& x, double t) const {
     const double r = x.norm(), d = r - 1, q = 1 - 16 * d * d;
     const double h = q * q, slope = -64 * d * q, curve = -64 * q + 2048 * d * d;
-    const double g = amplitude * std::sin(pi * t), rate = amplitude * pi * std::cos(pi * t) * h;
+    const double g = amplitude * std::sin(manufactured::pi * t),
+                 rate = amplitude * manufactured::pi * std::cos(manufactured::pi * t) * h;
     const double gamma = r * g * slope;
     const double radial = shear * gamma * gamma / r - r * rate * rate;
-    const double along = -r * pi * pi * g * h - shear * (g * slope + r * g * curve + 2 * gamma / r);
-    return (radial * x + along * V(-x[1], x[0])) / r;
+    const double along = -r * manufactured::pi * manufactured::pi * g * h -
+                         shear * (g * slope + r * g * curve + 2 * gamma / r);
+    return (radial * x + along * manufactured::V(-x[1], x[0])) / r;
   }
 };

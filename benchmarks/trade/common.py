@@ -17,7 +17,7 @@ IDS = ar.OwnPart("arenite::PointIds", str(Path(_compile.include_folders()[0]) / 
 def mesh(composition, lower, upper, cell):
     """Squares of an edge, or two triangles in each, whose diagonals take turns."""
     if composition.on_grid():
-        return ar.CartesianGrid(lower, upper, cell=cell)
+        return ar.CartesianGrid(lower, upper, cell=cell, dtype=composition.dtype)
     n = [round((b - a) / cell) for a, b in zip(lower, upper)]
     x, y = np.meshgrid(*(np.linspace(a, b, k + 1) for a, b, k in zip(lower, upper, n)))
     i, j = (k.ravel() for k in np.meshgrid(np.arange(n[0]), np.arange(n[1])))
@@ -30,7 +30,7 @@ def mesh(composition, lower, upper, cell):
     numbers = np.arange(len(nodes))
     sides = {"left": numbers[numbers % (n[0] + 1) == 0], "right": numbers[numbers % (n[0] + 1) == n[0]],
              "bottom": numbers[:n[0] + 1], "top": numbers[-n[0] - 1:]}
-    return ar.SimplexMesh(nodes, cells, node_sets=sides)
+    return ar.SimplexMesh(nodes, cells, node_sets=sides, dtype=composition.dtype)
 
 
 def corner(lower):
@@ -74,16 +74,17 @@ class Failed(Exception):
 
 
 class Clock:
-    """Sums what steps cost: seconds of the processor, steps, and points times steps."""
+    """Sums what steps cost: seconds of the processor, of several threads seconds on the clock; steps, and points times steps."""
 
-    def __init__(self):
+    def __init__(self, threads=1):
         self.seconds, self.steps, self.point_steps = 0.0, 0, 0
+        self.now = time.process_time if threads == 1 else time.perf_counter
 
     def run(self, scene, end, courant, **more):
         steps, points = scene.step_count, sum(len(b) for b in scene.bodies.values())
-        start = time.process_time()
+        start = self.now()
         ar.run(scene, end=end, courant=courant, watch=False, **more)
-        self.seconds += time.process_time() - start
+        self.seconds += self.now() - start
         self.steps += scene.step_count - steps
         self.point_steps += points * (scene.step_count - steps)
         if any(b.lost for b in scene.bodies.values()):
@@ -163,3 +164,18 @@ def soil_scene(composition, time, lower, upper, cell, per_cell, region, law, wal
     return ar.Scene(ar.PlaneStrain(), mesh(composition, lower, upper, cell), composition.numerics(time), energy=False, reactions=True,
                     bodies=[ar.fill("body", region, law, per_cell=per_cell)], walls=walls, gravity=gravity,
                     parts=[ar.Driven(wall, ar.Scaled(velocity, ar.Ramp(over=time))), ar.LocalDamping(factor=damping)])
+
+
+def fall_to_rest(composition, clock, cell, per_cell, courant, size, above, law, k0, shape, mass, speed, friction, until):
+    """A rigid body without slip sideways falls into a full cylinder of sand of a radius and depth `size`, m, with `above` over it: depth, m, where
+    it first comes to rest. Looked at `until` / 200, s."""
+    scene = ar.Scene(ar.Axisymmetric(), mesh(composition, (0, -size), (size, above), cell), composition.numerics(until), energy=False,
+                     bodies=[ar.fill("sand", ar.Box((0, -size), (size, 0)), law, per_cell=per_cell, stress=ar.Geostatic(surface=0, k0=k0))],
+                     walls=[ar.bottom("fixed"), ar.left("roller"), ar.right("roller")], gravity=(0, -9.81),
+                     rigids=[ar.Rigid(shape, ar.Guided(mass=mass, velocity=-speed), friction=friction, name="body")])
+    body = scene.rigids["body"]
+    for k in range(1, 201):
+        clock.run(scene, k * until / 200, courant)
+        if body.velocity[1] >= 0:
+            return -body.displacement[1]
+    raise Failed(f"it still falls after {until} s")

@@ -1,13 +1,14 @@
-"""Compositions that are compared: shape function x transfer x order of the stress update x average. What does not go together is asked
-of the library, which refuses it with a sentence; nothing here lists it."""
+"""Compositions that are compared: shape function x transfer x order of the stress update x average, and some of them in float and on two
+threads. What does not go together is asked of the library, which refuses it with a sentence; nothing here lists it."""
 
 import itertools
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass, replace
 
 import arenite as ar
 from arenite._recipe import check_together
 
-SHAPES = {"linear": ar.LinearGrid, "uGIMP": ar.UGimp, "quadratic": ar.QuadraticBSpline, "cubic": ar.CubicBSpline, "triangles": ar.LinearSimplex}
+SHAPES = {"linear": ar.LinearGrid, "uGIMP": ar.UGimp, "quadratic": ar.QuadraticBSpline, "cubic": ar.CubicBSpline, "MLS": ar.MlsGradient,
+          "triangles": ar.LinearSimplex}
 #: Each a function of a time of the problem, s.
 TRANSFERS = {"PIC": lambda time: ar.Flip(fraction=0), "FLIP": lambda time: ar.Flip(), "FLIP, time": lambda time: ar.Flip(time=time),
              "APIC": lambda time: ar.Apic(), "AFLIP": lambda time: ar.Aflip(), "TPIC": lambda time: ar.Tpic(),
@@ -25,10 +26,25 @@ class Composition:
     transfer: str
     order: str
     average: str = "none"
+    number: str = "double"
+    threads: int = 1
 
     @property
     def name(self):
-        return "; ".join([self.shape, self.transfer, self.order] + ([] if self.average == "none" else [f"{self.average} average"]))
+        more = [f"{self.average} average"] * (self.average != "none") + [self.number] * (self.number != "double")
+        return "; ".join([self.shape, self.transfer, self.order, *more, *[f"{self.threads} threads"] * (self.threads > 1)])
+
+    @classmethod
+    def of(cls, row):
+        """That of a row of the table."""
+        return cls(**{f: row[f] for f in ("shape", "transfer", "order", "average", "number")}, threads=int(row["threads"]))
+
+    def columns(self):
+        return asdict(self)
+
+    @property
+    def dtype(self):
+        return {"double": "float64", "float": "float32"}[self.number]
 
     def numerics(self, time=1.0):
         """Of a time that the transfer may take, s. Raises `arenite.Error` where the library refuses it."""
@@ -52,7 +68,7 @@ BASE = [Composition(*words) for words in (
     ("linear", "FLIP", "MUSL"), ("linear", "APIC", "USL"), ("uGIMP", "FLIP", "MUSL"),
     ("quadratic", "FLIP", "MUSL"), ("quadratic", "FLIP", "USL"), ("quadratic", "FLIP", "USF"), ("quadratic", "FLIP, time", "MUSL"),
     ("quadratic", "APIC", "USL"), ("quadratic", "APIC", "MUSL"), ("quadratic", "AFLIP", "USL"), ("quadratic", "XPIC(2)", "USL"),
-    ("quadratic", "FMPM(4)", "USL"), ("cubic", "FLIP", "MUSL"), ("cubic", "APIC", "USL"),
+    ("quadratic", "FMPM(4)", "USL"), ("cubic", "FLIP", "MUSL"), ("cubic", "APIC", "USL"), ("MLS", "APIC", "USL"),
     ("triangles", "FLIP", "MUSL"), ("triangles", "TPIC", "USL"), ("triangles", "FLIP", "MUSL", "nodal"),
     ("triangles", "FLIP", "MUSL", "nodal and element"))]
 MORE = [Composition(*words) for words in (
@@ -60,8 +76,15 @@ MORE = [Composition(*words) for words in (
     ("uGIMP", "FLIP", "USL"), ("uGIMP", "APIC", "USL"), ("quadratic", "PIC", "MUSL"), ("quadratic", "PIC", "USL"),
     ("quadratic", "FLIP, time", "USL"), ("quadratic", "FLIP, time", "USF"), ("quadratic", "AFLIP", "MUSL"), ("quadratic", "XPIC(2)", "MUSL"),
     ("quadratic", "XPIC(2), time", "USL"), ("quadratic", "FMPM(4), time", "USL"), ("cubic", "PIC", "MUSL"), ("cubic", "FLIP, time", "MUSL"),
-    ("cubic", "FLIP", "USL"), ("cubic", "AFLIP", "USL"), ("triangles", "PIC", "MUSL"), ("triangles", "FLIP, time", "MUSL"),
+    ("cubic", "FLIP", "USL"), ("cubic", "AFLIP", "USL"), ("MLS", "FLIP", "MUSL"), ("triangles", "PIC", "MUSL"), ("triangles", "FLIP, time", "MUSL"),
     ("triangles", "FLIP", "USL"), ("triangles", "FLIP, time", "MUSL", "nodal"), ("triangles", "FLIP, time", "MUSL", "nodal and element"))]
+
+
+#: All sizes of cells at the usual points and steps, and, on two threads, the finest.
+FLOAT = [replace(c, number="float") for c in BASE if c.name in (
+    "linear; FLIP; MUSL", "quadratic; FLIP; MUSL", "quadratic; APIC; USL", "MLS; APIC; USL", "triangles; FLIP; MUSL",
+    "triangles; FLIP; MUSL; nodal and element average")]
+THREADS = [replace(c, threads=2) for f in FLOAT for c in (replace(f, number="double"), f)]
 
 
 def every():

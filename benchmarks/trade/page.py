@@ -3,15 +3,15 @@
 import statistics
 from pathlib import Path
 
+from compositions import BASE, FLOAT, MORE, THREADS, Composition, every
 from trade import HERE, problem, problems, read
 
 TARGETS = [0.1, 0.03, 0.01, 0.003]  # errors that advice is given for
 FAMILIES = ["FLIP", "APIC", "AFLIP", "TPIC", "XPIC", "FMPM", "PIC"]
 COLOURS = ["#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#6b6b6b"]  # Okabe and Ito
-DASHES = {"linear": ":", "uGIMP": (0, (5, 1, 1, 1)), "quadratic": "-", "cubic": "--", "triangles": "-."}
+DASHES = {"linear": ":", "uGIMP": (0, (5, 1, 1, 1)), "quadratic": "-", "cubic": "--", "MLS": (0, (3, 1, 1, 1, 1, 1)), "triangles": "-."}
 MARKS = {"MUSL": "s", "USL": "o", "USF": "^"}
-MACHINE = "one core of an AMD EPYC with AVX-512, g++ 12 -O3"  # of rows.csv
-SLOWER = "the discs, the slope and the vortex"
+MACHINE = "one core of an Intel Xeon with AVX-512, g++ 12 -O3"  # of rows.csv
 CLEARLY = 1.1  # times of the processor agree to some 10 %
 
 
@@ -19,9 +19,10 @@ class Row:
     """A row of the table with numbers in the place of texts."""
 
     def __init__(self, given):
-        self.problem, self.composition = given["problem"], composition(given)
-        self.shape, self.transfer, self.order = given["shape"], given["transfer"], given["order"]
-        self.average = given["average"]
+        self.problem, self.of = given["problem"], Composition.of(given)
+        self.composition = self.of.name
+        for choice, value in self.of.columns().items():
+            setattr(self, choice, value)
         self.per_cell, self.cells, self.courant = int(given["per_cell"]), int(given["cells"]), float(given["courant"])
         self.failure = given["failure"]
         self.error, self.seconds = (float(given[k]) if given[k] else float("inf") for k in ("error", "seconds"))
@@ -37,12 +38,13 @@ class Row:
         return self.steps * self.points / self.seconds
 
 
-def composition(given):
-    return "; ".join([given["shape"], given["transfer"], given["order"]] + ([] if given["average"] == "none" else [given["average"] + " average"]))
-
-
 def rows_of(out):
     return [Row(r) for r in read(Path(out) / "rows.csv")]
+
+
+def on_one(rows):
+    """Rows of one thread, whose seconds can be compared."""
+    return [r for r in rows if r.threads == 1]
 
 
 def kept_error(r, rows):
@@ -112,15 +114,16 @@ def advices(rows):
     return lines
 
 
-CHOICES = ("shape", "transfer", "order", "average", "per_cell", "courant")
+CHOICES = ("shape", "transfer", "order", "average", "number", "threads", "per_cell", "courant")
 CHANGES = [("per_cell", 4, 9, "9 points a cell for 4"), ("per_cell", 4, 1, "1 point a cell for 4"), ("per_cell", 3, 6, "6 points a triangle for 3"),
            ("per_cell", 3, 1, "1 point a triangle for 3"), ("courant", 0.5, 0.9, "a Courant number of 0.9 for 0.5"),
            ("courant", 0.5, 0.25, "a Courant number of 0.25 for 0.5"), ("order", "MUSL", "USL", "USL for MUSL"), ("order", "MUSL", "USF", "USF for MUSL"),
            ("shape", "quadratic", "linear", "linear functions for quadratic"), ("shape", "quadratic", "uGIMP", "uGIMP for quadratic B-splines"),
-           ("shape", "quadratic", "cubic", "cubic B-splines for quadratic"), ("transfer", "FLIP", "FLIP, time", "FLIP with a time for FLIP"),
+           ("shape", "quadratic", "cubic", "cubic B-splines for quadratic"), ("shape", "quadratic", "MLS", "MLS gradients for those of quadratic B-splines"), ("transfer", "FLIP", "FLIP, time", "FLIP with a time for FLIP"),
            ("transfer", "FLIP", "APIC", "APIC for FLIP"), ("transfer", "FLIP", "XPIC(2)", "XPIC(2) for FLIP"), ("transfer", "FLIP", "FMPM(4)", "FMPM(4) for FLIP"),
            ("transfer", "APIC", "AFLIP", "AFLIP for APIC"), ("average", "none", "nodal", "the nodal average for none"),
-           ("average", "nodal", "nodal and element", "the nodal and element average for the nodal one")]
+           ("average", "nodal", "nodal and element", "the nodal and element average for the nodal one"), ("number", "double", "float", "float for double"),
+           ("threads", 1, 2, "two threads for one, on the finest cells")]
 
 
 def pairs(rows, differs, a, b):
@@ -211,8 +214,6 @@ def draw(rows, path, title):
     matplotlib.rcParams.update({"svg.hashsalt": "trade", "svg.fonttype": "none"})
     from matplotlib import pyplot
 
-    from compositions import BASE
-
     figure, axes = pyplot.subplots(figsize=(9.5, 5), constrained_layout=True)
     base = [c.name for c in BASE]
     for name in base:
@@ -241,7 +242,6 @@ def draw(rows, path, title):
 def refused():
     """What the library refuses of all products of names, by its sentence: [(sentence, how many, of how many)]."""
     import arenite as ar
-    from compositions import every
 
     counts, all_of = {}, every()
     for c in all_of:
@@ -255,16 +255,19 @@ def refused():
 
 def text(out):
     """The page."""
-    rows = rows_of(out)
+    all_rows = rows_of(out)
+    rows = on_one(all_rows)
     there = [n for n in problems() if any(r.problem == n for r in rows)]
     of = {n: [r for r in rows if r.problem == n] for n in there}
+    all_of_problem = {n: [r for r in all_rows if r.problem == n] for n in there}
     lines = [
         "# What a result costs", "",
         "How wrong compositions are on problems with a known answer, and what that costs. A row of the table is one run: a shape function, a transfer, an",
-        "order of the stress update, an average, points a cell, cells, a Courant number. `benchmarks/trade/trade.py` runs them from Python and writes this page from",
-        f"its table, `benchmarks/trade/rows.csv` ({len(rows)} rows, {len({r.composition for r in rows})} compositions): all numbers are from there. Seconds are those of the processor for the steps alone, {MACHINE};",
-        f"they agree to some 10 %, for the machine did other work; those of {SLOWER} are of an hour at which it took 1.2 to 1.4 times as long, and on the first two ran the 23 compositions beyond the 18 of all problems, on two sizes of cells. Python has double precision alone. `FLIP, time` takes the period of the problem, or its whole time,",
-        "as its time.", "",
+        "order of the stress update, an average, double or float, threads, points a cell, cells, a Courant number. `benchmarks/trade/trade.py` runs them from Python and",
+        f"writes this page from its table, `benchmarks/trade/rows.csv` ({len(all_rows)} rows, {len({r.composition for r in all_rows})} compositions): all numbers are from there. Seconds are those of the processor",
+        f"for the steps alone, {MACHINE}; they agree to some 10 %. The first {len(BASE)} compositions ran in full, {len(MORE)} more on two sizes of cells, {len(FLOAT)} in float (`dtype=\"float32\"` of the",
+        f"mesh), and {len(THREADS)} on two threads on the finest cells (their seconds are those of the clock, and stand in *two threads for one* only). `FLIP, time` takes the period of the problem,",
+        "or its whole time, as its time.", "",
         "```sh", "benchmarks/trade/trade.py                          # runs what the table lacks, and appends row by row",
         "benchmarks/trade/trade.py --page docs/trade.md     # writes this page from it", "```", "",
         "## The cheapest for an error", "",
@@ -287,8 +290,8 @@ def text(out):
     beaten = dominated(of)
     lines += ["", "Dominated everywhere, of those that ran on all problems (on each another composition is as exact as each of its rows of at most 10 %, in less time by a tenth or more): "
               + (", ".join(f"`{n}`" for n in beaten) or "none") + ".", "", "## What each choice changes", "",
-              "Times over all problems, errors by problem, of rows that differ in this choice alone: medians of the ratios.", "", *what_changes(rows, of), "",
-              "The points of a cell are computed side by side, in packs of up to eight numbers ([performance](performance.md)): up to there more of them cost little.", "", *in_words(rows, of)]
+              "Times over all problems, errors by problem, of rows that differ in this choice alone: medians of the ratios.", "", *what_changes(all_rows, all_of_problem), "",
+              "The points of a cell are computed side by side, in packs of up to eight numbers ([performance](performance.md)): up to there more of them cost little.", "", *in_words(all_rows, all_of_problem)]
     for n in there:
         p = problem(n)
         lines += ["", f"## {p.TITLE}", "", *p.SOURCE.splitlines(), "", f"Error: {p.ERROR}. Cells: {p.CELLS_ARE}.", "",
@@ -317,19 +320,17 @@ def recommended(out):
     import dataclasses
     import io
 
-    from compositions import Composition
-
-    text, rows = io.StringIO(), rows_of(out)
+    text, rows = io.StringIO(), on_one(rows_of(out))
     writer = csv.writer(text, lineterminator="\n")
-    writer.writerow("problem title shape transfer values order average cells cells_are per_cell courant error seconds".split())
+    writer.writerow("problem title shape transfer values order average dtype cells cells_are per_cell courant error seconds".split())
     for n in problems():
         p, mine = problem(n), [r for r in rows if r.problem == n and "time" not in r.transfer]
         for r in front(mine):
-            numerics = Composition(r.shape, r.transfer, r.order, r.average).numerics()
+            numerics = r.of.numerics()
             shape, transfer, order, average = numerics.kinds()
             values = " ".join(f"{f.name}={getattr(numerics.transfer, f.name):g}" for f in dataclasses.fields(numerics.transfer)
                               if getattr(numerics.transfer, f.name) != f.default)
-            writer.writerow([p.KIND, p.TITLE, shape, transfer, values, order, average, r.cells, p.CELLS_ARE, r.per_cell, f"{r.courant:g}",
+            writer.writerow([p.KIND, p.TITLE, shape, transfer, values, order, average, r.of.dtype, r.cells, p.CELLS_ARE, r.per_cell, f"{r.courant:g}",
                              f"{kept_error(r, mine):.4g}", f"{r.seconds:.4g}"])
     return text.getvalue()
 
@@ -338,7 +339,7 @@ def write(path, out):
     path.write_text(text(out))
     if path.resolve() == RECOMMENDED.parent.parent.parent / "docs" / "trade.md":
         RECOMMENDED.write_text(recommended(out))
-    rows = rows_of(out)
+    rows = on_one(rows_of(out))
     for n in problems():
         mine = [r for r in rows if r.problem == n]
         if mine:

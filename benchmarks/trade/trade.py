@@ -21,14 +21,14 @@ from pathlib import Path
 HERE = Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE))
 
-KEY = ["problem", "shape", "transfer", "order", "average", "per_cell", "cells", "courant", "number"]
+KEY = ["problem", "shape", "transfer", "order", "average", "per_cell", "cells", "courant", "number", "threads"]
 COLUMNS = [*KEY, "error", "seconds", "steps", "points", "figures", "failure"]
 
 
 def problems():
     """Names, in the order of the page."""
     there = sorted(p.stem for p in (HERE / "problems").glob("*.py"))
-    first = ["bar", "drifting_bar", "impact", "spin", "cantilever", "settling", "discs", "slope", "manufactured", "vortex", "footing", "collapse"]
+    first = ["bar", "drifting_bar", "impact", "spin", "cantilever", "settling", "discs", "slope", "manufactured", "vortex", "footing", "collapse", "ball", "drop"]
     return [n for n in first if n in there] + [n for n in there if n not in first]
 
 
@@ -67,18 +67,20 @@ class Rows:
         self.keys.add(key(row))
 
 
-def plan(name, compositions, quick):
-    """Rows to run of a problem: all cell sizes with the usual points a cell and Courant number; the others of both where cells are coarse."""
-    p = problem(name)
-    sizes = p.CELLS[:2] if quick else p.CELLS
+#: Which cells of a problem run at the usual points and steps, and whether other points and steps run where cells are coarse.
+FULL, ALL_CELLS, COARSE, FINEST = (slice(None), True), (slice(None), False), (slice(2), False), (slice(-1, None), False)
+
+
+def plan(name, compositions, extent):
+    """Rows to run of a problem."""
+    p, (which, more) = problem(name), extent
     for c in compositions:
         usual, others = c.points()
-        chosen = [(n, usual, 0.5) for n in sizes]
-        if not quick:
-            chosen += [(n, k, 0.5) for n in sizes[:2] for k in others] + [(sizes[1], usual, courant) for courant in (0.25, 0.9)]
+        chosen = [(n, usual, 0.5) for n in p.CELLS[which]]
+        if more:
+            chosen += [(n, k, 0.5) for n in p.CELLS[:2] for k in others] + [(p.CELLS[1], usual, courant) for courant in (0.25, 0.9)]
         for n, k, courant in chosen:
-            yield c, {"problem": name, "shape": c.shape, "transfer": c.transfer, "order": c.order, "average": c.average, "per_cell": k,
-                      "cells": n, "courant": courant, "number": "double"}
+            yield c, {"problem": name, **c.columns(), "per_cell": k, "cells": n, "courant": courant}
 
 
 def compare(names, out):
@@ -109,10 +111,11 @@ def measure(c, row, longest):
     from common import Clock, Failed
 
     p, times = problem(row["problem"]), []
+    ar.set_threads(c.threads)
     signal.signal(signal.SIGPROF, _too_long)
     try:
         while not times or (len(times) < 50 and sum(times) < 0.2):  # the processor's clock may go in 4 ms
-            clock = Clock()
+            clock = Clock(c.threads)
             signal.setitimer(signal.ITIMER_PROF, longest)
             found = p.solve(c, row["cells"], row["per_cell"], row["courant"], clock)
             signal.setitimer(signal.ITIMER_PROF, 0)
@@ -145,15 +148,14 @@ def admitted():
 
 
 def run(names, out, quick, every, longest):
-    import arenite as ar
-    from compositions import BASE, MORE
+    from compositions import BASE, FLOAT, MORE, THREADS
 
-    ar.set_threads(1)
     out.mkdir(parents=True, exist_ok=True)
     rows = Rows(out / "rows.csv")
-    groups = [(list(admitted()), False)] if every else [(BASE, quick)] + ([] if quick else [(MORE, True)])
+    groups = ([(list(admitted()), FULL)] if every else [(BASE, COARSE)] if quick else
+              [(BASE, FULL), (MORE, COARSE), (FLOAT, ALL_CELLS), (THREADS, FINEST)])
     for name in names:
-        for c, row in (planned for compositions, few in groups for planned in plan(name, compositions, few)):
+        for c, row in (planned for compositions, extent in groups for planned in plan(name, compositions, extent)):
             if row in rows:
                 continue
             done = measure(c, row, longest)

@@ -31,7 +31,33 @@ class ThreeDimensional(Recipe):
 
 
 class Mesh(Recipe):
+    """A mesh decides the numbers that a scene computes with: its `dtype`, float64, or float32 for half of the memory and about 7 digits.
+    Recipes and observers keep float64."""
+
     dimension: int
+    dtype: Any
+
+    def __post_init__(self) -> None:
+        try:
+            number = np.dtype(self.dtype).name
+        except TypeError:
+            number = ""
+        if number not in ("float64", "float32"):
+            raise Error(f"{type(self).__name__}.dtype = {self.dtype}: must be float64 or float32")
+        object.__setattr__(self, "dtype", number)
+        super().__post_init__()
+
+    def cpp(self) -> str:
+        return f"{type(self).__name__}<{self.dimension}{', float' * (self.dtype == 'float32')}>"
+
+    def in_double(self) -> str:
+        """The C++ type of the same mesh in float64, which the checks are compiled for."""
+        return self.cpp().replace(", float", "")
+
+    def value(self) -> Any:
+        value = super().value()
+        del value["dtype"]
+        return value
 
 
 @dataclass(frozen=True)
@@ -41,18 +67,17 @@ class CartesianGrid(Mesh):
     parameter  unit  range           default  meaning
     lower      m     2 or 3 numbers  needed
     upper      m     as many         needed   above lower
-    cell       m     > 0             needed   divides the box"""
+    cell       m     > 0             needed   divides the box
+    dtype      -     or "float32"    float64  of all numbers of the scene"""
 
     lower: Sequence[float]
     upper: Sequence[float]
     cell: float
+    dtype: Any = "float64"
 
     @property
     def dimension(self) -> int:  # type: ignore[override]
         return len(self.lower)
-
-    def cpp(self) -> str:
-        return f"CartesianGrid<{self.dimension}>"
 
 
 @dataclass(frozen=True)
@@ -62,18 +87,17 @@ class RectilinearGrid(Mesh):
     parameter  unit  range              default  meaning
     x          m     2 or more numbers  needed   that rise
     y          m     2 or more numbers  needed   that rise
-    z          m     2 or more numbers  ()       in space alone"""
+    z          m     2 or more numbers  ()       in space alone
+    dtype      -     or "float32"       float64  of all numbers of the scene"""
 
     x: Sequence[float]
     y: Sequence[float]
     z: Sequence[float] = ()
+    dtype: Any = "float64"
 
     @property
     def dimension(self) -> int:  # type: ignore[override]
         return 3 if len(self.z) else 2
-
-    def cpp(self) -> str:
-        return f"RectilinearGrid<{self.dimension}>"
 
 
 @dataclass(frozen=True)
@@ -84,6 +108,13 @@ class Periodic(Mesh):
     @property
     def dimension(self) -> int:  # type: ignore[override]
         return self.grid.dimension
+
+    @property
+    def dtype(self) -> str:  # type: ignore[override]
+        return str(self.grid.dtype)
+
+    def __post_init__(self) -> None:
+        Recipe.__post_init__(self)
 
     def cpp(self) -> str:
         return f"PeriodicGrid<{self.grid.cpp()}, {sum(1 << a for a in set(self.axes))}>"
@@ -107,13 +138,15 @@ class SimplexMesh(Mesh):
     cells         -     [m, D + 1]                needed   numbers of nodes
     region        -     [m]                       None     of each cell
     region_names  -     numbers by name           {}
-    node_sets     -     numbers of nodes by name  {}"""
+    node_sets     -     numbers of nodes by name  {}
+    dtype         -     or "float32"              float64  of all numbers of the scene"""
 
     nodes: ArrayLike
     cells: ArrayLike
     region: Optional[ArrayLike] = None
     region_names: Dict[str, int] = field(default_factory=dict)
     node_sets: Dict[str, ArrayLike] = field(default_factory=dict)
+    dtype: Any = "float64"
 
     @property
     def dimension(self) -> int:  # type: ignore[override]
@@ -123,7 +156,7 @@ class SimplexMesh(Mesh):
     def cpp(self) -> str:
         if self.dimension not in (2, 3):
             raise Error(f"SimplexMesh.nodes: shape {np.shape(self.nodes)}: must be [n, 2] or [n, 3]")
-        return f"SimplexMesh<{self.dimension}>"
+        return super().cpp()
 
     def value(self) -> Any:
         value = {"nodes": np.asarray(self.nodes, float), "cells": np.asarray(self.cells, float),

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from typing import Any, List, Type, Union
 
 from . import _recipes
@@ -21,6 +22,19 @@ _Given = Union[_Kind, Type[_Kind]]
 
 def _made(given: _Given) -> _Kind:
     return given() if isinstance(given, type) else given
+
+
+@dataclass(frozen=True)
+class MlsGradient(_Kind):
+    """The values of a spline with gradients of moving least squares, as in MLS-MPM (Hu et al. 2018): cheapest with Apic and Usl.
+
+    parameter  unit  range                             default
+    spline     -     QuadraticBSpline or CubicBSpline  QuadraticBSpline"""
+
+    spline: _Given = QuadraticBSpline
+
+    def cpp(self) -> str:
+        return f"MlsGradient<{_made(self.spline).cpp()}>"
 
 
 class Numerics(Recipe):
@@ -59,6 +73,6 @@ class Numerics(Recipe):
         return f"Numerics({self.shape!r}, {self.transfer!r}, {self.order!r}, {self.anti_locking!r})"
 
 
-__all__ = ["Aflip", "Apic", "CubicBSpline", "ElementAverage", "Flip", "Fmpm", "LinearGrid", "LinearSimplex", "Musl",
-           "NoAntiLocking", "NodalAndElementAverage", "NodalAveraging", "Numerics", "QuadraticBSpline", "Tpic", "UGimp", "Usf",
+__all__ = ["Aflip", "Apic", "CubicBSpline", "ElementAverage", "Flip", "Fmpm", "LinearGrid", "LinearSimplex", "MlsGradient",
+           "Musl", "NoAntiLocking", "NodalAndElementAverage", "NodalAveraging", "Numerics", "QuadraticBSpline", "Tpic", "UGimp", "Usf",
            "Usl", "Xpic"]

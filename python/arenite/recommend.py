@@ -14,10 +14,11 @@ from .numerics import Numerics
 
 @dataclass(frozen=True)
 class Recommended:
-    """What was the cheapest: `numerics`, points a cell, Courant number and cells, counted as `cells_are` says; its error there and on finer
+    """What was the cheapest: `numerics`, the `dtype` of the mesh, points a cell, Courant number and cells, counted as `cells_are` says; its error there and on finer
     cells, -, and the seconds of one core that it took there. `title`: of the problem on the page."""
 
     numerics: Numerics
+    dtype: str
     per_cell: int
     courant: float
     cells: int
@@ -29,7 +30,7 @@ class Recommended:
 
 def recommend(problem: str, error: float) -> Recommended:
     """The cheapest composition that kept to an error, -, on the measured problem of a kind: vibration, waves, impact, rotation, bending,
-    rest, collision, sliding, large strain, large shear, bearing or flow. An advice to begin with: your problem is another one. Raises `Error` for a kind that is not in the table, and where none is as exact."""
+    rest, collision, sliding, large strain, large shear, bearing, flow, penetration or free fall. An advice to begin with: your problem is another one. Raises `Error` for a kind that is not in the table, and where none is as exact."""
     with open(Path(__file__).parent / "_trade.csv", newline="", encoding="utf-8") as file:
         rows: List[Dict[str, str]] = list(csv.DictReader(file))
     kinds = list(dict.fromkeys(row["problem"] for row in rows))
@@ -44,7 +45,7 @@ def recommend(problem: str, error: float) -> Recommended:
     best = min(enough, key=lambda row: float(row["seconds"]))
     values = {name: float(value) for name, value in (word.split("=") for word in best["values"].split())}
     shape, order, average = (getattr(_numerics, best[k]) for k in ("shape", "order", "average"))
-    return Recommended(Numerics(shape, getattr(_numerics, best["transfer"])(**values), order, average), int(best["per_cell"]),
+    return Recommended(Numerics(shape, getattr(_numerics, best["transfer"])(**values), order, average), best["dtype"], int(best["per_cell"]),
                        float(best["courant"]), int(best["cells"]), best["cells_are"], float(best["error"]), float(best["seconds"]), best["title"])
 
 

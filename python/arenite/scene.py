@@ -167,7 +167,7 @@ class Scene:
         self._type, values, headers, types = self._composition()
 
         def check() -> None:
-            _core.check_scene(self._recipes["mesh"].cpp(), values["mesh"], types, values["parts"])
+            _core.check_scene(self._recipes["mesh"].in_double(), values["mesh"], types, values["parts"])
 
         plugin, self._stand_in = _plugins.scene_plugin(self._type, headers, check, values["parts"], self._recipes["mesh"].dimension, which)
         with self._named():

@@ -304,6 +304,7 @@ Refusals refusals() {
   of_shape(std::type_identity<QuadraticBSpline>{});
   of_shape(std::type_identity<CubicBSpline>{});
   of_shape(std::type_identity<UGimp<2>>{});
+  of_shape(std::type_identity<MlsGradient<QuadraticBSpline>>{});
   of_shape(std::type_identity<LinearSimplex>{});
   refuse_stiffness(refused);
   const auto in_space = [&]<class K>(std::type_identity<K>) {

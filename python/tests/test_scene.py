@@ -111,6 +111,27 @@ def test_steps_and_run_are_the_same(ar, column):
     assert np.array_equal(one.bodies["sand"].position, two.bodies["sand"].position)
 
 
+def test_a_mesh_of_float32(ar, compiler, tmp_path):
+    """A column falls freely: columns are of 4 bytes, and the fall is that of float64 but for round-off."""
+    def scene(dtype):
+        grid = ar.CartesianGrid((0, 0), (1, 2), cell=0.125, dtype=dtype)
+        s = ar.Scene(ar.PlaneStrain(), grid, ar.Numerics(ar.QuadraticBSpline, ar.Apic), gravity=(0, -9.81),
+                     bodies=[ar.fill("block", ar.Box((0.25, 1), (0.75, 1.5)), ar.LinearElastic(density=1000, young=1e5, poisson=0.3))])
+        ar.run(s, end=0.2)
+        return s
+
+    double, single = scene("float64"), scene(np.float32)
+    assert single.bodies["block"].position.dtype == np.float32 and double.bodies["block"].position.dtype == np.float64
+    assert "CartesianGrid<2, float>" in single.compiled_as
+    fall = [np.asarray(s.bodies["block"].position)[:, 1].mean() - 1.25 for s in (double, single)]
+    assert fall[0] == pytest.approx(-9.81 * 0.2**2 / 2, rel=0.01) and fall[1] == pytest.approx(fall[0], rel=1e-4)
+    single.save(tmp_path / "state")
+    with pytest.raises(ar.Error):
+        double.restore(tmp_path / "state")
+    with pytest.raises(ar.Error, match="CartesianGrid.dtype = int: must be float64 or float32"):
+        ar.CartesianGrid((0, 0), (1, 1), cell=0.1, dtype="int")
+
+
 def test_saved_copied_pickled(ar, column, tmp_path):
     scene = column()
     ar.run(scene, end=0.01)

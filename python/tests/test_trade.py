@@ -41,12 +41,12 @@ def test_pictures_are_there():
 def exact_enough(table, name, target):
     """Rows of a problem within an error, on finer cells of their composition too."""
     def composition(r):
-        return [r[k] for k in ("shape", "transfer", "order", "average")]
+        return [r[k] for k in ("shape", "transfer", "order", "average", "number")]
 
     def off(r):
         return bool(r["failure"]) or float(r["error"]) > target
 
-    rows = [r for r in table if r["problem"] == name]
+    rows = [r for r in table if r["problem"] == name and r["threads"] == "1"]
 
     def counts(o, r):
         same = o["courant"] == r["courant"] and o["per_cell"] == r["per_cell"]
@@ -67,7 +67,8 @@ def test_advice_is_the_cheapest_row(trade, table):
             enough = exact_enough(table, name, float(target) / 100)
             best = min(enough, key=lambda r: float(r["seconds"]))
             average = [] if best["average"] == "none" else [best["average"] + " average"]
-            assert told == "; ".join([best["shape"], best["transfer"], best["order"], *average])
+            number = [] if best["number"] == "double" else [best["number"]]
+            assert told == "; ".join([best["shape"], best["transfer"], best["order"], *average, *number])
             assert (cells, points, float(courant)) == (best["cells"], best["per_cell"], float(best["courant"]))
             seen += 1
         for target in re.findall(r"- For (\S+) %: none of these", part):
@@ -77,13 +78,13 @@ def test_advice_is_the_cheapest_row(trade, table):
 
 
 def test_table_holds_each_composition_once(trade, table):
-    from compositions import BASE
+    from compositions import BASE, FLOAT, MORE, THREADS
 
     keys = [trade.key(r) for r in table]
     assert len(set(keys)) == len(keys)
     for name in dict.fromkeys(r["problem"] for r in table):
-        missing = [row for _, row in trade.plan(name, BASE, quick=False) if trade.key(row) not in set(keys)]
-        assert not missing
+        for compositions, extent in ((BASE, trade.FULL), (MORE, trade.COARSE), (FLOAT, trade.ALL_CELLS), (THREADS, trade.FINEST)):
+            assert not [row for _, row in trade.plan(name, compositions, extent) if trade.key(row) not in set(keys)]
     assert all(bool(r["failure"]) != (float(r["error"] or 0) > 0 and float(r["seconds"] or 0) > 0) for r in table)
 
 
@@ -127,12 +128,12 @@ def test_recommendation(trade, ar):
     """Is what the page advises, and runs."""
     import page
 
-    rows = [r for r in page.rows_of(FOLDER) if r.problem == "bar" and "time" not in r.transfer]
+    rows = [r for r in page.on_one(page.rows_of(FOLDER)) if r.problem == "bar" and "time" not in r.transfer]
     for error in (0.1, 0.01):
         best, found = page.cheapest(rows, error), ar.recommend("vibration", error)
         assert (found.cells, found.per_cell, found.courant) == (best.cells, best.per_cell, best.courant)
         assert found.error <= error and found.seconds == best.seconds
-        assert found.numerics.kinds()[0] == type(page_numerics(best).shape).__name__
+        assert (found.numerics.kinds()[0], found.dtype) == (type(best.of.numerics().shape).__name__, best.of.dtype)
     loose, tight = ar.recommend("waves", 0.1), ar.recommend("waves", 0.01)
     assert tight.seconds > loose.seconds
     with pytest.raises(ar.Error, match="problem = tea: must be one of vibration, waves"):
@@ -143,21 +144,25 @@ def test_recommendation(trade, ar):
         ar.recommend("waves", 0)
 
 
-def page_numerics(row):
-    from compositions import Composition
-
-    return Composition(row.shape, row.transfer, row.order, row.average).numerics()
-
-
 def test_a_run_gives_the_row_of_the_table(trade, table, compiler):
     """But for its time, and for what other products of a compiler change."""
     from compositions import Composition
 
     row = {"problem": "bar", "shape": "quadratic", "transfer": "APIC", "order": "USL", "average": "none", "per_cell": 4, "cells": 16, "courant": 0.5,
-           "number": "double"}
+           "number": "double", "threads": 1}
     there = next(r for r in table if trade.key(r) == trade.key(row))
     found = trade.measure(Composition("quadratic", "APIC", "USL"), row, 60)
     assert (found["steps"], found["points"]) == (int(there["steps"]), int(there["points"]))
     assert float(found["error"]) == pytest.approx(float(there["error"]), rel=1e-3) and float(found["seconds"]) > 0
     failed = trade.measure(Composition("triangles", "APIC", "USL"), row, 60)
     assert "APIC needs B-splines" in failed["failure"] and "error" not in failed
+
+
+def test_two_threads_have_the_error_of_one(table):
+    """The same bits: the table's text."""
+    def alone(r):
+        return tuple(r[k] for k in r if k not in ("threads", "seconds"))
+
+    one = {alone(r) for r in table if r["threads"] == "1"}
+    both = [r for r in table if r["threads"] == "2"]
+    assert both and all(alone(r) in one for r in both)

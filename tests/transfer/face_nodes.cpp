@@ -50,7 +50,9 @@ double greatest_gain(Scene scene) {
 TEMPLATE_TEST_CASE("A thin layer along a face makes no energy, on walls and free", "",
                    (Numerics<QuadraticBSpline, Apic, Usl>), (Numerics<QuadraticBSpline, Flip, Usl>),
                    (Numerics<QuadraticBSpline, Apic, Musl>), (Numerics<QuadraticBSpline, Flip, Musl>),
-                   (Numerics<CubicBSpline, Flip, Usl>), (Numerics<CubicBSpline, Apic, Musl>)) {
+                   (Numerics<CubicBSpline, Flip, Usl>), (Numerics<CubicBSpline, Apic, Musl>),
+                   (Numerics<MlsGradient<QuadraticBSpline>, Apic, Usl>),
+                   (Numerics<MlsGradient<CubicBSpline>, Apic, Usl>)) {
   const auto all = [](Condition c) { return walls(left(c), right(c), bottom(c), top(c)); };
   for (const int axis : {0, 1})
     for (const bool upper : {false, true})

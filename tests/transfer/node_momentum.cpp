@@ -53,6 +53,8 @@ TEST_CASE("Nodes that collect one momentum get that of the points and the impuls
   check_widths<QuadraticBSpline, 32>();
   check_widths<QuadraticBSpline, 64>();
   check_widths<CubicBSpline, 64>();
+  check_widths<MlsGradient<QuadraticBSpline>, 8>();
+  check_widths<MlsGradient<QuadraticBSpline>, 64>();
 }
 
 TEST_CASE("The same of a velocity without a gradient, and in float") {

@@ -6,6 +6,7 @@
 #include <arenite/shape/cubic_bspline.hpp>
 #include <arenite/shape/linear_grid.hpp>
 #include <arenite/shape/linear_simplex.hpp>
+#include <arenite/shape/mls_gradient.hpp>
 #include <arenite/shape/quadratic_bspline.hpp>
 #include <arenite/shape/ugimp.hpp>
 

@@ -4,7 +4,7 @@ import statistics
 from pathlib import Path
 
 from compositions import BASE, FLOAT, MORE, THREADS, Composition, every
-from trade import HERE, problem, problems, read
+from trade import HERE, SHARED, problem, problems, read
 
 TARGETS = [0.1, 0.03, 0.01, 0.003]  # errors that advice is given for
 FAMILIES = ["FLIP", "APIC", "AFLIP", "TPIC", "XPIC", "FMPM", "PIC"]
@@ -265,8 +265,9 @@ def text(out):
         "How wrong compositions are on problems with a known answer, and what that costs. A row of the table is one run: a shape function, a transfer, an",
         "order of the stress update, an average, double or float, threads, points a cell, cells, a Courant number. `benchmarks/trade/trade.py` runs them from Python and",
         f"writes this page from its table, `benchmarks/trade/rows.csv` ({len(all_rows)} rows, {len({r.composition for r in all_rows})} compositions): all numbers are from there. Seconds are those of the processor",
-        f"for the steps alone, {MACHINE}; they agree to some 10 %. The first {len(BASE)} compositions ran in full, {len(MORE)} more on two sizes of cells, {len(FLOAT)} in float (`dtype=\"float32\"` of the",
-        f"mesh), and {len(THREADS)} on two threads on the finest cells (their seconds are those of the clock, and stand in *two threads for one* only). `FLIP, time` takes the period of the problem,",
+        f"for the steps alone, {MACHINE}; they agree to some 10 %. {len(BASE)} compositions ran in full; on {len(SHARED)} problems {len(MORE)} more on two sizes of cells, {len(FLOAT)} in",
+        f"float (`dtype=\"float32\"` of the mesh), and {len(THREADS)} on two threads on the finest cells (their seconds are those of the clock, and stand in *two threads for one* only).",
+        "`FLIP, time` takes the period of the problem,",
         "or its whole time, as its time.", "",
         "```sh", "benchmarks/trade/trade.py                          # runs what the table lacks, and appends row by row",
         "benchmarks/trade/trade.py --page docs/trade.md     # writes this page from it", "```", "",

@@ -71,6 +71,18 @@ class Rows:
 FULL, ALL_CELLS, COARSE, FINEST = (slice(None), True), (slice(None), False), (slice(2), False), (slice(-1, None), False)
 
 
+#: Problems whose scenes are of types that others share: MORE and FLOAT, too, run on these.
+SHARED = ["bar", "drifting_bar", "impact", "spin", "cantilever", "settling", "discs", "slope", "footing", "collapse"]
+
+
+def groups(name):
+    """Compositions that run on a problem, and how much of it."""
+    from compositions import BASE, FLOAT, MORE, THREADS
+
+    more = [(MORE, COARSE), (FLOAT, ALL_CELLS), (THREADS, FINEST)] if name in SHARED else []
+    return [(BASE, FULL), *more]
+
+
 def plan(name, compositions, extent):
     """Rows to run of a problem."""
     p, (which, more) = problem(name), extent
@@ -148,14 +160,13 @@ def admitted():
 
 
 def run(names, out, quick, every, longest):
-    from compositions import BASE, FLOAT, MORE, THREADS
+    from compositions import BASE
 
     out.mkdir(parents=True, exist_ok=True)
     rows = Rows(out / "rows.csv")
-    groups = ([(list(admitted()), FULL)] if every else [(BASE, COARSE)] if quick else
-              [(BASE, FULL), (MORE, COARSE), (FLOAT, ALL_CELLS), (THREADS, FINEST)])
     for name in names:
-        for c, row in (planned for compositions, extent in groups for planned in plan(name, compositions, extent)):
+        chosen = [(list(admitted()), FULL)] if every else [(BASE, COARSE)] if quick else groups(name)
+        for c, row in (planned for compositions, extent in chosen for planned in plan(name, compositions, extent)):
             if row in rows:
                 continue
             done = measure(c, row, longest)

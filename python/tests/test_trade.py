@@ -78,12 +78,10 @@ def test_advice_is_the_cheapest_row(trade, table):
 
 
 def test_table_holds_each_composition_once(trade, table):
-    from compositions import BASE, FLOAT, MORE, THREADS
-
     keys = [trade.key(r) for r in table]
     assert len(set(keys)) == len(keys)
     for name in dict.fromkeys(r["problem"] for r in table):
-        for compositions, extent in ((BASE, trade.FULL), (MORE, trade.COARSE), (FLOAT, trade.ALL_CELLS), (THREADS, trade.FINEST)):
+        for compositions, extent in trade.groups(name):
             assert not [row for _, row in trade.plan(name, compositions, extent) if trade.key(row) not in set(keys)]
     assert all(bool(r["failure"]) != (float(r["error"] or 0) > 0 and float(r["seconds"] or 0) > 0) for r in table)
 

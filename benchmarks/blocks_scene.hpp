@@ -17,7 +17,7 @@ struct Blocks2d {
   static constexpr double centre[3][2] = {{0.55, 0.45}, {0.45, 0.65}, {0.55, 0.85}};
 };
 
-template <class T>
+template <class T, class Shape = QuadraticBSpline>
 auto blocks_scene(const Blocks2d& o) {
   const LinearElastic law{{.density = o.density, .young = o.young, .poisson = o.poisson}};
   const auto in_a_block = [](const Vec<double, 2>& x) {
@@ -27,7 +27,7 @@ auto blocks_scene(const Blocks2d& o) {
   };
   return Scene{PlaneStrain{},
                CartesianGrid<2, T>{{.lower = {0, 0}, .upper = {1, 1}, .cell = 1.0 / o.cells}},
-               Numerics<QuadraticBSpline, Apic, Usl>{},
+               Numerics<Shape, Apic, Usl>{},
                bodies(fill(Inside{in_a_block}, law, {.per_cell = o.along * o.along})),
                walls(bottom(fixed), left(roller), right(roller)),
                arenite::gravity({0, -o.gravity})};

@@ -34,6 +34,12 @@ void add_scalar(const Size& size, const std::string& scalar) {
   add(
       "bspline_2d_elastic/" + scalar, size, [=] { return blocks_scene<T>(fine); },
       [=] { return blocks_rival<T>(fine); });
+  // With the gradients of the rival.
+  for (const auto& [word, o] :
+       {std::pair{"bspline_2d_elastic_88_lines_mls/", published}, {"bspline_2d_elastic_mls/", fine}})
+    add_steps("step/" + (word + scalar) + "/arenite",
+              {.steps = o.cells == 80 ? 10 * size.steps : size.steps, .threads = 1},
+              [o = o] { return blocks_scene<T, MlsGradient<QuadraticBSpline>>(o); });
 }
 
 }  // namespace

@@ -2,8 +2,10 @@
 #pragma once
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include <arenite/tiles/deal_tiles.hpp>
 #include <arenite/tiles/exact_sum.hpp>
 #include <arenite/tiles/ranks.hpp>
+#include <arenite/tiles/rebalance.hpp>
 #include <arenite/tiles/saved_tiles.hpp>
 #include <arenite/tiles/split_cells.hpp>
 #include <arenite/tiles/tiled.hpp>

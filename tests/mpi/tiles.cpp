@@ -1,5 +1,5 @@
-// tests.mpi.tiles [grid] TILES STEPS [save FOLDER STEP | restore FOLDER | fail | outside | mesh | killed FOLDER]: sand with a body that is pushed
-// into it, cut into tiles on the ranks that there are; prints a hash of all points.
+// tests.mpi.tiles [grid] TILES STEPS [balance | save FOLDER STEP | restore FOLDER | fail | outside | mesh | killed FOLDER]: sand with a body that
+// is pushed into it, cut into tiles on the ranks that there are; prints a hash of all points, and what moved between ranks.
 #include <arenite/arenite.hpp>
 #include <arenite/mpi.hpp>
 
@@ -82,6 +82,14 @@ void work(mpi::World& world, const std::vector<std::string>& given, const Mesh& 
   if (what == "restore") restore_state(scene, folder);
   if (what == "outside" && world.rank() == world.size() - 1) throw error("the sentence of a failure");
   const auto save_at = what == "save" ? std::stoul(given.at(5)) : 0;
+  int moved = 0;
+  if (what == "balance")
+    for (std::size_t until = 50; until < steps; until += 50) {
+      scene.together([&](auto& s) {
+        while (s.steps < until) step_towards(s, {.end = 1e9}, 1);
+      });
+      moved += rebalance(scene, make, 1).moved;
+    }
   scene.together([&](auto& s) {
     while (s.steps < steps) {
       step_towards(s, {.end = 1e9}, 1);
@@ -107,8 +115,8 @@ void work(mpi::World& world, const std::vector<std::string>& given, const Mesh& 
   std::array<std::int64_t, 3> all{count, bits, migrated};
   world.sum(all);
   if (world.rank() == 0)
-    std::printf("points %ld %lx migrated %ld bytes\n", static_cast<long>(all[0]),
-                static_cast<unsigned long>(all[1]), static_cast<long>(all[2]));
+    std::printf("points %ld %lx migrated %ld bytes, moved %d tiles\n", static_cast<long>(all[0]),
+                static_cast<unsigned long>(all[1]), static_cast<long>(all[2]), moved);
 }
 
 }  // namespace

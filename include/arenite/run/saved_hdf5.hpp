@@ -33,7 +33,7 @@ void save_state(const Scene& scene, const To& to, const Observers&... observers)
 /// as from the other one.
 template <class Scene, std::same_as<Hdf5State> From, class... Observers>
 void restore_state(Scene& scene, const From& from, Observers&... observers) {
-  detail::restore_from(StateHdf5(from.path), scene, from.recipe, observers...);
+  detail::restore_from(StateHdf5(from.path), scene, detail::state_terms(scene, from.recipe), observers...);
 }
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

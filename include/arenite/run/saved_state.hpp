@@ -83,9 +83,10 @@ void restore_run(StateSource& file, const std::vector<StateTerm>& terms,
                  const std::function<std::vector<StateSlot>()>& slots, const std::function<void()>& follow,
                  const std::function<void()>& renew);
 
-/// Restores from a file that is open.
+/// Restores from a file that is open, or what was put aside, with the head `terms`.
 template <class Scene, class... Observers>
-void restore_from(StateSource&& file, Scene& scene, const std::string& recipe, Observers&... observers) {
+void restore_from(StateSource&& file, Scene& scene, const std::vector<StateTerm>& terms,
+                  Observers&... observers) {
   const auto follow = [&] {
     try {
       follow_state(scene);
@@ -99,7 +100,7 @@ void restore_from(StateSource&& file, Scene& scene, const std::string& recipe, O
     (follow_observer(observers), ...);
   };
   restore_run(
-      file, state_terms(scene, recipe), [&] { return state_slots(scene, observers...); }, follow,
+      file, terms, [&] { return state_slots(scene, observers...); }, follow,
       [&] { renew_from_state(scene); });
 }
 
@@ -122,7 +123,7 @@ void save_state(const Scene& scene, const SavedState& to, const Observers&... ob
 /// recipe or set of observers, or holds values that do not fit each other.
 template <class Scene, class... Observers>
 void restore_state(Scene& scene, const SavedState& from, Observers&... observers) {
-  detail::restore_from(StateFile(from.path), scene, from.recipe, observers...);
+  detail::restore_from(StateFile(from.path), scene, detail::state_terms(scene, from.recipe), observers...);
 }
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

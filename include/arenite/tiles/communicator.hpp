@@ -31,16 +31,22 @@ using Messages = std::map<int, std::string>;
 /// What the tiles of one rank have in common: each is stepped by a thread of its own.
 class TilesOfRank {
  public:
-  /// `rank_of`: [tiles of the whole] their ranks; `first`: the first tile here.
-  TilesOfRank(Ranks& ranks, Halo halo, std::vector<int> rank_of, int first)
-      : ranks_{&ranks}, halo_{std::move(halo)}, rank_of_{std::move(rank_of)}, first_{first} {}
+  /// `rank_of`: [tiles of the whole] their ranks; `migrated`: bytes so far.
+  TilesOfRank(Ranks& ranks, Halo halo, std::vector<int> rank_of, std::size_t migrated = 0)
+      : ranks_{&ranks}, halo_{std::move(halo)}, rank_of_{std::move(rank_of)}, migrated_{migrated} {
+    for (int t = 0; t < size(); ++t)
+      if (rank_of_[static_cast<std::size_t>(t)] == ranks.rank()) number_.push_back(t);
+  }
   TilesOfRank(const TilesOfRank&) = delete;
   TilesOfRank& operator=(const TilesOfRank&) = delete;
 
   Ranks& ranks() const { return *ranks_; }
   std::size_t tiles() const { return halo_.tiles.size(); }
-  /// Tiles of the whole.
+  /// Tiles of the whole, and the ranks of each.
   int size() const { return static_cast<int>(rank_of_.size()); }
+  const std::vector<int>& rank_of() const { return rank_of_; }
+  /// Numbers of the tiles here, ascending.
+  const std::vector<int>& number() const { return number_; }
   const Halo& halo() const { return halo_; }
   /// Bytes that points have taken to other tiles since the start.
   std::size_t migrated_bytes() const { return migrated_; }
@@ -96,9 +102,21 @@ class TilesOfRank {
   std::vector<double> gather(std::size_t tile, const std::vector<double>& numbers) {
     gathered_from_[tile] = &numbers;
     meeting_.meet([&] {
-      std::vector<double> here;
-      for (const auto* of_tile : gathered_from_) here.insert(here.end(), of_tile->begin(), of_tile->end());
-      gathered_ = ranks_->gather(here);
+      std::vector<double> here;  // of each tile its number, how many follow, and these
+      for (std::size_t t = 0; t < tiles(); ++t) {
+        const auto& of_tile = *gathered_from_[t];
+        here.insert(here.end(), {static_cast<double>(number_[t]), static_cast<double>(of_tile.size())});
+        here.insert(here.end(), of_tile.begin(), of_tile.end());
+      }
+      const auto all = ranks_->gather(here);
+      std::vector<std::span<const double>> by_tile(rank_of_.size());
+      for (std::span<const double> rest(all); !rest.empty();) {
+        const auto count = static_cast<std::size_t>(rest[1]);
+        by_tile[static_cast<std::size_t>(rest[0])] = rest.subspan(2, count);
+        rest = rest.subspan(2 + count);
+      }
+      gathered_.clear();
+      for (const auto& of_tile : by_tile) gathered_.insert(gathered_.end(), of_tile.begin(), of_tile.end());
     });
     return gathered_;  // the next round needs this tile, too
   }
@@ -117,7 +135,7 @@ class TilesOfRank {
   }
 
   void fail(std::size_t tile, const std::string& what) {
-    const std::string told = joined_text({"tile ", first_ + static_cast<int>(tile), " failed: ", what});
+    const std::string told = joined_text({"tile ", number_[tile], " failed: ", what});
     if (meeting_.fail(told)) ranks_->fail(told);
   }
 
@@ -166,10 +184,10 @@ class TilesOfRank {
     for (const auto& neighbour : halo_.neighbours) ranks.push_back(neighbour.rank);
     for (std::size_t t = 0; t < tiles(); ++t) {
       for (auto& [to, message] : to_[t]) {
-        const int own = first_ + static_cast<int>(t), rank = rank_of_.at(static_cast<std::size_t>(to));
+        const int own = number_[t], rank = rank_of_.at(static_cast<std::size_t>(to));
         migrated_ += message.size();
         if (rank == ranks_->rank()) {
-          from_[static_cast<std::size_t>(to - first_)][own] = std::move(message);
+          from_[here(to)][own] = std::move(message);
           continue;
         }
         const auto at = std::ranges::find(ranks, rank);
@@ -189,16 +207,20 @@ class TilesOfRank {
         std::array<std::uint64_t, 3> head;
         std::memcpy(head.data(), rest.data(), sizeof(head));
         rest.remove_prefix(sizeof(head));
-        from_[head[1] - static_cast<std::uint64_t>(first_)][static_cast<int>(head[0])] =
-            rest.substr(0, head[2]);
+        from_[here(static_cast<int>(head[1]))][static_cast<int>(head[0])] = rest.substr(0, head[2]);
         rest.remove_prefix(head[2]);
       }
+  }
+
+  /// Place of a tile among those here.
+  std::size_t here(int tile) const {
+    return static_cast<std::size_t>(std::ranges::lower_bound(number_, tile) - number_.begin());
   }
 
   Ranks* ranks_;
   Halo halo_;
   std::vector<int> rank_of_;
-  int first_;
+  std::vector<int> number_{};
   Meeting meeting_{tiles()};
   std::vector<std::size_t> round_ = std::vector<std::size_t>(tiles());  // [tiles] exchanges of nodes so far
   std::tuple<Buffers<double>, Buffers<float>, Buffers<long double>> buffers_ = made_buffers();
@@ -208,7 +230,7 @@ class TilesOfRank {
   std::vector<const std::vector<double>*> gathered_from_ = std::vector<const std::vector<double>*>(tiles());
   std::vector<double> gathered_{};
   std::vector<Messages> to_ = std::vector<Messages>(tiles()), from_ = to_;  // [tiles] by the other tile
-  std::size_t migrated_ = 0;
+  std::size_t migrated_;
 
   std::tuple<Buffers<double>, Buffers<float>, Buffers<long double>> made_buffers() const {
     const auto made = [&](auto all) {
@@ -219,35 +241,42 @@ class TilesOfRank {
   }
 };
 
+/// Where a tile is: what the copies of its communicator look at, so that it may change.
+struct TileSeat {
+  TilesOfRank* all = nullptr;
+  std::size_t tile = 0;  ///< among those of the rank
+};
+
 /// The communicator of the scene over a tile (see `parallel/communicator.hpp`): a handle.
 class TileCommunicator {
  public:
   static constexpr bool is_serial = false;
   using Messages = arenite::Messages;
-  TileCommunicator(TilesOfRank& all, std::size_t tile, bool first) : all_{&all}, tile_{tile}, first_{first} {}
+  explicit TileCommunicator(const TileSeat& seat) : seat_{&seat} {}
 
   template <class T>
   void sum_nodes(std::span<T> values, std::size_t count) const {
-    all_->sum_nodes(tile_, values, count);
+    all().sum_nodes(seat_->tile, values, count);
   }
   template <class T>
   void share_nodes(std::span<T> values, std::size_t count) const {
-    all_->share_nodes(tile_, values, count);
+    all().share_nodes(seat_->tile, values, count);
   }
-  void sum(std::span<double> values) const { all_->sum(tile_, values); }
+  void sum(std::span<double> values) const { all().sum(seat_->tile, values); }
   std::vector<double> gather(const std::vector<double>& numbers) const {
-    return all_->gather(tile_, numbers);
+    return all().gather(seat_->tile, numbers);
   }
-  double least(double value) const { return all_->least(tile_, value); }
-  bool first() const { return first_; }
-  int size() const { return all_->size(); }
-  Messages exchange(Messages to) const { return all_->exchange(tile_, std::move(to)); }
-  void fail(const std::string& what) const { all_->fail(tile_, what); }
+  double least(double value) const { return all().least(seat_->tile, value); }
+  /// Whether it is tile 0, which writes what is of the whole.
+  bool first() const { return all().number()[seat_->tile] == 0; }
+  int size() const { return all().size(); }
+  Messages exchange(Messages to) const { return all().exchange(seat_->tile, std::move(to)); }
+  void fail(const std::string& what) const { all().fail(seat_->tile, what); }
 
  private:
-  TilesOfRank* all_;
-  std::size_t tile_;
-  bool first_;
+  TilesOfRank& all() const { return *seat_->all; }
+
+  const TileSeat* seat_;
 };
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -1,4 +1,4 @@
-// Split cells: which tile has which cell of a mesh, and which rank has which tile.
+// Split cells: which tile has which cell of a mesh.
 #pragma once
 // SPDX-License-Identifier: BSD-3-Clause
 
@@ -149,14 +149,6 @@ std::vector<CellRange<D>> split_cells(const CartesianGrid<D, T>& grid, int tiles
       },
       boxes);
   return boxes;
-}
-
-/// [tiles] the rank of each tile: as many in a row for each, or one more. Throws `error` for fewer tiles than ranks.
-inline std::vector<int> deal_tiles(int tiles, int ranks) {
-  require(tiles >= ranks, "tiles", tiles, {"must not be less than the number of ranks, ", ranks});
-  std::vector<int> rank;
-  for (int t = 0; t < tiles; ++t) rank.push_back(static_cast<int>(static_cast<long long>(t) * ranks / tiles));
-  return rank;
 }
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -3,7 +3,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include <cstddef>
+#include <cstdint>
 #include <exception>
+#include <functional>
+#include <map>
 #include <memory>
 #include <mutex>
 #include <thread>
@@ -16,6 +19,7 @@
 #include <arenite/particles/point_ids.hpp>
 #include <arenite/run/run.hpp>
 #include <arenite/tiles/communicator.hpp>
+#include <arenite/tiles/deal_tiles.hpp>
 #include <arenite/tiles/split_cells.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
@@ -50,20 +54,20 @@ class Tiled {
   Tiled& operator=(Tiled&&) = default;
 
   /// Tiles of the whole; of this rank.
-  int tiles() const { return static_cast<int>(rank_of_.size()); }
-  std::size_t tiles_here() const { return scenes_.size(); }
+  int tiles() const { return all_->size(); }
+  std::size_t tiles_here() const { return here_.size(); }
   Ranks& ranks() const { return all_->ranks(); }
   const TilesOfRank& shared() const { return *all_; }
-  double time() const { return scenes_.front().time; }
+  double time() const { return here_.front().scene->time; }
 
   /// Calls `f(scene)` for each tile here, one after another: it must not use the communicator.
   template <class F>
   void for_each_tile(F&& f) {
-    for (auto& scene : scenes_) f(scene);
+    for (const auto& tile : here_) f(*tile.scene);
   }
   template <class F>
   void for_each_tile(F&& f) const {
-    for (const auto& scene : scenes_) f(scene);
+    for (const auto& tile : here_) f(std::as_const(*tile.scene));
   }
 
   /// Calls `f(scene)` for all tiles at once; what it asks of the communicator all tiles of all ranks must ask. If one throws, all
@@ -89,14 +93,14 @@ class Tiled {
         }
       }
     };
-    if (scenes_.size() == 1) {
-      call(scenes_.front());  // its loops have all threads
+    if (here_.size() == 1) {
+      call(*here_.front().scene);  // its loops have all threads
     } else {
       std::vector<std::thread> threads;
-      for (auto& scene : scenes_)
+      for (const auto& tile : here_)
         threads.emplace_back([&] {
           program::in_loop = true;  // the tiles share the processors: loops stay on their thread
-          call(scene);
+          call(*tile.scene);
         });
       for (auto& thread : threads) thread.join();
     }
@@ -122,7 +126,7 @@ class Tiled {
     double found = 0;
     const_cast<Tiled&>(*this).together([&](S& scene) {
       const double joined = join(scene, static_cast<double>(of(std::as_const(scene))));
-      if (&scene == &scenes_.front()) found = joined;
+      if (&scene == here_.front().scene.get()) found = joined;
     });
     return found;
   }
@@ -130,18 +134,25 @@ class Tiled {
   friend class detail::TileMaker<S>;
   Tiled() = default;
 
-  /// Gives the points of all tiles ids of their own, tile by tile; those that are inserted later get others.
-  void number_points() {
-    std::vector<std::int64_t> counts(rank_of_.size());
-    for (const auto& scene : scenes_)
+  /// [tiles of the whole] how many points each has; asked on all ranks.
+  std::vector<std::int64_t> count_points() const {
+    std::vector<std::int64_t> counts(all_->rank_of().size());
+    for_each_tile([&](const S& scene) {
       counts[static_cast<std::size_t>(scene.portion().number)] =
           static_cast<std::int64_t>(scene.point_count());
+    });
     ranks().sum(counts);
-    const std::uint64_t given =
-        scenes_.front().template part<PointIds>().first - scenes_.front().point_count();
+    return counts;
+  }
+
+  /// Gives the points of all tiles ids of their own, tile by tile; those that are inserted later get others.
+  void number_points() {
+    const auto counts = count_points();
+    const S& any = *here_.front().scene;
+    const std::uint64_t given = any.template part<PointIds>().first - any.point_count();
     std::uint64_t all = given;
     for (const auto n : counts) all += static_cast<std::uint64_t>(n);
-    for (auto& scene : scenes_) {
+    for_each_tile([&](S& scene) {
       const auto number = static_cast<std::size_t>(scene.portion().number);
       std::uint64_t id = given;
       for (std::size_t t = 0; t < number; ++t) id += static_cast<std::uint64_t>(counts[t]);
@@ -149,47 +160,73 @@ class Tiled {
         for (auto& of_point : body.points.id) of_point = id++;
       });
       scene.template part<PointIds>().first = all + (static_cast<std::uint64_t>(number) << 40);
-    }
+    });
   }
 
-  std::unique_ptr<TilesOfRank> all_;
-  std::vector<int> rank_of_;
-  std::vector<S> scenes_;
+  struct Tile {
+    std::unique_ptr<TileSeat> seat = std::make_unique<TileSeat>();
+    std::unique_ptr<S> scene{};
+  };
+  using Part = std::pair<typename S::Mesh, MeshPortion<D>>;
+
+  std::function<Part(int)> part_{};  // mesh and portion of a tile of the whole
+  std::function<const std::vector<int>&(int, std::uint64_t)> copies_{};  // see `make_halo`
+  std::unique_ptr<TilesOfRank> all_{};
+  std::vector<Tile> here_{};  // by their numbers
 };
 
 namespace detail {
 
-/// Makes the tiles of a rank. `part(t)`: mesh and portion of a tile; `copies`: see `make_halo`.
+/// Makes the tiles of a rank.
 template <class S>
 class TileMaker {
+  using All = Tiled<S>;
+
  public:
+  /// `part(t)`: mesh and portion of a tile; `copies`: see `make_halo`. Both are kept, and what they look at.
   template <class Part, class Copies, class Make>
-  static Tiled<S> make_all(Ranks& ranks, int tiles, Part&& part, Copies&& copies, Make&& make) {
-    constexpr int D = S::D;
+  static All make_all(Ranks& ranks, int tiles, Part&& part, Copies&& copies, Make& make) {
     static_assert(S::is_portion,
                   "distribute: make(mesh, portion) must put `portion` among the parts of its scene");
-    Tiled<S> all;
-    all.rank_of_ = deal_tiles(tiles, ranks.size());
-    std::vector<decltype(part(0))> parts;
-    int first = tiles;
-    for (int t = 0; t < tiles; ++t)
-      if (all.rank_of_[static_cast<std::size_t>(t)] == ranks.rank()) {
-        first = std::min(first, t);
-        parts.push_back(part(t));
-      }
-    std::vector<const MeshPortion<D>*> portions;
-    for (const auto& of_tile : parts) portions.push_back(&of_tile.second);
-    all.all_ = std::make_unique<TilesOfRank>(ranks, make_halo(copies, all.rank_of_, ranks.rank(), portions),
-                                             all.rank_of_, first);
-    all.scenes_.reserve(parts.size());
-    for (std::size_t t = 0; t < parts.size(); ++t) {
-      const TileCommunicator communicator(*all.all_, t, first + static_cast<int>(t) == 0);
-      all.scenes_.push_back(
-          make(std::move(parts[t].first), on_portion(std::move(parts[t].second), communicator)));
-    }
+    All all;
+    all.part_ = std::forward<Part>(part);
+    all.copies_ = std::forward<Copies>(copies);
+    take(all, ranks, deal_tiles(tiles, ranks.size()), make);
     if constexpr (S::template has_part<PointIds>) all.number_points();
     return all;
   }
+
+  /// Lets a rank have its tiles of `rank_of`: those that it has stay, others are made, the rest goes.
+  template <class Make>
+  static void take(All& all, Ranks& ranks, std::vector<int> rank_of, Make& make) {
+    std::vector<typename All::Tile> tiles;
+    std::map<std::size_t, typename All::Part> parts;
+    for (int t = 0; t < static_cast<int>(rank_of.size()); ++t) {
+      if (rank_of[static_cast<std::size_t>(t)] != ranks.rank()) continue;
+      const auto there = std::ranges::find(
+          all.here_, t, [](const auto& tile) { return tile.scene ? tile.scene->portion().number : -1; });
+      auto& tile = tiles.emplace_back();
+      if (there == all.here_.end())
+        parts.emplace(tiles.size() - 1, all.part_(t));
+      else
+        std::swap(tile, *there);
+      tile.seat->tile = tiles.size() - 1;
+    }
+    std::vector<const MeshPortion<S::D>*> portions;
+    for (std::size_t t = 0; t < tiles.size(); ++t)
+      portions.push_back(tiles[t].scene ? &tiles[t].scene->portion() : &parts.at(t).second);
+    auto halo = make_halo(all.copies_, rank_of, ranks.rank(), portions);
+    auto of_rank = std::make_unique<TilesOfRank>(ranks, std::move(halo), std::move(rank_of),
+                                                 all.all_ ? all.all_->migrated_bytes() : 0);
+    for (auto& tile : tiles) tile.seat->all = of_rank.get();
+    for (auto& [t, part] : parts)
+      tiles[t].scene = std::make_unique<S>(
+          make(std::move(part.first), on_portion(std::move(part.second), TileCommunicator(*tiles[t].seat))));
+    all.here_ = std::move(tiles);
+    all.all_ = std::move(of_rank);
+  }
+
+  static std::vector<std::int64_t> count_points(const All& all) { return all.count_points(); }
 };
 
 template <int D>
@@ -211,14 +248,15 @@ auto distribute(Ranks& ranks, const MeshData<D>& whole, const TileOptions& optio
   require(tile.size() == whole.cells.size(), "TileOptions.tile", tile.size(), "must have one entry a cell");
   const auto [least, most] = std::ranges::minmax(tile);
   require(least >= 0, "TileOptions.tile", least, "must not be negative");
-  const auto copies = copies_of_nodes(whole, tile);
   return detail::TileMaker<S>::make_all(
       ranks, std::max(options.tiles, most + 1),
-      [&](int t) {
-        auto [mesh, portion] = split_mesh(whole, tile, t);
+      [kept = std::make_shared<const MeshData<D>>(whole), tile](int t) {
+        auto [mesh, portion] = split_mesh(*kept, tile, t);
         return std::pair{SimplexMesh<D>(mesh), std::move(portion)};
       },
-      [&](int, std::uint64_t node) -> const std::vector<int>& { return copies[node]; }, make);
+      [copies = std::make_shared<const std::vector<std::vector<int>>>(copies_of_nodes(whole, tile))](
+          int, std::uint64_t node) -> const std::vector<int>& { return (*copies)[node]; },
+      make);
 }
 
 /// The same over a grid: the tiles are boxes of its cells, and `make` is given windows of it (`WindowGrid`).
@@ -243,7 +281,7 @@ auto distribute(Ranks& ranks, const CartesianGrid<D, T>& whole, const TileOption
     of_windows.push_back(range);
   }
   return detail::TileMaker<S>::make_all(
-      ranks, tiles, [&](int t) { return split_grid<Shape>(whole, boxes, t); },
+      ranks, tiles, [whole, boxes](int t) { return split_grid<Shape>(whole, boxes, t); },
       CopiesInWindows<D>(of_windows, nodes), make);
 }
 

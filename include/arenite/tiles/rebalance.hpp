@@ -1,0 +1,129 @@
+// Rebalance: tiles move to other ranks, so that each has its share of the points.
+#pragma once
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <exception>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <arenite/run/saved_state.hpp>
+#include <arenite/tiles/deal_tiles.hpp>
+#include <arenite/tiles/tiled.hpp>
+
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
+
+namespace detail {
+
+/// Named numbers as bytes: of each the lengths of name and type, the count, the name, the type, the numbers.
+inline void append_number(std::string& to, std::uint64_t number) {
+  to.append(reinterpret_cast<const char*>(&number), sizeof(number));
+}
+inline std::uint64_t take_number(std::string_view& from) {
+  std::uint64_t number = 0;
+  std::memcpy(&number, from.data(), sizeof(number));
+  from.remove_prefix(sizeof(number));
+  return number;
+}
+inline std::string packed(const std::vector<StateSlot>& slots) {
+  std::string bytes;
+  for (const auto& slot : slots) {
+    append_number(bytes, slot.name.size());
+    append_number(bytes, static_cast<std::uint64_t>(slot.kind));
+    append_number(bytes, slot.bytes);
+    append_number(bytes, slot.count);
+    append_number(bytes, slot.is_array ? 1 : 0);
+    bytes += slot.name;
+    bytes.append(static_cast<const char*>(slot.data), slot.size());
+  }
+  return bytes;
+}
+/// Copies of what was packed.
+inline StateCopy unpacked(std::string& bytes) {
+  std::vector<StateSlot> slots;
+  for (std::string_view rest = bytes; !rest.empty();) {
+    StateSlot slot;
+    const std::size_t name = take_number(rest);
+    slot.kind = static_cast<char>(take_number(rest));
+    slot.bytes = take_number(rest);
+    slot.count = take_number(rest);
+    slot.is_array = take_number(rest) != 0;
+    slot.name = rest.substr(0, name);
+    rest.remove_prefix(name);
+    slot.data = bytes.data() + (rest.data() - bytes.data());
+    rest.remove_prefix(slot.size());
+    slots.push_back(std::move(slot));
+  }
+  return StateCopy(std::move(slots));
+}
+
+}  // namespace detail
+
+/// What `rebalance` has done: tiles that moved, and the points of the fullest rank over the mean, before and after.
+struct Rebalanced {
+  int moved = 0;
+  double before = 1, after = 1;
+};
+
+/// Moves tiles between ranks where one has more than `most` times the mean share of the points. Called on all ranks between two runs; the
+/// tiles, and with them all bits, stay what they are. `make`: as for `distribute`; it makes a tile where it comes to, which then gets the
+/// state that it had. Throws what that throws, on all ranks.
+template <class S, class Make>
+Rebalanced rebalance(Tiled<S>& tiled, Make&& make, double most = 1.05) {
+  require(most >= 1, "rebalance: most", most, "must be at least 1");
+  Ranks& ranks = tiled.ranks();
+  try {
+    const auto counts = detail::TileMaker<S>::count_points(tiled);
+    const std::vector<double> weight(counts.begin(), counts.end());
+    const auto before = tiled.shared().rank_of();
+    const auto after = deal_again(before, weight, ranks.size(), most);
+    Rebalanced done{0, imbalance(before, weight, ranks.size()), imbalance(after, weight, ranks.size())};
+    std::map<int, std::string> to;  // by rank
+    for (std::size_t t = 0; t < before.size(); ++t) {
+      if (before[t] == after[t]) continue;
+      ++done.moved;
+      if (before[t] == ranks.rank()) to[after[t]];
+      if (after[t] == ranks.rank()) to[before[t]];
+    }
+    if (done.moved == 0) return done;
+    tiled.for_each_tile([&](S& scene) {
+      const auto t = static_cast<std::size_t>(scene.portion().number);
+      if (after[t] == ranks.rank()) return;
+      const std::string state = detail::packed(state_slots(scene));
+      detail::append_number(to[after[t]], t);
+      detail::append_number(to[after[t]], state.size());
+      to[after[t]] += state;
+    });
+    std::vector<int> with;
+    std::vector<std::string> messages;
+    for (auto& [rank, message] : to) {
+      with.push_back(rank);
+      messages.push_back(std::move(message));
+    }
+    const auto from = ranks.exchange(with, messages);
+    std::map<int, std::string> state;  // by tile
+    for (const auto& bytes : from)
+      for (std::string_view rest = bytes; !rest.empty();) {
+        const auto t = static_cast<int>(detail::take_number(rest));
+        const std::size_t size = detail::take_number(rest);
+        state[t] = rest.substr(0, size);
+        rest.remove_prefix(size);
+      }
+    detail::TileMaker<S>::take(tiled, ranks, after, make);
+    tiled.for_each_tile([&](S& scene) {
+      if (const auto there = state.find(scene.portion().number); there != state.end())
+        detail::restore_from(detail::unpacked(there->second), scene, {});
+    });
+    return done;
+  } catch (const std::exception& e) {
+    ranks.fail(e.what());
+    throw;
+  }
+}
+
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -220,6 +220,9 @@ TEST_CASE("What of a grid cannot be cut is refused") {
   const CartesianGrid<2> grid({.lower = {0, 0}, .upper = {1, 1}, .cell = 0.5});
   CHECK(test::message<error>([&] { split_cells(grid, 5); }) ==
         "split_cells.tiles = 5: must be between 1 and the number of cells, 4");
+  CHECK(test::message<error>([&] {
+          split_cells(grid, 2, {1, -1, 1, 1});
+        }) == "split_cells.weights = -1: must not be negative");
   const CartesianGrid<2> strip({.lower = {0, 0}, .upper = {1.5, 0.5}, .cell = 0.5});
   CHECK(split_cells(strip, 3).size() == 3);
 }

@@ -34,12 +34,19 @@ struct MlsLines {
   };
 };
 
+/// The functions of a spline along an axis.
 template <class Spline>
-struct MlsShape;
+struct SplineLines;
 template <>
-struct MlsShape<QuadraticBSpline> : ProductShape<MlsLines<QuadraticBSplineLine>::Line> {};
+struct SplineLines<QuadraticBSpline> {
+  template <class T>
+  using Line = QuadraticBSplineLine<T>;
+};
 template <>
-struct MlsShape<CubicBSpline> : ProductShape<MlsLines<CubicBSplineLine>::Line> {};
+struct SplineLines<CubicBSpline> {
+  template <class T>
+  using Line = CubicBSplineLine<T>;
+};
 
 }  // namespace detail
 
@@ -54,7 +61,8 @@ struct MlsShape<CubicBSpline> : ProductShape<MlsLines<CubicBSplineLine>::Line> {
 /// Members: see `ProductShape`. Slope^2 / value sums to 4 (quadratic) or 3 (cubic) away from the faces; the layers at the faces, and with
 /// them the stable step, are those of the spline.
 template <class Spline>
-struct MlsGradient : detail::MlsShape<Spline> {
+struct MlsGradient
+    : ProductShape<detail::MlsLines<detail::SplineLines<Spline>::template Line>::template Line> {
   static constexpr const char* name = "MlsGradient";
 };
 

@@ -128,6 +128,7 @@ std::vector<CellRange<D>> split_cells(const CartesianGrid<D, T>& grid, int tiles
           {"must be between 1 and the number of cells, ", grid.cell_count()});
   require(weights.empty() || weights.size() == grid.cell_count(), "split_cells.weights", weights.size(),
           "must have one entry a cell");
+  for (const double w : weights) require(w >= 0, "split_cells.weights", w, "must not be negative");
   CellRange<D> all;
   for (std::size_t k = 0; k < all.end.size(); ++k) all.end[k] = grid.cells(static_cast<int>(k));
   std::vector<CellRange<D>> boxes;

@@ -237,6 +237,8 @@ def test_what_does_not_go_together_is_refused_with_the_compilers_sentence(ar, sa
         lambda: ar.Numerics(ar.LinearSimplex, ar.Apic),
         lambda: ar.Numerics(ar.LinearSimplex, ar.Aflip),
         lambda: ar.Numerics(ar.QuadraticBSpline, ar.Tpic),
+        lambda: ar.Numerics(ar.MlsGradient(ar.CubicBSpline), ar.Tpic),
+        lambda: scene(mesh=triangle, numerics=ar.Numerics(ar.MlsGradient, ar.Apic)),
         lambda: ar.Numerics(ar.QuadraticBSpline, anti_locking=ar.ElementAverage),
         lambda: ar.MohrCoulomb(**FRICTIONAL, stiffness_law=ar.RateStiffness()),
         lambda: ar.Rigid(ball, guided, 0.1, ar.CentreOfMass),
@@ -264,7 +266,7 @@ def test_what_goes_together_is_made(ar):
     """Whatever the compiler takes."""
     for transfer in (ar.Flip, ar.Tpic, ar.Fmpm, ar.Xpic):
         ar.Numerics(ar.LinearSimplex, transfer, ar.Musl, ar.NodalAndElementAverage)
-    for shape in (ar.LinearGrid, ar.QuadraticBSpline, ar.CubicBSpline, ar.UGimp):
+    for shape in (ar.LinearGrid, ar.QuadraticBSpline, ar.CubicBSpline, ar.UGimp, ar.MlsGradient, ar.MlsGradient(ar.CubicBSpline)):
         ar.Numerics(shape, ar.Flip, ar.Usf)
     ar.Numerics(ar.QuadraticBSpline, ar.Aflip)
     ar.Rigid(ar.MeshSurface("body"), ar.Guided(mass=1), 0.1, ar.CentreOfMass)

@@ -7,6 +7,7 @@ from typing import Any, List, Type, Union
 
 from . import _recipes
 from ._bases import Kind as _Kind
+from ._errors import Error
 from ._recipe import Recipe, check_together
 from ._recipes import (Aflip, Apic, CubicBSpline, ElementAverage, Flip, Fmpm, LinearGrid, LinearSimplex, Musl, NoAntiLocking,
                        NodalAndElementAverage, NodalAveraging, QuadraticBSpline, Tpic, Usf, Usl, Xpic)
@@ -32,6 +33,11 @@ class MlsGradient(_Kind):
     spline     -     QuadraticBSpline or CubicBSpline  QuadraticBSpline"""
 
     spline: _Given = QuadraticBSpline
+
+    def __post_init__(self) -> None:
+        if not isinstance(_made(self.spline), (QuadraticBSpline, CubicBSpline)):
+            raise Error(f"MlsGradient.spline = {self.spline}: must be QuadraticBSpline or CubicBSpline")
+        super().__post_init__()
 
     def cpp(self) -> str:
         return f"MlsGradient<{_made(self.spline).cpp()}>"

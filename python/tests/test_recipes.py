@@ -212,6 +212,7 @@ def test_what_scenes_refuse_is_refused_where_it_is_made(ar):
         (lambda: ar.RigidPair(0, -1), "RigidPair.second = -1: must be the number of a rigid body"),
         (lambda: ar.UGimp(points=0), "UGimp.points = 0: must be at least 1"),
         (lambda: ar.UGimp(points=1.5), "UGimp.points = 1.5: must be a whole number"),
+        (lambda: ar.MlsGradient(ar.LinearGrid), "MlsGradient.spline = .*LinearGrid.*: must be QuadraticBSpline or CubicBSpline"),
     ]
     for make, sentence in refused:
         with pytest.raises(ar.Error, match=sentence):

@@ -35,7 +35,7 @@ def mesh(composition, lower, upper, cell):
 
 def corner(lower):
     """A wall that holds the lowest node of a mesh alone, which no matter reaches: a scene without walls is another composition."""
-    return ar.where(lambda x: np.abs(x - np.asarray(lower)).max(axis=1) < 1e-9, "fixed")
+    return ar.where(lambda x: np.abs(x - np.asarray(lower)).max(axis=1) < 1e-6, "fixed")
 
 
 class Points:

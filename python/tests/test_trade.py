@@ -96,7 +96,9 @@ def test_rows_that_are_there_are_not_run_again(trade, tmp_path, monkeypatch):
         return {**row, "error": "0.1", "seconds": "1", "steps": 1, "points": 1, "figures": ""}
 
     monkeypatch.setattr(trade, "measure", measure)
-    for more in (36, 0, 0):
+    from compositions import BASE
+
+    for more in (2 * len(BASE), 0, 0):
         before = len(ran)
         trade.run(["bar"], tmp_path, quick=True, every=False, longest=1)
         assert len(ran) - before == more
@@ -164,3 +166,29 @@ def test_two_threads_have_the_error_of_one(table):
     one = {alone(r) for r in table if r["threads"] == "1"}
     both = [r for r in table if r["threads"] == "2"]
     assert both and all(alone(r) in one for r in both)
+
+
+def test_guide_advises_what_the_table_bears_out(trade, table):
+    """docs/choose.md, by scene: the first composition of each row that is compared is, on the finest cells, within twice the least error, or 5 %."""
+    import page
+
+    words = {"QuadraticBSpline": "quadratic", "CubicBSpline": "cubic", "LinearSimplex": "triangles", "MlsGradient<QuadraticBSpline>": "MLS",
+             "Flip": "FLIP", "Flip{.time = 0.1}": "FLIP, time", "Apic": "APIC", "Musl": "MUSL", "Usl": "USL",
+             "NodalAndElementAverage": "nodal and element"}
+    title = {page.anchor(trade.problem(name).TITLE): name for name in trade.problems()}
+    seen = 0
+    for cells in re.findall(r"^\| (.*) \|$", (PAGE.parent / "choose.md").read_text(), flags=re.MULTILINE):
+        columns = cells.split(" | ")
+        linked = re.search(r"trade\.md#(\S+)\)", columns[-1])
+        if len(columns) != 8 or not linked:
+            continue
+        shape, *average = (words[w] for w in re.findall(r"`(.*?)`", columns[3].split(" or ")[0].split(";")[0]))
+        transfer, order = (words[w] for w in re.findall(r"`(.*?)`", columns[4].split(";")[0])[:2])
+        usual = [r for r in table if r["problem"] == title[linked[1]] and not r["failure"] and (r["number"], r["threads"]) == ("double", "1")
+                 and r["courant"] == "0.5" and r["per_cell"] in "34"]
+        finest = [r for r in usual if int(r["cells"]) == max(int(q["cells"]) for q in usual)]
+        error = [float(r["error"]) for r in finest
+                 if (r["shape"], r["transfer"], r["order"], r["average"]) == (shape, transfer, order, average[0] if average else "none")]
+        assert error and error[0] <= max(0.05, 2 * min(float(r["error"]) for r in finest)), columns[0]
+        seen += 1
+    assert seen >= 7

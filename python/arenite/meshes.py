@@ -64,11 +64,11 @@ class Mesh(Recipe):
 class CartesianGrid(Mesh):
     """Equal square or cubic cells in a box, [2 or 3], m.
 
-    parameter  unit  range           default  meaning
+    parameter  unit  range           default    meaning
     lower      m     2 or 3 numbers  needed
-    upper      m     as many         needed   above lower
-    cell       m     > 0             needed   divides the box
-    dtype      -     or "float32"    float64  of all numbers of the scene"""
+    upper      m     as many         needed     above lower
+    cell       m     > 0             needed     divides the box
+    dtype      -     or 'float32'    'float64'  of all numbers of the scene"""
 
     lower: Sequence[float]
     upper: Sequence[float]
@@ -84,11 +84,11 @@ class CartesianGrid(Mesh):
 class RectilinearGrid(Mesh):
     """Cells between lines at given places, m; z in space alone.
 
-    parameter  unit  range              default  meaning
-    x          m     2 or more numbers  needed   that rise
-    y          m     2 or more numbers  needed   that rise
-    z          m     2 or more numbers  ()       in space alone
-    dtype      -     or "float32"       float64  of all numbers of the scene"""
+    parameter  unit  range              default    meaning
+    x          m     2 or more numbers  needed     that rise
+    y          m     2 or more numbers  needed     that rise
+    z          m     2 or more numbers  ()         in space alone
+    dtype      -     or 'float32'       'float64'  of all numbers of the scene"""
 
     x: Sequence[float]
     y: Sequence[float]
@@ -133,13 +133,13 @@ class SimplexMesh(Mesh):
     """Triangles or tetrahedra: nodes [n, D], m; cells [m, D + 1]; the region of each cell [m]; names of regions
     (name to number) and of sets of nodes (name to numbers).
 
-    parameter     unit  range                     default  meaning
+    parameter     unit  range                     default    meaning
     nodes         m     [n, D]                    needed
-    cells         -     [m, D + 1]                needed   numbers of nodes
-    region        -     [m]                       None     of each cell
+    cells         -     [m, D + 1]                needed     numbers of nodes
+    region        -     [m]                       None       of each cell
     region_names  -     numbers by name           {}
     node_sets     -     numbers of nodes by name  {}
-    dtype         -     or "float32"              float64  of all numbers of the scene"""
+    dtype         -     or 'float32'              'float64'  of all numbers of the scene"""
 
     nodes: ArrayLike
     cells: ArrayLike

@@ -115,9 +115,9 @@ def test_a_mesh_of_float32(ar, compiler, tmp_path):
     """A column falls freely: columns are of 4 bytes, and the fall is that of float64 but for round-off."""
     def scene(dtype):
         grid = ar.CartesianGrid((0, 0), (1, 2), cell=0.125, dtype=dtype)
-        s = ar.Scene(ar.PlaneStrain(), grid, ar.Numerics(ar.QuadraticBSpline, ar.Apic), gravity=(0, -9.81),
+        s = ar.Scene(ar.PlaneStrain(), grid, ar.Numerics(ar.QuadraticBSpline, ar.Apic), gravity=(0, -9.81), walls=[ar.bottom()],
                      bodies=[ar.fill("block", ar.Box((0.25, 1), (0.75, 1.5)), ar.LinearElastic(density=1000, young=1e5, poisson=0.3))])
-        ar.run(s, end=0.2)
+        ar.run(s, end=0.2, max_step=1e-3)
         return s
 
     double, single = scene("float64"), scene(np.float32)

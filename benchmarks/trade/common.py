@@ -74,14 +74,17 @@ class Failed(Exception):
 
 
 class Clock:
-    """Sums what steps cost: seconds of the processor, of several threads seconds on the clock; steps, and points times steps."""
+    """Sums what steps cost: seconds of the processor, of several threads seconds on the clock; steps, and points times steps; and the bytes of a
+    point."""
 
     def __init__(self, threads=1):
-        self.seconds, self.steps, self.point_steps = 0.0, 0, 0
+        self.seconds, self.steps, self.point_steps, self.bytes = 0.0, 0, 0, 0
         self.now = time.process_time if threads == 1 else time.perf_counter
 
     def run(self, scene, end, courant, **more):
         steps, points = scene.step_count, sum(len(b) for b in scene.bodies.values())
+        columns = [scene.state[path] for path in scene.state if path.startswith("bodies/0/points/")]
+        self.bytes = round(sum(c.nbytes for c in columns) / max(len(columns[0]), 1))
         start = self.now()
         ar.run(scene, end=end, courant=courant, watch=False, **more)
         self.seconds += self.now() - start

@@ -26,7 +26,7 @@ class Row:
         self.per_cell, self.cells, self.courant = int(given["per_cell"]), int(given["cells"]), float(given["courant"])
         self.failure = given["failure"]
         self.error, self.seconds = (float(given[k]) if given[k] else float("inf") for k in ("error", "seconds"))
-        self.steps, self.points = (int(given[k] or 0) for k in ("steps", "points"))
+        self.steps, self.points, self.bytes = (int(given[k] or 0) for k in ("steps", "points", "bytes"))
 
     @property
     def usual(self):
@@ -120,7 +120,7 @@ CHANGES = [("per_cell", 4, 9, "9 points a cell for 4"), ("per_cell", 4, 1, "1 po
            ("courant", 0.5, 0.25, "a Courant number of 0.25 for 0.5"), ("order", "MUSL", "USL", "USL for MUSL"), ("order", "MUSL", "USF", "USF for MUSL"),
            ("shape", "quadratic", "linear", "linear functions for quadratic"), ("shape", "quadratic", "uGIMP", "uGIMP for quadratic B-splines"),
            ("shape", "quadratic", "cubic", "cubic B-splines for quadratic"), ("shape", "quadratic", "MLS", "MLS gradients for those of quadratic B-splines"), ("transfer", "FLIP", "FLIP, time", "FLIP with a time for FLIP"),
-           ("transfer", "FLIP", "APIC", "APIC for FLIP"), ("transfer", "FLIP", "XPIC(2)", "XPIC(2) for FLIP"), ("transfer", "FLIP", "FMPM(4)", "FMPM(4) for FLIP"),
+           ("transfer", "FLIP", "PIC", "PIC for FLIP"), ("transfer", "FLIP", "APIC", "APIC for FLIP"), ("transfer", "FLIP", "XPIC(2)", "XPIC(2) for FLIP"), ("transfer", "FLIP", "FMPM(4)", "FMPM(4) for FLIP"),
            ("transfer", "APIC", "AFLIP", "AFLIP for APIC"), ("average", "none", "nodal", "the nodal average for none"),
            ("average", "nodal", "nodal and element", "the nodal and element average for the nodal one"), ("number", "double", "float", "float for double"),
            ("threads", 1, 2, "two threads for one, on the finest cells")]
@@ -282,11 +282,12 @@ def text(out):
               "the last number is the Courant number. `arenite.recommend` asks the same table.", "",
               "## Where each composition is best", "",
               "A problem is named where a row of the composition, of an error of at most 10 %, is on its front: none is both cheaper and more exact. ns: a point and step, median over",
-              "all rows with the usual points and steps.", "", "| composition | ns | on the front of |", "|---|---|---|"]
+              "all rows with the usual points and steps. Bytes: of a point of the vibrating bar, its number included.", "", "| composition | ns | bytes | on the front of |", "|---|---|---|---|"]
     fronts = {n: {r.composition for r in front(of[n])} for n in there}
     for name in dict.fromkeys(r.composition for r in rows):
         rates = [1e9 / r.rate for r in rows if r.composition == name and r.usual and not r.failure]
-        lines.append(f"| {name} | {statistics.median(rates):.0f} | {', '.join(n.replace('_', ' ') for n in there if name in fronts[n])} |")
+        bytes_of = max(r.bytes for r in of[there[0]] if r.composition == name)
+        lines.append(f"| {name} | {statistics.median(rates):.0f} | {bytes_of} | {', '.join(n.replace('_', ' ') for n in there if name in fronts[n])} |")
     beaten = dominated(of)
     lines += ["", "Dominated everywhere, of those that ran on all problems (on each another composition is as exact as each of its rows of at most 10 %, in less time by a tenth or more): "
               + (", ".join(f"`{n}`" for n in beaten) or "none") + ".", "", "## What each choice changes", "",

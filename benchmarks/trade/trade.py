@@ -22,13 +22,14 @@ HERE = Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE))
 
 KEY = ["problem", "shape", "transfer", "order", "average", "per_cell", "cells", "courant", "number", "threads"]
-COLUMNS = [*KEY, "error", "seconds", "steps", "points", "figures", "failure"]
+COLUMNS = [*KEY, "error", "seconds", "steps", "points", "bytes", "figures", "failure"]
 
 
 def problems():
     """Names, in the order of the page."""
     there = sorted(p.stem for p in (HERE / "problems").glob("*.py"))
-    first = ["bar", "drifting_bar", "impact", "spin", "cantilever", "settling", "discs", "slope", "manufactured", "vortex", "footing", "collapse", "ball", "drop"]
+    first = ["bar", "drifting_bar", "impact", "spin", "cantilever", "settling", "discs", "slope", "manufactured_1", "manufactured_5",
+             "manufactured_20", "vortex", "footing", "collapse", "ball", "drop"]
     return [n for n in first if n in there] + [n for n in there if n not in first]
 
 
@@ -137,7 +138,7 @@ def measure(c, row, longest):
             raise Failed("the result is not a number")
         figures = "; ".join(f"{name} {value:.6g}" for name, value in found.items())
         return {**row, "error": f"{error:.4g}", "seconds": f"{sum(times) / len(times):.4g}", "steps": clock.steps,
-                "points": round(clock.point_steps / max(clock.steps, 1)), "figures": figures}
+                "points": round(clock.point_steps / max(clock.steps, 1)), "bytes": clock.bytes, "figures": figures}
     except TooLong:
         return {**row, "failure": f"stopped after {longest:g} s"}
     except (ar.Error, ar.RunError, Failed) as e:

@@ -4,7 +4,7 @@ import numpy as np
 
 import arenite as ar
 from common import IDS, begin_with, corner, farthest_off, mesh
-from problems.manufactured import HERE, LAW, SHEAR
+from manufactured import HERE, LAW, SHEAR
 
 TITLE = "Generalised vortex"
 KIND = "large shear"

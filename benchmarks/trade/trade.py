@@ -29,7 +29,7 @@ def problems():
     """Names, in the order of the page."""
     there = sorted(p.stem for p in (HERE / "problems").glob("*.py"))
     first = ["bar", "drifting_bar", "impact", "spin", "cantilever", "settling", "discs", "slope", "manufactured_1", "manufactured_5",
-             "manufactured_20", "vortex", "footing", "collapse", "ball", "drop"]
+             "manufactured_20", "vortex", "footing", "collapse", "tall_collapse", "ball", "drop"]
     return [n for n in first if n in there] + [n for n in there if n not in first]
 
 

@@ -11,6 +11,7 @@ from typing import Any, Dict, Iterator, List, Mapping, Tuple
 
 import numpy as np
 
+from ._recipe import arguments_of
 from .scene import Scene
 
 
@@ -70,6 +71,8 @@ def _values(scene: Scene, courant: float) -> Iterator[Tuple[str, str, float]]:
     for size in dict.fromkeys(sizes):
         yield "mesh, edge of a cell, m", "cell", size
     gravity = recipes["gravity"]
+    if callable(gravity) and arguments_of(gravity) == 1:
+        gravity = gravity(scene.time)
     g = float(np.linalg.norm(gravity)) if gravity is not None and not callable(gravity) and not hasattr(gravity, "cpp") else None
     if g is not None:
         yield "gravity, m/s2", "gravity", g
@@ -116,7 +119,7 @@ def _own_classes(scene: Scene) -> List[str]:
 
 def check(scene: Scene, courant: float = 0.5) -> Checked:
     """Compares a scene, as it is now, and the Courant number that it shall run with, with what tens of thousands of random scenes have tried: each part, the numerics as a
-    whole, and each value (moduli, angles, density, cells, speed, weight, points a cell, masses). `print(arenite.check(scene))` tells in words. What lies
+    whole, and each value (moduli, angles, density, cells, speed, weight, points a cell, masses; of gravity as a function of time that of now; values that are other functions are not looked at). `print(arenite.check(scene))` tells in words. What lies
     outside is not wrong: nobody has tried it, so compare it with a solution that you know."""
     tried = _tried()
     outside: List[Outside] = []

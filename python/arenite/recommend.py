@@ -30,7 +30,7 @@ class Recommended:
 
 def recommend(problem: str, error: float) -> Recommended:
     """The cheapest composition that kept to an error, -, on the measured problem of a kind: vibration, waves, impact, rotation, bending,
-    rest, collision, sliding, small strain, moderate strain, large strain, large shear, bearing, flow, penetration or free fall. An advice to begin with: your problem is another one. Raises `Error` for a kind that is not in the table, and where none is as exact."""
+    rest, collision, sliding, small strain, moderate strain, large strain, large shear, bearing, flow, fall, penetration or free fall. An advice to begin with: your problem is another one. Raises `Error` for a kind that is not in the table, and where none is as exact."""
     with open(Path(__file__).parent / "_trade.csv", newline="", encoding="utf-8") as file:
         rows: List[Dict[str, str]] = list(csv.DictReader(file))
     kinds = list(dict.fromkeys(row["problem"] for row in rows))

@@ -27,12 +27,13 @@ def test_an_ordinary_scene_lies_within(ar, column):
     assert "all parts and values lie within" in str(found) and "sound" in str(found)
 
 
-def test_each_value_outside_is_told(ar, sand, column):
+@pytest.mark.parametrize("gravity", [(0, -1e5), lambda t: (0, -1e5 - t)], ids=["constant", "in time"])
+def test_each_value_outside_is_told(ar, sand, column, gravity):
     import dataclasses
 
     hard = dataclasses.replace(sand, young=1e13, density=1e5)
     scene = ar.Scene(ar.PlaneStrain(), ar.CartesianGrid((0, 0), (1e5, 1e5), 1e4), column()._recipes["numerics"],
-                     bodies=[ar.fill("rock", ar.Box((2e4, 0), (8e4, 4e4)), hard, velocity=(1e6, 0, 0))], gravity=(0, -1e5))
+                     bodies=[ar.fill("rock", ar.Box((2e4, 0), (8e4, 4e4)), hard, velocity=(1e6, 0, 0))], gravity=gravity)
     said = {o.what: o for o in ar.check(scene, courant=0.001).outside}
     for what, value in {"rock: young": 1e13, "rock: density": 1e5, "rock: speed, m/s": 1e6, "mesh, edge of a cell, m": 1e4, "gravity, m/s2": 1e5,
                         "Courant number": 0.001}.items():

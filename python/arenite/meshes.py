@@ -110,7 +110,7 @@ class Periodic(Mesh):
         return self.grid.dimension
 
     @property
-    def dtype(self) -> str:  # type: ignore[override]
+    def dtype(self) -> str:
         return str(self.grid.dtype)
 
     def __post_init__(self) -> None:

@@ -126,6 +126,12 @@ void restore_state(Scene& scene, const SavedState& from, Observers&... observers
   detail::restore_from(StateFile(from.path), scene, detail::state_terms(scene, from.recipe), observers...);
 }
 
+/// The same of a state that was put aside in memory, of a scene of the same recipe: it has no head that could tell.
+template <class Scene, class... Observers>
+void restore_state(Scene& scene, StateCopy&& from, Observers&... observers) {
+  detail::restore_from(std::move(from), scene, {}, observers...);
+}
+
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET
 
 #ifndef ARENITE_COLD_LIBRARY

@@ -117,7 +117,7 @@ Rebalanced rebalance(Tiled<S>& tiled, Make&& make, double most = 1.05) {
     detail::TileMaker<S>::take(tiled, ranks, after, make);
     tiled.for_each_tile([&](S& scene) {
       if (const auto there = state.find(scene.portion().number); there != state.end())
-        detail::restore_from(detail::unpacked(there->second), scene, {});
+        restore_state(scene, detail::unpacked(there->second));
     });
     return done;
   } catch (const std::exception& e) {

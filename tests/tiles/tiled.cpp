@@ -153,8 +153,8 @@ TEST_CASE("Saved tiles go on with the same bits; a folder of other tiles, or non
   auto other = distribute(here, mesh(), {.tiles = 2}, column());
   CHECK_THAT(test::message<error>([&] { restore_state(other, folder / "state"); }),
              Catch::Matchers::Contains("saved tiles = 3: must be as many as those of the scene, 2"));
-  auto none = distribute(here, mesh(), {.tiles = 2}, column());
-  CHECK_THAT(test::message<error>([&] { restore_state(none, folder / "nothing"); }),
+  auto fresh = distribute(here, mesh(), {.tiles = 2}, column());
+  CHECK_THAT(test::message<error>([&] { restore_state(fresh, folder / "nothing"); }),
              Catch::Matchers::Contains("tiles.txt"));
 }
 

@@ -3,29 +3,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include <cstdint>
-#include <cstring>
 #include <string>
 #include <string_view>
 #include <type_traits>
 
+#include <arenite/core/bytes.hpp>
 #include <arenite/parallel/communicator.hpp>
 #include <arenite/scene/scene.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 namespace detail {
-
-template <class V>
-void append_bytes(std::string& to, const V& value) {
-  to.append(reinterpret_cast<const char*>(&value), sizeof(V));
-}
-template <class V>
-V read_bytes(std::string_view& from) {
-  V value;
-  std::memcpy(&value, from.data(), sizeof(V));
-  from.remove_prefix(sizeof(V));
-  return value;
-}
 
 /// Calls `f(body, number)` for each body of a scene.
 template <class Scene, class F>

@@ -5,13 +5,13 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
 #include <exception>
 #include <map>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include <arenite/core/bytes.hpp>
 #include <arenite/run/saved_state.hpp>
 #include <arenite/tiles/deal_tiles.hpp>
 #include <arenite/tiles/tiled.hpp>
@@ -20,24 +20,13 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 namespace detail {
 
-/// Named numbers as bytes: of each the lengths of name and type, the count, the name, the type, the numbers.
-inline void append_number(std::string& to, std::uint64_t number) {
-  to.append(reinterpret_cast<const char*>(&number), sizeof(number));
-}
-inline std::uint64_t take_number(std::string_view& from) {
-  std::uint64_t number = 0;
-  std::memcpy(&number, from.data(), sizeof(number));
-  from.remove_prefix(sizeof(number));
-  return number;
-}
+/// Named numbers as bytes: of each the length of its name, bytes of a number, count, kind, whether it is an array, name, numbers.
 inline std::string packed(const std::vector<StateSlot>& slots) {
   std::string bytes;
   for (const auto& slot : slots) {
-    append_number(bytes, slot.name.size());
-    append_number(bytes, static_cast<std::uint64_t>(slot.kind));
-    append_number(bytes, slot.bytes);
-    append_number(bytes, slot.count);
-    append_number(bytes, slot.is_array ? 1 : 0);
+    for (const std::size_t number : {slot.name.size(), slot.bytes, slot.count}) append_bytes(bytes, number);
+    append_bytes(bytes, slot.kind);
+    append_bytes(bytes, slot.is_array);
     bytes += slot.name;
     bytes.append(static_cast<const char*>(slot.data), slot.size());
   }
@@ -48,11 +37,11 @@ inline StateCopy unpacked(std::string& bytes) {
   std::vector<StateSlot> slots;
   for (std::string_view rest = bytes; !rest.empty();) {
     StateSlot slot;
-    const std::size_t name = take_number(rest);
-    slot.kind = static_cast<char>(take_number(rest));
-    slot.bytes = take_number(rest);
-    slot.count = take_number(rest);
-    slot.is_array = take_number(rest) != 0;
+    const auto name = read_bytes<std::size_t>(rest);
+    slot.bytes = read_bytes<std::size_t>(rest);
+    slot.count = read_bytes<std::size_t>(rest);
+    slot.kind = read_bytes<char>(rest);
+    slot.is_array = read_bytes<bool>(rest);
     slot.name = rest.substr(0, name);
     rest.remove_prefix(name);
     slot.data = bytes.data() + (rest.data() - bytes.data());
@@ -95,8 +84,8 @@ Rebalanced rebalance(Tiled<S>& tiled, Make&& make, double most = 1.05) {
       const auto t = static_cast<std::size_t>(scene.portion().number);
       if (after[t] == ranks.rank()) return;
       const std::string state = detail::packed(state_slots(scene));
-      detail::append_number(to[after[t]], t);
-      detail::append_number(to[after[t]], state.size());
+      append_bytes(to[after[t]], t);
+      append_bytes(to[after[t]], state.size());
       to[after[t]] += state;
     });
     std::vector<int> with;
@@ -109,8 +98,8 @@ Rebalanced rebalance(Tiled<S>& tiled, Make&& make, double most = 1.05) {
     std::map<int, std::string> state;  // by tile
     for (const auto& bytes : from)
       for (std::string_view rest = bytes; !rest.empty();) {
-        const auto t = static_cast<int>(detail::take_number(rest));
-        const std::size_t size = detail::take_number(rest);
+        const auto t = static_cast<int>(read_bytes<std::size_t>(rest));
+        const auto size = read_bytes<std::size_t>(rest);
         state[t] = rest.substr(0, size);
         rest.remove_prefix(size);
       }

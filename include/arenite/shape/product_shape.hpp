@@ -135,11 +135,6 @@ struct ProductShape {
     static constexpr std::size_t nodes_per_axis = ProductShape::nodes_per_axis;
     static constexpr std::size_t plane = nodes_per_axis * nodes_per_axis;
     static constexpr int size = static_cast<int>(D == 2 ? plane : plane * nodes_per_axis);
-    /// Whether the slopes of this cell are values times `offsets` times `inverse_inertia`: a kernel that sums these has the gradient, too.
-    bool has_moments_for_slopes() const requires requires { Line<T>::slopes_are_moments; }
-    {
-      return std::ranges::all_of(line_, [](const auto& line) { return line.inverse_inertia() > 0; });
-    }
     using Weights = Vec<T, size>;
     using Gradients = Eigen::Matrix<T, D, size, Eigen::DontAlign>;
 
@@ -220,6 +215,12 @@ struct ProductShape {
         inverse[k] = select(some, P(P(1) / select(some, inertia, P(1))), P(0));
       }
       return inverse;
+    }
+
+    /// Whether the slopes of this cell are values times `offsets` times `inverse_inertia`: a kernel that sums these has the gradient, too.
+    bool has_moments_for_slopes() const requires requires { Line<T>::slopes_are_moments; }
+    {
+      return std::ranges::all_of(line_, [](const auto& line) { return line.inverse_inertia() > 0; });
     }
 
     std::array<Index, size> nodes;

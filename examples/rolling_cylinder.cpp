@@ -2,7 +2,7 @@
 // Without slip it accelerates by g sin / (1 + I / (m R^2)), 2/3 of a block that slides without friction.
 //
 //   g++ -std=c++20 -O3 -march=native -Iinclude -I/usr/include/eigen3 examples/rolling_cylinder.cpp -o rolling_cylinder -pthread && ./rolling_cylinder
-//   prints: acceleration 2.224 m/s2, R times that of the spin 2.135 m/s2, exact 2.237 m/s2
+//   prints: acceleration 2.208 m/s2, R times that of the spin 2.150 m/s2, exact 2.237 m/s2
 #include <arenite/arenite.hpp>
 #include <cstdio>
 using namespace arenite;

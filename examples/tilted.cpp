@@ -1,7 +1,7 @@
 // A tilted penetrometer in space: a free rigid body falls on sand with one end ahead, and turns.
 //
 //   g++ -std=c++20 -O3 -march=native -Iinclude -I/usr/include/eigen3 examples/tilted.cpp -o tilted -pthread && ./tilted
-//   prints: it went -36.4 mm and turns at 2.88 rad/s
+//   prints: it went -36.4 mm and turns at 2.90 rad/s
 #include <arenite/arenite.hpp>
 #include <cstdio>
 using namespace arenite;

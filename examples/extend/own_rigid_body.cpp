@@ -3,7 +3,7 @@
 // it.
 //
 //   g++ -std=c++20 -O3 -march=native -Iinclude -I/usr/include/eigen3 examples/extend/own_rigid_body.cpp -o own_rigid_body -pthread && ./own_rigid_body
-//   prints: force 1962.17 N, weight 1962.00 N; stress -12038 Pa, exact -12017 Pa
+//   prints: force 1962.27 N, weight 1962.00 N; stress -12038 Pa, exact -12017 Pa
 #include <arenite/arenite.hpp>
 #include <cstdio>
 using namespace arenite;

@@ -51,12 +51,12 @@ class Rigid(Recipe):
     surface    -     a shape, a signed distance, or a `MeshSurface`  needed
     motion     -     a motion                                        needed
     friction   rad   [0, pi/2)                                       needed         angle; infinity: no slip
-    contact    -     a contact                                       RigidVelocity
+    contact    -     a contact                                       NodalGap
     reach      -     >= 0                                            0.5            a node counts as touched up to so many cells outside
     name       -     a name                                          ''"""
 
     def __init__(self, surface: Union[Shape, MeshSurface, Callable[[Any], Any]], motion: Recipe, friction: float,
-                 contact: Union[Contact, Type[Contact]] = RigidVelocity, reach: float = 0.5, name: str = "") -> None:
+                 contact: Union[Contact, Type[Contact]] = NodalGap, reach: float = 0.5, name: str = "") -> None:
         self.surface, self.motion, self.friction, self.reach, self.name = surface, motion, friction, reach, name
         self.contact = contact() if isinstance(contact, type) else contact
         self.__post_init__()
@@ -72,7 +72,7 @@ class Rigid(Recipe):
 
     def cpp(self) -> str:
         surface = "MeshSurface" if isinstance(self.surface, MeshSurface) else "DistanceSurface<>"
-        contact = "" if isinstance(self.contact, RigidVelocity) else f", {self.contact.cpp()}"
+        contact = "" if isinstance(self.contact, NodalGap) else f", {self.contact.cpp()}"
         return f"Rigid<{surface}, {self.motion.cpp()}{contact}>"
 
     def value(self) -> Any:

@@ -29,7 +29,7 @@ int main() {
                                                    PartGroup<Rigid<DistanceSurface<>, Guided>>>>);
   const auto push = [](double t) { return std::array{0.0, -t, 0.0}; };
   Scene<PlaneStrain, CartesianGrid<2>, Numerics<QuadraticBSpline>, Bodies<Fill<LinearElastic, "low">>,
-        Rigid<DistanceSurface<>, Prescribed, RigidVelocity, "ram">>
+        Rigid<DistanceSurface<>, Prescribed, NodalGap, "ram">>
       named{PlaneStrain{}, CartesianGrid<2>({.lower = {0, 0}, .upper = {1, 1}, .cell = 0.5}),
             Numerics<QuadraticBSpline>{},
             bodies(fill<"low">(Inside{[](const auto& x) { return x[1] - 0.5; }}, steel)),

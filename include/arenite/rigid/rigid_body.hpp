@@ -33,8 +33,15 @@
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
-/// Contact by rigid nodal velocity: a touched node may not move into the body, whatever the masses. The
-/// body's new velocity and all impulses are found together, so that a light body is as stable as a heavy one.
+/// The default: contact at nodes by the body's velocity, with the gap that matter has opened at each. What has parted from the body there
+/// may come back by as much, whatever the masses: (v - v_body) . n >= -gap / dt with gap' = max(0, gap + dt (v - v_body) . n). The body's
+/// new velocity and all impulses are found together, so that a light body is as stable as a heavy one. Costs a number a touched node.
+struct NodalGap {
+  static constexpr bool through_centre_of_mass = false, keeps_gaps = true;
+};
+
+/// `NodalGap` without the gap: a touched node may not move into the body. It is a ratchet: what vibration opens does not close, and what
+/// rests or rubs on the body is lifted.
 struct RigidVelocity {
   static constexpr bool through_centre_of_mass = false;
 };
@@ -46,17 +53,10 @@ struct CentreOfMass {
   static constexpr bool through_centre_of_mass = true;
 };
 
-/// `RigidVelocity` that keeps the gap of each touched node: matter that has parted from the body there may come back
-/// by as much, (v - v_body) . n >= -gap / dt with gap' = max(0, gap + dt (v - v_body) . n). Without it contact at nodes is a ratchet:
-/// what vibration opens does not close, and what rests or rubs on the body is lifted. Costs a number a touched node.
-struct NodalGap {
-  static constexpr bool through_centre_of_mass = false, keeps_gaps = true;
-};
-
 // The fourth kind is `PointContact`: at the material points, without the gap of nodes (point_contact.hpp).
 
 /// The recipe that `rigid` makes: surface, motion, friction and kind of contact of one rigid body.
-template <class Surface, class Motion, class Coupling = RigidVelocity, Name name = "">
+template <class Surface, class Motion, class Coupling = NodalGap, Name name = "">
 struct Rigid {
   Surface surface;
   Motion motion;
@@ -71,12 +71,12 @@ struct Rigid {
 
 /// A rigid body, a part of a scene; `rigid<"cone">(..)` gives it a name. `Surface`: see `rigid_surface`;
 /// `Motion`: see `rigid_motion`.
-template <Name name, class Surface, class Motion, class Coupling = RigidVelocity>
+template <Name name, class Surface, class Motion, class Coupling = NodalGap>
 Rigid<Surface, Motion, Coupling, name> rigid(Surface surface, Motion motion, Friction friction,
                                              Coupling = {}) {
   return {std::move(surface), std::move(motion), friction};
 }
-template <class Surface, class Motion, class Coupling = RigidVelocity>
+template <class Surface, class Motion, class Coupling = NodalGap>
 Rigid<Surface, Motion, Coupling> rigid(Surface surface, Motion motion, Friction friction, Coupling = {}) {
   return {std::move(surface), std::move(motion), friction};
 }
@@ -99,7 +99,7 @@ struct NoRigidBody {
 /// A rigid body in a scene: a part that exchanges impulses with all fields. Read `displacement`, `velocity`
 /// and `force` after any step; of one that rotates also `position()`, `orientation`, `spin` and `torque`. The
 /// velocity of a body that rotates is that of its centre; spins and moments have one component in the plane.
-template <class T, int D, class Surface, class Motion, class Coupling = RigidVelocity, Name name_ = "">
+template <class T, int D, class Surface, class Motion, class Coupling = NodalGap, Name name_ = "">
 struct RigidBody {
   using V = Vec<T, D>;
   static constexpr auto name = name_;

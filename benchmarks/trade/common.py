@@ -1,6 +1,7 @@
 """What the problems share: meshes of either kind, points with numbers, a clock for the steps, and beams that bend far."""
 
 import functools
+import itertools
 import math
 import time
 from pathlib import Path
@@ -15,21 +16,27 @@ IDS = ar.OwnPart("arenite::PointIds", str(Path(_compile.include_folders()[0]) / 
 
 
 def mesh(composition, lower, upper, cell):
-    """Squares of an edge, or two triangles in each, whose diagonals take turns."""
+    """Squares or cubes of an edge, or two triangles in each square, whose diagonals take turns, or six tetrahedra in each cube."""
     if composition.on_grid():
         return ar.CartesianGrid(lower, upper, cell=cell, dtype=composition.dtype)
     n = [round((b - a) / cell) for a, b in zip(lower, upper)]
-    x, y = np.meshgrid(*(np.linspace(a, b, k + 1) for a, b, k in zip(lower, upper, n)))
-    i, j = (k.ravel() for k in np.meshgrid(np.arange(n[0]), np.arange(n[1])))
-    a = i + j * (n[0] + 1)
-    b, c, d = a + 1, a + n[0] + 1, a + n[0] + 2
-    even = ((i + j) % 2 == 0)[:, None]
-    cells = np.concatenate([np.where(even, np.stack([a, b, d], 1), np.stack([a, b, c], 1)),
-                            np.where(even, np.stack([a, d, c], 1), np.stack([b, d, c], 1))])
-    nodes = np.stack([x.ravel(), y.ravel()], 1)
+    stride = np.cumprod([1, *(k + 1 for k in n[:-1])])  # numbers of nodes, the first axis fastest
+    every = np.meshgrid(*(np.arange(k + 1) for k in n), indexing="ij")
+    at = np.stack([q.ravel(order="F") for q in every], 1)
+    nodes = np.asarray(lower) + at * (np.asarray(upper) - lower) / n
+    first = (at[(at < n).all(axis=1)] * stride).sum(axis=1)  # of each square or cube
+    if len(n) == 2:
+        a, b, c, d = first, first + 1, first + n[0] + 1, first + n[0] + 2
+        even = (at[first].sum(axis=1) % 2 == 0)[:, None]
+        cells = np.concatenate([np.where(even, np.stack([a, b, d], 1), np.stack([a, b, c], 1)),
+                                np.where(even, np.stack([a, d, c], 1), np.stack([b, d, c], 1))])
+    else:  # along the three axes in any order, an odd one with two nodes swapped
+        paths = [(stride[list(p)], np.linalg.det(np.eye(3)[list(p)])) for p in itertools.permutations(range(3))]
+        cells = np.concatenate([np.stack([first + k for k in np.array([0, *np.cumsum(s)])[[0, 1, 2, 3] if sign > 0 else [0, 2, 1, 3]]], 1)
+                                for s, sign in paths])
     numbers = np.arange(len(nodes))
-    sides = {"left": numbers[numbers % (n[0] + 1) == 0], "right": numbers[numbers % (n[0] + 1) == n[0]],
-             "bottom": numbers[:n[0] + 1], "top": numbers[-n[0] - 1:]}
+    sides = {name: numbers[at[:, k] == (0 if low else n[k])] for k, names in enumerate((("left", "right"), ("bottom", "top"), ("front", "back"))[:len(n)])
+             for low, name in zip((True, False), names)}
     return ar.SimplexMesh(nodes, cells, node_sets=sides, dtype=composition.dtype)
 
 
@@ -49,12 +56,13 @@ class Points:
 
 
 def begin_with(scene, velocity, cell):
-    """Gives points that carry a velocity gradient that of a field: of positions [n, 2]."""
+    """Gives points that carry a velocity gradient that of a field: of positions [n, D]."""
     body = scene.bodies["body"]
     for path in [p for p in scene.state if p.startswith("bodies/0/points/velocity_gradient/")]:
-        component, along = path[-2:]
-        x, d = np.asarray(body.position), 1e-6 * cell * np.array([along == "x", along == "y"])
-        body.column(path.removeprefix("bodies/0/points/"))[:] = (velocity(x + d) - velocity(x - d))[:, "xy".index(component)] / (2e-6 * cell)
+        component, along = ("xyz".index(k) for k in path[-2:])
+        x = np.asarray(body.position)
+        d = 1e-6 * cell * (np.arange(x.shape[1]) == along)
+        body.column(path.removeprefix("bodies/0/points/"))[:] = (velocity(x + d) - velocity(x - d))[:, component] / (2e-6 * cell)
 
 
 def elastic_scene(composition, time, lower, upper, cell, per_cell, region, law, walls=None, gravity=(0, 0), velocity=None, damping=0.0,

@@ -57,9 +57,11 @@ class Composition:
             return False
         return True
 
-    def points(self):
+    def points(self, dimension=2):
         """Points a cell: the usual ones, and others. uGIMP is of the usual ones alone: their number is part of its type."""
-        return (3, (1, 6)) if not self.on_grid() else (4, ()) if self.shape == "uGIMP" else (4, (1, 9))
+        if not self.on_grid():
+            return {2: (3, (1, 6)), 3: (4, (10,))}[dimension]
+        return 2**dimension, () if self.shape == "uGIMP" else (1, 3**dimension)
 
 
 #: In full, and `MORE` on two sizes of cells. Those that share a body's law and parts compile once for all problems; numbers of a transfer

@@ -1,4 +1,4 @@
-"""Axis-aligned displacements in a square, a manufactured solution of any stretch."""
+"""Axis-aligned displacements in a square or a cube, a manufactured solution of any stretch."""
 
 from pathlib import Path
 
@@ -23,19 +23,20 @@ v = -A sin(pi Y) sin(pi t) under the body force that this takes (Wallstedt and G
 {100 * stretch:.0f} %, and points move by up to {32 * stretch / np.pi:.1f} of the finest cells. Half a period. The law is computed number by number, which levels costs."""
 
 
-def solve(stretch, composition, cells, per_cell, courant, clock):
-    a = stretch / np.pi
+def solve(stretch, composition, cells, per_cell, courant, clock, dimension=2):
+    a, signs = stretch / np.pi, np.array((1, -1, 1))[:dimension]
 
     def position(x, t):
-        return x + a * np.sin(np.pi * t) * np.sin(np.pi * x) * (1, -1)
+        return x + a * np.sin(np.pi * t) * np.sin(np.pi * x) * signs
 
     def velocity(x):
-        return np.pi * a * np.sin(np.pi * x) * (1, -1)
+        return np.pi * a * np.sin(np.pi * x) * signs
 
-    cell = 1 / cells
+    cell, sides = 1 / cells, (ar.left, ar.right, ar.bottom, ar.top, ar.front, ar.back)[:2 * dimension]
+    lower, upper, kinematics = (0,) * dimension, (1,) * dimension, {2: ar.PlaneStrain, 3: ar.ThreeDimensional}[dimension]
     force = ar.OwnPart("ManufacturedForce", str(HERE / "manufactured.hpp"), {"amplitude": a, "shear": SHEAR, "lame": LAME})
-    scene = ar.Scene(ar.PlaneStrain(), mesh(composition, (0, 0), (1, 1), cell), composition.numerics(TIME), energy=False,
-                     bodies=[ar.fill("body", ar.Box((0, 0), (1, 1)), LAW, per_cell=per_cell, velocity=velocity)],
-                     walls=[side("roller") for side in (ar.left, ar.right, ar.bottom, ar.top)], parts=[IDS, force])
+    scene = ar.Scene(kinematics(), mesh(composition, lower, upper, cell), composition.numerics(TIME), energy=False,
+                     bodies=[ar.fill("body", ar.Box(lower, upper), LAW, per_cell=per_cell, velocity=velocity)],
+                     walls=[side("roller") for side in sides], parts=[IDS, force])
     begin_with(scene, velocity, cell)
     return {"error": farthest_off(scene, clock, courant, TIME, position) / a}

@@ -15,6 +15,10 @@ MACHINE = "one core of an Intel Xeon with AVX-512, g++ 12 -O3"  # of rows.csv
 CLEARLY = 1.1  # times of the processor agree to some 10 %
 
 
+def dimension(name):
+    return getattr(problem(name), "DIMENSION", 2)
+
+
 class Row:
     """A row of the table with numbers in the place of texts."""
 
@@ -30,7 +34,7 @@ class Row:
 
     @property
     def usual(self):
-        return self.courant == 0.5 and self.per_cell in (3, 4)
+        return self.courant == 0.5 and self.per_cell == self.of.points(dimension(self.problem))[0]
 
     @property
     def rate(self):
@@ -116,7 +120,8 @@ def advices(rows):
 
 CHOICES = ("shape", "transfer", "order", "average", "number", "threads", "per_cell", "courant")
 CHANGES = [("per_cell", 4, 9, "9 points a cell for 4"), ("per_cell", 4, 1, "1 point a cell for 4"), ("per_cell", 3, 6, "6 points a triangle for 3"),
-           ("per_cell", 3, 1, "1 point a triangle for 3"), ("courant", 0.5, 0.9, "a Courant number of 0.9 for 0.5"),
+           ("per_cell", 3, 1, "1 point a triangle for 3"), ("per_cell", 8, 27, "27 points a cell for 8"), ("per_cell", 8, 1, "1 point a cell for 8"),
+           ("per_cell", 4, 10, "10 points a tetrahedron for 4"), ("courant", 0.5, 0.9, "a Courant number of 0.9 for 0.5"),
            ("courant", 0.5, 0.25, "a Courant number of 0.25 for 0.5"), ("order", "MUSL", "USL", "USL for MUSL"), ("order", "MUSL", "USF", "USF for MUSL"),
            ("shape", "quadratic", "linear", "linear functions for quadratic"), ("shape", "quadratic", "uGIMP", "uGIMP for quadratic B-splines"),
            ("shape", "quadratic", "cubic", "cubic B-splines for quadratic"), ("shape", "quadratic", "MLS", "MLS gradients for those of quadratic B-splines"), ("transfer", "FLIP", "FLIP, time", "FLIP with a time for FLIP"),
@@ -282,12 +287,13 @@ def text(out):
               "the last number is the Courant number. `arenite.recommend` asks the same table.", "",
               "## Where each composition is best", "",
               "A problem is named where a row of the composition, of an error of at most 10 %, is on its front: none is both cheaper and more exact. ns: a point and step, median over",
-              "all rows with the usual points and steps. Bytes: of a point of the vibrating bar, its number included.", "", "| composition | ns | bytes | on the front of |", "|---|---|---|---|"]
+              "all rows with the usual points and steps, in the plane and in space. Bytes: of a point of the vibrating bar, its number included.", "",
+              "| composition | ns | ns, space | bytes | on the front of |", "|---|---|---|---|---|"]
     fronts = {n: {r.composition for r in front(of[n])} for n in there}
     for name in dict.fromkeys(r.composition for r in rows):
-        rates = [1e9 / r.rate for r in rows if r.composition == name and r.usual and not r.failure]
+        rates = [[1e9 / r.rate for r in rows if r.composition == name and dimension(r.problem) == d and r.usual and not r.failure] for d in (2, 3)]
         bytes_of = max(r.bytes for r in of[there[0]] if r.composition == name)
-        lines.append(f"| {name} | {statistics.median(rates):.0f} | {bytes_of} | {', '.join(n.replace('_', ' ') for n in there if name in fronts[n])} |")
+        lines.append(f"| {name} | {' | '.join(f'{statistics.median(q):.0f}' if q else '' for q in rates)} | {bytes_of} | {', '.join(n.replace('_', ' ') for n in there if name in fronts[n])} |")
     beaten = dominated(of)
     lines += ["", "Dominated everywhere, of those that ran on all problems (on each another composition is as exact as each of its rows of at most 10 %, in less time by a tenth or more): "
               + (", ".join(f"`{n}`" for n in beaten) or "none") + ".", "", "## What each choice changes", "",

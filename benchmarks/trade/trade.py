@@ -29,7 +29,7 @@ def problems():
     """Names, in the order of the page."""
     there = sorted(p.stem for p in (HERE / "problems").glob("*.py"))
     first = ["bar", "drifting_bar", "impact", "spin", "cantilever", "settling", "discs", "slope", "manufactured_1", "manufactured_5",
-             "manufactured_20", "vortex", "footing", "collapse", "tall_collapse", "ball", "drop"]
+             "manufactured_20", "manufactured_cube", "vortex", "footing", "collapse", "tall_collapse", "ball", "drop"]
     return [n for n in first if n in there] + [n for n in there if n not in first]
 
 
@@ -88,7 +88,7 @@ def plan(name, compositions, extent):
     """Rows to run of a problem."""
     p, (which, more) = problem(name), extent
     for c in compositions:
-        usual, others = c.points()
+        usual, others = c.points(getattr(p, "DIMENSION", 2))
         chosen = [(n, usual, 0.5) for n in p.CELLS[which]]
         if more:
             chosen += [(n, k, 0.5) for n in p.CELLS[:2] for k in others] + [(p.CELLS[1], usual, courant) for courant in (0.25, 0.9)]

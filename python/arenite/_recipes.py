@@ -510,16 +510,16 @@ class Free(Recipe):
 
 @dataclass(frozen=True)
 class RigidVelocity(Contact):
-    """Contact by rigid nodal velocity: a touched node may not move into the body, whatever the masses. The body's new
-    velocity and all impulses are found together, so that a light body is as stable as a heavy one."""
+    """`NodalGap` without the gap: a touched node may not move into the body. It is a ratchet: what vibration opens does
+    not close, and what rests or rubs on the body is lifted."""
 
 
 @dataclass(frozen=True)
 class NodalGap(Contact):
-    """`RigidVelocity` that keeps the gap of each touched node: matter that has parted from the body there may come back
-    by as much, (v - v_body) . n >= -gap / dt with gap' = max(0, gap + dt (v - v_body) . n). Without it contact at nodes
-    is a ratchet: what vibration opens does not close, and what rests or rubs on the body is lifted. Costs a number a
-    touched node."""
+    """The default: contact at nodes by the body's velocity, with the gap that matter has opened at each. What has
+    parted from the body there may come back by as much, whatever the masses: (v - v_body) . n >= -gap / dt with gap' =
+    max(0, gap + dt (v - v_body) . n). The body's new velocity and all impulses are found together, so that a light body
+    is as stable as a heavy one. Costs a number a touched node."""
 
 
 @dataclass(frozen=True)

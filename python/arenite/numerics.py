@@ -43,14 +43,32 @@ class MlsGradient(_Kind):
         return f"MlsGradient<{_made(self.spline).cpp()}>"
 
 
+@dataclass(frozen=True)
+class MidpointStrain(_Kind):
+    """An order of the stress update with the strain at the middle of the step's motion: a body that turns does not swell with each step.
+
+    parameter  unit  range            default
+    order      -     Musl, Usl, Usf   Usl"""
+
+    order: _Given = Usl
+
+    def __post_init__(self) -> None:
+        if not isinstance(_made(self.order), (Musl, Usl, Usf)):
+            raise Error(f"MidpointStrain.order = {self.order}: must be Musl, Usl or Usf")
+        super().__post_init__()
+
+    def cpp(self) -> str:
+        return f"MidpointStrain<{_made(self.order).cpp()}>"
+
+
 class Numerics(Recipe):
     """`Numerics(QuadraticBSpline, Apic)`: kinds as classes, or as values with parameters, `Flip(0.99)`.
 
-    parameter     unit  range             default        meaning
-    shape         -     a shape function  needed
-    transfer      -     a transfer        Flip
-    order         -     Musl, Usl, Usf    Musl           of the stress update
-    anti_locking  -     an average        NoAntiLocking"""
+    parameter     unit  range                                default        meaning
+    shape         -     a shape function                     needed
+    transfer      -     a transfer                           Flip
+    order         -     Musl, Usl, Usf, or `MidpointStrain`  Musl           of the stress update
+    anti_locking  -     an average                           NoAntiLocking"""
 
     def __init__(self, shape: _Given, transfer: _Given = Flip, order: _Given = Musl,
                  anti_locking: _Given = NoAntiLocking) -> None:
@@ -63,7 +81,8 @@ class Numerics(Recipe):
 
     def kinds(self) -> List[str]:
         """Names of shape function, transfer, order and anti-locking."""
-        return [type(k).__name__ for k in (self.shape, self.transfer, self.order, self.anti_locking)]
+        order = _made(self.order.order) if isinstance(self.order, MidpointStrain) else self.order
+        return [type(k).__name__ for k in (self.shape, self.transfer, order, self.anti_locking)]
 
     def cpp(self) -> str:
         kinds = [k.cpp() for k in (self.shape, self.transfer, self.order, self.anti_locking)]
@@ -79,6 +98,6 @@ class Numerics(Recipe):
         return f"Numerics({self.shape!r}, {self.transfer!r}, {self.order!r}, {self.anti_locking!r})"
 
 
-__all__ = ["Aflip", "Apic", "CubicBSpline", "ElementAverage", "Flip", "Fmpm", "LinearGrid", "LinearSimplex", "MlsGradient",
-           "Musl", "NoAntiLocking", "NodalAndElementAverage", "NodalAveraging", "Numerics", "QuadraticBSpline", "Tpic", "UGimp", "Usf",
+__all__ = ["Aflip", "Apic", "CubicBSpline", "ElementAverage", "Flip", "Fmpm", "LinearGrid", "LinearSimplex", "MidpointStrain",
+           "MlsGradient", "Musl", "NoAntiLocking", "NodalAndElementAverage", "NodalAveraging", "Numerics", "QuadraticBSpline", "Tpic", "UGimp", "Usf",
            "Usl", "Xpic"]

@@ -213,6 +213,7 @@ def test_what_scenes_refuse_is_refused_where_it_is_made(ar):
         (lambda: ar.UGimp(points=0), "UGimp.points = 0: must be at least 1"),
         (lambda: ar.UGimp(points=1.5), "UGimp.points = 1.5: must be a whole number"),
         (lambda: ar.MlsGradient(ar.LinearGrid), "MlsGradient.spline = .*LinearGrid.*: must be QuadraticBSpline or CubicBSpline"),
+        (lambda: ar.MidpointStrain(ar.Flip), "MidpointStrain.order = .*Flip.*: must be Musl, Usl or Usf"),
     ]
     for make, sentence in refused:
         with pytest.raises(ar.Error, match=sentence):
@@ -253,6 +254,8 @@ def test_what_does_not_go_together_is_refused_with_the_compilers_sentence(ar, sa
         lambda: scene(rigids=[ar.Rigid(ball, guided, 0.1, ar.PointContact)]),
         lambda: scene(rigids=[ar.Rigid(ball, guided, 0.1, ar.PointContact)], rigid_contact=ar.RigidContact(0.1),
                       numerics=ar.Numerics(ar.QuadraticBSpline, ar.Apic, ar.Usl)),
+        lambda: scene(rigids=[ar.Rigid(ball, guided, 0.1, ar.PointContact)],
+                      numerics=ar.Numerics(ar.QuadraticBSpline, ar.Apic, ar.MidpointStrain(ar.Musl))),
         lambda: scene(rigids=[ar.Rigid(ball, guided, 0.1)], moving_mesh=ar.MovingMesh(fixed_below=0.1, moving_from=0.5)),
     ]
     text = sentences() if INCLUDE.exists() else None
@@ -269,6 +272,7 @@ def test_what_goes_together_is_made(ar):
         ar.Numerics(ar.LinearSimplex, transfer, ar.Musl, ar.NodalAndElementAverage)
     for shape in (ar.LinearGrid, ar.QuadraticBSpline, ar.CubicBSpline, ar.UGimp, ar.MlsGradient, ar.MlsGradient(ar.CubicBSpline)):
         ar.Numerics(shape, ar.Flip, ar.Usf)
+        ar.Numerics(shape, ar.Flip, ar.MidpointStrain)
     ar.Numerics(ar.QuadraticBSpline, ar.Aflip)
     ar.Rigid(ar.MeshSurface("body"), ar.Guided(mass=1), 0.1, ar.CentreOfMass)
     ar.Rigid(ar.Ball((0, 0), 1), ar.Prescribed(lambda t: (0, -t)), math.inf, ar.PointContact)

@@ -270,7 +270,7 @@ def text(out):
         "How wrong compositions are on problems with a known answer, and what that costs. A row of the table is one run: a shape function, a transfer, an",
         "order of the stress update, an average, double or float, threads, points a cell, cells, a Courant number. `benchmarks/trade/trade.py` runs them from Python and",
         f"writes this page from its table, `benchmarks/trade/rows.csv` ({len(all_rows)} rows, {len({r.composition for r in all_rows})} compositions): all numbers are from there. Seconds are those of the processor",
-        f"for the steps alone, {MACHINE}; they agree to some 10 %. {len(BASE)} compositions ran in full; on {len(SHARED)} problems {len(MORE)} more on two sizes of cells, {len(FLOAT)} in",
+        f"for the steps alone, {MACHINE}, where a problem does not name another; they agree to some 10 %. {len(BASE)} compositions ran in full; on {len(SHARED)} problems {len(MORE)} more on two sizes of cells, {len(FLOAT)} in",
         f"float (`dtype=\"float32\"` of the mesh), and {len(THREADS)} on two threads on the finest cells (their seconds are those of the clock, and stand in *two threads for one* only).",
         "`FLIP, time` takes the period of the problem, or its whole time, as its time.", "",
         "```sh", "benchmarks/trade/trade.py                          # runs what the table lacks, and appends row by row",
@@ -301,7 +301,8 @@ def text(out):
               "The points of a cell are computed side by side, in packs of up to eight numbers ([performance](performance.md)): up to there more of them cost little.", "", *in_words(all_rows, all_of_problem)]
     for n in there:
         p = problem(n)
-        lines += ["", f"## {p.TITLE}", "", *p.SOURCE.splitlines(), "", f"Error: {p.ERROR}. Cells: {p.CELLS_ARE}.", "",
+        where = f" Seconds: {p.MACHINE}." if hasattr(p, "MACHINE") else ""
+        lines += ["", f"## {p.TITLE}", "", *p.SOURCE.splitlines(), "", f"Error: {p.ERROR}. Cells: {p.CELLS_ARE}.{where}", "",
                   f"![Error over time of one core](images/trade/{n}.svg)", "", *advices(of[n]), *changes(of[n]), "",
                   *orders(of[n], p.CELLS, p.ORDER)]
         failed = failures(of[n])

@@ -16,7 +16,7 @@ int main(int argc, char** argv) {
   return mpi::program(argc, argv, [](mpi::World& world) {
     const MohrCoulomb sand{{.density = 1540, .young = 1_MPa, .poisson = 0.3, .friction = 35_deg}};
     const CartesianGrid<3> grid{{.lower = {0, 0, 0}, .upper = {0.3, 0.12, 0.1}, .cell = 0.01}};
-    auto scene = distribute(world, grid, {.tiles = 8}, [&](auto mesh, auto portion) {
+    const auto make = [&](auto mesh, auto portion) {
       return Scene{ThreeDimensional{},
                    mesh,
                    Numerics<QuadraticBSpline>{Flip{.time = 0.1}},
@@ -24,8 +24,9 @@ int main(int argc, char** argv) {
                    walls(bottom(fixed), left(roller), right(roller), front(roller), back(roller)),
                    gravity({0, -9.81, 0}),
                    portion};
-    });
-    run(scene, {.end = 0.2, .courant = 0.8}, Progress(0.2), every(0.1, vtu("out/tiles")),
+    };
+    auto scene = distribute(world, grid, {.tiles = 8}, make);
+    run(scene, {.end = 0.2, .courant = 0.8}, rebalancing(make), Progress(0.2), every(0.1, vtu("out/tiles")),
         every(0.1, save_tiles("out/state")));
 
     const double toe = -scene.least([](const auto& tile) {

@@ -72,6 +72,24 @@ std::uint64_t bits_of(const auto& points, std::size_t p) {
   return std::stoull(hash.digits().substr(0, 12), nullptr, 16);
 }
 
+/// An observer that goes with its tile.
+struct CountsCalls {
+  std::size_t calls = 0;
+
+  template <class Scene>
+  void operator()(const Scene&) {
+    ++calls;
+  }
+  template <class Scene>
+  void finish(const Scene& scene) const {
+    require(calls == scene.steps + 1, "calls of an observer", calls, {"must be ", scene.steps + 1});
+  }
+  template <class F>
+  void visit_state(F&& f) {
+    f("calls", calls);
+  }
+};
+
 template <class Mesh, class Make>
 void work(mpi::World& world, const std::vector<std::string>& given, const Mesh& mesh, Make&& make) {
   const int tiles = std::stoi(given.at(1));
@@ -82,14 +100,13 @@ void work(mpi::World& world, const std::vector<std::string>& given, const Mesh& 
   if (what == "restore") restore_state(scene, folder);
   if (what == "outside" && world.rank() == world.size() - 1) throw error("the sentence of a failure");
   const auto save_at = what == "save" ? std::stoul(given.at(5)) : 0;
-  int moved = 0;
+  const auto ranks_before = scene.shared().rank_of();
   if (what == "balance")
-    for (std::size_t until = 50; until < steps; until += 50) {
-      scene.together([&](auto& s) {
-        while (s.steps < until) step_towards(s, {.end = 1e9}, 1);
-      });
-      moved += rebalance(scene, make, 1).moved;
-    }
+    run(scene, {.end = 1}, rebalancing(make, {.every = 50, .most = 1}), CountsCalls{},
+        [steps](const auto& s) { return s.steps < steps ? RunFlow::go_on : RunFlow::stop; });
+  int moved = 0;
+  for (std::size_t t = 0; t < ranks_before.size(); ++t)
+    moved += ranks_before[t] != scene.shared().rank_of()[t];
   scene.together([&](auto& s) {
     while (s.steps < steps) {
       step_towards(s, {.end = 1e9}, 1);

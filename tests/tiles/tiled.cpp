@@ -130,6 +130,17 @@ TEST_CASE("Tables and sums of tiles are those of the whole; VTU pieces are in on
   CHECK(pvd_times(folder / "out/run.pvd").size() == 3);
   for (const int piece : {0, 1, 2})
     CHECK(std::filesystem::exists(folder / ("out/run_sand_p" + std::to_string(piece) + "_0002.vtu")));
+  // So do tiles that may move on the way.
+  auto moving = distribute(here, mesh(), {.tiles = 3}, column());
+  run(moving, options, rebalancing(column(), {.every = 7}),
+      csv(folder / "moving.csv", CsvColumn{"force", force}));
+  CHECK(numbers_of(folder / "moving.csv") == found);
+  CHECK(moving.time() == options.end);
+  using Catch::Matchers::Contains;
+  CHECK_THROWS_WITH(rebalancing(column(), {.every = 0}),
+                    Contains("RebalanceOptions.every = 0: must be at least 1"));
+  CHECK_THROWS_WITH(rebalancing(column(), {.most = 0.5}),
+                    Contains("RebalanceOptions.most = 0.5: must be at least 1"));
 }
 
 TEST_CASE("Saved tiles go on with the same bits; a folder of other tiles, or none, is refused") {

@@ -93,6 +93,10 @@ class OwnWatch {
   void finish(const Scene& scene) {
     if (on_) watch_.finish(scene);
   }
+  template <class F>
+  void visit_state(F&& f) {
+    watch_.visit_state(f);
+  }
 
  private:
   static WatchLimits limits(bool knows_energy) {

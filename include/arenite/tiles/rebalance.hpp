@@ -1,4 +1,4 @@
-// Rebalance: tiles move to other ranks, so that each has its share of the points.
+// Rebalance: tiles move to other ranks, between two runs or within one, so that each has its share of the points.
 #pragma once
 // SPDX-License-Identifier: BSD-3-Clause
 
@@ -9,11 +9,14 @@
 #include <map>
 #include <string>
 #include <string_view>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 #include <arenite/core/bytes.hpp>
 #include <arenite/run/saved_state.hpp>
 #include <arenite/tiles/deal_tiles.hpp>
+#include <arenite/tiles/run_of_tile.hpp>
 #include <arenite/tiles/tiled.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
@@ -59,15 +62,15 @@ struct Rebalanced {
   double before = 1, after = 1;
 };
 
-/// Moves tiles between ranks where one has more than `most` times the mean share of the points. Called on all ranks between two runs; the
-/// tiles, and with them all bits, stay what they are. `make`: as for `distribute`; it makes a tile where it comes to, which then gets the
-/// state that it had. Throws what that throws, on all ranks.
-template <class S, class Make>
-Rebalanced rebalance(Tiled<S>& tiled, Make&& make, double most = 1.05) {
+namespace detail {
+
+/// Moves tiles between ranks. `slots(scene)`: the state of a tile that goes; `put(scene, state)`: into a tile that came.
+template <class S, class Make, class Slots, class Put>
+Rebalanced move_tiles(Tiled<S>& tiled, Make& make, double most, Slots&& slots, Put&& put) {
   require(most >= 1, "rebalance: most", most, "must be at least 1");
   Ranks& ranks = tiled.ranks();
   try {
-    const auto counts = detail::TileMaker<S>::count_points(tiled);
+    const auto counts = TileMaker<S>::count_points(tiled);
     const std::vector<double> weight(counts.begin(), counts.end());
     const auto before = tiled.shared().rank_of();
     const auto after = deal_again(before, weight, ranks.size(), most);
@@ -83,7 +86,7 @@ Rebalanced rebalance(Tiled<S>& tiled, Make&& make, double most = 1.05) {
     tiled.for_each_tile([&](S& scene) {
       const auto t = static_cast<std::size_t>(scene.portion().number);
       if (after[t] == ranks.rank()) return;
-      const std::string state = detail::packed(state_slots(scene));
+      const std::string state = packed(slots(scene));
       append_bytes(to[after[t]], t);
       append_bytes(to[after[t]], state.size());
       to[after[t]] += state;
@@ -103,16 +106,78 @@ Rebalanced rebalance(Tiled<S>& tiled, Make&& make, double most = 1.05) {
         state[t] = rest.substr(0, size);
         rest.remove_prefix(size);
       }
-    detail::TileMaker<S>::take(tiled, ranks, after, make);
+    TileMaker<S>::take(tiled, ranks, after, make);
     tiled.for_each_tile([&](S& scene) {
       if (const auto there = state.find(scene.portion().number); there != state.end())
-        restore_state(scene, detail::unpacked(there->second));
+        put(scene, unpacked(there->second));
     });
     return done;
   } catch (const std::exception& e) {
     ranks.fail(e.what());
     throw;
   }
+}
+
+}  // namespace detail
+
+/// Moves tiles between ranks where one has more than `most` times the mean share of the points. Called on all ranks between two runs; the
+/// tiles, and with them all bits, stay what they are. `make`: as for `distribute`; it makes a tile where it comes to, which then gets the
+/// state that it had. Throws what that throws, on all ranks.
+template <class S, class Make>
+Rebalanced rebalance(Tiled<S>& tiled, Make&& make, double most = 1.05) {
+  return detail::move_tiles(
+      tiled, make, most, [](S& scene) { return state_slots(scene); },
+      [](S& scene, StateCopy&& state) { restore_state(scene, std::move(state)); });
+}
+
+/// When a run moves tiles.
+struct RebalanceOptions {
+  int every = 50;      ///< steps, at least 1
+  double most = 1.05;  ///< points of the fullest rank over the mean that are let be, at least 1
+};
+
+/// What `rebalancing` makes.
+template <class Make>
+struct Rebalancing {
+  Make make;
+  RebalanceOptions options;
+};
+
+/// `run(scene, options, rebalancing(make), observers..)`: `make` as for `distribute`.
+template <class Make>
+Rebalancing<Make> rebalancing(Make make, RebalanceOptions options = {}) {
+  require(options.every >= 1, "RebalanceOptions.every", options.every, "must be at least 1");
+  require(options.most >= 1, "RebalanceOptions.most", options.most, "must be at least 1");
+  return {std::move(make), options};
+}
+
+/// As `run` of tiles, which meanwhile move between ranks as their points do. The observers of a tile go with it: those with a `visit_state`
+/// keep what they had, as from a saved state; others begin anew where it comes to. Bits are those without it.
+template <class S, class Make, class... Observers>
+void run(Tiled<S>& tiled, const RunOptions& options, Rebalancing<Make> with, Observers&&... observers) {
+  static_assert((!detail::shares_observer<std::remove_cvref_t<Observers>> && ...),
+                "run: each tile needs an observer of its own: give `every` one that is no variable, "
+                "every(0.1, vtu(..))");
+  using Run = detail::RunOfTile<S, std::remove_cvref_t<Observers>...>;
+  std::map<int, Run> runs;  // by tile
+  const auto of = [&](const S& scene) -> Run& { return runs.at(scene.portion().number); };
+  const auto add = [&](const S& scene) {
+    return runs.try_emplace(scene.portion().number, scene, options, std::as_const(observers)...).first;
+  };
+  options.check(tiled.time());
+  tiled.for_each_tile(add);
+  tiled.together([&](S& scene) { of(scene).begin(scene); });
+  while (!runs.begin()->second.has_ended()) {
+    tiled.together([&](S& scene) { of(scene).advance(scene, with.options.every); });
+    if (runs.begin()->second.has_ended()) break;
+    detail::move_tiles(
+        tiled, with.make, with.options.most, [&](S& scene) { return state_slots(scene, of(scene)); },
+        [&](S& scene, StateCopy&& state) { restore_state(scene, std::move(state), add(scene)->second); });
+    std::erase_if(runs, [&](const auto& run) {
+      return tiled.shared().rank_of()[static_cast<std::size_t>(run.first)] != tiled.ranks().rank();
+    });
+  }
+  tiled.together([&](S& scene) { of(scene).finish(scene); });
 }
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -1,0 +1,70 @@
+// RunOfTile: a run of one tile as an object, which stops between two steps and goes on on another rank.
+#pragma once
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include <cstddef>
+#include <string>
+#include <tuple>
+#include <utility>
+
+#include <arenite/core/state_value.hpp>
+#include <arenite/run/run.hpp>
+
+namespace arenite::inline ARENITE_INSTRUCTION_SET::detail {
+
+/// What `run` of a scene holds: its observers, and its watch unless one of them is one.
+template <class S, class... Observers>
+class RunOfTile {
+ public:
+  RunOfTile(const S& scene, const RunOptions& options, const Observers&... observers)
+      : options_{options},
+        span_{options.end - scene.time},
+        observers_(observers..., OwnWatch(scene, options.watch && !(is_watch<Observers> || ...),
+                                          (settles<Observers> || ...))) {}
+
+  bool has_ended() const { return has_ended_; }
+
+  /// Shows the start to the observers.
+  void begin(const S& scene) { look(scene); }
+  /// So many steps, or fewer at the end.
+  void advance(S& scene, int steps) {
+    for (int k = 0; k < steps && !has_ended_; ++k) {
+      step_towards(scene, options_, span_);
+      look(scene);
+    }
+  }
+  void finish(const S& scene) {
+    std::apply([&](auto&... observer) { (tell_end(scene, observer), ...); }, observers_);
+  }
+
+  template <class F>
+  void visit_state(F&& f) {
+    f("span", span_);
+    int k = 0;
+    const auto visit = [&](auto& observer) {
+      const StateUnder of_observer(f, std::to_string(k++));
+      if constexpr (requires { observer.visit_state(of_observer); }) observer.visit_state(of_observer);
+    };
+    std::apply([&](auto&... observer) { (visit(observer), ...); }, observers_);
+  }
+  void follow_state(const S& scene) {
+    [[maybe_unused]] const auto follow = [&](auto& observer) {
+      if constexpr (requires { observer.follow_state(scene); }) observer.follow_state(scene);
+    };
+    std::apply([&](auto&... observer) { (follow(observer), ...); }, observers_);
+  }
+
+ private:
+  void look(const S& scene) {
+    const bool stops =
+        std::apply([&](auto&... observer) { return show_all(scene, observer...); }, observers_);
+    has_ended_ = stops || scene.time >= options_.end;
+  }
+
+  RunOptions options_;
+  double span_;
+  bool has_ended_ = false;
+  std::tuple<Observers..., OwnWatch> observers_;
+};
+
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET::detail

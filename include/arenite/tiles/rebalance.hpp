@@ -14,9 +14,9 @@
 #include <vector>
 
 #include <arenite/core/bytes.hpp>
+#include <arenite/run/run_in_parts.hpp>
 #include <arenite/run/saved_state.hpp>
 #include <arenite/tiles/deal_tiles.hpp>
-#include <arenite/tiles/run_of_tile.hpp>
 #include <arenite/tiles/tiled.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
@@ -158,7 +158,7 @@ void run(Tiled<S>& tiled, const RunOptions& options, Rebalancing<Make> with, Obs
   static_assert((!detail::shares_observer<std::remove_cvref_t<Observers>> && ...),
                 "run: each tile needs an observer of its own: give `every` one that is no variable, "
                 "every(0.1, vtu(..))");
-  using Run = detail::RunOfTile<S, std::remove_cvref_t<Observers>...>;
+  using Run = RunInParts<S, std::remove_cvref_t<Observers>...>;
   std::map<int, Run> runs;  // by tile
   const auto of = [&](const S& scene) -> Run& { return runs.at(scene.portion().number); };
   const auto add = [&](const S& scene) {

@@ -1,4 +1,4 @@
-// RunOfTile: a run of one tile as an object, which stops between two steps and goes on on another rank.
+// RunInParts: a run as an object, which stops between two steps and goes on later, in another program too.
 #pragma once
 // SPDX-License-Identifier: BSD-3-Clause
 
@@ -10,17 +10,17 @@
 #include <arenite/core/state_value.hpp>
 #include <arenite/run/run.hpp>
 
-namespace arenite::inline ARENITE_INSTRUCTION_SET::detail {
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
-/// What `run` of a scene holds: its observers, and its watch unless one of them is one.
+/// What `run` of a scene holds: its observers, and its watch unless one of them is one. Saved as an observer is, beside the state of the scene.
 template <class S, class... Observers>
-class RunOfTile {
+class RunInParts {
  public:
-  RunOfTile(const S& scene, const RunOptions& options, const Observers&... observers)
+  RunInParts(const S& scene, const RunOptions& options, const Observers&... observers)
       : options_{options},
         span_{options.end - scene.time},
-        observers_(observers..., OwnWatch(scene, options.watch && !(is_watch<Observers> || ...),
-                                          (settles<Observers> || ...))) {}
+        observers_(observers..., OwnWatch(scene, options.watch && !(detail::is_watch<Observers> || ...),
+                                          (detail::settles<Observers> || ...))) {}
 
   bool has_ended() const { return has_ended_; }
 
@@ -34,7 +34,7 @@ class RunOfTile {
     }
   }
   void finish(const S& scene) {
-    std::apply([&](auto&... observer) { (tell_end(scene, observer), ...); }, observers_);
+    std::apply([&](auto&... observer) { (detail::tell_end(scene, observer), ...); }, observers_);
   }
 
   template <class F>
@@ -57,7 +57,7 @@ class RunOfTile {
  private:
   void look(const S& scene) {
     const bool stops =
-        std::apply([&](auto&... observer) { return show_all(scene, observer...); }, observers_);
+        std::apply([&](auto&... observer) { return detail::show_all(scene, observer...); }, observers_);
     has_ended_ = stops || scene.time >= options_.end;
   }
 
@@ -67,4 +67,4 @@ class RunOfTile {
   std::tuple<Observers..., OwnWatch> observers_;
 };
 
-}  // namespace arenite::inline ARENITE_INSTRUCTION_SET::detail
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -12,8 +12,9 @@ using namespace arenite;
 namespace {
 
 /// All windows of a grid say what the whole says of what they have.
-template <class Shape, int D>
-void check_windows(const CartesianGrid<D>& whole, int tiles) {
+template <class Shape, class Grid>
+void check_windows(const Grid& whole, int tiles) {
+  constexpr int D = Grid::dimension;
   const auto boxes = split_cells(whole, tiles);
   std::vector<int> owned(whole.cell_count());
   for (int t = 0; t < tiles; ++t) {
@@ -27,8 +28,10 @@ void check_windows(const CartesianGrid<D>& whole, int tiles) {
       REQUIRE(window.cell_here(w) == c);
       if (portion.owns_cell(c)) ++owned[w];
       REQUIRE(window.corner(c) == whole.corner(w));
-      const typename Shape::template Cell<WindowGrid<CartesianGrid<D>>> here(window, c);
-      const typename Shape::template Cell<CartesianGrid<D>> there(whole, w);
+      REQUIRE(window.extent(c) == whole.extent(w));
+      REQUIRE(window.size(c) == whole.size(w));
+      const typename Shape::template Cell<WindowGrid<Grid>> here(window, c);
+      const typename Shape::template Cell<Grid> there(whole, w);
       for (int k = 0; k < here.size; ++k) {
         const auto node = here.nodes[static_cast<std::size_t>(k)];
         REQUIRE(portion.whole_node[node] == there.nodes[static_cast<std::size_t>(k)]);
@@ -136,6 +139,15 @@ void check(const Grid& grid, int tiles, int steps, Make&& make, double near = 1e
 TEST_CASE("Windows of grids have the functions, nodes and cells of the whole, bit for bit") {
   const CartesianGrid<2> plane({.lower = {-0.3, 0.1}, .upper = {0.7, 0.8}, .cell = 0.1});
   const CartesianGrid<3> space({.lower = {0.1, -0.2, 0}, .upper = {0.9, 0.4, 0.6}, .cell = 0.2});
+  const RectilinearGrid<2> lines(
+      {.x = {-0.3, -0.25, -0.1, 0.15, 0.2, 0.3, 0.7, 0.72}, .y = {0.1, 0.3, 0.4, 0.6, 0.65}});
+  const RectilinearGrid<3> boxes({.x = {0.1, 0.2, 0.4, 0.9}, .y = {-0.2, 0, 0.4}, .z = {0, 0.1, 0.15, 0.6}});
+  for (const int tiles : {2, 4}) {
+    check_windows<LinearGrid>(lines, tiles);
+    check_windows<QuadraticBSpline>(lines, tiles);
+    check_windows<CubicBSpline>(lines, tiles);
+    check_windows<QuadraticBSpline>(boxes, tiles);
+  }
   for (const int tiles : {1, 2, 4, 7}) {
     check_windows<LinearGrid>(plane, tiles);
     check_windows<QuadraticBSpline>(plane, tiles);
@@ -225,4 +237,32 @@ TEST_CASE("What of a grid cannot be cut is refused") {
         }) == "split_cells.weights = -1: must not be negative");
   const CartesianGrid<2> strip({.lower = {0, 0}, .upper = {1.5, 0.5}, .cell = 0.5});
   CHECK(split_cells(strip, 3).size() == 3);
+}
+
+TEST_CASE("Tiles of a grid between lines that move: a cone goes into sand, axisymmetric") {
+  const RectilinearGrid<2> grid({.x = GrowingLines{.lower = 0, .upper = 0.3, .to = 0.1, .cell = 0.02},
+                                 .y = GrowingLines{.lower = -0.3, .upper = 0.1, .from = -0.1, .cell = 0.02}});
+  for (const int tiles : {2, 4})
+    check(
+        grid, tiles, 300,
+        [](auto mesh, auto... portion) {
+          return Scene{
+              Axisymmetric{},
+              mesh,
+              Numerics<QuadraticBSpline, Flip, Usl>{Flip{.time = 0.01}},
+              bodies(fill<"sand">(
+                  Box{{0., -0.3}, {0.3, 0.}},
+                  MohrCoulomb{{.density = 1500, .young = 1e6, .poisson = 0.3, .friction = 35_deg}},
+                  {.per_cell = 4, .velocity = {2, 0, 0}, .stress = Geostatic{.surface = 0, .k0 = 0.5}})),
+              walls(bottom(fixed), right(free_along(1))),
+              gravity({0, -9.81}),
+              rigids(rigid<"cone">(
+                  DistanceSurface{ConeCylinder({.radius = 0.04, .apex = 60_deg, .length = 0.2})},
+                  Guided{.mass = 2, .velocity = -4}, Friction(15_deg))),
+              MovingMesh<LedByRigid<"cone">>{.leader = {}, .fixed_below = -0.3, .moving_from = -0.2},
+              TrackEnergy{},
+              PointIds{},
+              portion...};
+        },
+        1e-9);
 }

@@ -22,8 +22,6 @@ class WindowGrid : public Grid {
   using Place = std::array<Index, static_cast<std::size_t>(D)>;
   using Point = typename Grid::Point;
   static_assert(
-      requires(const Grid g) { g.edge(); }, "window: the cells of a grid must be equal: CartesianGrid");
-  static_assert(
       !requires { Grid::periodic_axes; }, "window: a periodic grid cannot be cut");
 
   /// Throws `error` for a window that is empty, or not in the grid.
@@ -71,8 +69,13 @@ class WindowGrid : public Grid {
   }
 
   Point corner(Index cell) const { return whole().corner(whole_cell(cell)); }
+  Point extent(Index cell) const { return whole().extent(whole_cell(cell)); }
+  typename Grid::scalar size(Index cell) const { return whole().size(whole_cell(cell)); }
+  typename Grid::scalar volume(Index cell) const { return whole().volume(whole_cell(cell)); }
   typename Grid::Holder holder(Index cell) const { return whole().holder(whole_cell(cell)); }
-  Index walk(const Point& x, Index = none) const { return cell_here(whole().walk(x)); }
+  Index walk(const Point& x, Index hint = none) const {
+    return cell_here(whole().walk(x, hint == none ? none : whole_cell(hint)));
+  }
   Index search(const Point& x) const { return walk(x); }
 
  private:

@@ -121,9 +121,9 @@ void bisect(const CellRange<D>& box, int count, const Weight& weight, std::vecto
 
 /// [tiles] the box of cells of each tile of a grid, halved again and again as those of a mesh. `weights`: [cells], or empty. Throws `error`
 /// where a box cannot be halved.
-template <int D, class T>
-std::vector<CellRange<D>> split_cells(const CartesianGrid<D, T>& grid, int tiles,
-                                      const std::vector<double>& weights = {}) {
+template <class Grid, int D = Grid::dimension>
+requires requires(const Grid& grid) { grid.cells(0); }
+std::vector<CellRange<D>> split_cells(const Grid& grid, int tiles, const std::vector<double>& weights = {}) {
   require(tiles >= 1 && static_cast<Index>(tiles) <= grid.cell_count(), "split_cells.tiles", tiles,
           {"must be between 1 and the number of cells, ", grid.cell_count()});
   require(weights.empty() || weights.size() == grid.cell_count(), "split_cells.weights", weights.size(),

@@ -43,17 +43,16 @@ struct CellRange {
 
 /// Part number `number` of a grid whose cells belong to boxes of them, which do not overlap and fill it: a window of the cells of one box
 /// and of all that share a node of `Shape` with one of these. A node belongs to the least of the boxes with a cell at it.
-template <class Shape, int D, class T>
-std::pair<WindowGrid<CartesianGrid<D, T>>, MeshPortion<D>> split_grid(const CartesianGrid<D, T>& whole,
-                                                                      const std::vector<CellRange<D>>& boxes,
-                                                                      int number) {
+template <class Shape, class Grid, int D = Grid::dimension>
+std::pair<WindowGrid<Grid>, MeshPortion<D>> split_grid(const Grid& whole,
+                                                       const std::vector<CellRange<D>>& boxes, int number) {
   using Place = std::array<Index, static_cast<std::size_t>(D)>;
   constexpr Index halo = Shape::halo;
   Place cells, count;
   for (std::size_t k = 0; k < cells.size(); ++k) cells[k] = whole.cells(static_cast<int>(k));
   const auto window = boxes[static_cast<std::size_t>(number)].grown(halo, cells);
   for (std::size_t k = 0; k < cells.size(); ++k) count[k] = window.end[k] - window.first[k];
-  WindowGrid<CartesianGrid<D, T>> grid(whole, window.first, count);
+  WindowGrid<Grid> grid(whole, window.first, count);
   MeshPortion<D> portion;
   portion.number = number;
   for (int k = 0; k < D; ++k) {

@@ -16,6 +16,7 @@
 
 #include <arenite/core/once.hpp>
 #include <arenite/mesh/portion.hpp>
+#include <arenite/mesh/rectilinear_grid.hpp>
 #include <arenite/particles/point_ids.hpp>
 #include <arenite/run/run.hpp>
 #include <arenite/tiles/communicator.hpp>
@@ -259,11 +260,12 @@ auto distribute(Ranks& ranks, const MeshData<D>& whole, const TileOptions& optio
       make);
 }
 
-/// The same over a grid: the tiles are boxes of its cells, and `make` is given windows of it (`WindowGrid`).
-template <int D, class T, class Make>
-auto distribute(Ranks& ranks, const CartesianGrid<D, T>& whole, const TileOptions& options, Make&& make) {
-  using Grid = WindowGrid<CartesianGrid<D, T>>;
-  using S = std::remove_cvref_t<decltype(make(std::declval<Grid>(), std::declval<detail::TilePortion<D>>()))>;
+namespace detail {
+template <class Grid, class Make>
+auto distribute_grid(Ranks& ranks, const Grid& whole, const TileOptions& options, Make& make) {
+  constexpr int D = Grid::dimension;
+  using S =
+      std::remove_cvref_t<decltype(make(std::declval<WindowGrid<Grid>>(), std::declval<TilePortion<D>>()))>;
   using Shape = typename S::Shape;
   require(options.tile.empty(), "TileOptions.tile", options.tile.size(),
           "goes with simplices: tiles of a grid are boxes");
@@ -280,18 +282,29 @@ auto distribute(Ranks& ranks, const CartesianGrid<D, T>& whole, const TileOption
     for (Index& end : range.end) end += Shape::halo;
     of_windows.push_back(range);
   }
-  return detail::TileMaker<S>::make_all(
+  return TileMaker<S>::make_all(
       ranks, tiles, [whole, boxes](int t) { return split_grid<Shape>(whole, boxes, t); },
       CopiesInWindows<D>(of_windows, nodes), make);
+}
+}  // namespace detail
+
+/// The same over a grid: the tiles are boxes of its cells, and `make` is given windows of it (`WindowGrid`).
+template <int D, class T, class Make>
+auto distribute(Ranks& ranks, const CartesianGrid<D, T>& whole, const TileOptions& options, Make&& make) {
+  return detail::distribute_grid(ranks, whole, options, make);
+}
+template <int D, class T, class Make>
+auto distribute(Ranks& ranks, const RectilinearGrid<D, T>& whole, const TileOptions& options, Make&& make) {
+  return detail::distribute_grid(ranks, whole, options, make);
 }
 
 /// Refused by the compiler: what cannot be cut.
 template <class Mesh, class Make>
 void distribute(Ranks&, const Mesh&, const TileOptions&, Make&&) {
-  static_assert(!std::is_object_v<Mesh>,
-                "distribute: the mesh must be the MeshData of simplices or a CartesianGrid; rectilinear and "
-                "periodic grids cannot be cut "
-                "into tiles");
+  static_assert(
+      !std::is_object_v<Mesh>,
+      "distribute: the mesh must be the MeshData of simplices, a CartesianGrid or a RectilinearGrid; "
+      "periodic grids cannot be cut into tiles");
 }
 
 /// Steps all tiles to `options.end`: see `run` of a scene. Each tile has its own copies of the observers, which are called at once

@@ -19,6 +19,7 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 class Hash {
  public:
   void add(const void* data, std::size_t bytes) {
+    if (bytes == 0) return;  // data may be null
     const auto* byte = static_cast<const unsigned char*>(data);
     size_ += bytes;
     if (kept_ > 0) {

@@ -73,7 +73,9 @@ class StateCopy : public StateSource {
   }
 
  private:
-  void get(const StateSlot& entry, void* to) override { std::memcpy(to, entry.data, entry.size()); }
+  void get(const StateSlot& entry, void* to) override {
+    if (entry.size() > 0) std::memcpy(to, entry.data, entry.size());
+  }
 
   std::vector<std::vector<unsigned char>> bytes_;  // [entries]
 };

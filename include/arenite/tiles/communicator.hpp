@@ -6,7 +6,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <cstring>
 #include <limits>
 #include <map>
 #include <span>
@@ -16,6 +15,7 @@
 #include <utility>
 #include <vector>
 
+#include <arenite/core/bytes.hpp>
 #include <arenite/core/error.hpp>
 #include <arenite/parallel/communicator.hpp>
 #include <arenite/tiles/exact_sum.hpp>
@@ -176,7 +176,7 @@ class TilesOfRank {
     ranks_->swap(swaps);
   }
 
-  /// Messages of the tiles here to all tiles: head of tile, tile and length, and bytes.
+  /// Messages of the tiles here to all tiles: of which, to which, length, bytes.
   void deliver() {
     const std::size_t count = halo_.neighbours.size();
     std::vector<std::string> out(count);
@@ -195,20 +195,19 @@ class TilesOfRank {
           throw run_error(
               joined_text({"tile ", own, " has points for tile ", to, ", with which it shares no node"}));
         auto& bytes = out[static_cast<std::size_t>(at - ranks.begin())];
-        const std::array<std::uint64_t, 3> head{static_cast<std::uint64_t>(own),
-                                                static_cast<std::uint64_t>(to), message.size()};
-        bytes.append(reinterpret_cast<const char*>(head.data()), sizeof(head));
+        append_bytes(bytes, own);
+        append_bytes(bytes, to);
+        append_bytes(bytes, message.size());
         bytes += message;
       }
       to_[t].clear();
     }
     for (const auto& bytes : ranks_->exchange(ranks, out))
       for (std::string_view rest = bytes; !rest.empty();) {
-        std::array<std::uint64_t, 3> head;
-        std::memcpy(head.data(), rest.data(), sizeof(head));
-        rest.remove_prefix(sizeof(head));
-        from_[here(static_cast<int>(head[1]))][static_cast<int>(head[0])] = rest.substr(0, head[2]);
-        rest.remove_prefix(head[2]);
+        const int of = read_bytes<int>(rest), to = read_bytes<int>(rest);
+        const auto size = read_bytes<std::size_t>(rest);
+        from_[here(to)][of] = rest.substr(0, size);
+        rest.remove_prefix(size);
       }
   }
 

@@ -24,8 +24,11 @@ inline bool is_result(std::string_view name) {
   for (const std::string_view part :
        {"fields_soil_", "fields_device_points_", "fields_mesh_", "fields_device_"})
     if (name.starts_with(part) && name.ends_with(".vtu") && name.size() >= part.size() + 8) {
-      const auto number = name.substr(part.size(), name.size() - part.size() - 4);
-      return number.find_first_not_of("0123456789") == std::string_view::npos;
+      auto number = name.substr(part.size(), name.size() - part.size() - 4);
+      if (const auto at = number.find('_');
+          number.front() == 'p' && at != std::string_view::npos)  // piece of a tile
+        number = number.substr(at + 1);
+      return !number.empty() && number.find_first_not_of("0123456789") == std::string_view::npos;
     }
   return false;
 }

@@ -72,6 +72,11 @@ HistoryRow history_row(const Scene& scene, const HistoryRow* before, double whol
   row.energy_residual_J = whole * e.residual;
   row.lost_points = static_cast<double>(scene.lost_points());
   row.contact_nodes = static_cast<double>(device.contact_nodes);
+  if constexpr (Scene::is_portion) {  // of the whole: what a portion can tell
+    sum_over(scene.communicator(), row.lost_points);
+    row.contact_nodes = row.fill_ratio = row.mean_volume_ratio = std::numeric_limits<double>::quiet_NaN();
+    return row;
+  }
   if constexpr (is_simplex_mesh<typename Scene::Mesh>)
     row.fill_ratio = fill_ratio(scene, soil, device.touched, scene.mesh.region_number("device"));
   else  // the penetrometer cuts the cells at it

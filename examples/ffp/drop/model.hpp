@@ -127,11 +127,10 @@ inline SplitPoints<"soil"> splitting_of(const DropOptions& o) {
           .every = o.split_share() > 0 ? std::size_t{10} : 0};
 }
 
-/// A rigid penetrometer; `Coupling` tells how the sand meets it.
-template <class Model, class AntiLocking, class Coupling, class Law>
-auto rigid_scene(const DropOptions& o, const Law& law) {
-  auto mesh = mesh_of<Model>(o);
-  const auto motion = motion_of<LedByRigid<"device">>(o, mesh);
+/// A rigid penetrometer in its mesh, which moves by `motion`; `Coupling` tells how the sand meets it, `more` are parts before the last.
+template <class Model, class AntiLocking, class Coupling, class Law, class Mesh, class... More>
+auto rigid_scene_in(Mesh mesh, const MovingMesh<LedByRigid<"device">>& motion, const DropOptions& o,
+                    const Law& law, const More&... more) {
   return Scene{typename Model::Kinematics{},
                std::move(mesh),
                numerics_of<AntiLocking>(o),
@@ -142,8 +141,14 @@ auto rigid_scene(const DropOptions& o, const Law& law) {
                                       Guided{.mass = o.device_mass() / Model::whole, .velocity = -o.velocity},
                                       friction_of(o), Coupling{})),
                motion,
-               splitting_of(o),
+               more...,
                TrackEnergy{}};
+}
+template <class Model, class AntiLocking, class Coupling, class Law>
+auto rigid_scene(const DropOptions& o, const Law& law) {
+  auto mesh = mesh_of<Model>(o);
+  const auto motion = motion_of<LedByRigid<"device">>(o, mesh);
+  return rigid_scene_in<Model, AntiLocking, Coupling>(std::move(mesh), motion, o, law, splitting_of(o));
 }
 
 /// A linear elastic penetrometer of one point an element, which the mesh follows.

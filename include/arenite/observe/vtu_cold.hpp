@@ -4,6 +4,11 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <exception>
+#include <filesystem>
+#include <ostream>
+#include <random>
+#include <string>
 
 #include <arenite/core/error.hpp>
 #include <arenite/io/output_file.hpp>
@@ -75,7 +80,16 @@ ARENITE_FOR_NUMBERS(ARENITE_INSTANCES)
 ARENITE_COLD VtuSeries::VtuSeries(FilePath prefix, VtuOptions options)
     : prefix_(prefix.string()), options_(std::move(options)) {
   make_folder_of(prefix_, "vtu");
-  PvdWriter(prefix_ + ".pvd", true);  // a folder that cannot be written to shows at once
+  // A folder that cannot be written to shows at once. Ranks try it together, each by a file of its own.
+  const std::string trial = joined_text({prefix_, ".", std::random_device{}(), ".trial"}),
+                    list = prefix_ + ".pvd";
+  try {
+    replace_file(trial, [](std::ostream&) {});
+    std::filesystem::remove(trial);
+  } catch (const std::exception&) {
+    write_pvd(list, {});  // says so of the list
+    throw;
+  }
 }
 
 ARENITE_COLD void VtuSeries::begin_frame(double time, detail::VtuNames names) {

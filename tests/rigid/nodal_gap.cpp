@@ -115,3 +115,29 @@ TEST_CASE("A gap grows as matter parts, closes by as much, and is forgotten wher
   CHECK(step({{1, 4, false}}) == 0);
   CHECK(step({{0, 7, true}}) == 0);  // none inside
 }
+
+TEST_CASE("Gaps of a restored state must be of the mesh") {
+  const auto refused = [](std::vector<std::size_t> field, std::vector<std::size_t> node,
+                          std::vector<double> gap) {
+    NodeGaps<double> gaps;
+    gaps.visit_state([&](const char* name, auto& values) {
+      if constexpr (std::same_as<std::remove_cvref_t<decltype(values)>, std::vector<double>>)
+        values = gap;
+      else
+        values = std::string(name) == "field" ? field : node;
+    });
+    try {
+      gaps.check(2, 10);
+    } catch (const error& e) {
+      return std::string(e.what());
+    }
+    return std::string();
+  };
+  CHECK(refused({0, 1}, {9, 0}, {1e-3, 2}) == "");
+  CHECK(refused({0}, {9, 0}, {1e-3, 2}) ==
+        "state: gaps of a rigid body = 2: must be as many as their fields and nodes");
+  CHECK(refused({0, 2}, {9, 0}, {1e-3, 2}) == "state: gap of a rigid body, node = 0: must lie in the mesh");
+  CHECK(refused({0, 1}, {9, 10}, {1e-3, 2}) == "state: gap of a rigid body, node = 10: must lie in the mesh");
+  CHECK(refused({0, 1}, {9, 0}, {1e-3, std::nan("")}) ==
+        "state: gap of a rigid body = nan: must be positive");
+}

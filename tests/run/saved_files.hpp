@@ -54,7 +54,9 @@ void check_crafted(Make&& make, bool takes_doubles, Save&& save, Restore&& resto
     REQUIRE((good[k].count + 1) * good[k].bytes < numbers.size());
     const std::string of_count = good[k].name.ends_with("points/mass") ? "as many as points have a mass"
                                  : good[k].name.ends_with("/unsorted") ? "state: cells"
-                                                                       : good[k].name;
+                                 : good[k].name.find("/gaps/") != std::string::npos
+                                     ? "state: gaps of a rigid body"
+                                     : good[k].name;
     const auto with = [&](auto&& change) {
       auto entries = good;
       change(entries[k]);

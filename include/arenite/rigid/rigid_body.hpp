@@ -303,6 +303,10 @@ struct RigidBody {
     if constexpr (requires { motion.visit_state(f); }) motion.visit_state(StateUnder(f, "motion"));
     if constexpr (requires { surface.visit_state(f); }) surface.visit_state(StateUnder(f, "surface"));
   }
+  template <class Scene>
+  void follow_state([[maybe_unused]] Scene& scene) {
+    if constexpr (keeps_gaps) gaps.check(scene.fields.size(), scene.fields[0].size());
+  }
   bool holds_against(const V& acceleration) const { return motion.holds(acceleration); }
 
  private:

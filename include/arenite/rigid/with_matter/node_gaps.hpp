@@ -2,9 +2,11 @@
 #pragma once
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
+#include <arenite/core/error.hpp>
 #include <arenite/core/scalar.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
@@ -39,6 +41,17 @@ class NodeGaps {
     f("field", field_);
     f("node", node_);
     f("gap", gap_);
+  }
+  /// Throws `error` for a restored state that is none of so many fields and nodes.
+  void check(std::size_t fields, std::size_t nodes) const {
+    require(field_.size() == gap_.size() && node_.size() == gap_.size(), "state: gaps of a rigid body",
+            gap_.size(), "must be as many as their fields and nodes");
+    for (std::size_t k = 0; k < gap_.size(); ++k) {
+      require(field_[k] < fields && node_[k] < nodes, "state: gap of a rigid body, node", node_[k],
+              "must lie in the mesh");
+      require(gap_[k] > 0 && std::isfinite(gap_[k]), "state: gap of a rigid body", gap_[k],
+              "must be positive");
+    }
   }
 
  private:

@@ -4,11 +4,9 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <exception>
 #include <filesystem>
-#include <ostream>
-#include <random>
 #include <string>
+#include <system_error>
 
 #include <arenite/core/error.hpp>
 #include <arenite/io/output_file.hpp>
@@ -80,16 +78,16 @@ ARENITE_FOR_NUMBERS(ARENITE_INSTANCES)
 ARENITE_COLD VtuSeries::VtuSeries(FilePath prefix, VtuOptions options)
     : prefix_(prefix.string()), options_(std::move(options)) {
   make_folder_of(prefix_, "vtu");
-  // A folder that cannot be written to shows at once. Ranks try it together, each by a file of its own.
-  const std::string trial = joined_text({prefix_, ".", std::random_device{}(), ".trial"}),
-                    list = prefix_ + ".pvd";
+  // A folder that cannot be written to shows at once. Ranks try it together, each by a file of its own: their memory lies elsewhere.
+  std::error_code ignored;
+  const std::filesystem::path trial =
+      joined_text({prefix_, ".", reinterpret_cast<std::uintptr_t>(&ignored), ".pvd"});
   try {
-    replace_file(trial, [](std::ostream&) {});
-    std::filesystem::remove(trial);
-  } catch (const std::exception&) {
-    write_pvd(list, {});  // says so of the list
-    throw;
+    write_pvd(trial, {});
+  } catch (const error&) {
+    write_pvd(prefix_ + ".pvd", {});  // says so of the list
   }
+  std::filesystem::remove(trial, ignored);
 }
 
 ARENITE_COLD void VtuSeries::begin_frame(double time, detail::VtuNames names) {

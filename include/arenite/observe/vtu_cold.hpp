@@ -85,7 +85,7 @@ ARENITE_COLD VtuSeries::VtuSeries(FilePath prefix, VtuOptions options)
   try {
     write_pvd(trial, {});
   } catch (const error&) {
-    write_pvd(prefix_ + ".pvd", {});  // says so of the list
+    write_pvd(joined_text({prefix_, ".pvd"}), {});  // says so of the list
   }
   std::filesystem::remove(trial, ignored);
 }

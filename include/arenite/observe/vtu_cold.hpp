@@ -85,7 +85,7 @@ ARENITE_COLD VtuSeries::VtuSeries(FilePath prefix, VtuOptions options)
   try {
     write_pvd(trial, {});
   } catch (const error&) {
-    write_pvd(joined_text({prefix_, ".pvd"}), {});  // says so of the list
+    PvdWriter(joined_text({prefix_, ".pvd"}), true);  // says so of the list; one that is there stays
   }
   std::filesystem::remove(trial, ignored);
 }

@@ -155,9 +155,7 @@ Rebalancing<Make> rebalancing(Make make, RebalanceOptions options = {}) {
 /// keep what they had, as from a saved state; others begin anew where it comes to. Bits are those without it.
 template <class S, class Make, class... Observers>
 void run(Tiled<S>& tiled, const RunOptions& options, Rebalancing<Make> with, Observers&&... observers) {
-  static_assert((!detail::shares_observer<std::remove_cvref_t<Observers>> && ...),
-                "run: each tile needs an observer of its own: give `every` one that is no variable, "
-                "every(0.1, vtu(..))");
+  detail::check_observers<Observers...>();
   using Run = RunInParts<S, std::remove_cvref_t<Observers>...>;
   std::map<int, Run> runs;  // by tile
   const auto of = [&](const S& scene) -> Run& { return runs.at(scene.portion().number); };

@@ -32,6 +32,14 @@ inline constexpr bool shares_observer = [] {
   if constexpr (requires { Observer::refers; }) return Observer::refers;
   return false;
 }();
+/// Refused by the compiler: tiles that would call one observer at once.
+template <class... Observers>
+constexpr void check_observers() {
+  constexpr bool apart = (!shares_observer<std::remove_cvref_t<Observers>> && ...);
+  static_assert(apart,
+                "run: each tile needs an observer of its own: give `every` one that is no variable, "
+                "every(0.1, vtu(..))");
+}
 template <class S>
 class TileMaker;
 }  // namespace detail
@@ -311,10 +319,7 @@ void distribute(Ranks&, const Mesh&, const TileOptions&, Make&&) {
 /// from several threads: what they write must be their own, or be written where `scene.communicator().first()`.
 template <class S, class... Observers>
 void run(Tiled<S>& tiled, const RunOptions& options, Observers&&... observers) {
-  constexpr bool apart = (!detail::shares_observer<std::remove_cvref_t<Observers>> && ...);
-  static_assert(apart,
-                "run: each tile needs an observer of its own: give `every` one that is no variable, "
-                "every(0.1, vtu(..))");
+  detail::check_observers<Observers...>();
   tiled.together([&](S& scene) {
     [&](std::remove_cvref_t<Observers>... own) { run(scene, options, own...); }(std::as_const(observers)...);
   });

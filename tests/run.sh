@@ -78,6 +78,7 @@ if chosen python || chosen trade; then
   need python3-venv "clean environments"
   need libcli11-dev "typed options of the driver, with which those of Python are compared"
   need doxygen "reads the headers that the recipes are written from" doxygen
+  need libopenmpi-dev "scenes cut into tiles, on ranks" mpicxx
 fi
 if chosen clang || chosen asan; then
   need clang "the second compiler" clang++

@@ -65,7 +65,8 @@ ELSEWHERE = "#define ARENITE_COLD_LIBRARY\n#define ARENITE_HOST_ELSEWHERE\n"
 def source(what: str, type_name: str, headers: Sequence[str]) -> str:
     """C++ of a shared object that offers one composition or law. Its words are looked up in the library; names of
     one's own begin with `::`, so that they may be any."""
-    host = {"scene": ("scene_host", "SceneMaker", "make_hosted"), "law": ("law_host", "LawMaker", "make_hosted_law")}
+    host = {"scene": ("scene_host", "SceneMaker", "make_hosted"), "law": ("law_host", "LawMaker", "make_hosted_law"),
+            "tiles": ("tiles_host", "TilesMaker", "make_hosted_tiles")}
     file, maker, make = host[what]
     own = "".join(f'#include "{Path(h).resolve()}"\n' for h in headers)
     return (f"{ELSEWHERE}#include <arenite/host/plugin.hpp>\n#include <arenite/host/{file}.hpp>\n{own}"
@@ -209,6 +210,36 @@ def program(text: str, told: str, flags: Sequence[str], host: Callable[[], Path]
     command = [*_command(words, (PACKAGE / "include", PACKAGE / "include" / "eigen3"), flags), "-pthread"]
     try:
         return _object(text, told, command, version, place, host=host, takes=takes)
+    except OSError as e:
+        _cache.refuse(place, e)
+
+
+#: C++ of the object that makes ranks of a communicator, by its address.
+RANKS = """#include <arenite/mpi/world.hpp>
+#include <cstdint>
+extern "C" arenite::Ranks* arenite_ranks(std::uintptr_t communicator) {
+  return new arenite::mpi::World(*reinterpret_cast<MPI_Comm*>(communicator));
+}
+extern "C" void arenite_end_ranks(arenite::Ranks* ranks) { delete ranks; }
+extern "C" const char* arenite_mpi_version() {
+  static char text[MPI_MAX_LIBRARY_VERSION_STRING];
+  int length = 0;
+  MPI_Get_library_version(text, &length);
+  return text;
+}
+"""
+
+
+def ranks() -> Path:
+    """The shared object that links to the machine's MPI, compiled if it is not in the cache."""
+    words = shlex.split(os.environ.get("MPICXX", "")) or ["mpicxx"]
+    if shutil.which(words[0]) is None:
+        raise Error(f"compiler = {words[0]}: not found; it makes the link to MPI: install it (Debian: libopenmpi-dev), or name one in the "
+                    "environment's MPICXX")
+    version = _compiler_version(tuple(words), os.path.realpath(shutil.which(words[0]) or ""))
+    place = _cache.opened()
+    try:
+        return _object(RANKS, "the link to MPI", [*_command(words, include_folders(), []), "-fPIC", "-shared"], version, place)
     except OSError as e:
         _cache.refuse(place, e)
 

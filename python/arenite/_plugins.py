@@ -21,6 +21,7 @@ _lock = threading.RLock()
 _plugins: Dict[str, Any] = {}
 _scenes: Dict[str, Any] = {}
 _laws: Dict[str, Any] = {}
+_tiles: Dict[str, Any] = {}
 _threads: Optional[int] = None
 
 
@@ -51,7 +52,7 @@ def _open(path: Path) -> Any:
     if _threads is not None:
         plugin.set_threads(_threads)
     _plugins[str(path)] = plugin
-    for kind, names in ((_scenes, plugin.scenes()), (_laws, plugin.laws())):
+    for kind, names in ((_scenes, plugin.scenes()), (_laws, plugin.laws()), (_tiles, plugin.tiles())):
         for name in names:
             kind.setdefault(name, plugin)
     return plugin
@@ -112,6 +113,31 @@ def scene_plugin(type_name: str, headers: Sequence[str], check: Callable[[], Non
         if which == "stand-in":
             raise Error(f"composition = {type_name}: no prebuilt one stands for it")
         return _built("scene", type_name, headers, check), None
+
+
+def tiles_plugin(type_name: str, headers: Sequence[str], check: Callable[[], None]) -> Any:
+    """The plugin of a composition that is cut into tiles, compiled if it is not in the cache."""
+    with _lock:
+        return _tiles[type_name] if type_name in _tiles and not headers else _built("tiles", type_name, headers, check)
+
+
+def ranks(communicator: Any) -> Any:
+    """The ranks of a communicator of mpi4py; None: this process alone."""
+    if communicator is None:
+        return _core.Ranks()
+    try:
+        from mpi4py import MPI
+    except ImportError as e:
+        raise Error(f"TiledScene.ranks = {communicator!r}: must be a communicator of mpi4py, which is not installed") from e
+    if not isinstance(communicator, MPI.Comm):
+        raise Error(f"TiledScene.ranks = {communicator!r}: must be a communicator of mpi4py")
+    with _lock:
+        path = str(_compile.ranks())
+    ours, theirs = (v.strip("\0 \n") for v in (_core.Ranks.version(path), MPI.Get_library_version()))
+    if ours != theirs:
+        raise Error(f"TiledScene.ranks: mpi4py runs on {theirs}, mpicxx links {ours}: both must be the same; name the other one's in the "
+                    "environment's MPICXX")
+    return _core.Ranks(path, MPI._addressof(communicator))
 
 
 class _NarrowLaw:

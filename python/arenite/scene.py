@@ -166,10 +166,8 @@ class Scene:
     def _make(self, which: _plugins.Which = "first") -> Any:
         self._type, values, headers, types = self._composition()
 
-        def check() -> None:
-            _core.check_scene(self._recipes["mesh"].in_double(), values["mesh"], types, values["parts"])
-
-        plugin, self._stand_in = _plugins.scene_plugin(self._type, headers, check, values["parts"], self._recipes["mesh"].dimension, which)
+        plugin, self._stand_in = _plugins.scene_plugin(self._type, headers, lambda: self._check(values, types), values["parts"],
+                                                       self._recipes["mesh"].dimension, which)
         with self._named():
             if self._stand_in is None:
                 return plugin.scene(self._type, values)
@@ -177,6 +175,9 @@ class Scene:
         if "LocalDamping" in self._stand_in.neutral:
             core.switch_off_damping()
         return core
+
+    def _check(self, values: Dict[str, Any], types: List[str]) -> None:
+        _core.check_scene(self._recipes["mesh"].in_double(), values["mesh"], types, values["parts"])
 
     def _refuse_neutral(self, part: str, said: str) -> None:
         """Refuses what only a scene with a part can do, where the scene that it runs in alone has it."""
@@ -304,6 +305,18 @@ class Scene:
         """The C++ type that it runs in: `composition`, or a prebuilt one that stands for it."""
         return self._stand_in.type if self._stand_in else self._type
 
+    @property
+    def rank(self) -> int:
+        """Of this process among those that have a part of the scene (`TiledScene`)."""
+        return 0
+
+    def _pieces(self) -> Sequence[str]:
+        """What the files of each rank are called beside those of others."""
+        return [""]
+
+    def _meet(self) -> None:
+        """Waits for all ranks."""
+
     def _fill_value(self, number: int, fill: Fill) -> Any:
         """The values of a fill of a body."""
         self._check_history(number, fill.history)
@@ -418,6 +431,8 @@ def _run(scene: Scene, end: float, courant: float, max_step: float, ratio: Optio
     every = dict(every or {})
     observers = list(every.values())
     after = None if after_step is None else lambda: after_step(scene) is STOP
+    if scene.rank != 0:
+        progress = None
     if progress:
         progress.start(scene.time, end)
     resumed = scene._restored_at == scene.step_count

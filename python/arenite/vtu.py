@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 from pathlib import Path
-from typing import Any, Dict, List, Optional, Tuple, Union
+from typing import Any, Dict, List, Optional, Sequence, Tuple, Union
 
 import numpy as np
 
@@ -64,19 +64,28 @@ class Vtu:
             if scene.cells is None:
                 raise Error("Vtu: mesh = True: goes with a mesh of simplices alone")
             parts.append(("mesh", in_space(scene.nodes().position), scene.cells, {}))
+        scene._meet()
+        pieces = scene._pieces()
         if not self._times:
             resumed = scene._restored_at is not None if self._resumed is None else self._resumed
             self._times = self._list.kept_times(scene.time, resumed)
-            self._list.replace([(time, self._file(part[0], frame), number) for frame, time in enumerate(self._times)
-                                for number, part in enumerate(parts)])
+            if scene.rank == 0:
+                self._list.replace([entry for frame, time in enumerate(self._times) for entry in self._entries(time, frame, parts, pieces)])
         again = self._times[-1:] == [scene.time]  # at the start of a run that goes on
-        for number, (name, position, cells, fields) in enumerate(parts):
-            path = self._file(name, len(self._times) - again)
-            _core.write_vtu(path, position, cells, fields)
-            if not again:
-                self._list.add(scene.time, path, number)
-        if not again:
-            self._times.append(scene.time)
+        frame = len(self._times) - again
+        for name, position, cells, fields in parts:
+            _core.write_vtu(self._file(name + pieces[scene.rank], frame), position, cells, fields)
+        scene._meet()
+        if again:
+            return
+        self._times.append(scene.time)
+        if scene.rank == 0:
+            for entry in self._entries(scene.time, frame, parts, pieces):
+                self._list.add(*entry)
+
+    def _entries(self, time: float, frame: int, parts: Any, pieces: Sequence[str]) -> List[Tuple[float, str, int]]:
+        return [(time, self._file(part[0] + piece, frame), number * len(pieces) + k)
+                for number, part in enumerate(parts) for k, piece in enumerate(pieces)]
 
     def _file(self, part: str, frame: int) -> str:
         return f"{self._prefix}_{part}_{frame:04d}.vtu"

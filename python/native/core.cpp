@@ -48,10 +48,40 @@ std::invoke_result_t<F> without_lock(F&& f) {
   }
 }
 
+/// The ranks that have the tiles of scenes: those of MPI, which a shared object of the machine's MPI makes of the address of a
+/// communicator, or this process alone.
+class RanksHandle {
+ public:
+  RanksHandle() : ranks_{new OneRank, [](Ranks* r) { delete r; }} {}
+  RanksHandle(const std::string& path, std::uintptr_t communicator)
+      : ranks_{make_ranks(path, communicator), find<void(Ranks*)>(path, "arenite_end_ranks")} {}
+
+  /// Of the MPI that a shared object is linked with.
+  static std::string version(const std::string& path) {
+    return find<const char*()>(path, "arenite_mpi_version")();
+  }
+  Ranks& operator*() const { return *ranks_; }
+
+ private:
+  template <class Function>
+  static Function* find(const std::string& path, const char* name) {
+    void* const object = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
+    if (object == nullptr) throw error(joined_text({"arenite: cannot open ", path, ": ", dlerror()}));
+    return reinterpret_cast<Function*>(dlsym(object, name));
+  }
+  static Ranks* make_ranks(const std::string& path, std::uintptr_t communicator) {
+    return find<Ranks*(std::uintptr_t)>(path, "arenite_ranks")(communicator);
+  }
+
+  std::unique_ptr<Ranks, void (*)(Ranks*)> ranks_;
+};
+
 /// A scene in Python. One thread uses it at a time, and functions that a step calls not at all.
 class SceneHandle {
  public:
-  explicit SceneHandle(std::unique_ptr<HostedScene> scene) : scene_{std::move(scene)} {}
+  /// `ranks`: of a scene that is cut into tiles.
+  explicit SceneHandle(std::unique_ptr<HostedScene> scene, std::shared_ptr<RanksHandle> ranks = nullptr)
+      : ranks_{std::move(ranks)}, scene_{std::move(scene)} {}
 
   /// Calls `f(scene)` without the interpreter's lock.
   template <class F>
@@ -81,11 +111,18 @@ class SceneHandle {
     const auto call = [&](const py::function& f, auto... arguments) {
       const py::gil_scoped_acquire lock;
       const Pause pause(in_use_);
-      stops = f(arguments...).template cast<bool>() || stops;
+      try {
+        stops = f(arguments...).template cast<bool>() || stops;
+      } catch (const py::error_already_set& e) {
+        Raised::instance().keep(std::current_exception());
+        const std::string told = e.what();  // other ranks need no traceback
+        throw run_error(told.substr(0, told.find("\n\nAt:")));
+      }
     };
     using Clock = std::chrono::steady_clock;
     auto looked = Clock::now();
     run.due = [&](std::size_t k) { call(due, k); };
+    run.each_step = after_step.has_value();
     run.after_step = [&] {
       if (after_step) call(*after_step);
       if (const auto now = Clock::now(); now - looked > std::chrono::milliseconds(20)) {
@@ -158,6 +195,7 @@ class SceneHandle {
     bool& in_use_;
   };
 
+  std::shared_ptr<RanksHandle> ranks_;  // outlive the scene
   std::unique_ptr<HostedScene> scene_;
   bool in_use_ = false;
 };
@@ -193,11 +231,21 @@ class PluginHandle {
 
   std::vector<std::string> scenes() const { return types(plugin_->scenes); }
   std::vector<std::string> laws() const { return types(plugin_->laws); }
+  std::vector<std::string> tiles() const { return types(plugin_->tiles); }
 
   SceneHandle scene(const std::string& type, py::handle values) const {
     const Value given = value_of(values);
     const auto& maker = find(plugin_->scenes, type);
     return without_lock([&] { return SceneHandle(maker.make(given)); });
+  }
+  SceneHandle scene_in_tiles(const std::string& type, py::handle values, std::shared_ptr<RanksHandle> ranks,
+                             TileOptions cut, RebalanceOptions moves) const {
+    const Value given = value_of(values);
+    const auto& maker = find(plugin_->tiles, type);
+    return without_lock([&] {
+      auto scene = maker.make(given, **ranks, cut, moves);
+      return SceneHandle(std::move(scene), std::move(ranks));
+    });
   }
   std::shared_ptr<HostedLaw> law(const std::string& type, py::handle values) const {
     const Value given = value_of(values);
@@ -382,12 +430,33 @@ PYBIND11_MODULE(_core, m) {
       .def("get", [](const Signal& s) { return *s.value; })
       .def("set", [](Signal& s, std::array<double, 3> v) { *s.value = v; });
 
+  py::class_<RanksHandle, std::shared_ptr<RanksHandle>>(m, "Ranks")
+      .def(py::init<>())
+      .def(py::init<std::string, std::uintptr_t>())
+      .def_static("version", &RanksHandle::version)
+      .def_property_readonly("rank", [](const RanksHandle& r) { return (*r).rank(); })
+      .def_property_readonly("size", [](const RanksHandle& r) { return (*r).size(); })
+      .def("gather",
+           [](const RanksHandle& r, const std::vector<double>& numbers) {
+             return without_lock([&] { return (*r).gather(numbers); });
+           })
+      .def("fail", [](const RanksHandle& r, const std::string& what) { (*r).fail(what); });
+
   py::class_<PluginHandle>(m, "Plugin")
       .def(py::init<std::string>())
       .def("scenes", &PluginHandle::scenes)
       .def("laws", &PluginHandle::laws)
       .def("scene", &PluginHandle::scene)
       .def("law", &PluginHandle::law)
+      .def("tiles", &PluginHandle::tiles)
+      .def("scene_in_tiles",
+           [](const PluginHandle& p, const std::string& type, py::handle values,
+              std::shared_ptr<RanksHandle> ranks, int tiles, std::vector<double> weights,
+              std::vector<int> tile, int every, double most) {
+             return p.scene_in_tiles(type, values, std::move(ranks),
+                                     {.tiles = tiles, .weights = std::move(weights), .tile = std::move(tile)},
+                                     {.every = every, .most = most});
+           })
       .def("set_threads", [](const PluginHandle& p, int n) { p->set_threads(n); });
 
   m.def("write_vtu", &write_points);

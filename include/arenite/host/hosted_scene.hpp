@@ -73,7 +73,8 @@ struct HostedRun {
   std::vector<double> periods{};           ///< s; each has a callback
   bool resumed = false;                    ///< a restored run goes on: what is due at its start was called
   std::function<void(std::size_t)> due{};  ///< called with the number of a period that is due
-  std::function<bool()> after_step{};      ///< called after each step; returns whether the run stops there
+  bool each_step = false;                  ///< whether `after_step` must be called after each one
+  std::function<bool()> after_step{};      ///< called after steps; returns whether the run stops there
 };
 
 class HostedScene {

@@ -12,6 +12,8 @@
 #include <arenite/host/hosted_law.hpp>
 #include <arenite/host/hosted_scene.hpp>
 #include <arenite/parallel/parallel.hpp>
+#include <arenite/tiles/options.hpp>
+#include <arenite/tiles/ranks.hpp>
 #include <arenite/version.hpp>
 
 namespace arenite::program {
@@ -34,8 +36,13 @@ struct Plugin {
     std::string type;
     std::unique_ptr<HostedLaw> (*make)(const Value&);
   };
+  struct TilesMaker {
+    std::string type;
+    std::unique_ptr<HostedScene> (*make)(const Value&, Ranks&, const TileOptions&, const RebalanceOptions&);
+  };
   std::vector<SceneMaker> scenes{};
   std::vector<LawMaker> laws{};
+  std::vector<TilesMaker> tiles{};
   void (*set_threads)(int) = nullptr;
   WarningHook (*on_warning)(WarningHook) = nullptr;
 };
@@ -45,7 +52,7 @@ namespace shared_detail {
 /// The plugin of this shared object; its units add to it before the program asks.
 [[gnu::visibility("hidden")]] inline Plugin& this_plugin() {
   return once<Plugin>(program::plugin, []() -> Plugin& {
-    static Plugin plugin{std::string(library_version), {}, {}, &set_threads, &on_warning};
+    static Plugin plugin{std::string(library_version), {}, {}, {}, &set_threads, &on_warning};
     return plugin;
   });
 }
@@ -54,6 +61,7 @@ namespace shared_detail {
 struct Registration {
   explicit Registration(Plugin::SceneMaker scene) { this_plugin().scenes.push_back(std::move(scene)); }
   explicit Registration(Plugin::LawMaker law) { this_plugin().laws.push_back(std::move(law)); }
+  explicit Registration(Plugin::TilesMaker tiles) { this_plugin().tiles.push_back(std::move(tiles)); }
 };
 
 }  // namespace shared_detail

@@ -23,6 +23,85 @@
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
+namespace detail {
+
+/// Energies of a scene, or of all tiles, which then all ask.
+template <class Scene>
+HostedEnergies energies_for_host(const Scene& scene) {
+  if constexpr (tracks_energy<Scene>) {
+    const Energies e = energies(scene);
+    return {e.kinetic,  e.strain,   e.stored,   e.plastic, e.contact,
+            e.external, e.inserted, e.transfer, e.walls,   e.residual};
+  } else {
+    throw error("energies: name TrackEnergy{} among the scene's parts");
+  }
+}
+/// The same of the reaction of a wall.
+template <class Scene>
+std::array<std::vector<double>, 2> reaction_for_host(const Scene& scene, const std::string& wall) {
+  if constexpr (Scene::template has_part<Reactions>) {
+    const auto found = reaction(scene, wall);
+    return {std::vector<double>(found.force.begin(), found.force.end()),
+            std::vector<double>(found.impulse.begin(), found.impulse.end())};
+  } else {
+    throw error("reaction: name Reactions{} among the scene's parts");
+  }
+}
+/// Adds the nodes of a mesh, with the velocity field of a body, for which `owns(node)` holds.
+template <class Scene, class Owns>
+void add_nodes_for_host(HostedNodes& all, const Scene& scene, std::size_t body, Owns&& owns) {
+  const auto& field = scene.fields[Scene::field_of(body)];
+  for (Index i = 0; i < Scene::Shape::node_count(scene.mesh); ++i) {
+    if (!owns(i)) continue;
+    const auto x = Scene::Shape::node_position(scene.mesh, i);
+    all.mass.push_back(static_cast<double>(field.mass[i]));
+    for (int k = 0; k < Scene::D; ++k) {
+      all.position.push_back(static_cast<double>(x[k]));
+      all.velocity.push_back(static_cast<double>(field.velocity[i][k]));
+    }
+  }
+}
+
+template <class P>
+concept can_be_switched_off = requires(P& part) {
+  part.switch_off();
+};
+/// Whether a part of a scene damps; the velocities at the start of the step, which that takes, others ask for, too.
+template <class Scene>
+inline constexpr bool has_damping = []<class... P>(std::type_identity<std::tuple<P...>>) {
+  return (can_be_switched_off<P> || ...);
+}(std::type_identity<typename Scene::Parts>{});
+template <class Scene>
+void switch_off_damping(Scene& scene) {
+  scene.for_each_part([](auto& part) {
+    if constexpr (can_be_switched_off<std::remove_reference_t<decltype(part)>>) part.switch_off();
+  });
+}
+inline std::string needs_damping(const char* what) {
+  return joined_text({what, ": name a part that damps: LocalDamping or ViscousDamping"});
+}
+template <class Scene>
+double out_of_balance_for_host(const Scene& scene) {
+  if constexpr (has_damping<Scene>)
+    return out_of_balance(scene);
+  else
+    throw error(needs_damping("out_of_balance"));
+}
+/// Limits of a run's watch.
+inline WatchLimits watch_limits(const HostedRun& run) {
+  return run.limits ? read<WatchLimits>(*run.limits, ReadContext{.name = "WatchLimits"}) : WatchLimits();
+}
+/// What a watch has seen.
+inline std::vector<HostedWatched> seen_by(const Watch& watch) {
+  std::vector<HostedWatched> all;
+  for (const Watched& w : watch.seen())
+    all.push_back(
+        {std::string(w.name), std::string(w.meaning), w.limit, w.worst, w.time, w.body, w.place, w.warned});
+  return all;
+}
+
+}  // namespace detail
+
 /// `values`: names with values: "kinematics", "mesh", "numerics", and "parts", a list in the order of the
 /// scene's type; of `Bodies` a list of fills.
 template <class Scene>
@@ -68,11 +147,11 @@ class SceneHost : public HostedScene {
       arenite::run(*scene_,
                    {.end = run.end, .courant = run.courant, .max_step = run.max_step, .watch = watch},
                    observe);
-    else if constexpr (damps)
+    else if constexpr (detail::has_damping<Scene>)
       arenite::settle(*scene_, {.ratio = *run.settle, .end = run.end, .courant = run.courant, .watch = watch},
                       observe);
     else
-      throw error(needs_damping("settle"));
+      throw error(detail::needs_damping("settle"));
     if (watch_) watch_->finish(*scene_);
   }
   std::function<double(bool)> steps(const HostedRun& run) override {
@@ -89,38 +168,16 @@ class SceneHost : public HostedScene {
     };
   }
   std::vector<HostedWatched> watched() const override {
-    std::vector<HostedWatched> all;
-    if (watch_)
-      for (const Watched& w : watch_->seen())
-        all.push_back({std::string(w.name), std::string(w.meaning), w.limit, w.worst, w.time, w.body, w.place,
-                       w.warned});
-    return all;
+    return watch_ ? detail::seen_by(*watch_) : std::vector<HostedWatched>();
   }
-  double out_of_balance() const override {
-    if constexpr (damps)
-      return arenite::out_of_balance(*scene_);
-    else
-      throw error(needs_damping("out_of_balance"));
-  }
-  void switch_off_damping() override {
-    scene_->for_each_part([](auto& part) {
-      if constexpr (requires { part.switch_off(); }) part.switch_off();
-    });
-  }
+  double out_of_balance() const override { return detail::out_of_balance_for_host(*scene_); }
+  void switch_off_damping() override { detail::switch_off_damping(*scene_); }
 
   std::vector<StateSlot> state() override { return state_slots(*scene_); }
 
   HostedNodes nodes(std::size_t body) const override {
     HostedNodes all;
-    const auto& field = scene_->fields[Scene::field_of(body)];
-    for (Index i = 0; i < Scene::Shape::node_count(scene_->mesh); ++i) {
-      const auto x = Scene::Shape::node_position(scene_->mesh, i);
-      all.mass.push_back(static_cast<double>(field.mass[i]));
-      for (int k = 0; k < D; ++k) {
-        all.position.push_back(static_cast<double>(x[k]));
-        all.velocity.push_back(static_cast<double>(field.velocity[i][k]));
-      }
-    }
+    detail::add_nodes_for_host(all, *scene_, body, [](Index) { return true; });
     return all;
   }
   HostedCells cells() const override {
@@ -132,27 +189,9 @@ class SceneHost : public HostedScene {
     }
     return all;
   }
-  HostedEnergies energies() const override {
-    if constexpr (tracks_energy<Scene>) {
-      const Energies e = arenite::energies(*scene_);
-      return {e.kinetic,  e.strain,   e.stored,   e.plastic, e.contact,
-              e.external, e.inserted, e.transfer, e.walls,   e.residual};
-    } else {
-      throw error("energies: name TrackEnergy{} among the scene's parts");
-    }
-  }
-  std::array<std::vector<double>, 2> reaction([[maybe_unused]] const std::string& wall) const override {
-    if constexpr (Scene::template has_part<Reactions>) {
-      const auto found = arenite::reaction(*scene_, wall);
-      std::array<std::vector<double>, 2> rows;
-      for (int k = 0; k < D; ++k) {
-        rows[0].push_back(static_cast<double>(found.force[k]));
-        rows[1].push_back(static_cast<double>(found.impulse[k]));
-      }
-      return rows;
-    } else {
-      throw error("reaction: name Reactions{} among the scene's parts");
-    }
+  HostedEnergies energies() const override { return detail::energies_for_host(*scene_); }
+  std::array<std::vector<double>, 2> reaction(const std::string& wall) const override {
+    return detail::reaction_for_host(*scene_, wall);
   }
 
   HostedTotals fill(std::size_t body, const Value& values) override {
@@ -171,7 +210,8 @@ class SceneHost : public HostedScene {
     return detail::probe_places(*scene_, body, places);
   }
   std::vector<double> section_force(std::size_t body, const Value& section, bool of_nodes) const override {
-    return detail::force_across(*scene_, body, section, of_nodes);
+    return of_nodes ? detail::force_across<true>(*scene_, body, section)
+                    : detail::force_across<false>(*scene_, body, section);
   }
 
   void save(const std::string& path, const std::string& recipe) const override {
@@ -192,17 +232,15 @@ class SceneHost : public HostedScene {
  private:
   /// A watch with limits, if the run has one.
   static std::shared_ptr<Watch> given_watch(const HostedRun& run) {
-    return run.watch && run.limits ? std::make_shared<Watch>(limits_of(run)) : nullptr;
-  }
-  static WatchLimits limits_of(const HostedRun& run) {
-    return run.limits ? read<WatchLimits>(*run.limits, ReadContext{.name = "WatchLimits"}) : WatchLimits();
+    return run.watch && run.limits ? std::make_shared<Watch>(detail::watch_limits(run)) : nullptr;
   }
 
   /// The watch of a host's own loop. Numbers that the host writes are energy that no part books: a look that
   /// they would mislead begins a watch anew.
   class LoopWatch {
    public:
-    LoopWatch(SceneHost& host, const HostedRun& run) : host_{host}, run_{run}, every_{limits_of(run).every} {
+    LoopWatch(SceneHost& host, const HostedRun& run)
+        : host_{host}, run_{run}, every_{detail::watch_limits(run).every} {
       begin();
     }
     void before(bool written) {
@@ -237,19 +275,6 @@ class SceneHost : public HostedScene {
     bool written_ = false;
   };
 
-  template <class P>
-  static constexpr bool can_be_switched_off = requires(P& part) {
-    part.switch_off();
-  };
-  /// Whether a part damps; the velocities at the start of the step, which that takes, others ask for, too.
-  static constexpr bool damps = []<class... P>(std::type_identity<std::tuple<P...>>) {
-    return (can_be_switched_off<P> || ...);
-  }(std::type_identity<typename Scene::Parts>{});
-
-  static std::string needs_damping(const char* what) {
-    return joined_text({what, ": name a part that damps: LocalDamping or ViscousDamping"});
-  }
-
   /// Looks for moves of points when a call ends, however it ends.
   class Moved {
    public:
@@ -282,48 +307,57 @@ class SceneReader;
 template <class K, class M, class N, class... Given>
 class SceneReader<Scene<K, M, N, Given...>> {
  public:
-  using Made = Scene<K, M, N, Given...>;
+  static constexpr ReadContext at() { return {.name = "Scene", .dimension = M::dimension}; }
+  static const Value& given(const Value& values, const char* key) {
+    static const Value nothing;
+    const Value* const found = values.find(key);
+    return found ? *found : nothing;
+  }
 
-  static std::unique_ptr<HostedScene> make(const Value& values) {
-    const ReadContext at{.name = "Scene", .dimension = Made::D};
-    const auto given = [&](const char* key) { return values.find(key) ? *values.find(key) : Value(); };
-    const M mesh = read<M>(given("mesh"), at / "mesh");
+  /// The same over another mesh, with more parts.
+  template <class Mesh, class... More>
+  using Over = Scene<K, Mesh, N, Given..., More...>;
+
+  template <class Mesh, class... More>
+  static std::unique_ptr<Over<Mesh, More...>> over(const Mesh& mesh, const Value& values, More... more) {
+    using Made = Over<Mesh, More...>;
     const auto nodes = node_positions<Made>(mesh);
-    ReadContext in_mesh = at;
+    ReadContext in_mesh = at();
     in_mesh.nodes = &nodes;
-    const Value parts = given("parts");
+    const Value& parts = given(values, "parts");
     const auto* list = parts.template get<Value::List>();
     if (list == nullptr || list->size() != sizeof...(Given))
-      at.refuse(parts, joined_text({"must be a list of ", sizeof...(Given), " parts"}));
-    return make(read<K>(given("kinematics"), at / "kinematics"), mesh,
-                read<N>(given("numerics"), at / "numerics"), *list, in_mesh,
-                std::index_sequence_for<Given...>{});
+      at().refuse(parts, joined_text({"must be a list of ", sizeof...(Given), " parts"}));
+    return [&]<std::size_t... I>(std::index_sequence<I...>) {
+      return std::make_unique<Made>(read<K>(given(values, "kinematics"), at() / "kinematics"), mesh,
+                                    read<N>(given(values, "numerics"), at() / "numerics"),
+                                    Part<Made, Given>::read(mesh, (*list)[I], in_mesh[I])...,
+                                    std::move(more)...);
+    }
+    (std::index_sequence_for<Given...>{});
   }
 
  private:
-  template <std::size_t... I>
-  static std::unique_ptr<HostedScene> make(K kinematics, const M& mesh, N numerics, const Value::List& list,
-                                           const ReadContext& at, std::index_sequence<I...>) {
-    return std::make_unique<SceneHost<Made>>(std::make_unique<Made>(
-        kinematics, mesh, numerics, read_part(std::type_identity<Given>{}, mesh, list[I], at[I])...));
-  }
-  template <class P>
-  static P read_part(std::type_identity<P>, const M&, const Value& value, const ReadContext& at) {
-    return read<P>(value, at);
-  }
-  template <class... F>
-  static Bodies<F...> read_part(std::type_identity<Bodies<F...>>, const M& mesh, const Value& value,
-                                const ReadContext& at) {
-    return read_bodies<F...>(mesh, value, at.renamed("bodies"), std::index_sequence_for<F...>{});
-  }
-  template <class... F, std::size_t... I>
-  static Bodies<F...> read_bodies(const M& mesh, const Value& value, const ReadContext& at,
-                                  std::index_sequence<I...>) {
-    const auto* list = value.get<Value::List>();
-    if (list == nullptr || list->size() != sizeof...(F))
-      at.refuse(value, joined_text({"must be a list of ", sizeof...(F), " bodies"}));
-    return {std::tuple<F...>{read_fill<Made, F>(mesh, (*list)[I], at[I])...}};
-  }
+  template <class Made, class P>
+  struct Part {
+    static P read(const typename Made::Mesh&, const Value& value, const ReadContext& at) {
+      return arenite::read<P>(value, at);
+    }
+  };
+  template <class Made, class... F>
+  struct Part<Made, Bodies<F...>> {
+    static Bodies<F...> read(const typename Made::Mesh& mesh, const Value& value,
+                             const ReadContext& in_mesh) {
+      const ReadContext at = in_mesh.renamed("bodies");
+      const auto* list = value.get<Value::List>();
+      if (list == nullptr || list->size() != sizeof...(F))
+        at.refuse(value, joined_text({"must be a list of ", sizeof...(F), " bodies"}));
+      return [&]<std::size_t... I>(std::index_sequence<I...>) {
+        return Bodies<F...>{std::tuple<F...>{read_fill<Made, F>(mesh, (*list)[I], at[I])...}};
+      }
+      (std::index_sequence_for<F...>{});
+    }
+  };
 };
 
 }  // namespace detail
@@ -332,7 +366,9 @@ class SceneReader<Scene<K, M, N, Given...>> {
 /// do not fit its recipes.
 template <class Scene>
 std::unique_ptr<HostedScene> make_hosted(const Value& values) {
-  return detail::SceneReader<Scene>::make(values);
+  using Reader = detail::SceneReader<Scene>;
+  const auto mesh = read<typename Scene::Mesh>(Reader::given(values, "mesh"), Reader::at() / "mesh");
+  return std::make_unique<SceneHost<Scene>>(Reader::over(mesh, values));
 }
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -48,7 +48,9 @@ class World final : public Ranks {
   World(const World&) = delete;
   World& operator=(const World&) = delete;
   ~World() override {
-    if (failed_) return;  // what others have not taken in yet would hold it
+    int over = 0;
+    MPI_Finalized(&over);
+    if (over != 0 || failed_) return;  // what others have not taken in yet would hold it
     MPI_Comm_free(&failures_);
     MPI_Comm_free(&work_);
   }

@@ -48,6 +48,8 @@ class Every {
   /// What it calls.
   F& called() { return f_; }
 
+  /// From when on the next step is one to call at, s.
+  double due() const { return due_; }
   /// As if it had been called at this time, s: for a run that goes on from there.
   void go_on_from(double time) { is_due(time); }
 

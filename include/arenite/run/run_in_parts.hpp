@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include <cstddef>
+#include <limits>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -26,9 +27,9 @@ class RunInParts {
 
   /// Shows the start to the observers.
   void begin(const S& scene) { look(scene); }
-  /// So many steps, or fewer at the end.
-  void advance(S& scene, int steps) {
-    for (int k = 0; k < steps && !has_ended_; ++k) {
+  /// So many steps, or fewer at the end, or where one reaches a time, s.
+  void advance(S& scene, int steps, double until = std::numeric_limits<double>::infinity()) {
+    for (int k = 0; k < steps && !has_ended_ && scene.time < until; ++k) {
       step_towards(scene, options_, span_);
       look(scene);
     }

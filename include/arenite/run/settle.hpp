@@ -33,20 +33,18 @@ double out_of_balance(const Scene& scene) {
   return all > 0 ? out / all : 0;
 }
 
-namespace detail {
-/// Ends a run once forces have been in balance for ten steps.
+/// Observer that ends a run of a scene in which a part damps once its forces have been in balance for ten steps: what `settle` looks with.
 struct Settled {
   static constexpr bool settles = true;
-  double ratio;
-  std::size_t from;  // the scene's steps at the start
-  int below = 0;
+  double ratio;      ///< `SettleOptions::ratio`, -
+  std::size_t from;  ///< the scene's steps at the start
+  int below = 0;     ///< steps in balance so far
   template <class Scene>
   RunFlow operator()(const Scene& scene) {
     if (scene.steps > from) below = out_of_balance(scene) <= ratio ? below + 1 : 0;
     return below < 10 ? RunFlow::go_on : RunFlow::stop;
   }
 };
-}  // namespace detail
 
 /// When a scene counts as settled, and its steps.
 struct SettleOptions {
@@ -65,7 +63,7 @@ void settle(Scene& scene, const SettleOptions& options, Observers&&... observers
   require(options.ratio > 0, "SettleOptions.ratio", options.ratio, "must be positive");
   require(options.end > scene.time && std::isfinite(options.end), "SettleOptions.end", options.end,
           {"must be given, and lie behind the scene's time ", scene.time});
-  detail::Settled check{options.ratio, scene.steps};
+  Settled check{options.ratio, scene.steps};
   run(scene, {.end = options.end, .courant = options.courant, .watch = options.watch}, observers..., check);
   if (check.below == 10) return;
   throw run_error(

@@ -21,6 +21,7 @@
 #include <arenite/run/run.hpp>
 #include <arenite/tiles/communicator.hpp>
 #include <arenite/tiles/deal_tiles.hpp>
+#include <arenite/tiles/options.hpp>
 #include <arenite/tiles/split_cells.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
@@ -44,14 +45,6 @@ template <class S>
 class TileMaker;
 }  // namespace detail
 
-/// How a mesh is cut.
-struct TileOptions {
-  int tiles =
-      0;  ///< of the whole mesh; 0: one for each rank. Results have the same bits on any ranks for the same tiles
-  std::vector<double> weights{};  ///< [cells] what a cell costs, -; empty: all the same
-  std::vector<int> tile{};        ///< [cells] tile of each cell, in the place of `split_cells`
-};
-
 /// The tiles of a scene that this rank has (`distribute` makes them). They are stepped at once, each by a thread of its own.
 template <class S>
 class Tiled {
@@ -67,7 +60,9 @@ class Tiled {
   std::size_t tiles_here() const { return here_.size(); }
   Ranks& ranks() const { return all_->ranks(); }
   const TilesOfRank& shared() const { return *all_; }
+  /// s, and number of steps; the same of all tiles.
   double time() const { return here_.front().scene->time; }
+  std::size_t steps() const { return here_.front().scene->steps; }
 
   /// Calls `f(scene)` for each tile here, one after another: it must not use the communicator.
   template <class F>
@@ -79,7 +74,7 @@ class Tiled {
     for (const auto& tile : here_) f(std::as_const(*tile.scene));
   }
 
-  /// Calls `f(scene)` for all tiles at once; what it asks of the communicator all tiles of all ranks must ask. If one throws, all
+  /// Calls `f(scene)` for all tiles at once, for the first one on the caller's thread; what it asks of the communicator all tiles of all ranks must ask. If one throws, all
   /// do, on all ranks; here the first exception goes on.
   template <class F>
   void together(F&& f) {
@@ -106,11 +101,14 @@ class Tiled {
       call(*here_.front().scene);  // its loops have all threads
     } else {
       std::vector<std::thread> threads;
-      for (const auto& tile : here_)
-        threads.emplace_back([&] {
-          program::in_loop = true;  // the tiles share the processors: loops stay on their thread
-          call(*tile.scene);
-        });
+      const auto call_here =
+          [&](const Tile& tile) {  // the tiles share the processors: loops stay on their thread
+            const bool outer = std::exchange(program::in_loop, true);
+            call(*tile.scene);
+            program::in_loop = outer;
+          };
+      for (std::size_t t = 1; t < here_.size(); ++t) threads.emplace_back([&, t] { call_here(here_[t]); });
+      call_here(here_.front());
       for (auto& thread : threads) thread.join();
     }
     if (first) std::rethrow_exception(first);

@@ -1,0 +1,279 @@
+// Tiles host: a scene that is cut into tiles, on the ranks of a host's, as a `HostedScene`.
+#pragma once
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cstddef>
+#include <exception>
+#include <functional>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include <arenite/host/scene_host.hpp>
+#include <arenite/particles/point_ids.hpp>
+#include <arenite/tiles/rebalance.hpp>
+#include <arenite/tiles/saved_tiles.hpp>
+#include <arenite/tiles/tiled.hpp>
+
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
+
+namespace detail {
+
+/// A watch that a run may have.
+class WatchIfAny {
+ public:
+  WatchIfAny(const HostedRun& run, std::vector<HostedWatched>& seen) : seen_{&seen} {
+    if (run.watch && run.limits) watch_.emplace(watch_limits(run));
+  }
+  template <class S>
+  void operator()(const S& scene) {
+    if (watch_) (*watch_)(scene);
+  }
+  /// `seen` becomes what that of the first tile of all has seen, on its rank.
+  template <class S>
+  void finish(const S& scene) {
+    if (!watch_) return;
+    watch_->finish(scene);
+    if (scene.communicator().first()) *seen_ = seen_by(*watch_);
+  }
+  template <class F>
+  void visit_state(F&& f) {
+    if (watch_) watch_->visit_state(f);
+  }
+
+ private:
+  std::vector<HostedWatched>* seen_;
+  std::optional<Watch> watch_{};
+};
+
+/// Makes the scenes of tiles of a host's values.
+template <class Whole>
+struct MakeTile {
+  std::shared_ptr<const Value> values;
+
+  template <class Mesh, class Portion>
+  auto operator()(const Mesh& mesh, const Portion& portion) const {
+    return std::move(*SceneReader<Whole>::over(mesh, *values, PointIds{}, portion));
+  }
+};
+
+}  // namespace detail
+
+/// Calls of the host that change or ask for something are made on all ranks.
+template <class S, class Make>
+class TilesHost : public HostedScene {
+ public:
+  TilesHost(Tiled<S> tiled, Make make, RebalanceOptions options)
+      : tiled_{std::move(tiled)}, make_{std::move(make)}, options_{options} {}
+
+  int dimension() const override { return S::D; }
+  double time() const override { return first().time; }
+  double time_step() const override { return first().time_step; }
+  std::size_t steps() const override { return first().steps; }
+  std::size_t generation() const override { return generation_; }
+  double stable_step() const override {
+    return of_all([](S& s) { return s.communicator().least(arenite::stable_step(s)); });
+  }
+  void step(double dt) override {
+    ++generation_;
+    tiled_.together([dt](S& s) { arenite::step(s, dt); });
+  }
+
+  void run(const HostedRun& run) override {
+    ++generation_;
+    watched_.clear();
+    const bool watch = run.watch && !run.limits;  // that of `run`
+    if (!run.settle)
+      go(run, {.end = run.end, .courant = run.courant, .max_step = run.max_step, .watch = watch});
+    else if constexpr (detail::has_damping<S>)
+      go(run, {.end = run.end, .courant = run.courant, .watch = watch}, Settled{*run.settle, steps()});
+    else
+      throw error(detail::needs_damping("settle"));
+  }
+  std::function<double(bool)> steps(const HostedRun&) override { refuse("steps"); }
+  std::vector<HostedWatched> watched() const override { return watched_; }
+  double out_of_balance() const override {
+    return of_all([](S& s) { return detail::out_of_balance_for_host(s); });
+  }
+  void switch_off_damping() override {
+    tiled_.for_each_tile([](S& s) { detail::switch_off_damping(s); });
+  }
+
+  /// Of the tiles here, under "tiles/NUMBER".
+  std::vector<StateSlot> state() override {
+    std::vector<StateSlot> all;
+    tiled_.for_each_tile([&](S& s) {
+      for (auto& slot : state_slots(s)) {
+        slot.name = joined_text({"tiles/", s.portion().number, "/", slot.name});
+        all.push_back(std::move(slot));
+      }
+    });
+    return all;
+  }
+  /// Those that the tiles here count in sums.
+  HostedNodes nodes(std::size_t body) const override {
+    HostedNodes all;
+    tiled_.for_each_tile([&](const S& s) {
+      detail::add_nodes_for_host(all, s, body, [&](Index i) { return s.portion().owns_node(i); });
+    });
+    return all;
+  }
+  HostedCells cells() const override { refuse("cells"); }
+  HostedEnergies energies() const override {
+    return of_all([](S& s) { return detail::energies_for_host(s); });
+  }
+  std::array<std::vector<double>, 2> reaction(const std::string& wall) const override {
+    return of_all([&](S& s) { return detail::reaction_for_host(s, wall); });
+  }
+
+  HostedTotals fill(std::size_t body, const Value& fill) override {
+    return change([&](S& s) { return detail::fill_more(s, body, fill); });
+  }
+  HostedTotals insert(std::size_t, const Value&) override { refuse("insert"); }
+  HostedTotals remove(std::size_t body, const Value& where) override {
+    if (where.array() != nullptr) refuse("remove by numbers of points");
+    return change([&](S& s) { return detail::remove_where(s, body, where); });
+  }
+  HostedProbes probe(std::size_t, const std::vector<double>&) const override { refuse("probe"); }
+  std::vector<double> section_force(std::size_t body, const Value& section, bool of_nodes) const override {
+    if (of_nodes) refuse("section_force of nodes");
+    return of_all([&](S& s) { return detail::force_across<false>(s, body, section); });
+  }
+
+  void save(const std::string& path, const std::string& recipe) const override {
+    save_state(tiled_, SavedState(path, recipe));
+  }
+  void restore(const std::string& path, const std::string& recipe) override {
+    ++generation_;
+    restore_state(tiled_, SavedState(path, recipe));
+  }
+  void follow() override {
+    ++generation_;
+    tiled_.together([](S& s) { follow_state(s); });
+  }
+  std::unique_ptr<HostedScene> copy() const override { refuse("copy"); }
+
+ private:
+  [[noreturn]] static void refuse(const char* what) {
+    throw error(joined_text({what, ": is not there for a scene that is cut into tiles"}));
+  }
+  const S& first() const {
+    const S* found = nullptr;
+    tiled_.for_each_tile([&](const S& s) { found = found ? found : &s; });
+    return *found;
+  }
+  /// What `f(scene)` gives for the first tile here; all tiles of all ranks call it.
+  template <class F>
+  auto of_all(F&& f) const {
+    std::optional<std::invoke_result_t<F&, S&>> found;
+    tiled_.together([&](S& s) {
+      auto of_tile = f(s);
+      if (&s == &first()) found = std::move(of_tile);
+    });
+    return *std::move(found);
+  }
+  /// Runs in parts: between them the host is called, whose calls may ask all tiles, and which stops on all ranks if it does on one.
+  template <class... Observers>
+  void go(const HostedRun& run, const RunOptions& options, Observers... observers) {
+    Ranks& ranks = tiled_.ranks();
+    RunOfTiles run_of_tiles(tiled_, options, rebalancing(make_, options_), detail::WatchIfAny(run, watched_),
+                            std::move(observers)...);
+    std::vector<Every<std::function<void(const S&)>>> timers;
+    for (std::size_t k = 0; k < run.periods.size(); ++k)
+      timers.emplace_back(run.periods[k], [&run, k](const S&) { run.due(k); });
+    bool asks = false;  // whether a call may have asked to stop
+    double due = 0;
+    const auto call = [&] {
+      for (auto& timer : timers) {
+        if (time() < timer.due()) continue;
+        timer(first());
+        asks = true;
+      }
+      due = std::numeric_limits<double>::infinity();
+      for (const auto& timer : timers) due = std::min(due, timer.due());
+    };
+    if (run.resumed)
+      for (auto& timer : timers) timer.go_on_from(time());
+    try {
+      call();
+    } catch (const std::exception& e) {
+      ranks.fail(e.what());
+      throw;
+    }
+    run_of_tiles.begin();
+    using Clock = std::chrono::steady_clock;
+    int most = 1;
+    for (bool stops = false; !stops && !run_of_tiles.has_ended();) {
+      const auto start = Clock::now();
+      run_of_tiles.advance(run.each_step ? 1 : most, due);
+      ++generation_;
+      // The host is called some times a second.
+      const double took = std::chrono::duration<double>(Clock::now() - start).count();
+      most = took < 0.02 ? std::min(2 * most, 1 << 20) : took > 0.1 ? std::max(most / 2, 1) : most;
+      try {
+        call();
+        if (run.after_step) stops = run.after_step();
+      } catch (const std::exception& e) {
+        ranks.fail(e.what());
+        throw;
+      }
+      if (asks || run.each_step) stops = ranks.least(stops ? 0 : 1) == 0;
+      asks = false;
+    }
+    run_of_tiles.finish();
+    ++generation_;
+  }
+  /// The sum of the points that each tile brings or takes.
+  template <class F>
+  HostedTotals change(F&& f) {
+    ++generation_;
+    return of_all([&](S& s) {
+      HostedTotals all = f(s);
+      auto count = static_cast<double>(all.count);
+      all.momentum.resize(static_cast<std::size_t>(S::D));
+      sum_over(s.communicator(), count, all.mass, all.kinetic_energy, all.strain_energy);
+      s.communicator().sum(all.momentum);
+      all.count = static_cast<std::size_t>(count);
+      return all;
+    });
+  }
+
+  mutable Tiled<S> tiled_;  // asking is a step of all ranks
+  Make make_;
+  RebalanceOptions options_;
+  std::vector<HostedWatched> watched_{};
+  std::size_t generation_ = 0;
+};
+
+/// Makes a scene of a host's values, as `make_hosted` does, and cuts it into tiles: on all ranks. `ranks` must outlive it.
+template <class Scene>
+std::unique_ptr<HostedScene> make_hosted_tiles(const Value& values, Ranks& ranks, const TileOptions& cut,
+                                               const RebalanceOptions& moves) {
+  using Mesh = typename Scene::Mesh;
+  using Reader = detail::SceneReader<Scene>;
+  constexpr bool is_cut_in_double = !is_simplex_mesh<Mesh> || std::is_same_v<typename Mesh::scalar, double>;
+  static_assert(is_cut_in_double, "tiles: a mesh of simplices must be of float64");
+  const Value& mesh = Reader::given(values, "mesh");
+  const detail::MakeTile<Scene> make{std::make_shared<const Value>(values)};
+  const auto host = [&](auto tiled) -> std::unique_ptr<HostedScene> {
+    using S = typename decltype(tiled)::Scene;
+    return std::make_unique<TilesHost<S, detail::MakeTile<Scene>>>(std::move(tiled), make, moves);
+  };
+  if constexpr (!is_cut_in_double)
+    return nullptr;  // the sentence is said
+  else if constexpr (is_simplex_mesh<Mesh>)
+    return host(distribute(
+        ranks, read<MeshData<Scene::D>>(mesh, ReadContext{.name = "SimplexMesh", .dimension = Scene::D}), cut,
+        make));
+  else
+    return host(distribute(ranks, read<Mesh>(mesh, Reader::at() / "mesh"), cut, make));
+}
+
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -1,0 +1,113 @@
+"""A slope of triangles under a ball, cut into four tiles: mpirun -n N python -m mpi4py tiles_on_ranks.py WHAT FOLDER. Each rank prints."""
+
+import hashlib
+import sys
+
+import numpy as np
+from mpi4py import MPI
+
+import arenite as ar
+
+COMM = MPI.COMM_WORLD
+
+
+def mesh():
+    columns, rows = 20, 10
+    nodes = [(0.02 * i, 0.02 * j) for j in range(rows + 1) for i in range(columns + 1)]
+    cells = []
+    for j in range(rows):
+        for i in range(columns):
+            a = j * (columns + 1) + i
+            b, d = a + 1, a + columns + 1
+            cells += [(a, b, d + 1), (a, d + 1, d)]
+    return ar.SimplexMesh(nodes, cells)
+
+
+def scene():
+    sand = ar.MohrCoulomb(density=1540, young=1e6, poisson=0.3, friction=0.6)
+    ball = ar.Rigid(ar.Ball((0.2, 0.14), 0.04), ar.Free(mass=20, inertia=0.02, centre=(0.2, 0.14), velocity=(0, -1)), 0.3, name="ball")
+    return ar.TiledScene(ar.PlaneStrain(), mesh(), ar.Numerics(ar.LinearSimplex, ar.Flip), reactions=True,
+                         bodies=[ar.fill("sand", ar.Box((0, 0), (0.4, 0.1)), sand, per_cell=3)], gravity=(0, -9.81), rigids=[ball],
+                         walls=[ar.bottom("fixed"), ar.left("roller"), ar.right("roller")], parts=[ar.LocalDamping(0.7)],
+                         ranks=COMM, tiles=4, rebalance_every=20)
+
+
+def say(*words):
+    sys.stdout.write(" ".join(str(w) for w in words) + "\n")  # whole lines
+    sys.stdout.flush()
+
+
+def told(of):
+    """Bits of all points by their ids, where the ball is, and energies: the same words on all ranks."""
+    sand = of.bodies["sand"]
+    ids, numbers = (np.concatenate(COMM.allgather(x)) for x in (sand.column("id"), np.column_stack([sand.position, sand.velocity, sand.stress])))
+    bits = hashlib.sha256(numbers[np.argsort(ids)].tobytes()).hexdigest()[:16]
+    return f"{of.step_count} {bits} {of.rigids['ball'].displacement.tolist()} {tuple(of.energy)} {of.reaction('bottom').force}"
+
+
+def bits(folder):
+    of = scene()
+    seen = []
+    ar.run(of, end=0.02, every={0.005: lambda s: seen.append(s.energy.residual)})
+    of.save(folder)
+    ar.run(of, end=0.03, every={0.005: lambda s: seen.append(s.reaction("bottom").force[1])})
+    say(told(of), seen, of.stable_step)
+
+
+def restart(folder):
+    of = scene()
+    of.restore(folder)
+    ar.run(of, end=0.03)
+    say(told(of))
+
+
+def stop(folder):
+    of, last = scene(), COMM.size - 1
+
+    def at(time):
+        return lambda s: ar.STOP if COMM.rank == last and s.time >= time else None
+
+    ar.run(of, end=0.03, after_step=at(0.01))
+    say(of.step_count)
+    ar.run(of, end=0.03, every={0.002: at(0.015)})
+    say(of.step_count)
+
+
+def fail(folder):
+    def dig(s):
+        if COMM.rank == COMM.size - 1 and s.time > 0.01:
+            raise ValueError("the spade broke")
+
+    try:
+        ar.run(scene(), end=0.03, every={0.002: dig})
+    except Exception as e:
+        say(f"{type(e).__name__}: {str(e).splitlines()}")
+        raise
+
+
+def fail_between(folder):
+    of = scene()
+    of.sum(lambda tile: [1.0][COMM.rank])  # not there on the second
+
+
+def points(folder):
+    of = scene()
+    corner = ar.Box((0.0, 0.05), (0.1, 0.1))
+    away, back = ar.remove_points(of, "sand", corner), ar.fill_points(of, "sand", corner)
+    whole = of.sum(lambda tile: float(np.sum(tile.bodies["sand"].mass)))
+    say(away.points, away.mass, back.points, back.mass, whole, len(of.bodies["sand"]) == sum(len(t.bodies["sand"]) for t in of.tiles))
+    for ask in (lambda: ar.probe(of, "sand", [(0.1, 0.05)]), lambda: of.copy(), lambda: next(of.steps()), lambda: of.cells):
+        try:
+            ask()
+        except ar.Error as e:
+            say(e)
+
+
+def settled(folder):
+    of = scene()
+    ar.settle(of, end=1.0, ratio=1e-2)
+    say(told(of), of.out_of_balance)
+
+
+if __name__ == "__main__":
+    globals()[sys.argv[1]](sys.argv[2])

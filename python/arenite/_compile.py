@@ -250,7 +250,8 @@ def _compiler(what: str = "This composition") -> Tuple[List[str], str]:
 
 
 def _command(words: Sequence[str], folders: Sequence[Path], flags: Sequence[str]) -> List[str]:
-    return [*words, "-std=c++20", "-O3", "-DNDEBUG", *flags, *(f"-isystem{f}" for f in folders)]
+    own = next((k for k, word in enumerate(words) if word.startswith("-")), len(words))  # options of the environment's have the last word
+    return [*words[:own], "-std=c++20", "-O3", "-DNDEBUG", *flags, *words[own:], *(f"-isystem{f}" for f in folders)]
 
 
 def _is_of(host: Path, version: str) -> bool:

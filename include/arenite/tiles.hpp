@@ -6,6 +6,7 @@
 #include <arenite/tiles/exact_sum.hpp>
 #include <arenite/tiles/ranks.hpp>
 #include <arenite/tiles/rebalance.hpp>
+#include <arenite/tiles/run_of_tiles.hpp>
 #include <arenite/tiles/saved_tiles.hpp>
 #include <arenite/tiles/split_cells.hpp>
 #include <arenite/tiles/tiled.hpp>

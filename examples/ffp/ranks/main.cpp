@@ -1,10 +1,14 @@
 // arenite-ffp-mpi: a drop on the ranks of MPI, mpirun -n 4 arenite-ffp-mpi drop --kinematics slice ..
 #include <algorithm>
+#include <csignal>
+#include <filesystem>
 #include <iostream>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <sstream>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include <arenite/arenite.hpp>
@@ -13,9 +17,12 @@
 #include <arenite/run/every.hpp>
 #include <arenite/run/progress.hpp>
 #include <arenite/run/run_status.hpp>
+#include <arenite/run/stop_signals.hpp>
+#include <arenite/run/watch.hpp>
 
 #include "../command/read_drop.hpp"
 #include "../drop/drop_folder.hpp"
+#include "../drop/earlier_run.hpp"
 #include "../drop/history_row.hpp"
 #include "../drop/model.hpp"
 #include "../drop/results.hpp"
@@ -38,33 +45,45 @@ void check_on_ranks(const DropOptions& o) {
   refuse(!o.averages(), "--anti-locking = off");
   refuse(o.split_share() > 0, "--split");
   refuse(!o.mesh.empty(), "--mesh");
-  refuse(o.resume, "--resume");
   refuse(o.error_bar, "--error-bar");
 }
 
-/// Takes the rows of the history down, on the rank of the first tile.
+/// The history, on the rank of the first tile: rows so far, and their file.
+struct HistoryOnRank {
+  std::filesystem::path path;
+  const HistoryRows* rows = nullptr;
+  std::optional<HistoryFile> file{};
+};
+
+/// Takes the rows of the history down; those of the first tile go on.
 class RowsOnRanks {
  public:
-  struct Rows {
-    std::vector<HistoryRow> all{};
-    std::optional<HistoryFile> file{};
-  };
-  RowsOnRanks(Rows& rows, double whole, double tip_above)
-      : rows_{&rows}, whole_{whole}, tip_above_{tip_above} {}
+  RowsOnRanks(HistoryOnRank& shown, double whole, double tip_above)
+      : shown_{&shown}, whole_{whole}, tip_above_{tip_above} {}
 
   template <class Scene>
-  void operator()(const Scene& scene) const {
+  void operator()(const Scene& scene) {
     const bool first = scene.communicator().first();
-    HistoryRow row = history_row(scene, first && !rows_->all.empty() ? &rows_->all.back() : nullptr, whole_);
+    HistoryRow row = history_row(scene, first && !rows_.all.empty() ? &rows_.all.back() : nullptr, whole_);
     if (!first) return;
     row.penetration_m -= tip_above_;
-    rows_->file->write(row);
-    rows_->all.push_back(row);
+    if (!shown_->file) {
+      shown_->file.emplace(shown_->path);
+      for (const HistoryRow& earlier : rows_.all) shown_->file->write(earlier);
+    }
+    shown_->file->write(row);
+    rows_.all.push_back(row);
+    shown_->rows = &rows_;
+  }
+  template <class F>
+  void visit_state(F&& f) {
+    f("history", rows_);
   }
 
  private:
-  Rows* rows_;
+  HistoryOnRank* shown_;
   double whole_, tip_above_;
+  HistoryRows rows_{};
 };
 
 /// An observer that may be off.
@@ -79,19 +98,44 @@ struct When {
   }
   template <class G>
   void visit_state(G&& g) {
-    f.visit_state(g);
+    if constexpr (requires { f.visit_state(g); }) f.visit_state(g);
   }
   template <class Scene>
   void follow_state(const Scene& scene) {
     if constexpr (requires { f.follow_state(scene); })
       if (on) f.follow_state(scene);
   }
+  template <class Scene>
+  void finish(const Scene& scene) {
+    if constexpr (requires { f.finish(scene); })
+      if (on) f.finish(scene);
+  }
 };
 template <class F>
 When(bool, F) -> When<F>;
 
+/// The folder of the state of all tiles.
+inline std::filesystem::path saved_tiles_in(const DropOptions& o) {
+  return std::filesystem::path(o.out) / "checkpoint";
+}
+
+/// What earlier runs left in the folder: all ranks read it before one of them changes it.
+EarlierRun earlier_on_ranks(mpi::World& world, const DropOptions& o) {
+  EarlierRun earlier;
+  if (o.resume) earlier = earlier_run(o);
+  earlier.has_state = o.resume && std::filesystem::exists(saved_tiles_in(o) / "tiles.txt");
+  world.meet();
+  return earlier;
+}
+
 template <class Model>
 void drop_on(mpi::World& world, const DropOptions& o, int tiles) {
+  const bool writes = world.rank() == 0, tells = writes && !o.quiet;
+  const EarlierRun earlier = earlier_on_ranks(world, o);
+  if (earlier.finished) {
+    if (tells) say(joined_text({"the run in ", shown(o.out), " is finished; nothing to do"}));
+    return;
+  }
   const auto data = Model::generate(o);
   const SimplexMesh<Model::dimension> whole(data);
   const auto motion = motion_of<LedByRigid<"device">>(o, whole);
@@ -104,44 +148,83 @@ void drop_on(mpi::World& world, const DropOptions& o, int tiles) {
   };
   auto scene = distribute(world, data, {.tiles = tiles, .weights = weights}, make);
 
-  const bool writes = world.rank() == 0;
   std::unique_ptr<RunFolder> folder;
-  RowsOnRanks::Rows rows;
+  HistoryOnRank history{std::filesystem::path(o.out) / "history.csv"};
   RunNumbers numbers;
-  numbers.started = utc_now();
+  numbers.started = earlier.has_state ? earlier.started : utc_now();
+  numbers.resumed_at_s = earlier.resumed_at_s;
   numbers.threads = threads();
   numbers.points = static_cast<long>(scene.sum([](const auto& tile) { return tile.point_count(); }));
   const auto write_summary = [&](const std::string& status) {
+    if (!writes) return;
     numbers.status = status;
     std::optional<DropFigures> figures;
-    if (!rows.all.empty()) {
-      figures = figures_of(rows.all);
-      numbers.steps = static_cast<long>(rows.all.size()) - 1;
-      numbers.lost_points = static_cast<long>(rows.all.back().lost_points);
+    if (history.rows) {
+      figures = figures_of(history.rows->all);
+      numbers.steps = static_cast<long>(history.rows->all.size()) - 1;
+      numbers.lost_points = static_cast<long>(history.rows->all.back().lost_points);
     }
     write_json(summary_file(folder->path()), summary_of(o, figures, numbers));
   };
   if (writes) {
-    folder.reset(new RunFolder(drop_folder(o.out)));
-    rows.file.emplace(folder->path() / "history.csv");
+    folder.reset(new RunFolder(
+        drop_folder(o.out, earlier.has_state ? RunFolder::Earlier::kept : RunFolder::Earlier::removed)));
+    if (!earlier.has_state) std::filesystem::remove_all(saved_tiles_in(o));
     write_summary("running");
-    if (!o.quiet)
+    if (tells)
       say(joined_text({numbers.points, " points in ", scene.tiles(), " tiles on ", world.size(), " ranks"}));
   }
   world.meet();
+
+  const StopSignals signals;
+  const SavedState saved(saved_tiles_in(o), hash_of_inputs(o));
+  const auto period = [](double given) {
+    return given > 0 ? given : std::numeric_limits<double>::infinity();
+  };
+  RunOfTiles run(
+      scene, RunOptions{.end = o.end, .courant = o.courant_number(), .watch = false}, rebalancing(make),
+      RowsOnRanks(history, Model::whole, o.body().tip_above()),
+      When{o.fields_every > 0,
+           every(period(o.fields_every), VtuSeries(o.out + "/fields", {.resumed = earlier.has_state}))},
+      When{!o.no_watch,
+           Watch(WatchLimits{.energy_gain = o.watch_energy, .volume = o.watch_volume, .lost = o.watch_lost})},
+      When{!o.quiet, Progress(o.end, {.tenths = true})});
   try {
-    run(scene, {.end = o.end, .courant = o.courant_number()}, rebalancing(make),
-        RowsOnRanks(rows, Model::whole, o.body().tip_above()),
-        When{o.fields_every > 0, every(o.fields_every > 0 ? o.fields_every : 1, vtu(o.out + "/fields"))},
-        When{!o.quiet, Progress(o.end, {.tenths = true})});
+    auto saves = every(period(o.checkpoint_every), [&](const auto&) {
+      run.save(saved);
+      write_summary("running");
+    });
+    if (earlier.has_state) {
+      run.restore(saved);
+      numbers.resumed_at_s.push_back(scene.time());
+      if (tells) say(joined_text({"resumed at t = ", scene.time(), " s, step ", scene.steps()}));
+    } else {
+      run.begin();
+    }
+    struct Now {
+      double time;
+    };
+    saves.go_on_from(scene.time());
+    constexpr int most = 50;  // steps until all look for signals
+    while (!run.has_ended()) {
+      run.advance(most, saves.due());
+      if (run.has_ended()) break;
+      saves(Now{scene.time()});
+      if (world.least(signals.has_come() ? 0 : 1) > 0) continue;
+      run.save(saved);
+      throw Interruption(SIGTERM);
+    }
+    run.finish();
   } catch (const std::exception& e) {
     numbers.failure = e.what();
-    if (writes) write_summary("failed");
+    write_summary(dynamic_cast<const Interruption*>(&e) ? "interrupted" : "failed");
     throw;
   }
   if (!writes) return;
   write_summary("done");
-  if (!o.quiet) std::cout << sentence_of(figures_of(rows.all), o.out) << std::endl;
+  std::error_code ignored;  // it only takes space
+  std::filesystem::remove_all(saved_tiles_in(o), ignored);
+  if (tells) std::cout << sentence_of(figures_of(history.rows->all), o.out) << std::endl;
 }
 
 /// The value of `--tiles N` (one a rank without), which is taken out of the words.

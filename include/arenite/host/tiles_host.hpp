@@ -18,7 +18,7 @@
 
 #include <arenite/host/scene_host.hpp>
 #include <arenite/particles/point_ids.hpp>
-#include <arenite/tiles/rebalance.hpp>
+#include <arenite/tiles/run_of_tiles.hpp>
 #include <arenite/tiles/saved_tiles.hpp>
 #include <arenite/tiles/tiled.hpp>
 

@@ -55,10 +55,15 @@ class SavedTiles {
 
   template <class Scene>
   void operator()(const Scene& scene) const {
+    save(scene);
+  }
+  /// With what observers of the tile carry.
+  template <class Scene, class... Observers>
+  void save(const Scene& scene, const Observers&... observers) const {
     static_assert(Scene::is_portion, "save_tiles: the scene is whole: save_state");
     const int tile = scene.portion().number;
     const TileList list{scene.communicator().size(), scene.steps};
-    save_state(scene, {list.file(folder_.path, tile), folder_.recipe});
+    save_state(scene, {list.file(folder_.path, tile), folder_.recipe}, observers...);
     scene.communicator().least(0);  // all are written
     if (scene.communicator().first()) list.write(folder_.path);
     scene.communicator().least(0);  // the list names the new ones: the old ones may go
@@ -83,16 +88,25 @@ void save_state(Tiled<S>& tiled, const SavedState& folder) {
   tiled.together([&](S& scene) { saver(std::as_const(scene)); });
 }
 
-/// Puts the state of a folder into the tiles of the same mesh, cut alike, on any number of ranks. Throws `error` on all ranks for a folder of
-/// other tiles, and what `restore_state` throws.
-template <class S>
-void restore_state(Tiled<S>& tiled, const SavedState& folder) {
+namespace detail {
+/// `carried(scene)`: what was saved with each tile beside its state.
+template <class S, class... Carried>
+void restore_tiles(Tiled<S>& tiled, const SavedState& folder, Carried&&... carried) {
   tiled.together([&](S& scene) {
     const auto list = TileList::read(folder.path);
     require(list.tiles == tiled.tiles(), "saved tiles", list.tiles,
             {"must be as many as those of the scene, ", tiled.tiles()});
-    restore_state(scene, SavedState(list.file(folder.path, scene.portion().number), folder.recipe));
+    restore_state(scene, SavedState(list.file(folder.path, scene.portion().number), folder.recipe),
+                  carried(scene)...);
   });
+}
+}  // namespace detail
+
+/// Puts the state of a folder into the tiles of the same mesh, cut alike, on any number of ranks. Throws `error` on all ranks for a folder of
+/// other tiles, and what `restore_state` throws.
+template <class S>
+void restore_state(Tiled<S>& tiled, const SavedState& folder) {
+  detail::restore_tiles(tiled, folder);
 }
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

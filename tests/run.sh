@@ -133,10 +133,11 @@ export CCACHE_SLOPPINESS=pch_defines,time_macros
 
 if chosen gcc; then
   prepare_python
-  options=(-DARENITE_EXAMPLES_FFP_ONLY=OFF -DARENITE_BENCHMARKS=OFF -DARENITE_FFP_WIDTHS=16)
+  # At night examples and driver are compiled as their users do.
+  options=(-DARENITE_EXAMPLES_FFP_ONLY=OFF -DARENITE_BENCHMARKS=OFF -DARENITE_FFP_WIDTHS=16 -DARENITE_EXAMPLES_FAST_BUILD=ON)
   case $build_scope in
     quick) options[0]=-DARENITE_EXAMPLES_FFP_ONLY=ON ;;
-    nightly) options+=(-DARENITE_BENCHMARKS=ON "-DARENITE_FFP_WIDTHS=16;64") ;;
+    nightly) options+=(-DARENITE_BENCHMARKS=ON "-DARENITE_FFP_WIDTHS=16;64" -DARENITE_EXAMPLES_FAST_BUILD=OFF) ;;
   esac
   run_stage "g++ Release" gcc -DCMAKE_CXX_COMPILER=g++ -DCMAKE_BUILD_TYPE=Release -DARENITE_WERROR=ON \
     -DARENITE_BENCHMARKS_FAST_BUILD=ON "${options[@]}"
@@ -167,9 +168,12 @@ package() {
   mkdir -p "$clean"
   /usr/bin/python3 -m venv "$clean/env"
   pip() { "$clean/env/bin/python" -m pip --quiet --disable-pip-version-check "$@" < /dev/null; }
+  pip install -r "$root/python/tests/requirements.txt" &  # from the network, while the compiler works
+  local requirements=$!
   pip wheel --no-deps -w "$clean/wheel" --config-settings build-dir="$clean/build" "$root" || fail "stage $1: the wheel was not built"
   wheel=$(ls "$clean"/wheel/arenite-*.whl)
   [ "$(stat -c %s "$wheel")" -le 25000000 ] || fail "stage $1: $wheel is larger than 25 MB"
+  wait $requirements || fail "stage $1: pip could not install python/tests/requirements.txt"
   pip install "$wheel" -r "$root/python/tests/requirements.txt" || fail "stage $1: the wheel was not installed"
 }
 if chosen python; then
@@ -214,10 +218,9 @@ fi
 if chosen format; then
   printf '\n=== format\n'
   cd "$root"
-  unformatted=$(find include tests examples benchmarks python \( -name '*.hpp' -o -name '*.cpp' \) | sort | while read -r file; do
-    # Not --dry-run: version 14 objects to the comment that it writes itself behind `namespace a::inline B`.
-    clang-format "$file" | cmp -s - "$file" || echo "$file"
-  done)
+  # Not --dry-run: version 14 objects to the comment that it writes itself behind `namespace a::inline B`.
+  unformatted=$(find include tests examples benchmarks python \( -name '*.hpp' -o -name '*.cpp' \) -print0 |
+    xargs -0 -n 8 -P "$jobs" sh -c 'for file; do clang-format "$file" | cmp -s - "$file" || echo "$file"; done' sh | sort)
   if [ -n "$unformatted" ]; then
     echo "$unformatted"
     fail "stage format: run clang-format -i on the files above"

@@ -174,7 +174,7 @@ package() {
   wheel=$(ls "$clean"/wheel/arenite-*.whl)
   [ "$(stat -c %s "$wheel")" -le 25000000 ] || fail "stage $1: $wheel is larger than 25 MB"
   wait $requirements || fail "stage $1: pip could not install python/tests/requirements.txt"
-  pip install "$wheel" -r "$root/python/tests/requirements.txt" || fail "stage $1: the wheel was not installed"
+  pip install "$wheel" || fail "stage $1: the wheel was not installed"
 }
 if chosen python; then
   printf '\n=== Python\n'

@@ -194,12 +194,13 @@ class Scene:
         self._state = State(core, [*(self._stand_in.hidden if self._stand_in else ()),
                                    *(f"bodies/{k}/points/history/{name}" for k, b in enumerate(self._recipes["bodies"])
                                      for name in b.law.hidden_history())])
-        #: deformable bodies by name
-        self.bodies: Dict[str, Body] = {b.name: Body(self._state, k, b.name)
-                                        for k, b in enumerate(self._recipes["bodies"])}
-        #: rigid bodies by name, or number where one has no name
-        self.rigids: Dict[Union[str, int], RigidState] = {(b.name or k): RigidState(self._state, k, b.name or str(k))
-                                                          for k, b in enumerate(self._recipes["rigids"])}
+        #: deformable bodies by name; rigid bodies by name, or number where one has no name
+        self.bodies, self.rigids = self._views(self._state)
+
+    def _views(self, state: State) -> Tuple[Dict[str, Body], Dict[Union[str, int], RigidState]]:
+        """The bodies whose columns a state has."""
+        return ({b.name: Body(state, k, b.name) for k, b in enumerate(self._recipes["bodies"])},
+                {(b.name or k): RigidState(state, k, b.name or str(k)) for k, b in enumerate(self._recipes["rigids"])})
 
     # --- time
 

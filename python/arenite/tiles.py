@@ -15,7 +15,7 @@ from ._recipe import Recipe
 from .meshes import Mesh
 from .numerics import Numerics
 from .scene import Scene
-from .views import Body, RigidState, State
+from .views import Body, State
 
 
 class _StateOfTile(State):
@@ -33,8 +33,7 @@ class Tile:
     def __init__(self, scene: "TiledScene", number: int) -> None:
         state = _StateOfTile(scene._state, number)
         self.number = number
-        self.bodies = {b.name: Body(state, k, b.name) for k, b in enumerate(scene._recipes["bodies"])}
-        self.rigids = {(b.name or k): RigidState(state, k, b.name or str(k)) for k, b in enumerate(scene._recipes["rigids"])}
+        self.bodies, self.rigids = scene._views(state)
 
     def __repr__(self) -> str:
         return f"<tile {self.number}: {sum(len(b) for b in self.bodies.values())} points>"
@@ -93,7 +92,7 @@ class TiledScene(Scene):
     Functions that `run` is given are called on all ranks, with the scene, whose bodies are those of the rank. An exception on one rank ends
     the run on all of them; `mpirun -n 4 python -m mpi4py program.py` then ends the program.
 
-    Its own composition is compiled on first use (20 to 60 s), and `mpicxx` (or what the environment's MPICXX names) makes the link to MPI."""
+    Its own composition is compiled on first use (20 to 30 s), and `mpicxx` (or what the environment's MPICXX names) makes the link to MPI."""
 
     def __init__(self, kinematics: Recipe, mesh: Mesh, numerics: Numerics, *, ranks: Any = None, tiles: int = 0,
                  weights: Optional[ArrayLike] = None, tile_of_cell: Optional[ArrayLike] = None, rebalance_every: int = 50,

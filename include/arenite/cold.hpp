@@ -37,6 +37,7 @@
 #include <arenite/run/watch_cold.hpp>
 #include <arenite/run/watched_energy_cold.hpp>
 #include <arenite/scene/finish_cold.hpp>
+#include <arenite/scene/ground_at_rest_cold.hpp>
 #include <arenite/scene/ground_cold.hpp>
 #include <arenite/scene/new_scene_warnings_cold.hpp>
 #include <arenite/scene/step_check_cold.hpp>

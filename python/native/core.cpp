@@ -48,6 +48,16 @@ std::invoke_result_t<F> without_lock(F&& f) {
   }
 }
 
+/// A function of a shared object; `without`: what an object lacks that has none.
+template <class Function>
+Function* function_of(const std::string& path, const char* name, const char* without) {
+  void* const object = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
+  if (object == nullptr) throw error(joined_text({"arenite: cannot open ", path, ": ", dlerror()}));
+  const auto found = reinterpret_cast<Function*>(dlsym(object, name));
+  if (found == nullptr) throw error(joined_text({"arenite: ", path, " ", without}));
+  return found;
+}
+
 /// The ranks that have the tiles of scenes: those of MPI, which a shared object of the machine's MPI makes of the address of a
 /// communicator, or this process alone.
 class RanksHandle {
@@ -65,9 +75,7 @@ class RanksHandle {
  private:
   template <class Function>
   static Function* find(const std::string& path, const char* name) {
-    void* const object = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
-    if (object == nullptr) throw error(joined_text({"arenite: cannot open ", path, ": ", dlerror()}));
-    return reinterpret_cast<Function*>(dlsym(object, name));
+    return function_of<Function>(path, name, "makes no ranks of MPI");
   }
   static Ranks* make_ranks(const std::string& path, std::uintptr_t communicator) {
     return find<Ranks*(std::uintptr_t)>(path, "arenite_ranks")(communicator);
@@ -214,12 +222,7 @@ class PluginHandle {
   }
 
   explicit PluginHandle(const std::string& path) : path_{path} {
-    void* const object = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
-    if (object == nullptr) throw error(joined_text({"arenite: cannot open ", path, ": ", dlerror()}));
-    using Find = const Plugin* (*)();
-    const auto find = reinterpret_cast<Find>(dlsym(object, "arenite_plugin"));
-    if (find == nullptr) throw error(joined_text({"arenite: ", path, " holds no compositions"}));
-    plugin_ = find();
+    plugin_ = function_of<const Plugin*()>(path, "arenite_plugin", "holds no compositions")();
     if (plugin_->version != library_version)
       throw error(
           joined_text({"arenite: ", path, " is of version ", plugin_->version, ", not ", library_version}));
@@ -467,14 +470,11 @@ PYBIND11_MODULE(_core, m) {
              const CallFromPython call;
              return kept_times(pvd.path(), pvd_times(pvd.path()), time, resumed);
            })
-      .def("replace",
-           [](PvdWriter& pvd, const std::vector<std::tuple<double, std::string, int>>& files) {
-             std::vector<PvdEntry> entries;
-             for (const auto& [time, file, part] : files) entries.push_back({time, file, part});
-             pvd.replace(std::move(entries));
-           })
-      .def("add",
-           [](PvdWriter& pvd, double time, const std::string& file, int part) { pvd.add(time, file, part); });
+      .def("replace", [](PvdWriter& pvd, const std::vector<std::tuple<double, std::string, int>>& files) {
+        std::vector<PvdEntry> entries;
+        for (const auto& [time, file, part] : files) entries.push_back({time, file, part});
+        pvd.replace(std::move(entries));
+      });
 
   struct Folder {
     std::unique_ptr<RunFolder> held;

@@ -74,12 +74,12 @@ class TilesHost : public HostedScene {
       : tiled_{std::move(tiled)}, make_{std::move(make)}, options_{options} {}
 
   int dimension() const override { return S::D; }
-  double time() const override { return first().time; }
-  double time_step() const override { return first().time_step; }
-  std::size_t steps() const override { return first().steps; }
+  double time() const override { return tiled_.time(); }
+  double time_step() const override { return tiled_.first().time_step; }
+  std::size_t steps() const override { return tiled_.steps(); }
   std::size_t generation() const override { return generation_; }
   double stable_step() const override {
-    return of_all([](S& s) { return s.communicator().least(arenite::stable_step(s)); });
+    return tiled_.of_all([](S& s) { return s.communicator().least(arenite::stable_step(s)); });
   }
   void step(double dt) override {
     ++generation_;
@@ -100,7 +100,7 @@ class TilesHost : public HostedScene {
   std::function<double(bool)> steps(const HostedRun&) override { refuse("steps"); }
   std::vector<HostedWatched> watched() const override { return watched_; }
   double out_of_balance() const override {
-    return of_all([](S& s) { return detail::out_of_balance_for_host(s); });
+    return tiled_.of_all([](S& s) { return detail::out_of_balance_for_host(s); });
   }
   void switch_off_damping() override {
     tiled_.for_each_tile([](S& s) { detail::switch_off_damping(s); });
@@ -127,10 +127,10 @@ class TilesHost : public HostedScene {
   }
   HostedCells cells() const override { refuse("cells"); }
   HostedEnergies energies() const override {
-    return of_all([](S& s) { return detail::energies_for_host(s); });
+    return tiled_.of_all([](S& s) { return detail::energies_for_host(s); });
   }
   std::array<std::vector<double>, 2> reaction(const std::string& wall) const override {
-    return of_all([&](S& s) { return detail::reaction_for_host(s, wall); });
+    return tiled_.of_all([&](S& s) { return detail::reaction_for_host(s, wall); });
   }
 
   HostedTotals fill(std::size_t body, const Value& fill) override {
@@ -144,7 +144,7 @@ class TilesHost : public HostedScene {
   HostedProbes probe(std::size_t, const std::vector<double>&) const override { refuse("probe"); }
   std::vector<double> section_force(std::size_t body, const Value& section, bool of_nodes) const override {
     if (of_nodes) refuse("section_force of nodes");
-    return of_all([&](S& s) { return detail::force_across<false>(s, body, section); });
+    return tiled_.of_all([&](S& s) { return detail::force_across<false>(s, body, section); });
   }
 
   void save(const std::string& path, const std::string& recipe) const override {
@@ -164,21 +164,6 @@ class TilesHost : public HostedScene {
   [[noreturn]] static void refuse(const char* what) {
     throw error(joined_text({what, ": is not there for a scene that is cut into tiles"}));
   }
-  const S& first() const {
-    const S* found = nullptr;
-    tiled_.for_each_tile([&](const S& s) { found = found ? found : &s; });
-    return *found;
-  }
-  /// What `f(scene)` gives for the first tile here; all tiles of all ranks call it.
-  template <class F>
-  auto of_all(F&& f) const {
-    std::optional<std::invoke_result_t<F&, S&>> found;
-    tiled_.together([&](S& s) {
-      auto of_tile = f(s);
-      if (&s == &first()) found = std::move(of_tile);
-    });
-    return *std::move(found);
-  }
   /// Runs in parts: between them the host is called, whose calls may ask all tiles, and which stops on all ranks if it does on one.
   template <class... Observers>
   void go(const HostedRun& run, const RunOptions& options, Observers... observers) {
@@ -190,10 +175,18 @@ class TilesHost : public HostedScene {
       timers.emplace_back(run.periods[k], [&run, k](const S&) { run.due(k); });
     bool asks = false;  // whether a call may have asked to stop
     double due = 0;
+    const auto told = [&ranks](auto&& f) {  // all ranks end with what one throws
+      try {
+        f();
+      } catch (const std::exception& e) {
+        ranks.fail(e.what());
+        throw;
+      }
+    };
     const auto call = [&] {
       for (auto& timer : timers) {
         if (time() < timer.due()) continue;
-        timer(first());
+        timer(tiled_.first());
         asks = true;
       }
       due = std::numeric_limits<double>::infinity();
@@ -201,12 +194,7 @@ class TilesHost : public HostedScene {
     };
     if (run.resumed)
       for (auto& timer : timers) timer.go_on_from(time());
-    try {
-      call();
-    } catch (const std::exception& e) {
-      ranks.fail(e.what());
-      throw;
-    }
+    told([&] { call(); });
     run_of_tiles.begin();
     using Clock = std::chrono::steady_clock;
     int most = 1;
@@ -217,13 +205,10 @@ class TilesHost : public HostedScene {
       // The host is called some times a second.
       const double took = std::chrono::duration<double>(Clock::now() - start).count();
       most = took < 0.02 ? std::min(2 * most, 1 << 20) : took > 0.1 ? std::max(most / 2, 1) : most;
-      try {
+      told([&] {
         call();
         if (run.after_step) stops = run.after_step();
-      } catch (const std::exception& e) {
-        ranks.fail(e.what());
-        throw;
-      }
+      });
       if (asks || run.each_step) stops = ranks.least(stops ? 0 : 1) == 0;
       asks = false;
     }
@@ -234,7 +219,7 @@ class TilesHost : public HostedScene {
   template <class F>
   HostedTotals change(F&& f) {
     ++generation_;
-    return of_all([&](S& s) {
+    return tiled_.of_all([&](S& s) {
       HostedTotals all = f(s);
       auto count = static_cast<double>(all.count);
       all.momentum.resize(static_cast<std::size_t>(S::D));

@@ -1,4 +1,4 @@
-// Ground: what geostatic stresses take from a scene, and whether the ground is at rest in its first step.
+// Ground: what geostatic stresses take from a scene.
 #pragma once
 // SPDX-License-Identifier: BSD-3-Clause
 
@@ -16,16 +16,6 @@
 #include <arenite/scene/roles.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
-
-/// A body whose stress is that of a ground at rest, until the first step has shown whether it is.
-struct GroundAtRest {
-  std::size_t body;
-  int per_cell;
-  bool even;
-  double jitter;
-  std::array<double, 3> gravity;  ///< m/s2
-  InitialStress stress;           ///< as the position has it
-};
 
 namespace detail {
 
@@ -80,8 +70,6 @@ auto ground_fills(const Recipe& recipe) {
 /// Whether any of them is geostatic; gives the regions their bounds.
 bool begin_grounds(std::span<GroundFill> fills, std::size_t dimensions);
 std::vector<Ground> grounds_of(std::span<const GroundFill> fills, const Ground& common, double close);
-std::vector<GroundAtRest> grounds_at_rest(std::span<const GroundFill> fills,
-                                          const std::vector<Ground>& grounds, int per_cell);
 
 /// The ground of each body of a recipe: gravity, and the layers above it. A layer is another body with a
 /// geostatic stress, whose region lies wholly above.
@@ -107,147 +95,6 @@ std::vector<Ground> grounds_of(const Scene& scene, const Recipe& recipe) {
               }
       }
   return grounds_of(fills, common, 1e-6 * static_cast<double>(scene.mesh.size(0)));
-}
-
-/// The bodies of a new scene that are to be at rest.
-template <class M, class Recipe>
-std::vector<GroundAtRest> grounds_at_rest(const Recipe& recipe, const std::vector<Ground>& grounds) {
-  return grounds_at_rest(ground_fills(recipe), grounds, FillOptions{}.template points_in_cell<M>());
-}
-
-/// Places of the Gauss points of what a point stands for from its middle, m: two along each axis of a grid,
-/// one more than dimensions in a simplex. `volume` of the matter, m^D: a part of a sub-cell is one of its
-/// height along the axis `vertical`.
-template <class T, int D>
-Places<Vec<T, D>> gauss_offsets(const CellBox<T, D>& cell, const GroundAtRest& ground, T volume,
-                                int vertical);
-template <class M>
-Places<typename M::Point> gauss_offsets(const M& mesh, Index cell, const GroundAtRest& ground,
-                                        [[maybe_unused]] typename M::scalar volume,
-                                        [[maybe_unused]] int vertical) {
-  if constexpr (is_simplex_mesh<M>) {
-    using T = typename M::scalar;
-    constexpr int D = M::dimension;
-    Places<typename M::Point> offsets;
-    auto centre = zeros<typename M::Point>();
-    for (const Index i : mesh.nodes(cell)) centre += mesh.position(i) / static_cast<T>(D + 1);
-    const auto scale = static_cast<T>(std::pow(ground.per_cell, -1.0 / D) / std::sqrt(D + 2.0));
-    for (const Index i : mesh.nodes(cell)) offsets.push_back(scale * (mesh.position(i) - centre));
-    return offsets;
-  } else {
-    return gauss_offsets(cell_box(mesh, cell), ground, volume, vertical);
-  }
-}
-
-/// A shape function in a cell as lists.
-template <class T, int D>
-struct ListedShape {
-  std::vector<Index> nodes;
-  std::vector<T> weight, gradient;  // -, and [nodes x D], 1/m
-};
-
-/// A scene after its first step from rest, as the check of its ground reads it.
-template <class T, int D>
-class RestingScene {
- public:
-  using V = Vec<T, D>;
-  struct OfBody {
-    const VectorColumns<T, D>*position, *velocity;
-    const Column<T>* volume;
-    const TensorColumns<T, D>* stress;
-    const std::vector<Index>* cell;
-    double density;
-  };
-
-  /// Nodes of a cell; with a position, m, also weights and gradients there.
-  virtual void shape(Index cell, const V* x, ListedShape<T, D>& shape) const = 0;
-  virtual Places<V> offsets(Index cell, const GroundAtRest& ground, T volume, int vertical) const = 0;
-  virtual T thickness(const V& x) const = 0;
-  virtual V node_position(Index node) const = 0;
-
-  std::span<const OfBody> bodies{};
-  std::span<const GroundAtRest> at_rest{};
-  std::span<const std::span<const T>> masses{};  // of each field, kg
-  std::vector<V> before{}, after{};              // forces, N, [nodes]
-  Index cell_count = 0;
-  bool hoop = false;
-};
-
-/// Warns if ground that is to be at rest is not: if forces out of balance at its nodes, beyond what the
-/// points' sums leave of them, are above a thousandth of its weight. `before`: the forces without contact.
-/// Nodes do not count in cells where contact with walls and rigid bodies changes them, which may hold the
-/// ground or set out to move it, nor those that other bodies in motion reach.
-template <class T, int D>
-void check_rest(const RestingScene<T, D>& scene);
-
-template <class Scene>
-class RestingSceneOf final : public RestingScene<typename Scene::T, Scene::D> {
- public:
-  using T = typename Scene::T;
-  using V = typename Scene::V;
-
-  explicit RestingSceneOf(const Scene& scene) : scene_{scene} {}
-  void shape(Index c, const V* x, ListedShape<T, Scene::D>& shape) const override {
-    const typename Scene::Shape::template Cell<typename Scene::Mesh> cell(scene_.mesh, c);
-    shape.nodes.assign(cell.nodes.begin(), cell.nodes.end());
-    if (!x) return;
-    const auto w = cell.weights(*x);
-    const auto gradient = cell.gradients(*x);
-    shape.weight.resize(shape.nodes.size());
-    shape.gradient.resize(shape.nodes.size() * Scene::D);
-    std::size_t next = 0;
-    for (int i = 0; i < cell.size; ++i) {
-      shape.weight[static_cast<std::size_t>(i)] = w[i];
-      for (int b = 0; b < Scene::D; ++b) shape.gradient[next++] = gradient(b, i);
-    }
-  }
-  Places<V> offsets(Index cell, const GroundAtRest& ground, T volume, int vertical) const override {
-    return gauss_offsets(scene_.mesh, cell, ground, volume, vertical);
-  }
-  T thickness(const V& x) const override { return Scene::Kinematics::thickness(x); }
-  V node_position(Index node) const override { return Scene::Shape::node_position(scene_.mesh, node); }
-
- private:
-  const Scene& scene_;
-};
-
-/// Forces that move the nodes in a first step of a scene from rest, N, [nodes]; none if there is nothing to
-/// check.
-template <class Scene>
-std::vector<typename Scene::V> forces_from_rest(const Scene& scene, double dt) {
-  std::vector<typename Scene::V> force;
-  if (scene.at_rest.empty() || scene.steps > 0) return force;
-  force.assign(scene.fields[0].size(), zeros<typename Scene::V>());
-  for (const auto& field : scene.fields)
-    for (std::size_t i = 0; i < field.size(); ++i)
-      if (field.mass[i] > 0)
-        for (int k = 0; k < Scene::D; ++k)
-          force[i][k] += field.mass[i] * field.velocity[i][k] / static_cast<typename Scene::T>(dt);
-  return force;
-}
-
-/// `check_rest` of a scene.
-template <class Scene>
-void check_rest(Scene& scene, double dt, const std::vector<typename Scene::V>& before) {
-  if (before.empty()) return;
-  RestingSceneOf<Scene> resting(scene);
-  resting.at_rest = scene.at_rest;
-  resting.before = before;
-  resting.after = forces_from_rest(scene, dt);
-  resting.cell_count = scene.mesh.cell_count();
-  resting.hoop = Scene::Kinematics::hoop;
-  auto masses = by_body<std::span<const typename Scene::T>, Scene::field_count>(scene.fields.size());
-  for (std::size_t f = 0; f < masses.size(); ++f) masses[f] = scene.fields[f].mass;
-  auto bodies = by_body<typename RestingSceneOf<Scene>::OfBody, Scene::body_count>(scene.number_of_bodies());
-  std::size_t number = 0;
-  scene.for_each_body([&](const auto& body, const auto&) {
-    const auto& p = body.points;
-    bodies[number++] = {&p.position, &p.velocity, &p.volume, &p.stress, &p.cell, body.law.density()};
-  });
-  resting.masses = masses;
-  resting.bodies = bodies;
-  check_rest<typename Scene::T, Scene::D>(resting);
-  scene.at_rest.clear();
 }
 
 }  // namespace detail

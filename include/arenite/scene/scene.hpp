@@ -15,7 +15,7 @@
 #include <arenite/particles/measures.hpp>
 #include <arenite/particles/relocate.hpp>
 #include <arenite/scene/complete.hpp>
-#include <arenite/scene/ground.hpp>
+#include <arenite/scene/ground_at_rest.hpp>
 #include <arenite/scene/new_scene_warnings.hpp>
 #include <arenite/scene/parts.hpp>
 #include <arenite/scene/roles.hpp>

@@ -9,6 +9,7 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <thread>
 #include <type_traits>
 #include <utility>
@@ -61,8 +62,10 @@ class Tiled {
   Ranks& ranks() const { return all_->ranks(); }
   const TilesOfRank& shared() const { return *all_; }
   /// s, and number of steps; the same of all tiles.
-  double time() const { return here_.front().scene->time; }
-  std::size_t steps() const { return here_.front().scene->steps; }
+  double time() const { return first().time; }
+  std::size_t steps() const { return first().steps; }
+  /// The first tile here.
+  const S& first() const { return *here_.front().scene; }
 
   /// Calls `f(scene)` for each tile here, one after another: it must not use the communicator.
   template <class F>
@@ -117,27 +120,33 @@ class Tiled {
   /// The sum of a number `of(scene)` over all tiles, or the least of them: asked on all ranks, which get the same.
   template <class Of>
   double sum(Of&& of) const {
-    return of_all(of, [](const S& scene, double number) {
+    return of_all([&](const S& scene) {
+      auto number = static_cast<double>(of(scene));
       sum_over(scene.communicator(), number);
       return number;
     });
   }
   template <class Of>
   double least(Of&& of) const {
-    return of_all(of, [](const S& scene, double number) { return scene.communicator().least(number); });
+    return of_all([&](const S& scene) { return scene.communicator().least(static_cast<double>(of(scene))); });
+  }
+
+  /// What `f(scene)` gives for the first tile here; all tiles of all ranks call it.
+  template <class F>
+  auto of_all(F&& f) {
+    std::optional<std::invoke_result_t<F&, S&>> found;
+    together([&](S& scene) {
+      auto of_tile = f(scene);
+      if (&scene == &first()) found = std::move(of_tile);
+    });
+    return *std::move(found);
+  }
+  template <class F>
+  auto of_all(F&& f) const {
+    return const_cast<Tiled&>(*this).of_all([&](S& scene) { return f(std::as_const(scene)); });
   }
 
  private:
-  template <class Of, class Join>
-  double of_all(Of& of, Join&& join) const {
-    double found = 0;
-    const_cast<Tiled&>(*this).together([&](S& scene) {
-      const double joined = join(scene, static_cast<double>(of(std::as_const(scene))));
-      if (&scene == here_.front().scene.get()) found = joined;
-    });
-    return found;
-  }
-
   friend class detail::TileMaker<S>;
   Tiled() = default;
 
@@ -155,7 +164,7 @@ class Tiled {
   /// Gives the points of all tiles ids of their own, tile by tile; those that are inserted later get others.
   void number_points() {
     const auto counts = count_points();
-    const S& any = *here_.front().scene;
+    const S& any = first();
     const std::uint64_t given = any.template part<PointIds>().first - any.point_count();
     std::uint64_t all = given;
     for (const auto n : counts) all += static_cast<std::uint64_t>(n);

@@ -1,0 +1,188 @@
+// Cold functions of ground_at_rest.hpp.
+#pragma once
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include <arenite/core/warning.hpp>
+#include <arenite/scene/ground_at_rest.hpp>
+
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
+namespace detail {
+
+ARENITE_COLD std::vector<GroundAtRest> grounds_at_rest(std::span<const GroundFill> fills,
+                                                       const std::vector<Ground>& grounds, int per_cell) {
+  std::vector<GroundAtRest> at_rest;
+  bool may_move = false;
+  for (std::size_t f = 0; f < fills.size(); ++f) {
+    if (!fills[f].is_geostatic()) continue;
+    const FillOptions& o = *fills[f].options;
+    may_move = may_move || o.stress->geostatic()->may_move;
+    at_rest.push_back({f, o.per_cell.value_or(per_cell), o.even, o.jitter, grounds[f].gravity,
+                       o.stress->in(grounds[f], fills[f].layer.density)});
+  }
+  if (may_move) at_rest.clear();
+  return at_rest;
+}
+
+template <class T, int D>
+ARENITE_COLD Places<Vec<T, D>> gauss_offsets(const CellBox<T, D>& cell, const GroundAtRest& ground, T volume,
+                                             int vertical) {
+  Places<Vec<T, D>> offsets;
+  const auto along =
+      ground.even ? even_counts<T, D>(ground.per_cell, cell.extent) : lattice_counts<D>(ground.per_cell);
+  Vec<T, D> edges = cell.extent;
+  for (int k = 0; k < D; ++k) edges[k] /= static_cast<T>(along[static_cast<std::size_t>(k)]);
+  edges[vertical] *= volume / edges.prod();
+  for (int corner = 0; corner < 1 << D; ++corner) {
+    Vec<T, D> x;
+    for (int k = 0; k < D; ++k) {
+      x[k] = edges[k] / static_cast<T>(2 * std::sqrt(3.0));
+      if (corner >> k & 1) x[k] = -x[k];
+    }
+    offsets.push_back(x);
+  }
+  return offsets;
+}
+
+/// Which of the bodies at rest a body is; null: none.
+ARENITE_COLD const GroundAtRest* ground_of_body(std::span<const GroundAtRest> at_rest, std::size_t body) {
+  for (const GroundAtRest& ground : at_rest)
+    if (ground.body == body) return &ground;
+  return nullptr;
+}
+
+/// What the points' sums over the nodes leave of forces that are in balance, N, [nodes]: those sums less the
+/// integrals over the points' sub-cells. A midpoint rule is not exact for splines cut off at the surface and
+/// at walls. `asked`: [nodes] for which it is to be known.
+template <class T, int D>
+ARENITE_COLD std::vector<Vec<T, D>> sum_errors(const RestingScene<T, D>& scene,
+                                               const std::vector<char>& asked) {
+  using V = Vec<T, D>;
+  std::vector<V> error(asked.size(), zeros<V>());
+  const auto& g = scene.at_rest.front().gravity;
+  const auto vertical = static_cast<int>(Ground{.gravity = g}.axis());
+  ListedShape<T, D> shape;
+  for (std::size_t number = 0; number < scene.bodies.size(); ++number) {
+    const GroundAtRest* const ground = ground_of_body(scene.at_rest, number);
+    if (!ground || ground->jitter > 0) continue;
+    const auto& body = scene.bodies[number];
+    for (std::size_t p = 0; p < body.cell->size(); ++p) {
+      const Index c = (*body.cell)[p];
+      scene.shape(c, nullptr, shape);
+      bool is_asked = false;
+      for (const Index i : shape.nodes) is_asked = is_asked || asked[i] != 0;
+      if (!is_asked) continue;
+      const V middle = (*body.position)[p];
+      const auto add = [&](const V& x, const Sym<T, D>& stress, T share) {
+        const T volume = share * (*body.volume)[p] * scene.thickness(x) / scene.thickness(middle);
+        scene.shape(c, &x, shape);
+        for (std::size_t i = 0; i < shape.nodes.size(); ++i) {
+          V& force = error[shape.nodes[i]];
+          const T w = shape.weight[i];
+          for (int a = 0; a < D; ++a) {
+            force[a] += volume * static_cast<T>(body.density * g[static_cast<std::size_t>(a)]) * w;
+            for (int b = 0; b < D; ++b)
+              force[a] -= volume * stress(a, b) * shape.gradient[i * D + static_cast<std::size_t>(b)];
+          }
+          if (scene.hoop) force[0] -= volume * stress[2] * w / x[0];
+        }
+      };
+      add(middle, (*body.stress)[p], 1);
+      const auto offsets = scene.offsets(c, *ground, (*body.volume)[p] / scene.thickness(middle), vertical);
+      for (const V& offset : offsets) {
+        V x;
+        for (int k = 0; k < D; ++k) x[k] = middle[k] + offset[k];
+        add(x, ground->stress.at(x), T(-1) / static_cast<T>(offsets.size()));
+      }
+    }
+  }
+  return error;
+}
+
+template <class T, int D>
+ARENITE_COLD void check_rest(const RestingScene<T, D>& scene) {
+  const std::size_t nodes = scene.before.size();
+  std::vector<char> counts(nodes, 0);
+  ListedShape<T, D> shape;
+  bool still = true;
+  for (const bool moving : {false, true}) {  // what moves has the last word
+    for (std::size_t number = 0; number < scene.bodies.size(); ++number) {
+      const auto& body = scene.bodies[number];
+      const bool is_ground = ground_of_body(scene.at_rest, number) != nullptr;
+      bool moves = false;
+      for (int k = 0; k < D; ++k)
+        for (const T v : body.velocity->column(static_cast<std::size_t>(k))) moves = moves || v != 0;
+      still = still && !(is_ground && moves);
+      if (moving ? !moves : !is_ground) continue;
+      Index marked = none;
+      for (const Index c : *body.cell) {
+        if (c == none || c == marked) continue;
+        marked = c;
+        scene.shape(c, nullptr, shape);
+        for (const Index i : shape.nodes) counts[i] = !moving;
+      }
+    }
+  }
+  if (!still) return;
+  const auto norm = [](const Vec<T, D>& v) { return static_cast<double>(std::sqrt(dot(v, v))); };
+  const auto& gravity = scene.at_rest.front().gravity;
+  const double g = in_scene<D>(gravity).norm();
+  double weight = 0;
+  for (const auto& mass : scene.masses)
+    for (std::size_t i = 0; i < nodes; ++i)
+      if (counts[i]) weight += static_cast<double>(mass[i]) * g;
+  const double little = 1e-6 * weight / static_cast<double>(nodes);
+  for (Index c = 0; c < scene.cell_count; ++c) {
+    scene.shape(c, nullptr, shape);
+    bool changed = false;
+    for (const Index i : shape.nodes) {
+      Vec<T, D> change;
+      for (int k = 0; k < D; ++k) change[k] = scene.after[i][k] - scene.before[i][k];
+      changed = changed || norm(change) > little;
+    }
+    if (changed)
+      for (const Index i : shape.nodes) counts[i] = 0;
+  }
+  const auto out = [&](std::size_t i) { return counts[i] ? norm(scene.after[i]) : 0.0; };
+  double all = 0, most = 0;
+  for (std::size_t i = 0; i < nodes; ++i) all += out(i);
+  std::size_t worst = 0;
+  if (all > 1e-3 * weight) {
+    std::vector<char> asked;
+    for (std::size_t i = 0; i < nodes; ++i) asked.push_back(out(i) > little);
+    const auto error = sum_errors(scene, asked);
+    all = 0;
+    for (std::size_t i = 0; i < nodes; ++i) {
+      const double force = std::max(0.0, out(i) - 1.01 * norm(error[i]));
+      all += force;
+      if (force > most) most = force, worst = i;
+    }
+  }
+  if (!(all > 1e-3 * weight)) return;
+  double jitter = 0;
+  for (const GroundAtRest& ground : scene.at_rest) jitter = std::max(jitter, ground.jitter);
+  const std::string random =
+      jitter > 0
+          ? joined_text({" Its points have a jitter of ", jitter,
+                         ", and sums over random places leave forces: fill it without, or let it settle."})
+          : "";
+  warn(joined_text(
+      {"the ground is not at rest: in the first step ", std::round(1000 * all / weight) / 10,
+       " % of its weight is out of balance, most of it about ",
+       vector_text(scene.node_position(static_cast<Index>(worst))), " m.", random,
+       " Stress is Geostatic: do walls hold the sides and the bottom, is Geostatic.surface where "
+       "matter ends and level, is all that lies on the ground in Geostatic.surcharge, or has it a "
+       "Geostatic of its own? Ground that is meant to move: Geostatic.may_move"}));
+}
+
+#define ARENITE_INSTANCES(T, D)                                                                \
+  template Places<Vec<T, D>> gauss_offsets(const CellBox<T, D>&, const GroundAtRest&, T, int); \
+  template void check_rest(const RestingScene<T, D>&);
+ARENITE_FOR_NUMBERS_AND_DIMENSIONS(ARENITE_INSTANCES)
+#undef ARENITE_INSTANCES
+
+}  // namespace detail
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

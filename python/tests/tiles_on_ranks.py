@@ -96,7 +96,8 @@ def points(folder):
     away, back = ar.remove_points(of, "sand", corner), ar.fill_points(of, "sand", corner)
     whole = of.sum(lambda tile: float(np.sum(tile.bodies["sand"].mass)))
     say(away.points, away.mass, back.points, back.mass, whole, len(of.bodies["sand"]) == sum(len(t.bodies["sand"]) for t in of.tiles))
-    for ask in (lambda: ar.probe(of, "sand", [(0.1, 0.05)]), lambda: of.copy(), lambda: next(of.steps()), lambda: of.cells):
+    say(*ar.probe(of, "sand", [(0.05, 0.03), (0.1, 0.05), (0.3, 0.15)]).stress.ravel())
+    for ask in (lambda: of.copy(), lambda: next(of.steps()), lambda: of.cells):
         try:
             ask()
         except ar.Error as e:

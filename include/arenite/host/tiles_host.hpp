@@ -141,7 +141,9 @@ class TilesHost : public HostedScene {
     if (where.array() != nullptr) refuse("remove by numbers of points");
     return change([&](S& s) { return detail::remove_where(s, body, where); });
   }
-  HostedProbes probe(std::size_t, const std::vector<double>&) const override { refuse("probe"); }
+  HostedProbes probe(std::size_t body, const std::vector<double>& places) const override {
+    return tiled_.of_all([&](S& s) { return detail::probe_places(s, body, places); });
+  }
   std::vector<double> section_force(std::size_t body, const Value& section, bool of_nodes) const override {
     if (of_nodes) refuse("section_force of nodes");
     return tiled_.of_all([&](S& s) { return detail::force_across<false>(s, body, section); });

@@ -5,10 +5,14 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
+#include <limits>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include <arenite/core/vector_argument.hpp>
+#include <arenite/mesh/window_grid.hpp>
 #include <arenite/scene/scene.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
@@ -51,8 +55,9 @@ std::vector<Index> cells_about(const M& mesh, Index cell) {
     const auto place = mesh.place(cell);
     for (std::size_t k = 0; k < D; ++k) {
       count[k] = mesh.cells(static_cast<int>(k));
-      from[k] = place[k] < Shape::halo ? 0 : place[k] - Shape::halo;
-      to[k] = std::min(place[k] + Shape::halo + 1, count[k]);
+      const Index at = place[k] - first_cell(mesh, static_cast<int>(k));
+      from[k] = at < Shape::halo ? 0 : at - Shape::halo;
+      to[k] = std::min(at + Shape::halo + 1, count[k]);
     }
     for (Index z = from[2]; z < to[2]; ++z)
       for (Index y = from[1]; y < to[1]; ++y)
@@ -61,61 +66,96 @@ std::vector<Index> cells_about(const M& mesh, Index cell) {
   return cells;
 }
 
-}  // namespace detail
-
-/// Velocity and stress of a body at a place: those that its points give to the nodes there, by mass and by
-/// volume, interpolated from the nodes. Constant fields come out as they are. Nothing if the place lies
-/// outside of the mesh, or if none of its nodes has matter. `probe<"sand">(scene, {0.1, 0.2, 0})`.
-template <Name which = "", class Scene>
-std::optional<Probed<Scene::D>> probe(const Scene& scene, const std::array<double, 3>& place) {
-  static_assert(!Scene::is_portion,
-                "probe: a scene over a portion of a mesh knows only its own part of the matter");
+/// What the points of a body give to the nodes of a cell, [nodes x (2 + D + stresses)]: mass, kg, volume, m^D,
+/// momentum, and volume times stress.
+template <class Scene, class Body, class Cell>
+std::vector<double> sums_at_nodes(const Scene& scene, const Body& body, const Cell& here, Index cell,
+                                  std::size_t size) {
   using T = typename Scene::T;
-  using Shape = typename Scene::Shape;
-  using Cell = typename Shape::template Cell<typename Scene::Mesh>;
-  constexpr int D = Scene::D;
-  const auto& body = scene.template body<which>();
-  const auto x = vector_argument<T, D>("probe: place", place);
-  const Index cell = detail::cell_of_place(scene.mesh, x);
-  if (cell == none) return std::nullopt;
-  const Cell here(scene.mesh, cell);
-  struct Node {
-    double mass = 0, volume = 0;
-    Probed<D> sum{};  // momentum, and volume times stress
-  };
-  std::array<Node, std::tuple_size_v<decltype(here.nodes)>> nodes;
-  for (const Index c : detail::cells_about<Shape>(scene.mesh, cell))
+  constexpr auto D = static_cast<std::size_t>(Scene::D);
+  std::vector<double> sums(here.nodes.size() * size);
+  for (const Index c : cells_about<typename Scene::Shape>(scene.mesh, cell))
     for (const Index p : body.cells[c]) {
       // Points have moved since they were listed.
       const Index now = scene.mesh.walk(body.points.position[p], c);
       if (now == none) continue;
       const Cell there(scene.mesh, now);
       const auto weights = there.weights(body.points.position[p]);
-      const Sym<T, D> stress = body.points.stress[p];
-      for (std::size_t k = 0; k < nodes.size(); ++k)
-        for (std::size_t j = 0; j < nodes.size(); ++j) {
+      const Vec<T, Scene::D> velocity = body.points.velocity[p];
+      const Sym<T, Scene::D> stress = body.points.stress[p];
+      for (std::size_t k = 0; k < here.nodes.size(); ++k)
+        for (std::size_t j = 0; j < there.nodes.size(); ++j) {
           if (there.nodes[j] != here.nodes[k]) continue;
           const auto w = static_cast<double>(weights[static_cast<int>(j)]);
           const double m = w * static_cast<double>(body.points.mass[p]);
           const double v = w * static_cast<double>(body.points.volume[p]);
-          nodes[k].mass += m;
-          nodes[k].volume += v;
-          nodes[k].sum.velocity += m * body.points.velocity[p].template cast<double>();
-          for (std::size_t s = 0; s < Sym<double, D>::size; ++s)
-            nodes[k].sum.stress[s] += v * static_cast<double>(stress[s]);
+          double* const of_node = &sums[k * size];
+          of_node[0] += m;
+          of_node[1] += v;
+          for (std::size_t a = 0; a < D; ++a)
+            of_node[2 + a] += m * static_cast<double>(velocity[static_cast<int>(a)]);
+          for (std::size_t s = 2 + D; s < size; ++s) of_node[s] += v * static_cast<double>(stress[s - 2 - D]);
         }
     }
-  const auto weights = here.weights(x);
+  return sums;
+}
+
+/// The cell of a place that all tiles mean, which on a cut of the mesh may be one of several; `none` in tiles
+/// that do not have it. Whether there is one.
+template <class Scene>
+bool agree_on_cell(const Scene& scene, Index& cell) {
+  if constexpr (Scene::is_portion) {
+    constexpr double nowhere = std::numeric_limits<double>::infinity();
+    const auto& numbers = scene.portion().whole_cell;
+    const double least =
+        scene.communicator().least(cell == none ? nowhere : static_cast<double>(numbers[cell]));
+    if (!(least < nowhere)) return false;
+    const auto whole = static_cast<std::uint64_t>(least);
+    const auto at = std::ranges::lower_bound(numbers, whole);
+    cell = at != numbers.end() && *at == whole ? static_cast<Index>(at - numbers.begin()) : none;
+    return true;
+  } else {
+    return cell != none;
+  }
+}
+
+}  // namespace detail
+
+/// Velocity and stress of a body at a place: those that its points give to the nodes there, by mass and by
+/// volume, interpolated from the nodes. Constant fields come out as they are. Nothing if the place lies
+/// outside of the mesh, or if none of its nodes has matter. Of a scene over a portion of a mesh: asked of all portions, which get the same.
+/// `probe<"sand">(scene, {0.1, 0.2, 0})`.
+template <Name which = "", class Scene>
+std::optional<Probed<Scene::D>> probe(const Scene& scene, const std::array<double, 3>& place) {
+  using T = typename Scene::T;
+  using Cell = typename Scene::Shape::template Cell<typename Scene::Mesh>;
+  constexpr int D = Scene::D;
+  constexpr std::size_t stresses = Sym<double, D>::size, size = 2 + D + stresses;
+  const auto& body = scene.template body<which>();
+  const auto x = vector_argument<T, D>("probe: place", place);
+  Index cell = detail::cell_of_place(scene.mesh, x);
+  if (!detail::agree_on_cell(scene, cell)) return std::nullopt;
+  const Cell here(scene.mesh, cell == none ? 0 : cell);
+  std::vector<double> nodes(here.nodes.size() * size);
+  if (cell != none) nodes = detail::sums_at_nodes(scene, body, here, cell, size);
+  bool interpolates = true;
+  if constexpr (Scene::is_portion) {
+    scene.communicator().sum(std::span<double>(nodes));
+    interpolates = cell != none && scene.portion().owns_cell(cell);
+  }
   Probed<D> found;
   double share = 0;  // of the nodes that have matter
-  for (std::size_t k = 0; k < nodes.size(); ++k) {
-    const Node& n = nodes[k];
+  const auto weights = here.weights(x);
+  for (std::size_t k = 0; k < here.nodes.size() && interpolates; ++k) {
+    const double* const of_node = &nodes[k * size];
+    const double mass = of_node[0], volume = of_node[1];
     const auto w = static_cast<double>(weights[static_cast<int>(k)]);
-    if (!(n.mass > 0 && n.volume > 0 && w > 0)) continue;
+    if (!(mass > 0 && volume > 0 && w > 0)) continue;
     share += w;
-    found.velocity += w / n.mass * n.sum.velocity;
-    for (std::size_t s = 0; s < Sym<double, D>::size; ++s) found.stress[s] += w / n.volume * n.sum.stress[s];
+    for (std::size_t a = 0; a < D; ++a) found.velocity[static_cast<int>(a)] += w / mass * of_node[2 + a];
+    for (std::size_t s = 0; s < stresses; ++s) found.stress[s] += w / volume * of_node[2 + D + s];
   }
+  sum_over(scene.communicator(), share, found.velocity, found.stress.c);
   if (!(share > 0)) return std::nullopt;
   found.velocity /= share;
   for (double& s : found.stress.c) s /= share;

@@ -145,8 +145,10 @@ class TilesHost : public HostedScene {
     return tiled_.of_all([&](S& s) { return detail::probe_places(s, body, places); });
   }
   std::vector<double> section_force(std::size_t body, const Value& section, bool of_nodes) const override {
-    if (of_nodes) refuse("section_force of nodes");
-    return tiled_.of_all([&](S& s) { return detail::force_across<false>(s, body, section); });
+    return tiled_.of_all([&](S& s) {
+      return of_nodes ? detail::force_across<true>(s, body, section)
+                      : detail::force_across<false>(s, body, section);
+    });
   }
 
   void save(const std::string& path, const std::string& recipe) const override {

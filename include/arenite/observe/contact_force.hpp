@@ -12,9 +12,6 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 /// impulses says it gave: its member `contact_impulse(field)`, N s, if it has one. Zero before the first step.
 template <class Scene>
 typename Scene::V contact_force(const Scene& scene, std::size_t k) {
-  static_assert(
-      !Scene::is_portion,
-      "contact_force: of scenes over portions of a mesh each knows only its own part of the contact");
   static_assert(Scene::Needs::own_fields || Scene::body_count == 1,
                 "contact_force: the bodies move in one velocity field, which tells no force on one of them; "
                 "give the scene a contact: Coulomb{..}");
@@ -24,6 +21,7 @@ typename Scene::V contact_force(const Scene& scene, std::size_t k) {
   scene.for_each_part([&](const auto& part) {
     if constexpr (requires { part.contact_impulse(k); }) sum += part.contact_impulse(Scene::field_of(k));
   });
+  sum_over(scene.communicator(), sum);
   return sum / static_cast<typename Scene::T>(scene.time_step);
 }
 

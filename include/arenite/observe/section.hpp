@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <span>
 #include <vector>
 
 #include <arenite/core/error.hpp>
@@ -60,17 +61,6 @@ Vec<double, Scene::D> section_force(const Scene& scene, const Section& section, 
   return force;
 }
 
-namespace detail {
-
-/// Of a body's node: mass, kg; that of points in front of a cut; internal force, N, with its sign turned.
-template <int D>
-struct CutNode {
-  double mass = 0, in_front = 0;
-  Vec<double, D> force = zeros<Vec<double, D>>();
-};
-
-}  // namespace detail
-
 /// The section force in the momentum balance of the nodes, through a cut of the whole body: the internal forces of the
 /// body's nodes, each for the share of its mass that is of points in front of the cut. Both sides get
 /// opposite forces, and at rest each is in balance with its weight to what forces are out of balance, also
@@ -80,10 +70,6 @@ struct CutNode {
 /// and radial forces in axisymmetry go without the hoop.
 template <Name which = "", class Scene>
 Vec<double, Scene::D> nodal_section_force(const Scene& scene, const Section& section) {
-  static_assert(!Scene::is_portion,
-                "nodal_section_force: a scene over a portion of a mesh knows only its own part of the "
-                "matter; section_force "
-                "sums over all");
   constexpr int D = Scene::D;
   using V = Vec<double, D>;
   using Shape = typename Scene::Shape;
@@ -91,7 +77,9 @@ Vec<double, Scene::D> nodal_section_force(const Scene& scene, const Section& sec
           "must be given, positive");
   const V through = vector_argument<double, D>("Section.through", section.through);
   const V normal = direction_argument<double, D>("Section.normal", section.normal).normalized();
-  std::vector<detail::CutNode<D>> nodes(static_cast<std::size_t>(Shape::node_count(scene.mesh)));
+  // Of each node: mass, kg; that of points in front of the cut; internal force, N, with its sign turned.
+  constexpr std::size_t size = 2 + D;
+  std::vector<double> nodes(size * static_cast<std::size_t>(Shape::node_count(scene.mesh)));
   const auto& body = scene.template body<which>();
   const auto& points = body.points;
   for (Index c = 0; c < scene.mesh.cell_count(); ++c) {
@@ -106,20 +94,25 @@ Vec<double, Scene::D> nodal_section_force(const Scene& scene, const Section& sec
                    place = std::clamp(2 * distance / section.thickness, -1.0, 1.0),
                    share = place < 0 ? square(1 + place) / 2 : 1 - square(1 - place) / 2;
       for (int i = 0; i < static_cast<int>(cell.nodes.size()); ++i) {
-        auto& node = nodes[cell.nodes[static_cast<std::size_t>(i)]];
+        double* const node = &nodes[size * cell.nodes[static_cast<std::size_t>(i)]];
         const double mass = static_cast<double>(points.mass[p]) * static_cast<double>(w[i]);
-        node.mass += mass;
-        node.in_front += share * mass;
+        node[0] += mass;
+        node[1] += share * mass;
         for (int a = 0; a < D; ++a)
           for (int b = 0; b < D; ++b)
-            node.force[a] += static_cast<double>(points.volume[p]) * static_cast<double>(stress(a, b)) *
-                             static_cast<double>(gradient(b, i));
+            node[2 + a] += static_cast<double>(points.volume[p]) * static_cast<double>(stress(a, b)) *
+                           static_cast<double>(gradient(b, i));
       }
     }
   }
+  const auto owns = scene.node_owner();
+  if constexpr (Scene::is_portion) scene.communicator().sum_nodes(std::span<double>(nodes), size);
   V force = zeros<V>();
-  for (const auto& node : nodes)
-    if (node.mass > 0) force += node.in_front / node.mass * node.force;
+  for (std::size_t n = 0; n < nodes.size(); n += size)
+    if (nodes[n] > 0 && owns(static_cast<Index>(n / size)))
+      for (int a = 0; a < D; ++a)
+        force[a] += nodes[n + 1] / nodes[n] * nodes[n + 2 + static_cast<std::size_t>(a)];
+  sum_over(scene.communicator(), force);
   return force;
 }
 

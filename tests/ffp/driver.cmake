@@ -1,4 +1,4 @@
-# tests/ffp/driver.py runs the driver arenite-ffp from outside: one ctest test for each of its classes. It needs Python,
+# tests/ffp/driver/ runs the driver arenite-ffp from outside: one ctest test for each class of its files. It needs Python,
 # without packages, and the driver, which is built with the examples.
 find_package(Python3 3.8 COMPONENTS Interpreter QUIET)
 if(NOT ARENITE_EXAMPLES OR NOT CLI11_FOUND OR NOT nlohmann_json_FOUND OR NOT Python3_FOUND)
@@ -6,31 +6,42 @@ if(NOT ARENITE_EXAMPLES OR NOT CLI11_FOUND OR NOT nlohmann_json_FOUND OR NOT Pyt
   return()
 endif()
 
+set(left_out)
 execute_process(COMMAND /usr/bin/python3 -c "import matplotlib" RESULT_VARIABLE no_matplotlib OUTPUT_QUIET ERROR_QUIET)
-set(pictures Pictures)
 if(no_matplotlib)
-  set(pictures)
+  list(APPEND left_out Pictures)
   arenite_left_out("The test of the driver's pictures" "matplotlib of /usr/bin/python3 (Debian: python3-matplotlib)")
 endif()
 
-set(long)
-if(ARENITE_TEST_HEAVY AND nightly)
-  set(long FineCells)
+set(long FineCells)
+if(NOT ARENITE_TEST_HEAVY OR NOT nightly)
+  list(APPEND left_out ${long})
 endif()
 set(quick Drops SameBits Mistakes Words Ends)  # the other classes run at a change
 
-foreach(class Drops SameBits Mistakes Doors Widths Words Meshes Failures Ends Killed Resumed ErrorBar Inputs Reduced Paper CommandLine
-        Study ${pictures} ${long})
-  if(NOT change AND NOT class IN_LIST quick)
+set(tests)  # CLASS FILE ..
+file(GLOB files CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/ffp/driver/*.py)
+set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${files})
+foreach(file IN LISTS files)
+  file(STRINGS ${file} lines REGEX "^class .*\\(DriverTest\\)")
+  foreach(line IN LISTS lines)
+    string(REGEX REPLACE "^class (.*)\\(.*" "\\1" class "${line}")
+    list(APPEND tests ${class} ${file})
+  endforeach()
+endforeach()
+
+while(tests)
+  list(POP_FRONT tests class file)
+  if(class IN_LIST left_out OR (NOT change AND NOT class IN_LIST quick))
     continue()
   endif()
   set(scratch ${CMAKE_CURRENT_BINARY_DIR}/scratch/ffp.driver_${class})
   file(MAKE_DIRECTORY ${scratch})
   add_test(NAME ffp.driver_${class}
-           COMMAND ${Python3_EXECUTABLE} ${CMAKE_CURRENT_SOURCE_DIR}/ffp/driver.py $<TARGET_FILE:arenite-ffp> ${class}
+           COMMAND ${Python3_EXECUTABLE} ${file} $<TARGET_FILE:arenite-ffp> ${class}
            WORKING_DIRECTORY ${scratch})
   set_tests_properties(ffp.driver_${class} PROPERTIES LABELS ffp TIMEOUT 300 ENVIRONMENT
-                       "ARENITE_THREADS=${ARENITE_TEST_THREADS}")
+                       "ARENITE_THREADS=${ARENITE_TEST_THREADS};PYTHONDONTWRITEBYTECODE=1")
   if(class IN_LIST long)
     set_tests_properties(ffp.driver_${class} PROPERTIES LABELS "ffp;heavy;nightly" TIMEOUT 900)
   elseif(class IN_LIST quick)
@@ -38,4 +49,4 @@ foreach(class Drops SameBits Mistakes Doors Widths Words Meshes Failures Ends Ki
   else()
     arenite_label(change ffp.driver_${class})
   endif()
-endforeach()
+endwhile()

@@ -1,0 +1,198 @@
+"""Whole drops: their files and numbers, the same bits on any threads and widths."""
+
+import os
+import unittest.mock
+
+import shared
+from shared import COARSE, SLICE, GRID, SHORT, FIRST_COLUMNS, drop, summary, content, field_files, vtu, DriverTest
+
+
+class Drops(DriverTest):
+    """Whole drops, coarse."""
+
+    def test_rigid(self):
+        columns, found = self.run_drop("rigid", *COARSE)
+        self.assertTrue(content("rigid").startswith(FIRST_COLUMNS.encode()))
+        self.assert_consistent(columns)
+        self.assert_summary(found, columns)
+        self.assertEqual(columns["time_s"][-1], 0.1)
+        self.assertTrue(0.12 < found["final_penetration_m"] < 0.25)
+        self.assertTrue(10 < found["peak_deceleration_g"] < 25)
+        self.assertLess(abs(columns["velocity_m_s"][-1]), 0.2)
+        self.assertTrue(all(0 < f < 1.2 for f in columns["fill_ratio"][1:] if f == f))
+        files = field_files("rigid")
+        self.assertEqual({round(time, 3) for time, _ in files}, {0, 0.02, 0.04, 0.06, 0.08, 0.1})
+        self.assertEqual(len(files), 6 * 3)  # soil, mesh, device
+        first, last = vtu("rigid/fields_soil_0000.vtu"), vtu("rigid/fields_soil_0005.vtu")
+        self.assertEqual(len(first["deviatoric_strain"]), found["points"])
+        self.assertEqual(max(first["deviatoric_strain"]), 0)
+        self.assertGreater(max(last["deviatoric_strain"]), 0.3)
+        self.assertEqual((len(last["stress"]), len(last["velocity"])), (6 * found["points"], 3 * found["points"]))
+        device = vtu("rigid/fields_device_0005.vtu")
+        tip = min(device["Points"][3 * i + 1] for i in device["connectivity"])
+        self.assertAlmostEqual(tip, -found["final_penetration_m"], delta=1e-12)
+
+    def test_more_friction_brakes_earlier(self):
+        smooth = self.run_drop("delta20", *COARSE, "--fields-every", "0")[1]
+        rough = self.run_drop("delta40", *COARSE, "--fields-every", "0", "--delta", "40")[1]
+        self.assertLess(rough["final_penetration_m"], 0.95 * smooth["final_penetration_m"])
+        self.assertFalse(os.path.exists("delta20/fields.pvd"))
+
+    def test_tips(self):
+        depths = {}
+        for tip, mass in (("cone", 7.71), ("cone-truncated", 7.71), ("parabolic", 9.15), ("blunt", 10.3)):
+            columns, found = self.run_drop("tip_" + tip, *COARSE, "--fields-every", "0", "--tip", tip)
+            self.assert_consistent(columns, mass=mass)
+            self.assertEqual((found["inputs"]["tip"], found["inputs"]["mass_kg"]), (tip, mass))
+            depths[tip] = found["final_penetration_m"]
+        self.assertLess(depths["blunt"], 0.9 * depths["cone"])
+
+    def test_contact_offset(self):
+        """The depth is that of the penetrometer's tip, whatever surface the sand meets."""
+        columns, found = self.run_drop("offset", *SHORT, "--contact-offset", "-0.002")
+        self.assertAlmostEqual(columns["penetration_m"][0], 0.004, delta=1e-12)
+        self.assertEqual(found["inputs"]["contact_offset_m"], -0.002)
+        self.assertEqual(found["device_outline_m"][1][0], 0.04375)
+
+    def test_centre_of_mass(self):
+        columns, found = self.run_drop("centre", *COARSE, "--contact", "centre-of-mass", "--fields-every", "0")
+        self.assert_consistent(columns)
+        self.assert_summary(found, columns)
+        self.assertEqual(found["inputs"]["contact"], "centre-of-mass")
+
+    def test_elastic(self):
+        columns, found = self.run_drop("elastic", *COARSE, "--device", "elastic", "--fields-every", "0.05")
+        self.assert_consistent(columns)
+        self.assert_summary(found, columns)
+        device = vtu("elastic/fields_device_points_0002.vtu")
+        self.assertGreater(max(abs(s) for s in device["stress"]), 1)
+
+    def test_laws(self):
+        plain, _ = self.run_drop("law_plain", *COARSE, "--fields-every", "0")
+        self.run_drop("law_off", *COARSE, "--fields-every", "0", "--law", "linear-rate", "--rate-time", "0")
+        self.assertEqual(content("law_off"), content("law_plain"))  # a law without its term is Mohr-Coulomb, to the bit
+        for law, options, stronger in (("linear-rate", [], True), ("mu-i", [], None), ("log-rate", [], True),
+                                       ("softening", ["--residual-friction", "36"], False),
+                                       ("softening-rate", ["--residual-friction", "36", "--dilatancy", "5"], None)):
+            columns, found = self.run_drop("law_" + law, *COARSE, "--fields-every", "0.05", "--law", law, *options)
+            self.assert_consistent(columns)
+            self.assertEqual(found["inputs"]["law"], law)
+            depth = found["final_penetration_m"] - plain["penetration_m"][-1]
+            if stronger is None:  # so little, or stronger and weaker at once, that cells of 4 cm do not tell
+                self.assertTrue(0 < abs(depth) < 0.01, law)
+            else:
+                self.assertGreater(-depth if stronger else depth, 1e-3, law)
+
+    def test_refined(self):
+        """Finer cells at the cone, into which points come that split."""
+        columns, found = self.run_drop("refined", "--cell", "0.04", "--cell-at-cone", "0.015", "--points-per-element", "10",
+                                       "--end", "0.03", "--fields-every", "0")
+        self.assert_consistent(columns)
+        self.assertEqual(found["inputs"]["split"], 9)
+        self.assertGreater(found["point_steps_per_s"] * found["wall_s"], 1.01 * found["points"] * found["steps"])
+
+    def test_points(self):
+        """Depth and peak hardly depend on the number of points: cells that shear leaves short of points stay filled."""
+        depth, peak = zip(*((columns["penetration_m"][-1], found["peak_deceleration_g"]) for columns, found in (
+            self.run_drop(f"points_{n}", "--cell", "0.02", "--points-per-element", str(n), "--end", "0.04", "--fields-every", "0")
+            for n in (9, 49))))
+        self.assertLess(abs(depth[0] / depth[1] - 1), 0.015)  # 0.6 %; 5 % if only cells filled by 0.9 count
+        self.assertLess(abs(peak[0] / peak[1] - 1), 0.03)  # 1 %; 10 %
+
+    def test_grid(self):
+        columns, found = self.run_drop("grid", *GRID, "--fields-every", "0.05")
+        self.assert_consistent(columns, residual=0.01)
+        self.assert_summary(found, columns)
+        self.assertEqual([found["inputs"][key] for key in ("contact", "anti_locking", "flip_time_s")], ["points", "off", 0.1])
+        self.assertTrue(0.1 < found["final_penetration_m"] < 0.25)
+        self.assertTrue(0 <= found["deepest_point_m"] < 0.03 * 0.04)
+        self.assertTrue(all(f != f for f in columns["fill_ratio"]))
+        files = field_files("grid")
+        self.assertEqual(len(files), 3)  # soil
+        self.assertEqual(len(vtu(files[0][1])["deviatoric_strain"]), found["points"])
+
+    def test_grid_rigid_and_law(self):
+        plain, _ = self.run_drop("grid_nodes", *GRID, "--contact", "rigid", "--end", "0.03", "--fields-every", "0")
+        self.assert_consistent(plain)
+        columns, found = self.run_drop("grid_law", *GRID, "--contact", "rigid", "--end", "0.03", "--fields-every", "0",
+                                       "--law", "linear-rate", "--rate-time", "5e-3")
+        self.assert_consistent(columns)
+        self.assertNotIn("deepest_point_m", found)
+        self.assertLess(columns["penetration_m"][-1], plain["penetration_m"][-1] - 1e-3)
+
+    def test_grid_refined(self):
+        columns, found = self.run_drop("grid_refined", *GRID, "--cell-at-cone", "0.02", "--end", "0.03", "--fields-every", "0")
+        self.assert_consistent(columns)
+        self.assertGreater(found["point_steps_per_s"] * found["wall_s"], 1.01 * found["points"] * found["steps"])
+
+    def test_slice_law(self):
+        columns, found = self.run_drop("slice_law", *SLICE, "--law", "mu-i")
+        self.assert_consistent(columns)
+        self.assert_summary(found, columns)
+
+    def test_slice(self):
+        columns, found = self.run_drop("slice", *SLICE)
+        self.assert_consistent(columns)
+        self.assert_summary(found, columns)
+
+    def test_elastic_slice(self):
+        columns, found = self.run_drop("elastic_slice", *SLICE, "--device", "elastic")
+        self.assert_consistent(columns)
+        self.assert_summary(found, columns)
+
+
+class SameBits(DriverTest):
+    """The same input gives the same history, to the byte, whatever the number of threads."""
+
+    def check(self, name, *options):
+        for threads in (1, 2, 3):
+            found = self.run_drop(f"{name}{threads}", *options, "--fields-every", "0", "--threads", str(threads))[1]
+            self.assertEqual(found["threads"], threads)
+            self.assertEqual(content(f"{name}{threads}"), content(f"{name}1"))
+
+    def test_rigid(self):
+        self.check("bits_rigid", *COARSE, "--end", "0.02")
+
+    def test_refined(self):
+        self.check("bits_refined", *COARSE, "--cell-at-cone", "0.02", "--end", "0.01")
+
+    def test_grid(self):
+        self.check("bits_grid", *GRID, "--cell-at-cone", "0.02", "--end", "0.01")
+
+    def test_centre_of_mass(self):
+        self.check("bits_centre", *COARSE, "--end", "0.01", "--contact", "centre-of-mass")
+
+    def test_elastic(self):
+        self.check("bits_elastic", *COARSE, "--end", "0.01", "--device", "elastic")
+
+    def test_slice(self):
+        self.check("bits_slice", *SLICE, "--end", "0.002")
+
+
+class Widths(DriverTest):
+    """Where the driver is built for several widths of registers it gives the same drop in each, to round-off."""
+
+    def test_widths(self):
+        depths = {}
+        for width in ("16", "32", "64"):
+            with unittest.mock.patch.dict(os.environ, {"ARENITE_REGISTER_BYTES": width}):
+                code, _, err = drop(*COARSE, "--end", "0.003", "--fields-every", "0", "--quiet", "--out", "width" + width)
+            if code < 0 or "no such build" in err:  # SIGILL: this processor has no such registers
+                continue
+            self.assertEqual((code, err), (0, ""))
+            found = summary("width" + width)
+            depths[found["register_bytes"]] = found["final_penetration_m"]
+        self.assertGreater(len(depths), 0)
+        for depth in depths.values():
+            self.assertAlmostEqual(depth, min(depths.values()), delta=1e-9)
+
+    def test_unknown_width(self):
+        with unittest.mock.patch.dict(os.environ, {"ARENITE_REGISTER_BYTES": "24"}):
+            code, _, err = drop("--help")
+        if code != 0:  # not where there is only one
+            self.assertEqual(code, 2)
+            self.assertIn("ARENITE_REGISTER_BYTES", err)
+
+
+if __name__ == "__main__":
+    shared.main()

@@ -96,6 +96,8 @@ def points(folder):
     away, back = ar.remove_points(of, "sand", corner), ar.fill_points(of, "sand", corner)
     whole = of.sum(lambda tile: float(np.sum(tile.bodies["sand"].mass)))
     say(away.points, away.mass, back.points, back.mass, whole, len(of.bodies["sand"]) == sum(len(t.bodies["sand"]) for t in of.tiles))
+    more = ar.insert_points(of, "sand", [(0.02 * i, 0.16) for i in range(1, 20)], 1e-5)  # on faces and nodes of cells
+    say(more.points, more.mass, of.sum(lambda tile: float(len(tile.bodies["sand"]))))
     say(*ar.probe(of, "sand", [(0.05, 0.03), (0.1, 0.05), (0.3, 0.15)]).stress.ravel())
     for ask in (lambda: of.copy(), lambda: next(of.steps()), lambda: of.cells):
         try:

@@ -112,3 +112,61 @@ TEST_CASE("Forces through sections and between bodies that lie across the cuts")
     }
   }
 }
+
+namespace {
+
+/// Points that all tiles are given come into the scene once, on faces of cells and nodes, too.
+template <class Mesh, class Make>
+void check_insertion(const auto& cut, const Mesh& mesh, const Make& make) {
+  OneRank here;
+  auto whole = make(mesh);
+  using Point = typename std::remove_cvref_t<decltype(whole.body())>::Point;
+  std::vector<Point> points;
+  for (int a = 0; a < 20; ++a)
+    for (int b = 0; b < 6; ++b) {
+      Point point;
+      point.position = {0.025 + 0.05 * a, 0.7 + 0.025 * b};
+      point.velocity = {a, 0};
+      point.volume = 1e-4;
+      points.push_back(point);
+    }
+  const auto put_in = [&](auto& scene) {
+    auto totals = insert_points(scene, points);
+    auto count = static_cast<double>(totals.count);
+    sum_over(scene.communicator(), count, totals.mass, totals.kinetic_energy);
+    return std::array{count, totals.mass, totals.kinetic_energy};
+  };
+  const auto expected = put_in(whole);
+  CHECK(expected[0] == 120);
+  run(whole, {.end = 0.01, .max_step = 2e-4});
+  const double energy = kinetic_energy(whole.body());
+  auto refused = distribute(here, cut, {.tiles = 3}, make);
+  auto far = points;
+  far.back().position[0] = 1.5;
+  CHECK_THROWS_WITH(
+      refused.together([&](auto& scene) { insert_points(scene, far); }),
+      Catch::Matchers::Contains("point 119 to be added: position = (1.5, 0.825): must lie in the mesh"));
+  for (const int tiles : {1, 3, 5}) {
+    CAPTURE(tiles);
+    auto tiled = distribute(here, cut, {.tiles = tiles}, make);
+    const auto found = tiled.of_all(put_in);
+    for (std::size_t k = 0; k < found.size(); ++k) CHECK(found[k] == Approx(expected[k]).epsilon(1e-12));
+    run(tiled, {.end = 0.01, .max_step = 2e-4});
+    CHECK(tiled.sum([](const auto& scene) { return kinetic_energy(scene.body()); }) ==
+          Approx(energy).epsilon(1e-9));
+    CHECK(tiled.sum([](const auto& scene) { return scene.point_count(); }) ==
+          static_cast<double>(whole.point_count()));
+  }
+}
+
+}  // namespace
+
+TEST_CASE("Points that all tiles are given: triangles") {
+  const auto data = test::triangles({0, 0}, {1, 1}, 20, 20);
+  check_insertion(data, SimplexMesh<2>(data), column(Numerics<LinearSimplex, Flip, Musl>{}));
+}
+
+TEST_CASE("Points that all tiles are given: a grid") {
+  const CartesianGrid<2> grid({.lower = {0, 0}, .upper = {1, 1}, .cell = 0.05});
+  check_insertion(grid, grid, column(Numerics<QuadraticBSpline, Apic, Usl>{}));
+}

@@ -141,7 +141,7 @@ HostedTotals fill_more(Scene& scene, std::size_t body, const Value& value) {
 template <class Scene>
 HostedTotals insert_rows(Scene& scene, std::size_t body, const Value& values) {
   return change_points(scene, body, [&](auto& of) {
-    return insert_into(scene, of, read_points<std::remove_cvref_t<decltype(of)>>(values));
+    return insert_given(scene, of, read_points<std::remove_cvref_t<decltype(of)>>(values));
   });
 }
 

@@ -136,7 +136,9 @@ class TilesHost : public HostedScene {
   HostedTotals fill(std::size_t body, const Value& fill) override {
     return change([&](S& s) { return detail::fill_more(s, body, fill); });
   }
-  HostedTotals insert(std::size_t, const Value&) override { refuse("insert"); }
+  HostedTotals insert(std::size_t body, const Value& points) override {
+    return change([&](S& s) { return detail::insert_rows(s, body, points); });
+  }
   HostedTotals remove(std::size_t body, const Value& where) override {
     if (where.array() != nullptr) refuse("remove by numbers of points");
     return change([&](S& s) { return detail::remove_where(s, body, where); });

@@ -5,14 +5,13 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <cstdint>
-#include <limits>
 #include <optional>
 #include <span>
 #include <vector>
 
 #include <arenite/core/vector_argument.hpp>
 #include <arenite/mesh/window_grid.hpp>
+#include <arenite/scene/cell_of_all.hpp>
 #include <arenite/scene/scene.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
@@ -98,25 +97,6 @@ std::vector<double> sums_at_nodes(const Scene& scene, const Body& body, const Ce
         }
     }
   return sums;
-}
-
-/// The cell of a place that all tiles mean, which on a cut of the mesh may be one of several; `none` in tiles
-/// that do not have it. Whether there is one.
-template <class Scene>
-bool agree_on_cell(const Scene& scene, Index& cell) {
-  if constexpr (Scene::is_portion) {
-    constexpr double nowhere = std::numeric_limits<double>::infinity();
-    const auto& numbers = scene.portion().whole_cell;
-    const double least =
-        scene.communicator().least(cell == none ? nowhere : static_cast<double>(numbers[cell]));
-    if (!(least < nowhere)) return false;
-    const auto whole = static_cast<std::uint64_t>(least);
-    const auto at = std::ranges::lower_bound(numbers, whole);
-    cell = at != numbers.end() && *at == whole ? static_cast<Index>(at - numbers.begin()) : none;
-    return true;
-  } else {
-    return cell != none;
-  }
 }
 
 }  // namespace detail

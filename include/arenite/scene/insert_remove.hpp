@@ -2,12 +2,14 @@
 #pragma once
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include <arenite/particles/exchange_points.hpp>
 #include <arenite/particles/point_ids.hpp>
+#include <arenite/scene/cell_of_all.hpp>
 #include <arenite/scene/scene.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
@@ -34,6 +36,31 @@ auto insert_into(Scene& scene, B& body, const std::vector<typename B::Point>& po
   body.initial_volume += totals.mass / body.law.density();
   if (regroup(body, scene.blocks)) scene.balance_threads();
   return totals;
+}
+
+/// `insert_into` of points that the scenes over all portions of a mesh are given: each takes those of its cells.
+template <class Scene, class B>
+auto insert_given(Scene& scene, B& body, const std::vector<typename B::Point>& points) {
+  if constexpr (!Scene::is_portion) {
+    return insert_into(scene, body, points);
+  } else {
+    std::vector<Index> cell;
+    std::vector<double> takers;  // of each point
+    for (std::size_t k = 0; k < points.size(); ++k) {
+      check_point(body, points[k], k);
+      cell.push_back(scene.mesh.search(points[k].position));
+      takers.push_back(cell[k] != none && scene.portion().owns_cell(cell[k]));
+    }
+    scene.communicator().sum(std::span<double>(takers));
+    std::vector<typename B::Point> here;
+    for (std::size_t k = 0; k < points.size(); ++k) {
+      if (takers[k] != 1)  // on a cut, or outside
+        require(detail::agree_on_cell(scene, cell[k]), {"point ", k, " to be added: position"},
+                vector_text(points[k].position), "must lie in the mesh");
+      if (cell[k] != none && scene.portion().owns_cell(cell[k])) here.push_back(points[k]);
+    }
+    return insert_into(scene, body, here);
+  }
 }
 
 /// Inserts the points of a `fill`, as a new scene would have them; `name`: of the body, for a warning.
@@ -65,12 +92,13 @@ auto remove_from(Scene& scene, B& body, const Leaves& leaves) {
 /// Adds points to a body, by name or number: `insert_points<"sand">(scene, {{.position = {0.5, 1.2}, .volume
 /// = 1e-4}})`. A point's mass is that of its volume unless given. Throws `error`, with the scene as it was,
 /// for a point outside of the mesh or one that is not finite. Energy balances count what the points bring as
-/// put in. Returns what they brought.
+/// put in. Returns what they brought. The scenes over all portions of a mesh are given the same points, at once,
+/// and each tells what its own brought.
 template <Name which = "", class Scene>
 auto insert_points(Scene& scene,
                    const std::vector<typename std::remove_cvref_t<
                        decltype(std::declval<Scene&>().template body<which>())>::Point>& points) {
-  return insert_into(scene, scene.template body<which>(), points);
+  return insert_given(scene, scene.template body<which>(), points);
 }
 
 /// Removes the points of a body, by name or number, that lie in a region, or for which `leaves(point)` holds,

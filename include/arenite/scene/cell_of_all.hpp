@@ -8,7 +8,7 @@
 
 #include <arenite/core/scalar.hpp>
 
-namespace arenite::inline ARENITE_INSTRUCTION_SET::detail {
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 /// `cell`: in which a scene has found the place, or `none`. It becomes that which all portions mean, on a cut of the
 /// mesh one of several; `none` in portions that do not have it. Returns whether there is one; asked of all
@@ -30,4 +30,4 @@ bool agree_on_cell([[maybe_unused]] const Scene& scene, Index& cell) {
   }
 }
 
-}  // namespace arenite::inline ARENITE_INSTRUCTION_SET::detail
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -55,7 +55,7 @@ auto insert_given(Scene& scene, B& body, const std::vector<typename B::Point>& p
     std::vector<typename B::Point> here;
     for (std::size_t k = 0; k < points.size(); ++k) {
       if (takers[k] != 1)  // on a cut, or outside
-        require(detail::agree_on_cell(scene, cell[k]), {"point ", k, " to be added: position"},
+        require(agree_on_cell(scene, cell[k]), {"point ", k, " to be added: position"},
                 vector_text(points[k].position), "must lie in the mesh");
       if (cell[k] != none && scene.portion().owns_cell(cell[k])) here.push_back(points[k]);
     }

@@ -1,3 +1,7 @@
+import os
+import signal
+import threading
+
 import numpy as np
 import pytest
 
@@ -58,3 +62,19 @@ def block_between_rollers(ar):
                         parts=[load or ar.Pressure(ar.top(), 0.0), ar.LocalDamping()])
 
     return make
+
+
+@pytest.fixture
+def ctrl_c():
+    """`ctrl_c(0.3)`: SIGINT in so many seconds, as a terminal has it; what a shell runs in its background ignores it."""
+    old = signal.signal(signal.SIGINT, signal.default_int_handler)
+    timers = []
+
+    def start(seconds):
+        timers.append(threading.Timer(seconds, lambda: os.kill(os.getpid(), signal.SIGINT)))
+        timers[-1].start()
+
+    yield start
+    for timer in timers:
+        timer.cancel()
+    signal.signal(signal.SIGINT, old)

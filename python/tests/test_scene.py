@@ -237,17 +237,11 @@ def test_a_run_ends_where_a_function_says(ar, column):
     assert scene.step_count == 7
 
 
-def test_interrupt_stops_after_the_step(ar, column):
+def test_interrupt_stops_after_the_step(ar, column, ctrl_c):
     scene = column()
-    old = signal.signal(signal.SIGINT, signal.default_int_handler)
-    timer = threading.Timer(0.3, signal.raise_signal, [signal.SIGINT])
-    timer.start()
-    try:
-        with pytest.raises(KeyboardInterrupt):
-            ar.run(scene, end=1e3)
-    finally:
-        timer.cancel()
-        signal.signal(signal.SIGINT, old)
+    ctrl_c(0.3)
+    with pytest.raises(KeyboardInterrupt):
+        ar.run(scene, end=1e3)
     steps = scene.step_count
     assert steps > 0
     ar.run(scene, end=scene.time + 1e-3)

@@ -2,10 +2,8 @@
 
 import os
 import shutil
-import signal
 import subprocess
 import sys
-import threading
 from pathlib import Path
 
 import numpy as np
@@ -85,10 +83,9 @@ def test_without_mpi_the_cure_is_named(ar, monkeypatch):
         _compile.ranks()
 
 
-def test_ctrl_c_ends_tiles(ar, in_tiles):
+def test_ctrl_c_ends_tiles(ar, in_tiles, ctrl_c):
     scene = in_tiles(tiles=3)
-    timer = threading.Timer(0.3, lambda: os.kill(os.getpid(), signal.SIGINT))
-    timer.start()
+    ctrl_c(0.3)
     with pytest.raises(KeyboardInterrupt):
         ar.run(scene, end=1e4)
     assert 0 < scene.time < 1e4

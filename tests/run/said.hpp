@@ -1,10 +1,11 @@
 // What a run says: its error and its warnings.
 #pragma once
 
-#include <arenite/core/warning.hpp>
 #include <arenite/run/run.hpp>
 #include <string>
 #include <vector>
+
+#include "warnings.hpp"
 
 namespace arenite::test {
 
@@ -16,13 +17,13 @@ struct Said {
 template <class F>
 Said said(F&& f) {
   Said out;
-  const WarningHook old = on_warning([&](const std::string& text) { out.warnings.push_back(text); });
-  try {
-    f();
-  } catch (const run_error& e) {
-    out.error = e.what();
-  }
-  on_warning(old);
+  out.warnings = warnings_of([&] {
+    try {
+      f();
+    } catch (const run_error& e) {
+      out.error = e.what();
+    }
+  });
   return out;
 }
 

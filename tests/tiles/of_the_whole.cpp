@@ -14,7 +14,7 @@ namespace {
 /// All tiles find at each place what the scene of the whole finds there, in a run that moves points across the
 /// cuts.
 template <class Mesh, class Make>
-void check(const auto& cut, const Mesh& mesh, const Make& make) {
+void check_probes(const auto& cut, const Mesh& mesh, const Make& make) {
   OneRank here;
   auto whole = make(mesh);
   run(whole, {.end = 0.02, .max_step = 2e-4});
@@ -61,16 +61,23 @@ auto column(const Numerics& numerics) {
   };
 }
 
-}  // namespace
-
-TEST_CASE("Probes of tiles: triangles") {
-  const auto data = test::triangles({0, 0}, {1, 1}, 20, 20);
-  check(data, SimplexMesh<2>(data), column(Numerics<LinearSimplex, Flip, Musl>{}));
+/// Calls `f` with what is cut, the mesh of the whole, and the scene over it.
+template <class F>
+void on_triangles_and_grid(F&& f) {
+  SECTION("triangles") {
+    const auto data = test::triangles({0, 0}, {1, 1}, 20, 20);
+    f(data, SimplexMesh<2>(data), column(Numerics<LinearSimplex, Flip, Musl>{}));
+  }
+  SECTION("a grid, quadratic splines") {
+    const CartesianGrid<2> grid({.lower = {0, 0}, .upper = {1, 1}, .cell = 0.05});
+    f(grid, grid, column(Numerics<QuadraticBSpline, Apic, Usl>{}));
+  }
 }
 
-TEST_CASE("Probes of tiles: a grid, quadratic splines") {
-  const CartesianGrid<2> grid({.lower = {0, 0}, .upper = {1, 1}, .cell = 0.05});
-  check(grid, grid, column(Numerics<QuadraticBSpline, Apic, Usl>{}));
+}  // namespace
+
+TEST_CASE("Probes of tiles") {
+  on_triangles_and_grid([](const auto&... scene) { check_probes(scene...); });
 }
 
 TEST_CASE("Forces through sections and between bodies that lie across the cuts") {
@@ -161,12 +168,6 @@ void check_insertion(const auto& cut, const Mesh& mesh, const Make& make) {
 
 }  // namespace
 
-TEST_CASE("Points that all tiles are given: triangles") {
-  const auto data = test::triangles({0, 0}, {1, 1}, 20, 20);
-  check_insertion(data, SimplexMesh<2>(data), column(Numerics<LinearSimplex, Flip, Musl>{}));
-}
-
-TEST_CASE("Points that all tiles are given: a grid") {
-  const CartesianGrid<2> grid({.lower = {0, 0}, .upper = {1, 1}, .cell = 0.05});
-  check_insertion(grid, grid, column(Numerics<QuadraticBSpline, Apic, Usl>{}));
+TEST_CASE("Points that all tiles are given") {
+  on_triangles_and_grid([](const auto&... scene) { check_insertion(scene...); });
 }

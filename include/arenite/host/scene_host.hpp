@@ -210,8 +210,7 @@ class SceneHost : public HostedScene {
     return detail::probe_places(*scene_, body, places);
   }
   std::vector<double> section_force(std::size_t body, const Value& section, bool of_nodes) const override {
-    return of_nodes ? detail::force_across<true>(*scene_, body, section)
-                    : detail::force_across<false>(*scene_, body, section);
+    return detail::force_across(*scene_, body, section, of_nodes);
   }
 
   void save(const std::string& path, const std::string& recipe) const override {

@@ -188,17 +188,13 @@ HostedProbes probe_places(const Scene& scene, std::size_t body, const std::vecto
 }
 
 /// Force [D] across a section of a body, N: of the stresses of its points, or of its nodes' internal forces.
-template <bool of_nodes, class Scene>
-std::vector<double> force_across(const Scene& scene, std::size_t body, const Value& section) {
+template <class Scene>
+std::vector<double> force_across(const Scene& scene, std::size_t body, const Value& section, bool of_nodes) {
   std::vector<double> force;
   with_number<Scene>(body, [&]<std::size_t which>() {
     const auto cut = read<Section>(section, ReadContext{.name = "Section", .dimension = Scene::D});
-    const auto f = [&] {
-      if constexpr (of_nodes)
-        return nodal_section_force<Name(which)>(scene, cut);
-      else
-        return section_force<Name(which)>(scene, cut);
-    }();
+    const auto f =
+        of_nodes ? nodal_section_force<Name(which)>(scene, cut) : section_force<Name(which)>(scene, cut);
     force.assign(f.begin(), f.end());
   });
   return force;

@@ -147,10 +147,7 @@ class TilesHost : public HostedScene {
     return tiled_.of_all([&](S& s) { return detail::probe_places(s, body, places); });
   }
   std::vector<double> section_force(std::size_t body, const Value& section, bool of_nodes) const override {
-    return tiled_.of_all([&](S& s) {
-      return of_nodes ? detail::force_across<true>(s, body, section)
-                      : detail::force_across<false>(s, body, section);
-    });
+    return tiled_.of_all([&](S& s) { return detail::force_across(s, body, section, of_nodes); });
   }
 
   void save(const std::string& path, const std::string& recipe) const override {
@@ -181,7 +178,7 @@ class TilesHost : public HostedScene {
       timers.emplace_back(run.periods[k], [&run, k](const S&) { run.due(k); });
     bool asks = false;  // whether a call may have asked to stop
     double due = 0;
-    const auto told = [&ranks](auto&& f) {  // all ranks end with what one throws
+    const auto failing_all = [&ranks](auto&& f) {  // all ranks end with what one throws
       try {
         f();
       } catch (const std::exception& e) {
@@ -200,7 +197,7 @@ class TilesHost : public HostedScene {
     };
     if (run.resumed)
       for (auto& timer : timers) timer.go_on_from(time());
-    told([&] { call(); });
+    failing_all([&] { call(); });
     run_of_tiles.begin();
     using Clock = std::chrono::steady_clock;
     int most = 1;
@@ -211,7 +208,7 @@ class TilesHost : public HostedScene {
       // The host is called some times a second.
       const double took = std::chrono::duration<double>(Clock::now() - start).count();
       most = took < 0.02 ? std::min(2 * most, 1 << 20) : took > 0.1 ? std::max(most / 2, 1) : most;
-      told([&] {
+      failing_all([&] {
         call();
         if (run.after_step) stops = run.after_step();
       });

@@ -30,12 +30,17 @@ struct MeshPortion {
 
   bool owns_cell(Index c) const { return owner[c] == number; }
   bool owns_node(Index i) const { return node_owner[i] == number; }
-  /// The cell with a number of the whole mesh. Throws `run_error` if it is none of this part.
-  Index cell_here(std::uint64_t whole) const {
+  /// The cell with a number of the whole mesh, or `none`.
+  Index find_cell(std::uint64_t whole) const {
     const auto at = std::ranges::lower_bound(whole_cell, whole);
-    if (at == whole_cell.end() || *at != whole)
+    return at != whole_cell.end() && *at == whole ? static_cast<Index>(at - whole_cell.begin()) : none;
+  }
+  /// Like `find_cell`, but throws `run_error` where it gives `none`.
+  Index cell_here(std::uint64_t whole) const {
+    const Index cell = find_cell(whole);
+    if (cell == none)
       throw run_error(joined_text({"cell ", whole, " of the whole mesh is not in portion ", number}));
-    return static_cast<Index>(at - whole_cell.begin());
+    return cell;
   }
 
   /// Whether a position outside of this part of the mesh lies beyond its ghost cells, not beyond the hull of

@@ -103,8 +103,8 @@ std::vector<double> sums_at_nodes(const Scene& scene, const Body& body, const Ce
 
 /// Velocity and stress of a body at a place: those that its points give to the nodes there, by mass and by
 /// volume, interpolated from the nodes. Constant fields come out as they are. Nothing if the place lies
-/// outside of the mesh, or if none of its nodes has matter. Of a scene over a portion of a mesh: asked of all portions, which get the same.
-/// `probe<"sand">(scene, {0.1, 0.2, 0})`.
+/// outside of the mesh, or if none of its nodes has matter. `probe<"sand">(scene, {0.1, 0.2, 0})`. The scenes
+/// over all portions of a mesh are asked at once, and find the same.
 template <Name which = "", class Scene>
 std::optional<Probed<Scene::D>> probe(const Scene& scene, const std::array<double, 3>& place) {
   using T = typename Scene::T;

@@ -2,7 +2,6 @@
 #pragma once
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include <algorithm>
 #include <cstdint>
 #include <limits>
 
@@ -17,13 +16,11 @@ template <class Scene>
 bool agree_on_cell([[maybe_unused]] const Scene& scene, Index& cell) {
   if constexpr (Scene::is_portion) {
     constexpr double nowhere = std::numeric_limits<double>::infinity();
-    const auto& numbers = scene.portion().whole_cell;
+    const auto& portion = scene.portion();
     const double least =
-        scene.communicator().least(cell == none ? nowhere : static_cast<double>(numbers[cell]));
+        scene.communicator().least(cell == none ? nowhere : static_cast<double>(portion.whole_cell[cell]));
     if (!(least < nowhere)) return false;
-    const auto whole = static_cast<std::uint64_t>(least);
-    const auto at = std::ranges::lower_bound(numbers, whole);
-    cell = at != numbers.end() && *at == whole ? static_cast<Index>(at - numbers.begin()) : none;
+    cell = portion.find_cell(static_cast<std::uint64_t>(least));
     return true;
   } else {
     return cell != none;

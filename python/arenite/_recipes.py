@@ -494,7 +494,8 @@ class Free(Recipe):
     spin       rad/s  any                                                 (0.0, 0.0, 0.0)  angular velocity at the start; in the plane (0, 0, z)
     anchor     -      `Anchor`                                            Anchor           springs and dashpots to the world
     force      N      up to 3 numbers, a `Signal`, or a function of time  (0.0, 0.0, 0.0)  on the centre
-    moment     N m    up to 3 numbers, a `Signal`, or a function of time  (0.0, 0.0, 0.0)"""
+    moment     N m    up to 3 numbers, a `Signal`, or a function of time  (0.0, 0.0, 0.0)
+    symmetry   -      [-1, 2]                                             -1               axis normal to a plane of symmetry; -1: there is none"""
 
     functions = ("force", "moment",)
 
@@ -506,6 +507,7 @@ class Free(Recipe):
     anchor: Anchor = field(default_factory=Anchor)
     force: Any = (0.0, 0.0, 0.0)
     moment: Any = (0.0, 0.0, 0.0)
+    symmetry: int = -1
 
 
 @dataclass(frozen=True)

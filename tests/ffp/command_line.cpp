@@ -341,13 +341,42 @@ TEST_CASE("the grid: defaults of its own, and what it goes without") {
                                       {"--contact", "centre-of-mass"},
                                       {"--anti-locking", "on"},
                                       {"--mesh", "file.msh"}})
-    REQUIRE(
-        refusal({"drop", "--mesh-kind", "grid", option, value}) ==
-        "--mesh-kind = grid: needs --kinematics axisymmetric, --device rigid, --contact points or rigid and "
-        "--anti-locking off, and goes without --mesh");
+    REQUIRE(refusal({"drop", "--mesh-kind", "grid", option, value}) ==
+            "--mesh-kind = grid: needs --kinematics axisymmetric or space, --device rigid, --contact points "
+            "or rigid "
+            "and --anti-locking off, and goes without --mesh");
   REQUIRE(refusal({"drop", "--mesh-kind", "grid", "--points-per-element", "10"}) ==
           "--points-per-element = 10: must be 4, 9, 16, 25, 36 or 49 in the cells of a grid");
   REQUIRE(refusal({"drop", "--contact", "points"}) == "--contact = points: needs --mesh-kind grid");
+}
+
+TEST_CASE("in space: a grid, a penetrometer that may be tilted, and what goes without") {
+  const auto o = read({"--kinematics", "space", "--tilt", "5"});
+  REQUIRE((o.in_space() && o.on_grid() && o.contact_kind() == ContactKind::rigid && !o.averages()));
+  REQUIRE((o.points_in_element() == 8 && o.flip_time_constant() == 0.1 && o.tilt == 5));
+  REQUIRE(read({"--kinematics", "space", "--gyration", "0.2"}).gyration_radius() == 0.2);
+  REQUIRE(read({"--kinematics", "space", "--centre-of-mass", "0.3"}).centre_height() == 0.3);
+  for (const auto& [option, value] :
+       {std::pair{"--tilt", "5"}, {"--centre-of-mass", "0.3"}, {"--gyration", "0.2"}})
+    REQUIRE(refusal({"drop", option, value}) ==
+            std::string{option} + " = " + value + ": needs --kinematics space");
+  const auto refused = [](const char* option, const char* value) {
+    return refusal({"drop", "--kinematics", "space", option, value});
+  };
+  REQUIRE(refused("--tilt", "31") == "--tilt = 31: must lie in [0, 30] deg");
+  std::ofstream{"file.msh"} << "$MeshFormat\n";
+  for (const auto& [option, value] : {std::pair{"--mesh-kind", "fitted"},
+                                      {"--device", "elastic"},
+                                      {"--contact", "points"},
+                                      {"--anti-locking", "on"},
+                                      {"--split", "4"},
+                                      {"--mesh", "file.msh"}})
+    REQUIRE(refused(option, value) ==
+            "--kinematics = space: needs --mesh-kind grid, --device rigid, --contact rigid and "
+            "--anti-locking off, and goes without --mesh and --split");
+  REQUIRE(refused("--points-per-element", "9") ==
+          "--points-per-element = 9: must be 8, 27 or 64 in the cells of a grid in space");
+  REQUIRE(refused("--cell-at-cone", "0.005").starts_with("--cell-at-cone = 0.005: needs --kinematics"));
 }
 
 TEST_CASE("every range has both ends") {

@@ -1,7 +1,11 @@
 // The shapes of the drop, against the formulas of solids, and the line grading.
 #include "../../examples/ffp/geometry/geometry.hpp"
 
+#include <arenite/rigid/cone_cylinder.hpp>
+
 #include "../../examples/ffp/geometry/grading.hpp"
+#include "../../examples/ffp/geometry/mass.hpp"
+#include "../../examples/ffp/geometry/tilted.hpp"
 #include "catch.hpp"
 
 using namespace arenite;
@@ -58,6 +62,49 @@ TEST_CASE("other tips: a flat end, a parabola, no tip at all") {
   REQUIRE(std::abs(cut.volume() - frustum - pi * r * r * (0.631 - h)) < 1e-15);
   REQUIRE(std::abs(round.volume() / (pi * r * r * (0.631 - k / 2)) - 1) < 1e-4);  // facets inside
   REQUIRE(std::abs(blunt.volume() - pi * r * r * 0.631) < 1e-15);
+}
+
+TEST_CASE("mass of a homogeneous penetrometer: that of a cylinder, and of a cone below one") {
+  const double r = 0.04375, length = 0.631;
+  const MassOf blunt = mass_in(Device{{.flat = r}});
+  REQUIRE(std::abs(blunt.centre - length / 2) < 1e-15);
+  REQUIRE(std::abs(square(blunt.gyration) - (length * length / 12 + r * r / 4)) < 1e-15);
+  // A cone of height h on its tip: centre 3/4 h, about its centre 3/80 (4 r^2 + h^2).
+  const Device sharp{{}};
+  const double h = sharp.cone_height(), tall = length - h, cone = h / 3,
+               centre = (cone * h * 3 / 4 + tall * (h + tall / 2)) / (cone + tall);
+  const double second = cone * (3. / 80 * (4 * r * r + h * h) + square(h * 3 / 4 - centre)) +
+                        tall * (tall * tall / 12 + r * r / 4 + square(h + tall / 2 - centre));
+  const MassOf mass = mass_in(sharp);
+  REQUIRE(std::abs(mass.centre - centre) < 1e-14);
+  REQUIRE(std::abs(square(mass.gyration) - second / (cone + tall)) < 1e-14);
+}
+
+TEST_CASE(
+    "the penetrometer in space: its distance is that of a cone on a cylinder, its lowest point on the sand") {
+  const ConeCylinder cone{{.radius = 0.04375, .apex = 60 * pi / 180, .length = 0.631}};
+  const TurnedSection turned{whole_section(Device{{}})};
+  for (const double x : {-0.1, -0.02, 0.0, 0.03})
+    for (const double y : {-0.05, 0.01, 0.09, 0.4, 0.7})
+      for (const double z : {0.0, 0.02, 0.06}) {
+        const Vec<double, 3> at(x, y, z);
+        REQUIRE(std::abs(turned(at) - cone(at)) < 1e-15);
+      }
+  REQUIRE((turned.bounds().upper[2] == 0.04375 && turned.bounds().lower[1] == 0));
+  for (const double flat : {0.0, 0.0022, 0.04375})
+    for (const double offset : {0.0, -0.002})
+      for (const double tilt : {0.0, 0.1, 0.5}) {
+        const Device met{{.flat = flat, .offset = offset}};
+        const DeviceStart start(met, tilt);
+        const auto body = placed(TurnedSection{whole_section(met)}, start.placement());
+        double lowest = 1;
+        for (int k = -20000; k <= 20000; ++k)  // along y = 0 and just below
+          lowest = std::min({lowest, body(Vec<double, 3>(k * 5e-6, 0, 0))});
+        REQUIRE(std::abs(lowest) < 3e-6);
+        REQUIRE(start.lift == Approx(met.flat_radius() * std::sin(tilt)).margin(1e-15));
+        REQUIRE(start.tip[0] == Approx(-met.tip_above() * std::sin(tilt)).margin(1e-15));
+        REQUIRE(start.tip[1] == Approx(start.lift + met.tip_above() * std::cos(tilt)).margin(1e-15));
+      }
 }
 
 TEST_CASE("the surface that the sand meets is parallel to the penetrometer's") {

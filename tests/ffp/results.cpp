@@ -161,7 +161,14 @@ TEST_CASE("figures and summary of a braking that is known: v = 5.6 cos(w t), so 
   options.mesh = "\xff\xfe.msh";  // no UTF-8
   REQUIRE(json_text(inputs_of(options)).find("\"mesh\":\"\xEF\xBF\xBD\xEF\xBF\xBD.msh\"") !=
           std::string::npos);
-  REQUIRE(sentence_of(f, "out/a").ends_with("Files: out/a"));
+  DropOptions told;
+  told.out = "out/a";
+  REQUIRE(sentence_of(f, told).ends_with("Files: out/a"));
+  REQUIRE(sentence_of(f, told).find("tilted") == std::string::npos);
+  told.kinematics = Kinematics::space;
+  DropFigures leaning = f;
+  leaning.final_tilt_deg = 12;
+  REQUIRE(sentence_of(leaning, told).find(" ms, tilted by 12 deg (deepest") != std::string::npos);
   write_json("summary.json", j);
   REQUIRE(summary_in(".") == parse_json(json_text(j), "text"));
   REQUIRE(summary_in(".")["steps"] == 4000);
@@ -170,7 +177,7 @@ TEST_CASE("figures and summary of a braking that is known: v = 5.6 cos(w t), so 
 
 TEST_CASE("history file: the header that everybody relies on, and rows") {
   {
-    HistoryFile file{"history.csv"};
+    HistoryFile file{"history.csv", false};
     file.write({.time_s = 0.5, .penetration_m = 0.25, .reaction_N = 2, .mean_volume_ratio = 1.5});
   }
   std::ifstream file{"history.csv"};
@@ -180,12 +187,12 @@ TEST_CASE("history file: the header that everybody relies on, and rows") {
   REQUIRE(header.rfind("time_s,penetration_m,velocity_m_s,acceleration_m_s2,reaction_N,", 0) == 0);
   REQUIRE(row == "0.5,0.25,0,0,2,0,0,0,0,0,0,0,0,0,0,0,0,1.5");
   {
-    HistoryFile without{"history.csv"};  // nothing touches: an empty field
+    HistoryFile without{"history.csv", false};  // nothing touches: an empty field
     without.write({.fill_ratio = std::numeric_limits<double>::quiet_NaN()});
   }
   std::ifstream again{"history.csv"};
   std::getline(again, header);
   std::getline(again, row);
   REQUIRE(row == "0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,,1");
-  REQUIRE_THROWS_AS(HistoryFile{"no/such/folder/history.csv"}, error);
+  REQUIRE_THROWS_AS((HistoryFile{"no/such/folder/history.csv", false}), error);
 }

@@ -41,6 +41,7 @@ inline constexpr double other_flip_time = 0.1;
 
 /// Numbers of points that an element of the drop's sand can have.
 inline std::span<const int> point_counts(const DropOptions& o) {
+  if (o.in_space()) return space_points;
   if (o.on_grid()) return grid_points;
   if (o.kinematics == Kinematics::slice) return tetrahedron_points;
   return triangle_points;

@@ -37,7 +37,8 @@ inline bool is_default(const DropOptions& o) {
 /// The unit, drop_<name>.cpp, that computes a drop.
 inline std::string unit_of(const DropOptions& o) {
   if (is_default(o)) return "default";
-  return o.on_grid() ? word_of(mesh_kind_words, o.mesh_kind) : word_of(kinematics_words, o.kinematics);
+  return o.on_grid() && !o.in_space() ? word_of(mesh_kind_words, o.kind_of_mesh())
+                                      : word_of(kinematics_words, o.kinematics);
 }
 
 /// Each unit but the default one adds itself, so that a program can be built without some.

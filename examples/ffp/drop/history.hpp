@@ -18,7 +18,8 @@ inline constexpr double standard_gravity =
 
 /// One row of the history. Penetration and velocity are positive down; the acceleration is the net one,
 /// positive when it slows the device; mass x (acceleration + g) = reaction. Masses, forces and energies are
-/// those of the whole device and the whole chamber (the slice's times 18).
+/// those of the whole device and the whole chamber (the slice's times 18, those of one half in space times 2).
+/// Of a penetrometer that turns penetration is the tip's, velocity and acceleration the centre of mass's.
 struct HistoryRow {
   double time_s = 0;
   double penetration_m = 0;
@@ -38,10 +39,13 @@ struct HistoryRow {
   double contact_nodes = 0;
   double fill_ratio = 0;  ///< of the elements at the device; NaN, an empty field, while nothing touches
   double mean_volume_ratio = 1;  ///< mean V/V0 of the sand
+  double tilt_deg = 0;           ///< of the axis to the vertical
+  double aside_m = 0;            ///< way of the tip, to where it pointed at the impact
 };
 
-/// Columns of the history: names and members, in the order of the file.
-inline constexpr std::array<std::pair<const char*, double HistoryRow::*>, 18> history_columns{{
+/// Columns of the history: names and members, in the order of the file. The last two are those of a
+/// penetrometer that turns.
+inline constexpr std::array<std::pair<const char*, double HistoryRow::*>, 20> history_columns{{
     {"time_s", &HistoryRow::time_s},
     {"penetration_m", &HistoryRow::penetration_m},
     {"velocity_m_s", &HistoryRow::velocity_m_s},
@@ -60,7 +64,10 @@ inline constexpr std::array<std::pair<const char*, double HistoryRow::*>, 18> hi
     {"contact_nodes", &HistoryRow::contact_nodes},
     {"fill_ratio", &HistoryRow::fill_ratio},
     {"mean_volume_ratio", &HistoryRow::mean_volume_ratio},
+    {"tilt_deg", &HistoryRow::tilt_deg},
+    {"aside_m", &HistoryRow::aside_m},
 }};
+inline constexpr std::size_t guided_columns = 18;
 
 /// Rows of a run so far: for a saved state numbers side by side.
 struct HistoryRows {
@@ -75,23 +82,25 @@ static_assert(sizeof(HistoryRow) == history_columns.size() * sizeof(double));
 /// history.csv as it grows.
 class HistoryFile {
  public:
-  /// Throws `error` if the file cannot be written.
-  explicit HistoryFile(const std::filesystem::path& path) : csv_{path, names()} {}
+  /// `turns`: whether the penetrometer may. Throws `error` if the file cannot be written.
+  HistoryFile(const std::filesystem::path& path, bool turns)
+      : columns_{turns ? history_columns.size() : guided_columns}, csv_{path, names()} {}
 
   void write(const HistoryRow& row) {
-    std::array<std::optional<double>, history_columns.size()> values{};
+    std::vector<std::optional<double>> values(columns_);
     for (std::size_t i = 0; i < values.size(); ++i)
       if (const double value = row.*history_columns[i].second; !std::isnan(value)) values[i] = value;
     csv_.row(values);
   }
 
  private:
-  static std::vector<std::string> names() {
+  std::vector<std::string> names() const {
     std::vector<std::string> all;
-    for (const auto& column : history_columns) all.emplace_back(column.first);
+    for (std::size_t i = 0; i < columns_; ++i) all.emplace_back(history_columns[i].first);
     return all;
   }
 
+  std::size_t columns_;
   CsvWriter csv_;
 };
 

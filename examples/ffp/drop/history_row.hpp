@@ -1,33 +1,46 @@
 // A row of the history, read off a scene of the drop.
 #pragma once
 
+#include <cmath>
 #include <limits>
 #include <tuple>
+#include <type_traits>
 #include <vector>
 
 #include <arenite/observe/contact_force.hpp>
 #include <arenite/observe/energy.hpp>
 #include <arenite/observe/fill_ratio.hpp>
 
+#include "../geometry/tilted.hpp"
 #include "history.hpp"
 
 namespace arenite::ffp {
 
 /// What the history needs of the device at one step, as the scene has it (a slice's share).
 struct DeviceState {
-  double penetration, velocity;  ///< positive down, m, m/s
+  double penetration, velocity;  ///< of the tip and of the centre of mass, positive down, m, m/s
   double reaction;               ///< contact force up, N
   std::size_t contact_nodes;
   std::vector<Index> touched;  ///< nodes at which the sand pushes
+  double tilt = 0, aside = 0;  ///< see `HistoryRow`
 };
 
 template <class Scene>
-DeviceState device_state(const Scene& scene) {
+DeviceState device_state(const Scene& scene, const DeviceStart& start) {
   DeviceState state{};
   state.reaction = contact_force<"device">(scene)[1];
   if constexpr (Scene::rigid_count > 0) {
     const auto& body = scene.template rigid<"device">();
-    state.penetration = 0 - body.displacement[1];
+    if constexpr (std::remove_cvref_t<decltype(body)>::rotates) {
+      const Mat<double, 3> turned = body.orientation.matrix();
+      const Vec<double, 3> centre = body.motion.centre(), axis = turned * start.axis();
+      const Vec<double, 3> tip = centre + body.displacement + turned * (start.tip - centre);
+      state.penetration = 0 - tip[1];
+      state.aside = tip[0] - start.tip[0];
+      state.tilt = std::atan2(-axis[0], axis[1]) * 180 / pi;
+    } else {
+      state.penetration = 0 - (start.tip[1] + body.displacement[1]);
+    }
     state.velocity = -body.velocity[1];
     state.contact_nodes = body.contact_nodes;
     if constexpr (is_simplex_mesh<typename Scene::Mesh>)
@@ -37,7 +50,7 @@ DeviceState device_state(const Scene& scene) {
   } else {
     const auto& device = scene.template body<"device">();
     const auto& contact = scene.template part<Coulomb>();
-    state.penetration = 0 - scene.template part<MovingMesh>().travel();
+    state.penetration = 0 - (start.tip[1] + scene.template part<MovingMesh>().travel());
     state.velocity = -momentum(device)[1] / mass(device);
     state.contact_nodes = scene.contact_tally.nodes;
     const auto& normals = contact.normals.out;
@@ -50,14 +63,16 @@ DeviceState device_state(const Scene& scene) {
 
 /// A row of the history, of the scene as it stands; `before`: the row of the step before, null at the start.
 template <class Scene>
-HistoryRow history_row(const Scene& scene, const HistoryRow* before, double whole) {
-  const DeviceState device = device_state(scene);
+HistoryRow history_row(const Scene& scene, const HistoryRow* before, const DeviceStart& start, double whole) {
+  const DeviceState device = device_state(scene, start);
   const Energies e = energies(scene);
   const auto& soil = scene.template body<"soil">();
   HistoryRow row;
   row.time_s = scene.time;
   row.penetration_m = device.penetration;
   row.velocity_m_s = device.velocity;
+  row.tilt_deg = device.tilt;
+  row.aside_m = device.aside;
   row.acceleration_m_s2 = before ? (before->velocity_m_s - device.velocity) / scene.time_step
                                  : -standard_gravity;  // it still falls freely
   row.reaction_N = whole * device.reaction;

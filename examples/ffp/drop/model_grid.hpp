@@ -2,6 +2,7 @@
 #pragma once
 
 #include "../geometry/mesh_grid.hpp"
+#include "../geometry/tilted.hpp"
 #include "model.hpp"
 
 namespace arenite::ffp {
@@ -21,6 +22,11 @@ inline auto sand_on_grid(DropOptions o) {
   return sand_with_law(o);
 }
 
+/// The grid goes down with the penetrometer.
+inline MovingMesh<LedByRigid<"device">> motion_of_grid(const DropOptions& o) {
+  return {.leader = {}, .fixed_below = -Chamber{}.soil_depth, .moving_from = -o.moving_depth};
+}
+
 /// A rigid penetrometer on quadratic B-splines; `Coupling` tells how the sand meets it. USL: with pure FLIP
 /// and velocities that are mapped back, grid and points part company.
 template <class Coupling>
@@ -35,8 +41,7 @@ auto grid_scene(const DropOptions& o) {
                rigids(rigid<"device">(DistanceSurface{whole_section(o.body()), 0.5},
                                       Guided{.mass = o.device_mass(), .velocity = -o.velocity},
                                       friction_of(o), Coupling{})),
-               MovingMesh<LedByRigid<"device">>{
-                   .leader = {}, .fixed_below = -chamber.soil_depth, .moving_from = -o.moving_depth},
+               motion_of_grid(o),
                splitting_of(o),
                TrackEnergy{}};
 }

@@ -100,7 +100,7 @@ class Run {
     begin_ = Clock::now();
     try {
       write_summary("running");
-      history_.emplace(folder_.path() / "history.csv");
+      history_.emplace(folder_.path() / "history.csv", o_.in_space());
       for (const HistoryRow& row : rows_.all) history_->write(row);
       open_fields();
       writing_ += Clock::now() - begin_;
@@ -117,15 +117,15 @@ class Run {
     } catch (const std::exception& e) {
       end("failed", at_time(e.what()), 1);
     }
-    if (!o_.quiet) std::cout << sentence_of(figures_of(rows_.all), o_.out) << std::endl;
+    if (!o_.quiet) std::cout << sentence_of(figures_of(rows_.all), o_) << std::endl;
   }
 
   /// Takes a step down, and stops the run if there is reason.
   void operator()(const Scene& scene) {
     if (scene.steps < rows_.all.size()) return;  // taken down before its state was saved
     const auto from = Clock::now();
-    HistoryRow row = history_row(scene, rows_.all.empty() ? nullptr : &rows_.all.back(), Model::whole);
-    row.penetration_m -= tip_above_;
+    HistoryRow row =
+        history_row(scene, rows_.all.empty() ? nullptr : &rows_.all.back(), start_, Model::whole);
     history_->write(row);
     rows_.all.push_back(row);  // so that the summary is that of the file
     if (fields_) (*fields_)(scene);
@@ -230,7 +230,7 @@ class Run {
 
   Scene& scene_;
   const DropOptions& o_;
-  const double tip_above_ = o_.body().tip_above();  ///< m: of the penetrometer, above what the sand meets
+  const DeviceStart start_ = o_.start();
   WarningLog& warnings_;
   RunFolder folder_;
   StopSignals signals_;

@@ -51,6 +51,7 @@ struct Peak {
 /// Figures drawn from a history.
 struct DropFigures {
   double final_penetration_m = 0, max_penetration_m = 0, max_penetration_time_s = 0;
+  double final_tilt_deg = 0, final_aside_m = 0;
   Peak peak;                   ///< of the filtered history
   Peak second;                 ///< of the filtered history; NaN: there is none
   Peak raw_peak;               ///< of the history as computed
@@ -87,6 +88,8 @@ inline DropFigures figures_of(const std::vector<HistoryRow>& history, double win
   f.end_s = time.back();
   f.raw_peak = peak_at(deceleration, find_peaks(deceleration).first);
   f.final_penetration_m = history.back().penetration_m;
+  f.final_tilt_deg = history.back().tilt_deg;
+  f.final_aside_m = history.back().aside_m;
   const auto deepest = std::max_element(
       history.begin(), history.end(),
       [](const HistoryRow& a, const HistoryRow& b) { return a.penetration_m < b.penetration_m; });
@@ -108,12 +111,14 @@ inline DropFigures figures_of(const std::vector<HistoryRow>& history, double win
 }
 
 /// What a drop came to, in one line.
-inline std::string sentence_of(const DropFigures& f, const std::string& folder) {
+inline std::string sentence_of(const DropFigures& f, const DropOptions& o) {
+  const std::string tilted =
+      o.in_space() ? joined_text({", tilted by ", rounded(f.final_tilt_deg), " deg"}) : std::string{};
   return joined_text({"The penetrometer stands at ", rounded(f.final_penetration_m), " m at ",
-                      rounded(f.end_s * 1e3), " ms (deepest: ", rounded(f.max_penetration_m), " m at ",
-                      rounded(f.max_penetration_time_s * 1e3), " ms); its deceleration peaked at ",
+                      rounded(f.end_s * 1e3), " ms", tilted, " (deepest: ", rounded(f.max_penetration_m),
+                      " m at ", rounded(f.max_penetration_time_s * 1e3), " ms); its deceleration peaked at ",
                       rounded(f.peak.value_g), " g at ", rounded(f.peak.time_s * 1e3), " ms and ",
-                      rounded(f.peak.penetration_m), " m. Files: ", shown(folder)});
+                      rounded(f.peak.penetration_m), " m. Files: ", shown(o.out)});
 }
 
 /// All inputs of a drop, the derived ones too, by the names of their options.
@@ -122,6 +127,11 @@ inline Json inputs_of(const DropOptions& o) {
   j["kinematics"] = word_of(kinematics_words, o.kinematics);
   j["device"] = word_of(device_words, o.device);
   j["velocity_m_s"] = o.velocity;
+  if (o.in_space()) {
+    j["tilt_deg"] = o.tilt;
+    j["centre_of_mass_m"] = o.centre_height();
+    j["gyration_m"] = o.gyration_radius();
+  }
   j["tip"] = word_of(tip_words, o.tip);
   j["mass_kg"] = o.device_mass();
   j["shoulder"] = word_of(shoulder_words, o.shoulder);
@@ -141,7 +151,7 @@ inline Json inputs_of(const DropOptions& o) {
   j["gravity_m_s2"] = standard_gravity;
   j["contact"] = word_of(contact_words, o.contact_kind());
   j["contact_offset_m"] = o.contact_offset;
-  j["mesh_kind"] = word_of(mesh_kind_words, o.mesh_kind);
+  j["mesh_kind"] = word_of(mesh_kind_words, o.kind_of_mesh());
   j["cell_m"] = o.cell_size();
   if (o.cell_at_cone) j["cell_at_cone_m"] = *o.cell_at_cone;
   if (o.split_share() > 0) j["split"] = o.split_share();
@@ -189,6 +199,10 @@ inline Json summary_of(const DropOptions& options, const std::optional<DropFigur
   if (figures) {
     const DropFigures& f = *figures;
     j["final_penetration_m"] = f.final_penetration_m;
+    if (options.in_space()) {
+      j["final_tilt_deg"] = f.final_tilt_deg;
+      j["final_aside_m"] = f.final_aside_m;
+    }
     j["max_penetration_m"] = f.max_penetration_m;
     j["max_penetration_time_s"] = f.max_penetration_time_s;
     j["peak_filter"] = "centred moving average over 2 ms";

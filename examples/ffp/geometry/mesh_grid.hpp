@@ -5,7 +5,6 @@
 #include <vector>
 
 #include <arenite/core/error.hpp>
-#include <arenite/geometry/polygon.hpp>
 #include <arenite/mesh/rectilinear_grid.hpp>
 
 #include "geometry.hpp"
@@ -39,16 +38,6 @@ inline RectilinearGrid<2>::Parameters grid_lines(const Device& body, const Chamb
     return sizes.edge(y - body.fillet_end(), h * (1 + (sizes.top_ratio - 1) * above));
   }));
   return lines;
-}
-
-/// The section of the penetrometer on both sides of the axis, which is then no surface.
-inline Polygon whole_section(const Device& body) {
-  std::vector<Polygon::Corner> corners;
-  const auto half = body.outline();
-  for (const Point2& x : half) corners.push_back({x[0], x[1]});
-  for (std::size_t k = half.size(); k-- > 0;)
-    if (half[k][0] > 0) corners.push_back({-half[k][0], half[k][1]});
-  return Polygon{corners};
 }
 
 }  // namespace arenite::ffp

@@ -21,6 +21,7 @@ namespace arenite::ffp {
 inline constexpr std::array triangle_points{1, 3, 4, 6, 9, 10, 15, 16, 21, 25, 28, 36, 49};
 inline constexpr std::array tetrahedron_points{1, 4, 10, 20, 35, 56, 84};
 inline constexpr std::array grid_points{4, 9, 16, 25, 36, 49};
+inline constexpr std::array space_points{8, 27, 64};
 
 /// "1, 2 or 3".
 template <std::size_t N>
@@ -43,10 +44,20 @@ inline constexpr double most_fields = 1000;
 template <class Options, class Visitor>
 void visit_options(Options& o, Visitor& v) {
   v.group("Model");
-  v.choice("--kinematics", kinematics_words, o.kinematics,
-           "Half-section of triangles, or the 20-degree slice of tetrahedra");
+  v.choice(
+      "--kinematics", kinematics_words, o.kinematics,
+      "Half-section of triangles, the 20-degree slice of tetrahedra, or in space, where the penetrometer "
+      "turns, on a grid");
   v.choice("--device", device_words, o.device, "Penetrometer that moves as one, or one that deforms");
   v.number("--velocity", o.velocity, "M_S", above(0, 50, "m/s"), "Velocity at the impact");
+  v.number("--tilt", o.tilt, "DEG", Range{0, 30, "deg"},
+           "Angle of the penetrometer's axis to the vertical at the impact, with --kinematics space");
+  v.number("--centre-of-mass", o.centre_of_mass, "M", Range{0.05, 0.6, "m"},
+           "Height of the centre of mass above the tip, with --kinematics space, of itself that of a "
+           "homogeneous penetrometer");
+  v.number("--gyration", o.gyration, "M", Range{0.02, 0.4, "m"},
+           "Radius of gyration about a line across the axis, with --kinematics space, of itself that of a "
+           "homogeneous penetrometer");
   v.choice("--tip", tip_words, o.tip,
            "Cone of 60 degrees, sharp or with the instrument's flat end, parabola, or a flat end alone");
   v.number("--mass", o.mass, "KG", Range{0.1, 1000, "kg"},
@@ -74,12 +85,13 @@ void visit_options(Options& o, Visitor& v) {
   v.choice(
       "--contact", contact_words, o.contact,
       "Contact of the rigid penetrometer at nodes, through the centre-of-mass velocity (the paper's), or "
-      "at material points (of itself rigid; with --mesh-kind grid points)");
+      "at material points (of itself rigid; with --mesh-kind grid points, but in space rigid)");
   v.number("--contact-offset", o.contact_offset, "M", Range{-0.02, 0.02, "m"},
            "The sand meets a surface this far outside of the penetrometer's, or inside if negative");
   v.group("Numerics");
   v.choice("--mesh-kind", mesh_kind_words, o.mesh_kind,
-           "Elements fitted to the penetrometer, or a grid of quadratic B-splines that moves with it");
+           "Elements fitted to the penetrometer, or a grid of quadratic B-splines that moves with it (of "
+           "itself fitted; with --kinematics space grid)");
   v.choice(
       "--accuracy", accuracy_words, o.accuracy,
       "What --cell and --courant are of themselves: coarse 0.02 and 0.9, normal 0.01 and 0.5, fine 0.005 "
@@ -95,7 +107,8 @@ void visit_options(Options& o, Visitor& v) {
   v.counts("--points-per-element", o.points_per_element,
            "Material points in each element of sand: " + listed(triangle_points) +
                " in triangles (default 28), " + listed(tetrahedron_points) + " in tetrahedra (default 10), " +
-               listed(grid_points) + " in cells of a grid (default 9)");
+               listed(grid_points) + " in cells of a grid (default 9), " + listed(space_points) +
+               " in space (default 8)");
   v.number("--jitter", o.jitter, "SHARE", Range{0, 1},
            "Move initial points of sand at random, within this share of the spacing between them");
   v.number("--jitter-seed", o.jitter_seed, "N", Range{0, 1e9}, "Seed of the random numbers of --jitter");
@@ -162,6 +175,22 @@ struct RangeCheck {
 
 }  // namespace detail
 
+/// The rules of a penetrometer that turns.
+inline void check_in_space(const DropOptions& o) {
+  if (!o.in_space()) {
+    require(o.tilt == 0, "--tilt", o.tilt, "needs --kinematics space");
+    for (const auto& [name, value] :
+         {std::pair{"--centre-of-mass", o.centre_of_mass}, {"--gyration", o.gyration}})
+      if (value) require(false, name, *value, "needs --kinematics space");
+    return;
+  }
+  require(o.on_grid() && o.device == DeviceKind::rigid && o.contact_kind() == ContactKind::rigid &&
+              !o.averages() && o.mesh.empty() && o.split_share() == 0,
+          "--kinematics", "space",
+          "needs --mesh-kind grid, --device rigid, --contact rigid and --anti-locking off, and goes without "
+          "--mesh and --split");
+}
+
 /// Throws `error("--option = value: rule")` at the first value that breaks a rule.
 inline void check(const DropOptions& o) {
   detail::RangeCheck ranges;
@@ -187,12 +216,13 @@ inline void check(const DropOptions& o) {
           "must be 0 or at least 1");
   require(o.split_share() == 0 || o.device == DeviceKind::rigid, "--split", o.split_share(),
           "needs --device rigid");
+  check_in_space(o);
   if (o.on_grid()) {
-    require(o.kinematics == Kinematics::axisymmetric && o.device == DeviceKind::rigid && o.mesh.empty() &&
+    require(o.kinematics != Kinematics::slice && o.device == DeviceKind::rigid && o.mesh.empty() &&
                 o.contact_kind() != ContactKind::centre_of_mass && !o.averages(),
             "--mesh-kind", "grid",
-            "needs --kinematics axisymmetric, --device rigid, --contact points or rigid and --anti-locking "
-            "off, and goes without --mesh");
+            "needs --kinematics axisymmetric or space, --device rigid, --contact points or rigid and "
+            "--anti-locking off, and goes without --mesh");
   } else {
     require(o.contact_kind() != ContactKind::points, "--contact", "points", "needs --mesh-kind grid");
   }
@@ -215,7 +245,10 @@ inline void check(const DropOptions& o) {
   const auto among = [n](const auto& counts) {
     return std::find(counts.begin(), counts.end(), n) != counts.end();
   };
-  if (o.on_grid())
+  if (o.in_space())
+    require(among(space_points), "--points-per-element", n,
+            "must be " + listed(space_points) + " in the cells of a grid in space");
+  else if (o.on_grid())
     require(among(grid_points), "--points-per-element", n,
             "must be " + listed(grid_points) + " in the cells of a grid");
   else if (o.kinematics == Kinematics::slice)

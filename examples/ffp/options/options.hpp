@@ -12,13 +12,15 @@
 #include <arenite/core/error.hpp>
 
 #include "../geometry/geometry.hpp"
+#include "../geometry/mass.hpp"
 #include "../geometry/mesh_axisymmetric.hpp"
+#include "../geometry/tilted.hpp"
 #include "../geometry/tip.hpp"
 #include "law_options.hpp"
 
 namespace arenite::ffp {
 
-enum class Kinematics { axisymmetric, slice };
+enum class Kinematics { axisymmetric, slice, space };
 enum class DeviceKind { rigid, elastic };
 enum class MeshKind { fitted, grid };
 enum class ContactKind { rigid, centre_of_mass, points };
@@ -26,8 +28,8 @@ enum class Shoulder { sharp, fillet };
 enum class Accuracy { coarse, normal, fine };
 
 /// Words of the options that choose: the command line, the summary and the checks share them.
-inline constexpr std::array<std::pair<std::string_view, Kinematics>, 2> kinematics_words{
-    {{"axisymmetric", Kinematics::axisymmetric}, {"slice", Kinematics::slice}}};
+inline constexpr std::array<std::pair<std::string_view, Kinematics>, 3> kinematics_words{
+    {{"axisymmetric", Kinematics::axisymmetric}, {"slice", Kinematics::slice}, {"space", Kinematics::space}}};
 inline constexpr std::array<std::pair<std::string_view, DeviceKind>, 2> device_words{
     {{"rigid", DeviceKind::rigid}, {"elastic", DeviceKind::elastic}}};
 inline constexpr std::array<std::pair<std::string_view, MeshKind>, 2> mesh_kind_words{
@@ -54,9 +56,12 @@ std::string word_of(const Words& words, Value value) {
 struct DropOptions {
   Kinematics kinematics = Kinematics::axisymmetric;
   DeviceKind device = DeviceKind::rigid;
-  double delta = 20;      ///< friction angle between sand and device, deg
-  bool no_slip = false;   ///< sand sticks to the device; `delta` is not used
-  double velocity = 5.6;  ///< at the impact, downward, m/s
+  double delta = 20;                     ///< friction angle between sand and device, deg
+  bool no_slip = false;                  ///< sand sticks to the device; `delta` is not used
+  double velocity = 5.6;                 ///< at the impact, downward, m/s
+  double tilt = 0;                       ///< of the axis from the vertical at the impact, deg; in space
+  std::optional<double> centre_of_mass;  ///< above the tip, m; default: `centre_height`; in space
+  std::optional<double> gyration;  ///< radius about a line across the axis, m; default: `gyration_radius`
   Tip tip = Tip::cone;
   std::optional<double> mass;           ///< of the whole device, kg; default: see `device_mass`
   double device_young = 20e6;           ///< of the elastic device, Pa
@@ -65,18 +70,18 @@ struct DropOptions {
   double fillet = 0.01;  ///< radius of the rounded edge, m; with `Shoulder::fillet` only (ours)
   /// From the surface of the device outward to the one that the sand meets, m: for error bars.
   double contact_offset = 0;
-  double friction = 40;                   ///< of the sand, deg
-  double young = 5e6;                     ///< of the sand, Pa
-  double poisson = 0.33;                  ///< of the sand
-  double unit_weight = 15100;             ///< of the sand, N/m^3
-  double cohesion = 0;                    ///< of the sand, Pa
-  double dilatancy = 0;                   ///< of the sand, deg
-  LawOptions law;                         ///< of the sand's friction
-  std::optional<double> k0;               ///< earth pressure at rest; default poisson / (1 - poisson) (ours)
-  MeshKind mesh_kind = MeshKind::fitted;  ///< triangles fitted to the device, or a grid under it
-  Accuracy accuracy = Accuracy::normal;   ///< decides cells and time step that are not given
-  std::optional<double> cell;             ///< edge of the cells around the cone, m; default: `cell_size`
-  std::optional<double> cell_at_cone;     ///< edge of the cells at the cone itself, m; without: `cell_size`
+  double friction = 40;                  ///< of the sand, deg
+  double young = 5e6;                    ///< of the sand, Pa
+  double poisson = 0.33;                 ///< of the sand
+  double unit_weight = 15100;            ///< of the sand, N/m^3
+  double cohesion = 0;                   ///< of the sand, Pa
+  double dilatancy = 0;                  ///< of the sand, deg
+  LawOptions law;                        ///< of the sand's friction
+  std::optional<double> k0;              ///< earth pressure at rest; default poisson / (1 - poisson) (ours)
+  std::optional<MeshKind> mesh_kind;     ///< elements fitted to the device, or a grid under it
+  Accuracy accuracy = Accuracy::normal;  ///< decides cells and time step that are not given
+  std::optional<double> cell;            ///< edge of the cells around the cone, m; default: `cell_size`
+  std::optional<double> cell_at_cone;    ///< edge of the cells at the cone itself, m; without: `cell_size`
   std::optional<double> split;  ///< points that stand for more than 1 / split of their cell split; 0: none
   double moving_depth = 0.06;   ///< the mesh moves as one from here below the tip upward, m (ours)
   std::string mesh;             ///< Gmsh file in the place of the generated mesh; empty: none
@@ -106,27 +111,37 @@ struct DropOptions {
   std::string name{};             ///< of the run, in front of its warnings; empty: the only one
   bool force = false;             ///< runs however many steps it takes
 
-  /// The paper's 10 in tetrahedra; 28 in triangles, from where on more change depth by 0.4 % and peak by 1 %:
+  /// The paper's 10 in tetrahedra, 8 in space; 28 in triangles, from where on more change depth by 0.4 % and
+  /// peak by 1 %:
   /// 9, 15, 21, 28, 36, 49 give 0.192, 0.189, 0.187, 0.186, 0.187, 0.187 m and 18.2 to 18.5 g; nine in cells
   /// of a grid.
   int points_in_element() const {
-    return points_per_element.value_or(on_grid() ? 9 : kinematics == Kinematics::slice ? 10 : 28);
+    return points_per_element.value_or(in_space()                        ? 8
+                                       : on_grid()                       ? 9
+                                       : kinematics == Kinematics::slice ? 10
+                                                                         : 28);
   }
   /// m; depth, peak, bars and times of each accuracy: docs/ffp_accuracy.md, Speed against accuracy.
   double cell_size() const {
     return cell.value_or(accuracy == Accuracy::coarse ? 0.02 : accuracy == Accuracy::fine ? 0.005 : 0.01);
   }
   double courant_number() const { return courant.value_or(accuracy == Accuracy::coarse ? 0.9 : 0.5); }
-  bool on_grid() const { return mesh_kind == MeshKind::grid; }
+  /// Whether the penetrometer moves and turns in space; otherwise along its axis.
+  bool in_space() const { return kinematics == Kinematics::space; }
+  MeshKind kind_of_mesh() const { return mesh_kind.value_or(in_space() ? MeshKind::grid : MeshKind::fitted); }
+  bool on_grid() const { return kind_of_mesh() == MeshKind::grid; }
   ContactKind contact_kind() const {
     if (device == DeviceKind::elastic) return ContactKind::centre_of_mass;
-    return contact.value_or(on_grid() ? ContactKind::points : ContactKind::rigid);
+    return contact.value_or(on_grid() && !in_space() ? ContactKind::points : ContactKind::rigid);
   }
   bool averages() const { return anti_locking.value_or(!on_grid()); }
   double flip_time_constant() const { return flip_time.value_or(on_grid() ? 0.1 : 0); }
   double earth_pressure() const { return k0.value_or(poisson / (1 - poisson)); }
   /// kg; the slice carries its share.
   double device_mass() const { return mass.value_or(usual_mass(tip)); }
+  /// m; of themselves those of a homogeneous penetrometer.
+  double centre_height() const { return centre_of_mass.value_or(mass_in(body().instrument()).centre); }
+  double gyration_radius() const { return gyration.value_or(mass_in(body().instrument()).gyration); }
   /// The surface that the sand meets, and with `instrument()` the penetrometer.
   Device body() const {
     DeviceShape shape = shape_of(tip);
@@ -134,6 +149,7 @@ struct DropOptions {
     shape.offset = contact_offset;
     return Device{shape};
   }
+  DeviceStart start() const { return {body(), tilt * pi / 180}; }
   MeshSizes mesh_sizes() const {
     return {.cell = cell_size(), .at_cone = cell_at_cone.value_or(0), .moving_depth = moving_depth};
   }

@@ -25,6 +25,7 @@
 #include "../drop/earlier_run.hpp"
 #include "../drop/history_row.hpp"
 #include "../drop/model.hpp"
+#include "../drop/model_space.hpp"
 #include "../drop/results.hpp"
 #include "../drop/summary_file.hpp"
 #include "../text/say.hpp"
@@ -38,11 +39,11 @@ void check_on_ranks(const DropOptions& o) {
   const auto refuse = [](bool given, const char* option) {
     if (given) throw error(joined_text({option, ": arenite-ffp has it, arenite-ffp-mpi does not"}));
   };
-  refuse(o.on_grid(), "--mesh-kind = grid");
+  refuse(o.on_grid() && !o.in_space(), "--mesh-kind = grid");
   refuse(o.device != DeviceKind::rigid, "--device = elastic");
-  refuse(o.law.kind != LawKind::mohr_coulomb, "--law");
+  refuse(o.law.kind != LawKind::mohr_coulomb && !o.in_space(), "--law");
   refuse(o.contact_kind() != ContactKind::rigid, "--contact");
-  refuse(!o.averages(), "--anti-locking = off");
+  refuse(!o.averages() && !o.in_space(), "--anti-locking = off");
   refuse(o.split_share() > 0, "--split");
   refuse(!o.mesh.empty(), "--mesh");
   refuse(o.error_bar, "--error-bar");
@@ -58,17 +59,17 @@ struct HistoryOnRank {
 /// Takes the rows of the history down; those of the first tile go on.
 class RowsOnRanks {
  public:
-  RowsOnRanks(HistoryOnRank& shown, double whole, double tip_above)
-      : shown_{&shown}, whole_{whole}, tip_above_{tip_above} {}
+  RowsOnRanks(HistoryOnRank& shown, double whole, const DropOptions& o)
+      : shown_{&shown}, whole_{whole}, start_{o.start()}, turns_{o.in_space()} {}
 
   template <class Scene>
   void operator()(const Scene& scene) {
     const bool first = scene.communicator().first();
-    HistoryRow row = history_row(scene, first && !rows_.all.empty() ? &rows_.all.back() : nullptr, whole_);
+    const HistoryRow row =
+        history_row(scene, first && !rows_.all.empty() ? &rows_.all.back() : nullptr, start_, whole_);
     if (!first) return;
-    row.penetration_m -= tip_above_;
     if (!shown_->file) {
-      shown_->file.emplace(shown_->path);
+      shown_->file.emplace(shown_->path, turns_);
       for (const HistoryRow& earlier : rows_.all) shown_->file->write(earlier);
     }
     shown_->file->write(row);
@@ -82,7 +83,9 @@ class RowsOnRanks {
 
  private:
   HistoryOnRank* shown_;
-  double whole_, tip_above_;
+  double whole_;
+  DeviceStart start_;
+  bool turns_;
   HistoryRows rows_{};
 };
 
@@ -128,25 +131,18 @@ EarlierRun earlier_on_ranks(mpi::World& world, const DropOptions& o) {
   return earlier;
 }
 
-template <class Model>
-void drop_on(mpi::World& world, const DropOptions& o, int tiles) {
+/// `whole`: mesh or grid; `weights`: [cells] what each costs; `make(mesh, portion)`: the scene of a tile. Masses and forces of the
+/// experiment are `times` those of the scene.
+template <class Whole, class Make>
+void drop_on(mpi::World& world, const DropOptions& o, int tiles, double times, const Whole& whole,
+             const std::vector<double>& weights, const Make& make) {
   const bool writes = world.rank() == 0, tells = writes && !o.quiet;
   const EarlierRun earlier = earlier_on_ranks(world, o);
   if (earlier.finished) {
     if (tells) say(joined_text({"the run in ", shown(o.out), " is finished; nothing to do"}));
     return;
   }
-  const auto data = Model::generate(o);
-  const SimplexMesh<Model::dimension> whole(data);
-  const auto motion = motion_of<LedByRigid<"device">>(o, whole);
-  std::vector<double> weights;  // only the sand has points
-  for (Index c = 0; c < whole.cell_count(); ++c)
-    weights.push_back(whole.region(c) == whole.region_number("soil") ? 1 : 0.01);
-  const auto make = [&](auto mesh, auto portion) {
-    return rigid_scene_in<Model, NodalAndElementAverage, RigidVelocity>(std::move(mesh), motion, o,
-                                                                        plain_sand(o), PointIds{}, portion);
-  };
-  auto scene = distribute(world, data, {.tiles = tiles, .weights = weights}, make);
+  auto scene = distribute(world, whole, {.tiles = tiles, .weights = weights}, make);
 
   std::unique_ptr<RunFolder> folder;
   HistoryOnRank history{std::filesystem::path(o.out) / "history.csv"};
@@ -183,7 +179,7 @@ void drop_on(mpi::World& world, const DropOptions& o, int tiles) {
   };
   RunOfTiles run(
       scene, RunOptions{.end = o.end, .courant = o.courant_number(), .watch = false}, rebalancing(make),
-      RowsOnRanks(history, Model::whole, o.body().tip_above()),
+      RowsOnRanks(history, times, o),
       When{o.fields_every > 0,
            every(period(o.fields_every), VtuSeries(o.out + "/fields", {.resumed = earlier.has_state}))},
       When{!o.no_watch,
@@ -224,7 +220,31 @@ void drop_on(mpi::World& world, const DropOptions& o, int tiles) {
   write_summary("done");
   std::error_code ignored;  // it only takes space
   std::filesystem::remove_all(saved_tiles_in(o), ignored);
-  if (tells) std::cout << sentence_of(figures_of(history.rows->all), o.out) << std::endl;
+  if (tells) std::cout << sentence_of(figures_of(history.rows->all), o) << std::endl;
+}
+
+constexpr double without_points = 0.01;  ///< what a cell outside of the sand costs, over one within
+
+template <class Model>
+void drop_in_mesh(mpi::World& world, const DropOptions& o, int tiles) {
+  const auto data = Model::generate(o);
+  const SimplexMesh<Model::dimension> whole(data);
+  const auto motion = motion_of<LedByRigid<"device">>(o, whole);
+  std::vector<double> weights;
+  for (Index c = 0; c < whole.cell_count(); ++c)
+    weights.push_back(whole.region(c) == whole.region_number("soil") ? 1 : without_points);
+  drop_on(world, o, tiles, Model::whole, data, weights, [&](auto mesh, auto portion) {
+    return rigid_scene_in<Model, NodalAndElementAverage, RigidVelocity>(std::move(mesh), motion, o,
+                                                                        plain_sand(o), PointIds{}, portion);
+  });
+}
+void drop_in_space(mpi::World& world, const DropOptions& o, int tiles) {
+  const auto whole = SpaceModel::mesh(o);
+  std::vector<double> weights;
+  for (Index c = 0; c < whole.cell_count(); ++c)
+    weights.push_back(whole.corner(c)[1] < 0 ? 1 : without_points);
+  drop_on(world, o, tiles, SpaceModel::whole, whole, weights,
+          [&](auto mesh, auto portion) { return space_scene_in(std::move(mesh), o, PointIds{}, portion); });
 }
 
 /// The value of `--tiles N` (one a rank without), which is taken out of the words.
@@ -259,10 +279,12 @@ void drop_on_ranks(mpi::World& world, std::vector<std::string> words) {
   }
   check_on_ranks(*options);
   set_threads(options->threads);
-  if (options->kinematics == Kinematics::slice)
-    drop_on<SliceModel>(world, *options, tiles);
+  if (options->in_space())
+    drop_in_space(world, *options, tiles);
+  else if (options->kinematics == Kinematics::slice)
+    drop_in_mesh<SliceModel>(world, *options, tiles);
   else
-    drop_on<AxisymmetricModel>(world, *options, tiles);
+    drop_in_mesh<AxisymmetricModel>(world, *options, tiles);
 }
 
 }  // namespace arenite::ffp

@@ -49,6 +49,10 @@ class Drop:
         self.deceleration = moving_average(self.time, self.raw)
         self.reaction = moving_average(self.time, table["reaction_N"])
         self.inputs = self.summary["inputs"]
+        self.in_space = self.inputs["kinematics"] == "space"
+        if self.in_space:
+            turns = read_table(os.path.join(folder, "history.csv"), "tilt_deg", "aside_m")
+            self.tilt, self.aside = (numpy.array(turns[name]) for name in ("tilt_deg", "aside_m"))
 
     def label(self, drops):
         """What tells this drop from the others: contact first, then every input that differs."""
@@ -88,9 +92,14 @@ class Drop:
         return longest if longest[1] - longest[0] > 5e-3 else None
 
     def outline(self, time):
-        """Half-section of the device at a time: [r, y]."""
+        """Section of the device at a time: [x, y]."""
         line = numpy.array(self.summary["device_outline_m"])
-        return line[:, 0], line[:, 1] - numpy.interp(time, self.time, self.depth)
+        x, y = numpy.concatenate([line * (-1, 1), line[::-1]]).T
+        if self.in_space:
+            tilt = numpy.radians(numpy.interp(time, self.time, self.tilt))
+            x, y = numpy.cos(tilt) * x - numpy.sin(tilt) * y, numpy.sin(tilt) * x + numpy.cos(tilt) * y
+            x += numpy.interp(time, self.time, self.aside)
+        return x, y - numpy.interp(time, self.time, self.depth)
 
 
 def moving_average(time, value):
@@ -220,7 +229,7 @@ def draw_histories(drops, path):
 
 
 def nearest_fields(drop, wanted_times=FIELD_TIMES):
-    """The drop's fields at these times: [(time, r, y, strain)], those that there are."""
+    """The drop's fields at these times: [(time, r, y, strain)], those that there are; in space of the plane of symmetry, r along it."""
     series = drop.fields()
     if not series:
         return []
@@ -237,8 +246,12 @@ def nearest_fields(drop, wanted_times=FIELD_TIMES):
         for path in series[i][1]:
             data = read_vtu(path)
             if "deviatoric_strain" in data["point_data"]:
-                x = data["points"]
-                shown.append((times[i], numpy.hypot(x[:, 0], x[:, 2]), x[:, 1], data["point_data"]["deviatoric_strain"]))
+                x, strain = data["points"], data["point_data"]["deviatoric_strain"]
+                if drop.in_space:
+                    near = x[:, 2] < drop.inputs["cell_m"] / 2
+                    shown.append((times[i], x[near, 0], x[near, 1], strain[near]))
+                else:
+                    shown.append((times[i], numpy.hypot(x[:, 0], x[:, 2]), x[:, 1], strain))
                 break
     return shown
 
@@ -246,19 +259,18 @@ def nearest_fields(drop, wanted_times=FIELD_TIMES):
 def paint(axes, drop, field):
     """The sand and the device of one time on a pair of axes whose size is known; returns the image for a colour bar."""
     time, r, y, strain = field
-    inside = (r < 1) & (abs(y) < 1) & numpy.isfinite(strain)  # what a failed run has thrown out is not drawn
+    inside = (abs(r) < 1) & (abs(y) < 1) & numpy.isfinite(strain)  # what a failed run has thrown out is not drawn
     r, y, strain = r[inside], y[inside], strain[inside]
     order = numpy.argsort(strain)  # the sheared points on top
     r, y, strain = r[order], y[order], strain[order]
     box = axes.get_window_extent()
     scale = 72 / axes.figure.dpi * box.height / numpy.ptp(axes.get_ylim())  # points of 1/72 inch a metre
     image = None
-    for side in (-1, 1):
+    for side in (1,) if drop.in_space else (-1, 1):
         image = axes.scatter(side * r, y, c=strain, s=(1.5 * scale * spacing(r, y)) ** 2, marker="s", linewidths=0, cmap="magma_r",
                              vmin=0, vmax=STRAIN_TOP, rasterized=True)
     x, height = drop.outline(time)
-    axes.fill(numpy.concatenate([-x[::-1], x]), numpy.concatenate([height[::-1], height]), facecolor="#d9dde1",
-              edgecolor="#333333", linewidth=0.9, zorder=3)
+    axes.fill(x, height, facecolor="#d9dde1", edgecolor="#333333", linewidth=0.9, zorder=3)
     axes.set_aspect("equal")
     axes.spines[["top", "right"]].set_visible(False)
     return image

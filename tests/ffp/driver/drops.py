@@ -4,7 +4,7 @@ import os
 import unittest.mock
 
 import shared
-from shared import COARSE, SLICE, GRID, SHORT, FIRST_COLUMNS, drop, summary, content, field_files, vtu, DriverTest
+from shared import COARSE, SLICE, GRID, SPACE, SHORT, FIRST_COLUMNS, drop, summary, content, field_files, vtu, DriverTest
 
 
 class Drops(DriverTest):
@@ -119,6 +119,24 @@ class Drops(DriverTest):
         self.assert_consistent(columns)
         self.assertNotIn("deepest_point_m", found)
         self.assertLess(columns["penetration_m"][-1], plain["penetration_m"][-1] - 1e-3)
+
+    def test_space(self):
+        """Upright it goes straight down, about as far as the half-section; tilted it turns on, and the tip goes where it pointed."""
+        section, _ = self.run_drop("space_section", *GRID, "--cell", "0.02", "--contact", "rigid", "--end", "0.02", "--fields-every", "0")
+        upright, _ = self.run_drop("space", *SPACE, "--cell", "0.02", "--end", "0.02", "--fields-every", "0")
+        tilted, found = self.run_drop("space_tilted", *SPACE, "--end", "0.05", "--tilt", "10", "--fields-every", "0.05")
+        for columns in (upright, tilted):
+            self.assert_consistent(columns, residual=0.01, turns=columns is tilted)
+            self.assertTrue(all(f != f for f in columns["fill_ratio"]))
+        self.assert_summary(found, tilted)
+        self.assertLess(max(map(abs, upright["tilt_deg"] + upright["aside_m"])), 1e-9)
+        self.assertLess(abs(upright["penetration_m"][-1] / section["penetration_m"][-1] - 1), 0.04)  # 2.5 %
+        self.assertEqual((tilted["tilt_deg"][0], tilted["aside_m"][0]), (10, 0))
+        self.assertAlmostEqual(tilted["penetration_m"][0], 0, delta=1e-15)
+        self.assertTrue(12 < found["final_tilt_deg"] == tilted["tilt_deg"][-1] < 30)
+        self.assertTrue(0.005 < found["final_aside_m"] == tilted["aside_m"][-1] < 0.1)
+        self.assertEqual(len(vtu(field_files("space_tilted")[0][1])["deviatoric_strain"]), found["points"])
+        self.assertNotIn("tilt_deg", section)
 
     def test_grid_refined(self):
         columns, found = self.run_drop("grid_refined", *GRID, "--cell-at-cone", "0.02", "--end", "0.03", "--fields-every", "0")

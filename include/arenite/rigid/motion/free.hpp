@@ -21,6 +21,10 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 /// A mass that moves and turns freely: in the plane with three degrees of freedom, in space with six, in
 /// axisymmetry only along the axis. Vectors are {x, y, z}; in the plane spins and moments have only z.
+///
+/// `symmetry`: in space, where a scene models one half of what is symmetric about a plane, the axis normal to
+/// it. The body keeps to the plane: it moves along the other two axes and turns about this one, as the other
+/// half would make it. Mass and inertia are those of the half, the centre that of the whole.
 struct Free {
   static constexpr double not_given = std::numeric_limits<double>::quiet_NaN();
   /// Of what the scene models (a slice, a metre, the full circle), kg; required, positive.
@@ -33,6 +37,7 @@ struct Free {
   Anchor anchor{};                 ///< springs and dashpots to the world
   VectorFunction force{0, 0, 0};   ///< on the centre, N
   VectorFunction moment{0, 0, 0};  ///< N m
+  int symmetry = -1;               ///< axis normal to a plane of symmetry, -, in [-1, 2]; -1: there is none
 };
 
 /// A free body in D dimensions over scalar T.
@@ -49,22 +54,25 @@ class BoundFree {
 
   /// `hoop`: in axisymmetry the body moves along the axis.
   explicit BoundFree(const Free& f, bool hoop = false)
-      : mass{f.mass}, hoop_{hoop}, anchor_{f.anchor}, force_{f.force}, moment_{f.moment} {
+      : mass{f.mass}, anchor_{f.anchor}, force_{f.force}, moment_{f.moment} {
     require(mass > 0 && std::isfinite(mass), "Free.mass", mass, "must be given, positive");
     centre_ = vector_argument<double, D>("Free.centre", f.centre);
     velocity_ = vector_argument<double, D>("Free.velocity", f.velocity);
     spin_ = spin_argument<D>("Free.spin", f.spin);
+    if (f.symmetry != -1) keep_to_plane(f);
     if (hoop) {
       require(centre_[0] == 0, "Free.centre", centre_[0], "must lie on the axis in an axisymmetric scene");
       require(velocity_[0] == 0 && spin_.isZero(0), "Free.velocity, spin", vector_text(velocity_),
               "must be along the axis, without spin, in an axisymmetric scene");
       inertia_.setIdentity();
+      moves_ = Vec<double, N>::Unit(1);
     } else {
       f.inertia.check<D>();
       if constexpr (D == 2)
         inertia_(0, 0) = f.inertia.about_z();
       else
         inertia_ = f.inertia.template tensor<D>();
+      if (f.symmetry != -1) check_inertia(f.symmetry);
     }
     momentum_ = inertia_ * spin_;
   }
@@ -98,7 +106,8 @@ class BoundFree {
       slowed = -dt * anchor_.rotational_damping.cwiseProduct(left);
       added += slowed;
     }
-    if (hoop_) v[0] = 0, added.setZero();
+    v = v.cwiseProduct(linear_part<D>(moves_));
+    added = added.cwiseProduct(angular_part<D>(moves_));
     free_momentum_ = momentum_ + added;
     of_springs_ = twist<double, D>(spring, twisted);
     of_dashpots_ = twist<double, D>(-dt * anchor_.damping.cwiseProduct(v), slowed);
@@ -109,7 +118,7 @@ class BoundFree {
   template <class Body>
   Velocity velocity_in_contact(const Body& body, const Velocity& free_velocity) const {
     ContactBalance<D> balance(resisting_nodes(body), body.friction, free_velocity.template cast<double>(),
-                              inertia_of_twist(), moves());
+                              inertia_of_twist(), moves_);
     return balance.solve().template cast<T>();
   }
 
@@ -119,7 +128,7 @@ class BoundFree {
   Velocity after(const Velocity& contact_velocity, const Velocity& free_velocity, const Velocity& total,
                  const Vec<T, 2>& magnitudes) {
     constexpr double round_off = 64 * static_cast<double>(std::numeric_limits<T>::epsilon());
-    const Vec<double, N> given = total.template cast<double>().cwiseProduct(moves()),
+    const Vec<double, N> given = total.template cast<double>().cwiseProduct(moves_),
                          change = (contact_velocity - free_velocity).template cast<double>();
     const V left = mass * linear_part<D>(change) + linear_part<D>(given);
     const S left_spin = in_space_ * angular_part<D>(change) + angular_part<D>(given);
@@ -137,16 +146,15 @@ class BoundFree {
   /// For the contact of rigid bodies (`RigidContact`). Change of the twist by an impulse and its moment, once
   /// `free_velocity` was asked for; `added`: how the impulse of the matter opposes the twist, as an inertia.
   Mat<double, N> mobility(const Mat<double, N>& added) const {
-    const Vec<double, N> can = moves();
     Mat<double, N> inertia = inertia_of_twist() + added;
-    inertia = can.asDiagonal() * inertia * can.asDiagonal();
-    inertia.diagonal() += Vec<double, N>::Ones() - can;
-    const Mat<double, N> response = can.asDiagonal() * inverse_of<N>(inertia) * can.asDiagonal();
+    inertia = moves_.asDiagonal() * inertia * moves_.asDiagonal();
+    inertia.diagonal() += Vec<double, N>::Ones() - moves_;
+    const Mat<double, N> response = moves_.asDiagonal() * inverse_of<N>(inertia) * moves_.asDiagonal();
     return response;
   }
   /// Takes an impulse of another rigid body with its moment, before `after`.
   void push(const Vec<double, N>& impulse) {
-    free_momentum_ += angular_part<D>(Vec<double, N>(impulse.cwiseProduct(moves())));
+    free_momentum_ += angular_part<D>(Vec<double, N>(impulse.cwiseProduct(moves_)));
   }
   /// The orientation at the end of a step with this twist.
   Orientation<D> turned(Orientation<D> orientation, const Vec<double, N>& u, double dt) const {
@@ -211,13 +219,24 @@ class BoundFree {
     inertia.template bottomRightCorner<rotations<D>, rotations<D>>() = in_space_;
     return inertia;
   }
-  /// 1 for each component of the velocity that may change.
-  Vec<double, N> moves() const {
-    if (hoop_) return Vec<double, N>::Unit(1);
-    return Vec<double, N>::Ones();
+  /// Throws `error` unless the body is of this plane of symmetry.
+  void keep_to_plane(const Free& f) {
+    require(D == 3 && f.symmetry >= 0 && f.symmetry < 3, "Free.symmetry", f.symmetry,
+            "must be -1, or in space the axis 0, 1 or 2");
+    moves_[f.symmetry] = 0;
+    for (int k = 0; k < rotations<D>; ++k) moves_[D + k] = k == f.symmetry ? 1 : 0;
+    require((twist<double, D>(velocity_, spin_).cwiseProduct(Vec<double, N>::Ones() - moves_)).isZero(0),
+            "Free.velocity, spin", joined_text({vector_text(velocity_), ", ", vector_text(spin_)}),
+            {"must be in the plane of symmetry, and about its normal, axis ", f.symmetry});
+  }
+  void check_inertia(int normal) const {
+    for (int k = 0; k < rotations<D>; ++k)
+      require(k == normal || inertia_(k, normal) == 0, "Free.inertia", inertia_(k, normal),
+              {"must have no products with the axis ", normal, " of the plane of symmetry"});
   }
 
-  bool hoop_;
+  /// 1 for each component of the velocity that may change, 0 for the others.
+  Vec<double, N> moves_ = Vec<double, N>::Ones();
   BoundAnchor<D> anchor_;
   VectorFunction force_, moment_;
   V centre_, velocity_;

@@ -1,5 +1,6 @@
 // benchmark.ranks TILES POINTS STEPS: a scene of tetrahedra on the ranks that there are, cut into so many tiles (0: one for each rank), of
-// so many points in all. Prints one line: what a step takes, and what of it is exchange of nodes and migration.
+// so many points in all. Prints one line: what a step takes, what of it is exchange of nodes; what points cost that change tiles, beside
+// their relocation; and how long the ranks stand still while tiles move, because all points lie on one half of the cells.
 #include <arenite/mpi.hpp>
 
 #include <algorithm>
@@ -32,24 +33,84 @@ double median(int times, F&& f) {
   return all[static_cast<std::size_t>(times / 2)];
 }
 
+/// Sand in cubes of edge 1 / k m, up to x = `filled`, that moves with `speed`, m/s; and what makes it.
+auto sand_in_tiles(mpi::World& world, int tiles, int k, double filled, double speed) {
+  const auto make = [=](auto mesh, auto portion) {
+    return Scene{ThreeDimensional{},
+                 mesh,
+                 Numerics<LinearSimplex, Flip, Musl, NodalAveraging>{},
+                 bodies(fill(Box{{0., 0., 0.}, {filled, 1., 1.}}, bench::sand(),
+                             {.per_cell = 10,
+                              .velocity = {speed, 0.4 * speed, 0},
+                              .stress = Geostatic{.surface = 1, .k0 = 0.5}})),
+                 walls(bottom(fixed), left(roller), right(roller), front(roller), back(roller)),
+                 gravity({0, 0, -9.81}),
+                 portion};
+  };
+  return std::pair{distribute(world, bench::tetrahedra(k, 1.0 / k), {.tiles = tiles}, make), make};
+}
+
+/// What changing tiles costs, s, medians of steps.
+struct Migration {
+  double share = 0;                        ///< of the points that change tiles in a step
+  double find = 0, move = 0, regroup = 0;  ///< cells of points, the exchange of points, lists of cells
+};
+Migration migration(mpi::World& world, int tiles, int k, int steps) {
+  auto scene = sand_in_tiles(world, tiles, k, 1, 1.5).first;
+  std::array<std::vector<double>, 3> times;
+  std::array<double, 2> points{};
+  scene.together([&](auto& s) {
+    constexpr int width = std::remove_cvref_t<decltype(s)>::NumericsType::template width<double>;
+    for (int n = 0; n < 5 + steps; ++n) {
+      const auto of_bodies = [&](auto&& f) {
+        return median(1, [&] { s.for_each_body([&](auto& body, auto&) { f(body); }); });
+      };
+      const double find = of_bodies([&](auto& body) { find_cells<width>(body, s.mesh, s.blocks); });
+      double leave = 0;
+      for (const Index c : s.template body<0>().points.cell)
+        leave += c < s.mesh.cell_count() && !s.portion().owns_cell(c);
+      s.communicator().least(0);
+      const double move = median(1, [&] { migrate(s); });
+      const double regrouping = of_bodies([&](auto& body) { regroup(body, s.blocks); });
+      if (n >= 5 && s.communicator().first()) {
+        times[0].push_back(find), times[1].push_back(move), times[2].push_back(regrouping);
+        points[0] += leave, points[1] += static_cast<double>(s.point_count());
+      }
+      step_towards(s, {.end = 1e9}, 1);
+    }
+  });
+  if (world.rank() != 0) return {};
+  for (auto& t : times) std::ranges::nth_element(t, t.begin() + steps / 2);
+  const auto at = static_cast<std::size_t>(steps / 2);
+  return {points[0] / points[1], times[0][at], times[1][at], times[2][at]};
+}
+
+/// How long all ranks stand still while tiles move, in steps, and the fullest rank's share of the points over the mean.
+struct Standstill {
+  int moved = 0;
+  double before = 1, after = 1, steps = 0;
+};
+Standstill standstill(mpi::World& world, int tiles, int k) {
+  auto [scene, make] = sand_in_tiles(world, tiles, k, 0.5, 0.05);
+  double step = 0;
+  const auto time_steps = [&] {
+    scene.together([&](auto& s) {
+      const double of = median(15, [&] { step_towards(s, {.end = 1e9}, 1); });
+      if (s.communicator().first()) step = of;
+    });
+  };
+  time_steps();
+  Rebalanced done;
+  world.meet();
+  const double still = median(1, [&] { done = rebalance(scene, make); });
+  time_steps();
+  return {done.moved, done.before, done.after, step > 0 ? still / step : 0};
+}
+
 void work(mpi::World& world, int tiles, double points, int steps) {
   const int k = std::max(2, static_cast<int>(std::lround(std::cbrt(points / 60))));
-  const double h = 1.0 / k;
-  auto scene = distribute(world, bench::tetrahedra(k, h), {.tiles = tiles}, [&](auto mesh, auto portion) {
-    return Scene{
-        ThreeDimensional{},
-        mesh,
-        Numerics<LinearSimplex, Flip, Musl, NodalAveraging>{},
-        bodies(fill(
-            Box{{0., 0., 0.}, {1., 1., 1.}}, bench::sand(),
-            {.per_cell = 10, .velocity = {0.05, 0.02, 0}, .stress = Geostatic{.surface = 1, .k0 = 0.5}})),
-        walls(bottom(fixed), left(roller), right(roller), front(roller), back(roller)),
-        gravity({0, 0, -9.81}),
-        portion};
-  });
+  auto scene = sand_in_tiles(world, tiles, k, 1, 0.05).first;
   std::vector<double> times;
-  std::size_t migrated = 0;
-  double moved = 0;
   scene.together([&](auto& s) {
     for (int n = 0; n < 5; ++n) step_towards(s, {.end = 1e9}, 1);
     s.communicator().least(0);
@@ -60,7 +121,6 @@ void work(mpi::World& world, int tiles, double points, int steps) {
       if (tells) times.push_back(seconds(start));
     }
   });
-  migrated = scene.shared().migrated_bytes();
   // Exchanges alone: of as many numbers a node as P2G sums.
   constexpr std::size_t lanes = 8;
   double exchange = 0, reduction = 0;
@@ -73,19 +133,22 @@ void work(mpi::World& world, int tiles, double points, int steps) {
   });
   std::int64_t copies = 0;
   for (const auto& tile : scene.shared().halo().tiles) copies += static_cast<std::int64_t>(tile.nodes.size());
-  std::array<std::int64_t, 3> all{0, copies, static_cast<std::int64_t>(migrated)};
+  std::array<std::int64_t, 2> all{0, copies};
   scene.for_each_tile([&](const auto& s) { all[0] += static_cast<std::int64_t>(s.point_count()); });
   world.sum(all);
-  moved = static_cast<double>(all[2]) / (steps + 5);
+  const Migration change = migration(world, scene.tiles(), k, steps);
+  const Standstill still = standstill(world, scene.tiles(), k);
   if (world.rank() != 0) return;
   std::ranges::nth_element(times, times.begin() + steps / 2);
   const double step = times[static_cast<std::size_t>(steps / 2)];
   std::printf(
       "{\"ranks\": %d, \"tiles\": %d, \"threads\": %d, \"points\": %ld, \"step\": %.4g, \"copies\": %.4g, "
       "\"exchange\": %.4g, \"reduction\": %.4g, "
-      "\"migrated\": %.4g}\n",
+      "\"migrating\": %.4g, \"find\": %.4g, \"move\": %.4g, \"regroup\": %.4g, \"moved_tiles\": %d, "
+      "\"before\": %.4g, \"after\": %.4g, \"still\": %.4g}\n",
       world.size(), scene.tiles(), threads(), static_cast<long>(all[0]), step,
-      static_cast<double>(all[1]) / world.size(), exchange, reduction, moved);
+      static_cast<double>(all[1]) / world.size(), exchange, reduction, change.share, change.find, change.move,
+      change.regroup, still.moved, still.before, still.after, still.steps);
 }
 
 }  // namespace

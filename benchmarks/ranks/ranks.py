@@ -50,7 +50,7 @@ def main():
     given = parser.parse_args()
     print("| points | ranks x tiles | step, ms | of one rank | shared copies a rank | exchange, microseconds | ns a copy | exchanges of the step |")
     print("|---|---|---|---|---|---|---|---|")
-    per_point, per_copy = [], []
+    per_point, per_copy, changes = [], [], []
     for points in (float(p) for p in given.points.split(",")):
         alone = None
         for ranks, tiles in ((1, 1), (2, 2), (1, 8), (2, 8), (2, 16)):
@@ -61,9 +61,17 @@ def main():
                 per_point.append(row["step"] / row["points"])
             if ranks == tiles == 2:
                 per_copy.append(exchange / copies)
+            if tiles > 1:
+                relocation = row["find"] + row["regroup"]
+                still = f"{row['still']:.1f}, {row['before']:.2f} to {row['after']:.2f}" if row["moved_tiles"] else ""
+                changes.append(f"| {row['points']} | {ranks} x {tiles // ranks} | {100 * row['migrating']:.2g} % | {1e6 * row['move']:.3g} | "
+                               f"{1e6 * relocation:.3g} | {still} |")
             cells = "| | |" if tiles == 1 else f"{copies:.0f} | {1e6 * exchange:.3g} | {1e9 * exchange / copies:.0f} |"
             share = "" if tiles == 1 else f"{100 * EXCHANGES * exchange / row['step']:.2g} %"
             print(f"| {row['points']} | {ranks} x {tiles // ranks} | {1e3 * row['step']:.3g} | {row['step'] / alone:.2f} | {cells} {share} |", flush=True)
+    print("\nPoints that change tiles, and tiles that change ranks; microseconds of the first tile:\n")
+    print("| points | ranks x tiles | change tiles in a step | the exchange | relocation | standstill, steps, and fullest rank over the mean |")
+    print("|---|---|---|---|---|---|\n" + "\n".join(changes))
     point, copy = sorted(per_point)[len(per_point) // 2], sorted(per_copy)[len(per_copy) // 2]
     print(f"\nConstants: {1e9 * point:.3g} ns a point and step, {1e9 * copy:.3g} ns a shared copy and exchange; {1e6 * given.latency:g} microseconds and "
           f"{given.bandwidth:g} bytes/s a message between machines.\n")

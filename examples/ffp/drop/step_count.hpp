@@ -52,17 +52,22 @@ inline std::string cause_of_steps(const DropOptions& o, double smallest) {
       ->second;
 }
 
-/// `expected_steps` of the drop; throws `error` that names the option to change if there are too many and
-/// `--force` is not given.
-template <class Scene>
-ExpectedSteps accepted_steps(const Scene& scene, const DropOptions& o) {
-  const ExpectedSteps expected = expected_steps(scene, {.end = o.end, .courant = o.courant_number()});
-  if (expected.count <= most_steps || o.force) return expected;
-  auto smallest = scene.mesh.size(0);
-  for (Index c = 1; c < scene.mesh.cell_count(); ++c) smallest = std::min(smallest, scene.mesh.size(c));
+/// Throws `error` that names the option to change if there are too many steps and `--force` is not given.
+inline void accept_steps(const ExpectedSteps& expected, const DropOptions& o, double smallest) {
+  if (expected.count <= most_steps || o.force) return;
   throw error(joined_text({cause_of_steps(o, smallest), ": makes the run take about ",
                            rounded(expected.count), " steps of ", rounded(expected.length),
                            " s; must be at most ", rounded(most_steps), " steps, or --force be given"}));
+}
+
+/// `expected_steps` of the drop, if `accept_steps` lets them pass.
+template <class Scene>
+ExpectedSteps accepted_steps(const Scene& scene, const DropOptions& o) {
+  const ExpectedSteps expected = expected_steps(scene, {.end = o.end, .courant = o.courant_number()});
+  auto smallest = scene.mesh.size(0);
+  for (Index c = 1; c < scene.mesh.cell_count(); ++c) smallest = std::min(smallest, scene.mesh.size(c));
+  accept_steps(expected, o, smallest);
+  return expected;
 }
 
 }  // namespace arenite::ffp

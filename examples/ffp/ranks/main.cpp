@@ -1,5 +1,7 @@
 // arenite-ffp-mpi: a drop on the ranks of MPI, mpirun -n 4 arenite-ffp-mpi drop --kinematics slice ..
 #include <algorithm>
+#include <chrono>
+#include <cmath>
 #include <csignal>
 #include <filesystem>
 #include <iostream>
@@ -9,6 +11,7 @@
 #include <sstream>
 #include <string>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 #include <arenite/arenite.hpp>
@@ -27,6 +30,7 @@
 #include "../drop/model.hpp"
 #include "../drop/model_space.hpp"
 #include "../drop/results.hpp"
+#include "../drop/step_count.hpp"
 #include "../drop/summary_file.hpp"
 #include "../text/say.hpp"
 
@@ -143,6 +147,11 @@ void drop_on(mpi::World& world, const DropOptions& o, int tiles, double times, c
     return;
   }
   auto scene = distribute(world, whole, {.tiles = tiles, .weights = weights}, make);
+  const double length = scene.least([&](const auto& tile) {
+    return expected_steps(tile, {.end = o.end, .courant = o.courant_number()}).length;
+  });
+  const ExpectedSteps expected{std::ceil(o.end / length), length};
+  accept_steps(expected, o, o.cell_size());
 
   std::unique_ptr<RunFolder> folder;
   HistoryOnRank history{std::filesystem::path(o.out) / "history.csv"};
@@ -150,14 +159,21 @@ void drop_on(mpi::World& world, const DropOptions& o, int tiles, double times, c
   numbers.started = earlier.has_state ? earlier.started : utc_now();
   numbers.resumed_at_s = earlier.resumed_at_s;
   numbers.threads = threads();
+  numbers.expected_steps = static_cast<long>(std::min(expected.count, 1e18));
+  numbers.wall_s = earlier.has_state ? earlier.wall_s : 0;
   numbers.points = static_cast<long>(scene.sum([](const auto& tile) { return tile.point_count(); }));
+  using Clock = std::chrono::steady_clock;
+  auto counted_to = Clock::now();
   const auto write_summary = [&](const std::string& status) {
     if (!writes) return;
     numbers.status = status;
     std::optional<DropFigures> figures;
+    const auto now = Clock::now();
+    numbers.wall_s += std::chrono::duration<double>(now - std::exchange(counted_to, now)).count();
     if (history.rows) {
       figures = figures_of(history.rows->all);
       numbers.steps = static_cast<long>(history.rows->all.size()) - 1;
+      numbers.point_steps = static_cast<double>(numbers.points) * static_cast<double>(numbers.steps);
       numbers.lost_points = static_cast<long>(history.rows->all.back().lost_points);
     }
     write_json(summary_file(folder->path()), summary_of(o, figures, numbers));

@@ -134,6 +134,38 @@ class TilesOfRank {
     return std::exchange(from_[tile], {});
   }
 
+  /// Bytes of all tiles, [tiles of the whole], where tile 0 is.
+  std::vector<std::string> to_first(std::size_t tile, std::string bytes) {
+    to_first_[tile] = std::move(bytes);
+    meeting_.meet([&] {
+      std::string here;  // of each tile its number, length, bytes
+      for (std::size_t t = 0; t < tiles(); ++t) {
+        append_bytes(here, number_[t]);
+        append_bytes(here, to_first_[t].size());
+        here += std::exchange(to_first_[t], {});
+      }
+      if (rank_of_[0] != ranks_->rank()) {
+        ranks_->exchange(std::array{rank_of_[0]}, {std::move(here)});
+        return;
+      }
+      std::vector<int> others;
+      for (int r = 0; r < ranks_->size(); ++r)
+        if (r != ranks_->rank()) others.push_back(r);
+      auto from = ranks_->exchange(others, std::vector<std::string>(others.size()));
+      from.push_back(std::move(here));
+      at_first_.resize(rank_of_.size());
+      for (const auto& of_rank : from)
+        for (std::string_view rest = of_rank; !rest.empty();) {
+          const int of = read_bytes<int>(rest);
+          const auto size = read_bytes<std::size_t>(rest);
+          at_first_[static_cast<std::size_t>(of)] = rest.substr(0, size);
+          rest.remove_prefix(size);
+        }
+    });
+    if (number_[tile] != 0) return {};
+    return std::exchange(at_first_, {});  // the next round needs this tile, too
+  }
+
   void fail(std::size_t tile, const std::string& what) {
     const std::string told = joined_text({"tile ", number_[tile], " failed: ", what});
     if (meeting_.fail(told)) ranks_->fail(told);
@@ -229,6 +261,7 @@ class TilesOfRank {
   std::vector<const std::vector<double>*> gathered_from_ = std::vector<const std::vector<double>*>(tiles());
   std::vector<double> gathered_{};
   std::vector<Messages> to_ = std::vector<Messages>(tiles()), from_ = to_;  // [tiles] by the other tile
+  std::vector<std::string> to_first_ = std::vector<std::string>(tiles()), at_first_{};
   std::size_t migrated_;
 
   std::tuple<Buffers<double>, Buffers<float>, Buffers<long double>> made_buffers() const {
@@ -270,6 +303,9 @@ class TileCommunicator {
   bool first() const { return all().number()[seat_->tile] == 0; }
   int size() const { return all().size(); }
   Messages exchange(Messages to) const { return all().exchange(seat_->tile, std::move(to)); }
+  std::vector<std::string> to_first(std::string bytes) const {
+    return all().to_first(seat_->tile, std::move(bytes));
+  }
   void fail(const std::string& what) const { all().fail(seat_->tile, what); }
 
  private:

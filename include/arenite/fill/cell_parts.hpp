@@ -4,6 +4,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -30,7 +31,10 @@ struct ClearBall {
 
 namespace detail {
 
-double distance_between(const SpacePosition& x, const SpacePosition& y);
+inline double distance_between(const SpacePosition& x, const SpacePosition& y) {
+  const double a = x[0] - y[0], b = x[1] - y[1], c = x[2] - y[2];
+  return std::sqrt(a * a + b * b + c * c);
+}
 
 /// Positions of the corners of a cell, m.
 struct CellCorners {

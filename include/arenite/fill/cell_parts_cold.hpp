@@ -11,11 +11,6 @@
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 namespace detail {
 
-ARENITE_COLD double distance_between(const SpacePosition& x, const SpacePosition& y) {
-  const double a = x[0] - y[0], b = x[1] - y[1], c = x[2] - y[2];
-  return std::sqrt(a * a + b * b + c * c);
-}
-
 /// The part of a small box of these edges about x that lies in a region, as its share and centre. By a signed
 /// distance: of the plane at that distance, exact where it is parallel to a face, and the only one in the
 /// box; else all or nothing.
@@ -137,8 +132,12 @@ ARENITE_COLD std::vector<CellPart> simplex_parts(const CellCorners& corners, dou
     for (std::size_t c = 0; c <= D; ++c)
       for (std::size_t k = 0; k < 3; ++k) x[k] += b[static_cast<int>(c)] * corners.at[c][k];
     std::size_t nearest = 0;
+    double least = distance_between(places[0], x);
     for (std::size_t p = 1; p < places.size(); ++p)
-      if (distance_between(places[p], x) < distance_between(places[nearest], x)) nearest = p;
+      if (const double distance = distance_between(places[p], x); distance < least) {
+        least = distance;
+        nearest = p;
+      }
     sums.add(nearest, x, {edge, edge, D == 3 ? edge : 0});
   }
   return std::move(sums).parts();

@@ -112,7 +112,7 @@ class Mistakes(DriverTest):
         self.assert_refused("--cell-at-cone = 0.02: must not exceed --cell = 0.01 m\n", "--cell-at-cone", "0.02")
         self.assert_refused("--cell-at-cone = 0.005: needs --kinematics axisymmetric", "--cell-at-cone", "0.005", "--kinematics", "slice")
         self.assert_refused("--split = 9: needs --device rigid", "--cell-at-cone", "0.005", "--device", "elastic")
-        self.assert_refused("--mesh-kind = grid: needs --kinematics axisymmetric, --device rigid", "--mesh-kind", "grid", "--device", "elastic")
+        self.assert_refused("--mesh-kind = grid: needs --kinematics axisymmetric or space, --device rigid", "--mesh-kind", "grid", "--device", "elastic")
         self.assert_refused("--contact = points: needs --mesh-kind grid", "--contact", "points")
         self.assert_refused("--split = 0.5: must be 0 or at least 1", "--split", "0.5")
         self.assert_refused("--law = mu-i: needs --device rigid", "--law", "mu-i", "--device", "elastic")

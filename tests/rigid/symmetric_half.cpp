@@ -17,7 +17,7 @@ auto scene_of(int axis) {
   const LinearElastic block{{.density = 1540, .young = 1_MPa, .poisson = 0.3}};
   std::array<double, 3> low{-0.12, 0, -0.12}, high{0.12, 0.24, 0.12}, a{}, b{}, spin{};
   if (half) low[across] = 0;
-  a[1] = 0.19, b[1] = 0.16;
+  a[1] = 0.21, b[1] = 0.18;
   a[along] = -0.02, b[along] = 0.05;
   spin[across] = 3;
   std::array<double, 3> centre{}, velocity{0, -2, 0};
@@ -35,7 +35,7 @@ auto scene_of(int axis) {
                bodies(fill(Box<3>{low, block_high}, block, {.per_cell = 8})),
                walls(bottom(fixed), left(roller), right(roller), front(roller), back(roller)),
                gravity({0, -9.81, 0}),
-               rigid(DistanceSurface{Capsule(a, b, 0.02)},
+               rigid(DistanceSurface{Capsule(a, b, 0.04)},
                      Free{.mass = 0.6 * share,
                           .inertia = {4e-4 * share, 5e-4 * share, 6e-4 * share},
                           .centre = centre,
@@ -70,12 +70,15 @@ TEST_CASE("One half of a body, free in its plane of symmetry, goes the way of th
   CAPTURE(axis);
   auto half = scene_of<true>(axis);
   auto whole = scene_of<false>(axis);
+  bool beside = false;  // whether a node pushed that the other half has, too
   for (int k = 0; k < 250; ++k) {
     const double dt = 0.4 * std::min(stable_step(half), stable_step(whole));
     step(half, dt);
     step(whole, dt);
+    for (const auto& touch : half.rigid<0>().touched_nodes)
+      beside = beside || (touch.impulse.norm() > 0 && touch.arm[axis] > 0.01);
   }
-  REQUIRE(half.rigid<0>().contact_nodes > 0);
+  REQUIRE(beside);
   REQUIRE(std::abs(half.rigid<0>().spin[axis] - 3) > 0.5);  // the block has turned it
   const auto a = state_of(half), b = state_of(whole);
   for (std::size_t k = 0; k < a.size(); ++k) {

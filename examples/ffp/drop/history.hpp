@@ -5,6 +5,7 @@
 #include <cmath>
 #include <filesystem>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -87,10 +88,10 @@ class HistoryFile {
       : columns_{turns ? history_columns.size() : guided_columns}, csv_{path, names()} {}
 
   void write(const HistoryRow& row) {
-    std::vector<std::optional<double>> values(columns_);
-    for (std::size_t i = 0; i < values.size(); ++i)
+    std::array<std::optional<double>, history_columns.size()> values{};
+    for (std::size_t i = 0; i < columns_; ++i)
       if (const double value = row.*history_columns[i].second; !std::isnan(value)) values[i] = value;
-    csv_.row(values);
+    csv_.row(std::span(values).first(columns_));
   }
 
  private:

@@ -53,9 +53,11 @@ inline std::string cause_of_steps(const DropOptions& o, double smallest) {
 }
 
 /// Throws `error` that names the option to change if there are too many steps and `--force` is not given.
-inline void accept_steps(const ExpectedSteps& expected, const DropOptions& o, double smallest) {
+/// `smallest()`: see `cause_of_steps`.
+template <class Smallest>
+void accept_steps(const ExpectedSteps& expected, const DropOptions& o, Smallest&& smallest) {
   if (expected.count <= most_steps || o.force) return;
-  throw error(joined_text({cause_of_steps(o, smallest), ": makes the run take about ",
+  throw error(joined_text({cause_of_steps(o, smallest()), ": makes the run take about ",
                            rounded(expected.count), " steps of ", rounded(expected.length),
                            " s; must be at most ", rounded(most_steps), " steps, or --force be given"}));
 }
@@ -64,9 +66,11 @@ inline void accept_steps(const ExpectedSteps& expected, const DropOptions& o, do
 template <class Scene>
 ExpectedSteps accepted_steps(const Scene& scene, const DropOptions& o) {
   const ExpectedSteps expected = expected_steps(scene, {.end = o.end, .courant = o.courant_number()});
-  auto smallest = scene.mesh.size(0);
-  for (Index c = 1; c < scene.mesh.cell_count(); ++c) smallest = std::min(smallest, scene.mesh.size(c));
-  accept_steps(expected, o, smallest);
+  accept_steps(expected, o, [&] {
+    auto smallest = scene.mesh.size(0);
+    for (Index c = 1; c < scene.mesh.cell_count(); ++c) smallest = std::min(smallest, scene.mesh.size(c));
+    return smallest;
+  });
   return expected;
 }
 

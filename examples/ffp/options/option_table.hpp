@@ -181,7 +181,7 @@ inline void check_in_space(const DropOptions& o) {
     require(o.tilt == 0, "--tilt", o.tilt, "needs --kinematics space");
     for (const auto& [name, value] :
          {std::pair{"--centre-of-mass", o.centre_of_mass}, {"--gyration", o.gyration}})
-      if (value) require(false, name, *value, "needs --kinematics space");
+      require(!value, name, value.value_or(0), "needs --kinematics space");
     return;
   }
   require(o.on_grid() && o.device == DeviceKind::rigid && o.contact_kind() == ContactKind::rigid &&

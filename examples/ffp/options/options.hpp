@@ -111,10 +111,9 @@ struct DropOptions {
   std::string name{};             ///< of the run, in front of its warnings; empty: the only one
   bool force = false;             ///< runs however many steps it takes
 
-  /// The paper's 10 in tetrahedra, 8 in space; 28 in triangles, from where on more change depth by 0.4 % and
-  /// peak by 1 %:
+  /// The paper's 10 in tetrahedra; 28 in triangles, from where on more change depth by 0.4 % and peak by 1 %:
   /// 9, 15, 21, 28, 36, 49 give 0.192, 0.189, 0.187, 0.186, 0.187, 0.187 m and 18.2 to 18.5 g; nine in cells
-  /// of a grid.
+  /// of a grid, eight in space.
   int points_in_element() const {
     return points_per_element.value_or(in_space()                        ? 8
                                        : on_grid()                       ? 9

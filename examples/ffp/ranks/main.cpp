@@ -43,11 +43,13 @@ void check_on_ranks(const DropOptions& o) {
   const auto refuse = [](bool given, const char* option) {
     if (given) throw error(joined_text({option, ": arenite-ffp has it, arenite-ffp-mpi does not"}));
   };
-  refuse(o.on_grid() && !o.in_space(), "--mesh-kind = grid");
+  if (!o.in_space()) {
+    refuse(o.on_grid(), "--mesh-kind = grid");
+    refuse(o.law.kind != LawKind::mohr_coulomb, "--law");
+    refuse(!o.averages(), "--anti-locking = off");
+  }
   refuse(o.device != DeviceKind::rigid, "--device = elastic");
-  refuse(o.law.kind != LawKind::mohr_coulomb && !o.in_space(), "--law");
   refuse(o.contact_kind() != ContactKind::rigid, "--contact");
-  refuse(!o.averages() && !o.in_space(), "--anti-locking = off");
   refuse(o.split_share() > 0, "--split");
   refuse(!o.mesh.empty(), "--mesh");
   refuse(o.error_bar, "--error-bar");
@@ -138,20 +140,15 @@ EarlierRun earlier_on_ranks(mpi::World& world, const DropOptions& o) {
 /// `whole`: mesh or grid; `weights`: [cells] what each costs; `make(mesh, portion)`: the scene of a tile. Masses and forces of the
 /// experiment are `times` those of the scene.
 template <class Whole, class Make>
-void drop_on(mpi::World& world, const DropOptions& o, int tiles, double times, const Whole& whole,
-             const std::vector<double>& weights, const Make& make) {
+void drop_on(mpi::World& world, const DropOptions& o, const EarlierRun& earlier, int tiles, double times,
+             const Whole& whole, const std::vector<double>& weights, const Make& make) {
   const bool writes = world.rank() == 0, tells = writes && !o.quiet;
-  const EarlierRun earlier = earlier_on_ranks(world, o);
-  if (earlier.finished) {
-    if (tells) say(joined_text({"the run in ", shown(o.out), " is finished; nothing to do"}));
-    return;
-  }
   auto scene = distribute(world, whole, {.tiles = tiles, .weights = weights}, make);
   const double length = scene.least([&](const auto& tile) {
     return expected_steps(tile, {.end = o.end, .courant = o.courant_number()}).length;
   });
   const ExpectedSteps expected{std::ceil(o.end / length), length};
-  accept_steps(expected, o, o.cell_size());
+  accept_steps(expected, o, [&] { return o.cell_size(); });
 
   std::unique_ptr<RunFolder> folder;
   HistoryOnRank history{std::filesystem::path(o.out) / "history.csv"};
@@ -242,24 +239,24 @@ void drop_on(mpi::World& world, const DropOptions& o, int tiles, double times, c
 constexpr double without_points = 0.01;  ///< what a cell outside of the sand costs, over one within
 
 template <class Model>
-void drop_in_mesh(mpi::World& world, const DropOptions& o, int tiles) {
+void drop_in_mesh(mpi::World& world, const DropOptions& o, const EarlierRun& earlier, int tiles) {
   const auto data = Model::generate(o);
   const SimplexMesh<Model::dimension> whole(data);
   const auto motion = motion_of<LedByRigid<"device">>(o, whole);
   std::vector<double> weights;
   for (Index c = 0; c < whole.cell_count(); ++c)
     weights.push_back(whole.region(c) == whole.region_number("soil") ? 1 : without_points);
-  drop_on(world, o, tiles, Model::whole, data, weights, [&](auto mesh, auto portion) {
+  drop_on(world, o, earlier, tiles, Model::whole, data, weights, [&](auto mesh, auto portion) {
     return rigid_scene_in<Model, NodalAndElementAverage, RigidVelocity>(std::move(mesh), motion, o,
                                                                         plain_sand(o), PointIds{}, portion);
   });
 }
-void drop_in_space(mpi::World& world, const DropOptions& o, int tiles) {
+void drop_in_space(mpi::World& world, const DropOptions& o, const EarlierRun& earlier, int tiles) {
   const auto whole = SpaceModel::mesh(o);
   std::vector<double> weights;
   for (Index c = 0; c < whole.cell_count(); ++c)
     weights.push_back(whole.corner(c)[1] < 0 ? 1 : without_points);
-  drop_on(world, o, tiles, SpaceModel::whole, whole, weights,
+  drop_on(world, o, earlier, tiles, SpaceModel::whole, whole, weights,
           [&](auto mesh, auto portion) { return space_scene_in(std::move(mesh), o, PointIds{}, portion); });
 }
 
@@ -295,12 +292,17 @@ void drop_on_ranks(mpi::World& world, std::vector<std::string> words) {
   }
   check_on_ranks(*options);
   set_threads(options->threads);
-  if (options->in_space())
-    drop_in_space(world, *options, tiles);
-  else if (options->kinematics == Kinematics::slice)
-    drop_in_mesh<SliceModel>(world, *options, tiles);
-  else
-    drop_in_mesh<AxisymmetricModel>(world, *options, tiles);
+  const EarlierRun earlier = earlier_on_ranks(world, *options);
+  if (earlier.finished) {
+    if (world.rank() == 0 && !options->quiet)
+      say(joined_text({"the run in ", shown(options->out), " is finished; nothing to do"}));
+  } else if (options->in_space()) {
+    drop_in_space(world, *options, earlier, tiles);
+  } else if (options->kinematics == Kinematics::slice) {
+    drop_in_mesh<SliceModel>(world, *options, earlier, tiles);
+  } else {
+    drop_in_mesh<AxisymmetricModel>(world, *options, earlier, tiles);
+  }
 }
 
 }  // namespace arenite::ffp

@@ -44,8 +44,8 @@ class VtkhdfSeries {
     auto file = files_.begin();
     detail::for_each_frame_part(scene, options_, [&](const VtuData& data) {
       if constexpr (Scene::is_portion) {
-        const auto of_tiles = scene.communicator().to_first(packed(data));
-        if (speaks_for_all(scene)) (file++)->add(scene.time, VtuOfTiles(data, of_tiles).data());
+        const auto of_tiles = scene.communicator().to_first(detail::packed(data));
+        if (speaks_for_all(scene)) (file++)->add(scene.time, detail::VtuOfTiles(data, of_tiles).data());
       } else {
         (file++)->add(scene.time, data);
       }

@@ -3,9 +3,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include <cstring>
+#include <map>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 #include <arenite/core/bytes.hpp>
@@ -13,6 +13,7 @@
 #include <arenite/io/vtu.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
+namespace detail {
 
 /// Arrays of a part in one order: points, those of points, those of cells.
 template <class F>
@@ -42,8 +43,8 @@ inline std::string packed(const VtuData& data) {
 /// The parts of all tiles, one behind the other.
 class VtuOfTiles {
  public:
-  /// `of_tiles`: [tiles] `packed`; `like`: the part of one of them, whose names and types all have.
-  VtuOfTiles(const VtuData& like, const std::vector<std::string>& of_tiles) {
+  /// `of_tiles`: `packed`, by the tiles' numbers; `like`: the part of one of them, whose names and types all have.
+  VtuOfTiles(const VtuData& like, const std::map<int, std::string>& of_tiles) {
     for_each_array(like, [&](const VtuArray& a) {
       arrays_.push_back(a);
       arrays_.back().items = 0;
@@ -51,7 +52,7 @@ class VtuOfTiles {
     numbers_.resize(arrays_.size());
     points_of_cell_ = like.cells.front().points;
     of_points_ = like.point_data.size();
-    for (const std::string& bytes : of_tiles) add(bytes);
+    for (const auto& [tile, bytes] : of_tiles) add(bytes);
     for (std::size_t k = 0; k < arrays_.size(); ++k) {
       VtuArray& a = arrays_[k];
       a.fetch = [from = numbers_[k].data(), row = a.components * a.number_bytes](std::size_t begin,
@@ -94,4 +95,5 @@ class VtuOfTiles {
   std::size_t points_of_cell_ = 1, of_points_ = 0;
 };
 
+}  // namespace detail
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -23,11 +23,11 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 /// - `sum(values)`: each number (double) is summed over the scenes;
 /// - `gather(numbers)`: those of all scenes, one after the other, always in the same order;
 /// - `least(value)`: the least of the scenes;
-/// - `to_first(bytes)`: in the scene that is `first()` the bytes of all, in the same order; in the others nothing;
 /// - `first()`: true in one of the scenes, which counts what all have;
 /// - `size()`: number of portions;
 /// - `Messages`: bytes for portions of the mesh, or from them, a map by their numbers; `exchange(messages)`: those for
 ///   others, which come back as those from others;
+/// - `to_first(bytes)`: in the scene that is `first()` the bytes of all, as `Messages`; in the others none;
 /// - `fail(what)`: this scene has thrown; a call of the others that waits for it must throw.
 struct Serial {
   static constexpr bool is_serial = true;

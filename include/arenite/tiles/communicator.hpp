@@ -130,40 +130,29 @@ class TilesOfRank {
 
   Messages exchange(std::size_t tile, Messages to) {
     to_[tile] = std::move(to);
-    meeting_.meet([&] { deliver(); });
+    meeting_.meet([&] {
+      for (const Messages& of_tile : to_)
+        for (const auto& [other, message] : of_tile) migrated_ += message.size();
+      std::vector<int> neighbours;
+      for (const auto& neighbour : halo_.neighbours) neighbours.push_back(neighbour.rank);
+      deliver(neighbours);
+    });
     return std::exchange(from_[tile], {});
   }
 
-  /// Bytes of all tiles, [tiles of the whole], where tile 0 is.
-  std::vector<std::string> to_first(std::size_t tile, std::string bytes) {
-    to_first_[tile] = std::move(bytes);
+  /// Bytes of all tiles, where tile 0 is.
+  Messages to_first(std::size_t tile, std::string bytes) {
+    to_[tile][0] = std::move(bytes);
     meeting_.meet([&] {
-      std::string here;  // of each tile its number, length, bytes
-      for (std::size_t t = 0; t < tiles(); ++t) {
-        append_bytes(here, number_[t]);
-        append_bytes(here, to_first_[t].size());
-        here += std::exchange(to_first_[t], {});
+      std::vector<int> with{rank_of_[0]};
+      if (ranks_->rank() == with.front()) {
+        with.clear();
+        for (int r = 0; r < ranks_->size(); ++r)
+          if (r != ranks_->rank()) with.push_back(r);
       }
-      if (rank_of_[0] != ranks_->rank()) {
-        ranks_->exchange(std::array{rank_of_[0]}, {std::move(here)});
-        return;
-      }
-      std::vector<int> others;
-      for (int r = 0; r < ranks_->size(); ++r)
-        if (r != ranks_->rank()) others.push_back(r);
-      auto from = ranks_->exchange(others, std::vector<std::string>(others.size()));
-      from.push_back(std::move(here));
-      at_first_.resize(rank_of_.size());
-      for (const auto& of_rank : from)
-        for (std::string_view rest = of_rank; !rest.empty();) {
-          const int of = read_bytes<int>(rest);
-          const auto size = read_bytes<std::size_t>(rest);
-          at_first_[static_cast<std::size_t>(of)] = rest.substr(0, size);
-          rest.remove_prefix(size);
-        }
+      deliver(with);
     });
-    if (number_[tile] != 0) return {};
-    return std::exchange(at_first_, {});  // the next round needs this tile, too
+    return std::exchange(from_[tile], {});
   }
 
   void fail(std::size_t tile, const std::string& what) {
@@ -208,16 +197,13 @@ class TilesOfRank {
     ranks_->swap(swaps);
   }
 
-  /// Messages of the tiles here to all tiles: of which, to which, length, bytes.
-  void deliver() {
-    const std::size_t count = halo_.neighbours.size();
-    std::vector<std::string> out(count);
-    std::vector<int> ranks;
-    for (const auto& neighbour : halo_.neighbours) ranks.push_back(neighbour.rank);
+  /// Messages of the tiles here to tiles here and of these ranks, which call it with this one among theirs: of which, to which, length,
+  /// bytes.
+  void deliver(const std::vector<int>& ranks) {
+    std::vector<std::string> out(ranks.size());
     for (std::size_t t = 0; t < tiles(); ++t) {
       for (auto& [to, message] : to_[t]) {
         const int own = number_[t], rank = rank_of_.at(static_cast<std::size_t>(to));
-        migrated_ += message.size();
         if (rank == ranks_->rank()) {
           from_[here(to)][own] = std::move(message);
           continue;
@@ -261,7 +247,6 @@ class TilesOfRank {
   std::vector<const std::vector<double>*> gathered_from_ = std::vector<const std::vector<double>*>(tiles());
   std::vector<double> gathered_{};
   std::vector<Messages> to_ = std::vector<Messages>(tiles()), from_ = to_;  // [tiles] by the other tile
-  std::vector<std::string> to_first_ = std::vector<std::string>(tiles()), at_first_{};
   std::size_t migrated_;
 
   std::tuple<Buffers<double>, Buffers<float>, Buffers<long double>> made_buffers() const {
@@ -303,9 +288,7 @@ class TileCommunicator {
   bool first() const { return all().number()[seat_->tile] == 0; }
   int size() const { return all().size(); }
   Messages exchange(Messages to) const { return all().exchange(seat_->tile, std::move(to)); }
-  std::vector<std::string> to_first(std::string bytes) const {
-    return all().to_first(seat_->tile, std::move(bytes));
-  }
+  Messages to_first(std::string bytes) const { return all().to_first(seat_->tile, std::move(bytes)); }
   void fail(const std::string& what) const { all().fail(seat_->tile, what); }
 
  private:

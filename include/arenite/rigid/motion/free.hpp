@@ -59,7 +59,6 @@ class BoundFree {
     centre_ = vector_argument<double, D>("Free.centre", f.centre);
     velocity_ = vector_argument<double, D>("Free.velocity", f.velocity);
     spin_ = spin_argument<D>("Free.spin", f.spin);
-    if (f.symmetry != -1) keep_to_plane(f);
     if (hoop) {
       require(centre_[0] == 0, "Free.centre", centre_[0], "must lie on the axis in an axisymmetric scene");
       require(velocity_[0] == 0 && spin_.isZero(0), "Free.velocity, spin", vector_text(velocity_),
@@ -72,8 +71,8 @@ class BoundFree {
         inertia_(0, 0) = f.inertia.about_z();
       else
         inertia_ = f.inertia.template tensor<D>();
-      if (f.symmetry != -1) check_inertia(f.symmetry);
     }
+    if (f.symmetry != -1) keep_to_plane(f.symmetry);
     momentum_ = inertia_ * spin_;
   }
 
@@ -220,19 +219,18 @@ class BoundFree {
     return inertia;
   }
   /// Throws `error` unless the body is of this plane of symmetry.
-  void keep_to_plane(const Free& f) {
-    require(D == 3 && f.symmetry >= 0 && f.symmetry < 3, "Free.symmetry", f.symmetry,
+  void keep_to_plane(int normal) {
+    require(D == 3 && normal >= 0 && normal < 3, "Free.symmetry", normal,
             "must be -1, or in space the axis 0, 1 or 2");
-    moves_[f.symmetry] = 0;
-    for (int k = 0; k < rotations<D>; ++k) moves_[D + k] = k == f.symmetry ? 1 : 0;
-    require((twist<double, D>(velocity_, spin_).cwiseProduct(Vec<double, N>::Ones() - moves_)).isZero(0),
-            "Free.velocity, spin", joined_text({vector_text(velocity_), ", ", vector_text(spin_)}),
-            {"must be in the plane of symmetry, and about its normal, axis ", f.symmetry});
-  }
-  void check_inertia(int normal) const {
-    for (int k = 0; k < rotations<D>; ++k)
+    moves_[normal] = 0;
+    for (int k = 0; k < rotations<D>; ++k) {
+      moves_[D + k] = k == normal ? 1 : 0;
       require(k == normal || inertia_(k, normal) == 0, "Free.inertia", inertia_(k, normal),
               {"must have no products with the axis ", normal, " of the plane of symmetry"});
+    }
+    require((twist<double, D>(velocity_, spin_).cwiseProduct(Vec<double, N>::Ones() - moves_)).isZero(0),
+            "Free.velocity, spin", joined_text({vector_text(velocity_), ", ", vector_text(spin_)}),
+            {"must be in the plane of symmetry, and about its normal, axis ", normal});
   }
 
   /// 1 for each component of the velocity that may change, 0 for the others.

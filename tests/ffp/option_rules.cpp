@@ -17,9 +17,10 @@ TEST_CASE("--accuracy decides the cells and the time step that are not given") {
   REQUIRE(sizes({"--accuracy", "coarse", "--cell", "0.015"}) == std::pair{0.015, 0.9});
   REQUIRE(sizes({"--courant", "0.3", "--accuracy", "coarse"}) == std::pair{0.02, 0.3});
   REQUIRE(read({"--accuracy", "fine"}).mesh_sizes().cell == 0.005);
-  REQUIRE(refusal({"drop", "--accuracy", "fine", "--cell-at-cone", "0.006"}) ==
+  REQUIRE(refusal_of({"drop", "--accuracy", "fine", "--cell-at-cone", "0.006"}) ==
           "--cell-at-cone = 0.006: must not exceed --cell = 0.005 m");
-  REQUIRE(refusal({"drop", "--accuracy", "best"}) == "--accuracy = best: must be coarse or normal or fine");
+  REQUIRE(refusal_of({"drop", "--accuracy", "best"}) ==
+          "--accuracy = best: must be coarse or normal or fine");
 }
 
 TEST_CASE("each tip has its shape and its mass") {
@@ -36,12 +37,12 @@ TEST_CASE("each tip has its shape and its mass") {
   for (const char* tip : {"cone", "cone-truncated", "parabolic", "blunt"})
     REQUIRE(read({"--tip", tip}).body().length() == 0.631);
   for (const char* tip : {"parabolic", "blunt"})
-    REQUIRE(refusal({"drop", "--tip", tip, "--shoulder", "fillet"}) ==
+    REQUIRE(refusal_of({"drop", "--tip", tip, "--shoulder", "fillet"}) ==
             "--shoulder = fillet: needs --tip cone or cone-truncated");
   // A small fillet needs cells that see it; one that is no part of the shape does not.
   const std::vector<std::string> small{"drop", "--fillet", "0.0008", "--shoulder", "fillet"};
-  REQUIRE(refusal(small).find("--fillet = 0.0008: below 0.001 m needs --cell-at-cone of at most 0.000837") ==
-          0);
+  REQUIRE(refusal_of(small).find(
+              "--fillet = 0.0008: below 0.001 m needs --cell-at-cone of at most 0.000837") == 0);
   REQUIRE(read({"--fillet", "0.0008", "--shoulder", "fillet", "--cell-at-cone", "0.0008"}).fillet == 0.0008);
   REQUIRE(read({"--fillet", "0.0008"}).fillet == 0.0008);
 }
@@ -51,14 +52,14 @@ TEST_CASE("the surface that the sand meets may lie off the penetrometer's") {
   REQUIRE(std::abs(o.body().radius() - 0.04175) < 1e-15);
   REQUIRE(o.body().instrument().radius() == 0.04375);
   std::ofstream{"file.msh"} << "$MeshFormat\n";
-  REQUIRE(refusal({"drop", "--contact-offset", "-0.002", "--mesh", "file.msh"}) ==
+  REQUIRE(refusal_of({"drop", "--contact-offset", "-0.002", "--mesh", "file.msh"}) ==
           "--contact-offset = -0.002: goes without --mesh");
 }
 
 TEST_CASE("field files without number are refused") {
   for (const char* period : {"1e-300", "4.9e-324", "9.9e-5"})
-    REQUIRE(refusal({"drop", "--fields-every", period}).find(std::string{"--fields-every = "}) == 0);
-  REQUIRE(refusal({"drop", "--fields-every", "1e-300"}) ==
+    REQUIRE(refusal_of({"drop", "--fields-every", period}).find(std::string{"--fields-every = "}) == 0);
+  REQUIRE(refusal_of({"drop", "--fields-every", "1e-300"}) ==
           "--fields-every = 1e-300: must be 0, for none, or at least 0.0001 s, for 1000 sets of files until "
           "--end = 0.1 s");
   REQUIRE(read({"--fields-every", "1e-4"}).fields_every == 1e-4);
@@ -73,7 +74,7 @@ TEST_CASE("laws of the sand's friction") {
   REQUIRE(read({"--law", "softening", "--residual-friction", "36"}).law.residual == 36);
   const auto refused = [](std::vector<std::string> words) {
     words.insert(words.begin(), "drop");
-    return refusal(std::move(words));
+    return refusal_of(std::move(words));
   };
   REQUIRE(refused({"--law", "softening"}) == "--residual-friction = (none): must be given with this --law");
   REQUIRE(refused({"--law", "softening-rate", "--residual-friction", "41"}) ==
@@ -90,10 +91,10 @@ TEST_CASE("an error bar needs coarser drops") {
   REQUIRE(read({"--error-bar"}).error_bar);
   REQUIRE(!read({}).error_bar);
   REQUIRE(read({"--error-bar", "--cell", "0.02"}).cell == 0.02);
-  REQUIRE(refusal({"drop", "--error-bar", "--cell", "0.021"}) ==
+  REQUIRE(refusal_of({"drop", "--error-bar", "--cell", "0.021"}) ==
           "--cell = 0.021: must be at most 0.02 m with --error-bar, which runs drops at twice the cell");
   std::ofstream{"file.msh"} << "$MeshFormat\n";
-  REQUIRE(refusal({"drop", "--error-bar", "--mesh", "file.msh"}) ==
+  REQUIRE(refusal_of({"drop", "--error-bar", "--mesh", "file.msh"}) ==
           "--mesh = file.msh: goes without --error-bar, which needs coarser meshes");
 }
 
@@ -118,13 +119,13 @@ TEST_CASE("the grid: defaults of its own, and what it goes without") {
                                       {"--contact", "centre-of-mass"},
                                       {"--anti-locking", "on"},
                                       {"--mesh", "file.msh"}})
-    REQUIRE(refusal({"drop", "--mesh-kind", "grid", option, value}) ==
+    REQUIRE(refusal_of({"drop", "--mesh-kind", "grid", option, value}) ==
             "--mesh-kind = grid: needs --kinematics axisymmetric or space, --device rigid, --contact points "
             "or rigid "
             "and --anti-locking off, and goes without --mesh");
-  REQUIRE(refusal({"drop", "--mesh-kind", "grid", "--points-per-element", "10"}) ==
+  REQUIRE(refusal_of({"drop", "--mesh-kind", "grid", "--points-per-element", "10"}) ==
           "--points-per-element = 10: must be 4, 9, 16, 25, 36 or 49 in the cells of a grid");
-  REQUIRE(refusal({"drop", "--contact", "points"}) == "--contact = points: needs --mesh-kind grid");
+  REQUIRE(refusal_of({"drop", "--contact", "points"}) == "--contact = points: needs --mesh-kind grid");
 }
 
 TEST_CASE("in space: a grid, a penetrometer that may be tilted, and what goes without") {
@@ -135,10 +136,10 @@ TEST_CASE("in space: a grid, a penetrometer that may be tilted, and what goes wi
   REQUIRE(read({"--kinematics", "space", "--centre-of-mass", "0.3"}).centre_height() == 0.3);
   for (const auto& [option, value] :
        {std::pair{"--tilt", "5"}, {"--centre-of-mass", "0.3"}, {"--gyration", "0.2"}})
-    REQUIRE(refusal({"drop", option, value}) ==
+    REQUIRE(refusal_of({"drop", option, value}) ==
             std::string{option} + " = " + value + ": needs --kinematics space");
   const auto refused = [](const char* option, const char* value) {
-    return refusal({"drop", "--kinematics", "space", option, value});
+    return refusal_of({"drop", "--kinematics", "space", option, value});
   };
   REQUIRE(refused("--tilt", "31") == "--tilt = 31: must lie in [0, 30] deg");
   std::ofstream{"file.msh"} << "$MeshFormat\n";

@@ -19,7 +19,7 @@ inline DropOptions read(std::vector<std::string> words) {
   return *options;
 }
 
-inline std::string refusal(std::vector<std::string> words) {
+inline std::string refusal_of(std::vector<std::string> words) {
   std::ostringstream help;
   try {
     read_command_line(words, help);

@@ -135,9 +135,9 @@ export CCACHE_SLOPPINESS=pch_defines,time_macros
 if chosen gcc; then
   prepare_python
   # At night examples and driver are compiled as their users do.
-  options=(-DARENITE_EXAMPLES_FFP_ONLY=OFF -DARENITE_BENCHMARKS=OFF -DARENITE_FFP_WIDTHS=16 -DARENITE_EXAMPLES_FAST_BUILD=ON)
+  options=(-DARENITE_EXAMPLES_FFP_ONLY=OFF -DARENITE_FFP_DROPS=all -DARENITE_BENCHMARKS=OFF -DARENITE_FFP_WIDTHS=16 -DARENITE_EXAMPLES_FAST_BUILD=ON)
   case $build_scope in
-    quick) options[0]=-DARENITE_EXAMPLES_FFP_ONLY=ON ;;
+    quick) options+=(-DARENITE_EXAMPLES_FFP_ONLY=ON -DARENITE_FFP_DROPS=default) ;;
     nightly) options+=(-DARENITE_BENCHMARKS=ON "-DARENITE_FFP_WIDTHS=16;64" -DARENITE_EXAMPLES_FAST_BUILD=OFF) ;;
   esac
   run_stage "g++ Release" gcc -DCMAKE_CXX_COMPILER=g++ -DCMAKE_BUILD_TYPE=Release -DARENITE_WERROR=ON \

@@ -25,26 +25,20 @@ need python3-numpy "reads the history for them"
 install_missing
 
 mkdir -p "$build"
-whole=$build/examples/ffp/arenite-ffp
-cmake -S "$root" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DARENITE_NATIVE=ON -DARENITE_TESTS=OFF \
-  -DARENITE_BENCHMARKS=OFF > "$build/configure.log" 2>&1 < /dev/null ||
-  { tail -n 30 "$build/configure.log" >&2 && fail "configuring failed (log: $build/configure.log)"; }
-build_target() {
-  NINJA_STATUS='  [%f/%t, %e s] ' cmake --build "$build" -j "$(processors)" --target "$1" < /dev/null || fail "building $1 failed"
+driver=$build/examples/ffp/arenite-ffp
+# build DROPS TOLD: the driver with the drops of ARENITE_FFP_DROPS.
+build() {
+  cmake -S "$root" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DARENITE_NATIVE=ON -DARENITE_TESTS=OFF \
+    -DARENITE_BENCHMARKS=OFF -DARENITE_FFP_DROPS="$1" > "$build/configure.log" 2>&1 < /dev/null ||
+    { tail -n 30 "$build/configure.log" >&2 && fail "configuring failed (log: $build/configure.log)"; }
+  echo "building $2"
+  NINJA_STATUS='  [%f/%t, %e s] ' cmake --build "$build" -j "$(processors)" --target arenite-ffp < /dev/null || fail "building arenite-ffp failed"
 }
-build_whole() {
-  echo "building the whole driver (slice, grid, other laws, error bar, paper): about 3 minutes on two processors"
-  build_target arenite-ffp
-}
-# The first time only what the default drop runs is built before it; the rest once its result is there.
-if [ -x "$whole" ]; then
-  echo "building arenite-ffp in $build: seconds, unless a source has changed"
-  build_target arenite-ffp
-  driver=$whole
+# What the default drop runs; the other drops once they are asked for.
+if grep -qs '^ARENITE_FFP_DROPS:STRING=all' "$build/CMakeCache.txt"; then
+  build all "arenite-ffp in $build: seconds, unless a source has changed"
 else
-  echo "building the default drop in $build: about a minute on two processors"
-  build_target arenite-ffp-default
-  driver=$whole-default
+  build default "the default drop in $build: about a minute on two processors the first time"
 fi
 
 # Where the driver will write: the last --out among the options, or our default.
@@ -66,8 +60,7 @@ trap : INT # Ctrl-C ends the drop, not this script
 status=0
 "$driver" drop "${options[@]}" || status=$?
 if [ $status -eq 3 ]; then # other options than those of the default drop
-  build_whole
-  driver=$whole
+  build all "the other drops (slice, grid, space, other laws): about 3 minutes on two processors, once"
   status=0
   "$driver" drop "${options[@]}" || status=$?
 fi
@@ -86,10 +79,5 @@ printf '\n'
 if [ -e "$out/reduced.csv" ]; then
   printf '\nAs practitioners read it (arenite-ffp reduce %s):\n' "$out"
   "$driver" reduce "$out" || fail "the reduction failed"
-fi
-if [ "$driver" != "$whole" ]; then
-  trap 'exit $status' INT
-  printf '\nThe result is complete (Ctrl-C leaves what follows for the next time).\n'
-  build_whole
 fi
 exit $status

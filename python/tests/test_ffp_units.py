@@ -6,7 +6,7 @@ import pytest
 
 REFUSES = """#!/bin/sh
 cat > /dev/null
-echo "arenite-ffp: drops = {units}: this program was built without them; build the target arenite-ffp, which has all" >&2
+echo "arenite-ffp: drops = {units}: this program was built without them; configure with -DARENITE_FFP_DROPS=all and build it anew" >&2
 exit 3
 """
 MAIN = """

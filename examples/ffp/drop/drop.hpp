@@ -52,7 +52,7 @@ class NotBuilt : public error {
   explicit NotBuilt(const std::string& units)
       : error{joined_text(
             {"drops = ", units,
-             ": this program was built without them; build the target arenite-ffp, which has all"})} {}
+             ": this program was built without them; configure with -DARENITE_FFP_DROPS=all and build it anew"})} {}
 };
 
 }  // namespace arenite::ffp

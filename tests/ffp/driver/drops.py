@@ -8,7 +8,7 @@ from shared import COARSE, SLICE, GRID, SPACE, SHORT, FIRST_COLUMNS, drop, summa
 
 
 class Drops(DriverTest):
-    """Whole drops, coarse."""
+    """Whole drops of the default composition, coarse."""
 
     def test_rigid(self):
         columns, found = self.run_drop("rigid", *COARSE)
@@ -54,6 +54,26 @@ class Drops(DriverTest):
         self.assertEqual(found["inputs"]["contact_offset_m"], -0.002)
         self.assertEqual(found["device_outline_m"][1][0], 0.04375)
 
+    def test_refined(self):
+        """Finer cells at the cone, into which points come that split."""
+        columns, found = self.run_drop("refined", "--cell", "0.04", "--cell-at-cone", "0.015", "--points-per-element", "10",
+                                       "--end", "0.03", "--fields-every", "0")
+        self.assert_consistent(columns)
+        self.assertEqual(found["inputs"]["split"], 9)
+        self.assertGreater(found["point_steps_per_s"] * found["wall_s"], 1.01 * found["points"] * found["steps"])
+
+    def test_points(self):
+        """Depth and peak hardly depend on the number of points: cells that shear leaves short of points stay filled."""
+        depth, peak = zip(*((columns["penetration_m"][-1], found["peak_deceleration_g"]) for columns, found in (
+            self.run_drop(f"points_{n}", "--cell", "0.02", "--points-per-element", str(n), "--end", "0.04", "--fields-every", "0")
+            for n in (9, 49))))
+        self.assertLess(abs(depth[0] / depth[1] - 1), 0.015)  # 0.6 %; 5 % if only cells filled by 0.9 count
+        self.assertLess(abs(peak[0] / peak[1] - 1), 0.03)  # 1 %; 10 %
+
+
+class OtherDrops(DriverTest):
+    """Whole drops of the other compositions, coarse."""
+
     def test_centre_of_mass(self):
         columns, found = self.run_drop("centre", *COARSE, "--contact", "centre-of-mass", "--fields-every", "0")
         self.assert_consistent(columns)
@@ -82,22 +102,6 @@ class Drops(DriverTest):
                 self.assertTrue(0 < abs(depth) < 0.01, law)
             else:
                 self.assertGreater(-depth if stronger else depth, 1e-3, law)
-
-    def test_refined(self):
-        """Finer cells at the cone, into which points come that split."""
-        columns, found = self.run_drop("refined", "--cell", "0.04", "--cell-at-cone", "0.015", "--points-per-element", "10",
-                                       "--end", "0.03", "--fields-every", "0")
-        self.assert_consistent(columns)
-        self.assertEqual(found["inputs"]["split"], 9)
-        self.assertGreater(found["point_steps_per_s"] * found["wall_s"], 1.01 * found["points"] * found["steps"])
-
-    def test_points(self):
-        """Depth and peak hardly depend on the number of points: cells that shear leaves short of points stay filled."""
-        depth, peak = zip(*((columns["penetration_m"][-1], found["peak_deceleration_g"]) for columns, found in (
-            self.run_drop(f"points_{n}", "--cell", "0.02", "--points-per-element", str(n), "--end", "0.04", "--fields-every", "0")
-            for n in (9, 49))))
-        self.assertLess(abs(depth[0] / depth[1] - 1), 0.015)  # 0.6 %; 5 % if only cells filled by 0.9 count
-        self.assertLess(abs(peak[0] / peak[1] - 1), 0.03)  # 1 %; 10 %
 
     def test_grid(self):
         columns, found = self.run_drop("grid", *GRID, "--fields-every", "0.05")
@@ -173,6 +177,12 @@ class SameBits(DriverTest):
 
     def test_refined(self):
         self.check("bits_refined", *COARSE, "--cell-at-cone", "0.02", "--end", "0.01")
+
+
+class OtherSameBits(DriverTest):
+    """The same of the other compositions."""
+
+    check = SameBits.check
 
     def test_grid(self):
         self.check("bits_grid", *GRID, "--cell-at-cone", "0.02", "--end", "0.01")

@@ -15,6 +15,9 @@ target_compile_options(arenite_headers INTERFACE
 add_library(arenite_developer INTERFACE)
 target_link_libraries(arenite_developer INTERFACE arenite_headers arenite::cold)
 
+if(ARENITE_EXAMPLES_FAST_BUILD)
+  target_compile_options(arenite_cold PRIVATE -O1)
+endif()
 foreach(target arenite_cold arenite_compositions)
   target_link_libraries(${target} PRIVATE arenite_headers)
   set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF)

@@ -21,10 +21,9 @@
         Walls, Gravity, Rigid<DistanceSurface<>, Guided>>
 
 /// What is compiled of a composition: declared here with `extern`, defined in src/compositions without it.
-#define ARENITE_COMPOSITION(EXTERN, name, ...)            \
-  EXTERN template struct __VA_ARGS__;                     \
-  EXTERN template void step(compositions::name&, double); \
-  EXTERN template double stable_step(const compositions::name&)
+#define ARENITE_COMPOSITION(EXTERN, name, ...) \
+  EXTERN template struct __VA_ARGS__;          \
+  ARENITE_STEP(EXTERN, compositions::name)
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 

@@ -246,6 +246,31 @@ def test_a_header_that_changes_while_it_is_compiled_is_compiled_again(unit, monk
     assert unit.answer(unit.header) == 7 and len(times) == 2
 
 
+@pytest.mark.parametrize("header, units", [
+    ("int step();\n#if defined ARENITE_STEP_HERE || !defined ARENITE_EXTERN_STEP\nint step() { return 5; }\n#endif\n"
+     "#ifndef ARENITE_STEP_HERE\nextern \"C\" int answer() { return step(); }\n#endif\n", 2),
+    ("extern \"C\" int answer() { return 5; }\n", 1),  # a function that is not inline
+    ("namespace { int step() { return 5; } }\n#ifndef ARENITE_STEP_HERE\nextern \"C\" int answer() { return step(); }\n#endif\n", 2),
+])
+def test_the_step_of_a_scene_is_a_unit_of_its_own_where_it_can_be(unit, monkeypatch, header, units):
+    from arenite import _compile
+
+    monkeypatch.setattr(_compile, "source", lambda what, name, headers: f'#include "{headers[0]}"\n// {_compile.STEP}\n')
+    unit.header.write_text(header)
+    called, commands = _compile._called, []
+    monkeypatch.setattr(_compile, "_called", lambda command: commands.append(command) or called(command))
+    monkeypatch.setattr(os, "sched_getaffinity", lambda process: {0, 1})
+    assert unit.answer(unit.header) == 5
+    levels = sorted({"-O1", "-O3"}.intersection(command).pop() for command in commands if str(unit.cache) in command[-1])
+    assert levels == ["-O1", "-O3", "-O3"] + ["-O3"] * (units == 1)  # hosted, step, linked, and all of it in one
+
+    commands.clear()
+    monkeypatch.setattr(os, "sched_getaffinity", lambda process: {0})
+    unit.header.write_text(header + "\n")
+    assert unit.answer(unit.header) == 5
+    assert sum(str(unit.cache) in command[-1] for command in commands) == 1
+
+
 def test_flags_of_the_compiler_decide_too(unit, monkeypatch):
     unit.included.write_text("inline constexpr int included = NUMBER;\n")
     for number in (5, 6):

@@ -50,9 +50,9 @@ struct DropUnit {
 class NotBuilt : public error {
  public:
   explicit NotBuilt(const std::string& units)
-      : error{joined_text(
-            {"drops = ", units,
-             ": this program was built without them; configure with -DARENITE_FFP_DROPS=all and build it anew"})} {}
+      : error{joined_text({"drops = ", units,
+                           ": this program was built without them; configure with -DARENITE_FFP_DROPS=all "
+                           "and build it anew"})} {}
 };
 
 }  // namespace arenite::ffp

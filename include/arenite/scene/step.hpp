@@ -44,4 +44,10 @@ void step(const Scene&, double) {
                 "step: the scene is stepped in place: it must be a variable that is not const");
 }
 
+/// In `namespace arenite`: the step of scenes of this type is compiled in this unit (`ARENITE_STEP(, Type);`), or in another one
+/// (`ARENITE_STEP(extern, Type);`), which may take more of the optimiser.
+#define ARENITE_STEP(EXTERN, ...)                  \
+  EXTERN template void step(__VA_ARGS__&, double); \
+  EXTERN template double stable_step(const __VA_ARGS__&)
+
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

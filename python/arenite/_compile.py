@@ -23,6 +23,7 @@ from pathlib import Path
 from typing import Callable, Container, List, Optional, Sequence, Tuple
 
 from . import _cache, _core
+from ._cases import processors
 from ._errors import Error
 
 PACKAGE = Path(__file__).parent
@@ -130,11 +131,12 @@ def _compiled(command: Sequence[str], text: str, told: str, folder: Path, log: P
                         "name g++ or clang++ in the environment's CXX")
         return sorted({file for rule in rules for file in _files_read(rule.read_text(errors="surrogateescape"), unit)}) + linked
 
-    if STEP in text and len(os.sched_getaffinity(0)) > 1:
-        # What runs every step, and all else with less of the optimiser: at once, in half of the time and two thirds of the memory.
+    if STEP in text and processors() > 1:
+        # What runs every step, and all else with less of the optimiser: at once, in 0.6 of the time and 0.75 of the memory.
         objects = [folder / "hosted.o", folder / "step.o"]
         words = [word for word in command if word != "-shared"]
-        hosted = [*words[:(level := words.index("-O3"))], "-O1", *words[level + 1:]]
+        level = words.index("-O3")
+        hosted = [*words[:level], "-O1", *words[level + 1:]]
         files = compiled(([*hosted, f"-D{STEP}=extern", "-c"], objects[0]), ([*words, f"-D{STEP}=", f"-D{HERE}", "-c"], objects[1]))
         if _called([*command, "-Wl,-z,defs", *map(str, objects), *linked, "-o", str(out)]).returncode == 0:
             return files

@@ -74,7 +74,7 @@ def test_without_a_compiler_or_sources_the_cure_is_named(ar, package, monkeypatc
         _driver.run(COMMAND)
     for units in ("slice, unheard", "axisymmetric"):
         package.refuses(units)
-        with pytest.raises(ar.Error, match=f"^drops = {units}: this program was built without them; build the target"):
+        with pytest.raises(ar.Error, match=f"^drops = {units}: this program was built without them; configure with"):
             _driver.run(COMMAND).check()
 
 

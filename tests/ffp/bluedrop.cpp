@@ -2,6 +2,7 @@
 #include <cmath>
 #include <string>
 
+#include "../../examples/ffp/reduce/bluedrop_file.hpp"
 #include "catch.hpp"
 #include "reductions.hpp"
 

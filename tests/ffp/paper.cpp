@@ -114,7 +114,7 @@ TEST_CASE("a slice's critical step and cost") {
   REQUIRE(*line(all, model, "cost, elastic over rigid").ours == 2);
   REQUIRE(*line(all, model, "cost, rigid").ours == 1);
   // sqrt(E (1 - nu) / ((1 + nu) (1 - 2 nu)) / rho) of the paper's sand.
-  REQUIRE(std::abs(arenite::ffp::detail::sand_wave_speed() - 69.4) < 0.1);
+  REQUIRE(std::abs(arenite::ffp::sand_wave_speed() - 69.4) < 0.1);
 }
 
 TEST_CASE("results of a case are read from its folder, as far as it came") {

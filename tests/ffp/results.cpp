@@ -3,6 +3,7 @@
 #include "../../examples/ffp/drop/summary_file.hpp"
 
 #include <fstream>
+#include <nlohmann/json.hpp>
 #include <random>
 #include <set>
 

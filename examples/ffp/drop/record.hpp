@@ -34,16 +34,15 @@
 
 namespace arenite::ffp {
 
-/// What a watch saw, by the names of its limits.
-inline Json json_of(const Watch& watch) {
-  Json j;
+/// What a watch saw of each of its limits.
+inline std::vector<WatchedLimit> seen_by(const Watch& watch) {
+  std::vector<WatchedLimit> all;
   for (const Watched& w : watch.seen()) {
-    auto& entry = j[std::string{w.name}];
-    entry = {{"worst", w.worst}, {"time_s", w.time}, {"limit", w.limit}};
+    auto& limit = all.emplace_back(WatchedLimit{std::string{w.name}, w.worst, w.time, w.limit});
     for (const double x : w.place)
-      if (std::isfinite(x)) entry["place_m"].push_back(x);
+      if (std::isfinite(x)) limit.place_m.push_back(x);
   }
-  return j;
+  return all;
 }
 
 /// One run in its folder, and the observer that writes it down.
@@ -63,6 +62,7 @@ class Run {
     numbers_.points = static_cast<long>(scene.point_count());
     numbers_.expected_steps = static_cast<long>(std::min(expected.count, 1e18));
     numbers_.threads = threads();
+    numbers_.register_bytes = native_register_bytes;
     if (!o_.no_watch)
       watch_.emplace(
           WatchLimits{.energy_gain = o_.watch_energy, .volume = o_.watch_volume, .lost = o_.watch_lost});
@@ -204,14 +204,13 @@ class Run {
     }
     numbers_.lost_points = static_cast<long>(scene_.lost_points());
     numbers_.limited_velocities = static_cast<long>(scene_.limited);
-    auto summary = summary_of(o_, figures, numbers_);
     scene_.for_each_rigid([&](const auto& device) {
       if constexpr (requires { device.at_points.deepest; })
-        summary["deepest_point_m"] = device.at_points.deepest;
+        numbers_.deepest_point_m = device.at_points.deepest;
     });
-    summary["warnings"] = warnings_.texts();
-    if (watch_) summary["watch"] = json_of(*watch_);
-    write_json(summary_file(folder_.path()), summary);
+    numbers_.warnings = warnings_.texts();
+    if (watch_) numbers_.watch = seen_by(*watch_);
+    ffp::write_summary(folder_.path(), o_, figures, numbers_);
   }
 
   /// The end before the end: the summary says what happened, and so does `Ended`.

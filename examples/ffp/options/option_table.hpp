@@ -2,7 +2,6 @@
 // the checks all read this table.
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <optional>
 #include <string>
@@ -176,97 +175,9 @@ struct RangeCheck {
 }  // namespace detail
 
 /// The rules of a penetrometer that turns.
-inline void check_in_space(const DropOptions& o) {
-  if (!o.in_space()) {
-    require(o.tilt == 0, "--tilt", o.tilt, "needs --kinematics space");
-    for (const auto& [name, value] :
-         {std::pair{"--centre-of-mass", o.centre_of_mass}, {"--gyration", o.gyration}})
-      require(!value, name, value.value_or(0), "needs --kinematics space");
-    return;
-  }
-  require(o.on_grid() && o.device == DeviceKind::rigid && o.contact_kind() == ContactKind::rigid &&
-              !o.averages() && o.mesh.empty() && o.split_share() == 0,
-          "--kinematics", "space",
-          "needs --mesh-kind grid, --device rigid, --contact rigid and --anti-locking off, and goes without "
-          "--mesh and --split");
-}
+void check_in_space(const DropOptions& o);
 
 /// Throws `error("--option = value: rule")` at the first value that breaks a rule.
-inline void check(const DropOptions& o) {
-  detail::RangeCheck ranges;
-  visit_options(o, ranges);
-  require(o.dilatancy <= o.friction, "--dilatancy", o.dilatancy,
-          {"must lie in [0, ", o.friction, "] deg, from nothing to the sand's angle of friction"});
-  check(o.law, o.friction, o.dilatancy);
-  const bool rounded_edge = o.shoulder == Shoulder::fillet;
-  require(!rounded_edge || o.tip == Tip::cone || o.tip == Tip::cone_truncated, "--shoulder", "fillet",
-          "needs --tip cone or cone-truncated");
-  if (rounded_edge && o.fillet < 0.001 && o.mesh.empty()) {
-    const double most = 2 * o.fillet * o.body().half_angle();
-    require(o.mesh_sizes().cone_cell() <= most, "--fillet", o.fillet,
-            {"below 0.001 m needs --cell-at-cone of at most ", most, " m, to be seen"});
-  }
-  if (o.cell_at_cone) {
-    require(*o.cell_at_cone <= o.cell_size(), "--cell-at-cone", *o.cell_at_cone,
-            {"must not exceed --cell = ", o.cell_size(), " m"});
-    require(o.kinematics == Kinematics::axisymmetric && o.mesh.empty(), "--cell-at-cone", *o.cell_at_cone,
-            "needs --kinematics axisymmetric, and goes without --mesh");
-  }
-  require(o.split_share() == 0 || o.split_share() >= 1, "--split", o.split_share(),
-          "must be 0 or at least 1");
-  require(o.split_share() == 0 || o.device == DeviceKind::rigid, "--split", o.split_share(),
-          "needs --device rigid");
-  check_in_space(o);
-  if (o.on_grid()) {
-    require(o.kinematics != Kinematics::slice && o.device == DeviceKind::rigid && o.mesh.empty() &&
-                o.contact_kind() != ContactKind::centre_of_mass && !o.averages(),
-            "--mesh-kind", "grid",
-            "needs --kinematics axisymmetric or space, --device rigid, --contact points or rigid and "
-            "--anti-locking off, and goes without --mesh");
-  } else {
-    require(o.contact_kind() != ContactKind::points, "--contact", "points", "needs --mesh-kind grid");
-  }
-  if (!o.averages() && !o.on_grid())
-    require(o.device == DeviceKind::rigid && o.contact_kind() == ContactKind::rigid, "--anti-locking", "off",
-            "needs --device rigid and --contact rigid");
-  if (o.law.kind != LawKind::mohr_coulomb && !o.on_grid())
-    require(o.device == DeviceKind::rigid && o.contact_kind() == ContactKind::rigid && o.averages(), "--law",
-            word_of(law_words, o.law.kind), "needs --device rigid, --contact rigid and --anti-locking on");
-  require(o.k0 || (o.earth_pressure() >= 0 && o.earth_pressure() <= 3), "--poisson", exactly(o.poisson),
-          {"must give an earth pressure at rest poisson / (1 - poisson) in [0, 3], not ", o.earth_pressure(),
-           ", unless --k0 is given"});
-  require(o.contact_offset == 0 || o.mesh.empty(), "--contact-offset", exactly(o.contact_offset),
-          "goes without --mesh");
-  if (!o.mesh.empty())
-    require(arenite::shared_detail::check_input(o.mesh, "--mesh", arenite::shared_detail::most_mesh_bytes,
-                                                shown(o.mesh)) > 0,
-            "--mesh", shown(o.mesh), "must be a file that is not empty");
-  const int n = o.points_in_element();
-  const auto among = [n](const auto& counts) {
-    return std::find(counts.begin(), counts.end(), n) != counts.end();
-  };
-  if (o.in_space())
-    require(among(space_points), "--points-per-element", n,
-            "must be " + listed(space_points) + " in the cells of a grid in space");
-  else if (o.on_grid())
-    require(among(grid_points), "--points-per-element", n,
-            "must be " + listed(grid_points) + " in the cells of a grid");
-  else if (o.kinematics == Kinematics::slice)
-    require(among(tetrahedron_points), "--points-per-element", n,
-            "must be " + listed(tetrahedron_points) + " in the slice's tetrahedra");
-  else
-    require(among(triangle_points), "--points-per-element", n,
-            "must be " + listed(triangle_points) + " in triangles");
-  if (o.error_bar) {
-    require(o.mesh.empty(), "--mesh", shown(o.mesh), "goes without --error-bar, which needs coarser meshes");
-    require(o.cell_size() <= largest_cell_with_bar, "--cell", o.cell_size(),
-            {"must be at most ", largest_cell_with_bar,
-             " m with --error-bar, which runs drops at twice the cell"});
-  }
-  require(o.fields_every == 0 || o.end / o.fields_every <= most_fields, "--fields-every", o.fields_every,
-          {"must be 0, for none, or at least ", o.end / most_fields, " s, for ", most_fields,
-           " sets of files until --end = ", o.end, " s"});
-  require(!o.out.empty(), "--out", "\"\"", "must name a folder");
-}
+void check(const DropOptions& o);
 
 }  // namespace arenite::ffp

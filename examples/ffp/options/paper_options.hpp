@@ -10,11 +10,7 @@
 namespace arenite::ffp {
 
 /// The law that stands beside Mohr-Coulomb when none is named.
-inline LawOptions other_law() {
-  LawOptions law;
-  law.kind = LawKind::log_rate;
-  return law;
-}
+LawOptions other_law();
 
 struct PaperOptions {
   std::string out = "out/paper";
@@ -49,14 +45,6 @@ void visit_paper_options(Options& o, Visitor& v) {
 }
 
 /// Throws `error("--option = value: rule")` at the first value that breaks a rule.
-inline void check(const PaperOptions& o) {
-  detail::RangeCheck ranges;
-  visit_paper_options(o, ranges);
-  const DropOptions paper;
-  check(o.law, paper.friction, paper.dilatancy);
-  require(!o.error_bar || o.cell <= largest_cell_with_bar, "--cell", o.cell,
-          {"must be at most ", largest_cell_with_bar, " m with --error-bar"});
-  require(!o.out.empty(), "--out", "\"\"", "must name a folder");
-}
+void check(const PaperOptions& o);
 
 }  // namespace arenite::ffp

@@ -7,11 +7,8 @@
 #include <string_view>
 #include <utility>
 
-#include <arenite/core/error.hpp>
-
 #include "../geometry/tip.hpp"
 #include "../text/range.hpp"
-#include "../text/words.hpp"
 #include "option_table.hpp"
 
 namespace arenite::ffp {
@@ -123,13 +120,6 @@ void visit_reduce_options(Options& o, Visitor& v) {
 }
 
 /// Throws `error("--option = value: rule")` at the first value that breaks a rule.
-inline void check(const ReduceOptions& o) {
-  detail::RangeCheck ranges;
-  visit_reduce_options(o, ranges);
-  require(
-      !o.file.empty(), "FILE", "(none)",
-      "must be given: a table with a time and a deceleration, a BlueDrop's .bin, or the folder of a drop");
-  require(o.medium == Medium::water || !o.drag, "--drag", o.drag.value_or(0), "needs --medium water");
-}
+void check(const ReduceOptions& o);
 
 }  // namespace arenite::ffp

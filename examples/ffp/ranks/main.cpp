@@ -156,6 +156,7 @@ void drop_on(mpi::World& world, const DropOptions& o, const EarlierRun& earlier,
   numbers.started = earlier.has_state ? earlier.started : utc_now();
   numbers.resumed_at_s = earlier.resumed_at_s;
   numbers.threads = threads();
+  numbers.register_bytes = native_register_bytes;
   numbers.expected_steps = static_cast<long>(std::min(expected.count, 1e18));
   numbers.wall_s = earlier.has_state ? earlier.wall_s : 0;
   numbers.points = static_cast<long>(scene.sum([](const auto& tile) { return tile.point_count(); }));
@@ -173,7 +174,7 @@ void drop_on(mpi::World& world, const DropOptions& o, const EarlierRun& earlier,
       numbers.point_steps = static_cast<double>(numbers.points) * static_cast<double>(numbers.steps);
       numbers.lost_points = static_cast<long>(history.rows->all.back().lost_points);
     }
-    write_json(summary_file(folder->path()), summary_of(o, figures, numbers));
+    ffp::write_summary(folder->path(), o, figures, numbers);
   };
   if (writes) {
     folder.reset(new RunFolder(

@@ -1,0 +1,18 @@
+#include "reduce_options.hpp"
+
+#include <arenite/core/error.hpp>
+
+#include "../text/words.hpp"
+
+namespace arenite::ffp {
+
+void check(const ReduceOptions& o) {
+  detail::RangeCheck ranges;
+  visit_reduce_options(o, ranges);
+  require(
+      !o.file.empty(), "FILE", "(none)",
+      "must be given: a table with a time and a deceleration, a BlueDrop's .bin, or the folder of a drop");
+  require(o.medium == Medium::water || !o.drag, "--drag", o.drag.value_or(0), "needs --medium water");
+}
+
+}  // namespace arenite::ffp

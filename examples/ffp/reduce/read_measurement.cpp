@@ -1,0 +1,80 @@
+#include "read_measurement.hpp"
+
+#include <nlohmann/json.hpp>
+#include <system_error>
+
+#include "../drop/history.hpp"
+#include "../drop/summary_file.hpp"
+#include "../text/json_file.hpp"
+#include "bluedrop_file.hpp"
+#include "measurement_table.hpp"
+
+namespace arenite::ffp {
+
+Tip tip_named(const std::string& name) {
+  for (const auto& [word, tip] : tip_words)
+    if (word == name) return tip;
+  throw error(joined_text({"tip = ", shown(name), ": no such tip"}));
+}
+
+Measurement read_measurement_of_drop(const std::filesystem::path& folder, const ReduceOptions& o) {
+  const auto refuse = [&](const std::string& rule) {
+    throw error(
+        joined_text({shown(folder.string()), ": must hold summary.json and history.csv of a drop: ", rule}));
+  };
+  const std::string name = shown(folder.string());
+  require(o.reads == Reading::net, "--reads", "proper",
+          "goes without the folder of a drop, whose record is net");
+  if (o.invert)
+    throw error("--invert: goes without the folder of a drop, whose record is positive when it slows");
+  if (!std::filesystem::exists(summary_file(folder))) refuse("summary.json cannot be read");
+  const Json summary = summary_in(folder);
+  if (!std::filesystem::exists(folder / "history.csv")) refuse("there is no history.csv");
+  try {
+    if (const std::string status = summary.value("status", "done"); status != "done")
+      throw error(joined_text({"FILE = ", name, ": status = ", shown(status), ": must be done",
+                               status == "running" ? ", and not still run or have been killed" : "",
+                               "; reduce ", name, "/history.csv as a table reads what there is"}));
+    const Json& inputs = summary.at("inputs");
+    const auto number = [&](const char* key) { return inputs.at(key).get<double>(); };
+    DropFacts facts{.impact_velocity = number("velocity_m_s"),
+                    .mass = number("mass_kg"),
+                    .gravity = number("gravity_m_s2"),
+                    .unit_weight = number("unit_weight_N_m3"),
+                    .k0 = number("k0"),
+                    .tip = tip_named(inputs.value("tip", "cone")),
+                    .fillet = number("fillet_m"),
+                    .contact_offset = inputs.value("contact_offset_m", 0.0)};
+    ReduceOptions units = o;  // the history's own
+    units.time_unit = TimeUnit::named;
+    units.deceleration_unit = DecelerationUnit::named;
+    Measurement m = read_measurement_table(folder / "history.csv", units, facts.gravity, true);
+    m.step_means = true;
+    m.drop = facts;
+    return m;
+  } catch (const Json::exception&) {
+    refuse("summary.json is none");
+    throw;
+  }
+}
+
+Measurement read_measurement(const ReduceOptions& o) {
+  const std::filesystem::path path{o.file};
+  const std::string file = shown(o.file);
+  std::error_code code;
+  const auto status = std::filesystem::status(path, code);
+  require(std::filesystem::exists(status), "FILE", file, "there is no such file or folder");
+  const double gravity = o.gravity.value_or(standard_gravity);
+  Measurement m = std::filesystem::is_directory(status) ? read_measurement_of_drop(path, o)
+                  : path.extension() == ".bin" || path.extension() == ".BIN"
+                      ? read_bluedrop(path, o, gravity)
+                      : read_measurement_table(path, o, gravity);
+  for (double& a : m.deceleration) {
+    if (o.invert) a = -a;
+    if (o.reads == Reading::proper) a -= gravity;
+  }
+  check(m, file);
+  return m;
+}
+
+}  // namespace arenite::ffp

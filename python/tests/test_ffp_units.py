@@ -18,7 +18,7 @@ int main() { std::puts(unit()); }
 
 @pytest.fixture
 def package(ar, monkeypatch, tmp_path):
-    """A package with a program that refuses the drops of `refuses(units)`, and what those of `slice` are made of."""
+    """A package with a program that refuses the drops of `refuses(units)`, and what those of a slice are made of."""
     from arenite import _compile
     from arenite.ffp import _driver, _units
 
@@ -32,7 +32,7 @@ def package(ar, monkeypatch, tmp_path):
     (tmp_path / "main.cpp").write_text(MAIN)
     subprocess.run([*compiler, "-c", tmp_path / "main.cpp", "-o", tmp_path / "main.o"], check=True)
     subprocess.run(["ar", "rcs", folder / "lib" / "libffp_16.a", tmp_path / "main.o"], check=True)
-    (folder / "share/arenite/ffp/drop/drop_slice.cpp").write_text('const char* unit() { return "slice"; }\n')
+    (folder / "share/arenite/ffp/drop/drop_slice.cpp").write_text("const char* unit() { return ARENITE_FFP_UNITS; }\n")
     for module in (_compile, _units):
         monkeypatch.setattr(module, "PACKAGE", folder)
     own = folder / "bin" / "arenite-ffp"
@@ -44,7 +44,7 @@ def package(ar, monkeypatch, tmp_path):
         own.write_text(REFUSES.format(units=units))
         own.chmod(0o755)
 
-    refuses("slice")
+    refuses("slice-law, slice")
     package.folder, package.own, package.refuses = folder, own, refuses
     return package
 
@@ -57,9 +57,9 @@ def test_what_a_drop_needs_is_compiled_once(package, capfd):
 
     for first in (True, False):
         ending = _driver.run(COMMAND, quiet=False)
-        assert ending == (0, ["slice"])
+        assert ending == (0, ["slice-law, slice"])
         said = capfd.readouterr().err
-        assert ("compiling arenite-ffp for drops of the kind slice (once, about a minute; " in said) == first
+        assert ("compiling arenite-ffp for drops of the kind slice-law, slice (once, half a minute each; " in said) == first
         assert "built without" not in said
     sources = package.folder / "share/arenite/ffp/drop/drop_slice.cpp"
     sources.write_text('const char* unit() { return "another"; }\n')  # of another version of the package
@@ -70,7 +70,7 @@ def test_without_a_compiler_or_sources_the_cure_is_named(ar, package, monkeypatc
     from arenite.ffp import _driver
 
     monkeypatch.setenv("CXX", "no-such-compiler")
-    with pytest.raises(ar.Error, match="no-such-compiler: not found. arenite-ffp for drops of the kind slice is not prebuilt"):
+    with pytest.raises(ar.Error, match="no-such-compiler: not found. arenite-ffp for drops of the kind slice-law, slice is not prebuilt"):
         _driver.run(COMMAND)
     for units in ("slice, unheard", "axisymmetric"):
         package.refuses(units)
@@ -82,7 +82,7 @@ def test_a_program_of_ones_own_is_not_replaced(ar, package, monkeypatch, tmp_pat
     from arenite.ffp import _driver
 
     monkeypatch.setenv("ARENITE_FFP", str(package.own.rename(tmp_path / "mine")))
-    with pytest.raises(ar.Error, match="^drops = slice: this program was built without them"):
+    with pytest.raises(ar.Error, match="^drops = slice-law, slice: this program was built without them"):
         _driver.run(COMMAND).check()
 
 

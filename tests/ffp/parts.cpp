@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <random>
 
+#include "../../examples/ffp/drop/drop.hpp"
 #include "../../examples/ffp/drop/drop_folder.hpp"
 #include "../../examples/ffp/drop/step_count.hpp"
 #include "../../examples/ffp/text/json_file.hpp"
@@ -139,4 +140,29 @@ TEST_CASE("too many steps: the option is named that makes them") {
   REQUIRE(cause([](DropOptions& o) { o.device_young = 1e12, o.courant = 0.1; }) == "--courant = 0.1");
   REQUIRE(cause([](DropOptions& o) { o.device_young = 1e12, o.device = DeviceKind::elastic; }) ==
           "--device-young = 1e+12");
+}
+
+TEST_CASE("a drop names the unit that computes it") {
+  DropOptions o;
+  REQUIRE(unit_of(o) == "default");
+  o.delta = 40;  // a number
+  REQUIRE(unit_of(o) == "default");
+  o.kinematics = Kinematics::slice;
+  REQUIRE(unit_of(o) == "slice");
+  o.law.kind = LawKind::softening;
+  REQUIRE(unit_of(o) == "slice-law");
+  o = {};
+  o.device = DeviceKind::elastic;
+  REQUIRE(unit_of(o) == "axisymmetric-elastic");
+  o = {};
+  o.contact = ContactKind::centre_of_mass;
+  REQUIRE(unit_of(o) == "axisymmetric-centre-of-mass");
+  o = {};
+  o.anti_locking = false;
+  REQUIRE(unit_of(o) == "axisymmetric-no-averages");
+  o.mesh_kind = MeshKind::grid;  // whose law and contact are chosen at run time
+  o.law.kind = LawKind::mu_i;
+  REQUIRE(unit_of(o) == "grid");
+  o.kinematics = Kinematics::space;
+  REQUIRE(unit_of(o) == "space");
 }

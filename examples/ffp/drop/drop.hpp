@@ -2,8 +2,11 @@
 // kinematics is compiled in a file of its own.
 #pragma once
 
+#include <array>
 #include <stdexcept>
 #include <string>
+#include <string_view>
+#include <utility>
 
 #include <arenite/core/error.hpp>
 
@@ -34,11 +37,35 @@ inline bool is_default(const DropOptions& o) {
          o.law.kind == LawKind::mohr_coulomb && o.contact_kind() == ContactKind::rigid && o.averages();
 }
 
-/// The unit, drop_<name>.cpp, that computes a drop.
+/// In what a drop on a fitted mesh differs from the default one. Two differences are refused by `check`: each
+/// composition more would be compiled for all.
+enum class DropKind { plain, elastic, law, centre_of_mass, no_averages };
+inline constexpr std::array<std::pair<std::string_view, DropKind>, 5> drop_kind_words{
+    {{"plain", DropKind::plain},
+     {"elastic", DropKind::elastic},
+     {"law", DropKind::law},
+     {"centre-of-mass", DropKind::centre_of_mass},
+     {"no-averages", DropKind::no_averages}}};
+
+inline DropKind kind_of(const DropOptions& o) {
+  if (o.device == DeviceKind::elastic) return DropKind::elastic;
+  if (o.law.kind != LawKind::mohr_coulomb) return DropKind::law;
+  if (o.contact_kind() == ContactKind::centre_of_mass) return DropKind::centre_of_mass;
+  return o.averages() ? DropKind::plain : DropKind::no_averages;
+}
+
+/// "slice", "slice-law".
+inline std::string unit_of(const std::string& model, DropKind kind) {
+  return kind == DropKind::plain ? model : model + '-' + word_of(drop_kind_words, kind);
+}
+
+/// The unit that computes a drop: "default", or the name of drop_<model>.cpp, on fitted meshes with the kind of
+/// drop.
 inline std::string unit_of(const DropOptions& o) {
   if (is_default(o)) return "default";
-  return o.on_grid() && !o.in_space() ? word_of(mesh_kind_words, o.kind_of_mesh())
-                                      : word_of(kinematics_words, o.kinematics);
+  const std::string model = word_of(kinematics_words, o.kinematics);
+  if (o.in_space()) return model;
+  return o.on_grid() ? word_of(mesh_kind_words, o.kind_of_mesh()) : unit_of(model, kind_of(o));
 }
 
 /// Each unit but the default one adds itself, so that a program can be built without some.

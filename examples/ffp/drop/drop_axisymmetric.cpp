@@ -1,11 +1,11 @@
 // The other drops as a half-section of triangles. Their devices and laws share kernels, which one unit compiles
 // once.
-#include "drop.hpp"
 #include "drop_with.hpp"
 
 namespace arenite::ffp {
 
-const DropUnit axisymmetric{"axisymmetric",
-                            [](const DropOptions& o) { drop_model<AxisymmetricModel>(o, drop_default); }};
+const DropUnits<AxisymmetricModel, DropKind::elastic, DropKind::law, DropKind::centre_of_mass,
+                DropKind::no_averages>
+    axisymmetric;
 
 }  // namespace arenite::ffp

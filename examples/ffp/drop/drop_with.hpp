@@ -1,33 +1,71 @@
-// One drop of one model: the choices that are made at run time meet the types that are made at compile time.
+// Drops on fitted meshes: the choices that are made at run time meet the types that are made at compile time.
 #pragma once
 
+#include <string_view>
+
+#include "drop.hpp"
 #include "model.hpp"
 #include "record.hpp"
 
+/// Units to compile, "axisymmetric-law, slice"; empty: all.
+#ifndef ARENITE_FFP_UNITS
+#define ARENITE_FFP_UNITS ""
+#endif
+
 namespace arenite::ffp {
 
-/// A drop that differs from the default in its model alone.
-template <class Model>
-void drop_plain(const DropOptions& o) {
-  record<Model>(o,
-                [&] { return rigid_scene<Model, NodalAndElementAverage, RigidVelocity>(o, plain_sand(o)); });
+template <class Model, DropKind kind>
+void drop_of_kind(const DropOptions& o) {
+  record<Model>(o, [&] {
+    if constexpr (kind == DropKind::elastic)
+      return elastic_scene<Model>(o);
+    else if constexpr (kind == DropKind::law)
+      return rigid_scene<Model, NodalAndElementAverage, RigidVelocity>(o, sand_with_law(o));
+    else if constexpr (kind == DropKind::centre_of_mass)
+      return rigid_scene<Model, NodalAndElementAverage, CentreOfMass>(o, plain_sand(o));
+    else if constexpr (kind == DropKind::no_averages)
+      return rigid_scene<Model, NoAntiLocking, RigidVelocity>(o, plain_sand(o));
+    else
+      return rigid_scene<Model, NodalAndElementAverage, RigidVelocity>(o, plain_sand(o));
+  });
 }
 
-/// What differs from the default in more than one way is refused by `check`: each composition more would be
-/// compiled for all. `plain`: runs a drop that does not differ.
-template <class Model>
-void drop_model(const DropOptions& o, void (*plain)(const DropOptions&)) {
-  using Averages = NodalAndElementAverage;
-  if (o.device == DeviceKind::elastic)
-    record<Model>(o, [&] { return elastic_scene<Model>(o); });
-  else if (o.law.kind != LawKind::mohr_coulomb)
-    record<Model>(o, [&] { return rigid_scene<Model, Averages, RigidVelocity>(o, sand_with_law(o)); });
-  else if (o.contact_kind() == ContactKind::centre_of_mass)
-    record<Model>(o, [&] { return rigid_scene<Model, Averages, CentreOfMass>(o, plain_sand(o)); });
-  else if (o.averages())
-    plain(o);
-  else
-    record<Model>(o, [&] { return rigid_scene<Model, NoAntiLocking, RigidVelocity>(o, plain_sand(o)); });
+constexpr bool is_unit(std::string_view unit, std::string_view model, DropKind kind) {
+  if (!unit.starts_with(model)) return false;
+  unit.remove_prefix(model.size());
+  if (kind == DropKind::plain || unit.empty()) return kind == DropKind::plain && unit.empty();
+  for (const auto& [word, of] : drop_kind_words)
+    if (of == kind) return unit.front() == '-' && unit.substr(1) == word;
+  return false;
 }
+
+/// Units of a model.
+template <class Model, DropKind... kinds>
+struct DropUnits {
+  DropUnits() { (add<kinds>(), ...); }
+
+ private:
+  static constexpr std::string_view asked = ARENITE_FFP_UNITS;
+
+  /// How many of the units that are asked for hold.
+  static constexpr int count(auto holds) {
+    int found = 0;
+    for (auto rest = asked; !rest.empty();) {
+      const auto end = rest.find(", ");
+      found += holds(rest.substr(0, end));
+      rest = end == rest.npos ? std::string_view{} : rest.substr(end + 2);
+    }
+    return found;
+  }
+  template <DropKind kind>
+  static void add() {
+    if constexpr (asked.empty() || count([](auto unit) { return is_unit(unit, Model::name, kind); }) > 0)
+      DropUnit(unit_of(Model::name, kind), drop_of_kind<Model, kind>);
+  }
+
+  static_assert(count([](auto unit) { return unit.starts_with(Model::name); }) ==
+                    count([](auto unit) { return (is_unit(unit, Model::name, kinds) || ...); }),
+                "ARENITE_FFP_UNITS names a drop that there is not");
+};
 
 }  // namespace arenite::ffp

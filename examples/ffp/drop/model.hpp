@@ -20,6 +20,7 @@ namespace arenite::ffp {
 
 /// The half-section: the full circle, so that its masses and forces are those of the experiment.
 struct AxisymmetricModel {
+  static constexpr const char* name = "axisymmetric";
   using Kinematics = Axisymmetric;
   static constexpr int dimension = 2;
   static constexpr double whole =
@@ -33,6 +34,7 @@ struct AxisymmetricModel {
 
 /// The slice of 20 degrees; its two faces are planes of symmetry.
 struct SliceModel {
+  static constexpr const char* name = "slice";
   using Kinematics = ThreeDimensional;
   static constexpr int dimension = 3;
   static constexpr double whole = 18;

@@ -57,7 +57,7 @@ class Ending(NamedTuple):
     @property
     def missing(self) -> List[str]:
         """Units that the program was built without and that this command needs; nothing was run then."""
-        found = re.match(r"drops = ([a-z, ]+):", self.sentence) if self.code == 3 else None
+        found = re.match(r"drops = ([a-z, -]+):", self.sentence) if self.code == 3 else None
         return found.group(1).split(", ") if found else []
 
     @property

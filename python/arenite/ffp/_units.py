@@ -17,11 +17,12 @@ PACKAGE = Path(__file__).resolve().parent.parent
 
 
 def program_with(units: Sequence[str], check: Callable[[], None]) -> Optional[Path]:
-    """The program with these units, drop_<unit>.cpp; None if the package has nothing to make it of. `check` is called before it is
+    """The program with these units, "slice-law" of drop_slice.cpp; None if the package has nothing to make it of. `check` is called before it is
     compiled."""
     width = _width()
     objects = PACKAGE / "lib" / f"libffp_{width}.a"
-    sources = [PACKAGE / "share" / "arenite" / "ffp" / "drop" / f"drop_{unit}.cpp" for unit in units]
+    models = sorted({unit.partition("-")[0] for unit in units})
+    sources = [PACKAGE / "share" / "arenite" / "ffp" / "drop" / f"drop_{model}.cpp" for model in models]
     if not all(path.is_file() for path in (objects, *sources)):
         return None
 
@@ -29,8 +30,9 @@ def program_with(units: Sequence[str], check: Callable[[], None]) -> Optional[Pa
         check()
         return objects
 
-    return _compile.program("".join(f'#include "{path}"\n' for path in sources), f"arenite-ffp for drops of the kind {', '.join(units)}",
-                            WIDTHS[width]["flags"], checked, "about a minute")
+    named = ", ".join(units)
+    text = f'#define ARENITE_FFP_UNITS "{named}"\n' + "".join(f'#include "{path}"\n' for path in sources)
+    return _compile.program(text, f"arenite-ffp for drops of the kind {named}", WIDTHS[width]["flags"], checked, "half a minute each")
 
 
 def _width() -> str:

@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
 
@@ -79,15 +80,23 @@ ARENITE_COLD std::vector<Vec<T, D>> sum_errors(const RestingScene<T, D>& scene,
       const auto add = [&](const V& x, const Sym<T, D>& stress, T share) {
         const T volume = share * (*body.volume)[p] * scene.thickness(x) / scene.thickness(middle);
         scene.shape(c, &x, shape);
-        for (std::size_t i = 0; i < shape.nodes.size(); ++i) {
-          V& force = error[shape.nodes[i]];
+        std::array<T, D> weight;
+        std::array<std::array<T, D>, D> pull;
+        for (std::size_t a = 0; a < D; ++a) {
+          weight[a] = volume * static_cast<T>(body.density * g[a]);
+          for (std::size_t b = 0; b < D; ++b)
+            pull[a][b] = volume * stress(static_cast<int>(a), static_cast<int>(b));
+        }
+        const T hoop = scene.hoop ? volume * stress[2] : T(0);
+        const T* gradient = shape.gradient.data();
+        for (std::size_t i = 0; i < shape.nodes.size(); ++i, gradient += D) {
+          T* const force = error[shape.nodes[i]].data();
           const T w = shape.weight[i];
-          for (int a = 0; a < D; ++a) {
-            force[a] += volume * static_cast<T>(body.density * g[static_cast<std::size_t>(a)]) * w;
-            for (int b = 0; b < D; ++b)
-              force[a] -= volume * stress(a, b) * shape.gradient[i * D + static_cast<std::size_t>(b)];
+          for (std::size_t a = 0; a < D; ++a) {
+            force[a] += weight[a] * w;
+            for (std::size_t b = 0; b < D; ++b) force[a] -= pull[a][b] * gradient[b];
           }
-          if (scene.hoop) force[0] -= volume * stress[2] * w / x[0];
+          if (scene.hoop) force[0] -= hoop * w / x[0];
         }
       };
       add(middle, (*body.stress)[p], 1);

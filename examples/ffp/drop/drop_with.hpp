@@ -30,12 +30,13 @@ void drop_of_kind(const DropOptions& o) {
   });
 }
 
+/// Whether `unit` is `unit_of(model, kind)`.
 constexpr bool is_unit(std::string_view unit, std::string_view model, DropKind kind) {
   if (!unit.starts_with(model)) return false;
-  unit.remove_prefix(model.size());
-  if (kind == DropKind::plain || unit.empty()) return kind == DropKind::plain && unit.empty();
+  const auto rest = unit.substr(model.size());
+  if (kind == DropKind::plain) return rest.empty();
   for (const auto& [word, of] : drop_kind_words)
-    if (of == kind) return unit.front() == '-' && unit.substr(1) == word;
+    if (of == kind) return rest.starts_with('-') && rest.substr(1) == word;
   return false;
 }
 

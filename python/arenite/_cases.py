@@ -2,17 +2,19 @@
 
 from __future__ import annotations
 
+import errno
 import itertools
 import os
 import re
+import warnings
 from concurrent.futures import ThreadPoolExecutor, as_completed
 from contextlib import contextmanager, suppress
 from pathlib import Path
-from typing import Any, Callable, Dict, Iterable, Iterator, List, Mapping, Optional, TypeVar, Union
+from typing import Any, Callable, Dict, Iterable, Iterator, List, Mapping, Optional, Set, TypeVar, Union
 
 import numpy as np
 
-from ._errors import Error
+from ._errors import Error, Warning
 
 T = TypeVar("T")
 
@@ -24,7 +26,7 @@ def processors() -> int:
 
 def checked_jobs(jobs: Any) -> int:
     if isinstance(jobs, bool) or not isinstance(jobs, (int, np.integer)) or jobs < 1:
-        raise Error(f"jobs = {jobs}: must be a whole number of at least 1")
+        raise Error(f"jobs = {jobs!r}: must be a whole number of at least 1")
     return int(jobs)
 
 
@@ -32,6 +34,10 @@ def several(name: str, value: object) -> Optional[List[Any]]:
     """What is given as several values (a range, list, tuple, array ..), as a list; None of one value."""
     if isinstance(value, (str, bytes, os.PathLike, Mapping)) or not isinstance(value, Iterable) or getattr(value, "ndim", 1) == 0:
         return None
+    if isinstance(value, (set, frozenset)):
+        raise Error(f"{name} = {value!r}: has no order by which cases can be numbered: give a list, sorted(..)")
+    if hasattr(value, "itertuples"):
+        raise Error(f"{name}: is a table, whose names would be lost: give the values of one column, or the table as all values of a sweep")
     values = [one.item() if isinstance(one, np.generic) else one for one in value]
     if not values:
         raise Error(f"{name} = {value!r}: needs at least one value")
@@ -51,6 +57,9 @@ def combinations(swept: Mapping[str, List[Any]]) -> List[Dict[str, Any]]:
             if isinstance(value, (str, bytes)) or not isinstance(value, Iterable) or len(list(value)) != len(each):
                 raise Error(f"{names} = {value!r}: must be {len(each)} values")
         groups.append([dict(zip(each, value)) for value in values])
+    named = [name for group in groups for name in group[0]]
+    if len(set(named)) < len(named):
+        raise Error(f"{', '.join(named)}: each name must stand there once")
     return [{name: value for part in parts for name, value in part.items()} for parts in itertools.product(*groups)]
 
 
@@ -72,9 +81,13 @@ def chosen_cases(cases: Cases, count: int, keeps: bool) -> List[bool]:
             found = re.fullmatch(r" *(\d+)(?:-(\d+))? *", word)
             if not found:
                 raise Error(f"{told} = {cases}: {rule}")
-            numbers += range(int(found[1]), int(found[2] or found[1]) + 1)
+            begin, last = int(found[1]), int(found[2] or found[1])
+            if last < begin:
+                raise Error(f"{told} = {word.strip()}: must rise")
+            numbers += range(begin, min(last, max(begin, count)) + 1)
     else:
-        for k in cases if isinstance(cases, Iterable) else [cases]:
+        given: List[Any] = list(cases) if isinstance(cases, Iterable) and not isinstance(cases, bytes) else [cases]
+        for k in given:
             if isinstance(k, bool) or not isinstance(k, (int, np.integer)):
                 raise Error(f"{told} = {cases!r}: {rule}")
             numbers.append(int(k))
@@ -87,22 +100,38 @@ def chosen_cases(cases: Cases, count: int, keeps: bool) -> List[bool]:
 
 
 @contextmanager
-def alone(path: Path) -> Iterator[bool]:
-    """Holds the lock of a file; False if another process has it. The system frees it when a process ends, however that is."""
+def alone(path: Path, wait: bool = False) -> Iterator[bool]:
+    """Holds the lock of a file; False if another process has it, for which it may wait. The system frees it when a process ends, however
+    that is. Warns where a disk has no locks."""
     try:
         import fcntl
     except ImportError:  # a system without
         yield True
         return
-    with open(path, "w") as file:
-        try:
-            fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
-        except OSError:
-            yield False
+    while True:
+        with open(path, "w") as file:
+            try:
+                fcntl.flock(file, fcntl.LOCK_EX | (0 if wait else fcntl.LOCK_NB))
+            except OSError as problem:
+                if problem.errno in (errno.EWOULDBLOCK, errno.EAGAIN, errno.EACCES):
+                    yield False
+                    return
+                _warn_unlocked(path.parent, problem)
+            if os.fstat(file.fileno()).st_nlink == 0:  # who held it has removed it meanwhile
+                continue
+            yield True
+            with suppress(FileNotFoundError):
+                path.unlink()
             return
-        yield True
-        with suppress(FileNotFoundError):
-            path.unlink()
+
+
+_unlocked: Set[Path] = set()
+
+
+def _warn_unlocked(folder: Path, problem: OSError) -> None:
+    if folder not in _unlocked:
+        _unlocked.add(folder)
+        warnings.warn(Warning(f"{folder}: cannot be locked ({problem.strerror}); nothing else must write there meanwhile"), stacklevel=2)
 
 
 def run_cases(run: Callable[[int], T], count: int, jobs: int, stop: Callable[[], None], kill: Callable[[], None],

@@ -109,7 +109,7 @@ class Rows:
         body = ["  ".join(field.rjust(width) for field, width in zip(line, widths)) for line in lines]
         if len(self) > SHOWN_ROWS:
             body.append(f".. {len(self) - SHOWN_ROWS} more")
-        others = [name for name in self.columns if name not in self._shown]
+        others = [name for name in self.columns if name not in self._shown and any(row.get(name) not in (None, "") for row in self._rows)]
         return "\n".join([head, *body, *(["and " + ", ".join(others)] if others else [])])
 
 

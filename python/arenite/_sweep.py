@@ -2,11 +2,6 @@
 
 from __future__ import annotations
 
-import dataclasses
-import enum
-import functools
-import hashlib
-import inspect
 import io
 import json
 import multiprocessing
@@ -17,6 +12,7 @@ import signal
 import sys
 import threading
 import traceback
+import warnings
 import zipfile
 from contextlib import suppress
 from pathlib import Path
@@ -25,7 +21,8 @@ from typing import Any, Callable, Dict, Iterable, List, Mapping, NamedTuple, Opt
 import numpy as np
 
 from ._cases import Cases, alone, checked_jobs, chosen_cases, combinations, processors, run_cases, several
-from ._errors import Error
+from ._decides import Decides, code_name, digest, first_difference, short, what_decides
+from ._errors import Error, Warning
 from ._files import MOST_TABLE, read_bytes, read_json, replaced
 from ._folder import Folder, PathLike
 from ._pickle import refuse_unpicklable
@@ -53,6 +50,8 @@ class Sweep(Rows):
 
 #: Of a case without a result, in the place of a failure: not to be run here; run by another process.
 WAITING, RUNNING = OPEN = "waiting", "running"
+#: Columns of every sweep.
+OUTCOME = "status", "failure"
 
 
 class Case(NamedTuple):
@@ -83,54 +82,82 @@ def sweep(function: Callable[..., Any], values: Union[Iterable[Any], Mapping[str
     ends all. A script calls it under `if __name__ == "__main__":`, as its processes import the script."""
     jobs = checked_jobs(jobs)
     refuse_unpicklable(function, "sweep.function")
-    swept = list(values) if isinstance(values, Mapping) else ["value"]
-    if isinstance(values, Mapping):
-        told = combinations({name: _listed(f"sweep.values.{name}", given) for name, given in values.items()})
-        planned = [_case(row, (), row) for row in told]
-        swept = list(told[0])
-    else:
-        told = [{"value": one} for one in _listed("sweep.values", values)]
-        planned = [_case(row, tuple(row.values()), {}) for row in told]
-    chosen = chosen_cases(cases, len(planned), out is not None)
-    folder = Folder(out)
-    _claim(folder.path, function)
-    workers = Workers(function, max(1, processors() // jobs), folder.path)
+    told, called_by_name = _planned(values)
+    swept = list(told[0])
+    planned = [_case(row, () if called_by_name else tuple(row.values()), row if called_by_name else {}) for row in told]
+    first: Dict[str, int] = {}  # number of the row by the case, which a value that is given twice shares
+    for k, case in enumerate(planned):
+        first.setdefault(case.name, k)
+    numbers = list(first.values())
+    to_run = {case.name for case, here in zip(planned, chosen_cases(cases, len(planned), out is not None)) if here}
+    chosen = [case.name in to_run for case in planned]
+    folder, decides = Folder(out), _decided(function, out is not None)
+    if decides is not None:
+        _claim(folder.path, function, decides)
+    workers = Workers(function, max(1, processors() // jobs), folder.path, (*swept, *OUTCOME), decides, out is not None)
 
-    def run(k: int) -> Tuple[str, Any]:
-        case = planned[k]
-        if not (folder.path / f"{case.name}.npz").exists() or _stored(folder.path, case) is None:
-            if not chosen[k]:
-                return WAITING, None
-            with alone(folder.path / f"{case.name}.lock") as here:
-                if not here:
-                    return RUNNING, None
-                failure = workers.run(case)
-            if failure:
-                return failure, None
+    def run(of: int) -> Tuple[str, Any]:
+        case = planned[numbers[of]]
         found = _stored(folder.path, case)
+        if not found and not chosen[numbers[of]]:
+            return WAITING, None
+        try:
+            if not found:
+                with alone(folder.path / f"{case.name}.lock") as here:
+                    if not here:
+                        return RUNNING, None
+                    found = _stored(folder.path, case)  # by one that held the lock until now
+                    failure = "" if found else workers.run(case)
+                    if failure:
+                        return failure, None
+        except OSError as problem:
+            return f"sweep.out = {folder.path}: cannot be used: {problem}", None
+        found = found or _stored(folder.path, case)
         return ("", found[0]) if found else (f"{folder.path / case.name}.npz: was changed meanwhile", None)
 
-    def tell(ended: int, k: int, result: Tuple[str, Any]) -> None:
-        if not quiet and chosen[k]:
-            print(f"{ended} of {len(planned)}: {_words(told[k])}: {result[0] or 'done'}", file=sys.stderr, flush=True)
+    def tell(ended: int, of: int, result: Tuple[str, Any]) -> None:
+        if not quiet and chosen[numbers[of]]:
+            print(f"{ended} of {len(numbers)}: {_words(told[numbers[of]])}: {result[0] or 'done'}", file=sys.stderr, flush=True)
 
     try:
-        ended = run_cases(run, len(planned), jobs, workers.stop, workers.kill, tell)
+        each = run_cases(run, len(numbers), jobs, workers.stop, workers.kill, tell)
     finally:
         workers.close()
+    ends = dict(zip(first, each))
+    ended = [ends[case.name] for case in planned]
     failed = [(row, failure) for row, (failure, _), here in zip(told, ended, chosen) if here and failure and failure not in OPEN]
     if failed and len(failed) == sum(chosen):
         raise Error(f"sweep: each of {len(failed)} values failed; {_words(failed[0][0])}: {failed[0][1]}")
     rows = []
     for row, (failure, result) in zip(told, ended):
         columns = result if isinstance(result, dict) else {"result": result}
-        rows.append({**{name: one if _is_plain(one) else _short(one) for name, one in row.items()}, "status": failure if failure in OPEN else "failed" if failure else "done",
+        rows.append({**{name: one if _is_plain(one) else short(one) for name, one in row.items()}, "status": failure if failure in OPEN else "failed" if failure else "done",
                      "failure": "" if failure in OPEN else failure, **{name: one for name, one in columns.items() if _is_plain(one) and one is not None}})
-    names = dict.fromkeys(name for row in rows for name in row if name not in (*swept, "status", "failure"))
+    names = dict.fromkeys(name for row in rows for name in row if name not in (*swept, *OUTCOME))
     return Sweep(folder, rows, swept, list(names), [result for _, result in ended])
 
 
 # --- values, and what is known of them
+
+def _planned(values: Any) -> Tuple[List[Dict[str, Any]], bool]:
+    """Rows of values by name, and whether the function is called by these names."""
+    by_name = isinstance(values, Mapping) or hasattr(values, "itertuples")
+    for name in values if by_name else ():
+        if not isinstance(name, str):
+            raise Error(f"sweep.values: {name!r}: must be the name of a parameter, a text")
+    if isinstance(values, Mapping):
+        rows = combinations({name: _listed(f"sweep.values.{name}", given) for name, given in values.items()})
+    elif by_name:  # a DataFrame: a row a value
+        rows = [dict(zip(values, row)) for row in values.itertuples(index=False, name=None)]
+    else:
+        label = getattr(values, "name", None) if hasattr(values, "iloc") else None  # of a Series
+        rows = [{"value" if label is None else str(label): one} for one in _listed("sweep.values", values)]
+    if not rows or not rows[0] or by_name and len(rows[0]) < sum(len(name.split(",")) for name in values):
+        raise Error(f"sweep.values = {values!r}: needs at least one value, and each name once")
+    for name in set(OUTCOME) & set(rows[0]):
+        raise Error(f"sweep.values.{name}: every sweep has a column of that name; name the parameter otherwise")
+    return rows, by_name
+
 
 def _listed(name: str, given: Any) -> List[Any]:
     values = several(name, list(given) if hasattr(given, "__next__") else given)
@@ -143,80 +170,53 @@ def _is_plain(value: Any) -> bool:
     return value is None or isinstance(value, (bool, int, float, str))
 
 
-def _short(value: Any) -> str:
-    text = repr(value)
-    return text if len(text) <= 60 else text[:57] + "..."
-
-
 def _words(row: Mapping[str, Any]) -> str:
-    return ", ".join(f"{name} = {_short(value)}" for name, value in row.items())
-
-
-def _text(value: Any) -> str:
-    """A value in words that tell it from others, the same in each process."""
-    if isinstance(value, np.generic):
-        value = value.item()
-    if _is_plain(value) or isinstance(value, (bytes, complex, enum.Enum, range)):
-        return repr(value)
-    if isinstance(value, (list, tuple)):
-        return f"{type(value).__name__}({', '.join(map(_text, value))})"
-    if isinstance(value, dict):
-        return f"dict({', '.join(f'{_text(key)}: {_text(one)}' for key, one in value.items())})"
-    if isinstance(value, np.ndarray) and value.dtype != object:
-        return f"array({value.dtype}, {value.shape}, {hashlib.sha256(np.ascontiguousarray(value).tobytes()).hexdigest()})"
-    if dataclasses.is_dataclass(value) and not isinstance(value, type):
-        return f"{_name_of(type(value))}({', '.join(f'{f.name}={_text(getattr(value, f.name))}' for f in dataclasses.fields(value))})"
-    if callable(value) and hasattr(value, "__qualname__"):
-        return _name_of(value)
-    return f"{_name_of(type(value))}({hashlib.sha256(pickle.dumps(value, 4)).hexdigest()})"
-
-
-def _name_of(function: Any) -> str:
-    return f"{function.__module__}.{function.__qualname__}"
+    return ", ".join(f"{name} = {short(value)}" for name, value in row.items())
 
 
 def _case(row: Mapping[str, Any], arguments: Tuple[Any, ...], keywords: Mapping[str, Any]) -> Case:
+    found = Decides()
+    words = []
     for name, value in row.items():
         refuse_unpicklable(value, f"sweep.values.{name}")
-    key = ", ".join(f"{name}={_text(value)}" for name, value in row.items())
-    readable = ",".join(f"{name}={_short(value)}" for name, value in row.items())
-    name = re.sub(r"[^A-Za-z0-9.,=_+-]", "-", readable)[:80] + "-" + hashlib.sha256(key.encode()).hexdigest()[:12]
+        words.append(f"{name}={found.text(value, f'sweep.values.{name}')}")
+    key = ", ".join([*words, *(f"{name}: {part}" for name, part in found.parts.items())])
+    readable = ",".join(f"{name}={short(value)}" for name, value in row.items())
+    name = re.sub(r"[^A-Za-z0-9.,=_+-]", "-", readable)[:80] + "-" + digest(key)[:12]
     return Case(name, key, pickle.dumps((arguments, dict(keywords))))
 
 
-def _code_of(function: Any) -> Dict[str, str]:
-    """A function's name and the hash of its source, empty where there is none."""
-    if isinstance(function, functools.partial):
-        inner = _code_of(function.func)
-        return {**inner, "function": inner["function"] + _text([list(function.args), function.keywords])}
-    if not hasattr(function, "__qualname__"):
-        function = type(function)
+def _decided(function: Any, keeps: bool) -> Optional[Dict[str, str]]:
+    """What decides the results; None where nothing is kept and that cannot be told."""
     try:
-        source = inspect.getsource(function)
-    except (OSError, TypeError):
-        source = ""
-    module = "__main__" if function.__module__ == "__mp_main__" else function.__module__
-    return {"function": f"{module}.{function.__qualname__}", "source": hashlib.sha256(source.encode()).hexdigest() if source else ""}
+        return what_decides(function)
+    except Error:
+        if keeps:
+            raise
+        return None
 
 
-def _claim(folder: Path, function: Any) -> None:
+def _claim(folder: Path, function: Any, decides: Mapping[str, str]) -> None:
     """Makes the folder that of a function. Raises `Error` if it is another one's."""
-    path, code = folder / "sweep.json", _code_of(function)
+    path, name = folder / "sweep.json", code_name(function)
     try:
         folder.mkdir(parents=True, exist_ok=True)
-        if path.exists():
-            found = read_json(path)
-            if found != code:
-                same = isinstance(found, dict) and found.get("function") == code["function"]
-                raise Error(f"sweep.out = {folder}: holds results of {'this function as its code was then' if same else 'another function'}; "
-                            "name another folder, or remove it")
-            return
-        with replaced(path) as file:
-            json.dump(code, file)
+        if not path.exists():
+            with alone(folder / "sweep.lock", wait=True):
+                if not path.exists():
+                    with replaced(path) as file:
+                        json.dump({"function": name, "decides": decides}, file)
+        found = read_json(path)
     except (OSError, ValueError) as problem:
         if isinstance(problem, Error):
             raise
         raise Error(f"sweep.out = {folder}: cannot be used: {problem}") from None
+    of = found.get("function") if isinstance(found, dict) else None
+    then = found.get("decides") if of == name else None
+    other = first_difference(then, decides) if isinstance(then, dict) else name
+    if other:
+        what = "another function" if of != name else "this function as its code was then" if other == name else f"this function, but then with another {other}"
+        raise Error(f"sweep.out = {folder}: holds results of {what}; name another folder, or remove it")
 
 
 # --- results on disk: JSON, and arrays beside it; never a pickle, which would run what it holds
@@ -230,12 +230,34 @@ def _plain(value: Any, arrays: Dict[str, Any], at: str) -> Any:
         return {"dict": {key: _plain(one, arrays, f"{at}.{key}") for key, one in value.items()}}
     if isinstance(value, (list, tuple)):
         return {"list": [_plain(one, arrays, f"{at}[{k}]") for k, one in enumerate(value)]}
+    if hasattr(value, "iloc"):
+        return _plain(_without_frame(value, at), arrays, at)
+    if isinstance(value, np.ma.MaskedArray) and np.ma.is_masked(value):
+        raise Error(f"{at} = {short(value)}: has masked values, which an array cannot have; return filled(..) of it")
     if hasattr(value, "__array__"):
         array = np.asarray(value)
         if array.dtype.kind in "biufcSU":
             arrays[f"array{len(arrays)}"] = array
             return {"array": f"array{len(arrays) - 1}"}
-    raise Error(f"{at} = {_short(value)}: must be a number, a text, an array, or lists and mappings of them")
+    raise Error(f"{at} = {short(value)}: must be a number, a text, an array, or lists and mappings of them")
+
+
+def _without_frame(value: Any, at: str) -> Any:
+    """A Series or DataFrame of pandas by its names: a mapping of numbers, texts, arrays and lists."""
+
+    def values(column: Any) -> Any:
+        array = column.to_numpy()
+        return array.tolist() if array.dtype == object else array
+
+    index, plain_index = list(value.index), list(value.index) == list(range(len(value)))
+    if hasattr(value, "columns"):
+        if plain_index and value.columns.is_unique:
+            return {name: values(value[name]) for name in value.columns}
+    elif plain_index:
+        return values(value) if value.name is None else {value.name: values(value)}
+    elif value.index.is_unique and all(isinstance(name, str) for name in index):
+        return dict(zip(index, values(value)))
+    raise Error(f"{at} = {short(value)}: has an index that would be lost: return reset_index() of it, or its numbers as arrays")
 
 
 def _whole(value: Any, arrays: Mapping[str, Any]) -> Any:
@@ -247,9 +269,15 @@ def _whole(value: Any, arrays: Mapping[str, Any]) -> Any:
     return [_whole(one, arrays) for one in inner] if kind == "list" else arrays[inner]
 
 
-def _store(folder: Path, name: str, key: str, result: Any) -> None:
+def _store(folder: Path, name: str, key: str, result: Any, taken: Sequence[str]) -> None:
+    """`taken`: columns that are not those of results."""
     arrays: Dict[str, Any] = {}
-    told = json.dumps({"key": key, "result": _plain(result, arrays, "result")})
+    plain = _plain(result, arrays, "result")
+    columns = plain["dict"] if isinstance(plain, dict) and "dict" in plain else {"result": plain}
+    for column, one in columns.items():
+        if column in taken and one is not None and _is_plain(one):
+            raise Error(f"result.{column} = {short(one)}: a column of this sweep has that name; name the result otherwise")
+    told = json.dumps({"key": key, "result": plain})
     with replaced(folder / f"{name}.npz", binary=True) as file:
         np.savez(file, told=np.array(told), **arrays)
 
@@ -276,8 +304,9 @@ def _stored(folder: Path, case: Case) -> Optional[Tuple[Any]]:
 class Workers:
     """A process for each thread that asks for one: it calls the function, and stores what that returns."""
 
-    def __init__(self, function: Any, threads: int, folder: Path) -> None:
-        self._function, self._threads, self._folder = pickle.dumps(function), threads, folder
+    def __init__(self, function: Any, threads: int, folder: Path, taken: Sequence[str], decides: Optional[Mapping[str, str]], keeps: bool) -> None:
+        self._folder, self._keeps = folder, keeps
+        self._given = pickle.dumps(function), threads, os.fspath(folder), tuple(taken), decides
         self._lock, self._own = threading.Lock(), threading.local()
         self._all: List[Any] = []
         self._stopped = False
@@ -298,14 +327,15 @@ class Workers:
         with suppress(FileNotFoundError):
             failed.unlink()
         if failure:
-            with replaced(failed) as file:
-                file.write(trace)
+            with suppress(OSError):  # a disk that is full: the row tells the failure
+                with replaced(failed) as file:
+                    file.write(trace)
         return str(failure)
 
     def _started(self) -> Tuple[Any, Any]:
         context = multiprocessing.get_context("spawn")  # a fork would share the threads of this process, which are not there
         line, other = context.Pipe()
-        process = context.Process(target=_work, args=(other, self._function, self._threads, os.fspath(self._folder)))
+        process = context.Process(target=_work, args=(other, *self._given))
         with self._lock:
             if self._stopped:
                 raise KeyboardInterrupt
@@ -313,7 +343,7 @@ class Workers:
             self._all.append((process, line))
         other.close()
         try:
-            problem = line.recv()
+            problem, other_here = line.recv()
         except (EOFError, OSError):
             process.join()
             if self._stopped:
@@ -322,6 +352,12 @@ class Workers:
                         "`if __name__ == \"__main__\":`") from None
         if problem:
             raise Error(f"sweep.function: cannot be used in another process: {problem}; make it by `def` at the top level of a module")
+        if other_here:
+            said = (f"sweep.function: {other_here} is another one in the processes that a sweep starts, which import what they run anew: change it where "
+                    "it is imported, or give it as a parameter; if a file was edited, begin Python anew")
+            if self._keeps:
+                raise Error(said)
+            warnings.warn(Warning(said), stacklevel=2)
         self._own.worker = process, line
         return process, line
 
@@ -353,7 +389,7 @@ def _ending(code: Optional[int]) -> str:
     return f"with exit code {code}"
 
 
-def _work(line: Any, pickled: bytes, threads: int, folder: str) -> None:
+def _work(line: Any, pickled: bytes, threads: int, folder: str, taken: Sequence[str], decides: Optional[Mapping[str, str]]) -> None:
     """In a process: takes values until there are no more."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # of the terminal; the first process says when to end
     from ._plugins import set_threads
@@ -361,10 +397,11 @@ def _work(line: Any, pickled: bytes, threads: int, folder: str) -> None:
     set_threads(threads)
     try:
         function = pickle.loads(pickled)
+        other = first_difference(what_decides(function), decides) if decides is not None else None
     except Exception as problem:
-        line.send(f"{type(problem).__name__}: {problem}")
+        line.send((f"{type(problem).__name__}: {problem}", ""))
         return
-    line.send("")
+    line.send(("", other))
     while True:
         try:
             name, key, given = line.recv()
@@ -372,7 +409,7 @@ def _work(line: Any, pickled: bytes, threads: int, folder: str) -> None:
             return
         try:
             arguments, keywords = pickle.loads(given)
-            _store(Path(folder), name, key, function(*arguments, **keywords))
+            _store(Path(folder), name, key, function(*arguments, **keywords), taken)
             ended = ("", "")
         except BaseException as problem:
             said = str(problem)

@@ -27,7 +27,7 @@ from ._recipe import Recipe
 
 __all__ = ["STATE", "Decides", "code_name", "first_difference", "short", "what_decides"]
 
-STATE = "its object, or its arguments"  #: the name of what a function carries along: a method's object, a partial's arguments
+STATE = "object or arguments"  #: the name of what a function carries along: a method's object, a partial's arguments
 PLAIN = (type(None), type(...), bool, int, float, complex, str, bytes, range)
 
 
@@ -134,8 +134,9 @@ class Decides:
         if not is_new:
             return name
         for variable, cell in zip(f.__code__.co_freevars, f.__closure__ or ()):
+            at = f"{variable!r} of {name}"
             try:
-                self.parts[f"{variable} of {name}"] = digest(self.text(cell.cell_contents, f"{variable} of {name}"))
+                self.parts[at] = digest(self.text(cell.cell_contents, at))
             except ValueError as problem:  # a name that is not bound yet
                 if isinstance(problem, Error):
                     raise

@@ -65,14 +65,16 @@ def sweep(function: Callable[..., Any], values: Union[Iterable[Any], Mapping[str
     """Calls a function with each of many values, `jobs` at a time, each in a process of its own: `sweep(depth, [20, 25, 30])` calls
     `depth(20)` and so on, `sweep(depth, {"friction": [20, 30], "cell": [0.01, 0.02]})` every combination, `depth(friction=20, cell=0.01)`.
 
-    function  of a module or a script, made by `def` at its top level; returns a number, a text, an array, or lists and mappings of
-              them. Numbers and texts of a mapping become columns; all that it returned is in `results`
+    function  of a module or a script, made by `def` at its top level; also a method, a functools.partial or an object of a class of one.
+              Returns a number, a text, an array, or lists and mappings of them. Numbers and texts of a mapping become columns, which
+              no parameter may have the name of; all that it returned is in `results`. Of pandas a Series or DataFrame is a mapping by its names
     values    one or more values each, or values by the names of parameters, {"friction, cell": [(0.5, 0.01), ..]} for such that go together;
-              anything that pickle takes
+              or a DataFrame: a row a value. Anything that pickle takes. The same value is run once
     jobs      calls at once; scenes in each have the processors' share of threads
     out       folder that gets a file a value as soon as it is done. The same call goes on with a sweep that was interrupted or killed:
-              what is done there is read. A folder of another function, or of one whose code has changed since, is refused; what it
-              calls is not looked at. Without, a temporary folder that goes with the result
+              what is done there is read. A folder of another function is refused; so is one of the same with other code, defaults, captured
+              values or state, or if functions and classes that it calls or globals that these read have changed since, or versions of installed packages.
+              Files and the environment are not looked at. Without, a temporary folder that goes with the result
     quiet     False: a line a value as it ends, on standard error
     cases     which of the values to run here, by the number of their row: "0-9", "3,7", 3, range(10); "none" only collects. None: what the
               environment's ARENITE_CASES says, or all. Jobs of a cluster share a folder `out` so; a value that one of them runs is left to it
@@ -94,6 +96,7 @@ def sweep(function: Callable[..., Any], values: Union[Iterable[Any], Mapping[str
     folder, decides = Folder(out), _decided(function, out is not None)
     if decides is not None:
         _claim(folder.path, function, decides)
+        planned = [case._replace(key=f"{case.key} of {digest(json.dumps(decides))}") for case in planned]
     workers = Workers(function, max(1, processors() // jobs), folder.path, (*swept, *OUTCOME), decides, out is not None)
 
     def run(of: int) -> Tuple[str, Any]:
@@ -198,25 +201,25 @@ def _decided(function: Any, keeps: bool) -> Optional[Dict[str, str]]:
 
 def _claim(folder: Path, function: Any, decides: Mapping[str, str]) -> None:
     """Makes the folder that of a function. Raises `Error` if it is another one's."""
-    path, name = folder / "sweep.json", code_name(function)
+    path, mine = folder / "sweep.json", {"function": code_name(function), "decides": dict(decides)}
     try:
         folder.mkdir(parents=True, exist_ok=True)
-        if not path.exists():
-            with alone(folder / "sweep.lock", wait=True):
-                if not path.exists():
-                    with replaced(path) as file:
-                        json.dump({"function": name, "decides": decides}, file)
-        found = read_json(path)
+        found = read_json(path) if path.exists() else None
+        if found != mine and not any(folder.glob("*.npz")):  # no results, that a claim would be there for
+            with alone(folder / "sweep.lock", wait=True), replaced(path) as file:
+                json.dump(mine, file)
+            return
     except (OSError, ValueError) as problem:
         if isinstance(problem, Error):
             raise
         raise Error(f"sweep.out = {folder}: cannot be used: {problem}") from None
-    of = found.get("function") if isinstance(found, dict) else None
-    then = found.get("decides") if of == name else None
-    other = first_difference(then, decides) if isinstance(then, dict) else name
-    if other:
-        what = "another function" if of != name else "this function as its code was then" if other == name else f"this function, but then with another {other}"
-        raise Error(f"sweep.out = {folder}: holds results of {what}; name another folder, or remove it")
+    if found != mine:
+        of, then = (found.get("function"), found.get("decides")) if isinstance(found, dict) else (None, None)
+        other = first_difference(then, decides) if of == mine["function"] and isinstance(then, dict) else None
+        raise Error(f"sweep.out = {folder}: holds results of " + (
+            "another function; name another folder, or remove it" if of != mine["function"] else
+            "this function as its code was then; name another folder, or remove it" if other in (None, mine["function"]) else
+            f"this function, but then with another {other}; name another folder, or remove it; what is to vary is best a parameter"))
 
 
 # --- results on disk: JSON, and arrays beside it; never a pickle, which would run what it holds

@@ -6,12 +6,12 @@ import os
 import signal
 import threading
 import time
-from typing import Any, Dict, List, Mapping, Optional, Union
+from typing import Any, Dict, List, Optional, Union
 
 from . import _core
 from ._errors import Error
 from ._folder import PathLike
-from .scene import STOP, Observer, Scene, run
+from .scene import STOP, Every, Observer, Scene, check_observer, number, observers_of, run
 from .watch import Progress, Watch
 
 __all__ = ["run_in_folder"]
@@ -62,14 +62,18 @@ class _Status:
 
 def run_in_folder(scene: Scene, end: float, folder: PathLike, *, checkpoint_every: float = float("inf"), resume: bool = False,
                   recipe: str = "", courant: float = 0.5, max_step: float = float("inf"),
-                  every: Optional[Mapping[float, Observer]] = None, after_step: Optional[Observer] = None,
+                  every: Optional[Every] = None, after_step: Optional[Observer] = None,
                   watch: Union[bool, Watch] = True, progress: Union[bool, Progress] = False) -> str:
     """`run` in a folder that no other run may use meanwhile. Saves the scene there (`checkpoint.state`) each `checkpoint_every`,
     s, at the end, and when Ctrl-C or SIGTERM ends the run after a step (in the main thread); with `resume` the same program goes on
-    from there with the same bits, also to a later `end`. Without it state and status of an earlier run are removed. `status.json`
+    from there with the same bits. It also goes on to a later `end`: with the bits of a run to that from the start unless the last two steps
+    before the former `end` were taken, which are shortened to hit it. Without it state and status of an earlier run are removed. `status.json`
     tells how the run stands, at most ten seconds late. `recipe`: a line on what made the scene; a state is resumed only with the
     same one. Returns "finished", "stopped" (by an observer) or "interrupted". Raises `Error` that names the folder if it cannot be
     used, or the state if it is of another run, which leaves the folder as it was; else what `run` raises, once the status tells it."""
+    end, checkpoint_every = number("run_in_folder.end", end, "s"), number("run_in_folder.checkpoint_every", checkpoint_every, "s")
+    observers = observers_of("run_in_folder.every", every)
+    after_each = None if after_step is None else check_observer("run_in_folder.after_step", after_step)
     if not checkpoint_every > 0:
         raise Error(f"checkpoint_every = {checkpoint_every:g}: must be positive (s)")
     if not end >= scene.time:
@@ -88,22 +92,13 @@ def run_in_folder(scene: Scene, end: float, folder: PathLike, *, checkpoint_ever
             status.write()
 
         def after(s: Scene) -> Any:
-            told = after_step(s) if after_step else None
+            told = after_each(s) if after_each else None
             status.refresh()
             return STOP if stop.came else told
 
-        observers = dict(every or {})
         if checkpoint_every < float("inf"):
-            others = observers.pop(checkpoint_every, None)
             begin = scene.step_count
-
-            def due(s: Scene) -> Any:
-                told = others(s) if others else None
-                if s.step_count > begin:
-                    save()
-                return told
-
-            observers[checkpoint_every] = due
+            observers.append((checkpoint_every, lambda s: save() if s.step_count > begin else None))  # behind those that it saves after
         with _Stop() as stop:
             try:
                 status.write()

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import enum
 import os
 import tempfile
 from typing import Any, Callable, ContextManager, Dict, Iterable, Iterator, List, Mapping, NamedTuple, Optional, Sequence, Tuple, Union
@@ -23,7 +24,20 @@ from .views import Body, RigidState, State
 from .watch import Progress, Watch, Watched
 
 DAMP = ": name a part that damps: LocalDamping or ViscousDamping"
-STOP = True  #: what a function of `run` returns to end the run there
+
+
+class Stop(enum.Enum):
+    """Its one value is what a function of `run` returns to end the run there."""
+
+    STOP = "ar.STOP"
+
+    def __repr__(self) -> str:
+        return str(self.value)
+
+    __str__ = __repr__
+
+
+STOP = Stop.STOP
 
 
 class Energies(NamedTuple):
@@ -232,7 +246,8 @@ class Scene:
               watch: Union[bool, Watch] = True) -> Iterator[float]:
         """The steps of `run` until `end`, s, one by one; yields the duration of each, s: between two of them forces, motions and
         fields may be changed. Watched as in `run`; of numbers that you write the watch knows no energy, and begins anew."""
-        take = self._core.steps(end, courant, max_step, watch.value() if isinstance(watch, Watch) else watch)
+        numbers = number("steps.end", end, "s"), number("steps.courant", courant), number("steps.max_step", max_step, "s")
+        take = self._core.steps(*numbers, watch.value() if isinstance(watch, Watch) else bool(watch))
         self._state.written = False
         while True:
             with self._named():
@@ -402,44 +417,94 @@ def compiled(scene: Scene) -> Scene:
 
 
 Observer = Callable[[Scene], Any]
+#: Functions by their period, s: one or several each; or pairs of a period and a function.
+Every = Union[Mapping[float, Union[Observer, Sequence[Observer]]], Iterable[Tuple[float, Observer]]]
+
+
+def number(name: str, value: Any, unit: str = "") -> float:
+    """What is given as a number."""
+    try:
+        if isinstance(value, (bool, np.bool_, str, bytes)):
+            raise TypeError
+        return float(value)
+    except (TypeError, ValueError, OverflowError):
+        raise Error(f"{name} = {value!r}: must be a number{', ' * bool(unit)}{unit}") from None
+
+
+def observers_of(name: str, every: Optional[Every]) -> List[Tuple[float, Observer]]:
+    """Each function with its period, s, in the order in which they are called."""
+    found: List[Tuple[float, Observer]] = []
+    try:
+        pairs = [(period, called) for period, called in (every.items() if isinstance(every, Mapping) else every or ())]
+    except (TypeError, ValueError):
+        raise Error(f"{name} = {every!r}: must be functions of the scene by their period, {{0.1: f}}, or pairs, [(0.1, f), (0.1, g)]") from None
+    for given, called in pairs:
+        period = number(f"{name}: period", given, "s")
+        if not period > 0:
+            raise Error(f"{name}: period = {period:g}: must be positive, s")
+        for one in called if isinstance(called, (list, tuple)) else [called]:
+            found.append((period, check_observer(f"{name}[{period:g}]", one)))
+    return found
+
+
+def check_observer(name: str, observer: Any) -> Observer:
+    if not callable(observer):
+        raise Error(f"{name} = {observer!r}: must be a function of the scene")
+    checked: Observer = observer
+    return checked
+
+
+def _stops(name: str, told: Any) -> bool:
+    """Whether what an observer returned ends the run."""
+    if isinstance(told, (bool, np.bool_)) and told:
+        raise Error(f"{name}: a function returned True: return ar.STOP to end the run, or nothing")
+    return told is STOP
 
 
 def run(scene: Scene, end: float, courant: float = 0.5, max_step: float = float("inf"),
-        every: Optional[Mapping[float, Observer]] = None, after_step: Optional[Observer] = None, *,
+        every: Optional[Every] = None, after_step: Optional[Observer] = None, *,
         watch: Union[bool, Watch] = True, progress: Union[bool, Progress] = False) -> None:
     """Steps a scene to `end`, s. `every`: functions of the scene by their period, s, called at the start and at the
-    first step at or after each multiple; `after_step` after each step. One that returns `STOP` ends the run. Raises
-    `RunError` if the run fails physically, or goes past a limit of the `watch` (False: nobody watches); Ctrl-C stops it
-    after the step."""
+    first step at or after each multiple, which shortens no step: {0.1: f}, {0.1: [f, g]} or [(0.1, f), (0.1, g)], in this order;
+    `after_step` after each step. One that returns `STOP` ends the run; True is refused, whatever else one returns is ignored. The
+    last two steps are shortened to hit `end`: a run that goes on from there has not the bits of one to a later `end`; to have them, save the
+    scene by a function of `every`, or end the run by `STOP`. Raises `RunError` if the run fails physically, or goes past a limit of the
+    `watch` (False: nobody watches); Ctrl-C stops it after the step."""
     shown = Progress() if progress is True else progress or None
-    _run(scene, end, courant, max_step, None, every, after_step, watch, shown)
+    _run("run", scene, end, courant, max_step, None, every, after_step, watch, shown)
 
 
 def settle(scene: Scene, end: float, ratio: float = 1e-3, courant: float = 0.5,
-           every: Optional[Mapping[float, Observer]] = None, after_step: Optional[Observer] = None, *,
+           every: Optional[Every] = None, after_step: Optional[Observer] = None, *,
            watch: Union[bool, Watch] = True) -> None:
     """Steps a scene in which a part damps (`LocalDamping`) until its forces are in balance to `ratio`, -, for ten
     steps. Observers and `watch` as in `run`. Raises `RunError` if `end`, s, comes first. Go on with `run` after
     `scene.switch_off_damping()`."""
-    _run(scene, end, courant, float("inf"), ratio, every, after_step, watch)
+    _run("settle", scene, end, courant, float("inf"), number("settle.ratio", ratio), every, after_step, watch)
 
 
-def _run(scene: Scene, end: float, courant: float, max_step: float, ratio: Optional[float],
-         every: Optional[Mapping[float, Observer]], after_step: Optional[Observer], watch: Union[bool, Watch],
+def _run(name: str, scene: Scene, end: float, courant: float, max_step: float, ratio: Optional[float],
+         every: Optional[Every], after_step: Optional[Observer], watch: Union[bool, Watch],
          progress: Optional[Progress] = None) -> None:
     if ratio is not None:
         scene._refuse_neutral("LocalDamping", "settle" + DAMP)
-    every = dict(every or {})
-    observers = list(every.values())
-    after = None if after_step is None else lambda: after_step(scene) is STOP
+    numbers = number(f"{name}.end", end, "s"), number(f"{name}.courant", courant), number(f"{name}.max_step", max_step, "s")
+    observers = observers_of(f"{name}.every", every)
+    after = None if after_step is None else check_observer(f"{name}.after_step", after_step)
+    if not isinstance(watch, (bool, np.bool_, Watch)):
+        raise Error(f"{name}.watch = {watch!r}: must be True, False or a Watch")
+    if progress and not isinstance(progress, Progress):
+        raise Error(f"{name}.progress = {progress!r}: must be True, False or a Progress")
     if scene.rank != 0:
         progress = None
     if progress:
-        progress.start(scene.time, end)
+        progress.start(scene.time, numbers[0])
     resumed = scene._restored_at == scene.step_count
     with scene._named():
-        scene._core.run(end, courant, max_step, ratio, resumed, [float(p) for p in every], lambda k: observers[k](scene) is STOP, after,
-                        watch.value() if isinstance(watch, Watch) else watch, progress and (lambda: progress(scene)))
+        scene._core.run(*numbers, ratio, resumed, [period for period, _ in observers],
+                        lambda k: _stops(f"{name}.every[{observers[k][0]:g}]", observers[k][1](scene)),
+                        None if after is None else lambda: _stops(f"{name}.after_step", after(scene)),
+                        watch.value() if isinstance(watch, Watch) else bool(watch), progress and (lambda: progress(scene)))
     if progress:
         progress(scene, done=True)
 

@@ -181,7 +181,9 @@ void run_steps(Scene& scene, const RunOptions& options, Observers&... observers)
 
 }  // namespace detail
 
-/// Steps `scene` until `options.end`, which the last step hits exactly. Each observer is called with the
+/// Steps `scene` until `options.end`, which the last two steps are shortened to hit exactly: a run that goes on
+/// from there has not the bits of one to a later end. To have them, save the scene by an observer (`every`
+/// shortens no step), or end the run by one. Each observer is called with the
 /// scene (const) at the start and after every step; of one that has it, `finish(scene)` is called at the end. An
 /// observer that returns `RunFlow::stop` ends the run there (with several scenes over one mesh: in all of
 /// them, which then need an observer that returns a `RunFlow` each). Warns of what cannot be right, and stops

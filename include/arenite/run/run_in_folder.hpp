@@ -97,8 +97,8 @@ class StatusWriter {
 
 /// `run` in a folder that no other run may use meanwhile. Saves the state of the scene and of the observers that have one
 /// (`save_state`) each `checkpoint_every`, at the end, and when SIGINT or SIGTERM ends the run after a step; with
-/// `resume` the same program goes on from there with the same bits, also to a later end. Without it results of an
-/// earlier run (state and status) are removed. `status.json` tells how the run stands (`RunStatus`), at most ten
+/// `resume` the same program goes on from there with the same bits; also to a later end, with other bits if the former
+/// one was reached (`run`). Without it results of an earlier run (state and status) are removed. `status.json` tells how the run stands (`RunStatus`), at most ten
 /// seconds late. Throws `error` that names the folder if it cannot be used, or the state if it is of another run,
 /// which leaves the folder as it was; else what `run` throws, once the status tells it.
 template <class Scene, class... Observers>

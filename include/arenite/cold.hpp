@@ -30,6 +30,7 @@
 #include <arenite/parallel/loop_once.hpp>
 #include <arenite/particles/cell_list_cold.hpp>
 #include <arenite/particles/measures_cold.hpp>
+#include <arenite/rigid/body/past_walls_cold.hpp>
 #include <arenite/rigid/body/try_distance_cold.hpp>
 #include <arenite/rigid/with_matter/contact_balance_cold.hpp>
 #include <arenite/run/progress_cold.hpp>

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include <arenite/boundary/constraints.hpp>
 #include <arenite/contact/coulomb.hpp>
 #include <arenite/contact/hold.hpp>
 #include <arenite/core/contact_tally.hpp>
@@ -53,8 +54,9 @@ class BoundFrictionalWall {
 
   explicit BoundFrictionalWall(FrictionalWall wall) : wall_{std::move(wall)}, name_{wall_.where.name()} {}
 
+  /// Before parts are connected, some of which ask for the nodes.
   template <class Scene>
-  void connect(Scene& scene) {
+  void connect_walls(Scene& scene, const BoundaryNodes<D>&) {
     const auto is_meant = face_test(scene, wall_.where);
     std::vector<Index> place(scene.fields[0].size(), none);
     for_each_hull_face(scene, [&](const HullFace<T, D>& face) {
@@ -120,6 +122,11 @@ class BoundFrictionalWall {
     for (const auto& n : nodes_)
       if (n.normal.dot(acceleration) < 0) return true;
     return false;
+  }
+  /// Calls `f(node, normal)` for the nodes that it holds, with the unit normal out of the wall.
+  template <class F>
+  void visit_wall_nodes(F&& f) const {
+    for (const auto& n : nodes_) f(n.node, n.normal);
   }
   template <class F>
   void visit_state(F&& f) {

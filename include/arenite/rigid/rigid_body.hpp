@@ -17,6 +17,7 @@
 #include <arenite/core/state_value.hpp>
 #include <arenite/parallel/communicator.hpp>
 #include <arenite/rigid/body/matter_inside.hpp>
+#include <arenite/rigid/body/past_walls.hpp>
 #include <arenite/rigid/body/pose.hpp>
 #include <arenite/rigid/body/thin_walls.hpp>
 #include <arenite/rigid/body/try_distance.hpp>
@@ -168,10 +169,16 @@ struct RigidBody {
 
   /// Of the centre of a body that rotates, m.
   V position() const requires(rotates) { return motion.centre().template cast<T>() + displacement; }
+  Pose<D> pose() const {
+    if constexpr (rotates)
+      return {motion.centre(), displacement.template cast<double>(), orientation.matrix()};
+    else
+      return {Vec<double, D>::Zero(), displacement.template cast<double>(), Mat<double, D>::Identity()};
+  }
   /// Where a surface finds the body: its displacement, or its pose.
   auto place() const {
     if constexpr (rotates)
-      return Pose<D>{motion.centre(), displacement.template cast<double>(), orientation.matrix()};
+      return pose();
     else
       return displacement;
   }
@@ -308,6 +315,13 @@ struct RigidBody {
     if constexpr (keeps_gaps) gaps.check(scene.fields.size(), scene.fields[0].size());
   }
   bool holds_against(const V& acceleration) const { return motion.holds(acceleration); }
+  /// For the watch of a run, of a body with a mass and a distance.
+  detail::WatchedRigid first_look(const detail::MeshSides<D>& mesh) const {
+    return detail::first_look(surface.distance(), pose(), mesh);
+  }
+  std::string look_at_walls(detail::WatchedRigid& seen, const detail::MeshSides<D>& mesh) const {
+    return detail::look_at_walls(seen, surface.distance(), pose(), mesh);
+  }
 
  private:
   template <class Communicator>

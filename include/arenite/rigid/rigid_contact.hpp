@@ -14,6 +14,8 @@
 #include <utility>
 #include <vector>
 
+#include <arenite/boundary/wall_sides.hpp>
+#include <arenite/boundary/walls.hpp>
 #include <arenite/contact/coulomb.hpp>
 #include <arenite/core/contact_tally.hpp>
 #include <arenite/core/error.hpp>
@@ -31,6 +33,10 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 struct RigidContact {
   Friction friction;
   std::vector<RigidPair> pairs{};  ///< exceptions
+  /// With it the walls hold bodies with a mass, too: those at a side of the box around the mesh that holds the matter all over, as planes
+  /// without an end that stay where they were at the start. They go by the names of the sides, `left`, `right`, `bottom`, .., in `pairs`,
+  /// too. A smooth one does not hold what crosses it at the start, as at a plane of symmetry.
+  std::optional<Friction> walls{};
 };
 
 namespace detail {
@@ -65,6 +71,20 @@ auto mobility_in_matter(const R& body, const typename R::Velocity& contact_veloc
   }
   return mobility;
 }
+
+}  // namespace detail
+
+namespace detail {
+
+/// What lies behind a side of a mesh.
+template <int D>
+struct BehindSide {
+  int axis;
+  bool upper;
+  double at;  // m
+
+  double operator()(const Vec<double, D>& x) const { return upper ? at - x[axis] : x[axis] - at; }
+};
 
 }  // namespace detail
 
@@ -107,11 +127,13 @@ class BoundRigidContact {
       const AnyDistance& distance = body.surface.distance();
       for (std::size_t k = 0; k < D; ++k)
         b.size = std::min(b.size, distance.upper()[k] - distance.lower()[k]);
+      b.kind = R::is_free ? Kind::with_mass : Kind::driven;
       touching_.segments.push_back(distance.contact_segments());
       touching_.bodies.push_back(std::move(b));
     });
-    touching_.set_pairs(recipe_.friction, recipe_.pairs);
+    if (recipe_.walls) add_walls(detail::wall_sides(scene));
     look_at(scene);
+    touching_.set_pairs(recipe_.friction, recipe_.walls, recipe_.pairs);
     touching_.check_start();
   }
 
@@ -154,6 +176,7 @@ class BoundRigidContact {
   }
 
  private:
+  using Kind = typename TouchingBody<D>::Kind;
   static constexpr int most_rounds = 12;
   /// Of velocities and of gaps over the way of a step.
   static constexpr double precision =
@@ -205,15 +228,29 @@ class BoundRigidContact {
       auto& b = touching_.bodies[k];
       b.distance = &body.surface.distance();
       b.segments = &touching_.segments[k++];
-      b.begin = pose_of(body);
+      b.begin = body.pose();
     });
+    for (const AnyDistance& wall : walls_) {
+      touching_.bodies[k].distance = &wall;
+      touching_.bodies[k].segments = &touching_.segments[k];
+      ++k;
+    }
   }
-  template <class R>
-  static Pose<D> pose_of(const R& body) {
-    if constexpr (R::rotates)
-      return body.place();
-    else
-      return {V::Zero(), body.displacement.template cast<double>(), Mat<double, D>::Identity()};
+  void add_walls(const std::array<detail::WallSide, 2 * D>& sides) {
+    walls_.clear();
+    for (std::size_t s = 0; s < sides.size(); ++s) {
+      if (!sides[s].holds) continue;
+      const int axis = static_cast<int>(s) / 2;
+      const bool upper = s % 2 == 1;
+      walls_.push_back(AnyDistance::of<D>(detail::BehindSide<D>{axis, upper, sides[s].at}));
+      TouchingBody<D> b;
+      b.name = place_name(axis, upper, "");
+      b.size = std::numeric_limits<double>::infinity();
+      b.kind = sides[s].is_smooth ? Kind::smooth_wall : Kind::wall;
+      b.begin = b.end = {V::Zero(), V::Zero(), Mat<double, D>::Identity()};
+      touching_.segments.emplace_back();
+      touching_.bodies.push_back(std::move(b));
+    }
   }
 
   /// Each body in turn: its velocity in contact with the matter, and the impulses that it gives.
@@ -281,10 +318,14 @@ class BoundRigidContact {
       dissipated += between;
       tally += {.dissipation = lost + between, .nodes = body.contact_nodes};
     });
+    if (speaks_for_all(scene))
+      for (const auto& b : touching_.bodies)
+        if (b.is_wall()) scene.wall_impulse -= linear_part<D>(b.impulse).template cast<T>();
     return tally;
   }
 
   RigidContact recipe_;
+  std::vector<AnyDistance> walls_{};
   TouchingBodies<D> touching_{};
 };
 

@@ -20,6 +20,7 @@
 #include <arenite/run/damped_fall.hpp>
 #include <arenite/run/watch_limits.hpp>
 #include <arenite/run/watched_energy.hpp>
+#include <arenite/run/watched_rigids.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 namespace detail {
@@ -59,6 +60,9 @@ class WatchBook {
   bool takes(Quantity q, double time, double value, int body);
   /// Warns of the value that it took last, or throws `run_error`.
   void tell(Quantity q, WatchedSpot spot);
+
+  /// Warns.
+  void tell(std::string text);
 
   void look_at_damping(double time, double share);
   template <class T>
@@ -106,6 +110,7 @@ class BasicWatch {
       look(scene);
     else if (!tracks_energy<Scene> && scene.steps + 1 == next_ && book_.wants_energy())
       energy_.remember(scene);
+    look_at_rigids(scene);
   }
   /// Looks at the end of a run, which may lie between two looks; `run` calls it.
   template <class Scene>
@@ -182,6 +187,13 @@ class BasicWatch {
   void accept_damping() { book_.hints_at_damping = false; }
 
  private:
+  /// At every step: what falls through a thin mesh is past it before the next look.
+  template <class Scene>
+  void look_at_rigids(const Scene& scene) {
+    rigids_.look(scene, scene.steps == last_, [&](std::string text) {
+      if (speaks_for_all(scene)) book_.tell(std::move(text));
+    });
+  }
   template <int Width, class L, class T, int D, ExtraColumns E>
   void look_at_strength(double time, const Body<L, T, D, E>& body, const detail::WatchedBody<T>& watched) {
     using P = typename LawLanes<L, T, Width>::type;
@@ -228,6 +240,7 @@ class BasicWatch {
   DampedFall fall_;
   std::size_t next_ = 0, last_ = never;
   WatchedEnergy energy_;
+  detail::WatchedRigids rigids_;
 };
 
 /// A watch to hand to `run`.

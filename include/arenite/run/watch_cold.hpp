@@ -91,14 +91,16 @@ ARENITE_COLD void WatchBook::tell(Quantity q, WatchedSpot spot) {
                                         of_run && !ends ? w.limit / 10 : w.limit, "; ", spot.text});
   if (ends) throw run_error(text);
   w.warned = true;
+  tell(text);
+}
+
+ARENITE_COLD void WatchBook::tell(std::string text) {
   warnings.emplace_back(text);
   warn(text);
 }
-
 ARENITE_COLD void WatchBook::hint(bool& wanted, std::string text) {
   wanted = false;
-  warnings.emplace_back(text);
-  warn(text);
+  tell(std::move(text));
 }
 
 ARENITE_COLD void WatchBook::look_at_damping(double time, double share) {

@@ -22,13 +22,16 @@ struct TouchingBody {
   const AnyDistance* distance = nullptr;
   const std::vector<ContactSegment>* segments = nullptr;
   double size = 0;  ///< least extent of the shape, m; infinite if not known
+  enum class Kind { driven, with_mass, wall, smooth_wall } kind = Kind::with_mass;
   Pose<D> begin{}, end{};
-  Twist<double, D> twist{};                             ///< at the end of the step
-  Mat<double, D + rotations<D>> mobility{};             ///< change of the twist by an impulse and its moment
+  Twist<double, D> twist = Twist<double, D>::Zero();  ///< at the end of the step
+  /// Change of the twist by an impulse and its moment.
+  Mat<double, D + rotations<D>> mobility = Mat<double, D + rotations<D>>::Zero();
   Twist<double, D> impulse = Twist<double, D>::Zero();  ///< of the other rigid bodies in the step
 
   Vec<double, D> centre() const { return begin.centre + begin.displacement; }
   bool moves() const { return !mobility.isZero(0); }
+  bool is_wall() const { return kind == Kind::wall || kind == Kind::smooth_wall; }
   /// Greatest speed of its points, m/s, within `reach` from the centre.
   double speed(double reach) const {
     return linear_part<D>(twist).norm() + angular_part<D>(twist).norm() * reach;

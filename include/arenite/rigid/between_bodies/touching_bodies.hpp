@@ -31,16 +31,21 @@ class TouchingBodies {
   using V = Vec<double, D>;
   static constexpr int N = D + rotations<D>;
 
-  std::vector<TouchingBody<D>> bodies{};                ///< in the order of the scene
+  std::vector<TouchingBody<D>> bodies{};                ///< in the order of the scene, then walls
   std::vector<std::vector<ContactSegment>> segments{};  ///< [bodies]
   std::vector<RigidTouch<D>> touches{};                 ///< of the last step
   double deepest = 0;                                   ///< overlap since the start, m
 
-  void set_pairs(const Friction& of_all, const std::vector<RigidPair>& exceptions) {
+  /// Walls come last among the bodies. One holds bodies with a mass, but, if it is smooth, none that crosses it at the start: it is a plane
+  /// of symmetry then.
+  void set_pairs(const Friction& of_all, const std::optional<Friction>& of_walls,
+                 const std::vector<RigidPair>& exceptions) {
+    using Kind = typename TouchingBody<D>::Kind;
     pairs_.clear();
     for (std::size_t a = 0; a < bodies.size(); ++a)
       for (std::size_t b = a + 1; b < bodies.size(); ++b) {
-        std::optional<Friction> friction = of_all;
+        if (bodies[b].is_wall() && bodies[a].kind != Kind::with_mass) continue;
+        std::optional<Friction> friction = bodies[b].is_wall() ? of_walls : of_all;
         for (const auto& p : exceptions) {
           const std::size_t x = number_of(p.first), y = number_of(p.second);
           require(x != y, "RigidContact.pairs", p.first, "must be two different bodies");
@@ -50,6 +55,7 @@ class TouchingBodies {
         require(!segments[a].empty() || !segments[b].empty(), "RigidContact",
                 joined_text({bodies[a].name, ", ", bodies[b].name}),
                 "one of both must be a shape with contact_segments(), such as Ball, Box or Polygon");
+        if (bodies[b].kind == Kind::smooth_wall && least_gap(a, b) < -least_overlap(a, b)) continue;
         pairs_.push_back({a, b, friction->coefficient()});
       }
   }
@@ -133,12 +139,21 @@ class TouchingBodies {
     return 0;
   }
   void check_start(std::size_t first, std::size_t second) const {
+    require(least_gap(first, second) >= -least_overlap(first, second), "RigidContact",
+            joined_text({bodies[first].name, ", ", bodies[second].name}), "must not overlap at the start");
+  }
+  /// Least gap of two bodies where they are, m; 0 where they do not overlap.
+  double least_gap(std::size_t first, std::size_t second) const {
     std::vector<RigidTouch<D>> found;
     ContactPoints<D>::find(bodies, first, second, 0, found);
     ContactPoints<D>::find(bodies, second, first, 0, found);
-    for (const auto& t : found)
-      require(t.gap >= -1e-4 * std::min(bodies[first].size, bodies[second].size), "RigidContact",
-              joined_text({bodies[first].name, ", ", bodies[second].name}), "must not overlap at the start");
+    double least = 0;
+    for (const auto& t : found) least = std::min(least, t.gap);
+    return least;
+  }
+  /// From here on two bodies count as overlapping, m.
+  double least_overlap(std::size_t first, std::size_t second) const {
+    return 1e-4 * std::min(bodies[first].size, bodies[second].size);
   }
   /// Greatest distance of a body's points from its centre, m.
   double reach_of(const TouchingBody<D>& b) const {

@@ -1,0 +1,61 @@
+// Rigid bodies as a watch sees them: whether one has passed a wall, which holds the matter alone, or left the mesh.
+#pragma once
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+#include <arenite/boundary/wall_sides.hpp>
+#include <arenite/core/error.hpp>
+
+namespace arenite::inline ARENITE_INSTRUCTION_SET::detail {
+
+/// Whether a watch looks at a rigid body: it has a mass, and a surface that goes with it.
+template <class B>
+concept watched_rigid = requires(const B& body) {
+  requires B::is_free;
+  body.surface.distance();
+  body.pose();
+};
+
+class WatchedRigids {
+ public:
+  /// After each step. `looks`: at the mesh, too. Calls `tell(text)`.
+  template <class Scene, class Tell>
+  void look([[maybe_unused]] const Scene& scene, [[maybe_unused]] bool looks, [[maybe_unused]] Tell&& tell) {
+    constexpr int D = Scene::D;
+    std::size_t number = 0;
+    scene.for_each_rigid([&](const auto& body) {
+      if constexpr (watched_rigid<std::remove_cvref_t<decltype(body)>>) {
+        if (number == 0 && looks) look_at_mesh(scene);
+        MeshSides<D> mesh{{}, cell_};
+        std::copy_n(sides_.begin(), mesh.sides.size(), mesh.sides.begin());
+        if (seen_.size() == number) seen_.push_back(body.first_look(mesh));
+        const std::string text = body.look_at_walls(seen_[number++], mesh);
+        if (!text.empty())
+          tell(joined_text({"t = ", scene.time, " s: rigid body ", body.called_in(scene), text}));
+      }
+    });
+  }
+
+ private:
+  template <class Scene>
+  void look_at_mesh(const Scene& scene) {
+    std::ranges::copy(wall_sides(scene), sides_.begin());
+    cell_ = std::numeric_limits<double>::infinity();
+    for (Index c = 0; c < scene.mesh.cell_count(); ++c)
+      cell_ = std::min(cell_, static_cast<double>(scene.mesh.size(c)));
+    cell_ = scene.communicator().least(cell_);
+  }
+
+  std::array<WallSide, 6> sides_{};
+  double cell_ = 0;  // m
+  std::vector<WatchedRigid> seen_{};
+};
+
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET::detail

@@ -109,10 +109,16 @@ class RigidContact(Recipe):
 
     parameter  unit  range             default  meaning
     friction   rad   [0, pi/2)         needed   angle; infinity: no slip
-    pairs      -     `RigidPair` each  ()       with a friction of their own"""
+    pairs      -     `RigidPair` each  ()       with a friction of their own
+    walls      rad   [0, pi/2)         None     of the walls, which then hold bodies with a mass, too; None: they hold the matter alone
+
+    Walls that hold are those at a side of the box around the mesh that holds the matter all over, as planes without an end that stay where
+    they were at the start. A smooth one does not hold a body that crosses it at the start, as at a plane of symmetry. Without `walls` a run
+    warns of a body that passes one."""
 
     friction: float
     pairs: Sequence[RigidPair] = ()
+    walls: Optional[float] = None
 
 
 class MovingMesh(_recipes.MovingMesh):

@@ -111,7 +111,7 @@ def test_driven_wall_and_absorbing_faces(ar):
 
 def test_friction_poses_and_bodies_that_touch(ar):
     """A block that slides on a frictional wall slows down by mu g; a rigid ball falls onto a floor, a box held by a
-    prescribed pose, and stays there."""
+    prescribed pose, and stays there. Past the floor it falls through the wall, which a run tells, or lands on it."""
     law = ar.LinearElastic(density=1000, young=1e6, poisson=0.3)
     floor = ar.Rigid(ar.Box((0.7, 0.0), (1.0, 0.1)), ar.PrescribedPose(centre=(0.85, 0.05)), friction=0.3, name="floor")
     ball = ar.Rigid(ar.Ball((0.85, 0.18), 0.05), ar.Free(mass=5, inertia=5e-3, centre=(0.85, 0.18)), friction=0.3, name="ball")
@@ -130,6 +130,15 @@ def test_friction_poses_and_bodies_that_touch(ar):
     apart = scene_of(ar.RigidContact(friction=0.3, pairs=[ar.RigidPair(0, 1)]))
     ar.run(apart, end=0.1)
     assert apart.rigids["ball"].displacement[1] == pytest.approx(-9.81 * 0.1**2 / 2, rel=0.01)
+    with pytest.warns(UserWarning, match=r"rigid body ball has passed the wall at the bottom by 0.0125 m.*RigidContact.walls"):
+        ar.run(apart, end=0.2)
+    held = scene_of(ar.RigidContact(friction=0.3, pairs=[ar.RigidPair(0, 1)], walls=0.3))
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        ar.run(held, end=0.2)
+    assert held.rigids["ball"].displacement[1] == pytest.approx(-0.13, abs=1e-9)
+    with pytest.raises(ar.Error, match=r"Friction.angle = 2: must lie in \[0, pi/2\)"):
+        ar.RigidContact(friction=0.3, walls=2.0)
 
 
 def test_a_block_that_sticks_to_a_slope_is_not_lifted(ar):

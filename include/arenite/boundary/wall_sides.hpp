@@ -10,7 +10,7 @@
 #include <arenite/boundary/constraints.hpp>
 #include <arenite/parallel/communicator.hpp>
 
-namespace arenite::inline ARENITE_INSTRUCTION_SET::detail {
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 /// One side: number 2 axis, or 2 axis + 1 at the upper end (`place_name`).
 struct WallSide {
@@ -28,7 +28,7 @@ struct MeshSides {
 
 /// What a watch knows of one rigid body.
 struct WatchedRigid {
-  std::array<bool, 6> crossed{};  ///< [sides] at the first look
+  std::array<bool, 6> crossed{};                      ///< [sides] at the first look
   bool tells_of_walls = true, tells_of_mesh = false;  ///< whether still to be told
 };
 
@@ -75,4 +75,4 @@ auto wall_sides(const Scene& scene) {
   return sides;
 }
 
-}  // namespace arenite::inline ARENITE_INSTRUCTION_SET::detail
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -316,10 +316,10 @@ struct RigidBody {
   }
   bool holds_against(const V& acceleration) const { return motion.holds(acceleration); }
   /// For the watch of a run, of a body with a mass and a distance.
-  detail::WatchedRigid first_look(const detail::MeshSides<D>& mesh) const {
+  WatchedRigid first_look(const MeshSides<D>& mesh) const {
     return detail::first_look(surface.distance(), pose(), mesh);
   }
-  std::string look_at_walls(detail::WatchedRigid& seen, const detail::MeshSides<D>& mesh) const {
+  std::string look_at_walls(WatchedRigid& seen, const MeshSides<D>& mesh) const {
     return detail::look_at_walls(seen, surface.distance(), pose(), mesh);
   }
 

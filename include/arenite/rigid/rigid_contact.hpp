@@ -131,7 +131,7 @@ class BoundRigidContact {
       touching_.segments.push_back(distance.contact_segments());
       touching_.bodies.push_back(std::move(b));
     });
-    if (recipe_.walls) add_walls(detail::wall_sides(scene));
+    if (recipe_.walls) add_walls(wall_sides(scene));
     look_at(scene);
     touching_.set_pairs(recipe_.friction, recipe_.walls, recipe_.pairs);
     touching_.check_start();
@@ -236,7 +236,7 @@ class BoundRigidContact {
       ++k;
     }
   }
-  void add_walls(const std::array<detail::WallSide, 2 * D>& sides) {
+  void add_walls(const std::array<WallSide, 2 * D>& sides) {
     walls_.clear();
     for (std::size_t s = 0; s < sides.size(); ++s) {
       if (!sides[s].holds) continue;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <concepts>
 #include <cstddef>
 #include <limits>
 #include <string>
@@ -13,7 +14,11 @@
 #include <arenite/boundary/wall_sides.hpp>
 #include <arenite/core/error.hpp>
 
-namespace arenite::inline ARENITE_INSTRUCTION_SET::detail {
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
+
+struct MeshMotion;
+
+namespace detail {
 
 /// Whether a watch looks at a rigid body: it has a mass, and a surface that goes with it.
 template <class B>
@@ -25,14 +30,14 @@ concept watched_rigid = requires(const B& body) {
 
 class WatchedRigids {
  public:
-  /// After each step. `looks`: at the mesh, too. Calls `tell(text)`.
+  /// After each step. `looks`: at a mesh that moves, too. Calls `tell(text)`.
   template <class Scene, class Tell>
   void look([[maybe_unused]] const Scene& scene, [[maybe_unused]] bool looks, [[maybe_unused]] Tell&& tell) {
     constexpr int D = Scene::D;
     std::size_t number = 0;
     scene.for_each_rigid([&](const auto& body) {
       if constexpr (watched_rigid<std::remove_cvref_t<decltype(body)>>) {
-        if (number == 0 && looks) look_at_mesh(scene);
+        if (number == 0 && (cell_ == 0 || (looks && moves_mesh(scene)))) look_at_mesh(scene);
         MeshSides<D> mesh{{}, cell_};
         std::copy_n(sides_.begin(), mesh.sides.size(), mesh.sides.begin());
         if (seen_.size() == number) seen_.push_back(body.first_look(mesh));
@@ -44,6 +49,15 @@ class WatchedRigids {
   }
 
  private:
+  template <class Scene>
+  static bool moves_mesh(const Scene& scene) {
+    bool moves = false;
+    scene.for_each_part([&](const auto& part) {
+      using P = std::remove_cvref_t<decltype(part)>;
+      moves = moves || requires { requires std::same_as<typename P::OnlyOne, MeshMotion>; };
+    });
+    return moves;
+  }
   template <class Scene>
   void look_at_mesh(const Scene& scene) {
     std::ranges::copy(wall_sides(scene), sides_.begin());
@@ -58,4 +72,5 @@ class WatchedRigids {
   std::vector<WatchedRigid> seen_{};
 };
 
-}  // namespace arenite::inline ARENITE_INSTRUCTION_SET::detail
+}  // namespace detail
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET

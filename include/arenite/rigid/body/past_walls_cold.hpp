@@ -90,19 +90,19 @@ ARENITE_COLD std::string look_at_walls(WatchedRigid& body, const AnyDistance& di
     const auto& side = mesh.sides[s];
     if (!side.holds || body.crossed[s]) continue;
     const bool upper = s % 2 == 1;
-    const auto found =
-        nearest_on_plane(distance, pose, mesh, s / 2, side.at + (upper ? quarter : -quarter));
+    const auto found = nearest_on_plane(distance, pose, mesh, s / 2, side.at + (upper ? quarter : -quarter));
     if (!(found.distance < 0)) continue;
     body.tells_of_walls = false;
-    return joined_text({" has passed the wall at the ", place_name(static_cast<int>(s / 2), upper, ""), " by ",
-                        quarter, " m, a quarter of a cell, at ", vector_text(found.place),
-                        " m: walls hold matter alone; RigidContact.walls = Friction(..) holds rigid bodies, too"});
+    return joined_text(
+        {" has passed the wall at the ", place_name(static_cast<int>(s / 2), upper, ""), " by ", quarter,
+         " m, a quarter of a cell, at ", vector_text(found.place),
+         " m: walls hold matter alone; RigidContact.walls = Friction(..) holds rigid bodies, too"});
   }
   return {};
 }
 
-#define ARENITE_INSTANCES(D)                                                                             \
-  template WatchedRigid first_look(const AnyDistance&, const Pose<D>&, const MeshSides<D>&);             \
+#define ARENITE_INSTANCES(D)                                                                 \
+  template WatchedRigid first_look(const AnyDistance&, const Pose<D>&, const MeshSides<D>&); \
   template std::string look_at_walls(WatchedRigid&, const AnyDistance&, const Pose<D>&, const MeshSides<D>&);
 ARENITE_FOR_DIMENSIONS(ARENITE_INSTANCES)
 #undef ARENITE_INSTANCES

@@ -110,7 +110,7 @@ def _values(scene: Scene, courant: float) -> Iterator[Tuple[str, str, float]]:
 
 def _own_classes(scene: Scene) -> List[str]:
     """Names of the classes in a scene's type that a user chooses."""
-    not_chosen = {"Scene", "Numerics", "Bodies", "Fill", "Rigid", "TrackEnergy", "Reactions", "AnyFriction", "ConstantFriction", "ConstantStiffness",
+    not_chosen = {"Scene", "Numerics", "Bodies", "BodyList", "Fill", "Rigid", "TrackEnergy", "Reactions", "AnyFriction", "ConstantFriction", "ConstantStiffness",
                   "ForgetsOpening", "NoAntiLocking"}
     policies = [fill.law.value().get("friction_law", {}).get("policy") for fill in scene._recipes["bodies"]]
     words = [*re.findall(r"[A-Za-z]\w*", scene.composition), *scene._recipes["numerics"].kinds(), *(p for p in policies if p)]

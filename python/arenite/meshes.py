@@ -131,15 +131,17 @@ def periodic(grid: CartesianGrid, *axes: int) -> Periodic:
 @dataclass(frozen=True, eq=False)
 class SimplexMesh(Mesh):
     """Triangles or tetrahedra: nodes [n, D], m; cells [m, D + 1]; the region of each cell [m]; names of regions
-    (name to number) and of sets of nodes (name to numbers).
+    (name to number) and of sets of nodes (name to numbers). Cells of several names have a region of their own, which
+    is among the `shared_regions` of each name.
 
-    parameter     unit  range                     default    meaning
-    nodes         m     [n, D]                    needed
-    cells         -     [m, D + 1]                needed     numbers of nodes
-    region        -     [m]                       None       of each cell
-    region_names  -     numbers by name           {}
-    node_sets     -     numbers of nodes by name  {}
-    dtype         -     or 'float32'              'float64'  of all numbers of the scene"""
+    parameter       unit  range                     default    meaning
+    nodes           m     [n, D]                    needed
+    cells           -     [m, D + 1]                needed     numbers of nodes
+    region          -     [m]                       None       of each cell
+    region_names    -     numbers by name           {}
+    node_sets       -     numbers of nodes by name  {}
+    dtype           -     or 'float32'              'float64'  of all numbers of the scene
+    shared_regions  -     numbers by name           {}         further regions of a name"""
 
     nodes: ArrayLike
     cells: ArrayLike
@@ -147,6 +149,7 @@ class SimplexMesh(Mesh):
     region_names: Dict[str, int] = field(default_factory=dict)
     node_sets: Dict[str, ArrayLike] = field(default_factory=dict)
     dtype: Any = "float64"
+    shared_regions: Dict[str, ArrayLike] = field(default_factory=dict)
 
     @property
     def dimension(self) -> int:  # type: ignore[override]
@@ -161,6 +164,7 @@ class SimplexMesh(Mesh):
     def value(self) -> Any:
         value = {"nodes": np.asarray(self.nodes, float), "cells": np.asarray(self.cells, float),
                  "region_names": dict(self.region_names),
+                 "shared_regions": {name: np.asarray(regions, float) for name, regions in self.shared_regions.items()},
                  "node_sets": {name: np.asarray(nodes, float) for name, nodes in self.node_sets.items()}}
         if self.region is not None:
             value["region"] = np.asarray(self.region, float)
@@ -168,20 +172,20 @@ class SimplexMesh(Mesh):
 
     def __repr__(self) -> str:
         return (f"SimplexMesh({np.shape(self.nodes)[0]} nodes, {np.shape(self.cells)[0]} cells, "
-                f"regions {sorted(self.region_names)}, node sets {sorted(self.node_sets)})")
+                f"regions {sorted({**self.region_names, **self.shared_regions})}, node sets {sorted(self.node_sets)})")
 
     @classmethod
     def from_gmsh(cls, path: Union[str, "os.PathLike[str]"], dimension: int) -> "SimplexMesh":
         """Out of a Gmsh file, format 2.2 or 4.1, text or binary, by the reader of the C++ library: triangles
         (dimension 2) or tetrahedra (3), regions and node sets by physical groups; of a group without a name the set is
-        "dimension:tag". What is no simplex of first order is refused."""
+        "dimension:tag". A cell in several groups belongs to the region of each. What is no simplex of first order is refused."""
         return cls(**_core.read_gmsh(os.fspath(path), dimension))
 
     @classmethod
     def from_meshio(cls, mesh: Any, dimension: Optional[int] = None) -> "SimplexMesh":
         """Out of a meshio mesh, by the rules of `from_gmsh`: its triangles, or tetrahedra if it has elements of a solid.
         Groups are its `cell_sets`, the cell data "gmsh:physical" or "medit:ref" with names out of `field_data`, and
-        `point_sets`: those of cells are regions, others node sets. A cell in two groups is refused; other cell data
+        `point_sets`: those of cells are regions, others node sets. Other cell data
         becomes groups by `mesh.cell_data_to_sets(name)`."""
         d = dimension or (3 if any(b.dim == 3 for b in mesh.cells) else 2)
         tags = next((mesh.cell_data[key] for key in ("gmsh:physical", "medit:ref") if key in mesh.cell_data), None)

@@ -98,6 +98,8 @@ class Scene:
     deformable bodies (none: they stick); moving_mesh; parts: loads, damping, driven walls and parts of one's own;
     energy: whether the energy balance is kept; reactions: whether walls' reactions are summed.
 
+    Bodies of one law, two or more, are one composition in any number.
+
     A composition that is neither prebuilt nor in the cache runs in a prebuilt one that stands for it (`compiled_as`), with the same
     bits; if there is none, it is compiled, which takes some ten seconds, and cached. `ar.compile(scene)` compiles it in any case."""
 
@@ -151,7 +153,9 @@ class Scene:
             raise Error(f"Scene.bodies = {names}: each body must have a name of its own")
         for k, b in enumerate(r["bodies"]):
             self._check_history(k, b.history)
-        types.append(f"Bodies<{', '.join(b.cpp() for b in r['bodies'])}>")
+        fills = [b.cpp() for b in r["bodies"]]
+        listed = len(fills) > 1 and len(set(fills)) == 1  # of one law: one composition for any number of them
+        types.append(f"BodyList<{fills[0]}>" if listed else f"Bodies<{', '.join(fills)}>")
         values.append([b.value() for b in r["bodies"]])
         if r["walls"]:
             types.append("Walls")

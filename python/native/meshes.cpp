@@ -43,13 +43,15 @@ py::array_t<std::int64_t> numbers_of(const std::vector<From>& from) {
 
 template <int D>
 py::dict arrays_of(const MeshData<D>& mesh) {
-  py::dict names, sets, all;
+  py::dict names, shared, sets, all;
   for (const auto& [name, tag] : mesh.region_names) names[py::str(name)] = tag;
+  for (const auto& [name, regions] : mesh.shared_regions) shared[py::str(name)] = numbers_of(regions);
   for (const auto& [name, nodes] : mesh.node_sets) sets[py::str(name)] = numbers_of(nodes);
   all["nodes"] = rows_of<double>(mesh.nodes, D);
   all["cells"] = rows_of<std::int64_t>(mesh.cells, D + 1);
   all["region"] = numbers_of(mesh.region);
   all["region_names"] = names;
+  all["shared_regions"] = shared;
   all["node_sets"] = sets;
   return all;
 }

@@ -36,7 +36,7 @@ class SceneCheck {
 
   void part(const std::string& type, const Value& value) const {
     const std::string word = type.substr(0, type.find('<'));
-    if (word == "Bodies")
+    if (word == "Bodies" || word == "BodyList")
       for (const Value& of : *value.get<Value::List>()) body(of);
     else if (word == "Walls")
       for (const Value& of : *value.find("list")->get<Value::List>()) wall(of, "Wall");

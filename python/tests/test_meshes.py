@@ -124,8 +124,6 @@ def test_what_the_reader_of_gmsh_refuses_is_refused_of_a_meshio_mesh():
     assert "polygon: is no known type" in refusal([("triangle", [[0, 1, 2]]), ("polygon", [[0, 1, 2, 3]])])
     assert "z of node 3 = 1" in refusal([("triangle", [[0, 1, 4]]), ("triangle", [[0, 1, 2]])], 2, [(0, 0, 0), (1, 0, 0), (0, 1, 1), (0, 0, 0), (0, 1, 0)])
     assert "cells = 0" in refusal([("line", [[0, 1]])])
-    assert "groups of a cell = all, soil: a cell has one region" in refusal(
-        [("triangle", [[0, 1, 2], [0, 2, 3]])], cell_sets={"all": [np.array([0, 1])], "soil": [np.array([1])]})
     assert "nodes of a cell = 1 2 3: the cell is given twice" in refusal([("triangle", [[0, 1, 2], [1, 2, 0]])])
 
 

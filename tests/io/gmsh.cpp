@@ -1,6 +1,7 @@
 // Gmsh files written by hand: what meshio cannot write, each mistake that a file can hold, and files cut or
 // damaged at every byte.
 #include <arenite/io/gmsh.hpp>
+#include <arenite/mesh/simplex_mesh.hpp>
 
 #include <cstring>
 #include <sstream>
@@ -261,7 +262,7 @@ TEST_CASE("a mistake is told with file, place, value and rule") {
   CHECK(says(on_2("6 2 2 5 1 7 10 30", "6 2 2 5 1 7 10 31"),
              {"line 28", "node of the element = 31", "$Nodes"}));
   CHECK(says(on_2("6 2 2 5 1 7 10 30", "6 2 2 5 1 7 10 7"), {"node of the cell = 7", "twice"}));
-  CHECK(says(on_2("6 2 2 5 1 7 10 30", "6 2 2 5 1 7 20 30"), {"7 20 30", "given twice", "physical groups"}));
+  CHECK(says(on_2("6 2 2 5 1 7 10 30", "6 2 2 5 1 7 20 30"), {"7 20 30", "given twice"}));
   CHECK(says(on_2("6 2 2 5 1 7 10 30", "6 3 2 5 1 7 10 30 20"), {"3 (quadrangle)", "triangles"}));
   CHECK(says(on_2("6 2 2 5 1 7 10 30", "6 9 2 5 1 7 10 30 7 7 7"), {"9 (6-node triangle)", "first order"}));
   CHECK(says(on_2("2 1 2 9 1 7 20", "2 8 2 9 1 7 20 10"), {"8 (3-node line)", "first order"}));
@@ -279,8 +280,6 @@ TEST_CASE("a mistake is told with file, place, value and rule") {
   CHECK(says(on_4("2 1 0 3", "2 1 1 3"), {"parametric = 1", "SaveParametric"}));
   CHECK(says(on_4("2 4 1 1000000000000", "2 5 1 1000000000000"), {"number of nodes = 5", "1 more"}));
   CHECK(says(on_4("2 1 0 3", "2 1 0 5"), {"items of the block = 5", "at most 4"}));
-  CHECK(says(on_4("1 0 0 0 1 1 1 1 3 1 1", "1 0 0 0 1 1 1 2 3 4 1 1"),
-             {"groups of a cell = 3, 4", "one region"}));
   std::string parametric = replaced(square_2, "$Nodes", "$ParametricNodes");
   CHECK(says(complaint<2>(replaced(parametric, "$EndNodes", "$EndParametricNodes")),
              {"section = $ParametricNodes", "Mesh.SaveParametric = 0"}));
@@ -305,4 +304,32 @@ TEST_CASE("a file cut or damaged at any byte is refused or read, never worse") {
   damage<3>(tetrahedron_4_binary<std::uint64_t>());
   damage<3>(tetrahedron_4_binary<std::uint32_t>());
   damage<2>(triangle_2_binary());
+}
+
+TEST_CASE("a cell in several groups belongs to the region of each") {
+  // Format 2.2 has an element for each group: the first triangle is sand and all, the second all alone.
+  std::string text = replaced(square_2, "3\n1 9", "4\n2 6 \"all\"\n1 9");
+  text = replaced(text, "$Elements\n7", "$Elements\n8");
+  text = replaced(text, "9 2 3 0 1 0 7 30 20", "9 2 3 6 1 0 7 30 20\n10 2 2 6 1 10 30 7");
+  const auto square = read<2>(text);
+  REQUIRE(square.cells == read<2>(square_2).cells);
+  REQUIRE(square.region == std::vector<int>{-1, 6});
+  REQUIRE(square.shared_regions == Map<std::string, std::vector<int>>{{"sand", {-1}}, {"all", {-1}}});
+  const SimplexMesh<2> mesh(square);
+  REQUIRE(mesh.region_numbers("sand") == std::vector<int>{5, -1});
+  REQUIRE(mesh.is_in(0, mesh.region_numbers("sand")));
+  REQUIRE(!mesh.is_in(1, mesh.region_numbers("sand")));
+  REQUIRE(mesh.is_in(0, mesh.region_numbers("all")));
+  REQUIRE(mesh.is_in(1, mesh.region_numbers("all")));
+  REQUIRE_THROWS_WITH(mesh.region_number("sand"),
+                      "SimplexMesh: region = sand: shares cells with another: see region_numbers");
+  // In one group twice it is a mistake.
+  CHECK(says(complaint<2>(replaced(text, "10 2 2 6 1 10 30 7", "10 2 2 5 1 10 30 7")),
+             {"7 10 30", "given twice"}));
+
+  // Format 4.1 names all groups of an entity.
+  auto solid = read<3>(replaced(replaced(tetrahedron_4, "1 0 0 0 1 1 1 1 3 1 1", "1 0 0 0 1 1 1 2 3 4 1 1"),
+                                "1\n2 6 \"base\"", "3\n2 6 \"base\"\n3 3 \"a\"\n3 4 \"b\""));
+  REQUIRE(solid.region == std::vector<int>{-1});
+  REQUIRE(solid.shared_regions == Map<std::string, std::vector<int>>{{"a", {-1}}, {"b", {-1}}});
 }

@@ -81,7 +81,7 @@ class BoundaryNodes {
   const V& lower() const { return lower_; }  ///< corners of the grid, or of the box around the used nodes, m
   const V& upper() const { return upper_; }
   /// Positions closer than this count as equal, m.
-  double near() const;
+  double tolerance() const;
   /// Whether the mesh has no faces across an axis.
   bool is_periodic(int axis) const { return ((periodic_axes_ >> axis) & 1) != 0; }
   /// The nodes of a named set; null if the mesh is a grid, which has none.

@@ -88,7 +88,7 @@ ARENITE_COLD void BoundaryNodes<D>::find_box() {
 }
 
 template <int D>
-ARENITE_COLD double BoundaryNodes<D>::near() const {
+ARENITE_COLD double BoundaryNodes<D>::tolerance() const {
   V size;
   for (int k = 0; k < D; ++k) size[k] = upper_[k] - lower_[k];
   return 1e3 * epsilon_ * std::sqrt(dot(size, size));

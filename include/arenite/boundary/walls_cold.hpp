@@ -69,7 +69,7 @@ ARENITE_COLD void catch_nodes(const Wall& wall, BoundaryNodes<D>& nodes) {
       const V& x = nodes.position(i);
       if (wall.axis >= 0) {
         const double face = (wall.upper ? nodes.upper() : nodes.lower())[wall.axis];
-        if (std::abs(x[wall.axis] - face) <= nodes.near()) take(i);
+        if (std::abs(x[wall.axis] - face) <= nodes.tolerance()) take(i);
       } else {
         if (wall.test(in_space(x))) take(i);
       }

@@ -30,12 +30,12 @@ struct RegionSurface {
 template <class K, int D, class T>
 RegionSurface<T, D> surface_of(const SimplexMesh<D, T>& mesh, const std::string& region,
                                const std::vector<Constraint<T, D>>& constraints, bool is_part = false) {
-  const int number = mesh.region_number(region);
+  const auto& numbers = mesh.region_numbers(region);
   std::vector<Vec<T, D>> sum(mesh.node_count(), Vec<T, D>::Zero());
   std::vector<T> volume(mesh.node_count(), T(0));
   T total = 0;
   for (Index c = 0; c < mesh.cell_count(); ++c) {
-    if (mesh.region(c) != number) continue;
+    if (!mesh.is_in(c, numbers)) continue;
     const auto& nodes = mesh.nodes(c);
     typename SimplexMesh<D, T>::Point centre = Vec<T, D>::Zero();
     for (const Index i : nodes) centre += mesh.position(i) / T(D + 1);
@@ -45,7 +45,7 @@ RegionSurface<T, D> surface_of(const SimplexMesh<D, T>& mesh, const std::string&
     for (int k = 0; k <= D; ++k) {
       volume[nodes[static_cast<std::size_t>(k)]] += v / T(D + 1);
       const Index other = mesh.neighbour(c, k);
-      if (other == none || mesh.region(other) == number) continue;
+      if (other == none || mesh.is_in(other, numbers)) continue;
       Vec<T, D> gradient;
       if (k == 0)
         gradient = -inverse.colwise().sum().transpose();

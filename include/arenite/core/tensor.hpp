@@ -69,7 +69,7 @@ struct Sym {
   /// Component by component; unrolled by the language, not left to an optimiser's level.
   template <class F>
   static constexpr Sym each(F&& f) {
-    return [&]<std::size_t... I>(std::index_sequence<I...>) { return Sym{{f(I)...}}; }
+    return [&]<std::size_t... At>(std::index_sequence<At...>) { return Sym{{f(At)...}}; }
     (std::make_index_sequence<size>{});
   }
   constexpr Sym& operator+=(const Sym& o) { return *this = *this + o; }

@@ -75,17 +75,17 @@ class PartSums {
   void add_cut(std::size_t sub_cell, const SpacePosition& x, const SpacePosition& edges) {
     const std::size_t dimensions = edges[2] == 0 ? 2 : 3;
     const int along = (dimensions == 2 ? 4 : 2) * (region_.distance ? 1 : 2);
-    SpacePosition small = edges;
-    for (double& e : small) e /= along;
+    SpacePosition little = edges;
+    for (double& e : little) e /= along;
     if (region_.distance && std::abs(region_.distance(x)) > distance_between(edges, {}) / 2)
-      return add(sub_cell, x, small);
+      return add(sub_cell, x, little);
     const int count = dimensions == 2 ? along * along : along * along * along;
     for (int box = 0; box < count; ++box) {
       SpacePosition at = x;
       int rest = box;
       for (std::size_t k = 0; k < dimensions; ++k, rest /= along)
         at[k] += ((rest % along + 0.5) / along - 0.5) * edges[k];
-      add(sub_cell, at, small);
+      add(sub_cell, at, little);
     }
   }
 

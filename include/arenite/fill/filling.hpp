@@ -63,7 +63,7 @@ std::vector<int> region_numbers([[maybe_unused]] const M& mesh, const AnyRegion&
   std::vector<int> numbers;
   for (const auto& name : region.cells) {
     if constexpr (is_simplex_mesh<M>)
-      numbers.push_back(mesh.region_number(name));
+      for (const int number : mesh.region_numbers(name)) numbers.push_back(number);
     else
       detail::refuse_cells_of_grid(name);
   }

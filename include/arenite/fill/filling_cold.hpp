@@ -69,32 +69,32 @@ ARENITE_COLD void Filling<T, D>::add_cell(Index cell, T volume, const Places<Poi
 template <class T, int D>
 ARENITE_COLD void Filling<T, D>::join_slivers(const std::function<Index(const SpacePosition&, Index)>& walk) {
   using detail::distance_between;
-  for (auto& small : places_) {
-    if (!small.sliver) continue;
+  for (auto& little : places_) {
+    if (!little.sliver) continue;
     detail::FillPlace* nearest = nullptr;
     const auto look = [&](Index cell) {
       auto other = std::lower_bound(places_.begin(), places_.end(), cell,
                                     [](const detail::FillPlace& place, Index c) { return place.cell < c; });
       for (; other != places_.end() && other->cell == cell; ++other)
-        if (!other->sliver && (!nearest || distance_between(other->position, small.position) <
-                                               distance_between(nearest->position, small.position)))
+        if (!other->sliver && (!nearest || distance_between(other->position, little.position) <
+                                               distance_between(nearest->position, little.position)))
           nearest = &*other;
     };
-    look(small.cell);
+    look(little.cell);
     for (std::size_t k = 0; k < D; ++k)
       for (const int side : {-1, 1}) {
-        SpacePosition beside = small.position;
-        beside[k] += side * std::pow(small.cell_volume, 1.0 / D) / 2;
-        if (const Index cell = walk(beside, small.cell); cell != none && cell != small.cell) look(cell);
+        SpacePosition beside = little.position;
+        beside[k] += side * std::pow(little.cell_volume, 1.0 / D) / 2;
+        if (const Index cell = walk(beside, little.cell); cell != none && cell != little.cell) look(cell);
       }
     if (!nearest) continue;
-    const double both = nearest->volume + small.volume;
+    const double both = nearest->volume + little.volume;
     SpacePosition middle{};
     for (std::size_t k = 0; k < D; ++k)
-      middle[k] = (nearest->volume * nearest->position[k] + small.volume * small.position[k]) / both;
+      middle[k] = (nearest->volume * nearest->position[k] + little.volume * little.position[k]) / both;
     if (walk(middle, nearest->cell) == nearest->cell) nearest->position = middle;
     nearest->volume = both;
-    small.volume = 0;
+    little.volume = 0;
   }
   std::erase_if(places_, [](const detail::FillPlace& place) { return place.volume == 0; });
 }

@@ -97,11 +97,11 @@ class TriangleTree {
       const Node& box = boxes_[top.box];
       for (Index i = box.first; i < box.first + box.count; ++i) look(facets_[i], x, best);
       if (box.count > 0) continue;
-      Open near{top.box + 1, boxes_[top.box + 1].distance2(x)},
-          far{box.second, boxes_[box.second].distance2(x)};
-      if (far.distance2 < near.distance2) std::swap(near, far);
-      if (far.distance2 < best.distance2) open[count++] = far;
-      if (near.distance2 < best.distance2) open[count++] = near;
+      Open close{top.box + 1, boxes_[top.box + 1].distance2(x)},
+          distant{box.second, boxes_[box.second].distance2(x)};
+      if (distant.distance2 < close.distance2) std::swap(close, distant);
+      if (distant.distance2 < best.distance2) open[count++] = distant;
+      if (close.distance2 < best.distance2) open[count++] = close;
     }
     return best;
   }

@@ -21,9 +21,9 @@ struct AnyMember {
   template <class T>
   operator T() const;
 };
-template <class T, std::size_t... I>
-constexpr bool takes_members(std::index_sequence<I...>) {
-  return requires { T{(void(I), AnyMember{})...}; };
+template <class T, std::size_t... At>
+constexpr bool takes_members(std::index_sequence<At...>) {
+  return requires { T{(void(At), AnyMember{})...}; };
 }
 inline constexpr std::size_t most_members = 12;
 template <class T, std::size_t N = most_members>
@@ -110,10 +110,10 @@ constexpr std::string_view member_in(std::string_view text) {
 #pragma clang diagnostic ignored "-Wundefined-var-template"
 #pragma clang diagnostic ignored "-Wundefined-internal"
 #endif
-template <class T, std::size_t... I>
-constexpr auto names_of_members(std::index_sequence<I...>) {
-  return std::array<std::string_view, sizeof...(I)>{
-      member_in(text_of_pointer<MemberPointer{std::get<I>(pointers_to_members(never_made<T>.object))}>())...};
+template <class T, std::size_t... At>
+constexpr auto names_of_members(std::index_sequence<At...>) {
+  return std::array<std::string_view, sizeof...(At)>{member_in(
+      text_of_pointer<MemberPointer{std::get<At>(pointers_to_members(never_made<T>.object))}>())...};
 }
 #ifdef __clang__
 #pragma clang diagnostic pop

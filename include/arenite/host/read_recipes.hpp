@@ -122,7 +122,8 @@ struct ValueReader<PeriodicGrid<Grid, Axes>> {
     return PeriodicGrid<Grid, Axes>(arenite::read<Grid>(value, at));
   }
 };
-/// `{"nodes": [n, D], "cells": [m, D + 1], "region": [m], "region_names": {..}, "node_sets": {..}}`
+/// `{"nodes": [n, D], "cells": [m, D + 1], "region": [m], "region_names": {..}, "shared_regions": {..},
+/// "node_sets": {..}}`
 template <int D>
 struct ValueReader<MeshData<D>> {
   static MeshData<D> read(const Value& value, const ReadContext& at) {
@@ -143,6 +144,10 @@ struct ValueReader<MeshData<D>> {
         data.region.push_back(static_cast<int>(r));
     if (const Value* names = value.find("region_names"))
       data.region_names = arenite::read<Map<std::string, int>>(*names, at / "region_names");
+    if (const Value* shared = value.find("shared_regions"))
+      for (const auto& [name, regions] : detail::dict(*shared, at / "shared_regions"))
+        for (const double r : detail::numbers(regions, at / "shared_regions" / name))
+          data.shared_regions[name].push_back(static_cast<int>(r));
     if (const Value* sets = value.find("node_sets"))
       for (const auto& [name, nodes_of] : detail::dict(*sets, at / "node_sets")) {
         auto& set = data.node_sets[name];
@@ -201,12 +206,12 @@ struct ValueReader<PartGroup<P...>> {
   }
 
  private:
-  template <std::size_t... I>
-  static PartGroup<P...> of(const Value& value, const ReadContext& at, std::index_sequence<I...>) {
+  template <std::size_t... At>
+  static PartGroup<P...> of(const Value& value, const ReadContext& at, std::index_sequence<At...>) {
     const auto* list = value.get<Value::List>();
     if (list == nullptr || list->size() != sizeof...(P))
       at.refuse(value, joined_text({"must be a list of ", sizeof...(P)}));
-    return {{arenite::read<P>((*list)[I], at[I])...}};
+    return {{arenite::read<P>((*list)[At], at[At])...}};
   }
 };
 

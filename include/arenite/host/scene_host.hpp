@@ -103,7 +103,7 @@ inline std::vector<HostedWatched> seen_by(const Watch& watch) {
 }  // namespace detail
 
 /// `values`: names with values: "kinematics", "mesh", "numerics", and "parts", a list in the order of the
-/// scene's type; of `Bodies` a list of fills.
+/// scene's type; of `Bodies` and `BodyList` a list of fills.
 template <class Scene>
 class SceneHost : public HostedScene {
  public:
@@ -327,10 +327,10 @@ class SceneReader<Scene<K, M, N, Given...>> {
     const auto* list = parts.template get<Value::List>();
     if (list == nullptr || list->size() != sizeof...(Given))
       at().refuse(parts, joined_text({"must be a list of ", sizeof...(Given), " parts"}));
-    return [&]<std::size_t... I>(std::index_sequence<I...>) {
+    return [&]<std::size_t... At>(std::index_sequence<At...>) {
       return std::make_unique<Made>(read<K>(given(values, "kinematics"), at() / "kinematics"), mesh,
                                     read<N>(given(values, "numerics"), at() / "numerics"),
-                                    Part<Made, Given>::read(mesh, (*list)[I], in_mesh[I])...,
+                                    Part<Made, Given>::read(mesh, (*list)[At], in_mesh[At])...,
                                     std::move(more)...);
     }
     (std::index_sequence_for<Given...>{});
@@ -351,10 +351,22 @@ class SceneReader<Scene<K, M, N, Given...>> {
       const auto* list = value.get<Value::List>();
       if (list == nullptr || list->size() != sizeof...(F))
         at.refuse(value, joined_text({"must be a list of ", sizeof...(F), " bodies"}));
-      return [&]<std::size_t... I>(std::index_sequence<I...>) {
-        return Bodies<F...>{std::tuple<F...>{read_fill<Made, F>(mesh, (*list)[I], at[I])...}};
+      return [&]<std::size_t... At>(std::index_sequence<At...>) {
+        return Bodies<F...>{std::tuple<F...>{read_fill<Made, F>(mesh, (*list)[At], at[At])...}};
       }
       (std::index_sequence_for<F...>{});
+    }
+  };
+  template <class Made, class F>
+  struct Part<Made, BodyList<F>> {
+    static BodyList<F> read(const typename Made::Mesh& mesh, const Value& value, const ReadContext& in_mesh) {
+      const ReadContext at = in_mesh.renamed("bodies");
+      const auto* list = value.get<Value::List>();
+      if (list == nullptr || list->empty()) at.refuse(value, "must be a list of bodies");
+      BodyList<F> made;
+      for (std::size_t k = 0; k < list->size(); ++k)
+        made.fills.push_back(read_fill<Made, F>(mesh, (*list)[k], at[k]));
+      return made;
     }
   };
 };

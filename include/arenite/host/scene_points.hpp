@@ -21,14 +21,14 @@
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET::detail {
 
-/// Calls `f.operator()<k>()` with the number of a body of a scene as a constant.
+/// Calls `f(body)` for a body of a scene.
 template <class Scene, class F>
-void with_number(std::size_t body, F&& f) {
-  require(body < Scene::body_count, "body", body, {"must be below ", Scene::body_count});
-  [&]<std::size_t... K>(std::index_sequence<K...>) {
-    ((K == body ? f.template operator()<K>() : void()), ...);
-  }
-  (std::make_index_sequence<Scene::body_count>{});
+void with_body(Scene& scene, std::size_t number, F&& f) {
+  require(number < scene.number_of_bodies(), "body", number, {"must be below ", scene.number_of_bodies()});
+  std::size_t next = 0;
+  scene.for_each_body([&](auto& body, const auto&) {
+    if (next++ == number) f(body);
+  });
 }
 
 /// Rows of numbers that a host gives under a name, one a point; empty if it gives none.
@@ -122,8 +122,7 @@ HostedTotals hosted(const PointTotals<D>& totals) {
 template <class Scene, class F>
 HostedTotals change_points(Scene& scene, std::size_t body, F&& f) {
   HostedTotals totals;
-  with_number<Scene>(body,
-                     [&]<std::size_t which>() { totals = hosted(f(scene.template body<Name(which)>())); });
+  with_body(scene, body, [&](auto& of) { totals = hosted(f(of)); });
   return totals;
 }
 
@@ -160,7 +159,7 @@ HostedTotals remove_where(Scene& scene, std::size_t body, const Value& where) {
     return remove_from(scene, of, [&](Index p) {
       if (region.test) return region.contains(points.position[p]);
       if constexpr (is_simplex_mesh<typename Scene::Mesh>)
-        return std::ranges::count(numbers, scene.mesh.region(points.cell[p])) > 0;
+        return scene.mesh.is_in(points.cell[p], numbers);
       else
         return false;
     });
@@ -171,11 +170,11 @@ HostedTotals remove_where(Scene& scene, std::size_t body, const Value& where) {
 template <class Scene>
 HostedProbes probe_places(const Scene& scene, std::size_t body, const std::vector<double>& places) {
   HostedProbes found;
-  with_number<Scene>(body, [&]<std::size_t which>() {
+  with_body(scene, body, [&](const auto& of) {
     for (std::size_t k = 0; k + Scene::D <= places.size(); k += Scene::D) {
       std::array<double, 3> place{};
       std::copy_n(places.begin() + static_cast<std::ptrdiff_t>(k), Scene::D, place.begin());
-      const auto here = probe<Name(which)>(scene, place);
+      const auto here = probe(scene, of, place);
       const auto add = [&](std::vector<double>& to, const auto& numbers) {
         for (const double x : numbers) to.push_back(here ? x : std::numeric_limits<double>::quiet_NaN());
       };
@@ -191,10 +190,9 @@ HostedProbes probe_places(const Scene& scene, std::size_t body, const std::vecto
 template <class Scene>
 std::vector<double> force_across(const Scene& scene, std::size_t body, const Value& section, bool of_nodes) {
   std::vector<double> force;
-  with_number<Scene>(body, [&]<std::size_t which>() {
+  with_body(scene, body, [&](const auto& of) {
     const auto cut = read<Section>(section, ReadContext{.name = "Section", .dimension = Scene::D});
-    const auto f =
-        of_nodes ? nodal_section_force<Name(which)>(scene, cut) : section_force<Name(which)>(scene, cut);
+    const auto f = of_nodes ? nodal_section_force(scene, of, cut) : section_force(scene, of, cut);
     force.assign(f.begin(), f.end());
   });
   return force;

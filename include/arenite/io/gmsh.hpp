@@ -115,7 +115,8 @@ MeshData<D> read_gmsh_bytes(std::string_view bytes, std::string name) {
 ///   nodes are dropped. A plane mesh must lie in a plane of constant z.
 /// - `cells` stand in the order of the file. Lines, points (and faces, for D = 3) only make node sets.
 /// - `region` is the physical tag of each cell's surface (D = 2) or volume (D = 3), 0 without one;
-///   `region_names` are the names of the physical groups of dimension D.
+///   `region_names` are the names of the physical groups of dimension D. Cells in several of them have a
+///   negative region, one for each such set of groups, which `shared_regions` gives to the names of all.
 /// - `node_sets` are the nodes of the physical groups of lower dimension, under the group's name or, without
 ///   one, under "dimension:tag" as in "1:7". Groups that share a name share a set; nodes that no cell uses
 ///   are left out, and a set without nodes too.
@@ -123,8 +124,8 @@ MeshData<D> read_gmsh_bytes(std::string_view bytes, std::string name) {
 /// Sections that the format does not define, and post-processing data, are skipped. Partitions are not read.
 ///
 /// Throws `error` that names file, section, line or byte, value and rule: unreadable, truncated or
-/// inconsistent file, other version or byte order, cells that are not simplices of first order, cells in two
-/// physical groups, parametric nodes, unknown node tags, coordinates that are not finite, no cells.
+/// inconsistent file, other version or byte order, cells that are not simplices of first order, cells that
+/// are given twice, parametric nodes, unknown node tags, coordinates that are not finite, no cells.
 ///
 /// Format: Gmsh reference manual, "MSH file format" and "MSH file format version 2 (Legacy)", gmsh.info.
 template <int D>

@@ -113,7 +113,10 @@ class GmshMesh {
     return i;
   }
 
-  /// Adds an element of the physical groups `groups` (0: none). A cell may be in one group only: its region.
+  /// Elements stand once for each of their groups, as format 2.2 has them.
+  void repeat_elements() { repeats_ = true; }
+
+  /// Adds an element of the physical groups `groups` (0: none). Those of a cell are its region.
   void add_element(const MeshInput& in, const GmshKind& kind, std::span<const int> groups,
                    const Nodes& nodes) {
     if (kind.dim < D) {
@@ -124,20 +127,21 @@ class GmshMesh {
       }
       return;
     }
-    if (groups.size() > 1) in.fail("groups of a cell", names_of(groups), "a cell has one region at most");
     std::array<Index, D + 1> cell;
     std::copy_n(nodes.begin(), cell.size(), cell.begin());
     for (std::size_t i = 0; i < cell.size(); ++i)
       for (std::size_t j = 0; j < i; ++j)
         in.check(cell[i] != cell[j], "node of the cell", tags_[cell[i]], "is named twice by one cell");
     result_.cells.push_back(cell);
-    result_.region.push_back(groups.empty() ? 0 : unsigned_tag(in, groups.front()));
+    std::vector<int> own;
+    for (const int group : groups) own.push_back(unsigned_tag(in, group));
+    result_.region.push_back(region_of(std::move(own)));
   }
 
   MeshData<D> finish(const MeshInput& in) && {
     if (result_.cells.empty())
       in.refuse("cells", 0, D == 2 ? "the mesh must hold triangles" : "the mesh must hold tetrahedra");
-    refuse_repeated_cells(in);
+    join_repeated_cells(in);
     const std::vector<Index> number = number_used_nodes();
     if constexpr (D == 2) refuse_curved(in, number);
     for (std::size_t i = 0; i < number.size(); ++i)
@@ -155,6 +159,10 @@ class GmshMesh {
       for (const Index node : nodes)
         if (number[node] != none) result_.node_sets[key].push_back(number[node]);
     }
+    for (const auto& [groups, region] : shared_)
+      for (const int group : groups)
+        if (const auto name = names_.find({D, group}); name != names_.end())
+          result_.shared_regions[name->second].push_back(region);
     for (auto& [name, nodes] : result_.node_sets) {
       std::sort(nodes.begin(), nodes.end());
       nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
@@ -165,14 +173,13 @@ class GmshMesh {
  private:
   static constexpr std::array<const char*, 3> axes{"x", "y", "z"};
 
-  /// Groups of cells for a message: by name, or by tag if a group has no name.
-  std::string names_of(std::span<const int> groups) const {
-    std::string all;
-    for (const int group : groups) {
-      const auto name = names_.find({D, std::abs(group)});
-      all += (all.empty() ? "" : ", ") + (name != names_.end() ? name->second : std::to_string(group));
-    }
-    return all;
+  /// Region of the cells of these groups: the tag of a single one; -1, -2, .. for each set of several.
+  int region_of(std::vector<int> groups) {
+    std::erase(groups, 0);
+    std::ranges::sort(groups);
+    groups.erase(std::unique(groups.begin(), groups.end()), groups.end());
+    if (groups.size() < 2) return groups.empty() ? 0 : groups.front();
+    return shared_.try_emplace(std::move(groups), -1 - static_cast<int>(shared_.size())).first->second;
   }
 
   /// Gmsh gives a group a negative tag on an entity that the group holds reversed: the group is the same.
@@ -207,27 +214,46 @@ class GmshMesh {
     return number;
   }
 
-  /// Format 2.2 repeats an element for each of its physical groups; a mesh must not hold a cell twice.
-  void refuse_repeated_cells(const MeshInput& in) const {
+  /// A mesh must not hold a cell twice, but as format 2.2 repeats it for each of its physical groups.
+  void join_repeated_cells(const MeshInput& in) {
     const Lists by_lowest_node(tags_.size(), [&](auto&& add) {
       for (std::size_t c = 0; c < result_.cells.size(); ++c)
         add(*std::min_element(result_.cells[c].begin(), result_.cells[c].end()), static_cast<Index>(c));
     });
-    std::vector<std::array<Index, D + 1>> sorted;  // cells of one lowest node, each with ascending nodes
+    std::vector<char> again(result_.cells.size());
+    // Cells of one lowest node, each with ascending nodes.
+    std::vector<std::pair<std::array<Index, D + 1>, Index>> sorted;
     for (std::size_t i = 0; i < tags_.size(); ++i) {
       sorted.clear();
       for (const Index c : by_lowest_node[i]) {
-        sorted.push_back(result_.cells[c]);
-        std::sort(sorted.back().begin(), sorted.back().end());
+        sorted.emplace_back(result_.cells[c], c);
+        std::ranges::sort(sorted.back().first);
       }
-      std::sort(sorted.begin(), sorted.end());
-      const auto twice = std::adjacent_find(sorted.begin(), sorted.end());
-      if (twice == sorted.end()) continue;
-      std::string nodes;
-      for (const Index node : *twice) nodes += joined_text({nodes.empty() ? "" : " ", tags_[node]});
-      in.refuse("nodes of a cell", nodes,
-                "the cell is given twice (is it in two physical groups? It has one region)");
+      std::ranges::sort(sorted);
+      for (std::size_t k = 0, next; k < sorted.size(); k = next) {
+        std::vector<int> groups;
+        for (next = k; next < sorted.size() && sorted[next].first == sorted[k].first; ++next) {
+          const int group = result_.region[sorted[next].second];
+          again[sorted[next].second] = next > k;
+          if (next > k && (!repeats_ || std::ranges::count(groups, group))) {
+            std::string nodes;
+            for (const Index node : sorted[k].first)
+              nodes += joined_text({nodes.empty() ? "" : " ", tags_[node]});
+            in.refuse("nodes of a cell", nodes, "the cell is given twice");
+          }
+          groups.push_back(group);
+        }
+        if (next > k + 1) result_.region[sorted[k].second] = region_of(std::move(groups));
+      }
     }
+    std::size_t kept = 0;
+    for (std::size_t c = 0; c < again.size(); ++c) {
+      if (again[c]) continue;
+      result_.cells[kept] = result_.cells[c];
+      result_.region[kept++] = result_.region[c];
+    }
+    result_.cells.resize(kept);
+    result_.region.resize(kept);
   }
 
   /// All nodes of a plane mesh share one z, to 1e-9 of the mesh's size.
@@ -255,6 +281,8 @@ class GmshMesh {
   std::vector<Index> index_;                           // index by tag minus lowest tag; empty: search
   Map<std::pair<int, int>, std::string> names_;        // of a group: (dimension, tag)
   Map<std::pair<int, int>, std::vector<Index>> sets_;  // nodes of a group below dimension D
+  Map<std::vector<int>, int> shared_;                  // region of the cells of several groups
+  bool repeats_ = false;
   MeshData<D> result_;
 };
 

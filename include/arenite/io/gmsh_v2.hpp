@@ -49,6 +49,7 @@ void read_v2_elements(MeshInput& in, GmshMesh<D>& mesh) {
   in.end_line("number of elements");
   in.check_count("number of elements", count, 8);
   mesh.reserve_cells(count);
+  mesh.repeat_elements();
   // Text: one element a line, as number, type, number of tags. Binary: runs of one type, whose header is
   // type, length of the run, number of tags; then each element begins with its number.
   for (std::uint64_t left = count; left > 0;) {

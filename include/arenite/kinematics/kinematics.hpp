@@ -37,8 +37,8 @@ struct Axisymmetric {
     for (Index i = 0; i < nodes.size(); ++i) {
       if (!nodes.is_used(i)) continue;
       const double r = nodes.position(i)[0];
-      require(r >= -nodes.near(), "Axisymmetric: r", r, "nodes must have r >= 0");
-      if (r <= nodes.near()) nodes.block(i, Nodes::V::Unit(0));
+      require(r >= -nodes.tolerance(), "Axisymmetric: r", r, "nodes must have r >= 0");
+      if (r <= nodes.tolerance()) nodes.block(i, Nodes::V::Unit(0));
     }
   }
 };

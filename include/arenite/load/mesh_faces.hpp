@@ -184,12 +184,12 @@ auto face_test(const Scene& scene, const MeshFaces& where) {
           {"MeshFaces.set = ", where.set, ": a Cartesian grid has no node sets; use sides or where(test)"}));
     }
   }
-  const double near = nodes.near();
+  const double close = nodes.tolerance();
   const double side = where.axis < 0 ? 0 : (where.upper ? nodes.upper() : nodes.lower())[where.axis];
   return [=, &where](const Face& face) {
     if (!in_set.empty()) return std::ranges::all_of(face.node, [&](Index i) -> bool { return in_set[i]; });
     return std::ranges::all_of(face.corner, [&](const auto& x) -> bool {
-      return where.axis >= 0 ? std::abs(static_cast<double>(x[where.axis]) - side) <= near
+      return where.axis >= 0 ? std::abs(static_cast<double>(x[where.axis]) - side) <= close
                              : where.test(in_space(x));
     });
   };

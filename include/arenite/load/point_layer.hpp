@@ -67,7 +67,7 @@ void for_each_point_in(const M& mesh, const B& body, const AnyRegion& region, F&
     if (region.test)
       inside = region.contains(body.points.position[p]);
     else if constexpr (is_simplex_mesh<M>)
-      inside = std::ranges::count(numbers, mesh.region(body.points.cell[p])) > 0;
+      inside = mesh.is_in(body.points.cell[p], numbers);
     if (inside) f(p);
   }
 }

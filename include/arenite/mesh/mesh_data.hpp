@@ -15,10 +15,12 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 /// checks them.
 template <int D>
 struct MeshData {
-  std::vector<Vec<double, D>> nodes;               ///< [nodes] position, m
-  std::vector<std::array<Index, D + 1>> cells;     ///< [cells] nodes of each cell
-  std::vector<int> region;                         ///< [cells] region of each cell; empty: all 0
-  Map<std::string, int> region_names;              ///< name to region
+  std::vector<Vec<double, D>> nodes;            ///< [nodes] position, m
+  std::vector<std::array<Index, D + 1>> cells;  ///< [cells] nodes of each cell
+  std::vector<int> region;                      ///< [cells] region of each cell; empty: all 0
+  Map<std::string, int> region_names;           ///< name to region
+  /// Name to further regions that it means: those of cells that have several names.
+  Map<std::string, std::vector<int>> shared_regions;
   Map<std::string, std::vector<Index>> node_sets;  ///< name to nodes, ascending, each once
 };
 

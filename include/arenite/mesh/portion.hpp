@@ -205,6 +205,7 @@ class PortionMaker {
 
   void keep_names() {
     mesh_.region_names = whole_.region_names;
+    mesh_.shared_regions = whole_.shared_regions;
     for (const auto& [name, nodes] : whole_.node_sets) {
       auto& here = mesh_.node_sets[name];
       for (const Index i : nodes)

@@ -39,8 +39,10 @@ class SimplexMesh {
 
   /// Throws `error` if a cell has a wrong node number, no volume or a size that T does not bear, or if a face
   /// belongs to more than two cells.
-  explicit SimplexMesh(const MeshData<D>& data)
-      : region_names_{data.region_names}, node_sets_{data.node_sets}, region_{data.region} {
+  explicit SimplexMesh(const MeshData<D>& data) : node_sets_{data.node_sets}, region_{data.region} {
+    for (const auto& [name, number] : data.region_names) region_names_[name] = {number};
+    for (const auto& [name, numbers] : data.shared_regions)
+      region_names_[name].insert(region_names_[name].end(), numbers.begin(), numbers.end());
     require(!data.cells.empty(), "SimplexMesh.cells", data.cells.size(), "a mesh needs at least one cell");
     if (region_.empty()) region_.assign(data.cells.size(), 0);
     require(region_.size() == data.cells.size(), "SimplexMesh.region", region_.size(),
@@ -77,8 +79,22 @@ class SimplexMesh {
   Index neighbour(Index cell, int k) const { return neighbours_[cell][static_cast<std::size_t>(k)]; }
   std::span<const Index> cells_at(Index node) const { return node_cells_[node]; }
 
-  /// Number of a named region. Throws `error` naming those that exist.
-  int region_number(const std::string& name) const { return find(region_names_, name, "region"); }
+  /// Numbers of a named region: several where it shares cells with others. Throws `error` naming those that
+  /// exist.
+  const std::vector<int>& region_numbers(const std::string& name) const {
+    return find(region_names_, name, "region");
+  }
+  /// Number of a named region. Throws `error` also if it has several.
+  int region_number(const std::string& name) const {
+    const auto& numbers = region_numbers(name);
+    require(numbers.size() == 1, "SimplexMesh: region", name,
+            "shares cells with another: see region_numbers");
+    return numbers.front();
+  }
+  /// Whether a cell is of one of these regions.
+  bool is_in(Index cell, const std::vector<int>& regions) const {
+    return std::ranges::find(regions, region(cell)) != regions.end();
+  }
   /// Nodes of a named set, ascending. Throws `error` naming those that exist.
   const std::vector<Index>& node_set(const std::string& name) const {
     return find(node_sets_, name, "node set");
@@ -237,7 +253,7 @@ class SimplexMesh {
     throw error(joined_text({"SimplexMesh: ", kind, " = ", name, ": must be one of: ", known}));
   }
 
-  Map<std::string, int> region_names_;
+  Map<std::string, std::vector<int>> region_names_;
   Map<std::string, std::vector<Index>> node_sets_;
   std::vector<int> region_;
   std::vector<Point> position_;

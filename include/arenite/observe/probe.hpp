@@ -103,15 +103,15 @@ std::vector<double> sums_at_nodes(const Scene& scene, const Body& body, const Ce
 
 /// Velocity and stress of a body at a place: those that its points give to the nodes there, by mass and by
 /// volume, interpolated from the nodes. Constant fields come out as they are. Nothing if the place lies
-/// outside of the mesh, or if none of its nodes has matter. `probe<"sand">(scene, {0.1, 0.2, 0})`. The scenes
-/// over all portions of a mesh are asked at once, and find the same.
-template <Name which = "", class Scene>
-std::optional<Probed<Scene::D>> probe(const Scene& scene, const std::array<double, 3>& place) {
+/// outside of the mesh, or if none of its nodes has matter. `probe<"sand">(scene, {0.1, 0.2, 0})`; of a body of
+/// a list `probe(scene, scene.body(k), {0.1, 0.2, 0})`. The scenes over all portions of a mesh are asked at
+/// once, and find the same.
+template <class Scene, class B>
+std::optional<Probed<Scene::D>> probe(const Scene& scene, const B& body, const std::array<double, 3>& place) {
   using T = typename Scene::T;
   using Cell = typename Scene::Shape::template Cell<typename Scene::Mesh>;
   constexpr int D = Scene::D;
   constexpr std::size_t stresses = Sym<double, D>::size, size = 2 + D + stresses;
-  const auto& body = scene.template body<which>();
   const auto x = vector_argument<T, D>("probe: place", place);
   Index cell = detail::cell_of_place(scene.mesh, x);
   if (!agree_on_cell(scene, cell)) return std::nullopt;
@@ -140,6 +140,11 @@ std::optional<Probed<Scene::D>> probe(const Scene& scene, const std::array<doubl
   found.velocity /= share;
   for (double& s : found.stress.c) s /= share;
   return found;
+}
+
+template <Name which = "", class Scene>
+std::optional<Probed<Scene::D>> probe(const Scene& scene, const std::array<double, 3>& place) {
+  return probe(scene, scene.template body<which>(), place);
 }
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -37,15 +37,16 @@ struct Everywhere {
 /// the full circle, the other component the sum of the radial tractions. `section_force<"pile">(scene,
 /// {.through = {0, 1, 0}, .normal = {0, 1, 0}, .thickness = 0.1})`. On coarse simplices see
 /// `nodal_section_force`.
-template <Name which = "", class Scene, class Region = Everywhere>
-Vec<double, Scene::D> section_force(const Scene& scene, const Section& section, const Region& region = {}) {
+template <class Scene, class B, class Region = Everywhere>
+Vec<double, Scene::D> section_force(const Scene& scene, const B& body, const Section& section,
+                                    const Region& region = {}) {
   constexpr int D = Scene::D;
   static_assert(region_type<Region, D>, "section_force: the region must provide contains(position)");
   require(section.thickness > 0 && std::isfinite(section.thickness), "Section.thickness", section.thickness,
           "must be given, positive");
   const auto through = vector_argument<double, D>("Section.through", section.through);
   const Vec<double, D> normal = direction_argument<double, D>("Section.normal", section.normal).normalized();
-  const auto& points = scene.template body<which>().points;
+  const auto& points = body.points;
   const double half = section.thickness / 2;
   Vec<double, D> force = zeros<Vec<double, D>>();
   for (std::size_t p = 0; p < points.size(); ++p) {
@@ -60,6 +61,10 @@ Vec<double, Scene::D> section_force(const Scene& scene, const Section& section, 
   sum_over(scene.communicator(), force);
   return force;
 }
+template <Name which = "", class Scene, class Region = Everywhere>
+Vec<double, Scene::D> section_force(const Scene& scene, const Section& section, const Region& region = {}) {
+  return section_force(scene, scene.template body<which>(), section, region);
+}
 
 /// The section force in the momentum balance of the nodes, through a cut of the whole body: the internal forces of the
 /// body's nodes, each for the share of its mass that is of points in front of the cut. Both sides get
@@ -68,8 +73,8 @@ Vec<double, Scene::D> section_force(const Scene& scene, const Section& section, 
 /// force to 0.01 %, where the stresses of points miss 3.5 %. A point in the section is on both sides, as far
 /// as the hat reaches. Walls and contact at nodes of the section count for each side by its share of mass,
 /// and radial forces in axisymmetry go without the hoop.
-template <Name which = "", class Scene>
-Vec<double, Scene::D> nodal_section_force(const Scene& scene, const Section& section) {
+template <class Scene, class B>
+Vec<double, Scene::D> nodal_section_force(const Scene& scene, const B& body, const Section& section) {
   constexpr int D = Scene::D;
   using V = Vec<double, D>;
   using Shape = typename Scene::Shape;
@@ -80,7 +85,6 @@ Vec<double, Scene::D> nodal_section_force(const Scene& scene, const Section& sec
   // Of each node: mass, kg; that of points in front of the cut; internal force, N, with its sign turned.
   constexpr std::size_t size = 2 + D;
   std::vector<double> nodes(size * static_cast<std::size_t>(Shape::node_count(scene.mesh)));
-  const auto& body = scene.template body<which>();
   const auto& points = body.points;
   for (Index c = 0; c < scene.mesh.cell_count(); ++c) {
     if (body.cells.empty(c)) continue;
@@ -114,6 +118,11 @@ Vec<double, Scene::D> nodal_section_force(const Scene& scene, const Section& sec
         force[a] += nodes[n + 1] / nodes[n] * nodes[n + 2 + static_cast<std::size_t>(a)];
   sum_over(scene.communicator(), force);
   return force;
+}
+
+template <Name which = "", class Scene>
+Vec<double, Scene::D> nodal_section_force(const Scene& scene, const Section& section) {
+  return nodal_section_force(scene, scene.template body<which>(), section);
 }
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

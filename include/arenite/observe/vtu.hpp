@@ -62,13 +62,13 @@ VtuData points_vtu(const Body<L, T, D, E>& body, const VtuPoints& wanted = {}) {
   return detail::columns_vtu(columns_of_points(body), wanted, std::move(more));
 }
 
-/// Cells of a simplex mesh with their region; only those of region `only` if it is not negative. The mesh
+/// Cells of a simplex mesh with their region; only those of the regions `only` if there are any. The mesh
 /// must outlive what is returned.
 template <int D, class T>
-VtuData mesh_vtu(const SimplexMesh<D, T>& mesh, int only = -1) {
+VtuData mesh_vtu(const SimplexMesh<D, T>& mesh, const std::vector<int>& only = {}) {
   std::vector<Index> cells;
   for (Index c = 0; c < mesh.cell_count(); ++c)
-    if (only < 0 || mesh.region(c) == only) cells.push_back(c);
+    if (only.empty() || mesh.is_in(c, only)) cells.push_back(c);
   const std::size_t n = cells.size();
   return {
       vtu_array("position", mesh.node_count(),
@@ -111,7 +111,7 @@ void for_each_frame_part(const Scene& scene, const VtuOptions& options, F&& f) {
   scene.for_each_body([&](const auto& body, const auto&) { f(points_vtu(body, options.points)); });
   if constexpr (is_simplex_mesh<typename Scene::Mesh>) {
     if (options.mesh) f(mesh_vtu(scene.mesh));
-    if (!options.region.empty()) f(mesh_vtu(scene.mesh, scene.mesh.region_number(options.region)));
+    if (!options.region.empty()) f(mesh_vtu(scene.mesh, scene.mesh.region_numbers(options.region)));
   }
 }
 

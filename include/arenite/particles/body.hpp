@@ -151,7 +151,7 @@ auto make_body(const M& mesh, const Fill<L, name>& recipe, const Owns& owns = {}
   for (Index c = 0; c < mesh.cell_count(); ++c) {
     if (!owns(c)) continue;
     if constexpr (simplices) {
-      if (!recipe.region.test && !std::ranges::count(numbers, mesh.region(c))) continue;
+      if (!recipe.region.test && !mesh.is_in(c, numbers)) continue;
     }
     auto of_cell = initial_points(mesh, c, per_cell, o.even);
     const auto parts = cell_parts(mesh, c, recipe.region, of_cell, per_cell, o.even, filling.clear);
@@ -161,7 +161,7 @@ auto make_body(const M& mesh, const Fill<L, name>& recipe, const Owns& owns = {}
   }
   if (o.exact_volume) {
     filling.join_slivers(
-        [&](const SpacePosition& x, Index near) { return mesh.walk(in_scene<D, T>(x), near); });
+        [&](const SpacePosition& x, Index close) { return mesh.walk(in_scene<D, T>(x), close); });
     add_points();
   }
   body.initial_volume = filling.initial_volume;

@@ -196,18 +196,18 @@ class BoundRigidContact {
     else
       return NoStep{};
   }
-  template <class Scene, std::size_t... I>
-  static auto steps_of(Scene& scene, std::index_sequence<I...>) {
-    return std::make_tuple(step_of_part(std::get<I>(scene.parts))...);
+  template <class Scene, std::size_t... At>
+  static auto steps_of(Scene& scene, std::index_sequence<At...>) {
+    return std::make_tuple(step_of_part(std::get<At>(scene.parts))...);
   }
   /// Calls `f(body, its step, number)` for each rigid body.
-  template <class Scene, class Steps, class F, std::size_t... I>
-  static void each_of(Scene& scene, Steps& steps, F& f, std::index_sequence<I...>) {
+  template <class Scene, class Steps, class F, std::size_t... At>
+  static void each_of(Scene& scene, Steps& steps, F& f, std::index_sequence<At...>) {
     std::size_t number = 0;
     const auto call = [&](auto& part, auto& s) {
       if constexpr (!std::is_same_v<std::remove_cvref_t<decltype(s)>, NoStep>) f(part, s, number++);
     };
-    (call(std::get<I>(scene.parts), std::get<I>(steps)), ...);
+    (call(std::get<At>(scene.parts), std::get<At>(steps)), ...);
   }
   template <class Scene, class Steps, class F>
   static void each(Scene& scene, Steps& steps, F&& f) {

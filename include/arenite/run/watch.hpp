@@ -199,7 +199,7 @@ class BasicWatch {
     using P = typename LawLanes<L, T, Width>::type;
     if constexpr (knows_yield<L, P, D>) {
       // Stresses much smaller than those of a strain of 1e-6 are round-off of larger ones.
-      const P small(static_cast<T>(1e-6 * body.law.wave_modulus()));
+      const P little(static_cast<T>(1e-6 * body.law.wave_modulus()));
       struct Worst {
         double value;
         std::size_t point;
@@ -214,7 +214,7 @@ class BasicWatch {
               const Sym<P, D> stress{body.points.stress.template load<P>(p, count)};
               const P size = sqrt(contract(stress, stress));
               const P beyond = yield_of(body.law, stress, body.points.template load_history<P>(p, count)) *
-                               size / (size + small);
+                               size / (size + little);
               const auto more = beyond > P(static_cast<T>(most.value));
               if (!any_of(more)) continue;
               for (int k = 0; k < count; ++k) {

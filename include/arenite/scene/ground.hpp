@@ -86,7 +86,7 @@ std::vector<Ground> grounds_of(const Scene& scene, const Recipe& recipe) {
         std::swap(layer.lower, layer.upper);
         const auto numbers = region_numbers(scene.mesh, *fill.region);
         for (Index c = 0; c < scene.mesh.cell_count(); ++c)
-          if (std::ranges::count(numbers, scene.mesh.region(c)))
+          if (scene.mesh.is_in(c, numbers))
             for (const Index i : scene.mesh.nodes(c))
               for (std::size_t k = 0; k < Scene::D; ++k) {
                 const auto x = static_cast<double>(scene.mesh.position(i)[static_cast<int>(k)]);

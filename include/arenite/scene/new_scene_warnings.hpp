@@ -129,9 +129,9 @@ void warn_about_new_scene(const Scene& scene, const Recipe& recipe) {
     for (auto& body : bodies)
       if (!body.region->test && bodies.size() > 1) {
         body.cells.assign(scene.mesh.cell_count(), 0);
-        for (const int number : region_numbers(scene.mesh, *body.region))
-          for (Index c = 0; c < scene.mesh.cell_count(); ++c)
-            if (scene.mesh.region(c) == number) body.cells[c] = 1;
+        const auto numbers = region_numbers(scene.mesh, *body.region);
+        for (Index c = 0; c < scene.mesh.cell_count(); ++c)
+          if (scene.mesh.is_in(c, numbers)) body.cells[c] = 1;
       }
   warn_of_bodies<typename Scene::T, Scene::D>(bodies, box_around(scene.mesh));
   warn_no_support(scene);

@@ -30,7 +30,7 @@ struct Bodies {
   /// Calls `f(fill)` for each.
   template <class F>
   void for_each(F&& f) const {
-    [&]<std::size_t... I>(std::index_sequence<I...>) { (f(std::get<I>(fills)), ...); }
+    [&]<std::size_t... At>(std::index_sequence<At...>) { (f(std::get<At>(fills)), ...); }
     (std::make_index_sequence<count>{});
   }
 

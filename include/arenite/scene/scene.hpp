@@ -341,6 +341,17 @@ struct Scene {
     return detail::with_recipes_of(detail::Binder<TraitsType>{traits}, kinematics, given...);
   }
 
+#ifdef __clang__
+  /// Of -fno-honor-nans and -fno-honor-infinities no macro tells (compare core/requirements.hpp).
+  static void require_special_values() {
+    const volatile double nan = std::numeric_limits<double>::quiet_NaN();
+    const volatile double infinite = std::numeric_limits<double>::infinity();
+    require(
+        std::isnan(nan) && !std::isfinite(infinite), "The compiler's flags", "as given",
+        "must let Arenite see NaN and infinity: compile without -fno-honor-nans and -fno-honor-infinities");
+  }
+#endif
+
   void find_constraints() {
     Nodes nodes(mesh);
     if constexpr (is_portion) nodes.set_whole(portion().lower, portion().upper);
@@ -387,8 +398,8 @@ struct Scene {
     if constexpr (field_count == counted_at_run_time)
       return std::vector<Field>(body_number, Field(Shape::node_count(mesh), centres_stress(0)));
     else
-      return [&]<std::size_t... I>(std::index_sequence<I...>) {
-        return std::array<Field, field_count>{Field(Shape::node_count(mesh), centres_stress(I))...};
+      return [&]<std::size_t... At>(std::index_sequence<At...>) {
+        return std::array<Field, field_count>{Field(Shape::node_count(mesh), centres_stress(At))...};
       }
     (std::make_index_sequence<field_count>{});
   }
@@ -403,8 +414,8 @@ struct Scene {
       for (const auto& fill : recipe.fills) all.push_back(made(fill, all.size()));
       return all;
     } else {
-      return [&]<std::size_t... I>(std::index_sequence<I...>) {
-        return BodyTuple{made(std::get<I>(recipe.fills), I)...};
+      return [&]<std::size_t... At>(std::index_sequence<At...>) {
+        return BodyTuple{made(std::get<At>(recipe.fills), At)...};
       }
       (std::make_index_sequence<body_count>{});
     }
@@ -415,14 +426,14 @@ struct Scene {
     if constexpr (lists_bodies)
       for (std::size_t k = 0; k < self.bodies.size(); ++k) f(self.bodies[k], self.fields[field_of(k)]);
     else
-      [&]<std::size_t... I>(std::index_sequence<I...>) {
-        (f(std::get<I>(self.bodies), self.fields[field_of(I)]), ...);
+      [&]<std::size_t... At>(std::index_sequence<At...>) {
+        (f(std::get<At>(self.bodies), self.fields[field_of(At)]), ...);
       }
     (std::make_index_sequence<body_count>{});
   }
-  template <class Self, class F, std::size_t... I>
-  static void each_part([[maybe_unused]] Self& self, [[maybe_unused]] F& f, std::index_sequence<I...>) {
-    (f(std::get<I>(self.parts)), ...);
+  template <class Self, class F, std::size_t... At>
+  static void each_part([[maybe_unused]] Self& self, [[maybe_unused]] F& f, std::index_sequence<At...>) {
+    (f(std::get<At>(self.parts)), ...);
   }
 };
 
@@ -454,6 +465,9 @@ Scene<K, M, N, Given...>::Scene(Nothing, K kinematics_value, M&& mesh_value, N n
       fields{make_fields(detail::find_bodies(given...).size())},
       bodies{make_bodies(detail::find_bodies(given...),
                          detail::grounds_of(*this, detail::find_bodies(given...)))} {
+#ifdef __clang__
+  require_special_values();
+#endif
   balance_threads();
   for_each_body([&](auto& body, const auto&) { body.points.place_by_thread(body.cells, blocks); });
   find_constraints();

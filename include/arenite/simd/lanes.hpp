@@ -92,13 +92,13 @@ constexpr void repeat(F&& f) {
 template <int Block = 1, class T, int W, std::size_t Size>
 void transpose_lanes(std::array<Pack<T, W>, Size>& row) {
   if constexpr (Block < static_cast<int>(Size)) {
-    [&]<std::size_t... I>(std::index_sequence<I...>) {
+    [&]<std::size_t... At>(std::index_sequence<At...>) {
       repeat<Size>([&](std::size_t r) {
         if (r & Block) return;
         const auto a = row[r].lanes(), b = row[r + Block].lanes();
-        row[r] = Pack<T, W>::from(__builtin_shufflevector(a, b, ((I & Block) ? I - Block + W : I)...));
+        row[r] = Pack<T, W>::from(__builtin_shufflevector(a, b, ((At & Block) ? At - Block + W : At)...));
         row[r + Block] =
-            Pack<T, W>::from(__builtin_shufflevector(a, b, ((I & Block) ? I + W : I + Block)...));
+            Pack<T, W>::from(__builtin_shufflevector(a, b, ((At & Block) ? At + W : At + Block)...));
       });
     }
     (std::make_index_sequence<static_cast<std::size_t>(W)>{});
@@ -109,8 +109,8 @@ void transpose_lanes(std::array<Pack<T, W>, Size>& row) {
 /// Two packs as one, the lanes of `a` first.
 template <class T, int W>
 Pack<T, 2 * W> join_packs(const Pack<T, W>& a, const Pack<T, W>& b) {
-  return [&]<std::size_t... I>(std::index_sequence<I...>) {
-    return Pack<T, 2 * W>::from(__builtin_shufflevector(a.lanes(), b.lanes(), I...));
+  return [&]<std::size_t... At>(std::index_sequence<At...>) {
+    return Pack<T, 2 * W>::from(__builtin_shufflevector(a.lanes(), b.lanes(), At...));
   }
   (std::make_index_sequence<static_cast<std::size_t>(2 * W)>{});
 }
@@ -120,12 +120,12 @@ namespace detail {
 /// One step of many sums at once: the lower half of each group of `Group` lanes becomes the sum of a's
 /// halves, the upper half that of b's. One operand is a blend, for which processors have more ports than for
 /// moves between lanes.
-template <int Group, class T, int W, std::size_t... I>
-Pack<T, W> fold(const Pack<T, W>& a, const Pack<T, W>& b, std::index_sequence<I...>) {
+template <int Group, class T, int W, std::size_t... At>
+Pack<T, W> fold(const Pack<T, W>& a, const Pack<T, W>& b, std::index_sequence<At...>) {
   constexpr auto upper = [](std::size_t lane) { return (lane & (Group / 2)) != 0; };
   return Pack<T, W>::from(
-      __builtin_shufflevector(a.lanes(), b.lanes(), (upper(I) ? I + W : I)...) +
-      __builtin_shufflevector(a.lanes(), b.lanes(), (upper(I) ? I + W - Group / 2 : I + Group / 2)...));
+      __builtin_shufflevector(a.lanes(), b.lanes(), (upper(At) ? At + W : At)...) +
+      __builtin_shufflevector(a.lanes(), b.lanes(), (upper(At) ? At + W - Group / 2 : At + Group / 2)...));
 }
 
 /// Greatest lane, by halves: the greatest of each lane and the one half the lanes away.
@@ -134,9 +134,9 @@ T greatest(const Pack<T, W>& a) {
   if constexpr (W == 1) {
     return a[0];
   } else {
-    const auto half = [&]<std::size_t... I>(std::index_sequence<I...>) {
-      return max(Pack<T, W / 2>::from(__builtin_shufflevector(a.lanes(), a.lanes(), I...)),
-                 Pack<T, W / 2>::from(__builtin_shufflevector(a.lanes(), a.lanes(), (I + W / 2)...)));
+    const auto half = [&]<std::size_t... At>(std::index_sequence<At...>) {
+      return max(Pack<T, W / 2>::from(__builtin_shufflevector(a.lanes(), a.lanes(), At...)),
+                 Pack<T, W / 2>::from(__builtin_shufflevector(a.lanes(), a.lanes(), (At + W / 2)...)));
     };
     return greatest(half(std::make_index_sequence<static_cast<std::size_t>(W / 2)>{}));
   }

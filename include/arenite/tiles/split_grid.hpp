@@ -59,11 +59,11 @@ std::pair<WindowGrid<Grid>, MeshPortion<D>> split_grid(const Grid& whole,
     portion.lower[k] = static_cast<double>(whole.lower()[k]);
     portion.upper[k] = static_cast<double>(whole.upper(k));
   }
-  std::vector<int> near;  // boxes with cells at nodes of the window
+  std::vector<int> close;  // boxes with cells at nodes of the window
   for (std::size_t b = 0; b < boxes.size(); ++b)
-    if (boxes[b].meets(window.grown(halo, cells))) near.push_back(static_cast<int>(b));
+    if (boxes[b].meets(window.grown(halo, cells))) close.push_back(static_cast<int>(b));
   const auto least_of = [&](const CellRange<D>& range) {
-    for (const int b : near)
+    for (const int b : close)
       if (boxes[static_cast<std::size_t>(b)].meets(range)) return b;
     throw error("split_grid: the boxes do not fill the grid");
   };

@@ -123,11 +123,11 @@ class ContactPoints {
       g[k] = (at(distance, x + h * V::Unit(k)) - at(distance, x - h * V::Unit(k))) / (2 * h);
     return g;
   }
-  static bool is_beyond(const AnyDistance& distance, const V& from, const V& to, double far) {
+  static bool is_beyond(const AnyDistance& distance, const V& from, const V& to, double distant) {
     for (int i = 0; i < D; ++i) {
       const auto k = static_cast<std::size_t>(i);
-      if (std::max(from[i], to[i]) < distance.lower()[k] - far ||
-          std::min(from[i], to[i]) > distance.upper()[k] + far)
+      if (std::max(from[i], to[i]) < distance.lower()[k] - distant ||
+          std::min(from[i], to[i]) > distance.upper()[k] + distant)
         return true;
     }
     return false;
@@ -137,11 +137,11 @@ class ContactPoints {
   /// both ends of the part that is as near but for `flat`, m; not for its own ends, which are corners. The
   /// distance along the way is taken to be convex.
   template <class Touch>
-  static void touch_along(const AnyDistance& distance, const V& from, const V& to, double far, double flat,
-                          Touch&& touch) {
+  static void touch_along(const AnyDistance& distance, const V& from, const V& to, double distant,
+                          double flat, Touch&& touch) {
     const auto along = [&](double share) { return at(distance, from + share * (to - from)); };
     const double length = (to - from).norm();
-    if (along(0.5) > far + length / 2) return;
+    if (along(0.5) > distant + length / 2) return;
     constexpr double golden = 0.6180339887498949;
     double low = 0, high = 1, left = 1 - golden, right = golden, at_left = along(left),
            at_right = along(right);
@@ -159,7 +159,7 @@ class ContactPoints {
       }
     }
     const double nearest = (low + high) / 2, least = along(nearest), most = least + flat;
-    if (least > far) return;
+    if (least > distant) return;
     const auto end_towards = [&](double end) {
       if (along(end) <= most) return end;
       double in = nearest, out = end;
@@ -196,11 +196,11 @@ class ContactPoints {
     t.place = centre - t.radius * t.normal;
     // Of two balls each finds the other: the same point on the surface of the second body.
     const V across = t.place - t.gap * t.normal;
-    const double near = 1e-5 * std::min(a.size, b.size);
+    const double close = 1e-5 * std::min(a.size, b.size);
     const auto is_same = [&](const RigidTouch<D>& other) {
-      if (other.first == t.first && other.second == t.second) return (other.place - t.place).norm() <= near;
+      if (other.first == t.first && other.second == t.second) return (other.place - t.place).norm() <= close;
       return other.first == t.second && other.second == t.first &&
-             (other.place - across).norm() <= 300 * near && other.normal.dot(t.normal) < -1 + 1e-4;
+             (other.place - across).norm() <= 300 * close && other.normal.dot(t.normal) < -1 + 1e-4;
     };
     if (std::any_of(touches.begin(), touches.end(), is_same)) return;
     touches.push_back(t);

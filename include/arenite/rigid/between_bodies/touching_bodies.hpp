@@ -160,9 +160,9 @@ class TouchingBodies {
     double square = 0;
     for (int i = 0; i < D; ++i) {
       const auto k = static_cast<std::size_t>(i);
-      const double far = std::max(std::abs(b.distance->lower()[k] - b.begin.centre[i]),
-                                  std::abs(b.distance->upper()[k] - b.begin.centre[i]));
-      if (std::isfinite(far)) square += far * far;
+      const double distant = std::max(std::abs(b.distance->lower()[k] - b.begin.centre[i]),
+                                      std::abs(b.distance->upper()[k] - b.begin.centre[i]));
+      if (std::isfinite(distant)) square += distant * distant;
     }
     return std::sqrt(square);
   }

@@ -68,11 +68,11 @@ void warn_points_inside(const Scene& scene, const AnyDistance& distance, const s
 /// Warns of material points in the region of the mesh whose boundary is the surface of a rigid body.
 template <class Scene>
 void warn_points_in_region(const Scene& scene, const std::string& region, const std::string& rigid) {
-  const int own = scene.mesh.region_number(region);
+  const auto& own = scene.mesh.region_numbers(region);
   std::size_t number = 0;
   scene.for_each_body([&](const auto& body, const auto&) {
     const auto inside = static_cast<std::size_t>(
-        std::ranges::count_if(body.points.cell, [&](Index c) { return scene.mesh.region(c) == own; }));
+        std::ranges::count_if(body.points.cell, [&](Index c) { return scene.mesh.is_in(c, own); }));
     if (inside > 0)
       warn_matter_inside(rigid, Scene::body_name(number), inside, body.points.size(),
                          "fill(Cells(..), ..) of the mesh's other regions");

@@ -71,10 +71,10 @@ class AnyDistance {
     }
   }
 
-  static constexpr double far = std::numeric_limits<double>::infinity();
+  static constexpr double infinite = std::numeric_limits<double>::infinity();
   std::function<void(std::span<const Position>, double*)> at_{};
   std::function<std::vector<ContactSegment>()> segments_{};
-  Position lower_{-far, -far, -far}, upper_{far, far, far};
+  Position lower_{-infinite, -infinite, -infinite}, upper_{infinite, infinite, infinite};
 };
 
 /// What is said of a distance that is no number.

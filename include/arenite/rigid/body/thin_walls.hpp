@@ -27,7 +27,7 @@ struct ThinWall {
 
 /// Where to look for walls, beside a body.
 struct WallPlaces {
-  MeshPlaces near;
+  MeshPlaces close;
   std::vector<AnyDistance::Position> apart{};  ///< how far nodes are apart there, along each axis, m
 };
 
@@ -99,18 +99,18 @@ class WallProbe {
 /// within the box of the mesh. Walks from at most 500 places.
 inline std::optional<ThinWall> thinnest_wall(const AnyDistance& distance, const WallPlaces& look,
                                              int dimension, double reach) {
-  const MeshPlaces& near = look.near;
-  const auto d = tried_distances(distance, near.places);
+  const MeshPlaces& close = look.close;
+  const auto d = tried_distances(distance, close.places);
   std::vector<std::size_t> beside;
   for (std::size_t k = 0; k < d.size(); ++k)
-    if (d[k] > 0 && d[k] < 2 * near.sizes[k]) beside.push_back(k);
+    if (d[k] > 0 && d[k] < 2 * close.sizes[k]) beside.push_back(k);
   const WallProbe probe(distance, dimension, reach);
   std::optional<ThinWall> thinnest;
   int seen = 0;
   for (const Index n : spread_numbers(beside.size(), 500)) {
     const std::size_t k = beside[n];
-    const auto wall = probe.behind(near.places[k], d[k], near.sizes[k], look.apart[k]);
-    if (!wall || !near.covers(wall->face) || !near.covers(wall->other)) continue;
+    const auto wall = probe.behind(close.places[k], d[k], close.sizes[k], look.apart[k]);
+    if (!wall || !close.covers(wall->face) || !close.covers(wall->other)) continue;
     ++seen;
     if (!thinnest || wall->thickness * thinnest->cell < thinnest->thickness * wall->cell) thinnest = wall;
   }
@@ -125,13 +125,13 @@ void warn_thin_walls(const Scene& scene, const AnyDistance& distance, double rea
   WallPlaces look{mesh_places(scene, 4000, [&](const AnyDistance::Position& x, double size) {
     return !distance.is_beyond(x, 2 * size);
   })};
-  for (std::size_t k = 0; k < look.near.places.size(); ++k) {
+  for (std::size_t k = 0; k < look.close.places.size(); ++k) {
     AnyDistance::Position apart;
-    apart.fill(look.near.sizes[k]);
+    apart.fill(look.close.sizes[k]);
     if constexpr (is_simplex_mesh<typename Scene::Mesh>)
-      apart.fill(std::sqrt(2.0) * look.near.sizes[k]);
+      apart.fill(std::sqrt(2.0) * look.close.sizes[k]);
     else if (const Index c = scene.mesh.search(
-                 in_scene<Scene::D>(look.near.places[k]).template cast<typename Scene::T>());
+                 in_scene<Scene::D>(look.close.places[k]).template cast<typename Scene::T>());
              c != none)
       apart = in_space(scene.mesh.extent(c));
     look.apart.push_back(apart);

@@ -74,7 +74,7 @@ MeshPlaces mesh_places(const Scene& scene, std::size_t most, IsMeant&& is_meant)
 
 /// Throws `error` where a distance is NaN at one of the places. Warns where its gradient is not 1, as that of a
 /// distance in another unit. `dim`: of the scene.
-void try_distance_at(const AnyDistance& distance, const MeshPlaces& near, const std::string& body,
+void try_distance_at(const AnyDistance& distance, const MeshPlaces& close, const std::string& body,
                      std::size_t dim);
 
 /// Tries the distance of a rigid body, called `body`, near the nodes of the mesh: less than 2,000 places.

@@ -62,10 +62,10 @@ ARENITE_COLD double median_gradient(const AnyDistance& distance,
   return median > 0 ? unit * std::round(median / unit) : 0;
 }
 
-ARENITE_COLD void try_distance_at(const AnyDistance& distance, const MeshPlaces& near,
+ARENITE_COLD void try_distance_at(const AnyDistance& distance, const MeshPlaces& close,
                                   const std::string& body, std::size_t dim) {
-  const auto d = tried_distances(distance, near.places);
-  const double gradient = median_gradient(distance, near.places, near.sizes, d, dim);
+  const auto d = tried_distances(distance, close.places);
+  const double gradient = median_gradient(distance, close.places, close.sizes, d, dim);
   if (!(gradient > 0.8 && gradient < 1.25))
     warn(joined_text(
         {"rigid body ", body, ": the gradient of its distance is ", gradient,

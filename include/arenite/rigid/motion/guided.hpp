@@ -44,20 +44,21 @@ T balance_speed(const R& body, const V& axis, T trial, T mass) {
   T s = trial, impulse = contact_impulse(s), f = impulse;
   if (f == 0) return trial;
   const T sign = f > 0 ? T(1) : T(-1);
-  T near = trial;            // f has the sign of the start here, and the other one (or none) at `far`
-  T far = trial - f / mass;  // where the body alone would take up the impulse at the trial speed
+  T close = trial;               // f has the sign of the start here, and the other one (or none) at `far`
+  T distant = trial - f / mass;  // where the body alone would take up the impulse at the trial speed
   T before = std::numeric_limits<T>::infinity();
   for (int k = 0; k < 200; ++k) {
     const T h = -sign * std::sqrt(round_off) * std::max(std::abs(s - trial), std::abs(f) / (mass + soil));
     const T slope = mass + (contact_impulse(s + h) - impulse) / h;
     T next = s - f / slope;
-    if (!((next - near) * (next - far) < 0) || 2 * std::abs(f) > before) next = near + (far - near) / 2;
+    if (!((next - close) * (next - distant) < 0) || 2 * std::abs(f) > before)
+      next = close + (distant - close) / 2;
     before = std::abs(f);
     const T change = std::abs(next - s);
     s = next;
     impulse = contact_impulse(s);
     f = mass * (s - trial) + impulse;
-    (f * sign > 0 ? near : far) = s;
+    (f * sign > 0 ? close : distant) = s;
     if (f == 0 || change <= 4 * round_off * std::abs(s - trial)) break;
   }
   return s;

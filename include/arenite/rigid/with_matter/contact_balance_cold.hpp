@@ -209,15 +209,15 @@ ARENITE_COLD double ContactBalance<D>::follow(const U& x, const U& direction, do
     look(at);
     return dot(direction, rest_);
   };
-  double near = 0, far = 1, at_near = begin;
+  double close = 0, distant = 1, at_near = begin;
   double ahead = look_at(1);
   if (ahead <= 0.9 * std::abs(begin) || size_of_rest() <= solved * magnitude_) return 1;
   double share = 1, at_far = ahead;
   for (int k = 0; k < 40; ++k) {
-    share = k % 3 == 2 ? (near + far) / 2 : near + (far - near) * at_near / (at_near - at_far);
+    share = k % 3 == 2 ? (close + distant) / 2 : close + (distant - close) * at_near / (at_near - at_far);
     ahead = look_at(share);
     if (std::abs(ahead) <= 0.1 * std::abs(begin)) break;
-    (ahead < 0 ? near : far) = share;
+    (ahead < 0 ? close : distant) = share;
     (ahead < 0 ? at_near : at_far) = ahead;
   }
   return share;

@@ -150,9 +150,10 @@ class Rows {
     if constexpr (split != 0) return blend<split>(L(moment), L(slope), std::make_index_sequence<at_once>{});
     return L(moment);
   }
-  template <std::size_t Split, std::size_t... I>
-  static L blend(const L& moment, const L& slope, std::index_sequence<I...>) {
-    return L::from(__builtin_shufflevector(moment.lanes(), slope.lanes(), (I < Split ? I : I + at_once)...));
+  template <std::size_t Split, std::size_t... At>
+  static L blend(const L& moment, const L& slope, std::index_sequence<At...>) {
+    return L::from(
+        __builtin_shufflevector(moment.lanes(), slope.lanes(), (At < Split ? At : At + at_once)...));
   }
 
   /// Sums of layer k of the nodes (all of them, in the plane), in the lanes from number `lane` on.

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from typing import Any, Dict, Optional, Tuple
 
 from . import _recipes
-from ._bases import Cone, Law, Policy, Updated
+from ._bases import Cone, Frictional, Law, Policy, Updated
 from ._errors import Error
 from ._recipes import (ConstantFriction, ConstantStiffness, ForgetsOpening, InertialFriction, LinearElastic, LinearRateFriction,
                        LogarithmicFriction, MohrCoulomb, PressureStiffness, RateSofteningFriction, RateStiffness, RemembersOpening,
@@ -53,6 +53,34 @@ class WithDeviatoricStrain(Law):
 
 
 @dataclass(frozen=True)
+class ByPoint(Law):
+    """A law whose constants vary by point: factors in the history, by `fill(.., history={"stiffness": f, ..})` with numbers or
+    functions of positions, 1 where none are given. `stiffness`: of Young's modulus; `strength`: of cohesion and tension;
+    `friction`, of a frictional law: of tan(friction). The law is elastic, or perfectly plastic with constant friction.
+
+    parameter  unit  range    default  meaning
+    law        -     a law    needed"""
+
+    law: Law
+
+    def __post_init__(self) -> None:
+        policies = [type(p) for p in (self.law.memory, self.law.friction_law, self.law.stiffness_law)] \
+            if isinstance(self.law, Frictional) else []
+        if not isinstance(self.law, LinearElastic) and policies != [ForgetsOpening, ConstantFriction, ConstantStiffness]:
+            raise Error(f"ByPoint.law = {self.law!r}: must be elastic or perfectly plastic: LinearElastic, or MohrCoulomb or DruckerPrager "
+                        "with constant friction and stiffness, without a memory of opening")
+        super().__post_init__()
+
+    def cpp(self) -> str:
+        return f"ByPoint<{self.law.cpp().replace('AnyFriction', 'PointFriction')}>"
+
+    def value(self) -> Any:
+        value = dict(self.law.value())
+        value.pop("friction_law", None)
+        return value
+
+
+@dataclass(frozen=True)
 class OwnLaw(Law):
     """A law out of a C++ header, made by `compile`.
 
@@ -81,7 +109,7 @@ class OwnLaw(Law):
         return f"{self.name}({', '.join(f'{k}={v!r}' for k, v in self.parameters.items())})"
 
 
-__all__ = ["AnyFriction", "Cone", "ConstantFriction", "ConstantStiffness", "DruckerPrager", "ForgetsOpening", "InertialFriction", "Law",
+__all__ = ["AnyFriction", "ByPoint", "Cone", "ConstantFriction", "ConstantStiffness", "DruckerPrager", "ForgetsOpening", "InertialFriction", "Law",
            "LinearElastic", "LinearRateFriction", "LogarithmicFriction", "MohrCoulomb", "OwnLaw", "PressureStiffness",
            "RateSofteningFriction", "RateStiffness", "RemembersOpening", "SofteningFriction", "Updated",
            "WithDeviatoricStrain"]

@@ -161,3 +161,23 @@ def test_sets_of_other_formats_are_groups(tmp_path):
         assert not ar.SimplexMesh.from_meshio(back).region_names  # data by cell is a field as well
         back.cell_data_to_sets("soil")
         assert len(ar.SimplexMesh.from_meshio(back).region_names) == 2
+
+
+def test_a_cell_in_several_groups_belongs_to_the_region_of_each():
+    """`Cells` of a name fill all of its cells, and two fills of one cell are told by the names of both bodies. Area of "soil": 1/2, of "all": 2."""
+    triangles = [[0, 1, 2], [0, 2, 3], [1, 4, 2], [4, 5, 2]]
+    given = meshio.Mesh(SQUARE, [("triangle", triangles)], cell_sets={"all": [np.arange(4)], "soil": [np.array([1])], "clay": [np.array([2, 3])]})
+    mesh = ar.SimplexMesh.from_meshio(given)
+    assert sorted(mesh.region_names) == ["all", "clay", "soil"] and sorted(mesh.shared_regions) == ["all", "clay", "soil"]
+    rubber = ar.LinearElastic(density=1000, young=1e6, poisson=0.3)
+
+    def scene(*names):
+        return ar.Scene(ar.PlaneStrain(), mesh, ar.Numerics(ar.LinearSimplex), walls=[ar.bottom()], gravity=(0, -9.81),
+                        bodies=[ar.fill(name, ar.Cells(name), rubber) for name in names])
+
+    for name, area in (("soil", 0.5), ("clay", 1.0), ("all", 2.0)):
+        assert np.isclose(scene(name).bodies[name].mass.sum(), 1000 * area, rtol=1e-12), name
+    beside = scene("soil", "clay")  # in their order, without a warning
+    assert [np.isclose(b.mass.sum(), 1000 * area) for b, area in zip(beside.bodies.values(), (0.5, 1.0))] == [True, True]
+    with pytest.warns(ar.Warning, match="bodies soil and all lie in one place: 4 of the 4 points of body soil are in the region of body all, and 4 of 16"):
+        scene("soil", "all")

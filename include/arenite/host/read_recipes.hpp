@@ -95,6 +95,12 @@ struct ValueReader<DruckerPrager<M, F, S>> {
                                                                                              "DruckerPrager");
   }
 };
+template <class L>
+struct ValueReader<ByPoint<L>> {
+  static ByPoint<L> read(const Value& value, const ReadContext& at) {
+    return ByPoint<L>(arenite::read<L>(value, at));
+  }
+};
 template <class L, int D>
 struct ValueReader<WithDeviatoricStrain<L, D>> {
   static WithDeviatoricStrain<L, D> read(const Value& value, const ReadContext& at) {

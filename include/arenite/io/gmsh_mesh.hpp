@@ -235,7 +235,8 @@ class GmshMesh {
         for (next = k; next < sorted.size() && sorted[next].first == sorted[k].first; ++next) {
           const int group = result_.region[sorted[next].second];
           again[sorted[next].second] = next > k;
-          if (next > k && (!repeats_ || std::ranges::count(groups, group))) {
+          if (next > k && (!repeats_ || group == 0 || std::ranges::count(groups, 0) ||
+                           std::ranges::count(groups, group))) {
             std::string nodes;
             for (const Index node : sorted[k].first)
               nodes += joined_text({nodes.empty() ? "" : " ", tags_[node]});

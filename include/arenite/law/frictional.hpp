@@ -159,6 +159,12 @@ class Frictional : public Memory, public detail::ElasticPart<Stiffness> {
 
   /// That of the parameters' angle of friction.
   const Surface<double, double>& surface() const { return surface_; }
+  /// Whether stresses, moduli, cohesion and tension may be scaled together, and strains (`ByPoint`).
+  bool scales() const {
+    constexpr bool constant_by_point = requires { requires Friction::constant_by_point; };
+    return constant_stiffness && (constant_by_point || detail::same_as_constant(friction_)) &&
+           !Memory::remembers();
+  }
   double greatest_volume_ratio() const { return greatest_volume_ratio_; }  ///< V / V0, -
 
   /// See law.hpp. With memory the returned opening is negative in a step that closes.

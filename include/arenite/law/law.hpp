@@ -61,6 +61,7 @@ struct Inelastic {
 /// - `stable_step(h)`: a limit of its own on the step, s, double to double, in matter whose waves of speed c
 ///   bear a step of h / c; h is the size of a cell times `Numerics::courant_limit`. A viscosity eta, Pa s,
 ///   has h^2 density / (2 eta).
+/// - `static void check_history(name, value)`: throws `error` for an initial value that no point can have.
 /// - `is_open(history)`: mask of matter that has separated and bears no stress; averages of strain and stress
 ///   then leave it out.
 /// - `static constexpr bool linear = true`: beside the turn with the matter, what `update` adds to the stress

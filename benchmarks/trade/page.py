@@ -330,7 +330,7 @@ def recommended(out):
 
     text, rows = io.StringIO(), on_one(rows_of(out))
     writer = csv.writer(text, lineterminator="\n")
-    writer.writerow("problem title shape transfer values order average dtype cells cells_are per_cell courant error seconds".split())
+    writer.writerow("problem title measured shape transfer values order average dtype cells cells_are per_cell courant error seconds".split())
     for n in problems():
         p, mine = problem(n), [r for r in rows if r.problem == n and "time" not in r.transfer]
         for r in front(mine):
@@ -338,7 +338,7 @@ def recommended(out):
             shape, transfer, order, average = numerics.kinds()
             values = " ".join(f"{f.name}={getattr(numerics.transfer, f.name):g}" for f in dataclasses.fields(numerics.transfer)
                               if getattr(numerics.transfer, f.name) != f.default)
-            writer.writerow([p.KIND, p.TITLE, shape, transfer, values, order, average, r.of.dtype, r.cells, p.CELLS_ARE, r.per_cell, f"{r.courant:g}",
+            writer.writerow([p.KIND, p.TITLE, p.__doc__.split("\n\n")[0].replace("\n", " "), shape, transfer, values, order, average, r.of.dtype, r.cells, p.CELLS_ARE, r.per_cell, f"{r.courant:g}",
                              f"{kept_error(r, mine):.4g}", f"{r.seconds:.4g}"])
     return text.getvalue()
 

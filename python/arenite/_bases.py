@@ -10,9 +10,10 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ._core import frictions
-from ._recipe import Recipe, check_together
+from ._recipe import NOT_GIVEN, Recipe, check_together
 
-NOT_GIVEN = float("nan")
+
+__all__ = ["Cone", "Contact", "Frictional", "Kind", "Law", "NOT_GIVEN", "Part", "Policy", "Updated"]
 
 
 class Policy(Recipe):

@@ -1,9 +1,10 @@
 """Errors and warnings of the package."""
 
 import contextlib
+import difflib
 import re
 import threading
-from typing import Iterator, Sequence, Tuple
+from typing import Iterable, Iterator, Sequence, Tuple
 
 _Names = Tuple[Sequence[str], Sequence[str]]
 _at_work = threading.local()  # names of the bodies of the scene that this thread is in
@@ -30,11 +31,34 @@ def _named(text: str) -> str:
     return re.sub(r"\b(rigid |)body (\d+)\b(?!\.\d)", name, text)
 
 
+def did_you_mean(word: str, names: Iterable[object]) -> str:
+    """Words that name the nearest of the names; none if there is none that is near."""
+    near = difflib.get_close_matches(word, [name for name in names if isinstance(name, str) and name != word], 1)
+    return f"; did you mean {near[0]}?" if near else ""
+
+
+def _nearest(text: str) -> str:
+    """The nearest name where a message, also one of the library, lists those that there are behind one that is not."""
+    found = re.search(r"(?:^|= )('?)([\w ./-]+)\1: .*\b(?:one of:?|it has|there are|they are) ([\w ./,-]+)$", text)
+    return did_you_mean(found[2], found[3].split(", ")) if found else ""
+
+
 class Error(ValueError):
     """A value that breaks a rule; the message names the value and the rule."""
 
     def __init__(self, text: str = "") -> None:
-        super().__init__(_named(text))
+        named = _named(text)
+        super().__init__(named + _nearest(named))
+
+
+class ArgumentError(Error, TypeError):
+    """An argument of a wrong type or name, or one that is missing; also a `TypeError`."""
+
+
+class UnknownName(Error, KeyError):
+    """A name that is not there; also a `KeyError`."""
+
+    __str__ = Error.__str__
 
 
 class RunError(Error):

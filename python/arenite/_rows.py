@@ -9,9 +9,10 @@ from typing import Any, Dict, Iterator, List, Optional, Sequence, Tuple, Union
 import numpy
 from numpy.typing import NDArray
 
-from ._errors import Error
+from ._errors import Error, UnknownName
 from ._files import replaced
 from ._folder import PathLike
+from ._html import table
 from ._optional import need
 
 __all__ = ["Rows"]
@@ -33,7 +34,7 @@ class Rows:
 
     def __getitem__(self, name: str) -> NDArray[Any]:
         if name not in self.columns:
-            raise KeyError(f"{name}: no such column; there are {', '.join(self.columns)}")
+            raise UnknownName(f"{name}: no such column; there are {', '.join(self.columns)}")
         values = [row.get(name) for row in self._rows]
         numeric = all(value is None or isinstance(value, (int, float)) and not isinstance(value, bool) for value in values)
         if numeric and any(value is None for value in values):
@@ -111,6 +112,13 @@ class Rows:
             body.append(f".. {len(self) - SHOWN_ROWS} more")
         others = [name for name in self.columns if name not in self._shown and any(row.get(name) not in (None, "") for row in self._rows)]
         return "\n".join([head, *body, *(["and " + ", ".join(others)] if others else [])])
+
+    def _repr_html_(self) -> str:
+        rows = ([row.get(name) for name in self._shown] for row in self._rows[:SHOWN_ROWS])
+        others = [name for name in self.columns if name not in self._shown]
+        more = [f".. {len(self) - SHOWN_ROWS} more rows"] if len(self) > SHOWN_ROWS else []
+        return table(f"{len(self)} {self.KIND if len(self) == 1 else self.KIND + 's'}", self._shown, rows,
+                     ", ".join([*more, *(["and " + ", ".join(others)] if others else [])]))
 
 
 def _field(value: Any) -> str:

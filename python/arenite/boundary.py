@@ -6,6 +6,7 @@ from dataclasses import dataclass, field
 from typing import Any, Callable, Optional, Sequence, Tuple, Union
 
 from ._bases import Part
+from ._errors import Error, did_you_mean
 from ._recipe import Recipe, function_value, plain
 from ._recipes import LocalDamping, ViscousDamping
 from .shapes import Region, region_value
@@ -34,7 +35,7 @@ def symmetry(normal: Sequence[float]) -> Condition:
 
 
 def free_along(axis: int) -> Condition:
-    """Motion along this axis alone."""
+    """Motion along this axis alone, 0 for x."""
     return Condition(3, (float(axis == 0), float(axis == 1), float(axis == 2)))
 
 
@@ -43,9 +44,7 @@ def _condition(condition: Union[str, Condition]) -> Condition:
         return condition
     known = {"fixed": fixed, "roller": roller}
     if condition not in known:
-        from ._errors import Error
-
-        raise Error(f"Wall.condition = {condition}: must be fixed or roller, symmetry(normal) or free_along(axis)")
+        raise Error(f"Wall.condition = {condition}: must be fixed or roller, symmetry(normal) or free_along(axis){did_you_mean(condition, known)}")
     return known[condition]
 
 
@@ -77,36 +76,43 @@ class Wall(Recipe):
 
 
 def left(condition: Union[str, Condition] = fixed) -> Wall:
+    """The mesh's face at the lower end of x; condition: what is blocked, `fixed`, `roller`, `symmetry(normal)` or `free_along(axis)`."""
     return Wall(0, False, condition=condition)
 
 
 def right(condition: Union[str, Condition] = fixed) -> Wall:
+    """The mesh's face at the upper end of x; condition: what is blocked, `fixed`, `roller`, `symmetry(normal)` or `free_along(axis)`."""
     return Wall(0, True, condition=condition)
 
 
 def bottom(condition: Union[str, Condition] = fixed) -> Wall:
+    """The mesh's face at the lower end of y; condition: what is blocked, `fixed`, `roller`, `symmetry(normal)` or `free_along(axis)`."""
     return Wall(1, False, condition=condition)
 
 
 def top(condition: Union[str, Condition] = fixed) -> Wall:
+    """The mesh's face at the upper end of y; condition: what is blocked, `fixed`, `roller`, `symmetry(normal)` or `free_along(axis)`."""
     return Wall(1, True, condition=condition)
 
 
 def front(condition: Union[str, Condition] = fixed) -> Wall:
+    """The mesh's face at the lower end of z; condition: what is blocked, `fixed`, `roller`, `symmetry(normal)` or `free_along(axis)`."""
     return Wall(2, False, condition=condition)
 
 
 def back(condition: Union[str, Condition] = fixed) -> Wall:
+    """The mesh's face at the upper end of z; condition: what is blocked, `fixed`, `roller`, `symmetry(normal)` or `free_along(axis)`."""
     return Wall(2, True, condition=condition)
 
 
 def on(set: str, condition: Union[str, Condition] = fixed) -> Wall:
-    """The nodes of a named set of a simplex mesh."""
+    """The nodes of a named set of a simplex mesh; condition as of `left`."""
     return Wall(set=set, condition=condition)
 
 
 def where(test: Callable[[Any], Any], condition: Union[str, Condition] = fixed) -> Wall:
-    """The nodes whose positions pass a test: positions [n, 2 or 3], m, in, [n] booleans out, called once."""
+    """The nodes whose positions pass a test: positions [n, 2 or 3], m, in, [n] booleans out, called once; condition as
+    of `left`."""
     return Wall(test=test, condition=condition)
 
 

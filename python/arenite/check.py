@@ -11,6 +11,7 @@ from typing import Any, Dict, Iterator, List, Mapping, Tuple
 
 import numpy as np
 
+from ._html import table
 from ._recipe import arguments_of
 from .scene import Scene
 
@@ -24,8 +25,17 @@ class Outside:
     tried: str
 
     def __str__(self) -> str:
-        value = f"{self.value:.4g}" if isinstance(self.value, float) else self.value
+        value = f"{self.value:.6g}" if isinstance(self.value, float) else self.value
         return f"{self.what} = {value}: tried {self.tried}"
+
+
+#: What the endings of random scenes mean (docs/envelope.md).
+ENDINGS = {"sound": "ran to their end, with momentum and energy kept (sound)",
+           "damped": "the same, and the transfer took more than a tenth of the energy (damped)",
+           "left": "the same, and points left the mesh (left)",
+           "stopped": "were stopped by the watch or an error that names time and cause (stopped)",
+           "refused": "were refused as they were made (refused)",
+           "fault": "went wrong without an error (fault)"}
 
 
 @dataclass(frozen=True)
@@ -38,10 +48,17 @@ class Checked:
     endings: Dict[str, float]
 
     def __str__(self) -> str:
-        said = [str(o) for o in self.outside] or ["all parts and values lie within what random scenes have tried"]
+        said = ["outside of what random scenes have tried; not wrong, but compare it with a solution that you know:", *map(str, self.outside)] \
+            if self.outside else ["all parts and values lie within what random scenes have tried"]
         if self.scenes:
-            said.append(f"{self.scenes} random scenes had these numerics: " + ", ".join(f"{share:.1f} % {e}" for e, share in self.endings.items() if share))
+            said.append(f"{self.scenes} random scenes had these numerics, with values drawn from ranges so wide that many tear matter apart on purpose, to see "
+                        "whether anything goes wrong unnoticed. The shares tell of these extremes, not of your scene:")
+            said += [f"  {self.endings[e]:5.1f} % {meaning}" for e, meaning in ENDINGS.items() if self.endings[e] or e == "fault"]
         return "\n".join(said)
+
+    def _repr_html_(self) -> str:
+        return table("Outside of what random scenes have tried" if self.outside else "All lies within what random scenes have tried",
+                     ("what", "value", "tried"), [(o.what, o.value, o.tried) for o in self.outside])
 
 
 @lru_cache(maxsize=None)
@@ -108,6 +125,12 @@ def _values(scene: Scene, courant: float) -> Iterator[Tuple[str, str, float]]:
     yield "Courant number", "courant", courant
 
 
+def _apart(bound: float, value: float) -> str:
+    """A bound in so many digits that it shows on which side of it a value lies."""
+    texts = (f"{bound:.{digits}g}" for digits in range(3, 18))
+    return next(text for text in texts if (float(text) < value) == (bound < value) and (float(text) > value) == (bound > value))
+
+
 def _own_classes(scene: Scene) -> List[str]:
     """Names of the classes in a scene's type that a user chooses."""
     not_chosen = {"Scene", "Numerics", "Bodies", "BodyList", "Fill", "Rigid", "TrackEnergy", "Reactions", "AnyFriction", "ConstantFriction", "ConstantStiffness",
@@ -118,7 +141,7 @@ def _own_classes(scene: Scene) -> List[str]:
 
 
 def check(scene: Scene, courant: float = 0.5) -> Checked:
-    """Compares a scene, as it is now, and the Courant number that it shall run with, with what tens of thousands of random scenes have tried: each part, the numerics as a
+    """Compares a scene, as it is now, and the Courant number `courant` that it shall run with, with what tens of thousands of random scenes have tried: each part, the numerics as a
     whole, and each value (moduli, angles, density, cells, speed, weight, points a cell, masses; of gravity as a function of time that of now; values that are other functions are not looked at). `print(arenite.check(scene))` tells in words. What lies
     outside is not wrong: nobody has tried it, so compare it with a solution that you know."""
     tried = _tried()
@@ -136,7 +159,7 @@ def check(scene: Scene, courant: float = 0.5) -> Checked:
         known = tried["quantities"][quantity]
         low, high = (0.0 if quantity in ("speed", "mach", "weight", "gravity") else known["from"]), known["to"]
         if not low - 1e-9 * abs(low) <= value <= high + 1e-9 * abs(high):
-            outside.append(Outside(what, value, f"{low:.3g} to {high:.3g}"))
+            outside.append(Outside(what, value, f"{_apart(low, value)} to {_apart(high, value)}"))
     return Checked(outside, same[0]["scenes"] if same else 0, dict(same[0]["endings"]) if same else {})
 
 

@@ -11,7 +11,7 @@ from .vtu import in_space, point_fields
 
 
 def to_meshio(scene: Scene, body: Optional[str] = None) -> Any:
-    """The points of a body (by default the first) as a meshio mesh of vertices with their fields."""
+    """The points of a body of a scene (by default the first) as a meshio mesh of vertices with their fields."""
     import meshio  # type: ignore[import-untyped,import-not-found,unused-ignore]
 
     name = body or next(iter(scene.bodies))
@@ -20,7 +20,7 @@ def to_meshio(scene: Scene, body: Optional[str] = None) -> Any:
 
 
 def to_pyvista(scene: Scene, body: Optional[str] = None) -> Any:
-    """The points of a body (by default the first) as PyVista's PolyData with their fields."""
+    """The points of a body of a scene (by default the first) as PyVista's PolyData with their fields."""
     import pyvista  # type: ignore[import-untyped,import-not-found,unused-ignore]
 
     name = body or next(iter(scene.bodies))

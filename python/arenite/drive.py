@@ -8,6 +8,7 @@ from typing import Any, List, Optional, Sequence, Union
 import numpy as np
 from numpy.typing import NDArray
 
+from ._html import table
 from ._recipe import Recipe
 from .laws import Law
 
@@ -49,6 +50,15 @@ class Path:
     dilation: NDArray[np.float64]
     work: NDArray[np.float64]
 
+    def __repr__(self) -> str:
+        return (f"<Path: {len(self.time)} states, t = {self.time[0]:g} to {self.time[-1]:g} s; at its end p = {self.p[-1]:.6g} Pa, "
+                f"q = {self.q[-1]:.6g} Pa>")
+
+    def _repr_html_(self) -> str:
+        shown = np.unique(np.linspace(0, len(self.time) - 1, 11).astype(int))
+        return table(f"Path: {len(shown)} of {len(self.time)} states", ("time [s]", "p [Pa]", "q [Pa]", "strain (xx, yy, zz, xy, yz, zx)"),
+                     ((self.time[k], self.p[k], self.q[k], self.strain[k]) for k in shown))
+
     @property
     def p(self) -> NDArray[np.float64]:
         """Mean pressure, Pa, compression positive."""
@@ -65,7 +75,7 @@ class Path:
 
 @dataclass(frozen=True)
 class Test:
-    """A path from a stress, Pa."""
+    """A path of stages from a stress, Pa."""
 
     stages: Sequence[Stage]
     stress: Sequence[float] = (0.0,) * 6
@@ -73,26 +83,27 @@ class Test:
 
 def triaxial(pressure: float, axial: float, steps: int = 100, duration: float = 1.0) -> Test:
     """Drained triaxial test: from an isotropic pressure, Pa, the axial strain (y) changes by `axial`, - (negative:
-    compression), at constant pressure on the sides."""
+    compression), at constant pressure on the sides, in so many steps over a duration, s."""
     return Test([Stage((0, axial, 0, 0, 0, 0), (-pressure, None, -pressure, 0.0, 0.0, 0.0), duration, steps)],
                 (-pressure, -pressure, -pressure, 0, 0, 0))
 
 
 def oedometer(axial: float, pressure: float = 0.0, steps: int = 100, duration: float = 1.0) -> Test:
-    """The axial strain (y) changes by `axial`, -, without strain of the sides."""
+    """The axial strain (y) changes by `axial`, -, without strain of the sides, from an isotropic pressure, Pa, in so many steps over a duration, s."""
     return Test([Stage((0, axial, 0, 0, 0, 0), duration=duration, steps=steps)],
                 (-pressure, -pressure, -pressure, 0, 0, 0))
 
 
 def simple_shear(pressure: float, gamma: float, steps: int = 100, duration: float = 1.0) -> Test:
-    """x moves along y by gamma, -, at constant stress along y."""
+    """x moves along y by gamma, -, at constant stress along y, from an isotropic pressure, Pa, in so many steps over a duration, s."""
     return Test([Stage((0, 0, 0, gamma / 2, 0, 0), (None, -pressure, None, None, None, None), duration, steps,
                        (gamma / 2, 0, 0))], (-pressure, -pressure, -pressure, 0, 0, 0))
 
 
 def drive(law: Law, test: Union[Test, Stage, Sequence[Stage]], stress: Optional[Sequence[float]] = None,
           history: Sequence[float] = ()) -> Path:
-    """Takes one point of a law along a path. Raises `RunError` where no strain gives the prescribed stress."""
+    """Takes one point of a law along a path: test: a `Test`, a `Stage` or several; stress, Pa, and history that it begins with, by default those of the
+    test, or none, and of a new point. Raises `RunError` where no strain gives the prescribed stress."""
     if isinstance(test, Test):
         stages: List[Stage] = list(test.stages)
         begin = test.stress if stress is None else stress

@@ -54,4 +54,7 @@ def fill(name: str, region: Region, law: Law, per_cell: Optional[int] = None, ve
     return Fill(name, region, law, per_cell, velocity, stress, may_be_empty, dict(history or {}), jitter, seed, even, exact_volume)
 
 
+fill.__doc__ = "\n\n".join([fill.__doc__ or "", (_recipes.Fill.__doc__ or "").partition("\n\n")[2]])
+
+
 __all__ = ["Fill", "Geostatic", "fill"]

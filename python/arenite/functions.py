@@ -72,5 +72,8 @@ class Signal(Recipe):
     def __setstate__(self, state: Any) -> None:
         self.__init__(*state)  # type: ignore[misc]
 
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Signal) and self.components == other.components
+
     def __repr__(self) -> str:
         return f"Signal{self.components}"

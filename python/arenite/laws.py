@@ -22,8 +22,8 @@ class DruckerPrager(_recipes.DruckerPrager):
 
 
 def AnyFriction(policy: Policy) -> Policy:
-    """Deprecated: any friction is chosen at run time. Give the law the friction itself."""
-    warnings.warn("AnyFriction(policy) is policy: each friction is chosen at run time", DeprecationWarning, stacklevel=2)
+    """Deprecated: any friction is chosen at run time. Give the law the friction `policy` itself."""
+    warnings.warn("AnyFriction(policy) is policy: each friction is chosen at run time", DeprecationWarning, stacklevel=3)
     return policy
 
 
@@ -104,9 +104,6 @@ class OwnLaw(Law):
 
     def value(self) -> Any:
         return dict(self.parameters)
-
-    def __repr__(self) -> str:
-        return f"{self.name}({', '.join(f'{k}={v!r}' for k, v in self.parameters.items())})"
 
 
 __all__ = ["AnyFriction", "ByPoint", "Cone", "ConstantFriction", "ConstantStiffness", "DruckerPrager", "ForgetsOpening", "InertialFriction", "Law",

@@ -68,7 +68,7 @@ def run_in_folder(scene: Scene, end: float, folder: PathLike, *, checkpoint_ever
     s, at the end, and when Ctrl-C or SIGTERM ends the run after a step (in the main thread); with `resume` the same program goes on
     from there with the same bits. It also goes on to a later `end`: with the bits of a run to that from the start unless the last two steps
     before the former `end` were taken, which are shortened to hit it. Without it state and status of an earlier run are removed. `status.json`
-    tells how the run stands, at most ten seconds late. `recipe`: a line on what made the scene; a state is resumed only with the
+    tells how the run stands, at most ten seconds late. `courant`, `max_step`, `every`, `after_step`, `watch` and `progress` are those of `run`. `recipe`: a line on what made the scene; a state is resumed only with the
     same one. Returns "finished", "stopped" (by an observer) or "interrupted". Raises `Error` that names the folder if it cannot be
     used, or the state if it is of another run, which leaves the folder as it was; else what `run` raises, once the status tells it."""
     end, checkpoint_every = number("run_in_folder.end", end, "s"), number("run_in_folder.checkpoint_every", checkpoint_every, "s")

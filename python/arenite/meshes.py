@@ -122,13 +122,16 @@ class Periodic(Mesh):
     def value(self) -> Any:
         return self.grid.value()
 
+    def __repr__(self) -> str:
+        return f"periodic({', '.join(map(repr, [self.grid, *self.axes]))})"
+
 
 def periodic(grid: CartesianGrid, *axes: int) -> Periodic:
     """The grid closed along axes, 0 for x."""
     return Periodic(grid, axes)
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True)
 class SimplexMesh(Mesh):
     """Triangles or tetrahedra: nodes [n, D], m; cells [m, D + 1]; the region of each cell [m]; names of regions
     (name to number) and of sets of nodes (name to numbers). Cells of several names have a region of their own, which
@@ -169,10 +172,6 @@ class SimplexMesh(Mesh):
         if self.region is not None:
             value["region"] = np.asarray(self.region, float)
         return value
-
-    def __repr__(self) -> str:
-        return (f"SimplexMesh({np.shape(self.nodes)[0]} nodes, {np.shape(self.cells)[0]} cells, "
-                f"regions {sorted({**self.region_names, **self.shared_regions})}, node sets {sorted(self.node_sets)})")
 
     @classmethod
     def from_gmsh(cls, path: Union[str, "os.PathLike[str]"], dimension: int) -> "SimplexMesh":

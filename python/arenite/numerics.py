@@ -94,9 +94,6 @@ class Numerics(Recipe):
     def value(self) -> Any:
         return {"transfer": self.transfer.value(), "anti_locking": self.anti_locking.value()}
 
-    def __repr__(self) -> str:
-        return f"Numerics({self.shape!r}, {self.transfer!r}, {self.order!r}, {self.anti_locking!r})"
-
 
 __all__ = ["Aflip", "Apic", "CubicBSpline", "ElementAverage", "Flip", "Fmpm", "LinearGrid", "LinearSimplex", "MidpointStrain",
            "MlsGradient", "Musl", "NoAntiLocking", "NodalAndElementAverage", "NodalAveraging", "Numerics", "QuadraticBSpline", "Tpic", "UGimp", "Usf",

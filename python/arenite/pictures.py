@@ -156,6 +156,7 @@ def plot(scene: Scene, quantity: Quantity = "pressure", *, body: Union[None, str
     body      one or more by name; all by default
     plane     two axes to look along the third: "xy" by default; in space also "xz", "zy" ..
     limits    of the colours; by default those of the values
+    colours   a colour map of matplotlib
     ax        axes to draw into; without, a new figure"""
     pyplot = need("matplotlib.pyplot", "plot()")
     axes = _axes_of(scene, plane)
@@ -174,7 +175,8 @@ def animate(scene: Scene, path: PathLike, quantity: Quantity = "pressure", *, en
     that raises is drawn as far as it came. Needs matplotlib, and for MP4 the program ffmpeg.
 
     per_second  frames of the film
-    options     of `run`: `courant`, `after_step`, `watch` ..; the others as of `plot`"""
+    options     of `run`: `courant`, `after_step`, `watch` ..
+    quantity, body, plane, limits, colours  as of `plot`"""
     pyplot, films = need("matplotlib.pyplot", "animate()"), need("matplotlib.animation", "animate()")
     target, axes, names = Path(path), _axes_of(scene, plane), _chosen(scene, body)
     kinds = {".gif": "pillow", ".mp4": "ffmpeg"}

@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ._errors import Error
+from ._html import members
 from ._recipe import Recipe
 from .fill import Field, Geostatic, fill
 from .laws import WithDeviatoricStrain
@@ -19,13 +20,16 @@ Name = Union[int, str]
 
 
 class Totals(NamedTuple):
-    """What points brought or took: their number, mass, kg, momentum [D], kg m/s, kinetic and recoverable energy, J."""
+    """What points brought or took: points, their number; mass, kg; momentum [D], kg m/s; kinetic_energy and strain_energy (recoverable), J."""
 
     points: int
     mass: float
     momentum: Sequence[float]
     kinetic_energy: float
     strain_energy: float
+
+    def _repr_html_(self) -> str:
+        return members(self, self._fields)
 
 
 class Probed(NamedTuple):
@@ -44,7 +48,7 @@ def fill_points(scene: Scene, body: Name, region: Region, per_cell: Optional[int
                 history: Optional[Mapping[str, Any]] = None, may_be_empty: bool = False,
                 exact_volume: bool = False) -> Totals:
     """Fills a region with points of a body of a running scene, as `fill` does when a scene is made. The region should
-    be empty: points that are there stay. Raises `Error`, with the scene as it was, where `fill` would."""
+    be empty: points that are there stay. `per_cell`, `velocity`, `stress`, `history`, `may_be_empty` and `exact_volume` are those of `fill`. Raises `Error`, with the scene as it was, where `fill` would."""
     number = scene.number_of(body)
     recipe = fill(str(body), region, scene.law(number), per_cell, velocity, stress, may_be_empty, dict(history or {}),
                   exact_volume=exact_volume)
@@ -72,7 +76,7 @@ def insert_points(scene: Scene, body: Name, position: ArrayLike, volume: ArrayLi
 
 
 def remove_points(scene: Scene, body: Name, where: Union[Region, ArrayLike]) -> Totals:
-    """Removes the points of a body in a region (a shape, `Cells`, or a test of positions [n, D] that returns [n]
+    """Removes the points of a body of a scene, `where` they are in a region (a shape, `Cells`, or a test of positions [n, D] that returns [n]
     booleans), or those for which an array [n] of booleans is true. The energy balance counts what they take as taken
     out."""
     number = scene.number_of(body)
@@ -87,14 +91,14 @@ def remove_points(scene: Scene, body: Name, where: Union[Region, ArrayLike]) -> 
 
 
 def probe(scene: Scene, body: Name, places: ArrayLike) -> Probed:
-    """Velocity and stress of a body at places [n, D], m, interpolated between its points. Constant fields come out as
+    """Velocity and stress of a body of a scene at places [n, D], m, interpolated between its points. Constant fields come out as
     they are."""
     return Probed(*scene._core.probe(scene.number_of(body), np.asarray(places, dtype=float)))
 
 
 def section_force(scene: Scene, body: Name, through: Sequence[float], normal: Sequence[float], thickness: float,
                   of_nodes: bool = False) -> NDArray[np.float64]:
-    """Force [D], N, on the body behind a plane cut from the part in front of it, into which the normal points; in
+    """Force [D], N, on the body of a scene behind a plane cut from the part in front of it, into which the normal points; in
     tension positive along the normal. thickness, m: two cells or more. `of_nodes`: of the internal forces of nodes,
     through a cut of the whole body; better on coarse simplices."""
     cut = {"through": list(through), "normal": list(normal), "thickness": thickness}
@@ -109,7 +113,7 @@ def deviator_columns(law: WithDeviatoricStrain, names: Iterable[str]) -> Dict[st
 
 
 def deviatoric_strain(scene: Scene, body: Name = 0) -> NDArray[np.float64]:
-    """sqrt(2/3 e : e) of the points of a body [n], -, whose law is a `WithDeviatoricStrain`."""
+    """sqrt(2/3 e : e) of the points of a body of a scene [n], -, whose law is a `WithDeviatoricStrain`."""
     law = scene.law(body)
     if not isinstance(law, WithDeviatoricStrain):
         raise Error(f"deviatoric_strain: the law of body {body} is {law.cpp()}: must be a WithDeviatoricStrain")

@@ -82,9 +82,6 @@ class Rigid(Recipe):
             surface = {"distance": distance_value(self.surface), "reach": self.reach}
         return {"surface": surface, "motion": plain(self.motion), "friction": self.friction}
 
-    def __repr__(self) -> str:
-        return f"Rigid({self.surface!r}, {self.motion!r}, friction={self.friction!r}, contact={self.contact!r})"
-
 
 @dataclass(frozen=True)
 class RigidPair(Recipe):

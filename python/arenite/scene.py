@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from . import _core, _plugins
 from ._errors import Error, bodies_named
+from ._html import members, table
 from ._pickle import refuse_unpicklable
 from ._recipe import Recipe, check_together, function_value
 from .boundary import PointLoad, Surface, Wall
@@ -20,7 +21,7 @@ from .laws import Law
 from .meshes import Mesh
 from .numerics import Numerics
 from .rigid import MovingMesh, Rigid, RigidContact
-from .views import Body, RigidState, State
+from .views import Body, Named, RigidState, State
 from .watch import Progress, Watch, Watched
 
 DAMP = ": name a part that damps: LocalDamping or ViscousDamping"
@@ -55,6 +56,9 @@ class Energies(NamedTuple):
     walls: float
     residual: float
 
+    def _repr_html_(self) -> str:
+        return members(self, self._fields, "J")
+
 
 class Nodes(NamedTuple):
     """Nodes of the mesh: position [n, D], m; mass [n], kg, and velocity [n, D], m/s, of the last step."""
@@ -69,6 +73,9 @@ class Reaction(NamedTuple):
 
     force: List[float]
     impulse: List[float]
+
+    def _repr_html_(self) -> str:
+        return members(self, self._fields)
 
 
 def _check_number(name: str, number: Union[str, int], names: Sequence[Optional[str]], of: str) -> None:
@@ -93,7 +100,7 @@ def _numbered(value: Any, names: List[str]) -> Any:
 class Scene:
     """A scene, complete when constructed. Raises `Error` where a recipe does not fit.
 
-    kinematics: PlaneStrain(), Axisymmetric() or ThreeDimensional(); bodies: `fill(..)` each; walls; gravity, m/s2: a
+    kinematics: PlaneStrain(), Axisymmetric() or ThreeDimensional(); mesh; numerics: `Numerics(..)`; bodies: `fill(..)` each; walls; gravity, m/s2: a
     vector or a function of time; rigids: `Rigid(..)` each; rigid_contact between them; contact: `Coulomb(..)` between
     deformable bodies (none: they stick); moving_mesh; parts: loads, damping, driven walls and parts of one's own;
     energy: whether the energy balance is kept; reactions: whether walls' reactions are summed.
@@ -217,8 +224,8 @@ class Scene:
 
     def _views(self, state: State) -> Tuple[Dict[str, Body], Dict[Union[str, int], RigidState]]:
         """The bodies whose columns a state has."""
-        return ({b.name: Body(state, k, b.name) for k, b in enumerate(self._recipes["bodies"])},
-                {(b.name or k): RigidState(state, k, b.name or str(k)) for k, b in enumerate(self._recipes["rigids"])})
+        return (Named("bodies", {b.name: Body(state, k, b.name) for k, b in enumerate(self._recipes["bodies"])}),
+                Named("rigids", {(b.name or k): RigidState(state, k, b.name or str(k)) for k, b in enumerate(self._recipes["rigids"])}))
 
     # --- time
 
@@ -281,7 +288,7 @@ class Scene:
     @property
     def watched(self) -> Dict[str, Watched]:
         """What the `Watch` given to the last run saw, by quantity; empty if it was given none."""
-        return {name: Watched(*seen) for name, *seen in self._core.watched()}
+        return Named("watched", {name: Watched(*seen) for name, *seen in self._core.watched()})
 
     def nodes(self, body: Union[int, str] = 0) -> Nodes:
         """Nodes with the velocity field of a body."""
@@ -308,7 +315,7 @@ class Scene:
     @property
     def state(self) -> Mapping[str, Any]:
         """Every value that a step reads, by path; copies."""
-        return {path: np.array(column) for path, column in self._state.columns().items()}
+        return Named("state", {path: np.array(column) for path, column in self._state.columns().items()})
 
     def law(self, body: Union[int, str] = 0) -> Law:
         """The recipe of a body's law."""
@@ -351,6 +358,12 @@ class Scene:
     def __repr__(self) -> str:
         points = sum(len(b) for b in self.bodies.values())
         return f"<{self.composition}: {points} points, t = {self.time:g} s after {self.step_count} steps>"
+
+    def _repr_html_(self) -> str:
+        rows = [(b.name, type(b.law).__name__, len(self.bodies[b.name])) for b in self._recipes["bodies"]]
+        rigids = [(b.name or k, "rigid: " + type(b.motion).__name__, None) for k, b in enumerate(self._recipes["rigids"])]
+        return table(f"Scene at t = {self.time:g} s after {self.step_count} steps", ("body", "law or motion", "points"), [*rows, *rigids],
+                     self.composition)
 
     # --- saved states
 
@@ -473,7 +486,11 @@ def run(scene: Scene, end: float, courant: float = 0.5, max_step: float = float(
     `after_step` after each step. One that returns `STOP` ends the run; True is refused, whatever else one returns is ignored. The
     last two steps are shortened to hit `end`: a run that goes on from there has not the bits of one to a later `end`; to have them, save the
     scene by a function of `every`, or end the run by `STOP`. Raises `RunError` if the run fails physically, or goes past a limit of the
-    `watch` (False: nobody watches); Ctrl-C stops it after the step."""
+    `watch` (False: nobody watches); Ctrl-C stops it after the step.
+
+    courant   Courant number, -: share of the greatest stable step that is taken
+    max_step  longest step, s
+    progress  whether to show how far the run is, or a `Progress`"""
     shown = Progress() if progress is True else progress or None
     _run("run", scene, end, courant, max_step, None, every, after_step, watch, shown)
 
@@ -482,7 +499,7 @@ def settle(scene: Scene, end: float, ratio: float = 1e-3, courant: float = 0.5,
            every: Optional[Every] = None, after_step: Optional[Observer] = None, *,
            watch: Union[bool, Watch] = True) -> None:
     """Steps a scene in which a part damps (`LocalDamping`) until its forces are in balance to `ratio`, -, for ten
-    steps. Observers and `watch` as in `run`. Raises `RunError` if `end`, s, comes first. Go on with `run` after
+    steps. `courant`, `every`, `after_step` and `watch` are those of `run`. Raises `RunError` if `end`, s, comes first. Go on with `run` after
     `scene.switch_off_damping()`."""
     _run("settle", scene, end, courant, float("inf"), number("settle.ratio", ratio), every, after_step, watch)
 

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _recipes
-from ._recipe import Recipe, plain
+from ._recipe import Recipe, pasted, plain
 
 
 class Shape(Recipe):
@@ -135,6 +135,9 @@ class Combined(Shape):
 
     def value(self) -> Any:
         return {"shape": self.rule, "a": plain(self.a), "b": plain(self.b)}
+
+    def __repr__(self) -> str:
+        return f"({pasted(self.a)} {dict(Union='|', Intersection='&', Difference='-')[self.rule]} {pasted(self.b)})"
 
 
 @dataclass(frozen=True)

@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 import warnings
-from typing import Any, Dict, List, Sequence, Tuple
+from typing import Any, Dict, List, Mapping, Sequence, Tuple, TypeVar
 
 import numpy as np
 
-from ._errors import Error
+from ._errors import Error, UnknownName, did_you_mean
+
+Key = TypeVar("Key")
+Entry = TypeVar("Entry")
 
 
 class State:
@@ -25,6 +28,20 @@ class State:
             self._columns = {path: column for path, column in self.core.columns().items() if not path.startswith(self._hidden)}
             self._at = now
         return self._columns
+
+
+class Named(Dict[Key, Entry]):
+    """Entries by name; one that is not there is refused with the names that there are."""
+
+    def __init__(self, of: str, entries: Mapping[Key, Entry]) -> None:
+        super().__init__(entries)
+        self._of = of
+
+    def __missing__(self, key: Key) -> Entry:
+        raise UnknownName(f"{self._of} = {key}: " + (f"must be one of {', '.join(map(str, self))}" if self else "there is none"))
+
+    def __reduce__(self) -> Any:
+        return Named, (self._of, dict(self))
 
 
 class View(np.lib.mixins.NDArrayOperatorsMixin):
@@ -133,7 +150,9 @@ class Body:
             return View(self._state, [path], True, writable)
         paths = [p for p in known if p.startswith(path + "/")]
         if not paths:
-            raise AttributeError(f"body {self.name!r} has no column {column!r}")
+            begin = self._path("points/")
+            names = list(dict.fromkeys(p[len(begin):].split("/")[0] for p in known if p.startswith(begin)))
+            raise AttributeError(f"body {self.name!r} has no column {column!r}{did_you_mean(column, names)}; it has {', '.join(names)}")
         return View(self._state, paths, False, writable)
 
     @property
@@ -165,12 +184,12 @@ class Body:
     def history(self) -> Dict[str, View]:
         """Columns of the law's history by name, [n] each."""
         begin = self._path("points/history/")
-        return {p[len(begin):]: View(self._state, [p], True) for p in self._state.columns() if p.startswith(begin)}
+        return Named("history", {p[len(begin):]: View(self._state, [p], True) for p in self._state.columns() if p.startswith(begin)})
 
     def column(self, name: str) -> View:
         """Any column of the points by its path, such as "velocity_gradient" (of APIC)."""
         if name == "motion":  # its name before 0.2
-            warnings.warn('column("motion") is called column("velocity_gradient")', DeprecationWarning, stacklevel=2)
+            warnings.warn('column("motion") is called column("velocity_gradient")', DeprecationWarning, stacklevel=3)
             name = "velocity_gradient"
         return self._view(name, name not in ("cell", "position", "mass", "volume"))
 
@@ -206,7 +225,7 @@ class RigidState:
             raise AttributeError(name)
         column = self._state.columns().get(self._begin + name)
         if column is None:
-            raise AttributeError(f"rigid body {self.name!r} has no {name!r}; it has {', '.join(self.names)}")
+            raise AttributeError(f"rigid body {self.name!r} has no {name!r}{did_you_mean(name, self.names)}; it has {', '.join(self.names)}")
         return column.copy() if len(column) > 1 else column[0]
 
     @property

@@ -40,8 +40,8 @@ def point_fields(scene: Scene, body: str) -> Dict[str, Any]:
 
 
 class Vtu:
-    """Observer for `run`: writes the points of each body as PREFIX_BODY_0000.vtu, .., the cells of a simplex mesh if
-    `mesh`, and PREFIX.pvd. Makes the folder. `ar.run(scene, end=1, every={0.1: ar.Vtu("out/column")})`
+    """Observer for `run`: writes the points of each body as PREFIX_BODY_0000.vtu (`prefix`: folder and beginning of the names), .., the cells
+    of a simplex mesh if `mesh`, and PREFIX.pvd. Makes the folder. `ar.run(scene, end=1, every={0.1: ar.Vtu("out/column")})`
 
     `resumed`: goes on with the series that is there, behind its frames before the scene's time; by default where the scene was
     restored from a saved state. Else the series of an earlier run is replaced with a `Warning`; if the scene is past its first

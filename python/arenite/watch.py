@@ -11,7 +11,8 @@ from ._recipes import Watch
 
 
 class Watched(NamedTuple):
-    """What a watch saw of a quantity: its greatest value and when, s, in which body (-1: the whole scene) and where, m."""
+    """What a watch saw of a quantity (`meaning`): its `limit`, its greatest value (`worst`) and at which `time`, s, in which body (-1: the whole scene) and at which `place`, m;
+    `warned`: whether it was told."""
 
     meaning: str
     limit: float

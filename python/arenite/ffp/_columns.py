@@ -8,7 +8,7 @@ from typing import Any, Dict, Iterator, List, Mapping, Optional
 import numpy
 from numpy.typing import NDArray
 
-from .._errors import Error
+from .._errors import Error, UnknownName
 from .._files import MOST_TABLE, read_text
 from .._folder import Folder
 from .._optional import need
@@ -51,7 +51,7 @@ class Columns(Mapping[str, "NDArray[numpy.float64]"]):
     def __getitem__(self, name: str) -> NDArray[numpy.float64]:
         columns = self._read()
         if name not in columns:
-            raise KeyError(f"{name}: no such column; there are {', '.join(columns)}")
+            raise UnknownName(f"{name}: no such column; there are {', '.join(columns)}")
         return columns[name]
 
     def __iter__(self) -> Iterator[str]:

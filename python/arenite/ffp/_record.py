@@ -8,6 +8,7 @@ from typing import Any, Iterator, List, Mapping
 import numpy
 from numpy.typing import NDArray
 
+from .._errors import UnknownName
 from .._folder import PathLike
 from ._curve import Curve
 from ._reduction import Reduction, reduce
@@ -27,7 +28,7 @@ class Record(Mapping[str, "NDArray[numpy.float64]"]):
 
     def __getitem__(self, name: str) -> NDArray[numpy.float64]:
         if name not in self.NAMES:
-            raise KeyError(f"{name}: no such column; there are {', '.join(self.NAMES)}, and others in reduction.table")
+            raise UnknownName(f"{name}: no such column (others are in reduction.table); there are {', '.join(self.NAMES)}")
         return self.reduction.table[name]
 
     def __iter__(self) -> Iterator[str]:

@@ -7,7 +7,7 @@ import warnings
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Dict, Iterator, Mapping, Optional
 
-from .._errors import Error
+from .._errors import Error, UnknownName
 from .._files import read_json
 from .._folder import Folder, PathLike
 from . import _driver
@@ -51,7 +51,7 @@ class Reduction(Mapping[str, Any]):
 
     def __getitem__(self, name: str) -> Any:
         if name not in self._found:
-            raise KeyError(f"{name}: no such number; there are {', '.join(self._found)}")
+            raise UnknownName(f"{name}: no such number; there are {', '.join(self._found)}")
         return self._found[name]
 
     def __iter__(self) -> Iterator[str]:

@@ -96,23 +96,63 @@ def _public(name: str) -> bool:
     return "detail" not in name and "@" not in name and "<" not in name
 
 
-def write_pages(xml: Path) -> None:
-    """Writes docs/api/ROOM.rst from the headers and Doxygen's XML."""
+def documented(xml: Path) -> tuple[dict[str, List[ET.Element]], dict[str, List[ET.Element]]]:
+    """The public classes and concepts, and the functions and aliases, that Doxygen's XML has words on, by header."""
     xml = xml / "xml"
-    functions: dict[str, List[ET.Element]] = {}
-    for f in ET.parse(xml / "namespacearenite.xml").findall(".//memberdef[@kind='function']"):
-        if f.find("location") is not None and (_words(f.find("briefdescription")) or _words(f.find("detaileddescription"))):
-            functions.setdefault(f.find("location").get("file"), []).append(f)
+    members: dict[str, List[ET.Element]] = {}
+    for m in ET.parse(xml / "namespacearenite.xml").iter("memberdef"):
+        if m.get("kind") in ("function", "typedef") and m.find("location") is not None \
+                and (_words(m.find("briefdescription")) or _words(m.find("detaileddescription"))):
+            members.setdefault(m.find("location").get("file"), []).append(m)
     classes: dict[str, List[ET.Element]] = {}
     for path in sorted(xml.glob("*.xml")):
         if not path.name.startswith(("struct", "class", "concept")):
             continue
         for c in ET.parse(path).findall("compounddef"):
             name = c.findtext("compoundname")
-            documented = _words(c.find("briefdescription")) or _words(c.find("detaileddescription"))
+            told = _words(c.find("briefdescription")) or _words(c.find("detaileddescription"))
             # A member class stands with the class around it.
-            if _public(name) and documented and name.count("::") == 1 and c.find("location") is not None:
+            if _public(name) and told and name.count("::") == 1 and c.find("location") is not None:
                 classes.setdefault(c.find("location").get("file"), []).append(c)
+    return classes, members
+
+
+def names(xml: Path) -> str:
+    """The page docs/names.md."""
+    rows: dict[tuple[str, str], str] = {}
+    for found in documented(xml):
+        for e in (e for elements in found.values() for e in elements):
+            name = (e.findtext("name") or e.findtext("compoundname")).removeprefix("arenite::")
+            where = e.find("location")
+            header = re.sub(r"^arenite/|_cold(?=\.hpp)", "", where.get("declfile") or where.get("file"))
+            words = " ".join(filter(None, (_plain_words(e.find(kind)) for kind in ("briefdescription", "detaileddescription"))))
+            said = re.split(r"(?:[.;]|: .*) (?=[A-Z`-])|: |; |[.]$", re.sub(r" \((?:[^()]|\([^()]*\))*\b\d{4}\b(?:[^()]|\([^()]*\))*\)", "", words))[0]
+            rows[name, header] = max(rows.get((name, header), ""), said, key=len)  # of the overloads
+    lines = [f"| `{name}` | [{header}](../include/arenite/{header}) | {says} |" for (name, header), says in sorted(rows.items(), key=lambda r: (r[0][0].lower(), r[0]))]
+    return NAMES_HEAD + "\n".join(lines) + "\n"
+
+
+NAMES_HEAD = """# Names of C++
+
+(written by `python3 docs/site/cpp_reference.py` out of the headers; not by hand)
+
+Each class, concept, alias and function of `arenite` that the headers tell of, with the header under `include/arenite` that has it; what an include needs beside, it includes itself.
+A name has one meaning: a shape such as `Ball` is a region to fill and the surface of a `Rigid` body alike. In full they stand in the [C++ reference](api_cpp.md).
+
+| name | header | what it is |
+|---|---|---|
+"""
+
+
+def _plain_words(node: ET.Element | None) -> str:
+    """What a description says in Markdown, for a table."""
+    return re.sub(r"``(.*?)``(\\ )?", r"`\1`", _words(node)).replace("\\", "").replace("|", "\\|")
+
+
+def write_pages(xml: Path) -> None:
+    """Writes docs/api/ROOM.rst from the headers and Doxygen's XML."""
+    classes, members = documented(xml)
+    functions = {header: [m for m in found if m.get("kind") == "function"] for header, found in members.items()}
 
     PAGES.mkdir(exist_ok=True)
     written: Set[Path] = set()
@@ -137,3 +177,11 @@ def write_pages(xml: Path) -> None:
             page.write_text(text)
     for old in set(PAGES.glob("*.rst")) - written:
         old.unlink()
+
+
+if __name__ == "__main__":
+    import tempfile
+
+    with tempfile.TemporaryDirectory() as folder:
+        run_doxygen(Path(folder))
+        (ROOT / "docs" / "names.md").write_text(names(Path(folder)))

@@ -69,7 +69,7 @@ def _fault(value: Any, hint: Any) -> str:
         return "" if _are_numbers(value) else "numbers in SI units"
     if origin is typing.Union:
         faults = list(dict.fromkeys(_fault(value, one) for one in inner))
-        return "" if "" in faults else " or ".join(faults)
+        return "" if "" in faults else " or ".join(rule for rule in faults if rule != "None")
     if origin is type:
         return "" if isinstance(value, type) else f"a class of {inner[0].__name__}"
     if origin is collections.abc.Callable:

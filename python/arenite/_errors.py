@@ -6,6 +6,8 @@ import re
 import threading
 from typing import Iterable, Iterator, Sequence, Tuple
 
+__all__ = ["ArgumentError", "Error", "RunError", "UnknownName", "Warning"]
+
 _Names = Tuple[Sequence[str], Sequence[str]]
 _at_work = threading.local()  # names of the bodies of the scene that this thread is in
 

@@ -24,7 +24,11 @@ def compile(law: Union[str, "os.PathLike[str]"], name: str = "") -> Callable[...
 def compile(law: Union[str, "os.PathLike[str]", Scene], name: str = "") -> Union[Scene, Callable[..., OwnLaw]]:
     """A law out of a C++ header (as examples/own_law.hpp): `Viscous = ar.compile(law="viscous.hpp")`, then
     `Viscous(density=.., ..)` is a law like any other. Its parameters are those of its struct `Parameters`, or its own
-    members if it is an aggregate. `name`: of its class, with namespaces, where the header holds several. It is compiled when it is first used, with the scene that uses it.
+    members if it is an aggregate. `name`: of its class, with namespaces, where the header holds several.
+
+    Of a law nothing is compiled yet: this looks for the class in the header, and returns at once. The law is compiled when it is first used,
+    with the scene that has it, or by its `update` or `drive`; what only the compiler sees, such as a parameter that the class lacks, is
+    told then.
 
     Of a scene, `scene = ar.compile(scene)`: the same recipes, at their start, in a composition of their own (`scene.compiled_as`), compiled
     if it is not in the cache, from which later scenes of these recipes take it."""

@@ -7,6 +7,8 @@ may stand at the program's head.
 What is neither stands in LEFT_OUT with the reason."""
 
 import re
+import shutil
+import sys
 from pathlib import Path
 
 import pytest
@@ -38,6 +40,22 @@ def test_mathematics_of_packs_are_listed():
     there = {name for text in lists for name in re.findall(r"list\((\w+)\)", text)}
     row = re.search(r"^\| lane by lane \| (.*) \|$", (SOURCE / "docs" / "python.md").read_text(), re.MULTILINE)
     assert len(there) > 20 and set(re.findall(r"`(\w+)`", row[1])) == there
+
+
+def test_names_are_those_of_the_headers(tmp_path):
+    """docs/names.md: each name stands in the header that it is said to be of; with Doxygen, the page is what the headers say."""
+    page = (SOURCE / "docs" / "names.md").read_text()
+    rows = re.findall(r"^\| `([^`]+)` \| \[([^]]+)\]\((.*?)\) \|", page, re.MULTILINE)
+    assert len(rows) > 500 and {("Ball", "geometry/solids.hpp"), ("Scene", "scene/scene.hpp"), ("Rigid", "rigid/rigid_body.hpp")} <= {row[:2] for row in rows}
+    for name, header, link in rows:
+        assert link == f"../include/arenite/{header}"
+        assert re.search(rf"\b{re.escape(name.split('::')[-1])}", (SOURCE / "include" / "arenite" / header).read_text()), name
+    if shutil.which("doxygen"):
+        sys.path.insert(0, str(SOURCE / "docs" / "site"))
+        import cpp_reference
+
+        cpp_reference.run_doxygen(tmp_path)
+        assert cpp_reference.names(tmp_path) == page, "write it anew: python3 docs/site/cpp_reference.py"
 
 
 def pages_with(language):

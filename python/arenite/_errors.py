@@ -41,7 +41,8 @@ def did_you_mean(word: str, names: Iterable[object]) -> str:
 
 def _nearest(text: str) -> str:
     """The nearest name where a message, also one of the library, lists those that there are behind one that is not."""
-    found = re.search(r"(?:^|= )('?)([\w ./-]+)\1: .*\b(?:one of:?|it has|there are|they are) ([\w ./,-]+)$", text)
+    told = r"('?)([\w ./-]+)\1: .*\b(?:one of:?|it has|there are|they are) ([\w ./,-]+)$"
+    found = re.search("= " + told, text) or re.match(told, text)
     return did_you_mean(found[2], found[3].split(", ")) if found else ""
 
 

@@ -9,6 +9,8 @@ import weakref
 from pathlib import Path
 from typing import Optional, Union
 
+from ._errors import Error
+
 __all__ = ["Folder", "PathLike"]
 
 PathLike = Union[str, "os.PathLike[str]"]
@@ -18,6 +20,8 @@ class Folder:
     """A folder that the user names; without a name a temporary one, which is removed when nothing holds this object any more."""
 
     def __init__(self, path: Optional[PathLike] = None) -> None:
+        if path is not None and not (isinstance(path, (str, os.PathLike)) and os.fspath(path)):
+            raise Error(f"out = {path!r}: must be the name of a folder")
         self.path = Path(tempfile.mkdtemp(prefix="arenite-") if path is None else path)
         if path is None:
             weakref.finalize(self, _remove, self.path, os.getpid())

@@ -252,7 +252,8 @@ def _without_frame(value: Any, at: str) -> Any:
         array = column.to_numpy()
         return array.tolist() if array.dtype == object else array
 
-    index, plain_index = list(value.index), list(value.index) == list(range(len(value)))
+    index = list(value.index)
+    plain_index = value.index.name is None and index == list(range(len(index)))
     if hasattr(value, "columns"):
         if plain_index and value.columns.is_unique:
             return {name: values(value[name]) for name in value.columns}

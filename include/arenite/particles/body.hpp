@@ -113,7 +113,7 @@ void begin_history(Points<T, D, L, E>& points, const FillOptions& options) {
     for (std::size_t p = 0; p < points.size(); ++p) {
       const double value = value_at(in_space<T, D>(points.position[p]));
       require(std::isfinite(value), {"FillOptions.history, ", name}, value, "must be finite");
-      if constexpr (requires { L::check_history(name, value); }) L::check_history(name, value);
+      if constexpr (requires { &L::check_history; }) L::check_history(name, value);
       points.history[k][p] = static_cast<T>(value);
     }
   }

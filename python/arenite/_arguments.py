@@ -54,6 +54,8 @@ def _article(word: str) -> str:
 
 def _fault(value: Any, hint: Any) -> str:
     """What a value must be; nothing if it is that, or if a hint tells nothing that can be looked at."""
+    if isinstance(hint, typing.ForwardRef):
+        hint = os.PathLike if hint.__forward_arg__ == "os.PathLike[str]" else Any
     origin, inner = typing.get_origin(hint), typing.get_args(hint)
     if hint is None or hint is type(None):
         return "" if value is None else "None"
@@ -188,7 +190,7 @@ def guard(public: Iterable[Any]) -> None:
         if isinstance(x, FunctionType) and not hasattr(x, "__guards__"):
             guarded[x] = _guarded(x, False)
         for owner in x.__mro__ if isinstance(x, type) else ():
-            if owner.__module__.partition(".")[0] == package:
+            if owner.__module__.partition(".")[0] == package and not issubclass(owner, Exception):
                 _guard_methods(owner)
     for module in [m for name, m in list(sys.modules.items()) if name.partition(".")[0] == package]:
         for name, x in list(vars(module).items()):

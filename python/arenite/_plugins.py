@@ -193,7 +193,7 @@ def law(recipe: Any) -> Any:
 
 
 def set_threads(n: int) -> None:
-    """Threads that steps may use from here on."""
+    """Steps may use n threads from here on. Not while a scene steps in another thread."""
     global _threads
     if n < 1:
         raise Error(f"set_threads: n = {n}: must be at least 1")

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, Callable, Dict, List, NamedTuple, Optiona
 
 import numpy as np
 
-from ._errors import Error
+from ._errors import Error, did_you_mean
 from ._folder import PathLike
 from ._optional import need
 from .meshes import Axisymmetric
@@ -160,6 +160,10 @@ def plot(scene: Scene, quantity: Quantity = "pressure", *, body: Union[None, str
     ax        axes to draw into; without, a new figure"""
     pyplot = need("matplotlib.pyplot", "plot()")
     axes = _axes_of(scene, plane)
+    if colours not in pyplot.colormaps():
+        raise Error(f"plot.colours = {colours}: must be a colour map of matplotlib{did_you_mean(colours, pyplot.colormaps())}")
+    if ax is not None and not hasattr(ax, "add_collection"):
+        raise Error(f"plot.ax = {ax!r}: must be axes of matplotlib")
     frame = _frame(scene, quantity, _chosen(scene, body), axes)
     if ax is None:
         _, ax = pyplot.subplots(constrained_layout=True)

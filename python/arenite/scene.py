@@ -256,7 +256,7 @@ class Scene:
     def steps(self, courant: float = 0.5, end: float = float("inf"), max_step: float = float("inf"), *,
               watch: Union[bool, Watch] = True) -> Iterator[float]:
         """The steps of `run` until `end`, s, one by one; yields the duration of each, s: between two of them forces, motions and
-        fields may be changed. Watched as in `run`; of numbers that you write the watch knows no energy, and begins anew."""
+        fields may be changed. `courant`, `max_step` and `watch` as in `run`; of numbers that you write the watch knows no energy, and begins anew."""
         numbers = number("steps.end", end, "s"), number("steps.courant", courant), number("steps.max_step", max_step, "s")
         take = self._core.steps(*numbers, watch.value() if isinstance(watch, Watch) else bool(watch))
         self._state.written = False
@@ -368,11 +368,12 @@ class Scene:
     # --- saved states
 
     def save(self, path: Union[str, "os.PathLike[str]"], recipe: str = "") -> None:
-        """Saves the state; `restore` of a scene of the same recipes goes on with the same bits."""
+        """Saves the state in a file `path`; `restore` of a scene of the same recipes goes on with the same bits. `recipe`: a line on what made the
+        scene, which `restore` must be given, too."""
         self._core.save(os.fspath(path), recipe)
 
     def restore(self, path: Union[str, "os.PathLike[str]"], recipe: str = "") -> None:
-        """Takes a saved state. The next `run` goes on with it: `every` calls nothing at its start, which was called before the state
+        """Takes a state saved as `path` with the same line `recipe`. The next `run` goes on with it: `every` calls nothing at its start, which was called before the state
         was saved, and `Vtu` goes on with its series."""
         with self._named():
             self._restore(os.fspath(path), recipe)
@@ -396,6 +397,7 @@ class Scene:
             self._take(core)
 
     def copy(self) -> "Scene":
+        """Another scene in the same state."""
         other = object.__new__(Scene)
         other._recipes, other._type, other._stand_in = self._recipes, self._type, self._stand_in
         other._take(self._core.copy())

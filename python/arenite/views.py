@@ -187,7 +187,7 @@ class Body:
         return Named("history", {p[len(begin):]: View(self._state, [p], True) for p in self._state.columns() if p.startswith(begin)})
 
     def column(self, name: str) -> View:
-        """Any column of the points by its path, such as "velocity_gradient" (of APIC)."""
+        """Any column of the points by its name, a path such as "velocity_gradient" (of APIC)."""
         if name == "motion":  # its name before 0.2
             warnings.warn('column("motion") is called column("velocity_gradient")', DeprecationWarning, stacklevel=3)
             name = "velocity_gradient"

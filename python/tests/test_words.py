@@ -185,8 +185,7 @@ def test_every_public_name_tells_of_its_parameters(ar, column):
     silent = []
     for name, x in functions_and_methods(ar, column(reactions=True)).items():
         words = "\n".join(inspect.getdoc(c) or "" for c in (x.__mro__[:-1] if isinstance(x, type) else [x]))
-        assert inspect.getdoc(x), name
-        lacking = [p for p in parameters_of(x) if not re.search(rf"\b{p}\b", words) and (isinstance(x, type) or "." not in name)]
+        lacking = [p for p in parameters_of(x) if not re.search(rf"\b{p}\b", words)] + ([] if inspect.getdoc(x) else ["a docstring"])
         silent += [f"{name}: {', '.join(lacking)}"] if lacking else []
     assert not silent, "\n".join(silent)
     import pydoc

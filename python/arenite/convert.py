@@ -12,6 +12,7 @@ from .vtu import in_space, point_fields
 
 def to_meshio(scene: Scene, body: Optional[str] = None) -> Any:
     """The points of a body of a scene (by default the first) as a meshio mesh of vertices with their fields."""
+    scene._refuse_ranks("to_meshio", "write files with Vtu")
     import meshio  # type: ignore[import-untyped,import-not-found,unused-ignore]
 
     name = body or next(iter(scene.bodies))
@@ -21,6 +22,7 @@ def to_meshio(scene: Scene, body: Optional[str] = None) -> Any:
 
 def to_pyvista(scene: Scene, body: Optional[str] = None) -> Any:
     """The points of a body of a scene (by default the first) as PyVista's PolyData with their fields."""
+    scene._refuse_ranks("to_pyvista", "write files with Vtu")
     import pyvista  # type: ignore[import-untyped,import-not-found,unused-ignore]
 
     name = body or next(iter(scene.bodies))

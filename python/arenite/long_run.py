@@ -70,7 +70,8 @@ def run_in_folder(scene: Scene, end: float, folder: PathLike, *, checkpoint_ever
     before the former `end` were taken, which are shortened to hit it. Without it state and status of an earlier run are removed. `status.json`
     tells how the run stands, at most ten seconds late. `courant`, `max_step`, `every`, `after_step`, `watch` and `progress` are those of `run`. `recipe`: a line on what made the scene; a state is resumed only with the
     same one. Returns "finished", "stopped" (by an observer) or "interrupted". Raises `Error` that names the folder if it cannot be
-    used, or the state if it is of another run, which leaves the folder as it was; else what `run` raises, once the status tells it."""
+    used, or the state if it is of another run, which leaves the folder as it was; else what `run` raises, once the status tells it. A `TiledScene` must have all its tiles in one process."""
+    scene._refuse_ranks("run_in_folder", "give `run` every={period: lambda scene: scene.save(folder)}")
     end, checkpoint_every = number("run_in_folder.end", end, "s"), number("run_in_folder.checkpoint_every", checkpoint_every, "s")
     observers = observers_of("run_in_folder.every", every)
     after_each = None if after_step is None else check_observer("run_in_folder.after_step", after_step)
@@ -82,6 +83,8 @@ def run_in_folder(scene: Scene, end: float, folder: PathLike, *, checkpoint_ever
     held = _core.RunFolder(path, resume)
     try:
         state = os.path.join(path, "checkpoint.state")
+        if not resume:
+            scene._remove_saved(state)
         status = _Status(scene, path, end)
         if resume and os.path.exists(state):
             scene.restore(state, recipe)

@@ -158,6 +158,7 @@ def plot(scene: Scene, quantity: Quantity = "pressure", *, body: Union[None, str
     limits    of the colours; by default those of the values
     colours   a colour map of matplotlib
     ax        axes to draw into; without, a new figure"""
+    scene._refuse_ranks("plot", "write files with Vtu")
     pyplot = need("matplotlib.pyplot", "plot()")
     axes = _axes_of(scene, plane)
     if colours not in pyplot.colormaps():
@@ -181,6 +182,7 @@ def animate(scene: Scene, path: PathLike, quantity: Quantity = "pressure", *, en
     per_second  frames of the film
     options     of `run`: `courant`, `after_step`, `watch` ..
     quantity, body, plane, limits, colours  as of `plot`"""
+    scene._refuse_ranks("animate", "write files with Vtu")
     pyplot, films = need("matplotlib.pyplot", "animate()"), need("matplotlib.animation", "animate()")
     target, axes, names = Path(path), _axes_of(scene, plane), _chosen(scene, body)
     kinds = {".gif": "pillow", ".mp4": "ffmpeg"}

@@ -83,7 +83,7 @@ def remove_points(scene: Scene, body: Name, where: Union[Region, ArrayLike]) -> 
     if isinstance(where, Recipe):
         return Totals(*scene._core.remove(number, where.value()))
     if callable(where):
-        where = where(np.asarray(_body(scene, body).position))
+        where = scene._test(list(scene.bodies)[number], where)
     mask = np.asarray(where)
     if mask.dtype != bool:
         raise Error(f"where = an array of {mask.dtype}: must be of booleans, one for each point")

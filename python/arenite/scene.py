@@ -344,6 +344,26 @@ class Scene:
     def _meet(self) -> None:
         """Waits for all ranks."""
 
+    def _refuse_ranks(self, what: str, cure: str) -> None:
+        """Refuses what looks at all points, where other processes have some of them."""
+
+    def _parts_of(self, body: str) -> Sequence[Body]:
+        """The points of a body, by the meshes whose cells they name."""
+        return [self.bodies[body]]
+
+    def _test(self, body: str, of: Callable[[Any], Any]) -> Any:
+        """A test of all positions of a body, for its points here."""
+        return of(np.asarray(self.bodies[body].position))
+
+    def _bare(self) -> "Scene":
+        """One of the same recipes that is not made yet."""
+        other = object.__new__(type(self))
+        other._recipes = self._recipes
+        return other
+
+    def _remove_saved(self, path: str) -> None:
+        """Removes a saved state that is no file."""
+
     def _fill_value(self, number: int, fill: Fill) -> Any:
         """The values of a fill of a body."""
         self._check_history(number, fill.history)
@@ -387,8 +407,7 @@ class Scene:
                 raise Error(f"{e}\n  (the scene runs in {self.compiled_as}, which stands for its own composition; ar.compile(scene) "
                             "compiles that)") from e
             try:  # saved where another composition stood for this one
-                other = object.__new__(Scene)
-                other._recipes = self._recipes
+                other = self._bare()
                 core = other._make("stand-in")
                 core.restore(path, recipe)
             except Error:
@@ -398,8 +417,8 @@ class Scene:
 
     def copy(self) -> "Scene":
         """Another scene in the same state."""
-        other = object.__new__(Scene)
-        other._recipes, other._type, other._stand_in = self._recipes, self._type, self._stand_in
+        other = self._bare()
+        other._type, other._stand_in = self._type, self._stand_in
         other._take(self._core.copy())
         return other
 
@@ -429,8 +448,7 @@ class Scene:
 
 def compiled(scene: Scene) -> Scene:
     """A scene of the same recipes, at their start, in its own composition, which is compiled if it is not there."""
-    own = object.__new__(Scene)
-    own._recipes = scene._recipes
+    own = scene._bare()
     own._take(own._make("own"))
     return own
 

@@ -4,10 +4,13 @@ mpi4py, on the ranks of many."""
 from __future__ import annotations
 
 import math
-from typing import Any, Callable, Dict, List, Optional, Sequence
+import operator
+import os
+import shutil
+from typing import Any, Callable, Dict, Iterator, List, Optional, Sequence, Union
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from . import _core, _plugins
 from ._errors import Error
@@ -15,7 +18,8 @@ from ._recipe import Recipe
 from .meshes import Mesh
 from .numerics import Numerics
 from .scene import Scene
-from .views import Body, State
+from .views import Body, State, View
+from .watch import Watch
 
 
 class _StateOfTile(State):
@@ -39,8 +43,31 @@ class Tile:
         return f"<tile {self.number}: {sum(len(b) for b in self.bodies.values())} points>"
 
 
-class BodyHere:
-    """The points of a body in the tiles of this rank, tile by tile: copies, in SI units, as the columns of a `Body`."""
+class _ViewHere(View):
+    """A view of the points of several tiles, tile by tile."""
+
+    def __init__(self, views: Sequence[View]) -> None:
+        first = views[0]
+        super().__init__(first._state, first._paths, first._single, first._writable)
+        self._views, self._generation = views, first._generation
+
+    def _now(self) -> List[Any]:
+        return [np.concatenate(column) for column in zip(*(view._now() for view in self._views))]
+
+    def _one(self, column: int) -> View:
+        return _ViewHere([view._one(column) for view in self._views])
+
+    def _put(self, columns: List[Any]) -> None:
+        begin = 0
+        for view in self._views:
+            for own, column in zip(view._now(), columns):
+                own[:] = column[begin:begin + len(own)]
+            begin += len(view)
+
+
+class BodyHere(Body):
+    """A body in the tiles of this rank: its points tile by tile, as views like those of a `Body`. `column("id")`: a point's own in all
+    tiles of all ranks."""
 
     def __init__(self, scene: "TiledScene", name: str) -> None:
         self._scene, self.name = scene, name
@@ -48,21 +75,13 @@ class BodyHere:
     def _of_tiles(self) -> List[Body]:
         return [tile.bodies[self.name] for tile in self._scene.tiles]
 
-    def column(self, name: str) -> NDArray[Any]:
-        """Any column of the points, [n] or [n, k]: "position", "velocity", "mass", "volume", "stress", "id", which is a point's own in all
-        tiles, and others by their path."""
-        return np.concatenate([np.asarray(body.column(name)) for body in self._of_tiles()])
-
-    position = property(lambda self: self.column("position"), doc="[n, D], m.")
-    velocity = property(lambda self: self.column("velocity"), doc="[n, D], m/s.")
-    mass = property(lambda self: self.column("mass"), doc="[n], kg.")
-    volume = property(lambda self: self.column("volume"), doc="[n], m3.")
-    stress = property(lambda self: self.column("stress"), doc="[n, 4 or 6], Pa, tension positive.")
+    def _view(self, column: str, writable: bool = True) -> View:
+        return _ViewHere([body._view(column, writable) for body in self._of_tiles()])
 
     @property
-    def history(self) -> Dict[str, NDArray[Any]]:
+    def history(self) -> Dict[str, View]:
         """Columns of the law's history by name, [n] each."""
-        return {name: self.column(f"history/{name}") for name in self._of_tiles()[0].history}
+        return {name: self._view(f"history/{name}") for name in self._of_tiles()[0].history}
 
     @property
     def lost(self) -> int:
@@ -81,13 +100,23 @@ class BodyHere:
         return f"BodyHere({self.name!r}, {len(self)} points)"
 
 
+def _whole_number(name: str, value: Any) -> int:
+    if isinstance(value, bool):
+        raise Error(f"TiledScene.{name} = {value}: must be a whole number")
+    try:
+        return operator.index(value)
+    except TypeError:
+        raise Error(f"TiledScene.{name} = {value!r}: must be a whole number") from None
+
+
 class TiledScene(Scene):
     """A `Scene` cut into tiles, which `ar.run`, `ar.settle` and `ar.Vtu` take as one. The same tiles give the same bits on any number of ranks.
 
     ranks: a communicator of mpi4py, whose ranks all make the scene, step it and ask it for energies, reactions and forces, or None: this
     process has all tiles. tiles: how many in all; 0: one for each rank. weights [cells]: what a cell costs, -; tile_of_cell [cells]: of
     simplices, the tiles of a partitioner of your own. Every `rebalance_every` steps of a run, ranks with more than `rebalance_above` of
-    the mean share of the points give tiles away. The rest is that of a `Scene`; `watched` is on rank 0.
+    the mean share of the points give tiles away. The rest is that of a `Scene`, but for `steps`, `copy` and pickle; `watched` is on rank 0.
+    Functions of positions that recipes hold are called on all ranks, once, with all positions.
 
     Functions that `run` is given are called on all ranks, with the scene, whose bodies are those of the rank. An exception on one rank ends
     the run on all of them; `mpirun -n 4 python -m mpi4py program.py` then ends the program.
@@ -97,11 +126,14 @@ class TiledScene(Scene):
     def __init__(self, kinematics: Recipe, mesh: Mesh, numerics: Numerics, *, ranks: Any = None, tiles: int = 0,
                  weights: Optional[ArrayLike] = None, tile_of_cell: Optional[ArrayLike] = None, rebalance_every: int = 50,
                  rebalance_above: float = 1.05, **scene: Any) -> None:
-        if tiles < 0:
+        count, every = _whole_number("tiles", tiles), _whole_number("rebalance_every", rebalance_every)
+        if count < 0:
             raise Error(f"TiledScene.tiles = {tiles}: must not be negative")
+        numbers = np.asarray([] if tile_of_cell is None else tile_of_cell)
+        if len(numbers) and numbers.dtype.kind not in "iu":
+            raise Error(f"TiledScene.tile_of_cell = an array of {numbers.dtype}: must be of whole numbers")
         self._ranks = _plugins.ranks(ranks)
-        self._cut = (tiles, [] if weights is None else np.asarray(weights, float).tolist(),
-                     [] if tile_of_cell is None else np.asarray(tile_of_cell, int).tolist(), rebalance_every, rebalance_above)
+        self._cut = (count, [] if weights is None else np.asarray(weights, float).tolist(), numbers.tolist(), every, rebalance_above)
         super().__init__(kinematics, mesh, numerics, **scene)
 
     def _make(self, which: _plugins.Which = "own") -> Any:
@@ -153,6 +185,47 @@ class TiledScene(Scene):
 
     def _meet(self) -> None:
         self._ranks.gather([])
+
+    def _refuse_ranks(self, what: str, cure: str) -> None:
+        if self._ranks.size > 1:
+            raise Error(f"{what}: the points of this scene are on {self._ranks.size} ranks: {cure}")
+
+    def _parts_of(self, body: str) -> Sequence[Body]:
+        return [tile.bodies[body] for tile in self.tiles]
+
+    def _test(self, body: str, of: Callable[[Any], Any]) -> Any:
+        """All ranks see the same positions, in the order of their ids, wherever tiles are."""
+        here, ids = np.asarray(self.bodies[body].position), np.asarray(self.bodies[body].column("id"))
+        of_rank = self._ranks.gather([float(len(ids))])
+        places = np.reshape(self._ranks.gather(here.ravel().tolist()), (-1, here.shape[1]))
+        order = np.argsort(self._ranks.gather(ids.astype(float).tolist()))
+        found = np.asarray(of(places[order]))
+        if found.shape != order.shape:
+            raise Error(f"where = a function that returns an array {list(found.shape)}: must be [{len(order)}], one for each point")
+        back = np.empty_like(found)
+        back[order] = found
+        begin = int(sum(of_rank[:self.rank]))
+        return back[begin:begin + len(ids)]
+
+    def _bare(self) -> Scene:
+        other = super()._bare()
+        assert isinstance(other, TiledScene)
+        other._ranks, other._cut = self._ranks, self._cut
+        return other
+
+    def _remove_saved(self, path: str) -> None:
+        if os.path.isfile(os.path.join(path, "tiles.txt")):
+            shutil.rmtree(path)
+
+    def steps(self, courant: float = 0.5, end: float = float("inf"), max_step: float = float("inf"), *,
+              watch: Union[bool, Watch] = True) -> Iterator[float]:
+        raise Error("TiledScene.steps: is not there: give `run` an `after_step`, or take steps of your own: step(0.5 * stable_step)")
+
+    @property
+    def cells(self) -> Any:
+        if not self._recipes["mesh"].cpp().startswith("SimplexMesh"):
+            return None
+        raise Error("TiledScene.cells: each tile has some of them, with numbers of its own; those of the whole are `cells` of the mesh")
 
     def copy(self) -> Scene:
         raise Error("TiledScene: cannot be copied; save it, and restore another one")

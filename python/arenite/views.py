@@ -104,10 +104,13 @@ class View(np.lib.mixins.NDArrayOperatorsMixin):
         if not self._single and isinstance(key, tuple) and len(key) == 2 and isinstance(key[1], (int, np.integer)) \
                 and isinstance(key[0], slice) and key[0] == slice(None):
             self._now()  # or refuses
-            view = View(self._state, [self._paths[key[1]]], True, self._writable)
-            view._generation = self._generation
-            return view
+            return self._one(int(key[1]))
         return np.array(self._array()[key])[()]
+
+    def _one(self, column: int) -> "View":
+        view = View(self._state, [self._paths[column]], True, self._writable)
+        view._generation = self._generation
+        return view
 
     def __setitem__(self, key: Any, values: Any) -> None:
         if not self._writable:
@@ -118,11 +121,15 @@ class View(np.lib.mixins.NDArrayOperatorsMixin):
         self._state.written = True
         if self._single:
             columns[0][key] = values
-            return
-        both = np.stack(columns, axis=-1)
-        both[key] = values
-        for k, column in enumerate(columns):
-            column[:] = both[:, k]
+        else:
+            both = np.stack(columns, axis=-1)
+            both[key] = values
+            for k, column in enumerate(columns):
+                column[:] = both[:, k]
+        self._put(columns)
+
+    def _put(self, columns: List[Any]) -> None:
+        """Takes what was written to the columns of `_now`, which are the memory itself."""
 
     def __getattr__(self, name: str) -> Any:
         if name.startswith("_"):

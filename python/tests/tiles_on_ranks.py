@@ -23,11 +23,11 @@ def mesh():
     return ar.SimplexMesh(nodes, cells)
 
 
-def scene():
+def scene(**body):
     sand = ar.MohrCoulomb(density=1540, young=1e6, poisson=0.3, friction=0.6)
     ball = ar.Rigid(ar.Ball((0.2, 0.14), 0.04), ar.Free(mass=20, inertia=0.02, centre=(0.2, 0.14), velocity=(0, -1)), 0.3, name="ball")
     return ar.TiledScene(ar.PlaneStrain(), mesh(), ar.Numerics(ar.LinearSimplex, ar.Flip), reactions=True,
-                         bodies=[ar.fill("sand", ar.Box((0, 0), (0.4, 0.1)), sand, per_cell=3)], gravity=(0, -9.81), rigids=[ball],
+                         bodies=[ar.fill("sand", ar.Box((0, 0), (0.4, 0.1)), sand, per_cell=3, **body)], gravity=(0, -9.81), rigids=[ball],
                          walls=[ar.bottom("fixed"), ar.left("roller"), ar.right("roller")], parts=[ar.LocalDamping(0.7)],
                          ranks=COMM, tiles=4, rebalance_every=20)
 
@@ -104,6 +104,27 @@ def points(folder):
             ask()
         except ar.Error as e:
             say(e)
+
+
+def functions(folder):
+    """Of positions: noise and a greatest height are those of all ranks."""
+    of = scene(velocity=lambda x: np.random.default_rng(1).normal(size=x.shape), stress=lambda x: np.outer(x[:, 1].max() - x[:, 1], [-1e4] * 6))
+    ar.remove_points(of, "sand", lambda x: x[:, 0] < np.quantile(x[:, 0], 0.2))
+    say(told(of))
+    ar.run(of, end=0.002)
+    say(told(of))
+
+
+def refused(folder):
+    of = scene()
+    ar.run(of, end=0.005)
+    for ask in (lambda: of.reaction("ceiling"), lambda: ar.section_force(of, "sand", (0.1, 0.05), (0, 1), 0), lambda: ar.insert_points(of, "sand", [(5, 5)], 1e-5)):
+        try:
+            ask()
+        except ar.Error as e:
+            say(e)
+    ar.run(of, end=0.01)
+    say(told(of))
 
 
 def settled(folder):

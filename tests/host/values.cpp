@@ -90,6 +90,33 @@ TEST_CASE("a function of place is asked once for all places", "[host]") {
   CHECK(calls == 2);
 }
 
+TEST_CASE("a tile is handed what a function of place returned for the whole", "[host]") {
+  int calls = 0;
+  const Value value(std::make_shared<
+                    const HostFunction>([&](const HostArray&
+                                                x) {  // its number among all, and the least place
+    ++calls;
+    HostArray out{{}, {x.rows(), 2}};
+    for (std::size_t p = 0; p < x.rows(); ++p)
+      out.numbers.insert(out.numbers.end(), {static_cast<double>(p), *std::ranges::min_element(x.numbers)});
+    return out;
+  }));
+  const HostFunction& f = *value.function();
+  PlaceMemory memory;
+  const HostArray whole{{4, 2, 9, 2, 7}, {5, 1}};
+  CHECK(memory.ask(f, "f")(whole).numbers == std::vector<double>{0, 2, 1, 2, 2, 2, 3, 2, 4, 2});
+  memory.close();
+  const HostFunction of_tile = memory.ask(f, "f");
+  CHECK(of_tile({{7, 2, 2, 4}, {4, 1}}).numbers == std::vector<double>{4, 2, 1, 2, 3, 2, 0, 2});
+  CHECK(of_tile({{2}, {1, 1}}).numbers == std::vector<double>{1, 2});
+  CHECK(calls == 1);
+  CHECK(of_tile({{5}, {1, 1}}).numbers == std::vector<double>{0, 5});  // a place out of turn
+  CHECK(calls == 2);
+  CHECK(message([&] {
+          of_tile({{7, 5}, {2, 1}});
+        }).starts_with("f = a function of positions: is asked once"));
+}
+
 TEST_CASE("a hosted scene has the bits of the scene itself", "[host]") {
   using Column = Scene<PlaneStrain, CartesianGrid<2>, Numerics<QuadraticBSpline, Apic>,
                        Bodies<Fill<MohrCoulomb<>>>, Walls, Gravity>;

@@ -47,6 +47,26 @@ TEST_CASE("Each tile has a cell at least, even where cells weigh nothing") {
   CHECK(std::set<int>(tile.begin(), tile.end()).size() == 8);
 }
 
+TEST_CASE("A grid gives as many tiles as it has cells, wherever they weigh something") {
+  const CartesianGrid<2> grid({.lower = {0, 0}, .upper = {0.2, 1.0}, .cell = 0.05});
+  REQUIRE(grid.cell_count() == 80);
+  std::vector<double> heavy(80, 0.0);
+  heavy[0] = 1;
+  for (const auto& weights : {std::vector<double>{}, heavy})
+    for (const int tiles : {80, 79, 41}) {
+      std::vector<int> of_cell(80);
+      const auto boxes = split_cells(grid, tiles, weights);
+      REQUIRE(boxes.size() == static_cast<std::size_t>(tiles));
+      for (const auto& box : boxes) {
+        CHECK(box.first[0] < box.end[0]);
+        CHECK(box.first[1] < box.end[1]);
+        for (Index y = box.first[1]; y < box.end[1]; ++y)
+          for (Index x = box.first[0]; x < box.end[0]; ++x) ++of_cell[4 * y + x];
+      }
+      CHECK(of_cell == std::vector<int>(80, 1));
+    }
+}
+
 TEST_CASE("What cannot be cut is refused") {
   const auto mesh = test::triangles({0, 0}, {1, 1}, 2, 2);
   const auto said = [](auto&& f) { return test::message<error>(f); };

@@ -34,6 +34,15 @@ std::size_t warning_count();
 /// Gives a warning: counts it and calls the hook.
 void warn(const std::string& text);
 
+/// While it lives warnings of its thread are dropped: they were given before.
+class WithoutWarnings {
+ public:
+  WithoutWarnings();
+  ~WithoutWarnings();
+  WithoutWarnings(const WithoutWarnings&) = delete;
+  WithoutWarnings& operator=(const WithoutWarnings&) = delete;
+};
+
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET
 
 #ifndef ARENITE_COLD_LIBRARY

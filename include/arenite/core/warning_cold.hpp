@@ -28,6 +28,8 @@ struct WarningOutlet {
   }
 };
 
+inline thread_local int without_warnings = 0;
+
 }  // namespace shared_detail
 
 ARENITE_COLD WarningHook on_warning(WarningHook hook) {
@@ -38,7 +40,11 @@ ARENITE_COLD WarningHook on_warning(WarningHook hook) {
 
 ARENITE_COLD std::size_t warning_count() { return shared_detail::WarningOutlet::instance().count; }
 
+ARENITE_COLD WithoutWarnings::WithoutWarnings() { ++shared_detail::without_warnings; }
+ARENITE_COLD WithoutWarnings::~WithoutWarnings() { --shared_detail::without_warnings; }
+
 ARENITE_COLD void warn(const std::string& text) {
+  if (shared_detail::without_warnings > 0) return;
   auto& outlet = shared_detail::WarningOutlet::instance();
   ++outlet.count;
   WarningHook hook;

@@ -7,7 +7,10 @@
 #include <array>
 #include <cstddef>
 #include <functional>
+#include <map>
 #include <memory>
+#include <numeric>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -105,6 +108,80 @@ class PlacesAtOnce : public PlacesNoted {
   std::size_t dimension_;
   std::string name_;
   std::vector<Row> values_{};
+};
+
+/// What functions of place returned for all places of a scene, which tiles of it then take theirs from: a function sees all places at
+/// once, however the scene is cut. Functions go by where they are held: copies of values share them.
+class PlaceMemory {
+ public:
+  /// The function that a reader asks in the place of `f`. Until `close` the first call of it is kept, which is that for all places; from
+  /// then on those places are known, a single other one is asked for by itself, and others are refused.
+  HostFunction ask(const HostFunction& f, const std::string& name) {
+    if (is_closed_) {
+      const auto found = kept_.find(&f);
+      if (found == kept_.end()) return f;
+      return [f, name, kept = found->second](const HostArray& at) { return take(*kept, f, at, name); };
+    }
+    return [f, kept = kept_[&f] = std::make_shared<Kept>()](const HostArray& at) {
+      HostArray out = f(at);
+      if (kept->at.numbers.empty() && at.rows() > 1) *kept = {at, out, {}};
+      return out;
+    };
+  }
+  void close() {
+    is_closed_ = true;
+    for (auto& [f, kept] : kept_) {
+      if (kept->at.numbers.empty()) continue;
+      kept->order.resize(kept->at.rows());
+      std::iota(kept->order.begin(), kept->order.end(), std::size_t{0});
+      std::ranges::stable_sort(kept->order, [&](std::size_t a, std::size_t b) {
+        return std::ranges::lexicographical_compare(kept->place(a), kept->place(b));
+      });
+    }
+  }
+
+ private:
+  /// Numbers of a row, of so many.
+  static std::span<const double> row(const HostArray& of, std::size_t k, std::size_t rows) {
+    const std::size_t columns = of.numbers.size() / rows;
+    return std::span(of.numbers).subspan(k * columns, columns);
+  }
+  struct Kept {
+    HostArray at{}, out{};
+    std::vector<std::size_t> order{};  // [rows] ascending places; those of one place as they were asked for
+
+    std::span<const double> place(std::size_t k) const { return row(at, k, at.rows()); }
+  };
+
+  static HostArray take(const Kept& kept, const HostFunction& f, const HostArray& at,
+                        const std::string& name) {
+    HostArray out{{}, {at.rows()}};
+    std::map<std::size_t, std::ptrdiff_t> taken;  // of places with several rows, by the first of these
+    for (std::size_t k = 0; k < at.rows(); ++k) {
+      const auto wanted = row(at, k, at.rows());
+      const auto is_there = [&](auto r) {
+        return r != kept.order.end() && std::ranges::equal(kept.place(*r), wanted);
+      };
+      auto found = std::ranges::partition_point(kept.order, [&](std::size_t r) {
+        return std::ranges::lexicographical_compare(kept.place(r), wanted);
+      });
+      if (!is_there(found)) {
+        if (at.rows() == 1) return f(at);
+        throw run_error(joined_text({name,
+                                     " = a function of positions: is asked once, for those of the whole "
+                                     "scene, and a tile of it has another one, ",
+                                     vector_text(wanted), " m (exact_volume has other points at cuts)"}));
+      }
+      if (is_there(found + 1))
+        if (const auto again = found + taken[*found]++; is_there(again)) found = again;
+      const auto numbers = row(kept.out, *found, kept.at.rows());
+      out.numbers.insert(out.numbers.end(), numbers.begin(), numbers.end());
+    }
+    return out;
+  }
+
+  bool is_closed_ = false;
+  std::map<const HostFunction*, std::shared_ptr<Kept>> kept_{};
 };
 
 /// The functions of place of one body: those that say where it is, and those that say what is there.

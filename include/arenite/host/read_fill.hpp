@@ -19,9 +19,10 @@ std::vector<std::array<double, 3>> node_positions(const typename Scene::Mesh& me
   return nodes;
 }
 
-/// A fill of type F. User functions are evaluated in two passes: first the region, then densities and stresses at the points found.
-template <class Scene, class F>
-F read_fill(const typename Scene::Mesh& mesh, const Value& value, ReadContext at) {
+/// A fill of type F, whose points are in the cells that `owns(cell)`. User functions are evaluated in two passes: first the region, then
+/// densities and stresses at the points found.
+template <class Scene, class F, class Mesh, class Owns = OwnsAllCells>
+F read_fill(const Mesh& mesh, const Value& value, ReadContext at, const Owns& owns = {}) {
   PlaceFunctions functions;
   at.places = &functions;
   F fill = read<F>(value, at);
@@ -34,7 +35,7 @@ F read_fill(const typename Scene::Mesh& mesh, const Value& value, ReadContext at
   if (probe.options.stress && probe.options.stress->geostatic()) probe.options.stress.reset();
   for (auto* stage : {&functions.where, &functions.what}) {
     if (stage->empty()) continue;
-    make_body<typename Scene::Kinematics, Scene::extra_columns>(mesh, probe);
+    make_body<typename Scene::Kinematics, Scene::extra_columns>(mesh, probe, owns);
     for (auto& f : *stage) f->compute();
     rewind();
   }

@@ -28,6 +28,7 @@ struct ReadContext {
   int dimension = 3;                 ///< of the scene
   PlaceFunctions* places = nullptr;  ///< where functions of place are collected; none: they are not
   const std::vector<std::array<double, 3>>* nodes = nullptr;  ///< positions of the mesh's nodes, m; or none
+  PlaceMemory* memory = nullptr;                              ///< of a scene that is cut into tiles
 
   ReadContext operator/(std::string_view member) const { return renamed(joined_text({name, ".", member})); }
   ReadContext operator[](std::size_t k) const { return renamed(joined_text({name, "[", k, "]"})); }
@@ -35,6 +36,10 @@ struct ReadContext {
     ReadContext at = *this;
     at.name = std::move(other);
     return at;
+  }
+  /// A function of place to ask in the place of one that the host gave.
+  HostFunction of_places(const HostFunction& given) const {
+    return memory ? memory->ask(given, name) : given;
   }
   /// Throws the refusal of a value there.
   [[noreturn]] void refuse(const Value& value, std::string_view rule) const {

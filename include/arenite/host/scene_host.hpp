@@ -317,42 +317,59 @@ class SceneReader<Scene<K, M, N, Given...>> {
   template <class Mesh, class... More>
   using Over = Scene<K, Mesh, N, Given..., More...>;
 
-  template <class Mesh, class... More>
-  static std::unique_ptr<Over<Mesh, More...>> over(const Mesh& mesh, const Value& values, More... more) {
+  /// `memory`, and the cells that may hold points: of a scene that is cut into tiles.
+  template <class Mesh, class Owns = OwnsAllCells, class... More>
+  static std::unique_ptr<Over<Mesh, More...>> over(const Mesh& mesh, const Value& values,
+                                                   PlaceMemory* memory = nullptr, const Owns& owns = {},
+                                                   More... more) {
     using Made = Over<Mesh, More...>;
+    return with_parts<Made>(mesh, values, memory, owns, [&](auto&&... part) {
+      return std::make_unique<Made>(read<K>(given(values, "kinematics"), at() / "kinematics"), mesh,
+                                    read<N>(given(values, "numerics"), at() / "numerics"), std::move(part)...,
+                                    std::move(more)...);
+    });
+  }
+  /// Reads the parts alone: `memory` then has what functions of place return in this mesh.
+  template <class Mesh>
+  static void ask_places(const Mesh& mesh, const Value& values, PlaceMemory& memory) {
+    with_parts<Over<Mesh>>(mesh, values, &memory, OwnsAllCells{}, [](auto&&...) {});
+  }
+
+ private:
+  template <class Made, class Owns, class F>
+  static auto with_parts(const typename Made::Mesh& mesh, const Value& values, PlaceMemory* memory,
+                         const Owns& owns, F&& f) {
     const auto nodes = node_positions<Made>(mesh);
     ReadContext in_mesh = at();
     in_mesh.nodes = &nodes;
+    in_mesh.memory = memory;
     const Value& parts = given(values, "parts");
     const auto* list = parts.template get<Value::List>();
     if (list == nullptr || list->size() != sizeof...(Given))
       at().refuse(parts, joined_text({"must be a list of ", sizeof...(Given), " parts"}));
     return [&]<std::size_t... At>(std::index_sequence<At...>) {
-      return std::make_unique<Made>(read<K>(given(values, "kinematics"), at() / "kinematics"), mesh,
-                                    read<N>(given(values, "numerics"), at() / "numerics"),
-                                    Part<Made, Given>::read(mesh, (*list)[At], in_mesh[At])...,
-                                    std::move(more)...);
+      return f(Part<Made, Given>::read(mesh, (*list)[At], in_mesh[At], owns)...);
     }
     (std::index_sequence_for<Given...>{});
   }
-
- private:
   template <class Made, class P>
   struct Part {
-    static P read(const typename Made::Mesh&, const Value& value, const ReadContext& at) {
+    template <class Owns>
+    static P read(const typename Made::Mesh&, const Value& value, const ReadContext& at, const Owns&) {
       return arenite::read<P>(value, at);
     }
   };
   template <class Made, class... F>
   struct Part<Made, Bodies<F...>> {
-    static Bodies<F...> read(const typename Made::Mesh& mesh, const Value& value,
-                             const ReadContext& in_mesh) {
+    template <class Owns>
+    static Bodies<F...> read(const typename Made::Mesh& mesh, const Value& value, const ReadContext& in_mesh,
+                             const Owns& owns) {
       const ReadContext at = in_mesh.renamed("bodies");
       const auto* list = value.get<Value::List>();
       if (list == nullptr || list->size() != sizeof...(F))
         at.refuse(value, joined_text({"must be a list of ", sizeof...(F), " bodies"}));
       return [&]<std::size_t... At>(std::index_sequence<At...>) {
-        return Bodies<F...>{std::tuple<F...>{read_fill<Made, F>(mesh, (*list)[At], at[At])...}};
+        return Bodies<F...>{std::tuple<F...>{read_fill<Made, F>(mesh, (*list)[At], at[At], owns)...}};
       }
       (std::index_sequence_for<F...>{});
     }

@@ -126,13 +126,14 @@ HostedTotals change_points(Scene& scene, std::size_t body, F&& f) {
   return totals;
 }
 
-/// Fills a region of a running scene with points of a body: see `insert_points`. `value`: as that of a fill.
+/// Fills a region of a running scene with points of a body: see `insert_points`. `value`: as that of a fill; `memory`: of a tile.
 template <class Scene>
-HostedTotals fill_more(Scene& scene, std::size_t body, const Value& value) {
+HostedTotals fill_more(Scene& scene, std::size_t body, const Value& value, PlaceMemory* memory = nullptr) {
   return change_points(scene, body, [&](auto& of) {
     using Recipe = Fill<std::remove_cvref_t<decltype(of.law)>>;
-    const ReadContext at{.name = "fill", .dimension = Scene::D};
-    return insert_fill(scene, of, read_fill<Scene, Recipe>(scene.mesh, value, at), Scene::body_name(body));
+    const ReadContext at{.name = "fill", .dimension = Scene::D, .memory = memory};
+    return insert_fill(scene, of, read_fill<Scene, Recipe>(scene.mesh, value, at, scene.cell_owner()),
+                       Scene::body_name(body));
   });
 }
 

@@ -9,7 +9,9 @@
 #include <exception>
 #include <functional>
 #include <limits>
+#include <map>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <string>
 #include <type_traits>
@@ -53,15 +55,56 @@ class WatchIfAny {
   std::optional<Watch> watch_{};
 };
 
-/// Makes the scenes of tiles of a host's values.
+/// Makes the scenes of tiles of a host's values, whose functions of place see the places of the whole.
 template <class Whole>
-struct MakeTile {
-  std::shared_ptr<const Value> values;
+class MakeTile {
+ public:
+  using Reader = SceneReader<Whole>;
+
+  explicit MakeTile(const Value& values) : values_{std::make_shared<const Value>(values)} {}
+
+  /// Where one process has all tiles it makes the whole scene first, which gives the warnings and refusals of one and then goes; ranks
+  /// have no room for it, and ask its functions alone.
+  void ask_whole(const Ranks& ranks) {
+    const auto mesh = whole_mesh();
+    if (ranks.size() == 1) {
+      Reader::over(mesh, *values_, memory_.get());
+      without_warnings_ = true;
+    } else {
+      Reader::ask_places(mesh, *values_, *memory_);
+    }
+    memory_->close();
+  }
+  void forget_places() { *memory_ = {}; }
+  /// As `ask_whole` for points of a body that join tiles like `S`.
+  template <class S>
+  PlaceMemory ask_fill(std::size_t body, const Value& fill) const {
+    PlaceMemory memory;
+    const auto mesh = whole_mesh();
+    with_number<S>(body, [&]<std::size_t which>() {
+      using Law = std::remove_cvref_t<decltype(std::declval<S&>().template body<Name(which)>().law)>;
+      read_fill<S, Fill<Law>>(mesh, fill, {.name = "fill", .dimension = S::D, .memory = &memory});
+    });
+    memory.close();
+    return memory;
+  }
 
   template <class Mesh, class Portion>
   auto operator()(const Mesh& mesh, const Portion& portion) const {
-    return std::move(*SceneReader<Whole>::over(mesh, *values, PointIds{}, portion));
+    std::optional<WithoutWarnings> silent;
+    if (without_warnings_) silent.emplace();
+    const OwnedCells<Whole::D> cells{portion.portion};
+    return std::move(*Reader::over(mesh, *values_, memory_.get(), cells, PointIds{}, portion));
   }
+
+ private:
+  auto whole_mesh() const {
+    return read<typename Whole::Mesh>(Reader::given(*values_, "mesh"), Reader::at() / "mesh");
+  }
+
+  std::shared_ptr<const Value> values_;
+  std::shared_ptr<PlaceMemory> memory_ = std::make_shared<PlaceMemory>();
+  bool without_warnings_ = false;
 };
 
 }  // namespace detail
@@ -100,7 +143,7 @@ class TilesHost : public HostedScene {
   std::function<double(bool)> steps(const HostedRun&) override { refuse("steps"); }
   std::vector<HostedWatched> watched() const override { return watched_; }
   double out_of_balance() const override {
-    return tiled_.of_all([](S& s) { return detail::out_of_balance_for_host(s); });
+    return alike([](const S& s) { return detail::out_of_balance_for_host(s); });
   }
   void switch_off_damping() override {
     tiled_.for_each_tile([](S& s) { detail::switch_off_damping(s); });
@@ -127,27 +170,55 @@ class TilesHost : public HostedScene {
   }
   HostedCells cells() const override { refuse("cells"); }
   HostedEnergies energies() const override {
-    return tiled_.of_all([](S& s) { return detail::energies_for_host(s); });
+    return alike([](const S& s) { return detail::energies_for_host(s); });
   }
   std::array<std::vector<double>, 2> reaction(const std::string& wall) const override {
-    return tiled_.of_all([&](S& s) { return detail::reaction_for_host(s, wall); });
+    return alike([&](const S& s) { return detail::reaction_for_host(s, wall); });
   }
 
   HostedTotals fill(std::size_t body, const Value& fill) override {
-    return change([&](S& s) { return detail::fill_more(s, body, fill); });
+    PlaceMemory memory = make_.template ask_fill<S>(body, fill);
+    const auto all = change([&](S& s) { return detail::fill_more(s, body, fill, &memory); });
+    const Value* const may_be_empty = fill.find("may_be_empty");
+    require(
+        all.count > 0 || (may_be_empty != nullptr && read<bool>(*may_be_empty, ReadContext{.name = "fill"})),
+        "fill: points", all.count, "the region holds no point of the mesh");
+    return all;
   }
   HostedTotals insert(std::size_t body, const Value& points) override {
-    return change([&](S& s) { return detail::insert_rows(s, body, points); });
+    ++generation_;
+    return alike([&](S& s) { return sum_of(s, detail::insert_rows(s, body, points)); });
   }
   HostedTotals remove(std::size_t body, const Value& where) override {
-    if (where.array() != nullptr) refuse("remove by numbers of points");
-    return change([&](S& s) { return detail::remove_where(s, body, where); });
+    const HostArray* const flags = where.array();  // of the points of the tiles here, tile by tile
+    if (flags == nullptr) return change([&](S& s) { return detail::remove_where(s, body, where); });
+    std::map<int, Value> of_tile;
+    std::size_t points = 0;
+    tiled_.for_each_tile([&](const S& s) {
+      detail::with_number<S>(body, [&]<std::size_t which>() {
+        const std::size_t begin = std::min(points, flags->numbers.size());
+        points += s.template body<Name(which)>().points.size();
+        const std::size_t end = std::min(points, flags->numbers.size());
+        const auto at = [&](std::size_t k) {
+          return flags->numbers.begin() + static_cast<std::ptrdiff_t>(k);
+        };
+        of_tile[s.portion().number] =
+            std::make_shared<const HostArray>(HostArray{{at(begin), at(end)}, {end - begin}});
+      });
+    });
+    if (flags->numbers.size() != points) {
+      const error refused(joined_text(
+          {"where = ", where.text(), ": must have one for each of ", points, " points of the tiles here"}));
+      tiled_.ranks().fail(refused.what());
+      throw refused;
+    }
+    return change([&](S& s) { return detail::remove_where(s, body, of_tile.at(s.portion().number)); });
   }
   HostedProbes probe(std::size_t body, const std::vector<double>& places) const override {
     return tiled_.of_all([&](S& s) { return detail::probe_places(s, body, places); });
   }
   std::vector<double> section_force(std::size_t body, const Value& section, bool of_nodes) const override {
-    return tiled_.of_all([&](S& s) { return detail::force_across(s, body, section, of_nodes); });
+    return alike([&](const S& s) { return detail::force_across(s, body, section, of_nodes); });
   }
 
   void save(const std::string& path, const std::string& recipe) const override {
@@ -218,19 +289,41 @@ class TilesHost : public HostedScene {
     run_of_tiles.finish();
     ++generation_;
   }
-  /// The sum of the points that each tile brings or takes.
+  /// What `f(scene)` gives for the first tile here. An `error` of it is thrown by all tiles of all ranks, after they have exchanged the same:
+  /// then all can be asked again. (One rank alone can after any failure.)
+  template <class F>
+  auto alike(F&& f) const {
+    if (tiled_.ranks().size() == 1) return tiled_.of_all(f);
+    std::exception_ptr refused;
+    std::mutex mutex;
+    auto found = tiled_.of_all([&](S& s) {
+      std::optional<std::invoke_result_t<F&, S&>> of_tile;
+      try {
+        of_tile = f(s);
+      } catch (const run_error&) {
+        throw;
+      } catch (const error&) {
+        const std::lock_guard lock(mutex);
+        refused = std::current_exception();
+      }
+      return of_tile;
+    });
+    if (refused) std::rethrow_exception(refused);
+    return *std::move(found);
+  }
+  /// Of all tiles what one brings or takes.
+  static HostedTotals sum_of(S& s, HostedTotals all) {
+    auto count = static_cast<double>(all.count);
+    all.momentum.resize(static_cast<std::size_t>(S::D));
+    sum_over(s.communicator(), count, all.mass, all.kinetic_energy, all.strain_energy);
+    s.communicator().sum(all.momentum);
+    all.count = static_cast<std::size_t>(count);
+    return all;
+  }
   template <class F>
   HostedTotals change(F&& f) {
     ++generation_;
-    return tiled_.of_all([&](S& s) {
-      HostedTotals all = f(s);
-      auto count = static_cast<double>(all.count);
-      all.momentum.resize(static_cast<std::size_t>(S::D));
-      sum_over(s.communicator(), count, all.mass, all.kinetic_energy, all.strain_energy);
-      s.communicator().sum(all.momentum);
-      all.count = static_cast<std::size_t>(count);
-      return all;
-    });
+    return tiled_.of_all([&](S& s) { return sum_of(s, f(s)); });
   }
 
   mutable Tiled<S> tiled_;  // asking is a step of all ranks
@@ -249,19 +342,23 @@ std::unique_ptr<HostedScene> make_hosted_tiles(const Value& values, Ranks& ranks
   constexpr bool is_cut_in_double = !is_simplex_mesh<Mesh> || std::is_same_v<typename Mesh::scalar, double>;
   static_assert(is_cut_in_double, "tiles: a mesh of simplices must be of float64");
   const Value& mesh = Reader::given(values, "mesh");
-  const detail::MakeTile<Scene> make{std::make_shared<const Value>(values)};
+  detail::MakeTile<Scene> make(values);
   const auto host = [&](auto tiled) -> std::unique_ptr<HostedScene> {
     using S = typename decltype(tiled)::Scene;
+    if (ranks.size() == 1) make.forget_places();  // no more tiles are made
     return std::make_unique<TilesHost<S, detail::MakeTile<Scene>>>(std::move(tiled), make, moves);
   };
-  if constexpr (!is_cut_in_double)
+  if constexpr (is_cut_in_double) {
+    make.ask_whole(ranks);
+    if constexpr (is_simplex_mesh<Mesh>)
+      return host(distribute(
+          ranks, read<MeshData<Scene::D>>(mesh, ReadContext{.name = "SimplexMesh", .dimension = Scene::D}),
+          cut, make));
+    else
+      return host(distribute(ranks, read<Mesh>(mesh, Reader::at() / "mesh"), cut, make));
+  } else {
     return nullptr;  // the sentence is said
-  else if constexpr (is_simplex_mesh<Mesh>)
-    return host(distribute(
-        ranks, read<MeshData<Scene::D>>(mesh, ReadContext{.name = "SimplexMesh", .dimension = Scene::D}), cut,
-        make));
-  else
-    return host(distribute(ranks, read<Mesh>(mesh, Reader::at() / "mesh"), cut, make));
+  }
 }
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

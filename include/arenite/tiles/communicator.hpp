@@ -159,6 +159,15 @@ class TilesOfRank {
     const std::string told = joined_text({"tile ", number_[tile], " failed: ", what});
     if (meeting_.fail(told)) ranks_->fail(told);
   }
+  /// After a failure, once the threads of all tiles have ended: what was on its way is dropped. Other ranks may wait for ever for what this
+  /// one has not sent, so that among several all go on failing.
+  void begin_again() {
+    if (ranks_->size() > 1) return;
+    meeting_.begin_again();
+    std::ranges::fill(round_, 0);
+    std::ranges::fill(to_, Messages());
+    std::ranges::fill(from_, Messages());
+  }
 
  private:
   /// Two sets, which take turns: a tile may write the next numbers while another still reads these.

@@ -14,7 +14,7 @@
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 /// A number of threads that meet again and again. Once one has failed, all who wait, and all who come, throw
-/// `run_error`.
+/// `run_error`, until it begins again.
 class Meeting {
  public:
   explicit Meeting(std::size_t count) : count_{count} {}
@@ -38,6 +38,12 @@ class Meeting {
     }
     round_.wait(round, std::memory_order_acquire);
     throw_failure();
+  }
+
+  /// After a failure, once all threads have ended.
+  void begin_again() {
+    here_ = 0;
+    failed_ = false;
   }
 
   /// Lets all others throw. Returns whether it is the first failure.

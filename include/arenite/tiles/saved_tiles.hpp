@@ -24,6 +24,10 @@ struct TileList {
   /// Throws `error` if it is not there, or none.
   static TileList read(const std::filesystem::path& folder) {
     const auto path = folder / "tiles.txt";
+    require(std::filesystem::exists(path), "saved tiles", folder.string(),
+            std::filesystem::is_regular_file(folder)
+                ? "is a file: a scene that is cut into tiles is saved to a folder"
+                : "must be a folder with a file tiles.txt, and there is none");
     std::ifstream text(path);
     std::string format, word;
     TileList list;
@@ -62,6 +66,11 @@ class SavedTiles {
   void save(const Scene& scene, const Observers&... observers) const {
     static_assert(Scene::is_portion, "save_tiles: the scene is whole: save_state");
     const int tile = scene.portion().number;
+    const auto steps = static_cast<double>(scene.steps);
+    const double least = scene.communicator().least(steps), most = -scene.communicator().least(-steps);
+    require(least == most, "saved tiles: steps", least,
+            {"must be those of all tiles, and some have made ", most,
+             ": a step has failed in the middle; restore an earlier state"});
     const TileList list{scene.communicator().size(), scene.steps};
     save_state(scene, {list.file(folder_.path, tile), folder_.recipe}, observers...);
     scene.communicator().least(0);  // all are written
@@ -89,6 +98,16 @@ void save_state(Tiled<S>& tiled, const SavedState& folder) {
 }
 
 namespace detail {
+/// Waits, among observers that are restored, until all tiles are; if one is refused, all get back what they had.
+struct AllRestored {
+  template <class F>
+  void visit_state(F&&) {}
+  template <class S>
+  void follow_state(const S& scene) {
+    scene.communicator().least(0);
+  }
+};
+
 /// `carried(scene)`: what was saved with each tile beside its state.
 template <class S, class... Carried>
 void restore_tiles(Tiled<S>& tiled, const SavedState& folder, Carried&&... carried) {
@@ -96,14 +115,15 @@ void restore_tiles(Tiled<S>& tiled, const SavedState& folder, Carried&&... carri
     const auto list = TileList::read(folder.path);
     require(list.tiles == tiled.tiles(), "saved tiles", list.tiles,
             {"must be as many as those of the scene, ", tiled.tiles()});
+    AllRestored all;
     restore_state(scene, SavedState(list.file(folder.path, scene.portion().number), folder.recipe),
-                  carried(scene)...);
+                  carried(scene)..., all);
   });
 }
 }  // namespace detail
 
 /// Puts the state of a folder into the tiles of the same mesh, cut alike, on any number of ranks. Throws `error` on all ranks for a folder of
-/// other tiles, and what `restore_state` throws.
+/// other tiles, and what `restore_state` throws, with all tiles as they were.
 template <class S>
 void restore_state(Tiled<S>& tiled, const SavedState& folder) {
   detail::restore_tiles(tiled, folder);

@@ -96,8 +96,6 @@ void bisect(const CellRange<D>& box, int count, const Weight& weight, std::vecto
   std::size_t axis = 0;
   for (std::size_t k = 1; k < static_cast<std::size_t>(D); ++k)
     if (box.end[k] - box.first[k] > box.end[axis] - box.first[axis]) axis = k;
-  require(box.end[axis] - box.first[axis] > 1, "split_cells.tiles", count,
-          "leaves tiles without a cell: take fewer");
   auto left = box, right = box;
   const double wanted = weight(box) * (count / 2) / count;
   // The cut at which the left side is next to what it should weigh; one layer at least on either side.
@@ -113,14 +111,22 @@ void bisect(const CellRange<D>& box, int count, const Weight& weight, std::vecto
     left.end[axis] = at + 1;
   }
   right.first[axis] = left.end[axis];
-  bisect(left, count / 2, weight, boxes);
-  bisect(right, count - count / 2, weight, boxes);
+  // Half of the tiles, or as many as both sides have cells for.
+  const auto cells = [](const CellRange<D>& range) {
+    double all = 1;
+    for (std::size_t k = 0; k < range.end.size(); ++k) all *= range.end[k] - range.first[k];
+    return static_cast<int>(std::min(all, 1e9));
+  };
+  const int on_left =
+      std::clamp(count / 2, std::max(1, count - cells(right)), std::min(count - 1, cells(left)));
+  bisect(left, on_left, weight, boxes);
+  bisect(right, count - on_left, weight, boxes);
 }
 
 }  // namespace detail
 
 /// [tiles] the box of cells of each tile of a grid, halved again and again as those of a mesh. `weights`: [cells], or empty. Throws `error`
-/// where a box cannot be halved.
+/// for fewer cells than tiles.
 template <class Grid, int D = Grid::dimension>
 requires requires(const Grid& grid) { grid.cells(0); }
 std::vector<CellRange<D>> split_cells(const Grid& grid, int tiles, const std::vector<double>& weights = {}) {

@@ -16,6 +16,7 @@
 #include <vector>
 
 #include <arenite/core/once.hpp>
+#include <arenite/core/warning.hpp>
 #include <arenite/mesh/portion.hpp>
 #include <arenite/mesh/rectilinear_grid.hpp>
 #include <arenite/particles/point_ids.hpp>
@@ -78,7 +79,7 @@ class Tiled {
   }
 
   /// Calls `f(scene)` for all tiles at once, for the first one on the caller's thread; what it asks of the communicator all tiles of all ranks must ask. If one throws, all
-  /// do, on all ranks; here the first exception goes on.
+  /// do, on all ranks; here the first exception goes on. Then one rank can be asked again, several cannot.
   template <class F>
   void together(F&& f) {
     std::exception_ptr first;
@@ -114,7 +115,9 @@ class Tiled {
       call_here(here_.front());
       for (auto& thread : threads) thread.join();
     }
-    if (first) std::rethrow_exception(first);
+    if (!first) return;
+    all_->begin_again();
+    std::rethrow_exception(first);
   }
 
   /// The sum of a number `of(scene)` over all tiles, or the least of them: asked on all ranks, which get the same.
@@ -235,6 +238,8 @@ class TileMaker {
     auto of_rank = std::make_unique<TilesOfRank>(ranks, std::move(halo), std::move(rank_of),
                                                  all.all_ ? all.all_->migrated_bytes() : 0);
     for (auto& tile : tiles) tile.seat->all = of_rank.get();
+    std::optional<WithoutWarnings> silent;  // a tile that comes from another rank has given its own
+    if (all.all_) silent.emplace();
     for (auto& [t, part] : parts)
       tiles[t].scene = std::make_unique<S>(
           make(std::move(part.first), on_portion(std::move(part.second), TileCommunicator(*tiles[t].seat))));

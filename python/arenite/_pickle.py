@@ -10,7 +10,8 @@ from typing import Any, Iterator, Tuple
 from ._errors import Error
 
 
-def _parts(value: Any, name: str) -> Iterator[Tuple[Any, str]]:
+def parts(value: Any, name: str) -> Iterator[Tuple[Any, str]]:
+    """What a value consists of, with names."""
     if isinstance(value, dict):
         yield from ((v, f"{name}.{key}") for key, v in value.items())
     elif isinstance(value, (list, tuple)):
@@ -39,7 +40,7 @@ def refuse_unpicklable(value: Any, name: str) -> None:
     except (pickle.PicklingError, AttributeError, TypeError) as e:
         if _takes_any_function():
             return
-        for part, of in _parts(value, name):
+        for part, of in parts(value, name):
             refuse_unpicklable(part, of)
         cure = ("a function must be one of a module, made by `def` at its top level: pickle stores its name alone"
                 if callable(value) else str(e))

@@ -341,8 +341,8 @@ class Scene:
         """What the files of each rank are called beside those of others."""
         return [""]
 
-    def _meet(self) -> None:
-        """Waits for all ranks."""
+    def _meet(self, asks: str, **given: Any) -> None:
+        """Waits for all ranks, which must ask for the same."""
 
     def _refuse_ranks(self, what: str, cure: str) -> None:
         """Refuses what looks at all points, where other processes have some of them."""

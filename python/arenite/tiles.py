@@ -12,7 +12,7 @@ from typing import Any, Callable, Dict, Iterator, List, Optional, Sequence, Unio
 import numpy as np
 from numpy.typing import ArrayLike
 
-from . import _core, _plugins
+from . import _core, _plugins, _ranks
 from ._errors import Error
 from ._recipe import Recipe
 from .meshes import Mesh
@@ -137,15 +137,22 @@ class TiledScene(Scene):
         super().__init__(kinematics, mesh, numerics, **scene)
 
     def _make(self, which: _plugins.Which = "own") -> Any:
-        self._type, values, headers, types = self._composition()
-        plugin = _plugins.tiles_plugin(self._type, headers, lambda: self._check(values, types))
-        with self._named():
-            return plugin.scene_in_tiles(self._type, values, self._ranks, *self._cut)
+        names = ("tiles", "weights", "tile_of_cell", "rebalance_every", "rebalance_above")
+        try:
+            self._type, values, headers, types = self._composition()
+            _ranks.agree(self._ranks, "a TiledScene", {**self._recipes, **dict(zip(names, self._cut))})
+            plugin = _plugins.tiles_plugin(self._type, headers, lambda: self._check(values, types))
+            with self._named():
+                return plugin.scene_in_tiles(self._type, values, self._ranks, *self._cut)
+        except Exception as e:
+            self._ranks.fail(str(e))
+            raise
 
     def _take(self, core: Any) -> None:
-        self._core, self._stand_in = core, None
+        self._core, self._stand_in = _ranks.Asked(core, self._ranks), None
+        _ranks.leave_at_exit(self)
         self._restored_at = None
-        self._state = State(core)
+        self._state = State(self._core)
         self.bodies: Dict[str, Any] = {b.name: BodyHere(self, b.name) for b in self._recipes["bodies"]}
         #: rigid bodies by name, or number where one has no name: the same in all tiles
         self.rigids = self.tiles[0].rigids
@@ -162,18 +169,19 @@ class TiledScene(Scene):
 
     def sum(self, of: Callable[[Tile], float]) -> float:
         """The sum of a number of each tile over all ranks, which all ask; the same on any number of them."""
-        return math.fsum(self._gathered(of))
+        return math.fsum(self._gathered("sum", of))
 
     def least(self, of: Callable[[Tile], float]) -> float:
         """The least of a number of each tile over all ranks, which all ask."""
-        return min(self._gathered(of))
+        return min(self._gathered("least", of))
 
-    def _gathered(self, of: Callable[[Tile], float]) -> Sequence[float]:
+    def _gathered(self, asks: str, of: Callable[[Tile], float]) -> Sequence[float]:
         try:
             here = [float(of(tile)) for tile in self.tiles]
         except Exception as e:
             self._ranks.fail(str(e))
             raise
+        _ranks.agree(self._ranks, asks, {})
         numbers: Sequence[float] = self._ranks.gather(here)
         return numbers
 
@@ -183,8 +191,8 @@ class TiledScene(Scene):
     def _pieces(self) -> Sequence[str]:
         return [f"_rank{rank}" for rank in range(self._ranks.size)]
 
-    def _meet(self) -> None:
-        self._ranks.gather([])
+    def _meet(self, asks: str, **given: Any) -> None:
+        _ranks.agree(self._ranks, asks, given)
 
     def _refuse_ranks(self, what: str, cure: str) -> None:
         if self._ranks.size > 1:

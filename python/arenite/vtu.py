@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 from pathlib import Path
-from typing import Any, Dict, List, Optional, Sequence, Tuple, Union
+from typing import Any, Dict, List, Optional, Tuple, Union
 
 import numpy as np
 
@@ -49,7 +49,10 @@ class Vtu:
 
     def __init__(self, prefix: Union[str, "os.PathLike[str]"], mesh: bool = False, resumed: Optional[bool] = None) -> None:
         self._prefix, self._mesh, self._resumed = os.fspath(prefix), mesh, resumed
-        self._times: List[float] = []
+        self._begun = False
+        self._files: List[Tuple[float, str, int]] = []  # of the frames so far: time, file, part
+        self._frames = 0
+        self._at: Optional[float] = None  # time of the last frame that was written here
         folder = Path(self._prefix).parent
         try:
             folder.mkdir(parents=True, exist_ok=True)
@@ -64,25 +67,28 @@ class Vtu:
             if scene.cells is None:
                 raise Error("Vtu: mesh = True: goes with a mesh of simplices alone")
             parts.append(("mesh", in_space(scene.nodes().position), scene.cells, {}))
-        scene._meet()
-        pieces = scene._pieces()
-        if not self._times:
+        scene._meet("files of Vtu", prefix=self._prefix, mesh=self._mesh)
+        if not self._begun:
             resumed = scene._restored_at is not None if self._resumed is None else self._resumed
-            self._times = self._list.kept_times(scene.time, resumed)
-            self._write_list(scene, parts, pieces)
-        again = self._times[-1:] == [scene.time]  # at the start of a run that goes on
-        frame = len(self._times) - again
+            self._files = self._list.kept(scene.time, resumed, scene.rank == 0)  # written by other ranks, perhaps
+            self._frames = len({time for time, _, _ in self._files})
+            self._write_list(scene)
+            self._begun = True
+        again = self._at == scene.time  # at the start of a run that goes on
+        frame = self._frames - again
+        pieces = scene._pieces()
         for name, position, cells, fields in parts:
             _core.write_vtu(self._file(name + pieces[scene.rank], frame), position, cells, fields)
-        scene._meet()
+        scene._meet("files of Vtu", prefix=self._prefix, mesh=self._mesh)
         if not again:
-            self._times.append(scene.time)
-            self._write_list(scene, parts, pieces)
+            self._files += [(scene.time, self._file(part[0] + piece, frame), number * len(pieces) + k)
+                            for number, part in enumerate(parts) for k, piece in enumerate(pieces)]
+            self._frames, self._at = frame + 1, scene.time
+            self._write_list(scene)
 
-    def _write_list(self, scene: Scene, parts: Any, pieces: Sequence[str]) -> None:
+    def _write_list(self, scene: Scene) -> None:
         if scene.rank == 0:
-            self._list.replace([(time, self._file(part[0] + piece, frame), number * len(pieces) + k) for frame, time in enumerate(self._times)
-                                for number, part in enumerate(parts) for k, piece in enumerate(pieces)])
+            self._list.replace(self._files)
 
     def _file(self, part: str, frame: int) -> str:
         return f"{self._prefix}_{part}_{frame:04d}.vtu"

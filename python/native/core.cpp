@@ -443,6 +443,12 @@ PYBIND11_MODULE(_core, m) {
            [](const RanksHandle& r, const std::vector<double>& numbers) {
              return without_lock([&] { return (*r).gather(numbers); });
            })
+      .def("agree",
+           [](const RanksHandle& r, const std::string& asks,
+              std::vector<std::pair<std::string, std::string>> given) {
+             without_lock([&] { (*r).agree({asks, std::move(given)}); });
+           })
+      .def("leave", [](const RanksHandle& r) { (*r).leave(); })
       .def("fail", [](const RanksHandle& r, const std::string& what) { (*r).fail(what); });
 
   py::class_<PluginHandle>(m, "Plugin")
@@ -465,10 +471,13 @@ PYBIND11_MODULE(_core, m) {
   m.def("write_vtu", &write_points);
   py::class_<PvdWriter>(m, "PvdWriter")
       .def(py::init<std::filesystem::path, bool>())
-      .def("kept_times",
-           [](const PvdWriter& pvd, double time, bool resumed) {
+      .def("kept",
+           [](const PvdWriter& pvd, double time, bool resumed, bool warns) {
              const CallFromPython call;
-             return kept_times(pvd.path(), pvd_times(pvd.path()), time, resumed);
+             std::vector<std::tuple<double, std::string, int>> files;
+             for (const auto& [at, file, part] : kept_entries(pvd.path(), time, resumed, warns))
+               files.emplace_back(at, file.string(), part);
+             return files;
            })
       .def("replace", [](PvdWriter& pvd, const std::vector<std::tuple<double, std::string, int>>& files) {
         std::vector<PvdEntry> entries;

@@ -345,3 +345,43 @@ def test_ranks_see_all_positions_and_go_on_after_a_refusal(on_ranks):
     for what in ("functions", "refused"):
         one, two = on_ranks(1, what), on_ranks(2, what)
         assert one[0] == two[0] == 0 and sorted(2 * one[1]) == two[1], two[2]
+
+
+def test_ranks_that_are_told_different_things_say_so(on_ranks):
+    """What is asked is compared before it is done: the sentence names the rank and what differs, on all ranks."""
+    code, lines, errors = on_ranks(2, "differ")
+    assert code == 0, errors
+    expected = ["a TiledScene: rank 1 was given bodies[0].law.young = 10000000, rank 0 bodies[0].law.young = 1000000",
+                "a TiledScene: rank 1 was given gravity = [0.0, 9.81], rank 0 gravity = [0.0, -9.81]",
+                "a TiledScene: rank 1 was given tiles = 2, rank 0 tiles = 4", "run: rank 1 was given end = 0.01, rank 0 end = 0.02",
+                "run: rank 1 was given courant = 0.1, rank 0 courant = 0.5", "run: rank 1 was given watch.volume = 0.1, rank 0 watch.volume = 0.2",
+                "run: rank 1 was given every = [0.001], rank 0 every = [0.002]",
+                "rank 1 asks for energy while rank 0 asks for the next steps of its run",
+                "rank 1 asks for files of Vtu while rank 0 asks for the next steps of its run",
+                "rank 1 asks for energy while rank 0 asks for stable_step", "probe: rank 1 was given places = [[0.2, 0.05]], rank 0 places = [[0.1, 0.05]]",
+                "rank 1 asks for sum while rank 0 asks for least"]
+    saved = [line for line in lines if line.startswith("save: rank 1 was given path = ")]
+    assert sorted(set(lines) - set(saved)) == sorted(expected) and len(set(saved)) == 1
+    assert all(lines.count(line) == 2 for line in lines), lines
+    code, lines, errors = on_ranks(2, "differing_functions")
+    assert code == 0 and len(set(lines)) == 1, errors
+    assert "rank 1 was given gravity, which reads pull = 10.81, rank 0 gravity, which reads pull = 9.81" in lines[0]
+
+
+def test_a_question_that_one_rank_asks_alone_ends(on_ranks):
+    code, _, errors = on_ranks(2, "left_alone")
+    assert code == 1 and "rank 0 asks for energy while the program of rank 1 has ended" in errors
+
+
+@pytest.mark.parametrize("ranks", [2, 1])
+def test_a_series_that_goes_on_on_other_ranks_lists_the_files_of_each_frame(on_ranks, tmp_path, ranks):
+    for on, what in ((ranks, "series"), (3 - ranks, "series_on")):
+        code, _, errors = on_ranks(on, what)
+        assert code == 0, errors
+    points = {}
+    for time, file in re.findall(r'timestep="([^"]*)"[^>]*file="([^"]*)"', (tmp_path / "series/a.pvd").read_text()):
+        count = re.search(rb'NumberOfPoints="(\d+)"', (tmp_path / "series" / file).read_bytes())
+        points.setdefault(time, []).append(int(count[1]))
+    frames = list(points.values())
+    assert [len(files) for files in frames] == 3 * [ranks] + 2 * [3 - ranks]
+    assert {sum(files) for files in frames} == {600}

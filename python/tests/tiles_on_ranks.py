@@ -23,13 +23,13 @@ def mesh():
     return ar.SimplexMesh(nodes, cells)
 
 
-def scene(**body):
-    sand = ar.MohrCoulomb(density=1540, young=1e6, poisson=0.3, friction=0.6)
+def scene(young=1e6, gravity=(0, -9.81), body=None, **more):
+    sand = ar.MohrCoulomb(density=1540, young=young, poisson=0.3, friction=0.6)
     ball = ar.Rigid(ar.Ball((0.2, 0.14), 0.04), ar.Free(mass=20, inertia=0.02, centre=(0.2, 0.14), velocity=(0, -1)), 0.3, name="ball")
     return ar.TiledScene(ar.PlaneStrain(), mesh(), ar.Numerics(ar.LinearSimplex, ar.Flip), reactions=True,
-                         bodies=[ar.fill("sand", ar.Box((0, 0), (0.4, 0.1)), sand, per_cell=3, **body)], gravity=(0, -9.81), rigids=[ball],
+                         bodies=[ar.fill("sand", ar.Box((0, 0), (0.4, 0.1)), sand, per_cell=3, **(body or {}))], gravity=gravity, rigids=[ball],
                          walls=[ar.bottom("fixed"), ar.left("roller"), ar.right("roller")], parts=[ar.LocalDamping(0.7)],
-                         ranks=COMM, tiles=4, rebalance_every=20)
+                         **{"ranks": COMM, "tiles": 4, "rebalance_every": 20, **more})
 
 
 def say(*words):
@@ -108,7 +108,7 @@ def points(folder):
 
 def functions(folder):
     """Of positions: noise and a greatest height are those of all ranks."""
-    of = scene(velocity=lambda x: np.random.default_rng(1).normal(size=x.shape), stress=lambda x: np.outer(x[:, 1].max() - x[:, 1], [-1e4] * 6))
+    of = scene(body={"velocity": lambda x: np.random.default_rng(1).normal(size=x.shape), "stress": lambda x: np.outer(x[:, 1].max() - x[:, 1], [-1e4] * 6)})
     ar.remove_points(of, "sand", lambda x: x[:, 0] < np.quantile(x[:, 0], 0.2))
     say(told(of))
     ar.run(of, end=0.002)
@@ -125,6 +125,64 @@ def refused(folder):
             say(e)
     ar.run(of, end=0.01)
     say(told(of))
+
+
+def differ(folder):
+    """The last rank is told something else: what each then says."""
+    odd = COMM.rank == COMM.size - 1
+
+    def refused(ask):
+        try:
+            ask(scene())
+            say("nothing was refused")
+        except ar.Error as e:
+            say(str(e).removesuffix(": all ranks must ask for the same"))
+
+    refused(lambda s: scene(young=1e7 if odd else 1e6))
+    refused(lambda s: scene(gravity=(0, 9.81) if odd else (0, -9.81)))
+    refused(lambda s: scene(tiles=2 if odd else 4))
+    refused(lambda s: ar.run(s, end=0.01 if odd else 0.02))
+    refused(lambda s: ar.run(s, end=0.01, courant=0.1 if odd else 0.5))
+    refused(lambda s: ar.run(s, end=0.01, watch=ar.Watch(volume=0.1 if odd else 0.2)))
+    refused(lambda s: ar.run(s, end=0.01, every={0.001 if odd else 0.002: lambda s: None}))
+    refused(lambda s: ar.run(s, end=0.01, every={0.002: lambda s: s.energy if odd and s.time > 0.003 else None}))
+    refused(lambda s: ar.run(s, end=0.01, every={0.002: ar.Vtu("out/a")} if odd else {0.002: lambda s: None}))
+    refused(lambda s: s.energy if odd else s.stable_step)
+    refused(lambda s: s.save(f"{folder}{COMM.rank}"))
+    refused(lambda s: ar.probe(s, "sand", [(0.1 + 0.1 * odd, 0.05)]))
+    refused(lambda s: s.sum(lambda tile: 1.0) if odd else s.least(lambda tile: 1.0))
+
+
+def differing_functions(folder):
+    """Of a function its code, and what it reads, is compared."""
+    pull = 9.81 + COMM.rank
+
+    def gravity(t):
+        return (0.0, -pull)
+
+    try:
+        scene(gravity=gravity)
+    except ar.Error as e:
+        say(e)
+
+
+def left_alone(folder):
+    of = scene()
+    if COMM.rank == 0:
+        of.energy
+
+
+def series(folder):
+    of = scene()
+    ar.run(of, end=0.002, every={0.001: ar.Vtu("series/a")})
+    of.save(folder)
+    ar.run(of, end=0.003, every={0.001: ar.Vtu("series/a", resumed=True)})
+
+
+def series_on(folder):
+    of = scene()
+    of.restore(folder)
+    ar.run(of, end=0.004, every={0.001: ar.Vtu("series/a")})
 
 
 def settled(folder):

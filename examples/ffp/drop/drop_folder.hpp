@@ -1,8 +1,13 @@
 // The folder of a drop: which of its files are results, and how messages call it.
 #pragma once
 
+#include <algorithm>
+#include <filesystem>
+#include <functional>
 #include <string>
 #include <string_view>
+#include <system_error>
+#include <vector>
 
 #include <arenite/run/run_folder.hpp>
 
@@ -10,8 +15,28 @@
 
 namespace arenite::ffp {
 
-/// The state of a run that has not come to its end, in its folder.
+/// The state of a run that has not come to its end, in its folder: a file of arenite-ffp's, or a folder of tiles of arenite-ffp-mpi's.
 inline constexpr const char* state_file_name = "checkpoint.state";
+inline constexpr const char* saved_tiles_name = "checkpoint";
+
+/// Whether there is one, of the one program or the other.
+inline bool has_state(const std::filesystem::path& folder, bool on_ranks) {
+  return std::filesystem::exists(on_ranks ? folder / saved_tiles_name / "tiles.txt"
+                                          : folder / state_file_name);
+}
+/// Removes saved tiles, and nothing else that may lie there.
+inline void remove_saved_tiles(const std::filesystem::path& folder) {
+  std::error_code ignored;  // they only take space
+  std::vector<std::filesystem::path> found;
+  for (const auto& entry : std::filesystem::directory_iterator(folder / saved_tiles_name, ignored)) {
+    const std::string name = entry.path().filename().string();
+    if (name.starts_with("tiles.txt") || (name.starts_with("tile") && name.find(".state") != name.npos))
+      found.push_back(entry.path());
+  }
+  std::ranges::sort(found, std::greater{});  // first the list, without which the others claim nothing
+  for (const auto& file : found) std::filesystem::remove(file, ignored);
+  std::filesystem::remove(folder / saved_tiles_name, ignored);  // if it is empty
+}
 
 /// Whether a file of this name is one that a drop writes, or one of the pictures that plot.py draws of it:
 /// what a new run removes. ".part" is what a killed run may leave of each.

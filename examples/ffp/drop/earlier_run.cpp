@@ -21,12 +21,27 @@ std::string first_difference(const Json& there, const Json& here) {
   return "the file of the mesh has changed";
 }
 
+/// A state says by its kind which program saved it; the other one cannot go on from it.
+void refuse_other_program(const std::filesystem::path& folder, bool on_ranks) {
+  if (has_state(folder, on_ranks) || !has_state(folder, !on_ranks)) return;
+  const std::string there = on_ranks ? "arenite-ffp" : "arenite-ffp-mpi",
+                    here = on_ranks ? "arenite-ffp-mpi" : "arenite-ffp";
+  throw error(joined_text({"--resume: --out = ", shown(folder.string()), ": has the state of a run of ",
+                           there, ", ", on_ranks ? state_file_name : saved_tiles_name, ", from which ", here,
+                           " cannot go on: resume with ", there,
+                           ", or give another --out (a run without --resume "
+                           "replaces what is there)"}));
+}
+
 }  // namespace
 
-EarlierRun earlier_run(const DropOptions& options) {
+EarlierRun earlier_run(const DropOptions& options, bool on_ranks) {
   const std::filesystem::path folder{options.out};
   EarlierRun found;
-  if (!std::filesystem::exists(summary_file(folder))) return found;
+  if (!std::filesystem::exists(summary_file(folder))) {
+    refuse_other_program(folder, on_ranks);
+    return found;
+  }
   const auto refuse = [&](const std::string& rule) {
     throw error(joined_text({"--resume: ", shown(summary_file(folder).string()), ": ", rule}));
   };
@@ -42,7 +57,8 @@ EarlierRun earlier_run(const DropOptions& options) {
   } catch (const Json::exception&) {
     refuse("is no summary of a drop");
   }
-  found.has_state = std::filesystem::exists(folder / state_file_name);
+  if (!found.finished) refuse_other_program(folder, on_ranks);
+  found.has_state = has_state(folder, on_ranks);
   return found;
 }
 

@@ -19,7 +19,8 @@ struct EarlierRun {
 };
 
 /// Looks into `options.out`; a folder without a summary has no earlier run. Throws `error` that names
-/// `--resume` if the run there has other inputs, or if its summary cannot be read.
-EarlierRun earlier_run(const DropOptions& options);
+/// `--resume` if the run there has other inputs, if its summary cannot be read, or if its state is that of the
+/// other program: `on_ranks` says which one asks.
+EarlierRun earlier_run(const DropOptions& options, bool on_ranks = false);
 
 }  // namespace arenite::ffp

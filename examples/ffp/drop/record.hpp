@@ -57,6 +57,7 @@ class Run {
         warnings_{warnings},
         folder_{drop_folder(options.out, earlier)},
         progress_{options.end, {.tenths = true}} {
+    if (earlier == RunFolder::Earlier::removed) remove_saved_tiles(folder_.path());
     numbers_.started = utc_now();
     numbers_.process = ::getpid();
     numbers_.points = static_cast<long>(scene.point_count());

@@ -116,6 +116,22 @@ Json inputs_of(const DropOptions& o) {
   return j;
 }
 
+std::vector<std::pair<std::string, std::string>> told_of(const DropOptions& o) {
+  Json all = inputs_of(o);
+  all["--out"] = o.out;
+  all["--resume"] = o.resume;
+  all["--checkpoint-every"] = o.checkpoint_every;
+  all["--watch-energy"] = o.watch_energy;
+  all["--watch-volume"] = o.watch_volume;
+  all["--watch-lost"] = o.watch_lost;
+  all["--no-watch"] = o.no_watch;
+  all["--quiet"] = o.quiet;
+  all["--force"] = o.force;
+  std::vector<std::pair<std::string, std::string>> told;
+  for (const auto& [name, value] : all.items()) told.emplace_back(name, json_text(value));
+  return told;
+}
+
 std::string hash_of_inputs(const DropOptions& o) {
   Hash hash;
   const std::string inputs = json_text(inputs_of(o));

@@ -6,6 +6,7 @@
 #include <limits>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "../options/options.hpp"
@@ -75,6 +76,9 @@ std::string sentence_of(const DropFigures& f, const DropOptions& o);
 
 /// All inputs of a drop, the derived ones too, by the names of their options.
 Json inputs_of(const DropOptions& o);
+
+/// The same as text, and with them what else decides how a drop runs.
+std::vector<std::pair<std::string, std::string>> told_of(const DropOptions& o);
 
 /// Hash of all inputs and of the mesh file's content, as 16 hexadecimal digits: equal for runs of the same
 /// input.

@@ -123,16 +123,10 @@ struct When {
 template <class F>
 When(bool, F) -> When<F>;
 
-/// The folder of the state of all tiles.
-inline std::filesystem::path saved_tiles_in(const DropOptions& o) {
-  return std::filesystem::path(o.out) / "checkpoint";
-}
-
 /// What earlier runs left in the folder: all ranks read it before one of them changes it.
 EarlierRun earlier_on_ranks(mpi::World& world, const DropOptions& o) {
   EarlierRun earlier;
-  if (o.resume) earlier = earlier_run(o);
-  earlier.has_state = o.resume && std::filesystem::exists(saved_tiles_in(o) / "tiles.txt");
+  if (o.resume) earlier = earlier_run(o, true);
   world.meet();
   return earlier;
 }
@@ -179,7 +173,7 @@ void drop_on(mpi::World& world, const DropOptions& o, const EarlierRun& earlier,
   if (writes) {
     folder.reset(new RunFolder(
         drop_folder(o.out, earlier.has_state ? RunFolder::Earlier::kept : RunFolder::Earlier::removed)));
-    if (!earlier.has_state) std::filesystem::remove_all(saved_tiles_in(o));
+    if (!earlier.has_state) remove_saved_tiles(o.out);
     write_summary("running");
     if (tells)
       say(joined_text({numbers.points, " points in ", scene.tiles(), " tiles on ", world.size(), " ranks"}));
@@ -187,7 +181,7 @@ void drop_on(mpi::World& world, const DropOptions& o, const EarlierRun& earlier,
   world.meet();
 
   const StopSignals signals;
-  const SavedState saved(saved_tiles_in(o), hash_of_inputs(o));
+  const SavedState saved(std::filesystem::path(o.out) / saved_tiles_name, hash_of_inputs(o));
   const auto period = [](double given) {
     return given > 0 ? given : std::numeric_limits<double>::infinity();
   };
@@ -232,8 +226,7 @@ void drop_on(mpi::World& world, const DropOptions& o, const EarlierRun& earlier,
   }
   if (!writes) return;
   write_summary("done");
-  std::error_code ignored;  // it only takes space
-  std::filesystem::remove_all(saved_tiles_in(o), ignored);
+  remove_saved_tiles(o.out);
   if (tells) std::cout << sentence_of(figures_of(history.rows->all), o) << std::endl;
 }
 
@@ -261,18 +254,25 @@ void drop_in_space(mpi::World& world, const DropOptions& o, const EarlierRun& ea
           [&](auto mesh, auto portion) { return space_scene_in(std::move(mesh), o, PointIds{}, portion); });
 }
 
-/// The value of `--tiles N` (one a rank without), which is taken out of the words.
+/// The value of `--tiles N` or `--tiles=N` (one a rank without; the last one counts), which is taken out of the words.
 int take_tiles(std::vector<std::string>& words) {
-  const auto at = std::ranges::find(words, "--tiles");
-  if (at == words.end()) return 0;
-  require(at + 1 != words.end(), "--tiles", "", "needs a number");
-  const std::string text = at[1];
-  const int tiles =
-      text.size() < 8 && text.find_first_not_of("0123456789") == std::string::npos && !text.empty()
-          ? std::stoi(text)
-          : 0;
-  require(tiles > 0, "--tiles", shown(text), "must be a number of tiles, at least 1");
-  words.erase(at, at + 2);
+  const std::string name = "--tiles";
+  int tiles = 0;
+  for (auto word = words.begin(); word != words.end();) {
+    const bool with_value = word->starts_with(name + "=");
+    if (!with_value && *word != name) {
+      ++word;
+      continue;
+    }
+    const auto value = with_value ? word : word + 1;
+    require(value != words.end(), name, "", "needs a number");
+    const std::string text = with_value ? word->substr(name.size() + 1) : *value;
+    const bool is_number =
+        !text.empty() && text.size() < 8 && text.find_first_not_of("0123456789") == text.npos;
+    tiles = is_number ? std::stoi(text) : 0;
+    require(tiles > 0, name, shown(text), "must be a number of tiles, at least 1");
+    word = words.erase(word, value + 1);
+  }
   return tiles;
 }
 
@@ -291,6 +291,8 @@ void drop_on_ranks(mpi::World& world, std::vector<std::string> words) {
                 << "On ranks also --tiles N: pieces of the whole, at least one a rank [one a rank]\n";
     return;
   }
+  Question question{"a drop", told_of(*options)};
+  world.agree(question.with("--tiles", tiles));
   check_on_ranks(*options);
   set_threads(options->threads);
   const EarlierRun earlier = earlier_on_ranks(world, *options);

@@ -55,6 +55,15 @@ class WatchIfAny {
   std::optional<Watch> watch_{};
 };
 
+/// The signals in a value, in its order.
+inline void add_signals(const Value& value, std::vector<HostSignal>& to) {
+  if (const auto* signal = value.get<HostSignal>()) to.push_back(*signal);
+  if (const auto* list = value.get<Value::List>())
+    for (const Value& item : *list) add_signals(item, to);
+  if (const auto* dict = value.get<Value::Dict>())
+    for (const auto& [name, item] : *dict) add_signals(item, to);
+}
+
 /// Makes the scenes of tiles of a host's values, whose functions of place see the places of the whole.
 template <class Whole>
 class MakeTile {
@@ -114,7 +123,9 @@ template <class S, class Make>
 class TilesHost : public HostedScene {
  public:
   TilesHost(Tiled<S> tiled, Make make, RebalanceOptions options)
-      : tiled_{std::move(tiled)}, make_{std::move(make)}, options_{options} {}
+      : tiled_{std::move(tiled)}, make_{std::move(make)}, options_{options} {
+    detail::add_signals(*make_.values, signals_);
+  }
 
   int dimension() const override { return S::D; }
   double time() const override { return tiled_.time(); }
@@ -126,6 +137,7 @@ class TilesHost : public HostedScene {
   }
   void step(double dt) override {
     ++generation_;
+    agree("a step");
     tiled_.together([dt](S& s) { arenite::step(s, dt); });
   }
 
@@ -238,6 +250,13 @@ class TilesHost : public HostedScene {
   [[noreturn]] static void refuse(const char* what) {
     throw error(joined_text({what, ": is not there for a scene that is cut into tiles"}));
   }
+  /// After calls of the host, which may have asked for something on one rank alone, or set a signal.
+  bool agree(const char* asks, bool yes = false) {
+    Question question{asks};
+    for (const HostSignal& signal : signals_)
+      for (const double component : *signal) question.with("component of a Signal", component);
+    return tiled_.ranks().agree(question, yes);
+  }
   /// Runs in parts: between them the host is called, whose calls may ask all tiles, and which stops on all ranks if it does on one.
   template <class... Observers>
   void go(const HostedRun& run, const RunOptions& options, Observers... observers) {
@@ -269,6 +288,7 @@ class TilesHost : public HostedScene {
     if (run.resumed)
       for (auto& timer : timers) timer.go_on_from(time());
     failing_all([&] { call(); });
+    agree("the next steps of its run");
     run_of_tiles.begin();
     using Clock = std::chrono::steady_clock;
     int most = 1;
@@ -283,7 +303,7 @@ class TilesHost : public HostedScene {
         call();
         if (run.after_step) stops = run.after_step();
       });
-      if (asks || run.each_step) stops = ranks.least(stops ? 0 : 1) == 0;
+      if (asks || run.each_step) stops = agree("the next steps of its run", stops);
       asks = false;
     }
     run_of_tiles.finish();
@@ -329,6 +349,7 @@ class TilesHost : public HostedScene {
   mutable Tiled<S> tiled_;  // asking is a step of all ranks
   Make make_;
   RebalanceOptions options_;
+  std::vector<HostSignal> signals_{};
   std::vector<HostedWatched> watched_{};
   std::size_t generation_ = 0;
 };

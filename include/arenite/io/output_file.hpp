@@ -100,6 +100,8 @@ void append_number(std::string& text, double value);
 
 /// Text as the value of an XML attribute.
 std::string xml_escape(std::string_view text);
+/// The text of such a value.
+std::string xml_unescape(std::string_view value);
 
 /// "LittleEndian" or "BigEndian", as this machine is.
 inline constexpr const char* vtk_byte_order() {

@@ -211,4 +211,20 @@ ARENITE_COLD std::string xml_escape(std::string_view text) {
   return out;
 }
 
+ARENITE_COLD std::string xml_unescape(std::string_view value) {
+  std::string out;
+  while (!value.empty()) {
+    std::size_t length = 1;
+    char letter = value.front();
+    for (const char escaped : {'&', '<', '>', '"'})
+      if (const std::string text = xml_escape({&escaped, 1}); value.starts_with(text)) {
+        letter = escaped;
+        length = text.size();
+      }
+    out += letter;
+    value.remove_prefix(length);
+  }
+  return out;
+}
+
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET::shared_detail

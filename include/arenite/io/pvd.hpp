@@ -24,6 +24,9 @@ struct PvdEntry {
 /// refuses.
 void write_pvd(const std::filesystem::path& path, std::span<const PvdEntry> entries);
 
+/// Files of a series in its order; none if there is no list.
+std::vector<PvdEntry> pvd_entries(const std::filesystem::path& path);
+
 /// Times of a series in ascending order, s; none if there is no list.
 std::vector<double> pvd_times(const std::filesystem::path& path);
 
@@ -32,6 +35,10 @@ std::vector<double> pvd_times(const std::filesystem::path& path);
 /// replaces them, with a warning (`warns`: of one of those who ask); one that begins behind their first is hardly meant to: throws `error`.
 std::vector<double> kept_times(const std::filesystem::path& path, const std::vector<double>& earlier,
                                double time, bool resumed, bool warns = true);
+
+/// The files of these frames, as the list names them: those of other ranks, or with other parts, too.
+std::vector<PvdEntry> kept_entries(const std::filesystem::path& path, double time, bool resumed,
+                                   bool warns = true);
 
 /// A series that grows with a run: the list on disk is complete and readable after each step.
 class PvdWriter {

@@ -35,18 +35,31 @@ ARENITE_COLD void write_pvd(const std::filesystem::path& path, std::span<const P
   shared_detail::replace_file(path, [&](std::ostream& out) { out << text; });
 }
 
+ARENITE_COLD std::vector<PvdEntry> pvd_entries(const std::filesystem::path& path) {
+  std::vector<PvdEntry> entries;
+  std::error_code status;
+  if (!std::filesystem::is_regular_file(path, status)) return entries;
+  const std::string text = shared_detail::read_input(path, "series", std::uintmax_t{1} << 30);
+  constexpr std::string_view begin = "<DataSet ";
+  for (std::size_t at = text.find(begin); at != text.npos; at = text.find(begin, at + 1)) {
+    const std::string_view tag(text.data() + at, std::min(text.find("/>", at), text.size()) - at);
+    const auto value = [tag](std::string_view name) {
+      const std::size_t found = tag.find(name), from = found + name.size();
+      return found == tag.npos ? std::string_view{} : tag.substr(from, tag.find('"', from) - from);
+    };
+    PvdEntry& e = entries.emplace_back();
+    const auto time = value(" timestep=\""), part = value(" part=\"");
+    std::from_chars(time.data(), time.data() + time.size(), e.time);
+    std::from_chars(part.data(), part.data() + part.size(), e.part);
+    e.file = path.parent_path() / shared_detail::xml_unescape(value(" file=\""));
+  }
+  return entries;
+}
+
 ARENITE_COLD std::vector<double> pvd_times(const std::filesystem::path& path) {
   std::vector<double> times;
-  std::error_code status;
-  if (!std::filesystem::is_regular_file(path, status)) return times;
-  const std::string text = shared_detail::read_input(path, "series", std::uintmax_t{1} << 30);
-  constexpr std::string_view before = "<DataSet timestep=\"";
-  for (std::size_t at = text.find(before); at != std::string::npos; at = text.find(before, at)) {
-    double time = 0;
-    at += before.size();
-    std::from_chars(text.data() + at, text.data() + text.size(), time);
-    if (times.empty() || time > times.back()) times.push_back(time);
-  }
+  for (const PvdEntry& e : pvd_entries(path))
+    if (times.empty() || e.time > times.back()) times.push_back(e.time);
   return times;
 }
 
@@ -67,6 +80,14 @@ ARENITE_COLD std::vector<double> kept_times(const std::filesystem::path& path,
                              file.substr(file.rfind('/') + 1), " or take another prefix"}));
   }
   return {earlier.begin(), end};
+}
+
+ARENITE_COLD std::vector<PvdEntry> kept_entries(const std::filesystem::path& path, double time, bool resumed,
+                                                bool warns) {
+  const auto times = kept_times(path, pvd_times(path), time, resumed, warns);
+  auto entries = pvd_entries(path);
+  std::erase_if(entries, [&](const PvdEntry& e) { return times.empty() || e.time > times.back(); });
+  return entries;
 }
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
@@ -11,6 +12,7 @@
 #include <limits>
 #include <span>
 #include <string>
+#include <string_view>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -25,6 +27,8 @@
 #include <mpi.h>
 
 #include <arenite/core/error.hpp>
+#include <arenite/core/hash.hpp>
+#include <arenite/core/warning.hpp>
 #include <arenite/tiles/ranks.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET::mpi {
@@ -40,17 +44,22 @@ class World final : public Ranks {
     MPI_Query_thread(&level);
     require(level >= MPI_THREAD_SERIALIZED, "mpi::World: level of threads", level,
             "must be MPI_THREAD_SERIALIZED at least");
-    MPI_Comm_dup(host, &work_);
-    MPI_Comm_dup(host, &failures_);
-    MPI_Comm_rank(work_, &rank_);
-    MPI_Comm_size(work_, &size_);
+    MPI_Comm_rank(host, &rank_);
+    MPI_Comm_size(host, &size_);
+    for (MPI_Comm* comm : {&failures_, &work_}) {
+      MPI_Comm made;
+      MPI_Request request;
+      MPI_Comm_idup(host, &made, &request);
+      wait({&request, 1}, "the ranks of a scene");
+      *comm = made;
+    }
   }
   World(const World&) = delete;
   World& operator=(const World&) = delete;
   ~World() override {
     int over = 0;
     MPI_Finalized(&over);
-    if (over != 0 || failed_) return;  // what others have not taken in yet would hold it
+    if (over != 0 || failed_ || !sent_.empty()) return;  // what others have not taken in yet would hold it
     MPI_Comm_free(&failures_);
     MPI_Comm_free(&work_);
   }
@@ -106,22 +115,9 @@ class World final : public Ranks {
     wait({&request, 1});
   }
   std::vector<double> gather(const std::vector<double>& numbers) override {
-    std::vector<int> counts(static_cast<std::size_t>(size_)), first(counts.size());
-    const int own = count_of(numbers.size());
-    MPI_Request request;
-    MPI_Iallgather(&own, 1, MPI_INT, counts.data(), 1, MPI_INT, work_, &request);
-    wait({&request, 1});
-    std::size_t all = 0;
-    for (std::size_t r = 0; r < counts.size(); ++r) {
-      first[r] = count_of(all);
-      all += static_cast<std::size_t>(counts[r]);
-    }
-    std::vector<double> gathered(all);
-    MPI_Iallgatherv(numbers.data(), own, MPI_DOUBLE, gathered.data(), counts.data(), first.data(), MPI_DOUBLE,
-                    work_, &request);
-    wait({&request, 1});
-    return gathered;
+    return gathered(numbers, MPI_DOUBLE, work_);
   }
+  std::string gather(const std::string& bytes) override { return gathered(bytes, MPI_CHAR, work_); }
   double least(double number) override {
     MPI_Request request;
     MPI_Iallreduce(MPI_IN_PLACE, &number, 1, MPI_DOUBLE, MPI_MIN, work_, &request);
@@ -138,13 +134,30 @@ class World final : public Ranks {
     if (std::exchange(failed_, true)) return;
     told_ = what;
     lowest_failed_ = rank_;
-    for (int r = 0; r < size_; ++r)
-      if (r != rank_)
-        MPI_Isend(told_.data(), count_of(told_.size()), MPI_CHAR, r, 0, failures_, &sent_.emplace_back());
+    tell_others(failure);
   }
+  using Ranks::agree;
+  bool agree(const Question& question, bool yes) override {
+    if (size_ == 1) return yes;
+    const std::string words = question.packed();
+    Hash hash;
+    hash.add(words.data(), words.size());
+    said_ = {hash.value(), yes};
+    heard_.resize(static_cast<std::size_t>(size_));
+    MPI_Request request;
+    MPI_Iallgather(said_.data(), 2, MPI_UINT64_T, heard_.data(), 2, MPI_UINT64_T, failures_, &request);
+    wait({&request, 1}, question.asks);
+    if (std::ranges::any_of(heard_, [&](const auto& of_rank) { return of_rank[0] != said_[0]; }))
+      refuse_different(gathered(words, MPI_CHAR, failures_));
+    return std::ranges::any_of(heard_, [](const auto& of_rank) { return of_rank[1] != 0; });
+  }
+  void leave() override { tell_others(end_of_program); }
 
  private:
-  static constexpr int nodes = 1, points = 2;  // tags
+  static constexpr int nodes = 1, points = 2;            // tags of work
+  static constexpr int failure = 0, end_of_program = 1;  // and of failures
+  static constexpr std::chrono::seconds grace{2}, long_wait{10};
+  using Clock = std::chrono::steady_clock;
 
   static int count_of(std::size_t count) {
     require(count <= static_cast<std::size_t>(std::numeric_limits<int>::max()), "mpi: numbers in one message",
@@ -152,16 +165,68 @@ class World final : public Ranks {
     return static_cast<int>(count);
   }
 
-  /// Waits for requests; looks for failures of others from time to time. Gives way on a machine with more ranks than processors.
-  void wait(std::span<MPI_Request> requests) {
+  void tell_others(int tag) {
+    for (int r = 0; r < size_; ++r)
+      if (r != rank_)
+        MPI_Isend(told_.data(), tag == failure ? count_of(told_.size()) : 0, MPI_CHAR, r, tag, failures_,
+                  &sent_.emplace_back());
+  }
+  /// The items of all ranks, in their order.
+  template <class Items>
+  Items gathered(const Items& items, MPI_Datatype type, MPI_Comm comm) {
+    std::vector<int> counts(static_cast<std::size_t>(size_)), first(counts.size());
+    const int own = count_of(items.size());
+    MPI_Request request;
+    MPI_Iallgather(&own, 1, MPI_INT, counts.data(), 1, MPI_INT, comm, &request);
+    wait({&request, 1});
+    std::size_t count = 0;
+    for (std::size_t r = 0; r < counts.size(); ++r) {
+      first[r] = count_of(count);
+      count += static_cast<std::size_t>(counts[r]);
+    }
+    Items all(count, {});
+    MPI_Iallgatherv(items.data(), own, type, all.data(), counts.data(), first.data(), type, comm, &request);
+    wait({&request, 1});
+    return all;
+  }
+
+  /// Waits for requests; looks for failures of others from time to time. Gives way on a machine with more ranks than processors. Where all
+  /// ranks must ask for something, `asks` says what: others may never come.
+  void wait(std::span<MPI_Request> requests, std::string_view asks = {}) {
+    const auto begin = Clock::now();
+    bool warned = asks.empty();
     for (unsigned k = 1;; ++k) {
       int done = 0;
       MPI_Testall(static_cast<int>(requests.size()), requests.data(), &done, MPI_STATUSES_IGNORE);
       if (done != 0) return;
       if (k % 64 != 0) continue;
-      look_for_failures();
       std::this_thread::yield();
+      const auto now = Clock::now();
+      if (failures_ != MPI_COMM_NULL) {
+        look_for_failures();
+        look_for_end(now);
+      }
+      // What an ended rank sent before, others may hand on still.
+      if (ended_ >= 0 && now - std::max(begin, ended_at_) > grace) {
+        failed_ = true;
+        throw error(joined_text({"rank ", rank_, " asks for ", asks.empty() ? "more" : asks,
+                                 " while the program of rank ", ended_,
+                                 " has ended: all ranks must ask for the same"}));
+      }
+      if (warned || now - begin < long_wait) continue;
+      warned = true;
+      warn(joined_text({"rank ", rank_, " asks for ", asks, " and has waited ", long_wait.count(),
+                        " s for the others, which must all ask for the same"}));
     }
+  }
+  void look_for_end(Clock::time_point now) {
+    int there = 0;
+    MPI_Status status;
+    MPI_Iprobe(MPI_ANY_SOURCE, end_of_program, failures_, &there, &status);
+    if (there == 0) return;
+    MPI_Recv(nullptr, 0, MPI_CHAR, status.MPI_SOURCE, end_of_program, failures_, MPI_STATUS_IGNORE);
+    ended_ = status.MPI_SOURCE;
+    ended_at_ = now;
   }
   void look_for_failures() {
     const std::string what = take_failures();
@@ -175,11 +240,11 @@ class World final : public Ranks {
     for (;;) {
       int there = 0, length = 0;
       MPI_Status status;
-      MPI_Iprobe(MPI_ANY_SOURCE, 0, failures_, &there, &status);
+      MPI_Iprobe(MPI_ANY_SOURCE, failure, failures_, &there, &status);
       if (there == 0) return all;
       MPI_Get_count(&status, MPI_CHAR, &length);
       std::string what(static_cast<std::size_t>(length), ' ');
-      MPI_Recv(what.data(), length, MPI_CHAR, status.MPI_SOURCE, 0, failures_, MPI_STATUS_IGNORE);
+      MPI_Recv(what.data(), length, MPI_CHAR, status.MPI_SOURCE, failure, failures_, MPI_STATUS_IGNORE);
       lowest_failed_ = std::min(lowest_failed_, status.MPI_SOURCE);
       if (all.empty()) all = joined_text({"rank ", status.MPI_SOURCE, ": ", what});
     }
@@ -187,6 +252,10 @@ class World final : public Ranks {
 
   MPI_Comm work_ = MPI_COMM_NULL, failures_ = MPI_COMM_NULL;
   int rank_ = 0, size_ = 1;
+  std::array<std::uint64_t, 2> said_{};                // in `agree`: hash of the question, and whether yes
+  std::vector<std::array<std::uint64_t, 2>> heard_{};  // [ranks] the same
+  int ended_ = -1;                                     // a rank whose program has ended
+  Clock::time_point ended_at_{};                       // when it said so
   bool failed_ = false;
   int lowest_failed_ = std::numeric_limits<int>::max();
   std::string told_{};
@@ -203,7 +272,7 @@ int program(int argc, char** argv, Body&& body) {
     World world;
     try {
       body(world);
-      world.meet();
+      world.agree({"the end of the program"});
     } catch (const std::exception& e) {
       world.fail(e.what());
       const bool speaks = world.speaks_of_failure();

@@ -13,6 +13,7 @@
 
 #include <arenite/core/cold.hpp>
 #include <arenite/io/file_path.hpp>
+#include <arenite/io/pvd.hpp>
 #include <arenite/io/vtu.hpp>
 #include <arenite/law/with_deviatoric_strain.hpp>
 #include <arenite/observe/point_columns.hpp>
@@ -146,7 +147,7 @@ class VtuSeries {
     piece_ = piece_of(scene);
     names_ = detail::frame_parts(scene, options_);
     part_ = 0;
-    if (piece_.number == 0) write_list();
+    if (piece_.number == 0) follow_list();
   }
 
  private:
@@ -162,13 +163,17 @@ class VtuSeries {
   void begin_frame(double time, detail::VtuNames names);
   void write_part(const VtuData& data);
   void end_frame();
+  void follow_list();
+  /// Adds the files of a frame: all pieces of its first parts.
+  void add_files(std::vector<PvdEntry>& to, double time, std::size_t frame, std::size_t parts) const;
   /// The list of all files of the frames so far, and of the parts of this one.
   void write_list() const;
   std::string file_of(const std::string& name, std::size_t frame, int piece) const;
 
   std::string prefix_;
   VtuOptions options_;
-  std::vector<double> times_;  // [frames] s
+  std::vector<double> times_;    // [frames] s
+  std::vector<PvdEntry> files_;  // of these frames, as they were written: with other pieces and parts, too
 
   Piece piece_{};
   detail::VtuNames names_;            // of the parts of a frame

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <filesystem>
+#include <iterator>
 #include <string>
 #include <system_error>
 
@@ -94,8 +95,9 @@ ARENITE_COLD void VtuSeries::begin_frame(double time, detail::VtuNames names) {
   names_ = std::move(names);
   part_ = 0;
   if (times_.empty()) {
-    const std::string list = prefix_ + ".pvd";
-    times_ = kept_times(list, pvd_times(list), time, options_.resumed, piece_.number == 0);
+    files_ = kept_entries(prefix_ + ".pvd", time, options_.resumed, piece_.number == 0);
+    for (const PvdEntry& e : files_)
+      if (times_.empty() || e.time > times_.back()) times_.push_back(e.time);
     if (piece_.count == 1) write_list();
   }
   time_ = time;
@@ -111,22 +113,38 @@ ARENITE_COLD void VtuSeries::write_part(const VtuData& data) {
 
 ARENITE_COLD void VtuSeries::end_frame() {
   part_ = 0;
-  if (again_) return;
-  times_.push_back(time_);
-  if (piece_.count > 1 && piece_.number == 0) write_list();
+  if (again_)
+    std::erase_if(files_, [this](const PvdEntry& e) { return e.time == time_; });
+  else
+    times_.push_back(time_);
+  add_files(files_, time_, frame_, names_.size());
+  if (piece_.number == 0 && (again_ || piece_.count > 1)) write_list();
+}
+
+ARENITE_COLD void VtuSeries::follow_list() {
+  const auto there = pvd_entries(prefix_ + ".pvd");
+  files_.clear();
+  for (std::size_t frame = 0; frame < times_.size(); ++frame) {
+    const std::size_t before = files_.size();
+    std::ranges::copy_if(there, std::back_inserter(files_),
+                         [&](const PvdEntry& e) { return e.time == times_[frame]; });
+    if (files_.size() == before) add_files(files_, times_[frame], frame, names_.size());  // the list is lost
+  }
+  write_list();
+}
+
+ARENITE_COLD void VtuSeries::add_files(std::vector<PvdEntry>& to, double time, std::size_t frame,
+                                       std::size_t parts) const {
+  int number = 0;
+  for (std::size_t part = 0; part < parts; ++part)
+    for (int piece = 0; piece < piece_.count; ++piece)
+      to.push_back({time, file_of(names_[part], frame, piece), number++});
 }
 
 ARENITE_COLD void VtuSeries::write_list() const {
-  std::vector<PvdEntry> entries;
-  const auto add = [&](double time, std::size_t frame, std::size_t parts) {
-    int number = 0;
-    for (std::size_t part = 0; part < parts; ++part)
-      for (int piece = 0; piece < piece_.count; ++piece)
-        entries.push_back({time, file_of(names_[part], frame, piece), number++});
-  };
-  for (std::size_t frame = 0; frame < times_.size(); ++frame) add(times_[frame], frame, names_.size());
-  add(time_, frame_, part_);
-  write_pvd(prefix_ + ".pvd", entries);
+  auto files = files_;
+  add_files(files, time_, frame_, part_);
+  write_pvd(prefix_ + ".pvd", files);
 }
 
 ARENITE_COLD std::string VtuSeries::file_of(const std::string& name, std::size_t frame, int piece) const {

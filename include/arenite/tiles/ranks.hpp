@@ -9,6 +9,7 @@
 #include <vector>
 
 #include <arenite/core/instruction_set.hpp>
+#include <arenite/tiles/question.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
@@ -34,10 +35,18 @@ class Ranks {
   virtual void sum(std::span<std::int64_t> numbers) = 0;
   /// The numbers of all ranks, in their order.
   virtual std::vector<double> gather(const std::vector<double>& numbers) = 0;
+  /// The same of bytes.
+  virtual std::string gather(const std::string& bytes) = 0;
   /// The least number of all ranks; none of them is NaN.
   virtual double least(double number) = 0;
   /// This rank has failed: the others throw where they wait.
   virtual void fail(const std::string& what) = 0;
+  /// Compares what all ranks ask, before it is done, in one small message. Throws `error` that names rank and difference, on all ranks.
+  /// Returns whether one of them says `yes`.
+  virtual bool agree(const Question& question, bool yes) = 0;
+  void agree(const Question& question) { agree(question, false); }
+  /// This rank's program ends: others that wait for it in `agree` throw.
+  virtual void leave() {}
 };
 
 /// One process, which has all tiles.
@@ -51,8 +60,11 @@ class OneRank final : public Ranks {
   }
   void sum(std::span<std::int64_t>) override {}
   std::vector<double> gather(const std::vector<double>& numbers) override { return numbers; }
+  std::string gather(const std::string& bytes) override { return bytes; }
   double least(double number) override { return number; }
   void fail(const std::string&) override {}
+  using Ranks::agree;
+  bool agree(const Question&, bool yes) override { return yes; }
 };
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

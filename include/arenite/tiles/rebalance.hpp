@@ -125,6 +125,7 @@ Rebalanced move_tiles(Tiled<S>& tiled, Make& make, double most, Slots&& slots, P
 /// state that it had. Throws what that throws, on all ranks.
 template <class S, class Make>
 Rebalanced rebalance(Tiled<S>& tiled, Make&& make, double most = 1.05) {
+  tiled.ranks().agree(Question{"a rebalance"}.with("most", most));
   return detail::move_tiles(
       tiled, make, most, [](S& scene) { return state_slots(scene); },
       [](S& scene, StateCopy&& state) { restore_state(scene, std::move(state)); });

@@ -29,6 +29,9 @@ class RunOfTiles {
         with_{std::move(with)},
         steps_{tiled.steps()},
         observers_(std::move(observers)...) {
+    tiled.ranks().agree(detail::question_of(options)
+                            .with("RebalanceOptions.every", with_.options.every)
+                            .with("RebalanceOptions.most", with_.options.most));
     options.check(tiled.time());
     tiled.for_each_tile([this](const S& scene) { add(scene); });
   }
@@ -52,6 +55,7 @@ class RunOfTiles {
   }
   /// Saves the tiles, and what their observers carry, to a folder.
   void save(const SavedState& folder) {
+    detail::agree_on_folder(tiled_.ranks(), "saving its tiles", folder);
     const SavedTiles saver(folder);
     tiled_.together([&](S& scene) { saver.save(scene, of(scene)); });
   }

@@ -90,9 +90,16 @@ class SavedTiles {
 };
 inline SavedTiles save_tiles(SavedState folder) { return SavedTiles(std::move(folder)); }
 
+namespace detail {
+inline void agree_on_folder(Ranks& ranks, const char* asks, const SavedState& folder) {
+  ranks.agree(Question{asks}.with("folder", folder.path.string()).with("recipe", folder.recipe));
+}
+}  // namespace detail
+
 /// Saves all tiles to a folder now.
 template <class S>
 void save_state(Tiled<S>& tiled, const SavedState& folder) {
+  detail::agree_on_folder(tiled.ranks(), "saving its tiles", folder);
   const SavedTiles saver(folder);
   tiled.together([&](S& scene) { saver(std::as_const(scene)); });
 }
@@ -111,6 +118,7 @@ struct AllRestored {
 /// `carried(scene)`: what was saved with each tile beside its state.
 template <class S, class... Carried>
 void restore_tiles(Tiled<S>& tiled, const SavedState& folder, Carried&&... carried) {
+  agree_on_folder(tiled.ranks(), "restoring its tiles", folder);
   tiled.together([&](S& scene) {
     const auto list = TileList::read(folder.path);
     require(list.tiles == tiled.tiles(), "saved tiles", list.tiles,

@@ -10,6 +10,8 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <set>
+#include <string>
 #include <thread>
 #include <type_traits>
 #include <utility>
@@ -45,6 +47,14 @@ constexpr void check_observers() {
 }
 template <class S>
 class TileMaker;
+
+inline Question question_of(const RunOptions& options) {
+  return Question{"a run"}
+      .with("end", options.end)
+      .with("courant", options.courant)
+      .with("max_step", options.max_step)
+      .with("watch", options.watch);
+}
 }  // namespace detail
 
 /// The tiles of a scene that this rank has (`distribute` makes them). They are stepped at once, each by a thread of its own.
@@ -123,6 +133,7 @@ class Tiled {
   /// The sum of a number `of(scene)` over all tiles, or the least of them: asked on all ranks, which get the same.
   template <class Of>
   double sum(Of&& of) const {
+    ranks().agree({"a sum over all tiles"});
     return of_all([&](const S& scene) {
       auto number = static_cast<double>(of(scene));
       sum_over(scene.communicator(), number);
@@ -131,6 +142,7 @@ class Tiled {
   }
   template <class Of>
   double least(Of&& of) const {
+    ranks().agree({"the least number of all tiles"});
     return of_all([&](const S& scene) { return scene.communicator().least(static_cast<double>(of(scene))); });
   }
 
@@ -196,6 +208,35 @@ class Tiled {
 
 namespace detail {
 
+/// Keeps the warnings of tiles while they are made, and says each once: most are of the whole.
+class WarningsOfTiles {
+ public:
+  WarningsOfTiles() : before_{on_warning([this](const std::string& text) { told_.insert(text); })} {}
+  WarningsOfTiles(const WarningsOfTiles&) = delete;
+  WarningsOfTiles& operator=(const WarningsOfTiles&) = delete;
+  ~WarningsOfTiles() {
+    if (!said_) on_warning(std::move(before_));
+  }
+  void say(Ranks& ranks) {
+    said_ = true;
+    on_warning(std::move(before_));
+    std::string lines;
+    for (const auto& text : told_) lines += text + '\n';
+    lines = ranks.gather(lines);
+    if (ranks.rank() != 0) return;
+    told_.clear();
+    for (std::size_t at = 0, end = 0; at < lines.size(); at = end + 1) {
+      end = lines.find('\n', at);
+      if (const auto text = lines.substr(at, end - at); told_.insert(text).second) warn(text);
+    }
+  }
+
+ private:
+  std::set<std::string> told_{};
+  bool said_ = false;
+  WarningHook before_;  // last: its hook uses the others
+};
+
 /// Makes the tiles of a rank.
 template <class S>
 class TileMaker {
@@ -210,7 +251,9 @@ class TileMaker {
     All all;
     all.part_ = std::forward<Part>(part);
     all.copies_ = std::forward<Copies>(copies);
+    WarningsOfTiles warnings;
     take(all, ranks, deal_tiles(tiles, ranks.size()), make);
+    warnings.say(ranks);
     if constexpr (S::template has_part<PointIds>) all.number_points();
     return all;
   }
@@ -256,8 +299,7 @@ using TilePortion = OnPortion<MeshPortion<D>, TileCommunicator>;
 }  // namespace detail
 
 /// Cuts a scene over a simplex mesh into tiles and makes those of this rank, by `make(mesh, portion)`: a scene
-/// over `mesh`, with `portion` among its parts. All ranks give the same mesh and options. Throws `error` for
-/// tiles that cannot be.
+/// over `mesh`, with `portion` among its parts. Throws `error` for tiles that cannot be, and where ranks give other meshes or options.
 template <int D, class Make>
 auto distribute(Ranks& ranks, const MeshData<D>& whole, const TileOptions& options, Make&& make) {
   using S = std::remove_cvref_t<decltype(make(std::declval<SimplexMesh<D>>(),
@@ -269,6 +311,12 @@ auto distribute(Ranks& ranks, const MeshData<D>& whole, const TileOptions& optio
   require(tile.size() == whole.cells.size(), "TileOptions.tile", tile.size(), "must have one entry a cell");
   const auto [least, most] = std::ranges::minmax(tile);
   require(least >= 0, "TileOptions.tile", least, "must not be negative");
+  ranks.agree(Question{"the tiles of a mesh"}
+                  .with("mesh: nodes", whole.nodes)
+                  .with("mesh: cells", whole.cells)
+                  .with("mesh: regions", whole.region)
+                  .with("TileOptions.tiles", options.tiles)
+                  .with("TileOptions: tile of each cell", tile));
   return detail::TileMaker<S>::make_all(
       ranks, std::max(options.tiles, most + 1),
       [kept = std::make_shared<const MeshData<D>>(whole), tile](int t) {
@@ -290,6 +338,15 @@ auto distribute_grid(Ranks& ranks, const Grid& whole, const TileOptions& options
   require(options.tile.empty(), "TileOptions.tile", options.tile.size(),
           "goes with simplices: tiles of a grid are boxes");
   const int tiles = options.tiles > 0 ? options.tiles : ranks.size();
+  std::vector<std::array<double, static_cast<std::size_t>(D)>> corners;
+  for (Index c = 0; c < whole.cell_count(); ++c) {
+    auto& corner = corners.emplace_back();
+    for (int k = 0; k < D; ++k) corner[static_cast<std::size_t>(k)] = static_cast<double>(whole.corner(c)[k]);
+  }
+  ranks.agree(Question{"the tiles of a grid"}
+                  .with("grid: corners of cells", corners)
+                  .with("TileOptions.tiles", tiles)
+                  .with("TileOptions.weights", options.weights));
   const auto boxes = split_cells(whole, tiles, options.weights);
   std::array<Index, static_cast<std::size_t>(D)> cells, nodes;
   for (std::size_t k = 0; k < cells.size(); ++k) {
@@ -332,6 +389,7 @@ void distribute(Ranks&, const Mesh&, const TileOptions&, Make&&) {
 template <class S, class... Observers>
 void run(Tiled<S>& tiled, const RunOptions& options, Observers&&... observers) {
   detail::check_observers<Observers...>();
+  tiled.ranks().agree(detail::question_of(options));
   tiled.together([&](S& scene) {
     [&](std::remove_cvref_t<Observers>... own) { run(scene, options, own...); }(std::as_const(observers)...);
   });

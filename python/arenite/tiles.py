@@ -118,6 +118,7 @@ class TiledScene(Scene):
     the mean share of the points give tiles away. The rest is that of a `Scene`, but for `steps`, `copy` and pickle; `watched` is on rank 0.
     Functions of positions that recipes hold are called on all ranks, once, with all positions.
 
+    What all ranks ask is compared before it is done: where recipes, options or questions differ, all raise `Error`, which names the rank.
     Functions that `run` is given are called on all ranks, with the scene, whose bodies are those of the rank. An exception on one rank ends
     the run on all of them; `mpirun -n 4 python -m mpi4py program.py` then ends the program.
 

@@ -1,4 +1,4 @@
-// tests.mpi.tiles [grid] TILES STEPS [balance | save FOLDER STEP | restore FOLDER | fail | outside | mesh | killed FOLDER]: sand with a body that
+// tests.mpi.tiles [grid] TILES STEPS [balance | save FOLDER STEP | restore FOLDER | fail | outside | mesh | cut | run | alone | killed FOLDER]: sand with a body that
 // is pushed into it, cut into tiles on the ranks that there are; prints a hash of all points, and what moved between ranks.
 #include <arenite/arenite.hpp>
 #include <arenite/mpi.hpp>
@@ -92,13 +92,16 @@ struct CountsCalls {
 
 template <class Mesh, class Make>
 void work(mpi::World& world, const std::vector<std::string>& given, const Mesh& mesh, Make&& make) {
-  const int tiles = std::stoi(given.at(1));
   const auto steps = std::stoul(given.at(2));
   const std::string what = given.size() > 3 ? given[3] : "", folder = given.size() > 4 ? given[4] : "";
+  const int tiles = std::stoi(given.at(1)) + (what == "cut" ? world.rank() : 0);
   if (what == "mesh" && world.rank() == 1) throw error("mesh.msh: the sentence of a failure");
   auto scene = distribute(world, mesh, {.tiles = tiles}, make);
   if (what == "restore") restore_state(scene, folder);
   if (what == "outside" && world.rank() == world.size() - 1) throw error("the sentence of a failure");
+  if (what == "run") run(scene, {.end = world.rank() == 1 ? 0.02 : 0.01});
+  if (what == "alone" && world.rank() == 1) scene.sum([](const auto& s) { return s.point_count(); });
+  if (what == "alone") return;
   const auto save_at = what == "save" ? std::stoul(given.at(5)) : 0;
   const auto ranks_before = scene.shared().rank_of();
   if (what == "balance")

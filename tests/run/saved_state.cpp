@@ -112,6 +112,17 @@ TEST_CASE("Saved: a series of files goes on, is replaced with a warning, or is k
   steps(restored, 1, series);
   CHECK(frames().size() == 4);
 
+  // With other parts: the files of each frame are those that were written for it.
+  auto renamed = make();
+  auto other_parts = vtu("series/run", {.body_names = {"soil"}});
+  restore_state(renamed, "series/state", other_parts);
+  steps(renamed, 1, other_parts);
+  const auto files = pvd_entries("series/run.pvd");
+  REQUIRE(files.size() == 4);
+  CHECK(files[2].file == "series/run_body0_0002.vtu");
+  CHECK(files[3].file == "series/run_soil_0003.vtu");
+  CHECK(std::ranges::all_of(files, [](const PvdEntry& e) { return std::filesystem::exists(e.file); }));
+
   auto without = make();
   restore_state(without, "series/state", first);
   const std::string kept = content_of("series/run_body0_0000.vtu");

@@ -125,8 +125,6 @@ std::vector<std::pair<std::string, std::string>> told_of(const DropOptions& o) {
   all["--watch-volume"] = o.watch_volume;
   all["--watch-lost"] = o.watch_lost;
   all["--no-watch"] = o.no_watch;
-  all["--quiet"] = o.quiet;
-  all["--force"] = o.force;
   std::vector<std::pair<std::string, std::string>> told;
   for (const auto& [name, value] : all.items()) told.emplace_back(name, json_text(value));
   return told;

@@ -93,15 +93,13 @@ struct Question {
   if (other.asks != first.asks) {
     told = joined_text({"rank ", rank, " asks for ", other.asks, " while rank 0 asks for ", first.asks});
   } else {
-    const auto at = [](const Question& q, std::size_t k) {
-      return k < q.given.size() ? q.given[k] : std::pair<std::string, std::string>{"nothing", "more"};
+    const auto given = [](const Question& q, std::size_t k) {
+      return k < q.given.size() ? joined_text({q.given[k].first, " = ", q.given[k].second}) : "nothing";
     };
     std::size_t k = 0;
-    while (k < first.given.size() && at(first, k) == at(other, k)) ++k;
-    const auto [name, value] = at(other, k);
-    const auto [name_of_first, value_of_first] = at(first, k);
-    told = joined_text({first.asks, ": rank ", rank, " was given ", name, " = ", value, ", rank 0 ",
-                        name_of_first, " = ", value_of_first});
+    while (k < first.given.size() && given(first, k) == given(other, k)) ++k;
+    told = joined_text(
+        {first.asks, ": rank ", rank, " was given ", given(other, k), ", rank 0 ", given(first, k)});
   }
   throw error(told + ": all ranks must ask for the same");
 }

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import atexit
+import dataclasses
 import functools
 import hashlib
 import weakref
@@ -77,8 +78,8 @@ def told(value: Any, name: str) -> Iterator[Tuple[str, str]]:
             pass
     if isinstance(value, np.ndarray):
         numbers = np.ascontiguousarray(value, dtype=None if value.dtype.kind in "OSU" else float)
-        shown = f"{numbers.tolist()}" if numbers.size <= 8 or numbers.dtype.kind in "OSU" else f"{list(numbers.shape)} numbers of hash {_digest(numbers.tobytes())}"
-        yield name, shown
+        few = numbers.size <= 8 or numbers.dtype.kind in "OSU"
+        yield name, f"{numbers.tolist()}" if few else f"{list(numbers.shape)} numbers of hash {_digest(numbers.tobytes())}"
     elif value is None:
         yield name, "None"
     elif isinstance(value, (int, float)) and not isinstance(value, bool):
@@ -88,12 +89,11 @@ def told(value: Any, name: str) -> Iterator[Tuple[str, str]]:
     elif callable(value) and not isinstance(value, Recipe):
         yield from _of_function(value, name)
     else:
-        if isinstance(value, Recipe):
-            yield name, type(value).__name__
-        elif isinstance(value, (list, tuple, dict)):
-            yield name, f"{len(value)} entries"
-        for part, of in parts(value, name):
-            yield from told(part, of)
+        contains = isinstance(value, (list, tuple, dict))
+        yield name, f"{len(value)} entries" if contains else type(value).__name__
+        if contains or isinstance(value, Recipe) or dataclasses.is_dataclass(value):
+            for part, of in parts(value, name):
+                yield from told(part, of)
 
 
 class Asked:

@@ -80,6 +80,9 @@ def run_in_folder(scene: Scene, end: float, folder: PathLike, *, checkpoint_ever
     if not end >= scene.time:
         raise Error(f"end = {end:g}: must not lie before the scene's time {scene.time:g}")
     path = os.fspath(folder)
+    if len(scene._pieces()) > 1:
+        raise Error(f"run_in_folder: folder = {path}: is held by one process, and this scene is on {len(scene._pieces())} ranks: give `run` a "
+                    "function that calls scene.save(..) in `every`, and go on with scene.restore(..)")
     held = _core.RunFolder(path, resume)
     try:
         state = os.path.join(path, "checkpoint.state")

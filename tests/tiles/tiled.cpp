@@ -195,3 +195,18 @@ TEST_CASE(
              }),
              Catch::Matchers::Contains("energy"));
 }
+
+TEST_CASE("Warnings of new tiles are said once: most are of the whole") {
+  std::vector<std::string> told;
+  const auto hook = on_warning([&](const auto& text) { told.push_back(text); });
+  OneRank here;
+  const auto make = [](auto mesh, auto portion) {
+    warn("a wall is thin");
+    warn(joined_text({"tile ", portion.number, " alone"}));
+    return column()(std::move(mesh), std::move(portion));
+  };
+  distribute(here, mesh(), {.tiles = 2}, make);
+  warn("another");  // the hook is back
+  on_warning(hook);
+  CHECK(told == std::vector<std::string>{"a wall is thin", "tile 0 alone", "tile 1 alone", "another"});
+}

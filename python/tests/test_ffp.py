@@ -218,7 +218,7 @@ def values_of(takes, text):
     return [float(number[1 if default else 2].rstrip(",")) if number else 28 if takes == "N" else "name"]
 
 
-@pytest.mark.parametrize("command, count", [("drop", 55), ("reduce", 24)])
+@pytest.mark.parametrize("command, count", [("drop", 55), ("reduce", 26)])
 def test_every_option_is_a_keyword(command, count, coarse, tmp_path):
     options = [one for one in listed_options(command) if one[0] != "--version"]
     assert len(options) >= count

@@ -93,3 +93,17 @@ TEST_CASE("a BlueDrop's calibration, and records that cannot be used") {
   REQUIRE(holds(refusal(written("cut.bin", std::string(3599999, '\0'))),
                 "cut.bin = 3599999 bytes: a BlueDrop's record has 3600000"));
 }
+
+TEST_CASE("a BlueDrop's record that lost an integer or a row is refused with its place") {
+  const std::string whole = bluedrop_record(15);
+  for (const std::size_t lost : {std::size_t{3}, std::size_t{30}}) {  // bytes
+    std::string bytes = whole;
+    const std::size_t at = 39000 * 30 + (lost == 3 ? 12 : 0);
+    bytes.erase(at, lost);
+    bytes.append(lost, '\0');
+    const auto said = refusal(written("lost.bin", bytes));
+    REQUIRE(
+        holds(said, lost == 3 ? "lost.bin: row 39001 (byte 1170030)" : "lost.bin: row 39000 (byte 1170000)"));
+    REQUIRE(holds(said, lost == 3 ? "an integer is missing" : "rows are missing"));
+  }
+}

@@ -356,3 +356,140 @@ TEST_CASE("what a record cannot show is said") {
   const Fall lost{.peak = 0.9 * 0.5 * pi / 2 / 0.046};
   REQUIRE(warns(reduced(file_of(lost.record())), "the integral leaves"));
 }
+
+namespace {
+
+/// Two records one after the other.
+std::vector<double> both(std::vector<double> a, const std::vector<double>& b) {
+  a.insert(a.end(), b.begin(), b.end());
+  return a;
+}
+
+/// Half a sine of `peak` g for `braking` s from the sample at `from` s on.
+std::vector<double> knocked(std::vector<double> net, double from, double braking, double peak) {
+  for (std::size_t i = 0; i < net.size(); ++i)
+    if (const double t = static_cast<double>(i) / 2000 - from; t > 0 && t < braking)
+      net[i] = peak * std::sin(pi * t / braking);
+  return net;
+}
+
+}  // namespace
+
+TEST_CASE("a slow logger finds the impact, and says how far off it may be") {
+  const Fall motion;
+  for (const double rate : {100.0, 200.0, 250.0, 400.0, 500.0, 1000.0})
+    for (const double shift : {0.0, 0.25, 0.5, 0.75}) {  // of a sample
+      Fall shifted = motion;
+      shifted.before += shift / rate;
+      const auto r = reduced(file_of(shifted.record(rate), rate));
+      CAPTURE(rate, shift, r.greatest_depth, *r.depth_of_sampling);
+      REQUIRE(std::abs(*r.depth_of_sampling / (motion.velocity() / rate / 2) - 1) < 0.05);
+      REQUIRE(std::abs(r.greatest_depth - motion.depth()) < *r.depth_of_sampling + 5e-4);
+      REQUIRE(std::abs(r.motion.impact_velocity - motion.velocity()) < *r.velocity_of_sampling + 0.01);
+      REQUIRE(warns(r, "between two samples") == (rate < 450));
+    }
+}
+
+TEST_CASE("several drops in a record are listed, and one is taken by its number or time alone") {
+  const Fall first, second{.before = 2, .fall = 0.3, .braking = 0.02, .peak = 0.3 * pi / 2 / 0.02};
+  const auto file = file_of(both(first.record(), second.record()));
+  REQUIRE(holds(refusal(file), "record.csv: holds 2 drops: drop 1 at 0.9"));
+  REQUIRE(holds(refusal(file), "; drop 2 at 3.7"));
+  REQUIRE(holds(refusal(file), "give --drop N, or --impact-time"));
+  for (const auto& [words, motion] : {std::pair{std::vector<std::string>{"--drop", "1"}, first},
+                                      {{"--drop", "2"}, second},
+                                      {{"--impact-time", "0.9"}, first},
+                                      {{"--impact-time", "3.746"}, second}}) {
+    const auto r = reduced(file, words);
+    CAPTURE(words);
+    REQUIRE(std::abs(r.motion.impact_velocity / motion.velocity() - 1) < 0.01);
+    REQUIRE(std::abs(r.greatest_depth / motion.depth() - 1) < 0.06);
+    REQUIRE(std::abs(r.peak_g() / motion.peak - 1) < 0.01);
+    const auto events = json_of(r, ReduceOptions{})["events"];
+    REQUIRE(events.size() == 2);
+    REQUIRE(std::abs(events[1]["time_s"].get<double>() - 3.746) < 1e-3);
+    REQUIRE(std::abs(events[1]["velocity_m_s"].get<double>() / second.velocity() - 1) < 0.01);
+    REQUIRE(std::abs(events[1]["depth_cm"].get<double>() / second.depth() / 100 - 1) < 0.06);
+    REQUIRE(std::abs(events[1]["peak_g"].get<double>() / second.peak - 1) < 0.01);
+  }
+  REQUIRE(holds(refusal(file, {"--drop", "3"}), "--drop = 3: the record holds 2 drops: "));
+  REQUIRE(holds(refusal(file, {"--drop", "1", "--impact-time", "1"}), "--drop = 1: goes without"));
+}
+
+TEST_CASE("knocks and glitches beside a drop change nothing, and are told by time") {
+  const Fall motion{.after = 2};
+  const auto net = motion.record();
+  const double depth = reduced(file_of(net)).greatest_depth;
+  for (const double at : {0.1, 0.2, 1.9}) {
+    for (const std::vector<double>& record :
+         {knocked(net, at, 5e-3, 2 * motion.peak), knocked(net, at, 5e-4 * 1.5, 250)}) {
+      const auto r = reduced(file_of(record));
+      CAPTURE(at, r.notes);
+      REQUIRE(r.greatest_depth == depth);
+      REQUIRE(r.warnings.empty());
+      REQUIRE(r.events.size() == 2);
+      REQUIRE(holds(r.notes.back() + r.notes[1] + r.notes[0], joined_text({" at ", at})));
+    }
+  }
+  auto glitch = net;
+  glitch[1400] = -250;  // in the fall
+  const auto r = reduced(file_of(glitch));
+  REQUIRE(warns(r, "-250 g at 0.7 s; without them the impact has 4.9 m/s"));
+  REQUIRE(warns(r, "the integral leaves 1.2"));
+  // With another reading, too.
+  REQUIRE(
+      holds(refusal(file_of(shown_by(knocked(net, 0.2, 5e-3, 40), 1, true, 0))), "; give --reads proper"));
+}
+
+TEST_CASE("the impact is the first contact after the fall, be it a crust over a void; in water the ground") {
+  auto net = Fall{.braking = 0, .after = 0}.record();
+  std::vector<double> crust = net, water{};
+  const auto add = [](std::vector<double>& to, double seconds, auto&& a) {
+    for (int i = 0; i < static_cast<int>(std::lround(seconds * 2000)); ++i) to.push_back(a(i / 2000.));
+  };
+  const auto sine = [](double peak, double braking) {
+    return [=](double t) { return peak * std::sin(pi * t / braking); };
+  };
+  const auto level = [](double a) { return [=](double) { return a; }; };
+  double left = 0.5 - 10 * 0.02 * 2 / pi + 0.95 * 0.03;  // s of fall
+  add(crust, 0.02, sine(10, 0.02));
+  add(crust, 0.03, level(-0.95));
+  add(crust, 0.03, sine(left * pi / 2 / 0.03, 0.03));
+  add(crust, 1, level(0));
+  const auto r = reduced(file_of(crust));
+  REQUIRE(std::abs(r.motion.impact_velocity - 4.905) < 0.01);
+  REQUIRE(std::abs(r.greatest_depth - 0.26018) < 3e-3);
+  REQUIRE(std::abs(r.peak_g() / (left * pi / 2 / 0.03) - 1) < 0.01);
+  REQUIRE(r.warnings.empty());
+  // Through a metre of water.
+  water.assign(1000, 0);
+  add(water, 0.3, level(-1));
+  add(water, 0.01, sine(8, 0.01));
+  add(water, 1, level(-0.05));
+  left = 0.3 - 8 * 0.01 * 2 / pi + 0.05;
+  add(water, 0.12, sine(left * pi / 2 / 0.12, 0.12));
+  add(water, 1, level(0));
+  const auto file = file_of(water);
+  const auto ground = reduced(file, {"--medium", "water"});
+  REQUIRE(std::abs(ground.motion.impact_velocity - left * g) < 0.03);
+  REQUIRE(std::abs(ground.greatest_depth / (left * g * 0.06) - 1) < 0.1);
+  REQUIRE(holds(refusal(file), "no drop moves so: "));
+  REQUIRE(holds(refusal(file), "it goes 2.8"));
+  REQUIRE(warns(reduced(file, {"--force"}), "no drop moves so: "));
+}
+
+TEST_CASE("an accelerometer that holds no level is refused") {
+  const auto net = Fall{}.record();
+  for (const double tau : {0.5, 2.0}) {
+    std::vector<double> coupled{net[0]};
+    for (std::size_t i = 1; i < net.size(); ++i)
+      coupled.push_back(tau / (tau + 5e-4) * (coupled.back() + net[i] - net[i - 1]));
+    REQUIRE(holds(refusal(file_of(coupled)), "does the accelerometer hold a level (an AC-coupled one"));
+  }
+  const Fall lost{.peak = 0.4 * 0.5 * pi / 2 / 0.046};
+  REQUIRE(holds(refusal(file_of(lost.record())), "the integral leaves 2.9"));
+  auto clipped = Fall{}.record();
+  for (std::size_t i = 0; i < clipped.size(); ++i)
+    clipped[i] = std::min(clipped[i], 9.5) + (i % 3 == 0 ? 0.01 : i % 5 == 0 ? -0.01 : 0);
+  REQUIRE(warns(reduced(file_of(clipped)), "stays at its largest, 9.5"));
+}

@@ -12,6 +12,7 @@ void check(const ReduceOptions& o) {
   require(
       !o.file.empty(), "FILE", "(none)",
       "must be given: a table with a time and a deceleration, a BlueDrop's .bin, or the folder of a drop");
+  require(!o.drop || !o.impact_time, "--drop", o.drop.value_or(0), "goes without --impact-time");
   require(o.medium == Medium::water || !o.drag, "--drag", o.drag.value_or(0), "needs --medium water");
 }
 

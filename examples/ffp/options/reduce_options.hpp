@@ -46,6 +46,7 @@ struct ReduceOptions {
   std::string scale, offset;  ///< "2g=1.62e6,18g=1.6e5": win over the file's
   Tip tip = Tip::cone;        ///< unless a drop's folder tells
   std::optional<double> mass, gravity;
+  std::optional<int> drop;                             ///< of several in the record, from 1
   std::optional<double> impact_time, impact_velocity;  ///< s as in the record, m/s
   std::optional<double> threshold;                     ///< g, net
   double window = 2e-3;                                ///< s, of the mean; 0: none
@@ -58,6 +59,7 @@ struct ReduceOptions {
   std::optional<double> drag;             ///< drag coefficient on the base
   std::optional<double> unit_weight, k0;  ///< of the soil, N/m^3 (in water: submerged)
   std::string out;                        ///< empty: beside the file, or the drop's folder
+  bool force = false;                     ///< what no drop does is reduced, too
   bool no_picture = false, quiet = false;
 
   /// Net deceleration that counts as the impact, g: in air the end of free fall; in water the fall may have
@@ -83,6 +85,7 @@ void visit_reduce_options(Options& o, Visitor& v) {
          "sample values that belong to no probe");
   v.text("--scale", o.scale, "RANGE=S,..", "Counts a g by range of a BlueDrop, 2g, 18g, 50g, 200g, 250g");
   v.text("--offset", o.offset, "RANGE=O,..", "Counts that are added before the division, by range");
+  v.number("--drop", o.drop, "N", Range{1, 1000}, "Which drop, of a record with several");
   v.number("--impact-time", o.impact_time, "S", Range{-1e9, 1e9, "s"},
            "Time of the impact in the record; without, where the deceleration leaves the fall");
   v.number("--impact-velocity", o.impact_velocity, "M_S", above(0, 100, "m/s"),
@@ -115,6 +118,7 @@ void visit_reduce_options(Options& o, Visitor& v) {
   v.number("--k0", o.k0, "X", Range{0, 3}, "Earth pressure at rest, of itself 0.5 or the drop's");
   v.group("Run");
   v.text("--out", o.out, "DIR", "Folder of the results; without, that of FILE");
+  v.flag("--force", o.force, "Reduce a motion that no drop can have, too");
   v.flag("--no-picture", o.no_picture, "Draw nothing");
   v.flag("--quiet", o.quiet, "Nothing on the terminal but errors and warnings");
 }

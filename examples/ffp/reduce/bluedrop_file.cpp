@@ -42,6 +42,35 @@ void each_assignment(const std::string& option, const std::string& text, const T
   }
 }
 
+/// The first column counts the rows. Throws `error` that names the row from which on the integers are not where
+/// they belong, or the rows between which others are missing.
+template <class Raw>
+void check_rows(const Raw& raw, const std::string& file) {
+  constexpr std::int32_t values = 1 << 24;
+  constexpr std::size_t sure = 100;  // rows
+  const auto step = [&](std::size_t row) {
+    return ((raw(row, 0) - raw(row - 1, 0)) % values + values) % values;
+  };
+  const std::int32_t usual = step(1);
+  for (std::size_t row = 2; row < bluedrop_rows; ++row) {
+    if (step(row) == usual) continue;
+    if (row < sure) return;  // it counts nothing here
+    const std::int32_t counted = usual > 0 ? step(row) : 0;
+    const bool goes_on = row + 2 < bluedrop_rows && step(row + 1) == usual && step(row + 2) == usual;
+    const std::size_t byte = row * bluedrop_columns * bluedrop_bytes;
+    throw error(
+        goes_on && counted % std::max(usual, 1) == 0 && counted > 0
+            ? joined_text({file, ": row ", row, " (byte ", byte,
+                           "): the count of the first column jumps from ", raw(row - 1, 0), " to ",
+                           raw(row, 0), ": rows are missing, and the times after them are wrong"})
+            : joined_text(
+                  {file, ": row ", row, " (byte ", byte, "): the first column, ", raw(row - 1, 0),
+                   " in the row before, reads ", raw(row, 0), ", not ", raw(row - 1, 0) + usual,
+                   ": an integer is missing or too many in the row before, or one is damaged; the columns "
+                   "after it are not those of the accelerometers"}));
+  }
+}
+
 }  // namespace
 
 Calibration calibration_of(const ReduceOptions& o) {
@@ -96,6 +125,7 @@ Measurement read_bluedrop(const std::filesystem::path& path, const ReduceOptions
     const std::int32_t value = (byte(0) << 16) | (byte(1) << 8) | byte(2);
     return value >= (1 << 23) ? value - (1 << 24) : value;
   };
+  check_rows(raw, file);
   constexpr std::int32_t top = (1 << 23) - 1;
   const Calibration calibration = calibration_of(o);
   Measurement m;

@@ -13,102 +13,57 @@ namespace arenite::ffp {
 
 namespace {
 
-/// The deceleration, its filter and its integral, while the impact is looked for.
-class ImpactSearch {
- public:
-  ImpactSearch(Measurement m, const ImpactSettings& s)
-      : m_{std::move(m)}, s_{s}, means_{interval_means(m_)}, integral_{m_.time, means_} {
-    filtered_ = s_.window > 0 ? moving_average(m_.time, means_, s_.window) : m_.deceleration;
-    peak_ =
-        static_cast<std::size_t>(std::max_element(filtered_.begin(), filtered_.end()) - filtered_.begin());
-    require(filtered_[peak_] > 0, "largest deceleration", filtered_[peak_] / s_.gravity,
-            "must be positive, in g; is the record positive when the penetrometer gets faster (--invert)?");
-  }
-
-  const Measurement& measurement() const { return m_; }
-  const std::vector<double>& means() const { return means_; }
-  const std::vector<double>& filtered() const { return filtered_; }
-
-  /// Time at which the deceleration leaves the fall for the last time before its peak.
-  double impact() const {
-    if (s_.impact_time) {
-      require(*s_.impact_time >= m_.time.front() && *s_.impact_time < m_.time.back(), "--impact-time",
-              *s_.impact_time, {"must lie in the record, [", m_.time.front(), ", ", m_.time.back(), ") s"});
-      return *s_.impact_time;
-    }
-    const double level = s_.threshold * s_.gravity;
-    const auto before = last_at_most(filtered_, peak_, level);
-    if (!before)
-      throw error(joined_text({"no sample before the peak lies at or below ", s_.threshold,
-                               " g, so that the impact cannot be found, in ",
-                               rounded(m_.time.back() - m_.time.front()), " s with a peak of ",
-                               rounded(filtered_[peak_] / s_.gravity),
-                               " g; are these units and sign (--invert) of the record? Else give "
-                               "--impact-time, or another --threshold"}));
-    // The filter smears the rise over its window: the samples tell where in it.
-    std::size_t until = *before;
-    while (until + 1 < peak_ && m_.time[until + 1] <= m_.time[*before] + s_.window) ++until;
-    const auto exact = last_at_most(m_.deceleration, until, level);
-    const std::size_t i = exact && m_.time[*exact] >= m_.time[*before] - s_.window ? *exact : *before;
-    const double a = m_.deceleration[i], b = m_.deceleration[i + 1];
-    if (m_.step_means || !(b > level) || !(a <= level)) return m_.time[i];
-    return m_.time[i] + (level - a) / (b - a) * (m_.time[i + 1] - m_.time[i]);
-  }
-
-  /// Time at which the fall to an impact begins; none if the record begins in the fall.
-  std::optional<double> release(double impact) const {
-    std::size_t i = at(impact);
-    if (s_.in_water) {  // anywhere in the last seconds, by the largest acceleration
-      constexpr double longest = 10;
-      std::size_t from = i;
-      while (from > 0 && m_.time[from - 1] > impact - longest) --from;
-      i = static_cast<std::size_t>(std::min_element(filtered_.begin() + static_cast<std::ptrdiff_t>(from),
-                                                    filtered_.begin() + static_cast<std::ptrdiff_t>(i) + 1) -
-                                   filtered_.begin());
-    } else {
-      while (i > 0 && m_.time[i] > impact - s_.window) --i;  // out of the filtered rise
-    }
-    const double level = s_.in_water ? filtered_[i] / 2 : -0.5 * s_.gravity;
-    if (filtered_[i] > std::min(level, -0.3 * s_.gravity)) return std::nullopt;
-    while (i > 0 && filtered_[i - 1] <= level) --i;
-    if (i == 0) return std::nullopt;
-    const double share = (level - filtered_[i - 1]) / (filtered_[i] - filtered_[i - 1]);
-    return m_.time[i - 1] + share * (m_.time[i] - m_.time[i - 1]);
-  }
-
-  /// Time at which it stands, some while after the peak; none if the record ends before.
-  std::optional<double> rest() const {
-    constexpr double after = 0.3, over = 0.02;  // s
-    const double end = std::min(m_.time.back(), m_.time[peak_] + after);
-    if (end - over <= m_.time[peak_]) return std::nullopt;
-    const double mean = (integral_(end) - integral_(end - over)) / over;
-    return std::abs(mean) < 0.3 * s_.gravity ? std::optional{end} : std::nullopt;
-  }
-
-  /// Change of velocity between two times, m/s: positive when it slows.
-  double slowed(double from, double to) const { return integral_(to) - integral_(from); }
-
-  /// The last sample at or before a time.
-  std::size_t at(double t) const {
-    return static_cast<std::size_t>(std::max<std::ptrdiff_t>(
-        std::upper_bound(m_.time.begin(), m_.time.end(), t) - m_.time.begin() - 1, 0));
-  }
-
- private:
-  static std::optional<std::size_t> last_at_most(const std::vector<double>& values, std::size_t from,
-                                                 double level) {
-    for (std::size_t i = from + 1; i-- > 0;)
-      if (values[i] <= level) return i;
-    return std::nullopt;
-  }
-
-  Measurement m_;
-  ImpactSettings s_;
-  std::vector<double> means_;
-  StepIntegral integral_;
-  std::vector<double> filtered_;
-  std::size_t peak_ = 0;
+/// The fall that is meant.
+struct ChosenFall {
+  double impact = 0, peak_time = 0;         // s
+  std::optional<double> release, interval;  // s
 };
+
+ChosenFall chosen_fall(const RecordSearch& search, const ImpactSettings& s) {
+  const Measurement& m = search.measurement();
+  if (s.impact_time) {
+    require(*s.impact_time >= m.time.front() && *s.impact_time < m.time.back(), "--impact-time",
+            *s.impact_time, {"must lie in the record, [", m.time.front(), ", ", m.time.back(), ") s"});
+    return {*s.impact_time, search.peak_after(*s.impact_time), search.release(*s.impact_time), {}};
+  }
+  const auto falls = search.falls();
+  if (falls.empty()) {
+    const auto& filtered = search.filtered();
+    const double peak = *std::max_element(filtered.begin(), filtered.end());
+    require(peak > 0, "largest deceleration", peak / s.gravity,
+            "must be positive, in g; is the record positive when the penetrometer gets faster (--invert)?");
+    const auto last = std::max_element(filtered.begin(), filtered.end());
+    std::size_t left = 0;  // the last sample of a fall before the peak
+    for (auto i = filtered.begin(); i < last; ++i)
+      if (*i <= s.threshold * s.gravity) left = static_cast<std::size_t>(i - filtered.begin()) + 1;
+    if (left > 0)
+      throw error(joined_text({"the deceleration leaves the fall (", s.threshold, " g) at ",
+                               text_of_time(m.time[left - 1]),
+                               " s, and no impact follows at once; does the accelerometer hold a level (an "
+                               "AC-coupled one does not), and is the fall free? Else give --impact-time, or "
+                               "another --threshold"}));
+    throw error(
+        joined_text({"no sample before the peak lies at or below ", s.threshold,
+                     " g, so that the impact cannot be found, in ", rounded(m.time.back() - m.time.front()),
+                     " s with a peak of ", rounded(peak / s.gravity),
+                     " g; are these units and sign (--invert) of the record? Else give "
+                     "--impact-time, or another --threshold"}));
+  }
+  std::size_t k = search.drops(falls).front();
+  for (std::size_t i = 0; s.drop_at && i < falls.size(); ++i)
+    if (std::abs(falls[i].at_impact().time - *s.drop_at) < std::abs(falls[k].at_impact().time - *s.drop_at))
+      k = i;
+  const Fall& fall = falls[k];
+  const Contact& c = fall.at_impact();
+  ChosenFall chosen{c.time, c.peak_time, fall.contacts.front().release, c.sample_interval};
+  double highest = c.peak;
+  for (std::size_t i = fall.impact; i < fall.contacts.size(); ++i)
+    if (fall.contacts[i].peak > highest) {
+      highest = fall.contacts[i].peak;
+      chosen.peak_time = fall.contacts[i].peak_time;
+    }
+  return chosen;
+}
 
 /// Time of the first rest after the impact, interpolated. `left`: velocity that stands for rest, m/s.
 std::optional<double> first_rest(const Motion& m, double left) {
@@ -127,13 +82,15 @@ std::optional<double> first_rest(const Motion& m, double left) {
 Motion motion_of(Measurement record, const ImpactSettings& s) {
   Motion motion;
   for (double& a : record.deceleration) a -= s.offset;
-  const ImpactSearch search{std::move(record), s};
+  const RecordSearch search{std::move(record), s};
   const Measurement& m = search.measurement();
-  const double impact = search.impact();
+  const auto [impact, peak_time, release, interval] = chosen_fall(search, s);
   motion.impact_time = impact;
+  motion.impact_interval = interval;
+  motion.release = release;
   motion.impact_from = s.impact_time ? "given" : "threshold";
 
-  const auto release = search.release(impact), rest = search.rest();
+  const auto rest = search.rest(peak_time);
   if (s.impact_velocity) {
     motion.impact_velocity = *s.impact_velocity;
     motion.velocity_from = "given";
@@ -180,7 +137,7 @@ Motion motion_of(Measurement record, const ImpactSettings& s) {
   // nothing there, but creeps before: half a per cent.
   const double left =
       motion.velocity_from == "rest" ? 5e-3 * motion.impact_velocity : motion.velocity_left.value_or(0);
-  const bool is_rest = !m.step_means && left > 0 && left < 0.1 * motion.impact_velocity;
+  const bool is_rest = !m.step_means && left > 0 && left < unbelievable_left * motion.impact_velocity;
   motion.stop = first_rest(motion, is_rest ? left : 0);
   if (!motion.stop && motion.velocity_from == "rest") motion.stop = *rest - impact;
   constexpr double shown_after_rest = 0.1, shown_without = 1;  // s

@@ -10,7 +10,12 @@
 
 namespace arenite::ffp {
 
-Levels levels_of(const Measurement& m, double gravity, bool in_water) {
+namespace {
+
+/// The levels around the largest deviation from the median within the windows' samples; `taken`: times
+/// around which it is not looked for, to which its own is added.
+Levels levels_at_largest(const Measurement& m, double gravity, bool in_water, const PeakWindow& window,
+                         std::vector<double>& taken) {
   constexpr double least = 0.02, longest = 1, quiet = 0.1;  // s, s, g
   constexpr double margin = 0.02;                           // s, around the release
   const double longest_fall = in_water ? 10 : 2;            // s
@@ -36,13 +41,22 @@ Levels levels_of(const Measurement& m, double gravity, bool in_water) {
   std::nth_element(x.begin(), middle, x.end());
   const double median = *middle;
   x = moving_average(t, means, 2e-3);
+  constexpr double apart = 0.25;  // s, between two shocks
+  const auto counts = [&](std::size_t i) {
+    return t[i] >= window.from && t[i] <= window.to &&
+           std::ranges::none_of(taken, [&](double other) { return std::abs(t[i] - other) < apart; });
+  };
   std::size_t peak = 0;
+  double largest = -1;
   for (std::size_t i = 0; i < x.size(); ++i)
-    if (std::abs(x[i] - median) > std::abs(x[peak] - median)) peak = i;
-  if (std::abs(x[peak] - median) < 1.5 * gravity)
+    if (std::abs(x[i] - median) > largest && counts(i)) largest = std::abs(x[peak = i] - median);
+  if (largest < 1.5 * gravity) {
+    if (!taken.empty()) return {};
     peak = static_cast<std::size_t>(std::max_element(x.begin(), x.end()) - x.begin());
-  else
+  } else {
     levels.peak_sign = x[peak] > median ? 1 : -1;
+  }
+  taken.push_back(t[peak]);
   const double sign = levels.peak_sign < 0 ? -1 : 1, height = sign * x[peak] / gravity;
 
   // The fall: the quiet level before the peak that is farthest from it, and of equal ones the last.
@@ -75,6 +89,20 @@ Levels levels_of(const Measurement& m, double gravity, bool in_water) {
   return levels;
 }
 
+}  // namespace
+
+Levels levels_of(const Measurement& m, double gravity, bool in_water,
+                 const std::optional<PeakWindow>& window) {
+  std::vector<double> taken;
+  const Levels of_largest = levels_at_largest(m, gravity, in_water, window.value_or(PeakWindow{}), taken);
+  if (window) return of_largest;
+  constexpr int most = 6;  // shocks: a knock may be larger than the drop
+  Levels levels = of_largest;
+  for (int k = 1; k < most && levels.peak_sign != 0 && !(levels.fall && levels.offset()); ++k)
+    levels = levels_at_largest(m, gravity, in_water, {}, taken);
+  return levels.fall && levels.offset() ? levels : of_largest;
+}
+
 namespace {
 
 /// Whether the levels are those of a record that is read as it should be; `sign`, `shift`: another reading,
@@ -103,14 +131,15 @@ std::string text_of(const Levels& levels, double sign, double shift) {
 }
 
 std::optional<ReadingProblem> reading_problem(const Measurement& m, const Levels& levels,
-                                              const ReduceOptions& o, double gravity) {
+                                              const ReduceOptions& o, double gravity,
+                                              const std::optional<PeakWindow>& window) {
   const bool water = o.medium == Medium::water;
   if (fits(levels, water) || !tells(levels, water)) return std::nullopt;
   const double sign = o.invert ? -1 : 1, shift = o.reads == Reading::proper ? 1 : 0;
   const std::string told = "the record reads " + text_of(levels, sign, sign * shift) + "; ";
   // A record in m/s^2 that is read in g, or the other way round, has another unit.
   for (const double unit : {1.0, gravity, 1 / gravity}) {
-    const Levels in_unit = unit == 1 ? levels : levels_of(m, gravity * unit, water);
+    const Levels in_unit = unit == 1 ? levels : levels_of(m, gravity * unit, water, window);
     if (unit != 1 &&
         (!in_unit.fall || !in_unit.offset() || std::abs(*in_unit.offset() - *in_unit.fall) < 0.7))
       continue;  // no step of 1 g tells of the unit

@@ -2,6 +2,7 @@
 // tell how the accelerometer reads (net or proper, which way is positive), and by how much it is off.
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <string>
 
@@ -21,9 +22,16 @@ struct Levels {
   std::optional<double> offset() const { return before ? before : after; }
 };
 
+/// Times between which the peak is looked for, s.
+struct PeakWindow {
+  double from = -std::numeric_limits<double>::infinity(), to = std::numeric_limits<double>::infinity();
+};
+
 /// Levels are means over 20 ms and more, of at least four samples, whose halves agree to 0.1 g. `gravity`:
-/// m/s^2 of the record that are 1 g.
-Levels levels_of(const Measurement& m, double gravity, bool in_water);
+/// m/s^2 of the record that are 1 g. Without a window the peak is the largest whose levels show a fall and a
+/// rest, or the largest of all.
+Levels levels_of(const Measurement& m, double gravity, bool in_water,
+                 const std::optional<PeakWindow>& window);
 
 /// "0.05 g before the release, -0.95 g in the fall, 0.05 g after the end", of the levels that there are.
 std::string text_of(const Levels& levels, double sign = 1, double shift = 0);
@@ -34,8 +42,9 @@ struct ReadingProblem {
   bool has_cure = false;  ///< there are such
 };
 
-/// None if the levels are those of a net record, or there are none.
+/// None if the levels are those of a net record, or there are none. `window`: of the levels.
 std::optional<ReadingProblem> reading_problem(const Measurement& m, const Levels& levels,
-                                              const ReduceOptions& o, double gravity);
+                                              const ReduceOptions& o, double gravity,
+                                              const std::optional<PeakWindow>& window);
 
 }  // namespace arenite::ffp

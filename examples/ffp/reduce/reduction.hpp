@@ -33,6 +33,18 @@ struct QuasiStatic {
   ColumnPeak peaks[2][2];
 };
 
+/// Something that happens in a record.
+struct RecordEvent {
+  std::string kind;  ///< "drop", "contact" of a drop beside its impact, "knock", "glitch" of one sample
+  int drop = 0;      ///< from 1; 0: of no drop
+  double time = 0;   ///< s, in the record
+  std::optional<double> velocity, depth;  ///< m/s, m
+  double peak = 0;                        ///< m/s^2, of the mean; of a glitch the sample's
+};
+
+/// "drop 1 at 1.5 s (4.91 m/s, 12.3 cm, 15.6 g)".
+std::string text_of(const RecordEvent& event, double gravity);
+
 struct Reduction {
   std::vector<std::string> notes, warnings;
   bool of_drop = false;  ///< the record is the history of a drop's folder
@@ -40,13 +52,17 @@ struct Reduction {
   double mass = 0, gravity = 0, k0 = 0;
   std::optional<double> unit_weight;
   double threshold = 0;
-  Levels levels;         ///< of a measured record
-  double taken_off = 0;  ///< m/s^2
+  std::vector<RecordEvent> events;  ///< of a measured record, in time
+  int drop = 0;                     ///< that of the events which is reduced; 0: an impact that was given
+  Levels levels;                    ///< of a measured record
+  double taken_off = 0;             ///< m/s^2
   Motion motion;
   std::size_t peak = 0;                        ///< row of the largest filtered deceleration
   double greatest_depth = 0;                   ///< m
   std::optional<double> depth_without_offset;  ///< m: the same, with the offset at rest taken off
-  Column q_dyn[2];                             ///< kPa, by area
+  /// m/s, m: what the impact may lie off between its two samples, and the release; none: it was given.
+  std::optional<double> velocity_of_sampling, depth_of_sampling;
+  Column q_dyn[2];  ///< kPa, by area
   ColumnPeak q_dyn_peaks[2];
   std::vector<QuasiStatic> quasi_static;  ///< each end of each band
   std::vector<Estimate> estimates;

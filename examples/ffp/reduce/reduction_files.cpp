@@ -102,6 +102,17 @@ Json json_of(const Reduction& r, const ReduceOptions& o) {
   j["velocity_left_m_s"] = or_null(m.velocity_left);
   j["depth_cm"] = r.greatest_depth * 100;
   if (!r.of_drop) {
+    j["drop"] = r.drop > 0 ? Json(r.drop) : Json();
+    j["events"] = Json::array();
+    for (const RecordEvent& event : r.events)
+      j["events"].push_back({{"kind", event.kind},
+                             {"drop", event.drop > 0 ? Json(event.drop) : Json()},
+                             {"time_s", event.time},
+                             {"velocity_m_s", or_null(event.velocity)},
+                             {"depth_cm", event.depth ? Json(*event.depth * 100) : Json()},
+                             {"peak_g", event.peak / r.gravity}});
+    j["depth_of_sampling_cm"] = r.depth_of_sampling ? Json(*r.depth_of_sampling * 100) : Json();
+    j["velocity_of_sampling_m_s"] = or_null(r.velocity_of_sampling);
     j["levels_g"] = {{"before_release", or_null(r.levels.before)},
                      {"fall", or_null(r.levels.fall)},
                      {"after_end", or_null(r.levels.after)}};

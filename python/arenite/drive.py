@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, List, Optional, Sequence, Union
+from typing import Any, Optional, Sequence, Union
 
 import numpy as np
 from numpy.typing import NDArray
 
+from ._errors import Error
 from ._html import table
 from ._recipe import Recipe
 from .laws import Law
@@ -104,12 +105,10 @@ def drive(law: Law, test: Union[Test, Stage, Sequence[Stage]], stress: Optional[
           history: Sequence[float] = ()) -> Path:
     """Takes one point of a law along a path: test: a `Test`, a `Stage` or several; stress, Pa, and history that it begins with, by default those of the
     test, or none, and of a new point. Raises `RunError` where no strain gives the prescribed stress."""
-    if isinstance(test, Test):
-        stages: List[Stage] = list(test.stages)
-        begin = test.stress if stress is None else stress
-    else:
-        stages = [test] if isinstance(test, Stage) else list(test)
-        begin = (0.0,) * 6 if stress is None else stress
+    stages = [test] if isinstance(test, Stage) else test.stages if isinstance(test, Test) else test
+    if not isinstance(stages, (list, tuple)) or not stages or not all(isinstance(stage, Stage) for stage in stages):
+        raise Error(f"drive.test = {test!r}: must be a Test, or one or more Stages")
+    begin = stress if stress is not None else test.stress if isinstance(test, Test) else (0.0,) * 6
     return Path(**law.native().drive(3, [s.value() for s in stages], list(begin), list(history)))
 
 

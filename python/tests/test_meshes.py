@@ -179,5 +179,5 @@ def test_a_cell_in_several_groups_belongs_to_the_region_of_each():
         assert np.isclose(scene(name).bodies[name].mass.sum(), 1000 * area, rtol=1e-12), name
     beside = scene("soil", "clay")  # in their order, without a warning
     assert [np.isclose(b.mass.sum(), 1000 * area) for b, area in zip(beside.bodies.values(), (0.5, 1.0))] == [True, True]
-    with pytest.warns(ar.Warning, match="bodies soil and all lie in one place: 4 of the 4 points of body soil are in the region of body all, and 4 of 16"):
+    with pytest.warns(ar.Warning, match="body soil and body all lie in one place: 4 of the 4 points of body soil are in the region of body all, and 4 of 16"):
         scene("soil", "all")

@@ -42,6 +42,22 @@ SimplexMesh<2> two_regions() {
 
 }  // namespace
 
+TEST_CASE("a cell of several names belongs to the region of each") {
+  SampleMesh<2> o{};
+  o.cells = {4, 4};
+  o.lower = {0, 0};
+  o.upper = {1, 1};
+  o.region = [](const auto& x) { return x[1] > 0.5 ? 5 : x[0] < 0.25 ? -1 : 3; };
+  auto data = sample_data(o);
+  data.region_names = {{"low", 3}, {"high", 5}, {"wet", 7}};  // no cell is wet alone
+  data.shared_regions = {{"low", {-1}}, {"wet", {-1}}};
+  const SimplexMesh<2> mesh(data);
+  CHECK(volume(body_of<PlaneStrain>(mesh, Cells("low"))) == Approx(0.5));
+  CHECK(volume(body_of<PlaneStrain>(mesh, Cells("high"))) == Approx(0.5));
+  CHECK(volume(body_of<PlaneStrain>(mesh, Cells("wet"))) == Approx(0.125));
+  CHECK(volume(body_of<PlaneStrain>(mesh, Cells(std::vector<std::string>{"low", "wet"}))) == Approx(0.5));
+}
+
 TEST_CASE("volumes add up to that of the region") {
   const auto mesh = two_regions();
   for (const int n : {1, 3, 4, 16}) {

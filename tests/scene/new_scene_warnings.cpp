@@ -67,7 +67,7 @@ TEST_CASE("Bodies in one place are told once a pair; bodies that touch are not")
       on_grid(bodies(fill<"sand">(Box{{0., 0.}, {0.5, 0.5}}, rubber),
                      fill(Box{{0.4, 0.}, {0.8, 0.5}}, rubber), fill(Box{{0.8, 0.}, {1., 0.5}}, rubber)));
   REQUIRE(texts.size() == 1);
-  CHECK(has(texts[0], "bodies sand and 1 lie in one place: 20 of the 100 points of body sand"));
+  CHECK(has(texts[0], "body sand and body 1 lie in one place: 20 of the 100 points of body sand"));
   const auto disc = [](double x) {
     return Inside{[x](const Vec<double, 2>& at) { return std::hypot(at[0] - x, at[1] - 0.5) - 0.2; }};
   };

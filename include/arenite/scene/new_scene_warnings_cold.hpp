@@ -58,7 +58,7 @@ ARENITE_COLD void warn_of_bodies(std::span<const BodySummary<T, D>> bodies, cons
       const std::size_t in_b = points_within(bodies[a], bodies[b]),
                         in_a = points_within(bodies[b], bodies[a]);
       if (in_b + in_a == 0) continue;
-      warn(joined_text({"bodies ", bodies[a].name, " and ", bodies[b].name, " lie in one place: ", in_b,
+      warn(joined_text({"body ", bodies[a].name, " and body ", bodies[b].name, " lie in one place: ", in_b,
                         " of the ", bodies[a].cell->size(), " points of body ", bodies[a].name,
                         " are in the region of body ", bodies[b].name, ", and ", in_a, " of ",
                         bodies[b].cell->size(), " the other way"}));

@@ -42,6 +42,17 @@ def test_each_value_outside_is_told(ar, sand, column, gravity):
     assert "rock: poisson" not in said
 
 
+def test_the_words_tell_what_the_numbers_mean(ar, sand):
+    from arenite.check import Checked, Outside, _apart
+
+    said = str(Checked([Outside("sand: poisson", 0.4999, f"{_apart(-0.9, 0.4999)} to {_apart(0.4998993431, 0.4999)}")], 7507,
+                       {"sound": 46.1, "damped": 39.0, "left": 5.0, "stopped": 9.9, "refused": 0.0, "fault": 0.0}))
+    assert "sand: poisson = 0.4999: tried -0.9 to 0.499899" in said and "not wrong" in said  # a bound is told from the value
+    assert re.search(r"46.1 % ran to their end, with momentum and energy kept \(sound\)", said)
+    assert re.search(r" 0.0 % went wrong without an error", said) and "not of your scene" in said and "refused" not in said
+    assert _apart(2.0, 1.0) == "2" and _apart(0.5, 0.5) == "0.5"
+
+
 def test_the_page_and_the_data_are_of_the_same_scenes(ar, report):
     from arenite import check
 

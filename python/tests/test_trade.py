@@ -135,6 +135,9 @@ def test_recommendation(trade, ar):
         assert (found.cells, found.per_cell, found.courant) == (best.cells, best.per_cell, best.courant)
         assert found.error <= error and found.seconds == best.seconds
         assert (found.numerics.kinds()[0], found.dtype) == (type(best.of.numerics().shape).__name__, best.of.dtype)
+    footing = ar.recommend("bearing", 0.03)  # of one problem, which it names
+    assert footing.cells == 2 and footing.measured == trade.problem("footing").__doc__ and "weightless" in str(footing)
+    assert "on that problem alone, 2 cells below the half footing" in str(footing) and "refine cells until" in str(footing)
     loose, tight = ar.recommend("waves", 0.1), ar.recommend("waves", 0.01)
     assert tight.seconds > loose.seconds
     with pytest.raises(ar.Error, match="problem = tea: must be one of vibration, waves"):

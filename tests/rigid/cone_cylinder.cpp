@@ -68,9 +68,9 @@ TEST_CASE("cone-tipped cylinder: bad shapes are refused") {
   const auto refuses = [](ConeCylinder::Parameters p, const std::string& text) {
     return throws([&] { ConeCylinder c(p); }, text);
   };
-  REQUIRE(refuses({}, "ConeCylinder.radius = nan: must be positive"));
-  REQUIRE(refuses({.radius = -1, .apex = 1, .length = 9}, "ConeCylinder.radius = -1: must be positive"));
-  REQUIRE(refuses({.radius = 1, .apex = 60, .length = 9}, "ConeCylinder.apex = 60: must lie in (0, pi) rad"));
+  REQUIRE(refuses({}, "ConeCylinder.radius = nan: must be given, positive"));
+  REQUIRE(refuses({.radius = -1, .apex = 1, .length = 9}, "ConeCylinder.radius = -1: must be given, positive"));
+  REQUIRE(refuses({.radius = 1, .apex = 60, .length = 9}, "ConeCylinder.apex = 60: must be given, in (0, pi) rad"));
   REQUIRE(refuses({.radius = 1, .apex = 90_deg, .length = 0.5},
                   "ConeCylinder.length = 0.5: must reach the cone's height 1"));
   REQUIRE(refuses({.radius = 1, .apex = 90_deg, .length = inf}, "ConeCylinder.length = inf"));

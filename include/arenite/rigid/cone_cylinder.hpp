@@ -29,8 +29,9 @@ class ConeCylinder {
   };
 
   explicit ConeCylinder(const Parameters& p) : tip_{p.tip}, fillet_{p.fillet} {
-    require(p.radius > 0 && std::isfinite(p.radius), "ConeCylinder.radius", p.radius, "must be positive");
-    require(p.apex > 0 && p.apex < pi, "ConeCylinder.apex", p.apex, "must lie in (0, pi) rad");
+    require(p.radius > 0 && std::isfinite(p.radius), "ConeCylinder.radius", p.radius,
+            "must be given, positive");
+    require(p.apex > 0 && p.apex < pi, "ConeCylinder.apex", p.apex, "must be given, in (0, pi) rad");
     require(p.tip_radius >= 0 && p.tip_radius < p.radius, "ConeCylinder.tip_radius", p.tip_radius,
             "must not be negative, and less than radius");
     const double cone = (p.radius - p.tip_radius) / std::tan(p.apex / 2);

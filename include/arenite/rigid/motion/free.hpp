@@ -56,6 +56,7 @@ class BoundFree {
   explicit BoundFree(const Free& f, bool hoop = false)
       : mass{f.mass}, anchor_{f.anchor}, force_{f.force}, moment_{f.moment} {
     require(mass > 0 && std::isfinite(mass), "Free.mass", mass, "must be given, positive");
+    for (const double c : f.centre) require(!std::isnan(c), "Free.centre", c, "must be given, m");
     centre_ = vector_argument<double, D>("Free.centre", f.centre);
     velocity_ = vector_argument<double, D>("Free.velocity", f.velocity);
     spin_ = spin_argument<D>("Free.spin", f.spin);

@@ -216,11 +216,13 @@ class Scene:
     def _take(self, core: Any) -> None:
         self._core = core
         self._restored_at: Optional[int] = None  # steps of the state that was restored
-        self._state = State(core, [*(self._stand_in.hidden if self._stand_in else ()),
-                                   *(f"bodies/{k}/points/history/{name}" for k, b in enumerate(self._recipes["bodies"])
-                                     for name in b.law.hidden_history())])
+        self._state = State(core, [*(self._stand_in.hidden if self._stand_in else ()), *self._hidden_history()])
         #: deformable bodies by name; rigid bodies by name, or number where one has no name
         self.bodies, self.rigids = self._views(self._state)
+
+    def _hidden_history(self) -> List[str]:
+        """Paths of the numbers of a history that are those of another policy."""
+        return [f"bodies/{k}/points/history/{name}" for k, b in enumerate(self._recipes["bodies"]) for name in b.law.hidden_history()]
 
     def _views(self, state: State) -> Tuple[Dict[str, Body], Dict[Union[str, int], RigidState]]:
         """The bodies whose columns a state has."""

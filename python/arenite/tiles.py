@@ -22,6 +22,20 @@ from .views import Body, State, View
 from .watch import Watch
 
 
+class _StateOfTiles(State):
+    """Of all tiles here, by "tiles/NUMBER/" and the path in each."""
+
+    def __init__(self, core: Any, hidden: Sequence[str]) -> None:
+        super().__init__(core)
+        self._hidden_here = tuple(hidden)
+
+    def columns(self) -> Dict[str, Any]:
+        if (self.core.generation(), self.core.steps()) != self._at:
+            self._columns = {path: column for path, column in super().columns().items()
+                             if not path.split("/", 2)[2].startswith(self._hidden_here)}
+        return self._columns
+
+
 class _StateOfTile(State):
     def __init__(self, whole: State, number: int) -> None:
         super().__init__(whole.core)
@@ -153,7 +167,7 @@ class TiledScene(Scene):
         self._core, self._stand_in = _ranks.Asked(core, self._ranks), None
         _ranks.leave_at_exit(self)
         self._restored_at = None
-        self._state = State(self._core)
+        self._state = _StateOfTiles(self._core, self._hidden_history())
         self.bodies: Dict[str, Any] = {b.name: BodyHere(self, b.name) for b in self._recipes["bodies"]}
         #: rigid bodies by name, or number where one has no name: the same in all tiles
         self.rigids = self.tiles[0].rigids

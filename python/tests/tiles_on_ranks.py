@@ -118,7 +118,8 @@ def functions(folder):
 def refused(folder):
     of = scene()
     ar.run(of, end=0.005)
-    for ask in (lambda: of.reaction("ceiling"), lambda: ar.section_force(of, "sand", (0.1, 0.05), (0, 1), 0), lambda: ar.insert_points(of, "sand", [(5, 5)], 1e-5)):
+    for ask in (lambda: of.reaction("ceiling"), lambda: ar.section_force(of, "sand", (0.1, 0.05), (0, 1), 0), lambda: of.restore("nothing"),
+                lambda: ar.insert_points(of, "sand", [(5, 5)], 1e-5)):
         try:
             ask()
         except ar.Error as e:

@@ -24,8 +24,9 @@ struct TileList {
   /// Throws `error` if it is not there, or none.
   static TileList read(const std::filesystem::path& folder) {
     const auto path = folder / "tiles.txt";
-    require(std::filesystem::exists(path), "saved tiles", folder.string(),
-            std::filesystem::is_regular_file(folder)
+    std::error_code status;
+    require(std::filesystem::exists(path, status), "saved tiles", folder.string(),
+            std::filesystem::is_regular_file(folder, status)
                 ? "is a file: a scene that is cut into tiles is saved to a folder"
                 : "must be a folder with a file tiles.txt, and there is none");
     std::ifstream text(path);
@@ -119,10 +120,18 @@ struct AllRestored {
 template <class S, class... Carried>
 void restore_tiles(Tiled<S>& tiled, const SavedState& folder, Carried&&... carried) {
   agree_on_folder(tiled.ranks(), "restoring its tiles", folder);
-  tiled.together([&](S& scene) {
-    const auto list = TileList::read(folder.path);
+  TileList list;
+  std::string refused;
+  try {
+    list = TileList::read(folder.path);
     require(list.tiles == tiled.tiles(), "saved tiles", list.tiles,
             {"must be as many as those of the scene, ", tiled.tiles()});
+  } catch (const error& e) {
+    refused = e.what();
+  }
+  if (tiled.ranks().least(refused.empty() ? 1 : 0) == 0)  // all refuse, and go on as they were
+    throw error(refused.empty() ? "saved tiles: another rank cannot read the list of them" : refused);
+  tiled.together([&](S& scene) {
     AllRestored all;
     restore_state(scene, SavedState(list.file(folder.path, scene.portion().number), folder.recipe),
                   carried(scene)..., all);

@@ -202,7 +202,7 @@ TEST_CASE("Warnings of new tiles are said once: most are of the whole") {
   OneRank here;
   const auto make = [](auto mesh, auto portion) {
     warn("a wall is thin");
-    warn(joined_text({"tile ", portion.number, " alone"}));
+    warn(joined_text({"tile ", portion.portion.number, " alone"}));
     return column()(std::move(mesh), std::move(portion));
   };
   distribute(here, mesh(), {.tiles = 2}, make);

@@ -38,10 +38,9 @@ struct Question {
                   std::string(digits.data(),
                               std::to_chars(digits.data(), digits.data() + digits.size(), number).ptr));
   }
-  /// Many numbers: how many, and a hash of their bytes.
+  /// Many plain numbers, or vectors of them: how many, and a hash of their bytes.
   template <class Item>
   Question& with(std::string name, const std::vector<Item>& items) {
-    static_assert(std::is_trivially_copyable_v<Item>);
     Hash hash;
     hash.add(items.data(), items.size() * sizeof(Item));
     return with(std::move(name), joined_text({items.size(), " entries with hash ", hash.digits()}));

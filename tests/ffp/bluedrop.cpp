@@ -94,16 +94,21 @@ TEST_CASE("a BlueDrop's calibration, and records that cannot be used") {
                 "cut.bin = 3599999 bytes: a BlueDrop's record has 3600000"));
 }
 
-TEST_CASE("a BlueDrop's record that lost an integer or a row is refused with its place") {
-  const std::string whole = bluedrop_record(15);
-  for (const std::size_t lost : {std::size_t{3}, std::size_t{30}}) {  // bytes
-    std::string bytes = whole;
-    const std::size_t at = 39000 * 30 + (lost == 3 ? 12 : 0);
-    bytes.erase(at, lost);
-    bytes.append(lost, '\0');
-    const auto said = refusal(written("lost.bin", bytes));
-    REQUIRE(
-        holds(said, lost == 3 ? "lost.bin: row 39001 (byte 1170030)" : "lost.bin: row 39000 (byte 1170000)"));
-    REQUIRE(holds(said, lost == 3 ? "an integer is missing" : "rows are missing"));
-  }
+TEST_CASE("a BlueDrop's record that lost an integer is refused with its place; rows that it lost are a gap") {
+  std::string bytes = bluedrop_record(15);
+  bytes.erase(39000 * 30 + 12, 3);
+  const auto said = refusal(written("lost.bin", bytes + std::string(3, '\0')));
+  REQUIRE(holds(said, "lost.bin: row 39001 (byte 1170030): the first column counts 39000 and then 0: "));
+  REQUIRE(holds(said, "an integer is missing"));
+  bytes = bluedrop_record(15);
+  bytes.erase(39000 * 30, 300);
+  for (std::size_t i = 0; i < 10; ++i) bytes += bytes.substr(bytes.size() - 30);
+  for (std::size_t row = bluedrop_rows - 10; row < bluedrop_rows; ++row)
+    for (std::size_t k = 0; k < 3; ++k)  // which the count goes on in
+      bytes[row * 30 + k] = static_cast<char>(((row + 10) >> (8 * (2 - k))) & 0xff);
+  const Measurement m = read_measurement(options(written("gap.bin", bytes)));
+  REQUIRE(
+      holds(m.notes[0], "row 39000 (byte 1170000): the first column counts 38999 and then 39010: 10 rows"));
+  REQUIRE(std::abs(m.time[39000] - 39010 / bluedrop_rate) < 1e-9);
+  REQUIRE(std::abs(reduced("gap.bin").motion.impact_time - 20.5) < 1e-3);
 }

@@ -99,6 +99,21 @@ TEST_CASE("companions: what is not converged has three times the spread") {
   CHECK(std::abs(*r.uncertainty.part("cells").value - 0.9) < 1e-12);  // 3 (1.2 - 0.9)
 }
 
+TEST_CASE("companions: sizes that lie nearer each other than drops of one size are no convergence") {
+  auto found = results();
+  for (const auto& [coarse, coarsest] : {std::pair{1.01, 1.02}, {0.99, 1.005}}) {
+    found["cells-1.41"] = coarse;
+    found["cells-2"] = coarsest;
+    for (const auto& [name, value] :
+         {std::pair{"points-16", 1.0}, {"points-49", 1.05}, {"jitter-1", 1.03}, {"jitter-2", 0.98}})
+      found[name] = value;
+    const BarredResult r = bar_of(found);
+    CHECK(!r.converged());
+    CHECK(std::abs(*r.uncertainty.part("cells").value - 3 * 0.07) < 1e-12);  // 1.05 - 0.98
+    CHECK(std::abs(*r.uncertainty.part("points").value - 0.035) < 1e-12);
+  }
+}
+
 TEST_CASE("companions: a drop without result makes its part unknown, and the whole") {
   const std::map<std::string, std::set<std::string>> needs{
       {"cells-2", {"cells", "points"}},  {"cells-1.41", {"cells", "flip_time"}},

@@ -2,6 +2,7 @@
 // Nothing here runs anything.
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <span>
 #include <string>
@@ -58,7 +59,9 @@ struct BarredResult {
 /// The error bar of one result. `value`: of the drop; `of(name)`: of a companion, nothing if it has none. A
 /// part is unknown if a drop that it needs has no result.
 ///
-///   cells           `convergence` of the drop and those at 1.41 and 2 times its cells
+///   cells           `convergence` of the drop and those at 1.41 and 2 times its cells. Where these lie nearer
+///                   each other than the drops of `points`, all at one size, do, that is chance and no
+///                   convergence: the spread is then that of the latter
 ///   contact_offset  half of the difference between the offsets
 ///   points          half of the spread over counts of points and jitters, at twice the cells
 ///   flip_time       the difference that a time of the share of FLIP makes; all, for the drop is at one end
@@ -81,11 +84,19 @@ BarredResult barred_result(const DropOptions& drop, double value, const Of& of) 
     result.cells = convergence({{drop.cell_size(), value},
                                 {coarse_ratio * drop.cell_size(), (*coarse)[0]},
                                 {coarsest_ratio * drop.cell_size(), (*coarse)[1]}});
-  result.uncertainty.add("cells", coarse ? std::optional{result.cells->uncertainty} : std::nullopt);
-  add("contact_offset", {"offset-in", "offset-out"}, 1);
   std::vector<std::string> points{"cells-2"};
   for (const Companion& c : companions_of(drop))
     if (c.name.starts_with("points-") || c.name.starts_with("jitter-")) points.push_back(c.name);
+  const auto of_points = all_of(points);
+  if (coarse && of_points)
+    if (const double spread = 2 * half_spread(*of_points);
+        spread > 2 * half_spread({value, (*coarse)[0], (*coarse)[1]})) {
+      result.cells->converged = false;
+      result.cells->uncertainty =
+          std::max(result.cells->uncertainty, ConvergenceRule{}.spread_factor * spread);
+    }
+  result.uncertainty.add("cells", coarse ? std::optional{result.cells->uncertainty} : std::nullopt);
+  add("contact_offset", {"offset-in", "offset-out"}, 1);
   add("points", points, 1);
   add("flip_time", {"cells-1.41", "flip-time"}, 2);
   return result;

@@ -42,33 +42,36 @@ void each_assignment(const std::string& option, const std::string& text, const T
   }
 }
 
-/// The first column counts the rows. Throws `error` that names the row from which on the integers are not where
-/// they belong, or the rows between which others are missing.
+/// Places of the rows in time: the first column counts them. Missing ones are told in `notes`. Throws `error`
+/// that names the row from which on the integers are not where they belong.
 template <class Raw>
-void check_rows(const Raw& raw, const std::string& file) {
-  constexpr std::int32_t values = 1 << 24;
+std::vector<std::size_t> places_of_rows(const Raw& raw, const std::string& file,
+                                        std::vector<std::string>& notes) {
+  constexpr std::int32_t values = 1 << 24, most_missing = 1 << 16;
   constexpr std::size_t sure = 100;  // rows
   const auto step = [&](std::size_t row) {
     return ((raw(row, 0) - raw(row - 1, 0)) % values + values) % values;
   };
-  const std::int32_t usual = step(1);
-  for (std::size_t row = 2; row < bluedrop_rows; ++row) {
-    if (step(row) == usual) continue;
-    if (row < sure) return;  // it counts nothing here
-    const std::int32_t counted = usual > 0 ? step(row) : 0;
-    const bool goes_on = row + 2 < bluedrop_rows && step(row + 1) == usual && step(row + 2) == usual;
+  const auto goes_on = [&](std::size_t row) { return row >= bluedrop_rows || step(row) == 1; };
+  std::vector<std::size_t> places(bluedrop_rows);
+  bool counts = true;  // else the first column is another
+  for (std::size_t row = 1; row < bluedrop_rows; ++row) {
+    places[row] = places[row - 1] + 1;
+    if (row < sure) counts = counts && step(row) == 1;
+    if (!counts || step(row) == 1) continue;
+    const std::int32_t missing = step(row) - 1;
     const std::size_t byte = row * bluedrop_columns * bluedrop_bytes;
-    throw error(
-        goes_on && counted % std::max(usual, 1) == 0 && counted > 0
-            ? joined_text({file, ": row ", row, " (byte ", byte,
-                           "): the count of the first column jumps from ", raw(row - 1, 0), " to ",
-                           raw(row, 0), ": rows are missing, and the times after them are wrong"})
-            : joined_text(
-                  {file, ": row ", row, " (byte ", byte, "): the first column, ", raw(row - 1, 0),
-                   " in the row before, reads ", raw(row, 0), ", not ", raw(row - 1, 0) + usual,
-                   ": an integer is missing or too many in the row before, or one is damaged; the columns "
-                   "after it are not those of the accelerometers"}));
+    const std::string where = joined_text({"row ", row, " (byte ", byte, "): the first column counts ",
+                                           raw(row - 1, 0), " and then ", raw(row, 0), ": "});
+    if (missing < 0 || missing > most_missing || !goes_on(row + 1) || !goes_on(row + 2))
+      throw error(
+          joined_text({file, ": ", where,
+                       "an integer is missing or too many before it, and the columns after it are not "
+                       "those of the accelerometers"}));
+    notes.push_back(joined_text({where, missing, " rows are missing"}));
+    places[row] += static_cast<std::size_t>(missing);
   }
+  return places;
 }
 
 }  // namespace
@@ -125,10 +128,10 @@ Measurement read_bluedrop(const std::filesystem::path& path, const ReduceOptions
     const std::int32_t value = (byte(0) << 16) | (byte(1) << 8) | byte(2);
     return value >= (1 << 23) ? value - (1 << 24) : value;
   };
-  check_rows(raw, file);
   constexpr std::int32_t top = (1 << 23) - 1;
   const Calibration calibration = calibration_of(o);
   Measurement m;
+  const auto places = places_of_rows(raw, file, m.notes);
   std::string clipped;
   for (std::size_t k = 0; k < calibration.accelerometers.size(); ++k) {
     const Accelerometer& a = calibration.accelerometers[k];
@@ -145,7 +148,7 @@ Measurement read_bluedrop(const std::filesystem::path& path, const ReduceOptions
       continue;
     }
     for (std::size_t row = 0; row < bluedrop_rows; ++row)
-      m.time.push_back(static_cast<double>(row) / bluedrop_rate);
+      m.time.push_back(static_cast<double>(places[row]) / bluedrop_rate);
     m.notes.push_back(joined_text({"accelerometer of ", a.name, ", the smallest that does not clip",
                                    clipped.empty() ? "" : " (clipped: " + clipped + ")", "; scale ", a.scale,
                                    " counts a g, offset ", a.offset}));

@@ -41,8 +41,8 @@ inline constexpr double bluedrop_rate = 2000;  ///< rows a second
 Calibration calibration_of(const ReduceOptions& o);
 
 /// Reads a record, by the smallest range that does not clip: one clips where a value leaves it, or is the
-/// largest or least of three bytes. Throws `error` that names the file if it is of another size, its rows do
-/// not go on as the first column counts them, or all ranges clip.
+/// largest or least of three bytes. Throws `error` that names the file if it is of another size, its integers
+/// are not where the count of its first column has them, or all ranges clip.
 Measurement read_bluedrop(const std::filesystem::path& path, const ReduceOptions& o, double gravity);
 
 }  // namespace arenite::ffp

@@ -34,7 +34,12 @@ PLAIN = (type(None), type(...), bool, int, float, complex, str, bytes, range)
 def what_decides(function: Any) -> Dict[str, str]:
     """Hashes by name, such as "helpers.STIFFNESS". Raises `Error` that names a value that is none to tell from others."""
     found = Decides()
-    state = found.text(function, "sweep.function")
+    try:
+        state = found.text(function, "sweep.function")
+    except Exception as problem:
+        if isinstance(problem, Error):
+            raise
+        raise Error(f"sweep.function = {short(function)}: what decides its results cannot be told ({type(problem).__name__}: {problem}); sweep without `out`") from None
     return {"arenite": str(_core.version), STATE: digest(state), **found.parts}
 
 
@@ -112,6 +117,8 @@ class Decides:
         try:
             reduce = copyreg.dispatch_table.get(type(value))
             made = reduce(value) if reduce else value.__reduce_ex__(4)
+            header = value.header() if isinstance(value, Recipe) and hasattr(value, "header") else None
+            content = Path(header).read_bytes() if header else b""
         except Exception as problem:
             raise Error(f"{at}: {short(value)} decides the result, but cannot be told from others ({problem}): give what it holds as a parameter "
                         "or as numbers, texts and arrays, or sweep without `out`, which keeps nothing") from None
@@ -121,10 +128,7 @@ class Decides:
             return f"{code_name(value)}:{made}" + (f"({self.text(wrapped, at)})" if wrapped is not None else "")
         # A function that makes it, its arguments, state, elements and items: what pickle takes.
         words = all_of([*made[:3], *map(list, (part for part in made[3:5] if part is not None))])
-        header = value.header() if isinstance(value, Recipe) and hasattr(value, "header") else None
-        if header:
-            words.append(hashlib.sha256(Path(header).read_bytes()).hexdigest())
-        return f"object({', '.join(words)})"
+        return f"object({', '.join(words)}{hashlib.sha256(content).hexdigest() if content else ''})"
 
     # --- code
 
@@ -151,9 +155,12 @@ class Decides:
             if one in f.__globals__ or not hasattr(builtins, one):
                 self._read(module, one, f.__globals__, attributes)
         for level, imported, names in sorted(imports):
-            full = importlib.util.resolve_name("." * level + imported, f.__globals__.get("__package__") or "") if level else imported
-            if not self._installed(full):
-                self._module(__import__(full, fromlist=names or ("",)), attributes | set(names))
+            try:
+                full = importlib.util.resolve_name("." * level + imported, f.__globals__.get("__package__") or "") if level else imported
+                if not self._installed(full):
+                    self._module(__import__(full, fromlist=names or ("",)), attributes | set(names))
+            except ImportError:  # the function may know what to do without
+                self.parts[f"module {imported}"] = "cannot be imported"
         return name
 
     def _class(self, c: type) -> str:
@@ -251,6 +258,8 @@ def _names_read(code: types.CodeType) -> Tuple[Set[str], Set[str], Set[Tuple[int
     imports: Set[Tuple[int, str, Tuple[str, ...]]] = set()
     before: List[Any] = [None, None]  # values of the last two instructions
     for step in dis.get_instructions(code):
+        if step.opname == "EXTENDED_ARG":
+            continue
         if step.opname == "LOAD_NAME" or step.opname.startswith("LOAD_") and "GLOBAL" in step.opname:
             read.add(step.argval)
         elif step.opname in ("LOAD_ATTR", "LOAD_METHOD"):

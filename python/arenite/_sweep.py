@@ -86,7 +86,7 @@ def sweep(function: Callable[..., Any], values: Union[Iterable[Any], Mapping[str
     refuse_unpicklable(function, "sweep.function")
     told, called_by_name = _planned(values)
     swept = list(told[0])
-    planned = [_case(row, () if called_by_name else tuple(row.values()), row if called_by_name else {}) for row in told]
+    planned = [_case(row, () if called_by_name else tuple(row.values()), row if called_by_name else {}, out is not None) for row in told]
     first: Dict[str, int] = {}  # number of the row by the case, which a value that is given twice shares
     for k, case in enumerate(planned):
         first.setdefault(case.name, k)
@@ -177,12 +177,17 @@ def _words(row: Mapping[str, Any]) -> str:
     return ", ".join(f"{name} = {short(value)}" for name, value in row.items())
 
 
-def _case(row: Mapping[str, Any], arguments: Tuple[Any, ...], keywords: Mapping[str, Any]) -> Case:
+def _case(row: Mapping[str, Any], arguments: Tuple[Any, ...], keywords: Mapping[str, Any], keeps: bool = True) -> Case:
     found = Decides()
     words = []
     for name, value in row.items():
         refuse_unpicklable(value, f"sweep.values.{name}")
-        words.append(f"{name}={found.text(value, f'sweep.values.{name}')}")
+        try:
+            words.append(f"{name}={found.text(value, f'sweep.values.{name}')}")
+        except Error:
+            if keeps:
+                raise
+            words.append(f"{name}={digest(repr(pickle.dumps(value)))}")
     key = ", ".join([*words, *(f"{name}: {part}" for name, part in found.parts.items())])
     readable = ",".join(f"{name}={short(value)}" for name, value in row.items())
     name = re.sub(r"[^A-Za-z0-9.,=_+-]", "-", readable)[:80] + "-" + digest(key)[:12]

@@ -62,3 +62,6 @@ def test_unknown_parameters_and_bad_values(ar):
     with pytest.raises(ar.RunError, match="no strain gives the prescribed stress"):
         ar.drive(ar.MohrCoulomb(density=1, young=1e6, poisson=0.3, friction=0.6),
                  ar.Stage(stresses=(-1e6, -1e3, -1e3, 0.0, 0.0, 0.0)), stress=(-1e3, -1e3, -1e3, 0, 0, 0))
+    for test in [], [1], 3, ar.Test([]):
+        with pytest.raises(ar.Error, match="drive.test = .*: must be a Test, or one or more Stages"):
+            ar.drive(ar.LinearElastic(density=1, young=1, poisson=0.2), test)

@@ -73,6 +73,18 @@ def product(k, x):
 def locked(x):
     with LOCK:
         return x
+
+def guarded(x):
+    try:
+        import a_module_that_is_not_there
+    except ImportError:
+        return x
+
+class Held:
+    LOCK = threading.Lock()
+
+def of_held(x):
+    return 3
 """
 HELPER = """
 def helps(x):
@@ -112,7 +124,18 @@ def test_a_folder_is_that_of_an_objects_state(model, tmp_path):
         refused(other, out, "holds results of this function, but then with another object or arguments; name another folder, or remove it")
     refused(model.product, tmp_path / "out2", "another object or arguments")
     refused(model.locked, tmp_path / "locked", r"swept_model.LOCK: <unlocked .* cannot be told from others .*give what it holds as a parameter .*or sweep without `out`")
-    assert ar.sweep(model.locked, [1])["result"].tolist() == [1]
+    refused(model.Held, tmp_path / "locked", "swept_model.Held.LOCK: .* cannot be told from others")
+    assert ar.sweep(model.locked, [1])["result"].tolist() == [1] and ar.sweep(model.of_held, [model.Held()])["result"].tolist() == [3]
+    with pytest.raises(ar.Error, match="swept_model.Held.LOCK: .* cannot be told from others"):
+        ar.sweep(model.of_held, [model.Held()], out=tmp_path / "held")
+    assert ar.sweep(model.guarded, [1], out=tmp_path / "guarded")["result"].tolist() == [1]
+    header = tmp_path / "own.hpp"
+    header.write_text("struct Own {};")
+    own = functools.partial(model.product, ar.OwnLaw("Own", str(header)))
+    before = ar._decides.what_decides(own)
+    assert ar._decides.what_decides(own) == before
+    header.write_text("struct Own { double young; };")
+    assert ar._decides.first_difference(before, ar._decides.what_decides(own)) == "object or arguments"
 
 
 def test_a_folder_is_that_of_the_globals(model, tmp_path):

@@ -456,8 +456,8 @@ def compiled(scene: Scene) -> Scene:
 
 
 Observer = Callable[[Scene], Any]
-#: Functions by their period, s: one or several each; or pairs of a period and a function.
-Every = Union[Mapping[float, Union[Observer, Sequence[Observer]]], Iterable[Tuple[float, Observer]]]
+#: Functions by their period, s: an observer or several each (Any: checkers infer no union of functions); or pairs of a period and a function.
+Every = Union[Mapping[float, Any], Iterable[Tuple[float, Any]]]
 
 
 def number(name: str, value: Any, unit: str = "") -> float:

@@ -30,7 +30,7 @@ struct RegionSurface {
 template <class K, int D, class T>
 RegionSurface<T, D> surface_of(const SimplexMesh<D, T>& mesh, const std::string& region,
                                const std::vector<Constraint<T, D>>& constraints, bool is_part = false) {
-  const auto& numbers = mesh.region_numbers(region);
+  const auto numbers = mesh.region_numbers(region);
   std::vector<Vec<T, D>> sum(mesh.node_count(), Vec<T, D>::Zero());
   std::vector<T> volume(mesh.node_count(), T(0));
   T total = 0;

@@ -162,7 +162,7 @@ class GmshMesh {
     for (const auto& [groups, region] : shared_)
       for (const int group : groups)
         if (const auto name = names_.find({D, group}); name != names_.end())
-          result_.shared_regions[name->second].push_back(region);
+          result_.shared_regions.emplace_back(name->second, region);
     for (auto& [name, nodes] : result_.node_sets) {
       std::sort(nodes.begin(), nodes.end());
       nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());

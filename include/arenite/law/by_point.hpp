@@ -47,18 +47,38 @@ struct PointFactors {
   constexpr auto members() const { return std::tie(stiffness, strength); }
 };
 
+namespace detail {
+
+/// A law beneath its `ByPoint`, with a yield surface by point if it has one.
+template <class Law, bool knows = knows_yield<Law>>
+struct YieldByPoint : Law {
+  explicit YieldByPoint(Law law) : Law(std::move(law)) {}
+};
+template <class Law>
+struct YieldByPoint<Law, true> : Law {
+  explicit YieldByPoint(Law law) : Law(std::move(law)) {}
+
+  template <class T, int D, class History>
+  T yield(const Sym<T, D>& stress, const History& history) const {
+    return yield_of(static_cast<const Law&>(*this), stress * (T(1) / history.strength),
+                    static_cast<const typename Law::template History<T>&>(history));
+  }
+};
+
+}  // namespace detail
+
 /// A law with Young's modulus and strength by point: `ByPoint<LinearElastic>`; with friction too
 /// `ByPoint<MohrCoulomb<ForgetsOpening, PointFriction>>`. The law is called with the stress over the strength
 /// and with the strain times stiffness over strength, which is exact for a law that is elastic and perfectly
 /// plastic: one that says so by `bool scales() const`, or is linear.
 template <class Law>
-class ByPoint : public Law {
+class ByPoint : public detail::YieldByPoint<Law> {
  public:
   template <class T>
   using History = JoinedHistory<typename Law::template History<T>, PointFactors<T>>;
 
   /// Throws `error` for a law that rates, pressures or a past change.
-  explicit ByPoint(Law law) : Law{std::move(law)} {
+  explicit ByPoint(Law law) : detail::YieldByPoint<Law>(std::move(law)) {
     if constexpr (!is_linear<Law>)
       require(
           this->scales(), "ByPoint.law", "given",
@@ -98,10 +118,6 @@ class ByPoint : public Law {
   template <class T, int D>
   T elastic_energy(const Sym<T, D>& stress, const History<T>& history) const {
     return elastic_energy_of(law(), stress, static_cast<const Inner<T>&>(history)) / history.stiffness;
-  }
-  template <class T, int D>
-  T yield(const Sym<T, D>& stress, const History<T>& history) const requires(knows_yield<Law>) {
-    return yield_of(law(), stress * (T(1) / history.strength), static_cast<const Inner<T>&>(history));
   }
 
  private:

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <arenite/core/map.hpp>
@@ -19,8 +20,8 @@ struct MeshData {
   std::vector<std::array<Index, D + 1>> cells;  ///< [cells] nodes of each cell
   std::vector<int> region;                      ///< [cells] region of each cell; empty: all 0
   Map<std::string, int> region_names;           ///< name to region
-  /// Name to further regions that it means: those of cells that have several names.
-  Map<std::string, std::vector<int>> shared_regions;
+  /// Names with further regions that they mean, one each: those of cells that have several names.
+  std::vector<std::pair<std::string, int>> shared_regions;
   Map<std::string, std::vector<Index>> node_sets;  ///< name to nodes, ascending, each once
 };
 

@@ -39,10 +39,11 @@ class SimplexMesh {
 
   /// Throws `error` if a cell has a wrong node number, no volume or a size that T does not bear, or if a face
   /// belongs to more than two cells.
-  explicit SimplexMesh(const MeshData<D>& data) : node_sets_{data.node_sets}, region_{data.region} {
-    for (const auto& [name, number] : data.region_names) region_names_[name] = {number};
-    for (const auto& [name, numbers] : data.shared_regions)
-      region_names_[name].insert(region_names_[name].end(), numbers.begin(), numbers.end());
+  explicit SimplexMesh(const MeshData<D>& data)
+      : region_names_{data.region_names},
+        shared_regions_{data.shared_regions},
+        node_sets_{data.node_sets},
+        region_{data.region} {
     require(!data.cells.empty(), "SimplexMesh.cells", data.cells.size(), "a mesh needs at least one cell");
     if (region_.empty()) region_.assign(data.cells.size(), 0);
     require(region_.size() == data.cells.size(), "SimplexMesh.region", region_.size(),
@@ -81,12 +82,15 @@ class SimplexMesh {
 
   /// Numbers of a named region: several where it shares cells with others. Throws `error` naming those that
   /// exist.
-  const std::vector<int>& region_numbers(const std::string& name) const {
-    return find(region_names_, name, "region");
+  std::vector<int> region_numbers(const std::string& name) const {
+    std::vector<int> numbers{find(region_names_, name, "region")};
+    for (const auto& [of, number] : shared_regions_)
+      if (of == name) numbers.push_back(number);
+    return numbers;
   }
   /// Number of a named region. Throws `error` also if it has several.
   int region_number(const std::string& name) const {
-    const auto& numbers = region_numbers(name);
+    const auto numbers = region_numbers(name);
     require(numbers.size() == 1, "SimplexMesh: region", name,
             "shares cells with another: see region_numbers");
     return numbers.front();
@@ -253,7 +257,8 @@ class SimplexMesh {
     throw error(joined_text({"SimplexMesh: ", kind, " = ", name, ": must be one of: ", known}));
   }
 
-  Map<std::string, std::vector<int>> region_names_;
+  Map<std::string, int> region_names_;
+  std::vector<std::pair<std::string, int>> shared_regions_;
   Map<std::string, std::vector<Index>> node_sets_;
   std::vector<int> region_;
   std::vector<Point> position_;

@@ -68,7 +68,7 @@ void warn_points_inside(const Scene& scene, const AnyDistance& distance, const s
 /// Warns of material points in the region of the mesh whose boundary is the surface of a rigid body.
 template <class Scene>
 void warn_points_in_region(const Scene& scene, const std::string& region, const std::string& rigid) {
-  const auto& own = scene.mesh.region_numbers(region);
+  const auto own = scene.mesh.region_numbers(region);
   std::size_t number = 0;
   scene.for_each_body([&](const auto& body, const auto&) {
     const auto inside = static_cast<std::size_t>(

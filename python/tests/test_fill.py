@@ -100,7 +100,7 @@ def test_constants_by_place(ar, layers):
     assert by_place[0].keys() == by_place[1].keys()
     assert np.abs(list(by_place[1].values())).max() > 500
     assert all(np.allclose(by_place[0][x], by_place[1][x], rtol=1e-8, atol=1e-6) for x in by_place[0])
-    with pytest.raises(ar.Error, match="history, stiffness = -1: must be positive"):
+    with pytest.raises(ar.Error, match="history, stiffness = -1: must not be negative"):
         ar.fill_points(one, "ground", ar.Box((0, 0.2), (0.1, 0.25)), history={"stiffness": -1})
 
     clay = dict(density=1800, young=1e6, poisson=0.3, friction=np.arctan(0.5), cohesion=1000.0)

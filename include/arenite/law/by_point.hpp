@@ -88,12 +88,10 @@ class ByPoint : public detail::YieldByPoint<Law> {
   static constexpr bool linear = is_linear<Law>;
 
   const Law& law() const { return *this; }
-  /// Throws `error` for a factor that no point can have.
+  /// Throws `error` for a factor that no point can have. 0 passes: a host's functions give it before they are
+  /// called; a point that keeps it ends a run as not finite.
   static void check_history(std::string_view name, double value) {
-    if (name == "friction")
-      require(value >= 0, "FillOptions.history, friction", value, "must not be negative (a factor)");
-    else
-      require(value > 0, {"FillOptions.history, ", name}, value, "must be positive (a factor)");
+    require(value >= 0, {"FillOptions.history, ", name}, value, "must not be negative (a factor)");
   }
 
   using Law::wave_modulus;

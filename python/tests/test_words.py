@@ -209,6 +209,9 @@ def test_notebooks_get_escaped_tables(ar, column, tmp_path):
         assert table.count("<table>") == table.count("</table>") == 1 and len(table) < 4000
         assert all(word in table for word in words), (table, words)
         assert not re.search(r"<(?!/?(table|caption|thead|tbody|tr|th|td|p)>)", table), table
+    from arenite._rows import Rows
+
+    assert "<td>&lt;script&gt;</td>" in Rows([{"name": "<script>"}], ["name"], [])._repr_html_()
     assert repr(path).startswith("<Path: 101 states, t = 0 to 1 s; at its end p = ") and len(repr(path)) < 120
 
 

@@ -163,7 +163,8 @@ def _guarded(function: FunctionType, of_class: bool) -> Callable[..., Any]:
         rest = [(known.more, value) for value in args[len(known.positional):]] if known.more else []
         for name, value in [*by_position[of_class:], *given.items(), *rest]:
             hint = known.hints.get(name, Any)
-            rule = "" if hint is Any else _fault(value, hint)
+            quick = hint is Any or type(value) is hint or hint is float and type(value) is int
+            rule = "" if quick else _fault(value, hint)
             if rule:
                 raise ArgumentError(f"{called(args)}.{name} = {shown(value)}: must be {rule}")
 

@@ -91,6 +91,9 @@ class View(np.lib.mixins.NDArrayOperatorsMixin):
     def copy(self) -> Any:
         return np.array(self._array())
 
+    def __reduce__(self) -> Any:  # another process gets a copy
+        return np.array, (self.copy(),)
+
     def __array_ufunc__(self, ufunc: Any, method: Any, /, *inputs: Any, **kwargs: Any) -> Any:
         out = kwargs.pop("out", None)
         result = getattr(ufunc, method)(*(x._array() if isinstance(x, View) else x for x in inputs), **kwargs)

@@ -2,6 +2,7 @@
 
 import inspect
 import os
+import pickle
 import re
 import shutil
 import subprocess
@@ -160,6 +161,7 @@ def test_views_write_to_tiles(ar, in_one, in_tiles):
         for name in ("position", "mass", "volume"):
             with pytest.raises(ar.Error, match="cannot be written"):
                 getattr(sand, name)[:] = 0
+        assert np.array_equal(pickle.loads(pickle.dumps(sand.position)), sand.position)
         old = sand.velocity
         scene.step(1e-5)
         with pytest.raises(ar.Error, match="has stepped"):

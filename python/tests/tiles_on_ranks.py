@@ -108,7 +108,7 @@ def points(folder):
 
 def functions(folder):
     """Of positions: noise and a greatest height are those of all ranks."""
-    of = scene(body={"velocity": lambda x: np.random.default_rng(1).normal(size=x.shape), "stress": lambda x: np.outer(x[:, 1].max() - x[:, 1], [-1e4] * 6)})
+    of = scene(body={"velocity": lambda x: np.random.default_rng(1).normal(size=x.shape), "stress": lambda x: np.outer(x[:, 1].max() - x[:, 1], [-1e4] * 3 + [0] * 3)})
     ar.remove_points(of, "sand", lambda x: x[:, 0] < np.quantile(x[:, 0], 0.2))
     say(told(of))
     ar.run(of, end=0.002)

@@ -387,3 +387,5 @@ def test_a_series_that_goes_on_on_other_ranks_lists_the_files_of_each_frame(on_r
     frames = list(points.values())
     assert [len(files) for files in frames] == 3 * [ranks] + 2 * [3 - ranks]
     assert {sum(files) for files in frames} == {600}
+    code, _, errors = on_ranks(2, "series")
+    assert code == 0 and errors.count("which are replaced") == 1, errors

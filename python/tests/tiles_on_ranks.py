@@ -177,7 +177,6 @@ def series(folder):
     of = scene()
     ar.run(of, end=0.002, every={0.001: ar.Vtu("series/a")})
     of.save(folder)
-    ar.run(of, end=0.003, every={0.001: ar.Vtu("series/a", resumed=True)})
 
 
 def series_on(folder):

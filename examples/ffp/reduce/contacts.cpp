@@ -117,14 +117,15 @@ Contact RecordSearch::contact(std::size_t before, std::size_t end) const {
   const double a = clean_.deceleration[i], b = clean_.deceleration[i + 1];
   Contact c;
   c.time = m_.time[i];
-  c.sample_interval = m_.time[i + 1] - m_.time[i];
+  const double interval = m_.time[i + 1] - m_.time[i];
   const double share = (level - a) / (b - a);
-  if (!m_.step_means && b > level && a <= level) c.time += share * c.sample_interval;
+  if (!m_.step_means && b > level && a <= level) c.time += share * interval;
+  c.uncertain = std::max(c.time - m_.time[i], m_.time[i + 1] - c.time);
   // Samples farther apart than the window reaches: the rise is taken back to where it began.
-  if (!m_.step_means && i + 2 < m_.time.size() && c.sample_interval > s_.window && s_.window > 0) {
+  if (!m_.step_means && i + 2 < m_.time.size() && interval > s_.window && s_.window > 0) {
     const double slope = (clean_.deceleration[i + 2] - b) / (m_.time[i + 2] - m_.time[i + 1]);
-    c.time = slope > 0 ? std::max(m_.time[i], m_.time[i + 1] - (b - a) / slope)
-                       : m_.time[i] + c.sample_interval / 2;
+    c.time = slope > 0 ? std::max(m_.time[i], m_.time[i + 1] - (b - a) / slope) : m_.time[i] + interval / 2;
+    c.uncertain = interval / 2;
   }
   c.peak_time = m_.time[peak];
   c.peak = clean_filtered_[peak];
@@ -153,7 +154,7 @@ void RecordSearch::follow(Contact& c, double until) const {
   }
 }
 
-void RecordSearch::choose_impact(Fall& fall, double until) const {
+void RecordSearch::choose_impact(Descent& fall, double until) const {
   fall.impact = 0;
   for (std::size_t k = 0; k < fall.contacts.size(); ++k) {
     follow(fall.contacts[k], until);
@@ -169,7 +170,7 @@ void RecordSearch::choose_impact(Fall& fall, double until) const {
   fall.velocity = c.velocity ? *c.velocity : stands ? clean_integral_(*stands) - clean_integral_(c.time) : 0;
 }
 
-std::vector<Fall> RecordSearch::falls() const {
+std::vector<Descent> RecordSearch::falls() const {
   const double level = s_.threshold * s_.gravity, least = std::max(0.5, s_.threshold + 0.3) * s_.gravity;
   const std::size_t n = m_.time.size();
   std::vector<Contact> all;
@@ -181,7 +182,7 @@ std::vector<Fall> RecordSearch::falls() const {
       high = high || clean_filtered_[end] > least;
     if (high) all.push_back(contact(i, end));
   }
-  std::vector<Fall> found;
+  std::vector<Descent> found;
   for (Contact& c : all) {
     if (found.empty()) {
       found.push_back({{c}});
@@ -209,13 +210,13 @@ std::vector<Fall> RecordSearch::falls() const {
   return found;
 }
 
-std::vector<std::size_t> RecordSearch::drops(const std::vector<Fall>& falls) const {
+std::vector<std::size_t> RecordSearch::drops(const std::vector<Descent>& falls) const {
   constexpr double share = 0.25, least = 0.5;  // of the fastest; m/s
   // What nothing is known of before is a drop that the record begins with, or a knock.
   const bool released =
-      std::ranges::any_of(falls, [](const Fall& f) { return f.at_impact().release.has_value(); });
+      std::ranges::any_of(falls, [](const Descent& f) { return f.at_impact().release.has_value(); });
   double fastest = 0;
-  for (const Fall& fall : falls) fastest = std::max(fastest, fall.velocity);
+  for (const Descent& fall : falls) fastest = std::max(fastest, fall.velocity);
   std::vector<std::size_t> found;
   for (std::size_t k = 0; k < falls.size(); ++k) {
     const double v = falls[k].velocity;
@@ -226,7 +227,7 @@ std::vector<std::size_t> RecordSearch::drops(const std::vector<Fall>& falls) con
   return found;
 }
 
-std::vector<std::pair<double, double>> RecordSearch::knocks(const std::vector<Fall>& falls) const {
+std::vector<std::pair<double, double>> RecordSearch::knocks(const std::vector<Descent>& falls) const {
   constexpr double least = 2, apart = 0.05;  // g, s
   std::vector<std::pair<double, double>> found;
   double last = 0;

@@ -44,7 +44,7 @@ Measurement without(const std::vector<Glitch>& glitches, Measurement m);
 /// Where the deceleration leaves the fall.
 struct Contact {
   double time = 0;                   ///< s, in the record
-  double sample_interval = 0;        ///< s, within which it lies
+  double uncertain = 0;              ///< s: what it may lie off, between its two samples
   std::optional<double> release{};   ///< s; none: the record begins in the fall
   std::optional<double> velocity{};  ///< m/s; none: not known from before
   double peak_time = 0, peak = 0;    ///< s, m/s^2, of the mean
@@ -54,7 +54,7 @@ struct Contact {
 
 /// Contacts without a rest between them: the first from which the penetrometer comes to stand within its
 /// length is the impact, be it a crust over a void; the surface of deep water is none.
-struct Fall {
+struct Descent {
   std::vector<Contact> contacts;
   std::size_t impact = 0;  ///< in the contacts
   double velocity = 0;     ///< m/s at the impact, from the release, or back from rest
@@ -73,9 +73,9 @@ class RecordSearch {
   const std::vector<double>& filtered() const { return filtered_; }
 
   /// All falls that end with a contact, in time.
-  std::vector<Fall> falls() const;
+  std::vector<Descent> falls() const;
   /// Those of them that are drops, as places: of a quarter of the largest velocity at least.
-  std::vector<std::size_t> drops(const std::vector<Fall>& falls) const;
+  std::vector<std::size_t> drops(const std::vector<Descent>& falls) const;
   /// Time at which it stands, some while after the peak; none if the record ends before.
   std::optional<double> rest(double peak_time) const;
   /// Time of the largest deceleration that belongs to an impact.
@@ -87,13 +87,13 @@ class RecordSearch {
   /// The last sample at or before a time.
   std::size_t at(double t) const;
   /// Times of shocks of more than 2 g, with their peaks, outside of the falls to contacts: s, m/s^2.
-  std::vector<std::pair<double, double>> knocks(const std::vector<Fall>& falls) const;
+  std::vector<std::pair<double, double>> knocks(const std::vector<Descent>& falls) const;
 
  private:
   std::vector<double> filter(const Measurement& m, const std::vector<double>& means) const;
   Contact contact(std::size_t before, std::size_t end) const;
   void follow(Contact& c, double until) const;
-  void choose_impact(Fall& fall, double until) const;
+  void choose_impact(Descent& fall, double until) const;
 
   Measurement m_, clean_;
   ImpactSettings s_;

@@ -15,8 +15,8 @@ namespace {
 
 /// The fall that is meant.
 struct ChosenFall {
-  double impact = 0, peak_time = 0;         // s
-  std::optional<double> release, interval;  // s
+  double impact = 0, peak_time = 0;          // s
+  std::optional<double> release, uncertain;  // s
 };
 
 ChosenFall chosen_fall(const RecordSearch& search, const ImpactSettings& s) {
@@ -53,9 +53,9 @@ ChosenFall chosen_fall(const RecordSearch& search, const ImpactSettings& s) {
   for (std::size_t i = 0; s.drop_at && i < falls.size(); ++i)
     if (std::abs(falls[i].at_impact().time - *s.drop_at) < std::abs(falls[k].at_impact().time - *s.drop_at))
       k = i;
-  const Fall& fall = falls[k];
+  const Descent& fall = falls[k];
   const Contact& c = fall.at_impact();
-  ChosenFall chosen{c.time, c.peak_time, fall.contacts.front().release, c.sample_interval};
+  ChosenFall chosen{c.time, c.peak_time, fall.contacts.front().release, c.uncertain};
   double highest = c.peak;
   for (std::size_t i = fall.impact; i < fall.contacts.size(); ++i)
     if (fall.contacts[i].peak > highest) {
@@ -84,9 +84,9 @@ Motion motion_of(Measurement record, const ImpactSettings& s) {
   for (double& a : record.deceleration) a -= s.offset;
   const RecordSearch search{std::move(record), s};
   const Measurement& m = search.measurement();
-  const auto [impact, peak_time, release, interval] = chosen_fall(search, s);
+  const auto [impact, peak_time, release, uncertain] = chosen_fall(search, s);
   motion.impact_time = impact;
-  motion.impact_interval = interval;
+  motion.impact_uncertain = uncertain;
   motion.release = release;
   motion.impact_from = s.impact_time ? "given" : "threshold";
 

@@ -13,14 +13,14 @@ namespace arenite::ffp {
 struct Motion {
   double impact_time = 0;  ///< s, in the record
   std::string impact_from, velocity_from;
-  std::optional<double> release{};          ///< s, in the record
-  std::optional<double> impact_interval{};  ///< s: between the samples around an impact that was found
-  double impact_velocity = 0;               ///< m/s
-  std::vector<double> time;                 ///< [n] s, after the impact
-  std::vector<double> deceleration;         ///< [n] m/s^2, as recorded
-  std::vector<double> filtered;             ///< [n] m/s^2
-  std::vector<double> velocity, depth;      ///< [n] m/s, m, down; of the tip
-  std::optional<double> stop;               ///< s after the impact: first rest; none: not within the record
+  std::optional<double> release{};           ///< s, in the record
+  std::optional<double> impact_uncertain{};  ///< s: what an impact that was found may lie off
+  double impact_velocity = 0;                ///< m/s
+  std::vector<double> time;                  ///< [n] s, after the impact
+  std::vector<double> deceleration;          ///< [n] m/s^2, as recorded
+  std::vector<double> filtered;              ///< [n] m/s^2
+  std::vector<double> velocity, depth;       ///< [n] m/s, m, down; of the tip
+  std::optional<double> stop;                ///< s after the impact: first rest; none: not within the record
   std::optional<double>
       velocity_left;  ///< m/s that the integral leaves at rest; none: no rest within the record
 };

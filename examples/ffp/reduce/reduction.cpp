@@ -225,8 +225,8 @@ void choose_drop(Reduction& r, const ReduceOptions& o, ImpactSettings& impact, c
 /// Difference between the last and the first third of a free fall, g; none if it is too short to tell.
 std::optional<double> drift_of_fall(const Measurement& record, const Motion& m, double gravity) {
   constexpr double margin = 0.02, shortest = 0.1;  // s
-  if (!m.release || !m.impact_interval) return std::nullopt;
-  const double beside = std::max(margin, 2 * *m.impact_interval);
+  if (!m.release || !m.impact_uncertain) return std::nullopt;
+  const double beside = std::max(margin, 2 * *m.impact_uncertain);
   const double from = *m.release + beside, to = m.impact_time - beside, third = (to - from) / 3;
   if (third < shortest / 3) return std::nullopt;
   const StepIntegral integral{record.time, interval_means(record)};
@@ -326,16 +326,16 @@ void add_warnings(Reduction& r, const ReduceOptions& o, const Measurement& recor
   if (m.impact_velocity < 0.1)
     r.warnings.push_back(joined_text({"the velocity at the impact is ", rounded(m.impact_velocity),
                                       " m/s; is the unit of the time that of the record (--time-unit)?"}));
-  if (m.impact_interval) {
-    const double half = *m.impact_interval / 2;
-    r.depth_of_sampling = half * m.impact_velocity;
+  if (m.impact_uncertain) {
+    const double off = *m.impact_uncertain;
+    r.depth_of_sampling = off * m.impact_velocity;
     if (m.velocity_from != "given")
-      r.velocity_of_sampling = half * std::hypot(m.deceleration[0], m.release ? r.gravity : 0);
+      r.velocity_of_sampling = off * std::hypot(m.deceleration[0], m.release ? r.gravity : 0);
     if (*r.depth_of_sampling > 0.05 * r.greatest_depth)
-      r.warnings.push_back(joined_text(
-          {"the impact lies anywhere within the ", rounded(2e3 * half),
-           " ms between two samples: half of that is ", rounded(*r.depth_of_sampling * 100), " cm of depth",
-           r.velocity_of_sampling ? " and " + rounded(*r.velocity_of_sampling) + " m/s" : ""}));
+      r.warnings.push_back(
+          joined_text({"the impact lies anywhere between two samples, up to ", rounded(1e3 * off),
+                       " ms off: that is ", rounded(*r.depth_of_sampling * 100), " cm of depth",
+                       r.velocity_of_sampling ? " and " + rounded(*r.velocity_of_sampling) + " m/s" : ""}));
   }
   const double fall = m.impact_velocity / r.gravity;
   for (auto& text : sampling_warnings(record, m.impact_time - fall, m.impact_time,

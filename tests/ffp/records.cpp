@@ -395,7 +395,7 @@ TEST_CASE("a slow logger finds the impact, and says how far off it may be") {
 TEST_CASE("several drops in a record are listed, and one is taken by its number or time alone") {
   const Fall first, second{.before = 2, .fall = 0.3, .braking = 0.02, .peak = 0.3 * pi / 2 / 0.02};
   const auto file = file_of(both(first.record(), second.record()));
-  REQUIRE(holds(refusal(file), "record.csv: holds 2 drops: drop 1 at 0.9"));
+  REQUIRE(holds(refusal(file), "record.csv: holds 2 drops: drop 1 at 0.8"));
   REQUIRE(holds(refusal(file), "; drop 2 at 3.7"));
   REQUIRE(holds(refusal(file), "give --drop N, or --impact-time"));
   for (const auto& [words, motion] : {std::pair{std::vector<std::string>{"--drop", "1"}, first},

@@ -353,7 +353,7 @@ void add_warnings(Reduction& r, const ReduceOptions& o, const Measurement& recor
                      "; --force reduces it all the same, --impact-time and --impact-velocity say what "
                      "the record does not show"}));
   }
-  r.warnings.insert(r.warnings.begin(), all);
+  r.warnings.insert(r.warnings.begin() + (problem ? 1 : 0), all);
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <arenite/boundary/reactions.hpp>
 #include <arenite/contact.hpp>
 #include <arenite/fill/regions.hpp>
+#include <arenite/law/by_point.hpp>
 #include <arenite/law/drive.hpp>
 #include <arenite/loads.hpp>
 #include <arenite/rigid.hpp>

@@ -9,7 +9,6 @@
 #include <arenite/boundary/gravity.hpp>
 #include <arenite/boundary/walls.hpp>
 #include <arenite/core/units.hpp>
-#include <arenite/law/by_point.hpp>
 #include <arenite/law/drucker_prager.hpp>
 #include <arenite/law/frictional/policies.hpp>
 #include <arenite/law/linear_elastic.hpp>

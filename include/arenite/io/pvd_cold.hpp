@@ -86,7 +86,7 @@ ARENITE_COLD std::vector<PvdEntry> kept_entries(const std::filesystem::path& pat
                                                 bool warns) {
   const auto times = kept_times(path, pvd_times(path), time, resumed, warns);
   auto entries = pvd_entries(path);
-  std::erase_if(entries, [&](const PvdEntry& e) { return times.empty() || e.time > times.back(); });
+  while (!entries.empty() && (times.empty() || entries.back().time > times.back())) entries.pop_back();
   return entries;
 }
 

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cstdint>
 #include <filesystem>
-#include <iterator>
 #include <string>
 #include <system_error>
 
@@ -47,7 +46,8 @@ ARENITE_COLD VtuData columns_vtu(const PointColumns<T>& columns, const VtuPoints
   for (VtuArray& array : more.arrays) arrays.push_back(std::move(array));
   for (std::size_t k = 0; k < more.history.size(); ++k)
     if (const std::string_view name = more.names[k];
-        !name.empty() && (!wanted.history || std::ranges::count(*wanted.history, name) > 0))
+        !name.empty() && (!wanted.history || std::find(wanted.history->begin(), wanted.history->end(),
+                                                       name) != wanted.history->end()))
       arrays.push_back(side_by_side(std::string(name), n, std::array{more.history[k]}));
   if (wanted.mass) arrays.push_back(side_by_side("mass", n, std::array{columns.mass}));
   require(more.id != nullptr || !wanted.id, "VtuPoints.id", wanted.id, "needs a scene with PointIds{}");
@@ -114,7 +114,7 @@ ARENITE_COLD void VtuSeries::write_part(const VtuData& data) {
 ARENITE_COLD void VtuSeries::end_frame() {
   part_ = 0;
   if (again_)
-    std::erase_if(files_, [this](const PvdEntry& e) { return e.time == time_; });
+    while (!files_.empty() && files_.back().time == time_) files_.pop_back();
   else
     times_.push_back(time_);
   add_files(files_, time_, frame_, names_.size());
@@ -126,8 +126,8 @@ ARENITE_COLD void VtuSeries::follow_list() {
   files_.clear();
   for (std::size_t frame = 0; frame < times_.size(); ++frame) {
     const std::size_t before = files_.size();
-    std::ranges::copy_if(there, std::back_inserter(files_),
-                         [&](const PvdEntry& e) { return e.time == times_[frame]; });
+    for (const PvdEntry& e : there)
+      if (e.time == times_[frame]) files_.push_back(e);
     if (files_.size() == before) add_files(files_, times_[frame], frame, names_.size());  // the list is lost
   }
   write_list();

@@ -47,7 +47,7 @@ class CellList {
       for (Index c = begin; c < end; ++c) {
         const auto own = order_.begin() + next_[c], behind = own + owned_[c];
         std::iota(own, behind, start_[c]);
-        std::ranges::copy(unsorted_[c], behind);
+        std::copy(unsorted_[c].begin(), unsorted_[c].end(), behind);
       }
     });
     return order_;

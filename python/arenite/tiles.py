@@ -18,7 +18,7 @@ from ._recipe import Recipe
 from .meshes import Mesh
 from .numerics import Numerics
 from .scene import Scene
-from .views import Body, State, View
+from .views import Named, Body, State, View
 from .watch import Watch
 
 
@@ -168,7 +168,7 @@ class TiledScene(Scene):
         _ranks.leave_at_exit(self)
         self._restored_at = None
         self._state = _StateOfTiles(self._core, self._hidden_history())
-        self.bodies: Dict[str, Any] = {b.name: BodyHere(self, b.name) for b in self._recipes["bodies"]}
+        self.bodies: Dict[str, Any] = Named("bodies", {b.name: BodyHere(self, b.name) for b in self._recipes["bodies"]})
         #: rigid bodies by name, or number where one has no name: the same in all tiles
         self.rigids = self.tiles[0].rigids
 

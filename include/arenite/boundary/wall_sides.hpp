@@ -63,7 +63,7 @@ auto wall_sides(const Scene& scene) {
     side.at = (s % 2 == 1 ? nodes.upper() : nodes.lower())[axis];
     double some = 0, open = 0, slip = 0;
     for (Index i = 0; i < nodes.size(); ++i) {
-      if (!nodes.is_used(i) || !(std::abs(nodes.position(i)[axis] - side.at) <= nodes.near())) continue;
+      if (!nodes.is_used(i) || !(std::abs(nodes.position(i)[axis] - side.at) <= nodes.tolerance())) continue;
       ++some;
       open += (held[i] & 1u << axis) == 0;
       slip += (held[i] & rough) == 0;

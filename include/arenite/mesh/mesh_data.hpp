@@ -16,13 +16,13 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 /// checks them.
 template <int D>
 struct MeshData {
-  std::vector<Vec<double, D>> nodes;            ///< [nodes] position, m
-  std::vector<std::array<Index, D + 1>> cells;  ///< [cells] nodes of each cell
-  std::vector<int> region;                      ///< [cells] region of each cell; empty: all 0
-  Map<std::string, int> region_names;           ///< name to region
-  /// Names with further regions that they mean, one each: those of cells that have several names.
-  std::vector<std::pair<std::string, int>> shared_regions;
+  std::vector<Vec<double, D>> nodes;               ///< [nodes] position, m
+  std::vector<std::array<Index, D + 1>> cells;     ///< [cells] nodes of each cell
+  std::vector<int> region;                         ///< [cells] region of each cell; empty: all 0
+  Map<std::string, int> region_names;              ///< name to region
   Map<std::string, std::vector<Index>> node_sets;  ///< name to nodes, ascending, each once
+  /// Names with further regions that they mean, one each: those of cells that have several names.
+  std::vector<std::pair<std::string, int>> shared_regions{};
 };
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -1,6 +1,7 @@
 // Rigid bodies at the walls of the mesh: a run tells of one that passes a wall or leaves the mesh; with
 // `RigidContact.walls` walls hold them, with friction, as closed forms say.
 #include <arenite/arenite.hpp>
+#include <arenite/tiles.hpp>
 #include <cstdlib>
 
 #include "../run/said.hpp"
@@ -20,10 +21,11 @@ struct Thrown {
 
 /// A disc in a mesh of 2 x 2 m over a block of rubber in a corner: below a fixed wall, on the left a smooth one, above a frictional
 /// one, on the right none.
-auto world(const Thrown& t) {
+template <class Mesh, class... Portion>
+auto world(const Thrown& t, const Mesh& mesh, const Portion&... portion) {
   return Scene{
       PlaneStrain{},
-      CartesianGrid<2>{{.lower = {0, 0}, .upper = {2, 2}, .cell = cell}},
+      mesh,
       Numerics<QuadraticBSpline, Flip, Usl>{},
       bodies(fill(Box{{1.7, 0.}, {2., 0.2}}, LinearElastic{{.density = 1000, .young = 1e5, .poisson = 0.2}},
                   {.per_cell = 4})),
@@ -34,8 +36,11 @@ auto world(const Thrown& t) {
           DistanceSurface{Ball({t.at[0], t.at[1]}, radius)},
           Free{.mass = kg, .inertia = kg * square(radius) / 2, .centre = t.at, .velocity = t.velocity},
           Friction(0)),
-      RigidContact{.friction = Friction(0), .walls = t.walls}};
+      RigidContact{.friction = Friction(0), .walls = t.walls},
+      portion...};
 }
+CartesianGrid<2> grid() { return CartesianGrid<2>{{.lower = {0, 0}, .upper = {2, 2}, .cell = cell}}; }
+auto world(const Thrown& t) { return world(t, grid()); }
 /// The time that a warning names, s.
 double time_of(const std::string& text) {
   REQUIRE_THAT(text, Catch::StartsWith("t = "));
@@ -119,4 +124,20 @@ TEST_CASE("On a slope a disc slides on a smooth wall with g sin and rolls on a r
 TEST_CASE("A body that reaches into a fixed wall at the start is refused where walls hold") {
   CHECK_THROWS_WITH(world({.at = {1, 0.1, 0}, .walls = Friction(0)}),
                     "RigidContact = disc, bottom: must not overlap at the start");
+}
+
+TEST_CASE("Tiles say and hold what the whole does") {
+  OneRank here;
+  for (const std::optional<Friction>& walls : {std::optional<Friction>{}, std::optional(Friction(0))}) {
+    const Thrown t{.at = {1, 0.5, 0}, .walls = walls};
+    auto whole = world(t);
+    auto tiled = distribute(here, grid(), {.tiles = 3},
+                            [&](auto mesh, auto... portion) { return world(t, mesh, portion...); });
+    const auto expected = warned(whole, 0.5), found = warned(tiled, 0.5);
+    CHECK(found.size() == (walls ? 0 : 2));
+    CHECK(found == expected);
+    const Vec<double, 2> at = whole.rigid<"disc">().position();
+    tiled.for_each_tile(
+        [&](const auto& scene) { CHECK((scene.template rigid<"disc">().position() - at).norm() <= 1e-12); });
+  }
 }

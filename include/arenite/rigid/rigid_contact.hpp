@@ -131,15 +131,15 @@ class BoundRigidContact {
       touching_.segments.push_back(distance.contact_segments());
       touching_.bodies.push_back(std::move(b));
     });
-    if (recipe_.walls) add_walls(wall_sides(scene));
-    look_at(scene);
-    touching_.set_pairs(recipe_.friction, recipe_.walls, recipe_.pairs);
-    touching_.check_start();
+    is_ready_ = false;
+    // Portions ask each other for walls, and are made one after the other.
+    if constexpr (!Scene::is_portion) get_ready(scene);
   }
 
   template <class Scene>
   ContactTally apply_impulses(Scene& scene, double dt) {
     const auto& comm = scene.communicator();
+    if (!is_ready_) get_ready(scene);
     auto steps = steps_of(scene, std::make_index_sequence<std::tuple_size_v<typename Scene::Parts>>{});
     look_at(scene);
     const auto acceleration = scene.acceleration();
@@ -236,6 +236,15 @@ class BoundRigidContact {
       ++k;
     }
   }
+  /// Finds walls and pairs. Throws `error` if two bodies overlap.
+  template <class Scene>
+  void get_ready(Scene& scene) {
+    if (recipe_.walls) add_walls(wall_sides(scene));
+    look_at(scene);
+    touching_.set_pairs(recipe_.friction, recipe_.walls, recipe_.pairs);
+    touching_.check_start();
+    is_ready_ = true;
+  }
   void add_walls(const std::array<WallSide, 2 * D>& sides) {
     walls_.clear();
     for (std::size_t s = 0; s < sides.size(); ++s) {
@@ -327,6 +336,7 @@ class BoundRigidContact {
   RigidContact recipe_;
   std::vector<AnyDistance> walls_{};
   TouchingBodies<D> touching_{};
+  bool is_ready_ = false;
 };
 
 template <class Traits>

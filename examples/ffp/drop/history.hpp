@@ -18,8 +18,10 @@ inline constexpr double standard_gravity =
     9.81;  ///< m/s^2: gravity of the model, and the g of all decelerations
 
 /// One row of the history. Penetration and velocity are positive down; the acceleration is the net one,
-/// positive when it slows the device; mass x (acceleration + g) = reaction. Masses, forces and energies are
-/// those of the whole device and the whole chamber (the slice's times 18, those of one half in space times 2).
+/// positive when it slows the device; mass x (acceleration + g) = reaction. Of one that turns, over a step: mass x
+/// change of the velocity aside = reaction aside x step, moment of inertia x change of spin = moment x step. Masses,
+/// forces and energies are those of the whole device and the whole chamber (the slice's times 18, those of one half
+/// in space times 2).
 /// Of a penetrometer that turns penetration is the tip's, velocity and acceleration the centre of mass's.
 struct HistoryRow {
   double time_s = 0;
@@ -39,14 +41,18 @@ struct HistoryRow {
   double lost_points = 0;
   double contact_nodes = 0;
   double fill_ratio = 0;  ///< of the elements at the device; NaN, an empty field, while nothing touches
-  double mean_volume_ratio = 1;  ///< mean V/V0 of the sand
-  double tilt_deg = 0;           ///< of the axis to the vertical
-  double aside_m = 0;            ///< way of the tip, to where it pointed at the impact
+  double mean_volume_ratio = 1;   ///< mean V/V0 of the sand
+  double tilt_deg = 0;            ///< of the axis to the vertical
+  double aside_m = 0;             ///< way of the tip, to where it pointed at the impact
+  double aside_velocity_m_s = 0;  ///< of the centre of mass, the same way
+  double aside_reaction_N = 0;    ///< over the step that ends at `time_s`
+  double spin_rad_s = 0;          ///< positive when the tilt grows
+  double moment_N_m = 0;          ///< of the sand about the centre of mass, over that step
 };
 
-/// Columns of the history: names and members, in the order of the file. The last two are those of a
+/// Columns of the history: names and members, in the order of the file. The last six are those of a
 /// penetrometer that turns.
-inline constexpr std::array<std::pair<const char*, double HistoryRow::*>, 20> history_columns{{
+inline constexpr std::array<std::pair<const char*, double HistoryRow::*>, 24> history_columns{{
     {"time_s", &HistoryRow::time_s},
     {"penetration_m", &HistoryRow::penetration_m},
     {"velocity_m_s", &HistoryRow::velocity_m_s},
@@ -67,6 +73,10 @@ inline constexpr std::array<std::pair<const char*, double HistoryRow::*>, 20> hi
     {"mean_volume_ratio", &HistoryRow::mean_volume_ratio},
     {"tilt_deg", &HistoryRow::tilt_deg},
     {"aside_m", &HistoryRow::aside_m},
+    {"aside_velocity_m_s", &HistoryRow::aside_velocity_m_s},
+    {"aside_reaction_N", &HistoryRow::aside_reaction_N},
+    {"spin_rad_s", &HistoryRow::spin_rad_s},
+    {"moment_N_m", &HistoryRow::moment_N_m},
 }};
 inline constexpr std::size_t guided_columns = 18;
 

@@ -22,7 +22,8 @@ struct DeviceState {
   double reaction;               ///< contact force up, N
   std::size_t contact_nodes;
   std::vector<Index> touched;  ///< nodes at which the sand pushes
-  double tilt = 0, aside = 0;  ///< see `HistoryRow`
+  double tilt = 0, aside = 0, aside_velocity = 0, aside_reaction = 0, spin = 0,
+         moment = 0;  ///< see `HistoryRow`
 };
 
 template <class Scene>
@@ -38,6 +39,10 @@ DeviceState device_state(const Scene& scene, const DeviceStart& start) {
       state.penetration = 0 - tip[1];
       state.aside = tip[0] - start.tip[0];
       state.tilt = std::atan2(-axis[0], axis[1]) * 180 / pi;
+      state.aside_velocity = body.velocity[0];
+      state.aside_reaction = body.force[0];
+      state.spin = body.spin[2];
+      state.moment = body.torque[2];
     } else {
       state.penetration = 0 - (start.tip[1] + body.displacement[1]);
     }
@@ -73,6 +78,10 @@ HistoryRow history_row(const Scene& scene, const HistoryRow* before, const Devic
   row.velocity_m_s = device.velocity;
   row.tilt_deg = device.tilt;
   row.aside_m = device.aside;
+  row.aside_velocity_m_s = device.aside_velocity;
+  row.aside_reaction_N = whole * device.aside_reaction;
+  row.spin_rad_s = device.spin;
+  row.moment_N_m = whole * device.moment;
   row.acceleration_m_s2 = before ? (before->velocity_m_s - device.velocity) / scene.time_step
                                  : -standard_gravity;  // it still falls freely
   row.reaction_N = whole * device.reaction;

@@ -139,6 +139,22 @@ class OtherDrops(DriverTest):
         self.assertAlmostEqual(tilted["penetration_m"][0], 0, delta=1e-15)
         self.assertTrue(12 < found["final_tilt_deg"] == tilted["tilt_deg"][-1] < 30)
         self.assertTrue(0.005 < found["final_aside_m"] == tilted["aside_m"][-1] < 0.1)
+        # Momentum aside and angular momentum: what the sand gives in each step is what changes.
+        self.assertLess(max(map(abs, upright["aside_reaction_N"])), 1e-6 * max(upright["reaction_N"]))
+        for velocity, force in ("aside_velocity_m_s", "aside_reaction_N"), ("spin_rad_s", "moment_N_m"):
+            given = [0.0]
+            for value, step in zip(tilted[force][1:], tilted["time_step_s"][1:]):
+                given.append(given[-1] + value * step)
+            change = [value - tilted[velocity][0] for value in tilted[velocity]]
+            mass = given[-1] / change[-1]  # or moment of inertia, kg m^2
+            if force == "aside_reaction_N":
+                self.assertAlmostEqual(mass, 7.71, delta=1e-6)
+            else:
+                self.assertTrue(0.1 < mass < 7.71 * 0.631 ** 2 / 4, mass)
+            for one, other in zip(given, change):
+                self.assertAlmostEqual(one, mass * other, delta=1e-6 * max(map(abs, given)))
+        turned = sum(spin * step for spin, step in zip(tilted["spin_rad_s"][1:], tilted["time_step_s"][1:]))
+        self.assertAlmostEqual(10 + turned * 180 / 3.141592653589793, tilted["tilt_deg"][-1], delta=0.1)
         self.assertEqual(len(vtu(field_files("space_tilted")[0][1])["deviatoric_strain"]), found["points"])
         self.assertNotIn("tilt_deg", section)
 

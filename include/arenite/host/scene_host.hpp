@@ -376,13 +376,15 @@ class SceneReader<Scene<K, M, N, Given...>> {
   };
   template <class Made, class F>
   struct Part<Made, BodyList<F>> {
-    static BodyList<F> read(const typename Made::Mesh& mesh, const Value& value, const ReadContext& in_mesh) {
+    template <class Owns>
+    static BodyList<F> read(const typename Made::Mesh& mesh, const Value& value, const ReadContext& in_mesh,
+                            const Owns& owns) {
       const ReadContext at = in_mesh.renamed("bodies");
       const auto* list = value.get<Value::List>();
       if (list == nullptr || list->empty()) at.refuse(value, "must be a list of bodies");
       BodyList<F> made;
       for (std::size_t k = 0; k < list->size(); ++k)
-        made.fills.push_back(read_fill<Made, F>(mesh, (*list)[k], at[k]));
+        made.fills.push_back(read_fill<Made, F>(mesh, (*list)[k], at[k], owns));
       return made;
     }
   };

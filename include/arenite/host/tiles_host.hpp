@@ -71,6 +71,7 @@ class MakeTile {
   using Reader = SceneReader<Whole>;
 
   explicit MakeTile(const Value& values) : values_{std::make_shared<const Value>(values)} {}
+  const Value& values() const { return *values_; }
 
   /// Where one process has all tiles it makes the whole scene first, which gives the warnings and refusals of one and then goes; ranks
   /// have no room for it, and ask its functions alone.
@@ -85,13 +86,13 @@ class MakeTile {
     memory_->close();
   }
   void forget_places() { *memory_ = {}; }
-  /// As `ask_whole` for points of a body that join tiles like `S`.
+  /// As `ask_whole` for points of a body that join tiles like this one.
   template <class S>
-  PlaceMemory ask_fill(std::size_t body, const Value& fill) const {
+  PlaceMemory ask_fill(const S& tile, std::size_t body, const Value& fill) const {
     PlaceMemory memory;
     const auto mesh = whole_mesh();
-    with_number<S>(body, [&]<std::size_t which>() {
-      using Law = std::remove_cvref_t<decltype(std::declval<S&>().template body<Name(which)>().law)>;
+    with_body(tile, body, [&](const auto& of) {
+      using Law = std::remove_cvref_t<decltype(of.law)>;
       read_fill<S, Fill<Law>>(mesh, fill, {.name = "fill", .dimension = S::D, .memory = &memory});
     });
     memory.close();
@@ -124,7 +125,7 @@ class TilesHost : public HostedScene {
  public:
   TilesHost(Tiled<S> tiled, Make make, RebalanceOptions options)
       : tiled_{std::move(tiled)}, make_{std::move(make)}, options_{options} {
-    detail::add_signals(*make_.values, signals_);
+    detail::add_signals(make_.values(), signals_);
   }
 
   int dimension() const override { return S::D; }
@@ -189,7 +190,7 @@ class TilesHost : public HostedScene {
   }
 
   HostedTotals fill(std::size_t body, const Value& fill) override {
-    PlaceMemory memory = make_.template ask_fill<S>(body, fill);
+    PlaceMemory memory = make_.ask_fill(tiled_.first(), body, fill);
     const auto all = change([&](S& s) { return detail::fill_more(s, body, fill, &memory); });
     const Value* const may_be_empty = fill.find("may_be_empty");
     require(
@@ -207,9 +208,9 @@ class TilesHost : public HostedScene {
     std::map<int, Value> of_tile;
     std::size_t points = 0;
     tiled_.for_each_tile([&](const S& s) {
-      detail::with_number<S>(body, [&]<std::size_t which>() {
+      detail::with_body(s, body, [&](const auto& of) {
         const std::size_t begin = std::min(points, flags->numbers.size());
-        points += s.template body<Name(which)>().points.size();
+        points += of.points.size();
         const std::size_t end = std::min(points, flags->numbers.size());
         const auto at = [&](std::size_t k) {
           return flags->numbers.begin() + static_cast<std::ptrdiff_t>(k);

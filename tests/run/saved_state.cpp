@@ -119,18 +119,18 @@ TEST_CASE("Saved: a series of files goes on, is replaced with a warning, or is k
   steps(renamed, 1, other_parts);
   const auto files = pvd_entries("series/run.pvd");
   REQUIRE(files.size() == 4);
-  CHECK(files[2].file == "series/run_body0_0002.vtu");
+  CHECK(files[2].file == "series/run_sand_0002.vtu");
   CHECK(files[3].file == "series/run_soil_0003.vtu");
   CHECK(std::ranges::all_of(files, [](const PvdEntry& e) { return std::filesystem::exists(e.file); }));
 
   auto without = make();
   restore_state(without, "series/state", first);
-  const std::string kept = content_of("series/run_body0_0000.vtu");
+  const std::string kept = content_of("series/run_sand_0000.vtu");
   auto other = vtu("series/run");
   CHECK_THROWS_WITH(other(without), Catch::Matchers::Contains("series = series/run.pvd: holds 3 frames") &&
                                         Catch::Matchers::Contains("say resumed, else remove run.pvd"));
   CHECK(frames().size() == 3);
-  CHECK(content_of("series/run_body0_0000.vtu") == kept);
+  CHECK(content_of("series/run_sand_0000.vtu") == kept);
   auto resumed = vtu("series/run", {.resumed = true});
   resumed(without);
   CHECK(frames() == times);

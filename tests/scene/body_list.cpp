@@ -112,14 +112,17 @@ TEST_CASE("forty blocks in a row hand the momentum of the first on, and each can
   const double before = momentum(scene.body(0))[0];
   double impulse = 0;  // that contact gave the second block
   run(scene, {.end = 0.4}, [&](const auto& s) { impulse += contact_force(s, 1)[0] * s.time_step; });
-  CHECK(momentum(scene.body(1))[0] == Approx(impulse).epsilon(1e-9));
+  // But for what the limit at nodes without mass to speak of took, which the scene counts.
+  const double limited = scene.limited_momentum;
+  CHECK(limited <= 1e-7 * before);
+  CHECK(std::abs(momentum(scene.body(1))[0] - impulse) <= 1e-9 * impulse + limited);
   CHECK_THAT(test::message<error>([&] { scene.body(-1); }),
              Catch::Contains("Scene::body = -1: must be less than number_of_bodies()"));
   CHECK_THAT(test::message<error>([&] { contact_force(scene, 40); }),
              Catch::Contains("contact_force: body = 40: must be less than number_of_bodies()"));
   double after = 0;
   for (const auto& body : scene.bodies) after += momentum(body)[0];
-  CHECK(after == Approx(before).epsilon(1e-12));
+  CHECK(std::abs(after - before) <= 1e-12 * before + limited);
   CHECK(momentum(scene.body(0))[0] < 0.3 * before);
   CHECK(momentum(scene.body(1))[0] > 1e-3 * before);
   CHECK(momentum(scene.body(39))[0] == 0);

@@ -4,6 +4,7 @@ value of another type than its annotation are refused by name. `guard(..)` puts 
 from __future__ import annotations
 
 import collections.abc
+import enum
 import functools
 import inspect
 import numbers
@@ -57,6 +58,8 @@ def _fault(value: Any, hint: Any) -> str:
     if isinstance(hint, typing.ForwardRef):
         hint = os.PathLike if hint.__forward_arg__ == "os.PathLike[str]" else Any
     origin, inner = typing.get_origin(hint), typing.get_args(hint)
+    if isinstance(hint, type) and issubclass(hint, enum.Enum) and not isinstance(value, hint):
+        return "one of " + ", ".join(f"{hint.__name__}.{name}" for name in hint.__members__)
     if hint is None or hint is type(None):
         return "" if value is None else "None"
     if hint is float:
@@ -147,6 +150,8 @@ def _guarded(function: FunctionType, of_class: bool) -> Callable[..., Any]:
         owner = args[0] if isinstance(args[0], type) else type(args[0])
         return owner.__name__ if function.__name__ == "__init__" else f"{owner.__name__}.{function.__name__}"
 
+    checked: Tuple[str, ...] = getattr(function, "checks", ())
+
     def look(args: Tuple[Any, ...], given: Dict[str, Any]) -> None:
         known = parameters()
         by_position = list(zip(known.positional, args))
@@ -163,7 +168,7 @@ def _guarded(function: FunctionType, of_class: bool) -> Callable[..., Any]:
         rest = [(known.more, value) for value in args[len(known.positional):]] if known.more else []
         for name, value in [*by_position[of_class:], *given.items(), *rest]:
             hint = known.hints.get(name, Any)
-            quick = hint is Any or type(value) is hint or hint is float and type(value) is int
+            quick = name in checked or hint is Any or type(value) is hint or hint is float and type(value) is int
             rule = "" if quick else _fault(value, hint)
             if rule:
                 raise ArgumentError(f"{called(args)}.{name} = {shown(value)}: must be {rule}")

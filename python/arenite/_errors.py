@@ -4,11 +4,12 @@ import contextlib
 import difflib
 import re
 import threading
-from typing import Iterable, Iterator, Sequence, Tuple
+from typing import Any, Callable, Iterable, Iterator, Sequence, Tuple, TypeVar
 
 __all__ = ["ArgumentError", "Error", "RunError", "UnknownName", "Warning"]
 
 _Names = Tuple[Sequence[str], Sequence[str]]
+_Function = TypeVar("_Function", bound=Callable[..., Any])
 _at_work = threading.local()  # names of the bodies of the scene that this thread is in
 
 
@@ -44,6 +45,14 @@ def _nearest(text: str) -> str:
     told = r"('?)([\w ./-]+)\1: .*\b(?:one of:?|it has|there are|they are) ([\w ./,-]+)$"
     found = re.search("= " + told, text) or re.match(told, text)
     return did_you_mean(found[2], found[3].split(", ")) if found else ""
+
+
+def checks(*names: str) -> Callable[[_Function], _Function]:
+    """Marks a function that checks these arguments itself, in better words than those of their types."""
+    def marked(function: _Function) -> _Function:
+        function.checks = names  # type: ignore[attr-defined]
+        return function
+    return marked
 
 
 class Error(ValueError):

@@ -22,7 +22,7 @@ import numpy as np
 
 from ._cases import Cases, alone, checked_jobs, chosen_cases, combinations, processors, run_cases, several
 from ._decides import Decides, code_name, digest, first_difference, short, what_decides
-from ._errors import Error, Warning
+from ._errors import Error, Warning, checks
 from ._files import MOST_TABLE, read_bytes, read_json, replaced
 from ._folder import Folder, PathLike
 from ._pickle import refuse_unpicklable
@@ -60,6 +60,7 @@ class Case(NamedTuple):
     given: bytes  #: arguments and keywords, pickled
 
 
+@checks("values", "jobs", "cases", "out")
 def sweep(function: Callable[..., Any], values: Union[Iterable[Any], Mapping[str, Iterable[Any]]], jobs: int = 1,
           out: Optional[PathLike] = None, *, quiet: bool = True, cases: Cases = None) -> Sweep:
     """Calls a function with each of many values, `jobs` at a time, each in a process of its own: `sweep(depth, [20, 25, 30])` calls

@@ -8,7 +8,7 @@ from typing import Any, Optional, Sequence, Union
 import numpy as np
 from numpy.typing import NDArray
 
-from ._errors import Error
+from ._errors import Error, checks
 from ._html import table
 from ._recipe import Recipe
 from .laws import Law
@@ -101,6 +101,7 @@ def simple_shear(pressure: float, gamma: float, steps: int = 100, duration: floa
                        (gamma / 2, 0, 0))], (-pressure, -pressure, -pressure, 0, 0, 0))
 
 
+@checks("test")
 def drive(law: Law, test: Union[Test, Stage, Sequence[Stage]], stress: Optional[Sequence[float]] = None,
           history: Sequence[float] = ()) -> Path:
     """Takes one point of a law along a path: test: a `Test`, a `Stage` or several; stress, Pa, and history that it begins with, by default those of the

@@ -6,8 +6,8 @@ import warnings
 from dataclasses import dataclass, field
 from typing import Any, Dict, Optional, Tuple
 
-from . import _recipes
-from ._bases import Cone, Frictional, Law, Policy, Updated
+from . import _bases, _recipes
+from ._bases import Cone, Law, Policy, Updated
 from ._errors import Error
 from ._recipes import (ConstantFriction, ConstantStiffness, ForgetsOpening, InertialFriction, LinearElastic, LinearRateFriction,
                        LogarithmicFriction, MohrCoulomb, PressureStiffness, RateSofteningFriction, RateStiffness, RemembersOpening,
@@ -65,7 +65,7 @@ class ByPoint(Law):
 
     def __post_init__(self) -> None:
         policies = [type(p) for p in (self.law.memory, self.law.friction_law, self.law.stiffness_law)] \
-            if isinstance(self.law, Frictional) else []
+            if isinstance(self.law, _bases.Frictional) else []
         if not isinstance(self.law, LinearElastic) and policies != [ForgetsOpening, ConstantFriction, ConstantStiffness]:
             raise Error(f"ByPoint.law = {self.law!r}: must be elastic or perfectly plastic: LinearElastic, or MohrCoulomb or DruckerPrager "
                         "with constant friction and stiffness, without a memory of opening")

@@ -9,7 +9,7 @@ import time
 from typing import Any, Dict, List, Optional, Union
 
 from . import _core
-from ._errors import Error
+from ._errors import Error, checks
 from ._folder import PathLike
 from .scene import STOP, Every, Observer, Scene, check_observer, number, observers_of, run
 from .watch import Progress, Watch
@@ -60,6 +60,7 @@ class _Status:
             self.write()
 
 
+@checks("checkpoint_every", "end", "courant", "max_step", "every", "after_step", "watch", "progress")
 def run_in_folder(scene: Scene, end: float, folder: PathLike, *, checkpoint_every: float = float("inf"), resume: bool = False,
                   recipe: str = "", courant: float = 0.5, max_step: float = float("inf"),
                   every: Optional[Every] = None, after_step: Optional[Observer] = None,

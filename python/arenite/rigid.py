@@ -104,14 +104,14 @@ class RigidPair(Recipe):
 class RigidContact(Recipe):
     """All rigid bodies of the scene touch one another, with friction, rad, but for pairs with one of their own.
 
+    Walls that hold are those at a side of the box around the mesh that holds the matter all over, as planes without an end that stay where
+    they were at the start. A smooth one does not hold a body that crosses it at the start, as at a plane of symmetry. Without `walls` a run
+    warns of a body that passes one.
+
     parameter  unit  range             default  meaning
     friction   rad   [0, pi/2)         needed   angle; infinity: no slip
     pairs      -     `RigidPair` each  ()       with a friction of their own
-    walls      rad   [0, pi/2)         None     of the walls, which then hold bodies with a mass, too; None: they hold the matter alone
-
-    Walls that hold are those at a side of the box around the mesh that holds the matter all over, as planes without an end that stay where
-    they were at the start. A smooth one does not hold a body that crosses it at the start, as at a plane of symmetry. Without `walls` a run
-    warns of a body that passes one."""
+    walls      rad   [0, pi/2)         None     of the walls, which then hold bodies with a mass, too; None: they hold the matter alone"""
 
     friction: float
     pairs: Sequence[RigidPair] = ()

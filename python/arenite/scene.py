@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from . import _core, _plugins
-from ._errors import Error, bodies_named
+from ._errors import Error, bodies_named, checks
 from ._html import members, table
 from ._pickle import refuse_unpicklable
 from ._recipe import Recipe, check_together, function_value
@@ -255,6 +255,7 @@ class Scene:
         with self._named():
             self._core.step(dt)
 
+    @checks("courant", "end", "max_step", "watch")
     def steps(self, courant: float = 0.5, end: float = float("inf"), max_step: float = float("inf"), *,
               watch: Union[bool, Watch] = True) -> Iterator[float]:
         """The steps of `run` until `end`, s, one by one; yields the duration of each, s: between two of them forces, motions and
@@ -500,6 +501,7 @@ def _stops(name: str, told: Any) -> bool:
     return told is STOP
 
 
+@checks("end", "courant", "max_step", "every", "after_step", "watch", "progress")
 def run(scene: Scene, end: float, courant: float = 0.5, max_step: float = float("inf"),
         every: Optional[Every] = None, after_step: Optional[Observer] = None, *,
         watch: Union[bool, Watch] = True, progress: Union[bool, Progress] = False) -> None:
@@ -517,6 +519,7 @@ def run(scene: Scene, end: float, courant: float = 0.5, max_step: float = float(
     _run("run", scene, end, courant, max_step, None, every, after_step, watch, shown)
 
 
+@checks("end", "ratio", "courant", "every", "after_step", "watch")
 def settle(scene: Scene, end: float, ratio: float = 1e-3, courant: float = 0.5,
            every: Optional[Every] = None, after_step: Optional[Observer] = None, *,
            watch: Union[bool, Watch] = True) -> None:

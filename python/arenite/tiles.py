@@ -145,8 +145,8 @@ class TiledScene(Scene):
         if count < 0:
             raise Error(f"TiledScene.tiles = {tiles}: must not be negative")
         numbers = np.asarray([] if tile_of_cell is None else tile_of_cell)
-        if len(numbers) and numbers.dtype.kind not in "iu":
-            raise Error(f"TiledScene.tile_of_cell = an array of {numbers.dtype}: must be of whole numbers")
+        if numbers.ndim != 1 or (len(numbers) and numbers.dtype.kind not in "iu"):
+            raise Error(f"TiledScene.tile_of_cell = an array {list(numbers.shape)} of {numbers.dtype}: must be one row of whole numbers")
         self._ranks = _plugins.ranks(ranks)
         self._cut = (count, [] if weights is None else np.asarray(weights, float).tolist(), numbers.tolist(), every, rebalance_above)
         super().__init__(kinematics, mesh, numerics, **scene)

@@ -29,7 +29,7 @@ TEST_CASE(
   const double most = 1.1 * young / density / length;  // body force after 3 s, m/s2
   Scene scene{PlaneStrain{},
               CartesianGrid<2>{{.lower = {0, 0}, .upper = {width, 4}, .cell = 0.1}},
-              Numerics<QuadraticBSpline>{},
+              Numerics<QuadraticBSpline, Flip, MoveMapped<Musl>>{},
               bodies(fill(Box{{0, 0}, {width, length}}, NeoHookean{rubber}, {.per_cell = 9})),
               walls(left(roller), right(roller), bottom(fixed)),
               gravity({0, most}, Ramp{.over = 3}),

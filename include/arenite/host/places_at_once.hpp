@@ -134,8 +134,9 @@ class PlaceMemory {
       if (kept->at.numbers.empty()) continue;
       kept->order.resize(kept->at.rows());
       std::iota(kept->order.begin(), kept->order.end(), std::size_t{0});
-      std::ranges::stable_sort(kept->order, [&](std::size_t a, std::size_t b) {
-        return std::ranges::lexicographical_compare(kept->place(a), kept->place(b));
+      const auto& of = *kept;
+      std::ranges::stable_sort(kept->order, [&of](std::size_t a, std::size_t b) {
+        return std::ranges::lexicographical_compare(of.place(a), of.place(b));
       });
     }
   }

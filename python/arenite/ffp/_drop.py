@@ -122,7 +122,7 @@ def drop(*, out: Optional[PathLike] = None, quiet: bool = True, **options: objec
     """
     done = run_drop(Runs(), Folder(out), options, quiet, keeps=out is not None)
     for text in done.summary.get("warnings", []):
-        warnings.warn(text, stacklevel=2)
+        warnings.warn(text, stacklevel=3)
     return done
 
 

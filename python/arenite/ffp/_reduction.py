@@ -104,5 +104,5 @@ def reduce(file_or_drop: PathLike, *, out: Optional[PathLike] = None, quiet: boo
     if found is None:
         raise Error(f"{folder.path}: there is no reduced.json")
     for text in found["warnings"]:
-        warnings.warn(text, stacklevel=2)
+        warnings.warn(text, stacklevel=3)
     return found

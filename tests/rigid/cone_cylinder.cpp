@@ -69,8 +69,10 @@ TEST_CASE("cone-tipped cylinder: bad shapes are refused") {
     return throws([&] { ConeCylinder c(p); }, text);
   };
   REQUIRE(refuses({}, "ConeCylinder.radius = nan: must be given, positive"));
-  REQUIRE(refuses({.radius = -1, .apex = 1, .length = 9}, "ConeCylinder.radius = -1: must be given, positive"));
-  REQUIRE(refuses({.radius = 1, .apex = 60, .length = 9}, "ConeCylinder.apex = 60: must be given, in (0, pi) rad"));
+  REQUIRE(
+      refuses({.radius = -1, .apex = 1, .length = 9}, "ConeCylinder.radius = -1: must be given, positive"));
+  REQUIRE(refuses({.radius = 1, .apex = 60, .length = 9},
+                  "ConeCylinder.apex = 60: must be given, in (0, pi) rad"));
   REQUIRE(refuses({.radius = 1, .apex = 90_deg, .length = 0.5},
                   "ConeCylinder.length = 0.5: must reach the cone's height 1"));
   REQUIRE(refuses({.radius = 1, .apex = 90_deg, .length = inf}, "ConeCylinder.length = inf"));

@@ -181,7 +181,8 @@ def animate(scene: Scene, path: PathLike, quantity: Quantity = "pressure", *, en
 
     per_second  frames of the film
     options     of `run`: `courant`, `after_step`, `watch` ..
-    quantity, body, plane, limits, colours  as of `plot`"""
+
+    `quantity`, `body`, `plane`, `limits` and `colours` are those of `plot`."""
     scene._refuse_ranks("animate", "write files with Vtu")
     pyplot, films = need("matplotlib.pyplot", "animate()"), need("matplotlib.animation", "animate()")
     target, axes, names = Path(path), _axes_of(scene, plane), _chosen(scene, body)

@@ -136,8 +136,7 @@ class World final : public Ranks {
     lowest_failed_ = rank_;
     tell_others(failure);
   }
-  using Ranks::agree;
-  bool agree(const Question& question, bool yes) override {
+  bool agree(const Question& question, bool yes = false) override {
     if (size_ == 1) return yes;
     const std::string words = question.packed();
     Hash hash;

@@ -43,8 +43,7 @@ class Ranks {
   virtual void fail(const std::string& what) = 0;
   /// Compares what all ranks ask, before it is done, in one small message. Throws `error` that names rank and difference, on all ranks.
   /// Returns whether one of them says `yes`.
-  virtual bool agree(const Question& question, bool yes) = 0;
-  void agree(const Question& question) { agree(question, false); }
+  virtual bool agree(const Question& question, bool yes = false) = 0;
   /// This rank's program ends: others that wait for it in `agree` throw.
   virtual void leave() {}
 };
@@ -63,8 +62,7 @@ class OneRank final : public Ranks {
   std::string gather(const std::string& bytes) override { return bytes; }
   double least(double number) override { return number; }
   void fail(const std::string&) override {}
-  using Ranks::agree;
-  bool agree(const Question&, bool yes) override { return yes; }
+  bool agree(const Question&, bool yes = false) override { return yes; }
 };
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -1,5 +1,5 @@
 // A bar that a growing body force draws out against the closed form of its stretch: with FLIP and MUSL points must
-// move with the velocities that strain them, or they drift from their strains and the bar parts.
+// move with the velocities that strain them (`MoveMapped`), or they drift from their strains and the bar parts.
 #include <arenite/arenite.hpp>
 
 #include "../../examples/extend/laws/neo_hookean.hpp"

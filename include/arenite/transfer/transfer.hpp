@@ -83,9 +83,9 @@ struct Musl {
   static constexpr bool strains_first = false;
 };
 
-/// An order of the stress update, `MoveMapped<Musl>`: on grids points move with the mapped velocities that strain them, not with those of the
-/// grid update, so that little damped elastic matter under tension keeps whole (docs/decisions.md, Kernels). Contact holds the mapped velocities,
-/// too: what slides on a body then moves a little less far than its velocity says.
+/// An order of the stress update, `MoveMapped<Musl>`: on grids points move with the mapped velocities that strain them,
+/// not with those of the grid update, so that little damped elastic matter under tension keeps whole (docs/decisions.md,
+/// Kernels). Where bodies touch it is the less accurate one: a block on a slope slides 1.4 % too slowly.
 template <class Order>
 struct MoveMapped : Order {
   static constexpr bool moves_mapped = true;

@@ -45,10 +45,7 @@ template <int D>
 py::dict arrays_of(const MeshData<D>& mesh) {
   py::dict names, shared, sets, all;
   for (const auto& [name, tag] : mesh.region_names) names[py::str(name)] = tag;
-  for (const auto& [name, region] : mesh.shared_regions) {
-    if (!shared.contains(name)) shared[py::str(name)] = py::list();
-    shared[py::str(name)].cast<py::list>().append(region);
-  }
+  for (const auto& [name, regions] : mesh.shared_regions) shared[py::str(name)] = numbers_of(regions);
   for (const auto& [name, nodes] : mesh.node_sets) sets[py::str(name)] = numbers_of(nodes);
   all["nodes"] = rows_of<double>(mesh.nodes, D);
   all["cells"] = rows_of<std::int64_t>(mesh.cells, D + 1);

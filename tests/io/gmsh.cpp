@@ -314,7 +314,7 @@ TEST_CASE("a cell in several groups belongs to the region of each") {
   const auto square = read<2>(text);
   REQUIRE(square.cells == read<2>(square_2).cells);
   REQUIRE(square.region == std::vector<int>{-1, 6});
-  REQUIRE(square.shared_regions == std::vector<std::pair<std::string, int>>{{"sand", -1}, {"all", -1}});
+  REQUIRE(square.shared_regions == Map<std::string, std::vector<int>>{{"sand", {-1}}, {"all", {-1}}});
   const SimplexMesh<2> mesh(square);
   REQUIRE(mesh.region_numbers("sand") == std::vector<int>{5, -1});
   REQUIRE(mesh.is_in(0, mesh.region_numbers("sand")));
@@ -331,5 +331,5 @@ TEST_CASE("a cell in several groups belongs to the region of each") {
   auto solid = read<3>(replaced(replaced(tetrahedron_4, "1 0 0 0 1 1 1 1 3 1 1", "1 0 0 0 1 1 1 2 3 4 1 1"),
                                 "1\n2 6 \"base\"", "3\n2 6 \"base\"\n3 3 \"a\"\n3 4 \"b\""));
   REQUIRE(solid.region == std::vector<int>{-1});
-  REQUIRE(solid.shared_regions == std::vector<std::pair<std::string, int>>{{"a", -1}, {"b", -1}});
+  REQUIRE(solid.shared_regions == Map<std::string, std::vector<int>>{{"a", {-1}}, {"b", {-1}}});
 }

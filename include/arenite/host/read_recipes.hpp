@@ -153,7 +153,7 @@ struct ValueReader<MeshData<D>> {
     if (const Value* shared = value.find("shared_regions"))
       for (const auto& [name, regions] : detail::dict(*shared, at / "shared_regions"))
         for (const double r : detail::numbers(regions, at / "shared_regions" / name))
-          data.shared_regions.emplace_back(name, static_cast<int>(r));
+          data.shared_regions[name].push_back(static_cast<int>(r));
     if (const Value* sets = value.find("node_sets"))
       for (const auto& [name, nodes_of] : detail::dict(*sets, at / "node_sets")) {
         auto& set = data.node_sets[name];

@@ -162,7 +162,7 @@ class GmshMesh {
     for (const auto& [groups, region] : shared_)
       for (const int group : groups)
         if (const auto name = names_.find({D, group}); name != names_.end())
-          result_.shared_regions.emplace_back(name->second, region);
+          result_.shared_regions[name->second].push_back(region);
     for (auto& [name, nodes] : result_.node_sets) {
       std::sort(nodes.begin(), nodes.end());
       nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
@@ -176,7 +176,7 @@ class GmshMesh {
   /// Region of the cells of these groups: the tag of a single one; -1, -2, .. for each set of several.
   int region_of(std::vector<int> groups) {
     std::erase(groups, 0);
-    std::ranges::sort(groups);
+    std::sort(groups.begin(), groups.end(), MapOrder());
     groups.erase(std::unique(groups.begin(), groups.end()), groups.end());
     if (groups.size() < 2) return groups.empty() ? 0 : groups.front();
     return shared_.try_emplace(std::move(groups), -1 - static_cast<int>(shared_.size())).first->second;
@@ -227,9 +227,9 @@ class GmshMesh {
       sorted.clear();
       for (const Index c : by_lowest_node[i]) {
         sorted.emplace_back(result_.cells[c], c);
-        std::ranges::sort(sorted.back().first);
+        std::sort(sorted.back().first.begin(), sorted.back().first.end(), MapOrder());
       }
-      std::ranges::sort(sorted);
+      std::sort(sorted.begin(), sorted.end(), MapOrder());
       for (std::size_t k = 0, next; k < sorted.size(); k = next) {
         std::vector<int> groups;
         for (next = k; next < sorted.size() && sorted[next].first == sorted[k].first; ++next) {

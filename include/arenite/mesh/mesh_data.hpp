@@ -21,8 +21,8 @@ struct MeshData {
   std::vector<int> region;                         ///< [cells] region of each cell; empty: all 0
   Map<std::string, int> region_names;              ///< name to region
   Map<std::string, std::vector<Index>> node_sets;  ///< name to nodes, ascending, each once
-  /// Names with further regions that they mean, one each: those of cells that have several names.
-  std::vector<std::pair<std::string, int>> shared_regions{};
+  /// Name to further regions that it means: those of cells that have several names.
+  Map<std::string, std::vector<int>> shared_regions{};
 };
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

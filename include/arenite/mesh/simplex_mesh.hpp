@@ -84,8 +84,8 @@ class SimplexMesh {
   /// exist.
   std::vector<int> region_numbers(const std::string& name) const {
     std::vector<int> numbers{find(region_names_, name, "region")};
-    for (const auto& [of, number] : shared_regions_)
-      if (of == name) numbers.push_back(number);
+    if (const auto shared = shared_regions_.find(name); shared != shared_regions_.end())
+      numbers.insert(numbers.end(), shared->second.begin(), shared->second.end());
     return numbers;
   }
   /// Number of a named region. Throws `error` also if it has several.
@@ -258,7 +258,7 @@ class SimplexMesh {
   }
 
   Map<std::string, int> region_names_;
-  std::vector<std::pair<std::string, int>> shared_regions_;
+  Map<std::string, std::vector<int>> shared_regions_;
   Map<std::string, std::vector<Index>> node_sets_;
   std::vector<int> region_;
   std::vector<Point> position_;

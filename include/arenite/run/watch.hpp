@@ -176,6 +176,7 @@ class BasicWatch {
     f("next", next_);
     f("last", last_);
     energy_.visit_state(f);
+    rigids_.visit_state(StateUnder(f, "rigids"));
   }
 
   /// Each quantity with its greatest value so far, in the order of `WatchLimits`.

@@ -13,6 +13,7 @@
 
 #include <arenite/boundary/wall_sides.hpp>
 #include <arenite/core/error.hpp>
+#include <arenite/core/state_value.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
@@ -46,6 +47,18 @@ class WatchedRigids {
           tell(joined_text({"t = ", scene.time, " s: rigid body ", body.called_in(scene), text}));
       }
     });
+  }
+
+  /// The mesh as it was looked at: tiles look at it together, and one that comes to another rank knows it.
+  template <class F>
+  void visit_state(F&& f) {
+    f("mesh/cell", cell_);
+    for (std::size_t s = 0; s < sides_.size(); ++s) {
+      const StateUnder side(f, joined_text({"mesh/side ", s}));
+      side("at", sides_[s].at);
+      side("holds", sides_[s].holds);
+      side("is_smooth", sides_[s].is_smooth);
+    }
   }
 
  private:

@@ -49,7 +49,8 @@ class ErrorBar(DriverTest):
             self.assertAlmostEqual(bar["parts"]["contact_offset"], abs(of["offset-in"] - of["offset-out"]) / 2, delta=1e-12)
             self.assertAlmostEqual(bar["parts"]["flip_time"], abs(of["flip-time"] - of["cells-1.41"]), delta=1e-12)
             if not bar["converged"]:
-                self.assertAlmostEqual(bar["parts"]["cells"], 3 * (max(cells) - min(cells)), delta=1e-9)
+                widest = max(max(cells) - min(cells), max(spread) - min(spread))
+                self.assertAlmostEqual(bar["parts"]["cells"], 3 * widest, delta=1e-9)
             self.assertAlmostEqual(bar["u"], sum(u * u for u in bar["parts"].values()) ** 0.5, delta=1e-9)
             self.assertGreater(bar["u"], 0)
             self.assertEqual(found["uncertainty"]["runs"]["cells-2"][key], of["cells-2"])

@@ -1,8 +1,8 @@
-// On a slope of 30 degrees a soft block slides over a rigid bed, and a rigid ball rolls over a soft one. The
-// block accelerates by g (sin - mu cos); the ball, in the plane a cylinder, by 2/3 g sin.
+// On a slope of 30 degrees a soft block slides over a rigid bed, and a rigid ball rolls over a soft one. Friction
+// is tan(20 deg) of the block's normal force; the ball, in the plane a cylinder, accelerates by 2/3 g sin.
 //
 //   g++ -std=c++20 -O3 -march=native -Iinclude -I/usr/include/eigen3 examples/block_and_ball.cpp -o block_and_ball -pthread && ./block_and_ball
-//   prints: block 1.803 m/s2, exact 1.813 m/s2, -0.53 %
+//   prints: block friction 0.364, exact 0.364, -0.00 %
 #include <arenite/arenite.hpp>
 #include <cstdio>
 using namespace arenite;
@@ -24,17 +24,19 @@ auto on_slope(const Shape& shape, const Body& body) {
                body};
 }
 
-/// Along the slope, m/s2, from 0.2 s, when the bodies have settled, to 0.5 s.
-template <class S, class Speed>
-double acceleration(S& scene, Speed speed) {
+/// Mean along and across the slope, m/s2, from 0.2 s, when the bodies have settled, to 0.5 s.
+template <class S, class Velocity>
+std::array<double, 2> acceleration(S& scene, Velocity velocity) {
   run(scene, {.end = 0.2, .courant = 0.4});
-  const double begin = scene.time, before = speed();
+  const double begin = scene.time;
+  const auto before = velocity();
   run(scene, {.end = 0.5, .courant = 0.4});
-  return (speed() - before) / (scene.time - begin);
+  const auto after = velocity();
+  return {(after[0] - before[0]) / (scene.time - begin), (after[1] - before[1]) / (scene.time - begin)};
 }
 
 bool compare(const char* name, double found, double exact) {
-  std::printf("%s %.3f m/s2, exact %.3f m/s2, %+.2f %%\n", name, found, exact, 100 * (found / exact - 1));
+  std::printf("%s %.3f, exact %.3f, %+.2f %%\n", name, found, exact, 100 * (found / exact - 1));
   return std::abs(found / exact - 1) < 0.02;
 }
 
@@ -45,7 +47,9 @@ int main() {
                                  return std::array{0.0, 0.0, 0.0};
                                }},
                                Friction(friction)));
-  const double block = acceleration(slides, [&] { return momentum(slides.body())[0] / mass(slides.body()); });
+  // The block is elastic and bounces a little: friction is compared with the mean of the normal force.
+  const auto block =
+      acceleration(slides, [&] { return (momentum(slides.body()) / mass(slides.body())).eval(); });
 
   const double radius = 0.2, kilograms = 500;        // kg a metre
   const double high = 0.1 + radius + cell_size / 2;  // contact acts half a cell outside of the ball
@@ -54,9 +58,10 @@ int main() {
       rigid(DistanceSurface{Ball({0.4, high}, radius)},
             Free{.mass = kilograms, .inertia = kilograms * radius * radius / 2, .centre = {0.4, high, 0}},
             Friction(35_deg)));
-  const double ball = acceleration(rolls, [&] { return rolls.rigid().velocity[0]; });
+  const auto ball = acceleration(rolls, [&] { return rolls.rigid().velocity; });
 
   const bool block_is_right =
-      compare("block", block, g * (std::sin(slope) - std::tan(friction) * std::cos(slope)));
-  return compare("ball", ball, g * std::sin(slope) * 2 / 3) && block_is_right ? 0 : 1;
+      compare("block friction", (g * std::sin(slope) - block[0]) / (g * std::cos(slope) + block[1]),
+              std::tan(friction));
+  return compare("ball m/s2", ball[0], g * std::sin(slope) * 2 / 3) && block_is_right ? 0 : 1;
 }

@@ -70,7 +70,6 @@ int main() {
   on_warning([](std::string_view) {});
   std::printf("| shape function, points a cell | 4 | 9 | 16 | 25 |\n|---|---|---|---|---|\n");
   row<Numerics<QuadraticBSpline>>("`QuadraticBSpline`", {4, 9, 16, 25});
-  row<Numerics<QuadraticBSpline, Flip, MoveMapped<Musl>>>("`QuadraticBSpline`, `MoveMapped<Musl>`", {4, 9, 16, 25});
   row<Numerics<QuadraticBSpline, Flip, Usl>>("`QuadraticBSpline`, FLIP with USL", {4, 9, 16});
   row<Numerics<QuadraticBSpline, Aflip>>("`QuadraticBSpline`, AFLIP", {4, 9, 16});
   row<Numerics<CubicBSpline>>("`CubicBSpline`", {4, 9, 16, 25});

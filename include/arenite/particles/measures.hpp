@@ -44,10 +44,10 @@ double sum_column(const T* values, std::size_t count);
 template <class T>
 double kinetic_energy(std::size_t count, const T* mass, int dimension,
                       const std::array<const T*, 3>& velocity);
-/// Sum of m x . g; `position`: [dimension].
+/// Sum of m x, kg m; `position`: [dimension].
 template <class T>
-double work_of_gravity(std::size_t count, const T* mass, int dimension,
-                       const std::array<const T*, 3>& position, const std::array<double, 3>& g);
+std::array<double, 3> moment_of_mass(std::size_t count, const T* mass, int dimension,
+                                     const std::array<const T*, 3>& position);
 
 /// Where the columns of vectors begin.
 template <class T, int D>

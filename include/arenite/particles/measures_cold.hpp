@@ -22,21 +22,20 @@ ARENITE_COLD double kinetic_energy(std::size_t count, const T* mass, int dimensi
 }
 
 template <class T>
-ARENITE_COLD double work_of_gravity(std::size_t count, const T* mass, int dimension,
-                                    const std::array<const T*, 3>& position, const std::array<double, 3>& g) {
-  return sum_points(count, 0.0, [&](std::size_t p) {
-    double along = 0;
-    for (std::size_t k = 0; k < static_cast<std::size_t>(dimension); ++k)
-      along += g[k] * static_cast<double>(position[k][p]);
-    return static_cast<double>(mass[p]) * along;
-  });
+ARENITE_COLD std::array<double, 3> moment_of_mass(std::size_t count, const T* mass, int dimension,
+                                                  const std::array<const T*, 3>& position) {
+  std::array<double, 3> moment{};
+  for (std::size_t k = 0; k < static_cast<std::size_t>(dimension); ++k)
+    moment[k] = sum_points(count, 0.0, [&](std::size_t p) {
+      return static_cast<double>(mass[p]) * static_cast<double>(position[k][p]);
+    });
+  return moment;
 }
 
 #define ARENITE_INSTANCES(T)                                                                  \
   template double sum_column(const T*, std::size_t);                                          \
   template double kinetic_energy(std::size_t, const T*, int, const std::array<const T*, 3>&); \
-  template double work_of_gravity(std::size_t, const T*, int, const std::array<const T*, 3>&, \
-                                  const std::array<double, 3>&);
+  template std::array<double, 3> moment_of_mass(std::size_t, const T*, int, const std::array<const T*, 3>&);
 ARENITE_FOR_NUMBERS(ARENITE_INSTANCES)
 #undef ARENITE_INSTANCES
 

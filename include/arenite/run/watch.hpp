@@ -108,8 +108,8 @@ class BasicWatch {
   void operator()(const Scene& scene) {
     if (scene.steps >= next_)
       look(scene);
-    else if (!tracks_energy<Scene> && scene.steps + 1 == next_ && book_.wants_energy())
-      energy_.remember(scene);
+    else if (!tracks_energy<Scene> && book_.wants_energy())
+      scene.steps + 1 == next_ ? energy_.remember(scene) : energy_.follow(scene);
     look_at_rigids(scene);
   }
   /// Looks at the end of a run, which may lie between two looks; `run` calls it.

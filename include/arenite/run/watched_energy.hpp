@@ -25,10 +25,17 @@ class WatchedEnergy {
     double gain = 0, transfer = 0, residual = 0;
   };
 
+  /// After each step, without `TrackEnergy`: books the work of a scene's acceleration ahead of its change.
+  template <class Scene>
+  void follow(const Scene& scene) {
+    if (acceleration_ != acceleration_of(scene)) book_work(scene);
+  }
+
   /// Keeps that of this step and of the one before.
   template <class Scene>
   void remember(const Scene& scene) {
     if (held_step_ == scene.steps) return;
+    book_work(scene);
     const std::size_t now = changes(scene);
     follows_ = held_step_ + 1 == scene.steps && held_changes_ == now;
     held_changes_ = now;
@@ -48,8 +55,8 @@ class WatchedEnergy {
     double initial = now.stored;
     if constexpr (tracks_energy<Scene>)
       initial = std::max(initial, scene.template part<TrackEnergy>().initial());
-    if (!started_) floor_ = allowed_drift(scene);
-    return judge(now, changes(scene), work_scale(scene), initial, tracks_energy<Scene>);
+    floor_ = std::max(floor_, allowed_drift(scene));
+    return judge(now, changes(scene), initial, tracks_energy<Scene>);
   }
 
   template <class F>
@@ -76,7 +83,9 @@ class WatchedEnergy {
     f("follows", follows_);
     f("started", started_);
     f("changes", changes_);
-    f("work_scale", work_scale_);
+    f("acceleration", acceleration_);
+    f("moment", moment_);
+    f("work", work_);
     f("held_changes", held_changes_);
   }
 
@@ -92,13 +101,29 @@ class WatchedEnergy {
     return static_cast<std::size_t>(n);
   }
 
-  /// Accelerations of the scene, m/s2.
+  /// Of the scene, m/s2: in the step to come.
   template <class Scene>
-  static std::array<double, 3> work_scale(const Scene& scene) {
+  static std::array<double, 3> acceleration_of(const Scene& scene) {
     std::array<double, 3> all{};
     const auto a = scene.acceleration();
     for (int k = 0; k < Scene::D; ++k) all[static_cast<std::size_t>(k)] = static_cast<double>(a[k]);
     return all;
+  }
+
+  /// Work of the acceleration since it was booked last: that times the change of sum m x. What points that were
+  /// lost or brought make of it is left out by `judge`, which begins anew.
+  template <class Scene>
+  void book_work(const Scene& scene) {
+    auto& [x, y, z] = moment_;
+    const auto before = std::exchange(moment_, {});
+    scene.for_each_body([&](const auto& body, const auto&) {
+      const auto& p = body.points;
+      const auto moment = moment_of_mass(p.size(), p.mass.data(), Scene::D, column_data(p.position));
+      x += moment[0], y += moment[1], z += moment[2];
+    });
+    sum_over(scene.communicator(), x, y, z);
+    for (std::size_t k = 0; k < 3; ++k) work_ += acceleration_[k] * (moment_[k] - before[k]);
+    acceleration_ = acceleration_of(scene);
   }
 
   /// What positions hold of the energy, J. `ahead`: of the strain energy, where stresses are not those of the
@@ -108,17 +133,15 @@ class WatchedEnergy {
     double sum() const { return strain + potential; }
   };
   template <class Scene>
-  static Held held(const Scene& scene) {
+  Held held(const Scene& scene) const {
     Held h;
-    const auto g = work_scale(scene);
     scene.for_each_body([&](const auto& body, const auto& field) {
       const double strain = strain_energy(body);
       h.strain += strain;
       if (!field.centred) h.ahead += strain;
-      const auto& p = body.points;
-      h.potential -= work_of_gravity(p.size(), p.mass.data(), Scene::D, column_data(p.position), g);
     });
-    sum_over(scene.communicator(), h.strain, h.ahead, h.potential);
+    sum_over(scene.communicator(), h.strain, h.ahead);
+    h.potential = -work_;
     return h;
   }
 
@@ -128,8 +151,7 @@ class WatchedEnergy {
     double stored = 0, external = 0, brought = 0, gained = 0, transfer = 0, residual = 0;
   };
   /// `initial`: energy that there is when it begins, J.
-  Found judge(const Balance& now, std::size_t changes, const std::array<double, 3>& work_scale,
-              double initial, bool tracks);
+  Found judge(const Balance& now, std::size_t changes, double initial, bool tracks);
   template <class Scene>
   Balance balance(const Scene& scene) const {
     Balance b;
@@ -183,7 +205,7 @@ class WatchedEnergy {
     sum_over(scene.communicator(), all);
     for (Index c = 0; c < scene.mesh.cell_count(); ++c) whole += static_cast<double>(scene.mesh.volume(c));
     const double cell = std::pow(whole / scene.mesh.cell_count(), 1.0 / Scene::D);
-    const auto g = work_scale(scene);
+    const auto g = acceleration_of(scene);
     return 0.01 * cell * all * std::sqrt(g[0] * g[0] + g[1] * g[1] + g[2] * g[2]);
   }
 
@@ -198,8 +220,9 @@ class WatchedEnergy {
   std::size_t held_step_ = std::numeric_limits<std::size_t>::max() / 2;  // none
   bool follows_ = false;                                                 // whether the one before is known
   bool started_ = false;                                                 // whether it has looked
-  std::array<double, 3> work_scale_{};                                   // at the last look, m/s2
-  std::size_t changes_ = 0, held_changes_ = 0;  // of the points: at the last look; at held_step_
+  std::array<double, 3> acceleration_{}, moment_{};  // in the step after `book_work`, m/s2; then, kg m
+  double work_ = 0;                                  // of the acceleration since the first call, J
+  std::size_t changes_ = 0, held_changes_ = 0;       // of the points: at the last look; at held_step_
 };
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

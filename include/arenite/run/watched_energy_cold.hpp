@@ -7,18 +7,14 @@
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 ARENITE_COLD WatchedEnergy::Found WatchedEnergy::judge(const Balance& now, std::size_t changes,
-                                                       const std::array<double, 3>& work_scale,
                                                        double initial, bool tracks) {
   if (!started_) {
     started_ = true;
     start_ = now;
     put_in_ = initial;
     changes_ = changes;
-    work_scale_ = work_scale;
-  } else if (!tracks && (changes_ != changes || work_scale_ != work_scale)) {
-    // What the points took with them or brought is not known, nor the work of what pulls otherwise: start
-    // anew.
-    work_scale_ = work_scale;
+  } else if (!tracks && changes_ != changes) {
+    // What the points took with them or brought is not known: start anew.
     put_in_ += now.brought - start_.brought;
     start_ = now;
     before_ = gain_;

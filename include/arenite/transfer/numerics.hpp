@@ -56,8 +56,6 @@ struct Numerics {
   /// Whether the points take their velocities where they are mapped back, in a pass before that of the
   /// strains; linear simplices need no such pass (see `map_back`).
   static constexpr bool maps_back_by_points = maps_back && !Shape::constant_gradient;
-  /// Whether points move with the velocities that were mapped back.
-  static constexpr bool moves_mapped = requires { StressUpdate::moves_mapped; };
   /// Whether points are strained ahead of the forces, with what they hand over at the start of the step.
   static constexpr bool strains_first = StressUpdate::strains_first;
   static constexpr bool strains_at_middle = requires { StressUpdate::strains_at_middle; };
@@ -95,10 +93,6 @@ struct Numerics {
       "transfer: iterations must be int iterations() const, beside iterated(nodes, i)");
   static_assert(!(maps_back && Shape::constant_gradient) || !Transfer::affine,
                 ARENITE_SAYS_MUSL_WITHOUT_GRADIENT);
-  static_assert(
-      !moves_mapped || (StressUpdate::maps_back && !Shape::constant_gradient),
-      "Numerics: MoveMapped is for Musl on a grid; elsewhere strains are those of the velocities that move "
-      "the points, or need it not: leave MoveMapped out");
   static_assert(AntiLocking::template fits<Shape>, ARENITE_SAYS_AVERAGES_SHAPE);
 
   /// Largest step that the composition bears in D dimensions, in cell sizes over the wave speed: where

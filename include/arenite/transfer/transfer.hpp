@@ -76,19 +76,12 @@ struct Usf {
 };
 
 /// Update of stress last, from point velocities mapped back to the nodes once more (modified USL; Sulsky,
-/// Zhou, Schreyer 1995, doi:10.1016/0010-4655(94)00170-7): nodes of little mass get no spurious strain.
+/// Zhou, Schreyer 1995, doi:10.1016/0010-4655(94)00170-7): nodes of little mass get no spurious strain. On grids points
+/// move with the mapped velocities, too, so that places and strains belong together (docs/decisions.md, Kernels).
 /// Elastic bodies on simplices, without averages, take their stress at the middle of the step.
 struct Musl {
   static constexpr bool maps_back = true;
   static constexpr bool strains_first = false;
-};
-
-/// An order of the stress update, `MoveMapped<Musl>`: on grids points move with the mapped velocities that strain them,
-/// not with those of the grid update, so that little damped elastic matter under tension keeps whole (docs/decisions.md,
-/// Kernels). Where bodies touch it is the less accurate one: a block on a slope slides 1.4 % too slowly.
-template <class Order>
-struct MoveMapped : Order {
-  static constexpr bool moves_mapped = true;
 };
 
 /// An order of the stress update, `MidpointStrain<Usl>`, with the strain at the middle of the step's motion: sym(G - G^2 / 2), G = dt L,

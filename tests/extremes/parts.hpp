@@ -21,8 +21,8 @@ CartesianGrid<D, T> grid(const Draw& d) {
 
 /// The same box of triangles or tetrahedra, at random places but on the hull; region 1 ("device") is the
 /// block in the middle of the upper third if there is to be one.
-template <int D, real_scalar T>
-SimplexMesh<D, T> simplices(const Draw& d, bool device = false) {
+template <int D>
+MeshData<D> simplex_data(const Draw& d, bool device = false) {
   const int n = D == 2 ? cells_along<D> : 4;
   const double size = d.cell * n;
   test::SampleMesh<D> o{};
@@ -39,7 +39,11 @@ SimplexMesh<D, T> simplices(const Draw& d, bool device = false) {
     };
   auto data = test::sample_data(o);
   data.region_names = {{"soil", 0}, {"device", 1}};
-  return SimplexMesh<D, T>(data);
+  return data;
+}
+template <int D, real_scalar T>
+SimplexMesh<D, T> simplices(const Draw& d, bool device = false) {
+  return SimplexMesh<D, T>(simplex_data<D>(d, device));
 }
 
 /// Extent of a mesh, m.

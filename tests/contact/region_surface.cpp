@@ -132,7 +132,32 @@ TEST_CASE("a region that meets no other has no surface") {
   REQUIRE(throws([&] { surface_of<PlaneStrain>(mesh, "all", {}); },
                  "surface of region = all: must meet another region of the mesh"));
   REQUIRE(throws([&] { surface_of<PlaneStrain>(mesh, "nothing", {}); },
-                 "surface of region = nothing: must meet another region of the mesh"));
+                 "surface of region = nothing: must have cells of the mesh"));
   REQUIRE(throws([&] { surface_of<PlaneStrain>(mesh, "tip", {}); },
                  "region = tip: must be one of: all, nothing"));
+}
+
+TEST_CASE("a surface of which walls hold all nodes is told from one that meets no other") {
+  // Along a line at 30 degrees, where a wall leaves a rounding error of the normals.
+  const double a = pi / 6;
+  SampleMesh<2> o{.cells = {2, 2}, .jitter = 0};
+  o.region = [](const auto& x) { return x[1] < 0.5 ? 1 : 0; };
+  auto data = sample_data(o);
+  data.region_names = {{"below", 1}};
+  for (std::size_t i = 0; i < data.nodes.size(); ++i) {
+    auto& x = data.nodes[i];
+    if (x[1] == 0.5) data.node_sets["between"].push_back(static_cast<Index>(i));
+    x = {std::cos(a) * x[0] - std::sin(a) * x[1], std::sin(a) * x[0] + std::cos(a) * x[1]};
+  }
+  const SimplexMesh<2> mesh(data);
+  const auto surface = [&](const Condition& c) {
+    return surface_of<PlaneStrain>(mesh, "below", resolve<LinearSimplex>(mesh, walls(on("between", c))));
+  };
+  const std::array<double, 3> normal{-std::sin(a), std::cos(a), 0}, along{std::cos(a), std::sin(a), 0};
+  for (const Condition& c : {fixed, symmetry(normal)})
+    REQUIRE(throws([&] { surface(c); },
+                   "surface of region = below: walls hold all of its nodes along their normals"));
+  const auto s = surface(symmetry(along));
+  REQUIRE(s.nodes == data.node_sets["between"]);
+  for (const auto& n : s.normals) REQUIRE((n - Vec<double, 2>(normal[0], normal[1])).norm() < 1e-14);
 }

@@ -3,6 +3,8 @@
 #pragma once
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include <algorithm>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -25,8 +27,8 @@ struct RegionSurface {
 };
 
 /// Facets on the hull of the mesh are no surface. Where walls constrain a node, its normal keeps to the
-/// allowed directions: on a symmetry plane or an axis it lies in it. Throws `error` if the region meets no
-/// other, unless the mesh `is_part` of a larger one.
+/// allowed directions: on a symmetry plane or an axis it lies in it. Throws `error` if the region has no cells or meets no
+/// other, or if walls hold all nodes where it does, unless the mesh `is_part` of a larger one.
 template <class K, int D, class T>
 RegionSurface<T, D> surface_of(const SimplexMesh<D, T>& mesh, const std::string& region,
                                const std::vector<Constraint<T, D>>& constraints, bool is_part = false) {
@@ -64,11 +66,13 @@ RegionSurface<T, D> surface_of(const SimplexMesh<D, T>& mesh, const std::string&
     }
   }
   RegionSurface<T, D> surface;
-  std::vector<bool> on_surface(mesh.node_count());
-  for (Index i = 0; i < mesh.node_count(); ++i) on_surface[i] = sum[i].squaredNorm() > 0;
+  std::vector<T> length;
+  for (const auto& s : sum) length.push_back(s.norm());
+  constexpr T round_off =
+      64 * std::numeric_limits<T>::epsilon();  // of what a wall leaves of a normal along its own
   for (const auto& c : constraints) sum[c.node] = c.projector * sum[c.node];
   for (Index i = 0; i < mesh.node_count(); ++i) {
-    if (on_surface[i] && sum[i].norm() > 0) {
+    if (sum[i].norm() > round_off * length[i]) {
       surface.nodes.push_back(i);
       surface.normals.push_back(sum[i].normalized());
       surface.volume_fraction.push_back(volume[i] / total);
@@ -76,8 +80,12 @@ RegionSurface<T, D> surface_of(const SimplexMesh<D, T>& mesh, const std::string&
       surface.inside.push_back(i);
     }
   }
-  require(!surface.nodes.empty() || is_part, "surface of region", region,
-          "must meet another region of the mesh");
+  require(
+      !surface.nodes.empty() || is_part, "surface of region", region,
+      !(total > 0) ? "must have cells of the mesh"
+      : std::ranges::all_of(length, [](T l) { return l == 0; })
+          ? "must meet another region of the mesh"
+          : "walls hold all of its nodes along their normals; one at least must be free to move along it");
   return surface;
 }
 

@@ -185,7 +185,8 @@ class SimplexMesh(Mesh):
         """Out of a meshio mesh, by the rules of `from_gmsh`: its triangles, or tetrahedra if it has elements of a solid.
         Groups are its `cell_sets`, the cell data "gmsh:physical" or "medit:ref" with names out of `field_data`, and
         `point_sets`: those of cells are regions, others node sets. Other cell data
-        becomes groups by `mesh.cell_data_to_sets(name)`."""
+        becomes groups by `mesh.cell_data_to_sets(name)`. With data of Gmsh ("gmsh:..") a cell may be there once for each of its groups,
+        as format 2.2 has it."""
         d = dimension or (3 if any(b.dim == 3 for b in mesh.cells) else 2)
         tags = next((mesh.cell_data[key] for key in ("gmsh:physical", "medit:ref") if key in mesh.cell_data), None)
         names = {(int(given[1]), int(given[0])): name for name, given in mesh.field_data.items()
@@ -212,7 +213,8 @@ class SimplexMesh(Mesh):
             blocks.append((f"{order}-node {word}" if order else word, np.asarray(block.data), groups))
         for name, nodes in mesh.point_sets.items():
             blocks.append(("point", np.reshape(nodes, (-1, 1)), [(tag_of(0, name), np.arange(np.size(nodes)))]))
-        return cls(**_core.gather_mesh(d, mesh.points, [(*group, name) for group, name in names.items()], blocks))
+        repeats = any(key.startswith("gmsh:") for key in mesh.cell_data)
+        return cls(**_core.gather_mesh(d, mesh.points, [(*group, name) for group, name in names.items()], blocks, repeats))
 
 
 _GMSH_WORDS = {"vertex": "point", "quad": "quadrangle", "tetra": "tetrahedron", "wedge": "prism"}  #: for meshio's

@@ -5,7 +5,7 @@ from __future__ import annotations
 import enum
 import os
 import tempfile
-from typing import Any, Callable, ContextManager, Dict, Iterable, Iterator, List, Mapping, NamedTuple, Optional, Sequence, Tuple, Union
+from typing import Any, Callable, ContextManager, Dict, Iterable, Iterator, List, Mapping, NamedTuple, Optional, Sequence, Set, Tuple, Union
 
 import numpy as np
 from numpy.typing import NDArray
@@ -39,6 +39,14 @@ class Stop(enum.Enum):
 
 
 STOP = Stop.STOP
+
+
+class Restored(NamedTuple):
+    """The state that a scene goes on from, and the files of the series of `Vtu` that do since."""
+
+    steps: int
+    time: float  # s
+    series: Set[str]
 
 
 class Energies(NamedTuple):
@@ -215,7 +223,7 @@ class Scene:
 
     def _take(self, core: Any) -> None:
         self._core = core
-        self._restored_at: Optional[int] = None  # steps of the state that was restored
+        self._restored: Optional[Restored] = None
         self._state = State(core, [*(self._stand_in.hidden if self._stand_in else ()), *self._hidden_history()])
         #: deformable bodies by name; rigid bodies by name, or number where one has no name
         self.bodies, self.rigids = self._views(self._state)
@@ -400,7 +408,7 @@ class Scene:
         was saved, and `Vtu` goes on with its series."""
         with self._named():
             self._restore(os.fspath(path), recipe)
-        self._restored_at = self.step_count
+        self._restored = Restored(self.step_count, self.time, set())
 
     def _restore(self, path: str, recipe: str) -> None:
         try:
@@ -522,16 +530,16 @@ def run(scene: Scene, end: float, courant: float = 0.5, max_step: float = float(
 @checks("end", "ratio", "courant", "every", "after_step", "watch")
 def settle(scene: Scene, end: float, ratio: float = 1e-3, courant: float = 0.5,
            every: Optional[Every] = None, after_step: Optional[Observer] = None, *,
-           watch: Union[bool, Watch] = True) -> None:
+           watch: Union[bool, Watch] = True) -> bool:
     """Steps a scene in which a part damps (`LocalDamping`) until its forces are in balance to `ratio`, -, for ten
-    steps. `courant`, `every`, `after_step` and `watch` are those of `run`. Raises `RunError` if `end`, s, comes first. Go on with `run` after
-    `scene.switch_off_damping()`."""
-    _run("settle", scene, end, courant, float("inf"), number("settle.ratio", ratio), every, after_step, watch)
+    steps. `courant`, `every`, `after_step` and `watch` are those of `run`. Returns whether it has settled: False if a function ended
+    it before by `STOP`. Raises `RunError` if `end`, s, comes first. Go on with `run` after `scene.switch_off_damping()`."""
+    return _run("settle", scene, end, courant, float("inf"), number("settle.ratio", ratio), every, after_step, watch)
 
 
 def _run(name: str, scene: Scene, end: float, courant: float, max_step: float, ratio: Optional[float],
          every: Optional[Every], after_step: Optional[Observer], watch: Union[bool, Watch],
-         progress: Optional[Progress] = None) -> None:
+         progress: Optional[Progress] = None) -> bool:
     if ratio is not None:
         scene._refuse_neutral("LocalDamping", "settle" + DAMP)
     numbers = number(f"{name}.end", end, "s"), number(f"{name}.courant", courant), number(f"{name}.max_step", max_step, "s")
@@ -545,14 +553,15 @@ def _run(name: str, scene: Scene, end: float, courant: float, max_step: float, r
         progress = None
     if progress:
         progress.start(scene.time, numbers[0])
-    resumed = scene._restored_at == scene.step_count
+    resumed = scene._restored is not None and scene._restored.steps == scene.step_count
     with scene._named():
-        scene._core.run(*numbers, ratio, resumed, [period for period, _ in observers],
-                        lambda k: _stops(f"{name}.every[{observers[k][0]:g}]", observers[k][1](scene)),
-                        None if after is None else lambda: _stops(f"{name}.after_step", after(scene)),
-                        watch.value() if isinstance(watch, Watch) else bool(watch), progress and (lambda: progress(scene)))
+        came_to_end: bool = scene._core.run(*numbers, ratio, resumed, [period for period, _ in observers],
+                                            lambda k: _stops(f"{name}.every[{observers[k][0]:g}]", observers[k][1](scene)),
+                                            None if after is None else lambda: _stops(f"{name}.after_step", after(scene)),
+                                            watch.value() if isinstance(watch, Watch) else bool(watch), progress and (lambda: progress(scene)))
     if progress:
         progress(scene, done=True)
+    return came_to_end
 
 
 __all__ = ["Energies", "Nodes", "Reaction", "STOP", "Scene", "run", "settle"]

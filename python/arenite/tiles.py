@@ -166,7 +166,7 @@ class TiledScene(Scene):
     def _take(self, core: Any) -> None:
         self._core, self._stand_in = _ranks.Asked(core, self._ranks), None
         _ranks.leave_at_exit(self)
-        self._restored_at = None
+        self._restored = None
         self._state = _StateOfTiles(self._core, self._hidden_history())
         self.bodies: Dict[str, Any] = Named("bodies", {b.name: BodyHere(self, b.name) for b in self._recipes["bodies"]})
         #: rigid bodies by name, or number where one has no name: the same in all tiles

@@ -44,11 +44,12 @@ class Vtu:
     of a simplex mesh if `mesh`, and PREFIX.pvd. Makes the folder. `ar.run(scene, end=1, every={0.1: ar.Vtu("out/column")})`
 
     `resumed`: goes on with the series that is there, behind its frames before the scene's time; by default where the scene was
-    restored from a saved state. Else the series of an earlier run is replaced with a `Warning`; if the scene is past its first
+    restored from a saved state, behind those up to the time of that. Else the series of an earlier run is replaced with a `Warning`; if the scene is past its first
     frame, it is kept, and `Error` raised."""
 
     def __init__(self, prefix: Union[str, "os.PathLike[str]"], mesh: bool = False, resumed: Optional[bool] = None) -> None:
         self._prefix, self._mesh, self._resumed = os.fspath(prefix), mesh, resumed
+        self._series = os.path.realpath(self._prefix)
         self._begun = False
         self._files: List[Tuple[float, str, int]] = []  # of the frames so far: time, file, part
         self._frames = 0
@@ -68,10 +69,17 @@ class Vtu:
                 raise Error("Vtu: mesh = True: goes with a mesh of simplices alone")
             parts.append(("mesh", in_space(scene.nodes().position), scene.cells, {}))
         scene._meet("files of Vtu", prefix=self._prefix, mesh=self._mesh)
-        if not self._begun:
-            resumed = scene._restored_at is not None if self._resumed is None else self._resumed
-            self._files = self._list.kept(scene.time, resumed, scene.rank == 0)  # written by other ranks, perhaps
-            self._frames = len({time for time, _, _ in self._files})
+        restored = scene._restored
+        goes_back = restored is not None and self._series not in restored.series  # frames behind that state are of another future
+        if goes_back or not self._begun:
+            resumed = self._begun or (restored is not None if self._resumed is None else self._resumed)
+            time = scene.time
+            if restored is not None and goes_back:
+                restored.series.add(self._series)
+                if resumed:
+                    time = min(time, float(np.nextafter(restored.time, np.inf)))  # a frame at its time was written before it was saved
+            self._files = self._list.kept(time, resumed, scene.rank == 0)  # written by other ranks, perhaps
+            self._frames, self._at = len({time for time, _, _ in self._files}), None
             self._write_list(scene)
             self._begun = True
         again = self._at == scene.time  # at the start of a run that goes on

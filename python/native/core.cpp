@@ -106,8 +106,8 @@ class SceneHandle {
 
   /// Runs to `end`; calls `due(k)` when period k is due, `after_step()` after each step, and `now_and_then()`
   /// some times a second, all between steps, where they may use the scene; one of the first two that returns
-  /// true ends the run.
-  void run(double end, double courant, double max_step, std::optional<double> settle, bool resumed,
+  /// true ends the run. Returns what `HostedScene::run` does.
+  bool run(double end, double courant, double max_step, std::optional<double> settle, bool resumed,
            std::vector<double> periods, const py::function& due,
            const std::optional<py::function>& after_step, py::handle watch,
            const std::optional<py::function>& now_and_then) {
@@ -115,12 +115,11 @@ class SceneHandle {
     run.settle = settle;
     run.resumed = resumed;
     run.periods = std::move(periods);
-    bool stops = false;
     const auto call = [&](const py::function& f, auto... arguments) {
       const py::gil_scoped_acquire lock;
       const Pause pause(in_use_);
       try {
-        stops = f(arguments...).template cast<bool>() || stops;
+        return f(arguments...).template cast<bool>();
       } catch (const py::error_already_set& e) {
         Raised::instance().keep(std::current_exception());
         const std::string told = e.what();  // other ranks need no traceback
@@ -129,10 +128,10 @@ class SceneHandle {
     };
     using Clock = std::chrono::steady_clock;
     auto looked = Clock::now();
-    run.due = [&](std::size_t k) { call(due, k); };
+    run.due = [&](std::size_t k) { return call(due, k); };
     run.each_step = after_step.has_value();
     run.after_step = [&] {
-      if (after_step) call(*after_step);
+      const bool stops = after_step && call(*after_step);
       if (const auto now = Clock::now(); now - looked > std::chrono::milliseconds(20)) {
         looked = now;
         const py::gil_scoped_acquire lock;
@@ -142,7 +141,7 @@ class SceneHandle {
       }
       return stops;
     };
-    outside([&](HostedScene& scene) { scene.run(run); });
+    return outside([&](HostedScene& scene) { return scene.run(run); });
   }
 
   /// The same without callbacks, one step at each call of what is returned, which returns its length; 0 at

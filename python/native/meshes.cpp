@@ -83,9 +83,10 @@ void add_block(const shared_detail::MeshInput& in, shared_detail::GmshMesh<D>& m
 }
 
 template <int D>
-py::dict gather(const Array<double>& points, const Names& names, const Blocks& blocks) {
+py::dict gather(const Array<double>& points, const Names& names, const Blocks& blocks, bool repeats) {
   const shared_detail::MeshInput in({}, "SimplexMesh.from_meshio");
   shared_detail::GmshMesh<D> mesh;
+  if (repeats) mesh.repeat_elements();
   for (const auto& [dimension, tag, name] : names) mesh.name_group(in, dimension, tag, name);
   const auto columns = static_cast<std::size_t>(points.shape(1));
   for (py::ssize_t i = 0; i < points.shape(0); ++i) {
@@ -110,13 +111,14 @@ void add_meshes(py::module_& m) {
     check_dimension(dimension);
     return dimension == 2 ? arrays_of(read_gmsh<2>(path)) : arrays_of(read_gmsh<3>(path));
   });
-  m.def("gather_mesh",
-        [](int dimension, const Array<double>& points, const Names& names, const Blocks& blocks) {
-          check_dimension(dimension);
-          if (points.ndim() != 2 || points.shape(1) > 3)
-            throw error("SimplexMesh.from_meshio: points: must be [n, 2] or [n, 3]");
-          return dimension == 2 ? gather<2>(points, names, blocks) : gather<3>(points, names, blocks);
-        });
+  m.def("gather_mesh", [](int dimension, const Array<double>& points, const Names& names,
+                          const Blocks& blocks, bool repeats) {
+    check_dimension(dimension);
+    if (points.ndim() != 2 || points.shape(1) > 3)
+      throw error("SimplexMesh.from_meshio: points: must be [n, 2] or [n, 3]");
+    return dimension == 2 ? gather<2>(points, names, blocks, repeats)
+                          : gather<3>(points, names, blocks, repeats);
+  });
 }
 
 }  // namespace arenite::python

@@ -106,7 +106,9 @@ def test_probe_and_section(ar, column):
 def test_settles_under_its_weight(ar, block_between_rollers):
     """A block between rollers: sigma_y = rho g (h - y), closed form, after dynamic relaxation."""
     scene = block_between_rollers(gravity=(0, -9.81))
-    ar.settle(scene, end=2)
+    for stop, steps in (dict(every={0.1: lambda s: ar.STOP}), 0), (dict(after_step=lambda s: ar.STOP if s.step_count == 3 else None), 3):
+        assert ar.settle(scene, end=2, **stop) is False and scene.step_count == steps
+    assert ar.settle(scene, end=2) is True
     assert scene.out_of_balance <= 1e-3 and scene.time < 2
     block = scene.bodies["block"]
     within = (block.position[:, 1] > 0.05) & (block.position[:, 1] < 0.25)
@@ -171,6 +173,18 @@ def test_a_series_of_files_goes_on_after_a_restart(ar, column, tmp_path):
     ar.run(again, end=0.03, every={0.01: ar.Vtu(prefix), 0.005: lambda s: called.append(s.time)})
     assert times() == [0, 0.01, 0.02, 0.03]
     assert np.allclose(called, [0.025, 0.03], atol=5e-4)  # what was due at 0.02 s was called before the state was saved
+    assert [(tmp_path / f"x_sand_000{k}.vtu").read_bytes() for k in range(3)] == kept
+    # of a longer interval: the frame at 0.03 s is behind the state, though before the first one that is written
+    back, same = column(), ar.Vtu(prefix)
+    back.restore(tmp_path / "state")
+    ar.run(back, end=0.04, every={0.02: same})
+    assert times() == [0, 0.01, 0.02, 0.04]
+    run(back, 0.05)
+    run(back, 0.06)  # frames that were written since are no others'
+    assert times() == [0, 0.01, 0.02, 0.04, 0.05, 0.06]
+    back.restore(tmp_path / "state")  # with a series under way
+    ar.run(back, end=0.04, every={0.02: same})
+    assert times() == [0, 0.01, 0.02, 0.04]
     assert [(tmp_path / f"x_sand_000{k}.vtu").read_bytes() for k in range(3)] == kept
 
 

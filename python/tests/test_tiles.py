@@ -201,6 +201,18 @@ def test_a_refusal_leaves_tiles_as_they_were(ar, in_one, in_tiles, tmp_path):
     assert np.array_equal(rows(scene), before)
 
 
+def test_a_run_that_is_stopped_at_its_start_takes_no_step(ar, in_one, in_tiles):
+    for scene in (in_one(), in_tiles(tiles=4)):
+        calls = []
+        stop, look = lambda s: calls.append("stop") or ar.STOP, lambda s: calls.append("look")
+        for every in ({1: stop}, {1: [stop, look]}, {1: look, 2: stop}):
+            ar.run(scene, end=0.01, every=every)
+            assert scene.step_count == 0 and scene.time == 0
+        assert calls == ["stop", "stop", "look", "look", "stop"]
+        ar.run(scene, end=0.01, after_step=stop)
+        assert scene.step_count == 1
+
+
 def flat(value):
     """Numbers and words of a value, one after another."""
     if isinstance(value, dict):
@@ -327,6 +339,7 @@ def test_a_run_stops_and_settles_on_all_ranks(on_ranks):
     for what in ("stop", "settled"):
         one, two = on_ranks(1, what), on_ranks(2, what)
         assert one[0] == two[0] == 0 and sorted(2 * one[1]) == two[1], two[2]
+    assert "False 0" in one[1] and "True True" in one[1] and any("out of balance by" in line for line in one[1])
 
 
 def test_an_error_on_one_rank_ends_all(on_ranks):

@@ -187,7 +187,13 @@ def series_on(folder):
 
 def settled(folder):
     of = scene()
-    ar.settle(of, end=1.0, ratio=1e-2)
+    say(ar.settle(of, end=1.0, every={1: lambda s: ar.STOP if COMM.rank == COMM.size - 1 else None}), of.step_count)
+    for wrong in (dict(end=0.002), dict(end=1.0, ratio=0)):
+        try:
+            ar.settle(of, **wrong)
+        except ar.Error as e:
+            say(e)
+    say(ar.settle(of, end=1.0, ratio=1e-2), of.out_of_balance <= 1e-2)
     say(told(of), of.out_of_balance)
 
 

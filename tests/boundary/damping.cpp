@@ -142,8 +142,15 @@ TEST_CASE("Local damping leaves alone what a wall holds: a slow press feels the 
 TEST_CASE("Settled: forces in balance; without damping the column would go on for ever") {
   const CartesianGrid<2> grid{{.lower = {0, 0}, .upper = {0.1, 1.2}, .cell = 0.05}};
   auto scene = column<Numerics<QuadraticBSpline, Flip, Musl>>(grid, LocalDamping{});
-  int shown = 0;
-  settle(scene, {.ratio = 1e-3, .end = 2}, [&](const auto&) { ++shown; });
+  int shown = 3;
+  const auto stops_at = [](std::size_t steps) {
+    return [steps](const auto& s) { return s.steps == steps ? RunFlow::stop : RunFlow::go_on; };
+  };
+  for (const std::size_t steps : {0u, 3u}) {  // it is no failure that an observer ends it
+    CHECK_FALSE(settle(scene, {.ratio = 1e-3, .end = 2}, stops_at(steps)));
+    CHECK(scene.steps == steps);
+  }
+  CHECK(settle(scene, {.ratio = 1e-3, .end = 2}, [&](const auto&) { ++shown; }));
   CHECK(scene.time < 0.5);
   CHECK(shown == static_cast<int>(scene.steps) + 1);
   CHECK(out_of_balance(scene) <= 1e-3);

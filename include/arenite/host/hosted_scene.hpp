@@ -64,17 +64,18 @@ struct HostedWatched {
 
 /// What a run is asked for.
 struct HostedRun {
-  double end;                              ///< s, on the scene's clock
-  double courant = 0.5;                    ///< share of the stable step, -
-  double max_step = 1e300;                 ///< s
-  std::optional<double> settle{};          ///< ends when settled to this ratio (`SettleOptions`), -
-  bool watch = true;                       ///< whether the run is watched
-  std::optional<Value> limits{};           ///< of the watch, `WatchLimits` by name; none: those of `run`
-  std::vector<double> periods{};           ///< s; each has a callback
-  bool resumed = false;                    ///< a restored run goes on: what is due at its start was called
-  std::function<void(std::size_t)> due{};  ///< called with the number of a period that is due
-  bool each_step = false;                  ///< whether `after_step` must be called after each one
-  std::function<bool()> after_step{};      ///< called after steps; returns whether the run stops there
+  double end;                      ///< s, on the scene's clock
+  double courant = 0.5;            ///< share of the stable step, -
+  double max_step = 1e300;         ///< s
+  std::optional<double> settle{};  ///< ends when settled to this ratio (`SettleOptions`), -
+  bool watch = true;               ///< whether the run is watched
+  std::optional<Value> limits{};   ///< of the watch, `WatchLimits` by name; none: those of `run`
+  std::vector<double> periods{};   ///< s; each has a callback
+  bool resumed = false;            ///< a restored run goes on: what is due at its start was called
+  /// called with the number of a period that is due; returns whether the run stops there
+  std::function<bool(std::size_t)> due{};
+  bool each_step = false;              ///< whether `after_step` must be called after each one
+  std::function<bool()> after_step{};  ///< called after steps; returns whether the run stops there
 };
 
 class HostedScene {
@@ -90,7 +91,8 @@ class HostedScene {
 
   virtual double stable_step() const = 0;
   virtual void step(double dt) = 0;
-  virtual void run(const HostedRun&) = 0;
+  /// Whether it came to its end, or settled; false where a call stopped it before.
+  virtual bool run(const HostedRun&) = 0;
   /// The loop of `run` for a host that steps by itself, without callbacks; `end` may be infinite. What is
   /// returned takes the next step, which the host says whether it wrote numbers of points before, and returns
   /// its length, s; 0 at the end. It must not outlive the scene.

@@ -122,37 +122,40 @@ class SceneHost : public HostedScene {
     arenite::step(*scene_, dt);
   }
 
-  void run(const HostedRun& run) override {
+  bool run(const HostedRun& run) override {
     const Moved moved(*this);
-    std::vector<Every<std::function<void(const Scene&)>>> timers;
+    std::vector<Every<std::function<RunFlow(const Scene&)>>> timers;
     for (std::size_t k = 0; k < run.periods.size(); ++k)
       timers.emplace_back(run.periods[k], [this, &run, k](const Scene&) {
         look_for_moves();
-        run.due(k);
+        return run.due(k) ? RunFlow::stop : RunFlow::go_on;
       });
     if (run.resumed)
       for (auto& timer : timers) timer.go_on_from(scene_->time);
     bool first = true;
     watch_ = given_watch(run);
     const auto observe = [&](const Scene& scene) {
-      for (auto& timer : timers) timer(scene);
+      bool stops = false;
+      for (auto& timer : timers) stops = detail::show(scene, timer) || stops;
       look_for_moves();
-      const bool stops = !first && run.after_step && run.after_step();
+      if (!first && run.after_step) stops = run.after_step() || stops;
       if (watch_) (*watch_)(scene);
       first = false;
       return stops ? RunFlow::stop : RunFlow::go_on;
     };
     const bool watch = run.watch && !watch_;  // that of `run`
+    bool settled = false;
     if (!run.settle)
       arenite::run(*scene_,
                    {.end = run.end, .courant = run.courant, .max_step = run.max_step, .watch = watch},
                    observe);
     else if constexpr (detail::has_damping<Scene>)
-      arenite::settle(*scene_, {.ratio = *run.settle, .end = run.end, .courant = run.courant, .watch = watch},
-                      observe);
+      settled = arenite::settle(
+          *scene_, {.ratio = *run.settle, .end = run.end, .courant = run.courant, .watch = watch}, observe);
     else
       throw error(detail::needs_damping("settle"));
     if (watch_) watch_->finish(*scene_);
+    return settled || !(scene_->time < run.end);
   }
   std::function<double(bool)> steps(const HostedRun& run) override {
     const RunOptions options{.end = run.end, .courant = run.courant, .max_step = run.max_step};

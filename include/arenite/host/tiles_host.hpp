@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <concepts>
 #include <cstddef>
 #include <exception>
 #include <functional>
@@ -142,16 +143,19 @@ class TilesHost : public HostedScene {
     tiled_.together([dt](S& s) { arenite::step(s, dt); });
   }
 
-  void run(const HostedRun& run) override {
+  bool run(const HostedRun& run) override {
     ++generation_;
     watched_.clear();
     const bool watch = run.watch && !run.limits;  // that of `run`
     if (!run.settle)
-      go(run, {.end = run.end, .courant = run.courant, .max_step = run.max_step, .watch = watch});
-    else if constexpr (detail::has_damping<S>)
-      go(run, {.end = run.end, .courant = run.courant, .watch = watch}, Settled{*run.settle, steps()});
-    else
+      return go(run, {.end = run.end, .courant = run.courant, .max_step = run.max_step, .watch = watch});
+    if constexpr (detail::has_damping<S>) {
+      const SettleOptions options{
+          .ratio = *run.settle, .end = run.end, .courant = run.courant, .watch = watch};
+      return go(run, options.of_run(time()), Settled{options, steps()});
+    } else {
       throw error(detail::needs_damping("settle"));
+    }
   }
   std::function<double(bool)> steps(const HostedRun&) override { refuse("steps"); }
   std::vector<HostedWatched> watched() const override { return watched_; }
@@ -258,16 +262,18 @@ class TilesHost : public HostedScene {
       for (const double component : *signal) question.with("component of a Signal", component);
     return tiled_.ranks().agree(question, yes);
   }
-  /// Runs in parts: between them the host is called, whose calls may ask all tiles, and which stops on all ranks if it does on one.
+  /// Runs in parts: between them the host is called, whose calls may ask all tiles, and which stops on all ranks if it does on one. Returns
+  /// what `run` does.
   template <class... Observers>
-  void go(const HostedRun& run, const RunOptions& options, Observers... observers) {
+  bool go(const HostedRun& run, const RunOptions& options, Observers... observers) {
     Ranks& ranks = tiled_.ranks();
     RunOfTiles run_of_tiles(tiled_, options, rebalancing(make_, options_), detail::WatchIfAny(run, watched_),
                             std::move(observers)...);
-    std::vector<Every<std::function<void(const S&)>>> timers;
+    std::vector<Every<std::function<RunFlow(const S&)>>> timers;
     for (std::size_t k = 0; k < run.periods.size(); ++k)
-      timers.emplace_back(run.periods[k], [&run, k](const S&) { run.due(k); });
-    bool asks = false;  // whether a call may have asked to stop
+      timers.emplace_back(run.periods[k],
+                          [&run, k](const S&) { return run.due(k) ? RunFlow::stop : RunFlow::go_on; });
+    bool asks = false, stops = false;  // whether a call may have asked to stop, and has
     double due = 0;
     const auto failing_all = [&ranks](auto&& f) {  // all ranks end with what one throws
       try {
@@ -280,7 +286,7 @@ class TilesHost : public HostedScene {
     const auto call = [&] {
       for (auto& timer : timers) {
         if (time() < timer.due()) continue;
-        timer(tiled_.first());
+        stops = detail::show(tiled_.first(), timer) || stops;
         asks = true;
       }
       due = std::numeric_limits<double>::infinity();
@@ -289,11 +295,11 @@ class TilesHost : public HostedScene {
     if (run.resumed)
       for (auto& timer : timers) timer.go_on_from(time());
     failing_all([&] { call(); });
-    agree("the next steps of its run");
+    stops = agree("the next steps of its run", stops);
     run_of_tiles.begin();
     using Clock = std::chrono::steady_clock;
     int most = 1;
-    for (bool stops = false; !stops && !run_of_tiles.has_ended();) {
+    while (!stops && !run_of_tiles.has_ended()) {
       const auto start = Clock::now();
       run_of_tiles.advance(run.each_step ? 1 : most, due);
       ++generation_;
@@ -302,13 +308,17 @@ class TilesHost : public HostedScene {
       most = took < 0.02 ? std::min(2 * most, 1 << 20) : took > 0.1 ? std::max(most / 2, 1) : most;
       failing_all([&] {
         call();
-        if (run.after_step) stops = run.after_step();
+        if (run.after_step) stops = run.after_step() || stops;
       });
       if (asks || run.each_step) stops = agree("the next steps of its run", stops);
       asks = false;
     }
     run_of_tiles.finish();
     ++generation_;
+    if constexpr ((std::same_as<Observers, Settled> || ...))
+      return run_of_tiles.template observer<Settled>().at_end(time());
+    else
+      return !(time() < run.end);
   }
   /// What `f(scene)` gives for the first tile here. An `error` of it is thrown by all tiles of all ranks, after they have exchanged the same:
   /// then all can be asked again. (One rank alone can after any failure.)

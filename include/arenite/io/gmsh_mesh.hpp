@@ -113,7 +113,7 @@ class GmshMesh {
     return i;
   }
 
-  /// Elements stand once for each of their groups, as format 2.2 has them.
+  /// A cell may stand once for each of its groups, as format 2.2 has it.
   void repeat_elements() { repeats_ = true; }
 
   /// Adds an element of the physical groups `groups` (0: none). Those of a cell are its region.
@@ -214,7 +214,15 @@ class GmshMesh {
     return number;
   }
 
-  /// A mesh must not hold a cell twice, but as format 2.2 repeats it for each of its physical groups.
+  /// The groups of the cells of a region, as `region_of` sorts them.
+  std::vector<int> groups_of(int region) const {
+    for (const auto& [groups, shared] : shared_)
+      if (shared == region) return groups;
+    return region == 0 ? std::vector<int>() : std::vector{region};
+  }
+
+  /// A mesh must not hold a cell twice, but as format 2.2 repeats it for each of its physical groups: each
+  /// time in one that it was not in before, and without one that it was in.
   void join_repeated_cells(const MeshInput& in) {
     const Lists by_lowest_node(tags_.size(), [&](auto&& add) {
       for (std::size_t c = 0; c < result_.cells.size(); ++c)
@@ -231,20 +239,26 @@ class GmshMesh {
       }
       std::sort(sorted.begin(), sorted.end(), MapOrder());
       for (std::size_t k = 0, next; k < sorted.size(); k = next) {
-        std::vector<int> groups;
-        for (next = k; next < sorted.size() && sorted[next].first == sorted[k].first; ++next) {
-          const int group = result_.region[sorted[next].second];
-          again[sorted[next].second] = next > k;
-          if (next > k && (!repeats_ || group == 0 || std::ranges::count(groups, 0) ||
-                           std::ranges::count(groups, group))) {
+        next = k + 1;
+        if (next == sorted.size() || sorted[next].first != sorted[k].first) continue;
+        std::vector<std::vector<int>> all{groups_of(result_.region[sorted[k].second])};
+        for (; next < sorted.size() && sorted[next].first == sorted[k].first; ++next) {
+          again[sorted[next].second] = true;
+          const auto own = groups_of(result_.region[sorted[next].second]);
+          if (!repeats_ || std::ranges::any_of(all, [&](const std::vector<int>& other) {
+                return std::ranges::includes(own, other, MapOrder()) ||
+                       std::ranges::includes(other, own, MapOrder());
+              })) {
             std::string nodes;
             for (const Index node : sorted[k].first)
               nodes += joined_text({nodes.empty() ? "" : " ", tags_[node]});
             in.refuse("nodes of a cell", nodes, "the cell is given twice");
           }
-          groups.push_back(group);
+          all.push_back(own);
         }
-        if (next > k + 1) result_.region[sorted[k].second] = region_of(std::move(groups));
+        std::vector<int> groups;
+        for (const auto& own : all) groups.insert(groups.end(), own.begin(), own.end());
+        result_.region[sorted[k].second] = region_of(std::move(groups));
       }
     }
     std::size_t kept = 0;

@@ -38,6 +38,12 @@ class RunInParts {
     std::apply([&](auto&... observer) { (detail::tell_end(scene, observer), ...); }, observers_);
   }
 
+  /// That of this type.
+  template <class Observer>
+  const Observer& observer() const {
+    return std::get<Observer>(observers_);
+  }
+
   template <class F>
   void visit_state(F&& f) {
     f("span", span_);

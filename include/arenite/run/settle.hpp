@@ -33,42 +33,64 @@ double out_of_balance(const Scene& scene) {
   return all > 0 ? out / all : 0;
 }
 
-/// Observer that ends a run of a scene in which a part damps once its forces have been in balance for ten steps: what `settle` looks with.
-struct Settled {
-  static constexpr bool settles = true;
-  double ratio;      ///< `SettleOptions::ratio`, -
-  std::size_t from;  ///< the scene's steps at the start
-  int below = 0;     ///< steps in balance so far
-  template <class Scene>
-  RunFlow operator()(const Scene& scene) {
-    if (scene.steps > from) below = out_of_balance(scene) <= ratio ? below + 1 : 0;
-    return below < 10 ? RunFlow::go_on : RunFlow::stop;
-  }
-};
-
 /// When a scene counts as settled, and its steps.
 struct SettleOptions {
   double ratio = 1e-3;                                    ///< greatest force out of balance, -; positive
   double end = std::numeric_limits<double>::quiet_NaN();  ///< s on the scene's clock; required: by when
   double courant = 0.5;                                   ///< as in `RunOptions`
   bool watch = true;                                      ///< as in `RunOptions`
+
+  /// Those of its run. Throws `error` unless a scene at this time, s, can settle so.
+  RunOptions of_run(double time) const {
+    require(ratio > 0, "SettleOptions.ratio", ratio, "must be positive");
+    require(end > time && std::isfinite(end), "SettleOptions.end", end,
+            {"must be given, and lie behind the scene's time ", time});
+    return {.end = end, .courant = courant, .watch = watch};
+  }
+};
+
+/// Observer that ends a run of a scene in which a part damps once its forces have been in balance for ten steps: what `settle` looks with.
+struct Settled {
+  static constexpr bool settles = true;
+  SettleOptions options;
+  std::size_t from;    ///< the scene's steps at the start
+  int below = 0;       ///< steps in balance so far
+  double reached = 0;  ///< `out_of_balance` of the last step, -
+  template <class Scene>
+  RunFlow operator()(const Scene& scene) {
+    if (scene.steps > from) {
+      reached = out_of_balance(scene);
+      below = reached <= options.ratio ? below + 1 : 0;
+    }
+    return below < 10 ? RunFlow::go_on : RunFlow::stop;
+  }
+  /// After the run, at this time, s: whether the scene has settled; false if another observer ended the run
+  /// before. Throws `run_error` if the end came first.
+  bool at_end(double time) const {
+    if (below >= 10 || time < options.end) return below >= 10;
+    throw run_error(
+        joined_text({"t = ", time, " s: settle: forces are out of balance by ", reached, ", not at most ",
+                     options.ratio, "; more time, or a part that damps (LocalDamping)?"}));
+  }
+
+  template <class F>
+  void visit_state(F&& f) {
+    f("below", below);
+    f("reached", reached);
+  }
 };
 
 /// Steps a scene, in which a part damps (`LocalDamping`), until `out_of_balance` has been at most
-/// `options.ratio` for ten steps. Observers as in `run`. Switch damping off afterwards and go on with `run`:
+/// `options.ratio` for ten steps. Observers as in `run`. Returns whether the scene has settled: false if an
+/// observer ended the run before. Switch damping off afterwards and go on with `run`:
 /// `scene.part<LocalDamping>().switch_off()`. Throws `error` for a bad option, `run_error` if `options.end`
 /// comes first, with the ratio that was reached.
 template <class Scene, class... Observers>
-void settle(Scene& scene, const SettleOptions& options, Observers&&... observers) {
-  require(options.ratio > 0, "SettleOptions.ratio", options.ratio, "must be positive");
-  require(options.end > scene.time && std::isfinite(options.end), "SettleOptions.end", options.end,
-          {"must be given, and lie behind the scene's time ", scene.time});
-  Settled check{options.ratio, scene.steps};
-  run(scene, {.end = options.end, .courant = options.courant, .watch = options.watch}, observers..., check);
-  if (check.below == 10) return;
-  throw run_error(
-      joined_text({"t = ", scene.time, " s: settle: forces are out of balance by ", out_of_balance(scene),
-                   ", not at most ", options.ratio, "; more time, or a part that damps (LocalDamping)?"}));
+bool settle(Scene& scene, const SettleOptions& options, Observers&&... observers) {
+  const RunOptions of_run = options.of_run(scene.time);
+  Settled check{options, scene.steps};
+  run(scene, of_run, observers..., check);
+  return check.at_end(scene.time);
 }
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -64,6 +64,11 @@ class RunOfTiles {
     detail::restore_tiles(tiled_, folder, [this](S& scene) -> Run& { return of(scene); });
     steps_ = tiled_.steps();
   }
+  /// The observer of this type, as the first tile here has it.
+  template <class Observer>
+  const Observer& observer() const {
+    return runs_.begin()->second.template observer<Observer>();
+  }
   void finish() {
     tiled_.together([this](S& scene) { of(scene).finish(scene); });
   }

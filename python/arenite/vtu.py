@@ -74,14 +74,14 @@ class Vtu:
         if goes_back or not self._begun:
             resumed = self._begun or (restored is not None if self._resumed is None else self._resumed)
             time = scene.time
-            if restored is not None and goes_back:
-                restored.series.add(self._series)
-                if resumed:
-                    time = min(time, float(np.nextafter(restored.time, np.inf)))  # a frame at its time was written before it was saved
+            if restored is not None and goes_back and resumed:
+                time = min(time, float(np.nextafter(restored.time, np.inf)))  # a frame at its time was written before it was saved
             self._files = self._list.kept(time, resumed, scene.rank == 0)  # written by other ranks, perhaps
             self._frames, self._at = len({time for time, _, _ in self._files}), None
             self._write_list(scene)
             self._begun = True
+            if restored is not None:
+                restored.series.add(self._series)
         again = self._at == scene.time  # at the start of a run that goes on
         frame = self._frames - again
         pieces = scene._pieces()

@@ -124,13 +124,18 @@ double mass(const B& body) {
   return sum_column(body.points.mass.data(), body.points.size());
 }
 
-/// Mean of V / V0, voids that opened included: how much the body has swollen, -. No other measure shows
-/// slow swelling.
+/// V, voids that opened included, and V0 of the points together, m3: how much the body has swollen. No other
+/// measure shows slow swelling.
+template <class B>
+std::array<double, 2> volume_and_initial(const B& body) {
+  return {sum_column(body.points.volume.data(), body.points.size()) + body.opened_volume,
+          body.initial_volume - body.lost_mass / body.law.density()};
+}
+/// Mean of V / V0, -.
 template <class B>
 double mean_volume_ratio(const B& body) {
-  const double volume = sum_column(body.points.volume.data(), body.points.size());
-  const double initial = body.initial_volume - body.lost_mass / body.law.density();
-  return initial > 0 ? (volume + body.opened_volume) / initial : 1.0;
+  const auto [volume, initial] = volume_and_initial(body);
+  return initial > 0 ? volume / initial : 1.0;
 }
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -6,7 +6,7 @@
 #include <limits>
 
 #include <arenite/load/damping.hpp>
-#include <arenite/particles/measures.hpp>
+#include <arenite/run/watched_energy.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
@@ -19,21 +19,19 @@ class DampedFall {
   template <class Scene>
   double look(const Scene& scene) {
     const auto& damping = scene.template part<LocalDamping>();
-    const double damped = damping.count_energy().dissipated;
-    double all = 0, kinetic = 0, along = 0;
+    double damped = damping.count_energy().dissipated, all = 0, kinetic = 0, along = 0;
     const Vec<double, Scene::D> g = scene.acceleration().template cast<double>();
     scene.for_each_body([&](const auto& body, const auto&) {
       all += mass(body);
       kinetic += kinetic_energy(body);
       along += momentum(body).dot(g);
     });
+    sum_over(scene.communicator(), damped, all, kinetic, along);
     const double power = along > 0 ? along : 0;       // of gravity, W
     if (!damping.is_on() || !(scene.time > time_)) {  // at the first look too
       damped_ = damped;
       work_ = 0;
-      double whole = 0;
-      for (Index c = 0; c < scene.mesh.cell_count(); ++c) whole += static_cast<double>(scene.mesh.volume(c));
-      cell_ = std::pow(whole / scene.mesh.cell_count(), 1.0 / Scene::D);
+      cell_ = mean_cell(scene);
     } else {
       work_ += (power + power_) / 2 * (scene.time - time_);
     }
@@ -41,6 +39,15 @@ class DampedFall {
     time_ = scene.time;
     if (!(work_ > all * g.norm() * cell_) || kinetic < 0.05 * work_) return 0;
     return (damped - damped_) / work_;
+  }
+
+  template <class F>
+  void visit_state(F&& f) {
+    f("time", time_);
+    f("power", power_);
+    f("cell", cell_);
+    f("work", work_);
+    f("damped", damped_);
   }
 
  private:

@@ -3,12 +3,17 @@
 #pragma once
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <span>
 #include <string>
 #include <string_view>
+#include <tuple>
+#include <utility>
 #include <vector>
 
 #include <arenite/core/cold.hpp>
@@ -25,16 +30,44 @@
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 namespace detail {
 
-/// A body as a watch sees it.
-template <class T>
+/// The point that shows a quantity most. None does while the value is negative.
+struct WatchedPoint {
+  double value = -1, stretch = 1;  // of the quantity; V/V0
+  std::array<double, 3> place = Watched::nowhere;
+
+  template <class Place>
+  void take(double other, double its_stretch, const Place& at) {
+    if (other > value) *this = {other, its_stretch, at()};
+  }
+};
+
+/// What a watch reads of the points of a body.
+struct WatchedPoints {
+  double count = 0, lost = 0;      // points there are, and that left the mesh
+  double volume = 0, initial = 0;  // V and V0 of all, m3, where they are wanted
+  WatchedPoint speed{};            // square of it, m2/s2
+  WatchedPoint volume_change{};    // |V/V0 - 1|
+  WatchedPoint spacing{};          // of points that tension draws apart, beyond what bears, in cells
+  WatchedPoint strength{};
+
+  static constexpr std::size_t size = 4 + 4 * 5;
+  using Numbers = std::array<double, size>;
+
+  /// With those in another tile.
+  void add(const WatchedPoints& other);
+};
+
+/// A body as a watch sees it: with the points of all tiles.
 struct WatchedBody {
-  PointColumns<T> points;
-  int number = 0;
+  int number = 0, dimension = 0;
   std::string_view name{};     // empty: goes by its number
-  double wave_modulus = 0;     // Pa
-  double volume_ratio = 1;     // mean V/V0, where it is wanted
-  std::size_t lost = 0;        // points that left the mesh
+  double wave = 0;             // speed of waves, m/s
   double bearing_spacing = 0;  // beyond it the shape functions do not hold points together, in cells
+  WatchedPoints points{};
+};
+
+/// The mesh of a scene.
+struct WatchedMesh {
   const void* mesh = nullptr;
   double (*cell_volume)(const void* mesh, Index cell) = nullptr;  // m3
 };
@@ -64,12 +97,14 @@ class WatchBook {
   /// Warns.
   void tell(std::string text);
 
+  /// Finds the points of a body that show most, but for strength.
+  template <class T>
+  void read(const PointColumns<T>& points, const WatchedMesh& mesh, WatchedBody& body) const;
+
   void look_at_damping(double time, double share);
-  template <class T>
   void look_at_energy(double time, const WatchedEnergy::Found& found, bool tracked,
-                      std::span<const WatchedBody<T>> bodies);
-  template <class T>
-  void look_at_body(double time, const WatchedBody<T>& body);
+                      std::span<const WatchedBody> bodies);
+  void look_at_body(double time, const WatchedBody& body);
 
   std::array<Watched, 7> seen;
   std::vector<WarningText> warnings{};
@@ -83,17 +118,30 @@ class WatchBook {
     return !(value <= seen[q].limit) && (!of_run || q == energy_gain || q == residual);
   }
   void hint(bool& wanted, std::string text);
-  template <class T>
-  void look_at_spacing(double time, const WatchedBody<T>& body);
 };
 
-/// "body NAME at (x, y) m", and where that is.
-template <class T>
-WatchedSpot watched_spot(const WatchedBody<T>& body, std::size_t point);
+/// Joins what tiles have read of the points of each body: the communicator is asked once, by all.
+template <class Communicator>
+void join_watched([[maybe_unused]] const Communicator& comm, [[maybe_unused]] std::span<WatchedBody> bodies) {
+  if constexpr (!Communicator::is_serial) {
+    std::vector<double> here;
+    for (const auto& body : bodies) {
+      const auto numbers = std::bit_cast<WatchedPoints::Numbers>(body.points);
+      here.insert(here.end(), numbers.begin(), numbers.end());
+    }
+    const auto all = comm.gather(here);
+    for (auto& body : bodies) body.points = {};
+    WatchedPoints::Numbers of_tile;
+    for (std::size_t at = 0, k = 0; at < all.size(); at += of_tile.size(), ++k) {
+      std::copy_n(all.begin() + static_cast<std::ptrdiff_t>(at), of_tile.size(), of_tile.begin());
+      bodies[k % bodies.size()].points.add(std::bit_cast<WatchedPoints>(of_tile));
+    }
+  }
+}
 
 }  // namespace detail
 
-/// Observer that looks at a scene at its first call, then at every `limits.every`th step, and at the end of
+/// Observer that looks at a scene, at all tiles of one that is cut, at its first call, then at every `limits.every`th step, and at the end of
 /// `run`: a look costs a fifth to a half of a step. It wants to be called at every step. Past a limit it
 /// throws `run_error` with time, quantity, value, limit and place; past a tenth it warns once (`on_warning`).
 /// What it saw can be read from it afterwards. Observers behind it do not see the step at which it throws:
@@ -122,42 +170,42 @@ class BasicWatch {
   template <class Scene>
   void look(const Scene& scene) {
     using Book = detail::WatchBook;
-    auto bodies =
-        by_body<detail::WatchedBody<typename Scene::T>, Scene::body_count>(scene.number_of_bodies());
+    auto bodies = by_body<detail::WatchedBody, Scene::body_count>(scene.number_of_bodies());
+    const detail::WatchedMesh mesh{&scene.mesh, [](const void* of, Index cell) {
+                                     return static_cast<double>(full_volume<typename Scene::Kinematics>(
+                                         *static_cast<const typename Scene::Mesh*>(of), cell));
+                                   }};
     std::size_t n = 0;
     scene.for_each_body([&](const auto& body, const auto&) {
       auto& watched = bodies[n];
-      watched = {.points = columns_of_points(body),
-                 .number = static_cast<int>(n),
+      watched = {.number = static_cast<int>(n),
+                 .dimension = Scene::D,
                  .name = Scene::lists_bodies ? std::string_view() : Scene::body_names[n],
-                 .wave_modulus = body.law.wave_modulus(),
-                 .lost = body.lost,
-                 .bearing_spacing = bearing_spacing<typename Scene::Shape>,
-                 .mesh = &scene.mesh,
-                 .cell_volume = [](const void* mesh, Index cell) {
-                   return static_cast<double>(full_volume<typename Scene::Kinematics>(
-                       *static_cast<const typename Scene::Mesh*>(mesh), cell));
-                 }};
-      if (book_.wants(Book::volume) && watched.points.count > 0)
-        watched.volume_ratio = mean_volume_ratio(body);
-      ++n;
-    });
-    if (book_.wants(Book::energy_gain) ||
-        (tracks_energy<Scene> && (book_.wants(Book::transfer) || book_.wants(Book::residual))))
-      if (const auto found = energy_.look(scene); found.known && speaks_for_all(scene))
-        book_.template look_at_energy<typename Scene::T>(scene.time, found, tracks_energy<Scene>, bodies);
-    if constexpr (Scene::template has_part<LocalDamping>)
-      if (book_.hints_at_damping && speaks_for_all(scene))
-        book_.look_at_damping(scene.time, fall_.look(scene));
-    n = 0;
-    scene.for_each_body([&](const auto& body, const auto&) {
-      const auto& watched = bodies[n++];
-      book_.look_at_body(scene.time, watched);
+                 .wave = std::sqrt(body.law.wave_modulus() / body.law.density()),
+                 .bearing_spacing = bearing_spacing<typename Scene::Shape>};
+      watched.points.count = static_cast<double>(body.points.size());
+      watched.points.lost = static_cast<double>(body.lost);
+      if (book_.wants(Book::volume))
+        std::tie(watched.points.volume, watched.points.initial) = std::tuple_cat(volume_and_initial(body));
+      book_.read(columns_of_points(body), mesh, watched);
       // Initial stresses may lie outside: the first step takes them back.
       if constexpr (!OfRun)
         if (book_.wants(Book::strength) && scene.steps > 0)
-          look_at_strength<Scene::NumericsType::template width<typename Scene::T>>(scene.time, body, watched);
+          look_at_strength<Scene::NumericsType::template width<typename Scene::T>>(body, watched);
+      ++n;
     });
+    detail::join_watched(scene.communicator(), std::span<detail::WatchedBody>(bodies));
+    const bool speaks = speaks_for_all(scene);
+    if (book_.wants(Book::energy_gain) ||
+        (tracks_energy<Scene> && (book_.wants(Book::transfer) || book_.wants(Book::residual))))
+      if (const auto found = energy_.look(scene); found.known && speaks)
+        book_.look_at_energy(scene.time, found, tracks_energy<Scene>, bodies);
+    if constexpr (Scene::template has_part<LocalDamping>) {
+      const double share = fall_.look(scene);
+      if (book_.hints_at_damping && speaks) book_.look_at_damping(scene.time, share);
+    }
+    if (speaks)
+      for (const auto& body : bodies) book_.look_at_body(scene.time, body);
     last_ = scene.steps;
     next_ = scene.steps + book_.every;
   }
@@ -175,6 +223,9 @@ class BasicWatch {
     }
     f("next", next_);
     f("last", last_);
+    f("hints/damping", book_.hints_at_damping);
+    f("hints/spacing", book_.hints_at_spacing);
+    fall_.visit_state(StateUnder(f, "fall"));
     energy_.visit_state(f);
     rigids_.visit_state(StateUnder(f, "rigids"));
   }
@@ -196,7 +247,7 @@ class BasicWatch {
     });
   }
   template <int Width, class L, class T, int D, ExtraColumns E>
-  void look_at_strength(double time, const Body<L, T, D, E>& body, const detail::WatchedBody<T>& watched) {
+  static void look_at_strength(const Body<L, T, D, E>& body, detail::WatchedBody& watched) {
     using P = typename LawLanes<L, T, Width>::type;
     if constexpr (knows_yield<L, P, D>) {
       // Stresses much smaller than those of a strain of 1e-6 are round-off of larger ones.
@@ -230,8 +281,11 @@ class BasicWatch {
             return most;
           },
           [](const Worst& a, const Worst& b) { return b.value > a.value ? b : a; });
-      if (book_.takes(detail::WatchBook::strength, time, worst.value, watched.number))
-        book_.tell(detail::WatchBook::strength, detail::watched_spot(watched, worst.point));
+      if (worst.point < body.points.size())
+        watched.points.strength.take(worst.value, 1, [&] {
+          const Vec<T, D> x = body.points.position[worst.point];
+          return in_space(x);
+        });
     }
   }
 

@@ -15,45 +15,36 @@ T speed_square(const PointColumns<T>& points, std::size_t p) {
   return points.dimension == 2 ? square(0) + square(1) : square(0) + (square(1) + square(2));
 }
 
-/// The point with the greatest `f`; the number of points if there is none.
-template <class F>
-std::size_t extreme(std::size_t points, F&& f) {
-  double most = -std::numeric_limits<double>::infinity();
-  std::size_t found = points;
-  for (std::size_t p = 0; p < points; ++p)
-    if (const double value = f(p); value > most) {
-      most = value;
-      found = p;
-    }
-  return found;
-}
-
-/// What messages call a body.
+/// Where a point is, m.
 template <class T>
-std::string body_text(const WatchedBody<T>& body) {
-  return body.name.empty() ? joined_text({"body ", body.number}) : joined_text({"body ", body.name});
-}
-
-/// Where a point is, m; nowhere if there is none of that number.
-template <class T>
-ARENITE_COLD std::array<double, 3> place_of(const PointColumns<T>& points, std::size_t p) {
+std::array<double, 3> place_of(const PointColumns<T>& points, std::size_t p) {
   auto place = Watched::nowhere;
-  for (std::size_t k = 0; p < points.count && k < static_cast<std::size_t>(points.dimension); ++k)
+  for (std::size_t k = 0; k < static_cast<std::size_t>(points.dimension); ++k)
     place[k] = static_cast<double>(points.position[k][p]);
   return place;
 }
 
+/// What messages call a body.
+ARENITE_COLD std::string body_text(const WatchedBody& body) {
+  return body.name.empty() ? joined_text({"body ", body.number}) : joined_text({"body ", body.name});
+}
 /// "(x, y) m"
-template <class T>
-std::string place_text(const PointColumns<T>& points, std::size_t p) {
-  const auto place = place_of(points, p);
-  return vector_text(std::span(place).first(static_cast<std::size_t>(points.dimension))) + " m";
+ARENITE_COLD std::string place_text(const WatchedBody& body, const WatchedPoint& point) {
+  return vector_text(std::span(point.place).first(static_cast<std::size_t>(body.dimension))) + " m";
+}
+/// "body NAME at (x, y) m"
+ARENITE_COLD std::string spot_text(const WatchedBody& body, const WatchedPoint& point) {
+  return joined_text({body_text(body), " at ", place_text(body, point)});
 }
 
-template <class T>
-ARENITE_COLD WatchedSpot watched_spot(const WatchedBody<T>& body, std::size_t point) {
-  return {place_of(body.points, point),
-          joined_text({body_text(body), " at ", place_text(body.points, point)})};
+ARENITE_COLD void WatchedPoints::add(const WatchedPoints& other) {
+  count += other.count;
+  lost += other.lost;
+  volume += other.volume;
+  initial += other.initial;
+  for (const auto point : {&WatchedPoints::speed, &WatchedPoints::volume_change, &WatchedPoints::spacing,
+                           &WatchedPoints::strength})
+    if ((other.*point).value > (this->*point).value) this->*point = other.*point;
 }
 
 ARENITE_COLD WatchBook::WatchBook(const WatchLimits& limits, bool is_of_run)
@@ -113,26 +104,21 @@ ARENITE_COLD void WatchBook::look_at_damping(double time, double share) {
 }
 
 /// The fastest point of all bodies.
-template <class T>
-ARENITE_COLD WatchedSpot fastest_spot(std::span<const WatchedBody<T>> bodies) {
+ARENITE_COLD WatchedSpot fastest_spot(std::span<const WatchedBody> bodies) {
   WatchedSpot spot{Watched::nowhere, "no points are left"};
   double most = -1;
   for (const auto& body : bodies) {
-    const auto& points = body.points;
-    const auto speed = [&](std::size_t p) { return static_cast<double>(std::sqrt(speed_square(points, p))); };
-    const std::size_t p = extreme(points.count, speed);
-    if (p < points.count && speed(p) > most) {
-      most = speed(p);
-      spot = {place_of(points, p), joined_text({"the fastest point: ", body_text(body), " at ",
-                                                place_text(points, p), ", ", most, " m/s"})};
-    }
+    const WatchedPoint& point = body.points.speed;
+    if (!(point.value > most)) continue;
+    most = point.value;
+    spot = {point.place,
+            joined_text({"the fastest point: ", spot_text(body, point), ", ", std::sqrt(most), " m/s"})};
   }
   return spot;
 }
 
-template <class T>
 ARENITE_COLD void WatchBook::look_at_energy(double time, const WatchedEnergy::Found& found, bool tracked,
-                                            std::span<const WatchedBody<T>> bodies) {
+                                            std::span<const WatchedBody> bodies) {
   const auto judge = [&](Quantity q, double value) {
     if (wants(q) && takes(q, time, value, -1)) tell(q, fastest_spot(bodies));
   };
@@ -142,64 +128,61 @@ ARENITE_COLD void WatchBook::look_at_energy(double time, const WatchedEnergy::Fo
   judge(residual, found.residual);
 }
 
-/// Warns of points that tension has drawn so far apart that their body may part between them.
 template <class T>
-ARENITE_COLD void WatchBook::look_at_spacing(double time, const WatchedBody<T>& body) {
-  const auto& points = body.points;
+ARENITE_COLD void WatchBook::read(const PointColumns<T>& points, const WatchedMesh& mesh,
+                                  WatchedBody& body) const {
+  WatchedPoints& found = body.points;
   for (std::size_t p = 0; p < points.count; ++p) {
+    const auto at = [&] { return place_of(points, p); };
     const double before = static_cast<double>(points.mass[p]) / points.density,
                  stretch = static_cast<double>(points.volume[p]) / before;
-    if (!(stretch > 1.2) || !(points.stress[0][p] + points.stress[1][p] + points.stress[2][p] > 0)) continue;
-    const double cell = body.cell_volume(body.mesh, points.cell[p]);
+    found.speed.take(static_cast<double>(speed_square(points, p)), stretch, at);
+    if (wants(volume)) found.volume_change.take(std::abs(stretch - 1), stretch, at);
+    // Tension may have drawn points so far apart that their body parts between them.
+    if (!hints_at_spacing || !(stretch > 1.2) ||
+        !(points.stress[0][p] + points.stress[1][p] + points.stress[2][p] > 0))
+      continue;
+    const double cell = mesh.cell_volume(mesh.mesh, points.cell[p]);
     const double spacing = stretch * std::pow(before / cell, 1.0 / points.dimension);
-    if (!(spacing > body.bearing_spacing)) continue;
-    hint(hints_at_spacing,
-         joined_text({"t = ", time, " s: ", body_text(body), " at ", place_text(points, p),
-                      ": tension has drawn points ", spacing, " of a cell apart (V/V0 = ", stretch,
-                      "): beyond ", body.bearing_spacing,
-                      " a body may part between them, or from a wall; begin with more points a cell, or let "
-                      "them split (SplitPoints)"}));
-    return;
+    if (spacing > body.bearing_spacing) found.spacing.take(spacing, stretch, at);
   }
 }
 
-template <class T>
-ARENITE_COLD void WatchBook::look_at_body(double time, const WatchedBody<T>& body) {
-  const auto& points = body.points;
-  if (hints_at_spacing) look_at_spacing(time, body);
-  if (wants(volume) && points.count > 0 &&
-      takes(volume, time, std::abs(body.volume_ratio - 1), body.number)) {
-    const auto local = [&](std::size_t p) {
-      return static_cast<double>(points.volume[p]) * points.density / static_cast<double>(points.mass[p]);
-    };
-    const std::size_t p = extreme(points.count, [&](std::size_t k) { return std::abs(local(k) - 1); });
-    WatchedSpot spot{place_of(points, p),
-                     joined_text({body_text(body), ": mean V/V0 = ", body.volume_ratio})};
-    if (p < points.count) spot.text += joined_text({", ", local(p), " at ", place_text(points, p)});
+ARENITE_COLD void WatchBook::look_at_body(double time, const WatchedBody& body) {
+  const WatchedPoints& points = body.points;
+  if (const WatchedPoint& point = points.spacing; hints_at_spacing && point.value > 0)
+    hint(
+        hints_at_spacing,
+        joined_text({"t = ", time, " s: ", spot_text(body, point), ": tension has drawn points ", point.value,
+                     " of a cell apart (V/V0 = ", point.stretch, "): beyond ", body.bearing_spacing,
+                     " a body may part between them, or from a wall; begin with more points a cell, or let "
+                     "them split (SplitPoints)"}));
+  const double ratio = points.initial > 0 ? points.volume / points.initial : 1.0;  // mean V/V0
+  if (wants(volume) && points.count > 0 && takes(volume, time, std::abs(ratio - 1), body.number)) {
+    const WatchedPoint& point = points.volume_change;
+    WatchedSpot spot{point.place, joined_text({body_text(body), ": mean V/V0 = ", ratio})};
+    if (point.value >= 0) spot.text += joined_text({", ", point.stretch, " at ", place_text(body, point)});
     tell(volume, std::move(spot));
   }
-  if (const std::size_t all = body.lost + points.count; wants(lost) && all > 0)
-    if (takes(lost, time, static_cast<double>(body.lost) / static_cast<double>(all), body.number))
-      tell(lost, {Watched::nowhere, joined_text({body_text(body), ": ", body.lost, " of ", all, " points"})});
-  if (!wants(speed)) return;
-  const double wave = std::sqrt(body.wave_modulus / points.density);
-  const auto square = [&](std::size_t k) { return static_cast<double>(speed_square(points, k)); };
-  const std::size_t p = extreme(points.count, square);
-  if (p >= points.count) return;
-  const double fastest = std::sqrt(square(p));
-  if (takes(speed, time, fastest / wave, body.number))
-    tell(speed,
-         {place_of(points, p),
-          joined_text({body_text(body), " at ", place_text(points, p), ": ", fastest, " m/s; waves run at ",
-                       wave,
-                       " m/s: is young, density, a velocity or gravity in other units than Pa, kg, m, s?"})});
+  if (const double all = points.lost + points.count; wants(lost) && all > 0)
+    if (takes(lost, time, points.lost / all, body.number))
+      tell(lost, {Watched::nowhere, joined_text({body_text(body), ": ", static_cast<std::size_t>(points.lost),
+                                                 " of ", static_cast<std::size_t>(all), " points"})});
+  if (const WatchedPoint& point = points.speed; wants(speed) && point.value >= 0) {
+    const double fastest = std::sqrt(point.value);
+    if (takes(speed, time, fastest / body.wave, body.number))
+      tell(speed, {point.place,
+                   joined_text({spot_text(body, point), ": ", fastest, " m/s; waves run at ", body.wave,
+                                " m/s: is young, density, a velocity or gravity in other units than Pa, kg, "
+                                "m, s?"})});
+  }
+  if (const WatchedPoint& point = points.strength; point.value >= 0)
+    if (takes(strength, time, point.value, body.number))
+      tell(strength, {point.place, spot_text(body, point)});
 }
 
-#define ARENITE_INSTANCES(T)                                                         \
-  template void WatchBook::look_at_energy(double, const WatchedEnergy::Found&, bool, \
-                                          std::span<const WatchedBody<T>>);          \
-  template void WatchBook::look_at_body(double, const WatchedBody<T>&);              \
-  template WatchedSpot watched_spot(const WatchedBody<T>&, std::size_t);
+#define ARENITE_INSTANCES(T) \
+  template void WatchBook::read(const PointColumns<T>&, const WatchedMesh&, WatchedBody&) const;
 ARENITE_FOR_NUMBERS(ARENITE_INSTANCES)
 #undef ARENITE_INSTANCES
 

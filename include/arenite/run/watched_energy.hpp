@@ -14,6 +14,20 @@
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
+/// Edge of a mean cell of the whole mesh, m.
+template <class Scene>
+double mean_cell(const Scene& scene) {
+  const auto owns = scene.cell_owner();
+  double volume = 0, cells = 0;
+  for (Index c = 0; c < scene.mesh.cell_count(); ++c)
+    if (owns(c)) {
+      volume += static_cast<double>(scene.mesh.volume(c));
+      ++cells;
+    }
+  sum_over(scene.communicator(), volume, cells);
+  return std::pow(volume / cells, 1.0 / Scene::D);
+}
+
 /// Follows the energy of one scene from look to look.
 class WatchedEnergy {
  public:
@@ -200,13 +214,11 @@ class WatchedEnergy {
   /// at rest.
   template <class Scene>
   static double allowed_drift(const Scene& scene) {
-    double all = 0, whole = 0;
+    double all = 0;
     scene.for_each_body([&](const auto& body, const auto&) { all += mass(body); });
     sum_over(scene.communicator(), all);
-    for (Index c = 0; c < scene.mesh.cell_count(); ++c) whole += static_cast<double>(scene.mesh.volume(c));
-    const double cell = std::pow(whole / scene.mesh.cell_count(), 1.0 / Scene::D);
     const auto g = acceleration_of(scene);
-    return 0.01 * cell * all * std::sqrt(g[0] * g[0] + g[1] * g[1] + g[2] * g[2]);
+    return 0.01 * mean_cell(scene) * all * std::sqrt(g[0] * g[0] + g[1] * g[1] + g[2] * g[2]);
   }
 
   Balance start_{};              // at the first look; without TrackEnergy: when points were last lost

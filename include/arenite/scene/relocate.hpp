@@ -2,19 +2,24 @@
 #pragma once
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include <numeric>
+
+#include <arenite/core/warning.hpp>
+#include <arenite/parallel/communicator.hpp>
 #include <arenite/scene/migrate.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
-/// Throws `run_error` if the last point has left the mesh; warns when one body of several has lost its last.
+/// Throws `run_error` if the last point has left the mesh; warns when one body of several has lost its last: of
+/// the whole, where the mesh is cut.
 /// Points that moved to cells of others go there before the lists of cells are renewed.
 template <class Scene>
 void relocate(Scene& scene) {
   constexpr int width = Scene::NumericsType::template width<typename Scene::T>;
   scene.for_each_body([&](auto& body, auto&) { find_cells<width>(body, scene.mesh, scene.blocks); });
-  auto had_points = by_body<bool, Scene::body_count>(scene.number_of_bodies());
+  auto had = by_body<double, Scene::body_count>(scene.number_of_bodies());  // points
   std::size_t number = 0;
-  scene.for_each_body([&](auto& body, auto&) { had_points[number++] = body.points.size() > 0; });
+  scene.for_each_body([&](auto& body, auto&) { had[number++] = static_cast<double>(body.points.size()); });
   migrate(scene);
   bool regrouped = false;
   scene.for_each_body([&](auto& body, auto&) {
@@ -23,18 +28,18 @@ void relocate(Scene& scene) {
     regrouped = regroup(body, scene.blocks) || regrouped;
   });
   if (regrouped) scene.balance_threads();
-  if constexpr (!Scene::is_portion) {
-    if (scene.lost_points() > 0 && scene.point_count() == 0)
-      throw run_error(joined_text(
-          {"t = ", scene.time, " s: all ", scene.lost_points(), " points of the scene have left the mesh"}));
-    number = 0;
-    scene.for_each_body([&](auto& body, auto&) {
-      if (had_points[number] && body.points.size() == 0)
-        warn(joined_text({"t = ", scene.time, " s: all points of body ", Scene::body_name(number),
-                          " have left the mesh; the run goes on without it"}));
-      ++number;
-    });
-  }
+  auto has = had;
+  number = 0;
+  scene.for_each_body([&](auto& body, auto&) { has[number++] = static_cast<double>(body.points.size()); });
+  auto lost = static_cast<double>(scene.lost_points());
+  sum_over(scene.communicator(), had, has, lost);
+  if (lost > 0 && std::accumulate(has.begin(), has.end(), 0.0) == 0)
+    throw run_error(joined_text({"t = ", scene.time, " s: all ", static_cast<std::size_t>(lost),
+                                 " points of the scene have left the mesh"}));
+  for (std::size_t b = 0; b < has.size(); ++b)
+    if (had[b] > 0 && has[b] == 0 && speaks_for_all(scene))
+      warn(joined_text({"t = ", scene.time, " s: all points of body ", Scene::body_name(b),
+                        " have left the mesh; the run goes on without it"}));
 }
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

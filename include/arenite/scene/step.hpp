@@ -16,7 +16,9 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 /// step at the same time.
 template <class Scene>
 void step(Scene& scene, double dt) {
-  scene.step_check(dt, scene.time, scene.steps, [&] { return stable_step(scene); });
+  scene.step_check(
+      dt, scene.time, scene.steps, [&] { return scene.communicator().least(stable_step(scene)); },
+      speaks_for_all(scene));
   relocate(scene);                 // find the cell of each point
   p2g(scene, dt);                  // P2G: mass, momentum, internal force
   update_stress_first(scene, dt);  // USF: strains and stresses ahead of the forces

@@ -20,11 +20,12 @@ class StepCheck {
  public:
   static constexpr std::size_t interval = 64;  ///< steps for which an answer is taken to hold
 
-  /// dt: length of step number `step`, s; `stable()`: the stable step of the scene now, s. Throws `error`
-  /// unless dt is positive and finite. Warns, once a scene, of one above the stable step.
+  /// dt: length of step number `step`, s; `stable()`: the stable step of the scene now, s; of scenes over the
+  /// portions of one mesh the least, which all ask for at once. Throws `error` unless dt is positive and finite.
+  /// Warns, once a scene and if it `speaks`, of one above the stable step.
   template <class Stable>
-  void operator()(double dt, double time, std::size_t step, const Stable& stable) {
-    if (!(dt > 0 && dt <= longest_ && step < until_)) look(dt, time, step, stable);
+  void operator()(double dt, double time, std::size_t step, const Stable& stable, bool speaks) {
+    if (!(dt > 0 && dt <= longest_ && step < until_)) look(dt, time, step, stable, speaks);
   }
 
   /// The stable step is known at step number `step`, s.
@@ -41,11 +42,11 @@ class StepCheck {
   bool has_warned() const { return until_ == for_ever; }
 
   template <class Stable>
-  void look(double dt, double time, std::size_t step, const Stable& stable) {
+  void look(double dt, double time, std::size_t step, const Stable& stable, bool speaks) {
     require(dt > 0 && std::isfinite(dt), "step: dt", dt, "must be positive and finite (s)");
-    judge(dt, time, step, stable());
+    judge(dt, time, step, stable(), speaks);
   }
-  void judge(double dt, double time, std::size_t step, double bears);
+  void judge(double dt, double time, std::size_t step, double bears, bool speaks);
 
   double longest_ = 0;  // steps up to this one pass without a look, s
   std::size_t until_ = 0;

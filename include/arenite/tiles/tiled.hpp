@@ -13,6 +13,7 @@
 #include <set>
 #include <string>
 #include <thread>
+#include <tuple>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -263,6 +264,9 @@ class TileMaker {
   static void take(All& all, Ranks& ranks, std::vector<int> rank_of, Make& make) {
     std::vector<typename All::Tile> tiles;
     std::map<std::size_t, typename All::Part> parts;
+    // What tiles have seen together, and are to ask for together: that of one is that of all.
+    std::optional<std::pair<StepCheck, std::vector<GroundAtRest>>> known;
+    if (all.all_) known.emplace(all.first().step_check, all.first().at_rest);
     for (int t = 0; t < static_cast<int>(rank_of.size()); ++t) {
       if (rank_of[static_cast<std::size_t>(t)] != ranks.rank()) continue;
       const auto there = std::ranges::find(
@@ -283,9 +287,11 @@ class TileMaker {
     for (auto& tile : tiles) tile.seat->all = of_rank.get();
     std::optional<WithoutWarnings> silent;  // a tile that comes from another rank has given its own
     if (all.all_) silent.emplace();
-    for (auto& [t, part] : parts)
+    for (auto& [t, part] : parts) {
       tiles[t].scene = std::make_unique<S>(
           make(std::move(part.first), on_portion(std::move(part.second), TileCommunicator(*tiles[t].seat))));
+      if (known) std::tie(tiles[t].scene->step_check, tiles[t].scene->at_rest) = *known;
+    }
     all.here_ = std::move(tiles);
     all.all_ = std::move(of_rank);
   }

@@ -7,27 +7,16 @@
 #include <vector>
 
 #include "catch.hpp"
+#include "warnings.hpp"
 
 using namespace arenite;
 
 namespace {
 
-/// What is warned of while it lives.
-class Told {
- public:
-  Told() : before_{on_warning([this](const std::string& text) { texts.push_back(text); })} {}
-  Told(const Told&) = delete;
-  Told& operator=(const Told&) = delete;
-  ~Told() { on_warning(before_); }
-  std::vector<std::string> texts{};
-
- private:
-  WarningHook before_;
-};
-
 const CartesianGrid<2> grid({.lower = {0, 0}, .upper = {1, 0.5}, .cell = 0.05});
 
 struct Case {
+  Box<2> high{{0.5, 0.3}, {0.8, 0.4}};
   std::array<double, 3> velocity{};
   double gravity = 0;
 };
@@ -39,31 +28,58 @@ auto maker(const Case& of) {
                  mesh,
                  Numerics<LinearGrid, Flip, Usl>{},
                  bodies(fill<"low">(Box{{0., 0.}, {0.3, 0.2}}, rubber, {.per_cell = 4}),
-                        fill<"high">(Box{{0.5, 0.3}, {0.8, 0.4}}, rubber, {.per_cell = 4, .velocity = of.velocity})),
+                        fill<"high">(of.high, rubber, {.per_cell = 4, .velocity = of.velocity})),
                  LocalDamping(0.7),
                  gravity({0, of.gravity}),
                  portion...};
   };
 }
 
-/// What an ordinary scene and four tiles warn of while `f(scene)` runs, the refusal that ends it, too.
-template <class F>
-std::vector<std::string> told_of_all(const Case& of, F&& f) {
-  const auto told = [&](auto&& make) {
-    Told all;
-    auto scene = make();
-    try {
-      f(scene);
-    } catch (const error& e) {
-      all.texts.emplace_back(e.what());
-    }
-    return all.texts;
+/// Ground up to 0.3 m with the stress of one up to `surface`, and a rigid body.
+template <class Shape>
+auto ground(double surface, const Shape& shape) {
+  return [=](auto mesh, auto... portion) {
+    const LinearElastic soil{{.density = 1600, .young = 1e6, .poisson = 0.3}};
+    const Prescribed still{[](double) { return std::array{0., 0., 0.}; }};
+    return Scene{PlaneStrain{},
+                 mesh,
+                 Numerics<QuadraticBSpline, Flip>{},
+                 bodies(fill<"soil">(Box{{0., 0.}, {1., 0.3}}, soil,
+                                     {.per_cell = 4, .stress = Geostatic{.surface = surface, .k0 = 0.5}})),
+                 walls(left(roller), right(roller), bottom(fixed)),
+                 gravity({0, -9.81}),
+                 rigids(rigid<"tool">(DistanceSurface{shape}, still, Friction(0))),
+                 portion...};
+  };
+}
+
+/// What an ordinary scene and the same in tiles warn of while `f(scene)` runs, the refusal that ends it, too.
+template <class Make, class F>
+std::vector<std::string> told_of_all(const Make& make, F&& f) {
+  const auto told = [&](auto&& scene_of) {
+    std::string refused;
+    auto texts = test::warnings_of([&] {
+      auto scene = scene_of();
+      try {
+        f(scene);
+      } catch (const error& e) {
+        refused = e.what();
+      }
+    });
+    texts.push_back(refused);
+    return texts;
   };
   OneRank here;
-  const auto whole = told([&] { return maker(of)(grid); });
-  const auto tiles = told([&] { return distribute(here, grid, {.tiles = 4}, maker(of)); });
-  CHECK(tiles == whole);
+  const auto whole = told([&] { return make(grid); });
+  for (const int tiles : {1, 4, 7}) {
+    CAPTURE(tiles);
+    CHECK(told([&] { return distribute(here, grid, {.tiles = tiles}, make); }) == whole);
+  }
   return whole;
+}
+template <class F>
+std::vector<std::string> told_of_all(const Case& of, F&& f) {
+  return told_of_all(maker(of), f);
 }
 
 bool any_has(const std::vector<std::string>& texts, const std::string& word) {
@@ -82,32 +98,57 @@ void take_step(S& scene, double dt) {
 }  // namespace
 
 TEST_CASE("A body that leaves the mesh, and then the last one") {
-  const auto told = told_of_all({.velocity = {5, 0, 0}}, [](auto& scene) {
+  const auto told = told_of_all(Case{.velocity = {5, 0, 0}}, [](auto& scene) {
     run(scene, {.end = 0.2, .max_step = 1e-3}, Watch({.lost = 2, .every = 5}));
   });
   CHECK(any_has(told, "lost = "));
   CHECK(any_has(told, "all points of body high have left the mesh"));
-  const auto all = told_of_all({.velocity = {0, 3, 0}, .gravity = -100},
+  const auto all = told_of_all(Case{.velocity = {0, 3, 0}, .gravity = -100},
                                [](auto& scene) { run(scene, {.end = 1, .max_step = 1e-3}); });
+  CHECK(any_has(all, "local damping took"));
   CHECK(any_has(all, "points of the scene have left the mesh"));
 }
 
 TEST_CASE("What a watch sees in tiles is of the whole") {
   for (const double limit : {1., 0.1}) {
-    const auto told = told_of_all({.velocity = {20, 3, 0}}, [&](auto& scene) {
+    const auto told = told_of_all(Case{.velocity = {20, 3, 0}}, [&](auto& scene) {
       run(scene, {.end = 0.02, .max_step = 1e-3},
           Watch({.volume = limit / 100, .speed = limit, .strength = 1e-3, .lost = limit, .every = 3}));
     });
     CHECK(any_has(told, "speed = "));
   }
-  const auto stretched = told_of_all({.velocity = {0, 1, 0}, .gravity = -9.81}, [](auto& scene) {
-    run(scene, {.end = 0.15, .max_step = 1e-3}, Watch({.every = 10}));
-  });
-  CHECK(any_has(stretched, "local damping took"));
+}
+
+TEST_CASE("A new scene in tiles is told of as a whole") {
+  const auto told = told_of_all(Case{.high = {{0.21, 0.1}, {1.3, 0.42}}, .gravity = -1}, [](auto&) {});
+  for (const auto* word : {"of its region lies outside of the mesh",
+                           "body low and body high lie in one place", "its points have", "everything falls"})
+    CHECK(any_has(told, word));
+  CHECK(
+      any_has(told_of_all(Case{.high = {{0.5, 0.3}, {0.53, 0.32}}}, [](auto&) {}), "body high has 1 point"));
+}
+
+TEST_CASE("Rigid bodies of a new scene in tiles are told of as of a whole") {
+  const auto told = [](const auto& shape) { return told_of_all(ground(0.3, shape), [](auto&) {}); };
+  CHECK(any_has(told(Box<2>{{0.2, 0.1}, {0.7, 0.4}}), " of the 480 points of body soil lie inside of it"));
+  CHECK(any_has(told(Box<2>{{0.2, 0.32}, {0.8, 0.33}}), "a wall is"));
+  CHECK(any_has(told([](const Vec<double, 2>& x) { return x[1] - 0.5; }), "of the matter lies inside"));
+  CHECK(any_has(told([](const Vec<double, 2>& x) { return 1000 * (0.05 - x[1]); }), "the gradient of its"));
+}
+
+TEST_CASE("Ground in tiles is at rest, or is told not to be, as in one") {
+  const auto told = [](double surface, double bottom) {
+    return told_of_all(ground(surface, Box<2>{{0.4, bottom}, {0.6, 0.49}}),
+                       [](auto& scene) { take_step(scene, 1e-5); });
+  };
+  CHECK(told(0.3, 0.4) == std::vector<std::string>{""});
+  CHECK(told(0.3, 0.3) == std::vector<std::string>{""});
+  CHECK(any_has(told(0.35, 0.4), "the ground is not at rest"));
+  CHECK(any_has(told(0.2, 0.3), "the ground is not at rest"));
 }
 
 TEST_CASE("A step above the stable one of all tiles") {
-  const auto told = told_of_all({.velocity = {1, 0, 0}}, [](auto& scene) {
+  const auto told = told_of_all(Case{.velocity = {1, 0, 0}}, [](auto& scene) {
     take_step(scene, 1e-4);
     take_step(scene, 8e-3);
     take_step(scene, 8e-3);

@@ -34,6 +34,9 @@ std::size_t warning_count();
 /// Gives a warning: counts it and calls the hook.
 void warn(const std::string& text);
 
+/// Whether warnings of this thread are dropped.
+bool drops_warnings();
+
 /// While it lives warnings of its thread are dropped: they were given before.
 class WithoutWarnings {
  public:

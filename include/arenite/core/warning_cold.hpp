@@ -43,8 +43,10 @@ ARENITE_COLD std::size_t warning_count() { return shared_detail::WarningOutlet::
 ARENITE_COLD WithoutWarnings::WithoutWarnings() { ++shared_detail::without_warnings; }
 ARENITE_COLD WithoutWarnings::~WithoutWarnings() { --shared_detail::without_warnings; }
 
+ARENITE_COLD bool drops_warnings() { return shared_detail::without_warnings > 0; }
+
 ARENITE_COLD void warn(const std::string& text) {
-  if (shared_detail::without_warnings > 0) return;
+  if (drops_warnings()) return;
   auto& outlet = shared_detail::WarningOutlet::instance();
   ++outlet.count;
   WarningHook hook;

@@ -240,6 +240,10 @@ struct RigidBody {
         "some of them; use RigidVelocity");
     static_assert(!(Scene::NumericsType::maps_back && touches_points), ARENITE_SAYS_POINT_CONTACT_MUSL);
     if constexpr (requires { surface.connect(scene); }) surface.connect(scene);
+  }
+  /// Throws and warns of what is wrong in a new scene; over portions of a mesh all ask at once.
+  template <class Scene>
+  void look_at_new(const Scene& scene) const {
     if constexpr (requires { surface.distance(); }) {
       detail::try_distance(scene, surface.distance(), called_in(scene));
       detail::warn_points_inside(scene, surface.distance(), called_in(scene));

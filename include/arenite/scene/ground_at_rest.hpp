@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include <arenite/parallel/communicator.hpp>
 #include <arenite/scene/ground.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
@@ -82,6 +83,12 @@ class RestingScene {
   virtual Places<V> offsets(Index cell, const GroundAtRest& ground, T volume, int vertical) const = 0;
   virtual T thickness(const V& x) const = 0;
   virtual V node_position(Index node) const = 0;
+  /// Of the whole, where its mesh is cut (see `Communicator`).
+  virtual bool owns(Index node) const = 0;
+  virtual void sum_nodes(std::span<T> values, std::size_t count) const = 0;
+  virtual void sum(std::span<double> values) const = 0;
+  virtual std::vector<double> gather(std::vector<double> numbers) const = 0;
+  virtual bool speaks() const = 0;
 
   std::span<const OfBody> bodies{};
   std::span<const GroundAtRest> at_rest{};
@@ -94,7 +101,8 @@ class RestingScene {
 /// Warns if ground that is to be at rest is not: if forces out of balance at its nodes, beyond what the
 /// points' sums leave of them, are above a thousandth of its weight. `before`: the forces without contact.
 /// Nodes do not count in cells where contact with walls and rigid bodies changes them, which may hold the
-/// ground or set out to move it, nor those that other bodies in motion reach.
+/// ground or set out to move it, nor those that other bodies in motion reach. Scenes over the portions of one
+/// mesh ask at once.
 template <class T, int D>
 void check_rest(const RestingScene<T, D>& scene);
 
@@ -124,6 +132,18 @@ class RestingSceneOf final : public RestingScene<typename Scene::T, Scene::D> {
   }
   T thickness(const V& x) const override { return Scene::Kinematics::thickness(x); }
   V node_position(Index node) const override { return Scene::Shape::node_position(scene_.mesh, node); }
+  bool owns(Index node) const override { return scene_.node_owner()(node); }
+  void sum_nodes([[maybe_unused]] std::span<T> values, [[maybe_unused]] std::size_t count) const override {
+    if constexpr (Scene::is_portion) scene_.communicator().sum_nodes(values, count);
+  }
+  void sum([[maybe_unused]] std::span<double> values) const override {
+    if constexpr (Scene::is_portion) scene_.communicator().sum(values);
+  }
+  std::vector<double> gather(std::vector<double> numbers) const override {
+    if constexpr (Scene::is_portion) return scene_.communicator().gather(numbers);
+    return numbers;
+  }
+  bool speaks() const override { return speaks_for_all(scene_); }
 
  private:
   const Scene& scene_;

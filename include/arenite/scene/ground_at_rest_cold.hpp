@@ -5,7 +5,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 #include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
 
 #include <arenite/core/warning.hpp>
 #include <arenite/scene/ground_at_rest.hpp>
@@ -108,42 +112,51 @@ ARENITE_COLD std::vector<Vec<T, D>> sum_errors(const RestingScene<T, D>& scene,
       }
     }
   }
+  scene.sum_nodes(std::span(error.data()->data(), error.size() * D), D);
   return error;
 }
 
 template <class T, int D>
 ARENITE_COLD void check_rest(const RestingScene<T, D>& scene) {
   const std::size_t nodes = scene.before.size();
-  std::vector<char> counts(nodes, 0);
   ListedShape<T, D> shape;
-  bool still = true;
-  for (const bool moving : {false, true}) {  // what moves has the last word
-    for (std::size_t number = 0; number < scene.bodies.size(); ++number) {
-      const auto& body = scene.bodies[number];
-      const bool is_ground = ground_of_body(scene.at_rest, number) != nullptr;
-      bool moves = false;
-      for (int k = 0; k < D; ++k)
-        for (const T v : body.velocity->column(static_cast<std::size_t>(k))) moves = moves || v != 0;
-      still = still && !(is_ground && moves);
-      if (moving ? !moves : !is_ground) continue;
-      Index marked = none;
-      for (const Index c : *body.cell) {
-        if (c == none || c == marked) continue;
-        marked = c;
-        scene.shape(c, nullptr, shape);
-        for (const Index i : shape.nodes) counts[i] = !moving;
-      }
+  std::vector<T> marks(2 * nodes, T(0));  // nodes that the ground reaches, and that what moves does
+  double moved = 0, weight = 0, all_nodes = 0;
+  for (std::size_t number = 0; number < scene.bodies.size(); ++number) {
+    const auto& body = scene.bodies[number];
+    const bool is_ground = ground_of_body(scene.at_rest, number) != nullptr;
+    bool moves = false;
+    for (int k = 0; k < D; ++k)
+      for (const T v : body.velocity->column(static_cast<std::size_t>(k))) moves = moves || v != 0;
+    if (is_ground && moves) moved = 1;
+    if (!is_ground && !moves) continue;
+    Index marked = none;
+    for (const Index c : *body.cell) {
+      if (c == none || c == marked) continue;
+      marked = c;
+      scene.shape(c, nullptr, shape);
+      for (const Index i : shape.nodes) marks[2 * std::size_t{i} + (moves ? 1 : 0)] = 1;
     }
   }
-  if (!still) return;
+  scene.sum_nodes(marks, 2);
+  std::vector<char> counts(nodes), owned(nodes);
+  for (std::size_t i = 0; i < nodes; ++i) {
+    counts[i] = marks[2 * i] > 0 && marks[2 * i + 1] == 0;  // what moves has the last word
+    owned[i] = scene.owns(static_cast<Index>(i));
+    all_nodes += owned[i];
+  }
   const auto norm = [](const Vec<T, D>& v) { return static_cast<double>(std::sqrt(dot(v, v))); };
   const auto& gravity = scene.at_rest.front().gravity;
   const double g = in_scene<D>(gravity).norm();
-  double weight = 0;
   for (const auto& mass : scene.masses)
     for (std::size_t i = 0; i < nodes; ++i)
-      if (counts[i]) weight += static_cast<double>(mass[i]) * g;
-  const double little = 1e-6 * weight / static_cast<double>(nodes);
+      if (counts[i] && owned[i]) weight += static_cast<double>(mass[i]) * g;
+  std::array<double, 3> of_all{moved, weight, all_nodes};
+  scene.sum(of_all);
+  std::tie(moved, weight, all_nodes) = std::tuple_cat(of_all);
+  if (moved > 0) return;
+  const double little = 1e-6 * weight / all_nodes;
+  marks.assign(nodes, T(0));  // where contact changes forces
   for (Index c = 0; c < scene.cell_count; ++c) {
     scene.shape(c, nullptr, shape);
     bool changed = false;
@@ -153,24 +166,37 @@ ARENITE_COLD void check_rest(const RestingScene<T, D>& scene) {
       changed = changed || norm(change) > little;
     }
     if (changed)
-      for (const Index i : shape.nodes) counts[i] = 0;
+      for (const Index i : shape.nodes) marks[i] = 1;
   }
+  scene.sum_nodes(marks, 1);
+  for (std::size_t i = 0; i < nodes; ++i)
+    if (marks[i] > 0) counts[i] = 0;
   const auto out = [&](std::size_t i) { return counts[i] ? norm(scene.after[i]) : 0.0; };
-  double all = 0, most = 0;
-  for (std::size_t i = 0; i < nodes; ++i) all += out(i);
-  std::size_t worst = 0;
+  double all = 0;
+  for (std::size_t i = 0; i < nodes; ++i)
+    if (owned[i]) all += out(i);
+  scene.sum(std::span(&all, 1));
+  std::vector<double> worst{0, 0, 0, 0};  // force, N, and place
   if (all > 1e-3 * weight) {
     std::vector<char> asked;
     for (std::size_t i = 0; i < nodes; ++i) asked.push_back(out(i) > little);
     const auto error = sum_errors(scene, asked);
     all = 0;
     for (std::size_t i = 0; i < nodes; ++i) {
+      if (!owned[i]) continue;
       const double force = std::max(0.0, out(i) - 1.01 * norm(error[i]));
       all += force;
-      if (force > most) most = force, worst = i;
+      if (!(force > worst[0])) continue;
+      const auto x = in_space(scene.node_position(static_cast<Index>(i)));
+      worst = {force, x[0], x[1], x[2]};
     }
+    scene.sum(std::span(&all, 1));
+    worst = scene.gather(std::move(worst));
   }
-  if (!(all > 1e-3 * weight)) return;
+  if (!(all > 1e-3 * weight) || !scene.speaks()) return;
+  std::size_t at = 0;
+  for (std::size_t tile = 4; tile < worst.size(); tile += 4)
+    if (worst[tile] > worst[at]) at = tile;
   double jitter = 0;
   for (const GroundAtRest& ground : scene.at_rest) jitter = std::max(jitter, ground.jitter);
   const std::string random =
@@ -181,7 +207,7 @@ ARENITE_COLD void check_rest(const RestingScene<T, D>& scene) {
   warn(joined_text(
       {"the ground is not at rest: in the first step ", std::round(1000 * all / weight) / 10,
        " % of its weight is out of balance, most of it about ",
-       vector_text(scene.node_position(static_cast<Index>(worst))), " m.", random,
+       vector_text(std::span(worst).subspan(at + 1, D)), " m.", random,
        " Stress is Geostatic: do walls hold the sides and the bottom, is Geostatic.surface where "
        "matter ends and level, is all that lies on the ground in Geostatic.surcharge, or has it a "
        "Geostatic of its own? Ground that is meant to move: Geostatic.may_move"}));

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include <arenite/boundary/constraints.hpp>
+#include <arenite/parallel/communicator.hpp>
 #include <arenite/particles/body.hpp>
 #include <arenite/scene/parts.hpp>
 #include <arenite/scene/roles.hpp>
@@ -48,6 +49,22 @@ struct MeshBox {
   std::array<double, 3> lower, upper;  // m
   double least;                        // edge of a cell, m
 };
+
+/// What is to be warned of in a new scene: of one over a portion of a mesh its own numbers.
+struct NewScene {
+  struct OfBody {
+    std::string name;
+    bool has_bounds;
+    std::array<double, 3> lower, upper;                     // of its region, m
+    double points, initial_volume, region_volume, density;  // -, m3, kg/m3
+  };
+  std::size_t dimension;
+  MeshBox mesh;
+  std::vector<OfBody> bodies;
+  std::vector<double> within;  // [bodies x bodies] points of one in the region of another
+  std::string gravity;         // m/s2
+  bool falls;                  // gravity pulls, and nothing can hold
+};
 template <class M>
 MeshBox box_around(const M& mesh) {
   constexpr std::size_t D = M::dimension;
@@ -82,8 +99,13 @@ MeshBox box_around(const M& mesh) {
 /// - of bodies that were filled into one place: one has points in the region of the other;
 /// - of points that stand for another volume than that of the region in the mesh;
 /// - of a body with fewer points than span a volume: it cannot strain as a body does.
+/// - if gravity pulls and nothing can hold: no constraint blocks a part of it, and no part holds but those that
+///   fall themselves.
+void warn_of(const NewScene& scene);
+
+/// Counts what bodies have.
 template <class T, int D>
-void warn_of_bodies(std::span<const BodySummary<T, D>> bodies, const MeshBox& mesh);
+void count_bodies(std::span<const BodySummary<T, D>> bodies, NewScene& to);
 
 /// Warns of points that stand for another volume than that of the region in the mesh.
 void warn_volume(const std::string& name, std::size_t points, double density, double filled, double region);
@@ -95,15 +117,12 @@ void warn_volume(const B& body, const std::string& name) {
 /// Whether a constraint blocks a part of gravity.
 template <class T, int D>
 bool holds_gravity(const std::vector<Constraint<T, D>>& constraints, const Vec<T, D>& gravity);
-void warn_no_support(const std::string& gravity);
 
-/// Warns if gravity pulls and nothing can hold: no constraint blocks a part of it, and no part holds but
-/// those that fall themselves.
+/// Whether gravity pulls and nothing can hold.
 template <class Scene>
-void warn_no_support(const Scene& scene) {
+bool all_falls(const Scene& scene) {
   const auto g = scene.acceleration();
-  if (holds_gravity<typename Scene::T, Scene::D>(scene.constraints, g)) return;
-  bool held = false;
+  bool held = holds_gravity<typename Scene::T, Scene::D>(scene.constraints, g);
   scene.for_each_part([&](const auto& part) {
     using P = std::remove_cvref_t<decltype(part)>;
     if constexpr (holds_against<P, Scene>)
@@ -111,12 +130,12 @@ void warn_no_support(const Scene& scene) {
     else
       held = held || adds_force<P, Scene> || (applies_impulses<P, Scene> && contact_order<P> > 0);
   });
-  if (!held) warn_no_support(vector_text(g));
+  return !held;
 }
 
-/// All warnings about a new scene and the recipes of its bodies.
+/// Reads a new scene and the recipes of its bodies.
 template <class Scene, class Recipe>
-void warn_about_new_scene(const Scene& scene, const Recipe& recipe) {
+NewScene new_scene(const Scene& scene, const Recipe& recipe) {
   auto bodies = by_body<BodySummary<typename Scene::T, Scene::D>, Scene::body_count>(recipe.size());
   std::size_t next = 0;
   recipe.for_each([&](const auto& fill) { bodies[next++].region = &fill.region; });
@@ -133,8 +152,28 @@ void warn_about_new_scene(const Scene& scene, const Recipe& recipe) {
         for (Index c = 0; c < scene.mesh.cell_count(); ++c)
           if (scene.mesh.is_in(c, numbers)) body.cells[c] = 1;
       }
-  warn_of_bodies<typename Scene::T, Scene::D>(bodies, box_around(scene.mesh));
-  warn_no_support(scene);
+  NewScene found{Scene::D,        box_around(scene.mesh), {}, {}, vector_text(scene.acceleration()),
+                 all_falls(scene)};
+  count_bodies<typename Scene::T, Scene::D>(bodies, found);
+  return found;
+}
+
+/// All warnings about a new scene; scenes over the portions of one mesh ask at once.
+template <class Scene>
+void warn_about_new_scene(const Scene& scene, NewScene found) {
+  scene.for_each_part([&](const auto& part) {
+    if constexpr (requires { part.look_at_new(scene); }) part.look_at_new(scene);
+  });
+  if constexpr (Scene::is_portion) {
+    const auto& comm = scene.communicator();
+    for (auto& body : found.bodies) sum_over(comm, body.points, body.initial_volume, body.region_volume);
+    sum_over(comm, found.within);
+    found.mesh.lower = in_space(scene.portion().lower);
+    found.mesh.upper = in_space(scene.portion().upper);
+    found.mesh.least = comm.least(found.mesh.least);
+    found.falls = comm.least(found.falls ? 1 : 0) == 1;
+  }
+  if (speaks_for_all(scene)) warn_of(found);
 }
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET::detail

@@ -11,8 +11,7 @@
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET::detail {
 
-ARENITE_COLD void warn_bounds(const MeshBox& mesh, std::size_t dimensions, const AnyRegion& region,
-                              const std::string& name) {
+ARENITE_COLD void warn_bounds(const MeshBox& mesh, std::size_t dimensions, const NewScene::OfBody& region) {
   if (!region.has_bounds) return;
   double within = 1;
   bool beyond = false;
@@ -23,7 +22,7 @@ ARENITE_COLD void warn_bounds(const MeshBox& mesh, std::size_t dimensions, const
     within *= (std::min(to, mesh.upper[k]) - std::max(from, mesh.lower[k])) / (to - from);
   }
   if (!beyond) return;
-  warn(joined_text({"body ", name, ": ", std::round(1000 * (1 - within)) / 10,
+  warn(joined_text({"body ", region.name, ": ", std::round(1000 * (1 - within)) / 10,
                     " % of its region lies outside of the mesh, which reaches from ",
                     vector_text(std::span(mesh.lower).first(dimensions)), " to ",
                     vector_text(std::span(mesh.upper).first(dimensions)), " m, and is not filled"}));
@@ -51,27 +50,43 @@ ARENITE_COLD std::size_t points_within(const BodySummary<T, D>& body, const Body
 }
 
 template <class T, int D>
-ARENITE_COLD void warn_of_bodies(std::span<const BodySummary<T, D>> bodies, const MeshBox& mesh) {
+ARENITE_COLD void count_bodies(std::span<const BodySummary<T, D>> bodies, NewScene& to) {
+  for (const auto& body : bodies) {
+    to.bodies.push_back({body.name, body.region->has_bounds, body.region->lower, body.region->upper,
+                         static_cast<double>(body.cell->size()), body.initial_volume, body.region_volume,
+                         body.density});
+    for (const auto& other : bodies)
+      to.within.push_back(&other == &body ? 0.0 : static_cast<double>(points_within(body, other)));
+  }
+}
+
+ARENITE_COLD void warn_of(const NewScene& scene) {
+  const auto& bodies = scene.bodies;
+  const auto whole = [](double count) { return static_cast<std::size_t>(count); };
   for (std::size_t b = 0; b < bodies.size(); ++b) {
-    warn_bounds(mesh, D, *bodies[b].region, bodies[b].name);
+    warn_bounds(scene.mesh, scene.dimension, bodies[b]);
     for (std::size_t a = 0; a < b; ++a) {
-      const std::size_t in_b = points_within(bodies[a], bodies[b]),
-                        in_a = points_within(bodies[b], bodies[a]);
+      const std::size_t in_b = whole(scene.within[a * bodies.size() + b]),
+                        in_a = whole(scene.within[b * bodies.size() + a]);
       if (in_b + in_a == 0) continue;
       warn(joined_text({"body ", bodies[a].name, " and body ", bodies[b].name, " lie in one place: ", in_b,
-                        " of the ", bodies[a].cell->size(), " points of body ", bodies[a].name,
+                        " of the ", whole(bodies[a].points), " points of body ", bodies[a].name,
                         " are in the region of body ", bodies[b].name, ", and ", in_a, " of ",
-                        bodies[b].cell->size(), " the other way"}));
+                        whole(bodies[b].points), " the other way"}));
     }
   }
   for (const auto& body : bodies) {
-    const std::size_t count = body.cell->size();
+    const std::size_t count = whole(body.points);
     warn_volume(body.name, count, body.density, body.initial_volume, body.region_volume);
-    if (count == 0 || count > D) continue;
-    warn(joined_text(
-        {"body ", body.name, " has ", count, count == 1 ? " point" : " points", ": fewer than ", D + 1,
-         " cannot strain as a body; is its region, or the mesh's cell, of the size that was meant?"}));
+    if (count == 0 || count > scene.dimension) continue;
+    warn(joined_text({"body ", body.name, " has ", count, count == 1 ? " point" : " points", ": fewer than ",
+                      scene.dimension + 1,
+                      " cannot strain as a body; is its region, or the mesh's cell, of the size that was "
+                      "meant?"}));
   }
+  if (scene.falls)
+    warn(joined_text({"gravity ", scene.gravity,
+                      " m/s2 acts, but no wall and no rigid body holds along it: everything falls"}));
 }
 
 template <class T, int D>
@@ -87,13 +102,8 @@ ARENITE_COLD bool holds_gravity(const std::vector<Constraint<T, D>>& constraints
   return false;
 }
 
-ARENITE_COLD void warn_no_support(const std::string& gravity) {
-  warn(joined_text(
-      {"gravity ", gravity, " m/s2 acts, but no wall and no rigid body holds along it: everything falls"}));
-}
-
-#define ARENITE_INSTANCES(T, D)                                                     \
-  template void warn_of_bodies(std::span<const BodySummary<T, D>>, const MeshBox&); \
+#define ARENITE_INSTANCES(T, D)                                              \
+  template void count_bodies(std::span<const BodySummary<T, D>>, NewScene&); \
   template bool holds_gravity(const std::vector<Constraint<T, D>>&, const Vec<T, D>&);
 ARENITE_FOR_NUMBERS_AND_DIMENSIONS(ARENITE_INSTANCES)
 #undef ARENITE_INSTANCES

@@ -5,11 +5,13 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <tuple>
 #include <type_traits>
 
 #include <arenite/boundary/constraints.hpp>
 #include <arenite/core/contact_tally.hpp>
+#include <arenite/core/warning.hpp>
 #include <arenite/mesh/portion.hpp>
 #include <arenite/parallel/communicator.hpp>
 #include <arenite/particles/measures.hpp>
@@ -129,8 +131,9 @@ struct Scene {
   double time = 0;       ///< s
   double time_step = 0;  ///< of the last step, s
   std::size_t steps = 0;
-  StepCheck step_check;               ///< of the lengths of steps
-  std::vector<GroundAtRest> at_rest;  ///< bodies that the first step looks at
+  StepCheck step_check;                    ///< of the lengths of steps
+  std::vector<GroundAtRest> at_rest;       ///< bodies that the first step looks at
+  std::optional<detail::NewScene> unseen;  ///< over a portion of a mesh: what all are yet to warn of
   bool finite = true;           ///< no number of the points, nor their sums, have become NaN or infinite
   ContactTally contact_tally;   ///< of the last step
   std::size_t limited = 0;      ///< node velocities scaled down by the velocity limit since the start
@@ -474,11 +477,12 @@ Scene<K, M, N, Given...>::Scene(Nothing, K kinematics_value, M&& mesh_value, N n
   for_each_part([&](auto& part) {
     if constexpr (connects<std::remove_reference_t<decltype(part)>, Scene>) part.connect(*this);
   });
-  if constexpr (!is_portion) {
-    const auto& recipe = detail::find_bodies(given...);
-    at_rest = detail::grounds_at_rest<M>(recipe, detail::grounds_of(*this, recipe));
-    detail::warn_about_new_scene(*this, recipe);
-  }
+  const auto& recipe = detail::find_bodies(given...);
+  at_rest = detail::grounds_at_rest<M>(recipe, detail::grounds_of(*this, recipe));
+  if constexpr (!is_portion)
+    detail::warn_about_new_scene(*this, detail::new_scene(*this, recipe));
+  else if (!drops_warnings())
+    unseen = detail::new_scene(*this, recipe);
 }
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

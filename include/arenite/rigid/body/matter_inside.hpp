@@ -4,22 +4,25 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
 #include <vector>
 
+#include <arenite/core/by_body.hpp>
 #include <arenite/core/error.hpp>
 #include <arenite/core/warning.hpp>
+#include <arenite/parallel/communicator.hpp>
 #include <arenite/rigid/body/try_distance.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET::detail {
 
 /// What a scene is told of points of body `matter` inside of rigid body `rigid`.
-inline void warn_matter_inside(const std::string& rigid, const std::string& matter, std::size_t inside,
-                               std::size_t all, const char* cure) {
-  warn(joined_text({"rigid body ", rigid, ": ", inside, " of the ", all, " points of body ", matter,
-                    inside == 1 ? " lies" : " lie", " inside of it: fill what it leaves of the region, ",
-                    cure}));
+inline void warn_matter_inside(const std::string& rigid, const std::string& matter, double inside, double all,
+                               const char* cure) {
+  warn(joined_text({"rigid body ", rigid, ": ", static_cast<std::size_t>(inside), " of the ",
+                    static_cast<std::size_t>(all), " points of body ", matter, inside == 1 ? " lies" : " lie",
+                    " inside of it: fill what it leaves of the region, ", cure}));
 }
 
 /// Warns of bodies with points inside of a rigid one, called `rigid`: deeper than half of a point's size, by
@@ -27,12 +30,9 @@ inline void warn_matter_inside(const std::string& rigid, const std::string& matt
 /// the wrong sign.
 template <class Scene>
 void warn_points_inside(const Scene& scene, const AnyDistance& distance, const std::string& rigid) {
-  struct Inside {
-    std::string body;
-    std::size_t inside, all;
-  };
-  std::vector<Inside> found;
-  std::size_t inside_all = 0, all = 0, number = 0;
+  // Of each body: points inside, all, those that lie deep.
+  auto found = by_body<std::array<double, 3>, Scene::body_count>(scene.number_of_bodies());
+  std::size_t number = 0;
   scene.for_each_body([&](const auto& body, const auto&) {
     std::vector<AnyDistance::Position> places;
     std::vector<double> sizes;
@@ -45,24 +45,28 @@ void warn_points_inside(const Scene& scene, const AnyDistance& distance, const s
                                1.0 / Scene::D));
     }
     const auto d = tried_distances(distance, places);
-    std::size_t inside = 0;
-    bool deep = false;
+    auto& [inside, all, deep] = found[number++];
+    all = static_cast<double>(body.points.size());
     for (std::size_t k = 0; k < d.size(); ++k) {
       inside += d[k] < -1e-6 * sizes[k];
-      deep = deep || d[k] < -0.499 * sizes[k];
+      deep += d[k] < -0.499 * sizes[k];
     }
-    inside_all += inside;
-    all += body.points.size();
-    if (deep) found.push_back({Scene::body_name(number), inside, body.points.size()});
-    ++number;
   });
+  double inside_all = 0, all = 0;
+  for (auto& of_body : found) {
+    sum_over(scene.communicator(), of_body);
+    inside_all += of_body[0];
+    all += of_body[1];
+  }
+  if (!speaks_for_all(scene)) return;
   if (2 * inside_all > all)
-    warn(joined_text({"rigid body ", rigid, ": ", 100 * inside_all / all,
+    warn(joined_text({"rigid body ", rigid, ": ", std::floor(100 * inside_all / all),
                       " % of the matter lies inside of it: its distance must be negative inside and positive "
                       "outside"}));
   else
-    for (const Inside& f : found)
-      warn_matter_inside(rigid, f.body, f.inside, f.all, "fill(region - shape, ..)");
+    for (std::size_t k = 0; k < found.size(); ++k)
+      if (found[k][2] > 0)
+        warn_matter_inside(rigid, Scene::body_name(k), found[k][0], found[k][1], "fill(region - shape, ..)");
 }
 
 /// Warns of material points in the region of the mesh whose boundary is the surface of a rigid body.
@@ -71,10 +75,12 @@ void warn_points_in_region(const Scene& scene, const std::string& region, const 
   const auto own = scene.mesh.region_numbers(region);
   std::size_t number = 0;
   scene.for_each_body([&](const auto& body, const auto&) {
-    const auto inside = static_cast<std::size_t>(
+    auto inside = static_cast<double>(
         std::ranges::count_if(body.points.cell, [&](Index c) { return scene.mesh.is_in(c, own); }));
-    if (inside > 0)
-      warn_matter_inside(rigid, Scene::body_name(number), inside, body.points.size(),
+    auto all = static_cast<double>(body.points.size());
+    sum_over(scene.communicator(), inside, all);
+    if (inside > 0 && speaks_for_all(scene))
+      warn_matter_inside(rigid, Scene::body_name(number), inside, all,
                          "fill(Cells(..), ..) of the mesh's other regions");
     ++number;
   });

@@ -15,6 +15,8 @@
 #include <arenite/core/tensor.hpp>
 #include <arenite/core/warning.hpp>
 #include <arenite/mesh/mesh.hpp>
+#include <arenite/mesh/window_grid.hpp>
+#include <arenite/parallel/communicator.hpp>
 #include <arenite/rigid/body/try_distance.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET::detail {
@@ -125,15 +127,23 @@ void warn_thin_walls(const Scene& scene, const AnyDistance& distance, double rea
   WallPlaces look{mesh_places(scene, 4000, [&](const AnyDistance::Position& x, double size) {
     return !distance.is_beyond(x, 2 * size);
   })};
+  if (!speaks_for_all(scene)) return;
+  [[maybe_unused]] const auto& whole = [&]() -> const auto& {
+    if constexpr (is_window<typename Scene::Mesh>)
+      return scene.mesh.whole();
+    else
+      return scene.mesh;
+  }
+  ();
   for (std::size_t k = 0; k < look.close.places.size(); ++k) {
     AnyDistance::Position apart;
     apart.fill(look.close.sizes[k]);
     if constexpr (is_simplex_mesh<typename Scene::Mesh>)
       apart.fill(std::sqrt(2.0) * look.close.sizes[k]);
-    else if (const Index c = scene.mesh.search(
-                 in_scene<Scene::D>(look.close.places[k]).template cast<typename Scene::T>());
+    else if (const Index c =
+                 whole.search(in_scene<Scene::D>(look.close.places[k]).template cast<typename Scene::T>());
              c != none)
-      apart = in_space(scene.mesh.extent(c));
+      apart = in_space(whole.extent(c));
     look.apart.push_back(apart);
   }
   const auto wall = thinnest_wall(distance, look, Scene::D, reach);

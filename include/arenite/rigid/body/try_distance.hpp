@@ -10,6 +10,7 @@
 
 #include <arenite/core/error.hpp>
 #include <arenite/core/warning.hpp>
+#include <arenite/parallel/communicator.hpp>
 #include <arenite/rigid/body/signed_distance.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET::detail {
@@ -49,20 +50,37 @@ struct MeshPlaces {
 };
 
 /// At most so many of them, spread over the nodes that `is_meant(position, size)`. Off the nodes: faces and
-/// planes of symmetry of a body, where the distance has a kink, go through them.
+/// planes of symmetry of a body, where the distance has a kink, go through them. Scenes over the portions of one
+/// mesh find the same, of the whole.
 template <class Scene, class IsMeant>
 MeshPlaces mesh_places(const Scene& scene, std::size_t most, IsMeant&& is_meant) {
   constexpr std::array<double, 3> stride{0.7548776662466927, 0.5698402909980532, 0.8191725133961645};
-  const typename Scene::Nodes nodes(scene.mesh);
+  typename Scene::Nodes nodes(scene.mesh);
+  if constexpr (Scene::is_portion) nodes.set_whole(scene.portion().lower, scene.portion().upper);
   MeshPlaces found{.lower = in_space(nodes.lower()), .upper = in_space(nodes.upper())};
+  const auto owns = scene.node_owner();
   std::vector<Index> meant;
   for (Index i = 0; i < nodes.size(); ++i)
-    if (nodes.is_used(i) &&
+    if (owns(i) && nodes.is_used(i) &&
         is_meant(in_space(nodes.position(i)), static_cast<double>(scene.mesh.node_size(i))))
       meant.push_back(i);
+  constexpr std::size_t row = 5;
+  std::vector<double> near;  // of each node its number, position and size
   for (const Index n : spread_numbers(meant.size(), most)) {
-    auto x = in_space(nodes.position(meant[n]));
-    const auto size = static_cast<double>(scene.mesh.node_size(meant[n]));
+    const Index i = meant[n];
+    const auto x = in_space(nodes.position(i));
+    double number = i;
+    if constexpr (Scene::is_portion) number = static_cast<double>(scene.portion().whole_node[i]);
+    near.insert(near.end(), {number, x[0], x[1], x[2], static_cast<double>(scene.mesh.node_size(i))});
+  }
+  if constexpr (Scene::is_portion) near = scene.communicator().gather(near);
+  std::vector<std::size_t> order(near.size() / row);
+  for (std::size_t k = 0; k < order.size(); ++k) order[k] = row * k;
+  std::ranges::sort(order, {}, [&](std::size_t k) { return near[k]; });
+  for (const Index n : spread_numbers(order.size(), most)) {
+    const double* const node = &near[order[n]];
+    MeshPlaces::Position x{node[1], node[2], node[3]};
+    const double size = node[4];
     for (std::size_t k = 0; k < x.size(); ++k)
       x[k] = std::clamp(x[k] + (spread(found.places.size() + 1, stride[k]) - 0.5) * size, found.lower[k],
                         found.upper[k]);
@@ -81,8 +99,8 @@ void try_distance_at(const AnyDistance& distance, const MeshPlaces& close, const
 /// Throws and warns as `try_distance_at`.
 template <class Scene>
 void try_distance(const Scene& scene, const AnyDistance& distance, const std::string& body) {
-  try_distance_at(distance, mesh_places(scene, 1024, [](const auto&, double) { return true; }), body,
-                  Scene::D);
+  const auto places = mesh_places(scene, 1024, [](const auto&, double) { return true; });
+  if (speaks_for_all(scene)) try_distance_at(distance, places, body, Scene::D);
 }
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET::detail

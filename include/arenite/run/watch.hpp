@@ -281,11 +281,11 @@ class BasicWatch {
             return most;
           },
           [](const Worst& a, const Worst& b) { return b.value > a.value ? b : a; });
-      if (worst.point < body.points.size())
-        watched.points.strength.take(worst.value, 1, [&] {
-          const Vec<T, D> x = body.points.position[worst.point];
-          return in_space(x);
-        });
+      watched.points.strength.take(worst.value, 1, [&] {
+        if (worst.point >= body.points.size()) return Watched::nowhere;  // none lies beyond
+        const Vec<T, D> x = body.points.position[worst.point];
+        return in_space(x);
+      });
     }
   }
 

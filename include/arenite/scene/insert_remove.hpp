@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include <arenite/parallel/communicator.hpp>
 #include <arenite/particles/exchange_points.hpp>
 #include <arenite/particles/point_ids.hpp>
 #include <arenite/scene/cell_of_all.hpp>
@@ -71,7 +72,11 @@ auto insert_fill(Scene& scene, B& body, const F& fill, const std::string& name) 
     ground.gravity = detail::gravity_of_ground(scene, scene.time);
   const auto made = make_body<typename Scene::Kinematics, Scene::extra_columns>(scene.mesh, fill,
                                                                                 scene.cell_owner(), ground);
-  if constexpr (!Scene::is_portion) detail::warn_volume(made, name);
+  auto count = static_cast<double>(made.points.size());
+  double filled = made.initial_volume, region = made.region_volume;
+  sum_over(scene.communicator(), count, filled, region);
+  if (speaks_for_all(scene))
+    detail::warn_volume(name, static_cast<std::size_t>(count), made.law.density(), filled, region);
   std::vector<typename B::Point> points;
   points.reserve(made.points.size());
   for (std::size_t p = 0; p < made.points.size(); ++p) points.push_back(made.points[p]);

@@ -109,10 +109,6 @@ void count_bodies(std::span<const BodySummary<T, D>> bodies, NewScene& to);
 
 /// Warns of points that stand for another volume than that of the region in the mesh.
 void warn_volume(const std::string& name, std::size_t points, double density, double filled, double region);
-template <class B>
-void warn_volume(const B& body, const std::string& name) {
-  warn_volume(name, body.points.size(), body.law.density(), body.initial_volume, body.region_volume);
-}
 
 /// Whether a constraint blocks a part of gravity.
 template <class T, int D>

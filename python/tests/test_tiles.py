@@ -342,6 +342,12 @@ def test_a_run_stops_and_settles_on_all_ranks(on_ranks):
     assert "False 0" in one[1] and "True True" in one[1] and any("out of balance by" in line for line in one[1])
 
 
+def test_a_warning_is_given_once_of_the_whole(on_ranks):
+    one, two = on_ranks(1, "warned"), on_ranks(2, "warned")
+    assert one[1] and two[1] == sorted([*one[1], "1 []"]), two[2]
+    assert "not at rest" in one[1][0]
+
+
 def test_an_error_on_one_rank_ends_all(on_ranks):
     code, lines, errors = on_ranks(3, "fail")
     assert code == 1 and "ValueError: the spade broke" in errors

@@ -2,6 +2,7 @@
 
 import hashlib
 import sys
+import warnings
 
 import numpy as np
 from mpi4py import MPI
@@ -195,6 +196,14 @@ def settled(folder):
             say(e)
     say(ar.settle(of, end=1.0, ratio=1e-2), of.out_of_balance <= 1e-2)
     say(told(of), of.out_of_balance)
+
+
+def warned(folder):
+    with warnings.catch_warnings(record=True) as caught:
+        warnings.simplefilter("always")
+        of = scene(body=dict(stress=ar.Geostatic(surface=0.2, k0=0.5)))  # ground that ends at 0.1
+        ar.run(of, end=0.002)
+    say(COMM.rank, [str(w.message) for w in caught])
 
 
 if __name__ == "__main__":

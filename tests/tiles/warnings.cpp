@@ -29,7 +29,7 @@ auto maker(const Case& of) {
                  Numerics<LinearGrid, Flip, Usl>{},
                  bodies(fill<"low">(Box{{0., 0.}, {0.3, 0.2}}, rubber, {.per_cell = 4}),
                         fill<"high">(of.high, rubber, {.per_cell = 4, .velocity = of.velocity})),
-                 LocalDamping(0.7),
+                 LocalDamping{.factor = 0.7},
                  gravity({0, of.gravity}),
                  portion...};
   };

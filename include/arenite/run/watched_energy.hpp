@@ -128,14 +128,13 @@ class WatchedEnergy {
   /// lost or brought make of it is left out by `judge`, which begins anew.
   template <class Scene>
   void book_work(const Scene& scene) {
-    auto& [x, y, z] = moment_;
     const auto before = std::exchange(moment_, {});
     scene.for_each_body([&](const auto& body, const auto&) {
       const auto& p = body.points;
       const auto moment = moment_of_mass(p.size(), p.mass.data(), Scene::D, column_data(p.position));
-      x += moment[0], y += moment[1], z += moment[2];
+      for (std::size_t k = 0; k < 3; ++k) moment_[k] += moment[k];
     });
-    sum_over(scene.communicator(), x, y, z);
+    sum_over(scene.communicator(), moment_);
     for (std::size_t k = 0; k < 3; ++k) work_ += acceleration_[k] * (moment_[k] - before[k]);
     acceleration_ = acceleration_of(scene);
   }

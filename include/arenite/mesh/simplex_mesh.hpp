@@ -85,7 +85,7 @@ class SimplexMesh {
   std::vector<int> region_numbers(const std::string& name) const {
     std::vector<int> numbers{find(region_names_, name, "region")};
     if (const auto shared = shared_regions_.find(name); shared != shared_regions_.end())
-      numbers.insert(numbers.end(), shared->second.begin(), shared->second.end());
+      for (const int number : shared->second) numbers.push_back(number);
     return numbers;
   }
   /// Number of a named region. Throws `error` also if it has several.

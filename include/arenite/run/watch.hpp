@@ -9,10 +9,8 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <span>
 #include <string>
 #include <string_view>
-#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -102,8 +100,8 @@ class WatchBook {
   void read(const PointColumns<T>& points, const WatchedMesh& mesh, WatchedBody& body) const;
 
   void look_at_damping(double time, double share);
-  void look_at_energy(double time, const WatchedEnergy::Found& found, bool tracked,
-                      std::span<const WatchedBody> bodies);
+  void look_at_energy(double time, const WatchedEnergy::Found& found, bool tracked, const WatchedBody* bodies,
+                      std::size_t count);
   void look_at_body(double time, const WatchedBody& body);
 
   std::array<Watched, 7> seen;
@@ -121,8 +119,8 @@ class WatchBook {
 };
 
 /// Joins what tiles have read of the points of each body: the communicator is asked once, by all.
-template <class Communicator>
-void join_watched([[maybe_unused]] const Communicator& comm, [[maybe_unused]] std::span<WatchedBody> bodies) {
+template <class Communicator, class Bodies>
+void join_watched([[maybe_unused]] const Communicator& comm, [[maybe_unused]] Bodies& bodies) {
   if constexpr (!Communicator::is_serial) {
     std::vector<double> here;
     for (const auto& body : bodies) {
@@ -185,8 +183,11 @@ class BasicWatch {
                  .bearing_spacing = bearing_spacing<typename Scene::Shape>};
       watched.points.count = static_cast<double>(body.points.size());
       watched.points.lost = static_cast<double>(body.lost);
-      if (book_.wants(Book::volume))
-        std::tie(watched.points.volume, watched.points.initial) = std::tuple_cat(volume_and_initial(body));
+      if (book_.wants(Book::volume)) {
+        const auto volumes = volume_and_initial(body);
+        watched.points.volume = volumes[0];
+        watched.points.initial = volumes[1];
+      }
       book_.read(columns_of_points(body), mesh, watched);
       // Initial stresses may lie outside: the first step takes them back.
       if constexpr (!OfRun)
@@ -194,12 +195,12 @@ class BasicWatch {
           look_at_strength<Scene::NumericsType::template width<typename Scene::T>>(body, watched);
       ++n;
     });
-    detail::join_watched(scene.communicator(), std::span<detail::WatchedBody>(bodies));
+    detail::join_watched(scene.communicator(), bodies);
     const bool speaks = speaks_for_all(scene);
     if (book_.wants(Book::energy_gain) ||
         (tracks_energy<Scene> && (book_.wants(Book::transfer) || book_.wants(Book::residual))))
       if (const auto found = energy_.look(scene); found.known && speaks)
-        book_.look_at_energy(scene.time, found, tracks_energy<Scene>, bodies);
+        book_.look_at_energy(scene.time, found, tracks_energy<Scene>, bodies.data(), bodies.size());
     if constexpr (Scene::template has_part<LocalDamping>) {
       const double share = fall_.look(scene);
       if (book_.hints_at_damping && speaks) book_.look_at_damping(scene.time, share);

@@ -2,6 +2,9 @@
 #pragma once
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include <cmath>
+#include <span>
+#include <string>
 #include <utility>
 
 #include <arenite/run/watch.hpp>
@@ -104,23 +107,23 @@ ARENITE_COLD void WatchBook::look_at_damping(double time, double share) {
 }
 
 /// The fastest point of all bodies.
-ARENITE_COLD WatchedSpot fastest_spot(std::span<const WatchedBody> bodies) {
+ARENITE_COLD WatchedSpot fastest_spot(const WatchedBody* bodies, std::size_t count) {
   WatchedSpot spot{Watched::nowhere, "no points are left"};
   double most = -1;
-  for (const auto& body : bodies) {
-    const WatchedPoint& point = body.points.speed;
+  for (std::size_t b = 0; b < count; ++b) {
+    const WatchedPoint& point = bodies[b].points.speed;
     if (!(point.value > most)) continue;
     most = point.value;
     spot = {point.place,
-            joined_text({"the fastest point: ", spot_text(body, point), ", ", std::sqrt(most), " m/s"})};
+            joined_text({"the fastest point: ", spot_text(bodies[b], point), ", ", std::sqrt(most), " m/s"})};
   }
   return spot;
 }
 
 ARENITE_COLD void WatchBook::look_at_energy(double time, const WatchedEnergy::Found& found, bool tracked,
-                                            std::span<const WatchedBody> bodies) {
+                                            const WatchedBody* bodies, std::size_t count) {
   const auto judge = [&](Quantity q, double value) {
-    if (wants(q) && takes(q, time, value, -1)) tell(q, fastest_spot(bodies));
+    if (wants(q) && takes(q, time, value, -1)) tell(q, fastest_spot(bodies, count));
   };
   judge(energy_gain, found.gain);
   if (!tracked) return;

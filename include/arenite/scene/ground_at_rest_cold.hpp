@@ -7,7 +7,6 @@
 #include <cmath>
 #include <span>
 #include <string>
-#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -153,7 +152,7 @@ ARENITE_COLD void check_rest(const RestingScene<T, D>& scene) {
       if (counts[i] && owned[i]) weight += static_cast<double>(mass[i]) * g;
   std::array<double, 3> of_all{moved, weight, all_nodes};
   scene.sum(of_all);
-  std::tie(moved, weight, all_nodes) = std::tuple_cat(of_all);
+  moved = of_all[0], weight = of_all[1], all_nodes = of_all[2];
   if (moved > 0) return;
   const double little = 1e-6 * weight / all_nodes;
   marks.assign(nodes, T(0));  // where contact changes forces

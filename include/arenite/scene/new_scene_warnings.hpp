@@ -52,18 +52,14 @@ struct MeshBox {
 
 /// What is to be warned of in a new scene: of one over a portion of a mesh its own numbers.
 struct NewScene {
-  struct OfBody {
-    std::string name;
-    bool has_bounds;
-    std::array<double, 3> lower, upper;                     // of its region, m
-    double points, initial_volume, region_volume, density;  // -, m3, kg/m3
-  };
   std::size_t dimension;
   MeshBox mesh;
-  std::vector<OfBody> bodies;
-  std::vector<double> within;  // [bodies x bodies] points of one in the region of another
-  std::string gravity;         // m/s2
-  bool falls;                  // gravity pulls, and nothing can hold
+  std::string gravity;                   // m/s2
+  bool falls;                            // it pulls, and nothing can hold
+  std::vector<std::string> names{};      // of the bodies
+  std::vector<double> lower{}, upper{};  // [bodies x 3] of their regions, m
+  std::vector<double> points{}, initial_volume{}, region_volume{}, density{};  // [bodies] -, m3, kg/m3
+  std::vector<double> within{};  // [bodies x bodies] points of one in the region of another
 };
 template <class M>
 MeshBox box_around(const M& mesh) {
@@ -148,8 +144,7 @@ NewScene new_scene(const Scene& scene, const Recipe& recipe) {
         for (Index c = 0; c < scene.mesh.cell_count(); ++c)
           if (scene.mesh.is_in(c, numbers)) body.cells[c] = 1;
       }
-  NewScene found{Scene::D,        box_around(scene.mesh), {}, {}, vector_text(scene.acceleration()),
-                 all_falls(scene)};
+  NewScene found{Scene::D, box_around(scene.mesh), vector_text(scene.acceleration()), all_falls(scene)};
   count_bodies<typename Scene::T, Scene::D>(bodies, found);
   return found;
 }
@@ -162,8 +157,7 @@ void warn_about_new_scene(const Scene& scene, NewScene found) {
   });
   if constexpr (Scene::is_portion) {
     const auto& comm = scene.communicator();
-    for (auto& body : found.bodies) sum_over(comm, body.points, body.initial_volume, body.region_volume);
-    sum_over(comm, found.within);
+    sum_over(comm, found.points, found.initial_volume, found.region_volume, found.within);
     found.mesh.lower = in_space(scene.portion().lower);
     found.mesh.upper = in_space(scene.portion().upper);
     found.mesh.least = comm.least(found.mesh.least);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <span>
 
 #include <arenite/core/warning.hpp>
@@ -11,21 +12,22 @@
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET::detail {
 
-ARENITE_COLD void warn_bounds(const MeshBox& mesh, std::size_t dimensions, const NewScene::OfBody& region) {
-  if (!region.has_bounds) return;
+ARENITE_COLD void warn_bounds(const NewScene& scene, std::size_t body) {
+  const MeshBox& mesh = scene.mesh;
   double within = 1;
   bool beyond = false;
-  for (std::size_t k = 0; k < dimensions; ++k) {
-    const double from = std::isinf(region.lower[k]) ? mesh.lower[k] : region.lower[k];
-    const double to = std::isinf(region.upper[k]) ? mesh.upper[k] : region.upper[k];
+  for (std::size_t k = 0; k < scene.dimension; ++k) {
+    const double lower = scene.lower[3 * body + k], upper = scene.upper[3 * body + k];
+    const double from = std::isinf(lower) ? mesh.lower[k] : lower;
+    const double to = std::isinf(upper) ? mesh.upper[k] : upper;
     beyond = beyond || std::max(mesh.lower[k] - from, to - mesh.upper[k]) > 0.01 * mesh.least;
     within *= (std::min(to, mesh.upper[k]) - std::max(from, mesh.lower[k])) / (to - from);
   }
   if (!beyond) return;
-  warn(joined_text({"body ", region.name, ": ", std::round(1000 * (1 - within)) / 10,
+  warn(joined_text({"body ", scene.names[body], ": ", std::round(1000 * (1 - within)) / 10,
                     " % of its region lies outside of the mesh, which reaches from ",
-                    vector_text(std::span(mesh.lower).first(dimensions)), " to ",
-                    vector_text(std::span(mesh.upper).first(dimensions)), " m, and is not filled"}));
+                    vector_text(std::span(mesh.lower).first(scene.dimension)), " to ",
+                    vector_text(std::span(mesh.upper).first(scene.dimension)), " m, and is not filled"}));
 }
 
 ARENITE_COLD void warn_volume(const std::string& name, std::size_t points, double density, double filled,
@@ -52,34 +54,40 @@ ARENITE_COLD std::size_t points_within(const BodySummary<T, D>& body, const Body
 template <class T, int D>
 ARENITE_COLD void count_bodies(std::span<const BodySummary<T, D>> bodies, NewScene& to) {
   for (const auto& body : bodies) {
-    to.bodies.push_back({body.name, body.region->has_bounds, body.region->lower, body.region->upper,
-                         static_cast<double>(body.cell->size()), body.initial_volume, body.region_volume,
-                         body.density});
+    to.names.push_back(body.name);
+    constexpr double all = std::numeric_limits<double>::infinity();
+    for (std::size_t k = 0; k < 3; ++k) {
+      to.lower.push_back(body.region->has_bounds ? body.region->lower[k] : -all);
+      to.upper.push_back(body.region->has_bounds ? body.region->upper[k] : all);
+    }
+    to.points.push_back(static_cast<double>(body.cell->size()));
+    to.initial_volume.push_back(body.initial_volume);
+    to.region_volume.push_back(body.region_volume);
+    to.density.push_back(body.density);
     for (const auto& other : bodies)
       to.within.push_back(&other == &body ? 0.0 : static_cast<double>(points_within(body, other)));
   }
 }
 
 ARENITE_COLD void warn_of(const NewScene& scene) {
-  const auto& bodies = scene.bodies;
+  const auto& names = scene.names;
+  const std::size_t count = names.size();
   const auto whole = [](double count) { return static_cast<std::size_t>(count); };
-  for (std::size_t b = 0; b < bodies.size(); ++b) {
-    warn_bounds(scene.mesh, scene.dimension, bodies[b]);
+  for (std::size_t b = 0; b < count; ++b) {
+    warn_bounds(scene, b);
     for (std::size_t a = 0; a < b; ++a) {
-      const std::size_t in_b = whole(scene.within[a * bodies.size() + b]),
-                        in_a = whole(scene.within[b * bodies.size() + a]);
+      const std::size_t in_b = whole(scene.within[a * count + b]), in_a = whole(scene.within[b * count + a]);
       if (in_b + in_a == 0) continue;
-      warn(joined_text({"body ", bodies[a].name, " and body ", bodies[b].name, " lie in one place: ", in_b,
-                        " of the ", whole(bodies[a].points), " points of body ", bodies[a].name,
-                        " are in the region of body ", bodies[b].name, ", and ", in_a, " of ",
-                        whole(bodies[b].points), " the other way"}));
+      warn(joined_text({"body ", names[a], " and body ", names[b], " lie in one place: ", in_b, " of the ",
+                        whole(scene.points[a]), " points of body ", names[a], " are in the region of body ",
+                        names[b], ", and ", in_a, " of ", whole(scene.points[b]), " the other way"}));
     }
   }
-  for (const auto& body : bodies) {
-    const std::size_t count = whole(body.points);
-    warn_volume(body.name, count, body.density, body.initial_volume, body.region_volume);
-    if (count == 0 || count > scene.dimension) continue;
-    warn(joined_text({"body ", body.name, " has ", count, count == 1 ? " point" : " points", ": fewer than ",
+  for (std::size_t b = 0; b < count; ++b) {
+    const std::size_t points = whole(scene.points[b]);
+    warn_volume(names[b], points, scene.density[b], scene.initial_volume[b], scene.region_volume[b]);
+    if (points == 0 || points > scene.dimension) continue;
+    warn(joined_text({"body ", names[b], " has ", points, points == 1 ? " point" : " points", ": fewer than ",
                       scene.dimension + 1,
                       " cannot strain as a body; is its region, or the mesh's cell, of the size that was "
                       "meant?"}));

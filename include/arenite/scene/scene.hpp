@@ -85,6 +85,8 @@ struct Scene {
   static_assert(detail::differ(body_names), "Scene: two bodies have one name: fill<\"name\">(..)");
   static_assert(detail::differ(detail::rigids_of<Parts>::found.second),
                 "Scene: two rigid bodies have one name: rigid<\"name\">(..)");
+  /// Whether the mesh is a part of a larger one, which other scenes share (`on_portion`).
+  static constexpr bool is_portion = detail::place_of<OnPortion>(std::type_identity<Recipes>{}) < part_count;
   static constexpr std::size_t field_count = Needs::own_fields ? body_count : 1;
   /// Whether the bodies are those of a list: of one law, in a number that only a run knows.
   static constexpr bool lists_bodies = body_count == counted_at_run_time;
@@ -131,9 +133,10 @@ struct Scene {
   double time = 0;       ///< s
   double time_step = 0;  ///< of the last step, s
   std::size_t steps = 0;
-  StepCheck step_check;                    ///< of the lengths of steps
-  std::vector<GroundAtRest> at_rest;       ///< bodies that the first step looks at
-  std::optional<detail::NewScene> unseen;  ///< over a portion of a mesh: what all are yet to warn of
+  StepCheck step_check;               ///< of the lengths of steps
+  std::vector<GroundAtRest> at_rest;  ///< bodies that the first step looks at
+  [[no_unique_address]] std::conditional_t<is_portion, std::optional<detail::NewScene>, Nothing>
+      unseen;                   ///< over a portion of a mesh: what all are yet to warn of
   bool finite = true;           ///< no number of the points, nor their sums, have become NaN or infinite
   ContactTally contact_tally;   ///< of the last step
   std::size_t limited = 0;      ///< node velocities scaled down by the velocity limit since the start
@@ -241,8 +244,6 @@ struct Scene {
     return joined_text({name.empty() ? TextPart(body) : TextPart(name)});
   }
 
-  /// Whether the mesh is a part of a larger one, which other scenes share (`on_portion`).
-  static constexpr bool is_portion = detail::place_of<OnPortion>(std::type_identity<Recipes>{}) < part_count;
   template <class Self = Scene>  // only asked for where there is one
   const auto& portion() const {
     return static_cast<const Self&>(*this).template part<OnPortion>().portion;

@@ -72,7 +72,7 @@ ARENITE_COLD void count_bodies(std::span<const BodySummary<T, D>> bodies, NewSce
 ARENITE_COLD void warn_of(const NewScene& scene) {
   const auto& names = scene.names;
   const std::size_t count = names.size();
-  const auto whole = [](double count) { return static_cast<std::size_t>(count); };
+  const auto whole = [](double number) { return static_cast<std::size_t>(number); };
   for (std::size_t b = 0; b < count; ++b) {
     warn_bounds(scene, b);
     for (std::size_t a = 0; a < b; ++a) {

@@ -273,7 +273,7 @@ def text(out):
         f"for the steps alone, {MACHINE}, where a problem does not name another; they agree to some 10 %. {len(BASE)} compositions ran in full; on {len(SHARED)} problems {len(MORE)} more on two sizes of cells, {len(FLOAT)} in",
         f"float (`dtype=\"float32\"` of the mesh), and {len(THREADS)} on two threads on the finest cells (their seconds are those of the clock, and stand in *two threads for one* only).",
         "`FLIP, time` takes the period of the problem, or its whole time, as its time.",
-        "Rows of MUSL on a grid are from before points moved there with the velocities that strain them. "
+        "Rows of FLIP, XPIC and FMPM with MUSL on a grid are from before points moved there with the velocities that strain them. "
         "Of 162 run again, on coarse cells, the error of 121 is within 2 % and of 151 within 10 % of the row; quadratic splines in the vortex now have 0.026 for 0.066 (16 cells).", "",
         "```sh", "benchmarks/trade/trade.py                          # runs what the table lacks, and appends row by row",
         "benchmarks/trade/trade.py --page docs/trade.md     # writes this page from it", "```", "",

@@ -24,6 +24,11 @@ inline bool has_state(const std::filesystem::path& folder, bool on_ranks) {
   return std::filesystem::exists(on_ranks ? folder / saved_tiles_name / "tiles.txt"
                                           : folder / state_file_name);
 }
+/// Removes the state of a run that is done.
+inline void remove_state_file(const std::filesystem::path& folder) {
+  std::error_code ignored;  // it only takes space
+  std::filesystem::remove(folder / state_file_name, ignored);
+}
 /// Removes saved tiles, and nothing else that may lie there.
 inline void remove_saved_tiles(const std::filesystem::path& folder) {
   std::error_code ignored;  // they only take space

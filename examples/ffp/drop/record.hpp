@@ -107,8 +107,7 @@ class Run {
       writing_ += Clock::now() - begin_;
       arenite::run(scene_, {.end = o_.end, .courant = o_.courant_number()}, *this);
       write_summary("done");
-      std::error_code ignored;  // it only takes space
-      std::filesystem::remove(folder_.path() / state_file_name, ignored);
+      remove_state_file(folder_.path());
     } catch (const Interruption& e) {
       end("interrupted", at_time(e.what()), e.exit_code());
     } catch (const run_error& e) {  // tells the time itself
@@ -253,6 +252,7 @@ void record(const DropOptions& o, const Make& make) {
   EarlierRun earlier;
   if (o.resume) earlier = earlier_run(o);
   if (earlier.finished) {
+    remove_state_file(o.out);  // of a run that was killed as it ended
     if (!o.quiet) say(joined_text({"the run in ", shown(o.out), " is finished; nothing to do"}));
     return;
   }

@@ -297,6 +297,7 @@ void drop_on_ranks(mpi::World& world, std::vector<std::string> words) {
   set_threads(options->threads);
   const EarlierRun earlier = earlier_on_ranks(world, *options);
   if (earlier.finished) {
+    if (world.rank() == 0) remove_saved_tiles(options->out);  // of a run that was killed as it ended
     if (world.rank() == 0 && !options->quiet)
       say(joined_text({"the run in ", shown(options->out), " is finished; nothing to do"}));
   } else if (options->in_space()) {

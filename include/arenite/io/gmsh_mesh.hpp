@@ -241,23 +241,24 @@ class GmshMesh {
       for (std::size_t k = 0, next; k < sorted.size(); k = next) {
         next = k + 1;
         if (next == sorted.size() || sorted[next].first != sorted[k].first) continue;
-        std::vector<std::vector<int>> all{groups_of(result_.region[sorted[k].second])};
+        Map<std::vector<int>, int> all{{groups_of(result_.region[sorted[k].second]), 0}};
         for (; next < sorted.size() && sorted[next].first == sorted[k].first; ++next) {
           again[sorted[next].second] = true;
-          const auto own = groups_of(result_.region[sorted[next].second]);
-          if (!repeats_ || std::ranges::any_of(all, [&](const std::vector<int>& other) {
-                return std::ranges::includes(own, other, MapOrder()) ||
-                       std::ranges::includes(other, own, MapOrder());
+          auto own = groups_of(result_.region[sorted[next].second]);
+          if (!repeats_ || std::ranges::any_of(all, [&](const auto& other) {
+                return std::ranges::includes(own, other.first, MapOrder()) ||
+                       std::ranges::includes(other.first, own, MapOrder());
               })) {
             std::string nodes;
             for (const Index node : sorted[k].first)
               nodes += joined_text({nodes.empty() ? "" : " ", tags_[node]});
             in.refuse("nodes of a cell", nodes, "the cell is given twice");
           }
-          all.push_back(own);
+          all.try_emplace(std::move(own), 0);
         }
         std::vector<int> groups;
-        for (const auto& own : all) groups.insert(groups.end(), own.begin(), own.end());
+        for (const auto& own : all)
+          for (const int group : own.first) groups.push_back(group);
         result_.region[sorted[k].second] = region_of(std::move(groups));
       }
     }

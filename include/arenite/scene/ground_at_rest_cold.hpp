@@ -155,7 +155,7 @@ ARENITE_COLD void check_rest(const RestingScene<T, D>& scene) {
   moved = of_all[0], weight = of_all[1], all_nodes = of_all[2];
   if (moved > 0) return;
   const double little = 1e-6 * weight / all_nodes;
-  marks.assign(nodes, T(0));  // where contact changes forces
+  std::vector<T> pressed(nodes);  // where contact changes forces
   for (Index c = 0; c < scene.cell_count; ++c) {
     scene.shape(c, nullptr, shape);
     bool changed = false;
@@ -165,11 +165,11 @@ ARENITE_COLD void check_rest(const RestingScene<T, D>& scene) {
       changed = changed || norm(change) > little;
     }
     if (changed)
-      for (const Index i : shape.nodes) marks[i] = 1;
+      for (const Index i : shape.nodes) pressed[i] = 1;
   }
-  scene.sum_nodes(marks, 1);
+  scene.sum_nodes(pressed, 1);
   for (std::size_t i = 0; i < nodes; ++i)
-    if (marks[i] > 0) counts[i] = 0;
+    if (pressed[i] > 0) counts[i] = 0;
   const auto out = [&](std::size_t i) { return counts[i] ? norm(scene.after[i]) : 0.0; };
   double all = 0;
   for (std::size_t i = 0; i < nodes; ++i)

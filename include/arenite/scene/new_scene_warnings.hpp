@@ -23,7 +23,6 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET::detail {
 /// A body as the warnings read it.
 template <class T, int D>
 struct BodySummary {
-  std::string name;
   const AnyRegion* region;
   const VectorColumns<T, D>* position;
   const std::vector<Index>* cell;
@@ -33,9 +32,8 @@ struct BodySummary {
 };
 
 template <class L, class T, int D, ExtraColumns E>
-BodySummary<T, D> summary_of(std::string name, const Body<L, T, D, E>& body, const AnyRegion& region) {
-  return {std::move(name),
-          &region,
+BodySummary<T, D> summary_of(const Body<L, T, D, E>& body, const AnyRegion& region) {
+  return {&region,
           &body.points.position,
           &body.points.cell,
           {},
@@ -54,10 +52,10 @@ struct MeshBox {
 struct NewScene {
   std::size_t dimension;
   MeshBox mesh;
-  std::string gravity;                   // m/s2
-  bool falls;                            // it pulls, and nothing can hold
-  std::vector<std::string> names{};      // of the bodies
-  std::vector<double> lower{}, upper{};  // [bodies x 3] of their regions, m
+  std::string gravity;                    // m/s2
+  bool falls;                             // it pulls, and nothing can hold
+  std::string (*name)(std::size_t body);  // in messages
+  std::vector<double> lower{}, upper{};   // [bodies x 3] of their regions, m
   std::vector<double> points{}, initial_volume{}, region_volume{}, density{};  // [bodies] -, m3, kg/m3
   std::vector<double> within{};  // [bodies x bodies] points of one in the region of another
 };
@@ -133,7 +131,7 @@ NewScene new_scene(const Scene& scene, const Recipe& recipe) {
   recipe.for_each([&](const auto& fill) { bodies[next++].region = &fill.region; });
   next = 0;
   scene.for_each_body([&](const auto& body, const auto&) {
-    bodies[next] = summary_of(Scene::body_name(next), body, *bodies[next].region);
+    bodies[next] = summary_of(body, *bodies[next].region);
     ++next;
   });
   if constexpr (is_simplex_mesh<typename Scene::Mesh>)
@@ -144,7 +142,8 @@ NewScene new_scene(const Scene& scene, const Recipe& recipe) {
         for (Index c = 0; c < scene.mesh.cell_count(); ++c)
           if (scene.mesh.is_in(c, numbers)) body.cells[c] = 1;
       }
-  NewScene found{Scene::D, box_around(scene.mesh), vector_text(scene.acceleration()), all_falls(scene)};
+  NewScene found{Scene::D, box_around(scene.mesh), vector_text(scene.acceleration()), all_falls(scene),
+                 &Scene::body_name};
   count_bodies<typename Scene::T, Scene::D>(bodies, found);
   return found;
 }

@@ -24,7 +24,7 @@ ARENITE_COLD void warn_bounds(const NewScene& scene, std::size_t body) {
     within *= (std::min(to, mesh.upper[k]) - std::max(from, mesh.lower[k])) / (to - from);
   }
   if (!beyond) return;
-  warn(joined_text({"body ", scene.names[body], ": ", std::round(1000 * (1 - within)) / 10,
+  warn(joined_text({"body ", scene.name(body), ": ", std::round(1000 * (1 - within)) / 10,
                     " % of its region lies outside of the mesh, which reaches from ",
                     vector_text(std::span(mesh.lower).first(scene.dimension)), " to ",
                     vector_text(std::span(mesh.upper).first(scene.dimension)), " m, and is not filled"}));
@@ -54,7 +54,6 @@ ARENITE_COLD std::size_t points_within(const BodySummary<T, D>& body, const Body
 template <class T, int D>
 ARENITE_COLD void count_bodies(std::span<const BodySummary<T, D>> bodies, NewScene& to) {
   for (const auto& body : bodies) {
-    to.names.push_back(body.name);
     constexpr double all = std::numeric_limits<double>::infinity();
     for (std::size_t k = 0; k < 3; ++k) {
       to.lower.push_back(body.region->has_bounds ? body.region->lower[k] : -all);
@@ -70,25 +69,25 @@ ARENITE_COLD void count_bodies(std::span<const BodySummary<T, D>> bodies, NewSce
 }
 
 ARENITE_COLD void warn_of(const NewScene& scene) {
-  const auto& names = scene.names;
-  const std::size_t count = names.size();
+  const std::size_t count = scene.points.size();
   const auto whole = [](double number) { return static_cast<std::size_t>(number); };
   for (std::size_t b = 0; b < count; ++b) {
     warn_bounds(scene, b);
     for (std::size_t a = 0; a < b; ++a) {
       const std::size_t in_b = whole(scene.within[a * count + b]), in_a = whole(scene.within[b * count + a]);
       if (in_b + in_a == 0) continue;
-      warn(joined_text({"body ", names[a], " and body ", names[b], " lie in one place: ", in_b, " of the ",
-                        whole(scene.points[a]), " points of body ", names[a], " are in the region of body ",
-                        names[b], ", and ", in_a, " of ", whole(scene.points[b]), " the other way"}));
+      warn(joined_text({"body ", scene.name(a), " and body ", scene.name(b), " lie in one place: ", in_b,
+                        " of the ", whole(scene.points[a]), " points of body ", scene.name(a),
+                        " are in the region of body ", scene.name(b), ", and ", in_a, " of ",
+                        whole(scene.points[b]), " the other way"}));
     }
   }
   for (std::size_t b = 0; b < count; ++b) {
     const std::size_t points = whole(scene.points[b]);
-    warn_volume(names[b], points, scene.density[b], scene.initial_volume[b], scene.region_volume[b]);
+    warn_volume(scene.name(b), points, scene.density[b], scene.initial_volume[b], scene.region_volume[b]);
     if (points == 0 || points > scene.dimension) continue;
-    warn(joined_text({"body ", names[b], " has ", points, points == 1 ? " point" : " points", ": fewer than ",
-                      scene.dimension + 1,
+    warn(joined_text({"body ", scene.name(b), " has ", points, points == 1 ? " point" : " points",
+                      ": fewer than ", scene.dimension + 1,
                       " cannot strain as a body; is its region, or the mesh's cell, of the size that was "
                       "meant?"}));
   }

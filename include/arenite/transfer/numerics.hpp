@@ -56,6 +56,9 @@ struct Numerics {
   /// Whether the points take their velocities where they are mapped back, in a pass before that of the
   /// strains; linear simplices need no such pass (see `map_back`).
   static constexpr bool maps_back_by_points = maps_back && !Shape::constant_gradient;
+  /// Whether points move with the velocities that were mapped back, which strain them, and not with those of the grid
+  /// update. Affine transfers keep angular momentum only with the latter.
+  static constexpr bool moves_mapped = maps_back_by_points && !Transfer::affine;
   /// Whether points are strained ahead of the forces, with what they hand over at the start of the step.
   static constexpr bool strains_first = StressUpdate::strains_first;
   static constexpr bool strains_at_middle = requires { StressUpdate::strains_at_middle; };

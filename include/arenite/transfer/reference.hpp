@@ -129,7 +129,7 @@ std::vector<Vec<T, D>> map_back(const N& numerics, const M& mesh, const B& body,
 }
 
 /// G2P: velocities as the transfer takes them, and the strains of the step: those of dt sum u_i (grad w_i)^T with
-/// the velocities u_i for the strains. Positions x_p += dt sum w_i u_i, on linear simplices dt sum w_i v_i.
+/// the velocities u_i for the strains. Positions x_p += dt sum w_i v_i, where the numerics move them so dt sum w_i u_i.
 template <class K, class N, class M, class B, class Field, class T = typename M::scalar, int D = M::dimension>
 std::vector<StrainStep<T, D>> g2p(const N& numerics, const M& mesh, B& body, const Field& nodes, T dt) {
   std::vector<StrainStep<T, D>> strains;
@@ -146,7 +146,7 @@ std::vector<StrainStep<T, D>> g2p(const N& numerics, const M& mesh, B& body, con
     for (int i = 0; i < cell.size; ++i) {
       const Index node = cell.nodes[static_cast<std::size_t>(i)];
       const Vec<T, D> u = nodes.strain_velocity()[node];
-      displacement += dt * w[i] * (N::maps_back_by_points ? u : nodes.velocity[node]);
+      displacement += dt * w[i] * (N::moves_mapped ? u : nodes.velocity[node]);
       for (std::size_t a = 0; a < D; ++a) {
         const auto row = static_cast<int>(a);
         straining[a] += w[i] * u[row];

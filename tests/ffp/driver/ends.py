@@ -226,8 +226,10 @@ class Resumed(DriverTest):
     def test_finished(self):
         self.run_drop("finished", *SHORT)
         before = content("finished", "summary.json")
+        open(os.path.join("finished", "checkpoint.state"), "w").close()  # as of a run that was killed as it ended
         code, out, err = drop(*SHORT, "--out", "finished", "--resume")
         self.assertEqual((code, out, err), (0, "", "arenite-ffp: the run in finished is finished; nothing to do\n"))
+        self.assertFalse(os.path.exists(os.path.join("finished", "checkpoint.state")))
         self.assertEqual(content("finished", "summary.json"), before)
         code, out, err = drop(*SHORT, "--out", "finished", "--resume", "--delta", "21")
         self.assertEqual((code, out), (2, ""))

@@ -36,7 +36,7 @@ inline constexpr bool takes_moments_of_v =
 
 /// G2P of a run of points of a cell, with weights w_i at x_p, the new node velocities v_i, and u_i, those for
 /// the strains (the same, unless MUSL maps others back):
-///   v_p, C_p: as the transfer takes them (with MUSL: in `map_back`)     x_p += dt sum w_i u_i
+///   v_p, C_p: as the transfer takes them (with MUSL: in `map_back`)     x_p += dt sum w_i v_i (`moves_mapped`: u_i)
 ///   de = sym(dt sum u_i (grad w_i)^T), in axisymmetry de_hoop = dt sum w_i u_r,i / r_p
 /// Strains go into `buffer`, that of point `origin` first (USF took them before). Returns a sum of the
 /// positions. `by_moments`: see `ProductShape::Cell::has_moments_for_slopes`.
@@ -76,12 +76,13 @@ T g2p_of_cell(const N& numerics, const Cell& cell, Index c, Points& points, std:
     }
     auto step = strain_step_of<K, N::squares>(gradient, sums.value, x, dt);
     apply_average(step, average, c);
+    const auto moving_velocity = N::maps_back && !N::moves_mapped ? line.sum(v).value : sums.value;
     if constexpr (takes_of_v)
       gather(cell, p, x, sums);
     else if constexpr (!N::maps_back)
       gather(cell, p, x, gathered_sums(gather, line, gather.velocity));
     if constexpr (!N::strains_first) buffer.store(p.first - origin, step);
-    check += move_points(p, x, sums.value, dt);
+    check += move_points(p, x, moving_velocity, dt);
   });
   return lane_sums(std::array<P, 1>{check})[0];
 }

@@ -136,7 +136,7 @@ class SceneHost : public HostedScene {
     watch_ = given_watch(run);
     const auto observe = [&](const Scene& scene) {
       bool stops = false;
-      for (auto& timer : timers) stops = detail::show(scene, timer) || stops;
+      for (auto& timer : timers) stops = timer(scene) == RunFlow::stop || stops;
       look_for_moves();
       if (!first && run.after_step) stops = run.after_step() || stops;
       if (watch_) (*watch_)(scene);

@@ -286,7 +286,7 @@ class TilesHost : public HostedScene {
     const auto call = [&] {
       for (auto& timer : timers) {
         if (time() < timer.due()) continue;
-        stops = detail::show(tiled_.first(), timer) || stops;
+        stops = timer(tiled_.first()) == RunFlow::stop || stops;
         asks = true;
       }
       due = std::numeric_limits<double>::infinity();

@@ -244,6 +244,11 @@ struct Scene {
     return joined_text({name.empty() ? TextPart(body) : TextPart(name)});
   }
 
+  /// Over a portion of a mesh: gives the warnings about a new scene, once; all scenes over the mesh ask at once.
+  void warn_when_new() requires is_portion {
+    if (communicator().least(unseen ? 1 : 0) == 1) detail::warn_about_new_scene(*this, *unseen);
+    unseen.reset();
+  }
   template <class Self = Scene>  // only asked for where there is one
   const auto& portion() const {
     return static_cast<const Self&>(*this).template part<OnPortion>().portion;

@@ -255,10 +255,7 @@ class TileMaker {
     WarningsOfTiles warnings;
     take(all, ranks, deal_tiles(tiles, ranks.size()), make);
     warnings.say(ranks);
-    all.together([](S& scene) {
-      if (scene.communicator().least(scene.unseen ? 1 : 0) == 1) warn_about_new_scene(scene, *scene.unseen);
-      scene.unseen.reset();
-    });
+    all.together([](S& scene) { scene.warn_when_new(); });
     if constexpr (S::template has_part<PointIds>) all.number_points();
     return all;
   }

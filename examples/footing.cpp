@@ -2,7 +2,7 @@
 // pressure at failure is (2 + pi) c (Prandtl 1920).
 //
 //   g++ -std=c++20 -O3 -march=native -Iinclude -I/usr/include/eigen3 examples/footing.cpp -o footing -pthread && ./footing
-//   prints: pressure 5.110 c, exact 5.142 c, -0.61 %
+//   prints: pressure 5.110 c, exact 5.142 c, -0.62 %
 #include <arenite/arenite.hpp>
 #include <cstdio>
 using namespace arenite;

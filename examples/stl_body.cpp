@@ -2,7 +2,7 @@
 // leaks, weighed, cut out of the sand and used as a rigid body. Its history goes to a table.
 //
 //   g++ -std=c++20 -O3 -march=native -Iinclude -I/usr/include/eigen3 examples/stl_body.cpp -o stl_body -pthread && ./stl_body
-//   prints: depth 0.020 m, force   273.8 N on 36 nodes
+//   prints: depth 0.020 m, force   274.3 N on 36 nodes
 #include <arenite/arenite.hpp>
 #include <arenite/geometry/triangle_surface.hpp>
 #include <arenite/io/output_file.hpp>

@@ -1,4 +1,4 @@
-"""A column of dry sand collapses, plane strain: the smallest whole scene. Gives: the toe at x = 0.264 m.
+"""A column of dry sand collapses, plane strain: the smallest whole scene. Gives: the toe at x = 0.263 m.
 
 column_collapse.py [PICTURE]"""
 

@@ -2,7 +2,7 @@
 // number of ranks.
 //
 //   mpicxx -std=c++20 -O3 -march=native -Iinclude -I/usr/include/eigen3 examples/mpi/tiles.cpp -o tiles && mpirun -n 2 ./tiles
-//   prints: the toe of the heap lies at x = 0.1651 m, of 8000 points
+//   prints: the toe of the heap lies at x = 0.165 m, of 8000 points
 #include <arenite/arenite.hpp>
 #include <arenite/mpi.hpp>
 #include <arenite/observe/vtu.hpp>

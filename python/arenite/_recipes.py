@@ -348,8 +348,10 @@ class Xpic(Kind):
 @dataclass(frozen=True)
 class Musl(Kind):
     """Update of stress last, from point velocities mapped back to the nodes once more (modified USL; Sulsky, Zhou,
-    Schreyer 1995, doi:10.1016/0010-4655(94)00170-7): nodes of little mass get no spurious strain. Elastic bodies on
-    simplices, without averages, take their stress at the middle of the step."""
+    Schreyer 1995, doi:10.1016/0010-4655(94)00170-7): nodes of little mass get no spurious strain. On grids points move
+    with the mapped velocities, too, unless the transfer is affine, so that places and strains belong together
+    (docs/decisions.md, Kernels). Elastic bodies on simplices, without averages, take their stress at the middle of the
+    step."""
 
 
 @dataclass(frozen=True)

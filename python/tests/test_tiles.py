@@ -87,7 +87,7 @@ def test_weights_and_what_is_refused(ar, in_tiles):
     for more, word in ((dict(tiles=-1), "TiledScene.tiles = -1"), (dict(tiles=2.5), r"TiledScene.tiles = 2.5: must be a whole number"),
                        (dict(tiles=True), "TiledScene.tiles = True"), (dict(rebalance_every=1.5), "TiledScene.rebalance_every = 1.5"),
                        (dict(tiles=801), "split_cells.tiles = 801: must be between 1 and the number of cells, 800"),
-                       (dict(tile_of_cell=[0.5, 1]), "tile_of_cell = an array of float64"), (dict(ranks="all"), "must be a communicator of mpi4py"),
+                       (dict(tile_of_cell=[0.5, 1]), "tile_of_cell = an array .*of float64"), (dict(ranks="all"), "must be a communicator of mpi4py"),
                        (dict(rebalance_every=0), "RebalanceOptions.every = 0"), (dict(tile_of_cell=[0, 1]), "tiles of a grid are boxes")):
         with pytest.raises(ar.Error, match=word):
             ar.run(in_tiles(**more), end=1e-4)

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from . import _core, _plugins
-from ._errors import Error, bodies_named, checks
+from ._errors import ArgumentError, Error, bodies_named, checks
 from ._html import members, table
 from ._pickle import refuse_unpicklable
 from ._recipe import Recipe, check_together, function_value
@@ -476,7 +476,7 @@ def number(name: str, value: Any, unit: str = "") -> float:
             raise TypeError
         return float(value)
     except (TypeError, ValueError, OverflowError):
-        raise Error(f"{name} = {value!r}: must be a number{', ' * bool(unit)}{unit}") from None
+        raise ArgumentError(f"{name} = {value!r}: must be a number{', ' * bool(unit)}{unit}") from None
 
 
 def observers_of(name: str, every: Optional[Every]) -> List[Tuple[float, Observer]]:

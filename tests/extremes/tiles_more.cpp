@@ -49,14 +49,14 @@ Outcome compared(Draw& d, const Mesh& whole_mesh, const Data& data) {
   const int tiles = 1 + d.random.pick(8);
   const auto mean = d.random.template direction<D>();
   const double size = d.cell * (is_simplex_mesh<Mesh> && D == 3 ? 4 : cells_along<D>);
-  double faster = 1;
-  const auto velocity = [&d, &faster, mean, size](const std::array<double, 3>& x) {
+  double stiffer = 1;
+  const auto velocity = [&d, mean, size](const std::array<double, 3>& x) {
     std::array<double, 3> v{};
-    const double speed = faster * d.speed, rate = 2 * speed / size;
+    const double rate = 2 * d.speed / size;
     if (d.motion == Motion::spin) v = {-rate * (x[1] - size / 2), rate * (x[0] - size / 2), 0};
     for (int k = 0; k < D && d.motion != Motion::spin; ++k) {
       const auto i = static_cast<std::size_t>(k);
-      v[i] = d.motion == Motion::stretch ? rate * mean[k] * (x[i] - size / 2) : speed * mean[k];
+      v[i] = d.motion == Motion::stretch ? rate * mean[k] * (x[i] - size / 2) : d.speed * mean[k];
     }
     if (K::hoop) v[0] = 0;
     return v;
@@ -65,9 +65,13 @@ Outcome compared(Draw& d, const Mesh& whole_mesh, const Data& data) {
     const Blob region = blob<D>(d, size, 0, 1, K::hoop);
     FillOptions fills = fill_options(d, whole_mesh);
     fills.velocity = velocity;
-    return Scene{
-        K{},           mesh,      numerics_of<N>(d), bodies(fill(region, law<L>(d), fills)), walls_of<D>(d),
-        gravity_of(d), portion...};
+    return Scene{K{},
+                 mesh,
+                 numerics_of<N>(d),
+                 bodies(fill(region, law<L>(d, stiffer), fills)),
+                 walls_of<D>(d),
+                 gravity_of(d),
+                 portion...};
   };
   Outcome o;
   o.message = joined_text({tiles, " tiles"});
@@ -92,23 +96,23 @@ Outcome compared(Draw& d, const Mesh& whole_mesh, const Data& data) {
     // than a tile sees beyond its own ends the run of tiles.
     const bool too_far = other.find("beyond its ghost cells") != other.npos;
     if ((!one.empty() && !other.empty()) || too_far) return end_with(Ending::stopped, other);
-    if (one.empty() != other.empty() || whole.steps != cut.steps())
+    if (one.empty() != other.empty())
       return end_with(Ending::untyped, joined_text({"alone: ", one, " ", whole.steps, " steps; in tiles: ",
                                                     other, " ", cut.steps(), " steps"}));
     if (!of_cut.finite) return end_with(Ending::nan);
-    if (of_cut.points != of_whole.points)
-      return end_with(Ending::pushed, joined_text({of_cut.points, " points for ", of_whole.points}));
     // What is at rest moves by round-off of its stresses.
     const double still = 1e-6 * of_whole.mass * d.wave();
-    const auto apart = [&](const Sums& from) {  // in momentum and in energy, over what is let be
-      return std::max((from.momentum - of_whole.momentum).norm() / (1e-6 * (of_whole.carried + still)),
-                      (std::abs(from.kinetic - of_whole.kinetic) + std::abs(from.strain - of_whole.strain)) /
-                          (1e-5 * (of_whole.kinetic + std::abs(of_whole.strain) + 1e-6 * still * d.wave())));
+    const auto apart = [&](const Sums& from) {  // in points; in momentum and in energy, over what is let be
+      return std::max<double>(
+          {std::abs(static_cast<double>(from.points) - static_cast<double>(of_whole.points)),
+           (from.momentum - of_whole.momentum).norm() / (1e-6 * (of_whole.carried + still)),
+           (std::abs(from.kinetic - of_whole.kinetic) + std::abs(from.strain - of_whole.strain)) /
+               (1e-5 * (of_whole.kinetic + std::abs(of_whole.strain) + 1e-6 * still * d.wave()))});
     };
     o.momentum = apart(of_cut);
     if (o.momentum <= 1) return end_with(Ending::sound);
-    // Or what round-off comes to in such a scene: alone, set out by 1e-12 faster.
-    faster = 1 + 1e-12;
+    // Or what round-off comes to in such a scene: alone, stiffer by 1e-12.
+    stiffer = 1 + 1e-12;
     auto shaken = make(whole_mesh);
     run_of(shaken, options);
     Sums of_shaken;

@@ -76,7 +76,7 @@ MeshPlaces mesh_places(const Scene& scene, std::size_t most, IsMeant&& is_meant)
   if constexpr (Scene::is_portion) near = scene.communicator().gather(near);
   std::vector<std::size_t> order(near.size() / row);
   for (std::size_t k = 0; k < order.size(); ++k) order[k] = row * k;
-  std::ranges::sort(order, {}, [&](std::size_t k) { return near[k]; });
+  if constexpr (Scene::is_portion) std::ranges::sort(order, {}, [&](std::size_t k) { return near[k]; });
   for (const Index n : spread_numbers(order.size(), most)) {
     const double* const node = &near[order[n]];
     MeshPlaces::Position x{node[1], node[2], node[3]};

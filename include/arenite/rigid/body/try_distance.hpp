@@ -65,20 +65,20 @@ MeshPlaces mesh_places(const Scene& scene, std::size_t most, IsMeant&& is_meant)
         is_meant(in_space(nodes.position(i)), static_cast<double>(scene.mesh.node_size(i))))
       meant.push_back(i);
   constexpr std::size_t row = 5;
-  std::vector<double> near;  // of each node its number, position and size
+  std::vector<double> close;  // of each node its number, position and size
   for (const Index n : spread_numbers(meant.size(), most)) {
     const Index i = meant[n];
     const auto x = in_space(nodes.position(i));
     double number = i;
     if constexpr (Scene::is_portion) number = static_cast<double>(scene.portion().whole_node[i]);
-    near.insert(near.end(), {number, x[0], x[1], x[2], static_cast<double>(scene.mesh.node_size(i))});
+    close.insert(close.end(), {number, x[0], x[1], x[2], static_cast<double>(scene.mesh.node_size(i))});
   }
-  if constexpr (Scene::is_portion) near = scene.communicator().gather(near);
-  std::vector<std::size_t> order(near.size() / row);
+  if constexpr (Scene::is_portion) close = scene.communicator().gather(close);
+  std::vector<std::size_t> order(close.size() / row);
   for (std::size_t k = 0; k < order.size(); ++k) order[k] = row * k;
-  if constexpr (Scene::is_portion) std::ranges::sort(order, {}, [&](std::size_t k) { return near[k]; });
+  if constexpr (Scene::is_portion) std::ranges::sort(order, {}, [&](std::size_t k) { return close[k]; });
   for (const Index n : spread_numbers(order.size(), most)) {
-    const double* const node = &near[order[n]];
+    const double* const node = &close[order[n]];
     MeshPlaces::Position x{node[1], node[2], node[3]};
     const double size = node[4];
     for (std::size_t k = 0; k < x.size(); ++k)

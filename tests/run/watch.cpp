@@ -296,6 +296,22 @@ TEST_CASE("Work of gravity and of a driven body is no gain, with and without an 
   CHECK(check(shaken) <= 0.01);
 }
 
+TEST_CASE("Gravity that changes between two looks does its work at its own strength") {
+  Scene scene{
+      PlaneStrain{}, grid(), Numerics<QuadraticBSpline>{},
+      bodies(fill(Box{{0.3, 0.2}, {0.7, 0.6}}, LinearElastic{{.density = 1000, .young = 1e5, .poisson = 0.3}},
+                  {.per_cell = 4, .velocity = {0, 2, 0}})),
+      gravity({0, -10}, [](double t) { return t < 0.1 ? 1.0 : 0.1; })};
+  Watch watch{{.every = 60}};
+  const Said s = said([&] { run(scene, {.end = 0.2}, watch); });
+  CHECK(s.error == "");
+  REQUIRE(scene.steps >= 60);  // one look behind the first
+  REQUIRE(scene.steps < 120);
+  // v: 2, 1 and 0.9 m/s, to one step. At the strength of before, gravity takes 0.43 of the throw's energy more.
+  CHECK(std::abs(scene.body().points.velocity[0][1] - 0.9) <= 10 * 0.005);
+  CHECK(of(watch, "energy_gain").worst <= 0.01);
+}
+
 TEST_CASE("Volume, stress and lost points: a tenth warns once, the limit stops, with body and place") {
   auto scene = sand_block();
   run(scene, {.end = 0.002});

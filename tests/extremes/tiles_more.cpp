@@ -99,17 +99,19 @@ Outcome compared(Draw& d, const Mesh& whole_mesh, const Data& data) {
     if (one.empty() != other.empty())
       return end_with(Ending::untyped, joined_text({"alone: ", one, " ", whole.steps, " steps; in tiles: ",
                                                     other, " ", cut.steps(), " steps"}));
-    if (!of_cut.finite) return end_with(Ending::nan);
+    if (!of_whole.finite || !of_cut.finite) return end_with(Ending::nan);
     // What is at rest moves by round-off of its stresses.
     const double still = 1e-6 * of_whole.mass * d.wave();
-    const auto apart = [&](const Sums& from) {  // in points; in momentum and in energy, over what is let be
+    // In points and steps, of which none may differ; in momentum and in energy, over what is let be.
+    const auto apart = [&](const Sums& from, std::size_t its_steps) {
       return std::max<double>(
-          {std::abs(static_cast<double>(from.points) - static_cast<double>(of_whole.points)),
+          {2 * std::abs(static_cast<double>(from.points) - static_cast<double>(of_whole.points)),
+           2 * std::abs(static_cast<double>(its_steps) - static_cast<double>(whole.steps)),
            (from.momentum - of_whole.momentum).norm() / (1e-6 * (of_whole.carried + still)),
            (std::abs(from.kinetic - of_whole.kinetic) + std::abs(from.strain - of_whole.strain)) /
                (1e-5 * (of_whole.kinetic + std::abs(of_whole.strain) + 1e-6 * still * d.wave()))});
     };
-    o.momentum = apart(of_cut);
+    o.momentum = apart(of_cut, cut.steps());
     if (o.momentum <= 1) return end_with(Ending::sound);
     // Or what round-off comes to in such a scene: alone, stiffer by 1e-12.
     stiffer = 1 + 1e-12;
@@ -117,7 +119,7 @@ Outcome compared(Draw& d, const Mesh& whole_mesh, const Data& data) {
     run_of(shaken, options);
     Sums of_shaken;
     of_shaken.add(shaken);
-    o.momentum /= 100 * apart(of_shaken);
+    o.momentum /= 100 * apart(of_shaken, shaken.steps);
     return end_with(o.momentum <= 1 ? Ending::sound : Ending::pushed);
   } catch (const error& e) {
     return end_with(Ending::refused, e.what());

@@ -54,6 +54,7 @@ def merge(app: Sphinx, env: Any, docnames: Any, other: Any) -> None:
 def begin(app: Sphinx) -> None:
     if not hasattr(app.env, "arenite_sources"):
         app.env.arenite_sources = {}
+    app.env.arenite_trees = {}
 
 
 def source_pages(app: Sphinx) -> Iterator[Tuple[str, Dict[str, Any], str]]:
@@ -72,10 +73,25 @@ def source_pages(app: Sphinx) -> Iterator[Tuple[str, Dict[str, Any], str]]:
         yield page_of(path), {"title": title, "body": f"<h1>{title}</h1>\n{body}"}, "page.html"
 
 
+def share_tree(app: Sphinx, pagename: str, templatename: str, context: Dict[str, Any], doctree: Any) -> None:
+    """Pages of source of one folder have the same tree of pages beside them: it is made once, not for each of hundreds of pages."""
+    if pagename.startswith("source/") and "toctree" in context:
+        made, tree, folder = app.env.arenite_trees, context["toctree"], posixpath.dirname(pagename)
+
+        def toctree(**options: Any) -> str:
+            key = (folder, *sorted(options.items()))
+            if key not in made:
+                made[key] = tree(**options)
+            return made[key]
+
+        context["toctree"] = toctree
+
+
 def setup(app: Sphinx) -> Dict[str, Any]:
     app.connect("builder-inited", begin)
     app.connect("env-purge-doc", forget)
     app.connect("env-merge-info", merge)
     app.connect("doctree-read", lead_to_pages, priority=100)  # before Sphinx collects what is to be downloaded
     app.connect("html-collect-pages", source_pages)
+    app.connect("html-page-context", share_tree, priority=100)  # before the theme asks for the tree
     return {"parallel_read_safe": True}

@@ -156,11 +156,11 @@ struct Setup : RandomBody<typename N_::Shape, M_, N_::extra_columns, N_::maps_ba
 
 template <class T = double>
 CartesianGrid<2, T> flat_grid() {
-  return CartesianGrid<2, T>({.lower = {0, 0}, .upper = {1.25, 1}, .cell = 0.25});
+  return CartesianGrid<2, T>({.lower = {0, 0}, .upper = {1.25, 1.25}, .cell = 0.25});
 }
 template <class T = double>
 CartesianGrid<3, T> solid_grid() {
-  return CartesianGrid<3, T>({.lower = {0, 0, 0}, .upper = {0.75, 0.5, 1}, .cell = 0.25});
+  return CartesianGrid<3, T>({.lower = {0, 0, 0}, .upper = {0.75, 0.75, 1}, .cell = 0.25});
 }
 
 }  // namespace arenite::test

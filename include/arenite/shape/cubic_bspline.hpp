@@ -18,12 +18,13 @@ template <class T>
 class CubicBSplineLine {
  public:
   static constexpr std::size_t nodes = 4;
+  static constexpr Index cells_at_face = 2;
   /// 3.14 away from the faces. A thin layer on a fixed face needs more: 9 of the node beside it, whose slope
   /// is 3, and 6 of the next one, 15 across the face and 3.14 along it; a free one 13.7 and 3.14.
   static constexpr double steepness = 10;
   static constexpr double least_beside_face = 1;
 
-  static T place(Index i, Index cells) {
+  static constexpr T place(Index i, Index cells) {
     return (knot(i, -2, cells) + knot(i, -1, cells) + knot(i, 0, cells)) / 3;
   }
   template <grid_knots Knots>
@@ -31,7 +32,7 @@ class CubicBSplineLine {
     return (at(i, -2) + at(i, -1) + at(i, 0)) / 3;
   }
 
-  CubicBSplineLine(Index cell, Index cells) {
+  constexpr CubicBSplineLine(Index cell, Index cells) {
     for (int j = 0; j < 2; ++j) {
       before_[static_cast<std::size_t>(j)] = static_cast<T>(cell) - knot(cell, -1 - j, cells);
       after_[static_cast<std::size_t>(j)] = knot(cell, 2 + j, cells) - static_cast<T>(cell);
@@ -67,12 +68,12 @@ class CubicBSplineLine {
   }
 
  private:
-  void take_spans() {
+  constexpr void take_spans() {
     quadratic_ = {1 / (1 + before_[0]), 1 / after_[0]};
     cubic_ = {1 / (1 + before_[1]), 1 / (after_[0] + before_[0]), 1 / after_[1]};
   }
 
-  static T knot(Index i, int shift, Index cells) {
+  static constexpr T knot(Index i, int shift, Index cells) {
     const auto at = static_cast<std::int64_t>(i) + shift;
     return static_cast<T>(std::clamp<std::int64_t>(at, 0, cells));
   }
@@ -85,9 +86,9 @@ class CubicBSplineLine {
             s * high * P(cubic_[2])};
   }
 
-  std::array<T, 2> before_, after_;  // distances of the knots outside from the cell's lower end
-  std::array<T, 2> quadratic_;       // 1 / the support of the linear functions
-  std::array<T, 3> cubic_;           // 1 / the support of the quadratic functions
+  std::array<T, 2> before_{}, after_{};  // distances of the knots outside from the cell's lower end
+  std::array<T, 2> quadratic_{};       // 1 / the support of the linear functions
+  std::array<T, 3> cubic_{};           // 1 / the support of the quadratic functions
 };
 
 /// Cubic B-splines on a grid.

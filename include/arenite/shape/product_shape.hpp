@@ -31,7 +31,11 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 ///   place of line i + j of the grid, m, that of the face beyond it;
 /// - `Line(cell, cells)`; `values(s)` [N] and `slopes(s, scale)` [N], the derivatives times a scale, for s a
 ///   scalar or a pack;
-/// - `inverse_inertia()`: 1 / sum w (x_i - x)^2 if that is the same everywhere in the cell, else 0.
+/// - `inverse_inertia()`: 1 / sum w (x_i - x)^2 if that is the same everywhere in the cell, else 0;
+/// - `cells_at_face` (optional): on equal cells the functions are the same in all cells but so many at either face,
+///   and the middle one is nowhere small there; then `place` and the constructor are `constexpr`.
+///
+/// In each cell the values add up to 1, and times the places of their nodes to s; the slopes add up to 0.
 template <template <class> class Line>
 struct ProductShape {
   static constexpr bool constant_gradient = false;
@@ -126,11 +130,22 @@ struct ProductShape {
     return i;
   }
 
-  /// The functions of one cell: made once a cell, evaluated for each of its points.
-  template <class M>
+  /// Calls `f` with the functions of a cell, those of a cell away from the faces in a type of their own, whose
+  /// functions the compiler knows.
+  template <class M, class F>
+  static auto visit_cell(const M& grid, Index c, F&& f) {
+    const auto place = grid.place(c);
+    if constexpr (has_inner_cells<M>)
+      if (is_inner(grid, place)) return f(Cell<M, true>(grid, place));
+    return f(Cell<M>(grid, place));
+  }
+
+  /// The functions of one cell: made once a cell, evaluated for each of its points. `Inner`: of one away from the faces.
+  template <class M, bool Inner = false>
   class Cell {
    public:
     using T = typename M::scalar;
+    static constexpr bool is_inner = Inner;
     static constexpr int D = M::dimension;
     static constexpr std::size_t nodes_per_axis = ProductShape::nodes_per_axis;
     static constexpr std::size_t plane = nodes_per_axis * nodes_per_axis;
@@ -138,7 +153,9 @@ struct ProductShape {
     using Weights = Vec<T, size>;
     using Gradients = Eigen::Matrix<T, D, size, Eigen::DontAlign>;
 
-    Cell(const M& grid, Index cell) : Cell(grid, grid.place(cell), std::make_index_sequence<D>{}) {}
+    Cell(const M& grid, Index cell) : Cell(grid, grid.place(cell)) {}
+    Cell(const M& grid, const std::array<Index, D>& place)
+        : Cell(grid, place, std::make_index_sequence<D>{}) {}
 
     /// [N^D] values at x.
     Weights weights(const Vec<T, D>& x) const {
@@ -175,13 +192,13 @@ struct ProductShape {
     template <class P>
     std::array<std::array<P, nodes_per_axis>, D> line_values(const std::array<P, D>& x) const {
       std::array<std::array<P, nodes_per_axis>, D> value;
-      repeat<D>([&](std::size_t k) { value[k] = line_[k].values(local(k, x)); });
+      repeat<D>([&](std::size_t k) { value[k] = line(k).values(local(k, x)); });
       return value;
     }
     template <class P>
     std::array<std::array<P, nodes_per_axis>, D> line_slopes(const std::array<P, D>& x) const {
       std::array<std::array<P, nodes_per_axis>, D> slope;
-      repeat<D>([&](std::size_t k) { slope[k] = line_[k].slopes(local(k, x), per_metre_[k]); });
+      repeat<D>([&](std::size_t k) { slope[k] = line(k).slopes(local(k, x), per_metre_[k]); });
       return slope;
     }
 
@@ -202,12 +219,12 @@ struct ProductShape {
     std::array<P, D> inverse_inertia(const std::array<P, D>& x) const {
       std::array<P, D> inverse;
       for (std::size_t k = 0; k < D; ++k) {
-        if (const T even = line_[k].inverse_inertia(); even > 0) {
+        if (const T even = line(k).inverse_inertia(); even > 0) {
           inverse[k] = P(even * per_metre_[k] * per_metre_[k]);
           continue;
         }
         const P offset = x[k] - P(lower_[static_cast<int>(k)]);
-        const auto w = line_[k].values(local(k, x));
+        const auto w = line(k).values(local(k, x));
         P inertia(0);
         for (std::size_t i = 0; i < nodes_per_axis; ++i)
           inertia += w[i] * square(P(P(along_[k][i]) - offset));
@@ -220,7 +237,9 @@ struct ProductShape {
     /// Whether the slopes of this cell are values times `offsets` times `inverse_inertia`: a kernel that sums these has the gradient, too.
     bool has_moments_for_slopes() const requires requires { Line<T>::slopes_are_moments; }
     {
-      return std::ranges::all_of(line_, [](const auto& line) { return line.inverse_inertia() > 0; });
+      bool all = true;
+      for (std::size_t k = 0; k < D; ++k) all = all && line(k).inverse_inertia() > 0;
+      return all;
     }
 
     std::array<Index, size> nodes;
@@ -232,7 +251,7 @@ struct ProductShape {
           corner_{lower_},
           edge_(grid, place),
           per_metre_(grid, place),
-          line_{line(grid, static_cast<int>(K), place[K])...} {
+          line_{line_of(grid, static_cast<int>(K), place[K])...} {
       std::array<std::array<Index, nodes_per_axis>, D>
           number;  // of the nodes along each axis, times its stride
       Index stride = 1;
@@ -242,7 +261,10 @@ struct ProductShape {
         corner_[axis] = corner_of(grid, axis, place[k]);
         for (std::size_t i = 0; i < nodes_per_axis; ++i) {
           const Index at = place[k] + static_cast<Index>(i);
-          along_[k][i] = ProductShape::place(grid, axis, at);
+          if constexpr (Inner)
+            along_[k][i] = grid.edge() * (static_cast<T>(place[k]) + inner_place(i));
+          else
+            along_[k][i] = ProductShape::place(grid, axis, at);
           number[k][i] =
               stride * ((is_periodic<M>(axis) && at >= count ? at - count : at) - first_cell(grid, axis));
         }
@@ -254,13 +276,24 @@ struct ProductShape {
       });
     }
 
-    static Line<T> line(const M& grid, int axis, Index at) {
+    static Line<T> line_of(const M& grid, int axis, Index at) {
       if constexpr (is_rectilinear<M>)
         return Line<T>(at, grid.knots(axis));
       else if (is_periodic<M>(axis))  // as in the middle of a longer axis
         return Line<T>(at + halo, grid.cells(axis) + 2 * halo);
       else
         return Line<T>(at, whole_cells(grid, axis));
+    }
+    const Line<T>& line(std::size_t k) const {
+      if constexpr (Inner)
+        return inner_line<T>;
+      else
+        return line_[k];
+    }
+    // Of a node of an inner cell from the cell's lower end, in cell edges.
+    static constexpr T inner_place(std::size_t i) {
+      constexpr Index at_face = Line<T>::cells_at_face;
+      return Line<T>::place(at_face + static_cast<Index>(i), 2 * at_face + 1) - static_cast<T>(at_face);
     }
     T corner_of(const M& grid, int axis, Index at) const {
       if constexpr (is_rectilinear<M>)
@@ -316,9 +349,27 @@ struct ProductShape {
     Vec<T, D> lower_, corner_;
     Edges<false> edge_;
     Edges<true> per_metre_;
-    std::array<Line<T>, D> line_;
+    [[no_unique_address]] std::conditional_t<Inner, Nothing, std::array<Line<T>, D>> line_;
     std::array<std::array<T, nodes_per_axis>, D> along_;  // of the nodes from the grid's lower corner, m
   };
+
+ private:
+  template <class M>
+  static constexpr bool has_inner_cells = !is_rectilinear<M> && requires {
+    Line<double>::cells_at_face;
+  };
+  template <class M>
+  static bool is_inner(const M& grid, const std::array<Index, M::dimension>& place) {
+    constexpr Index at_face = Line<double>::cells_at_face;
+    bool inner = true;
+    for (int k = 0; k < M::dimension; ++k) {
+      const Index at = place[static_cast<std::size_t>(k)];
+      inner = inner && (is_periodic<M>(k) || (at >= at_face && at + at_face < whole_cells(grid, k)));
+    }
+    return inner;
+  }
+  template <class T>
+  static constexpr Line<T> inner_line{Line<T>::cells_at_face, 2 * Line<T>::cells_at_face + 1};
 };
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -18,11 +18,12 @@ template <class T>
 class QuadraticBSplineLine {
  public:
   static constexpr std::size_t nodes = 3;
+  static constexpr Index cells_at_face = 1;
   /// 4 + (1 - 2 s)^2 / (1/2 + s - s^2) at the place s of a cell.
   static constexpr double steepness = 6;
   static constexpr double least_beside_face = 0.5;
 
-  static T place(Index i, Index cells) {
+  static constexpr T place(Index i, Index cells) {
     const auto knot = [cells](Index j) { return static_cast<T>(j <= 2 ? 0 : std::min(j - 2, cells)); };
     return (knot(i + 1) + knot(i + 2)) / 2;
   }
@@ -31,7 +32,7 @@ class QuadraticBSplineLine {
     return (knot(i, -1) + knot(i, 0)) / 2;
   }
 
-  QuadraticBSplineLine(Index cell, Index cells)
+  constexpr QuadraticBSplineLine(Index cell, Index cells)
       : before_{cell == 0 ? T(0) : T(1)},
         after_{cell + 1 == cells ? T(0) : T(1)},
         first_{1 / (1 + before_)},

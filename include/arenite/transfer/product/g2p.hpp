@@ -11,23 +11,44 @@
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 namespace product {
 
-/// Sums over node vectors with the functions of `line`: with moments if a transfer needs them, and with those
-/// over its vectors `second`.
-template <class Gather, class Line, class Rows, class... Kinds>
-auto gathered_sums(const Gather& gather, const Line& line, const Rows& rows, const Kinds&... kind) {
-  const auto sums = [&] {
-    if constexpr (Gather::needs_moments)
-      return line.sum(rows, kind..., line.moment);
+/// Node vectors of a cell of which its points take sums for their transfer.
+template <class Cell, class Gather>
+struct TransferVectors {
+  static constexpr bool has_second = requires(const Gather gather) { gather.second; };
+  Differences<Cell> vectors;  // d_i, the new velocities where the transfer has none of its own
+  [[no_unique_address]] std::conditional_t<has_second, Differences<Cell>, Nothing> second;
+
+  template <class Nodes>
+  TransferVectors(const Cell& cell, const Nodes& nodes, const Gather& gather)
+      : vectors{[&] {
+          if constexpr (std::same_as<decltype(gather.velocity), Nothing>)
+            return Differences<Cell>(cell, nodes.velocity);
+          else
+            return Differences<Cell>(gather.velocity);
+        }()},
+        second{[&] {
+          if constexpr (has_second)
+            return Differences<Cell>(gather.second);
+          else
+            return Nothing{};
+        }()} {}
+
+  /// Sums with the functions of `line`: by `kind`, with moments if the transfer needs them, and of its second vectors beside.
+  template <class Line, class... Kinds>
+  auto sums(const Line& line, const Kinds&... kind) const {
+    keep_in_memory(*this);
+    const auto sums = [&] {
+      if constexpr (Gather::needs_moments)
+        return line.sum(vectors, kind..., line.moment);
+      else
+        return line.sum(vectors, kind...);
+    };
+    if constexpr (has_second)
+      return TwoSums{sums(), line.sum(second).value};
     else
-      return line.sum(rows, kind...);
-  };
-  if constexpr (requires { gather.second; }) {
-    keep_in_memory(gather.second);
-    return TwoSums{sums(), line.sum(gather.second).value};
-  } else {
-    return sums();
+      return sums();
   }
-}
+};
 
 /// Whether a transfer takes the moments of the new velocities themselves.
 template <class Gather>
@@ -45,25 +66,26 @@ template <class K, bool by_moments, class N, class Cell, class Points, class Fie
 T g2p_of_cell(const N& numerics, const Cell& cell, Index c, Points& points, std::size_t begin,
               std::size_t end, const Field& nodes, T dt, const Average& average, Buffer& buffer,
               std::size_t origin) {
-  using Rows = CellVectors<T, Cell::D, Cell::size>;
   constexpr int width = cell_width<Cell::D, N::template width<T>>;
   using P = lanes_of<T, width>;
-  const Rows v(cell, nodes.velocity);
-  const std::conditional_t<N::maps_back, Rows, Nothing> mapped(cell, nodes.strain_velocity());
-  const auto& u = value_or(mapped, v);
+  using Vectors = Differences<Cell>;
   const auto gather = numerics.transfer.gather(cell, nodes);
-  // What is taken of v itself costs no sum of its own.
+  using Taken = TransferVectors<Cell, std::remove_cvref_t<decltype(gather)>>;
+  // What is taken of the new velocities themselves costs no sum of its own.
   constexpr bool takes_of_v = !N::maps_back && std::same_as<decltype(gather.velocity), Nothing>;
+  const std::conditional_t<N::maps_back, Nothing, Taken> taken(cell, nodes, gather);
+  const std::conditional_t<takes_of_v, Nothing, Vectors> u(cell, nodes.strain_velocity());
+  const std::conditional_t<N::maps_back && !N::moves_mapped, Vectors, Nothing> v(cell, nodes.velocity);
   P check(0);
   for_each_pack<width>(points, begin, end, [&](const auto& p) {
     const auto x = p.position();
     const Lines<P, Cell> line(cell, x);
-    keep_in_memory(v), keep_in_memory(u);
+    keep_in_memory(u), keep_in_memory(v);
     const auto sums = [&] {
       if constexpr (by_moments)
-        return gathered_sums(gather, line, u);
+        return taken.sums(line);
       else if constexpr (takes_of_v)
-        return gathered_sums(gather, line, u, line.slope);
+        return taken.sums(line, line.slope);
       else
         return line.sum(u, line.slope);
     }();
@@ -76,11 +98,16 @@ T g2p_of_cell(const N& numerics, const Cell& cell, Index c, Points& points, std:
     }
     auto step = strain_step_of<K, N::squares>(gradient, sums.value, x, dt);
     apply_average(step, average, c);
-    const auto moving_velocity = N::maps_back && !N::moves_mapped ? line.sum(v).value : sums.value;
+    const auto moving_velocity = [&] {
+      if constexpr (N::maps_back && !N::moves_mapped)
+        return line.sum(v).value;
+      else
+        return sums.value;
+    }();
     if constexpr (takes_of_v)
       gather(cell, p, x, sums);
     else if constexpr (!N::maps_back)
-      gather(cell, p, x, gathered_sums(gather, line, gather.velocity));
+      gather(cell, p, x, taken.sums(line));
     if constexpr (!N::strains_first) buffer.store(p.first - origin, step);
     check += move_points(p, x, moving_velocity, dt);
   });
@@ -91,15 +118,16 @@ template <class K, class N, class M, class Points, class Field, class T, class A
 ARENITE_KERNEL T g2p(const N& numerics, const M& mesh, Index c, Points& points, std::size_t begin,
                      std::size_t end, const Field& nodes, T dt, const Average& average, Buffer& buffer,
                      std::size_t origin) {
-  const typename N::Shape::template Cell<M> cell(mesh, c);
-  const auto of_cell = [&]<bool by_moments>(std::bool_constant<by_moments>) {
-    return g2p_of_cell<K, by_moments>(numerics, cell, c, points, begin, end, nodes, dt, average, buffer,
-                                      origin);
-  };
-  using Gather = decltype(numerics.transfer.gather(cell, nodes));
-  if constexpr (!N::maps_back && takes_moments_of_v<Gather> && requires { cell.has_moments_for_slopes(); })
-    if (cell.has_moments_for_slopes()) return of_cell(std::true_type{});
-  return of_cell(std::false_type{});
+  return N::Shape::visit_cell(mesh, c, [&](const auto& cell) {
+    const auto of_cell = [&]<bool by_moments>(std::bool_constant<by_moments>) {
+      return g2p_of_cell<K, by_moments>(numerics, cell, c, points, begin, end, nodes, dt, average, buffer,
+                                        origin);
+    };
+    using Gather = std::remove_cvref_t<decltype(numerics.transfer.gather(cell, nodes))>;
+    if constexpr (!N::maps_back && takes_moments_of_v<Gather> && requires { cell.has_moments_for_slopes(); })
+      if (cell.has_moments_for_slopes()) return of_cell(std::true_type{});
+    return of_cell(std::false_type{});
+  });
 }
 
 }  // namespace product

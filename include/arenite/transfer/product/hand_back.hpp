@@ -6,7 +6,7 @@
 #include <arenite/transfer/node_field.hpp>
 #include <arenite/transfer/numerics.hpp>
 #include <arenite/transfer/point_pack.hpp>
-#include <arenite/transfer/product/rows.hpp>
+#include <arenite/transfer/product/p2g.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 namespace product {
@@ -17,23 +17,20 @@ namespace product {
 template <class N, class Cell, class B, class Vectors, class F>
 void hand_back(const Cell& cell, B& body, Index c, Vectors& to, F&& field) {
   using T = typename Cell::T;
-  using Momentum = NodeLanes<ChannelList<Channel<node_channel::Momentum, Cell::D>>, ChannelList<>>;
-  using Sums = Rows<Cell, Momentum, N::template width<T>>;
+  using Sums = Rows<Cell, N::template width<T>, N::Transfer::affine ? Handed::both : Handed::by_value>;
+  using P = typename Sums::P;
   Sums rows;
-  const auto spread = [&] {
-    rows.spread([&](std::size_t i, std::size_t lane, const auto& sum) {
+  const auto hand = [&](const auto& p, const auto& x, const auto& line) {
+    const P m = p.mass();
+    const auto v = field(p, x, line);
+    std::array<P, Cell::D> own;
+    repeat<own.size()>([&](std::size_t d) { own[d] = m * v.value[d]; });
+    rows.template hand<0>(line, own, moment_of(m, v), Nothing{});
+  };
+  for_each_row(rows, cell, body, c, hand, [&] {
+    rows.template spread<0>([&](std::size_t i, std::size_t lane, const auto& sum) {
       to.add(cell.nodes[i], node_pack<T, Cell::D>(lane, sum));
     });
-  };
-  std::size_t left = body.cells[c].size();
-  for_each_pack<Sums::width>(body.cells, c, body.points, [&](const auto& p) {
-    const auto x = p.position();
-    const Lines<typename Sums::P, Cell> line(cell, x);
-    typename Sums::Handed handed;
-    handed.momentum(p.mass(), field(p, x, line));
-    rows.push(p.count, handed, line);
-    left -= static_cast<std::size_t>(p.count);  // one call of `spread`, as in P2G
-    if (rows.full() || left == 0) spread();
   });
 }
 

@@ -13,15 +13,13 @@ namespace product {
 ///   m_p w_i v_p(x_i)
 template <class N, class M, class B, class Field>
 ARENITE_KERNEL void map_back(const N& numerics, const M& mesh, B& body, Index c, Field& nodes) {
-  using T = typename M::scalar;
-  using Cell = typename N::Shape::template Cell<M>;
-  const Cell cell(mesh, c);
-  const CellVectors<T, M::dimension, Cell::size> v(cell, nodes.velocity);
-  const auto gather = numerics.transfer.gather(cell, nodes);
-  const auto& gathered = value_or(gather.velocity, v);
-  hand_back<N>(cell, body, c, nodes.mapped, [&](const auto& p, const auto& x, const auto& line) {
-    keep_in_memory(gathered);
-    return gather(cell, p, x, gathered_sums(gather, line, gathered));
+  N::Shape::visit_cell(mesh, c, [&](const auto& cell) {
+    using Cell = std::remove_cvref_t<decltype(cell)>;
+    const auto gather = numerics.transfer.gather(cell, nodes);
+    const TransferVectors<Cell, std::remove_cvref_t<decltype(gather)>> taken(cell, nodes, gather);
+    hand_back<N>(cell, body, c, nodes.mapped, [&](const auto& p, const auto& x, const auto& line) {
+      return gather(cell, p, x, taken.sums(line));
+    });
   });
 }
 

@@ -12,13 +12,12 @@ namespace product {
 ///   m_p w_i sum_j w_j r_j
 template <class N, class M, class B, class Field>
 ARENITE_KERNEL void map_residual(const M& mesh, const B& body, Index c, Field& nodes) {
-  using T = typename M::scalar;
-  using Cell = typename N::Shape::template Cell<M>;
-  const Cell cell(mesh, c);
-  const CellVectors<T, M::dimension, Cell::size> residual(cell, nodes.residual);
-  hand_back<N>(cell, body, c, nodes.mapped_residual, [&](const auto&, const auto&, const auto& line) {
-    keep_in_memory(residual);
-    return VelocityField{line.sum(residual).value};
+  N::Shape::visit_cell(mesh, c, [&](const auto& cell) {
+    const Differences<std::remove_cvref_t<decltype(cell)>> residual(cell, nodes.residual);
+    hand_back<N>(cell, body, c, nodes.mapped_residual, [&](const auto&, const auto&, const auto& line) {
+      keep_in_memory(residual);
+      return VelocityField{line.sum(residual).value};
+    });
   });
 }
 

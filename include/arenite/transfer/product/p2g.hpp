@@ -6,72 +6,120 @@
 #include <arenite/transfer/node_field.hpp>
 #include <arenite/transfer/numerics.hpp>
 #include <arenite/transfer/point_pack.hpp>
-#include <arenite/transfer/product/momentum_rows.hpp>
 #include <arenite/transfer/product/rows.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 namespace product {
 
+/// Calls `hand(p, x, line)` for the points of a cell, whose rows are then spread by `spread()`.
+template <class Rows, class Cell, class B, class F, class Spread>
+void for_each_row(Rows& rows, const Cell& cell, B& body, Index c, F&& hand, Spread&& spread) {
+  std::size_t left = body.cells[c].size();
+  for_each_pack<Rows::width>(body.cells, c, body.points, [&](const auto& p) {
+    const auto x = p.position();
+    const Lines<typename Rows::P, Cell> line(cell, x);
+    hand(p, x, line);
+    rows.take(p.count, line);
+    // One call for full rows and for the last ones: it is the better part of the kernel, and compiled once.
+    left -= static_cast<std::size_t>(p.count);
+    if (!rows.full() && left > 0) return;
+    spread();
+    rows.forget();
+  });
+}
+
+/// Adds lanes to those of a node from `to` on.
+template <class T, class L>
+void add_lanes(T* to, const L& sum) {
+  store_lanes(to, lane_count<L>, L(load_lanes<L>(to, lane_count<L>) + sum));
+}
+
+/// Momentum and mass of points, by value.
+template <class P, std::size_t D>
+std::array<P, D + 1> momentum_and_mass(const P& m, const std::array<P, D>& v) {
+  std::array<P, D + 1> own;
+  repeat<D>([&](std::size_t d) { own[d] = m * v[d]; });
+  own[D] = m;
+  return own;
+}
+/// m times the gradient of a velocity field along axis a; `Nothing` of one that is constant.
+template <class P, std::size_t D, bool Linear>
+auto moment_of(const P& m, const VelocityField<P, D, Linear>& v) {
+  if constexpr (Linear)
+    return [&m, &v](std::size_t a) {
+      std::array<P, D> along;
+      repeat<D>([&](std::size_t d) { along[d] = m * v.gradient[a * D + d]; });
+      return along;
+    };
+  else
+    return Nothing{};
+}
+/// `factor` times the stress along axis a.
+template <int D, class P, class Stress>
+auto traction_of(const P& factor, const Stress& stress) {
+  return [&factor, &stress](std::size_t a) {
+    std::array<P, static_cast<std::size_t>(D)> along;
+    repeat<along.size()>([&](std::size_t d) { along[d] = factor * stress[Sym<P, D>::index(d, a)]; });
+    return along;
+  };
+}
+
 /// P2G of the points p of a cell, with weights w_i at x_p and the velocity field v_p(x) that the transfer
 /// hands over:
 ///   mass_i += m_p w_i     momentum_i += m_p w_i v_p(x_i)     force_i -= V_p sigma_p grad w_i
 ///   in axisymmetry force_r,i -= V_p sigma_hoop w_i / r_p     mass_gradient_i += m_p grad w_i
-template <class K, class N, class M, class B, class Field>
-ARENITE_KERNEL void p2g(const N& numerics, const M& mesh, const B& body, Index c, Field& nodes) {
-  using T = typename M::scalar;
-  using Cell = typename N::Shape::template Cell<M>;
-  constexpr std::size_t D = M::dimension;
-  using Sums = Rows<Cell, typename NodeSums<T, M::dimension>::Lanes, N::template width<T>>;
-  using Gradient = NodeLanes<ChannelList<>, ChannelList<Channel<node_channel::MassGradient, D>>>;
-  using Gradients = Rows<Cell, Gradient, N::template width<T>>;
+template <class K, class N, class Cell, class B, class Field>
+void p2g_of_cell(const N& numerics, const Cell& cell, const B& body, Index c, Field& nodes) {
+  using T = typename Cell::T;
+  constexpr std::size_t D = Cell::D;
+  constexpr Handed momentum = N::Transfer::affine ? Handed::both : Handed::by_value,
+                   force = K::hoop ? Handed::both : Handed::by_axis;
+  using Sums = std::conditional_t<Field::has_mass_gradient,
+                                  Rows<Cell, N::template width<T>, momentum, force, Handed::by_axis>,
+                                  Rows<Cell, N::template width<T>, momentum, force>>;
   using P = typename Sums::P;
-  const Cell cell(mesh, c);
   Sums rows;
   [[maybe_unused]] P of_cell(0);
-  [[maybe_unused]] std::conditional_t<Field::has_mass_gradient, Gradients, Nothing> gradients;
-  const auto spread = [&] {
-    rows.spread([&](std::size_t i, std::size_t lane, const auto& sum) {
-      using L = std::remove_cvref_t<decltype(sum)>;
-      T* const to = nodes.sums[cell.nodes[i]].lane.data() + lane;
-      store_lanes(to, lane_count<L>, L(load_lanes<L>(to, lane_count<L>) + sum));
-    });
-    if constexpr (Field::has_mass_gradient)
-      gradients.spread([&](std::size_t i, std::size_t lane, const auto& sum) {
-        nodes.mass_gradient.add(cell.nodes[i], node_pack<T, M::dimension>(lane, sum));
-      });
-  };
-  std::size_t left = body.cells[c].size();
-  for_each_pack<Sums::width>(body.cells, c, body.points, [&](const auto& p) {
-    const auto x = p.position();
+  const auto hand = [&](const auto& p, const auto& x, const auto& line) {
     const auto field = numerics.transfer.particle_field(p);
     const auto stress = p.stress();
     const P m = p.mass(), volume = -p.volume();
-    const Lines<P, Cell> line(cell, x);
-    typename Sums::Handed handed;
-    handed.own(node_channel::mass) = m;
-    handed.momentum(m, field);
-    repeat<D * D>([&](std::size_t k) {
-      handed.slope(k / D, node_channel::force, k % D) =
-          volume * stress[Sym<P, M::dimension>::index(k % D, k / D)];
-    });
-    if constexpr (K::hoop) handed.own(node_channel::force) = volume * stress[2] * reciprocal(x[0]);
-    rows.push(p.count, handed, line);
+    rows.template hand<0>(line, momentum_and_mass(m, field.value), moment_of(m, field), Nothing{});
+    std::array<P, K::hoop> hoop;
+    if constexpr (K::hoop) hoop[0] = volume * stress[2] * reciprocal(x[0]);
+    rows.template hand<1>(line, hoop, Nothing{}, traction_of<Cell::D>(volume, stress));
+    if constexpr (Field::has_mass_gradient)
+      rows.template hand<2>(line, std::array<P, 0>{}, Nothing{}, [&](std::size_t a) {
+        std::array<P, D> along;
+        repeat<D>([&](std::size_t d) { along[d] = d == a ? m : P(0); });
+        return along;
+      });
     if constexpr (has_light_nodes<typename N::Shape>) of_cell += m;
-    if constexpr (Field::has_mass_gradient) {
-      typename Gradients::Handed mass;
-      repeat<D>([&](std::size_t a) { mass.slope(a, node_channel::mass_gradient, a) = m; });
-      gradients.push(p.count, mass, line);
-    }
-    // One call for full rows and for the last ones: it is the better part of the kernel, and compiled once.
-    left -= static_cast<std::size_t>(p.count);
-    if (rows.full() || left == 0) spread();
+  };
+  for_each_row(rows, cell, body, c, hand, [&] {
+    const auto at = [&](std::size_t i, std::size_t lane) {
+      return nodes.sums[cell.nodes[i]].lane.data() + lane;
+    };
+    rows.template spread<0>(
+        [&](std::size_t i, std::size_t lane, const auto& sum) { add_lanes(at(i, lane), sum); });
+    rows.template spread<1>([&](std::size_t i, std::size_t lane, const auto& sum) {
+      add_lanes(at(i, NodeSums<T, Cell::D>::force_lane + lane), sum);
+    });
+    if constexpr (Field::has_mass_gradient)
+      rows.template spread<2>([&](std::size_t i, std::size_t lane, const auto& sum) {
+        nodes.mass_gradient.add(cell.nodes[i], node_pack<T, Cell::D>(lane, sum));
+      });
   });
   if constexpr (has_light_nodes<typename N::Shape>) {
     // Mean of (h |grad w|)^2 over a cell, of a function that is linear along each axis.
     constexpr T mean = D == 2 ? T(2) / 3 : T(1) / 3;
     const T reach = mean * lane_sums(std::array<P, 1>{of_cell})[0];
-    for (const Index node : cell.nodes) nodes.sums[node].lane[NodeSums<T, M::dimension>::reach_lane] += reach;
+    for (const Index node : cell.nodes) nodes.sums[node].lane[NodeSums<T, Cell::D>::reach_lane] += reach;
   }
+}
+template <class K, class N, class M, class B, class Field>
+ARENITE_KERNEL void p2g(const N& numerics, const M& mesh, const B& body, Index c, Field& nodes) {
+  N::Shape::visit_cell(mesh, c, [&](const auto& cell) { p2g_of_cell<K>(numerics, cell, body, c, nodes); });
 }
 
 /// P2G where nodes collect only mass and the momentum at the end of the step (`NodeMomentum`):
@@ -80,35 +128,24 @@ ARENITE_KERNEL void p2g(const N& numerics, const M& mesh, const B& body, Index c
 template <class K, class N, class M, class B, class Field, class T>
 ARENITE_KERNEL void p2g_with_impulse(const N& numerics, const M& mesh, const B& body, Index c, Field& nodes,
                                      T dt) {
-  using Cell = typename N::Shape::template Cell<M>;
-  constexpr std::size_t D = M::dimension;
-  using Sums = MomentumBuffer<Cell, N::template width<T>>;
-  using P = typename Sums::P;
-  const Cell cell(mesh, c);
-  Sums rows;
-  const auto spread = [&] {
-    rows.spread([&](std::size_t i, std::size_t lane, const auto& sum) {
-      using L = std::remove_cvref_t<decltype(sum)>;
-      T* const to = nodes.sums[cell.nodes[i]].lane.data() + lane;
-      store_lanes(to, lane_count<L>, L(load_lanes<L>(to, lane_count<L>) + sum));
+  N::Shape::visit_cell(mesh, c, [&](const auto& cell) {
+    using Cell = std::remove_cvref_t<decltype(cell)>;
+    using Sums = Rows<Cell, N::template width<T>, Handed::both>;
+    using P = typename Sums::P;
+    Sums rows;
+    const auto hand = [&](const auto& p, const auto& x, const auto& line) {
+      const auto field = numerics.transfer.particle_field(p);
+      const auto stress = p.stress();
+      const P m = p.mass(), factor = P(-dt) * p.volume();
+      auto own = momentum_and_mass(m, field.value);
+      if constexpr (K::hoop) own[0] += factor * stress[2] * reciprocal(x[0]);
+      rows.template hand<0>(line, own, moment_of(m, field), traction_of<Cell::D>(factor, stress));
+    };
+    for_each_row(rows, cell, body, c, hand, [&] {
+      rows.template spread<0>([&](std::size_t i, std::size_t lane, const auto& sum) {
+        add_lanes(nodes.sums[cell.nodes[i]].lane.data() + lane, sum);
+      });
     });
-  };
-  std::size_t left = body.cells[c].size();
-  for_each_pack<Sums::width>(body.cells, c, body.points, [&](const auto& p) {
-    const auto x = p.position();
-    const auto field = numerics.transfer.particle_field(p);
-    const auto stress = p.stress();
-    const P factor = P(-dt) * p.volume();
-    const Lines<P, Cell> line(cell, x);
-    std::array<P, D> impulse;
-    std::array<P, D * D> slope;
-    repeat<D>([&](std::size_t d) { impulse[d] = P(0); });
-    if constexpr (K::hoop) impulse[0] = factor * stress[2] * reciprocal(x[0]);
-    repeat<D * D>(
-        [&](std::size_t k) { slope[k] = factor * stress[Sym<P, M::dimension>::index(k % D, k / D)]; });
-    rows.push(p.count, p.mass(), field, impulse, slope, line);
-    left -= static_cast<std::size_t>(p.count);  // one call of `spread`, as above
-    if (rows.full() || left == 0) spread();
   });
 }
 

@@ -1,5 +1,5 @@
 // Rows of points: what the points of a cell hand to its nodes where the functions are products along the
-// axes. A point is a row whose lanes are the channels, so that sums over points need no sums across lanes.
+// axes. A point is a row of four lanes, so that sums over points need no sums across lanes.
 #pragma once
 // SPDX-License-Identifier: BSD-3-Clause
 
@@ -33,172 +33,162 @@ void store_quads(std::array<P, 4> column, T* to) {
   }
 }
 
-/// Writes columns of neighbouring points, four or eights of them, as rows, one a point. `P`: packs as wide as
-/// those of the rows, or of four lanes.
-template <std::size_t Width, class T, class P, std::size_t Lanes>
-void store_rows(const std::array<P, Lanes>& column, T* to) {
-  static_assert(Lanes == 4 || Lanes % 8 == 0);
-  constexpr std::size_t width = static_cast<std::size_t>(lane_count<P>);
-  if constexpr (Lanes == 4) {
-    store_quads(column, to);
-  } else if constexpr (width == 1) {
-    for (std::size_t k = 0; k < Lanes; ++k) to[k] = column[k];
-  } else if constexpr (width < Width) {
-    static_assert(width == 4);
-    repeat<Lanes / 8>([&](std::size_t eight) {
-      std::array<Pack<T, 8>, 4> row;
-      repeat<4>(
-          [&](std::size_t k) { row[k] = join_packs(column[8 * eight + k], column[8 * eight + k + 4]); });
-      transpose_lanes(row);
-      repeat<4>([&](std::size_t r) { row[r].store(to + r * Lanes + 8 * eight); });
-    });
-  } else {
-    repeat<Lanes / Width>([&](std::size_t k) {
-      std::array<P, width> row;
-      repeat<width>([&](std::size_t r) { row[r] = column[k * width + r]; });
-      transpose_lanes(row);
-      repeat<width>([&](std::size_t r) { row[r].store(to + r * Lanes + k * width); });
-    });
-  }
-}
+/// What points hand over in four lanes: by value, times the function of a node, or by axis, times its moment or slope along each.
+enum class Handed { by_value, by_axis, both };
 
-/// Rows of up to `capacity` points with the channels of `Lanes`. A node at (i, j, k) of the cell collects,
-/// with line functions N and a second kind G along each axis,
-///   N_i N_j N_k own + G_i N_j N_k along[x] + N_i G_j N_k along[y] + N_i N_j G_k along[z]
-/// where G is the moment, N times the offset of the node, in lanes by value (for an affine velocity) and the
-/// slope of N in those by slope (for a force).
-template <class Cell, class Lanes, int Width>
+/// Rows of up to `capacity` points of a cell, in which what they hand over lies in `Groups` of four lanes. A node at (i, j, k) of the cell
+/// collects, with the functions N along each axis, their moments M (N times the offset of the node, for an affine velocity) and their
+/// slopes G (for a force),
+///   N_i N_j N_k own + sum over the axes of (M_i moment + G_i slope) N_j N_k
+/// What belongs to one axis is summed while points are columns: E_i = M_i moment + G_i slope along the first axes, and along the last
+/// one E_k + N_k own.
+///
+/// In an inner cell (`Cell::is_inner`) sums over points are those of the outer nodes and of the total of each axis, over which N adds
+/// up to 1 and M and G to 0: the total takes own alone, without a product. The middle node is the rest of the total, once a cell. At
+/// faces, where the middle function may be small, the difference would leave round-off, and nodes are summed one by one.
+template <class Cell, int Width, Handed... Groups>
 class Rows {
   using T = typename Cell::T;
-  static constexpr std::size_t D = Cell::D, N = Cell::nodes_per_axis, lanes = Lanes::size;
-  // Lanes computed at once, a register's.
-  static constexpr std::size_t at_once = std::min<std::size_t>({static_cast<std::size_t>(Width), 8, lanes});
+  static constexpr std::size_t D = Cell::D, N = Cell::nodes_per_axis, last = D - 1, middle = middle_node<N>;
+  static constexpr std::size_t at_once = static_cast<std::size_t>(std::min(Width, 4));
   using L = lanes_of<T, static_cast<int>(at_once)>;
+  static constexpr std::array<Handed, sizeof...(Groups)> handed{Groups...};
 
  public:
   static constexpr int width = cell_width<Cell::D, Width>;  ///< points that come at once
   using P = lanes_of<T, width>;
 
-  /// What a pack of points hands over, by channel; 0 where nothing is set.
-  struct Handed {
-    std::array<P, lanes> own_;
-    std::array<std::array<P, lanes>, D> along_;
-
-    Handed() {
-      repeat<lanes>([&](std::size_t k) {
-        own_[k] = P(0);
-        repeat<D>([&](std::size_t a) { along_[a][k] = P(0); });
-      });
-    }
-    template <class Name>
-    P& own(Name name, std::size_t k = 0) {
-      return own_[Lanes::first(name) + k];
-    }
-    template <class Name>
-    P& slope(std::size_t axis, Name name, std::size_t k) {
-      return along_[axis][Lanes::first(name) + k];
-    }
-    /// Momentum of a velocity field.
-    template <class Field>
-    void momentum(const P& m, const Field& v) {
-      repeat<D>([&](std::size_t d) { own(node_channel::momentum, d) = m * v.value[d]; });
-      repeat<Field::linear ? D * D : 0>(
-          [&](std::size_t k) { slope(k / D, node_channel::momentum, k % D) = m * v.gradient[k]; });
-    }
-  };
-
   Rows() {}  // a row is written before it is read: nothing to clear for each cell
 
   bool full() const { return count_ + width > capacity; }
 
-  /// Takes the first `count` points of a pack.
-  void push(int count, const Handed& handed, const Lines<P, Cell>& line) {
-    store_rows<at_once>(handed.own_, own_[count_].data());
+  /// Takes what a pack of points hands over in a group: `own`, up to four lanes by value; `moment(a)` and `slope(a)` [D] along axis a, or
+  /// `Nothing`. `take` follows once all groups have theirs.
+  template <std::size_t Group, std::size_t Own, class Moment, class Slope>
+  void hand(const Lines<P, Cell>& line, const std::array<P, Own>& own, const Moment& moment,
+            const Slope& slope) {
+    constexpr bool axes = handed[Group] != Handed::by_value;
+    const auto store = [&](std::size_t a, std::size_t i, auto&& factor) {
+      std::array<P, 4> lane{P(0), P(0), P(0), P(0)};
+      const auto add = [&]<std::size_t Lanes>(const P& by, const std::array<P, Lanes>& of) {
+        repeat<Lanes>([&](std::size_t d) { lane[d] += by * of[d]; });
+      };
+      if constexpr (!std::same_as<Slope, Nothing>) add(line.slope[a][i], slope(a));
+      if constexpr (!std::same_as<Moment, Nothing>) add(line.moment[a][i], moment(a));
+      if (a == last) repeat<Own>([&](std::size_t d) { lane[d] += factor(own[d]); });
+      store_quads(lane, row_[Group][a][i][count_].data());
+    };
     repeat<D>([&](std::size_t a) {
-      store_rows<at_once>(handed.along_[a], along_[a][count_].data());
+      if (!axes && a != last) return;
       repeat<N>([&](std::size_t i) {
-        store_lanes(&value_[a][i][count_], width, line.value[a][i]);
-        store_lanes(&moment_[a][i][count_], width, line.moment[a][i]);
-        store_lanes(&slope_[a][i][count_], width, line.slope[a][i]);
+        if (!is_total(i)) store(a, i, [&](const P& of) { return line.value[a][i] * of; });
+      });
+    });
+    if constexpr (Cell::is_inner && Own > 0) {
+      std::array<P, 4> lane{P(0), P(0), P(0), P(0)};
+      repeat<Own>([&](std::size_t d) { lane[d] = own[d]; });
+      store_quads(lane, row_[Group][last][middle][count_].data());
+    }
+  }
+  /// The first `count` points of a pack, of which all groups were handed over.
+  void take(int count, const Lines<P, Cell>& line) {
+    repeat<D>([&](std::size_t a) {
+      repeat<N>([&](std::size_t i) {
+        if (!is_total(i)) store_lanes(&value_[a][i][count_], width, line.value[a][i]);
       });
     });
     count_ += static_cast<std::size_t>(count);
   }
 
-  /// Calls `add(node, lane, pack)` with what each local node collects in the lanes from number `lane` on, and
-  /// forgets the points. A pack of lanes after the other, so that the sums of a layer of nodes stay in
-  /// registers.
-  template <class Add>
-  void spread(Add&& add) {
-    repeat<lanes / at_once>([&](std::size_t part) {
-      if (!Lanes::uses(part * at_once, at_once)) return;
-      repeat_all<D == 2 ? 1 : N>([&](std::size_t k) { spread_layer(part * at_once, k, add); });
+  /// Calls `add(node, lane, pack)` with what each local node collects of a group in the lanes from number `lane` on.
+  template <std::size_t Group, class Add>
+  void spread(Add&& add) const {
+    repeat<4 / at_once>([&](std::size_t part) {
+      if (part * at_once > D) return;
+      const std::size_t lane = part * at_once;
+      const auto hand = [&](std::size_t k, const Layer& sum) {
+        repeat<N * N>([&](std::size_t n) { add(N * N * k + n, lane, sum[n]); });
+      };
+      if constexpr (D == 2 || !Cell::is_inner) {
+        repeat_all<D == 2 ? 1 : N>([&](std::size_t k) { hand(k, layer<Group, false>(lane, k)); });
+      } else {
+        auto rest = layer<Group, true>(lane, middle);
+        repeat_all<N>([&](std::size_t k) {
+          if (k == middle) return;
+          const auto sum = layer<Group, false>(lane, k);
+          repeat<N * N>([&](std::size_t n) { rest[n] = rest[n] - sum[n]; });
+          hand(k, sum);
+        });
+        hand(middle, rest);
+      }
     });
-    count_ = 0;
   }
+  void forget() { count_ = 0; }
 
  private:
   static constexpr std::size_t capacity = 32;
-  using Row = std::array<T, lanes>;
-  using LineColumns = std::array<std::array<std::array<T, capacity>, N>, D>;
+  using Layer = std::array<L, N * N>;
 
-  /// `moment` in lanes by value, `slope` in lanes by slope, of those from number `lane` on.
-  static L by_kind(std::size_t lane, T moment, T slope) {
-    constexpr std::size_t split = Lanes::slopes % at_once;
-    if (split == 0 || lane + at_once <= Lanes::slopes || lane >= Lanes::slopes)
-      return L(lane < Lanes::slopes ? moment : slope);
-    if constexpr (split != 0) return blend<split>(L(moment), L(slope), std::make_index_sequence<at_once>{});
-    return L(moment);
-  }
-  template <std::size_t Split, std::size_t... At>
-  static L blend(const L& moment, const L& slope, std::index_sequence<At...>) {
-    return L::from(
-        __builtin_shufflevector(moment.lanes(), slope.lanes(), (At < Split ? At : At + at_once)...));
-  }
-
+  /// Whether the place of node i holds the total of its axis.
+  static constexpr bool is_total(std::size_t i) { return Cell::is_inner && i == middle; }
   /// Sums of layer k of the nodes (all of them, in the plane), in the lanes from number `lane` on.
-  template <class Add>
-  void spread_layer(std::size_t lane, std::size_t k, Add& add) const {
-    const auto row = [&](const Row& of) {
-      return load_lanes<L>(of.data() + lane, static_cast<int>(at_once));
+  template <std::size_t Group, bool OfTotal>
+  Layer layer(std::size_t lane, std::size_t k) const {
+    constexpr bool axes = handed[Group] != Handed::by_value, value = handed[Group] != Handed::by_axis;
+    const auto row = [&](std::size_t a, std::size_t i, std::size_t p) {
+      return load_lanes<L>(row_[Group][a][i][p].data() + lane, static_cast<int>(at_once));
     };
-    const auto second = [&](std::size_t a, std::size_t i, std::size_t p) {
-      return by_kind(lane, moment_[a][i][p], slope_[a][i][p]);
-    };
-    const bool has_slopes = Lanes::has_slopes(lane, at_once);
-    std::array<L, N * N> sum;
+    Layer sum;
     repeat<N * N>([&](std::size_t n) { sum[n] = L(0); });
     for (std::size_t p = 0; p < count_; ++p) {
-      L rest = row(own_[p]), x = row(along_[0][p]), y = row(along_[1][p]);
-      if constexpr (D == 3) {
-        const L n(value_[2][k][p]);
-        rest = rest * n;
-        if (has_slopes) rest += row(along_[2][p]) * second(2, k, p);
-        x = x * n;
-        y = y * n;
-      }
-      std::array<L, N> n_x, g_x;
+      const auto scaled = [&](const L& of) {
+        if constexpr (D == 2 || OfTotal)
+          return of;
+        else
+          return L(of * L(value_[2][k][p]));
+      };
+      std::array<L, N> n_x, e_x;
       repeat<N>([&](std::size_t i) {
+        if (is_total(i)) return;
         n_x[i] = L(value_[0][i][p]);
-        g_x[i] = second(0, i, p);
+        if constexpr (axes) e_x[i] = scaled(row(0, i, p));
       });
       repeat<N>([&](std::size_t j) {
-        const L n(value_[1][j][p]), along_x = x * n;
-        L line = rest * n;
-        if (has_slopes) line += y * second(1, j, p);
+        constexpr bool of_layer = D == 3 && (!OfTotal || value);  // own, and along the last axis
+        L n_y(1), line(0);
+        if (!is_total(j)) n_y = L(value_[1][j][p]);
+        if ((axes || D == 2) && (!is_total(j) || (D == 2 && value))) {
+          line = scaled(row(1, j, p));
+          if constexpr (of_layer) line += row(2, k, p) * n_y;
+        } else if constexpr (of_layer) {
+          line = is_total(j) ? row(2, k, p) : L(row(2, k, p) * n_y);
+        }
         repeat<N>([&](std::size_t i) {
-          sum[N * j + i] += line * n_x[i];
-          if (has_slopes) sum[N * j + i] += along_x * g_x[i];
+          L& to = sum[N * j + i];
+          if (of_layer || !is_total(j) || (D == 2 && value))
+            to = is_total(i) ? L(to + line) : L(to + line * n_x[i]);
+          if (axes && !is_total(i)) to = is_total(j) ? L(to + e_x[i]) : L(to + e_x[i] * n_y);
         });
       });
     }
-    repeat<N * N>([&](std::size_t n) { add(N * N * k + n, lane, sum[n]); });
+    if constexpr (Cell::is_inner) {
+      repeat<N>([&](std::size_t j) { take_rest(sum, N * j, 1); });
+      repeat<N>([&](std::size_t i) { take_rest(sum, i, N); });
+    }
+    return sum;
+  }
+  /// The middle one of the nodes first, first + stride, .. is the rest of their total.
+  static void take_rest(Layer& sum, std::size_t first, std::size_t stride) {
+    L& rest = sum[first + middle * stride];
+    repeat<N>([&](std::size_t i) {
+      if (i != middle) rest = rest - sum[first + i * stride];
+    });
   }
 
   std::size_t count_ = 0;
-  alignas(64) std::array<Row, capacity> own_;
-  std::array<std::array<Row, capacity>, D> along_;
-  LineColumns value_, moment_, slope_;
+  alignas(64) std::array<std::array<std::array<std::array<std::array<T, 4>, capacity>, N>, D>,
+                         sizeof...(Groups)> row_;
+  std::array<std::array<std::array<T, capacity>, N>, D> value_;
 };
 
 }  // namespace product

@@ -12,18 +12,19 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 namespace product {
 
 /// Strain steps of the points of a cell: see `arenite::CellStrain`.
-template <class K, class N, class M>
+template <class K, class N, class M, class Cell = typename N::Shape::template Cell<M>>
 struct CellStrain {
   using T = typename M::scalar;
-  using Cell = typename N::Shape::template Cell<M>;
   static constexpr int width = cell_width<M::dimension, N::template width<T>>;
   const Cell cell;
-  const CellVectors<T, M::dimension, Cell::size> u;
+  const Differences<Cell> u;
   const T dt;
 
   template <class Field>
-  CellStrain(const M& mesh, Index c, const Field& nodes, T step)
-      : cell(mesh, c), u(cell, nodes.strain_velocity()), dt{step} {}
+  CellStrain(const M& mesh, Index c, const Field& nodes, T step) : CellStrain(Cell(mesh, c), nodes, step) {}
+  template <class Field>
+  CellStrain(const Cell& of, const Field& nodes, T step)
+      : cell(of), u(cell, nodes.strain_velocity()), dt{step} {}
 
   template <class Points>
   auto operator()(const PointPack<Points, width>& p) const {

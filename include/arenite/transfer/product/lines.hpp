@@ -145,7 +145,10 @@ struct Lines {
       const auto part = [&](std::size_t j) { return sum_over<a, Across>(v, d, first + j * stride); };
       const auto base = part(middle);
       total.value = base.value;
-      if constexpr (Across) repeat<a>([&](std::size_t b) { total.across[b] = base.across[b]; });
+      if constexpr (Across)  // one by one: g++ 12 takes an array that is copied through memory
+        repeat<a>([&](std::size_t b) {
+          each_but_middle([&](std::size_t i) { total.across[b][i] = base.across[b][i]; });
+        });
       each_but_middle([&](std::size_t j) {
         const auto other = part(j);
         total.value += value[a][j] * other.value;

@@ -106,15 +106,15 @@ struct Lines {
     LineSums<P, D, count> total;
     // A component after the other, all of whose sums stay in registers.
     repeat<D>([&](std::size_t d) {
-      const auto sums = sum_over<D, (count > 0)>(v, d, 0);
-      total.value[d] = sums.value;
-      repeat<count>([&](std::size_t k) {
-        repeat<D>([&](std::size_t a) {
+      std::conditional_t<(count > 0), Functions, Nothing> across;
+      total.value[d] = sum_over<D>(v, d, 0, across);
+      if constexpr (count > 0)
+        repeat<count * D>([&](std::size_t n) {
+          const std::size_t k = n / D, a = n % D;
           P along(0);
-          each_but_middle([&](std::size_t j) { along += kind[k][a][j] * sums.across[a][j]; });
+          each_but_middle([&](std::size_t j) { along += kind[k][a][j] * across[a][j]; });
           total.by_axis[k][a][d] = along;
         });
-      });
     });
     return total;
   }
@@ -128,39 +128,28 @@ struct Lines {
     });
   }
 
-  /// Of one component over the first `Axes` axes: the sum, and, for the nodes j of each of these axes but the
-  /// middle one, the sum of the differences d_j over the other axes (`Across`).
-  template <std::size_t Axes, bool Across>
-  struct Sums {
-    P value;
-    std::array<std::array<P, N>, Across ? Axes : 0> across;
-  };
-  template <std::size_t Axes, bool Across>
-  Sums<Axes, Across> sum_over(const Differences<Cell>& v, std::size_t d, std::size_t first) const {
-    Sums<Axes, Across> total;
+  /// Of one component the sum over the first `Axes` axes. `across`: for the nodes j of each of these axes but the middle one the sum of
+  /// the differences d_j over the others, or `Nothing`. They are copied one by one, for g++ 12 copies arrays through memory.
+  template <std::size_t Axes, class Across>
+  P sum_over(const Differences<Cell>& v, std::size_t d, std::size_t first, Across& across) const {
     if constexpr (Axes == 0) {
-      total.value = P(v.component(first, d));
+      return P(v.component(first, d));
     } else {
       constexpr std::size_t a = Axes - 1, stride = a == 0 ? 1 : a == 1 ? N : N * N;
-      const auto part = [&](std::size_t j) { return sum_over<a, Across>(v, d, first + j * stride); };
-      const auto base = part(middle);
-      total.value = base.value;
-      if constexpr (Across)  // one by one: g++ 12 takes an array that is copied through memory
-        repeat<a>([&](std::size_t b) {
-          each_but_middle([&](std::size_t i) { total.across[b][i] = base.across[b][i]; });
-        });
+      P total = sum_over<a>(v, d, first + middle * stride, across);
       each_but_middle([&](std::size_t j) {
-        const auto other = part(j);
-        total.value += value[a][j] * other.value;
-        if constexpr (Across) {
+        Across other;
+        const P sum = sum_over<a>(v, d, first + j * stride, other);
+        total += value[a][j] * sum;
+        if constexpr (!std::same_as<Across, Nothing>) {
           repeat<a>([&](std::size_t b) {
-            each_but_middle([&](std::size_t i) { total.across[b][i] += value[a][j] * other.across[b][i]; });
+            each_but_middle([&](std::size_t i) { across[b][i] += value[a][j] * other[b][i]; });
           });
-          total.across[a][j] = other.value;
+          across[a][j] = sum;
         }
       });
+      return total;
     }
-    return total;
   }
 };
 

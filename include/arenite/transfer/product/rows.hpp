@@ -131,17 +131,29 @@ class Rows {
 
   /// Whether the place of node i holds the total of its axis.
   static constexpr bool is_total(std::size_t i) { return Cell::is_inner && i == middle; }
-  /// Sums of layer k of the nodes (all of them, in the plane), in the lanes from number `lane` on.
+
+  /// Whether a group has rows at node i of an axis: the total of an axis takes own alone, along the last one.
+  template <std::size_t Group>
+  static constexpr bool has_row(std::size_t axis, std::size_t i) {
+    const bool value = axis == last && handed[Group] != Handed::by_axis;
+    return value || (!is_total(i) && handed[Group] != Handed::by_value);
+  }
+
+  /// Sums of layer k of the nodes (all of them, in the plane), in the lanes from number `lane` on. `OfTotal`: that of the total.
   template <std::size_t Group, bool OfTotal>
   Layer layer(std::size_t lane, std::size_t k) const {
-    constexpr bool axes = handed[Group] != Handed::by_value, value = handed[Group] != Handed::by_axis;
     const auto row = [&](std::size_t a, std::size_t i, std::size_t p) {
       return load_lanes<L>(row_[Group][a][i][p].data() + lane, static_cast<int>(at_once));
     };
+    // `to` plus what lies at node i of an axis, whose function is `n`: 1 for the total.
+    const auto add = [](const L& to, const L& of, std::size_t i, const L& n) {
+      return is_total(i) ? L(to + of) : L(to + of * n);
+    };
+    constexpr bool has_layer = D == 3 && has_row<Group>(2, OfTotal ? middle : 0);
     Layer sum;
     repeat<N * N>([&](std::size_t n) { sum[n] = L(0); });
     for (std::size_t p = 0; p < count_; ++p) {
-      const auto scaled = [&](const L& of) {
+      const auto in_layer = [&](const L& of) {
         if constexpr (D == 2 || OfTotal)
           return of;
         else
@@ -149,25 +161,22 @@ class Rows {
       };
       std::array<L, N> n_x, e_x;
       repeat<N>([&](std::size_t i) {
-        if (is_total(i)) return;
-        n_x[i] = L(value_[0][i][p]);
-        if constexpr (axes) e_x[i] = scaled(row(0, i, p));
+        if (!is_total(i)) n_x[i] = L(value_[0][i][p]);
+        if (has_row<Group>(0, i)) e_x[i] = in_layer(row(0, i, p));
       });
       repeat<N>([&](std::size_t j) {
-        constexpr bool of_layer = D == 3 && (!OfTotal || value);  // own, and along the last axis
+        const bool has_line = has_row<Group>(1, j);
         L n_y(1), line(0);
         if (!is_total(j)) n_y = L(value_[1][j][p]);
-        if ((axes || D == 2) && (!is_total(j) || (D == 2 && value))) {
-          line = scaled(row(1, j, p));
-          if constexpr (of_layer) line += row(2, k, p) * n_y;
-        } else if constexpr (of_layer) {
-          line = is_total(j) ? row(2, k, p) : L(row(2, k, p) * n_y);
+        if (has_line) line = in_layer(row(1, j, p));
+        if constexpr (has_layer) {
+          const L own = row(2, k, p);
+          line = has_line ? L(line + own * n_y) : is_total(j) ? own : L(own * n_y);
         }
         repeat<N>([&](std::size_t i) {
           L& to = sum[N * j + i];
-          if (of_layer || !is_total(j) || (D == 2 && value))
-            to = is_total(i) ? L(to + line) : L(to + line * n_x[i]);
-          if (axes && !is_total(i)) to = is_total(j) ? L(to + e_x[i]) : L(to + e_x[i] * n_y);
+          if (has_line || has_layer) to = add(to, line, i, n_x[i]);
+          if (has_row<Group>(0, i)) to = add(to, e_x[i], j, n_y);
         });
       });
     }

@@ -76,8 +76,7 @@ double off(const Grid& grid, Index c, const Cell& cell, std::mt19937& random) {
     rows.template hand<0>(
         line, packs(own[0]), [&](std::size_t a) { return packs(along[0][a]); }, Nothing{});
     rows.template hand<1>(line, packs(own[1]), Nothing{}, Nothing{});
-    rows.template hand<2>(line, std::array<P, 0>{}, Nothing{},
-                          [&](std::size_t a) { return packs(along[2][a]); });
+    rows.template hand<2>(line, Nothing{}, Nothing{}, [&](std::size_t a) { return packs(along[2][a]); });
     rows.take(count, line);
   }
   spread();

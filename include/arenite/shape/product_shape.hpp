@@ -140,6 +140,27 @@ struct ProductShape {
     return f(Cell<M>(grid, place));
   }
 
+ private:
+  // Edges of a cell along each axis, m, or their inverses, 1/m: one number where they are all the same.
+  template <class M, bool Inverse>
+  struct Edges {
+    using T = typename M::scalar;
+    static constexpr std::size_t count = is_rectilinear<M> ? static_cast<std::size_t>(M::dimension) : 1;
+    std::array<T, count> value;
+    Edges(const M& grid, const std::array<Index, M::dimension>& place) {
+      if constexpr (is_rectilinear<M>)
+        for (std::size_t k = 0; k < count; ++k) {
+          const auto axis = static_cast<int>(k);
+          const T edge = grid.line(axis, place[k] + 1) - grid.line(axis, place[k]);
+          value[k] = Inverse ? 1 / edge : edge;
+        }
+      else
+        value[0] = Inverse ? grid.inverse_edge() : grid.edge();
+    }
+    T operator[](std::size_t k) const { return value[count == 1 ? 0 : k]; }
+  };
+
+ public:
   /// The functions of one cell: made once a cell, evaluated for each of its points. `Inner`: of one away from the faces.
   template <class M, bool Inner = false>
   class Cell {
@@ -328,27 +349,9 @@ struct ProductShape {
       return p;
     }
 
-    // Edges of the cell along each axis, m, or their inverses, 1/m: one number where they are all the same.
-    template <bool Inverse>
-    struct Edges {
-      static constexpr std::size_t count = is_rectilinear<M> ? static_cast<std::size_t>(D) : 1;
-      std::array<T, count> value;
-      Edges(const M& grid, const std::array<Index, D>& place) {
-        if constexpr (is_rectilinear<M>)
-          for (std::size_t k = 0; k < count; ++k) {
-            const auto axis = static_cast<int>(k);
-            const T edge = grid.line(axis, place[k] + 1) - grid.line(axis, place[k]);
-            value[k] = Inverse ? 1 / edge : edge;
-          }
-        else
-          value[0] = Inverse ? grid.inverse_edge() : grid.edge();
-      }
-      T operator[](std::size_t k) const { return value[count == 1 ? 0 : k]; }
-    };
-
     Vec<T, D> lower_, corner_;
-    Edges<false> edge_;
-    Edges<true> per_metre_;
+    Edges<M, false> edge_;
+    Edges<M, true> per_metre_;
     [[no_unique_address]] std::conditional_t<Inner, Nothing, std::array<Line<T>, D>> line_;
     std::array<std::array<T, nodes_per_axis>, D> along_;  // of the nodes from the grid's lower corner, m
   };

@@ -25,8 +25,8 @@ template <class K, class N, class M, class Points, class Field, class Average, c
 ARENITE_KERNEL void strain(const M& mesh, Index c, const Points& points, std::size_t begin, std::size_t end,
                            const Field& nodes, typename M::scalar dt, const Average& average, Buffer& buffer,
                            std::size_t origin) {
-  const auto of_cell = [&](const auto& strain) {
-    for_each_pack<std::remove_cvref_t<decltype(strain)>::width>(points, begin, end, [&](const auto& p) {
+  const auto of_cell = [&]<class Strain>(const Strain& strain) {
+    for_each_pack<Strain::width>(points, begin, end, [&](const auto& p) {
       auto step = strain(p);
       apply_average(step, average, c);
       buffer.store(p.first - origin, step);
@@ -35,8 +35,8 @@ ARENITE_KERNEL void strain(const M& mesh, Index c, const Points& points, std::si
   if constexpr (N::Shape::constant_gradient)
     of_cell(CellStrain<K, N, M>(mesh, c, nodes, dt));
   else
-    N::Shape::visit_cell(mesh, c, [&](const auto& cell) {
-      of_cell(product::CellStrain<K, N, M, std::remove_cvref_t<decltype(cell)>>(cell, nodes, dt));
+    N::Shape::visit_cell(mesh, c, [&]<class Cell>(const Cell& cell) {
+      of_cell(product::CellStrain<K, N, M, Cell>(cell, nodes, dt));
     });
 }
 

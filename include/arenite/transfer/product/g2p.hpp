@@ -50,6 +50,15 @@ struct TransferVectors {
   }
 };
 
+/// Node vectors of a cell for `Lines::sum`, or `Nothing`.
+template <bool Wanted, class Cell, class Vectors>
+auto differences_if(const Cell& cell, const Vectors& of_nodes) {
+  if constexpr (Wanted)
+    return Differences<Cell>(cell, of_nodes);
+  else
+    return Nothing{};
+}
+
 /// Whether a transfer takes the moments of the new velocities themselves.
 template <class Gather>
 inline constexpr bool takes_moments_of_v =
@@ -68,14 +77,14 @@ T g2p_of_cell(const N& numerics, const Cell& cell, Index c, Points& points, std:
               std::size_t origin) {
   constexpr int width = cell_width<Cell::D, N::template width<T>>;
   using P = lanes_of<T, width>;
-  using Vectors = Differences<Cell>;
-  const auto gather = numerics.transfer.gather(cell, nodes);
-  using Taken = TransferVectors<Cell, std::remove_cvref_t<decltype(gather)>>;
+  using Gather = decltype(numerics.transfer.gather(cell, nodes));
+  using Taken = TransferVectors<Cell, Gather>;
+  const Gather gather = numerics.transfer.gather(cell, nodes);
   // What is taken of the new velocities themselves costs no sum of its own.
   constexpr bool takes_of_v = !N::maps_back && std::same_as<decltype(gather.velocity), Nothing>;
   const std::conditional_t<N::maps_back, Nothing, Taken> taken(cell, nodes, gather);
-  const std::conditional_t<takes_of_v, Nothing, Vectors> u(cell, nodes.strain_velocity());
-  const std::conditional_t<N::maps_back && !N::moves_mapped, Vectors, Nothing> v(cell, nodes.velocity);
+  const auto u = differences_if<!takes_of_v>(cell, nodes.strain_velocity());
+  const auto v = differences_if < N::maps_back && !N::moves_mapped > (cell, nodes.velocity);
   P check(0);
   for_each_pack<width>(points, begin, end, [&](const auto& p) {
     const auto x = p.position();
@@ -123,7 +132,7 @@ ARENITE_KERNEL T g2p(const N& numerics, const M& mesh, Index c, Points& points, 
       return g2p_of_cell<K, by_moments>(numerics, cell, c, points, begin, end, nodes, dt, average, buffer,
                                         origin);
     };
-    using Gather = std::remove_cvref_t<decltype(numerics.transfer.gather(cell, nodes))>;
+    using Gather = decltype(numerics.transfer.gather(cell, nodes));
     if constexpr (!N::maps_back && takes_moments_of_v<Gather> && requires { cell.has_moments_for_slopes(); })
       if (cell.has_moments_for_slopes()) return of_cell(std::true_type{});
     return of_cell(std::false_type{});

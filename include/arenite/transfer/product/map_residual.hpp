@@ -12,8 +12,8 @@ namespace product {
 ///   m_p w_i sum_j w_j r_j
 template <class N, class M, class B, class Field>
 ARENITE_KERNEL void map_residual(const M& mesh, const B& body, Index c, Field& nodes) {
-  N::Shape::visit_cell(mesh, c, [&](const auto& cell) {
-    const Differences<std::remove_cvref_t<decltype(cell)>> residual(cell, nodes.residual);
+  N::Shape::visit_cell(mesh, c, [&]<class Cell>(const Cell& cell) {
+    const Differences<Cell> residual(cell, nodes.residual);
     hand_back<N>(cell, body, c, nodes.mapped_residual, [&](const auto&, const auto&, const auto& line) {
       keep_in_memory(residual);
       return VelocityField{line.sum(residual).value};

@@ -85,11 +85,11 @@ void p2g_of_cell(const N& numerics, const Cell& cell, const B& body, Index c, Fi
     const auto stress = p.stress();
     const P m = p.mass(), volume = -p.volume();
     rows.template hand<0>(line, momentum_and_mass(m, field.value), moment_of(m, field), Nothing{});
-    std::array<P, K::hoop> hoop;
+    std::conditional_t<K::hoop, std::array<P, 1>, Nothing> hoop;
     if constexpr (K::hoop) hoop[0] = volume * stress[2] * reciprocal(x[0]);
     rows.template hand<1>(line, hoop, Nothing{}, traction_of<Cell::D>(volume, stress));
     if constexpr (Field::has_mass_gradient)
-      rows.template hand<2>(line, std::array<P, 0>{}, Nothing{}, [&](std::size_t a) {
+      rows.template hand<2>(line, Nothing{}, Nothing{}, [&](std::size_t a) {
         std::array<P, D> along;
         repeat<D>([&](std::size_t d) { along[d] = d == a ? m : P(0); });
         return along;
@@ -128,8 +128,7 @@ ARENITE_KERNEL void p2g(const N& numerics, const M& mesh, const B& body, Index c
 template <class K, class N, class M, class B, class Field, class T>
 ARENITE_KERNEL void p2g_with_impulse(const N& numerics, const M& mesh, const B& body, Index c, Field& nodes,
                                      T dt) {
-  N::Shape::visit_cell(mesh, c, [&](const auto& cell) {
-    using Cell = std::remove_cvref_t<decltype(cell)>;
+  N::Shape::visit_cell(mesh, c, [&]<class Cell>(const Cell& cell) {
     using Sums = Rows<Cell, N::template width<T>, Handed::both>;
     using P = typename Sums::P;
     Sums rows;

@@ -62,31 +62,26 @@ class Rows {
 
   bool full() const { return count_ + width > capacity; }
 
-  /// Takes what a pack of points hands over in a group: `own`, up to four lanes by value; `moment(a)` and `slope(a)` [D] along axis a, or
-  /// `Nothing`. `take` follows once all groups have theirs.
-  template <std::size_t Group, std::size_t Own, class Moment, class Slope>
-  void hand(const Lines<P, Cell>& line, const std::array<P, Own>& own, const Moment& moment,
-            const Slope& slope) {
-    constexpr bool axes = handed[Group] != Handed::by_value;
-    const auto store = [&](std::size_t a, std::size_t i, auto&& factor) {
-      std::array<P, 4> lane{P(0), P(0), P(0), P(0)};
-      const auto add = [&]<std::size_t Lanes>(const P& by, const std::array<P, Lanes>& of) {
-        repeat<Lanes>([&](std::size_t d) { lane[d] += by * of[d]; });
-      };
-      if constexpr (!std::same_as<Slope, Nothing>) add(line.slope[a][i], slope(a));
-      if constexpr (!std::same_as<Moment, Nothing>) add(line.moment[a][i], moment(a));
-      if (a == last) repeat<Own>([&](std::size_t d) { lane[d] += factor(own[d]); });
-      store_quads(lane, row_[Group][a][i][count_].data());
-    };
+  /// Takes what a pack of points hands over in a group, each up to D + 1 lanes or `Nothing`: `own` by value, `moment(a)` and `slope(a)`
+  /// along axis a. `take` follows once all groups have theirs.
+  template <std::size_t Group, class Own, class Moment, class Slope>
+  void hand(const Lines<P, Cell>& line, const Own& own, const Moment& moment, const Slope& slope) {
+    constexpr bool axes = handed[Group] != Handed::by_value, value = handed[Group] != Handed::by_axis;
     repeat<D>([&](std::size_t a) {
       if (!axes && a != last) return;
       repeat<N>([&](std::size_t i) {
-        if (!is_total(i)) store(a, i, [&](const P& of) { return line.value[a][i] * of; });
+        if (is_total(i)) return;
+        auto lane = no_lanes();
+        if constexpr (!std::same_as<Slope, Nothing>) add(lane, line.slope[a][i], slope(a));
+        if constexpr (!std::same_as<Moment, Nothing>) add(lane, line.moment[a][i], moment(a));
+        if constexpr (value)
+          if (a == last) add(lane, line.value[a][i], own);
+        store_quads(lane, row_[Group][a][i][count_].data());
       });
     });
-    if constexpr (Cell::is_inner && Own > 0) {
-      std::array<P, 4> lane{P(0), P(0), P(0), P(0)};
-      repeat<Own>([&](std::size_t d) { lane[d] = own[d]; });
+    if constexpr (Cell::is_inner && value) {
+      auto lane = no_lanes();
+      add(lane, P(1), own);
       store_quads(lane, row_[Group][last][middle][count_].data());
     }
   }
@@ -131,6 +126,11 @@ class Rows {
 
   /// Whether the place of node i holds the total of its axis.
   static constexpr bool is_total(std::size_t i) { return Cell::is_inner && i == middle; }
+  static std::array<P, 4> no_lanes() { return {P(0), P(0), P(0), P(0)}; }
+  template <std::size_t Lanes>
+  static void add(std::array<P, 4>& to, const P& factor, const std::array<P, Lanes>& of) {
+    repeat<Lanes>([&](std::size_t d) { to[d] += factor * of[d]; });
+  }
 
   /// Whether a group has rows at node i of an axis: the total of an axis takes own alone, along the last one.
   template <std::size_t Group>

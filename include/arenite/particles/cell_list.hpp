@@ -64,7 +64,9 @@ class CellList {
   template <class Swap>
   void leave(Move& move, std::vector<Index>& cell, Swap&& swap) {
     const Index from = cell[move.point];
-    move.from_run = move.point - start_[from] < owned_[from];
+    // A point far from its cell's run is not the run's: the count of a cell of other blocks may change meanwhile.
+    move.from_run =
+        move.point >= start_[from] && move.point < start_[from + 1] && move.point - start_[from] < owned_[from];
     if (move.from_run) {
       const Index last = start_[from] + --owned_[from];
       if (move.point != last) swap(move.point, last);
@@ -93,6 +95,9 @@ class CellList {
   Index run_end(Index p, Index cell) const {
     return p - start_[cell] < owned_[cell] ? start_[cell] + owned_[cell] : p + 1;
   }
+
+  /// Where the memory begins that the run of a cell had when it was made: behind the runs of the cells before.
+  Index run_begin(Index cell) const { return start_[cell]; }
 
   /// Entries of the lists of all cells before this one: its own begin here when they stand in one row.
   std::size_t offset(Index cell) const { return std::size_t{start_[cell]} + unsorted_.before(cell); }

@@ -2,36 +2,82 @@
 #pragma once
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include <algorithm>
+#include <cstdint>
+#include <cstring>
+
 #include <arenite/mesh/blocks.hpp>
+#include <arenite/mesh/window_grid.hpp>
 #include <arenite/particles/body.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 namespace detail {
 
-/// Lists the points of a block's cells that have left their cells, from `moves` on; returns how many. Those
-/// that left a periodic mesh come back into its box.
+/// Grids of equal cells, which compute the number of a cell from a position.
+template <class M>
+concept equal_cells = requires(const M& m) { m.inverse_edge(); };
+
+/// Whether each of a pack's positions lies in the cell whose number stands in `cell`, as `walk` finds it. Of positions on the upper faces
+/// of the mesh it says no.
+template <class P, class M, std::size_t D>
+bool all_in_cells(const M& grid, const std::array<P, D>& x, const std::int32_t* cell) {
+  using T = typename M::scalar;
+  using Numbers = typename VectorOf<std::int32_t, lane_count<P>>::type;
+  typename P::mask inside(true);
+  Numbers number{};
+  for (std::size_t axis = D; axis-- > 0;) {
+    const auto k = static_cast<int>(axis);
+    const auto first = static_cast<std::int32_t>(first_cell(grid, k)), count = static_cast<std::int32_t>(grid.cells(k));
+    const P s = (x[axis] - P(grid.lower()[k])) * P(grid.inverse_edge());
+    const auto in_mesh = s >= P(static_cast<T>(first)) && s < P(static_cast<T>(first + count));
+    inside = inside && in_mesh;
+    number = number * count + (__builtin_convertvector(select(in_mesh, s, P(0)).lanes(), Numbers) - first);
+  }
+  Numbers here;
+  std::memcpy(&here, cell, sizeof here);
+  here ^= number;
+  return all_of(inside) && !any_bit<sizeof here>(&here);
+}
+
+/// Lists the points of a block's cells that have left their cells, from `moves` on, those of a cell in the order of memory; returns how
+/// many. Those that left a periodic mesh come back into its box. Where cells are equal, points are met as they lie in memory, whatever
+/// their cells: unsorted points are those of the block whose memory they are in, and the last block has all behind the runs.
 template <int Width, class B, class M>
 Index find_moves(B& body, const M& mesh, Index begin, Index end, CellList::Move* moves) {
   using T = typename M::scalar;
   using P = lanes_of<T, Width>;
   auto& points = body.points;
   Index count = 0;
-  for (Index c = begin; c < end; ++c) {
-    if (body.cells.empty(c)) continue;
-    const auto here = mesh.holder(c);
-    body.cells.template for_packs<Width>(c, [&](Index first, int n) {
-      points.position.template prefetch_ahead<Width>(first);
-      const auto inside = here.holds(points.position.template load<P>(first, n)) || lanes_from<P>(n);
-      if (all_of(inside)) return;
-      for (int k = 0; k < n; ++k) {
-        if (in_lane(inside, k)) continue;
-        const Index p = first + static_cast<Index>(k);
-        if constexpr (requires { mesh.wrapped(points.position[p]); })
-          points.position.set(p, mesh.wrapped(points.position[p]));
-        const Index cell = mesh.walk(points.position[p], c);
-        if (cell != c) moves[count++] = {p, cell};
+  const auto test = [&](Index p) {
+    const Index here = points.cell[p];
+    if constexpr (requires { mesh.wrapped(points.position[p]); })
+      points.position.set(p, mesh.wrapped(points.position[p]));
+    const Index cell = mesh.walk(points.position[p], here);
+    if (cell != here) moves[count++] = {p, cell};
+  };
+  if constexpr (equal_cells<M> && Width > 1) {
+    const Index last = end == mesh.cell_count() ? static_cast<Index>(points.size()) : body.cells.run_begin(end);
+    for (Index p = body.cells.run_begin(begin); p < last; p += Width) {
+      const Index n = std::min<Index>(Width, last - p);
+      if (n == Width) {
+        std::int32_t cell[Width];
+        std::memcpy(cell, points.cell.data() + p, sizeof cell);
+        if (all_in_cells(mesh, points.position.template load<P>(p, Width), cell)) continue;
       }
-    });
+      for (Index k = 0; k < n; ++k) test(p + k);
+    }
+  } else {
+    for (Index c = begin; c < end; ++c) {
+      if (body.cells.empty(c)) continue;
+      const auto here = mesh.holder(c);
+      body.cells.template for_packs<Width>(c, [&](Index first, int n) {
+        points.position.template prefetch_ahead<Width>(first);
+        const auto inside = here.holds(points.position.template load<P>(first, n)) || lanes_from<P>(n);
+        if (all_of(inside)) return;
+        for (int k = 0; k < n; ++k)
+          if (!in_lane(inside, k)) test(first + static_cast<Index>(k));
+      });
+    }
   }
   return count;
 }

@@ -133,7 +133,7 @@ struct ProductShape {
   /// Calls `f` with the functions of a cell, those of a cell away from the faces in a type of their own, whose
   /// functions the compiler knows.
   template <class M, class F>
-  static auto visit_cell(const M& grid, Index c, F&& f) {
+  ARENITE_INLINE static auto visit_cell(const M& grid, Index c, F&& f) {
     const auto place = grid.place(c);
     if constexpr (has_inner_cells<M>)
       if (is_inner(grid, place)) return f(Cell<M, true>(grid, place));

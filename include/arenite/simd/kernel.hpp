@@ -10,4 +10,12 @@
 #define ARENITE_KERNEL
 #else
 #define ARENITE_KERNEL [[gnu::flatten]]
+#ifdef __clang__
+// What kernels call is marked, and so are lambdas, behind their parameters: `flatten` of clang++ inlines the calls that stand in the
+// function itself, that of g++ all below them.
+#define ARENITE_INLINE __attribute__((always_inline))
+#endif
+#endif
+#ifndef ARENITE_INLINE
+#define ARENITE_INLINE
 #endif

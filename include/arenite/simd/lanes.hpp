@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <utility>
 
+#include <arenite/simd/kernel.hpp>
 #include <arenite/simd/pack_pair.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
@@ -78,9 +79,9 @@ bool in_lane(const M& mask, int k) {
 /// Calls `f(k)` for k in [0, N): written out for few, whatever the optimiser's level, so that what k names
 /// stays in registers; a loop for many.
 template <std::size_t N, class F>
-constexpr void repeat(F&& f) {
+ARENITE_INLINE constexpr void repeat(F&& f) {
   if constexpr (N <= 32) {
-    [&]<std::size_t... K>(std::index_sequence<K...>) { (f(K), ...); }
+    [&]<std::size_t... K>(std::index_sequence<K...>) ARENITE_INLINE { (f(K), ...); }
     (std::make_index_sequence<N>{});
   } else {
     for (std::size_t k = 0; k < N; ++k) f(k);

@@ -70,7 +70,7 @@ struct PointPack {
 
 /// Calls `f(pack)` for the points of a cell.
 template <int Width, class Points, class F>
-void for_each_pack(const CellList& cells, Index cell, Points& points, F&& f) {
+ARENITE_INLINE void for_each_pack(const CellList& cells, Index cell, Points& points, F&& f) {
   cells.template for_packs<Width>(cell, [&](Index first, int count) {
     f(PointPack<Points, Width>{points, first, count});
   });
@@ -78,7 +78,7 @@ void for_each_pack(const CellList& cells, Index cell, Points& points, F&& f) {
 
 /// Calls `f(pack)` for the neighbours [begin, end).
 template <int Width, class Points, class F>
-void for_each_pack(Points& points, std::size_t begin, std::size_t end, F&& f) {
+ARENITE_INLINE void for_each_pack(Points& points, std::size_t begin, std::size_t end, F&& f) {
   for (std::size_t p = begin; p < end; p += Width)
     f(PointPack<Points, Width>{points, p, static_cast<int>(std::min<std::size_t>(Width, end - p))});
 }

@@ -19,7 +19,7 @@ struct TransferVectors {
   [[no_unique_address]] std::conditional_t<has_second, Differences<Cell>, Nothing> second;
 
   template <class Nodes>
-  TransferVectors(const Cell& cell, const Nodes& nodes, const Gather& gather)
+  ARENITE_INLINE TransferVectors(const Cell& cell, const Nodes& nodes, const Gather& gather)
       : vectors{[&] {
           if constexpr (std::same_as<decltype(gather.velocity), Nothing>)
             return Differences<Cell>(cell, nodes.velocity);
@@ -35,7 +35,7 @@ struct TransferVectors {
 
   /// Sums with the functions of `line`: by `kind`, with moments if the transfer needs them, and of its second vectors beside.
   template <class Line, class... Kinds>
-  auto sums(const Line& line, const Kinds&... kind) const {
+  ARENITE_INLINE auto sums(const Line& line, const Kinds&... kind) const {
     keep_in_memory(*this);
     const auto sums = [&] {
       if constexpr (Gather::needs_moments)
@@ -72,7 +72,7 @@ inline constexpr bool takes_moments_of_v =
 /// positions. `by_moments`: see `ProductShape::Cell::has_moments_for_slopes`.
 template <class K, bool by_moments, class N, class Cell, class Points, class Field, class T, class Average,
           class Buffer>
-T g2p_of_cell(const N& numerics, const Cell& cell, Index c, Points& points, std::size_t begin,
+ARENITE_INLINE T g2p_of_cell(const N& numerics, const Cell& cell, Index c, Points& points, std::size_t begin,
               std::size_t end, const Field& nodes, T dt, const Average& average, Buffer& buffer,
               std::size_t origin) {
   constexpr int width = cell_width<Cell::D, N::template width<T>>;
@@ -86,7 +86,7 @@ T g2p_of_cell(const N& numerics, const Cell& cell, Index c, Points& points, std:
   const auto u = differences_if<!takes_of_v>(cell, nodes.strain_velocity());
   const auto v = differences_if < N::maps_back && !N::moves_mapped > (cell, nodes.velocity);
   P check(0);
-  for_each_pack<width>(points, begin, end, [&](const auto& p) {
+  for_each_pack<width>(points, begin, end, [&](const auto& p) ARENITE_INLINE {
     const auto x = p.position();
     const Lines<P, Cell> line(cell, x);
     keep_in_memory(u), keep_in_memory(v);
@@ -127,8 +127,8 @@ template <class K, class N, class M, class Points, class Field, class T, class A
 ARENITE_KERNEL T g2p(const N& numerics, const M& mesh, Index c, Points& points, std::size_t begin,
                      std::size_t end, const Field& nodes, T dt, const Average& average, Buffer& buffer,
                      std::size_t origin) {
-  return N::Shape::visit_cell(mesh, c, [&](const auto& cell) {
-    const auto of_cell = [&]<bool by_moments>(std::bool_constant<by_moments>) {
+  return N::Shape::visit_cell(mesh, c, [&](const auto& cell) ARENITE_INLINE {
+    const auto of_cell = [&]<bool by_moments>(std::bool_constant<by_moments>) ARENITE_INLINE {
       return g2p_of_cell<K, by_moments>(numerics, cell, c, points, begin, end, nodes, dt, average, buffer,
                                         origin);
     };

@@ -13,11 +13,11 @@ namespace product {
 ///   m_p w_i v_p(x_i)
 template <class N, class M, class B, class Field>
 ARENITE_KERNEL void map_back(const N& numerics, const M& mesh, B& body, Index c, Field& nodes) {
-  N::Shape::visit_cell(mesh, c, [&]<class Cell>(const Cell& cell) {
+  N::Shape::visit_cell(mesh, c, [&]<class Cell>(const Cell& cell) ARENITE_INLINE {
     using Gather = decltype(numerics.transfer.gather(cell, nodes));
     const Gather gather = numerics.transfer.gather(cell, nodes);
     const TransferVectors<Cell, Gather> taken(cell, nodes, gather);
-    hand_back<N>(cell, body, c, nodes.mapped, [&](const auto& p, const auto& x, const auto& line) {
+    hand_back<N>(cell, body, c, nodes.mapped, [&](const auto& p, const auto& x, const auto& line) ARENITE_INLINE {
       return gather(cell, p, x, taken.sums(line));
     });
   });

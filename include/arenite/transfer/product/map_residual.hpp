@@ -12,7 +12,7 @@ namespace product {
 ///   m_p w_i sum_j w_j r_j
 template <class N, class M, class B, class Field>
 ARENITE_KERNEL void map_residual(const M& mesh, const B& body, Index c, Field& nodes) {
-  N::Shape::visit_cell(mesh, c, [&]<class Cell>(const Cell& cell) {
+  N::Shape::visit_cell(mesh, c, [&]<class Cell>(const Cell& cell) ARENITE_INLINE {
     const Differences<Cell> residual(cell, nodes.residual);
     hand_back<N>(cell, body, c, nodes.mapped_residual, [&](const auto&, const auto&, const auto& line) {
       keep_in_memory(residual);

@@ -13,9 +13,9 @@ namespace product {
 
 /// Calls `hand(p, x, line)` for the points of a cell, whose rows are then spread by `spread()`.
 template <class Rows, class Cell, class B, class F, class Spread>
-void for_each_row(Rows& rows, const Cell& cell, B& body, Index c, F&& hand, Spread&& spread) {
+ARENITE_INLINE void for_each_row(Rows& rows, const Cell& cell, B& body, Index c, F&& hand, Spread&& spread) {
   std::size_t left = body.cells[c].size();
-  for_each_pack<Rows::width>(body.cells, c, body.points, [&](const auto& p) {
+  for_each_pack<Rows::width>(body.cells, c, body.points, [&](const auto& p) ARENITE_INLINE {
     const auto x = p.position();
     const Lines<typename Rows::P, Cell> line(cell, x);
     hand(p, x, line);
@@ -69,7 +69,7 @@ auto traction_of(const P& factor, const Stress& stress) {
 ///   mass_i += m_p w_i     momentum_i += m_p w_i v_p(x_i)     force_i -= V_p sigma_p grad w_i
 ///   in axisymmetry force_r,i -= V_p sigma_hoop w_i / r_p     mass_gradient_i += m_p grad w_i
 template <class K, class N, class Cell, class B, class Field>
-void p2g_of_cell(const N& numerics, const Cell& cell, const B& body, Index c, Field& nodes) {
+ARENITE_INLINE void p2g_of_cell(const N& numerics, const Cell& cell, const B& body, Index c, Field& nodes) {
   using T = typename Cell::T;
   constexpr std::size_t D = Cell::D;
   constexpr Handed momentum = N::Transfer::affine ? Handed::both : Handed::by_value,
@@ -80,7 +80,7 @@ void p2g_of_cell(const N& numerics, const Cell& cell, const B& body, Index c, Fi
   using P = typename Sums::P;
   Sums rows;
   [[maybe_unused]] P of_cell(0);
-  const auto hand = [&](const auto& p, const auto& x, const auto& line) {
+  const auto hand = [&](const auto& p, const auto& x, const auto& line) ARENITE_INLINE {
     const auto field = numerics.transfer.particle_field(p);
     const auto stress = p.stress();
     const P m = p.mass(), volume = -p.volume();
@@ -119,7 +119,7 @@ void p2g_of_cell(const N& numerics, const Cell& cell, const B& body, Index c, Fi
 }
 template <class K, class N, class M, class B, class Field>
 ARENITE_KERNEL void p2g(const N& numerics, const M& mesh, const B& body, Index c, Field& nodes) {
-  N::Shape::visit_cell(mesh, c, [&](const auto& cell) { p2g_of_cell<K>(numerics, cell, body, c, nodes); });
+  N::Shape::visit_cell(mesh, c, [&](const auto& cell) ARENITE_INLINE { p2g_of_cell<K>(numerics, cell, body, c, nodes); });
 }
 
 /// P2G where nodes collect only mass and the momentum at the end of the step (`NodeMomentum`):
@@ -128,11 +128,11 @@ ARENITE_KERNEL void p2g(const N& numerics, const M& mesh, const B& body, Index c
 template <class K, class N, class M, class B, class Field, class T>
 ARENITE_KERNEL void p2g_with_impulse(const N& numerics, const M& mesh, const B& body, Index c, Field& nodes,
                                      T dt) {
-  N::Shape::visit_cell(mesh, c, [&]<class Cell>(const Cell& cell) {
+  N::Shape::visit_cell(mesh, c, [&]<class Cell>(const Cell& cell) ARENITE_INLINE {
     using Sums = Rows<Cell, N::template width<T>, Handed::both>;
     using P = typename Sums::P;
     Sums rows;
-    const auto hand = [&](const auto& p, const auto& x, const auto& line) {
+    const auto hand = [&](const auto& p, const auto& x, const auto& line) ARENITE_INLINE {
       const auto field = numerics.transfer.particle_field(p);
       const auto stress = p.stress();
       const P m = p.mass(), factor = P(-dt) * p.volume();

@@ -2,6 +2,7 @@
 #include "catch.hpp"
 
 #include <arenite/law/linear_elastic.hpp>
+#include <arenite/mesh/window_grid.hpp>
 #include <arenite/particles/relocate.hpp>
 #include <numeric>
 
@@ -112,6 +113,51 @@ TEST_CASE("relocation on triangles and tetrahedra, across several cells and out 
 TEST_CASE("relocation on grids") {
   check_relocation(CartesianGrid<2>({.lower = {0, 0}, .upper = {1, 1}, .cell = 0.05}), 0.05);
   check_relocation(CartesianGrid<3, float>({.lower = {0, 0, 0}, .upper = {1, 1, 1}, .cell = 0.125}), 0.05);
+  // Few move at once: unsorted points lie in the memory of other cells.
+  const CartesianGrid<2> grid({.lower = {0, 0}, .upper = {1, 1}, .cell = 0.05});
+  check_relocation(grid, 0.01);
+  check_relocation(WindowGrid<CartesianGrid<2>>(grid, {3, 0}, {11, 9}), 0.01);
+  check_relocation(CartesianGrid<3, float>({.lower = {0, 0, 0}, .upper = {1, 1, 1}, .cell = 0.125}), 0.02);
+}
+
+TEST_CASE("a grid of equal cells tests a pack of positions as it walks to each") {
+  const CartesianGrid<2> whole({.lower = {-1, 2}, .upper = {1, 3}, .cell = 0.1});
+  const auto check = [](const auto& mesh) {
+    constexpr int width = 4;
+    using P = Pack<double, width>;
+    const double nan = std::nan(""), infinity = std::numeric_limits<double>::infinity();
+    std::mt19937 random(3);
+    std::uniform_int_distribution<int> place(-2, 22);
+    std::uniform_real_distribution<double> within(0, 1);
+    int inside = 0;
+    for (int round = 0; round < 4000; ++round) {
+      std::array<P, 2> x{P(0), P(0)};
+      std::array<std::int32_t, width> cell{};
+      bool all = true, on_face = false;
+      for (int k = 0; k < width; ++k) {
+        for (std::size_t a = 0; a < 2; ++a) {
+          // Mostly in one cell; some anywhere, on faces, or no number.
+          const double anywhere = -1 + 0.1 * (place(random) + (round % 3 == 0 ? 0 : within(random)));
+          double at = a == 0 ? -0.35 + 0.1 * within(random) : 2.15 + 0.1 * within(random);
+          if (round % 4 == 0 && k == round % 3) at = a == 0 ? anywhere : anywhere + 3;
+          if (round % 50 == 0 && k == 2) at = round % 100 == 0 ? nan : round % 150 == 0 ? infinity : -infinity;
+          x[a].set(k, at);
+          on_face = on_face || at == mesh.upper(static_cast<int>(a));
+        }
+        const Index walked = mesh.walk({x[0][k], x[1][k]}, none);
+        const Index asked = round % 7 == 0 && k == 3 ? mesh.cell_count() - 1 : walked == none ? 0 : walked;
+        cell[static_cast<std::size_t>(k)] = static_cast<std::int32_t>(asked);
+        all = all && walked == asked;
+      }
+      const bool found = detail::all_in_cells(mesh, x, cell.data());
+      REQUIRE((found == all || (all && on_face)));
+      inside += found;
+    }
+    REQUIRE(inside > 1000);
+    REQUIRE(inside < 3900);
+  };
+  check(whole);
+  check(WindowGrid<CartesianGrid<2>>(whole, {5, 1}, {7, 9}));
 }
 
 TEST_CASE("points that stay are not touched") {

@@ -13,7 +13,9 @@
 #define ARENITE_NAMESPACE_FOR(set) \
   ARENITE_VERSIONED_NAME(ARENITE_VERSION_MAJOR, ARENITE_VERSION_MINOR, _##set)
 
-#if defined(__AVX512F__) && defined(__FMA__)
+#if defined(__AVX512F__) && defined(__AVX512VL__) && defined(__FMA__)
+#define ARENITE_INSTRUCTION_SET ARENITE_NAMESPACE_FOR(avx512vl_fma)
+#elif defined(__AVX512F__) && defined(__FMA__)
 #define ARENITE_INSTRUCTION_SET ARENITE_NAMESPACE_FOR(avx512_fma)
 #elif defined(__AVX512F__)
 #define ARENITE_INSTRUCTION_SET ARENITE_NAMESPACE_FOR(avx512)

@@ -140,7 +140,8 @@ TEST_CASE("a grid of equal cells tests a pack of positions as it walks to each")
           const double anywhere = -1 + 0.1 * (place(random) + (round % 3 == 0 ? 0 : within(random)));
           double at = a == 0 ? -0.35 + 0.1 * within(random) : 2.15 + 0.1 * within(random);
           if (round % 4 == 0 && k == round % 3) at = a == 0 ? anywhere : anywhere + 3;
-          if (round % 50 == 0 && k == 2) at = round % 100 == 0 ? nan : round % 150 == 0 ? infinity : -infinity;
+          if (round % 50 == 0 && k == 2)
+            at = round % 100 == 0 ? nan : round % 150 == 0 ? infinity : -infinity;
           x[a].set(k, at);
           on_face = on_face || at == mesh.upper(static_cast<int>(a));
         }

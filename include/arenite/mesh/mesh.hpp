@@ -48,6 +48,12 @@ inline constexpr bool is_rectilinear = requires {
   typename M::Knots;
 };
 
+/// Whether M is a grid whose cells are all equal, so that the place of a point gives the number of its cell.
+template <class M>
+inline constexpr bool has_equal_cells = requires(const M& mesh) {
+  mesh.inverse_edge();
+};
+
 /// Whether an axis of a grid is periodic (`PeriodicGrid`), or any is.
 template <class M>
 constexpr bool is_periodic(int axis) {

@@ -65,8 +65,8 @@ class CellList {
   void leave(Move& move, std::vector<Index>& cell, Swap&& swap) {
     const Index from = cell[move.point];
     // A point far from its cell's run is not the run's: the count of a cell of other blocks may change meanwhile.
-    move.from_run =
-        move.point >= start_[from] && move.point < start_[from + 1] && move.point - start_[from] < owned_[from];
+    move.from_run = move.point >= start_[from] && move.point < start_[from + 1] &&
+                    move.point - start_[from] < owned_[from];
     if (move.from_run) {
       const Index last = start_[from] + --owned_[from];
       if (move.point != last) swap(move.point, last);

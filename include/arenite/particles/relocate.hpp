@@ -7,36 +7,34 @@
 #include <cstring>
 
 #include <arenite/mesh/blocks.hpp>
-#include <arenite/mesh/window_grid.hpp>
+#include <arenite/mesh/mesh.hpp>
 #include <arenite/particles/body.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 namespace detail {
-
-/// Grids of equal cells, which compute the number of a cell from a position.
-template <class M>
-concept equal_cells = requires(const M& m) { m.inverse_edge(); };
 
 /// Whether each of a pack's positions lies in the cell whose number stands in `cell`, as `walk` finds it. Of positions on the upper faces
 /// of the mesh it says no.
 template <class P, class M, std::size_t D>
 bool all_in_cells(const M& grid, const std::array<P, D>& x, const std::int32_t* cell) {
   using T = typename M::scalar;
-  using Numbers = typename VectorOf<std::int32_t, lane_count<P>>::type;
-  typename P::mask inside(true);
+  using Mask = typename P::mask;
+  typedef std::int32_t Numbers __attribute__((vector_size(sizeof(std::int32_t) * lane_count<P>)));
+  Mask inside(true);
   Numbers number{};
   for (std::size_t axis = D; axis-- > 0;) {
     const auto k = static_cast<int>(axis);
-    const auto first = static_cast<std::int32_t>(first_cell(grid, k)), count = static_cast<std::int32_t>(grid.cells(k));
+    const auto first = static_cast<std::int32_t>(first_cell(grid, k)),
+               count = static_cast<std::int32_t>(grid.cells(k));
     const P s = (x[axis] - P(grid.lower()[k])) * P(grid.inverse_edge());
     const auto in_mesh = s >= P(static_cast<T>(first)) && s < P(static_cast<T>(first + count));
     inside = inside && in_mesh;
-    number = number * count + (__builtin_convertvector(select(in_mesh, s, P(0)).lanes(), Numbers) - first);
+    number = number * count +
+             (__builtin_convertvector(select(in_mesh, s, P(static_cast<T>(first))).lanes(), Numbers) - first);
   }
   Numbers here;
   std::memcpy(&here, cell, sizeof here);
-  here ^= number;
-  return all_of(inside) && !any_bit<sizeof here>(&here);
+  return all_of(inside && Mask(__builtin_convertvector(number == here, typename Mask::vector)));
 }
 
 /// Lists the points of a block's cells that have left their cells, from `moves` on, those of a cell in the order of memory; returns how
@@ -55,8 +53,9 @@ Index find_moves(B& body, const M& mesh, Index begin, Index end, CellList::Move*
     const Index cell = mesh.walk(points.position[p], here);
     if (cell != here) moves[count++] = {p, cell};
   };
-  if constexpr (equal_cells<M> && Width > 1) {
-    const Index last = end == mesh.cell_count() ? static_cast<Index>(points.size()) : body.cells.run_begin(end);
+  if constexpr (has_equal_cells<M> && Width > 1) {
+    const Index last =
+        end == mesh.cell_count() ? static_cast<Index>(points.size()) : body.cells.run_begin(end);
     for (Index p = body.cells.run_begin(begin); p < last; p += Width) {
       const Index n = std::min<Index>(Width, last - p);
       if (n == Width) {

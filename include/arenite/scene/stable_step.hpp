@@ -60,7 +60,7 @@ double stable_step(const Scene& scene) {
       return step;
     };
     const auto lesser = [](T a, T b) { return std::min(a, b); };
-    if constexpr (detail::equal_cells<typename Scene::Mesh> && !stiffness_varies<L, T, Scene::D>) {
+    if constexpr (has_equal_cells<typename Scene::Mesh> && !stiffness_varies<L, T, Scene::D>) {
       // The fastest point decides, whatever its cell: points in the order of memory, which fill their packs.
       const Index all = static_cast<Index>(body.points.size());
       if (all > 0)

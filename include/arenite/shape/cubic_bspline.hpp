@@ -87,8 +87,8 @@ class CubicBSplineLine {
   }
 
   std::array<T, 2> before_{}, after_{};  // distances of the knots outside from the cell's lower end
-  std::array<T, 2> quadratic_{};       // 1 / the support of the linear functions
-  std::array<T, 3> cubic_{};           // 1 / the support of the quadratic functions
+  std::array<T, 2> quadratic_{};         // 1 / the support of the linear functions
+  std::array<T, 3> cubic_{};             // 1 / the support of the quadratic functions
 };
 
 /// Cubic B-splines on a grid.

@@ -73,8 +73,8 @@ inline constexpr bool takes_moments_of_v =
 template <class K, bool by_moments, class N, class Cell, class Points, class Field, class T, class Average,
           class Buffer>
 ARENITE_INLINE T g2p_of_cell(const N& numerics, const Cell& cell, Index c, Points& points, std::size_t begin,
-              std::size_t end, const Field& nodes, T dt, const Average& average, Buffer& buffer,
-              std::size_t origin) {
+                             std::size_t end, const Field& nodes, T dt, const Average& average,
+                             Buffer& buffer, std::size_t origin) {
   constexpr int width = cell_width<Cell::D, N::template width<T>>;
   using P = lanes_of<T, width>;
   using Gather = decltype(numerics.transfer.gather(cell, nodes));

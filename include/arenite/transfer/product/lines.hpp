@@ -100,7 +100,8 @@ struct Lines {
   /// Sums over the vectors of all nodes. Kinds: `slope` gives the gradient sum v_i (grad w_i)^T,
   /// `moment` sum w_i v_i (x_i - x)^T, column by column.
   template <class... Kinds>
-  ARENITE_INLINE LineSums<P, D, sizeof...(Kinds)> sum(const Differences<Cell>& v, const Kinds&... kinds) const {
+  ARENITE_INLINE LineSums<P, D, sizeof...(Kinds)> sum(const Differences<Cell>& v,
+                                                      const Kinds&... kinds) const {
     constexpr std::size_t count = sizeof...(Kinds);
     const std::array<Functions, count> kind{kinds...};
     LineSums<P, D, count> total;
@@ -131,7 +132,8 @@ struct Lines {
   /// Of one component the sum over the first `Axes` axes. `across`: for the nodes j of each of these axes but the middle one the sum of
   /// the differences d_j over the others, or `Nothing`. They are copied one by one, for g++ 12 copies arrays through memory.
   template <std::size_t Axes, class Across>
-  ARENITE_INLINE P sum_over(const Differences<Cell>& v, std::size_t d, std::size_t first, Across& across) const {
+  ARENITE_INLINE P sum_over(const Differences<Cell>& v, std::size_t d, std::size_t first,
+                            Across& across) const {
     if constexpr (Axes == 0) {
       return P(v.component(first, d));
     } else {

@@ -119,7 +119,8 @@ ARENITE_INLINE void p2g_of_cell(const N& numerics, const Cell& cell, const B& bo
 }
 template <class K, class N, class M, class B, class Field>
 ARENITE_KERNEL void p2g(const N& numerics, const M& mesh, const B& body, Index c, Field& nodes) {
-  N::Shape::visit_cell(mesh, c, [&](const auto& cell) ARENITE_INLINE { p2g_of_cell<K>(numerics, cell, body, c, nodes); });
+  N::Shape::visit_cell(
+      mesh, c, [&](const auto& cell) ARENITE_INLINE { p2g_of_cell<K>(numerics, cell, body, c, nodes); });
 }
 
 /// P2G where nodes collect only mass and the momentum at the end of the step (`NodeMomentum`):

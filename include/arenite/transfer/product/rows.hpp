@@ -65,7 +65,8 @@ class Rows {
   /// Takes what a pack of points hands over in a group, each up to D + 1 lanes or `Nothing`: `own` by value, `moment(a)` and `slope(a)`
   /// along axis a. `take` follows once all groups have theirs.
   template <std::size_t Group, class Own, class Moment, class Slope>
-  ARENITE_INLINE void hand(const Lines<P, Cell>& line, const Own& own, const Moment& moment, const Slope& slope) {
+  ARENITE_INLINE void hand(const Lines<P, Cell>& line, const Own& own, const Moment& moment,
+                           const Slope& slope) {
     constexpr bool axes = handed[Group] != Handed::by_value, value = handed[Group] != Handed::by_axis;
     repeat<D>([&](std::size_t a) ARENITE_INLINE {
       if (!axes && a != last) return;

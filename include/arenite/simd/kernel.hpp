@@ -11,11 +11,16 @@
 #else
 #define ARENITE_KERNEL [[gnu::flatten]]
 #ifdef __clang__
-// What kernels call is marked, and so are lambdas, behind their parameters: `flatten` of clang++ inlines the calls that stand in the
-// function itself, that of g++ all below them.
+// What kernels call stands between ARENITE_INLINE_BEGIN and ARENITE_INLINE_END, and lambdas of a kernel itself have ARENITE_INLINE behind
+// their parameters: `flatten` of clang++ inlines the calls that stand in the function itself, that of g++ all below them.
 #define ARENITE_INLINE __attribute__((always_inline))
+#define ARENITE_INLINE_BEGIN \
+  _Pragma("clang attribute push(__attribute__((always_inline)), apply_to = function)")
+#define ARENITE_INLINE_END _Pragma("clang attribute pop")
 #endif
 #endif
 #ifndef ARENITE_INLINE
 #define ARENITE_INLINE
+#define ARENITE_INLINE_BEGIN
+#define ARENITE_INLINE_END
 #endif

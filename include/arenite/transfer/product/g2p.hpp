@@ -10,6 +10,7 @@
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 namespace product {
+ARENITE_INLINE_BEGIN
 
 /// Node vectors of a cell of which its points take sums for their transfer.
 template <class Cell, class Gather>
@@ -19,7 +20,7 @@ struct TransferVectors {
   [[no_unique_address]] std::conditional_t<has_second, Differences<Cell>, Nothing> second;
 
   template <class Nodes>
-  ARENITE_INLINE TransferVectors(const Cell& cell, const Nodes& nodes, const Gather& gather)
+  TransferVectors(const Cell& cell, const Nodes& nodes, const Gather& gather)
       : vectors{[&] {
           if constexpr (std::same_as<decltype(gather.velocity), Nothing>)
             return Differences<Cell>(cell, nodes.velocity);
@@ -35,7 +36,7 @@ struct TransferVectors {
 
   /// Sums with the functions of `line`: by `kind`, with moments if the transfer needs them, and of its second vectors beside.
   template <class Line, class... Kinds>
-  ARENITE_INLINE auto sums(const Line& line, const Kinds&... kind) const {
+  auto sums(const Line& line, const Kinds&... kind) const {
     keep_in_memory(*this);
     const auto sums = [&] {
       if constexpr (Gather::needs_moments)
@@ -72,9 +73,9 @@ inline constexpr bool takes_moments_of_v =
 /// positions. `by_moments`: see `ProductShape::Cell::has_moments_for_slopes`.
 template <class K, bool by_moments, class N, class Cell, class Points, class Field, class T, class Average,
           class Buffer>
-ARENITE_INLINE T g2p_of_cell(const N& numerics, const Cell& cell, Index c, Points& points, std::size_t begin,
-                             std::size_t end, const Field& nodes, T dt, const Average& average,
-                             Buffer& buffer, std::size_t origin) {
+T g2p_of_cell(const N& numerics, const Cell& cell, Index c, Points& points, std::size_t begin,
+              std::size_t end, const Field& nodes, T dt, const Average& average, Buffer& buffer,
+              std::size_t origin) {
   constexpr int width = cell_width<Cell::D, N::template width<T>>;
   using P = lanes_of<T, width>;
   using Gather = decltype(numerics.transfer.gather(cell, nodes));
@@ -86,7 +87,7 @@ ARENITE_INLINE T g2p_of_cell(const N& numerics, const Cell& cell, Index c, Point
   const auto u = differences_if<!takes_of_v>(cell, nodes.strain_velocity());
   const auto v = differences_if < N::maps_back && !N::moves_mapped > (cell, nodes.velocity);
   P check(0);
-  for_each_pack<width>(points, begin, end, [&](const auto& p) ARENITE_INLINE {
+  for_each_pack<width>(points, begin, end, [&](const auto& p) {
     const auto x = p.position();
     const Lines<P, Cell> line(cell, x);
     keep_in_memory(u), keep_in_memory(v);
@@ -122,6 +123,7 @@ ARENITE_INLINE T g2p_of_cell(const N& numerics, const Cell& cell, Index c, Point
   });
   return lane_sums(std::array<P, 1>{check})[0];
 }
+ARENITE_INLINE_END
 
 template <class K, class N, class M, class Points, class Field, class T, class Average, class Buffer>
 ARENITE_KERNEL T g2p(const N& numerics, const M& mesh, Index c, Points& points, std::size_t begin,

@@ -3,6 +3,7 @@
 #pragma once
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include <arenite/simd/kernel.hpp>
 #include <arenite/transfer/node_field.hpp>
 #include <arenite/transfer/numerics.hpp>
 #include <arenite/transfer/point_pack.hpp>
@@ -10,17 +11,18 @@
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 namespace product {
+ARENITE_INLINE_BEGIN
 
 /// Adds to the vectors `to` of the nodes, of the points p of a cell,
 ///   m_p w_i v_p(x_i)
 /// with the velocity field v_p = `field(p, x, line)`, at x, with the functions of `line`.
 template <class N, class Cell, class B, class Vectors, class F>
-ARENITE_INLINE void hand_back(const Cell& cell, B& body, Index c, Vectors& to, F&& field) {
+void hand_back(const Cell& cell, B& body, Index c, Vectors& to, F&& field) {
   using T = typename Cell::T;
   using Sums = Rows<Cell, N::template width<T>, N::Transfer::affine ? Handed::both : Handed::by_value>;
   using P = typename Sums::P;
   Sums rows;
-  const auto hand = [&](const auto& p, const auto& x, const auto& line) ARENITE_INLINE {
+  const auto hand = [&](const auto& p, const auto& x, const auto& line) {
     const P m = p.mass();
     const auto v = field(p, x, line);
     std::array<P, Cell::D> own;
@@ -34,5 +36,6 @@ ARENITE_INLINE void hand_back(const Cell& cell, B& body, Index c, Vectors& to, F
   });
 }
 
+ARENITE_INLINE_END
 }  // namespace product
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

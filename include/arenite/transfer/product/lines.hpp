@@ -7,10 +7,12 @@
 #include <array>
 #include <cstddef>
 
+#include <arenite/simd/kernel.hpp>
 #include <arenite/transfer/node_field.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 namespace product {
+ARENITE_INLINE_BEGIN
 
 /// Points of one cell computed at once: more than it is likely to hold would be wasted.
 template <int D, int Width>
@@ -19,7 +21,7 @@ inline constexpr int cell_width = std::min(Width, D == 2 ? 4 : 8);
 /// Calls `f(i)` for i < Count, unrolled up to three: with four nodes along each axis of space the code of 64
 /// outweighs what it saves.
 template <std::size_t Count, class F>
-ARENITE_INLINE void repeat_all(F&& f) {
+void repeat_all(F&& f) {
   if constexpr (Count <= 3)
     repeat<Count>(f);
   else
@@ -44,11 +46,11 @@ class Differences {
   using Rows = CellVectors<typename Cell::T, Cell::D, size>;
 
  public:
-  ARENITE_INLINE explicit Differences(const Rows& vectors) {
+  explicit Differences(const Rows& vectors) {
     take([&](std::size_t i) { return vectors.pack(i); });
   }
   template <class Vectors>
-  ARENITE_INLINE Differences(const Cell& cell, const Vectors& of_nodes) {
+  Differences(const Cell& cell, const Vectors& of_nodes) {
     take([&](std::size_t i) { return of_nodes.pack(cell.nodes[i]); });
   }
 
@@ -56,7 +58,7 @@ class Differences {
 
  private:
   template <class VectorOf>
-  ARENITE_INLINE void take(VectorOf&& vector) {
+  void take(VectorOf&& vector) {
     std::array<NodePack<typename Cell::T, Cell::D>, size> v;
     repeat<size>([&](std::size_t i) { v[i] = vector(i); });
     repeat<Cell::D>([&](std::size_t a) {
@@ -91,7 +93,7 @@ struct Lines {
   using Functions = LineFunctions<P, D, N>;
   Functions value, slope, moment;
 
-  ARENITE_INLINE Lines(const Cell& cell, const std::array<P, D>& x)
+  Lines(const Cell& cell, const std::array<P, D>& x)
       : value{cell.line_values(x)}, slope{cell.line_slopes(x)}, moment{cell.offsets(x)} {
     repeat<D>(
         [&](std::size_t a) { repeat<N>([&](std::size_t i) { moment[a][i] = moment[a][i] * value[a][i]; }); });
@@ -100,17 +102,16 @@ struct Lines {
   /// Sums over the vectors of all nodes. Kinds: `slope` gives the gradient sum v_i (grad w_i)^T,
   /// `moment` sum w_i v_i (x_i - x)^T, column by column.
   template <class... Kinds>
-  ARENITE_INLINE LineSums<P, D, sizeof...(Kinds)> sum(const Differences<Cell>& v,
-                                                      const Kinds&... kinds) const {
+  LineSums<P, D, sizeof...(Kinds)> sum(const Differences<Cell>& v, const Kinds&... kinds) const {
     constexpr std::size_t count = sizeof...(Kinds);
     const std::array<Functions, count> kind{kinds...};
     LineSums<P, D, count> total;
     // A component after the other, all of whose sums stay in registers.
-    repeat<D>([&](std::size_t d) ARENITE_INLINE {
+    repeat<D>([&](std::size_t d) {
       std::conditional_t<(count > 0), Functions, Nothing> across;
       total.value[d] = sum_over<D>(v, d, 0, across);
       if constexpr (count > 0)
-        repeat<count * D>([&](std::size_t n) ARENITE_INLINE {
+        repeat<count * D>([&](std::size_t n) {
           const std::size_t k = n / D, a = n % D;
           P along(0);
           each_but_middle([&](std::size_t j) { along += kind[k][a][j] * across[a][j]; });
@@ -123,7 +124,7 @@ struct Lines {
  private:
   static constexpr std::size_t middle = middle_node<N>;
   template <class F>
-  ARENITE_INLINE static void each_but_middle(F&& f) {
+  static void each_but_middle(F&& f) {
     repeat<N>([&](std::size_t j) {
       if (j != middle) f(j);
     });
@@ -132,14 +133,13 @@ struct Lines {
   /// Of one component the sum over the first `Axes` axes. `across`: for the nodes j of each of these axes but the middle one the sum of
   /// the differences d_j over the others, or `Nothing`. They are copied one by one, for g++ 12 copies arrays through memory.
   template <std::size_t Axes, class Across>
-  ARENITE_INLINE P sum_over(const Differences<Cell>& v, std::size_t d, std::size_t first,
-                            Across& across) const {
+  P sum_over(const Differences<Cell>& v, std::size_t d, std::size_t first, Across& across) const {
     if constexpr (Axes == 0) {
       return P(v.component(first, d));
     } else {
       constexpr std::size_t a = Axes - 1, stride = a == 0 ? 1 : a == 1 ? N : N * N;
       P total = sum_over<a>(v, d, first + middle * stride, across);
-      each_but_middle([&](std::size_t j) ARENITE_INLINE {
+      each_but_middle([&](std::size_t j) {
         Across other;
         const P sum = sum_over<a>(v, d, first + j * stride, other);
         total += value[a][j] * sum;
@@ -155,5 +155,6 @@ struct Lines {
   }
 };
 
+ARENITE_INLINE_END
 }  // namespace product
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -10,12 +10,13 @@
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 namespace product {
+ARENITE_INLINE_BEGIN
 
 /// Calls `hand(p, x, line)` for the points of a cell, whose rows are then spread by `spread()`.
 template <class Rows, class Cell, class B, class F, class Spread>
-ARENITE_INLINE void for_each_row(Rows& rows, const Cell& cell, B& body, Index c, F&& hand, Spread&& spread) {
+void for_each_row(Rows& rows, const Cell& cell, B& body, Index c, F&& hand, Spread&& spread) {
   std::size_t left = body.cells[c].size();
-  for_each_pack<Rows::width>(body.cells, c, body.points, [&](const auto& p) ARENITE_INLINE {
+  for_each_pack<Rows::width>(body.cells, c, body.points, [&](const auto& p) {
     const auto x = p.position();
     const Lines<typename Rows::P, Cell> line(cell, x);
     hand(p, x, line);
@@ -69,7 +70,7 @@ auto traction_of(const P& factor, const Stress& stress) {
 ///   mass_i += m_p w_i     momentum_i += m_p w_i v_p(x_i)     force_i -= V_p sigma_p grad w_i
 ///   in axisymmetry force_r,i -= V_p sigma_hoop w_i / r_p     mass_gradient_i += m_p grad w_i
 template <class K, class N, class Cell, class B, class Field>
-ARENITE_INLINE void p2g_of_cell(const N& numerics, const Cell& cell, const B& body, Index c, Field& nodes) {
+void p2g_of_cell(const N& numerics, const Cell& cell, const B& body, Index c, Field& nodes) {
   using T = typename Cell::T;
   constexpr std::size_t D = Cell::D;
   constexpr Handed momentum = N::Transfer::affine ? Handed::both : Handed::by_value,
@@ -80,7 +81,7 @@ ARENITE_INLINE void p2g_of_cell(const N& numerics, const Cell& cell, const B& bo
   using P = typename Sums::P;
   Sums rows;
   [[maybe_unused]] P of_cell(0);
-  const auto hand = [&](const auto& p, const auto& x, const auto& line) ARENITE_INLINE {
+  const auto hand = [&](const auto& p, const auto& x, const auto& line) {
     const auto field = numerics.transfer.particle_field(p);
     const auto stress = p.stress();
     const P m = p.mass(), volume = -p.volume();
@@ -117,6 +118,7 @@ ARENITE_INLINE void p2g_of_cell(const N& numerics, const Cell& cell, const B& bo
     for (const Index node : cell.nodes) nodes.sums[node].lane[NodeSums<T, Cell::D>::reach_lane] += reach;
   }
 }
+ARENITE_INLINE_END
 template <class K, class N, class M, class B, class Field>
 ARENITE_KERNEL void p2g(const N& numerics, const M& mesh, const B& body, Index c, Field& nodes) {
   N::Shape::visit_cell(

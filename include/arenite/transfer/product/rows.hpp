@@ -3,15 +3,17 @@
 #pragma once
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include <arenite/simd/kernel.hpp>
 #include <arenite/transfer/channels.hpp>
 #include <arenite/transfer/product/lines.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 namespace product {
+ARENITE_INLINE_BEGIN
 
 /// Writes four columns of neighbouring points as rows of four lanes, one a point.
 template <class T, class P>
-ARENITE_INLINE void store_quads(std::array<P, 4> column, T* to) {
+void store_quads(std::array<P, 4> column, T* to) {
   constexpr std::size_t width = static_cast<std::size_t>(lane_count<P>);
   if constexpr (width == 1) {
     repeat<4>([&](std::size_t k) { to[k] = column[k]; });
@@ -65,12 +67,11 @@ class Rows {
   /// Takes what a pack of points hands over in a group, each up to D + 1 lanes or `Nothing`: `own` by value, `moment(a)` and `slope(a)`
   /// along axis a. `take` follows once all groups have theirs.
   template <std::size_t Group, class Own, class Moment, class Slope>
-  ARENITE_INLINE void hand(const Lines<P, Cell>& line, const Own& own, const Moment& moment,
-                           const Slope& slope) {
+  void hand(const Lines<P, Cell>& line, const Own& own, const Moment& moment, const Slope& slope) {
     constexpr bool axes = handed[Group] != Handed::by_value, value = handed[Group] != Handed::by_axis;
-    repeat<D>([&](std::size_t a) ARENITE_INLINE {
+    repeat<D>([&](std::size_t a) {
       if (!axes && a != last) return;
-      repeat<N>([&](std::size_t i) ARENITE_INLINE {
+      repeat<N>([&](std::size_t i) {
         if (is_total(i)) return;
         auto lane = no_lanes();
         if constexpr (!std::same_as<Slope, Nothing>) add(lane, line.slope[a][i], slope(a));
@@ -87,7 +88,7 @@ class Rows {
     }
   }
   /// The first `count` points of a pack, of which all groups were handed over.
-  ARENITE_INLINE void take(int count, const Lines<P, Cell>& line) {
+  void take(int count, const Lines<P, Cell>& line) {
     repeat<D>([&](std::size_t a) {
       repeat<N>([&](std::size_t i) {
         if (!is_total(i)) store_lanes(&value_[a][i][count_], width, line.value[a][i]);
@@ -98,11 +99,11 @@ class Rows {
 
   /// Calls `add(node, lane, pack)` with what each local node collects of a group in the lanes from number `lane` on.
   template <std::size_t Group, class Add>
-  ARENITE_INLINE void spread(Add&& add) const {
-    repeat<4 / at_once>([&](std::size_t part) ARENITE_INLINE {
+  void spread(Add&& add) const {
+    repeat<4 / at_once>([&](std::size_t part) {
       if (part * at_once > D) return;
       const std::size_t lane = part * at_once;
-      const auto hand = [&](std::size_t k, const Layer& sum) ARENITE_INLINE {
+      const auto hand = [&](std::size_t k, const Layer& sum) {
         repeat<N * N>([&](std::size_t n) { add(N * N * k + n, lane, sum[n]); });
       };
       if constexpr (D == 2 || !Cell::is_inner) {
@@ -142,7 +143,7 @@ class Rows {
 
   /// Sums of layer k of the nodes (all of them, in the plane), in the lanes from number `lane` on. `OfTotal`: that of the total.
   template <std::size_t Group, bool OfTotal>
-  ARENITE_INLINE Layer layer(std::size_t lane, std::size_t k) const {
+  Layer layer(std::size_t lane, std::size_t k) const {
     const auto row = [&](std::size_t a, std::size_t i, std::size_t p) {
       return load_lanes<L>(row_[Group][a][i][p].data() + lane, static_cast<int>(at_once));
     };
@@ -165,7 +166,7 @@ class Rows {
         if (!is_total(i)) n_x[i] = L(value_[0][i][p]);
         if (has_row<Group>(0, i)) e_x[i] = in_layer(row(0, i, p));
       });
-      repeat<N>([&](std::size_t j) ARENITE_INLINE {
+      repeat<N>([&](std::size_t j) {
         const bool has_line = has_row<Group>(1, j);
         L n_y(1), line(0);
         if (!is_total(j)) n_y = L(value_[1][j][p]);
@@ -201,5 +202,6 @@ class Rows {
   std::array<std::array<std::array<T, capacity>, N>, D> value_;
 };
 
+ARENITE_INLINE_END
 }  // namespace product
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

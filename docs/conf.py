@@ -38,7 +38,7 @@ python_use_unqualified_type_names = True
 breathe_default_project = "arenite"
 breathe_projects = {}  # set below: the build folder is not known yet
 breathe_show_include = False
-cpp_id_attributes = ["ARENITE_ALWAYS_INLINE", "ARENITE_FLATTEN"]
+cpp_id_attributes = ["ARENITE_INLINE", "ARENITE_KERNEL"]
 
 # --- HTML
 html_math_renderer = "mathml"

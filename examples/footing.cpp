@@ -2,7 +2,7 @@
 // pressure at failure is (2 + pi) c (Prandtl 1920).
 //
 //   g++ -std=c++20 -O3 -march=native -Iinclude -I/usr/include/eigen3 examples/footing.cpp -o footing -pthread && ./footing
-//   prints: pressure 5.110 c, exact 5.142 c, -0.62 %
+//   prints: pressure 5.110 c, exact 5.142 c, -0.6 %
 #include <arenite/arenite.hpp>
 #include <cstdio>
 using namespace arenite;
@@ -28,6 +28,6 @@ int main() {
   const double force = -(reaction(scene, "footing").impulse[1] - before) / (scene.time - begin);
 
   const double found = force / half / strength, exact = 2 + pi;
-  std::printf("pressure %.3f c, exact %.3f c, %+.2f %%\n", found, exact, 100 * (found / exact - 1));
+  std::printf("pressure %.3f c, exact %.3f c, %+.1f %%\n", found, exact, 100 * (found / exact - 1));
   return std::abs(found / exact - 1) < 0.02 ? 0 : 1;
 }

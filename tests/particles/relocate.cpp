@@ -132,7 +132,7 @@ TEST_CASE("a grid of equal cells tests a pack of positions as it walks to each")
     int inside = 0;
     for (int round = 0; round < 4000; ++round) {
       std::array<P, 2> x{P(0), P(0)};
-      std::array<std::int32_t, width> cell{};
+      std::array<Index, width> cell{};
       bool all = true, on_face = false;
       for (int k = 0; k < width; ++k) {
         for (std::size_t a = 0; a < 2; ++a) {
@@ -147,7 +147,7 @@ TEST_CASE("a grid of equal cells tests a pack of positions as it walks to each")
         }
         const Index walked = mesh.walk({x[0][k], x[1][k]}, none);
         const Index asked = round % 7 == 0 && k == 3 ? mesh.cell_count() - 1 : walked == none ? 0 : walked;
-        cell[static_cast<std::size_t>(k)] = static_cast<std::int32_t>(asked);
+        cell[static_cast<std::size_t>(k)] = asked;
         all = all && walked == asked;
       }
       const bool found = detail::all_in_cells(mesh, x, cell.data());

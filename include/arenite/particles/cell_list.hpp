@@ -96,9 +96,6 @@ class CellList {
     return p - start_[cell] < owned_[cell] ? start_[cell] + owned_[cell] : p + 1;
   }
 
-  /// Where the memory begins that the run of a cell had when it was made: behind the runs of the cells before.
-  Index run_begin(Index cell) const { return start_[cell]; }
-
   /// Entries of the lists of all cells before this one: its own begin here when they stand in one row.
   std::size_t offset(Index cell) const { return std::size_t{start_[cell]} + unsorted_.before(cell); }
 
@@ -125,6 +122,15 @@ class CellList {
       }
       f(first, static_cast<int>(left < Width ? left : Width));
     }
+  }
+
+  /// Calls `f(point, count)` for the points that lie in the memory of the runs of cells [begin, end), whatever their cells, at most
+  /// `Width` neighbours at a time. Those behind all runs, up to `points`, belong to the last cell's.
+  template <int Width, class F>
+  void for_packs_in_memory(Index begin, Index end, std::size_t points, F&& f) const {
+    const Index last = end == owned_.size() ? static_cast<Index>(points) : start_[end];
+    for (Index p = start_[begin]; p < last; p += Width)
+      f(p, static_cast<int>(std::min<Index>(Width, last - p)));
   }
 
   /// The points of a cell, for a loop: `for (const Index p : cells[c])`.

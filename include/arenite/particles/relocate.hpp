@@ -2,7 +2,6 @@
 #pragma once
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include <algorithm>
 #include <cstdint>
 #include <cstring>
 
@@ -13,10 +12,10 @@
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 namespace detail {
 
-/// Whether each of a pack's positions lies in the cell whose number stands in `cell`, as `walk` finds it. Of positions on the upper faces
+/// Whether each of a pack's positions lies in the cell whose number stands in `cell` [lanes of P], as `walk` finds it. Of positions on the upper faces
 /// of the mesh it says no.
 template <class P, class M, std::size_t D>
-bool all_in_cells(const M& grid, const std::array<P, D>& x, const std::int32_t* cell) {
+bool all_in_cells(const M& grid, const std::array<P, D>& x, const Index* cell) {
   using T = typename M::scalar;
   using Mask = typename P::mask;
   typedef std::int32_t Numbers __attribute__((vector_size(sizeof(std::int32_t) * lane_count<P>)));
@@ -54,17 +53,12 @@ Index find_moves(B& body, const M& mesh, Index begin, Index end, CellList::Move*
     if (cell != here) moves[count++] = {p, cell};
   };
   if constexpr (has_equal_cells<M> && Width > 1) {
-    const Index last =
-        end == mesh.cell_count() ? static_cast<Index>(points.size()) : body.cells.run_begin(end);
-    for (Index p = body.cells.run_begin(begin); p < last; p += Width) {
-      const Index n = std::min<Index>(Width, last - p);
-      if (n == Width) {
-        std::int32_t cell[Width];
-        std::memcpy(cell, points.cell.data() + p, sizeof cell);
-        if (all_in_cells(mesh, points.position.template load<P>(p, Width), cell)) continue;
-      }
-      for (Index k = 0; k < n; ++k) test(p + k);
-    }
+    body.cells.template for_packs_in_memory<Width>(begin, end, points.size(), [&](Index first, int n) {
+      if (n == Width &&
+          all_in_cells(mesh, points.position.template load<P>(first, Width), points.cell.data() + first))
+        return;
+      for (int k = 0; k < n; ++k) test(first + static_cast<Index>(k));
+    });
   } else {
     for (Index c = begin; c < end; ++c) {
       if (body.cells.empty(c)) continue;

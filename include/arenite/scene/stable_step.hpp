@@ -45,51 +45,50 @@ double stable_step(const Scene& scene) {
     const auto& law = body.law;
     using L = std::remove_cvref_t<decltype(law)>;
     const T unstressed = static_cast<T>(std::sqrt(law.wave_modulus() / law.density()));
-    const auto fastest = [&](P& most, Index first, int count) {
+    const auto add_fastest = [&](P& square, Index first, int count) {
       const auto v = body.points.velocity.template load<P>(first, count);
-      P square = v[0] * v[0];
-      for (std::size_t k = 1; k < Scene::D; ++k) square += v[k] * v[k];
-      most = max(most, square);
+      P of_points = v[0] * v[0];
+      for (std::size_t k = 1; k < Scene::D; ++k) of_points += v[k] * v[k];
+      square = max(square, of_points);
     };
-    const auto bound = [&](Index c, T wave, const P& square) {
-      T step = scene.mesh.size(c) / (wave + std::sqrt(greatest_lane(square)));
+    const auto bound = [&](Index c, T wave, T square) {
+      T step = scene.mesh.size(c) / (wave + std::sqrt(square));
       if constexpr (limits_step<L>) {
         const double h = limit * static_cast<double>(scene.mesh.size(c));
         step = std::min(step, static_cast<T>(law.stable_step(h) / limit));
       }
       return step;
     };
-    const auto lesser = [](T a, T b) { return std::min(a, b); };
     if constexpr (has_equal_cells<typename Scene::Mesh> && !stiffness_varies<L, T, Scene::D>) {
       // The fastest point decides, whatever its cell: points in the order of memory, which fill their packs.
-      const Index all = static_cast<Index>(body.points.size());
-      if (all > 0)
-        least = scene.blocks.reduce_blocks(
-            least,
-            [&](Index begin, Index end) {
-              const Index last = end == scene.mesh.cell_count() ? all : body.cells.run_begin(end);
-              P most(0);
-              for (Index p = body.cells.run_begin(begin); p < last; p += width)
-                fastest(most, p, static_cast<int>(std::min<Index>(width, last - p)));
-              return bound(0, unstressed, most);
-            },
-            lesser);
+      if (body.points.size() == 0) return;
+      const T square = scene.blocks.reduce_blocks(
+          T(0),
+          [&](Index begin, Index end) {
+            P of_block(0);
+            body.cells.template for_packs_in_memory<width>(
+                begin, end, body.points.size(),
+                [&](Index first, int count) { add_fastest(of_block, first, count); });
+            return greatest_lane(of_block);
+          },
+          [](T a, T b) { return std::max(a, b); });
+      least = std::min(least, bound(0, unstressed, square));
     } else {
       least = scene.blocks.reduce(
           least,
           [&](Index c) {
             if (body.cells.empty(c)) return std::numeric_limits<T>::infinity();
-            P most(0);
+            P square(0);
             body.cells.template for_packs<width>(c, [&](Index first, int count) {
               body.points.velocity.template prefetch_ahead<width>(first);
-              fastest(most, first, count);
+              add_fastest(square, first, count);
             });
             T wave = unstressed;
             if constexpr (stiffness_varies<L, T, Scene::D>)
               wave = std::sqrt(detail::stiffest<width>(body, c) / static_cast<T>(law.density()));
-            return bound(c, wave, most);
+            return bound(c, wave, greatest_lane(square));
           },
-          lesser);
+          [](T a, T b) { return std::min(a, b); });
     }
   });
   double step = limit * static_cast<double>(least);

@@ -181,26 +181,31 @@ struct Parts<float, 4> {
   }
 };
 #endif
+#ifdef __AVX512F__
+/// The mask of the first `count` lanes.
+template <class Bits>
+Bits first_bits(int count) {
+  return static_cast<Bits>((1u << count) - 1);
+}
+#endif
 #if defined(__AVX512VL__) && defined(__FMA__)  // as the name of the instruction set has them
 // AVX's masked store takes several times as long on AMD's processors.
 template <>
 struct Parts<double, 4> {
-  static __mmask8 first(int count) { return static_cast<__mmask8>((1u << count) - 1); }
   static void load(const double* from, int count, double* lanes) {
-    _mm256_storeu_pd(lanes, _mm256_mask_loadu_pd(_mm256_loadu_pd(lanes), first(count), from));
+    _mm256_storeu_pd(lanes, _mm256_mask_loadu_pd(_mm256_loadu_pd(lanes), first_bits<__mmask8>(count), from));
   }
   static void store(double* to, int count, const double* lanes) {
-    _mm256_mask_storeu_pd(to, first(count), _mm256_loadu_pd(lanes));
+    _mm256_mask_storeu_pd(to, first_bits<__mmask8>(count), _mm256_loadu_pd(lanes));
   }
 };
 template <>
 struct Parts<float, 8> {
-  static __mmask8 first(int count) { return static_cast<__mmask8>((1u << count) - 1); }
   static void load(const float* from, int count, float* lanes) {
-    _mm256_storeu_ps(lanes, _mm256_mask_loadu_ps(_mm256_loadu_ps(lanes), first(count), from));
+    _mm256_storeu_ps(lanes, _mm256_mask_loadu_ps(_mm256_loadu_ps(lanes), first_bits<__mmask8>(count), from));
   }
   static void store(float* to, int count, const float* lanes) {
-    _mm256_mask_storeu_ps(to, first(count), _mm256_loadu_ps(lanes));
+    _mm256_mask_storeu_ps(to, first_bits<__mmask8>(count), _mm256_loadu_ps(lanes));
   }
 };
 #elif defined(__AVX__)
@@ -244,22 +249,20 @@ struct Parts<float, 8> {
 #ifdef __AVX512F__
 template <>
 struct Parts<double, 8> {
-  static __mmask8 first(int count) { return static_cast<__mmask8>((1u << count) - 1); }
   static void load(const double* from, int count, double* lanes) {
-    _mm512_storeu_pd(lanes, _mm512_mask_loadu_pd(_mm512_loadu_pd(lanes), first(count), from));
+    _mm512_storeu_pd(lanes, _mm512_mask_loadu_pd(_mm512_loadu_pd(lanes), first_bits<__mmask8>(count), from));
   }
   static void store(double* to, int count, const double* lanes) {
-    _mm512_mask_storeu_pd(to, first(count), _mm512_loadu_pd(lanes));
+    _mm512_mask_storeu_pd(to, first_bits<__mmask8>(count), _mm512_loadu_pd(lanes));
   }
 };
 template <>
 struct Parts<float, 16> {
-  static __mmask16 first(int count) { return static_cast<__mmask16>((1u << count) - 1); }
   static void load(const float* from, int count, float* lanes) {
-    _mm512_storeu_ps(lanes, _mm512_mask_loadu_ps(_mm512_loadu_ps(lanes), first(count), from));
+    _mm512_storeu_ps(lanes, _mm512_mask_loadu_ps(_mm512_loadu_ps(lanes), first_bits<__mmask16>(count), from));
   }
   static void store(float* to, int count, const float* lanes) {
-    _mm512_mask_storeu_ps(to, first(count), _mm512_loadu_ps(lanes));
+    _mm512_mask_storeu_ps(to, first_bits<__mmask16>(count), _mm512_loadu_ps(lanes));
   }
 };
 #endif

@@ -91,18 +91,6 @@ struct NodeLanes {
   static constexpr std::size_t first(Name name) {
     return Values::count(name) > 0 ? Values::first(name) : slopes + Slopes::first(name);
   }
-  /// Whether any of `count` lanes from `first` on means something.
-  static constexpr bool uses(std::size_t first, std::size_t count) {
-    return first < Values::size || (first < slopes + Slopes::size && first + count > slopes);
-  }
-  /// Whether any of them is more than the mass, which points hand over without a gradient.
-  static constexpr bool has_slopes(std::size_t first, std::size_t count) {
-    bool has = false;
-    for (std::size_t k = first; k < first + count; ++k)
-      has = has ||
-            (uses(k, 1) && !(Values::count(node_channel::mass) && k == Values::first(node_channel::mass)));
-    return has;
-  }
 };
 
 /// Sums over the points of a cell in packs P: `OfNode` for each of its nodes, `OfCell` once. A node's sums

@@ -83,9 +83,10 @@ T g2p_of_cell(const N& numerics, const Cell& cell, Index c, Points& points, std:
   const Gather gather = numerics.transfer.gather(cell, nodes);
   // What is taken of the new velocities themselves costs no sum of its own.
   constexpr bool takes_of_v = !N::maps_back && std::same_as<decltype(gather.velocity), Nothing>;
+  constexpr bool moves_apart = N::maps_back && !N::moves_mapped;  // with v, while strains are those of u
   const std::conditional_t<N::maps_back, Nothing, Taken> taken(cell, nodes, gather);
   const auto u = differences_if<!takes_of_v>(cell, nodes.strain_velocity());
-  const auto v = differences_if < N::maps_back && !N::moves_mapped > (cell, nodes.velocity);
+  const auto v = differences_if<moves_apart>(cell, nodes.velocity);
   P check(0);
   for_each_pack<width>(points, begin, end, [&](const auto& p) {
     const auto x = p.position();
@@ -109,7 +110,7 @@ T g2p_of_cell(const N& numerics, const Cell& cell, Index c, Points& points, std:
     auto step = strain_step_of<K, N::squares>(gradient, sums.value, x, dt);
     apply_average(step, average, c);
     const auto moving_velocity = [&] {
-      if constexpr (N::maps_back && !N::moves_mapped)
+      if constexpr (moves_apart)
         return line.sum(v).value;
       else
         return sums.value;

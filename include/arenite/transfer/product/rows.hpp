@@ -4,7 +4,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include <arenite/simd/kernel.hpp>
-#include <arenite/transfer/channels.hpp>
 #include <arenite/transfer/product/lines.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {

@@ -8,6 +8,7 @@
 #include <arenite/observe/vtu.hpp>
 
 #include <array>
+#include <atomic>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -16,6 +17,7 @@
 #include <limits>
 #include <random>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "catch.hpp"
@@ -300,13 +302,30 @@ TEST_CASE("what does not fit is refused, and the former file stays") {
   REQUIRE_FALSE(fs::exists(folder() / "refused.vtu.part"));
 }
 
+TEST_CASE("ranks that begin one series at once try its folder each for itself") {
+  const fs::path list = folder() / "of_ranks.pvd";
+  std::atomic<int> refused = 0;
+  std::array<std::thread, 2> ranks;
+  for (auto& rank : ranks)
+    rank = std::thread([&] {
+      for (int n = 0; n < 2000; ++n) try {
+          PvdWriter(list, true);
+        } catch (const error&) {
+          ++refused;
+        }
+    });
+  for (auto& rank : ranks) rank.join();
+  CHECK(refused == 0);
+  CHECK_FALSE(fs::exists(list));
+}
+
 TEST_CASE("a folder that is not there or is a file is told") {
   const std::vector<double> position{0, 0, 0, 1, 2, 3};
   std::ofstream(folder() / "plain") << "file";
   for (const char* bad : {"absent/x.vtu", "plain/x.vtu"}) {
     INFO(bad);
     REQUIRE_THROWS_AS(write_vtu(folder() / bad, two_points(position)), error);
-    REQUIRE_THROWS_AS(PvdWriter(folder() / bad), error);
+    for (const bool keep : {false, true}) REQUIRE_THROWS_AS(PvdWriter(folder() / bad, keep), error);
   }
   fs::create_directories(folder() / "taken.vtu" / "inside");  // a folder of that name: rename must fail
   REQUIRE_THROWS_AS(write_vtu(folder() / "taken.vtu", two_points(position)), error);

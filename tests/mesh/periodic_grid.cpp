@@ -2,6 +2,7 @@
 #include <arenite/arenite.hpp>
 #include <random>
 
+#include "../shape/functions_at.hpp"
 #include "catch.hpp"
 #include "message.hpp"
 #include "state_buffer.hpp"
@@ -27,9 +28,9 @@ void check_functions(const Grid& grid) {
     for (const Index i : cell.nodes) ++cells_at.at(i);
     Vec<double, D> x = grid.corner(c);
     for (int k = 0; k < D; ++k) x[k] += any(random) * grid.edge();
-    const auto w = cell.weights(x);
-    unity = std::max(unity, std::abs(w.sum() - 1));
-    linear = std::max(linear, (cell.node_positions() * w - x).norm());
+    const test::FunctionsAt functions(cell, x);
+    unity = std::max(unity, functions.off_unity());
+    linear = std::max(linear, functions.off_linear());
     // The upper x face of a cell and the lower one of the next, round the axis: the same functions.
     Vec<double, D> above = x, below = x;
     above[0] = grid.corner(c)[0] + grid.edge();

@@ -2,6 +2,7 @@
 #include <arenite/arenite.hpp>
 #include <random>
 
+#include "../shape/functions_at.hpp"
 #include "catch.hpp"
 #include "message.hpp"
 #include "state_buffer.hpp"
@@ -32,18 +33,16 @@ void check_functions(const Grid& grid) {
     for (int k = 0; k < 8; ++k) {
       Vec<T, D> x = grid.corner(c);
       for (int d = 0; d < D; ++d) x[d] += static_cast<T>(k < 2 ? k : any(random)) * grid.extent(c)[d];
-      const auto w = cell.weights(x);
-      const auto slope = cell.gradients(x);
-      const auto at = cell.node_positions();
-      CHECK(std::abs(w.sum() - 1) <= eps);
-      CHECK((at * w - x).norm() <= eps * grid.upper(0));
-      CHECK(slope.rowwise().sum().norm() <= eps / grid.size(c));
-      CHECK((slope * at.transpose() - Mat<T, D>::Identity()).norm() <=
-            10 * eps * grid.upper(0) / grid.size(c));
-      CHECK(w.minCoeff() >= -eps);
-      for (int i = 0; i < w.size(); ++i)
-        CHECK((Shape::node_position(grid, cell.nodes[static_cast<std::size_t>(i)]) - at.col(i)).norm() <=
-              eps * grid.upper(0));
+      const test::FunctionsAt at(cell, x);
+      CHECK(at.off_unity() <= eps);
+      CHECK(at.off_linear() <= eps * grid.upper(0));
+      CHECK(at.gradient_sum() <= eps / grid.size(c));
+      CHECK(at.off_identity() <= 10 * eps * grid.upper(0) / grid.size(c));
+      CHECK(at.least() >= -eps);
+      for (int i = 0; i < at.value.size(); ++i)
+        CHECK((test::of_any_size(Shape::node_position(grid, cell.nodes[static_cast<std::size_t>(i)])) -
+               at.node.col(i))
+                  .norm() <= eps * grid.upper(0));
     }
   }
 }

@@ -4,6 +4,7 @@
 #include <arenite/shape/shape.hpp>
 
 #include "../mesh/sample_meshes.hpp"
+#include "functions_at.hpp"
 
 namespace arenite::test {
 
@@ -51,33 +52,36 @@ Violations violations(const M& mesh) {
   constexpr int D = M::dimension;
   std::mt19937 random(7);
   Violations worst;
-  const auto note = [](double& at, auto value) { at = std::max(at, static_cast<double>(value)); };
-  T extent = 0;
+  const auto note = [](double& at, double value) { at = std::max(at, value); };
+  double extent = 0;
   for (Index i = 0; i < Shape::node_count(mesh); ++i)
-    extent = std::max(extent, Shape::node_position(mesh, i).template lpNorm<Eigen::Infinity>());
+    extent = std::max(extent, of_any_size(Shape::node_position(mesh, i)).cwiseAbs().maxCoeff());
   for (Index c = 0; c < mesh.cell_count(); ++c) {
     const typename Shape::template Cell<M> cell(mesh, c);
-    const T h = mesh.size(c);
-    const auto x_nodes = cell.node_positions();
-    for (int k = 0; k < x_nodes.cols(); ++k)
-      note(worst.position,
-           (x_nodes.col(k) - Shape::node_position(mesh, cell.nodes[static_cast<std::size_t>(k)])).norm() /
-               extent);
+    const double h = mesh.size(c);
     for (const auto& x : places_in(mesh, c, random)) {
-      const auto w = cell.weights(x);
-      const auto g = cell.gradients(x);
-      note(worst.unity, std::abs(w.sum() - 1));
-      note(worst.linear, (x_nodes * w - x).norm() / extent);
-      note(worst.gradient_sum, g.rowwise().sum().norm() * h);
-      note(worst.gradient_linear, (x_nodes * g.transpose() - Mat<T, D>::Identity()).norm() * h / extent);
-      note(worst.negative, -w.minCoeff());
-      const T step = h * T(sizeof(T) == 8 ? 1e-3 : 1e-2);
+      const FunctionsAt at(cell, x);
+      for (int k = 0; k < at.value.size(); ++k)
+        note(worst.position, (at.node.col(k) - of_any_size(Shape::node_position(
+                                                   mesh, cell.nodes[static_cast<std::size_t>(k)])))
+                                     .norm() /
+                                 extent);
+      note(worst.unity, at.off_unity());
+      note(worst.linear, at.off_linear() / extent);
+      note(worst.gradient_sum, at.gradient_sum() * h);
+      note(worst.gradient_linear, at.off_identity() * h / extent);
+      note(worst.negative, -at.least());
+      const T step = static_cast<T>(h) * T(sizeof(T) == 8 ? 1e-3 : 1e-2);
       for (int k = 0; k < D; ++k) {
         // Of order 4: exact but for round-off for the functions of a cell, which are cubic at most.
-        const typename M::Point e = step * M::Point::Unit(k);
-        const auto across = [&](T n) { return (cell.weights(x + n * e) - cell.weights(x - n * e)).eval(); };
-        const auto slope = ((8 * across(1) - across(2)) / (12 * step)).eval();
-        note(worst.difference, (slope.transpose() - g.row(k)).norm() * h);
+        const auto values = [&](T n) {
+          auto moved = x;
+          moved[k] += n * step;
+          return of_any_size(cell.weights(moved));
+        };
+        const auto across = [&](T n) -> Eigen::VectorXd { return values(n) - values(-n); };
+        const Eigen::VectorXd slope = (8 * across(1) - across(2)) / (12 * static_cast<double>(step));
+        note(worst.difference, (slope - at.gradient.row(k).transpose()).norm() * h);
       }
     }
   }

@@ -1,4 +1,5 @@
 // Affine transfers: angular momentum to round-off, and affine fields without loss.
+#include "../shape/functions_at.hpp"
 #include "catch.hpp"
 #include "setup.hpp"
 
@@ -28,10 +29,10 @@ Eigen::Vector3d of_points(const S& s) {
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   const auto& points = s.body.points;
   for (std::size_t p = 0; p < points.size(); ++p) {
-    const typename S::Cell cell(s.mesh, points.cell[p]);
-    const auto w = cell.weights(points.position[p]);
-    const auto r = (cell.node_positions().colwise() - points.position[p]).eval();
-    const Mat<double, S::D> b = points.velocity_gradient[p] * r * w.asDiagonal() * r.transpose();
+    const FunctionsAt at(typename S::Cell(s.mesh, points.cell[p]), points.position[p]);
+    const Eigen::MatrixXd r = at.node.colwise() - at.point;
+    const Mat<double, S::D> b =
+        points.velocity_gradient[p] * Eigen::MatrixXd(r * at.value.asDiagonal() * r.transpose());
     sum += points.mass[p] * (moment(points.position[p], points.velocity[p]) + moment(b));
   }
   return sum;

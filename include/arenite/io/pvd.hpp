@@ -4,7 +4,6 @@
 
 #include <filesystem>
 #include <span>
-#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -40,14 +39,17 @@ std::vector<double> kept_times(const std::filesystem::path& path, const std::vec
 std::vector<PvdEntry> kept_entries(const std::filesystem::path& path, double time, bool resumed,
                                    bool warns = true);
 
+/// Throws `error` if the list of a new series cannot be written. Ranks may ask at once: each tries a file of its own, and none
+/// writes the list.
+void check_pvd(const std::filesystem::path& path);
+
 /// A series that grows with a run: the list on disk is complete and readable after each step.
 class PvdWriter {
  public:
   /// Writes the empty list, so that a folder that cannot be written to shows at once. Throws `error` then.
-  /// `keep`: leaves a list that is there as it is for now.
+  /// `keep`: leaves a list, or none, as it is for now (`check_pvd`).
   explicit PvdWriter(std::filesystem::path path, bool keep = false) : path_(std::move(path)) {
-    std::error_code status;
-    if (!keep || !std::filesystem::exists(path_, status)) write_pvd(path_, entries_);
+    keep ? check_pvd(path_) : write_pvd(path_, entries_);
   }
 
   /// Adds a file that is complete. Throws `error` if the list cannot be written; the former list stays then.

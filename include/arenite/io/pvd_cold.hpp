@@ -35,6 +35,18 @@ ARENITE_COLD void write_pvd(const std::filesystem::path& path, std::span<const P
   shared_detail::replace_file(path, [&](std::ostream& out) { out << text; });
 }
 
+ARENITE_COLD void check_pvd(const std::filesystem::path& path) {
+  std::error_code status;
+  std::filesystem::path trial = path;  // the memory of ranks lies elsewhere
+  trial += joined_text({".", reinterpret_cast<std::uintptr_t>(&status)});
+  try {
+    write_pvd(trial, {});
+  } catch (const error&) {
+    if (!std::filesystem::exists(path, status)) write_pvd(path, {});  // says so of the list
+  }
+  std::filesystem::remove(trial, status);
+}
+
 ARENITE_COLD std::vector<PvdEntry> pvd_entries(const std::filesystem::path& path) {
   std::vector<PvdEntry> entries;
   std::error_code status;

@@ -3,10 +3,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include <algorithm>
-#include <cstdint>
 #include <filesystem>
 #include <string>
-#include <system_error>
 
 #include <arenite/core/error.hpp>
 #include <arenite/io/output_file.hpp>
@@ -79,16 +77,7 @@ ARENITE_FOR_NUMBERS(ARENITE_INSTANCES)
 ARENITE_COLD VtuSeries::VtuSeries(FilePath prefix, VtuOptions options)
     : prefix_(prefix.string()), options_(std::move(options)) {
   make_folder_of(prefix_, "vtu");
-  // A folder that cannot be written to shows at once. Ranks try it together, each by a file of its own: their memory lies elsewhere.
-  std::error_code ignored;
-  const std::filesystem::path trial =
-      joined_text({prefix_, ".", reinterpret_cast<std::uintptr_t>(&ignored), ".pvd"});
-  try {
-    write_pvd(trial, {});
-  } catch (const error&) {
-    PvdWriter(joined_text({prefix_, ".pvd"}), true);  // says so of the list; one that is there stays
-  }
-  std::filesystem::remove(trial, ignored);
+  check_pvd(prefix_ + ".pvd");  // a folder that cannot be written to shows at once
 }
 
 ARENITE_COLD void VtuSeries::begin_frame(double time, detail::VtuNames names) {

@@ -26,8 +26,8 @@ if(CMAKE_BUILD_TYPE STREQUAL "Debug")  # under the sanitizers
   set(scope_of_others nightly)
   set(files_first
       core/.* particles/.* io/.* geometry/.* mesh/.* study/.* host/.* law/histories law/with_deviatoric_strain
-      boundary/walls boundary/loads contact/exchange run/saved_state run/every rigid/free_body
-      scene/insert_remove scene/own_parts scene/split_points scene/state shape/ugimp transfer/g2p transfer/own_channels)
+      boundary/walls contact/exchange run/saved_state run/every rigid/free_body
+      scene/insert_remove scene/own_parts shape/ugimp transfer/g2p transfer/own_channels)
 else()
   set(scope_of_files quick)
   set(scope_of_others change)

@@ -37,8 +37,8 @@ ARENITE_COLD void write_pvd(const std::filesystem::path& path, std::span<const P
 
 ARENITE_COLD void check_pvd(const std::filesystem::path& path) {
   std::error_code status;
-  std::filesystem::path trial = path;  // the memory of ranks lies elsewhere
-  trial += joined_text({".", reinterpret_cast<std::uintptr_t>(&status)});
+  const std::filesystem::path trial =  // the memory of ranks lies elsewhere
+      joined_text({path.string(), ".", reinterpret_cast<std::uintptr_t>(&status), ".pvd"});
   try {
     write_pvd(trial, {});
   } catch (const error&) {

@@ -182,7 +182,7 @@ if chosen python; then
   start=$SECONDS
   package Python
   # From another folder, so that the installed package is tested.
-  (cd "$clean" && ARENITE_CACHE="$clean/cache" "$clean/env/bin/python" -m pytest -q -n "$jobs" --dist worksteal "$root/python/tests" < /dev/null) ||
+  (cd "$clean" && ARENITE_CACHE="$clean/cache" "$clean/env/bin/python" -m pytest -q -n "$jobs" --dist loadfile "$root/python/tests" < /dev/null) ||
     fail "stage Python: tests failed"
   (cd "$root" && "$clean/env/bin/python" -m mypy < /dev/null) || fail "stage Python: types do not fit"
   summary+=("Python: wheel of $(($(stat -c %s "$wheel") / 1000000)) MB, built, installed, tested ($((SECONDS - start)) s)")

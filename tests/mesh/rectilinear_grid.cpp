@@ -39,10 +39,7 @@ void check_functions(const Grid& grid) {
       CHECK(at.gradient_sum() <= eps / grid.size(c));
       CHECK(at.off_identity() <= 10 * eps * grid.upper(0) / grid.size(c));
       CHECK(at.least() >= -eps);
-      for (int i = 0; i < at.value.size(); ++i)
-        CHECK((test::of_any_size(Shape::node_position(grid, cell.nodes[static_cast<std::size_t>(i)])) -
-               at.node.col(i))
-                  .norm() <= eps * grid.upper(0));
+      CHECK(at.template off_nodes<Shape>(grid, cell) <= eps * grid.upper(0));
     }
   }
 }

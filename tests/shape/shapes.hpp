@@ -61,11 +61,7 @@ Violations violations(const M& mesh) {
     const double h = mesh.size(c);
     for (const auto& x : places_in(mesh, c, random)) {
       const FunctionsAt at(cell, x);
-      for (int k = 0; k < at.value.size(); ++k)
-        note(worst.position, (at.node.col(k) - of_any_size(Shape::node_position(
-                                                   mesh, cell.nodes[static_cast<std::size_t>(k)])))
-                                     .norm() /
-                                 extent);
+      note(worst.position, at.template off_nodes<Shape>(mesh, cell) / extent);
       note(worst.unity, at.off_unity());
       note(worst.linear, at.off_linear() / extent);
       note(worst.gradient_sum, at.gradient_sum() * h);

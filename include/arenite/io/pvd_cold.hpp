@@ -9,6 +9,7 @@
 #include <ostream>
 #include <string>
 #include <string_view>
+#include <system_error>
 
 #include <arenite/core/warning.hpp>
 #include <arenite/io/input_file.hpp>

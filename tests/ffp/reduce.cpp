@@ -287,7 +287,7 @@ TEST_CASE("options of a reduction") {
   REQUIRE(
       (o.file == "a.csv" && o.medium == Medium::water && o.soil == Soil::clay && o.area == Area::projected));
   REQUIRE((o.mass == 9.15 && o.impact_threshold() == 0.5 && options("a").impact_threshold() == -0.8));
-  REQUIRE(refusal("a.csv", {"--mass", "0"}) == "--mass = 0: must lie in [0.1, 1000] kg");
+  REQUIRE(refusal("a.csv", {"--mass", "0"}) == "--mass = 0: must lie in [0.001, 100000] kg");
   REQUIRE(refusal("a.csv", {"--drag", "1"}) == "--drag = 1: needs --medium water");
   REQUIRE(refusal("a.csv", {"--wings"}) == "--wings: no such option; see arenite-ffp reduce --help");
   REQUIRE(holds(refusal("a.csv", {"b.csv"}), "b.csv: a word without an option"));

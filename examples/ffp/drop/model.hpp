@@ -13,6 +13,7 @@
 
 #include "../geometry/mesh_slice.hpp"
 #include "../options/options.hpp"
+#include "../text/words.hpp"
 #include "history.hpp"
 #include "sand_friction.hpp"
 
@@ -27,7 +28,7 @@ struct AxisymmetricModel {
       1;  ///< the experiment over the model: factor of masses, forces and energies
 
   static MeshData<2> generate(const DropOptions& o) {
-    return mesh_axisymmetric(o.body(), {}, o.mesh_sizes()).data;
+    return mesh_axisymmetric(o.body(), o.chamber(), o.mesh_sizes()).data;
   }
   static Walls walls() { return arenite::walls(on("bottom", fixed), on("wall", free_along(1))); }
 };
@@ -40,7 +41,8 @@ struct SliceModel {
   static constexpr double whole = 18;
 
   static MeshData<3> generate(const DropOptions& o) {
-    return mesh_slice(mesh_axisymmetric(o.body(), {}, o.mesh_sizes()), o.body(), {}, o.mesh_sizes());
+    return mesh_slice(mesh_axisymmetric(o.body(), o.chamber(), o.mesh_sizes()), o.body(), o.chamber(),
+                      o.mesh_sizes());
   }
   static Walls walls() {
     const double half = SliceShape{}.angle / 2;
@@ -63,6 +65,28 @@ std::pair<double, double> height_of(const Mesh& mesh, const std::string& region)
   return y;
 }
 
+/// Throws `error` unless the device of a mesh that was read is as wide and as long as the options say: areas, mass and pictures are
+/// theirs.
+template <class Mesh>
+void check_device_in(const Mesh& mesh, const DropOptions& o) {
+  const int number = mesh.region_number("device");
+  double radius = 0;
+  for (Index c = 0; c < mesh.cell_count(); ++c)
+    if (mesh.region(c) == number)
+      for (const Index i : mesh.nodes(c)) {
+        const auto x = mesh.position(i);
+        radius = std::max(radius, Mesh::dimension == 2 ? x[0] : std::hypot(x[0], x[Mesh::dimension - 1]));
+      }
+  const auto [tip, top] = height_of(mesh, "device");
+  const auto about = [](double a, double b) { return std::abs(a - b) <= 0.02 * b; };
+  const std::string cure = joined_text({"; give --diameter ", rounded(2 * radius), " --length ",
+                                        rounded(top - tip), ", or is the mesh not in metres?"});
+  require(about(2 * radius, o.outer_diameter()), "diameter of the device in --mesh", 2 * radius,
+          {"must be --diameter = ", o.outer_diameter(), " m within 2 %", cure});
+  require(about(top - tip, o.whole_length()), "length of the device in --mesh", top - tip,
+          {"must be --length = ", o.whole_length(), " m within 2 %", cure});
+}
+
 /// The mesh of the drop: generated, or read. Throws `error` if it cannot be used.
 template <class Model>
 SimplexMesh<Model::dimension> mesh_of(const DropOptions& o) {
@@ -71,12 +95,11 @@ SimplexMesh<Model::dimension> mesh_of(const DropOptions& o) {
   constexpr double close = 1e-6;  // m
   const auto [bottom, surface] = height_of(mesh, "soil");
   const auto [tip, top] = height_of(mesh, "device");
-  require(top - tip >= 0.1 && top - tip <= 2, "length of the device", top - tip,
-          "must lie in [0.1, 2] m; is the mesh in metres?");
   require(std::abs(tip) < close, "tip of the device, y", tip, "must be 0 m");
   require(std::abs(surface) < close, "surface of the soil, y", surface, "must be 0 m, the tip's height");
-  require(bottom < -o.moving_depth - close, "bottom of the soil, y", bottom,
+  require(bottom < -o.moving_zone() - close, "bottom of the soil, y", bottom,
           "must lie below the zone that moves as one (--moving-depth)");
+  check_device_in(mesh, o);
   for (const char* set : {"bottom", "wall"}) mesh.node_set(set);
   if constexpr (Model::dimension == 3)
     for (const char* set : {"side_minus", "side_plus"}) mesh.node_set(set);
@@ -112,7 +135,7 @@ inline Friction friction_of(const DropOptions& o) {
 
 template <class Leader, class Mesh>
 MovingMesh<Leader> motion_of(const DropOptions& o, const Mesh& mesh) {
-  return {.leader = {}, .fixed_below = height_of(mesh, "soil").first, .moving_from = -o.moving_depth};
+  return {.leader = {}, .fixed_below = height_of(mesh, "soil").first, .moving_from = -o.moving_zone()};
 }
 
 inline Flip transfer_of(const DropOptions& o) {

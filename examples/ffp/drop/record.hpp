@@ -257,6 +257,10 @@ void record(const DropOptions& o, const Make& make) {
     return;
   }
   WarningLog warnings(o.name);
+  if (o.name.empty() && o.cell && o.cell_size() > o.outer_diameter() / 8)
+    warn(joined_text({"--cell = ", o.cell_size(),
+                      " m: is coarser than an eighth of the penetrometer's diameter, ",
+                      rounded(o.outer_diameter() / 8), " m; --error-bar tells what that costs"}));
   auto scene = [&] {
     try {
       return make();

@@ -7,6 +7,16 @@
 
 namespace arenite::ffp {
 
+Chamber chamber_for(double diameter, double length) {
+  const DeviceShape published;
+  const double scale = diameter / (2 * published.radius);
+  Chamber c;
+  c.radius *= scale;
+  c.soil_depth *= scale;
+  c.headroom = c.headroom * scale + (length - published.length * scale);
+  return c;
+}
+
 Device::Device(const DeviceShape& shape) : s_{shape} {
   require(s_.radius > 0, "Device.radius", s_.radius, "must be positive");
   require(s_.apex > 0 && s_.apex < pi, "Device.apex", s_.apex, "must lie in (0, pi)");

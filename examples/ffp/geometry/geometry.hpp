@@ -25,6 +25,9 @@ struct Chamber {
   double headroom = 0.7;    ///< m, above the surface of the sand: the model is 1.1 m high
 };
 
+/// The chamber in proportion to a penetrometer: as many diameters wide and deep as the experiment's, and its headroom above it.
+Chamber chamber_for(double diameter, double length);
+
 /// Size of the penetrometer. Defaults: the published BlueDrop with a sharp cone.
 struct DeviceShape {
   double radius = 0.04375;      ///< m

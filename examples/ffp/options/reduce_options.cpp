@@ -9,6 +9,7 @@ namespace arenite::ffp {
 void check(const ReduceOptions& o) {
   detail::RangeCheck ranges;
   visit_reduce_options(o, ranges);
+  check(static_cast<const DeviceOptions&>(o));
   require(
       !o.file.empty(), "FILE", "(none)",
       "must be given: a table with a time and a deceleration, a BlueDrop's .bin, or the folder of a drop");

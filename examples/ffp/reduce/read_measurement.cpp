@@ -5,17 +5,12 @@
 
 #include "../drop/history.hpp"
 #include "../drop/summary_file.hpp"
+#include "../options/device_json.hpp"
 #include "../text/json_file.hpp"
 #include "bluedrop_file.hpp"
 #include "measurement_table.hpp"
 
 namespace arenite::ffp {
-
-Tip tip_named(const std::string& name) {
-  for (const auto& [word, tip] : tip_words)
-    if (word == name) return tip;
-  throw error(joined_text({"tip = ", shown(name), ": no such tip"}));
-}
 
 Measurement read_measurement_of_drop(const std::filesystem::path& folder, const ReduceOptions& o) {
   const auto refuse = [&](const std::string& rule) {
@@ -25,6 +20,14 @@ Measurement read_measurement_of_drop(const std::filesystem::path& folder, const 
   const std::string name = shown(folder.string());
   require(o.reads == Reading::net, "--reads", "proper",
           "goes without the folder of a drop, whose record is net");
+  for (const auto& [option, given] : {std::pair{"--penetrometer", o.penetrometer != Penetrometer::bluedrop},
+                                      {"--diameter", o.diameter.has_value()},
+                                      {"--length", o.length.has_value()},
+                                      {"--cone-angle", o.cone_angle.has_value()},
+                                      {"--flat", o.flat.has_value()}})
+    if (given)
+      throw error(
+          joined_text({option, ": goes without the folder of a drop, which tells its own penetrometer"}));
   if (o.invert)
     throw error("--invert: goes without the folder of a drop, whose record is positive when it slows");
   if (!std::filesystem::exists(summary_file(folder))) refuse("summary.json cannot be read");
@@ -42,8 +45,7 @@ Measurement read_measurement_of_drop(const std::filesystem::path& folder, const 
                     .gravity = number("gravity_m_s2"),
                     .unit_weight = number("unit_weight_N_m3"),
                     .k0 = number("k0"),
-                    .tip = tip_named(inputs.value("tip", "cone")),
-                    .fillet = number("fillet_m"),
+                    .device = device_in(inputs),
                     .contact_offset = inputs.value("contact_offset_m", 0.0)};
     ReduceOptions units = o;  // the history's own
     units.time_unit = TimeUnit::named;

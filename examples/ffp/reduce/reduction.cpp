@@ -374,8 +374,9 @@ Reduction reduce(Measurement record, const ReduceOptions& o) {
   const auto drop = record.drop;
   r.notes = std::move(record.notes);
   r.of_drop = drop.has_value();
-  r.tip = drop ? drop->tip : o.tip;
-  r.mass = o.mass.value_or(drop ? drop->mass : usual_mass(o.tip));
+  r.device = drop ? drop->device : static_cast<const DeviceOptions&>(o);
+  if (!drop) check_mass(o);
+  r.mass = o.mass ? *o.mass : drop ? drop->mass : o.device_mass();
   r.gravity = o.gravity.value_or(drop ? drop->gravity : standard_gravity);
   r.k0 = o.k0.value_or(drop ? drop->k0 : 0.5);
   r.unit_weight = o.unit_weight ? o.unit_weight : drop ? std::optional{drop->unit_weight} : std::nullopt;
@@ -386,7 +387,7 @@ Reduction reduce(Measurement record, const ReduceOptions& o) {
                         .in_water = o.medium == Medium::water,
                         .impact_time = o.impact_time,
                         .impact_velocity = o.impact_velocity};
-  const Device device = drop ? drop->body() : Device{shape_of(o.tip)};
+  const Device device = drop ? drop->body() : Device{o.shape()};
   if (drop && !impact.impact_time) {
     impact.impact_time = 0;
     impact.impact_depth = 0 - device.tip_above();

@@ -48,7 +48,7 @@ std::string text_of(const RecordEvent& event, double gravity);
 struct Reduction {
   std::vector<std::string> notes, warnings;
   bool of_drop = false;  ///< the record is the history of a drop's folder
-  Tip tip = Tip::cone;
+  DeviceOptions device;  ///< the penetrometer
   double mass = 0, gravity = 0, k0 = 0;
   std::optional<double> unit_weight;
   double threshold = 0;

@@ -1,0 +1,175 @@
+// Penetrometers of any size: what is told, what follows it, what is refused.
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "../../examples/ffp/command/read_drop.hpp"
+#include "../../examples/ffp/drop/results.hpp"
+#include "../../examples/ffp/geometry/mesh_quality.hpp"
+#include "../../examples/ffp/options/device_json.hpp"
+#include "../../examples/ffp/reduce/reduction_files.hpp"
+#include "catch.hpp"
+#include "reductions.hpp"
+
+using namespace arenite;
+using namespace arenite::ffp;
+
+namespace {
+
+DropOptions drop_of(const std::vector<std::string>& words) {
+  std::ostringstream answer;
+  const auto o = read_drop(words, answer);
+  REQUIRE(o.has_value());
+  return *o;
+}
+
+std::string refusal_of_drop(const std::vector<std::string>& words) {
+  try {
+    drop_of(words);
+  } catch (const error& e) {
+    return e.what();
+  }
+  return "accepted";
+}
+
+}  // namespace
+
+TEST_CASE("without options the penetrometer, its chamber and its mesh are the paper's, to the bit") {
+  const DropOptions o = drop_of({});
+  const DeviceShape published;
+  const DeviceShape shape = o.shape();
+  CHECK(
+      (shape.radius == published.radius && shape.length == published.length && shape.apex == published.apex));
+  const Chamber chamber, told = o.chamber();
+  CHECK((told.radius == chamber.radius && told.soil_depth == chamber.soil_depth &&
+         told.headroom == chamber.headroom));
+  const MeshSizes sizes, of = o.mesh_sizes();
+  CHECK((of.cell == sizes.cell && of.at_cone == sizes.at_cone && of.refined == sizes.refined &&
+         of.fine_radius == sizes.fine_radius && of.moving_depth == sizes.moving_depth));
+  CHECK(o.device_mass() == 7.71);
+  CHECK(drop_of({"--tip", "cone-truncated"}).shape().flat == truncated_radius);
+  CHECK(drop_of({"--tip", "parabolic"}).shape().parabola == parabola_constant);
+  CHECK(drop_of({"--shoulder", "fillet"}).shape().fillet == 0.01);
+}
+
+TEST_CASE("standard cones have the areas that they are called by") {
+  for (const auto& [name, area] : {std::pair{"cone-10cm2", 10e-4}, {"cone-15cm2", 15e-4}}) {
+    const auto o = drop_of({"--penetrometer", name, "--mass", "1"});
+    const Device device{o.shape()};
+    CHECK(std::abs(device.projected_area(device.length()) / area - 1) < 2e-3);
+    CHECK(o.device_name() == name);
+    CHECK(std::abs(device.mantle_area(device.length()) / device.projected_area(device.length()) - 2) <
+          1e-12);  // 1 / sin(30 deg)
+  }
+}
+
+TEST_CASE("cells, chamber and zones of the mesh follow the penetrometer") {
+  const DropOptions paper = drop_of({}),
+                    small = drop_of({"--diameter", "0.021875", "--length", "0.15775", "--mass", "0.12"});
+  CHECK(small.size() == 0.25);
+  const auto a = mesh_axisymmetric(paper.body(), paper.chamber(), paper.mesh_sizes()).data;
+  const auto b = mesh_axisymmetric(small.body(), small.chamber(), small.mesh_sizes()).data;
+  REQUIRE(a.nodes.size() == b.nodes.size());
+  CHECK(a.cells == b.cells);
+  double off = 0;
+  for (std::size_t i = 0; i < a.nodes.size(); ++i) off = std::max(off, (a.nodes[i] / 4 - b.nodes[i]).norm());
+  CHECK(off < 1e-15);
+  const auto lines = grid_lines(small.body(), small.chamber(), small.mesh_sizes());
+  CHECK(lines.x.back() == 0.1);
+}
+
+TEST_CASE("a penetrometer of any angle, flat end and slenderness has a mesh of good triangles") {
+  for (const char* angle : {"20", "30", "60", "90", "120"})
+    for (const char* flat : {"", "0.01", "0.04"})
+      for (const char* length : {"0.5", "2"})
+        for (const char* accuracy : {"coarse", "normal"}) {
+          INFO("angle " << angle << ", flat " << flat << ", length " << length << ", " << accuracy);
+          std::vector<std::string> words{"--diameter", "0.05",   "--length", length,       "--cone-angle",
+                                         angle,        "--mass", "4",        "--accuracy", accuracy};
+          if (*flat) words.insert(words.end(), {"--tip", "cone-truncated", "--flat", flat});
+          const auto o = drop_of(words);
+          const auto mesh = mesh_axisymmetric(o.body(), o.chamber(), o.mesh_sizes()).data;
+          const auto q = mesh_quality(mesh);
+          CHECK(q.at("soil").min_altitude > 0.3 * o.cell_size());
+          CHECK(q.at("air").min_altitude > 0.15 * o.cell_size());
+          CHECK(q.at("soil").min_volume > 0);
+          CHECK(q.at("device").min_volume > 0);
+          CHECK(SimplexMesh<2>{mesh}.cell_count() == mesh.cells.size());
+        }
+}
+
+TEST_CASE("what no penetrometer can be is refused, with value, rule and cure") {
+  CHECK(holds(refusal_of_drop({"--diameter", "0.05"}), "--mass: must be given for bluedrop, changed"));
+  CHECK(holds(refusal_of_drop({"--penetrometer", "cone-10cm2"}), "--mass: must be given for cone-10cm2"));
+  const auto light = refusal_of_drop({"--mass", "1.1"});
+  CHECK(holds(light, "--mass = 1.1: must give a mean density in [500, 20000] kg/m3, not 30"));
+  CHECK(holds(light, "see --diameter and --length"));
+  CHECK(holds(refusal_of_drop({"--mass", "900"}), "must give a mean density"));
+  CHECK(holds(refusal_of_drop({"--cone-angle", "150", "--mass", "7"}),
+              "--cone-angle = 150: must lie in [20, 120] deg"));
+  CHECK(holds(refusal_of_drop({"--cone-angle", "60", "--tip", "blunt", "--mass", "7"}),
+              "needs --tip cone or cone-truncated"));
+  CHECK(holds(refusal_of_drop({"--flat", "0.01", "--mass", "7"}), "needs --tip cone-truncated"));
+  CHECK(holds(refusal_of_drop({"--flat", "0.1", "--tip", "cone-truncated", "--mass", "7"}),
+              "must be less than the diameter, 0.0875 m"));
+  CHECK(holds(refusal_of_drop({"--length", "0.08", "--mass", "1"}),
+              "--length = 0.08: must be more than the tip's height"));
+  CHECK(
+      holds(refusal_of_drop({"--diameter", "0", "--mass", "1"}), "--diameter = 0: must lie in [0.01, 2] m"));
+  CHECK(holds(refusal_of_drop({"--diameter", "nan", "--mass", "1"}), "--diameter = nan"));
+  CHECK(holds(refusal_of_drop({"--chamber-radius", "0.2"}),
+              "must be at least five times the penetrometer's radius, 0.21875 m"));
+  CHECK(holds(refusal_of_drop({"--soil-depth", "0.1"}),
+              "must be at least --moving-depth and a diameter, 0.1475 m"));
+  CHECK(holds(refusal_of_drop({"--diameter", "0.02", "--length", "0.2", "--mass", "0.1", "--cell", "0.01"}),
+              "--cell = 0.01: must lie in"));
+}
+
+TEST_CASE("what is written of a penetrometer gives it back") {
+  for (const std::vector<std::string>& words :
+       {std::vector<std::string>{},
+        {"--tip", "parabolic"},
+        {"--tip", "blunt"},
+        {"--shoulder", "fillet"},
+        {"--penetrometer", "cone-15cm2", "--mass", "2"},
+        {"--diameter", "0.05", "--length", "0.4", "--cone-angle", "90", "--tip", "cone-truncated", "--flat",
+         "0.01", "--mass", "3"}}) {
+    const DropOptions o = drop_of(words);
+    const DeviceOptions back = device_in(inputs_of(o));
+    const DeviceShape a = o.shape(), b = back.shape();
+    CHECK((a.radius == b.radius && a.length == b.length && a.apex == b.apex && a.flat == b.flat &&
+           a.parabola == b.parabola && a.fillet == b.fillet));
+    CHECK(back.device_mass() == o.device_mass());
+    const Json told = json_of(o, o.device_mass());
+    CHECK(told.at("diameter_m") == 2 * a.radius);
+    CHECK(std::abs(told.at("mean_density_kg_m3").get<double>() * told.at("volume_m3").get<double>() /
+                       o.device_mass() -
+                   1) < 1e-12);
+  }
+}
+
+TEST_CASE("the same record under three penetrometers: force over the area of each") {
+  std::string text = "time_s,deceleration_m_s2\n";
+  for (int i = 0; i <= 1600; ++i) {
+    const double t = i * 1e-3;
+    text += joined_text({t, ",", t < 0.5 || t > 1.1 ? 0. : t < 1 ? -standard_gravity : 49.05, "\n"});
+  }
+  const auto file = written("three.csv", text);
+  const auto force = [&](std::vector<std::string> words) {
+    words.insert(words.end(), {"--from-depth", "0"});
+    const Reduction r = reduced(file, words);
+    const Device device{r.device.shape()};
+    return std::pair{*r.q_dyn_peaks[1].at_peak * device.projected_area(r.motion.depth[r.peak]), r};
+  };
+  const auto [paper, first] = force({"--mass", "7.71"});
+  const auto [cone, second] = force({"--penetrometer", "cone-15cm2", "--length", "2", "--mass", "7.71"});
+  const auto [slim, third] =
+      force({"--diameter", "0.05", "--length", "1", "--cone-angle", "90", "--mass", "7.71"});
+  CHECK(std::abs(cone / paper - 1) < 1e-12);
+  CHECK(std::abs(slim / paper - 1) < 1e-12);
+  CHECK(*second.q_dyn_peaks[1].largest > *first.q_dyn_peaks[1].largest);
+  CHECK(holds(text_of(third.device, 7.71), "bluedrop, changed: cone, 5 cm wide, 100 cm long, 7.71 kg"));
+  CHECK(holds(refusal(file, {"--diameter", "0.05"}), "--mass: must be given"));
+  CHECK(holds(refusal(file, {"--mass", "1"}), "must give a mean density"));
+}

@@ -101,7 +101,7 @@ TEST_CASE("a penetrometer of any angle, flat end and slenderness has a mesh of g
 }
 
 TEST_CASE("what no penetrometer can be is refused, with value, rule and cure") {
-  CHECK(holds(refusal_of_drop({"--diameter", "0.05"}), "--mass: must be given for bluedrop, changed"));
+  CHECK(holds(refusal_of_drop({"--diameter", "0.05"}), "--mass: must be given for bluedrop, cone, changed"));
   CHECK(holds(refusal_of_drop({"--penetrometer", "cone-10cm2"}), "--mass: must be given for cone-10cm2"));
   const auto light = refusal_of_drop({"--mass", "1.1"});
   CHECK(holds(light, "--mass = 1.1: must give a mean density in [500, 20000] kg/m3, not 31"));
@@ -127,13 +127,117 @@ TEST_CASE("what no penetrometer can be is refused, with value, rule and cure") {
               "--cell = 0.01: must lie in"));
 }
 
+TEST_CASE("an outline of lines is the cone that it draws; a ball and a sphere are those of the formulas") {
+  const DeviceShape cone;
+  const double h = cone.radius / std::tan(cone.apex / 2);
+  const auto file =
+      written("cone.json", joined_text({R"({"name": "drawn", "source": "a drawing", "mass_kg": 7.71, )",
+                                        R"("profile": [[0, 0], [)", exactly(cone.radius), ", ", exactly(h),
+                                        "], [", exactly(cone.radius), ", ", exactly(cone.length), "]]}"}));
+  const DropOptions drawn = drop_of({"--device-file", file}), plain = drop_of({});
+  const Device a = drawn.body(), b = plain.body();
+  CHECK((drawn.device_mass() == plain.device_mass() && drawn.device_name() == "drawn"));
+  CHECK((a.radius() == b.radius() && a.length() == b.length() && a.tip_end() == b.tip_end()));
+  for (const double y : {-0.01, 0.0, 0.01, 0.05, 0.08, 0.3}) {
+    CHECK(std::abs(a.profile(y) - b.profile(y)) < 1e-16);
+    CHECK(std::abs(a.mantle_area(y) - b.mantle_area(y)) < 1e-16);
+    CHECK(std::abs(a.projected_area(y) - b.projected_area(y)) < 1e-17);
+  }
+  const auto mesh = mesh_axisymmetric(a, drawn.chamber(), drawn.mesh_sizes()).data,
+             same = mesh_axisymmetric(b, plain.chamber(), plain.mesh_sizes()).data;
+  REQUIRE((mesh.cells == same.cells && mesh.nodes.size() == same.nodes.size()));
+  for (std::size_t n = 0; n < mesh.nodes.size(); ++n) CHECK((mesh.nodes[n] - same.nodes[n]).norm() < 1e-15);
+  for (const double offset : {0.002, -0.002}) {
+    DeviceShape one = drawn.shape(), other = plain.shape();
+    one.offset = other.offset = offset;
+    const Device near{one}, like{other};
+    CHECK(std::abs(near.tip_above() - like.tip_above()) < 1e-15);
+    for (const double y : {0.02, 0.07, 0.3}) CHECK(std::abs(near.profile(y) - like.profile(y)) < 1e-15);
+    CHECK(std::abs(near.length() - like.length()) < 1e-15);
+  }
+
+  const Device ball{drop_of({"--penetrometer", "ball-100cm2", "--mass", "5"}).shape()};
+  const double r = 0.1128 / 2, rod = 0.0357 / 2, neck = r + std::sqrt(r * r - rod * rod);
+  CHECK(std::abs(ball.projected_area(1) / 100e-4 - 1) < 1e-3);
+  CHECK(std::abs(ball.projected_area(neck) - pi * r * r) < 1e-17);
+  CHECK(std::abs(ball.projected_area(r / 2) / (pi * 0.75 * r * r) - 1) < 4e-4);  // facets of 2 deg
+  CHECK(std::abs(ball.mantle_area(1) / (2 * pi * r * r) - 1) < 4e-4);
+  const double cut = neck - r, under = 2 * pi / 3 * r * r * r + pi * cut * (r * r - cut * cut / 3);
+  CHECK(std::abs(ball.volume() / (under + pi * rod * rod * (ball.length() - neck)) - 1) < 1e-3);
+  const Device sphere{drop_of({"--penetrometer", "sphere-25cm", "--mass", "50"}).shape()};
+  CHECK(std::abs(sphere.volume() / (pi / 6 * 0.25 * 0.25 * 0.25) - 1) < 1e-3);
+  CHECK((sphere.length() == 0.25 && sphere.radius() == 0.125));
+  DeviceShape wider = drop_of({"--penetrometer", "sphere-25cm", "--mass", "50"}).shape();
+  wider.offset = 0.003;
+  CHECK(std::abs(Device{wider}.radius() - 0.128) < 1e-6);
+  CHECK(std::abs(Device{wider}.length() - 0.256) < 1e-5);
+}
+
+TEST_CASE("meshes of balls and spheres: whole cells at every size") {
+  for (const char* name : {"ball-100cm2", "sphere-25cm"})
+    for (const double share : {0.04, 0.01, 0.005})
+      for (const double refined : {0.0, 0.4}) {
+        const double scale = name[0] == 'b' ? 0.1128 / 0.0875 : 0.25 / 0.0875;
+        std::vector<std::string> words{
+            "--penetrometer", name, "--mass", name[0] == 'b' ? "5" : "50", "--cell", exactly(share * scale)};
+        if (refined > 0) words.insert(words.end(), {"--cell-at-cone", exactly(refined * share * scale)});
+        const DropOptions o = drop_of(words);
+        CAPTURE(name, share, refined);
+        const auto mesh = mesh_axisymmetric(o.body(), o.chamber(), o.mesh_sizes()).data;
+        const auto q = mesh_quality(mesh);
+        const double cell = o.mesh_sizes().cone_cell();
+        for (const char* region : {"soil", "air", "device"}) {
+          CAPTURE(region);
+          CHECK(q.at(region).min_volume > 0);
+          CHECK(q.at(region).min_altitude > 0.15 * cell);
+        }
+        CHECK(SimplexMesh<2>{mesh}.cell_count() == mesh.cells.size());
+      }
+}
+
+TEST_CASE("a file of a penetrometer that cannot be one is refused, with its name and the cure") {
+  const auto refused = [](const std::string& text) {
+    return refusal_of_drop({"--mass", "5", "--device-file", written("bad.json", text)});
+  };
+  const std::string open = R"({"name": "x", "profile": )";
+  CHECK(holds(refused("{}"), "--device-file = bad.json: profile = (none): must be given"));
+  CHECK(holds(refused(R"({"profile": [[0, 0], [1, 1]]})"), "name = (none): must be a text"));
+  CHECK(
+      holds(refused(open + "[[0, 0], [0.03, 0.05]], \"weight\": 3}"), "no such key; there are name, source"));
+  CHECK(holds(refused(open + "[[0.01, 0], [0.03, 0.05]]}"), "must begin at the tip, [0, 0]"));
+  CHECK(
+      holds(refused(open + "[[0, 0], [0.03, 0.05], [0.03, 0.04]]}"), "must not lie below the point before"));
+  CHECK(holds(refused(open + "[[0, 0], [-0.03, 0.05]]}"), "must have a radius of at least 0"));
+  CHECK(holds(refused(open + "[[0, 0], [0.03]]}"), "must be a point [radius, height] in m"));
+  CHECK(holds(refused(open + "[[0, 0], {\"to\": [0.05, 0.05], \"arc\": 0.01}]}"),
+              "must be at least half the distance of its ends"));
+  CHECK(holds(refused(open + "[[0, 0], [0.03, 0.05], [0.03, 0.4]], \"mass_kg\": -1}"),
+              "must be a number above 0"));
+  CHECK(holds(refused(open + "[[0, 0], [0.03, 0.05], [0.03, 0.4]], \"gyration_m\": 2}"),
+              "must be less than the length"));
+  CHECK(holds(refused(open + "[[0, 0], [0.03, 0.05], [0.03, 0.1], [0.05, 0.1], [0.05, 0.4]]}"),
+              "take --mesh-kind grid"));
+  CHECK(holds(refusal_of_drop({"--device-file", "none.json"}), "none.json"));
+  const auto good = written("good.json", open + "[[0, 0], [0.03, 0.05], [0.03, 0.4]]}");
+  CHECK(holds(refusal_of_drop({"--device-file", good}), "--mass: must be given for x"));
+  CHECK(holds(refusal_of_drop({"--device-file", good, "--mass", "5", "--diameter", "0.05"}),
+              "--diameter: goes without --device-file, which tells its whole outline"));
+  CHECK(holds(refusal_of_drop({"--penetrometer", "sphere-25cm", "--tip", "blunt", "--mass", "50"}),
+              "--tip: goes without --penetrometer sphere-25cm"));
+}
+
 TEST_CASE("what is written of a penetrometer gives it back") {
+  const auto probe = written("probe.json", R"({"name": "probe", "source": "drawing 12", "mass_kg": 5.2,
+      "profile": [[0, 0], [0.03, 0.05], {"to": [0.035, 0.06], "arc": 0.02}, [0.035, 0.4]],
+      "centre_of_mass_m": 0.19, "gyration_m": 0.11})");
   for (const std::vector<std::string>& words :
        {std::vector<std::string>{},
         {"--tip", "parabolic"},
         {"--tip", "blunt"},
         {"--shoulder", "fillet"},
         {"--penetrometer", "cone-15cm2", "--mass", "2"},
+        {"--penetrometer", "ball-100cm2", "--mass", "5", "--length", "1"},
+        {"--device-file", probe},
         {"--diameter", "0.05", "--length", "0.4", "--cone-angle", "90", "--tip", "cone-truncated", "--flat",
          "0.01", "--mass", "3"}}) {
     const DropOptions o = drop_of(words);
@@ -142,6 +246,8 @@ TEST_CASE("what is written of a penetrometer gives it back") {
     CHECK((a.radius == b.radius && a.length == b.length && a.apex == b.apex && a.flat == b.flat &&
            a.parabola == b.parabola && a.fillet == b.fillet));
     CHECK(back.device_mass() == o.device_mass());
+    REQUIRE(a.profile.has_value() == b.profile.has_value());
+    if (a.profile) CHECK(Device{a}.outline() == Device{b}.outline());
     const Json told = json_of(o, o.device_mass());
     CHECK(told.at("diameter_m") == 2 * a.radius);
     CHECK(std::abs(told.at("mean_density_kg_m3").get<double>() * told.at("volume_m3").get<double>() /
@@ -178,7 +284,7 @@ TEST_CASE("the same record under three penetrometers: force over the area of eac
   CHECK(std::abs(third.force / paper.force - 1) < 1e-12);
   CHECK(std::abs(cone.pressure / paper.pressure - std::pow(0.0875 / 0.0437, 2)) < 1e-9);
   CHECK(std::abs(third.pressure / paper.pressure - std::pow(0.0875 / 0.05, 2)) < 1e-9);
-  CHECK(holds(text_of(third.of.device, 7.71), "bluedrop, changed: cone, 5 cm wide, 100 cm long, 7.71 kg"));
+  CHECK(holds(text_of(third.of.device, 7.71), "bluedrop, cone, changed: 5 cm wide, 100 cm long, 7.71 kg"));
   CHECK(holds(refusal(file, {"--diameter", "0.05"}), "--mass: must be given"));
   CHECK(holds(refusal(file, {"--mass", "1"}), "must give a mean density"));
 }

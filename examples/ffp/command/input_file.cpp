@@ -50,6 +50,7 @@ struct KeyList {
 /// `error` if the model cannot have this value.
 bool is_no_option(const std::string& key, const Json& value, const Json& all) {
   if (value.is_null()) return true;
+  if (key == "device_profile") return true;  // what was in the device's file
   if (key == "mesh") return value == "generated";
   if (key == "fillet_m") return value == 0 && all.value("shoulder", Json()) != "fillet";
   if (key != "gravity_m_s2") return false;

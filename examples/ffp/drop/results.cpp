@@ -63,8 +63,6 @@ std::string sentence_of(const DropFigures& f, const DropOptions& o) {
       o.in_space() ? joined_text({", tilted by ", rounded(f.final_tilt_deg), " deg"}) : std::string{};
   return joined_text({"The penetrometer (",
                       o.device_name(),
-                      ", ",
-                      word_of(tip_words, o.tip),
                       ") stands at ",
                       rounded(f.final_penetration_m),
                       " m at ",
@@ -96,7 +94,10 @@ Json inputs_of(const DropOptions& o) {
     j["gyration_m"] = o.gyration_radius();
   }
   j["tip"] = word_of(tip_words, o.tip);
-  if (!o.is_bluedrop()) {
+  if (o.profile) {
+    j["device_file"] = o.device_file;
+    j["device_profile"] = json_of(*o.profile);
+  } else if (!o.is_bluedrop()) {
     j["penetrometer"] = word_of(penetrometer_words, o.penetrometer);
     if (o.diameter) j["diameter_m"] = *o.diameter;
     if (o.length) j["length_m"] = *o.length;

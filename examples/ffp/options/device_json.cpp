@@ -25,11 +25,12 @@ Json json_of(const DeviceOptions& o, double mass) {
   const DeviceShape shape = o.shape();
   Json j;
   j["name"] = o.device_name();
-  j["tip"] = word_of(tip_words, o.tip);
+  j["source"] = o.profile ? o.profile->source : std::string{size_of(o.penetrometer).source};
   j["diameter_m"] = o.outer_diameter();
   j["length_m"] = o.whole_length();
-  if (o.tip == Tip::cone || o.tip == Tip::cone_truncated) j["cone_angle_deg"] = o.cone_angle.value_or(60);
-  if (shape.flat > 0) j["flat_m"] = 2 * shape.flat;
+  const bool cone = o.tip == Tip::cone || o.tip == Tip::cone_truncated;
+  if (cone && !shape.profile) j["cone_angle_deg"] = o.cone_angle.value_or(60);
+  if (!shape.profile && shape.flat > 0) j["flat_m"] = 2 * shape.flat;
   j["section_m2"] = device.projected_area(device.length());
   j["mantle_m2"] = device.mantle_area(device.length());
   j["volume_m3"] = device.volume();
@@ -40,6 +41,8 @@ Json json_of(const DeviceOptions& o, double mass) {
 
 DeviceOptions device_in(const Json& inputs) {
   DeviceOptions o;
+  if (inputs.contains("device_profile"))
+    o.profile = device_profile(inputs.at("device_profile"), "device_profile");
   o.tip = meaning_of(tip_words, inputs.value("tip", "cone"), "tip");
   o.penetrometer = meaning_of(penetrometer_words, inputs.value("penetrometer", "bluedrop"), "penetrometer");
   const auto take = [&](const char* key, std::optional<double>& to) {
@@ -59,10 +62,9 @@ DeviceOptions device_in(const Json& inputs) {
 
 std::string text_of(const DeviceOptions& o, double mass) {
   const Device device{o.shape()};
-  return joined_text({o.device_name(), ": ", word_of(tip_words, o.tip), ", ",
-                      rounded(o.outer_diameter() * 100), " cm wide, ", rounded(o.whole_length() * 100),
-                      " cm long, ", rounded(mass), " kg (", rounded(mass / device.volume()),
-                      " kg/m3 of its outline)"});
+  return joined_text({o.device_name(), ": ", rounded(o.outer_diameter() * 100), " cm wide, ",
+                      rounded(o.whole_length() * 100), " cm long, ", rounded(mass), " kg (",
+                      rounded(mass / device.volume()), " kg/m3 of its outline)"});
 }
 
 }  // namespace arenite::ffp

@@ -15,7 +15,7 @@ Json json_of(const DeviceOptions& o, double mass);
 /// BlueDrop's. Throws `error` for a word that is none.
 DeviceOptions device_in(const Json& inputs);
 
-/// "cone-10cm2: cone, 3.57 cm wide, 25.7 cm long, 1.2 kg (4,900 kg/m3)".
+/// "cone-10cm2, cone: 3.57 cm wide, 25.7 cm long, 1.2 kg (4,900 kg/m3)".
 std::string text_of(const DeviceOptions& o, double mass);
 
 }  // namespace arenite::ffp

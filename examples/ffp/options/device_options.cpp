@@ -20,24 +20,52 @@ DeviceShape DeviceOptions::shape() const {
   shape.parabola *= size();
   if (cone_angle) shape.apex = *cone_angle * pi / 180;
   shape.fillet = fillet_radius();
+  shape.profile = outline();
   return shape;
 }
 
 std::string DeviceOptions::device_name() const {
-  for (const auto& [word, which] : penetrometer_words)
-    if (which == penetrometer)
-      return std::string{word} + (diameter || length || cone_angle || flat ? ", changed" : "");
-  throw error("DeviceOptions.penetrometer: a value without a word");
+  if (profile) return profile->name;
+  const bool changed = diameter || length || cone_angle || flat;
+  const bool tip_told = !outline() && (penetrometer == Penetrometer::bluedrop || tip != Tip::cone);
+  return word_of(penetrometer_words, penetrometer) + (tip_told ? ", " + word_of(tip_words, tip) : "") +
+         (changed ? ", changed" : "");
 }
 
 double DeviceOptions::device_mass() const {
-  if (!mass && !is_bluedrop())
+  if (mass) return *mass;
+  if (profile && profile->mass) return *profile->mass;
+  if (!is_bluedrop())
     throw error(joined_text({"--mass: must be given for ", device_name(),
                              ": the published masses are those of the BlueDrop as it is"}));
-  return mass.value_or(usual_mass(tip));
+  return usual_mass(tip);
 }
 
+void read_device(DeviceOptions& o) {
+  if (!o.device_file.empty()) o.profile = read_device_file(o.device_file);
+}
+
+namespace {
+
+/// Throws `error` if the penetrometer is told by an outline and also by sizes of a cone.
+void check_outline(const DeviceOptions& o) {
+  const std::string with =
+      o.profile ? "--device-file" : "--penetrometer " + word_of(penetrometer_words, o.penetrometer);
+  for (const auto& [option, given] :
+       {std::pair{"--tip", o.tip != Tip::cone},
+        {"--cone-angle", o.cone_angle.has_value()},
+        {"--flat", o.flat.has_value()},
+        {"--shoulder", o.shoulder != Shoulder::sharp},
+        {"--penetrometer", o.profile && o.penetrometer != Penetrometer::bluedrop},
+        {"--diameter", o.profile && o.diameter},
+        {"--length", o.profile && o.length}})
+    if (given) throw error(joined_text({option, ": goes without ", with, ", which tells its whole outline"}));
+}
+
+}  // namespace
+
 void check(const DeviceOptions& o) {
+  if (o.outline()) return check_outline(o);
   const bool cone = o.tip == Tip::cone || o.tip == Tip::cone_truncated;
   require(o.shoulder == Shoulder::sharp || cone, "--shoulder", "fillet",
           "needs --tip cone or cone-truncated");
@@ -48,16 +76,12 @@ void check(const DeviceOptions& o) {
     require(*o.flat < o.outer_diameter(), "--flat", *o.flat,
             {"must be less than the diameter, ", o.outer_diameter(), " m; --tip blunt is flat altogether"});
   }
-  DeviceShape shape = o.shape();
-  const double cone_height = Device{[&] {
-                               DeviceShape long_one = shape;
-                               long_one.length += 1e3 * shape.radius;
-                               long_one.fillet = 0;
-                               return long_one;
-                             }()}
-                                 .cone_height();
-  require(shape.length > cone_height + shape.radius, "--length", shape.length,
-          {"must be more than the tip's height and half a diameter, ", cone_height + shape.radius, " m"});
+  DeviceShape longer = o.shape();  // however tall its tip
+  longer.length += 1e3 * longer.radius;
+  longer.fillet = 0;
+  const double least = Device{longer}.tip_end() + longer.radius;
+  require(o.whole_length() > least, "--length", o.whole_length(),
+          {"must be more than the tip's height and half a diameter, ", least, " m"});
 }
 
 void check_mass(const DeviceOptions& o) {

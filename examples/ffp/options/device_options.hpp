@@ -7,8 +7,11 @@
 #include <string_view>
 #include <utility>
 
+#include <arenite/core/error.hpp>
+
 #include "../geometry/penetrometer.hpp"
 #include "../text/range.hpp"
+#include "device_profile.hpp"
 
 namespace arenite::ffp {
 
@@ -17,9 +20,18 @@ enum class Shoulder { sharp, fillet };
 inline constexpr std::array<std::pair<std::string_view, Shoulder>, 2> shoulder_words{
     {{"sharp", Shoulder::sharp}, {"fillet", Shoulder::fillet}}};
 
+template <class Words, class Value>
+std::string word_of(const Words& words, Value value) {
+  for (const auto& [word, meaning] : words)
+    if (meaning == value) return std::string{word};
+  throw error("word_of: a value without a word");
+}
+
 /// SI units; angles in degrees, as typed. What is not given is the named penetrometer's.
 struct DeviceOptions {
   Penetrometer penetrometer = Penetrometer::bluedrop;
+  std::string device_file;               ///< in the place of a named one; empty: none
+  std::optional<DeviceProfile> profile;  ///< what is in it: see `read_device`
   Tip tip = Tip::cone;
   std::optional<double> diameter;    ///< of the cylinder, m
   std::optional<double> length;      ///< tip to top, m
@@ -31,22 +43,33 @@ struct DeviceOptions {
 
   /// Diameter over the BlueDrop's: lengths that are in proportion to the penetrometer are the paper's times this.
   double size() const { return outer_diameter() / size_of(Penetrometer::bluedrop).diameter; }
-  double outer_diameter() const { return diameter.value_or(size_of(penetrometer).diameter); }
-  double whole_length() const { return length.value_or(size_of(penetrometer).length); }
+  double outer_diameter() const {
+    return profile ? 2 * profile->line.widest() : diameter.value_or(size_of(penetrometer).diameter);
+  }
+  double whole_length() const {
+    return profile ? profile->line.length() : length.value_or(size_of(penetrometer).length);
+  }
+  /// The outline, where it is no tip on a cylinder.
+  std::optional<ProfileLine> outline() const {
+    return profile ? profile->line : outline_of(penetrometer, outer_diameter(), whole_length());
+  }
   double fillet_radius() const { return shoulder == Shoulder::fillet ? fillet.value_or(0.01 * size()) : 0; }
   /// The penetrometer itself, without an offset of its surface.
   DeviceShape shape() const;
   /// Whether shape and size are those that the BlueDrop's published masses belong to.
   bool is_bluedrop() const {
-    return penetrometer == Penetrometer::bluedrop && !diameter && !length && !cone_angle && !flat;
+    return !profile && penetrometer == Penetrometer::bluedrop && !diameter && !length && !cone_angle && !flat;
   }
-  /// Name for people: "bluedrop", "cone-10cm2", or "bluedrop, changed".
+  /// Name for people: "bluedrop, cone", "cone-10cm2, changed", or that of the file.
   std::string device_name() const;
   /// kg. Throws `error` if it is not given and not known.
   double device_mass() const;
   /// kg/m^3, of the mass over the volume of the outline.
   double mean_density() const { return device_mass() / Device{shape()}.volume(); }
 };
+
+/// Reads the file of the penetrometer, if one is given. Throws `error` that names it.
+void read_device(DeviceOptions& o);
 
 /// Throws `error("--option = value: rule")` at the first value of the shape that breaks a rule.
 void check(const DeviceOptions& o);
@@ -58,8 +81,13 @@ void check_mass(const DeviceOptions& o);
 template <class Options, class Visitor>
 void visit_device_options(Options& o, Visitor& v) {
   v.choice("--penetrometer", penetrometer_words, o.penetrometer,
-           "The paper's free-fall penetrometer, or a standard cone of 10 or 15 cm2 (35.7, 43.7 mm); the "
-           "options below change it");
+           "The paper's free-fall penetrometer, a standard cone of 10 or 15 cm2 (35.7, 43.7 mm) or a ball of "
+           "100 cm2 on "
+           "a rod; the options below change it");
+  v.text("--device-file", o.device_file, "FILE.json",
+         "Any other: {\"name\": .., \"profile\": [[0, 0], [radius, height] ..], \"mass_kg\": ..}, in m from "
+         "the tip "
+         "upward; an arc is {\"to\": [radius, height], \"arc\": its radius}");
   v.choice("--tip", tip_words, o.tip,
            "Cone, sharp or with the instrument's flat end, parabola, or a flat end alone");
   v.number("--diameter", o.diameter, "M", Range{0.01, 2, "m"},

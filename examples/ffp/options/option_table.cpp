@@ -32,6 +32,23 @@ void check_chamber(const DropOptions& o) {
             {"must be at least --moving-depth and a diameter, ", deep, " m"});
 }
 
+/// Rows of a fitted mesh cut the outline; where it is too flat to be cut, cells have no height. Its tip and its top may be flat.
+void check_outline_in_mesh(const DropOptions& o) {
+  constexpr double flattest = 0.25;  // dy / ds; 15 deg to the horizontal
+  const auto outline = o.outline();
+  if (!outline || o.on_grid() || !o.mesh.empty()) return;
+  const double cell = o.mesh_sizes().cone_cell();
+  const auto& corners = outline->corners();
+  for (std::size_t k = 1; k < corners.size(); ++k) {
+    const Point2 &from = corners[k - 1].at, &to = corners[k].at;
+    if (to[1] < cell || from[1] > o.whole_length() - cell) continue;
+    if (to[1] - from[1] < flattest * (to - from).norm())
+      throw error(joined_text({"--mesh-kind fitted: the outline of ", o.device_name(), " from (", from[0],
+                               ", ", from[1], ") to (", to[0], ", ", to[1],
+                               ") m is flatter than 15 deg to the horizontal; take --mesh-kind grid"}));
+  }
+}
+
 }  // namespace
 
 void check(const DropOptions& o) {
@@ -43,8 +60,9 @@ void check(const DropOptions& o) {
   check(static_cast<const DeviceOptions&>(o));
   if (o.mesh.empty()) check_mass(o);
   check_chamber(o);
+  check_outline_in_mesh(o);
   if (const double fillet = o.fillet_radius(); fillet > 0 && fillet < 0.001 * o.size() && o.mesh.empty()) {
-    const double most = 2 * fillet * o.body().half_angle();
+    const double most = fillet * o.shape().apex;
     require(o.mesh_sizes().cone_cell() <= most, "--fillet", fillet,
             {"below ", 0.001 * o.size(), " m needs --cell-at-cone of at most ", most, " m, to be seen"});
   }

@@ -42,13 +42,6 @@ inline constexpr std::array<std::pair<std::string_view, Accuracy>, 3> accuracy_w
 inline constexpr std::array<std::pair<std::string_view, bool>, 2> switch_words{
     {{"on", true}, {"off", false}}};
 
-template <class Words, class Value>
-std::string word_of(const Words& words, Value value) {
-  for (const auto& [word, meaning] : words)
-    if (meaning == value) return std::string{word};
-  throw error("word_of: a value without a word");
-}
-
 /// Everything that decides a drop. SI units; angles in degrees, as typed. "ours": the paper gives no value.
 struct DropOptions : DeviceOptions {
   Kinematics kinematics = Kinematics::axisymmetric;
@@ -133,9 +126,15 @@ struct DropOptions : DeviceOptions {
   bool averages() const { return anti_locking.value_or(!on_grid()); }
   double flip_time_constant() const { return flip_time.value_or(on_grid() ? 0.1 : 0); }
   double earth_pressure() const { return k0.value_or(poisson / (1 - poisson)); }
-  /// m; of themselves those of a homogeneous penetrometer.
-  double centre_height() const { return centre_of_mass.value_or(mass_in(body().instrument()).centre); }
-  double gyration_radius() const { return gyration.value_or(mass_in(body().instrument()).gyration); }
+  /// m; of themselves those of the penetrometer's file, or of a homogeneous one.
+  double centre_height() const {
+    if (centre_of_mass) return *centre_of_mass;
+    return profile && profile->centre_of_mass ? *profile->centre_of_mass : mass_in(Device{shape()}).centre;
+  }
+  double gyration_radius() const {
+    if (gyration) return *gyration;
+    return profile && profile->gyration ? *profile->gyration : mass_in(Device{shape()}).gyration;
+  }
   /// The surface that the sand meets, and with `instrument()` the penetrometer.
   Device body() const {
     DeviceShape with_offset = shape();

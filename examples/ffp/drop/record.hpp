@@ -256,7 +256,7 @@ void record(const DropOptions& o, const Make& make) {
     if (!o.quiet) say(joined_text({"the run in ", shown(o.out), " is finished; nothing to do"}));
     return;
   }
-  WarningLog warnings(o.name);
+  WarningLog warnings(o.name, o.keeps_warnings);
   if (o.name.empty() && o.cell && o.cell_size() > o.outer_diameter() / 8)
     warn(joined_text({"--cell = ", o.cell_size(),
                       " m: is coarser than an eighth of the penetrometer's diameter, ",

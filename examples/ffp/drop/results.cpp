@@ -216,6 +216,7 @@ Json summary_of(const DropOptions& options, const std::optional<DropFigures>& fi
   j["threads"] = run.threads;
   j["register_bytes"] = run.register_bytes;
   j["penetrometer"] = json_of(static_cast<const DeviceOptions&>(options), options.device_mass());
+  j["chamber"] = {{"radius_m", options.chamber().radius}, {"soil_depth_m", options.chamber().soil_depth}};
   j["device_outline_m"] = Json::array();  // (r, y) at t = 0, for pictures
   for (const auto& x : options.body().instrument().outline())
     j["device_outline_m"].push_back(Json::array({x[0], x[1]}));

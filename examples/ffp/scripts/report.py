@@ -15,6 +15,8 @@ def rows(found):
     """[(quantity, text)] of a summary.json."""
     ended = {"done": "ran to its end", "running": "has not ended, or was killed"}.get(found["status"], found["status"])
     table = [("run", ended)]
+    if "penetrometer" in found:
+        table.insert(0, ("penetrometer", penetrometer(found["penetrometer"])))
     if "failure" in found:
         table.append(("", found["failure"]))
     if "final_penetration_m" in found:
@@ -35,6 +37,12 @@ def rows(found):
     table.append(("warnings", "none" if not warnings else f"{len(warnings)}"))
     table += [("", text) for text in warnings]
     return table
+
+
+def penetrometer(one):
+    """Name and sizes of the penetrometer."""
+    sizes = f"{one['diameter_m'] * 100:.3g} cm wide, {one['length_m'] * 100:.3g} cm long, {one['mass_kg']:.3g} kg"
+    return f"{one['name']}: {sizes} ({one['mean_density_kg_m3']:,.0f} kg/m3 of its outline)"
 
 
 def error_bars(bar):

@@ -60,7 +60,9 @@ DropFigures figures_of(const std::vector<HistoryRow>& history, double window) {
 
 std::string sentence_of(const DropFigures& f, const DropOptions& o) {
   const std::string tilted =
-      o.in_space() ? joined_text({", tilted by ", rounded(f.final_tilt_deg), " deg"}) : std::string{};
+      o.in_space() ? joined_text({", tilted by ", rounded(f.final_tilt_deg), " deg and ",
+                                  rounded(f.final_aside_m), " m to the side that it pointed to"})
+                   : std::string{};
   return joined_text({"The penetrometer (",
                       o.device_name(),
                       ") stands at ",

@@ -32,6 +32,7 @@ struct DropFacts {
 struct Measurement {
   std::vector<double> time;          ///< [n] s, ascending
   std::vector<double> deceleration;  ///< [n] m/s^2
+  std::vector<double> depth{};       ///< [n] m, of the tip; empty: the integral of the deceleration is
   bool step_means =
       false;  ///< deceleration[i] is the mean from time[i - 1] to time[i], not the value at time[i]
   std::vector<std::string> notes;   ///< where it was found, for the user

@@ -1,16 +1,37 @@
 #include "read_measurement.hpp"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <system_error>
+#include <vector>
 
 #include "../drop/history.hpp"
 #include "../drop/summary_file.hpp"
 #include "../options/device_json.hpp"
 #include "../text/json_file.hpp"
+#include "../text/table_reader.hpp"
 #include "bluedrop_file.hpp"
 #include "measurement_table.hpp"
 
 namespace arenite::ffp {
+
+namespace {
+
+/// A column of the history of a drop.
+std::vector<double> history_column(const std::filesystem::path& path, const std::string& name) {
+  TableReader table(path, "FILE", most_history_bytes, true);
+  std::size_t place = 0;
+  table.find_header(1, [&](const std::vector<std::string>& names) {
+    place = static_cast<std::size_t>(std::ranges::find(names, name) - names.begin());
+    return int{place < names.size()};
+  });
+  require(place < table.header().size(), table.file(), name, "there is no such column");
+  std::vector<double> values;
+  while (table.next()) values.push_back(table.number(place));
+  return values;
+}
+
+}  // namespace
 
 Measurement read_measurement_of_drop(const std::filesystem::path& folder, const ReduceOptions& o) {
   const auto refuse = [&](const std::string& rule) {
@@ -53,6 +74,15 @@ Measurement read_measurement_of_drop(const std::filesystem::path& folder, const 
     Measurement m = read_measurement_table(folder / "history.csv", units, facts.gravity, true);
     m.step_means = true;
     m.drop = facts;
+    if (inputs.value("kinematics", "") ==
+        "space") {  // deceleration and velocity are those of the centre of mass
+      m.depth = history_column(folder / "history.csv", "penetration_m");
+      m.notes.push_back(joined_text(
+          {"depth is that of the tip, velocity that of the centre of mass; it came to rest tilted by ",
+           rounded(summary.value("final_tilt_deg", 0.0)), " deg and ",
+           rounded(100 * summary.value("final_aside_m", 0.0)),
+           " cm aside, and areas are those of an upright one"}));
+    }
     return m;
   } catch (const Json::exception&) {
     refuse("summary.json is none");

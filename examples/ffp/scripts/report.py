@@ -23,6 +23,7 @@ def rows(found):
         table += [
             ("depth", f"{found['final_penetration_m']:.3f} m at {found['end_s'] * 1e3:.0f} ms"),
             ("greatest depth", f"{found['max_penetration_m']:.3f} m at {found['max_penetration_time_s'] * 1e3:.0f} ms"),
+            *tilted(found),
             ("peak deceleration", peak(found, "peak")),
             ("second peak", peak(found, "second_peak")),
             ("peak reaction", f"{found['peak_reaction_N'] / 1e3:.2f} kN (2 ms mean)"),
@@ -37,6 +38,13 @@ def rows(found):
     table.append(("warnings", "none" if not warnings else f"{len(warnings)}"))
     table += [("", text) for text in warnings]
     return table
+
+
+def tilted(found):
+    """How a penetrometer that may turn came to rest."""
+    if found.get("final_tilt_deg") is None:
+        return []
+    return [("at rest", f"tilted by {found['final_tilt_deg']:.1f} deg, its tip {found['final_aside_m'] * 100:.1f} cm to the side that it pointed to")]
 
 
 def penetrometer(one):

@@ -50,7 +50,6 @@ struct KeyList {
 /// `error` if the model cannot have this value.
 bool is_no_option(const std::string& key, const Json& value, const Json& all) {
   if (value.is_null()) return true;
-  if (key == "device_profile") return true;  // what was in the device's file
   if (key == "mesh") return value == "generated";
   if (key == "fillet_m") return value == 0 && all.value("shoulder", Json()) != "fillet";
   if (key != "gravity_m_s2") return false;
@@ -80,6 +79,10 @@ std::vector<std::string> words_of_input(const std::string& path) {
       if (is_no_option(key, value, inputs)) continue;
     } catch (const error& e) {
       refuse(e.what());
+    }
+    if (key == "device_profile" && value.is_object()) {
+      words.push_back("--device-file=" + json_text(value));
+      continue;
     }
     const auto option = keys.of_key.find(key);
     if (option == keys.of_key.end()) {

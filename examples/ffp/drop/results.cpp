@@ -97,7 +97,6 @@ Json inputs_of(const DropOptions& o) {
   }
   j["tip"] = word_of(tip_words, o.tip);
   if (o.profile) {
-    j["device_file"] = o.device_file;
     j["device_profile"] = json_of(*o.profile);
   } else if (!o.is_bluedrop()) {
     j["penetrometer"] = word_of(penetrometer_words, o.penetrometer);

@@ -30,7 +30,7 @@ std::string word_of(const Words& words, Value value) {
 /// SI units; angles in degrees, as typed. What is not given is the named penetrometer's.
 struct DeviceOptions {
   Penetrometer penetrometer = Penetrometer::bluedrop;
-  std::string device_file;               ///< in the place of a named one; empty: none
+  std::string device_file;               ///< in the place of a named one, or its content; empty: none
   std::optional<DeviceProfile> profile;  ///< what is in it: see `read_device`
   Tip tip = Tip::cone;
   std::optional<double> diameter;    ///< of the cylinder, m
@@ -85,7 +85,8 @@ void visit_device_options(Options& o, Visitor& v) {
            "100 cm2 on "
            "a rod; the options below change it");
   v.text("--device-file", o.device_file, "FILE.json",
-         "Any other: {\"name\": .., \"profile\": [[0, 0], [radius, height] ..], \"mass_kg\": ..}, in m from "
+         "Any other, by a file or the JSON itself: {\"name\": .., \"profile\": [[0, 0], [radius, height] "
+         "..], \"mass_kg\": ..}, in m from "
          "the tip "
          "upward; an arc is {\"to\": [radius, height], \"arc\": its radius}");
   v.choice("--tip", tip_words, o.tip,

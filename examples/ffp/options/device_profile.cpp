@@ -87,8 +87,11 @@ DeviceProfile device_profile(const Json& json, const std::string& what) {
   }
 }
 
-DeviceProfile read_device_file(const std::string& path) {
-  return device_profile(read_json(path, "--device-file"), joined_text({"--device-file = ", shown(path)}));
+DeviceProfile read_device_file(const std::string& path_or_json) {
+  if (path_or_json.starts_with('{'))
+    return device_profile(parse_json(path_or_json, "--device-file"), "--device-file");
+  return device_profile(read_json(path_or_json, "--device-file"),
+                        joined_text({"--device-file = ", shown(path_or_json)}));
 }
 
 Json json_of(const DeviceProfile& p) {

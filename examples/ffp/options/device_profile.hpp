@@ -23,8 +23,8 @@ struct DeviceProfile {
 /// begins with `what`.
 DeviceProfile device_profile(const Json& json, const std::string& what);
 
-/// The same, from a file.
-DeviceProfile read_device_file(const std::string& path);
+/// The same from a file, or of the JSON itself, which begins with "{".
+DeviceProfile read_device_file(const std::string& path_or_json);
 
 Json json_of(const DeviceProfile& profile);
 

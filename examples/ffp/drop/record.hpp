@@ -257,10 +257,6 @@ void record(const DropOptions& o, const Make& make) {
     return;
   }
   WarningLog warnings(o.name, o.keeps_warnings);
-  if (o.name.empty() && o.cell && o.cell_size() > o.outer_diameter() / 8)
-    warn(joined_text({"--cell = ", o.cell_size(),
-                      " m: is coarser than an eighth of the penetrometer's diameter, ",
-                      rounded(o.outer_diameter() / 8), " m; --error-bar tells what that costs"}));
   auto scene = [&] {
     try {
       return make();
@@ -282,6 +278,10 @@ void record(const DropOptions& o, const Make& make) {
     run.resume(std::move(earlier));
   else if (o.resume && !o.quiet)
     say(joined_text({"no state is saved in ", shown(o.out), ": from the start"}));
+  if (o.name.empty() && o.cell && o.cell_size() > o.outer_diameter() / 8)
+    warn(joined_text({"--cell = ", o.cell_size(),
+                      " m: is coarser than an eighth of the penetrometer's diameter, ",
+                      rounded(o.outer_diameter() / 8), " m; --error-bar tells what that costs"}));
   run.go();
 }
 

@@ -50,7 +50,7 @@ def tilted(found):
 def penetrometer(one):
     """Name and sizes of the penetrometer."""
     sizes = f"{one['diameter_m'] * 100:.3g} cm wide, {one['length_m'] * 100:.3g} cm long, {one['mass_kg']:.3g} kg"
-    return f"{one['name']}: {sizes} ({one['mean_density_kg_m3']:,.0f} kg/m3 of its outline)"
+    return f"{one['name']}: {sizes} ({one['mean_density_kg_m3']:,.0f} kg/m3)"
 
 
 def error_bars(bar):

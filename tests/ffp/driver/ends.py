@@ -40,7 +40,7 @@ class Failures(DriverTest):
         options = [*COARSE, "--flip", "0.999"]
         free, found = self.run_drop("free", *options, "--no-watch", "--fields-every", "0")
         self.assertNotIn("watch", found)
-        self.assertEqual(found["warnings"], [])
+        self.assertEqual(shared.warnings_of(found), [])
         swelling = max(abs(ratio - 1) for ratio in free["mean_volume_ratio"])
         limit = str(swelling / 2)
         columns, found = self.assert_failed("watched", "failed", *options, "--watch-volume", limit, "--fields-every", "0.09")

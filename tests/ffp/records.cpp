@@ -146,9 +146,9 @@ TEST_CASE("a table that may be read in two ways, or in none, is refused with its
                              "1"})
     REQUIRE(holds(of(european + "0;1\n1;" + number + "\n"),
                   joined_text({"line 3, column deceleration_g = ", number, ": must be a number"})));
-  REQUIRE(
-      of("time_s;acc_g\n12:34:56.789;1\n") ==
-      "t.csv: line 2, column time_s = 12:34:56.789: must be a number; turn times of the clock into seconds");
+  REQUIRE(of("time_s;acc_g\n12:34:56.789;1\n") ==
+          "t.csv: line 2, column time_s = 12:34:56.789: must be a number; turn times of the clock into "
+          "seconds, or give --rate");
   // Rows.
   REQUIRE(holds(of(head + "0,1\n# a remark\n\n0,1\n"),
                 "line 5, column time_s = 0: must be greater than the time before, 0"));
@@ -237,6 +237,8 @@ TEST_CASE(
   for (const char* header : {"Acceleration (g)\n", "acceleration\n[g]\n", "acc_g\n"})
     same(columns_text(header, ",", {net}), rate, "time is row / 2000 Hz");
   same(columns_text("acc_g n\n", " ", {net, other}), rate, "deceleration is acc_g");
+  same(columns_text("acc,raw g\n", ",", {net, other}), joined({"--deceleration-unit", "g"}, rate),
+       "deceleration is acc (");
   same(columns_text("acc_x_g,acc_y_g\n", ",", {other, net}), joined({"--column", "acc_y_g"}, rate),
        "acc_y_g");
   same(columns_text("time_s,acc_g\n", ",", {other, net}), rate, "row / 2000 Hz, time_s is not read");
@@ -304,6 +306,9 @@ TEST_CASE("columns that a table does not have, or that cannot be meant, are refu
   const Words rate{"--rate", "1000", "--column", "1", "--deceleration-unit", "g"};
   REQUIRE(of("0,1\n1,nan\n", numbers) == "c.csv: line 2, column 2 = nan: must be a number");
   REQUIRE(holds(of("1,1\n1,2\n", numbers), "line 2, column 1 = 1: must be greater than the time before, 1"));
+  for (const char* gap : {"\n", "# lost\n", ";;\n"})
+    REQUIRE(holds(of(joined_text({"1;2\n", gap, "1;2\n"}), rate),
+                  "line 3: must follow the row before without lines that are empty or have #"));
   REQUIRE(holds(of("inf\n1\n", rate), "line 1, column 1 = inf: must be a number"));
   REQUIRE(of("0,\n1,1\n2,1\n", numbers) ==
           "c.csv: line 1 = 0,: must be a row of 2 numbers, as the one below it; put # before a title");

@@ -319,7 +319,7 @@ TEST_CASE("a drop's folder: its inputs, its depth, its peak") {
       "unit_weight_N_m3": 15000, "k0": 0.4, "fillet_m": 0, "tip": "parabolic"}})");
   const auto r = reduced("of_a_drop");
   REQUIRE((r.mass == 9 && r.k0 == 0.4 && r.unit_weight == 15000 && r.motion.impact_velocity == 5));
-  REQUIRE(r.tip == Tip::parabolic);
+  REQUIRE(r.device.tip == Tip::parabolic);
   REQUIRE(std::abs(r.motion.velocity.back() - v) < 1e-9);
   REQUIRE(std::abs(r.motion.depth.back() - depth) < 2e-4);  // half a step of the velocity
   const auto mean = moving_average(time, deceleration, 2e-3);

@@ -258,6 +258,7 @@ Measurement read_measurement_table(const std::filesystem::path& path, const Redu
   for (const NamedColumn& c : axes)
     if (with_time && c.place == times[0].place)
       throw error(joined_text({file, ": ", named(c), " cannot be both time and deceleration"}));
+  std::size_t line = 0;
   for (bool first = true; table.next(); first = false) {
     if (first && std::ranges::none_of(all, [&](const NamedColumn& c) {
           return detail::number_with_comma(table.fields()[c.place]).has_value();
@@ -275,6 +276,11 @@ Measurement read_measurement_table(const std::filesystem::path& path, const Redu
                      joined_text({"must be greater than the time before, ", exactly(m.time.back())}));
       m.time.push_back(t);
     } else {
+      if (!m.time.empty() && table.line() != line + 1)
+        throw error(joined_text({file, ": line ", table.line(),
+                                 ": must follow the row before without lines that are empty or have #: "
+                                 "--rate counts rows"}));
+      line = table.line();
       m.time.push_back(static_cast<double>(m.time.size()) / *o.rate);
     }
     double a = table.number(axes[0].place);

@@ -207,7 +207,7 @@ class TableReader {
     if (!value || !std::isfinite(*value))
       refuse(column, text.find(':') == std::string::npos
                          ? "must be a number"
-                         : "must be a number; turn times of the clock into seconds");
+                         : "must be a number; turn times of the clock into seconds, or give --rate");
     if (comma && ambiguous_.empty() && !decimal_comma_) ambiguous_ = text;
     decimal_comma_ = decimal_comma_ || (comma && detail::is_decimal_comma(text));
     return *value;

@@ -241,7 +241,8 @@ TEST_CASE(
        "deceleration is acc (");
   same(columns_text("acc_x_g,acc_y_g\n", ",", {other, net}), joined({"--column", "acc_y_g"}, rate),
        "acc_y_g");
-  same(columns_text("time_s,acc_g\n", ",", {other, net}), rate, "row / 2000 Hz, time_s is not read");
+  same(columns_text("time_s,acc_g\n", ",", {other, net}), rate,
+       "time is row / 2000 Hz (column time_s is not read), ");
   // Without a header, or with one that says nothing.
   const Words units{"--time-unit", "s", "--deceleration-unit", "g"};
   for (const char* separator : {"\t", ";", ",", ", ", " "})
@@ -281,6 +282,13 @@ TEST_CASE("columns that a table does not have, or that cannot be meant, are refu
   REQUIRE(of(table, {"--time-column", "t"}) == "--time-column = t: c.csv has no such column" + its);
   REQUIRE(of("n,acc_g,flag\n0,1,ok\n", {"--column", "acc", "--rate", "100"}) ==
           "--column = acc: c.csv has no such column; its columns: n, acc_g, flag");
+  for (const auto& [text, columns] : {std::pair{"Monday, 3\n\nn x y\n1 2 3\n", "n, x, y"},
+                                      {"Of Monday at noon\nn;x;y\n[1];[g];[g]\n1;2;3\n", "n, x, y"},
+                                      {"Kanal 1 [g]\n0,25\n", "Kanal 1 [g]"}})
+    REQUIRE(of(text, {"--column", "acc", "--rate", "100"}) ==
+            joined_text({"--column = acc: c.csv has no such column; its columns: ", columns}));
+  REQUIRE(
+      holds(of("Monday, 3\n1;2;3\n", {"--column", "acc", "--rate", "100"}), "line 2 is a row of numbers"));
   REQUIRE(holds(of(table, {"--column", "raw"}), "has several of this name; give its number; its columns: "));
   REQUIRE(of(table, {"--column", "5"}) ==
           "c.csv: column = raw: names no unit; write deceleration_g or deceleration_m_s2, or give "
@@ -316,9 +324,11 @@ TEST_CASE("columns that a table does not have, or that cannot be meant, are refu
   REQUIRE(
       holds(of("0,125\n0,250\n", rate), "line 1 = 0,125: may be one number with a decimal comma, or two"));
   REQUIRE(of("12:30,1\n12:31,1\n", numbers) ==
-          "c.csv: has no row of 2 or more numbers alone; give columns by their names");
+          "c.csv: has no row of 2 or more numbers alone; give columns by their names in a header");
   REQUIRE(holds(of("", numbers), "is not empty"));
   // Options.
+  for (const char* option : {"--column", "--time-column"})
+    REQUIRE(of(table, {option, ""}) == joined_text({option, " = : needs a value"}));
   for (const char* hz : {"9.99", "1000001", "nan", "-2000", "0"})
     REQUIRE(
         holds(of(table, {"--rate", hz}), joined_text({"--rate = ", hz, ": must lie in [10, 1000000] Hz"})));

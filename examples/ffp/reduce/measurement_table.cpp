@@ -297,7 +297,7 @@ Measurement read_measurement_table(const std::filesystem::path& path, const Redu
     of_time_text = joined_text({named(all[0]), " (times ", unit, " s)"});
   } else {
     for (const auto& name : header)
-      if (of_time(name).is_quantity) of_time_text += ", " + shown(name) + " is not read";
+      if (of_time(name).is_quantity) of_time_text += " (column " + shown(name) + " is not read)";
   }
   double unit = std::numeric_limits<double>::quiet_NaN();
   std::string of_axes;

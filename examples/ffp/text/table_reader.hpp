@@ -118,18 +118,19 @@ class TableReader {
 
   /// Looks for the header: the first line of which one separator makes `wanted` of the columns that
   /// `match(names)` finds. Lines above it are titles; the one that comes closest is the header if there is none
-  /// before a row of numbers or the end, and the first with the most fields if none comes close. Throws `error`
-  /// for numbers below nothing of a header, with its cure.
+  /// before a row of numbers or the end, and if none comes close one with as many fields as the numbers, or the
+  /// most. Throws `error` for numbers below nothing of a header, with its cure.
   template <class Match>
   bool find_header(int wanted, const Match& match, std::string_view cure = "") {
     HeaderMatch most;
-    while (next_line()) {
+    for (std::string above; next_line(); above = line_) {
       const auto numbers = separator_of_numbers(0);
       for (const char separator : separators_of_header()) {
         auto names = names_in(line_, separator);
         if (names.empty()) continue;
         const HeaderMatch found = match(names);
-        if (found < most || (found == most && (found.found > 0 || names.size() <= header_.size())) ||
+        if (found < most ||
+            (found == most && (found.found > 0 || separator == ' ' || names.size() <= header_.size())) ||
             (found.found == 0 && numbers))
           continue;
         most = found;
@@ -138,7 +139,9 @@ class TableReader {
       }
       if (most.found == wanted) return true;
       if (!numbers) continue;
-      if (most.found > 0 || header_.size() == names_in(line_, *numbers).size()) return false;
+      if (most.found > 0 || header_.size() == names_in(line_, *numbers).size() ||
+          is_header(above, *numbers) || (is_number(line_) && is_header(above, '\t')))
+        return false;
       throw error(joined_text({file_, ": line ", row_,
                                " is a row of numbers, and no header names the columns; put a line such as "
                                "\"time_s,deceleration_g\" first",
@@ -169,7 +172,7 @@ class TableReader {
     }
     if (row_ > 0)
       throw error(joined_text({file_, ": has no row of ", least > 1 ? joined_text({least, " or more "}) : "",
-                               "numbers alone; give columns by their names"}));
+                               "numbers alone; give columns by their names in a header"}));
   }
 
   /// The next row; false at the end.
@@ -247,7 +250,8 @@ class TableReader {
       if (names.empty() || names.size() < least || !std::ranges::all_of(names, is_number)) continue;
       if (found && least > 0 && names.size() != most)
         refuse(" = " + shown(line_),
-               ": may be one number with a decimal comma, or two; write points, or a header");
+               ": may be one number with a decimal comma, or two; write points, or give the column by its "
+               "name in a header");
       if (names.size() > most) found = s;
       most = std::max(most, names.size());
     }

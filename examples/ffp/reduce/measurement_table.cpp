@@ -141,8 +141,8 @@ std::string joined_names(const std::vector<std::string>& names) {
   return shown(all);
 }
 
-/// The columns of a header that an option names, one or `most`. Throws `error` if there are no such. `unit(name)` is that of
-/// a name.
+/// The columns of a header that an option names, one or `most`; `unit(name)` is that of a name. Throws `error`
+/// if there are no such.
 template <class Unit>
 std::vector<NamedColumn> given_columns(const TableReader& table, const char* option, const std::string& text,
                                        std::size_t most, const Unit& unit) {

@@ -144,6 +144,24 @@ def test_reduce_of_a_fall_with_a_closed_form(tmp_path):
     assert not list(tmp_path.glob("reduced*")), "nothing is written beside a measured record"
 
 
+@pytest.mark.filterwarnings(FLAT)
+def test_reduce_of_columns_that_are_told(tmp_path):
+    exact = free_fall_record(tmp_path / "measured.csv")
+    net = numpy.loadtxt(tmp_path / "measured.csv", delimiter=",", skiprows=1)[:, 1]
+    axes = numpy.outer(net + 1, (2 / 7, 3 / 7, 6 / 7))  # a direction of length 1
+    numpy.savetxt(tmp_path / "axes.csv", axes, fmt="%.9f", delimiter=",", header='"a, x",ay,az', comments="")
+    for column in (("a, x", "ay", "az"), (1, 2, 3)):
+        found = ffp.reduce(tmp_path / "axes.csv", column=column, reads="proper", rate=20000, deceleration_unit="g")
+        assert found["impact_velocity_m_s"] == pytest.approx(exact["velocity"], rel=2e-3)
+        assert found["depth_cm"] == pytest.approx(exact["depth"] * 100, rel=5e-3)
+        assert "the magnitude of a, x, ay, az" in found["notes"][0]
+    with pytest.raises(Error, match="^--column = ax: .*axes.csv has no such column; its columns: a, x, ay, az$"):
+        ffp.reduce(tmp_path / "axes.csv", column="ax", rate=20000)
+    numpy.savetxt(tmp_path / "two.csv", numpy.concatenate([net, net]), header="deceleration_g", comments="")
+    with pytest.raises(Error, match=r"holds 2 drops; give --drop N, or --impact-time:\n  drop 1 at 0.67.*\n  drop 2 at 1.4"):
+        ffp.reduce(tmp_path / "two.csv", rate=20000)
+
+
 @pytest.mark.parametrize("text, sentence", [
     ("a,b\n0,1\n0,1,5\n", r"line 3, number of fields = 3: must be 2, as in the header"), ("a,b\n0\n", "line 2, number of fields = 1"),
     ("a;b\n0,5;1\n", "line 2, number of fields = 2: must be 1"), ("a,b\n0,x\n", "must be a table of numbers"),
@@ -301,6 +319,7 @@ def test_values():
         "cell_at_cone": "0.001", "contact_offset": "-0.005", "young": "5000000"}
     assert _words.values_of("reduce", {"scale": {"2g": 1.62e6, "18g": 1.6e5}}) == {"scale": "2g=1620000,18g=160000"}
     assert _words.values_of("drop", {"mesh": Path("a") / "b.msh"}) == {"mesh": "a/b.msh"}
+    assert _words.values_of("reduce", {"column": ("a, x", "ay", 3)}) == {"column": '"a, x",ay,3'}
 
 
 def test_on_and_off(tmp_path):

@@ -249,7 +249,7 @@ TEST_CASE("columns are found by many names; what is missing is said") {
   REQUIRE(refusal(with("n,time_s,pressure_kPa", 1, g, ",")) ==
           "named.csv: has no column of deceleration (deceleration_g, acceleration_m_s2 ..); its columns: n, "
           "time_s, "
-          "pressure_kPa");
+          "pressure_kPa; give --column");
   REQUIRE(holds(refusal(with("a,b,c", 1, g, ",")), "has no column of time"));
 }
 

@@ -37,6 +37,8 @@ inline constexpr std::array<std::pair<std::string_view, Reading>, 2> reading_wor
 /// folder, or is the default that `visit_reduce_options` tells.
 struct ReduceOptions : DeviceOptions {
   std::string file;                      ///< table, .bin, or folder of a drop
+  std::string column, time_column;       ///< of a table: names, or numbers from 1; empty: by the header
+  std::optional<double> rate;            ///< Hz, rows of a table; its time is then not read
   TimeUnit time_unit = TimeUnit::named;  ///< of a table whose header names none
   DecelerationUnit deceleration_unit = DecelerationUnit::named;
   Reading reads = Reading::net;
@@ -74,6 +76,12 @@ struct ReduceOptions : DeviceOptions {
 template <class Options, class Visitor>
 void visit_reduce_options(Options& o, Visitor& v) {
   v.group("Record");
+  v.text("--column", o.column, "NAME",
+         "Column of a table that is the deceleration, by its name in the header, or else its number from 1; "
+         "X,Y,Z: the magnitude of three, with --reads proper");
+  v.text("--time-column", o.time_column, "NAME", "Column of a table that is the time, by name or number");
+  v.number("--rate", o.rate, "HZ", Range{10, 1e6, "Hz"},
+           "Rows a second of a table whose time is not to be read");
   v.choice("--time-unit", time_unit_words, o.time_unit, "Unit of the time of a table; named: by its header");
   v.choice("--deceleration-unit", deceleration_unit_words, o.deceleration_unit,
            "Unit of the deceleration of a table; named: by its header");

@@ -20,15 +20,35 @@ namespace {
 /// A column of the history of a drop.
 std::vector<double> history_column(const std::filesystem::path& path, const std::string& name) {
   TableReader table(path, "FILE", most_history_bytes, true);
-  std::size_t place = 0;
   table.find_header(1, [&](const std::vector<std::string>& names) {
-    place = static_cast<std::size_t>(std::ranges::find(names, name) - names.begin());
-    return int{place < names.size()};
+    return HeaderMatch{int{std::ranges::find(names, name) != names.end()}, 0};
   });
-  require(place < table.header().size(), table.file(), name, "there is no such column");
+  const auto& header = table.header();
+  const auto place = static_cast<std::size_t>(std::ranges::find(header, name) - header.begin());
+  require(place < header.size(), table.file(), name, "there is no such column");
   std::vector<double> values;
   while (table.next()) values.push_back(table.number(place));
   return values;
+}
+
+/// Throws `error` of an option that tells of another kind of FILE.
+void check_kind(const ReduceOptions& o, bool is_folder, bool is_bluedrop) {
+  const std::string is = is_folder ? "the folder of a drop" : is_bluedrop ? "a BlueDrop's record" : "a table";
+  const auto check = [&](const char* needs, bool holds,
+                         std::initializer_list<std::pair<const char*, bool>> options) {
+    for (const auto& [option, given] : options)
+      if (given && !holds) throw error(joined_text({option, ": needs ", needs, ", and FILE is ", is}));
+  };
+  check("a table", !is_folder && !is_bluedrop,
+        {{"--column", !o.column.empty()},
+         {"--time-column", !o.time_column.empty()},
+         {"--rate", o.rate.has_value()},
+         {"--time-unit", o.time_unit != TimeUnit::named},
+         {"--deceleration-unit", o.deceleration_unit != DecelerationUnit::named}});
+  check("a BlueDrop's record (.bin)", is_bluedrop,
+        {{"--calibration", !o.calibration.empty()},
+         {"--scale", !o.scale.empty()},
+         {"--offset", !o.offset.empty()}});
 }
 
 }  // namespace
@@ -68,10 +88,7 @@ Measurement read_measurement_of_drop(const std::filesystem::path& folder, const 
                     .k0 = number("k0"),
                     .device = device_in(inputs),
                     .contact_offset = inputs.value("contact_offset_m", 0.0)};
-    ReduceOptions units = o;  // the history's own
-    units.time_unit = TimeUnit::named;
-    units.deceleration_unit = DecelerationUnit::named;
-    Measurement m = read_measurement_table(folder / "history.csv", units, facts.gravity, true);
+    Measurement m = read_measurement_table(folder / "history.csv", o, facts.gravity, true);
     m.step_means = true;
     m.drop = facts;
     if (inputs.value("kinematics", "") ==
@@ -97,10 +114,12 @@ Measurement read_measurement(const ReduceOptions& o) {
   const auto status = std::filesystem::status(path, code);
   require(std::filesystem::exists(status), "FILE", file, "there is no such file or folder");
   const double gravity = o.gravity.value_or(standard_gravity);
-  Measurement m = std::filesystem::is_directory(status) ? read_measurement_of_drop(path, o)
-                  : path.extension() == ".bin" || path.extension() == ".BIN"
-                      ? read_bluedrop(path, o, gravity)
-                      : read_measurement_table(path, o, gravity);
+  const bool is_folder = std::filesystem::is_directory(status),
+             is_bluedrop = !is_folder && (path.extension() == ".bin" || path.extension() == ".BIN");
+  check_kind(o, is_folder, is_bluedrop);
+  Measurement m = is_folder     ? read_measurement_of_drop(path, o)
+                  : is_bluedrop ? read_bluedrop(path, o, gravity)
+                                : read_measurement_table(path, o, gravity);
   for (double& a : m.deceleration) {
     if (o.invert) a = -a;
     if (o.reads == Reading::proper) a -= gravity;

@@ -304,7 +304,7 @@ def test_device_reaches_drop_reduction_and_sweep(tmp_path):
     ({"profile": PROFILE, "tip": "blunt"}, "Device.tip = 'blunt': goes without a profile"),
     ({"profile": [(0, 0), 3]}, "Device.profile: must be points (radius, height) in m"),
     ({"profile": [(0, 0), (0.03, 0.05), (0.03, 0.4)]}, "--mass: must be given for a profile"),
-    ({"penetrometer": "tube"}, "--penetrometer = tube: must be one of bluedrop"),
+    ({"penetrometer": "tube"}, "--penetrometer = tube: must be bluedrop or cone-10cm2"),
     ({"diameter": 0.05, "length": 0.4, "mass": 0.01}, "--mass = 0.01: must give a mean density in"),
 ])
 def test_devices_that_are_none(told, sentence):
@@ -464,7 +464,7 @@ def test_warnings_are_issued():
 def test_short_drop_has_no_reduction():
     with warnings.catch_warnings():
         warnings.simplefilter("error")
-        drop = ffp.drop(**{**COARSE, "end": 1e-5})
+        drop = ffp.drop(accuracy="coarse", fields_every=0, end=1e-5)
     assert (drop.reduction is None) == (not (drop.folder / "reduced.json").exists())
     assert drop.uncertainty is None
 

@@ -4,14 +4,11 @@ from __future__ import annotations
 
 import json
 from dataclasses import dataclass, field, fields
-from typing import Any, Dict, Mapping, Optional, Sequence, Tuple, Union
+from typing import Any, Dict, Mapping, Optional, Sequence
 
 from .._errors import Error
 
 __all__ = ["Device", "with_device"]
-
-#: A point [radius, height] at the end of a line, or {"to": [radius, height], "arc": radius of the arc to it, negative: hollow}; in m.
-Point = Union[Sequence[float], Mapping[str, Any]]
 
 
 @dataclass(frozen=True)
@@ -21,7 +18,7 @@ class Device:
     Either a named one and what differs from it, each as the option of the same name in `arenite.ffp.help("drop")`:
     `Device("cone-10cm2", mass=1.2)`, `Device(diameter=0.05, length=0.4, cone_angle=90, mass=2)`. Or any other by its outline:
     `Device(name="probe", profile=[(0, 0), (0.03, 0.05), {"to": (0.035, 0.06), "arc": 0.02}, (0.035, 0.4)], mass=5.2)`,
-    points (radius, height) in m from the tip upward. mass in kg; centre_of_mass above the tip and gyration across the axis in m.
+    points (radius, height) in m from the tip upward, each at the end of a line or of an arc (negative: hollow). mass in kg; centre_of_mass above the tip and gyration across the axis in m.
     """
 
     penetrometer: Optional[str] = None
@@ -35,7 +32,7 @@ class Device:
     mass: Optional[float] = None
     name: Optional[str] = field(default=None, metadata={"of_profile": True})
     source: Optional[str] = field(default=None, metadata={"of_profile": True})
-    profile: Optional[Tuple[Point, ...]] = field(default=None, metadata={"of_profile": True})
+    profile: Optional[Sequence[Any]] = field(default=None, metadata={"of_profile": True})
     centre_of_mass: Optional[float] = field(default=None, metadata={"of_profile": True})
     gyration: Optional[float] = field(default=None, metadata={"of_profile": True})
 

@@ -111,7 +111,7 @@ class Run {
     } catch (const Interruption& e) {
       end("interrupted", at_time(e.what()), e.exit_code());
     } catch (const run_error& e) {  // tells the time itself
-      end("failed", e.what(), 1);
+      end("failed", e.what() + (is_at_the_bottom() ? cure_of_depth() : ""), 1);
     } catch (const output_error& e) {
       end(e.disk_full() ? "disk-full" : "failed", at_time(e.what()), 1);
     } catch (const std::exception& e) {
@@ -188,6 +188,15 @@ class Run {
     const double step = seconds(Clock::now() - pace_from_) / (last - first);
     say("about " + duration(step * static_cast<double>(numbers_.expected_steps)) +
         " at the pace of the first steps");
+  }
+
+  /// Whether hardly anything is left of the zone that the moving mesh compresses.
+  bool is_at_the_bottom() const {
+    return o_.mesh.empty() && !rows_.all.empty() &&
+           rows_.all.back().penetration_m > 0.9 * (o_.chamber().soil_depth - o_.moving_zone());
+  }
+  std::string cure_of_depth() const {
+    return joined_text({"; the sand is ", o_.chamber().soil_depth, " m deep: give more --soil-depth"});
   }
 
   std::string at_time(const std::string& what) const {

@@ -33,6 +33,7 @@ class Failures(DriverTest):
         columns, found = self.assert_failed(
             "used_up", "failed", *COARSE, "--delta", "0", "--velocity", "12", "--mass", "20", "--fields-every", "0.01")
         self.assertIn("the compressing zone below -0.06 m is used up after a travel of", found["failure"])
+        self.assertIn("; the sand is 0.4 m deep: give more --soil-depth", found["failure"])
         self.assert_consistent(columns, mass=20, velocity=12)
 
     def test_watch(self):

@@ -65,26 +65,38 @@ std::pair<double, double> height_of(const Mesh& mesh, const std::string& region)
   return y;
 }
 
-/// Throws `error` unless the device of a mesh that was read is as wide and as long as the options say: areas, mass and pictures are
-/// theirs.
-template <class Mesh>
+/// Throws `error` unless the device of a mesh that was read is the one that the options tell: areas, mass and pictures are theirs.
+template <class Model, class Mesh>
 void check_device_in(const Mesh& mesh, const DropOptions& o) {
   const int number = mesh.region_number("device");
-  double radius = 0;
-  for (Index c = 0; c < mesh.cell_count(); ++c)
-    if (mesh.region(c) == number)
-      for (const Index i : mesh.nodes(c)) {
-        const auto x = mesh.position(i);
-        radius = std::max(radius, Mesh::dimension == 2 ? x[0] : std::hypot(x[0], x[Mesh::dimension - 1]));
-      }
+  const Device told = o.body();
+  const double near = 0.1 * o.outer_diameter();  // cells may be coarse
+  double radius = 0, volume = 0;
+  std::pair<double, double> outside{0, 0};  // a node outside of the outline: (r, y)
+  for (Index c = 0; c < mesh.cell_count(); ++c) {
+    if (mesh.region(c) != number) continue;
+    volume += Model::whole * arenite::full_volume<typename Model::Kinematics>(mesh, c);
+    for (const Index i : mesh.nodes(c)) {
+      const auto x = mesh.position(i);
+      const double r = Mesh::dimension == 2 ? x[0] : std::hypot(x[0], x[Mesh::dimension - 1]);
+      radius = std::max(radius, r);
+      if (r > told.profile(x[1] + near) + near) outside = {r, x[1]};
+    }
+  }
   const auto [tip, top] = height_of(mesh, "device");
-  const auto about = [](double a, double b) { return std::abs(a - b) <= 0.02 * b; };
+  const auto about = [](double a, double b, double share) { return std::abs(a - b) <= share * b; };
   const std::string cure = joined_text({"; give --diameter ", rounded(2 * radius), " --length ",
                                         rounded(top - tip), ", or is the mesh not in metres?"});
-  require(about(2 * radius, o.outer_diameter()), "diameter of the device in --mesh", 2 * radius,
+  require(about(2 * radius, o.outer_diameter(), 0.02), "diameter of the device in --mesh", 2 * radius,
           {"must be --diameter = ", o.outer_diameter(), " m within 2 %", cure});
-  require(about(top - tip, o.whole_length()), "length of the device in --mesh", top - tip,
+  require(about(top - tip, o.whole_length(), 0.02), "length of the device in --mesh", top - tip,
           {"must be --length = ", o.whole_length(), " m within 2 %", cure});
+  require(outside.first == 0, "radius of the device in --mesh", outside.first,
+          {"must be that of ", o.device_name(), " at ", outside.second, " m above its tip, ",
+           told.profile(outside.second), " m; see --tip, --cone-angle and --device-file"});
+  require(about(volume, told.volume(), 0.05), "volume of the device in --mesh", volume,
+          {"must be that of ", o.device_name(), ", ", told.volume(),
+           " m^3, within 5 %; see --tip, --cone-angle and --device-file"});
 }
 
 /// The mesh of the drop: generated, or read. Throws `error` if it cannot be used.
@@ -99,7 +111,7 @@ SimplexMesh<Model::dimension> mesh_of(const DropOptions& o) {
   require(std::abs(surface) < close, "surface of the soil, y", surface, "must be 0 m, the tip's height");
   require(bottom < -o.moving_zone() - close, "bottom of the soil, y", bottom,
           "must lie below the zone that moves as one (--moving-depth)");
-  check_device_in(mesh, o);
+  check_device_in<Model>(mesh, o);
   for (const char* set : {"bottom", "wall"}) mesh.node_set(set);
   if constexpr (Model::dimension == 3)
     for (const char* set : {"side_minus", "side_plus"}) mesh.node_set(set);

@@ -224,6 +224,12 @@ TEST_CASE("a file of a penetrometer that cannot be one is refused, with its name
               "--diameter: goes without --device-file, which tells its whole outline"));
   CHECK(holds(refusal_of_drop({"--penetrometer", "sphere-25cm", "--tip", "blunt", "--mass", "50"}),
               "--tip: goes without --penetrometer sphere-25cm"));
+  CHECK(holds(refusal_of_drop({"--penetrometer", "sphere-25cm", "--length", "0.3", "--mass", "50"}),
+              "--length: goes without --penetrometer sphere-25cm"));
+  CHECK(holds(refusal_of_drop({"--penetrometer", "ball-100cm2", "--length", "0.1", "--mass", "5"}),
+              "--length = 0.1: must be more than the diameter of the ball, 0.1128 m"));
+  CHECK(drop_of({"--penetrometer", "sphere-25cm", "--diameter", "0.1", "--mass", "3"}).body().length() ==
+        0.1);
 }
 
 TEST_CASE("what is written of a penetrometer gives it back") {

@@ -58,13 +58,16 @@ void check_outline(const DeviceOptions& o) {
         {"--shoulder", o.shoulder != Shoulder::sharp},
         {"--penetrometer", o.profile && o.penetrometer != Penetrometer::bluedrop},
         {"--diameter", o.profile && o.diameter},
-        {"--length", o.profile && o.length}})
+        {"--length", o.length && (o.profile || o.penetrometer == Penetrometer::sphere)}})
     if (given) throw error(joined_text({option, ": goes without ", with, ", which tells its whole outline"}));
 }
 
 }  // namespace
 
 void check(const DeviceOptions& o) {
+  if (!o.profile && o.penetrometer == Penetrometer::ball)
+    require(o.whole_length() > o.outer_diameter(), "--length", o.whole_length(),
+            {"must be more than the diameter of the ball, ", o.outer_diameter(), " m"});
   if (o.outline()) return check_outline(o);
   const bool cone = o.tip == Tip::cone || o.tip == Tip::cone_truncated;
   require(o.shoulder == Shoulder::sharp || cone, "--shoulder", "fillet",

@@ -47,6 +47,7 @@ struct DeviceOptions {
     return profile ? 2 * profile->line.widest() : diameter.value_or(size_of(penetrometer).diameter);
   }
   double whole_length() const {
+    if (!profile && penetrometer == Penetrometer::sphere) return outer_diameter();
     return profile ? profile->line.length() : length.value_or(size_of(penetrometer).length);
   }
   /// The outline, where it is no tip on a cylinder.

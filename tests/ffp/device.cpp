@@ -173,6 +173,28 @@ TEST_CASE("an outline of lines is the cone that it draws; a ball and a sphere ar
   CHECK(std::abs(Device{wider}.length() - 0.256) < 1e-5);
 }
 
+TEST_CASE("an outline parallel to that of a ball on a rod: its own ball, a neck where both meet, a rod") {
+  const double r = 0.1128 / 2, rod = 0.0357 / 2;
+  for (const double offset : {-0.005, -0.001, 0.003, 0.01}) {
+    CAPTURE(offset);
+    DeviceShape shape = drop_of({"--penetrometer", "ball-100cm2", "--mass", "5"}).shape();
+    shape.offset = offset;
+    const Device met{shape};
+    const double ball = r + offset, neck = ball + std::sqrt(ball * ball - square(rod + offset));
+    CHECK(std::abs(met.radius() - ball) < 1e-15);
+    CHECK(std::abs(met.tip_above() - offset) < 1e-15);
+    CHECK(std::abs(met.profile(neck + 1e-9) - (rod + offset)) < 1e-12);
+    CHECK(std::abs(met.tip_end() - neck) < 1e-12);
+    CHECK(std::abs(met.profile(ball / 2) - std::sqrt(0.75) * ball) < 2e-4 * ball);  // facets of 2 deg
+    CHECK(std::abs(met.length() - (met.instrument().length() + 2 * offset)) < 1e-15);
+    CHECK(met.instrument().radius() ==
+          Device{drop_of({"--penetrometer", "ball-100cm2", "--mass", "5"}).shape()}.radius());
+  }
+  DeviceShape thin = drop_of({"--penetrometer", "ball-100cm2", "--mass", "5"}).shape();
+  thin.offset = -0.02;
+  CHECK_THROWS_WITH(Device{thin}, Catch::Matchers::Contains("must leave each piece of the profile"));
+}
+
 TEST_CASE("meshes of balls and spheres: whole cells at every size") {
   for (const char* name : {"ball-100cm2", "sphere-25cm"})
     for (const double share : {0.04, 0.01, 0.005})

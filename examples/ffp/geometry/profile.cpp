@@ -1,7 +1,9 @@
 #include "profile.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <optional>
 
 #include <arenite/core/error.hpp>
 #include <arenite/core/units.hpp>
@@ -12,6 +14,13 @@ namespace {
 
 /// Where a direction is turned to the right, outward of an outline that is followed upward.
 Point2 right_of(const Point2& along) { return {along[1], -along[0]}; }
+
+/// The centre of an arc between two points; `radius` as in `ProfilePiece`.
+Point2 centre_of(const Point2& from, const Point2& to, double radius) {
+  const Point2 chord = to - from;
+  const double half = chord.norm() / 2, apart = std::sqrt(std::max(0.0, radius * radius - half * half));
+  return (from + to) / 2 - (radius > 0 ? apart : -apart) * right_of(chord) / (2 * half);
+}
 
 }  // namespace
 
@@ -37,9 +46,8 @@ void ProfileLine::add_arc(const Point2& to, double radius) {
   const double half = chord.norm() / 2, size = std::abs(radius);
   require(half > 0 && half <= size * (1 + 1e-9), "arc of the profile", radius,
           {"must be at least half the distance of its ends, ", half, " m"});
-  const double apart = std::sqrt(std::max(0.0, size * size - half * half));
-  const double side = radius > 0 ? 1 : -1;  // the centre lies inside of an arc that bulges outward
-  const Point2 centre = (from + to) / 2 - side * apart * right_of(chord) / (2 * half);
+  const double side = radius > 0 ? 1 : -1;
+  const Point2 centre = centre_of(from, to, radius);
   const auto angle_of = [&](const Point2& x) { return std::atan2(x[1] - centre[1], x[0] - centre[0]); };
   const double turn = 2 * std::asin(std::min(1.0, half / size)), start = angle_of(from);
   const int pieces = std::max(1, static_cast<int>(std::ceil(turn / (2 * pi / 180) - 1e-9)));
@@ -61,25 +69,95 @@ double ProfileLine::widest() const {
   return r;
 }
 
-std::vector<ProfileCorner> ProfileLine::parallel(double offset) const {
-  std::vector<ProfileCorner> out = corners_;
-  if (offset == 0) return out;
-  const auto n = corners_.size();
-  const auto normal = [&](std::size_t k) {  // of the piece after corner k
-    return k + 1 < n               ? right_of((corners_[k + 1].at - corners_[k].at).normalized())
-           : corners_[k].at[0] > 0 ? Point2(0, 1)  // the flat top
-                                   : Point2(right_of((corners_[k].at - corners_[k - 1].at).normalized())
-                                                .cwiseProduct(Point2(-1, 1)));
-  };
-  for (std::size_t k = 0; k < n; ++k) {
-    const Point2 after = normal(k), before = k > 0 ? normal(k - 1) : Point2(-after[0], after[1]);
-    out[k].at += offset * (before + after) / (1 + before.dot(after));
+namespace {
+
+/// The line or the circle that a piece is of.
+struct Curve {
+  Point2 point, along;  ///< of a line, with its direction, or centre of a circle
+  double radius = 0;    ///< 0: a line
+};
+
+/// Where two curves meet, nearest to a place; nothing if they do not.
+std::optional<Point2> meeting(const Curve& a, const Curve& b, const Point2& near) {
+  if (a.radius > 0 && b.radius == 0) return meeting(b, a, near);
+  Point2 middle, along;  // candidates lie on a line: middle +- share * along
+  double share = 0;
+  if (a.radius == 0 && b.radius == 0) {
+    const double cross = a.along.dot(right_of(b.along));
+    if (std::abs(cross) < 1e-12) return {};
+    return a.point + a.along * ((b.point - a.point).dot(right_of(b.along)) / cross);
   }
-  out.front().at[0] = 0;
-  for (std::size_t k = 1; k < n; ++k)
-    require((out[k].at - out[k - 1].at).dot(corners_[k].at - corners_[k - 1].at) > 0 && out[k].at[0] >= 0,
-            "Device.offset", offset, "must leave each piece of the profile");
-  return out;
+  if (a.radius == 0) {
+    along = a.along;
+    middle = a.point + along * (b.point - a.point).dot(along);
+    share = b.radius * b.radius - (middle - b.point).squaredNorm();
+  } else {
+    const Point2 between = b.point - a.point;
+    const double d = between.norm();
+    if (d < 1e-12) return {};
+    const double first = (a.radius * a.radius - b.radius * b.radius + d * d) / (2 * d);
+    middle = a.point + between * (first / d);
+    along = right_of(between / d);
+    share = a.radius * a.radius - first * first;
+  }
+  if (share < 0) return {};
+  const Point2 low = middle - std::sqrt(share) * along, high = middle + std::sqrt(share) * along;
+  return (low - near).norm() < (high - near).norm() ? low : high;
+}
+
+}  // namespace
+
+std::pair<ProfileLine, double> ProfileLine::parallel(double offset) const {
+  if (offset == 0) return {*this, 0};
+  const auto vanished = [&] {
+    return error(joined_text({"Device.offset = ", offset, ": must leave each piece of the profile"}));
+  };
+  const auto n = pieces_.size();
+  std::vector<Point2> at{Point2(0, 0)};
+  for (const auto& piece : pieces_) at.push_back(piece.to);
+  std::vector<Curve> curves;
+  std::vector<std::array<Point2, 2>> normals;  // of a piece at both of its ends, outward
+  for (std::size_t k = 0; k < n; ++k) {
+    const Point2 &from = at[k], &to = at[k + 1];
+    if (const double arc = pieces_[k].arc; arc == 0) {
+      const Point2 along = (to - from).normalized(), out = right_of(along);
+      normals.push_back({out, out});
+      curves.push_back({from + offset * out, along, 0});
+    } else {
+      const Point2 centre = centre_of(from, to, arc);
+      const double side = arc > 0 ? 1 : -1, radius = std::abs(arc) + side * offset;
+      if (!(radius > 0)) throw vanished();
+      normals.push_back({side * (from - centre) / std::abs(arc), side * (to - centre) / std::abs(arc)});
+      curves.push_back({centre, Point2(0, 0), radius});
+    }
+  }
+  const Curve axis{Point2(0, 0), Point2(0, 1), 0}, top{at[n] + Point2(0, offset), Point2(1, 0), 0};
+  const auto joint = [&](std::size_t k) -> std::optional<Point2> {
+    if (k == 0) return meeting(axis, curves[0], at[0] - Point2(0, offset));
+    const Point2 before = normals[k - 1][1];
+    if (k == n) return meeting(at[n][0] > 0 ? top : axis, curves[n - 1], at[n] + Point2(0, offset));
+    const Point2 after = normals[k][0];
+    if ((before - after).norm() < 1e-6) return at[k] + offset * before;
+    return meeting(curves[k - 1], curves[k], at[k] + offset * (before + after).normalized());
+  };
+  std::vector<Point2> corner;
+  for (std::size_t k = 0; k <= n; ++k) {
+    const auto found = joint(k);
+    if (!found) throw vanished();
+    corner.push_back(*found);
+    if (k > 0 && !((corner[k] - corner[k - 1]).dot(at[k] - at[k - 1]) > 0)) throw vanished();
+  }
+  const double tip = corner[0][1];
+  std::vector<ProfilePiece> pieces;
+  for (std::size_t k = 0; k < n; ++k) {
+    Point2 to = corner[k + 1] - Point2(0, tip);
+    if (std::abs(to[0]) < 1e-12) to[0] = 0;
+    if (k == 0 && at[1][1] == 0) to[1] = 0;  // a flat end stays flat
+    pieces.push_back({to, pieces_[k].arc == 0  ? 0
+                          : pieces_[k].arc > 0 ? curves[k].radius
+                                               : -curves[k].radius});
+  }
+  return {ProfileLine{pieces}, -tip};
 }
 
 }  // namespace arenite::ffp

@@ -1,6 +1,7 @@
 // An outline of lines and arcs, as a drawing gives it, and the lines that stand for it.
 #pragma once
 
+#include <utility>
 #include <vector>
 
 #include <arenite/core/tensor.hpp>
@@ -36,9 +37,9 @@ class ProfileLine {
   double widest() const;
   double length() const { return corners_.back().at[1]; }
 
-  /// The line at the distance `offset` outside of it (m; negative: inside), its faces extended until they meet. Its first corner lies
-  /// on the axis, above or below the tip. Throws `error` if a piece vanishes.
-  std::vector<ProfileCorner> parallel(double offset) const;
+  /// The outline at the distance `offset` outside of it, m (negative: inside), its faces extended or cut until they meet, from its own
+  /// tip at (0, 0), and the height of this outline's tip above that. Throws `error` if a piece vanishes.
+  std::pair<ProfileLine, double> parallel(double offset) const;
 
  private:
   void add(const Point2& to, bool end);

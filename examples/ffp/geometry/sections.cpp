@@ -94,14 +94,13 @@ double ParabolaSection::mantle_area(double depth) const {
   return pi * s_.parabola * s_.parabola / 6 * (std::pow(1 + slope * slope, 1.5) - 1);
 }
 
-ProfileSection::ProfileSection(const DeviceShape& shape) : corners_{shape.profile->parallel(shape.offset)} {
+ProfileSection::ProfileSection(const DeviceShape& shape) {
+  const auto [line, above] = shape.profile->parallel(shape.offset);
+  corners_ = line.corners();
+  tip_above_ = above;
+  widest_ = line.widest();
   require(corners_.size() > 2, "Device.profile", corners_.size(),
           "must have more points than the tip and one");
-  tip_above_ = -corners_.front().at[1];
-  for (ProfileCorner& c : corners_) {
-    c.at[1] += tip_above_;
-    widest_ = std::max(widest_, c.at[0]);
-  }
 }
 
 double ProfileSection::flat_radius() const {

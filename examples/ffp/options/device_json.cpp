@@ -25,7 +25,8 @@ Json json_of(const DeviceOptions& o, double mass) {
   const DeviceShape shape = o.shape();
   Json j;
   j["name"] = o.device_name();
-  j["source"] = o.profile ? o.profile->source : std::string{size_of(o.penetrometer).source};
+  j["source"] = o.profile ? o.profile->source
+                          : std::string{size_of(o.penetrometer).source} + (o.is_changed() ? ", changed" : "");
   j["diameter_m"] = o.outer_diameter();
   j["length_m"] = o.whole_length();
   const bool cone = o.tip == Tip::cone || o.tip == Tip::cone_truncated;

@@ -26,10 +26,9 @@ DeviceShape DeviceOptions::shape() const {
 
 std::string DeviceOptions::device_name() const {
   if (profile) return profile->name;
-  const bool changed = diameter || length || cone_angle || flat;
   const bool tip_told = !outline() && (penetrometer == Penetrometer::bluedrop || tip != Tip::cone);
   return word_of(penetrometer_words, penetrometer) + (tip_told ? ", " + word_of(tip_words, tip) : "") +
-         (changed ? ", changed" : "");
+         (is_changed() ? ", changed" : "");
 }
 
 double DeviceOptions::device_mass() const {

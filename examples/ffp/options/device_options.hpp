@@ -58,9 +58,8 @@ struct DeviceOptions {
   /// The penetrometer itself, without an offset of its surface.
   DeviceShape shape() const;
   /// Whether shape and size are those that the BlueDrop's published masses belong to.
-  bool is_bluedrop() const {
-    return !profile && penetrometer == Penetrometer::bluedrop && !diameter && !length && !cone_angle && !flat;
-  }
+  bool is_bluedrop() const { return !profile && penetrometer == Penetrometer::bluedrop && !is_changed(); }
+  bool is_changed() const { return diameter || length || cone_angle || flat; }
   /// Name for people: "bluedrop, cone", "cone-10cm2, changed", or that of the file.
   std::string device_name() const;
   /// kg. Throws `error` if it is not given and not known.

@@ -143,7 +143,7 @@ std::pair<ProfileLine, double> ProfileLine::parallel(double offset) const {
   std::vector<Point2> corner;
   for (std::size_t k = 0; k <= n; ++k) {
     const auto found = joint(k);
-    if (!found) throw vanished();
+    if (!found || (*found)[0] < -1e-12) throw vanished();
     corner.push_back(*found);
     if (k > 0 && !((corner[k] - corner[k - 1]).dot(at[k] - at[k - 1]) > 0)) throw vanished();
   }

@@ -359,13 +359,15 @@ TEST_CASE("the depth of a drop that turns is its tip's, not that of its centre o
   const double dt = 1e-3, v = 5, a = 40;
   for (int i = 1; i <= 125; ++i) {
     const double t = i * dt, centre = v * t - a * t * t / 2;
-    text += joined_text({exactly(t), ",", exactly(0.9 * centre), ",", exactly(v - a * t), ",", exactly(a), "\n"});
+    text +=
+        joined_text({exactly(t), ",", exactly(0.9 * centre), ",", exactly(v - a * t), ",", exactly(a), "\n"});
   }
   std::filesystem::create_directories("turning");
   written("turning/history.csv", text);
   const std::string inputs = R"("inputs": {"velocity_m_s": 5, "mass_kg": 7.71, "gravity_m_s2": 9.81,
       "unit_weight_N_m3": 15000, "k0": 0.4, "fillet_m": 0, "tip": "cone", "kinematics": ")";
-  written("turning/summary.json", "{\"final_tilt_deg\": 12, \"final_aside_m\": 0.031, " + inputs + "space\"}}");
+  written("turning/summary.json",
+          "{\"final_tilt_deg\": 12, \"final_aside_m\": 0.031, " + inputs + "space\"}}");
   const auto turning = reduced("turning");
   REQUIRE(turning.motion.depth.back() == Approx(0.9 * v * v / (2 * a)).epsilon(1e-12));
   REQUIRE(holds(turning.notes.back(), "tilted by 12 deg and 3.1 cm aside"));

@@ -70,8 +70,8 @@ std::string words_of_cells(const BarredResult& r) {
          (!order         ? "it goes up and down with the size"
           : *order <= 0  ? "it changes more, the smaller the cells" + text
           : *order < 0.5 ? "its changes hardly shrink with the cells" + text
-          : *order > 2   ? "its changes shrink as those of no such method" + text
-                         : "drops of one size differ as much" + text) +
+          : *order > 2   ? "its changes shrink faster than the order of the method allows" + text
+                         : "drops with cells of one size differ by as much" + text) +
          ", so that no bar can be defended; 3 times the spread is told";
 }
 

@@ -29,8 +29,8 @@ struct PenetrometerSize {
 
 /// Standard cones and balls have a rod of any length: of themselves they are as slender as the BlueDrop.
 inline PenetrometerSize size_of(Penetrometer which) {
-  constexpr DeviceShape blue{};
-  constexpr double slender = blue.length / (2 * blue.radius);
+  const DeviceShape blue;
+  const double slender = blue.length / (2 * blue.radius);
   constexpr std::string_view standard = "ISO 22476-1: cone of 60 deg";
   switch (which) {
     case Penetrometer::cone_10cm2:

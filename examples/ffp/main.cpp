@@ -20,6 +20,7 @@
 #include "paper/paper.hpp"
 #include "paper/paper_cases.hpp"
 #include "reduce/reduce.hpp"
+#include "reduce/reduction.hpp"
 #include "text/say.hpp"
 #include "text/words.hpp"
 #ifdef ARENITE_FFP_COMMAND_LINE
@@ -104,6 +105,9 @@ int main(int argc, char** argv) {
   } catch (const arenite::ffp::NotBuilt& e) {
     say(e.what());
     return 3;
+  } catch (const arenite::ffp::SeveralDrops& e) {
+    say(e.what());
+    return 2;
   } catch (const arenite::error& e) {
     say(shown(e.what(), 2000));
     return 2;

@@ -35,7 +35,9 @@ COARSE = {"cell": 0.04, "points_per_element": 10, "fields_every": 0}
 SHORT = {**COARSE, "end": 0.01}
 SOURCE = Path(__file__).resolve().parents[2]
 
-pytestmark = pytest.mark.filterwarnings("ignore:t = .*energy_gain")  # such coarse cells let some energy in
+pytestmark = [pytest.mark.filterwarnings("ignore:t = .*energy_gain"),  # such coarse cells let some energy in,
+              pytest.mark.filterwarnings("ignore:--cell = .* is coarser than an eighth")]  # and are told to be coarse
+PROFILE = [(0, 0), (0.03, 0.05), {"to": (0.035, 0.06), "arc": 0.02}, (0.035, 0.4)]
 
 
 @pytest.fixture(scope="module")
@@ -142,6 +144,24 @@ def test_reduce_of_a_fall_with_a_closed_form(tmp_path):
     assert not list(tmp_path.glob("reduced*")), "nothing is written beside a measured record"
 
 
+@pytest.mark.filterwarnings(FLAT)
+def test_reduce_of_columns_that_are_told(tmp_path):
+    exact = free_fall_record(tmp_path / "measured.csv")
+    net = numpy.loadtxt(tmp_path / "measured.csv", delimiter=",", skiprows=1)[:, 1]
+    axes = numpy.outer(net + 1, (2 / 7, 3 / 7, 6 / 7))  # a direction of length 1
+    numpy.savetxt(tmp_path / "axes.csv", axes, fmt="%.9f", delimiter=",", header='"a, x",ay,az', comments="")
+    for column in (("a, x", "ay", "az"), (1, 2, 3)):
+        found = ffp.reduce(tmp_path / "axes.csv", column=column, reads="proper", rate=20000, deceleration_unit="g")
+        assert found["impact_velocity_m_s"] == pytest.approx(exact["velocity"], rel=2e-3)
+        assert found["depth_cm"] == pytest.approx(exact["depth"] * 100, rel=5e-3)
+        assert "the magnitude of a, x, ay, az" in found["notes"][0]
+    with pytest.raises(Error, match="^--column = ax: .*axes.csv has no such column; its columns: a, x, ay, az$"):
+        ffp.reduce(tmp_path / "axes.csv", column="ax", rate=20000)
+    numpy.savetxt(tmp_path / "two.csv", numpy.concatenate([net, net]), header="deceleration_g", comments="")
+    with pytest.raises(Error, match=r"holds 2 drops; give --drop N, or --impact-time:\n  drop 1 at 0.67.*\n  drop 2 at 1.4"):
+        ffp.reduce(tmp_path / "two.csv", rate=20000)
+
+
 @pytest.mark.parametrize("text, sentence", [
     ("a,b\n0,1\n0,1,5\n", r"line 3, number of fields = 3: must be 2, as in the header"), ("a,b\n0\n", "line 2, number of fields = 1"),
     ("a;b\n0,5;1\n", "line 2, number of fields = 2: must be 1"), ("a,b\n0,x\n", "must be a table of numbers"),
@@ -218,17 +238,19 @@ def values_of(takes, text):
     return [float(number[1 if default else 2].rstrip(",")) if number else 28 if takes == "N" else "name"]
 
 
-@pytest.mark.parametrize("command, count", [("drop", 55), ("reduce", 26)])
+@pytest.mark.parametrize("command, count", [("drop", 63), ("reduce", 33)])
 def test_every_option_is_a_keyword(command, count, coarse, tmp_path):
     options = [one for one in listed_options(command) if one[0] != "--version"]
     assert len(options) >= count
-    (tmp_path / "inputs.json").write_text("{}")
+    files = {"input": tmp_path / "inputs.json", "device_file": tmp_path / "device.json"}
+    files["input"].write_text("{}")
+    files["device_file"].write_text(json.dumps({"name": "cone", "profile": [[0, 0], [0.03, 0.05], [0.03, 0.4]]}))
     run = {"drop": lambda **told: ffp.drop(**told), "reduce": lambda **told: ffp.reduce(coarse, **told)}[command]
     # The words are read before any limit is looked at: what is told is only the limit of another option.
     last, wrong, limit = ("threads", -1, "[0, 1024]") if command == "drop" else ("k0", -1, "[0, 3]")
     for option, takes, text in options:
         keyword = option[2:].replace("-", "_")
-        for value in values_of(takes, text) if keyword != "input" else [tmp_path / "inputs.json"]:
+        for value in [files[keyword]] if keyword in files else values_of(takes, text):
             with pytest.raises(Error) as caught:
                 run(**{"out": tmp_path / "o", keyword: value, last: wrong})
             expected = f"--{last} = {wrong}: must lie in {limit}"
@@ -249,6 +271,47 @@ def test_options_reach_the_drop():
         assert inputs[key] == {"anti_locking": "off", "mesh": "generated"}.get(name, value), name
 
 
+def test_device_reaches_drop_reduction_and_sweep(tmp_path):
+    small = ffp.Device(diameter=0.05, length=0.4, cone_angle=90, mass=3)
+    drop = ffp.drop(penetrometer=small, accuracy="coarse", end=2e-3, fields_every=0, out=tmp_path / "small")
+    assert {name: drop.summary["penetrometer"][name] for name in ("name", "diameter_m", "length_m", "cone_angle_deg", "mass_kg")} == {
+        "name": "bluedrop, cone, changed", "diameter_m": 0.05, "length_m": 0.4, "cone_angle_deg": 90, "mass_kg": 3}
+    assert drop.summary["inputs"]["cell_m"] == pytest.approx(0.02 * 0.05 / 0.0875, rel=1e-12)
+    with pytest.raises(Error, match="^mass = 4: is given beside the penetrometer, which has its own"):
+        ffp.drop(penetrometer=small, mass=4)
+
+    drawn = ffp.Device(name="drawn", source="drawing 12", profile=PROFILE, mass=3.2, gyration=0.11)
+    same = {"name": "drawn", "source": "drawing 12", "profile": [[0, 0], [0.03, 0.05], {"to": [0.035, 0.06], "arc": 0.02}, [0.035, 0.4]],
+            "mass_kg": 3.2, "gyration_m": 0.11}
+    table = ffp.sweep(penetrometer=[small, drawn], accuracy="coarse", end=2e-3, out=tmp_path / "swept")
+    assert table.drops[1].summary["inputs"]["device_profile"] == same
+    assert [drop.status for drop in table.drops] == ["done", "done"]
+    numpy.testing.assert_array_equal(table.drops[0].history["velocity_m_s"], drop.history["velocity_m_s"])
+
+    time, net = numpy.arange(0, 1.6, 1e-3), -GRAVITY  # 0.5 s of fall, then 49.05 m/s2 until it rests
+    (tmp_path / "record.csv").write_text("time_s,deceleration_m_s2\n" + "".join(
+        f"{t:.3f},{0 if t < 0.5 or t > 1.1 else net if t < 1 else 49.05}\n" for t in time))
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        q = {name: ffp.reduce(tmp_path / "record.csv", penetrometer=device, from_depth=0) for name, device in (("small", small), ("drawn", drawn))}
+    assert q["drawn"]["penetrometer"]["diameter_m"] == 0.07
+    found = {name: numpy.median(one.table["q_dyn_projected_kPa"][40:80]) for name, one in q.items()}  # the whole section is in
+    assert found["drawn"] / found["small"] == pytest.approx(3.2 / 3 * (0.05 / 0.07) ** 2, rel=1e-9)
+
+
+@pytest.mark.parametrize("told, sentence", [
+    ({"gyration": 0.1}, "Device.gyration = 0.1: goes with a profile"),
+    ({"profile": PROFILE, "tip": "blunt"}, "Device.tip = 'blunt': goes without a profile"),
+    ({"profile": [(0, 0), 3]}, "Device.profile: must be points (radius, height) in m"),
+    ({"profile": [(0, 0), (0.03, 0.05), (0.03, 0.4)]}, "--mass: must be given for a profile"),
+    ({"penetrometer": "tube"}, "--penetrometer = tube: must be bluedrop or cone-10cm2"),
+    ({"diameter": 0.05, "length": 0.4, "mass": 0.01}, "--mass = 0.01: must give a mean density in"),
+])
+def test_devices_that_are_none(told, sentence):
+    with pytest.raises(Error, match=re.escape(sentence)):
+        ffp.drop(penetrometer=ffp.Device(**told))
+
+
 def test_values():
     assert _words.values_of("drop", {"error_bar": True, "force": False, "no_watch": numpy.True_}) == {
         "error_bar": True, "force": False, "no_watch": True}
@@ -256,6 +319,7 @@ def test_values():
         "cell_at_cone": "0.001", "contact_offset": "-0.005", "young": "5000000"}
     assert _words.values_of("reduce", {"scale": {"2g": 1.62e6, "18g": 1.6e5}}) == {"scale": "2g=1620000,18g=160000"}
     assert _words.values_of("drop", {"mesh": Path("a") / "b.msh"}) == {"mesh": "a/b.msh"}
+    assert _words.values_of("reduce", {"column": ("a, x", "ay", 3)}) == {"column": '"a, x",ay,3'}
 
 
 def test_on_and_off(tmp_path):
@@ -400,7 +464,7 @@ def test_warnings_are_issued():
 def test_short_drop_has_no_reduction():
     with warnings.catch_warnings():
         warnings.simplefilter("error")
-        drop = ffp.drop(**{**COARSE, "end": 1e-5})
+        drop = ffp.drop(accuracy="coarse", fields_every=0, end=1e-5)
     assert (drop.reduction is None) == (not (drop.folder / "reduced.json").exists())
     assert drop.uncertainty is None
 

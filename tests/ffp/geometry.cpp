@@ -14,7 +14,7 @@ using namespace arenite::ffp;
 TEST_CASE("the sharp device is a cone of 60 degrees under a cylinder") {
   const Device d{{}};
   const double h = 0.04375 * std::sqrt(3.0);
-  REQUIRE(std::abs(d.cone_height() - h) < 1e-15);
+  REQUIRE(std::abs(d.tip_end() - h) < 1e-15);
   REQUIRE(d.profile(-1) == 0);
   REQUIRE(d.profile(0) == 0);
   REQUIRE(std::abs(d.profile(0.03) - 0.03 / std::sqrt(3.0)) < 1e-15);
@@ -24,7 +24,7 @@ TEST_CASE("the sharp device is a cone of 60 degrees under a cylinder") {
 }
 
 TEST_CASE("a rounded edge touches cone and cylinder") {
-  const Device d{{.fillet = 0.01}};
+  const ConeSection d{{.fillet = 0.01}};
   const double tangent = 0.01 * std::tan(15 * pi / 180), h = d.cone_height();
   REQUIRE(std::abs(d.fillet_end() - (h + tangent)) < 1e-15);
   REQUIRE(std::abs(d.fillet_start() - (h - tangent * std::cos(30 * pi / 180))) < 1e-15);
@@ -33,21 +33,21 @@ TEST_CASE("a rounded edge touches cone and cylinder") {
   const auto slope = [&](double y) { return (d.profile(y + 1e-7) - d.profile(y - 1e-7)) / 2e-7; };
   REQUIRE(std::abs(slope(d.fillet_start() + 2e-7) - std::tan(30 * pi / 180)) < 1e-3);
   REQUIRE(std::abs(slope(d.fillet_end() - 2e-7)) < 1e-3);
-  for (const double y : d.edge_heights(1e-3)) {  // on the circle
+  for (const double y : d.marks(1e-3)) {  // on the circle
     const double r = d.profile(y) - (0.04375 - 0.01), up = y - d.fillet_end();
     REQUIRE(std::abs(std::hypot(r, up) - 0.01) < 1e-12);
   }
-  REQUIRE(d.edge_heights(0.005).size() == 2);  // the arc is 5.24 mm long: one facet
-  REQUIRE(d.edge_heights(0.006).size() == 1);  // too short for one
-  REQUIRE(d.edge_heights(0.001).size() == 6);  // five
-  REQUIRE(d.volume() < Device{{}}.volume());
+  REQUIRE(d.marks(0.005).size() == 2);  // the arc is 5.24 mm long: one facet
+  REQUIRE(d.marks(0.006).size() == 1);  // too short for one
+  REQUIRE(d.marks(0.001).size() == 6);  // five
+  REQUIRE(Device{{.fillet = 0.01}}.volume() < Device{{}}.volume());
 }
 
 TEST_CASE("other tips: a flat end, a parabola, no tip at all") {
   const Device cut{{.flat = 0.0022}}, round{{.parabola = 0.024184}}, blunt{{.flat = 0.04375}};
-  REQUIRE(std::abs(cut.cone_height() - (0.04375 - 0.0022) * std::sqrt(3.0)) < 1e-15);
-  REQUIRE(std::abs(round.cone_height() - 0.04375 * 0.04375 / 0.024184) < 1e-15);
-  REQUIRE(blunt.cone_height() == 0);
+  REQUIRE(std::abs(cut.tip_end() - (0.04375 - 0.0022) * std::sqrt(3.0)) < 1e-15);
+  REQUIRE(std::abs(round.tip_end() - 0.04375 * 0.04375 / 0.024184) < 1e-15);
+  REQUIRE(blunt.tip_end() == 0);
   REQUIRE((cut.profile(0) == 0.0022 && round.profile(0) == 0 && blunt.profile(0) == 0.04375));
   REQUIRE(std::abs(cut.profile(0.03) - 0.0022 - 0.03 / std::sqrt(3.0)) < 1e-15);
   REQUIRE(std::abs(round.profile(0.03) - std::sqrt(0.024184 * 0.03)) < 1e-15);
@@ -57,7 +57,7 @@ TEST_CASE("other tips: a flat end, a parabola, no tip at all") {
     for (const Point2& x : d.outline())
       if (x[0] > 0) REQUIRE((x[1] == 0 || std::abs(x[0] - d.profile(x[1])) < 1e-12));
   }
-  const double r = 0.04375, h = cut.cone_height(), k = round.cone_height();
+  const double r = 0.04375, h = cut.tip_end(), k = round.tip_end();
   const double frustum = pi / 3 * h * (r * r + r * 0.0022 + 0.0022 * 0.0022);
   REQUIRE(std::abs(cut.volume() - frustum - pi * r * r * (0.631 - h)) < 1e-15);
   REQUIRE(std::abs(round.volume() / (pi * r * r * (0.631 - k / 2)) - 1) < 1e-4);  // facets inside
@@ -71,7 +71,7 @@ TEST_CASE("mass of a homogeneous penetrometer: that of a cylinder, and of a cone
   REQUIRE(std::abs(square(blunt.gyration) - (length * length / 12 + r * r / 4)) < 1e-15);
   // A cone of height h on its tip: centre 3/4 h, about its centre 3/80 (4 r^2 + h^2).
   const Device sharp{{}};
-  const double h = sharp.cone_height(), tall = length - h, cone = h / 3,
+  const double h = sharp.tip_end(), tall = length - h, cone = h / 3,
                centre = (cone * h * 3 / 4 + tall * (h + tall / 2)) / (cone + tall);
   const double second = cone * (3. / 80 * (4 * r * r + h * h) + square(h * 3 / 4 - centre)) +
                         tall * (tall * tall / 12 + r * r / 4 + square(h + tall / 2 - centre));
@@ -128,8 +128,8 @@ TEST_CASE("the surface that the sand meets is parallel to the penetrometer's") {
         return nearest;
       };
       // Above a mitre, which lies further out than the offset.
-      const double low = 0.3 * met.cone_height(), high = 0.8 * met.fillet_start();
-      for (const double y : {low, high, met.cone_height() + 0.05}) {
+      const double start = shape.parabola > 0 ? met.tip_end() : ConeSection{shape}.fillet_start();
+      for (const double y : {0.3 * start, 0.8 * start, met.tip_end() + 0.05}) {
         if (y == 0) continue;  // the mitre of a blunt tip
         const Point2 x{met.profile(y), y - met.tip_above()};
         REQUIRE(std::abs(distance(x) - std::abs(offset)) < 2e-5);
@@ -139,7 +139,7 @@ TEST_CASE("the surface that the sand meets is parallel to the penetrometer's") {
   REQUIRE(std::abs(Device{{.offset = 0.003}}.tip_above() - 0.006) < 1e-15);
   REQUIRE(Device{{.flat = 0.0022, .offset = 0.003}}.tip_above() == 0.003);
   REQUIRE(Device{{.flat = 0.0022, .offset = -0.01}}.flat_radius() == 0);  // nothing is left of it
-  REQUIRE(Device{{.fillet = 0.002, .offset = -0.003}}.edge_heights(1e-4).size() == 1);
+  REQUIRE(Device{{.fillet = 0.002, .offset = -0.003}}.marks(1e-4).size() == 1);
   REQUIRE(std::abs(Device{{.parabola = 0.024184, .offset = 0.003}}.tip_above() - 0.003) < 1e-15);
 }
 
@@ -148,8 +148,8 @@ TEST_CASE("areas in the ground are those of solids, at any depth") {
     const int n = 20000;
     double area = 0, r = d.profile(0);
     for (int k = 1; k <= n; ++k) {
-      const double y = std::min(depth, d.fillet_end() - 1e-12) * k / n, next = d.profile(y);
-      area += pi * (r + next) * std::hypot(next - r, std::min(depth, d.fillet_end()) / n);
+      const double y = std::min(depth, d.tip_end() - 1e-12) * k / n, next = d.profile(y);
+      area += pi * (r + next) * std::hypot(next - r, std::min(depth, d.tip_end()) / n);
       r = next;
     }
     return area;

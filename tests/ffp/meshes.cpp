@@ -8,6 +8,7 @@
 #include "../../examples/ffp/geometry/mesh_grid.hpp"
 #include "../../examples/ffp/geometry/mesh_quality.hpp"
 #include "../../examples/ffp/geometry/mesh_slice.hpp"
+#include "../../examples/ffp/geometry/tilted.hpp"
 #include "../../examples/ffp/geometry/tip.hpp"
 #include "catch.hpp"
 
@@ -323,7 +324,7 @@ TEST_CASE("the grid: lines where sand and moving zone begin, cells of the wanted
           const double edge = (*all)[i] - (*all)[i - 1], at = (*all)[i - 1];
           REQUIRE(edge > 0.6 * wanted);
           REQUIRE(edge < 3.2 * cell);
-          const double end = all == &lines.x ? body.radius() : body.fillet_end();
+          const double end = all == &lines.x ? body.radius() : body.tip_end();
           if (at >= 0 && at + edge <= end + sizes.refined) REQUIRE(edge < 1.3 * wanted);
         }
     }
@@ -333,9 +334,9 @@ TEST_CASE("the section on both sides: the axis is no surface") {
   const Device body{{}};
   const auto section = whole_section(body);
   for (const double r : {0.0, 0.001, 0.01}) {
-    const double to_flank =
-        ((body.cone_height() / 2) * std::tan(body.half_angle()) - r) * std::cos(body.half_angle());
-    REQUIRE(std::abs(section({r, body.cone_height() / 2}) + to_flank) < 1e-15);
+    const double y = body.tip_end() / 2, half = 30 * pi / 180;
+    const double to_flank = (y * std::tan(half) - r) * std::cos(half);
+    REQUIRE(std::abs(section({r, y}) + to_flank) < 1e-15);
     REQUIRE(std::abs(section({r, 0.4}) + body.radius() - r) < 1e-15);
     REQUIRE(std::abs(section({r, -0.1}) - std::hypot(r, 0.1)) < 1e-15);
   }

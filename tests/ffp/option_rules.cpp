@@ -31,7 +31,7 @@ TEST_CASE("each tip has its shape and its mass") {
   const auto parabolic = read({"--tip", "parabolic"});
   REQUIRE(std::abs(parabolic.body().profile(0.0024184) - 0.0024184 * std::sqrt(10.0)) < 1e-15);
   REQUIRE(parabolic.device_mass() == 9.15);
-  REQUIRE(read({"--tip", "blunt"}).body().cone_height() == 0);
+  REQUIRE(read({"--tip", "blunt"}).body().tip_end() == 0);
   REQUIRE(read({"--tip", "blunt"}).device_mass() == 10.30);
   REQUIRE(read({"--tip", "blunt", "--mass", "9"}).device_mass() == 9);
   for (const char* tip : {"cone", "cone-truncated", "parabolic", "blunt"})

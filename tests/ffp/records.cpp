@@ -2,6 +2,7 @@
 // depth, or a sentence that names the line.
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <fstream>
 #include <functional>
 #include <nlohmann/json.hpp>
@@ -145,9 +146,9 @@ TEST_CASE("a table that may be read in two ways, or in none, is refused with its
                              "1"})
     REQUIRE(holds(of(european + "0;1\n1;" + number + "\n"),
                   joined_text({"line 3, column deceleration_g = ", number, ": must be a number"})));
-  REQUIRE(
-      of("time_s;acc_g\n12:34:56.789;1\n") ==
-      "t.csv: line 2, column time_s = 12:34:56.789: must be a number; turn times of the clock into seconds");
+  REQUIRE(of("time_s;acc_g\n12:34:56.789;1\n") ==
+          "t.csv: line 2, column time_s = 12:34:56.789: must be a number; turn times of the clock into "
+          "seconds, or give --rate");
   // Rows.
   REQUIRE(holds(of(head + "0,1\n# a remark\n\n0,1\n"),
                 "line 5, column time_s = 0: must be greater than the time before, 0"));
@@ -159,8 +160,10 @@ TEST_CASE("a table that may be read in two ways, or in none, is refused with its
       "t.csv: line 2, column Acceleration = [%]: must be a number, or in the row below the header a unit");
   REQUIRE(holds(of("Time_s;acc\n[ms];[g]\n0;1\n"),
                 "line 2, column Time_s = [ms]: is another unit than the header's"));
-  REQUIRE(of("time_s,acc_x_g,acc_y_g\n0,1,1\n") ==
-          "t.csv: columns acc_x_g and acc_y_g may both be the deceleration; leave the one that is meant");
+  REQUIRE(
+      of("time_s,acc_x_g,acc_y_g\n0,1,1\n") ==
+      "t.csv: columns acc_x_g and acc_y_g may both be the deceleration; give --column with the name or the "
+      "number of the one that is meant");
   REQUIRE(holds(of("time_s,time_s,acc_g\n0,0,1\n"), "columns time_s and time_s may both be the time"));
   REQUIRE(holds(of("Time of the test\n0,1\n"), "has no column of deceleration"));
   // Text.
@@ -169,6 +172,176 @@ TEST_CASE("a table that may be read in two ways, or in none, is refused with its
   REQUIRE(holds(of(utf16(text).substr(2)), "is UTF-16, or no text"));
   REQUIRE(of("time_s,acc_g\r0,1\r") == "t.csv: line 1: holds a CR; lines must end with LF or CR LF");
   REQUIRE(of(head + "\"0,1\n") == "t.csv: line 2: leaves a quote open");
+}
+
+namespace {
+
+/// A table of columns, with all of their digits.
+std::string columns_text(const std::string& header, const std::string& separator,
+                         const std::vector<std::vector<double>>& columns) {
+  std::string text = header;
+  for (std::size_t i = 0; i < columns[0].size(); ++i) {
+    for (const auto& column : columns) text += (&column == &columns[0] ? "" : separator) + exactly(column[i]);
+    text += "\n";
+  }
+  return text;
+}
+
+using Words = std::vector<std::string>;
+
+Words joined(Words a, const Words& b) {
+  a.insert(a.end(), b.begin(), b.end());
+  return a;
+}
+
+}  // namespace
+
+TEST_CASE(
+    "columns by name or number, rows without a time, and three axes give the motion of the plain record") {
+  const Fall motion;
+  const auto net = motion.record();
+  std::vector<double> time, in_m_s2, other(net.size(), 3);
+  for (std::size_t i = 0; i < net.size(); ++i) time.push_back(static_cast<double>(i) / 2000);
+  for (const double a : net) in_m_s2.push_back(a * g);
+  std::vector<std::vector<double>> axes(3);  // turned: (2, 3, 6) / 7 is of length 1
+  for (const double a : net)
+    for (std::size_t k = 0; const double along : {2., 3., 6.}) axes[k++].push_back((a + 1) * along / 7);
+  const auto plain = reduced(written("plain.csv", columns_text("time_s,deceleration_g\n", ",", {time, net})));
+  REQUIRE(std::abs(plain.greatest_depth / motion.depth() - 1) < 0.02);
+  REQUIRE(std::abs(plain.motion.impact_velocity / motion.velocity() - 1) < 2e-3);
+  REQUIRE(std::abs(plain.peak_g() / motion.peak - 1) < 1e-2);
+  const auto same = [&](const std::string& text, const Words& words, const std::string& note) {
+    INFO(text.substr(0, 60));
+    const auto r = reduced(written("columns.csv", text), words);
+    CAPTURE(r.notes[0]);
+    REQUIRE(std::abs(r.greatest_depth / plain.greatest_depth - 1) < 1e-9);
+    REQUIRE(std::abs(r.motion.impact_velocity / plain.motion.impact_velocity - 1) < 1e-9);
+    REQUIRE(std::abs(r.peak_g() / plain.peak_g() - 1) < 1e-9);
+    REQUIRE(holds(r.notes[0], note));
+  };
+  // By name, where others could be meant, or none.
+  const std::string several = "time_s,acc_x_g,\"acc, y [m/s^2]\",stamp,raw\n";
+  const std::vector<std::vector<double>> of_several{other, other, in_m_s2, time, net};
+  const Words stamp{"--time-column", "stamp", "--time-unit", "s"};
+  for (const char* name : {"acc, y [m/s^2]", "\"acc, y [m/s^2]\"", "3"})
+    same(columns_text(several, ",", of_several), joined({"--column", name}, stamp),
+         "time is stamp (times 1 s), deceleration is acc, y [m/s^2] (times 1 m/s^2)");
+  same(columns_text(several, ",", of_several),
+       joined({"--column", "raw", "--deceleration-unit", "g", "--threshold", "-0.8"}, stamp),
+       "deceleration is raw (times 9.81 m/s^2)");
+  same(columns_text("time;2;1\n[s];[g];[g]\n", ";", {time, other, net}), {"--column", "1"},
+       "deceleration is 1 (");
+  // Without a time.
+  const Words rate{"--rate", "2000"};
+  same(columns_text("n,acc_g\n", ",", {other, net}), rate, "time is row / 2000 Hz, deceleration is acc_g");
+  for (const char* header : {"Acceleration (g)\n", "acceleration\n[g]\n", "acc_g\n"})
+    same(columns_text(header, ",", {net}), rate, "time is row / 2000 Hz");
+  same(columns_text("acc_g n\n", " ", {net, other}), rate, "deceleration is acc_g");
+  same(columns_text("acc,raw g\n", ",", {net, other}), joined({"--deceleration-unit", "g"}, rate),
+       "deceleration is acc (");
+  same(columns_text("acc_x_g,acc_y_g\n", ",", {other, net}), joined({"--column", "acc_y_g"}, rate),
+       "acc_y_g");
+  same(columns_text("time_s,acc_g\n", ",", {other, net}), rate,
+       "time is row / 2000 Hz (column time_s is not read), ");
+  // Without a header, or with one that says nothing.
+  const Words units{"--time-unit", "s", "--deceleration-unit", "g"};
+  for (const char* separator : {"\t", ";", ",", ", ", " "})
+    for (const char* header : {"", "# 1 2 3\n", "Drop, on a warm day\n", "Drop; 8\n\nOf today\n"})
+      same(columns_text(header, separator, {other, time, net}),
+           joined({"--time-column", "2", "--column", "3"}, units),
+           "time is column 2 (times 1 s), deceleration is column 3 (");
+  for (const char* header : {"x;y;z [g]\n", "Drop; of; today\nx;y;z\n[mm];[s];[g]\n"})
+    same(columns_text(header, ";", {other, time, net}),
+         {"--time-column", "2", "--column", "3", "--time-unit", "s"}, "[g] (times 9.81");
+  same(columns_text("", ",", {net}), {"--column", "1", "--rate", "2000", "--deceleration-unit", "g"},
+       "column 1");
+  same(Form{.header = "", .separator = ";", .mark = ","}.table(net).substr(1),
+       joined({"--time-column", "1", "--column", "2"}, units), "column 2");
+  // Three axes.
+  const std::vector<std::vector<double>> turned{time, axes[0], axes[1], axes[2]};
+  for (const char* names : {"ax_g,\"a, y [g]\",az_g", "2,3,4", "az_g,ax_g,3"})
+    same(columns_text("time_s,ax_g,\"a, y [g]\",az_g\n", ",", turned),
+         {"--column", names, "--reads", "proper"}, "deceleration is the magnitude of a");
+  same(columns_text("", " ", axes),
+       joined({"--column", "1,2,3", "--reads", "proper", "--deceleration-unit", "g"}, rate),
+       "the magnitude of column 1, column 2, column 3 (");
+}
+
+TEST_CASE("columns that a table does not have, or that cannot be meant, are refused with the cure") {
+  const auto of = [](const std::string& text, const Words& words) {
+    return refusal(written("c.csv", text), words);
+  };
+  const std::string table = "time_s,ax_g,ay_g,az_m_s2,raw,raw\n0,1,1,1,1,1\n1,1,1,1,2,2\n",
+                    its = "; its columns: time_s, ax_g, ay_g, az_m_s2, raw, raw", proper = "proper";
+  REQUIRE(of(table, {"--column", "acc"}) == "--column = acc: c.csv has no such column" + its);
+  REQUIRE(of(table, {"--column", "acc", "--rate", "100"}) ==
+          "--column = acc: c.csv has no such column" + its);
+  REQUIRE(of(table, {"--column", "7"}) == "--column = 7: c.csv has no such column" + its);
+  for (const char* number : {"0", "-1", "1.5", "AX_G", "99999999999999999999"})
+    REQUIRE(holds(of(table, {"--column", number}), " has no such column"));
+  REQUIRE(of(table, {"--time-column", "t"}) == "--time-column = t: c.csv has no such column" + its);
+  REQUIRE(of("n,acc_g,flag\n0,1,ok\n", {"--column", "acc", "--rate", "100"}) ==
+          "--column = acc: c.csv has no such column; its columns: n, acc_g, flag");
+  for (const auto& [text, columns] : {std::pair{"Monday, 3\n\nn x y\n1 2 3\n", "n, x, y"},
+                                      {"Of Monday at noon\nn;x;y\n[1];[g];[g]\n1;2;3\n", "n, x, y"},
+                                      {"Kanal 1 [g]\n0,25\n", "Kanal 1 [g]"}})
+    REQUIRE(of(text, {"--column", "acc", "--rate", "100"}) ==
+            joined_text({"--column = acc: c.csv has no such column; its columns: ", columns}));
+  REQUIRE(
+      holds(of("Monday, 3\n1;2;3\n", {"--column", "acc", "--rate", "100"}), "line 2 is a row of numbers"));
+  REQUIRE(holds(of(table, {"--column", "raw"}), "has several of this name; give its number; its columns: "));
+  REQUIRE(of(table, {"--column", "5"}) ==
+          "c.csv: column = raw: names no unit; write deceleration_g or deceleration_m_s2, or give "
+          "--deceleration-unit");
+  REQUIRE(holds(of(table, {"--column", "ax_g", "--time-column", "5"}), "or give --time-unit"));
+  REQUIRE(holds(of(table, {"--column", "time_s"}), "time_s cannot be both time and deceleration"));
+  REQUIRE(holds(of("n,pressure\n0,1\n", {}),
+                "its columns: n, pressure; give --time-column or --rate, and --column"));
+  REQUIRE(holds(of("n,acc_g\n0,1\n", {}), "; give --time-column or --rate"));
+  REQUIRE(holds(of("0,1\n1,1\n", {}), "or give the numbers of columns to --column, and to --time-column or"));
+  // Three.
+  REQUIRE(holds(of(table, {"--column", "ax_g,ay_g"}), "must be one column, or three as X,Y,Z; put quotes"));
+  REQUIRE(holds(of(table, {"--time-column", "ax_g,ay_g,raw"}), "must be one column; put quotes"));
+  REQUIRE(holds(of(table, {"--column", "2,3,ax_g", "--reads", proper}), "names a column twice"));
+  REQUIRE(holds(of(table, {"--column", "2,3,4", "--reads", proper}),
+                "ax_g, ay_g and az_m_s2 must have one unit"));
+  REQUIRE(holds(of(table, {"--column", "2,3,5", "--reads", proper}), "raw: names no unit"));
+  REQUIRE(holds(of(table, {"--column", "2,3,4"}), "three columns go with --reads proper alone"));
+  REQUIRE(
+      holds(of(table, {"--column", "2,3,4", "--reads", proper, "--invert"}), "--invert: goes without three"));
+  // Rows.
+  const Words numbers{"--time-column", "1", "--column", "2", "--time-unit", "s", "--deceleration-unit", "g"};
+  const Words rate{"--rate", "1000", "--column", "1", "--deceleration-unit", "g"};
+  REQUIRE(of("0,1\n1,nan\n", numbers) == "c.csv: line 2, column 2 = nan: must be a number");
+  REQUIRE(holds(of("1,1\n1,2\n", numbers), "line 2, column 1 = 1: must be greater than the time before, 1"));
+  for (const char* gap : {"\n", "# lost\n", ";;\n"})
+    REQUIRE(holds(of(joined_text({"1;2\n", gap, "1;2\n"}), rate),
+                  "line 3: must follow the row before without lines that are empty or have #"));
+  REQUIRE(holds(of("inf\n1\n", rate), "line 1, column 1 = inf: must be a number"));
+  REQUIRE(of("0,\n1,1\n2,1\n", numbers) ==
+          "c.csv: line 1 = 0,: must be a row of 2 numbers, as the one below it; put # before a title");
+  REQUIRE(holds(of("0,1\n1\n", numbers), "line 2, number of fields = 1: must be 2"));
+  REQUIRE(
+      holds(of("0,125\n0,250\n", rate), "line 1 = 0,125: may be one number with a decimal comma, or two"));
+  REQUIRE(of("12:30,1\n12:31,1\n", numbers) ==
+          "c.csv: has no row of 2 or more numbers alone; give columns by their names in a header");
+  REQUIRE(holds(of("", numbers), "is not empty"));
+  // Options.
+  for (const char* option : {"--column", "--time-column"})
+    REQUIRE(of(table, {option, ""}) == joined_text({option, " = : needs a value"}));
+  for (const char* hz : {"9.99", "1000001", "nan", "-2000", "0"})
+    REQUIRE(
+        holds(of(table, {"--rate", hz}), joined_text({"--rate = ", hz, ": must lie in [10, 1000000] Hz"})));
+  REQUIRE(holds(of(table, {"--rate", "10", "--time-column", "1"}), "--time-column: goes without --rate"));
+  REQUIRE(holds(of(table, {"--rate", "10", "--time-unit", "s"}), "--time-unit: goes without --rate"));
+  std::filesystem::create_directories("a_folder");
+  written("a.bin", "");
+  for (const auto& option : {Words{"--column", "2"}, Words{"--time-column", "t"}, Words{"--rate", "2000"},
+                             Words{"--time-unit", "s"}, Words{"--deceleration-unit", "g"}}) {
+    REQUIRE(refusal("a_folder", option) == option[0] + ": needs a table, and FILE is the folder of a drop");
+    REQUIRE(refusal("a.bin", option) == option[0] + ": needs a table, and FILE is a BlueDrop's record");
+  }
+  REQUIRE(of(table, {"--scale", "2g=1"}) == "--scale: needs a BlueDrop's record (.bin), and FILE is a table");
 }
 
 namespace {
@@ -185,11 +358,6 @@ std::string file_of(const std::vector<double>& values, double rate = 2000) {
 
 bool warns(const Reduction& r, const std::string& part) {
   return std::ranges::any_of(r.warnings, [&](const std::string& text) { return holds(text, part); });
-}
-
-std::vector<std::string> joined(std::vector<std::string> a, const std::vector<std::string>& b) {
-  a.insert(a.end(), b.begin(), b.end());
-  return a;
 }
 
 }  // namespace
@@ -395,9 +563,13 @@ TEST_CASE("a slow logger finds the impact, and says how far off it may be") {
 TEST_CASE("several drops in a record are listed, and one is taken by its number or time alone") {
   const Fall first, second{.before = 2, .fall = 0.3, .braking = 0.02, .peak = 0.3 * pi / 2 / 0.02};
   const auto file = file_of(both(first.record(), second.record()));
-  REQUIRE(holds(refusal(file), "record.csv: holds 2 drops: drop 1 at 0.8"));
-  REQUIRE(holds(refusal(file), "; drop 2 at 3.7"));
-  REQUIRE(holds(refusal(file), "give --drop N, or --impact-time"));
+  const std::string list =
+      "\n  drop 1 at 0.8996 s (4.9 m/s, 0.115 m, 17.1 g)\n  drop 2 at 3.7461 s (2.94 m/s, 0.0306 m, 23.5 g)";
+  REQUIRE(refusal(file) == "record.csv: holds 2 drops; give --drop N, or --impact-time:" + list);
+  std::vector<double> many;
+  for (int k = 0; k < 14; ++k) many = both(many, second.record());  // none is left out of the list
+  REQUIRE(holds(refusal(file_of(many)), "\n  drop 14 at 38.9596 s (2.94 m/s"));
+  file_of(both(first.record(), second.record()));
   for (const auto& [words, motion] : {std::pair{std::vector<std::string>{"--drop", "1"}, first},
                                       {{"--drop", "2"}, second},
                                       {{"--impact-time", "0.9"}, first},
@@ -414,7 +586,7 @@ TEST_CASE("several drops in a record are listed, and one is taken by its number 
     REQUIRE(std::abs(events[1]["depth_cm"].get<double>() / second.depth() / 100 - 1) < 0.06);
     REQUIRE(std::abs(events[1]["peak_g"].get<double>() / second.peak - 1) < 0.01);
   }
-  REQUIRE(holds(refusal(file, {"--drop", "3"}), "--drop = 3: the record holds 2 drops: "));
+  REQUIRE(holds(refusal(file, {"--drop", "3"}), "--drop = 3: the record holds 2 drops:" + list));
   REQUIRE(holds(refusal(file, {"--drop", "1", "--impact-time", "1"}), "--drop = 1: goes without"));
 }
 

@@ -1,5 +1,6 @@
 // Filter, peaks, history and summary of a drop, against closed forms.
 #include "../../examples/ffp/drop/results.hpp"
+#include "../../examples/ffp/drop/peaks.hpp"
 #include "../../examples/ffp/drop/summary_file.hpp"
 
 #include <fstream>
@@ -169,7 +170,10 @@ TEST_CASE("figures and summary of a braking that is known: v = 5.6 cos(w t), so 
   told.kinematics = Kinematics::space;
   DropFigures leaning = f;
   leaning.final_tilt_deg = 12;
-  REQUIRE(sentence_of(leaning, told).find(" ms, tilted by 12 deg (deepest") != std::string::npos);
+  leaning.final_aside_m = 0.031;
+  REQUIRE(sentence_of(leaning, told)
+              .find(" ms, tilted by 12 deg and 0.031 m to the side that it pointed to (deepest") !=
+          std::string::npos);
   write_json("summary.json", j);
   REQUIRE(summary_in(".") == parse_json(json_text(j), "text"));
   REQUIRE(summary_in(".")["steps"] == 4000);

@@ -80,6 +80,10 @@ std::vector<std::string> words_of_input(const std::string& path) {
     } catch (const error& e) {
       refuse(e.what());
     }
+    if (key == "device_profile" && value.is_object()) {
+      words.push_back("--device-file=" + json_text(value));
+      continue;
+    }
     const auto option = keys.of_key.find(key);
     if (option == keys.of_key.end()) {
       refuse(shown(key) + ": no such input; the keys are those of \"inputs\" in a summary.json");

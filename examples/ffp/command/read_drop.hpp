@@ -58,6 +58,7 @@ inline std::optional<DropOptions> read_drop(std::vector<std::string> words, std:
       "or the folder cannot be used; 130 and 143 interrupted by SIGINT and SIGTERM.");
   if (std::ranges::find(words, "--help") == words.end()) detail::take_input(words);
   if (!detail::parse_words(app, adder, words, answer)) return std::nullopt;
+  read_device(options);
   check(options);
   return options;
 }

@@ -29,6 +29,7 @@ inline std::optional<ReduceOptions> read_reduce(const std::vector<std::string>& 
       "Writes reduced.csv, reduced.json, reduced.png and reduced.svg into DIR and prints a table.\n"
       "Exit code: 0 done; 1 the files could not be written; 2 an option or FILE cannot be used.");
   if (!detail::parse_words(app, adder, words, answer)) return std::nullopt;
+  read_device(options);
   check(options);
   return options;
 }

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 
 #include "../options/option_table.hpp"
@@ -91,6 +92,7 @@ Options options_of(const std::string& command, GivenValues given, Visit visit, O
   ValueReader reader{std::move(given)};
   visit(options, reader);
   reader.finish(command);
+  if constexpr (std::is_base_of_v<DeviceOptions, Options>) read_device(options);
   check(options);
   return options;
 }

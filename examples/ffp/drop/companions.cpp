@@ -30,7 +30,7 @@ std::vector<int> other_counts(std::span<const int> counts, int n) {
 std::vector<Companion> companions_of(const DropOptions& drop) {
   DropOptions base = drop;
   base.error_bar = base.resume = false;
-  base.quiet = true;
+  base.quiet = base.keeps_warnings = true;
   base.fields_every = 0;
   const auto coarser = [&](double ratio) {
     DropOptions o = base;

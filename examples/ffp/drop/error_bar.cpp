@@ -59,12 +59,20 @@ std::string words_of(const BarredResult& r, const std::string& unit) {
          unit + ")";
 }
 
+/// What the three sizes of cells say, also to those who do not know what an order is.
 std::string words_of_cells(const BarredResult& r) {
   if (!r.cells) return "unknown";
   if (r.cells->trend == Trend::constant) return "constant";
-  const std::string order = r.cells->order ? ", order " + rounded(*r.cells->order) : "";
-  return r.converged() ? "converged" + order + ", limit " + rounded(*r.cells->extrapolated)
-                       : "not converged" + order;
+  const auto order = r.cells->order;
+  const std::string text = order ? " (order " + rounded(*order) + ")" : "";
+  if (r.converged()) return "converged" + text + ", limit " + rounded(*r.cells->extrapolated);
+  return "not converged: " +
+         (!order         ? "it goes up and down with the size"
+          : *order <= 0  ? "it changes more, the smaller the cells" + text
+          : *order < 0.5 ? "its changes hardly shrink with the cells" + text
+          : *order > 2   ? "its changes shrink faster than the order of the method allows" + text
+                         : "drops with cells of one size differ by as much" + text) +
+         ", so that no bar can be defended; 3 times the spread is told";
 }
 
 Json json_of(const BarredResult& r) {
@@ -123,6 +131,7 @@ void drop_with_error_bar(const DropOptions& options) {
   bar["final_penetration_m"] = json_of(depth);
   bar["peak_deceleration_g"] = json_of(peak);
   double time = 0;
+  std::size_t warnings = 0;
   for (const Companion& c : companions) {
     const FinishedRun& run = runs.at(c.name);
     Json& j = bar["runs"][c.name] = Json::object();
@@ -133,6 +142,7 @@ void drop_with_error_bar(const DropOptions& options) {
     for (const char* key : {"final_penetration_m", "peak_deceleration_g", "wall_s"})
       j[key] = run.summary.at(key);
     time += run.summary.value("wall_s", 0.0);
+    if (run.summary.contains("warnings")) warnings += run.summary["warnings"].size();
   }
   const double cost = time / summary.at("wall_s").get<double>();
   bar["cost"] = cost;
@@ -145,13 +155,14 @@ void drop_with_error_bar(const DropOptions& options) {
   if (options.quiet) return;
 
   std::cout << "final penetration " << words_of(depth, "m") << ", peak " << words_of(peak, "g") << '\n'
-            << part_line("cells", depth, peak,
-                         "depth " + words_of_cells(depth) + "; peak " + words_of_cells(peak))
-            << '\n'
+            << part_line("cells", depth, peak, "depth " + words_of_cells(depth)) << '\n'
+            << std::string(40, ' ') << "peak " << words_of_cells(peak) << '\n'
             << part_line("contact_offset", depth, peak, "surface moved by a quarter of a cell") << '\n'
             << part_line("points", depth, peak, "other numbers of points, and jittered ones") << '\n'
             << part_line("flip_time", depth, peak, "share of FLIP with another time constant") << '\n'
-            << "  the drops around it took " << rounded(cost) << " times its own time" << std::endl;
+            << "  the drops around it took " << rounded(cost) << " times its own time";
+  if (warnings > 0) std::cout << "; their warnings: " << warnings << ", in error-bar/*/summary.json";
+  std::cout << std::endl;
 }
 
 }  // namespace arenite::ffp

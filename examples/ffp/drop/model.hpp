@@ -13,6 +13,7 @@
 
 #include "../geometry/mesh_slice.hpp"
 #include "../options/options.hpp"
+#include "../text/words.hpp"
 #include "history.hpp"
 #include "sand_friction.hpp"
 
@@ -27,7 +28,7 @@ struct AxisymmetricModel {
       1;  ///< the experiment over the model: factor of masses, forces and energies
 
   static MeshData<2> generate(const DropOptions& o) {
-    return mesh_axisymmetric(o.body(), {}, o.mesh_sizes()).data;
+    return mesh_axisymmetric(o.body(), o.chamber(), o.mesh_sizes()).data;
   }
   static Walls walls() { return arenite::walls(on("bottom", fixed), on("wall", free_along(1))); }
 };
@@ -40,7 +41,8 @@ struct SliceModel {
   static constexpr double whole = 18;
 
   static MeshData<3> generate(const DropOptions& o) {
-    return mesh_slice(mesh_axisymmetric(o.body(), {}, o.mesh_sizes()), o.body(), {}, o.mesh_sizes());
+    return mesh_slice(mesh_axisymmetric(o.body(), o.chamber(), o.mesh_sizes()), o.body(), o.chamber(),
+                      o.mesh_sizes());
   }
   static Walls walls() {
     const double half = SliceShape{}.angle / 2;
@@ -63,6 +65,40 @@ std::pair<double, double> height_of(const Mesh& mesh, const std::string& region)
   return y;
 }
 
+/// Throws `error` unless the device of a mesh that was read is the one that the options tell: areas, mass and pictures are theirs.
+template <class Model, class Mesh>
+void check_device_in(const Mesh& mesh, const DropOptions& o) {
+  const int number = mesh.region_number("device");
+  const Device told = o.body();
+  const double near = 0.1 * o.outer_diameter();  // cells may be coarse
+  double radius = 0, volume = 0;
+  std::pair<double, double> outside{0, 0};  // a node outside of the outline: (r, y)
+  for (Index c = 0; c < mesh.cell_count(); ++c) {
+    if (mesh.region(c) != number) continue;
+    volume += Model::whole * arenite::full_volume<typename Model::Kinematics>(mesh, c);
+    for (const Index i : mesh.nodes(c)) {
+      const auto x = mesh.position(i);
+      const double r = Mesh::dimension == 2 ? x[0] : std::hypot(x[0], x[Mesh::dimension - 1]);
+      radius = std::max(radius, r);
+      if (r > told.profile(x[1] + near) + near) outside = {r, x[1]};
+    }
+  }
+  const auto [tip, top] = height_of(mesh, "device");
+  const auto about = [](double a, double b, double share) { return std::abs(a - b) <= share * b; };
+  const std::string cure = joined_text({"; give --diameter ", rounded(2 * radius), " --length ",
+                                        rounded(top - tip), ", or is the mesh not in metres?"});
+  require(about(2 * radius, o.outer_diameter(), 0.02), "diameter of the device in --mesh", 2 * radius,
+          {"must be --diameter = ", o.outer_diameter(), " m within 2 %", cure});
+  require(about(top - tip, o.whole_length(), 0.02), "length of the device in --mesh", top - tip,
+          {"must be --length = ", o.whole_length(), " m within 2 %", cure});
+  require(outside.first == 0, "radius of the device in --mesh", outside.first,
+          {"must be that of ", o.device_name(), " at ", outside.second, " m above its tip, ",
+           told.profile(outside.second), " m; see --tip, --cone-angle and --device-file"});
+  require(about(volume, told.volume(), 0.05), "volume of the device in --mesh", volume,
+          {"must be that of ", o.device_name(), ", ", told.volume(),
+           " m^3, within 5 %; see --tip, --cone-angle and --device-file"});
+}
+
 /// The mesh of the drop: generated, or read. Throws `error` if it cannot be used.
 template <class Model>
 SimplexMesh<Model::dimension> mesh_of(const DropOptions& o) {
@@ -71,12 +107,11 @@ SimplexMesh<Model::dimension> mesh_of(const DropOptions& o) {
   constexpr double close = 1e-6;  // m
   const auto [bottom, surface] = height_of(mesh, "soil");
   const auto [tip, top] = height_of(mesh, "device");
-  require(top - tip >= 0.1 && top - tip <= 2, "length of the device", top - tip,
-          "must lie in [0.1, 2] m; is the mesh in metres?");
   require(std::abs(tip) < close, "tip of the device, y", tip, "must be 0 m");
   require(std::abs(surface) < close, "surface of the soil, y", surface, "must be 0 m, the tip's height");
-  require(bottom < -o.moving_depth - close, "bottom of the soil, y", bottom,
+  require(bottom < -o.moving_zone() - close, "bottom of the soil, y", bottom,
           "must lie below the zone that moves as one (--moving-depth)");
+  check_device_in<Model>(mesh, o);
   for (const char* set : {"bottom", "wall"}) mesh.node_set(set);
   if constexpr (Model::dimension == 3)
     for (const char* set : {"side_minus", "side_plus"}) mesh.node_set(set);
@@ -112,7 +147,7 @@ inline Friction friction_of(const DropOptions& o) {
 
 template <class Leader, class Mesh>
 MovingMesh<Leader> motion_of(const DropOptions& o, const Mesh& mesh) {
-  return {.leader = {}, .fixed_below = height_of(mesh, "soil").first, .moving_from = -o.moving_depth};
+  return {.leader = {}, .fixed_below = height_of(mesh, "soil").first, .moving_from = -o.moving_zone()};
 }
 
 inline Flip transfer_of(const DropOptions& o) {

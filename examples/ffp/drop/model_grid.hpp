@@ -24,14 +24,14 @@ inline auto sand_on_grid(DropOptions o) {
 
 /// The grid goes down with the penetrometer.
 inline MovingMesh<LedByRigid<"device">> motion_of_grid(const DropOptions& o) {
-  return {.leader = {}, .fixed_below = -Chamber{}.soil_depth, .moving_from = -o.moving_depth};
+  return {.leader = {}, .fixed_below = -o.chamber().soil_depth, .moving_from = -o.moving_zone()};
 }
 
 /// A rigid penetrometer on quadratic B-splines; `Coupling` tells how the sand meets it. USL: with pure FLIP
 /// and velocities that are mapped back, grid and points part company.
 template <class Coupling>
 auto grid_scene(const DropOptions& o) {
-  const Chamber chamber;
+  const Chamber chamber = o.chamber();
   return Scene{GridModel::Kinematics{},
                RectilinearGrid<2>{grid_lines(o.body(), chamber, o.mesh_sizes())},
                Numerics<QuadraticBSpline, Flip, Usl>{.transfer = transfer_of(o)},

@@ -12,14 +12,14 @@ struct SpaceModel {
   static constexpr double whole = 2;
 
   static RectilinearGrid<3> mesh(const DropOptions& o) {
-    const auto section = grid_lines(o.body(), {}, o.mesh_sizes());
+    const auto section = grid_lines(o.body(), o.chamber(), o.mesh_sizes());
     RectilinearGrid<3>::Parameters lines{.x = {}, .y = section.y, .z = section.x};
     for (std::size_t k = section.x.size(); k-- > 1;) lines.x.push_back(-section.x[k]);
     lines.x.insert(lines.x.end(), section.x.begin(), section.x.end());
     return RectilinearGrid<3>{lines};
   }
-  static Box<3> sand() {
-    const Chamber chamber;
+  static Box<3> sand(const DropOptions& o) {
+    const Chamber chamber = o.chamber();
     return {{-chamber.radius, -chamber.soil_depth, 0}, {chamber.radius, 0, chamber.radius}};
   }
 };
@@ -43,7 +43,7 @@ auto space_scene_in(Mesh mesh, const DropOptions& o, const More&... more) {
       SpaceModel::Kinematics{},
       std::move(mesh),
       Numerics<QuadraticBSpline, Flip, Usl>{.transfer = transfer_of(o)},
-      bodies(soil_of<3>(o, SpaceModel::sand(), sand_on_grid(o))),
+      bodies(soil_of<3>(o, SpaceModel::sand(o), sand_on_grid(o))),
       walls(bottom(fixed), left(free_along(1)), right(free_along(1)), back(free_along(1)), front(roller)),
       gravity({0, -standard_gravity, 0}),
       rigids(rigid<"device">(

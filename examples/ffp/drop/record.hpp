@@ -111,7 +111,7 @@ class Run {
     } catch (const Interruption& e) {
       end("interrupted", at_time(e.what()), e.exit_code());
     } catch (const run_error& e) {  // tells the time itself
-      end("failed", e.what(), 1);
+      end("failed", e.what() + (is_at_the_bottom() ? cure_of_depth() : ""), 1);
     } catch (const output_error& e) {
       end(e.disk_full() ? "disk-full" : "failed", at_time(e.what()), 1);
     } catch (const std::exception& e) {
@@ -190,6 +190,15 @@ class Run {
         " at the pace of the first steps");
   }
 
+  /// Whether hardly anything is left of the zone that the moving mesh compresses.
+  bool is_at_the_bottom() const {
+    return o_.mesh.empty() && !rows_.all.empty() &&
+           rows_.all.back().penetration_m > 0.9 * (o_.chamber().soil_depth - o_.moving_zone());
+  }
+  std::string cure_of_depth() const {
+    return joined_text({"; the sand is ", o_.chamber().soil_depth, " m deep: give more --soil-depth"});
+  }
+
   std::string at_time(const std::string& what) const {
     return joined_text({"t = ", scene_.time, " s: ", what});
   }
@@ -256,7 +265,7 @@ void record(const DropOptions& o, const Make& make) {
     if (!o.quiet) say(joined_text({"the run in ", shown(o.out), " is finished; nothing to do"}));
     return;
   }
-  WarningLog warnings(o.name);
+  WarningLog warnings(o.name, o.keeps_warnings);
   auto scene = [&] {
     try {
       return make();
@@ -269,15 +278,20 @@ void record(const DropOptions& o, const Make& make) {
     }
   }();
   const ExpectedSteps expected = accepted_steps(scene, o);
+  const bool resumed = earlier.has_state;
   Run<Model, decltype(scene)> run(scene, o, expected, warnings,
                                   earlier.has_state ? RunFolder::Earlier::kept : RunFolder::Earlier::removed);
   if (!o.quiet)
     say(joined_text({"about ", rounded(expected.count), " steps of ", rounded(expected.length), " s, ",
                      scene.point_count(), " points"}));
-  if (earlier.has_state)
+  if (resumed)
     run.resume(std::move(earlier));
   else if (o.resume && !o.quiet)
     say(joined_text({"no state is saved in ", shown(o.out), ": from the start"}));
+  if (!resumed && o.name.empty() && o.cell && o.cell_size() > o.outer_diameter() / 8)
+    warn(joined_text({"--cell = ", o.cell_size(),
+                      " m: is coarser than an eighth of the penetrometer's diameter, ",
+                      rounded(o.outer_diameter() / 8), " m; --error-bar tells what that costs"}));
   run.go();
 }
 

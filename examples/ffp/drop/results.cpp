@@ -8,6 +8,7 @@
 #include <arenite/io/mesh_input.hpp>
 #include <arenite/version.hpp>
 
+#include "../options/device_json.hpp"
 #include "../text/words.hpp"
 #include "peaks.hpp"
 #include "summary_file.hpp"
@@ -59,12 +60,29 @@ DropFigures figures_of(const std::vector<HistoryRow>& history, double window) {
 
 std::string sentence_of(const DropFigures& f, const DropOptions& o) {
   const std::string tilted =
-      o.in_space() ? joined_text({", tilted by ", rounded(f.final_tilt_deg), " deg"}) : std::string{};
-  return joined_text({"The penetrometer stands at ", rounded(f.final_penetration_m), " m at ",
-                      rounded(f.end_s * 1e3), " ms", tilted, " (deepest: ", rounded(f.max_penetration_m),
-                      " m at ", rounded(f.max_penetration_time_s * 1e3), " ms); its deceleration peaked at ",
-                      rounded(f.peak.value_g), " g at ", rounded(f.peak.time_s * 1e3), " ms and ",
-                      rounded(f.peak.penetration_m), " m. Files: ", shown(o.out)});
+      o.in_space() ? joined_text({", tilted by ", rounded(f.final_tilt_deg), " deg and ",
+                                  rounded(f.final_aside_m), " m to the side that it pointed to"})
+                   : std::string{};
+  return joined_text({"The penetrometer (",
+                      o.device_name(),
+                      ") stands at ",
+                      rounded(f.final_penetration_m),
+                      " m at ",
+                      rounded(f.end_s * 1e3),
+                      " ms",
+                      tilted,
+                      " (deepest: ",
+                      rounded(f.max_penetration_m),
+                      " m at ",
+                      rounded(f.max_penetration_time_s * 1e3),
+                      " ms); its deceleration peaked at ",
+                      rounded(f.peak.value_g),
+                      " g at ",
+                      rounded(f.peak.time_s * 1e3),
+                      " ms and ",
+                      rounded(f.peak.penetration_m),
+                      " m. Files: ",
+                      shown(o.out)});
 }
 
 Json inputs_of(const DropOptions& o) {
@@ -78,9 +96,20 @@ Json inputs_of(const DropOptions& o) {
     j["gyration_m"] = o.gyration_radius();
   }
   j["tip"] = word_of(tip_words, o.tip);
+  if (o.profile) {
+    j["device_profile"] = json_of(*o.profile);
+  } else if (!o.is_bluedrop()) {
+    j["penetrometer"] = word_of(penetrometer_words, o.penetrometer);
+    if (o.diameter) j["diameter_m"] = *o.diameter;
+    if (o.length) j["length_m"] = *o.length;
+    if (o.cone_angle) j["cone_angle_deg"] = *o.cone_angle;
+    if (o.flat) j["flat_m"] = *o.flat;
+  }
+  if (o.chamber_radius) j["chamber_radius_m"] = *o.chamber_radius;
+  if (o.soil_depth) j["soil_depth_m"] = *o.soil_depth;
   j["mass_kg"] = o.device_mass();
   j["shoulder"] = word_of(shoulder_words, o.shoulder);
-  j["fillet_m"] = o.shoulder == Shoulder::fillet ? o.fillet : 0;
+  j["fillet_m"] = o.fillet_radius();
   j["device_young_Pa"] = o.device_young;
   j["device_poisson"] = o.device_poisson;
   j["delta_deg"] = o.delta;
@@ -105,7 +134,7 @@ Json inputs_of(const DropOptions& o) {
     j["jitter"] = o.jitter;
     j["jitter_seed"] = o.jitter_seed;
   }
-  j["moving_depth_m"] = o.moving_depth;
+  j["moving_depth_m"] = o.moving_zone();
   j["mesh"] = o.mesh.empty() ? "generated" : o.mesh;
   j["anti_locking"] = word_of(switch_words, o.averages());
   j["flip"] = o.flip;
@@ -187,6 +216,8 @@ Json summary_of(const DropOptions& options, const std::optional<DropFigures>& fi
   j["expected_steps"] = run.expected_steps;
   j["threads"] = run.threads;
   j["register_bytes"] = run.register_bytes;
+  j["penetrometer"] = json_of(static_cast<const DeviceOptions&>(options), options.device_mass());
+  j["chamber"] = {{"radius_m", options.chamber().radius}, {"soil_depth_m", options.chamber().soil_depth}};
   j["device_outline_m"] = Json::array();  // (r, y) at t = 0, for pictures
   for (const auto& x : options.body().instrument().outline())
     j["device_outline_m"].push_back(Json::array({x[0], x[1]}));

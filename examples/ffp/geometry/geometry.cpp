@@ -7,55 +7,77 @@
 
 namespace arenite::ffp {
 
-Device::Device(const DeviceShape& shape) : s_{shape} {
-  require(s_.radius > 0, "Device.radius", s_.radius, "must be positive");
-  require(s_.apex > 0 && s_.apex < pi, "Device.apex", s_.apex, "must lie in (0, pi)");
-  require(s_.flat >= 0 && s_.flat <= s_.radius, "Device.flat", s_.flat,
-          "must lie between 0 and the radius of the cylinder");
-  require(s_.parabola >= 0 && (s_.parabola == 0 || (s_.flat == 0 && s_.fillet == 0)), "Device.parabola",
-          s_.parabola, "must be at least 0, and goes without a flat end and a fillet");
-  require(radius() > 0, "Device.offset", s_.offset, "must leave something of the cylinder");
-  s_.parabola > 0 ? set_parabola() : set_cone();
-  require(length() > cone_height(), "Device.length", s_.length,
-          "must be greater than the height of the cone");
-  require(s_.fillet >= 0 &&
-              (s_.fillet == 0 || (s_.flat < s_.radius && fillet_start() > 0 && fillet_end() < length())),
-          "Device.fillet", s_.fillet,
-          "must be at least 0, and the rounded edge must fit between tip and top");
+Chamber chamber_for(double diameter, double length) {
+  const DeviceShape published;
+  const double scale = diameter / (2 * published.radius);
+  Chamber c;
+  c.radius *= scale;
+  c.soil_depth *= scale;
+  c.headroom = c.headroom * scale + (length - published.length * scale);
+  return c;
 }
 
+Device::Section Device::section_of(const DeviceShape& s) {
+  if (s.profile) return ProfileSection{s};
+  require(s.radius > 0, "Device.radius", s.radius, "must be positive");
+  require(s.apex > 0 && s.apex < pi, "Device.apex", s.apex, "must lie in (0, pi)");
+  require(s.flat >= 0 && s.flat <= s.radius, "Device.flat", s.flat,
+          "must lie between 0 and the radius of the cylinder");
+  require(s.parabola >= 0 && (s.parabola == 0 || (s.flat == 0 && s.fillet == 0)), "Device.parabola",
+          s.parabola, "must be at least 0, and goes without a flat end and a fillet");
+  require(s.radius + s.offset > 0, "Device.offset", s.offset, "must leave something of the cylinder");
+  const auto with_cylinder = [&](const auto& section) -> Section {
+    require(section.length() > section.cone_height(), "Device.length", s.length,
+            "must be greater than the height of the cone");
+    return section;
+  };
+  return s.parabola > 0 ? with_cylinder(ParabolaSection{s}) : with_cylinder(ConeSection{s});
+}
+
+Device::Device(const DeviceShape& shape) : s_{shape}, section_{section_of(shape)} {}
+
+namespace {
+
+/// What a section tells.
+template <class Section, class Question>
+auto asked(const Section& section, Question&& question) {
+  return std::visit(question, section);
+}
+
+}  // namespace
+
+double Device::radius() const {
+  return asked(section_, [](const auto& s) { return s.radius(); });
+}
+double Device::length() const {
+  return asked(section_, [](const auto& s) { return s.length(); });
+}
+double Device::flat_radius() const {
+  return asked(section_, [](const auto& s) { return s.flat_radius(); });
+}
+double Device::tip_above() const {
+  return asked(section_, [](const auto& s) { return s.tip_above(); });
+}
+double Device::tip_end() const {
+  return asked(section_, [](const auto& s) { return s.tip_end(); });
+}
 double Device::profile(double y) const {
   if (y < 0) return 0;
-  if (y == 0) return flat_;
-  if (y < fillet_start()) return tip_radius(y);
-  if (y >= fillet_end()) return radius();
-  const double below = fillet_end() - y;  // centre of the rounding: (radius - fillet, fillet_end)
-  return radius() - fillet_ + std::sqrt(fillet_ * fillet_ - below * below);
+  if (y == 0) return flat_radius();
+  return asked(section_, [&](const auto& s) { return s.profile(y); });
 }
-
-std::vector<double> Device::edge_heights(double shortest) const {
-  if (!(fillet_ > 0)) return {cone_height()};
-  const auto at = [&](double share) { return fillet_end() - fillet_ * std::sin(half_angle() * (1 - share)); };
-  const int facets = static_cast<int>(fillet_ * half_angle() / shortest + 1e-9);
-  if (facets < 1) return {at(0.5)};
-  std::vector<double> y;
-  for (int k = 0; k <= facets; ++k) y.push_back(at(static_cast<double>(k) / facets));
-  return y;
+double Device::rise(double y) const {
+  return asked(section_, [&](const auto& s) { return s.rise(y); });
+}
+std::vector<double> Device::marks(double shortest) const {
+  return asked(section_, [&](const auto& s) { return s.marks(shortest); });
 }
 
 std::vector<Point2> Device::outline() const {
-  constexpr int pieces = 64;
-  std::vector<Point2> line{{0, 0}};
-  if (flat_ > 0) line.emplace_back(flat_, 0);
-  if (parabola_)
-    for (int k = 1; k < pieces; ++k) {
-      const double p = parabola_->start() + (edge_ - parabola_->start()) * k / pieces;
-      line.emplace_back(parabola_->radius(p), parabola_->height(p) + tip_above());
-    }
-  if (flat_ < radius())
-    for (const double y : edge_heights(fillet_ * half_angle() / 8)) line.emplace_back(profile(y), y);
-  line.emplace_back(radius(), length());
-  line.emplace_back(0, length());
+  auto line = asked(section_, [](const auto& s) { return s.tip_line(); });
+  const Point2 top{profile(length()), length()};
+  if (line.back() != top) line.push_back(top);
+  if (top[0] > 0) line.emplace_back(0, length());
   return line;
 }
 
@@ -70,43 +92,15 @@ double Device::volume() const {
 }
 
 double Device::projected_area(double depth) const {
-  const double r = instrument().profile(depth);
+  const Device body = instrument();
+  const auto* any = std::get_if<ProfileSection>(&body.section_);
+  const double r = any && depth >= 0 ? any->widest_below(depth) : body.profile(depth);
   return pi * r * r;
 }
 
 double Device::mantle_area(double depth) const {
-  const Device body = instrument();
-  const double r = body.profile(std::min(depth, body.fillet_start()));
   if (depth < 0) return 0;
-  if (parabola_) {
-    const double slope = 2 * r / s_.parabola;
-    return pi * s_.parabola * s_.parabola / 6 * (std::pow(1 + slope * slope, 1.5) - 1);
-  }
-  double area = pi * s_.flat * s_.flat;
-  area += pi * (r * r - s_.flat * s_.flat) / std::sin(half_angle());
-  if (depth > body.fillet_start() && s_.fillet > 0) {  // a zone of the torus
-    const double below = std::max(0.0, body.fillet_end() - depth), turned = std::asin(below / s_.fillet);
-    area += 2 * pi * s_.fillet *
-            ((s_.radius - s_.fillet) * (half_angle() - turned) + s_.fillet * std::sin(half_angle()) - below);
-  }
-  return area;
-}
-
-void Device::set_cone() {
-  const double a = half_angle(), apex = s_.flat / std::tan(a) + s_.offset / std::sin(a);
-  const double cut = s_.flat + s_.offset * (1 - std::sin(a)) / std::cos(a);  // by the flat end's plane
-  const bool blunt = s_.flat == s_.radius;
-  flat_ = blunt ? radius() : s_.flat > 0 ? std::clamp(cut, 0.0, radius()) : 0;
-  tip_above_ = flat_ > 0 ? s_.offset : apex;
-  fillet_ = s_.fillet > 0 ? std::max(0.0, s_.fillet + s_.offset) : 0;
-  cone_height_ = (radius() - flat_) / std::tan(a);
-}
-
-void Device::set_parabola() {
-  parabola_.emplace(s_.parabola, s_.offset);
-  tip_above_ = -parabola_->height(parabola_->start());
-  edge_ = parabola_->at_radius(radius());
-  cone_height_ = parabola_->height(edge_) + tip_above_;
+  return asked(instrument().section_, [&](const auto& s) { return s.mantle_area(depth); });
 }
 
 }  // namespace arenite::ffp

@@ -3,7 +3,9 @@
 // moving mesh compresses in flat layers, which lose height without turning over.
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <iterator>
 #include <string>
 #include <utility>
 #include <vector>
@@ -101,36 +103,46 @@ class AxisymmetricMesher {
     const double h = sizes_.cell, deep = -sizes_.moving_depth;
     append(even(-chamber_.soil_depth, deep, sizes_.layer_ratio * h));
     append(graded(deep, 0, [&](double y) { return sizes_.edge(-y, h); }));
-    const auto edge = body_.edge_heights(sizes_.cone_cell() / 2);
-    // Edges along the tip are one cell long, and longer where it is so blunt that rows would be too thin.
-    if (edge.front() > 0)
-      append(graded(0, edge.front(),
-                    [&](double y) { return sizes_.cone_cell() * std::max(0.5, body_.rise(y)); }));
-    append(edge);
     const double from = chamber_.soil_depth / 2;  // the soil that rises around the cylinder stays below
+    const auto marks = body_.marks(sizes_.cone_cell() / 2);
+    const double tip_end = *std::prev(std::upper_bound(marks.begin(), marks.end(), body_.tip_end()));
     const auto height = [&](double y) {
       const double usual =
-          h * (1 + (sizes_.top_ratio - 1) * std::max(0.0, y - from) / (chamber_.headroom - from));
-      return sizes_.edge(y - edge.back(), usual);
+          h * (1 + (sizes_.top_ratio - 1) * (y > from ? (y - from) / (chamber_.headroom - from) : 0));
+      return sizes_.edge(y - tip_end, usual);
     };
-    append(graded(edge.back(), body_.length(), height));
+    // Edges along the tip are one cell long, and longer where it is so blunt that rows would be too thin.
+    double at = 0;
+    for (const double mark : marks) {
+      if (mark > at)
+        append(graded(at, mark, [&](double y) {
+          return (mark <= tip_end ? sizes_.cone_cell() : height(y)) * std::max(0.5, body_.rise(y));
+        }));
+      at = mark;
+    }
+    append(graded(at, body_.length(), height));
     append(graded(body_.length(), chamber_.headroom, height));
   }
 
   /// The row at the tip has nodes on the device as far as its flat end reaches, unless that is less than half
   /// a cell: then a facet leads from the axis to the next row. A parabola, too, is flat in the mesh where
   /// such a facet would leave the sand at less than 30 deg; the mesh has up to a quarter of a cell too much
-  /// of it there.
+  /// of it there. So may be the top.
   void set_tip() {
     const auto& rows = mesh_.row_height;
     const double next = *std::upper_bound(rows.begin(), rows.end(), 0.0);
     const double blunt = std::max(body_.flat_radius(), body_.profile(next) - next / std::tan(pi / 6));
     tip_radius_ = blunt < sizes_.cone_cell() / 2 ? 0 : blunt;
+    const double top = *std::lower_bound(rows.begin(), rows.end(), body_.length());
+    const double last = *std::prev(std::lower_bound(rows.begin(), rows.end(), body_.length()));
+    top_radius_ = std::max(body_.profile(top), body_.profile(last) - (top - last) / std::tan(pi / 6));
   }
 
   /// Radius from which the columns of a row fan out, m: that of the device, and below it that of its flat
   /// end, so that rows match.
-  double fan_start(double y) const { return y > 0 ? body_.profile(y) : tip_radius_; }
+  double fan_start(double y) const {
+    return y >= body_.length() ? top_radius_ : y > 0 ? body_.profile(y) : tip_radius_;
+  }
   /// Edge of the cells inside the device, m.
   double inner_cell(double y) const {
     return tip_radius_ > 0 ? std::min(sizes_.cell, sizes_.cone_cell() + std::max(0.0, y) / 2) : sizes_.cell;
@@ -231,7 +243,8 @@ class AxisymmetricMesher {
   Device body_;
   Chamber chamber_;
   MeshSizes sizes_;
-  double tip_radius_ = 0;  ///< how far the device reaches in the row at y = 0, m
+  double tip_radius_ = 0,
+         top_radius_ = 0;  ///< how far the device reaches in the rows at its tip and its top, m
   std::vector<double> columns_;
   std::vector<Row> rows_;
   AxisymmetricMesh mesh_;

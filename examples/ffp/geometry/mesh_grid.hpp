@@ -34,8 +34,8 @@ inline RectilinearGrid<2>::Parameters grid_lines(const Device& body, const Chamb
   append(graded(deep, 0, [&](double y) { return sizes.edge(-y, h); }));
   const double from = chamber.soil_depth / 2;  // the soil that rises around the cylinder stays below
   append(graded(0, chamber.headroom, [&](double y) {
-    const double above = std::max(0.0, y - from) / (chamber.headroom - from);
-    return sizes.edge(y - body.fillet_end(), h * (1 + (sizes.top_ratio - 1) * above));
+    const double above = y > from ? (y - from) / (chamber.headroom - from) : 0;
+    return sizes.edge(y - body.tip_end(), h * (1 + (sizes.top_ratio - 1) * above));
   }));
   return lines;
 }

@@ -19,19 +19,52 @@ void check_in_space(const DropOptions& o) {
           "--mesh and --split");
 }
 
+namespace {
+
+void check_chamber(const DropOptions& o) {
+  const Chamber c = o.chamber();
+  const double wide = 5 * o.outer_diameter() / 2, deep = o.moving_zone() + o.outer_diameter();
+  if (o.chamber_radius)
+    require(c.radius >= wide, "--chamber-radius", c.radius,
+            {"must be at least five times the penetrometer's radius, ", wide, " m"});
+  if (o.soil_depth)
+    require(c.soil_depth >= deep, "--soil-depth", c.soil_depth,
+            {"must be at least --moving-depth and a diameter, ", deep, " m"});
+}
+
+/// Rows of a fitted mesh cut the outline; where it is too flat to be cut, cells have no height. Its tip and its top may be flat.
+void check_outline_in_mesh(const DropOptions& o) {
+  constexpr double flattest = 0.25;  // dy / ds; 15 deg to the horizontal
+  const auto outline = o.outline();
+  if (!outline || o.on_grid() || !o.mesh.empty()) return;
+  const double cell = o.mesh_sizes().cone_cell();
+  const auto& corners = outline->corners();
+  for (std::size_t k = 1; k < corners.size(); ++k) {
+    const Point2 &from = corners[k - 1].at, &to = corners[k].at;
+    if (to[1] < cell || from[1] > o.whole_length() - cell) continue;
+    if (to[1] - from[1] < flattest * (to - from).norm())
+      throw error(joined_text({"--mesh-kind fitted: the outline of ", o.device_name(), " from (", from[0],
+                               ", ", from[1], ") to (", to[0], ", ", to[1],
+                               ") m is flatter than 15 deg to the horizontal; take --mesh-kind grid"}));
+  }
+}
+
+}  // namespace
+
 void check(const DropOptions& o) {
   detail::RangeCheck ranges;
   visit_options(o, ranges);
   require(o.dilatancy <= o.friction, "--dilatancy", o.dilatancy,
           {"must lie in [0, ", o.friction, "] deg, from nothing to the sand's angle of friction"});
   check(o.law, o.friction, o.dilatancy);
-  const bool rounded_edge = o.shoulder == Shoulder::fillet;
-  require(!rounded_edge || o.tip == Tip::cone || o.tip == Tip::cone_truncated, "--shoulder", "fillet",
-          "needs --tip cone or cone-truncated");
-  if (rounded_edge && o.fillet < 0.001 && o.mesh.empty()) {
-    const double most = 2 * o.fillet * o.body().half_angle();
-    require(o.mesh_sizes().cone_cell() <= most, "--fillet", o.fillet,
-            {"below 0.001 m needs --cell-at-cone of at most ", most, " m, to be seen"});
+  check(static_cast<const DeviceOptions&>(o));
+  if (o.mesh.empty()) check_mass(o);
+  check_chamber(o);
+  check_outline_in_mesh(o);
+  if (const double fillet = o.fillet_radius(); fillet > 0 && fillet < 0.001 * o.size() && o.mesh.empty()) {
+    const double most = fillet * o.shape().apex;
+    require(o.mesh_sizes().cone_cell() <= most, "--fillet", fillet,
+            {"below ", 0.001 * o.size(), " m needs --cell-at-cone of at most ", most, " m, to be seen"});
   }
   if (o.cell_at_cone) {
     require(*o.cell_at_cone <= o.cell_size(), "--cell-at-cone", *o.cell_at_cone,
@@ -86,8 +119,8 @@ void check(const DropOptions& o) {
             "must be " + listed(triangle_points) + " in triangles");
   if (o.error_bar) {
     require(o.mesh.empty(), "--mesh", shown(o.mesh), "goes without --error-bar, which needs coarser meshes");
-    require(o.cell_size() <= largest_cell_with_bar, "--cell", o.cell_size(),
-            {"must be at most ", largest_cell_with_bar,
+    require(o.cell_size() <= largest_cell_with_bar(o), "--cell", o.cell_size(),
+            {"must be at most ", largest_cell_with_bar(o),
              " m with --error-bar, which runs drops at twice the cell"});
   }
   require(o.fields_every == 0 || o.end / o.fields_every <= most_fields, "--fields-every", o.fields_every,

@@ -32,7 +32,7 @@ std::string listed(const std::array<int, N>& numbers) {
 }
 
 /// Largest cell of a drop with an error bar, m: half of the largest that --cell takes.
-inline constexpr double largest_cell_with_bar = 0.02;
+inline double largest_cell_with_bar(const DropOptions& o) { return 0.02 * o.size(); }
 
 /// Sets of field files that a run may write.
 inline constexpr double most_fields = 1000;
@@ -51,19 +51,18 @@ void visit_options(Options& o, Visitor& v) {
   v.number("--velocity", o.velocity, "M_S", above(0, 50, "m/s"), "Velocity at the impact");
   v.number("--tilt", o.tilt, "DEG", Range{0, 30, "deg"},
            "Angle of the penetrometer's axis to the vertical at the impact, with --kinematics space");
-  v.number("--centre-of-mass", o.centre_of_mass, "M", Range{0.05, 0.6, "m"},
+  v.number("--centre-of-mass", o.centre_of_mass, "M", Range{0.05 * o.size(), o.whole_length(), "m"},
            "Height of the centre of mass above the tip, with --kinematics space, of itself that of a "
            "homogeneous penetrometer");
-  v.number("--gyration", o.gyration, "M", Range{0.02, 0.4, "m"},
+  v.number("--gyration", o.gyration, "M", Range{0.02 * o.size(), o.whole_length(), "m"},
            "Radius of gyration about a line across the axis, with --kinematics space, of itself that of a "
            "homogeneous penetrometer");
-  v.choice("--tip", tip_words, o.tip,
-           "Cone of 60 degrees, sharp or with the instrument's flat end, parabola, or a flat end alone");
-  v.number("--mass", o.mass, "KG", Range{0.1, 1000, "kg"},
-           "Mass of the whole penetrometer, of itself 7.71 with a cone, 9.15 parabolic, 10.30 blunt");
-  v.choice("--shoulder", shoulder_words, o.shoulder, "Edge between cone and cylinder");
-  v.number("--fillet", o.fillet, "M", Range{0.0005, 0.03, "m"},
-           "Radius of the rounded edge, with --shoulder fillet");
+  v.number("--chamber-radius", o.chamber_radius, "M", above(0, 100, "m"),
+           "Radius of the chamber, at least five of the penetrometer's, of itself 4.57 diameters (0.4)");
+  v.number("--soil-depth", o.soil_depth, "M", above(0, 100, "m"),
+           "Depth of the sand, of itself 4.57 diameters (0.4)");
+  v.group("Penetrometer");
+  visit_device_options(o, v);
   v.number("--device-young", o.device_young, "PA", Range{1e5, 1e12, "Pa"},
            "Young's modulus of the elastic penetrometer");
   v.number("--device-poisson", o.device_poisson, "X", between(-1, 0.5),
@@ -85,7 +84,7 @@ void visit_options(Options& o, Visitor& v) {
       "--contact", contact_words, o.contact,
       "Contact of the rigid penetrometer at nodes, through the centre-of-mass velocity (the paper's), or "
       "at material points (of itself rigid; with --mesh-kind grid points, but in space rigid)");
-  v.number("--contact-offset", o.contact_offset, "M", Range{-0.02, 0.02, "m"},
+  v.number("--contact-offset", o.contact_offset, "M", Range{-0.02 * o.size(), 0.02 * o.size(), "m"},
            "The sand meets a surface this far outside of the penetrometer's, or inside if negative");
   v.group("Numerics");
   v.choice("--mesh-kind", mesh_kind_words, o.mesh_kind,
@@ -95,10 +94,10 @@ void visit_options(Options& o, Visitor& v) {
       "--accuracy", accuracy_words, o.accuracy,
       "What --cell and --courant are of themselves: coarse 0.02 and 0.9, normal 0.01 and 0.5, fine 0.005 "
       "and 0.5");
-  v.number("--cell", o.cell, "M", Range{0.0025, 0.04, "m"},
+  v.number("--cell", o.cell, "M", Range{0.0025 * o.size(), 0.04 * o.size(), "m"},
            "Edge of the cells around the cone, of itself that of --accuracy");
   v.number(
-      "--cell-at-cone", o.cell_at_cone, "M", Range{0.0005, 0.04, "m"},
+      "--cell-at-cone", o.cell_at_cone, "M", Range{0.0005 * o.size(), 0.04 * o.size(), "m"},
       "Edge of the cells at cone, tip and shoulder, which grow to --cell away from them, of itself --cell");
   v.number("--split", o.split, "N", Range{0, 100},
            "Split points of sand that stand for more than 1 / N of their cell, 0 for none, of itself 9 with "
@@ -111,8 +110,8 @@ void visit_options(Options& o, Visitor& v) {
   v.number("--jitter", o.jitter, "SHARE", Range{0, 1},
            "Move initial points of sand at random, within this share of the spacing between them");
   v.number("--jitter-seed", o.jitter_seed, "N", Range{0, 1e9}, "Seed of the random numbers of --jitter");
-  v.number("--moving-depth", o.moving_depth, "M", Range{0.02, 0.15, "m"},
-           "The mesh moves as one from this depth below the tip upward");
+  v.number("--moving-depth", o.moving_depth, "M", Range{0.02 * o.size(), 0.15 * o.size(), "m"},
+           "The mesh moves as one from this depth below the tip upward, of itself 0.06");
   v.text("--mesh", o.mesh, "FILE.msh", "Gmsh mesh in the place of the generated one");
   v.choice(
       "--anti-locking", switch_words, o.anti_locking,

@@ -61,6 +61,7 @@ class OptionVisitor {
   void text(const std::string& name, std::string& to, const char* metavar, const std::string& help) {
     add(name, metavar, help + (to.empty() ? "" : " (default " + to + ")"),
         [name, &to](const std::string& word) {
+          require(!word.empty(), name, word, "needs a value");
           require(!word.starts_with("--"), name, shown(word), "must be a name, not the next option");
           to = word;
         });

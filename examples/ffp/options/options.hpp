@@ -15,7 +15,7 @@
 #include "../geometry/mass.hpp"
 #include "../geometry/mesh_axisymmetric.hpp"
 #include "../geometry/tilted.hpp"
-#include "../geometry/tip.hpp"
+#include "device_options.hpp"
 #include "law_options.hpp"
 
 namespace arenite::ffp {
@@ -24,7 +24,6 @@ enum class Kinematics { axisymmetric, slice, space };
 enum class DeviceKind { rigid, elastic };
 enum class MeshKind { fitted, grid };
 enum class ContactKind { rigid, centre_of_mass, points };
-enum class Shoulder { sharp, fillet };
 enum class Accuracy { coarse, normal, fine };
 
 /// Words of the options that choose: the command line, the summary and the checks share them.
@@ -38,22 +37,13 @@ inline constexpr std::array<std::pair<std::string_view, ContactKind>, 3> contact
     {{"rigid", ContactKind::rigid},
      {"centre-of-mass", ContactKind::centre_of_mass},
      {"points", ContactKind::points}}};
-inline constexpr std::array<std::pair<std::string_view, Shoulder>, 2> shoulder_words{
-    {{"sharp", Shoulder::sharp}, {"fillet", Shoulder::fillet}}};
 inline constexpr std::array<std::pair<std::string_view, Accuracy>, 3> accuracy_words{
     {{"coarse", Accuracy::coarse}, {"normal", Accuracy::normal}, {"fine", Accuracy::fine}}};
 inline constexpr std::array<std::pair<std::string_view, bool>, 2> switch_words{
     {{"on", true}, {"off", false}}};
 
-template <class Words, class Value>
-std::string word_of(const Words& words, Value value) {
-  for (const auto& [word, meaning] : words)
-    if (meaning == value) return std::string{word};
-  throw error("word_of: a value without a word");
-}
-
 /// Everything that decides a drop. SI units; angles in degrees, as typed. "ours": the paper gives no value.
-struct DropOptions {
+struct DropOptions : DeviceOptions {
   Kinematics kinematics = Kinematics::axisymmetric;
   DeviceKind device = DeviceKind::rigid;
   double delta = 20;                     ///< friction angle between sand and device, deg
@@ -62,12 +52,8 @@ struct DropOptions {
   double tilt = 0;                       ///< of the axis from the vertical at the impact, deg; in space
   std::optional<double> centre_of_mass;  ///< above the tip, m; default: `centre_height`; in space
   std::optional<double> gyration;  ///< radius about a line across the axis, m; default: `gyration_radius`
-  Tip tip = Tip::cone;
-  std::optional<double> mass;           ///< of the whole device, kg; default: see `device_mass`
-  double device_young = 20e6;           ///< of the elastic device, Pa
-  double device_poisson = 0.33;         ///< of the elastic device (ours: the sand's)
-  Shoulder shoulder = Shoulder::sharp;  ///< edge between cone and cylinder (ours)
-  double fillet = 0.01;  ///< radius of the rounded edge, m; with `Shoulder::fillet` only (ours)
+  double device_young = 20e6;      ///< of the elastic device, Pa
+  double device_poisson = 0.33;    ///< of the elastic device (ours: the sand's)
   /// From the surface of the device outward to the one that the sand meets, m: for error bars.
   double contact_offset = 0;
   double friction = 40;                  ///< of the sand, deg
@@ -83,8 +69,10 @@ struct DropOptions {
   std::optional<double> cell;            ///< edge of the cells around the cone, m; default: `cell_size`
   std::optional<double> cell_at_cone;    ///< edge of the cells at the cone itself, m; without: `cell_size`
   std::optional<double> split;  ///< points that stand for more than 1 / split of their cell split; 0: none
-  double moving_depth = 0.06;   ///< the mesh moves as one from here below the tip upward, m (ours)
-  std::string mesh;             ///< Gmsh file in the place of the generated mesh; empty: none
+  std::optional<double>
+      moving_depth;  ///< the mesh moves as one from here below the tip upward, m; default: `moving_zone` (ours)
+  std::optional<double> chamber_radius, soil_depth;  ///< m; default: the experiment's, in diameters
+  std::string mesh;                       ///< Gmsh file in the place of the generated mesh; empty: none
   std::optional<int> points_per_element;  ///< in the sand; default: see `points_in_element`
   double jitter = 0;    ///< share of their sub-cells within which initial points are moved at random
   int jitter_seed = 0;  ///< of the random numbers
@@ -109,6 +97,7 @@ struct DropOptions {
   bool no_watch = false;          ///< nothing stops a run that cannot be right
   bool error_bar = false;         ///< runs the drops around it, too, that tell how far it can be trusted
   std::string name{};             ///< of the run, in front of its warnings; empty: the only one
+  bool keeps_warnings = false;    ///< they stand in its summary alone
   bool force = false;             ///< runs however many steps it takes
 
   /// The paper's 10 in tetrahedra; 28 in triangles, from where on more change depth by 0.4 % and peak by 1 %:
@@ -122,7 +111,9 @@ struct DropOptions {
   }
   /// m; depth, peak, bars and times of each accuracy: docs/ffp_accuracy.md, Speed against accuracy.
   double cell_size() const {
-    return cell.value_or(accuracy == Accuracy::coarse ? 0.02 : accuracy == Accuracy::fine ? 0.005 : 0.01);
+    return cell.value_or(size() * (accuracy == Accuracy::coarse ? 0.02
+                                   : accuracy == Accuracy::fine ? 0.005
+                                                                : 0.01));
   }
   double courant_number() const { return courant.value_or(accuracy == Accuracy::coarse ? 0.9 : 0.5); }
   /// Whether the penetrometer moves and turns in space; otherwise along its axis.
@@ -136,21 +127,37 @@ struct DropOptions {
   bool averages() const { return anti_locking.value_or(!on_grid()); }
   double flip_time_constant() const { return flip_time.value_or(on_grid() ? 0.1 : 0); }
   double earth_pressure() const { return k0.value_or(poisson / (1 - poisson)); }
-  /// kg; the slice carries its share.
-  double device_mass() const { return mass.value_or(usual_mass(tip)); }
-  /// m; of themselves those of a homogeneous penetrometer.
-  double centre_height() const { return centre_of_mass.value_or(mass_in(body().instrument()).centre); }
-  double gyration_radius() const { return gyration.value_or(mass_in(body().instrument()).gyration); }
+  /// m; of themselves those of the penetrometer's file, or of a homogeneous one.
+  double centre_height() const {
+    if (centre_of_mass) return *centre_of_mass;
+    return profile && profile->centre_of_mass ? *profile->centre_of_mass : mass_in(Device{shape()}).centre;
+  }
+  double gyration_radius() const {
+    if (gyration) return *gyration;
+    return profile && profile->gyration ? *profile->gyration : mass_in(Device{shape()}).gyration;
+  }
   /// The surface that the sand meets, and with `instrument()` the penetrometer.
   Device body() const {
-    DeviceShape shape = shape_of(tip);
-    if (shoulder == Shoulder::fillet) shape.fillet = fillet;
-    shape.offset = contact_offset;
-    return Device{shape};
+    DeviceShape with_offset = shape();
+    with_offset.offset = contact_offset;
+    return Device{with_offset};
   }
   DeviceStart start() const { return {body(), tilt * pi / 180}; }
   MeshSizes mesh_sizes() const {
-    return {.cell = cell_size(), .at_cone = cell_at_cone.value_or(0), .moving_depth = moving_depth};
+    MeshSizes sizes;
+    sizes.cell = cell_size();
+    sizes.at_cone = cell_at_cone.value_or(0);
+    sizes.refined *= size();
+    sizes.fine_radius *= size();
+    sizes.moving_depth = moving_zone();
+    return sizes;
+  }
+  double moving_zone() const { return moving_depth.value_or(0.06 * size()); }
+  Chamber chamber() const {
+    Chamber c = chamber_for(outer_diameter(), whole_length());
+    c.radius = chamber_radius.value_or(c.radius);
+    c.soil_depth = soil_depth.value_or(c.soil_depth);
+    return c;
   }
   /// Sand that comes from coarser cells would thin out in refined ones.
   double split_share() const { return split.value_or(!cell_at_cone ? 0 : on_grid() ? 4 : 9); }

@@ -13,8 +13,8 @@ void check(const PaperOptions& o) {
   visit_paper_options(o, ranges);
   const DropOptions paper;
   check(o.law, paper.friction, paper.dilatancy);
-  require(!o.error_bar || o.cell <= largest_cell_with_bar, "--cell", o.cell,
-          {"must be at most ", largest_cell_with_bar, " m with --error-bar"});
+  require(!o.error_bar || o.cell <= largest_cell_with_bar(DropOptions{}), "--cell", o.cell,
+          {"must be at most ", largest_cell_with_bar(DropOptions{}), " m with --error-bar"});
   require(!o.out.empty(), "--out", "\"\"", "must name a folder");
 }
 

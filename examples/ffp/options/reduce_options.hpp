@@ -7,8 +7,8 @@
 #include <string_view>
 #include <utility>
 
-#include "../geometry/tip.hpp"
 #include "../text/range.hpp"
+#include "device_options.hpp"
 #include "option_table.hpp"
 
 namespace arenite::ffp {
@@ -35,8 +35,10 @@ inline constexpr std::array<std::pair<std::string_view, Reading>, 2> reading_wor
 
 /// Everything that decides a reduction beside the record itself. What is not given comes from a drop's
 /// folder, or is the default that `visit_reduce_options` tells.
-struct ReduceOptions {
+struct ReduceOptions : DeviceOptions {
   std::string file;                      ///< table, .bin, or folder of a drop
+  std::string column, time_column;       ///< of a table: names, or numbers from 1; empty: by the header
+  std::optional<double> rate;            ///< Hz, rows of a table; its time is then not read
   TimeUnit time_unit = TimeUnit::named;  ///< of a table whose header names none
   DecelerationUnit deceleration_unit = DecelerationUnit::named;
   Reading reads = Reading::net;
@@ -44,8 +46,7 @@ struct ReduceOptions {
   bool zero_at_rest = false;  ///< the level at rest is taken off
   std::string calibration;    ///< JSON of a BlueDrop's scales and offsets; empty: samples
   std::string scale, offset;  ///< "2g=1.62e6,18g=1.6e5": win over the file's
-  Tip tip = Tip::cone;        ///< unless a drop's folder tells
-  std::optional<double> mass, gravity;
+  std::optional<double> gravity;
   std::optional<int> drop;                             ///< of several in the record, from 1
   std::optional<double> impact_time, impact_velocity;  ///< s as in the record, m/s
   std::optional<double> threshold;                     ///< g, net
@@ -55,13 +56,17 @@ struct ReduceOptions {
   Soil soil = Soil::sand;
   Area area = Area::mantle;               ///< of the columns of q_sbc
   double water_density = 1025;            ///< kg/m^3
-  double volume = 0.002473;               ///< m^3, the BlueDrop's
+  std::optional<double> volume;           ///< m^3, that the water lifts; default: `lifted_volume`
   std::optional<double> drag;             ///< drag coefficient on the base
   std::optional<double> unit_weight, k0;  ///< of the soil, N/m^3 (in water: submerged)
   std::string out;                        ///< empty: beside the file, or the drop's folder
   bool force = false;                     ///< what no drop does is reduced, too
   bool no_picture = false, quiet = false;
 
+  /// m^3: the BlueDrop's published one, or that of the outline.
+  double lifted_volume(const Device& device) const {
+    return volume.value_or(is_bluedrop() ? 0.002473 : device.instrument().volume());
+  }
   /// Net deceleration that counts as the impact, g: in air the end of free fall; in water the fall may have
   /// come to its terminal speed, 0 g.
   double impact_threshold() const { return threshold.value_or(medium == Medium::air ? -0.8 : 0.5); }
@@ -71,6 +76,12 @@ struct ReduceOptions {
 template <class Options, class Visitor>
 void visit_reduce_options(Options& o, Visitor& v) {
   v.group("Record");
+  v.text("--column", o.column, "NAME",
+         "Column of a table that is the deceleration, by its name in the header, or else its number from 1; "
+         "X,Y,Z: the magnitude of three, with --reads proper");
+  v.text("--time-column", o.time_column, "NAME", "Column of a table that is the time, by name or number");
+  v.number("--rate", o.rate, "HZ", Range{10, 1e6, "Hz"},
+           "Rows a second of a table whose time is not to be read");
   v.choice("--time-unit", time_unit_words, o.time_unit, "Unit of the time of a table; named: by its header");
   v.choice("--deceleration-unit", deceleration_unit_words, o.deceleration_unit,
            "Unit of the deceleration of a table; named: by its header");
@@ -95,15 +106,14 @@ void visit_reduce_options(Options& o, Visitor& v) {
   v.number("--window", o.window, "S", Range{0, 0.1, "s"},
            "Window of the moving mean of the deceleration, 0 for none");
   v.group("Penetrometer");
-  v.choice("--tip", tip_words, o.tip, "Tip; the folder of a drop tells its own");
-  v.number("--mass", o.mass, "KG", Range{0.1, 1000, "kg"},
-           "Mass, of itself that of the instrument with its tip, or the drop's");
+  visit_device_options(o, v);
   v.group("Surroundings");
   v.number("--gravity", o.gravity, "M_S2", Range{0.1, 100, "m/s^2"},
            "Gravity, which is also the g of the record, of itself 9.81 or the drop's");
   v.choice("--medium", medium_words, o.medium, "What it falls through; in air buoyancy and drag are 0");
   v.number("--water-density", o.water_density, "KG_M3", Range{900, 1300, "kg/m^3"}, "Density of the water");
-  v.number("--volume", o.volume, "M3", Range{0, 1, "m^3"}, "Volume that the water lifts");
+  v.number("--volume", o.volume, "M3", Range{0, 1, "m^3"},
+           "Volume that the water lifts, of itself 0.002473 for the BlueDrop, else that of the outline");
   v.number("--drag", o.drag, "X", Range{0, 10},
            "Drag coefficient on the base in water; without, drag is left out");
   v.group("Soil");

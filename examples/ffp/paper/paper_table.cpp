@@ -56,7 +56,8 @@ CaseResult result_of_case(const std::filesystem::path& folder) {
   const auto path = folder / "history.csv";
   if (!std::filesystem::exists(path)) return result;
   TableReader history(path, "history", most_history_bytes, true);  // the last row of a killed run may be cut
-  if (!history.find_header(1, [](const auto& names) { return int{names[0] == "time_s"}; })) return result;
+  if (!history.find_header(1, [](const auto& names) { return HeaderMatch{names[0] == "time_s"}; }))
+    return result;
   struct Place {
     std::size_t column;
     std::vector<double>& values;

@@ -31,7 +31,7 @@ std::vector<RateBand> rate_bands(double impact_velocity, Medium medium, Soil soi
 GroundForce ground_force(const ReduceOptions& o, double mass, double gravity, const Device& device) {
   GroundForce force{.mass = mass, .gravity = gravity};
   if (o.medium == Medium::water) {
-    force.buoyancy = o.water_density * gravity * o.volume;
+    force.buoyancy = o.water_density * gravity * o.lifted_volume(device);
     force.drag_over_velocity_squared =
         o.drag.value_or(0) * o.water_density / 2 * device.projected_area(device.length());
   }

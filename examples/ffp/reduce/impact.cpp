@@ -121,14 +121,15 @@ Motion motion_of(Measurement record, const ImpactSettings& s) {
   motion.deceleration = {m.step_means && share > 0 ? m.deceleration[first] : between(m.deceleration)};
   motion.filtered = {between(search.filtered())};
   motion.velocity = {motion.impact_velocity};
-  motion.depth = {s.impact_depth};
+  motion.depth = {m.depth.empty() ? s.impact_depth : between(m.depth)};
   for (std::size_t i = first; i < m.time.size(); ++i) {
     const double t = m.time[i] - impact, dt = t - motion.time.back();
     const double mean =
         i > first || m.step_means ? search.means()[i] : (motion.deceleration.front() + m.deceleration[i]) / 2;
     const double v = motion.velocity.back();
     motion.velocity.push_back(v - mean * dt);
-    motion.depth.push_back(motion.depth.back() + (v + motion.velocity.back()) / 2 * dt);
+    motion.depth.push_back(m.depth.empty() ? motion.depth.back() + (v + motion.velocity.back()) / 2 * dt
+                                           : m.depth[i]);
     motion.time.push_back(t);
     motion.deceleration.push_back(m.deceleration[i]);
     motion.filtered.push_back(search.filtered()[i]);

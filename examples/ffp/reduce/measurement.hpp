@@ -9,7 +9,7 @@
 #include <arenite/core/error.hpp>
 
 #include "../geometry/geometry.hpp"
-#include "../geometry/tip.hpp"
+#include "../options/device_options.hpp"
 
 namespace arenite::ffp {
 
@@ -18,13 +18,11 @@ struct DropFacts {
   double impact_velocity = 0;  ///< m/s, at t = 0
   double mass = 0, gravity = 0;
   double unit_weight = 0, k0 = 0;  ///< of the sand, N/m^3
-  Tip tip = Tip::cone;
-  double fillet = 0;          ///< of the shoulder, m
-  double contact_offset = 0;  ///< m: from the penetrometer's surface to the one that the sand meets
+  DeviceOptions device;            ///< the penetrometer
+  double contact_offset = 0;       ///< m: from the penetrometer's surface to the one that the sand meets
 
   Device body() const {
-    DeviceShape shape = shape_of(tip);
-    shape.fillet = fillet;
+    DeviceShape shape = device.shape();
     shape.offset = contact_offset;
     return Device{shape};
   }
@@ -34,6 +32,7 @@ struct DropFacts {
 struct Measurement {
   std::vector<double> time;          ///< [n] s, ascending
   std::vector<double> deceleration;  ///< [n] m/s^2
+  std::vector<double> depth{};       ///< [n] m, of the tip; empty: the integral of the deceleration is
   bool step_means =
       false;  ///< deceleration[i] is the mean from time[i - 1] to time[i], not the value at time[i]
   std::vector<std::string> notes;   ///< where it was found, for the user

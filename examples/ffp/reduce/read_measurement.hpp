@@ -10,9 +10,6 @@
 
 namespace arenite::ffp {
 
-/// Throws `error` if no tip has this name.
-Tip tip_named(const std::string& name);
-
 /// history.csv and summary.json of a drop. Throws `error` that names the folder if they are not there or not
 /// those of a drop.
 Measurement read_measurement_of_drop(const std::filesystem::path& folder, const ReduceOptions& o);

@@ -203,13 +203,16 @@ void choose_drop(Reduction& r, const ReduceOptions& o, ImpactSettings& impact, c
   const auto drops = std::ranges::count_if(r.events, is_drop);
   if (o.drop || (drops > 1 && !o.impact_time)) {
     refuse_for_problem();
-    const std::string list = text_of(r.events, r.gravity, is_drop);
+    std::string list;
+    for (const RecordEvent& event : r.events)
+      if (is_drop(event)) list += "\n  " + text_of(event, r.gravity);
+    const std::string held = joined_text({"holds ", drops, drops == 1 ? " drop" : " drops"});
     if (!o.drop)
-      throw error(joined_text(
-          {shown(o.file), ": holds ", drops, " drops: ", list, "; give --drop N, or --impact-time"}));
-    require(*o.drop <= drops, "--drop", *o.drop,
-            joined_text(
-                {"the record holds ", drops, drops == 1 ? " drop" : " drops", drops > 0 ? ": " : "", list}));
+      throw SeveralDrops(
+          joined_text({shown(o.file), ": ", held, "; give --drop N, or --impact-time:", list}));
+    if (*o.drop > drops)
+      throw SeveralDrops(
+          joined_text({"--drop = ", *o.drop, ": the record ", held, drops > 0 ? ":" : "", list}));
   }
   if (!o.impact_time) r.drop = drops > 0 ? o.drop.value_or(1) : 0;
   for (const RecordEvent& event : r.events)
@@ -362,7 +365,7 @@ std::string text_of(const RecordEvent& event, double gravity) {
   std::string what;
   const auto add = [&](const std::string& text) { what += (what.empty() ? "" : ", ") + text; };
   if (event.velocity) add(rounded(*event.velocity) + " m/s");
-  if (event.depth) add(rounded(*event.depth * 100) + " cm");
+  if (event.depth) add(rounded(*event.depth) + " m");
   add(rounded(event.peak / gravity) + " g");
   const std::string number =
       event.drop > 0 ? joined_text({event.kind == "drop" ? " " : " of drop ", event.drop}) : "";
@@ -374,8 +377,9 @@ Reduction reduce(Measurement record, const ReduceOptions& o) {
   const auto drop = record.drop;
   r.notes = std::move(record.notes);
   r.of_drop = drop.has_value();
-  r.tip = drop ? drop->tip : o.tip;
-  r.mass = o.mass.value_or(drop ? drop->mass : usual_mass(o.tip));
+  r.device = drop ? drop->device : static_cast<const DeviceOptions&>(o);
+  if (!drop) check_mass(o);
+  r.mass = o.mass ? *o.mass : drop ? drop->mass : o.device_mass();
   r.gravity = o.gravity.value_or(drop ? drop->gravity : standard_gravity);
   r.k0 = o.k0.value_or(drop ? drop->k0 : 0.5);
   r.unit_weight = o.unit_weight ? o.unit_weight : drop ? std::optional{drop->unit_weight} : std::nullopt;
@@ -386,7 +390,7 @@ Reduction reduce(Measurement record, const ReduceOptions& o) {
                         .in_water = o.medium == Medium::water,
                         .impact_time = o.impact_time,
                         .impact_velocity = o.impact_velocity};
-  const Device device = drop ? drop->body() : Device{shape_of(o.tip)};
+  const Device device = drop ? drop->body() : Device{o.shape()};
   if (drop && !impact.impact_time) {
     impact.impact_time = 0;
     impact.impact_depth = 0 - device.tip_above();

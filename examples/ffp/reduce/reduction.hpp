@@ -42,13 +42,19 @@ struct RecordEvent {
   double peak = 0;                        ///< m/s^2, of the mean; of a glitch the sample's
 };
 
-/// "drop 1 at 1.5 s (4.91 m/s, 12.3 cm, 15.6 g)".
+/// A record of several drops, of which none is chosen: a sentence, and a line for each.
+class SeveralDrops : public error {
+ public:
+  using error::error;
+};
+
+/// "drop 1 at 1.5 s (4.91 m/s, 0.123 m, 15.6 g)".
 std::string text_of(const RecordEvent& event, double gravity);
 
 struct Reduction {
   std::vector<std::string> notes, warnings;
   bool of_drop = false;  ///< the record is the history of a drop's folder
-  Tip tip = Tip::cone;
+  DeviceOptions device;  ///< the penetrometer
   double mass = 0, gravity = 0, k0 = 0;
   std::optional<double> unit_weight;
   double threshold = 0;

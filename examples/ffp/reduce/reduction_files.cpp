@@ -9,6 +9,7 @@
 
 #include <arenite/io/output_file.hpp>
 
+#include "../options/device_json.hpp"
 #include "../text/words.hpp"
 
 namespace arenite::ffp {
@@ -78,7 +79,7 @@ Json json_of(const Reduction& r, const ReduceOptions& o) {
   j["file"] = r.of_drop ? "history.csv" : o.file;  // the same wherever the folder lies
   j["notes"] = r.notes;
   j["warnings"] = r.warnings;
-  j["settings"] = {{"tip", word_of(tip_words, r.tip)},
+  j["settings"] = {{"tip", word_of(tip_words, r.device.tip)},
                    {"mass_kg", r.mass},
                    {"gravity_m_s2", r.gravity},
                    {"window_s", o.window},
@@ -90,9 +91,10 @@ Json json_of(const Reduction& r, const ReduceOptions& o) {
                    {"unit_weight_N_m3", or_null(r.unit_weight)},
                    {"k0", r.k0},
                    {"taken_off_g", r.taken_off / r.gravity}};
+  j["penetrometer"] = json_of(r.device, r.mass);
   if (o.medium == Medium::water) {
     j["settings"]["water_density_kg_m3"] = o.water_density;
-    j["settings"]["volume_m3"] = o.volume;
+    j["settings"]["volume_m3"] = o.lifted_volume(Device{r.device.shape()});
     j["settings"]["drag"] = or_null(o.drag);
   }
   j["impact_time_s"] = m.impact_time;
@@ -158,6 +160,7 @@ void print_table(const Reduction& r, const ReduceOptions& o, std::ostream& out) 
   const auto kpa = [](const std::optional<double>& value) {
     return value ? rounded(*value) : std::string{"-"};
   };
+  row("penetrometer", text_of(r.device, r.mass));
   for (const std::string& note : r.notes) row("note", note);
   for (const std::string& warning : r.warnings) row("warning", warning);
   row("impact", joined_text({"at ", m.impact_time, " s of the record (", m.impact_from, "), ",

@@ -17,6 +17,22 @@ import matplotlib.pyplot as pyplot  # noqa: E402
 COLOURS = ["#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#000000"]  # Okabe and Ito
 REFERENCE = "#6b6b6b"
 
+#: What decides the paper's drop, beside the friction of the penetrometer and the numerics; keys that are not there are at their defaults.
+PAPER = {"tip": "cone", "velocity_m_s": 5.6, "mass_kg": 7.71, "friction_deg": 40, "dilatancy_deg": 0, "cohesion_Pa": 0, "young_Pa": 5e6,
+         "poisson": 0.33, "unit_weight_N_m3": 15100, "law": "mohr-coulomb"}
+OTHERS = ["penetrometer", "device_profile", "chamber_radius_m", "soil_depth_m"]
+
+
+def is_of_paper(inputs):
+    """Whether the inputs of a drop are those that the paper's values belong to."""
+    return all(inputs.get(key, value) == value for key, value in PAPER.items()) and not any(key in inputs for key in OTHERS) \
+        and not inputs.get("tilt_deg")
+
+
+def device_name(summary):
+    """Name of the penetrometer of a summary.json or reduced.json."""
+    return summary.get("penetrometer", {}).get("name", "bluedrop")
+
 
 def legend_below(figure, axes, columns, share):
     """One legend for all panels, from the lines of one, in the lowest `share` of the figure's height."""

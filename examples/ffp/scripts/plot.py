@@ -15,13 +15,13 @@ import textwrap
 
 import numpy
 
-from pictures import COLOURS, REFERENCE, matplotlib, pyplot, save
+from pictures import COLOURS, REFERENCE, device_name, is_of_paper, matplotlib, pyplot, save
 from read_vtu import read_pvd, read_vtu
 from regular_file import read_json, read_table
 
 GRAVITY = 9.81
 WINDOW = 2e-3  # s, of the moving average; as in summary.json
-FIELD_TIMES = [0.0, 0.02, 0.04, 0.08]  # s, of the paper's figure 4
+FIELD_SHARES = [0.0, 0.2, 0.4, 0.8]  # of the time of a drop; the paper's figure 4 has 0.1 s
 STRAIN_TOP = 1.0
 SOURCE = ("Paper: simulation of a free-fall penetrometer (FFP) dropped into dry sand with the material point method, 2nd International "
           "Conference on the Material\nPoint Method for Modelling Soil-Water-Structure Interaction. Experiment: BlueDrop FFP in a "
@@ -49,6 +49,9 @@ class Drop:
         self.deceleration = moving_average(self.time, self.raw)
         self.reaction = moving_average(self.time, table["reaction_N"])
         self.inputs = self.summary["inputs"]
+        self.of_paper = is_of_paper(self.inputs)
+        self.name = device_name(self.summary)
+        self.chamber = self.summary.get("chamber", {"radius_m": 0.4, "soil_depth_m": 0.4})
         self.in_space = self.inputs["kinematics"] == "space"
         if self.in_space:
             turns = read_table(os.path.join(folder, "history.csv"), "tilt_deg", "aside_m")
@@ -58,10 +61,10 @@ class Drop:
         """What tells this drop from the others: contact first, then every input that differs."""
         parts = self.parts()
         differs = [i for i, part in enumerate(parts) if any(drop.parts()[i] != part for drop in drops)]
-        words = [parts[i] for i in sorted({0, *differs})]
+        words = [parts[i] for i in sorted({0, *differs, *([] if self.of_paper else [3])})]
         if self.summary["status"] != "done":
             words.append(self.summary["status"])
-        named = {"no_slip", "delta_deg", "kinematics", "device", "end_s", "fields_every_s"}
+        named = {"no_slip", "delta_deg", "kinematics", "device", "tip", "end_s", "fields_every_s", "penetrometer", "device_file", "device_profile"}
         if any(drop.inputs["kinematics"] != self.inputs["kinematics"] for drop in drops):
             named.add("points_per_element")  # its default goes with the kinematics
         for key, value in self.inputs.items():
@@ -72,7 +75,7 @@ class Drop:
     def parts(self):
         """The words that every label is made of."""
         contact = "no slip" if self.inputs["no_slip"] else f"δ = {self.inputs['delta_deg']:g}°"
-        return [contact, self.inputs["kinematics"], f"{self.inputs['device']} FFP"]
+        return [contact, self.inputs["kinematics"], f"{self.inputs['device']} FFP", self.name]
 
     def fields(self):
         """[(time, [files])] of all series in the folder, in the order of time."""
@@ -184,15 +187,18 @@ def draw_histories(drops, path):
         reaction.plot(ms, drop.reaction / 1e3, **style)
         velocity_down.plot(cm, drop.velocity, **style)
         deceleration_down.plot(cm, drop.deceleration, **style)
-    top = 1.15 * max(23, max(greatest(drop.deceleration) for drop in drops))
+    of_paper = any(drop.of_paper for drop in drops)
+    top, deepest = max(greatest(drop.deceleration) for drop in drops), max(greatest(drop.depth) * 1e2 for drop in drops)
     for axes in (deceleration, deceleration_down):
-        band(axes)
-        axes.set_ylim(-3, top)
-    depth.set_ylim(1.12 * max(21, max(greatest(drop.depth) * 1e2 for drop in drops)), 0)
-    level(depth, 20, "paper,\nδ = 20°:\n20 cm")
-    level(depth, 14, "paper,\nfully rough:\n14 cm")
-    level(velocity_down, 20, "paper,\nδ = 20°", vertical=True)
-    level(velocity_down, 14, "paper,\nfully rough", vertical=True)
+        if of_paper:
+            band(axes)
+        axes.set_ylim(-3, 1.15 * max(23 if of_paper else 1, top))
+    depth.set_ylim(1.12 * max(21 if of_paper else 0.1, deepest), 0)
+    if of_paper:
+        level(depth, 20, "paper,\nδ = 20°:\n20 cm")
+        level(depth, 14, "paper,\nfully rough:\n14 cm")
+        level(velocity_down, 20, "paper,\nδ = 20°", vertical=True)
+        level(velocity_down, 14, "paper,\nfully rough", vertical=True)
     for axes in (velocity, velocity_down):
         axes.axhline(0, color="#b9b9b9", linewidth=0.8, zorder=0)
     weight = drops[0].inputs["mass_kg"] * GRAVITY / 1e3
@@ -212,9 +218,9 @@ def draw_histories(drops, path):
     handles, labels = depth.get_legend_handles_labels()
     columns = min(len(drops), max(1, int(165 / (8 + max(map(len, labels))))))
     figure.legend(handles, labels, loc="upper center", ncol=columns, frameon=False)
-    foot = [*(f"{drop.folder}: {drop.summary['status']}, {drop.summary.get('failure', 'no end was written')}"
-              for drop in drops if drop.summary["status"] != "done"), SOURCE]
-    foot = "\n".join([*(textwrap.fill(line, 190) for line in foot[:-1]), foot[-1]])
+    foot = [textwrap.fill(f"{drop.folder}: {drop.summary['status']}, {drop.summary.get('failure', 'no end was written')}", 190)
+            for drop in drops if drop.summary["status"] != "done"]
+    foot = "\n".join([*foot, *([SOURCE] if of_paper else [])])
     figure.text(0.01, 0.008, foot, color=REFERENCE, fontsize=8, ha="left", va="bottom")
     below, above = 0.012 + 0.0185 * (1 + foot.count("\n")), 0.01 + 0.035 * -(-len(drops) // columns)
     figure.get_layout_engine().set(rect=(0, below, 1, 1 - below - above))
@@ -228,16 +234,16 @@ def draw_histories(drops, path):
     pyplot.close(figure)
 
 
-def nearest_fields(drop, wanted_times=FIELD_TIMES):
-    """The drop's fields at these times: [(time, r, y, strain)], those that there are; in space of the plane of symmetry, r along it."""
+def nearest_fields(drop, shares=FIELD_SHARES):
+    """The drop's fields at these shares of its end: [(time, r, y, strain)], those that there are; in space of the plane of symmetry, r along it."""
     series = drop.fields()
     if not series:
         return []
     times = numpy.array([time for time, _ in series])
-    chosen = []
-    for wanted in wanted_times:
-        i = int(numpy.argmin(abs(times - wanted)))
-        if abs(times[i] - wanted) < 5e-3 and i not in chosen:
+    chosen, end = [], drop.inputs["end_s"]
+    for share in shares:
+        i = int(numpy.argmin(abs(times - share * end)))
+        if abs(times[i] - share * end) < 0.05 * end and i not in chosen:
             chosen.append(i)
     shown = []
     if drop.summary["status"] != "done" and len(series) - 1 not in chosen:
@@ -259,7 +265,8 @@ def nearest_fields(drop, wanted_times=FIELD_TIMES):
 def paint(axes, drop, field):
     """The sand and the device of one time on a pair of axes whose size is known; returns the image for a colour bar."""
     time, r, y, strain = field
-    inside = (abs(r) < 1) & (abs(y) < 1) & numpy.isfinite(strain)  # what a failed run has thrown out is not drawn
+    wide = 2.5 * drop.chamber["radius_m"]
+    inside = (abs(r) < wide) & (abs(y) < wide) & numpy.isfinite(strain)  # what a failed run has thrown out is not drawn
     r, y, strain = r[inside], y[inside], strain[inside]
     order = numpy.argsort(strain)  # the sheared points on top
     r, y, strain = r[order], y[order], strain[order]
@@ -267,7 +274,7 @@ def paint(axes, drop, field):
     scale = 72 / axes.figure.dpi * box.height / numpy.ptp(axes.get_ylim())  # points of 1/72 inch a metre
     image = None
     for side in (1,) if drop.in_space else (-1, 1):
-        image = axes.scatter(side * r, y, c=strain, s=(1.5 * scale * spacing(r, y)) ** 2, marker="s", linewidths=0, cmap="magma_r",
+        image = axes.scatter(side * r, y, c=strain, s=(1.5 * scale * spacing(r, y, 0.05 * drop.chamber["radius_m"])) ** 2, marker="s", linewidths=0, cmap="magma_r",
                              vmin=0, vmax=STRAIN_TOP, rasterized=True)
     x, height = drop.outline(time)
     axes.fill(x, height, facecolor="#d9dde1", edgecolor="#333333", linewidth=0.9, zorder=3)
@@ -276,21 +283,22 @@ def paint(axes, drop, field):
     return image
 
 
-def spacing(r, y):
-    """Distance between neighbours at each point, m, from the number of points in boxes of 2 cm."""
-    place = numpy.floor(numpy.column_stack([r, y]) / 0.02).astype(int)
+def spacing(r, y, edge):
+    """Distance between neighbours at each point, m, from the number of points in boxes of this edge, m."""
+    place = numpy.floor(numpy.column_stack([r, y]) / edge).astype(int)
     _, box, count = numpy.unique(place, axis=0, return_inverse=True, return_counts=True)
-    distance = 0.02 / numpy.sqrt(count[box.ravel()])
+    distance = edge / numpy.sqrt(count[box.ravel()])
     return numpy.minimum(distance, 1.6 * numpy.median(distance))  # grains thrown out are no larger
 
 
 def draw_strain(drops, path):
     """Panels of the deviatoric strain, a row a drop; returns whether there was anything to draw."""
-    times = FIELD_TIMES if len(drops) == 1 else FIELD_TIMES[1:]  # at the start there is nothing to compare
-    rows = [(drop, shown) for drop in drops if (shown := nearest_fields(drop, times))]
+    shares = FIELD_SHARES if len(drops) == 1 else FIELD_SHARES[1:]  # at the start there is nothing to compare
+    rows = [(drop, shown) for drop in drops if (shown := nearest_fields(drop, shares))]
     if not rows:
         return False
     columns = max(len(shown) for _, shown in rows)
+    wide, deep = (max(drop.chamber[key] for drop, _ in rows) for key in ("radius_m", "soil_depth_m"))
     figure, grid = pyplot.subplots(len(rows), columns, figsize=(3.3 * columns + 1, 2.45 * len(rows) + 0.5), squeeze=False,
                                    sharex=True, sharey=True, constrained_layout=True, dpi=130)
     heads = [time for time, *_ in rows[0][1]]
@@ -298,7 +306,7 @@ def draw_strain(drops, path):
         for axes in line[len(shown):]:
             axes.set_axis_off()
         for column, (axes, (time, *_)) in enumerate(zip(line, shown)):
-            axes.set(xlim=(-0.4, 0.4), ylim=(-0.4, 0.2), aspect="equal", xticks=[-0.3, 0, 0.3])
+            axes.set(xlim=(-wide, wide), ylim=(-deep, wide / 2), aspect="equal", xticks=[-0.75 * wide, 0, 0.75 * wide])
             if line[0] is grid[0, 0] or column >= len(heads) or abs(time - heads[column]) > 5e-4:
                 axes.set_title(f"{time * 1e3:.0f} ms", fontsize=11)
         line[0].set_ylabel((drop.label(drops).replace(", ", "\n") + "\n" if len(rows) > 1 else "") + "height [m]", fontsize=9)
@@ -325,10 +333,11 @@ def draw_cover(drop, path):
         sys.exit(f"plot.py: {drop.folder}: a cover needs field files (--fields-every)")
     figure = pyplot.figure(figsize=(10, 4.4), dpi=120)
     sand = figure.add_axes([0.01, 0.02, 0.56, 0.96])
-    sand.set(xlim=(-0.3, 0.3), ylim=(-0.3, 0.15), aspect="equal")
+    wide = 0.75 * drop.chamber["radius_m"]
+    sand.set(xlim=(-wide, wide), ylim=(-wide, wide / 2), aspect="equal")
     sand.set_axis_off()
     figure.canvas.draw()
-    field = min(shown, key=lambda one: abs(one[0] - 0.04))
+    field = min(shown, key=lambda one: abs(one[0] - 0.4 * drop.inputs["end_s"]))
     image = paint(sand, drop, field)
     inset = sand.inset_axes([0.72, 0.93, 0.26, 0.025])
     bar = figure.colorbar(image, cax=inset, orientation="horizontal", extend="max", ticks=[0, STRAIN_TOP / 2, STRAIN_TOP])

@@ -17,7 +17,7 @@ import os
 import sys
 
 from pictures import COLOURS, REFERENCE, pyplot, save_pictures
-from plot import FIELD_TIMES, STRAIN_TOP, Drop, level, nearest_fields, paint
+from plot import FIELD_SHARES, STRAIN_TOP, Drop, level, nearest_fields, paint
 from regular_file import read_json
 
 EXPERIMENT_PEAK = 19.4  # g
@@ -80,7 +80,7 @@ def figure_3(paper, kinematics, law):
 
 def figure_4(paper, kinematics, law):
     drop = paper.of(kinematics, "rigid", law).get(20)
-    shown = nearest_fields(drop, FIELD_TIMES) if drop else []
+    shown = nearest_fields(drop, FIELD_SHARES) if drop else []
     if not shown:
         return None
     figure, rows = pyplot.subplots(1, len(shown), figsize=(3.2 * len(shown) + 1, 3.6), squeeze=False, sharey=True,

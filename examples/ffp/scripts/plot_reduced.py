@@ -12,7 +12,7 @@ import sys
 
 import numpy
 
-from pictures import COLOURS, REFERENCE, pyplot, save_pictures
+from pictures import COLOURS, REFERENCE, device_name, pyplot, save_pictures
 from regular_file import read_json, read_table
 
 
@@ -85,8 +85,8 @@ def draw(records, target):
         axes.spines[["top" if axes is resistance else "right", "right"]].set_visible(False)
         axes.legend(loc="lower right" if axes is motion else "best", frameon=False, fontsize=9)
     window = first.found["settings"]["window_s"] * 1e3
-    figure.supxlabel(f"impact at {first.found['impact_velocity_m_s']:.2f} m/s; deceleration: mean over {window:g} ms" if window else "",
-                     color=REFERENCE, fontsize=8)
+    filtered = f"; deceleration: mean over {window:g} ms" if window else ""
+    figure.supxlabel(f"{device_name(first.found)}; impact at {first.found['impact_velocity_m_s']:.2f} m/s{filtered}", color=REFERENCE, fontsize=8)
     return save_pictures(figure, target, "reduced")
 
 

@@ -15,12 +15,15 @@ def rows(found):
     """[(quantity, text)] of a summary.json."""
     ended = {"done": "ran to its end", "running": "has not ended, or was killed"}.get(found["status"], found["status"])
     table = [("run", ended)]
+    if "penetrometer" in found:
+        table.insert(0, ("penetrometer", penetrometer(found["penetrometer"])))
     if "failure" in found:
         table.append(("", found["failure"]))
     if "final_penetration_m" in found:
         table += [
             ("depth", f"{found['final_penetration_m']:.3f} m at {found['end_s'] * 1e3:.0f} ms"),
             ("greatest depth", f"{found['max_penetration_m']:.3f} m at {found['max_penetration_time_s'] * 1e3:.0f} ms"),
+            *tilted(found),
             ("peak deceleration", peak(found, "peak")),
             ("second peak", peak(found, "second_peak")),
             ("peak reaction", f"{found['peak_reaction_N'] / 1e3:.2f} kN (2 ms mean)"),
@@ -35,6 +38,19 @@ def rows(found):
     table.append(("warnings", "none" if not warnings else f"{len(warnings)}"))
     table += [("", text) for text in warnings]
     return table
+
+
+def tilted(found):
+    """How a penetrometer that may turn came to rest."""
+    if found.get("final_tilt_deg") is None:
+        return []
+    return [("at rest", f"tilted by {found['final_tilt_deg']:.1f} deg, its tip {found['final_aside_m'] * 100:.1f} cm to the side that it pointed to")]
+
+
+def penetrometer(one):
+    """Name and sizes of the penetrometer."""
+    sizes = f"{one['diameter_m'] * 100:.3g} cm wide, {one['length_m'] * 100:.3g} cm long, {one['mass_kg']:.3g} kg"
+    return f"{one['name']}: {sizes} ({one['mean_density_kg_m3']:,.0f} kg/m3)"
 
 
 def error_bars(bar):

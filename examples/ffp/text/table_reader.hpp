@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <compare>
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
@@ -99,6 +100,12 @@ inline std::optional<std::vector<std::string>> fields_of(std::string_view line, 
 
 }  // namespace detail
 
+/// How well a line does as a header: how many of the wanted columns it names, and how clearly.
+struct HeaderMatch {
+  int found = 0, clearly = 0;
+  auto operator<=>(const HeaderMatch&) const = default;
+};
+
 class TableReader {
  public:
   /// `what`: the input, in the errors of a file that cannot be opened. `whole_lines`: a last line without
@@ -109,42 +116,69 @@ class TableReader {
         in_{arenite::shared_detail::open_input(path, what, most, file_)},
         whole_lines_{whole_lines} {}
 
-  /// Looks for the header: the first line of which one separator makes `wanted` of what `count(names)`
-  /// counts. Lines above it are titles; the one that comes closest is the header if there is none before a
-  /// row of numbers or the end. Throws `error` for numbers below nothing of a header.
-  template <class Count>
-  bool find_header(int wanted, const Count& count) {
-    int most = 0;
-    while (next_line()) {
-      bool numbers = false;
-      for (const char separator : {'\t', ';', ',', ' '}) {
-        auto names = detail::fields_of(line_, separator);
-        if (!names) continue;
-        while (!names->empty() && names->back().empty()) names->pop_back();
-        if (names->empty()) continue;
-        numbers = numbers || std::ranges::all_of(*names, [](const std::string& text) {
-                    return detail::number_with_comma(text).has_value();
-                  });
-        const int found = count(*names);
-        if (found <= most) continue;
+  /// Looks for the header: the first line of which one separator makes `wanted` of the columns that
+  /// `match(names)` finds. Lines above it are titles; the one that comes closest is the header if there is none
+  /// before a row of numbers or the end, and if none comes close one with as many fields as the numbers, or the
+  /// most. Throws `error` for numbers below nothing of a header, with its cure.
+  template <class Match>
+  bool find_header(int wanted, const Match& match, std::string_view cure = "") {
+    HeaderMatch most;
+    for (std::string above; next_line(); above = line_) {
+      const auto numbers = separator_of_numbers(0);
+      for (const char separator : separators_of_header()) {
+        auto names = names_in(line_, separator);
+        if (names.empty()) continue;
+        const HeaderMatch found = match(names);
+        if (found < most ||
+            (found == most && (found.found > 0 || separator == ' ' || names.size() <= header_.size())) ||
+            (found.found == 0 && numbers))
+          continue;
         most = found;
-        header_ = std::move(*names);
+        header_ = std::move(names);
         separator_ = separator;
       }
-      if (most == wanted) return true;
-      if (numbers && most > 0) return false;
-      if (numbers)
-        throw error(joined_text({file_, ": line ", row_,
-                                 " is a row of numbers, and no header names the columns; put a line such as "
-                                 "\"time_s,deceleration_g\" first"}));
+      if (most.found == wanted) return true;
+      if (!numbers) continue;
+      if (most.found > 0 || header_.size() == names_in(line_, *numbers).size() ||
+          is_header(above, *numbers) || (is_number(line_) && is_header(above, '\t')))
+        return false;
+      throw error(joined_text({file_, ": line ", row_,
+                               " is a row of numbers, and no header names the columns; put a line such as "
+                               "\"time_s,deceleration_g\" first",
+                               cure}));
     }
     return false;
+  }
+
+  /// Looks for the first row of at least `least` numbers, which `next` then reads. The line above is the header
+  /// if it has as many fields, else the columns are named "1", "2" and so on. Throws `error` if there is no such
+  /// row, or if that is not the first.
+  void find_numbers(std::size_t least) {
+    std::size_t line_above = 0;
+    for (std::string above; next_line(); above = line_, line_above = row_) {
+      const auto numbers = separator_of_numbers(least);
+      if (!numbers) continue;
+      if (std::ranges::any_of(names_in(above, *numbers), is_number))
+        throw error(joined_text({file_, ": line ", line_above, " = ", shown(above), ": must be a row of ",
+                                 names_in(line_, *numbers).size(),
+                                 " numbers, as the one below it; put # before a title"}));
+      if (!is_header(above, *numbers)) {
+        separator_ = *numbers;
+        for (std::size_t n = names_in(line_, separator_).size(); header_.size() < n;)
+          header_.push_back(joined_text({header_.size() + 1}));
+      }
+      pending_ = true;
+      return;
+    }
+    if (row_ > 0)
+      throw error(joined_text({file_, ": has no row of ", least > 1 ? joined_text({least, " or more "}) : "",
+                               "numbers alone; give columns by their names in a header"}));
   }
 
   /// The next row; false at the end.
   bool next() {
     do {
-      if (!next_line()) return finished();
+      if (!std::exchange(pending_, false) && !next_line()) return finished();
       auto fields = detail::fields_of(line_, separator_);
       if (!fields) refuse("", ": leaves a quote open");
       fields_ = std::move(*fields);
@@ -176,7 +210,7 @@ class TableReader {
     if (!value || !std::isfinite(*value))
       refuse(column, text.find(':') == std::string::npos
                          ? "must be a number"
-                         : "must be a number; turn times of the clock into seconds");
+                         : "must be a number; turn times of the clock into seconds, or give --rate");
     if (comma && ambiguous_.empty() && !decimal_comma_) ambiguous_ = text;
     decimal_comma_ = decimal_comma_ || (comma && detail::is_decimal_comma(text));
     return *value;
@@ -188,6 +222,50 @@ class TableReader {
   }
 
  private:
+  static constexpr char separators[] = {'\t', ';', ',', ' '};
+
+  static bool is_number(const std::string& text) { return detail::number_with_comma(text).has_value(); }
+  /// Fields of a line, without empty ones at its end; none if it leaves a quote open.
+  static std::vector<std::string> names_in(const std::string& line, char separator) {
+    auto names = detail::fields_of(line, separator).value_or(std::vector<std::string>{});
+    while (!names.empty() && names.back().empty()) names.pop_back();
+    return names;
+  }
+  /// Those that split this line; if there are blanks alone between its words it may also be one name.
+  std::string separators_of_header() const {
+    std::string found;
+    for (const char s : separators) {
+      if (s == ' ' && found.empty()) found = "\t";
+      if (names_in(line_, s).size() > 1) found += s;
+    }
+    return found;
+  }
+  /// The one that makes this line a row of at least `least` numbers. Throws `error` if a comma may be it, or the
+  /// decimal mark of a column that is chosen by number.
+  std::optional<char> separator_of_numbers(std::size_t least) const {
+    std::optional<char> found;
+    std::size_t most = 0;
+    for (const char s : separators) {
+      const auto names = names_in(line_, s);
+      if (names.empty() || names.size() < least || !std::ranges::all_of(names, is_number)) continue;
+      if (found && least > 0 && names.size() != most)
+        refuse(" = " + shown(line_),
+               ": may be one number with a decimal comma, or two; write points, or give the column by its "
+               "name in a header");
+      if (names.size() > most) found = s;
+      most = std::max(most, names.size());
+    }
+    return found;
+  }
+  /// Whether a line names the columns of this one, the first row of numbers.
+  bool is_header(const std::string& line, char separator) {
+    auto names = names_in(line, separator);
+    if (names.size() != names_in(line_, separator).size()) return false;
+    header_ = std::move(names);
+    separator_ = separator;
+    return true;
+  }
+
   [[noreturn]] void refuse(const std::string& where, const std::string& rule) const {
     throw error(joined_text({file_, ": line ", row_, where, rule}));
   }
@@ -222,6 +300,7 @@ class TableReader {
   bool whole_lines_;
   std::string line_;
   std::size_t row_ = 0;
+  bool pending_ = false;  ///< the line is a row that `next` has not read yet
   char separator_ = ',';
   std::vector<std::string> header_, fields_;
   std::size_t comma_line_ = 0, point_line_ = 0;  ///< the first with such a mark; 0: none

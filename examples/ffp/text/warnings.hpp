@@ -16,10 +16,10 @@ namespace arenite::ffp {
 /// While it lives, the library's warnings come here.
 class WarningLog {
  public:
-  /// `run`: name of the run in front of what is said; empty: none.
-  explicit WarningLog(const std::string& run = "")
-      : before_{on_warning([this, run](const std::string& text) {
-          say((run.empty() ? "" : run + ": ") + "warning: " + shown(text, 1000));
+  /// `run`: name of the run in front of what is said; empty: none. `kept`: they are not said.
+  explicit WarningLog(const std::string& run = "", bool kept = false)
+      : before_{on_warning([this, run, kept](const std::string& text) {
+          if (!kept) say((run.empty() ? "" : run + ": ") + "warning: " + shown(text, 1000));
           texts_.push_back(text);
         })} {}
   WarningLog(const WarningLog&) = delete;

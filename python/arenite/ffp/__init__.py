@@ -10,6 +10,7 @@ Everything here runs the program `arenite-ffp`. A keyword is an option of the pr
 """
 
 from ._columns import Columns
+from ._device import Device
 from ._drop import Drop, drop
 from ._help import help
 from ._record import Record, record
@@ -17,4 +18,4 @@ from ._reduction import Reduction, reduce
 from ._sweep import sweep
 from ._table import Table
 
-__all__ = ["Columns", "Drop", "Record", "Reduction", "Table", "drop", "help", "record", "reduce", "sweep"]
+__all__ = ["Columns", "Device", "Drop", "Record", "Reduction", "Table", "drop", "help", "record", "reduce", "sweep"]

@@ -11,6 +11,7 @@ import subprocess
 import sys
 import threading
 from contextlib import suppress
+from itertools import takewhile
 from pathlib import Path
 from typing import List, Mapping, NamedTuple, Set
 
@@ -62,11 +63,13 @@ class Ending(NamedTuple):
 
     @property
     def sentence(self) -> str:
-        """What it said is wrong, without its name in front."""
-        for line in reversed(self.said):
+        """What it said is wrong, without its name in front, with the list below it, if there is one."""
+        for at in reversed(range(len(self.said))):
+            line = self.said[at]
             if line.startswith(f"{NAME}: ") and not line.startswith(f"{NAME}: warning: "):
                 # Who gave keywords has no command line to ask.
-                return re.sub(r": no such option of (\w+)$", r"\g<0>; arenite.ffp.help('\1') lists them", line[len(NAME) + 2:])
+                sentence = re.sub(r": no such option of (\w+)$", r"\g<0>; arenite.ffp.help('\1') lists them", line[len(NAME) + 2:])
+                return "\n".join([sentence, *takewhile(lambda below: below.startswith("  "), self.said[at + 1:])])
         how = f"by signal {-self.code}" if self.code < 0 else f"with exit code {self.code}"
         return f"{NAME} ended {how} and did not say why"
 

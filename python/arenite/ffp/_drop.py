@@ -12,6 +12,7 @@ from .._files import read_json
 from .._folder import Folder, PathLike
 from ._columns import Columns
 from ._curve import Curve
+from ._device import with_device
 from ._driver import Runs
 from ._mean import moving_mean
 from ._plot import draw
@@ -115,7 +116,7 @@ def drop(*, out: Optional[PathLike] = None, quiet: bool = True, **options: objec
     quiet    False: the program's progress goes to standard error
     options  of `arenite.ffp.help("drop")`, with units and limits: `delta=32` (deg), `cell=0.005` (m), `tip="blunt"`, `error_bar=True`;
              flags and options of on and off take True and False, None is an option that is not given. `resume=False` runs anew
-             whatever `out` holds, `resume=True` refuses a folder of other inputs
+             whatever `out` holds, `resume=True` refuses a folder of other inputs. `penetrometer` takes a `Device`, too
 
     Raises `Error` if an option or the folder cannot be used, and `RunError` if the drop fails on its way; what it wrote until then stays
     in `out`. What it warns of is issued as warnings. Ctrl-C ends it after its step, and the same call with `out` goes on from there.
@@ -128,7 +129,7 @@ def drop(*, out: Optional[PathLike] = None, quiet: bool = True, **options: objec
 
 def run_drop(runs: Runs, folder: Folder, options: Mapping[str, object], quiet: bool, keeps: bool) -> Drop:
     """The drop in a folder, run or found there. `keeps`: the folder may hold an earlier one."""
-    values = values_of("drop", {**options, "out": folder.path, "quiet": bool(quiet)})
+    values = values_of("drop", {**with_device(options), "out": folder.path, "quiet": bool(quiet)})
     tries = [values]
     if keeps and options.get("resume") is None:
         tries.insert(0, {**values, "resume": True})

@@ -54,6 +54,6 @@ class Record(Mapping[str, "NDArray[numpy.float64]"]):
 
 def record(path: PathLike, **options: object) -> Record:
     """Reads a measured record: a table (CSV) with a time and a deceleration, whose columns are found by their names ("time_s",
-    "t [ms]", "deceleration_g", "Acceleration (m/s^2)"), or the probe's raw .bin. Impact, velocity and depth are found as in `reduce`,
+    "t [ms]", "deceleration_g", "Acceleration (m/s^2)") or told (`column`, `time_column`, `rate`), or the probe's raw .bin. Impact, velocity and depth are found as in `reduce`,
     whose options it takes: `time_unit="ms"`, `reads="proper"`, `impact_velocity=5.6`, `calibration="probe.json"`."""
     return Record(os.path.basename(os.fspath(path)), reduce(path, **options))  # type: ignore[arg-type]

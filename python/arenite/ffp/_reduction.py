@@ -12,6 +12,7 @@ from .._files import read_json
 from .._folder import Folder, PathLike
 from . import _driver
 from ._columns import Columns
+from ._device import with_device
 from ._plot import draw_resistance
 from ._text import quantity
 from ._words import values_of
@@ -91,14 +92,16 @@ def reduce(file_or_drop: PathLike, *, out: Optional[PathLike] = None, quiet: boo
                   drop's inputs then stand for the options that are not given
     out           folder of reduced.json and reduced.csv; without, a temporary one that goes with the result
     quiet         False: the program's table goes to standard error
-    options       of `arenite.ffp.help("reduce")`: `mass=7.71`, `unit_weight=15100`, `medium="water"`; `scale={"18g": 1.6e5}`
+    options       of `arenite.ffp.help("reduce")`: `mass=7.71`, `unit_weight=15100`, `medium="water"`; `scale={"18g": 1.6e5}`;
+                  of a table `column="Acc Z (g)"` or `column=3`, `rate=2000`; `column=("ax_g", "ay_g", "az_g"), reads="proper"`.
+                  `penetrometer` takes a `Device`, too
 
     What the record and the options do not agree in is issued as warnings, and is in `reduction["warnings"]`. Raises `Error` if an
     option or the record cannot be used.
     """
     file = os.fspath(file_or_drop)
     folder = Folder(out)
-    values = values_of("reduce", {"no_picture": True, **options, "out": folder.path, "quiet": bool(quiet)})
+    values = values_of("reduce", {"no_picture": True, **with_device(options), "out": folder.path, "quiet": bool(quiet)})
     _driver.run({"command": "reduce", "file": file, "options": values}, quiet).check()
     found = reduction_in(folder)
     if found is None:

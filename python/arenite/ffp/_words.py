@@ -22,7 +22,8 @@ def values_of(command: str, options: Mapping[str, object]) -> Dict[str, Union[bo
 
 
 def text_of(value: object) -> str:
-    """A value as the program takes it: numbers with all of their digits, a mapping as "a=1,b=2", other iterables as "1,2"."""
+    """A value as the program takes it: numbers with all of their digits, a mapping as "a=1,b=2", other iterables as "1,2",
+    with quotes around a text that has a comma."""
     if isinstance(value, (numpy.generic, numpy.ndarray)) and value.ndim == 0:
         value = value.item()
     if isinstance(value, (str, os.PathLike)):
@@ -32,5 +33,5 @@ def text_of(value: object) -> str:
     if isinstance(value, Mapping):
         return ",".join(f"{key}={text_of(one)}" for key, one in value.items())
     if isinstance(value, Iterable):
-        return ",".join(text_of(one) for one in value)
+        return ",".join(f'"{text}"' if "," in text else text for text in map(text_of, value))
     return str(value)

@@ -1,5 +1,6 @@
 """Whole drops: their files and numbers, the same bits on any threads and widths."""
 
+import json
 import os
 import unittest.mock
 
@@ -69,6 +70,47 @@ class Drops(DriverTest):
             for n in (9, 49))))
         self.assertLess(abs(depth[0] / depth[1] - 1), 0.015)  # 0.6 %; 5 % if only cells filled by 0.9 count
         self.assertLess(abs(peak[0] / peak[1] - 1), 0.03)  # 1 %; 10 %
+
+
+class Devices(DriverTest):
+    """Penetrometers of other sizes and outlines."""
+
+    def test_a_quarter_of_the_size(self):
+        """Lengths over 4, times and velocities over 2, stiffness over 4, mass over 64: the same drop, to the bit, for all are powers of 2."""
+        large, _ = self.run_drop("size_1", *SHORT)
+        small, found = self.run_drop("size_4", "--diameter", "0.021875", "--length", "0.15775", "--mass", "0.12046875", "--velocity", "2.8",
+                                     "--young", "1.25e6", "--cell", "0.01", "--points-per-element", "10", "--end", "0.005",
+                                     "--fields-every", "0")
+        self.assertGreater(len(large["time_s"]), 50)
+        for name, scale in (("time_s", 2), ("penetration_m", 4), ("velocity_m_s", 2), ("acceleration_m_s2", 1), ("reaction_N", 64),
+                            ("kinetic_energy_J", 256), ("contact_dissipation_J", 256), ("mean_volume_ratio", 1)):
+            self.assertEqual([scale * x for x in small[name]], large[name], name)
+        told = found["penetrometer"]
+        self.assertEqual((told["name"], told["diameter_m"], told["length_m"]), ("bluedrop, cone, changed", 0.021875, 0.15775))
+        self.assertAlmostEqual(told["section_m2"], 3.7582e-4, delta=1e-8)
+        self.assertEqual(found["chamber"], {"radius_m": 0.1, "soil_depth_m": 0.1})
+        self.assertTrue(any("is coarser than an eighth of the penetrometer's diameter, 0.00273 m" in text for text in found["warnings"]))
+
+    def test_outlines(self):
+        """The same cone drawn as an outline drops as itself; a ball and a sphere drop, too, and their reductions know them."""
+        profile = '{"name": "drawn", "mass_kg": 7.71, "profile": [[0, 0], [0.04375, 0.07577722283113838], [0.04375, 0.631]]}'
+        with open("drawn.json", "w") as file:
+            file.write(profile)
+        plain, _ = self.run_drop("plain", *SHORT)
+        drawn, found = self.run_drop("drawn", *SHORT, "--device-file", "drawn.json")
+        self.assertEqual(len(drawn["time_s"]), len(plain["time_s"]))
+        for a, b in zip(drawn["penetration_m"], plain["penetration_m"]):
+            self.assertAlmostEqual(a, b, delta=1e-9)
+        self.assertEqual(found["inputs"]["device_profile"]["profile"][1], [0.04375, 0.07577722283113838])
+        again, _ = self.run_drop("again", "--input", "drawn/summary.json")
+        self.assertEqual(again["penetration_m"], drawn["penetration_m"])
+        for name, mass in (("ball-100cm2", "6"), ("sphere-25cm", "40")):
+            columns, found = self.run_drop(name, "--penetrometer", name, "--mass", mass, "--accuracy", "coarse", "--end", "0.03",
+                                           "--fields-every", "0")
+            self.assert_consistent(columns, mass=float(mass))
+            self.assertEqual(found["penetrometer"]["name"], name)
+            with open(os.path.join(name, "reduced.json")) as file:
+                self.assertEqual(json.load(file)["penetrometer"], found["penetrometer"])
 
 
 class OtherDrops(DriverTest):

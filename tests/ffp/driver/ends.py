@@ -33,6 +33,7 @@ class Failures(DriverTest):
         columns, found = self.assert_failed(
             "used_up", "failed", *COARSE, "--delta", "0", "--velocity", "12", "--mass", "20", "--fields-every", "0.01")
         self.assertIn("the compressing zone below -0.06 m is used up after a travel of", found["failure"])
+        self.assertIn("; the sand is 0.4 m deep: give more --soil-depth", found["failure"])
         self.assert_consistent(columns, mass=20, velocity=12)
 
     def test_watch(self):
@@ -40,7 +41,7 @@ class Failures(DriverTest):
         options = [*COARSE, "--flip", "0.999"]
         free, found = self.run_drop("free", *options, "--no-watch", "--fields-every", "0")
         self.assertNotIn("watch", found)
-        self.assertEqual(found["warnings"], [])
+        self.assertEqual(shared.warnings_of(found), [])
         swelling = max(abs(ratio - 1) for ratio in free["mean_volume_ratio"])
         limit = str(swelling / 2)
         columns, found = self.assert_failed("watched", "failed", *options, "--watch-volume", limit, "--fields-every", "0.09")

@@ -205,6 +205,27 @@ class Pictures(DriverTest):
             self.assertTrue(content("pictures", name).startswith(b"\x89PNG"), name)
             self.assertGreater(len(content("pictures", name)), 10000)
 
+    def test_values_of_the_paper_belong_to_its_case(self):
+        """Other penetrometers, sands and impacts are drawn under their own names, without the paper's values."""
+        paper = [*COARSE, "--end", "0.01", "--fields-every", "0"]
+        cases = {"as_paper": ([], "bluedrop, cone"), "rough": (["--delta", "40"], "bluedrop, cone"),
+                 "other_sand": (["--friction", "35"], "bluedrop, cone"), "slow": (["--velocity", "3"], "bluedrop, cone"),
+                 "blunt": (["--tip", "blunt"], "bluedrop, blunt"),
+                 "ball": (["--penetrometer", "ball-100cm2", "--mass", "8"], "ball-100cm2")}
+        for folder, (options, _) in cases.items():
+            self.run_drop(folder, *paper, *options)
+        ask = "import sys, plot\nfor f in sys.argv[1:]: d = plot.Drop(f); print(f, d.of_paper, d.label([d]), sep='|')"
+        done = subprocess.run(["/usr/bin/python3", "-c", ask, *cases], capture_output=True, text=True,
+                              env={**os.environ, "PYTHONPATH": shared.SCRIPTS})
+        self.assertEqual(done.returncode, 0, done.stderr)
+        for line, (folder, (_, name)) in zip(done.stdout.splitlines(), cases.items()):
+            of_paper = folder in ("as_paper", "rough")
+            label = "δ = 40°" if folder == "rough" else "δ = 20°"
+            self.assertEqual(line, f"{folder}|{of_paper}|{label}" + ("" if of_paper else f", {name}"))
+        script = os.path.join(shared.SCRIPTS, "plot.py")
+        self.assertEqual(subprocess.run(["/usr/bin/python3", script, "ball"], capture_output=True).returncode, 0)
+        self.assertGreater(len(content("ball", "histories.png")), 10000)
+
 
 if __name__ == "__main__":
     shared.main()

@@ -52,6 +52,9 @@ class Meshes(DriverTest):
         refuse("cut.msh", "")
         refuse(good, "tetrahedra", "--kinematics", "slice")
         refuse(solid.write("solid.msh", "4.1"), "triangles")
+        self.run_drop("mesh_blunt", *COARSE, "--end", "1e-5", "--tip", "blunt")
+        refuse(Mesh("mesh_blunt").write("blunt.msh", "2.2"), "radius of the device in --mesh = 0.04375: must be that of bluedrop, cone at ")
+        refuse(good, "must be that of bluedrop, blunt, 0.003794332158 m^3, within 5 %", "--tip", "blunt")
         for region in ("soil", "device"):
             broken = Mesh("mesh_good")
             broken.region_names = {{region: "stone"}.get(n, n): k for n, k in broken.region_names.items()}
@@ -65,7 +68,7 @@ class Meshes(DriverTest):
             del broken.sets[name]
             refuse(broken.write(f"no_{name}.msh", "2.2"), name, "--kinematics", "slice")
         for name, rule, change in (
-            ("inch", "must lie in [0.1, 2] m", lambda x, y, z: (x / 0.0254, y / 0.0254, z)),
+            ("inch", "must be --diameter = 0.0875 m within 2 %; give --diameter 3.44 --length 24.8, or is the mesh not in metres?", lambda x, y, z: (x / 0.0254, y / 0.0254, z)),
             ("raised", "tip of the device, y = 0.1: must be 0 m", lambda x, y, z: (x, y + 0.1, z)),
             ("shallow", "bottom of the soil, y = -0.05: must lie below", lambda x, y, z: (x, max(y, y / 8), z)),
         ):

@@ -75,6 +75,7 @@ class Words(DriverTest):
         _, found = self.run_drop("reported", *SHORT)
         code, out, err = report("reported")
         self.assertEqual((code, err), (0, ""))
+        self.assertIn("penetrometer       bluedrop, cone: 8.75 cm wide, 63.1 cm long, 7.71 kg (2,209 kg/m3)\n", out)
         self.assertIn(f"depth              {found['final_penetration_m']:.3f} m at 10 ms", out)
         self.assertIn(f"peak deceleration  {found['peak_deceleration_g']:.1f} g at ", out)
         self.assertIn("reported/history.csv", out)

@@ -94,11 +94,11 @@ Measurement read_measurement_of_drop(const std::filesystem::path& folder, const 
     if (inputs.value("kinematics", "") ==
         "space") {  // deceleration and velocity are those of the centre of mass
       m.depth = history_column(folder / "history.csv", "penetration_m");
-      m.notes.push_back(joined_text(
-          {"depth is that of the tip, velocity that of the centre of mass; it came to rest tilted by ",
-           rounded(summary.value("final_tilt_deg", 0.0)), " deg and ",
-           rounded(100 * summary.value("final_aside_m", 0.0)),
-           " cm aside, and areas are those of an upright one"}));
+      m.notes.push_back(
+          joined_text({"depth is that of the tip, velocity that of the centre of mass; it ended tilted by ",
+                       rounded(summary.value("final_tilt_deg", 0.0)), " deg and ",
+                       rounded(100 * summary.value("final_aside_m", 0.0)),
+                       " cm aside, and areas are those of an upright one"}));
     }
     return m;
   } catch (const Json::exception&) {

@@ -44,7 +44,7 @@ def tilted(found):
     """How a penetrometer that may turn came to rest."""
     if found.get("final_tilt_deg") is None:
         return []
-    return [("at rest", f"tilted by {found['final_tilt_deg']:.1f} deg, its tip {found['final_aside_m'] * 100:.1f} cm to the side that it pointed to")]
+    return [("at its end", f"tilted by {found['final_tilt_deg']:.1f} deg, its tip {found['final_aside_m'] * 100:.1f} cm to the side that it pointed to")]
 
 
 def penetrometer(one):

@@ -81,9 +81,9 @@ void check_mass(const DeviceOptions& o);
 template <class Options, class Visitor>
 void visit_device_options(Options& o, Visitor& v) {
   v.choice("--penetrometer", penetrometer_words, o.penetrometer,
-           "The paper's free-fall penetrometer, a standard cone of 10 or 15 cm2 (35.7, 43.7 mm) or a ball of "
-           "100 cm2 on "
-           "a rod; the options below change it");
+           "The paper's free-fall penetrometer, a standard cone of 10 or 15 cm2 (35.7, 43.7 mm), a ball of "
+           "100 cm2 "
+           "on a rod, or a sphere of 25 cm; the options below change it");
   v.text("--device-file", o.device_file, "FILE.json",
          "Any other, by a file or the JSON itself: {\"name\": .., \"profile\": [[0, 0], [radius, height] "
          "..], \"mass_kg\": ..}, in m from "

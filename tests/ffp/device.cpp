@@ -2,15 +2,16 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <utility>
 #include <vector>
 
-#include "../../examples/ffp/command/read_drop.hpp"
 #include "../../examples/ffp/drop/results.hpp"
 #include "../../examples/ffp/geometry/mesh_grid.hpp"
 #include "../../examples/ffp/geometry/mesh_quality.hpp"
 #include "../../examples/ffp/options/device_json.hpp"
 #include "../../examples/ffp/reduce/reduction_files.hpp"
 #include "catch.hpp"
+#include "read_words.hpp"
 #include "reductions.hpp"
 
 using namespace arenite;
@@ -18,26 +19,15 @@ using namespace arenite::ffp;
 
 namespace {
 
-DropOptions drop_of(const std::vector<std::string>& words) {
-  std::ostringstream answer;
-  const auto o = read_drop(words, answer);
-  REQUIRE(o.has_value());
-  return *o;
-}
-
-std::string refusal_of_drop(const std::vector<std::string>& words) {
-  try {
-    drop_of(words);
-  } catch (const error& e) {
-    return e.what();
-  }
-  return "accepted";
+std::string refusal_of_drop(std::vector<std::string> words) {
+  words.insert(words.begin(), "drop");
+  return refusal_of(std::move(words));
 }
 
 }  // namespace
 
 TEST_CASE("without options the penetrometer, its chamber and its mesh are the paper's, to the bit") {
-  const DropOptions o = drop_of({});
+  const DropOptions o = read({});
   const DeviceShape published;
   const DeviceShape shape = o.shape();
   CHECK(
@@ -49,14 +39,14 @@ TEST_CASE("without options the penetrometer, its chamber and its mesh are the pa
   CHECK((of.cell == sizes.cell && of.at_cone == sizes.at_cone && of.refined == sizes.refined &&
          of.fine_radius == sizes.fine_radius && of.moving_depth == sizes.moving_depth));
   CHECK(o.device_mass() == 7.71);
-  CHECK(drop_of({"--tip", "cone-truncated"}).shape().flat == truncated_radius);
-  CHECK(drop_of({"--tip", "parabolic"}).shape().parabola == parabola_constant);
-  CHECK(drop_of({"--shoulder", "fillet"}).shape().fillet == 0.01);
+  CHECK(read({"--tip", "cone-truncated"}).shape().flat == truncated_radius);
+  CHECK(read({"--tip", "parabolic"}).shape().parabola == parabola_constant);
+  CHECK(read({"--shoulder", "fillet"}).shape().fillet == 0.01);
 }
 
 TEST_CASE("standard cones have the areas that they are called by") {
   for (const auto& [name, area] : {std::pair{"cone-10cm2", 10e-4}, {"cone-15cm2", 15e-4}}) {
-    const auto o = drop_of({"--penetrometer", name, "--mass", "1"});
+    const auto o = read({"--penetrometer", name, "--mass", "1"});
     const Device device{o.shape()};
     CHECK(std::abs(device.projected_area(device.length()) / area - 1) < 2e-3);
     CHECK(o.device_name() == name);
@@ -66,8 +56,8 @@ TEST_CASE("standard cones have the areas that they are called by") {
 }
 
 TEST_CASE("cells, chamber and zones of the mesh follow the penetrometer") {
-  const DropOptions paper = drop_of({}),
-                    small = drop_of({"--diameter", "0.021875", "--length", "0.15775", "--mass", "0.12"});
+  const DropOptions paper = read({}),
+                    small = read({"--diameter", "0.021875", "--length", "0.15775", "--mass", "0.12"});
   CHECK(small.size() == 0.25);
   const auto a = mesh_axisymmetric(paper.body(), paper.chamber(), paper.mesh_sizes()).data;
   const auto b = mesh_axisymmetric(small.body(), small.chamber(), small.mesh_sizes()).data;
@@ -89,7 +79,7 @@ TEST_CASE("a penetrometer of any angle, flat end and slenderness has a mesh of g
           std::vector<std::string> words{"--diameter", "0.05",   "--length", length,       "--cone-angle",
                                          angle,        "--mass", "4",        "--accuracy", accuracy};
           if (*flat) words.insert(words.end(), {"--tip", "cone-truncated", "--flat", flat});
-          const auto o = drop_of(words);
+          const auto o = read(words);
           const auto mesh = mesh_axisymmetric(o.body(), o.chamber(), o.mesh_sizes()).data;
           const auto q = mesh_quality(mesh);
           CHECK(q.at("soil").min_altitude > 0.3 * o.cell_size());
@@ -134,7 +124,7 @@ TEST_CASE("an outline of lines is the cone that it draws; a ball and a sphere ar
       written("cone.json", joined_text({R"({"name": "drawn", "source": "a drawing", "mass_kg": 7.71, )",
                                         R"("profile": [[0, 0], [)", exactly(cone.radius), ", ", exactly(h),
                                         "], [", exactly(cone.radius), ", ", exactly(cone.length), "]]}"}));
-  const DropOptions drawn = drop_of({"--device-file", file}), plain = drop_of({});
+  const DropOptions drawn = read({"--device-file", file}), plain = read({});
   const Device a = drawn.body(), b = plain.body();
   CHECK((drawn.device_mass() == plain.device_mass() && drawn.device_name() == "drawn"));
   CHECK((a.radius() == b.radius() && a.length() == b.length() && a.tip_end() == b.tip_end()));
@@ -156,7 +146,7 @@ TEST_CASE("an outline of lines is the cone that it draws; a ball and a sphere ar
     CHECK(std::abs(near.length() - like.length()) < 1e-15);
   }
 
-  const Device ball{drop_of({"--penetrometer", "ball-100cm2", "--mass", "5"}).shape()};
+  const Device ball{read({"--penetrometer", "ball-100cm2", "--mass", "5"}).shape()};
   const double r = 0.1128 / 2, rod = 0.0357 / 2, neck = r + std::sqrt(r * r - rod * rod);
   CHECK(std::abs(ball.projected_area(1) / 100e-4 - 1) < 1e-3);
   CHECK(std::abs(ball.projected_area(neck) - pi * r * r) < 1e-17);
@@ -164,10 +154,10 @@ TEST_CASE("an outline of lines is the cone that it draws; a ball and a sphere ar
   CHECK(std::abs(ball.mantle_area(1) / (2 * pi * r * r) - 1) < 4e-4);
   const double cut = neck - r, under = 2 * pi / 3 * r * r * r + pi * cut * (r * r - cut * cut / 3);
   CHECK(std::abs(ball.volume() / (under + pi * rod * rod * (ball.length() - neck)) - 1) < 1e-3);
-  const Device sphere{drop_of({"--penetrometer", "sphere-25cm", "--mass", "50"}).shape()};
+  const Device sphere{read({"--penetrometer", "sphere-25cm", "--mass", "50"}).shape()};
   CHECK(std::abs(sphere.volume() / (pi / 6 * 0.25 * 0.25 * 0.25) - 1) < 1e-3);
   CHECK((sphere.length() == 0.25 && sphere.radius() == 0.125));
-  DeviceShape wider = drop_of({"--penetrometer", "sphere-25cm", "--mass", "50"}).shape();
+  DeviceShape wider = read({"--penetrometer", "sphere-25cm", "--mass", "50"}).shape();
   wider.offset = 0.003;
   CHECK(std::abs(Device{wider}.radius() - 0.128) < 1e-6);
   CHECK(std::abs(Device{wider}.length() - 0.256) < 1e-5);
@@ -177,7 +167,7 @@ TEST_CASE("an outline parallel to that of a ball on a rod: its own ball, a neck 
   const double r = 0.1128 / 2, rod = 0.0357 / 2;
   for (const double offset : {-0.005, -0.001, 0.003, 0.01}) {
     CAPTURE(offset);
-    DeviceShape shape = drop_of({"--penetrometer", "ball-100cm2", "--mass", "5"}).shape();
+    DeviceShape shape = read({"--penetrometer", "ball-100cm2", "--mass", "5"}).shape();
     shape.offset = offset;
     const Device met{shape};
     const double ball = r + offset, neck = ball + std::sqrt(ball * ball - square(rod + offset));
@@ -188,9 +178,9 @@ TEST_CASE("an outline parallel to that of a ball on a rod: its own ball, a neck 
     CHECK(std::abs(met.profile(ball / 2) - std::sqrt(0.75) * ball) < 2e-4 * ball);  // facets of 2 deg
     CHECK(std::abs(met.length() - (met.instrument().length() + 2 * offset)) < 1e-15);
     CHECK(met.instrument().radius() ==
-          Device{drop_of({"--penetrometer", "ball-100cm2", "--mass", "5"}).shape()}.radius());
+          Device{read({"--penetrometer", "ball-100cm2", "--mass", "5"}).shape()}.radius());
   }
-  DeviceShape thin = drop_of({"--penetrometer", "ball-100cm2", "--mass", "5"}).shape();
+  DeviceShape thin = read({"--penetrometer", "ball-100cm2", "--mass", "5"}).shape();
   thin.offset = -0.02;
   CHECK_THROWS_WITH(Device{thin}, Catch::Matchers::Contains("must leave each piece of the profile"));
 }
@@ -203,7 +193,7 @@ TEST_CASE("meshes of balls and spheres: whole cells at every size") {
         std::vector<std::string> words{
             "--penetrometer", name, "--mass", name[0] == 'b' ? "5" : "50", "--cell", exactly(share * scale)};
         if (refined > 0) words.insert(words.end(), {"--cell-at-cone", exactly(refined * share * scale)});
-        const DropOptions o = drop_of(words);
+        const DropOptions o = read(words);
         CAPTURE(name, share, refined);
         const auto mesh = mesh_axisymmetric(o.body(), o.chamber(), o.mesh_sizes()).data;
         const auto q = mesh_quality(mesh);
@@ -250,8 +240,7 @@ TEST_CASE("a file of a penetrometer that cannot be one is refused, with its name
               "--length: goes without --penetrometer sphere-25cm"));
   CHECK(holds(refusal_of_drop({"--penetrometer", "ball-100cm2", "--length", "0.1", "--mass", "5"}),
               "--length = 0.1: must be more than the diameter of the ball, 0.1128 m"));
-  CHECK(drop_of({"--penetrometer", "sphere-25cm", "--diameter", "0.1", "--mass", "3"}).body().length() ==
-        0.1);
+  CHECK(read({"--penetrometer", "sphere-25cm", "--diameter", "0.1", "--mass", "3"}).body().length() == 0.1);
 }
 
 TEST_CASE("what is written of a penetrometer gives it back") {
@@ -268,7 +257,7 @@ TEST_CASE("what is written of a penetrometer gives it back") {
         {"--device-file", probe},
         {"--diameter", "0.05", "--length", "0.4", "--cone-angle", "90", "--tip", "cone-truncated", "--flat",
          "0.01", "--mass", "3"}}) {
-    const DropOptions o = drop_of(words);
+    const DropOptions o = read(words);
     const DeviceOptions back = device_in(inputs_of(o));
     const DeviceShape a = o.shape(), b = back.shape();
     CHECK((a.radius == b.radius && a.length == b.length && a.apex == b.apex && a.flat == b.flat &&

@@ -34,47 +34,38 @@ Device::Section Device::section_of(const DeviceShape& s) {
   return s.parabola > 0 ? with_cylinder(ParabolaSection{s}) : with_cylinder(ConeSection{s});
 }
 
-Device::Device(const DeviceShape& shape) : s_{shape}, section_{section_of(shape)} {}
-
-namespace {
-
-/// What a section tells.
-template <class Section, class Question>
-auto asked(const Section& section, Question&& question) {
-  return std::visit(question, section);
-}
-
-}  // namespace
+Device::Device(const DeviceShape& shape)
+    : s_{shape}, section_{section_of(shape)}, own_{section_of(without_offset(shape))} {}
 
 double Device::radius() const {
-  return asked(section_, [](const auto& s) { return s.radius(); });
+  return std::visit([](const auto& s) { return s.radius(); }, section_);
 }
 double Device::length() const {
-  return asked(section_, [](const auto& s) { return s.length(); });
+  return std::visit([](const auto& s) { return s.length(); }, section_);
 }
 double Device::flat_radius() const {
-  return asked(section_, [](const auto& s) { return s.flat_radius(); });
+  return std::visit([](const auto& s) { return s.flat_radius(); }, section_);
 }
 double Device::tip_above() const {
-  return asked(section_, [](const auto& s) { return s.tip_above(); });
+  return std::visit([](const auto& s) { return s.tip_above(); }, section_);
 }
 double Device::tip_end() const {
-  return asked(section_, [](const auto& s) { return s.tip_end(); });
+  return std::visit([](const auto& s) { return s.tip_end(); }, section_);
 }
 double Device::profile(double y) const {
   if (y < 0) return 0;
   if (y == 0) return flat_radius();
-  return asked(section_, [&](const auto& s) { return s.profile(y); });
+  return std::visit([&](const auto& s) { return s.profile(y); }, section_);
 }
 double Device::rise(double y) const {
-  return asked(section_, [&](const auto& s) { return s.rise(y); });
+  return std::visit([&](const auto& s) { return s.rise(y); }, section_);
 }
 std::vector<double> Device::marks(double shortest) const {
-  return asked(section_, [&](const auto& s) { return s.marks(shortest); });
+  return std::visit([&](const auto& s) { return s.marks(shortest); }, section_);
 }
 
 std::vector<Point2> Device::outline() const {
-  auto line = asked(section_, [](const auto& s) { return s.tip_line(); });
+  auto line = std::visit([](const auto& s) { return s.tip_line(); }, section_);
   const Point2 top{profile(length()), length()};
   if (line.back() != top) line.push_back(top);
   if (top[0] > 0) line.emplace_back(0, length());
@@ -92,15 +83,14 @@ double Device::volume() const {
 }
 
 double Device::projected_area(double depth) const {
-  const Device body = instrument();
-  const auto* any = std::get_if<ProfileSection>(&body.section_);
-  const double r = any && depth >= 0 ? any->widest_below(depth) : body.profile(depth);
+  if (depth < 0) return 0;
+  const double r = std::visit([&](const auto& s) { return s.widest_below(depth); }, own_);
   return pi * r * r;
 }
 
 double Device::mantle_area(double depth) const {
   if (depth < 0) return 0;
-  return asked(instrument().section_, [&](const auto& s) { return s.mantle_area(depth); });
+  return std::visit([&](const auto& s) { return s.mantle_area(depth); }, own_);
 }
 
 }  // namespace arenite::ffp

@@ -58,11 +58,7 @@ class Device {
   double volume() const;
 
   /// The penetrometer itself: this one without offset.
-  Device instrument() const {
-    DeviceShape shape = s_;
-    shape.offset = 0;
-    return Device{shape};
-  }
+  Device instrument() const { return Device{without_offset(s_)}; }
 
   /// Area of the largest section of the penetrometer (without offset) in the ground, m^2, with its tip at
   /// `depth` below the surface, m: 0 above the ground. The area of a part in the ground, projected along the axis.
@@ -76,9 +72,13 @@ class Device {
  private:
   using Section = std::variant<ConeSection, ParabolaSection, ProfileSection>;
   static Section section_of(const DeviceShape& shape);
+  static DeviceShape without_offset(DeviceShape shape) {
+    shape.offset = 0;
+    return shape;
+  }
 
   DeviceShape s_;
-  Section section_;
+  Section section_, own_;  ///< of the surface that the sand meets, and of the penetrometer itself
 };
 
 /// Share of the device's motion that a node of the mesh makes. The mesh moves as a whole from `moving_depth`

@@ -63,6 +63,7 @@ class ConeSection : public CylinderSection {
   std::vector<double> marks(double shortest) const;
   std::vector<Point2> tip_line() const;
   double mantle_area(double depth) const;
+  double widest_below(double y) const { return profile(y); }
 
  private:
   double tangent() const { return fillet_ * std::tan(half_angle() / 2); }
@@ -81,6 +82,7 @@ class ParabolaSection : public CylinderSection {
   std::vector<double> marks(double) const { return {cone_height()}; }
   std::vector<Point2> tip_line() const;
   double mantle_area(double depth) const;
+  double widest_below(double y) const { return profile(y); }
 
  private:
   ParallelParabola parabola_;

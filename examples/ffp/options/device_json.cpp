@@ -21,8 +21,8 @@ auto meaning_of(const Words& words, const std::string& name, const char* what) {
 }  // namespace
 
 Json json_of(const DeviceOptions& o, double mass) {
-  const Device device{o.shape()};
   const DeviceShape shape = o.shape();
+  const Device device{shape};
   Json j;
   j["name"] = o.device_name();
   j["source"] = o.profile ? o.profile->source

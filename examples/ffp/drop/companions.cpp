@@ -30,7 +30,7 @@ std::vector<int> other_counts(std::span<const int> counts, int n) {
 std::vector<Companion> companions_of(const DropOptions& drop) {
   DropOptions base = drop;
   base.error_bar = base.resume = false;
-  base.quiet = base.keeps_warnings = true;
+  base.quiet = base.is_companion = true;
   base.fields_every = 0;
   const auto coarser = [&](double ratio) {
     DropOptions o = base;
@@ -41,7 +41,6 @@ std::vector<Companion> companions_of(const DropOptions& drop) {
   std::vector<Companion> all;
   const auto add = [&](const std::string& name, DropOptions o) {
     o.out += "/error-bar/" + name;
-    o.name = "error-bar/" + name;
     all.push_back({name, std::move(o)});
   };
   add("cells-2", coarser(coarsest_ratio));

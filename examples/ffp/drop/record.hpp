@@ -265,7 +265,7 @@ void record(const DropOptions& o, const Make& make) {
     if (!o.quiet) say(joined_text({"the run in ", shown(o.out), " is finished; nothing to do"}));
     return;
   }
-  WarningLog warnings(o.name, o.keeps_warnings);
+  WarningLog warnings(!o.is_companion);
   auto scene = [&] {
     try {
       return make();
@@ -280,7 +280,7 @@ void record(const DropOptions& o, const Make& make) {
   const ExpectedSteps expected = accepted_steps(scene, o);
   const bool resumed = earlier.has_state;
   Run<Model, decltype(scene)> run(scene, o, expected, warnings,
-                                  earlier.has_state ? RunFolder::Earlier::kept : RunFolder::Earlier::removed);
+                                  resumed ? RunFolder::Earlier::kept : RunFolder::Earlier::removed);
   if (!o.quiet)
     say(joined_text({"about ", rounded(expected.count), " steps of ", rounded(expected.length), " s, ",
                      scene.point_count(), " points"}));
@@ -288,7 +288,7 @@ void record(const DropOptions& o, const Make& make) {
     run.resume(std::move(earlier));
   else if (o.resume && !o.quiet)
     say(joined_text({"no state is saved in ", shown(o.out), ": from the start"}));
-  if (!resumed && o.name.empty() && o.cell && o.cell_size() > o.outer_diameter() / 8)
+  if (!resumed && !o.is_companion && o.cell && o.cell_size() > o.outer_diameter() / 8)
     warn(joined_text({"--cell = ", o.cell_size(),
                       " m: is coarser than an eighth of the penetrometer's diameter, ",
                       rounded(o.outer_diameter() / 8), " m; --error-bar tells what that costs"}));

@@ -96,8 +96,7 @@ struct DropOptions : DeviceOptions {
   double watch_lost = 0.1;        ///< the same: share of the points that left the mesh
   bool no_watch = false;          ///< nothing stops a run that cannot be right
   bool error_bar = false;         ///< runs the drops around it, too, that tell how far it can be trusted
-  std::string name{};             ///< of the run, in front of its warnings; empty: the only one
-  bool keeps_warnings = false;    ///< they stand in its summary alone
+  bool is_companion = false;      ///< of an error bar: its warnings stand in its summary alone
   bool force = false;             ///< runs however many steps it takes
 
   /// The paper's 10 in tetrahedra; 28 in triangles, from where on more change depth by 0.4 % and peak by 1 %:

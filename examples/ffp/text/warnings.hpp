@@ -1,4 +1,4 @@
-// The warnings of one run: said as they come, and kept for the summary.
+// The warnings of one run: kept for the summary, and said as they come.
 #pragma once
 
 #include <algorithm>
@@ -16,10 +16,10 @@ namespace arenite::ffp {
 /// While it lives, the library's warnings come here.
 class WarningLog {
  public:
-  /// `run`: name of the run in front of what is said; empty: none. `kept`: they are not said.
-  explicit WarningLog(const std::string& run = "", bool kept = false)
-      : before_{on_warning([this, run, kept](const std::string& text) {
-          if (!kept) say((run.empty() ? "" : run + ": ") + "warning: " + shown(text, 1000));
+  /// `said`: they are also told as they come.
+  explicit WarningLog(bool said)
+      : before_{on_warning([this, said](const std::string& text) {
+          if (said) say("warning: " + shown(text, 1000));
           texts_.push_back(text);
         })} {}
   WarningLog(const WarningLog&) = delete;

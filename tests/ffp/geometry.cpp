@@ -173,6 +173,7 @@ TEST_CASE("areas in the ground are those of solids, at any depth") {
   REQUIRE(std::abs(cone.mantle_area(0.03) - pi * in * std::hypot(in, 0.03)) < 1e-15);
   REQUIRE(std::abs(cone.mantle_area(0.2) - 2 * cone.projected_area(0.2)) < 1e-15);
   REQUIRE((wide.mantle_area(0.03) == cone.mantle_area(0.03) && wide.projected_area(1) == pi * r * r));
+  REQUIRE(wide.mantle_area(0.2) == cone.mantle_area(0.2));
   REQUIRE((blunt.projected_area(0) == pi * r * r && blunt.mantle_area(0.1) == pi * r * r));
 }
 

@@ -1,5 +1,4 @@
-// arenite-ffp: drops a free-fall penetrometer into dry sand and writes what happens, and reads measured
-// drops.
+// arenite-ffp: drops a penetrometer into dry sand or pushes one into the ground, and reads measured drops.
 #include <csignal>
 #include <exception>
 #include <iostream>
@@ -19,6 +18,7 @@
 #include "drop/error_bar.hpp"
 #include "paper/paper.hpp"
 #include "paper/paper_cases.hpp"
+#include "push/push.hpp"
 #include "reduce/reduce.hpp"
 #include "reduce/reduction.hpp"
 #include "text/say.hpp"
@@ -52,6 +52,20 @@ void drop(const DropOptions& o) {
   set_threads(o.threads);
   drop_units().at(unit_of(o))(o);
 }
+
+namespace {
+
+void (*push_unit)(const PushOptions&) = nullptr;
+
+}  // namespace
+
+PushUnit::PushUnit(void (*run)(const PushOptions&)) { push_unit = run; }
+
+void push(const PushOptions& o) {
+  if (push_unit == nullptr) throw NotBuilt("push");
+  push_unit(o);
+}
+void run_command(const PushOptions& o) { o.error_bar ? push_with_error_bar(o) : push(o); }
 
 /// A drop, and what practitioners read off it.
 void run_command(const DropOptions& o) {

@@ -337,7 +337,7 @@ def values(given):
 
 @pytest.mark.parametrize("given, sentence", [
     ("", "values: is no JSON"), ("[" * 200000, "values: is nested deeper than 64 levels"), ([], "values = []: must be an object"),
-    ({}, "command: must be drop, reduce or paper, not nothing"), ({"command": 1}, "values = command: must be a text"),
+    ({}, "command: must be drop, push, reduce or paper, not nothing"), ({"command": 1}, "values = command: must be a text"),
     ({"command": "drop", "options": []}, "values = options: must be an object"),
     ({"command": "drop", "options": {"delta": "x"}}, "--delta = x: must be a number"),
     ({"command": "drop", "options": {"delta": [1]}}, "--delta = [1]: must be a number, a text, true or false"),
@@ -371,14 +371,14 @@ def test_wrong_options_are_told_in_the_programs_words(told, words, tmp_path):
 
 
 def test_help_is_the_programs():
-    for command in ("drop", "reduce"):
+    for command in ("drop", "push", "reduce"):
         text = ffp.help(command)
         typed = re.findall(r"^  --([a-z0-9-]+)", program(command, "--help")[1], re.MULTILINE)
         listed = re.findall(r"^  ([a-z0-9_]+)=", text, re.MULTILINE)
         assert set(typed) - {"version", "help", "input"} == {name.replace("_", "-") for name in listed} and repr(text) == text
         assert text in ffp.help()
     assert "  delta=DEG\n      Angle of friction between sand and penetrometer, in [0, 60] deg (default 20)\n" in ffp.help("drop")
-    with pytest.raises(Error, match="^command: must be drop, reduce or paper, not dorp"):
+    with pytest.raises(Error, match="^command: must be drop, push, reduce or paper, not dorp"):
         ffp.help("dorp")
     with pytest.raises(Error, match="^--help: is no option of a run"):
         ffp.drop(help=True)

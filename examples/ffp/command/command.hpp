@@ -8,16 +8,17 @@
 
 #include "../options/option_table.hpp"
 #include "../options/paper_options.hpp"
+#include "../options/push_options.hpp"
 #include "../options/reduce_options.hpp"
 #include "../text/words.hpp"
 
 namespace arenite::ffp {
 
-using Command = std::variant<DropOptions, ReduceOptions, PaperOptions>;
+using Command = std::variant<DropOptions, PushOptions, ReduceOptions, PaperOptions>;
 
 /// Throws `error`: there is no command of this name.
 [[noreturn]] inline void refuse_command(const std::string& command) {
-  throw error(joined_text({"command: must be drop, reduce or paper, not ",
+  throw error(joined_text({"command: must be drop, push, reduce or paper, not ",
                            command.empty() ? "nothing" : shown(command), "; see arenite-ffp --help"}));
 }
 

@@ -107,6 +107,7 @@ std::optional<Command> command_of_values(const Json& all, std::ostream& answer) 
     return found.get<std::string>();
   };
   const auto drop = [](auto& o, auto& reader) { visit_options(o, reader); };
+  const auto push = [](auto& o, auto& reader) { visit_push_options(o, reader); };
   const auto reduce = [](auto& o, auto& reader) { visit_reduce_options(o, reader); };
   const auto paper = [](auto& o, auto& reader) { visit_paper_options(o, reader); };
   const std::string command = text("command");
@@ -119,6 +120,7 @@ std::optional<Command> command_of_values(const Json& all, std::ostream& answer) 
     };
     const std::string of = text("of");
     if (of == "drop") return tell(DropOptions{}, drop);
+    if (of == "push") return tell(PushOptions{}, push);
     if (of == "reduce") return tell(ReduceOptions{}, reduce);
     if (of == "paper") return tell(PaperOptions{}, paper);
     refuse_command(of);
@@ -128,6 +130,7 @@ std::optional<Command> command_of_values(const Json& all, std::ostream& answer) 
     take_input(given);
     return options_of<DropOptions>(command, std::move(given), drop);
   }
+  if (command == "push") return options_of<PushOptions>(command, std::move(given), push);
   if (command == "reduce") {
     ReduceOptions options;
     options.file = text("file");

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "../text/bar_words.hpp"
 #include "../text/say.hpp"
 #include "companions.hpp"
 #include "drop.hpp"
@@ -43,14 +44,6 @@ FinishedRun run_companion(const Companion& companion, bool resume) {
   return run;
 }
 
-/// "0.195 +- 0.012": two digits of the uncertainty, and the value as far.
-std::string with_bar(double value, double u) {
-  const int decimals = u > 0 ? std::clamp(1 - static_cast<int>(std::floor(std::log10(u))), 0, 9) : 6;
-  std::array<char, 64> text{};
-  std::snprintf(text.data(), text.size(), "%.*f +- %.*f", decimals, value, decimals, u);
-  return text.data();
-}
-
 /// "0.195 +- 0.012 m", or what is known of it.
 std::string words_of(const BarredResult& r, const std::string& unit) {
   const auto total = r.uncertainty.total();
@@ -59,20 +52,8 @@ std::string words_of(const BarredResult& r, const std::string& unit) {
          unit + ")";
 }
 
-/// What the three sizes of cells say, also to those who do not know what an order is.
-std::string words_of_cells(const BarredResult& r) {
-  if (!r.cells) return "unknown";
-  if (r.cells->trend == Trend::constant) return "constant";
-  const auto order = r.cells->order;
-  const std::string text = order ? " (order " + rounded(*order) + ")" : "";
-  if (r.converged()) return "converged" + text + ", limit " + rounded(*r.cells->extrapolated);
-  return "not converged: " +
-         (!order         ? "it goes up and down with the size"
-          : *order <= 0  ? "it changes more, the smaller the cells" + text
-          : *order < 0.5 ? "its changes hardly shrink with the cells" + text
-          : *order > 2   ? "its changes shrink faster than the order of the method allows" + text
-                         : "drops with cells of one size differ by as much" + text) +
-         ", so that no bar can be defended; 3 times the spread is told";
+std::string words_on_cells(const BarredResult& r) {
+  return r.cells ? words_of_cells(*r.cells, "drops") : "unknown";
 }
 
 Json json_of(const BarredResult& r) {
@@ -155,8 +136,8 @@ void drop_with_error_bar(const DropOptions& options) {
   if (options.quiet) return;
 
   std::cout << "final penetration " << words_of(depth, "m") << ", peak " << words_of(peak, "g") << '\n'
-            << part_line("cells", depth, peak, "depth " + words_of_cells(depth)) << '\n'
-            << std::string(40, ' ') << "peak " << words_of_cells(peak) << '\n'
+            << part_line("cells", depth, peak, "depth " + words_on_cells(depth)) << '\n'
+            << std::string(40, ' ') << "peak " << words_on_cells(peak) << '\n'
             << part_line("contact_offset", depth, peak, "surface moved by a quarter of a cell") << '\n'
             << part_line("points", depth, peak, "other numbers of points, and jittered ones") << '\n'
             << part_line("flip_time", depth, peak, "share of FLIP with another time constant") << '\n'

@@ -11,12 +11,14 @@
 
 namespace arenite::ffp {
 
-/// The chamber of the experiment. The sand lies from -`soil_depth` to 0, the model ends `headroom` above the
-/// sand.
+/// The chamber of the experiment. Heights are above the tip at the start: the sand lies
+/// from -`soil_depth` to `embedded`, the model ends at `headroom`.
 struct Chamber {
   double radius = 0.4;      ///< m
   double soil_depth = 0.4;  ///< m
   double headroom = 0.7;    ///< m, above the surface of the sand: the model is 1.1 m high
+  double embedded = 0;      ///< depth of the device's tip in the ground at the start, m
+  double lid = 0;           ///< height of the uppermost ground, a region of its own, m; 0: none
 };
 
 /// The chamber in proportion to a penetrometer: as many diameters wide and deep as the experiment's, and its headroom above it.

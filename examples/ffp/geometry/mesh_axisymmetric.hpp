@@ -17,7 +17,7 @@
 
 namespace arenite::ffp {
 
-enum Region : int { soil = 0, air = 1, device = 2 };
+enum Region : int { soil = 0, air = 1, device = 2, lid = 3 };
 
 /// Lengths of the mesh. All follow `cell`, so that a finer mesh is the same mesh, refined.
 struct MeshSizes {
@@ -69,10 +69,15 @@ class AxisymmetricMesher {
     require(s.top_ratio >= 1, "MeshSizes.top_ratio", s.top_ratio, "must be at least 1");
     require(chamber.headroom > body.length(), "Chamber.headroom", chamber.headroom,
             "must be more than the device's length");
+    require(chamber.embedded >= 0 && chamber.embedded <= body.length(), "Chamber.embedded", chamber.embedded,
+            "must lie between 0 and the device's length");
+    require(chamber.lid >= 0 && chamber.lid <= chamber.embedded, "Chamber.lid", chamber.lid,
+            "must lie between 0 and Chamber.embedded");
   }
 
   AxisymmetricMesh operator()() {
     mesh_.data.region_names = {{"soil", soil}, {"air", air}, {"device", device}};
+    if (chamber_.lid > 0) mesh_.data.region_names.emplace("lid", lid);
     columns_ = graded(0, chamber_.radius, [&](double x) { return width(x); });
     make_row_heights();
     set_tip();
@@ -103,7 +108,8 @@ class AxisymmetricMesher {
     const double h = sizes_.cell, deep = -sizes_.moving_depth;
     append(even(-chamber_.soil_depth, deep, sizes_.layer_ratio * h));
     append(graded(deep, 0, [&](double y) { return sizes_.edge(-y, h); }));
-    const double from = chamber_.soil_depth / 2;  // the soil that rises around the cylinder stays below
+    const double from =
+        chamber_.embedded + chamber_.soil_depth / 2;  // the soil that rises around the cylinder stays below
     const auto marks = body_.marks(sizes_.cone_cell() / 2);
     const double tip_end = *std::prev(std::upper_bound(marks.begin(), marks.end(), body_.tip_end()));
     const auto height = [&](double y) {
@@ -120,6 +126,11 @@ class AxisymmetricMesher {
         }));
       at = mark;
     }
+    for (const double mark : {chamber_.embedded - chamber_.lid, chamber_.embedded})
+      if (mark > at && mark < body_.length()) {
+        append(graded(at, mark, height));
+        at = mark;
+      }
     append(graded(at, body_.length(), height));
     append(graded(body_.length(), chamber_.headroom, height));
   }
@@ -179,10 +190,15 @@ class AxisymmetricMesher {
     rows_.push_back(std::move(row));
   }
 
+  /// Of the cells beside the device whose row ends at a height.
+  Region region_at(double above) const {
+    if (above > chamber_.embedded) return air;
+    return above > chamber_.embedded - chamber_.lid ? lid : soil;
+  }
+
   void add_strip(std::size_t j) {
     const double below = mesh_.row_height[j], above = mesh_.row_height[j + 1];
-    join(rows_[j].outside, above == 0 ? whole(rows_[j + 1]) : rows_[j + 1].outside, above <= 0 ? soil : air,
-         j);
+    join(rows_[j].outside, above == 0 ? whole(rows_[j + 1]) : rows_[j + 1].outside, region_at(above), j);
     if (below >= 0) join(rows_[j].inside, rows_[j + 1].inside, above <= body_.length() ? device : air, j);
   }
 
@@ -253,7 +269,7 @@ class AxisymmetricMesher {
 }  // namespace detail
 
 /// Triangles of the half-section r >= 0, counter-clockwise, fitted to the device with its tip at the origin.
-/// Regions: "soil" (y < 0), "device", "air" (the rest). Node sets: "axis", "wall", "bottom", "top", "device"
+/// Regions: "soil", of it "lid" where the chamber has one, "device", "air" (the rest). Node sets: "axis", "wall", "bottom", "top", "device"
 /// (all nodes of device cells), "device_surface" (tip and cylinder; the flat top's inner nodes, which soil
 /// never meets, are left out). Throws `error` if the sizes do not fit the chamber.
 inline AxisymmetricMesh mesh_axisymmetric(const Device& body, const Chamber& chamber = {},

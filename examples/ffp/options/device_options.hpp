@@ -77,9 +77,9 @@ void check(const DeviceOptions& o);
 /// Throws `error` if the mass is not known, or gives a mean density that no penetrometer has.
 void check_mass(const DeviceOptions& o);
 
-/// Shows the options to a visitor: see `visit_options` in option_table.hpp.
+/// Shows the options of the shape to a visitor: see `visit_options` in option_table.hpp.
 template <class Options, class Visitor>
-void visit_device_options(Options& o, Visitor& v) {
+void visit_device_shape(Options& o, Visitor& v) {
   v.choice("--penetrometer", penetrometer_words, o.penetrometer,
            "The paper's free-fall penetrometer, a standard cone of 10 or 15 cm2 (35.7, 43.7 mm), a ball of "
            "100 cm2 "
@@ -100,12 +100,17 @@ void visit_device_options(Options& o, Visitor& v) {
   v.number("--flat", o.flat, "M", above(0, 2, "m"),
            "Diameter of the flat end that cuts the cone, with --tip cone-truncated, of itself 0.0044 in the "
            "BlueDrop's 0.0875");
-  v.number("--mass", o.mass, "KG", Range{0.001, 1e5, "kg"},
-           "Mass of the whole penetrometer, of itself 7.71 with a cone, 9.15 parabolic, 10.30 blunt; to be "
-           "given for another size or angle");
   v.choice("--shoulder", shoulder_words, o.shoulder, "Edge between cone and cylinder");
   v.number("--fillet", o.fillet, "M", Range{0.0005 * o.size(), 0.03 * o.size(), "m"},
            "Radius of the rounded edge, with --shoulder fillet, of itself 0.01");
+}
+/// All of them.
+template <class Options, class Visitor>
+void visit_device_options(Options& o, Visitor& v) {
+  visit_device_shape(o, v);
+  v.number("--mass", o.mass, "KG", Range{0.001, 1e5, "kg"},
+           "Mass of the whole penetrometer, of itself 7.71 with a cone, 9.15 parabolic, 10.30 blunt; to be "
+           "given for another size or angle");
 }
 
 }  // namespace arenite::ffp

@@ -18,9 +18,9 @@ class Text(str):
 
 
 def help(command: str = "") -> Text:  # noqa: A001
-    """Options of a command, "drop" or "reduce", by their keywords, with units, ranges and defaults. Without one: of both."""
+    """Options of a command, "drop", "push" or "reduce", by their keywords, with units, ranges and defaults. Without one: of all."""
     if not command:
-        return Text("\n\n".join(help(one) for one in ("drop", "reduce")))
+        return Text("\n\n".join(help(one) for one in ("drop", "push", "reduce")))
     ending = _driver.run({"command": "options", "of": command})
     ending.check()
     lines, group = [f"Options of arenite.ffp.{command}:"], ""

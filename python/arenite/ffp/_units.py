@@ -22,7 +22,8 @@ def program_with(units: Sequence[str], check: Callable[[], None]) -> Optional[Pa
     width = _width()
     objects = PACKAGE / "lib" / f"libffp_{width}.a"
     models = sorted({unit.partition("-")[0] for unit in units})
-    sources = [PACKAGE / "share" / "arenite" / "ffp" / "drop" / f"drop_{model}.cpp" for model in models]
+    share = PACKAGE / "share" / "arenite" / "ffp"
+    sources = [share / "push" / "push_scene.cpp" if model == "push" else share / "drop" / f"drop_{model}.cpp" for model in models]
     if not all(path.is_file() for path in (objects, *sources)):
         return None
 

@@ -116,6 +116,9 @@ TEST_CASE("lengths of a push are in diameters, its speed and filter in those of 
   const PushOptions o = read_pushed({}),
                     twice = read_pushed({"--diameter", "0.0714", "--length", "0.514896"});
   CHECK(o.device_name() == "cone-10cm2");
+  const PushOptions own = read_pushed(
+      {"--device-file", R"({"name": "probe", "profile": [[0, 0], [0.02, 0.03], [0.02, 0.3]]})"});
+  CHECK((own.device_name() == "probe" && own.outer_diameter() == 0.04));
   for (const auto& [one, two] : {std::pair{o.start_depth(), twice.start_depth()},
                                  {o.way(), twice.way()},
                                  {o.cell_size(), twice.cell_size()},

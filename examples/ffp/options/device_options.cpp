@@ -55,7 +55,7 @@ void check_outline(const DeviceOptions& o) {
         {"--cone-angle", o.cone_angle.has_value()},
         {"--flat", o.flat.has_value()},
         {"--shoulder", o.shoulder != Shoulder::sharp},
-        {"--penetrometer", o.profile && o.penetrometer != Penetrometer::bluedrop},
+        {"--penetrometer", o.profile && o.penetrometer != o.of_itself},
         {"--diameter", o.profile && o.diameter},
         {"--length", o.length && (o.profile || o.penetrometer == Penetrometer::sphere)}})
     if (given) throw error(joined_text({option, ": goes without ", with, ", which tells its whole outline"}));

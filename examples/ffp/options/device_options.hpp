@@ -29,7 +29,8 @@ std::string word_of(const Words& words, Value value) {
 
 /// SI units; angles in degrees, as typed. What is not given is the named penetrometer's.
 struct DeviceOptions {
-  Penetrometer penetrometer = Penetrometer::bluedrop;
+  Penetrometer of_itself = Penetrometer::bluedrop;  ///< the named one of a command, without --penetrometer
+  Penetrometer penetrometer = of_itself;
   std::string device_file;               ///< in the place of a named one, or its content; empty: none
   std::optional<DeviceProfile> profile;  ///< what is in it: see `read_device`
   Tip tip = Tip::cone;

@@ -64,7 +64,7 @@ struct Resistance {
 };
 
 /// Net resistance changes less than this in a diameter: a steady state.
-inline constexpr double steady = 0.03;
+inline constexpr double steady = 0.05;
 
 /// Nothing where less than a diameter was pushed. diameter: m.
 std::optional<Resistance> resistance_of(std::span<const PushRow> rows, double diameter);

@@ -122,6 +122,7 @@ class PushRun {
         fields_.emplace(field_files(folder_.path(), o_.fields_every / o_.push_speed(), false));
       arenite::run(scene_, {.end = end_, .courant = o_.courant}, *this);
       numbers_.status = "done";
+      warn_of_rough_cells();
       write_summary();
     } catch (const Interruption& e) {
       end("interrupted", e.what(), e.exit_code());
@@ -207,6 +208,15 @@ class PushRun {
         fill_ratio(scene, scene.template body<"soil">(), touched, scene.mesh.region_number("device"));
     row.mean_volume_ratio = mean_volume_ratio(scene.template body<"soil">());
     return row;
+  }
+
+  /// Clay that sticks to the nodes of a rough rod shears in the cells around it, on a wider mantle than the rod's.
+  void warn_of_rough_cells() const {
+    const auto found = resistance_of(rows_, o_.outer_diameter());
+    if (o_.in_clay() && found && 1e3 * found->f_s_kPa > 1.05 * o_.strength)
+      warn(joined_text({"sleeve friction = ", rounded(found->f_s_kPa), " kPa: is more than the strength of the clay, ",
+                        o_.strength / 1e3, " kPa, which yields in the cells around the rod, not at it; so is what roughness adds to the "
+                        "resistance; finer cells (--cell) bring both down, --error-bar tells how far"}));
   }
 
   void write_summary() {

@@ -666,3 +666,20 @@ def test_notebook():
     outputs = [output for cell in book.cells for output in cell.get("outputs", [])]
     assert sum("image/png" in output.get("data", {}) for output in outputs) == 3
     assert any("Table of 6 drops" in output.get("data", {}).get("text/plain", "") for output in outputs)
+
+
+def test_pushes(tmp_path):
+    told = {"cell": 0.0107, "chamber_radius": 0.25, "start_depth": 0.09, "distance": 0.04}
+    pushed = ffp.push(**told, out=tmp_path / "a")
+    assert pushed.status == "done" and pushed.failure == "" and pushed.uncertainty is None
+    assert pushed.history["q_c_kPa"][-1] > 100 and (pushed.history["depth_m"][1:] > pushed.history["depth_m"][:-1]).all()
+    assert pushed.summary["closed_forms"][0]["source"] == "Teh and Houlsby 1991"
+    assert f"{pushed.summary['net_resistance_kPa']:.4g} kPa" in repr(pushed) and "Push(cell=0.0107" in repr(pushed)
+    assert ffp.Push(tmp_path / "a").summary == pushed.summary and f"{tmp_path / 'a'}" == os.fspath(pushed)
+    assert pushed.plot().axes[0].get_ylim()[0] > pushed.plot().axes[0].get_ylim()[1]  # depth downward
+    again = ffp.push(**{**pushed.summary["inputs"], "threads": 1})
+    assert (again.history["q_c_kPa"] == pushed.history["q_c_kPa"]).all()
+    with pytest.raises(Error, match="^--cell = 1: must lie in"):
+        ffp.push(cell=1)
+    with pytest.raises(Error, match="must be the folder of a push"):
+        ffp.Push(tmp_path)

@@ -116,8 +116,8 @@ TEST_CASE("lengths of a push are in diameters, its speed and filter in those of 
   const PushOptions o = read_pushed({}),
                     twice = read_pushed({"--diameter", "0.0714", "--length", "0.514896"});
   CHECK(o.device_name() == "cone-10cm2");
-  const PushOptions own = read_pushed(
-      {"--device-file", R"({"name": "probe", "profile": [[0, 0], [0.02, 0.03], [0.02, 0.3]]})"});
+  const PushOptions own =
+      read_pushed({"--device-file", R"({"name": "probe", "profile": [[0, 0], [0.02, 0.03], [0.02, 0.3]]})"});
   CHECK((own.device_name() == "probe" && own.outer_diameter() == 0.04));
   for (const auto& [one, two] : {std::pair{o.start_depth(), twice.start_depth()},
                                  {o.way(), twice.way()},
@@ -166,8 +166,10 @@ TEST_CASE(
 TEST_CASE("what no push can be is refused, with its value and rule") {
   for (const auto& [words, sentence] : std::vector<std::pair<std::vector<std::string>, std::string>>{
            {{"--cell", "0.02"}, "--cell = 0.02: must lie in [0.00107"},
-           {{"--from", "0.5"}, "--from = 0.5: must be less than the length of the penetrometer, 0.257"},
-           {{"--from", "0.03"}, "--from = 0.03: must be at least the height of the tip and half a diameter"},
+           {{"--start-depth", "0.5"},
+            "--start-depth = 0.5: must be less than the length of the penetrometer, 0.257"},
+           {{"--start-depth", "0.03"},
+            "--start-depth = 0.03: must be at least the height of the tip and half a diameter"},
            {{"--distance", "0.01"}, "--distance = 0.01: must be at least a diameter"},
            {{"--speed", "10"}, "--speed = 10: must be at most a tenth of the speed of shear waves, 3.4"},
            {{"--penetrometer", "sphere-25cm"}, "--penetrometer = sphere-25cm: must have a rod"},

@@ -20,7 +20,8 @@ inline std::optional<PushOptions> read_push(const std::vector<std::string>& word
   detail::OptionAdder adder{app};
   visit_push_options(options, adder);
   app.footer(
-      "The penetrometer starts in undisturbed ground, with its tip at --from. Writes history.csv (means by "
+      "The penetrometer starts in undisturbed ground, with its tip at --start-depth. Writes history.csv "
+      "(means by "
       "way of q_c, f_s and "
       "friction\n"
       "ratio), summary.json, push.png and, for ParaView, fields.pvd with fields_*.vtu into DIR.\n"

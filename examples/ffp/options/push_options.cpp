@@ -47,9 +47,9 @@ void check(const PushOptions& o) {
       "needs --ground sand; in clay it adds to the resistance as it is, and the net resistance is the same");
   const double rod = o.whole_length() - o.body().tip_end();
   require(rod > 0, "--penetrometer", o.device_name(), "must have a rod, by which it is pushed");
-  require(o.start_depth() < o.whole_length(), "--from", o.start_depth(),
+  require(o.start_depth() < o.whole_length(), "--start-depth", o.start_depth(),
           {"must be less than the length of the penetrometer, ", o.whole_length(), " m (--length)"});
-  require(o.start_depth() >= o.body().tip_end() + d / 2, "--from", o.start_depth(),
+  require(o.start_depth() >= o.body().tip_end() + d / 2, "--start-depth", o.start_depth(),
           {"must be at least the height of the tip and half a diameter, ", o.body().tip_end() + d / 2, " m"});
   require(o.way() >= d, "--distance", o.way(),
           {"must be at least a diameter, ", d, " m, for a resistance to be read"});

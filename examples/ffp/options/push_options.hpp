@@ -91,7 +91,7 @@ struct PushOptions : DeviceOptions {
 template <class Options, class Visitor>
 void visit_push_options(Options& o, Visitor& v) {
   v.group("Push");
-  v.number("--from", o.from, "M", above(0, 100, "m"),
+  v.number("--start-depth", o.from, "M", above(0, 100, "m"),
            "Depth of the tip at the start, in undisturbed ground, of itself 4 diameters");
   v.number("--distance", o.distance, "M", above(0, 100, "m"), "Way of the tip, of itself 3 diameters");
   v.number("--speed", o.speed, "M_S", Range{1e-4, 20, "m/s"},

@@ -214,9 +214,11 @@ class PushRun {
   void warn_of_rough_cells() const {
     const auto found = resistance_of(rows_, o_.outer_diameter());
     if (o_.in_clay() && found && 1e3 * found->f_s_kPa > 1.05 * o_.strength)
-      warn(joined_text({"sleeve friction = ", rounded(found->f_s_kPa), " kPa: is more than the strength of the clay, ",
-                        o_.strength / 1e3, " kPa, which yields in the cells around the rod, not at it; so is what roughness adds to the "
-                        "resistance; finer cells (--cell) bring both down, --error-bar tells how far"}));
+      warn(joined_text(
+          {"sleeve friction = ", rounded(found->f_s_kPa), " kPa: is more than the strength of the clay, ",
+           o_.strength / 1e3,
+           " kPa, which yields in the cells around the rod, not at it; so is what roughness adds to the "
+           "resistance; finer cells (--cell) bring both down, --error-bar tells how far"}));
   }
 
   void write_summary() {

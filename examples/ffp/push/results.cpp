@@ -63,7 +63,7 @@ Json inputs_of(const PushOptions& o) {
   Json j = Json::object();
   InputLister lister{j};
   visit_push_options(o, lister);
-  j["from"] = o.start_depth();
+  j["start_depth"] = o.start_depth();
   j["distance"] = o.way();
   j["speed"] = o.push_speed();
   j["cell"] = o.cell_size();

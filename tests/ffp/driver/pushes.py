@@ -11,7 +11,7 @@ import shared
 from shared import DriverTest, history, summary
 
 #: A cone of 0.3 diameters a cell, in a narrow chamber.
-COARSE = ["--cell", "0.0107", "--chamber-radius", "0.25", "--from", "0.09", "--distance", "0.072", "--no-picture"]
+COARSE = ["--cell", "0.0107", "--chamber-radius", "0.25", "--start-depth", "0.09", "--distance", "0.072", "--no-picture"]
 
 
 def push(*options, **kinds):
@@ -20,7 +20,7 @@ def push(*options, **kinds):
 
 class Pushes(DriverTest):
     def test_a_cone_in_clay(self):
-        done = push(*COARSE, "--cell", "0.0071", "--from", "0.1428", "--out", "cone")
+        done = push(*COARSE, "--cell", "0.0071", "--start-depth", "0.1428", "--out", "cone")
         self.assertEqual(done.returncode, 0, done.stderr)
         found, rows = summary("cone"), history("cone")
         self.assertEqual(found["status"], "done")

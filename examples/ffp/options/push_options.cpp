@@ -45,12 +45,15 @@ void check(const PushOptions& o) {
   require(
       !o.in_clay() || o.overburden == 0, "--overburden", o.overburden,
       "needs --ground sand; in clay it adds to the resistance as it is, and the net resistance is the same");
-  const double rod = o.whole_length() - o.body().tip_end();
+  const Device body = o.body();
+  const double rod = o.whole_length() - body.tip_end();
   require(rod > 0, "--penetrometer", o.device_name(), "must have a rod, by which it is pushed");
+  require(body.profile(body.tip_end()) > 0.999 * body.radius(), "--penetrometer", o.device_name(),
+          "must not be wider than its rod: the flow behind what is wider is not computed right");
   require(o.start_depth() < o.whole_length(), "--start-depth", o.start_depth(),
           {"must be less than the length of the penetrometer, ", o.whole_length(), " m (--length)"});
-  require(o.start_depth() >= o.body().tip_end() + d / 2, "--start-depth", o.start_depth(),
-          {"must be at least the height of the tip and half a diameter, ", o.body().tip_end() + d / 2, " m"});
+  require(o.start_depth() >= body.tip_end() + d / 2, "--start-depth", o.start_depth(),
+          {"must be at least the height of the tip and half a diameter, ", body.tip_end() + d / 2, " m"});
   require(o.way() >= d, "--distance", o.way(),
           {"must be at least a diameter, ", d, " m, for a resistance to be read"});
   require(o.cell_size() >= 0.03 * d && o.cell_size() <= 0.3 * d, "--cell", o.cell_size(),

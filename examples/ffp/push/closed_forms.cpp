@@ -1,7 +1,6 @@
 #include "closed_forms.hpp"
 
 #include <cmath>
-#include <limits>
 
 #include <arenite/core/error.hpp>
 #include <arenite/core/units.hpp>
@@ -56,25 +55,20 @@ double cavity_limit(const CavitySoil& s, double p0) {
 
 std::vector<ClosedForm> closed_forms(const PushOptions& o, double depth) {
   std::vector<ClosedForm> all;
-  const double infinity = std::numeric_limits<double>::infinity();
   const bool is_cone = !o.outline() && o.tip == Tip::cone && o.cone_angle.value_or(60) == 60;
-  const bool is_ball = !o.profile && o.penetrometer == Penetrometer::ball;
   const double rough = o.roughness == Roughness::rough ? 1 : 0, vertical = o.vertical_stress(depth);
   if (o.in_clay() && is_cone && o.rigidity_index >= 50 && o.rigidity_index <= 500) {
     const double n =
         teh_houlsby(o.rigidity_index, rough, rough, vertical * (1 - o.earth_pressure()) / (2 * o.strength));
-    all.push_back({"cone factor", "Teh and Houlsby 1991", n * o.strength, n * o.strength});
+    all.push_back({"cone factor", "Teh and Houlsby 1991", n * o.strength, false});
   }
-  if (o.in_clay() && is_ball)
-    all.push_back(
-        {"ball factor", "Randolph, Martin and Hu 2000, and others", 11.2 * o.strength, 15 * o.strength});
   if (!o.in_clay()) {
     const double mean = vertical * (1 + 2 * o.earth_pressure()) / 3, degree = pi / 180;
     all.push_back(
         {"limit of a spherical cavity, a lower guide", "Yu and Houlsby 1991",
          cavity_limit({o.young, o.poisson_ratio(), o.friction * degree, o.dilatancy * degree, o.cohesion},
                       mean),
-         infinity});
+         true});
   }
   return all;
 }

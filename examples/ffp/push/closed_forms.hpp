@@ -29,7 +29,8 @@ double cavity_limit(const CavitySoil& soil, double initial_pressure);
 /// A resistance by theory.
 struct ClosedForm {
   std::string name, source;
-  double low, high;  ///< Pa, net of the vertical stress in clay; high: infinity of a lower guide
+  double value;         ///< Pa, net of the vertical stress in clay
+  bool is_lower_guide;  ///< the resistance must be more
 };
 
 /// Those that hold for a push at a depth of the tip, m; none: no theory here fits it.

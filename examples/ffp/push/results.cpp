@@ -102,9 +102,9 @@ Json summary_of(const PushOptions& o, std::span<const PushRow> rows, const PushN
       Json& form = j["closed_forms"].emplace_back();
       form["name"] = f.name;
       form["source"] = f.source;
-      form["low_kPa"] = f.low / 1e3;
-      form["high_kPa"] = std::isfinite(f.high) ? Json(f.high / 1e3) : Json();
-      form["ratio"] = compared(o, *found) / f.low;
+      form["kPa"] = f.value / 1e3;
+      form["is_lower_guide"] = f.is_lower_guide;
+      form["ratio"] = compared(o, *found) / f.value;
     }
   }
   if (!rows.empty()) {
@@ -141,14 +141,10 @@ std::string sentence_of(const PushOptions& o, std::span<const PushRow> rows) {
                                           " % a diameter, see --distance"});
   text += joined_text({"; inertia at most ", rounded(100 * inertia_share(o, *r)), " %"});
   for (const ClosedForm& f : closed_forms(o, r->depth_m)) {
-    const double value = compared(o, *r);
-    text += "; " + f.source + ": " + net_text(o, f.low);
-    if (!std::isfinite(f.high))
-      text += " (" + f.name + ")";
-    else if (f.high > f.low)
-      text += " to " + net_text(o, f.high);
-    else
-      text += joined_text({" (", value >= f.low ? "+" : "", rounded(100 * (value / f.low - 1)), " %)"});
+    text += "; " + f.source + ": " + net_text(o, f.value);
+    const double ratio = compared(o, *r) / f.value;
+    text += f.is_lower_guide ? " (" + f.name + ")"
+                             : joined_text({" (", ratio >= 1 ? "+" : "", rounded(100 * (ratio - 1)), " %)"});
   }
   return text;
 }

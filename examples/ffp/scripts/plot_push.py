@@ -40,10 +40,7 @@ def draw(folders):
         axes[2].plot(table["friction_ratio_percent"], depth, color=colour)
         for form in found.get("closed_forms", []) if folder == folders[0] else []:
             above = table["vertical_stress_kPa"] if found["inputs"]["ground"] == "clay" else 0 * depth
-            low = (form["low_kPa"] + above) / 1e3
-            axes[0].plot(low, depth, color=REFERENCE, linestyle="--", label=f"{form['source']}, {form['name']}")
-            if form["high_kPa"] not in (None, form["low_kPa"]):
-                axes[0].fill_betweenx(depth, low, (form["high_kPa"] + above) / 1e3, color=REFERENCE, alpha=0.15)
+            axes[0].plot((form["kPa"] + above) / 1e3, depth, color=REFERENCE, linestyle="--", label=f"{form['source']}, {form['name']}")
         bar = found.get("uncertainty", {}).get("net_resistance_kPa", {}).get("u")
         if bar:
             axes[0].errorbar(found["q_c_kPa"] / 1e3, found["depth_m"] * 100, xerr=bar / 1e3, color=colour, capsize=4)

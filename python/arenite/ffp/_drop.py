@@ -4,13 +4,9 @@ from __future__ import annotations
 
 import warnings
 from functools import cached_property
-from pathlib import Path
-from typing import TYPE_CHECKING, Any, Dict, Mapping, Optional, Sequence, Union
+from typing import TYPE_CHECKING, Any, Mapping, Optional, Sequence, Union
 
-from .._errors import Error
-from .._files import read_json
 from .._folder import Folder, PathLike
-from ._columns import Columns
 from ._curve import Curve
 from ._device import with_device
 from ._driver import Runs
@@ -18,6 +14,7 @@ from ._mean import moving_mean
 from ._plot import draw
 from ._record import Record
 from ._reduction import Reduction, reduction_in
+from ._run import Run
 from ._text import keywords, quantity
 from ._words import values_of
 
@@ -29,51 +26,14 @@ __all__ = ["Drop", "drop", "run_drop"]
 GRAVITY = 9.81  # m/s^2, the program's
 
 
-class Drop:
+class Drop(Run):
     """A drop that was run, by `drop` or on the command line: `Drop("out/ffp")` reads the folder of one.
 
-    `history` and `summary` are what the program wrote; names of numbers end with their units.
+    `history` and `summary` are what the program wrote; names of numbers end with their units. `history` has a row at the start and
+    one after each step: `history["penetration_m"]` is an array [steps + 1].
     """
 
-    def __init__(self, folder: Union[PathLike, Folder], options: Optional[Mapping[str, object]] = None) -> None:
-        self._folder = folder if isinstance(folder, Folder) else Folder(folder)
-        #: What it was told, as keywords; of a folder that was only read nothing (see `summary["inputs"]`).
-        self.options: Dict[str, object] = dict(options or {})
-        self._was_told = options is not None
-        path = self.folder / "summary.json"
-        try:
-            #: The fields of summary.json: results, inputs, steps, warnings; None where there is no number.
-            self.summary: Dict[str, Any] = read_json(path)
-        except (OSError, ValueError) as problem:
-            raise Error(f"{self.folder}: must be the folder of a drop, with its summary.json ({problem})") from None
-        #: A row at the start and one after each step: `history["penetration_m"]` is an array [steps + 1].
-        self.history = Columns(self._folder, "history.csv")
-
-    @property
-    def folder(self) -> Path:
-        """Where its files lie, the fields for ParaView too; a temporary folder goes with this object."""
-        return self._folder.path
-
-    def __fspath__(self) -> str:
-        """Its folder: a drop goes wherever a path does."""
-        return str(self.folder)
-
-    @property
-    def status(self) -> str:
-        """"done"; or "failed", "interrupted", "disk-full", "running", and in a sweep "refused"."""
-        return str(self.summary["status"])
-
-    @property
-    def failure(self) -> str:
-        """When, what and where, if it is not done; else empty."""
-        return str(self.summary.get("failure", ""))
-
-    @property
-    def uncertainty(self) -> Optional[Dict[str, Any]]:
-        """With `error_bar=True`: for "final_penetration_m" and "peak_deceleration_g" the "value", its uncertainty "u" (None: a part is
-        unknown) and what that is made of. Else None."""
-        found: Optional[Dict[str, Any]] = self.summary.get("uncertainty")
-        return found
+    _kind = ("drop", "")
 
     @cached_property
     def reduction(self) -> Optional[Reduction]:

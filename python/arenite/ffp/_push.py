@@ -3,16 +3,13 @@
 from __future__ import annotations
 
 import warnings
-from pathlib import Path
-from typing import TYPE_CHECKING, Any, Dict, Mapping, Optional, Union
+from typing import TYPE_CHECKING, Any, Optional
 
-from .._errors import Error
-from .._files import read_json
 from .._folder import Folder, PathLike
 from .._optional import need
-from ._columns import Columns
 from ._device import with_device
 from ._driver import Runs
+from ._run import Run
 from ._text import keywords, quantity
 from ._words import values_of
 
@@ -22,51 +19,14 @@ if TYPE_CHECKING:
 __all__ = ["Push", "push"]
 
 
-class Push:
+class Push(Run):
     """A push that was run, by `push` or on the command line: `Push("out/push")` reads the folder of one.
 
-    `history` and `summary` are what the program wrote; names of numbers end with their units.
+    `history` and `summary` are what the program wrote; names of numbers end with their units. `history` has a row each twentieth of a
+    diameter: `history["q_c_kPa"]` is an array [rows], means over that way.
     """
 
-    def __init__(self, folder: Union[PathLike, Folder], options: Optional[Mapping[str, object]] = None) -> None:
-        self._folder = folder if isinstance(folder, Folder) else Folder(folder)
-        #: What it was told, as keywords; of a folder that was only read nothing (see `summary["inputs"]`).
-        self.options: Dict[str, object] = dict(options or {})
-        self._was_told = options is not None
-        try:
-            #: The fields of summary.json: resistance, theory beside it, inputs, warnings; None where there is no number.
-            self.summary: Dict[str, Any] = read_json(self.folder / "summary.json")
-            if "ground" not in self.summary["inputs"]:
-                raise ValueError("that of a drop")
-        except (OSError, ValueError, KeyError) as problem:
-            raise Error(f"{self.folder}: must be the folder of a push, with its summary.json ({problem})") from None
-        #: A row each twentieth of a diameter: `history["q_c_kPa"]` is an array [rows], means over that way.
-        self.history = Columns(self._folder, "history.csv")
-
-    @property
-    def folder(self) -> Path:
-        """Where its files lie; a temporary folder goes with this object."""
-        return self._folder.path
-
-    def __fspath__(self) -> str:
-        """Its folder: a push goes wherever a path does."""
-        return str(self.folder)
-
-    @property
-    def status(self) -> str:
-        """"done"; or "failed", "interrupted", "disk-full", "running"."""
-        return str(self.summary["status"])
-
-    @property
-    def failure(self) -> str:
-        """When, what and where, if it is not done; else empty."""
-        return str(self.summary.get("failure", ""))
-
-    @property
-    def uncertainty(self) -> Optional[Dict[str, Any]]:
-        """With `error_bar=True`: of "net_resistance_kPa" the "value", its uncertainty "u" (None: a part is unknown) and its parts. Else None."""
-        found: Optional[Dict[str, Any]] = self.summary.get("uncertainty")
-        return found
+    _kind = ("push", "ground")
 
     def plot(self, ax: Any = None) -> Figure:
         """Draws the resistance q_c, MPa, over the depth of the tip, cm, downward, and returns the figure. Needs matplotlib.

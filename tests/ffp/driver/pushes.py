@@ -4,6 +4,7 @@ import csv
 import json
 import math
 import os
+import shutil
 import signal
 import subprocess
 
@@ -68,6 +69,7 @@ class Pushes(DriverTest):
         self.assertGreater(found[1]["q_c_kPa"], 1.5 * found[0]["q_c_kPa"])
 
     def test_interrupted(self):
+        shutil.rmtree("stopped", ignore_errors=True)
         process = subprocess.Popen([shared.DRIVER, "push", *COARSE, "--quiet", "--out", "stopped"], stderr=subprocess.PIPE, text=True)
         try:
             while not os.path.exists("stopped/history.csv") or os.path.getsize("stopped/history.csv") < 400:

@@ -176,6 +176,8 @@ TEST_CASE("what no push can be is refused, with its value and rule") {
            {{"--penetrometer", "ball-100cm2"},
             "--penetrometer = ball-100cm2: must not be wider than its rod"},
            {{"--overburden", "1000"}, "--overburden = 1000: needs --ground sand"},
+           {{"--friction", "30"}, "--friction = 30: needs --ground sand"},
+           {{"--ground", "sand", "--strength", "1e4"}, "--strength = 10000: needs --ground clay"},
            {{"--ground", "sand", "--roughness", "rough"}, "--roughness = rough: needs --ground clay"},
            {{"--ground", "sand", "--dilatancy", "40"},
             "--dilatancy = 40: must not exceed --friction = 35 deg"},

@@ -1,6 +1,7 @@
 #include "push_options.hpp"
 
 #include <algorithm>
+#include <tuple>
 
 #include <arenite/core/error.hpp>
 
@@ -40,6 +41,17 @@ void check(const PushOptions& o) {
           "--points-per-element", o.points_per_element, "must be " + listed(triangle_points));
   require(o.dilatancy <= o.friction, "--dilatancy", o.dilatancy,
           {"must not exceed --friction = ", o.friction, " deg"});
+  const PushOptions usual;
+  for (const auto& [name, given, of_itself, of_clay] :
+       {std::tuple{"--strength", o.strength, usual.strength, true},
+        {"--rigidity-index", o.rigidity_index, usual.rigidity_index, true},
+        {"--friction", o.friction, usual.friction, false},
+        {"--dilatancy", o.dilatancy, usual.dilatancy, false},
+        {"--cohesion", o.cohesion, usual.cohesion, false},
+        {"--young", o.young, usual.young, false},
+        {"--delta", o.delta, usual.delta, false}})
+    require(given == of_itself || of_clay == o.in_clay(), name, given,
+            {"needs --ground ", of_clay ? "clay" : "sand"});
   require(o.in_clay() || o.roughness == Roughness::smooth, "--roughness", "rough",
           "needs --ground clay; in sand --delta is the friction");
   require(

@@ -71,5 +71,5 @@ def push(*, out: Optional[PathLike] = None, quiet: bool = True, **options: objec
     Runs().run({"command": "push", "options": values}, quiet).check()
     done = Push(folder, options)
     for text in done.summary.get("warnings", []):
-        warnings.warn(text, stacklevel=2)
+        warnings.warn(text, stacklevel=3)
     return done

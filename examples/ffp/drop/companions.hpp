@@ -8,10 +8,8 @@
 #include <string>
 #include <vector>
 
-#include <arenite/study/convergence.hpp>
-#include <arenite/study/uncertainty.hpp>
-
 #include "../options/option_table.hpp"
+#include "barred_result.hpp"
 
 namespace arenite::ffp {
 
@@ -46,15 +44,6 @@ std::vector<int> other_counts(std::span<const int> counts, int n);
 
 /// The drops that tell the uncertainty of one, in the order in which they run: the cheapest first.
 std::vector<Companion> companions_of(const DropOptions& drop);
-
-/// A result of a drop with its error bar.
-struct BarredResult {
-  double value = 0;
-  std::optional<Convergence> cells;  ///< nothing: one of the coarser drops has no result
-  Uncertainty uncertainty;           ///< parts "cells", "contact_offset", "points", "flip_time"
-
-  bool converged() const { return cells && cells->converged; }
-};
 
 /// The error bar of one result. `value`: of the drop; `of(name)`: of a companion, nothing if it has none. A
 /// part is unknown if a drop that it needs has no result.

@@ -43,13 +43,13 @@ inline void remove_saved_tiles(const std::filesystem::path& folder) {
   std::filesystem::remove(folder / saved_tiles_name, ignored);  // if it is empty
 }
 
-/// Whether a file of this name is one that a drop writes, or one of the pictures that plot.py draws of it:
+/// Whether a file of this name is one that a drop or a push writes, or one of the pictures that are drawn of it:
 /// what a new run removes. ".part" is what a killed run may leave of each.
 inline bool is_result(std::string_view name) {
   if (name.ends_with(".part")) name.remove_suffix(5);
   for (const std::string_view own :
        {"summary.json", "history.csv", "fields.pvd", "histories.png", "strain.png", "reduced.csv",
-        "reduced.json", "reduced.png", "reduced.svg", state_file_name})
+        "reduced.json", "reduced.png", "reduced.svg", "push.png", "push.svg", state_file_name})
     if (name == own) return true;
   for (const std::string_view part :
        {"fields_soil_", "fields_device_points_", "fields_mesh_", "fields_device_"})

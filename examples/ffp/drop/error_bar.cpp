@@ -6,8 +6,8 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "../text/bar_words.hpp"
 #include "../text/say.hpp"
+#include "barred_result.hpp"
 #include "companions.hpp"
 #include "drop.hpp"
 #include "drop_folder.hpp"
@@ -42,30 +42,6 @@ FinishedRun run_companion(const Companion& companion, bool resume) {
     run.failure = e.what();
   }
   return run;
-}
-
-/// "0.195 +- 0.012 m", or what is known of it.
-std::string words_of(const BarredResult& r, const std::string& unit) {
-  const auto total = r.uncertainty.total();
-  if (total) return with_bar(r.value, *total) + " " + unit;
-  return rounded(r.value) + " " + unit + " +- unknown (at least " + rounded(r.uncertainty.known()) + " " +
-         unit + ")";
-}
-
-std::string words_on_cells(const BarredResult& r) {
-  return r.cells ? words_of_cells(*r.cells, "drops") : "unknown";
-}
-
-Json json_of(const BarredResult& r) {
-  Json j;
-  j["value"] = r.value;
-  j["u"] = or_null(r.uncertainty.total());
-  if (!r.uncertainty.total()) j["u_at_least"] = r.uncertainty.known();
-  j["order"] = or_null(r.cells ? r.cells->order : std::nullopt);
-  j["extrapolated"] = or_null(r.cells ? r.cells->extrapolated : std::nullopt);
-  j["converged"] = r.converged();
-  for (const auto& part : r.uncertainty.parts()) j["parts"][part.name] = or_null(part.value);
-  return j;
 }
 
 /// One result of all drops, by the name of the summary.
@@ -136,8 +112,8 @@ void drop_with_error_bar(const DropOptions& options) {
   if (options.quiet) return;
 
   std::cout << "final penetration " << words_of(depth, "m") << ", peak " << words_of(peak, "g") << '\n'
-            << part_line("cells", depth, peak, "depth " + words_on_cells(depth)) << '\n'
-            << std::string(40, ' ') << "peak " << words_on_cells(peak) << '\n'
+            << part_line("cells", depth, peak, "depth " + words_of_cells(depth, "drops")) << '\n'
+            << std::string(40, ' ') << "peak " << words_of_cells(peak, "drops") << '\n'
             << part_line("contact_offset", depth, peak, "surface moved by a quarter of a cell") << '\n'
             << part_line("points", depth, peak, "other numbers of points, and jittered ones") << '\n'
             << part_line("flip_time", depth, peak, "share of FLIP with another time constant") << '\n'

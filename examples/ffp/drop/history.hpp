@@ -12,10 +12,9 @@
 
 #include <arenite/io/csv.hpp>
 
-namespace arenite::ffp {
+#include "../options/gravity.hpp"
 
-inline constexpr double standard_gravity =
-    9.81;  ///< m/s^2: gravity of the model, and the g of all decelerations
+namespace arenite::ffp {
 
 /// One row of the history. Penetration and velocity are positive down; the acceleration is the net one,
 /// positive when it slows the device; mass x (acceleration + g) = reaction. Of one that turns, over a step: mass x

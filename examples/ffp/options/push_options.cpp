@@ -5,7 +5,7 @@
 
 #include <arenite/core/error.hpp>
 
-#include "../drop/history.hpp"
+#include "gravity.hpp"
 
 namespace arenite::ffp {
 

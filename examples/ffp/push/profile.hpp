@@ -55,7 +55,7 @@ inline constexpr std::array<std::pair<const char*, double PushRow::*>, 17> push_
 /// What a push comes to.
 struct Resistance {
   double depth_m;                          ///< of the tip, at the end
-  double q_c_kPa, net_kPa;                 ///< means over the last diameter (or what there is of the way)
+  double q_c_kPa, net_kPa;                 ///< means over the last diameter
   double f_s_kPa, friction_ratio_percent;  ///< the same; NaN: no sleeve yet
   double
       growth;  ///< of the net resistance in a further diameter, over itself, from the halves of the last diameter

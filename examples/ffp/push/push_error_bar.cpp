@@ -6,12 +6,9 @@
 #include <optional>
 #include <string>
 
-#include <arenite/study/convergence.hpp>
-#include <arenite/study/uncertainty.hpp>
-
+#include "../drop/barred_result.hpp"
 #include "../drop/drop.hpp"
 #include "../drop/summary_file.hpp"
-#include "../text/bar_words.hpp"
 #include "../text/say.hpp"
 #include "../text/words.hpp"
 #include "push.hpp"
@@ -47,22 +44,18 @@ void push_with_error_bar(const PushOptions& options) {
   companion("cells-2-speed-2", 2, 2);
   companion("cells-1.41", root2, 1);
 
-  const double value = summary.at("net_resistance_kPa").get<double>(), cell = options.cell_size();
-  std::optional<Convergence> cells;
-  if (net["cells-2"] && net["cells-1.41"])
-    cells = convergence({{cell, value}, {root2 * cell, *net["cells-1.41"]}, {2 * cell, *net["cells-2"]}});
-  Uncertainty u;
-  u.add("cells", cells ? std::optional{cells->uncertainty} : std::nullopt);
-  const auto& fast = net["cells-2-speed-2"];
+  const double cell = options.cell_size();
+  const auto &coarse = net["cells-1.41"], &coarsest = net["cells-2"], &fast = net["cells-2-speed-2"];
+  BarredResult result;
+  result.value = summary.at("net_resistance_kPa").get<double>();
+  if (coarse && coarsest)
+    result.cells = convergence({{cell, result.value}, {root2 * cell, *coarse}, {2 * cell, *coarsest}});
+  result.uncertainty.add("cells", result.cells ? std::optional{result.cells->uncertainty} : std::nullopt);
   // Twice the speed changes by as much as standing still would, if not by more.
-  u.add("speed", fast && net["cells-2"] ? std::optional{std::abs(*fast - *net["cells-2"])} : std::nullopt);
-  Json& bar = summary["uncertainty"]["net_resistance_kPa"] = Json::object();
-  bar["value"] = value;
-  bar["u"] = or_null(u.total());
-  bar["order"] = or_null(cells ? cells->order : std::nullopt);
-  bar["extrapolated"] = or_null(cells ? cells->extrapolated : std::nullopt);
-  bar["converged"] = cells && cells->converged;
-  for (const auto& part : u.parts()) bar["parts"][part.name] = or_null(part.value);
+  std::optional<double> faster;  // kPa
+  if (fast && coarsest) faster = *fast - *coarsest;
+  result.uncertainty.add("speed", faster ? std::optional{std::abs(*faster)} : std::nullopt);
+  summary["uncertainty"]["net_resistance_kPa"] = json_of(result);
   summary["uncertainty"]["runs"] = runs;
   try {
     write_json(summary_file(options.out), summary);
@@ -70,10 +63,8 @@ void push_with_error_bar(const PushOptions& options) {
     throw Ended(joined_text({"the error bar cannot be written: ", e.what()}), 1);
   }
   if (options.quiet) return;
-  std::cout << "net resistance " << (u.total() ? with_bar(value, *u.total()) : rounded(value) + " +- unknown")
-            << " kPa; cells: " << (cells ? words_of_cells(*cells, "pushes") : "unknown")
-            << "; twice the speed: "
-            << (fast && net["cells-2"] ? rounded(100 * (*fast / *net["cells-2"] - 1)) + " %" : "unknown")
+  std::cout << "net resistance " << words_of(result, "kPa") << "; cells: " << words_of_cells(result, "pushes")
+            << "; twice the speed: " << (faster ? rounded(100 * *faster / *coarsest) + " %" : "unknown")
             << std::endl;
 }
 

@@ -1,6 +1,6 @@
 // The scene of a push, and its run: the half-section of triangles that the driver's drops take, a penetrometer of prescribed speed.
 #include <arenite/arenite.hpp>
-#include <arenite/observe/contact_force.hpp>
+#include <arenite/io/csv.hpp>
 #include <arenite/observe/energy.hpp>
 #include <arenite/observe/fill_ratio.hpp>
 #include <arenite/run/progress.hpp>
@@ -18,9 +18,10 @@
 #include <vector>
 
 #include "../drop/drop.hpp"
+#include "../drop/drop_folder.hpp"
 #include "../drop/field_files.hpp"
-#include "../drop/history.hpp"
 #include "../drop/summary_file.hpp"
+#include "../options/gravity.hpp"
 #include "../text/python_script.hpp"
 #include "../text/say.hpp"
 #include "../text/warnings.hpp"
@@ -78,16 +79,9 @@ auto push_scene(const PushOptions& o) {
       TrackEnergy{}};
 }
 
-/// Forces of the ground on the penetrometer in a step, N, up.
-struct Forces {
+/// Impulses of the ground on the penetrometer, N s, up.
+struct Impulses {
   double all = 0, tip = 0, sleeve = 0;
-
-  Forces& operator+=(const Forces& o) {
-    all += o.all;
-    tip += o.tip;
-    sleeve += o.sleeve;
-    return *this;
-  }
 };
 
 /// One run in its folder.
@@ -100,7 +94,7 @@ class PushRun {
         warnings_{warnings},
         folder_{o.out,
                 RunFolder::Earlier::removed,
-                {"--out", "push", ".arenite-ffp.lock", is_push_result, {"summary.json", "fields.pvd"}},
+                {"--out", "push", ".arenite-ffp.lock", is_result, {"summary.json", "fields.pvd"}},
                 shown(o.out)},
         end_{(o.way() + o.ramp() / 2) / o.push_speed()},
         progress_{end_, {.tenths = true}},
@@ -154,18 +148,16 @@ class PushRun {
     const double pushed = -device.displacement[1], d = o_.outer_diameter();
     // The sleeve: the mantle above the tip that has passed through ground, at most that of a standard cone, 150 cm2 on 10 cm2.
     const double sleeve = pushed < d ? 0 : std::min(pushed, 3.75 * d);
-    Forces f;
     for (const auto& touch : device.touched_nodes) {
       if (touch.inside) continue;
-      const double up = -device.impulse_at(touch, device.velocity)[1] / scene.time_step;
+      const double up = -device.impulse_at(touch, device.velocity)[1];
       const double y = scene.mesh.position(touch.node)[1] + pushed;
-      f.all += up;
+      taken_.all += up;
       if (y <= tip_end_)
-        f.tip += up;
+        taken_.tip += up;
       else if (y <= tip_end_ + sleeve)
-        f.sleeve += up;
+        taken_.sleeve += up;
     }
-    forces_ += {f.all * scene.time_step, f.tip * scene.time_step, f.sleeve * scene.time_step};
     duration_ += scene.time_step;
     // One row at each twentieth of a diameter that the step reaches, and one at the end.
     const bool is_last = scene.time >= end_;
@@ -176,7 +168,7 @@ class PushRun {
     for (std::size_t i = 0; i < push_columns.size(); ++i)
       if (const double value = rows_.back().*push_columns[i].second; !std::isnan(value)) values[i] = value;
     history_->row(values);
-    forces_ = {};
+    taken_ = {};
     duration_ = 0;
   }
 
@@ -192,9 +184,9 @@ class PushRun {
     row.time_s = scene.time;
     row.pushed_m = pushed;
     row.depth_m = o_.start_depth() + pushed;
-    row.force_N = forces_.all / duration_;
-    row.q_c_kPa = forces_.tip / duration_ / (pi * d * d / 4) / 1e3;
-    row.f_s_kPa = sleeve > 0 ? forces_.sleeve / duration_ / (pi * d * sleeve) / 1e3 : nan;
+    row.force_N = taken_.all / duration_;
+    row.q_c_kPa = taken_.tip / duration_ / (pi * d * d / 4) / 1e3;
+    row.f_s_kPa = sleeve > 0 ? taken_.sleeve / duration_ / (pi * d * sleeve) / 1e3 : nan;
     row.friction_ratio_percent = 100 * row.f_s_kPa / row.q_c_kPa;
     row.vertical_stress_kPa = o_.vertical_stress(row.depth_m) / 1e3;
     row.kinetic_energy_J = e.kinetic;
@@ -256,7 +248,7 @@ class PushRun {
   std::optional<Every<FieldFiles>> fields_;
   std::vector<PushRow> rows_;
   PushNumbers numbers_;
-  Forces forces_;  ///< their impulses since the last row, N s
+  Impulses taken_;  ///< since the last row
   double duration_ = 0, next_ = o_.outer_diameter() / 20;
   Clock::time_point begin_{};
 };

@@ -7,7 +7,6 @@
 
 #include <arenite/version.hpp>
 
-#include "../drop/drop_folder.hpp"
 #include "../text/words.hpp"
 
 namespace arenite::ffp {
@@ -147,11 +146,6 @@ std::string sentence_of(const PushOptions& o, std::span<const PushRow> rows) {
                              : joined_text({" (", ratio >= 1 ? "+" : "", rounded(100 * (ratio - 1)), " %)"});
   }
   return text;
-}
-
-bool is_push_result(std::string_view name) {
-  if (name.ends_with(".part")) name.remove_suffix(5);
-  return name == "push.png" || name == "push.svg" || is_result(name);
 }
 
 }  // namespace arenite::ffp

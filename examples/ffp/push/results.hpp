@@ -36,7 +36,4 @@ Json summary_of(const PushOptions& o, std::span<const PushRow> rows, const PushN
 /// What a push came to, in one line.
 std::string sentence_of(const PushOptions& o, std::span<const PushRow> rows);
 
-/// Files of a push: what a new one removes from its folder.
-bool is_push_result(std::string_view name);
-
 }  // namespace arenite::ffp

@@ -1,16 +1,9 @@
 # What a drop on ranks is told: --tiles with an equals sign; other options on one rank are refused; a state that the other program saved is
 # refused and stays, and goes when a run begins anew.
 # cmake -D program=FILE -D alone=FILE -D mpiexec=FILE -P check_told.cmake
-set(drop drop --cell 0.03 --end 0.1 --fields-every 0 --checkpoint-every 0.001 --threads 1 --quiet)
-# Runs a command; ends it once `file` is there. Its code and what it said: `code`, `said`.
-function(end_at file)
-  string(JOIN " " command ${ARGN})
-  execute_process(COMMAND sh -c "${command} & while [ ! -e ${file} ]; do sleep 0.02; done; kill -TERM $!; wait $!"
-                  RESULT_VARIABLE code OUTPUT_QUIET ERROR_VARIABLE said)
-  if(NOT EXISTS ${CMAKE_CURRENT_BINARY_DIR}/${file})
-    message(FATAL_ERROR "${command}: no ${file}: ${said}")
-  endif()
-endfunction()
+include(${CMAKE_CURRENT_LIST_DIR}/end_at.cmake)
+# A run of minutes, of which the test sees a second.
+set(drop drop --cell 0.03 --end 10 --fields-every 0 --checkpoint-every 0.001 --threads 1 --quiet)
 # Runs a command that is refused with a sentence.
 function(refused sentence)
   execute_process(COMMAND ${ARGN} RESULT_VARIABLE code OUTPUT_QUIET ERROR_VARIABLE said)
@@ -21,7 +14,7 @@ function(refused sentence)
   endif()
 endfunction()
 set(on_ranks ${mpiexec} -n 2 ${program} ${drop})
-refused("a drop: rank 1 was given end_s = 0.2, rank 0 end_s = 0.1" ${mpiexec} -n 1 ${program} ${drop} --out differ : -n 1 ${program} ${drop} --end 0.2 --out differ)
+refused("a drop: rank 1 was given end_s = 0.2, rank 0 end_s = 10" ${mpiexec} -n 1 ${program} ${drop} --out differ : -n 1 ${program} ${drop} --end 0.2 --out differ)
 refused("a drop: rank 1 was given --tiles = 4, rank 0 --tiles = 2" ${mpiexec} -n 1 ${program} ${drop} --tiles 2 --out differ : -n 1 ${program} ${drop} --tiles=4 --out differ)
 refused("--tiles = x: must be a number of tiles" ${on_ranks} --tiles=x --out differ)
 if(EXISTS ${CMAKE_CURRENT_BINARY_DIR}/differ)

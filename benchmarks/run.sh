@@ -34,6 +34,7 @@ need cmake "configures the build" cmake
 need ninja-build "builds" ninja
 need libeigen3-dev "the library's only dependency"
 need libbenchmark-dev "times"
+need nlohmann-json3-dev "the driver's scene"
 need python3 "writes the report" python3
 install_missing
 

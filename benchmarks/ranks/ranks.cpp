@@ -91,7 +91,9 @@ struct Standstill {
   double before = 1, after = 1, steps = 0;
 };
 Standstill standstill(mpi::World& world, int tiles, int k) {
-  auto [scene, make] = sand_in_tiles(world, tiles, k, 0.5, 0.05);
+  auto sand = sand_in_tiles(world, tiles, k, 0.5, 0.05);
+  auto& scene = sand.first;  // no structured binding: clang++ 14 captures none in a lambda
+  auto& make = sand.second;
   double step = 0;
   const auto time_steps = [&] {
     scene.together([&](auto& s) {

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from typing import Any, Callable, Optional, Sequence, Tuple, Type, Union
 
@@ -37,10 +38,13 @@ class Free(_recipes.Free):
 class MeshSurface(Recipe):
     """The surface of a region of a simplex mesh that moves with the body.
 
-    parameter  unit  range   default  meaning
-    region     -     a name  needed   of a region of the mesh"""
+    parameter       unit  range   default  meaning
+    region          -     a name  needed   of a region of the mesh
+    shear_strength  Pa    >= 0    inf      greatest shear stress that it gives, whatever the pressure: the adhesion of clay, with
+                                           friction infinity"""
 
     region: str
+    shear_strength: float = math.inf
 
 
 class Rigid(Recipe):

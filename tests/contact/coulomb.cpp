@@ -75,3 +75,16 @@ TEST_CASE("friction angles outside [0, pi/2) are refused") {
   REQUIRE(Friction::no_slip().is_no_slip());
   REQUIRE_FALSE(Friction(1.5).is_no_slip());
 }
+
+TEST_CASE("a limit of shear: the lesser of friction and limit, and the normal impulse whatever it is") {
+  const double mu = std::tan(0.4), m = 3;
+  for (const auto& friction : {Friction(0.4), Friction::no_slip()})
+    for (const double shear : {0.0, 1.0, 5.0, 100.0}) {
+      const auto given = coulomb<double, 2>({5, -2}, up, m, friction, shear);
+      const double most = std::min({friction.coefficient() * 2 * m, shear, 5 * m});
+      CHECK((given.impulse - Vec<double, 2>(-most, 2 * m)).norm() < 1e-14);
+      CHECK(given.sticks == (most == 5 * m));
+    }
+  CHECK(coulomb<double, 2>({5, -2}, up, m, Friction(0.4), 1e3).impulse[0] == Approx(-mu * 2 * m));
+  CHECK(coulomb<double, 2>({5, 2}, up, m, Friction::no_slip(), 1).impulse.norm() == 0);
+}

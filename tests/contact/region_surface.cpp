@@ -3,6 +3,7 @@
 
 #include <arenite/boundary/walls.hpp>
 #include <arenite/contact/region_surface.hpp>
+#include <numeric>
 
 #include "../mesh/sample_meshes.hpp"
 
@@ -27,6 +28,8 @@ void check_surface(const SimplexMesh<D>& mesh, const RegionSurface<double, D>& s
   for (const Index i : s.inside) REQUIRE(!std::binary_search(s.nodes.begin(), s.nodes.end(), i));
   static_cast<void>(mesh);
 }
+
+double total_of(const std::vector<double>& areas) { return std::accumulate(areas.begin(), areas.end(), 0.0); }
 
 /// A disc of radius 1/2 in a square of 2 m: rings of nodes about the centre, squares mapped to circles.
 SimplexMesh<2> disc_mesh() {
@@ -77,6 +80,7 @@ TEST_CASE("a disc: normals are radial") {
     REQUIRE(std::abs(x.norm() - 0.5) < 1e-12);
     REQUIRE((s.normals[k] - x.normalized()).norm() < 0.02);
   }
+  REQUIRE(std::abs(total_of(s.areas) - pi) < 0.01);
   // Seen from the other side they point the other way, and the hull is no surface.
   const auto around = surface_of<PlaneStrain>(mesh, "around", {});
   REQUIRE(around.nodes == s.nodes);
@@ -93,6 +97,8 @@ TEST_CASE("a cone: flank, tip on the axis, shoulder") {
   REQUIRE((normal_at<2>(mesh, s, {0.25, 1.0}) - flank).norm() < 1e-14);
   REQUIRE((normal_at<2>(mesh, s, {0, 0.5}) - Vec<double, 2>(0, -1)).norm() < 1e-14);
   REQUIRE((normal_at<2>(mesh, s, {0.5, 1.75}) - Vec<double, 2>(1, 0)).norm() < 1e-14);
+  // Of flank (height 1, radius 1/2) and shaft (from 1.5 to 2 at the top of the mesh).
+  REQUIRE(std::abs(total_of(s.areas) - pi * 0.5 * (std::sqrt(1.25) + 2 * 0.5)) < 1e-12);
   // The shoulder between flank and shaft takes a mean of both.
   const auto shoulder = normal_at<2>(mesh, s, {0.5, 1.5});
   REQUIRE(shoulder.dot(flank) > 0.9);

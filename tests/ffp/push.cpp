@@ -178,7 +178,8 @@ TEST_CASE("what no push can be is refused, with its value and rule") {
            {{"--overburden", "1000"}, "--overburden = 1000: needs --ground sand"},
            {{"--friction", "30"}, "--friction = 30: needs --ground sand"},
            {{"--ground", "sand", "--strength", "1e4"}, "--strength = 10000: needs --ground clay"},
-           {{"--ground", "sand", "--roughness", "rough"}, "--roughness = rough: needs --ground clay"},
+           {{"--ground", "sand", "--roughness", "1"}, "--roughness = 1: needs --ground clay"},
+           {{"--roughness", "1.5"}, "--roughness = 1.5: must lie in [0, 1]"},
            {{"--ground", "sand", "--dilatancy", "40"},
             "--dilatancy = 40: must not exceed --friction = 35 deg"},
            {{"--poisson", "0.5"}, "--poisson = 0.5: must lie in [0, 0.49]"},
@@ -199,7 +200,7 @@ TEST_CASE("theory stands beside a push where it fits") {
   };
   REQUIRE(forms({}).size() == 1);
   CHECK(forms({})[0].value == Approx(20e3 * teh_houlsby(100, 0, 0, 0)));
-  CHECK(forms({"--roughness", "rough"})[0].value == Approx(20e3 * teh_houlsby(100, 1, 1, 0)));
+  CHECK(forms({"--roughness", "0.5"})[0].value == Approx(20e3 * teh_houlsby(100, 0.5, 0.5, 0)));
   CHECK(forms({"--rigidity-index", "40"}).empty());
   CHECK(forms({"--cone-angle", "90"}).empty());
   const auto sand = forms({"--ground", "sand", "--overburden", "1e5"});

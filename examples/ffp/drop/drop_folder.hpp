@@ -1,4 +1,4 @@
-// The folder of a drop: which of its files are results, and how messages call it.
+// The folder of a drop or a push: which of its files are results, and how messages call it.
 #pragma once
 
 #include <algorithm>
@@ -63,13 +63,16 @@ inline bool is_result(std::string_view name) {
   return false;
 }
 
-/// Takes the folder of `--out`. The summary is removed first, then the index of the fields.
-inline RunFolder drop_folder(const std::string& out,
-                             RunFolder::Earlier earlier = RunFolder::Earlier::removed) {
+/// Takes the folder of `--out` for a run: a "drop", a "push". The summary is removed first, then the index of the fields.
+inline RunFolder folder_of_run(const char* run, const std::string& out, RunFolder::Earlier earlier) {
   return RunFolder{out,
                    earlier,
-                   {"--out", "drop", ".arenite-ffp.lock", is_result, {"summary.json", "fields.pvd"}},
+                   {"--out", run, ".arenite-ffp.lock", is_result, {"summary.json", "fields.pvd"}},
                    shown(out)};
+}
+inline RunFolder drop_folder(const std::string& out,
+                             RunFolder::Earlier earlier = RunFolder::Earlier::removed) {
+  return folder_of_run("drop", out, earlier);
 }
 
 }  // namespace arenite::ffp

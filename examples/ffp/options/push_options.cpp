@@ -45,6 +45,7 @@ void check(const PushOptions& o) {
   for (const auto& [name, given, of_itself, of_clay] :
        {std::tuple{"--strength", o.strength, usual.strength, true},
         {"--rigidity-index", o.rigidity_index, usual.rigidity_index, true},
+        {"--roughness", o.roughness, usual.roughness, true},
         {"--friction", o.friction, usual.friction, false},
         {"--dilatancy", o.dilatancy, usual.dilatancy, false},
         {"--cohesion", o.cohesion, usual.cohesion, false},
@@ -52,8 +53,6 @@ void check(const PushOptions& o) {
         {"--delta", o.delta, usual.delta, false}})
     require(given == of_itself || of_clay == o.in_clay(), name, given,
             {"needs --ground ", of_clay ? "clay" : "sand"});
-  require(o.in_clay() || o.roughness == Roughness::smooth, "--roughness", "rough",
-          "needs --ground clay; in sand --delta is the friction");
   require(
       !o.in_clay() || o.overburden == 0, "--overburden", o.overburden,
       "needs --ground sand; in clay it adds to the resistance as it is, and the net resistance is the same");

@@ -18,12 +18,9 @@
 namespace arenite::ffp {
 
 enum class Ground { clay, sand };
-enum class Roughness { smooth, rough };
 
 inline constexpr std::array<std::pair<std::string_view, Ground>, 2> ground_words{
     {{"clay", Ground::clay}, {"sand", Ground::sand}}};
-inline constexpr std::array<std::pair<std::string_view, Roughness>, 2> roughness_words{
-    {{"smooth", Roughness::smooth}, {"rough", Roughness::rough}}};
 
 /// Everything that decides a push. SI units; angles in degrees, as typed. Lengths are in proportion to the diameter D, and the
 /// speed to that of shear waves, so that a scaled penetrometer in the same ground has the same resistance.
@@ -31,17 +28,17 @@ struct PushOptions : DeviceOptions {
   PushOptions() { penetrometer = of_itself = Penetrometer::cone_10cm2; }
 
   Ground ground = Ground::clay;
-  double strength = 20e3;                   ///< undrained, of clay, Pa
-  double rigidity_index = 100;              ///< shear modulus over strength of clay
-  Roughness roughness = Roughness::smooth;  ///< of the penetrometer in clay
-  double friction = 35;                     ///< of sand, deg
-  double dilatancy = 5;                     ///< of sand, deg
-  double cohesion = 100;                    ///< of sand, Pa
-  double young = 20e6;                      ///< of sand, Pa
-  double delta = 20;                        ///< friction angle between sand and penetrometer, deg
-  std::optional<double> poisson;            ///< default: `poisson_ratio`
-  std::optional<double> unit_weight, k0;    ///< default: `weight`, `earth_pressure`
-  double overburden = 0;                    ///< pressure on the surface, Pa
+  double strength = 20e3;                 ///< undrained, of clay, Pa
+  double rigidity_index = 100;            ///< shear modulus over strength of clay
+  double roughness = 0;                   ///< of the penetrometer in clay: adhesion over strength
+  double friction = 35;                   ///< of sand, deg
+  double dilatancy = 5;                   ///< of sand, deg
+  double cohesion = 100;                  ///< of sand, Pa
+  double young = 20e6;                    ///< of sand, Pa
+  double delta = 20;                      ///< friction angle between sand and penetrometer, deg
+  std::optional<double> poisson;          ///< default: `poisson_ratio`
+  std::optional<double> unit_weight, k0;  ///< default: `weight`, `earth_pressure`
+  double overburden = 0;                  ///< pressure on the surface, Pa
 
   std::optional<double> speed;                       ///< m/s; default: `push_speed`
   std::optional<double> from;                        ///< depth of the tip at the start, m; default 4 D
@@ -104,8 +101,8 @@ void visit_push_options(Options& o, Visitor& v) {
   v.number("--strength", o.strength, "PA", Range{100, 1e7, "Pa"}, "Undrained shear strength of clay");
   v.number("--rigidity-index", o.rigidity_index, "X", Range{10, 2000},
            "Shear modulus of clay over its strength");
-  v.choice("--roughness", roughness_words, o.roughness,
-           "Of the penetrometer in clay: smooth, or rough, to which clay sticks up to its strength");
+  v.number("--roughness", o.roughness, "X", Range{0, 1},
+           "Of the penetrometer in clay, tip and mantle: adhesion over strength");
   v.number("--friction", o.friction, "DEG", Range{1, 60, "deg"}, "Angle of friction of sand");
   v.number("--dilatancy", o.dilatancy, "DEG", Range{0, 60, "deg"},
            "Angle of dilatancy of sand, at most that of friction");

@@ -56,10 +56,10 @@ double cavity_limit(const CavitySoil& s, double p0) {
 std::vector<ClosedForm> closed_forms(const PushOptions& o, double depth) {
   std::vector<ClosedForm> all;
   const bool is_cone = !o.outline() && o.tip == Tip::cone && o.cone_angle.value_or(60) == 60;
-  const double rough = o.roughness == Roughness::rough ? 1 : 0, vertical = o.vertical_stress(depth);
+  const double vertical = o.vertical_stress(depth);
   if (o.in_clay() && is_cone && o.rigidity_index >= 50 && o.rigidity_index <= 500) {
-    const double n =
-        teh_houlsby(o.rigidity_index, rough, rough, vertical * (1 - o.earth_pressure()) / (2 * o.strength));
+    const double n = teh_houlsby(o.rigidity_index, o.roughness, o.roughness,
+                                 vertical * (1 - o.earth_pressure()) / (2 * o.strength));
     all.push_back({"cone factor", "Teh and Houlsby 1991", n * o.strength, false});
   }
   if (!o.in_clay()) {

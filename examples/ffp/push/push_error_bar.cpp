@@ -8,6 +8,7 @@
 
 #include "../drop/barred_result.hpp"
 #include "../drop/drop.hpp"
+#include "../drop/drop_folder.hpp"
 #include "../drop/summary_file.hpp"
 #include "../text/say.hpp"
 #include "../text/words.hpp"
@@ -17,6 +18,8 @@ namespace arenite::ffp {
 
 void push_with_error_bar(const PushOptions& options) {
   push(options);
+  RunFolder folder =
+      folder_of_run("push", options.out, RunFolder::Earlier::kept);  // nobody takes it meanwhile
   const double root2 = std::sqrt(2.0);
   std::map<std::string, std::optional<double>> net;
   Json summary = summary_in(options.out), runs = Json::object();
@@ -29,6 +32,10 @@ void push_with_error_bar(const PushOptions& options) {
     o.speed = speed_ratio * options.push_speed();
     o.out += "/error-bar/" + name;
     if (!options.quiet) say("error bar: " + name);
+    const auto failed = [&](const std::string& why) {
+      runs[name] = {{"failure", why}};
+      say(joined_text({"warning: error bar, ", name, ": ", shown(why, 1000)}));
+    };
     try {
       push(o);
       const Json found = summary_in(o.out);
@@ -36,8 +43,9 @@ void push_with_error_bar(const PushOptions& options) {
       runs[name] = {{"net_resistance_kPa", *net[name]}, {"wall_s", found.at("wall_s")}};
     } catch (const Ended& e) {
       if (e.exit_code() > 128) throw;
-      runs[name] = {{"failure", e.what()}};
-      say(joined_text({"warning: error bar, ", name, ": ", shown(e.what(), 1000)}));
+      failed(e.what());
+    } catch (const std::exception& e) {
+      failed(e.what());
     }
   };
   companion("cells-2", 2, 1);
@@ -57,8 +65,9 @@ void push_with_error_bar(const PushOptions& options) {
   result.uncertainty.add("speed", faster ? std::optional{std::abs(*faster)} : std::nullopt);
   summary["uncertainty"]["net_resistance_kPa"] = json_of(result);
   summary["uncertainty"]["runs"] = runs;
+  folder.free_reserve();
   try {
-    write_json(summary_file(options.out), summary);
+    write_json(summary_file(folder.path()), summary);
   } catch (const error& e) {
     throw Ended(joined_text({"the error bar cannot be written: ", e.what()}), 1);
   }

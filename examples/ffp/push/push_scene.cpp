@@ -44,8 +44,14 @@ MohrCoulombParameters ground_of(const PushOptions& o, double density) {
 }
 
 Friction friction_of(const PushOptions& o) {
-  if (o.in_clay()) return o.roughness == Roughness::rough ? Friction::no_slip() : Friction(0);
+  if (o.in_clay()) return o.roughness > 0 ? Friction::no_slip() : Friction(0);
   return Friction(o.delta * pi / 180);
+}
+
+MeshSurface surface_of_device(const PushOptions& o) {
+  MeshSurface surface{"device"};
+  if (o.in_clay()) surface.shear_strength = o.roughness * o.strength;
+  return surface;
 }
 
 /// The uppermost half diameter of the ground is as heavy as what lies on it.
@@ -70,7 +76,7 @@ auto push_scene(const PushOptions& o) {
       bodies(fill<"soil">(Cells("soil"), ground, in_ground), fill<"lid">(Cells("lid"), load, in_load)),
       walls(on("bottom", fixed), on("wall", free_along(1))),
       gravity({0, -standard_gravity}),
-      rigids(rigid<"device">(MeshSurface{"device"}, Prescribed([=](double t) {
+      rigids(rigid<"device">(surface_of_device(o), Prescribed([=](double t) {
                                return std::array<double, 3>{0, -speed * std::min(1.0, t / ramp), 0};
                              }),
                              friction_of(o), RigidVelocity{})),
@@ -92,10 +98,7 @@ class PushRun {
       : scene_{scene},
         o_{o},
         warnings_{warnings},
-        folder_{o.out,
-                RunFolder::Earlier::removed,
-                {"--out", "push", ".arenite-ffp.lock", is_result, {"summary.json", "fields.pvd"}},
-                shown(o.out)},
+        folder_{folder_of_run("push", o.out, RunFolder::Earlier::removed)},
         end_{(o.way() + o.ramp() / 2) / o.push_speed()},
         progress_{end_, {.tenths = true}},
         tip_end_{o.body().tip_end() + 1e-9} {
@@ -116,7 +119,6 @@ class PushRun {
         fields_.emplace(field_files(folder_.path(), o_.fields_every / o_.push_speed(), false));
       arenite::run(scene_, {.end = end_, .courant = o_.courant}, *this);
       numbers_.status = "done";
-      warn_of_rough_cells();
       write_summary();
     } catch (const Interruption& e) {
       end("interrupted", e.what(), e.exit_code());
@@ -200,17 +202,6 @@ class PushRun {
         fill_ratio(scene, scene.template body<"soil">(), touched, scene.mesh.region_number("device"));
     row.mean_volume_ratio = mean_volume_ratio(scene.template body<"soil">());
     return row;
-  }
-
-  /// Clay that sticks to the nodes of a rough rod shears in the cells around it, on a wider mantle than the rod's.
-  void warn_of_rough_cells() const {
-    const auto found = resistance_of(rows_, o_.outer_diameter());
-    if (o_.in_clay() && found && 1e3 * found->f_s_kPa > 1.05 * o_.strength)
-      warn(joined_text(
-          {"sleeve friction = ", rounded(found->f_s_kPa), " kPa: is more than the strength of the clay, ",
-           o_.strength / 1e3,
-           " kPa, which yields in the cells around the rod, not at it; so is what roughness adds to the "
-           "resistance; finer cells (--cell) bring both down, --error-bar tells how far"}));
   }
 
   void write_summary() {

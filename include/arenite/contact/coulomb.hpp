@@ -3,6 +3,7 @@
 #pragma once
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -44,18 +45,17 @@ struct CoulombImpulse {
 /// `normal` is the unit normal out of the second. `mass` is what an impulse has to move, kg: m1 m2 / (m1 +
 /// m2), or m1 against a rigid wall. Zero if they part. The normal velocity is taken to zero, the tangential
 /// one reduced by at most friction times the normal impulse (Bardenhagen, Brackbill, Sulsky 2000,
-/// doi:10.1016/S0045-7825(99)00338-2, eqs. 14 to 20).
+/// doi:10.1016/S0045-7825(99)00338-2, eqs. 14 to 20) and by at most the impulse `shear`, N s.
 template <class T, int D>
 CoulombImpulse<T, D> coulomb(const Vec<T, D>& approach, const Vec<T, D>& normal, T mass,
-                             const Friction& friction) {
+                             const Friction& friction, T shear = std::numeric_limits<T>::infinity()) {
   const T closing = approach.dot(normal);
   if (!(closing < 0)) return {};
   const Vec<T, D> slip = approach - closing * normal;
-  const T speed = slip.norm();
-  if (friction.is_no_slip() || speed <= static_cast<T>(friction.coefficient()) * -closing)
-    return {-mass * approach, friction.coefficient() > 0};
-  return {-mass * (closing * normal + (static_cast<T>(friction.coefficient()) * -closing / speed) * slip),
-          false};
+  const T speed = slip.norm(),
+          most = std::min(static_cast<T>(friction.coefficient()) * -closing, shear / mass);
+  if (speed <= most) return {-mass * approach, friction.coefficient() > 0};
+  return {-mass * (closing * normal + (most / speed) * slip), false};
 }
 
 /// The impulse between two bodies that stick whatever the normal, because one lies inside the other.

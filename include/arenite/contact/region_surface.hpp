@@ -21,6 +21,7 @@ struct RegionSurface {
   std::vector<Index> nodes;  ///< on the surface, ascending
   std::vector<Vec<T, D>>
       normals;                ///< [nodes] unit normals out of the region, area-weighted means of the facets'
+  std::vector<T> areas;       ///< [nodes] integrals of their shape functions over the surface, m2
   std::vector<Index> inside;  ///< nodes of the region that are not on its surface, ascending
   std::vector<T>
       volume_fraction;  ///< [nodes] fraction of the region's volume that belongs to each surface node
@@ -34,7 +35,7 @@ RegionSurface<T, D> surface_of(const SimplexMesh<D, T>& mesh, const std::string&
                                const std::vector<Constraint<T, D>>& constraints, bool is_part = false) {
   const auto numbers = mesh.region_numbers(region);
   std::vector<Vec<T, D>> sum(mesh.node_count(), Vec<T, D>::Zero());
-  std::vector<T> volume(mesh.node_count(), T(0));
+  std::vector<T> volume(mesh.node_count(), T(0)), areas(volume);
   T total = 0;
   for (Index c = 0; c < mesh.cell_count(); ++c) {
     if (!mesh.is_in(c, numbers)) continue;
@@ -54,6 +55,7 @@ RegionSurface<T, D> surface_of(const SimplexMesh<D, T>& mesh, const std::string&
       else
         gradient = inverse.row(k - 1).transpose();
       const Vec<T, D> area = -(T(D) * mesh.volume(c)) * gradient;  // out of the cell
+      const T size = area.norm() / T(D * (D + 1));
       T around = 0;
       for (int j = 0; j <= D; ++j)
         if (j != k) around += K::thickness(mesh.position(nodes[static_cast<std::size_t>(j)]));
@@ -61,7 +63,9 @@ RegionSurface<T, D> surface_of(const SimplexMesh<D, T>& mesh, const std::string&
         if (j == k) continue;
         const Index i = nodes[static_cast<std::size_t>(j)];
         // Integral of the shape function times the (linear) thickness over the facet, up to a common factor.
-        sum[i] += (around + K::thickness(mesh.position(i))) * area;
+        const T share = around + K::thickness(mesh.position(i));
+        sum[i] += share * area;
+        areas[i] += share * size;
       }
     }
   }
@@ -75,6 +79,7 @@ RegionSurface<T, D> surface_of(const SimplexMesh<D, T>& mesh, const std::string&
     if (sum[i].norm() > round_off * length[i]) {
       surface.nodes.push_back(i);
       surface.normals.push_back(sum[i].normalized());
+      surface.areas.push_back(areas[i]);
       surface.volume_fraction.push_back(volume[i] / total);
     } else if (volume[i] > 0) {
       surface.inside.push_back(i);

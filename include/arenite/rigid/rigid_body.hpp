@@ -2,6 +2,7 @@
 #pragma once
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include <limits>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -117,6 +118,7 @@ struct RigidBody {
   static constexpr bool touches_points = requires { Coupling::at_points; };
   static_assert(
       !touches_points || requires(const Surface s) { s.distance(); }, ARENITE_SAYS_POINT_CONTACT_SURFACE);
+  static constexpr bool limits_shear = requires(const Surface s) { s.shear_limit(Index{}); };
   Surface surface;
   Motion motion;
   Friction friction;
@@ -148,6 +150,7 @@ struct RigidBody {
     V after = V::Zero();    ///< velocity of the field with the impulse
     V arm = V::Zero();      ///< from the centre of a body that rotates, m
     T closing = 0;          ///< with `NodalGap`: with which it may close its gap, m/s
+    T most_shear = std::numeric_limits<T>::infinity();  ///< greatest tangential impulse, N s
 
     /// Velocity of the field before contact, m/s, less what closes the gap.
     V before_contact() const {
@@ -201,7 +204,7 @@ struct RigidBody {
   CoulombImpulse<T, D> contact_at(const TouchedNode& t, const Velocity& v) const {
     const V approach = t.before_contact() - velocity_at<T, D>(v, t.arm);
     if (t.inside) return stick<T, D>(approach, t.mass_ratio * t.mass);
-    return coulomb<T, D>(approach, t.normal, t.mass_ratio * t.mass, friction);
+    return coulomb<T, D>(approach, t.normal, t.mass_ratio * t.mass, friction, t.most_shear);
   }
   V impulse_at(const TouchedNode& t, const Velocity& v) const { return contact_at(t, v).impulse; }
   /// Books the impulses of a step on the fields.

@@ -29,6 +29,8 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 /// The surface of a region of a simplex mesh that moves with the body; found when the scene is made.
 struct MeshSurface {
   std::string region;
+  /// Greatest shear stress that the surface gives, whatever the pressure on it, Pa: the adhesion of clay, with `Friction::no_slip()`.
+  double shear_strength = std::numeric_limits<double>::infinity();
 };
 
 /// A signed distance, m, negative inside, in the body's own frame: callable with a position [D]
@@ -84,7 +86,8 @@ DistanceSurface(Distance, double) -> DistanceSurface<Distance>;
 ///   body that rotates; a surface may take one of them or both. Calls `f(node, normal, inside, fraction)` for
 ///   each node that it touches where the body is now, in an order that does not depend on threads, with the
 ///   unit normal out of the body (zero inside); nodes without matter, `!has_mass(node)`, need no call;
-/// - optional `connect(scene)`: called once, when all parts of the scene are bound.
+/// - optional `connect(scene)`: called once, when all parts of the scene are bound;
+/// - optional `shear_limit(node)`: greatest shear force that the surface gives to a node that it touches, N.
 template <class S, class Shape, class M, class Place = Vec<typename M::scalar, M::dimension>>
 concept rigid_surface = requires(S surface, const M& mesh, const Place x) {
   { S::has_volume_fractions } -> std::convertible_to<bool>;
@@ -98,7 +101,10 @@ concept rigid_surface = requires(S surface, const M& mesh, const Place x) {
 template <class T, int D>
 class BoundMeshSurface {
  public:
-  explicit BoundMeshSurface(MeshSurface s) : recipe_{std::move(s)} {}
+  explicit BoundMeshSurface(MeshSurface s) : recipe_{std::move(s)} {
+    require(recipe_.shear_strength >= 0, "MeshSurface.shear_strength", recipe_.shear_strength,
+            "must be >= 0 Pa");
+  }
   static constexpr bool has_volume_fractions = true;
 
   template <class Scene>
@@ -111,6 +117,14 @@ class BoundMeshSurface {
     for (std::size_t k = 0; k < surface_.nodes.size(); ++k)
       f(surface_.nodes[k], surface_.normals[k], false, surface_.volume_fraction[k]);
     for (const Index i : surface_.inside) f(i, Vec<T, D>::Zero(), true, T(0));
+  }
+  /// N; of a node inside no limit.
+  T shear_limit(Index node) const {
+    const auto at = std::ranges::lower_bound(surface_.nodes, node);
+    if (std::isinf(recipe_.shear_strength) || at == surface_.nodes.end() || *at != node)
+      return std::numeric_limits<T>::infinity();
+    return static_cast<T>(recipe_.shear_strength) *
+           surface_.areas[static_cast<std::size_t>(at - surface_.nodes.begin())];
   }
   const RegionSurface<T, D>& surface() const { return surface_; }
   const std::string& region() const { return recipe_.region; }

@@ -42,6 +42,10 @@ void find_touched_nodes(const M& mesh, R& body, const Fields& fields, [[maybe_un
             if (!inside) moved = rigid_mass / (rigid_mass + mass);
           }
           body.touched_nodes.push_back({f, node, inside, mass, moved, fields[f].velocity[node], normal});
+          static_assert(!(R::limits_shear && R::rotates),
+                        "Rigid: a surface with shear_limit needs a motion without rotation");
+          if constexpr (R::limits_shear)
+            body.touched_nodes.back().most_shear = dt * body.surface.shear_limit(node);
           if constexpr (R::rotates)
             body.touched_nodes.back().arm = Shape::node_position(mesh, node) - body.position();
           body.inside_nodes += inside;
@@ -67,6 +71,7 @@ std::vector<TouchedNode> touches_of_all(const std::vector<TouchedNode>& own, con
     f(t.mass);
     f(t.mass_ratio);
     f(t.closing);
+    f(t.most_shear);
     for (auto* vector : {&t.start, &t.normal, &t.arm})
       for (auto& x : std::span(vector->data(), static_cast<std::size_t>(vector->size()))) f(x);
   };

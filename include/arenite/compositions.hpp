@@ -1,12 +1,12 @@
-// Compositions that are compiled once: a unit that includes this header takes scene, step and stable step of
+// Compositions that are compiled once: a unit that includes this header gets scene, step and stable step of
 // these types from the CMake target `arenite::compositions`, which it must link, and compiles in half the
-// time. To name one of your own: docs/compile_time.md.
+// time. To add your own: docs/compile_time.md.
 #pragma once
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include <arenite/arenite.hpp>
 
-// The types, as macros: the language takes no alias where a class is instantiated.
+// The types, as macros: the language allows no alias in an explicit instantiation.
 #define ARENITE_PLANE_SAND                                                                                   \
   Scene<PlaneStrain, CartesianGrid<2>, Numerics<QuadraticBSpline, Apic>, Bodies<Fill<MohrCoulomb<>>>, Walls, \
         Gravity>
@@ -20,7 +20,7 @@
   Scene<ThreeDimensional, CartesianGrid<3>, Numerics<QuadraticBSpline, Apic>, Bodies<Fill<MohrCoulomb<>>>, \
         Walls, Gravity, Rigid<DistanceSurface<>, Guided>>
 
-/// What is compiled of a composition: declared here with `extern`, defined in src/compositions without it.
+/// The compiled parts of a composition: declared here with `extern`, defined in src/compositions without it.
 #define ARENITE_COMPOSITION(EXTERN, name, ...) \
   EXTERN template struct __VA_ARGS__;          \
   ARENITE_STEP(EXTERN, compositions::name)

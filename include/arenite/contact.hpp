@@ -1,4 +1,4 @@
-// Contact of bodies of matter with each other and with frictional walls: for a scene that holds any.
+// Contact of bodies of matter with each other and with frictional walls: for a scene that has any.
 #pragma once
 // SPDX-License-Identifier: BSD-3-Clause
 

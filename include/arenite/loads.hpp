@@ -1,4 +1,4 @@
-// Loads, damping, and faces that absorb waves: for a scene that holds any.
+// Loads, damping, and faces that absorb waves: for a scene that has any.
 #pragma once
 // SPDX-License-Identifier: BSD-3-Clause
 

@@ -1,5 +1,5 @@
 // Scenes of matter between walls: kinematics, meshes, shape functions, transfers, laws, walls, gravity, and what a run needs. A part of
-// arenite.hpp that compiles in less time; what else a scene holds is in rigid.hpp, contact.hpp, loads.hpp and fill/regions.hpp.
+// arenite.hpp that compiles faster; the other parts of scenes are in rigid.hpp, contact.hpp, loads.hpp and fill/regions.hpp.
 #pragma once
 // SPDX-License-Identifier: BSD-3-Clause
 

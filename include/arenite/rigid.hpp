@@ -1,4 +1,4 @@
-// Rigid bodies, their motions, and their contact with matter and with each other: for a scene that holds any.
+// Rigid bodies, their motions, and their contact with matter and with each other: for a scene that has any.
 #pragma once
 // SPDX-License-Identifier: BSD-3-Clause
 

@@ -121,9 +121,9 @@ class SofteningFriction(Policy):
 @dataclass(frozen=True)
 class RateSofteningFriction(Policy):
     """phi = phi_r + (phi_p(rate) - phi_r) exp(-eta eps_p), phi_p(rate) = phi_p (1 + a log10(rate / reference)), and the
-    dilatancy alike with a factor of its own; peak values phi_p and psi_p of the law's parameters. Below the reference
-    rate the factors are 1. Zambrano-Cruzatty & Yerro (2020), Soils and Foundations 60, 668-682, and their code for
-    users of Anura3D and Abaqus. Softening: see `SofteningFriction`.
+    dilatancy alike with its own factor; peak values phi_p and psi_p of the law's parameters. Below the reference rate
+    the factors are 1. Zambrano-Cruzatty & Yerro (2020), Soils and Foundations 60, 668-682, and their code for users of
+    Anura3D and Abaqus. Softening: see `SofteningFriction`.
 
     parameter             unit  range                default            meaning
     softening             -     `SofteningFriction`  SofteningFriction
@@ -165,8 +165,8 @@ class RateStiffness(Policy):
     """G = G_r + (G_p (1 + a log10(rate / reference)) - G_r) exp(-eta eps_p), times (p / p_ref)^n as in
     `PressureStiffness`; G_p of the law's parameters. Below the reference rate the factor is 1. Rate and plastic strain
     are those of the step before, which the friction policy keeps: `RateSofteningFriction`, perhaps with factors of 0.
-    Poisson's ratio stays, so that the bulk modulus follows G; the code of Zambrano-Cruzatty & Yerro (2020) gives it a
-    factor of its own (0.155).
+    Poisson's ratio stays, so that the bulk modulus follows G; the code of Zambrano-Cruzatty & Yerro (2020) gives it its
+    own factor (0.155).
 
     parameter       unit  range                default                          meaning
     per_decade      -     >= 0                 0.102                            a
@@ -184,7 +184,7 @@ class RateStiffness(Policy):
 
 @dataclass(frozen=True)
 class MohrCoulomb(Frictional):
-    """Mohr-Coulomb law. Where planes, edges, apex and cut-off meet, a trial stress returns to all of them at once
+    """Mohr-Coulomb law. Where planes, edges, apex and cut-off intersect, a trial stress returns to all of them at once
     (Koiter's rule).
 
     parameter              unit   range                default            meaning
@@ -281,7 +281,7 @@ class Flip(Kind):
     """PIC and FLIP in any blend: v_p = fraction (v_p + sum w (v_i^new - v_i^old)) + (1 - fraction) sum w v_i^new. FLIP
     (fraction 1; Brackbill and Ruppel 1986, doi:10.1016/0021-9991(86)90211-1) keeps energy and noise, PIC (fraction 0;
     Harlow 1964) damps both, at a rate that grows with the number of steps. With a time constant the fraction of a step
-    dt is fraction exp(-dt / time), so that what points keep to themselves decays in time, whatever the step.
+    dt is fraction exp(-dt / time), so that what points keep of their own velocity decays in time, whatever the step.
 
     parameter  unit  range   default  meaning
     fraction   -     [0, 1]  1.0      FLIP fraction; 0: PIC
@@ -293,15 +293,15 @@ class Flip(Kind):
 
 @dataclass(frozen=True)
 class Apic(Kind):
-    """Affine particle-in-cell (Jiang et al. 2015, doi:10.1145/2766996): a point takes B = sum w v_i (x_i - x_p)^T,
-    carries C = B D^-1, D = sum w (x_i - x_p)(x_i - x_p)^T, and hands back w (v_p + C (x_i - x_p)). Keeps angular
-    momentum to round-off where D is the same everywhere: not in the outermost cells of a grid."""
+    """Affine particle-in-cell (Jiang et al. 2015, doi:10.1145/2766996): a point computes B = sum w v_i (x_i - x_p)^T,
+    carries C = B D^-1, D = sum w (x_i - x_p)(x_i - x_p)^T, and returns w (v_p + C (x_i - x_p)). Conserves angular
+    momentum to round-off if D is the same everywhere: not in the outermost cells of a grid."""
 
 
 @dataclass(frozen=True)
 class Tpic(Kind):
-    """Taylor particle-in-cell: a point carries the velocity gradient L and hands back w (v_p + L (x_i - x_p))
-    (Wallstedt and Guilkey 2007, doi:10.1016/j.jcp.2007.08.023, their velocity projection). No inertia tensor to invert."""
+    """Taylor particle-in-cell: a point carries the velocity gradient L and returns w (v_p + L (x_i - x_p)) (Wallstedt
+    and Guilkey 2007, doi:10.1016/j.jcp.2007.08.023, their velocity projection). No inertia tensor to invert."""
 
 
 @dataclass(frozen=True)
@@ -317,11 +317,11 @@ class Aflip(Kind):
 
 @dataclass(frozen=True)
 class Fmpm(Kind):
-    """FMPM of order k (Nairn and Hammerquist 2021, Comput. Methods Appl. Mech. Eng. 377, 113667): points take the
-    velocities that the momentum of the nodes gives with the full mass matrix M_ij = sum m w_i w_j in place of the
-    lumped one, of whose inverse the first k terms of the series (I - S+ S)^l are taken. Accelerations are corrected,
+    """FMPM of order k (Nairn and Hammerquist 2021, Comput. Methods Appl. Mech. Eng. 377, 113667): points interpolate
+    the velocities that the momentum of the nodes gives with the full mass matrix M_ij = sum m w_i w_j in place of the
+    lumped one, its inverse approximated by the first k terms of the series (I - S+ S)^l. Accelerations are corrected,
     too. Strains and positions follow the lumped velocities: with the corrected ones the stable step would fall as 1 /
-    sqrt(k), for they multiply what is light among the nodes by k.
+    sqrt(k), for they multiply the velocities of light nodes by k.
 
     parameter  unit  range     default  meaning
     order      -     [1, 1e6]  2.0      a whole number; 1: PIC
@@ -334,8 +334,8 @@ class Fmpm(Kind):
 @dataclass(frozen=True)
 class Xpic(Kind):
     """Extended particle-in-cell of order m (Hammerquist and Nairn 2017, Comput. Methods Appl. Mech. Eng. 318, 724-738):
-    FLIP, of which the noise that the nodes do not see is damped, and the higher the order the less of anything else.
-    Accelerations come as FLIP's.
+    FLIP with damping of the noise that the nodes do not see; the higher the order, the weaker the damping of anything
+    else. Accelerations are those of FLIP.
 
     parameter  unit  range     default  meaning
     order      -     [1, 1e6]  2.0      a whole number; 1: PIC
@@ -349,8 +349,8 @@ class Xpic(Kind):
 class Musl(Kind):
     """Update of stress last, from point velocities mapped back to the nodes once more (modified USL; Sulsky, Zhou,
     Schreyer 1995, doi:10.1016/0010-4655(94)00170-7): nodes of little mass get no spurious strain. On grids points move
-    with the mapped velocities, too, unless the transfer is affine, so that places and strains belong together
-    (docs/decisions.md, Kernels). Elastic bodies on simplices, without averages, take their stress at the middle of the
+    with the mapped velocities, too, unless the transfer is affine, so that positions and strains agree
+    (docs/decisions.md, Kernels). Elastic bodies on simplices, without averages, use the stress at the middle of the
     step."""
 
 
@@ -361,10 +361,9 @@ class Usl(Kind):
 
 @dataclass(frozen=True)
 class Usf(Kind):
-    """Update of stress first, from the velocities that the points hand over at the start of the step, so that the
-    forces are those of the new stress (update stress first, USF; Bardenhagen 2002, doi:10.1006/jcph.2002.7103). It
-    strains as MUSL does, but with the weights behind the motion in place of those ahead of it, and keeps energy with
-    FLIP. P2G runs twice."""
+    """Update of stress first, from the node velocities at the start of the step, so that the forces are those of the
+    new stress (update stress first, USF; Bardenhagen 2002, doi:10.1006/jcph.2002.7103). It strains as MUSL does, but
+    with the weights after the motion in place of those before it, and conserves energy with FLIP. P2G runs twice."""
 
 
 @dataclass(frozen=True)
@@ -382,9 +381,10 @@ class NodalAveraging(Kind):
 
 @dataclass(frozen=True)
 class ElementAverage(Kind):
-    """In a cell that is filled, the points take their mean stress, weighted by volume, once they are in their cells at
-    the start of a step, and bear it over the whole volume of the cell (Gauss integration in filled cells; Beuth,
-    Wieckowski, Vermeer 2011, doi:10.1002/nag.961); those of a partly filled cell keep their own, and open ones none.
+    """In a filled cell, the points get their mean stress, weighted by volume, once they are in their cells at the start
+    of a step, and carry it over the whole volume of the cell (Gauss integration in filled cells; Beuth, Wieckowski,
+    Vermeer 2011, doi:10.1002/nag.961); those of a partly filled cell keep their own stresses, and open points carry
+    none.
 
     parameter  unit  range  default  meaning
     fill       -     > 0    0.5      a cell counts as filled from this fraction on"""
@@ -394,9 +394,9 @@ class ElementAverage(Kind):
 
 @dataclass(frozen=True)
 class NodalAndElementAverage(Kind):
-    """Both: volumetric strains averaged over nodes, stresses over filled cells. Averaged strains leave a cell no way to
-    even out what the scatter of its points' number does to its pressure; the mean stress over the whole volume of the
-    cell does, so that the answer depends far less on the number of points than with either alone.
+    """Both: volumetric strains averaged over nodes, stresses over filled cells. With averaged strains a cell cannot
+    even out the pressure errors that the scatter of its number of points causes; the mean stress over the whole volume
+    of the cell does, so that the number of points affects the result far less than with either of the two.
 
     parameter  unit  range  default  meaning
     fill       -     > 0    0.5      a cell counts as filled from this fraction on"""
@@ -407,7 +407,7 @@ class NodalAndElementAverage(Kind):
 @dataclass(frozen=True)
 class ViscousDamping(Part):
     """Viscous damping: velocities decay as exp(-rate t), whatever the step. Critical for a mode of angular frequency w
-    at rate = 2 w; with less the mode swings on. It opposes all motion, a free fall too.
+    at rate = 2 w; below that the mode oscillates. It opposes all motion, free fall too.
 
     parameter  unit  range  default
     rate       1/s   >= 0   needed"""
@@ -451,8 +451,8 @@ class Guided(Recipe):
 @dataclass(frozen=True)
 class PrescribedPose(Recipe):
     """A motion given in time, with rotation: the velocity of one point of the body, and the spin about it. No impulse
-    changes them; the work of the drive is booked. Values are those of the end of each step, in which the body turns by
-    spin times dt about their axis.
+    changes them; the work of the drive is recorded. Values are those of the end of each step, in which the body turns
+    by spin times dt about their axis.
 
     parameter  unit   range                                               default          meaning
     centre     m      any                                                 (0.0, 0.0, 0.0)  the point, at the start
@@ -468,8 +468,8 @@ class PrescribedPose(Recipe):
 
 @dataclass(frozen=True)
 class Anchor(Recipe):
-    """Springs and dashpots that hold a body to its place and orientation at the start, {x, y, z}. Rotational ones act
-    on the rotation vector (axis times angle), in space below a turn of pi.
+    """Springs and dashpots that tie a body to its place and orientation at the start, {x, y, z}. Rotational ones act on
+    the rotation vector (axis times angle), in space below a turn of pi.
 
     parameter             unit       range  default          meaning
     stiffness             N/m        >= 0   (0.0, 0.0, 0.0)  along each axis
@@ -514,16 +514,16 @@ class Free(Recipe):
 
 @dataclass(frozen=True)
 class RigidVelocity(Contact):
-    """`NodalGap` without the gap: a touched node may not move into the body. It is a ratchet: what vibration opens does
-    not close, and what rests or rubs on the body is lifted."""
+    """`NodalGap` without the gap: a touched node may not move into the body. It is a ratchet: gaps that vibration opens
+    do not close, and matter that rests or rubs on the body is lifted."""
 
 
 @dataclass(frozen=True)
 class NodalGap(Contact):
-    """The default: contact at nodes by the body's velocity, with the gap that matter has opened at each. What has
-    parted from the body there may come back by as much, whatever the masses: (v - v_body) . n >= -gap / dt with gap' =
-    max(0, gap + dt (v - v_body) . n). The body's new velocity and all impulses are found together, so that a light body
-    is as stable as a heavy one. Costs a number a touched node."""
+    """The default: contact at nodes by the body's velocity, with the gap that matter has opened at each. Matter that
+    has parted from the body there may come back by as much, whatever the masses: (v - v_body) . n >= -gap / dt with
+    gap' = max(0, gap + dt (v - v_body) . n). The body's new velocity and all impulses are found together, so that a
+    light body is as stable as a heavy one. Costs a number a touched node."""
 
 
 @dataclass(frozen=True)
@@ -536,7 +536,7 @@ class CentreOfMass(Contact):
 class PointContact(Contact):
     """Contact at the material points: none may move into the body, whatever the masses, with Coulomb friction. It acts
     where the points are, whatever the grid, and so without the gap that contact at nodes leaves (see
-    `DistanceSurface`); a point stands for matter around it, of which half its size is inside the body when it touches.
+    `DistanceSurface`); a point represents matter around it, of which half its size is inside the body when it touches.
     Needs a `DistanceSurface`, and points whose velocities are not mapped back (no MUSL). Impulses are found by sweeps
     of projected Gauss-Seidel, the body's velocity with them."""
 
@@ -548,10 +548,10 @@ class MovingMesh(Recipe):
     to `moving_to`, then linearly down to 0 at `fixed_above`; without the last two everything above `moving_from` moves.
 
     parameter    unit  range           default  meaning
-    fixed_below  m     any             needed   what lies below rests
+    fixed_below  m     any             needed   no motion below it
     moving_from  m     > fixed_below   needed   its top, and what is above, moves
     moving_to    m     >= moving_from  inf      up to here
-    fixed_above  m     > moving_to     inf      what lies above rests
+    fixed_above  m     > moving_to     inf      no motion above it
     axis         -     [0, 2]          1
     least        -     (0, 1)          0.05     share of its height that a zone keeps; below it the run stops
     leader       -     >= 0            0        number of the rigid body that leads it"""
@@ -607,7 +607,8 @@ class Geostatic(Recipe):
 
 @dataclass(frozen=True)
 class Fill(Recipe):
-    """What `fill` returns: a region, a law and how to fill; the scene makes a `Body` of it, once it knows the mesh.
+    """The recipe that `fill` returns: a region, a law and how to fill; the scene makes a `Body` of it, once it knows
+    the mesh.
 
     parameter     unit  range                                        default          meaning
     name          -     a name                                       needed
@@ -620,8 +621,8 @@ class Fill(Recipe):
     history       -     numbers or functions of positions, by name   {}               initial values of the law's history; those not named begin as the law says
     jitter        -     [0, 1]                                       0.0              share of its sub-cell within which each point is moved at random
     seed          -     >= 0                                         0                of the jitter
-    even          -     True, False                                  False            as far apart along all axes, in cells of unequal edges
-    exact_volume  -     True, False                                  False            points stand for the part of their sub-cells in the region"""
+    even          -     True, False                                  False            equal spacing along all axes, in cells of unequal edges
+    exact_volume  -     True, False                                  False            points represent the part of their sub-cells in the region"""
 
     name: str
     region: Region
@@ -639,19 +640,19 @@ class Fill(Recipe):
 
 @dataclass(frozen=True)
 class Watch(Recipe):
-    """Limits of a `Watch`. Past a limit the run stops, past a tenth of it comes one warning. Infinity switches a
-    quantity off: it is not computed. The watch that a run has of its own has an `energy_gain` of 1, a `volume` of 5 and
+    """Limits of a `Watch`. Past a limit the run stops; past a tenth of it the watch warns once. Infinity switches a
+    quantity off: it is not computed. The watch that `run` adds itself has an `energy_gain` of 1, a `volume` of 5 and
     `lost` 1.
 
     parameter    unit  range  default  meaning
-    energy_gain  -     > 0    0.1      energy that nothing put in, over all that was put in
-    transfer     -     > 0    1.0      energy that the transfer took, over all that was put in; needs the energy balance (`TrackEnergy`)
-    residual     -     > 0    0.5      what is left of the energy balance, over all that was put in; needs `TrackEnergy`
+    energy_gain  -     > 0    0.1      energy gained from nothing over the energy put in
+    transfer     -     > 0    1.0      energy lost in the transfer over the energy put in; needs the energy balance (`TrackEnergy`)
+    residual     -     > 0    0.5      residual of the energy balance over the energy put in; needs `TrackEnergy`
     volume       -     > 0    0.5      change of a body's mean volume, |V/V0 - 1|, voids included
     speed        -     > 0    10.0     greatest speed of a point over the wave speed of its body
     strength     -     > 0    0.1      how far a stress lies outside the yield surface of its law
     lost         -     > 0    0.1      share of a body's points that left the mesh
-    every        -     >= 1   100      steps from one look to the next"""
+    every        -     >= 1   100      steps from one check to the next"""
 
     energy_gain: float = 0.1
     transfer: float = 1.0
@@ -665,7 +666,7 @@ class Watch(Recipe):
 
 @dataclass(frozen=True)
 class Ramp(Recipe):
-    """From one value to another, linearly in time, constant before and behind.
+    """From one value to another, linearly in time, constant before and after.
 
     parameter    unit  range  default  meaning
     to           any   any    1.0      value at the end

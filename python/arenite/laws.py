@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-import warnings
 from dataclasses import dataclass, field
 from typing import Any, Dict, Optional, Tuple
 
 from . import _bases, _recipes
-from ._bases import Cone, Law, Policy, Updated
+from ._bases import Cone, Law, Updated
 from ._errors import Error
 from ._recipes import (ConstantFriction, ConstantStiffness, ForgetsOpening, InertialFriction, LinearElastic, LinearRateFriction,
                        LogarithmicFriction, MohrCoulomb, PressureStiffness, RateSofteningFriction, RateStiffness, RemembersOpening,
@@ -19,12 +18,6 @@ class DruckerPrager(_recipes.DruckerPrager):
         if not isinstance(self.cone, Cone):
             raise Error(f"DruckerPrager.cone = {self.cone!r}: must be one of {', '.join(f'Cone.{c.name}' for c in Cone)}")
         super().__post_init__()
-
-
-def AnyFriction(policy: Policy) -> Policy:
-    """Deprecated: any friction is chosen at run time. Give the law the friction `policy` itself."""
-    warnings.warn("AnyFriction(policy) is policy: each friction is chosen at run time", DeprecationWarning, stacklevel=3)
-    return policy
 
 
 @dataclass(frozen=True)
@@ -106,7 +99,7 @@ class OwnLaw(Law):
         return dict(self.parameters)
 
 
-__all__ = ["AnyFriction", "ByPoint", "Cone", "ConstantFriction", "ConstantStiffness", "DruckerPrager", "ForgetsOpening", "InertialFriction", "Law",
+__all__ = ["ByPoint", "Cone", "ConstantFriction", "ConstantStiffness", "DruckerPrager", "ForgetsOpening", "InertialFriction", "Law",
            "LinearElastic", "LinearRateFriction", "LogarithmicFriction", "MohrCoulomb", "OwnLaw", "PressureStiffness",
            "RateSofteningFriction", "RateStiffness", "RemembersOpening", "SofteningFriction", "Updated",
            "WithDeviatoricStrain"]

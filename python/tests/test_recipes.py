@@ -280,9 +280,3 @@ def test_what_goes_together_is_made(ar):
     ar.Rigid(lambda x: np.ones(len(x)), ar.Prescribed(ar.Signal(0, 1)), 0.1)
     ar.MohrCoulomb(**FRICTIONAL, stiffness_law=ar.RateStiffness(),
                    friction_law=ar.RateSofteningFriction(softening=ar.SofteningFriction(residual_friction=0.5, decay=1)))
-
-
-def test_a_friction_in_any_friction_is_itself(ar):
-    softening = ar.SofteningFriction(residual_friction=0.5, decay=1)
-    with pytest.warns(DeprecationWarning, match="AnyFriction"):
-        assert ar.AnyFriction(softening) is softening

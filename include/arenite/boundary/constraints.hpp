@@ -1,5 +1,5 @@
-// Constraints: nodes that may not move freely. Parts name the directions that they block; what several parts
-// block at one node becomes one projector, so that their order does not matter.
+// Constraints: nodes that may not move freely. Parts name the directions that they block; those of
+// several parts at one node become one projector, so that the order of the parts does not matter.
 #pragma once
 // SPDX-License-Identifier: BSD-3-Clause
 
@@ -57,7 +57,7 @@ struct Blocked {
 
 }  // namespace detail
 
-/// The nodes of a mesh, whatever it is, to which parts add what they block.
+/// The nodes of any mesh, to which parts add the directions that they block.
 template <int D>
 class BoundaryNodes {
  public:
@@ -71,11 +71,11 @@ class BoundaryNodes {
     upper_ = upper;
     is_part_ = true;
   }
-  /// Whether it is: a wall may then catch no node.
+  /// Whether the mesh is a part of a larger one: a wall may then have no node.
   bool is_part() const { return is_part_; }
 
   Index size() const { return static_cast<Index>(position_.size()); }
-  /// Whether a cell has node i: a mesher may leave nodes without cells behind.
+  /// Whether a cell has node i: a mesher may leave nodes without cells.
   bool is_used(Index i) const { return used_.empty() || used_[i] != 0; }
   const V& position(Index i) const { return position_[i]; }  ///< m
   const V& lower() const { return lower_; }  ///< corners of the grid, or of the box around the used nodes, m
@@ -91,9 +91,9 @@ class BoundaryNodes {
 
   /// Blocks the velocity of node i along a direction of any length.
   void block(Index i, const V& direction) { blocked_[i].add(direction, part_, wall_); }
-  /// What is blocked from here on is blocked by wall number k of the part.
+  /// The calls of `block` that follow are for wall number k of the part.
   void set_wall(std::size_t k) { wall_ = k; }
-  /// What is blocked at node i.
+  /// The blocked directions at node i.
   const detail::Blocked<D>& blocked(Index i) const { return blocked_[i]; }
 
  protected:
@@ -179,7 +179,7 @@ class NodeConstraints : public BoundaryNodes<M::dimension> {
   }
 };
 
-/// What parts (`Walls`, kinematics, ..) block on a mesh, as constrained nodes, ascending.
+/// The nodes that parts (`Walls`, kinematics, ..) constrain on a mesh, ascending.
 template <class Shape, class M, class... Parts>
 std::vector<Constraint<typename M::scalar, M::dimension>> resolve(const M& mesh, const Parts&... parts) {
   NodeConstraints<Shape, M> nodes(mesh);
@@ -187,14 +187,14 @@ std::vector<Constraint<typename M::scalar, M::dimension>> resolve(const M& mesh,
   return nodes.constraints();
 }
 
-/// Takes the impulses of single nodes where no part reads them: does nothing.
+/// Receives the impulses of single nodes if no part reads them: does nothing.
 struct NoSink {
   template <class V>
   constexpr void operator()(Index, const V&) const {}
 };
 
 /// Removes the blocked part of the velocities of a field. Returns the impulse that this gave to the nodes
-/// that `owns(node)`, N s; `take(node, impulse)` gets that of each.
+/// that `owns(node)`, N s; `take(node, impulse)` receives that of each.
 template <class T, int D, class Velocities, class Owns = OwnsAll, class Take = NoSink>
 Vec<T, D> constrain(const std::vector<Constraint<T, D>>& constraints, const std::vector<T>& mass,
                     Velocities& velocity, const Owns& owns = {}, const Take& take = {}) {

@@ -44,8 +44,8 @@ ARENITE_COLD Mat<double, D> Blocked<D>::projector() const {
   return p;
 }
 
-/// w's share of each direction, linear in u. A function of its own, so that `lift` calls one: in a function that calls none
-/// g++ 12 with AVX takes a list on the stack for aligned where it is not (its bug 109780).
+/// w's share of each direction, linear in u. A separate function, so that `lift` calls one: in a function that calls none
+/// g++ 12 with AVX wrongly assumes that an array on the stack is aligned (its bug 109780).
 template <int D>
 ARENITE_COLD std::array<Vec<double, D>, Blocked<D>::most> Blocked<D>::shares(std::size_t of) const {
   std::array<Vec<double, D>, most> along;

@@ -20,8 +20,8 @@ struct Driven {
 
 /// `driven(top(roller), {0, -0.1})`, a velocity in time `driven(top(roller), {0, -1}, Ramp{..})`, or any
 /// function of time, or of place and time, that returns (x, y, z). It moves the velocities of nodes, not the
-/// nodes: on a mesh that rests it is a wall through which matter enters or leaves, and right while the motion
-/// is small beside a cell. The work is booked (`Energies::external`).
+/// nodes: on a fixed mesh matter enters or leaves through the wall, which is accurate while the motion is
+/// small compared with a cell. The work is recorded in `Energies::external`.
 inline Driven driven(Wall wall, VectorFunction velocity) { return {std::move(wall), std::move(velocity)}; }
 inline Driven driven(Wall wall, const Triple& direction, const ScalarFunction& speed) {
   return {std::move(wall), VectorFunction(direction, speed)};

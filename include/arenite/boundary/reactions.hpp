@@ -12,7 +12,7 @@
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
-/// A part that reads what each wall of the scene gives, by name (`Wall::name`): `reaction(scene, "bottom")`.
+/// A part that records the reactions of all walls, by name (`Wall::name`): `reaction(scene, "bottom")`.
 /// Walls of one name are read together; axisymmetry blocks as "axisymmetric", another part that constrains by
 /// the number that it has among the parts, "part 2". Without it nothing is computed.
 struct Reactions {
@@ -42,7 +42,7 @@ std::size_t number_of_wall(const std::vector<std::string>& names, std::string_vi
 }  // namespace detail
 
 /// The impulse on a node is divided among the walls there: each gives along the directions that it blocks.
-/// What several block goes to the first of them; walls that stand askew each give along their own normals.
+/// A direction that several block counts for the first of them; oblique walls each give along their normals.
 template <class T, int D>
 class BoundReactions {
  public:
@@ -51,7 +51,7 @@ class BoundReactions {
   static constexpr bool reads_start_state = false;
   using V = Vec<T, D>;
 
-  /// Called when the scene is made, before `connect` of the parts, with what all of them block.
+  /// Called when the scene is made, before `connect` of the parts, with the directions that they all block.
   template <class Scene>
   void connect_walls(const Scene& scene, const BoundaryNodes<D>& nodes) {
     std::vector<std::vector<std::size_t>> number;  // [parts][walls] of their names
@@ -153,8 +153,8 @@ BoundReactions<typename Traits::T, Traits::D> bind_part(const Reactions&, const 
   return {};
 }
 
-/// What a wall gives to the matter. Needs a scene with `Reactions`. Of a scene over a portion of a mesh: of
-/// all portions, through `others`.
+/// Force and impulse of a wall on the matter. Needs a scene with `Reactions`. In a scene over a portion of a
+/// mesh: the sums over all portions, through the scene's communicator.
 template <class Scene>
 auto reaction(const Scene& scene, std::string_view wall) {
   static_assert(Scene::template has_part<Reactions>, "reaction: name Reactions{} among the scene's parts");

@@ -13,8 +13,8 @@
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
-/// A function of time, s, linear between the rows {time, value}, constant before the first and behind the
-/// last: `Table{{0, 0}, {0.1, 5_kPa}, {0.3, 0}}`. Two rows of one time are a jump: the second holds there.
+/// A function of time, s, linear between the rows {time, value}, constant before the first and after the
+/// last: `Table{{0, 0}, {0.1, 5_kPa}, {0.3, 0}}`. Two rows of one time are a jump: the second applies there.
 class Table {
  public:
   using Row = std::pair<double, double>;
@@ -47,7 +47,7 @@ class Table {
   std::vector<Row> rows_;
 };
 
-/// From one value to another, linearly in time, constant before and behind.
+/// From one value to another, linearly in time, constant before and after.
 ///
 /// `Ramp{.to = 100_kPa, .over = 0.2}`.
 struct Ramp {

@@ -1,4 +1,4 @@
-// Sides of the box around a mesh at which walls hold the matter, as rigid bodies meet them: planes.
+// Sides of the box around a mesh at which walls constrain the matter: planes that rigid bodies may pass.
 #pragma once
 // SPDX-License-Identifier: BSD-3-Clause
 
@@ -14,25 +14,25 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 /// One side: number 2 axis, or 2 axis + 1 at the upper end (`place_name`).
 struct WallSide {
-  double at = 0;          ///< on its axis, m
-  bool holds = false;     ///< whether all of its nodes are held across it: by walls, frictional ones too
+  double at = 0;          ///< position on its axis, m
+  bool holds = false;     ///< whether walls, also frictional ones, constrain all of its nodes across it
   bool is_smooth = true;  ///< whether some of them may move along it, as at a plane of symmetry
 };
 
-/// The box around a mesh as a rigid body meets it.
+/// The box around a mesh, to check the positions of rigid bodies.
 template <int D>
 struct MeshSides {
   std::array<WallSide, 2 * D> sides{};
-  double cell = 0;  ///< edge of the least cell, m
+  double cell = 0;  ///< edge of the smallest cell, m
 };
 
-/// What a watch knows of one rigid body.
+/// State of the checks of one rigid body.
 struct WatchedRigid {
-  std::array<bool, 6> crossed{};                      ///< [sides] at the first look
-  bool tells_of_walls = true, tells_of_mesh = false;  ///< whether still to be told
+  std::array<bool, 6> crossed{};                      ///< [sides] at the first check
+  bool tells_of_walls = true, tells_of_mesh = false;  ///< whether still to be reported
 };
 
-/// The sides of the box around the whole mesh. Nodes that a part moves hold nothing.
+/// The sides of the box around the whole mesh. Nodes that a part moves do not count as constrained.
 template <class Scene>
 auto wall_sides(const Scene& scene) {
   constexpr int D = Scene::D;

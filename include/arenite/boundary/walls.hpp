@@ -1,5 +1,5 @@
 // Walls: which nodes may not move, and in which directions. A wall blocks the velocity along some normals;
-// where several walls meet at a node their blocked directions add up.
+// at a node of several walls their blocked directions add up.
 #pragma once
 // SPDX-License-Identifier: BSD-3-Clause
 
@@ -17,7 +17,7 @@
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
-/// What a wall blocks.
+/// The directions that a wall blocks.
 struct Condition {
   enum class Kind { all, face_normal, normal, all_but } kind;
   std::array<double, 3> direction{};  ///< `normal`: the blocked direction; `all_but`: the free one
@@ -34,7 +34,7 @@ constexpr Condition free_along(std::size_t axis) {
   return c;
 }
 
-/// What a place on the hull of a mesh is called: the side of the box around it, normal to `axis`, or the node
+/// Name of a place on the hull of a mesh: the side of the box around it, normal to `axis`, or the node
 /// set, or "where".
 inline std::string place_name(int axis, bool upper, const std::string& set) {
   static constexpr std::array<const char*, 6> sides{"left", "right", "bottom", "top", "front", "back"};
@@ -49,12 +49,12 @@ struct Wall {
   std::string set{};                                         ///< name of a node set of a simplex mesh
   std::function<bool(const std::array<double, 3>&)> test{};  ///< any test of a node's position, m
   Condition condition = fixed;
-  std::string given_name{};  ///< where there is no better one
+  std::string given_name{};  ///< by `named`; empty: none
 
-  /// What the wall is called: its face, its node set, or the name given.
+  /// Name of the wall: the one given, else that of its face or node set.
   std::string name() const { return given_name.empty() ? place_name(axis, upper, set) : given_name; }
 };
-/// `named("platen", where(..))`: the wall under a name of its own, by which its reaction is read.
+/// `named("platen", where(..))`: the wall under this name, by which its reaction is read.
 inline Wall named(std::string name, Wall wall) {
   wall.given_name = std::move(name);
   return wall;
@@ -81,8 +81,8 @@ inline Wall where(std::function<bool(const std::array<double, 3>&)> test, Condit
   return {-1, false, {}, std::move(test), c};
 }
 
-/// Walls of a scene: a part that constrains. Throws `error` for a wall that catches no node, a face beyond
-/// the dimension, a roller that is no face, or a direction that is none.
+/// Walls of a scene: a part that constrains. Throws `error` for a wall that has no node, a face beyond
+/// the dimension, a roller that is no face, or an invalid direction.
 struct Walls {
   static constexpr bool reads_start_state = false;
   std::vector<Wall> list;
@@ -91,8 +91,8 @@ struct Walls {
   template <int D>
   void constrain(BoundaryNodes<D>& nodes) const;
 
-  /// What can be said of a wall in D dimensions without a mesh. Returns the direction that its condition
-  /// names; zero if it names none.
+  /// Throws `error` for a wall that is invalid in D dimensions on any mesh. Returns the direction that its
+  /// condition names; zero if it names none.
   template <int D>
   static Vec<double, D> check(const Wall& wall);
 };

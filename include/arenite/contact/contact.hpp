@@ -30,9 +30,9 @@ struct OneField {
   static constexpr bool separates_bodies = false;
 };
 
-/// Coulomb friction between bodies, each with a velocity field of its own (Bardenhagen, Brackbill, Sulsky
-/// 2000). It acts at nodes to which both bodies give mass, before their surfaces meet: from 1.5 to 2.5 cells
-/// on with quadratic B-splines, from 0.75 to 1.75 with linear simplices, by where nodes lie
+/// Coulomb friction between bodies, each with its own velocity field (Bardenhagen, Brackbill, Sulsky 2000).
+/// It acts at nodes that receive mass from both bodies, before their surfaces touch: at a distance of 1.5 to
+/// 2.5 cells with quadratic B-splines, 0.75 to 1.75 with linear simplices, depending on where nodes lie
 /// (tests/contact/acting_distance_heavy.cpp).
 template <class Normals = MassGradient>
 struct Coulomb {
@@ -40,7 +40,7 @@ struct Coulomb {
   Normals normals{};
   /// Velocity limit of Bardenhagen et al. 2001: a velocity after contact above this share of (smallest cell
   /// at the node) / dt, which would turn a cell inside out, is scaled down to it; 0: no limit. Momentum that
-  /// this takes is counted.
+  /// this removes is counted.
   double velocity_limit = 0.75;
 
   explicit Coulomb(Friction f, Normals n = {}, double limit = 0.75)
@@ -56,7 +56,7 @@ struct Coulomb {
   }
 };
 
-/// Two fields that exchanged an impulse at a node, and what it left of their motion against each other.
+/// Two fields that exchanged an impulse at a node, and their relative velocity after it.
 template <class T, int D>
 struct ContactPair {
   Index node;
@@ -69,8 +69,8 @@ struct ContactPair {
 
 namespace detail {
 
-/// Lets each pair of bodies meet at the nodes that they share. An impulse is computed once and given with
-/// both signs, so that momentum is kept to round-off. Calls `done(pair)` for each.
+/// Lets each pair of bodies exchange impulses at the nodes that they share. An impulse is computed once and
+/// applied with both signs, so that momentum is conserved to round-off. Calls `done(pair)` for each.
 template <class Normals, class Fields, class Done>
 void apply_in_pairs(const Friction& friction, const Normals& normals, Fields& fields, Done&& done) {
   using V = std::remove_cvref_t<decltype(fields[0].start[0])>;
@@ -133,8 +133,8 @@ ContactTally apply_contact(const Contact& contact, const Normals& normals, Field
     if (!owns(pair.node)) return;
     impulses[a] += impulse;
     impulses[b] -= impulse;
-    // Mean velocities over the whole step, so that forces that contact holds in balance
-    // dissipate nothing.
+    // Mean velocities over the whole step, so that forces in equilibrium with
+    // contact dissipate nothing.
     tally.dissipation -=
         static_cast<double>(impulse.dot(fields[a].start[i] - fields[b].start[i] + pair.after) / 2);
     ++tally.nodes;
@@ -143,7 +143,7 @@ ContactTally apply_contact(const Contact& contact, const Normals& normals, Field
   return tally;
 }
 
-/// Holds the mapped velocities of each pair to those of their common momentum (see `hold`). Returns the
+/// Constrains the mapped velocities of each pair to those of their common momentum (see `hold`). Returns the
 /// energy that this dissipates, J.
 template <class Pairs, class Fields, class T, class Owns = OwnsAll>
 double hold_together(const Pairs& pairs, Fields& fields, T dt, const Owns& owns = {}) {
@@ -164,7 +164,7 @@ double hold_together(const Pairs& pairs, Fields& fields, T dt, const Owns& owns 
   return dissipation;
 }
 
-/// What pairs dissipated beyond what `apply_contact` has booked (see `rest_of_dissipation`), J.
+/// Dissipation of the pairs beyond that recorded by `apply_contact` (see `rest_of_dissipation`), J.
 template <class Pairs, class Fields, class Owns = OwnsAll>
 double rest_between(const Pairs& pairs, const Fields& fields, const Owns& owns = {}) {
   double dissipation = 0;
@@ -201,7 +201,7 @@ struct BoundCoulomb {
     const std::size_t bodies = scene.fields.size();
     impulse = by_body<Vec<T, D>, Fields>(bodies);
     for (auto& sum : impulse) sum.setZero();
-    // A step allocates nothing, unless more than four bodies meet at each node.
+    // A step allocates nothing, unless more than four bodies share each node.
     pairs.reserve(scene.fields[0].size() * std::min<std::size_t>(bodies * (bodies - 1) / 2, 6));
   }
   template <class Scene>
@@ -254,7 +254,7 @@ auto bind_part(const Coulomb<N>& contact, const Traits& traits) {
   if constexpr (complete) {
     return BoundCoulomb<T, D, Normals, Traits::body_count>{contact.friction, contact.velocity_limit, normals};
   } else {
-    return OneField{};  // one sentence is enough
+    return OneField{};  // already reported
   }
 }
 

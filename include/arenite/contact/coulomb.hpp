@@ -33,7 +33,7 @@ class Friction {
   double coefficient_;
 };
 
-/// What Coulomb's law gives: an impulse, N s, and whether it stops all relative motion, not just that along
+/// Result of Coulomb's law: an impulse, N s, and whether it stops all relative motion, not only that along
 /// the normal.
 template <class T, int D>
 struct CoulombImpulse {
@@ -41,10 +41,10 @@ struct CoulombImpulse {
   bool sticks = false;
 };
 
-/// Impulse on the first of two masses that meet with relative velocity `approach` (first less second), m/s.
-/// `normal` is the unit normal out of the second. `mass` is what an impulse has to move, kg: m1 m2 / (m1 +
-/// m2), or m1 against a rigid wall. Zero if they part. The normal velocity is taken to zero, the tangential
-/// one reduced by at most friction times the normal impulse (Bardenhagen, Brackbill, Sulsky 2000,
+/// Impulse on the first of two masses in contact, of relative velocity `approach` (first minus second), m/s.
+/// `normal` is the unit normal out of the second. `mass` is the reduced mass, kg: m1 m2 / (m1 + m2), or m1
+/// against a rigid wall. Zero if they separate. The normal velocity is set to zero, the tangential one
+/// reduced by at most friction times the normal impulse (Bardenhagen, Brackbill, Sulsky 2000,
 /// doi:10.1016/S0045-7825(99)00338-2, eqs. 14 to 20) and by at most the impulse `shear`, N s.
 template <class T, int D>
 CoulombImpulse<T, D> coulomb(const Vec<T, D>& approach, const Vec<T, D>& normal, T mass,

@@ -1,5 +1,5 @@
-// Frictional wall: faces of the mesh on which matter slides against Coulomb friction, and from which it may
-// part.
+// Frictional wall: faces of the mesh on which matter slides with Coulomb friction, and from which it may
+// separate.
 #pragma once
 // SPDX-License-Identifier: BSD-3-Clause
 
@@ -18,14 +18,14 @@
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 struct FrictionalWallOptions {
-  bool separates = true;  ///< whether matter may part from the wall; else it slides on it, pulled or pressed
+  bool separates = true;  ///< whether matter may leave the wall; else it slides on it, pulled or pressed
 };
 
-/// Faces of the mesh that rest, with Coulomb friction: at each of their nodes the velocity across the wall is
-/// taken to zero, that along it reduced by at most friction times that impulse (`coulomb`). A wall that does
-/// not separate has friction only where matter is pressed on it. A node where faces of several directions
-/// meet has the mean of their normals: name the sides of a corner apart, and the node meets each of them in
-/// turn, which is exact if they are at right angles.
+/// Fixed faces of the mesh with Coulomb friction: at each of their nodes the velocity normal to the wall is
+/// set to zero, that along it reduced by at most friction times the normal impulse (`coulomb`). A wall that
+/// does not separate has friction only where matter is pressed on it. A node that faces of several
+/// directions share has the mean of their normals. If each side of a corner is a wall by itself, they act
+/// on the node in turn, which is exact at right angles.
 struct FrictionalWall {
   MeshFaces where;
   Friction friction;
@@ -96,7 +96,7 @@ class BoundFrictionalWall {
         if (given.impulse.squaredNorm() == 0) continue;
         v += given.impulse / mass;
         impulse_ += given.impulse;
-        // Mean velocities over the step, so that what the wall holds in balance dissipates nothing.
+        // Mean velocities over the step, so that forces in equilibrium with the wall dissipate nothing.
         tally.dissipation -= static_cast<double>(given.impulse.dot(field.start[node] + v)) / 2;
         ++tally.nodes;
         touched_.push_back({f, node, normal, given.sticks, given.impulse, v});
@@ -123,7 +123,7 @@ class BoundFrictionalWall {
       if (n.normal.dot(acceleration) < 0) return true;
     return false;
   }
-  /// Calls `f(node, normal)` for the nodes that it holds, with the unit normal out of the wall.
+  /// Calls `f(node, normal)` for the nodes of the wall, with the unit normal out of it.
   template <class F>
   void visit_wall_nodes(F&& f) const {
     for (const auto& n : nodes_) f(n.node, n.normal);
@@ -133,7 +133,7 @@ class BoundFrictionalWall {
     f("dissipated", dissipated_);
   }
 
-  /// What `reaction(scene, name)` knows it by, and what it gave to the matter in the last step, N s.
+  /// Its name in `reaction(scene, name)`, and its impulse on the matter in the last step, N s.
   const std::string& wall_name() const { return name_; }
   const V& given_impulse() const { return impulse_; }
 

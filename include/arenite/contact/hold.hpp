@@ -1,4 +1,4 @@
-// Hold: how the mapped velocities of MUSL keep what contact enforced.
+// Hold: contact constraints on the mapped velocities of MUSL.
 #pragma once
 // SPDX-License-Identifier: BSD-3-Clause
 
@@ -8,20 +8,21 @@
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
-/// The part removed from a mapped relative velocity, m/s, and what that dissipates, J.
+/// The part removed from a mapped relative velocity, m/s, and the energy that this dissipates, J.
 template <class T, int D>
 struct Held {
   Vec<T, D> removed;
   double dissipation;
 };
 
-/// Holds the mapped velocities of MUSL, from which strains are taken, to what contact enforced where it gave
-/// an impulse: along the normal, or in all directions if the two stick. Both opening and closing are held: an
-/// impulse does no work only if the strain velocities agree where it acts. Without the hold they part during
-/// a rebound at nodes where contact still pushes, and the impulse times that velocity is energy from nothing.
-/// The hold is no impulse: the mapped velocities serve one strain increment only. The points of FLIP gain
-/// (impulse + dt force) (start + mapped) / 2 at each node, their strains take dt force times the held
-/// velocity: the hold dissipates the difference, and the impulse is booked apart (`rest_of_dissipation`).
+/// Constrains the mapped velocities of MUSL, from which strains are computed, as contact does where it gave
+/// an impulse: along the normal, or in all directions if the two stick. Both opening and closing are
+/// removed: an impulse does no work only if the strain velocities agree where it acts. Otherwise they
+/// differ during a rebound at nodes where contact still pushes, and the impulse times that difference is
+/// spurious energy. The constraint is no impulse: the mapped velocities serve one strain increment only.
+/// FLIP points gain (impulse + dt force) (start + mapped) / 2 at each node, their strains absorb dt force
+/// times the constrained velocity: the difference is dissipated; the impulse is counted apart
+/// (`rest_of_dissipation`).
 /// `apart`: the mapped relative velocity; `force`: the force between the two, N.
 template <class T, int D>
 Held<T, D> hold(const Vec<T, D>& apart, const Vec<T, D>& normal, bool sticks, const Vec<T, D>& force, T dt) {
@@ -29,7 +30,7 @@ Held<T, D> hold(const Vec<T, D>& apart, const Vec<T, D>& normal, bool sticks, co
   return {removed, -static_cast<double>(dt * force.dot(removed))};
 }
 
-/// Holds the mapped velocities of MUSL to what nodes were given by a rigid body or a wall (see `hold`); a
+/// Constrains the mapped velocities of MUSL at nodes touched by a rigid body or a wall (see `hold`); a
 /// touched node has `field`, `node`, the unit `normal`, the `impulse`, N s, and whether it `sticks`. Returns
 /// the energy that this dissipates, J.
 template <class Touched, class Fields, class T>

@@ -1,4 +1,4 @@
-// Normals between two bodies that meet at a node: from the gradients of their masses, or of a surface.
+// Normals between two bodies that share a node: from the gradients of their masses, or of a surface.
 #pragma once
 // SPDX-License-Identifier: BSD-3-Clause
 

@@ -1,4 +1,4 @@
-// Surface of a region of a simplex mesh: the nodes where it meets other regions, with unit normals out of it,
+// Surface of a region of a simplex mesh: the nodes shared with other regions, with unit normals out of it,
 // and the nodes inside.
 #pragma once
 // SPDX-License-Identifier: BSD-3-Clause
@@ -27,9 +27,9 @@ struct RegionSurface {
       volume_fraction;  ///< [nodes] fraction of the region's volume that belongs to each surface node
 };
 
-/// Facets on the hull of the mesh are no surface. Where walls constrain a node, its normal keeps to the
-/// allowed directions: on a symmetry plane or an axis it lies in it. Throws `error` if the region has no cells or meets no
-/// other, or if walls hold all nodes where it does, unless the mesh `is_part` of a larger one.
+/// Facets on the hull of the mesh are no surface. Where walls constrain a node, its normal is projected onto
+/// the free directions: on a symmetry plane or an axis it lies in it. Throws `error` if the region has no cells or
+/// touches no other, or if walls fix all shared nodes along their normals, unless the mesh `is_part` of a larger one.
 template <class K, int D, class T>
 RegionSurface<T, D> surface_of(const SimplexMesh<D, T>& mesh, const std::string& region,
                                const std::vector<Constraint<T, D>>& constraints, bool is_part = false) {

@@ -1,4 +1,4 @@
-// Binding: a recipe, which is what a user writes, becomes the part that it stands for in a scene's mesh.
+// Binding: turns a recipe, which is what a user writes, into the part of a scene, for its mesh.
 #pragma once
 // SPDX-License-Identifier: BSD-3-Clause
 
@@ -8,9 +8,9 @@
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
-/// What `bind_part(recipe, traits)`, found by argument-dependent look-up, makes of a recipe; where there is
-/// none, the recipe itself is the part. (`bind` alone would be std::bind, where a recipe holds a type of
-/// std.)
+/// Turns a recipe into the part of a scene by `bind_part(recipe, traits)`, found by argument-dependent lookup
+/// (ADL); a recipe without one is the part. (By the name `bind` ADL would find std::bind for a recipe with a
+/// template argument of std.)
 template <class Recipe, class Traits>
 auto bound(const Recipe& recipe, const Traits& traits) {
   if constexpr (requires { bind_part(recipe, traits); })

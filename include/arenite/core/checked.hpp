@@ -1,4 +1,4 @@
-// A number that cannot hold a value out of bounds: parameters of aggregates check themselves.
+// A number that is never out of bounds: parameters of aggregates check themselves.
 #pragma once
 // SPDX-License-Identifier: BSD-3-Clause
 
@@ -8,8 +8,8 @@
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 /// A number that was checked when it was given. `Rule` has `name` (of the parameter) and `bounds` (a
-/// sentence), both static and const char*, and `static bool holds(double)`. Throws `error` with all three
-/// unless it holds.
+/// sentence), both static and const char*, and `static bool holds(double)`. Throws `error` with name, value
+/// and bounds if that is false.
 template <class Rule>
 class Checked {
  public:

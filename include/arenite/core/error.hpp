@@ -57,7 +57,7 @@ class TextPart {
 
 using TextParts = std::initializer_list<TextPart>;
 
-/// The parts one behind the other as text: what messages are made of.
+/// The parts concatenated, as the text of a message.
 std::string joined_text(TextParts parts);
 
 /// "(1, 2, 3)" of a vector's components.
@@ -72,8 +72,8 @@ std::string vector_text(const Vector& v) {
 /// Throws `error("name = value: rule")`.
 [[noreturn]] void refuse(TextParts name, TextPart value, TextParts rule);
 
-/// Refuses the value unless `holds`. Write the condition so that NaN fails it. Name and rule are words, or parts of which they are made
-/// when they are needed.
+/// Refuses the value unless `holds`. Write the condition so that NaN fails it. Name and rule are words, or
+/// parts that are joined only when needed.
 inline void require(bool holds, TextPart name, TextPart value, TextPart rule) {
   if (!holds) [[unlikely]]
     refuse({name}, value, {rule});

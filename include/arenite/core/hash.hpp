@@ -1,4 +1,4 @@
-// Hash: 64 bits that tell whether bytes are the same, for files and inputs.
+// Hash: 64 bits by which bytes are compared, for files and inputs.
 #pragma once
 // SPDX-License-Identifier: BSD-3-Clause
 

@@ -2,8 +2,8 @@
 // inline namespace. All code depends on the compiler's flags; were functions named alike in units with other
 // flags, the linker would keep one of each and give it to all, also where the processor does not have its
 // instructions. `arenite::Scene` is `arenite::v0_1_avx2_fma::Scene` to the linker, so that libraries that were
-// built with other versions meet in one program, too. A name can only come from a macro, which no flag sets.
-// Outside are exceptions, and what tells where the one thread pool is (core/once.hpp).
+// built with other versions work in one program, too. A name can only come from a macro, which no flag sets.
+// Outside of it are exceptions, and the pointer to the one thread pool (core/once.hpp).
 #pragma once
 // SPDX-License-Identifier: BSD-3-Clause
 

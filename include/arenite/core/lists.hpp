@@ -33,7 +33,7 @@ class Lists {
     build(rows, visit);
   }
 
-  /// Makes the lists anew, in the memory that is there if it suffices.
+  /// Rebuilds the lists, in the memory that is there if it suffices.
   template <class Visit>
   void build(std::size_t rows, Visit&& visit) {
     begin_rows(start_, rows, [&](auto&& count) { visit([&](std::size_t row, Index) { count(row); }); });
@@ -44,7 +44,7 @@ class Lists {
     start_[0] = 0;
   }
 
-  /// Takes the memory of so many entries.
+  /// Reserves memory for this number of entries.
   void reserve(std::size_t entries) { values_.reserve(entries); }
 
   std::size_t size() const { return start_.size() - 1; }

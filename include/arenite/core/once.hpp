@@ -1,6 +1,6 @@
 // Globals, one in a program: the thread pool and the hook of warnings serve all units, also those that are compiled
 // for other instruction sets. Such units share the object and no function that works on it, so that each runs
-// code of its own. What they share by name is data: a word that tells where the object is.
+// its own code. They share only data by name: an atomic pointer to the object.
 #pragma once
 // SPDX-License-Identifier: BSD-3-Clause
 

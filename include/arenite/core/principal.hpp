@@ -77,7 +77,7 @@ constexpr T largest_root(const T& x) {
 
 }  // namespace detail
 
-/// Spectral decomposition of a symmetric tensor. `value` holds its principal values, largest first; `with(y)`
+/// Spectral decomposition of a symmetric tensor. `value` has its principal values, largest first; `with(y)`
 /// is the tensor that has the same axes and the principal values y.
 template <class T, int D>
 class Principal;

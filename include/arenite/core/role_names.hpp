@@ -1,6 +1,6 @@
 // Names of roles: the optional members of a law, the members of a transfer and of a part by which a scene
-// knows what they do, and what they say of themselves. They are looked for by name first and then by
-// signature: a member with a role's name and another signature would else be left out in silence.
+// knows what they do, and constants that describe them. They are detected by name first and then checked by
+// signature: a member with a role's name and another signature would otherwise be ignored silently.
 #pragma once
 // SPDX-License-Identifier: BSD-3-Clause
 

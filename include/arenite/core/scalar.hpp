@@ -34,10 +34,10 @@ constexpr T select(bool mask, T a, T b) {
   return mask ? a : b;
 }
 
-/// Whether a mask holds anywhere: for a scalar the mask itself.
+/// Whether a mask is true anywhere: for a scalar the mask itself.
 constexpr bool any_of(bool mask) { return mask; }
 
-/// Whether a mask holds everywhere: for a scalar the mask itself.
+/// Whether a mask is true everywhere: for a scalar the mask itself.
 constexpr bool all_of(bool mask) { return mask; }
 
 /// 1 / x; for a pack to a few units in the last place where that spares the divider.

@@ -36,7 +36,7 @@ template <class V>
 concept state_value = state_number<V> || state_array<V>;
 
 /// Visits values below a path: calls `f("prefix/name", value)`. For a `visit_state` that asks others for
-/// theirs. `ReadOnly`: numbers are handed on as constants, arrays as spans of them.
+/// theirs. `ReadOnly`: numbers are passed as constants, arrays as spans of constants.
 template <class F, bool ReadOnly = false>
 class StateUnder {
  public:
@@ -121,8 +121,8 @@ struct StateSlot {
   std::string type() const { return kind + std::to_string(bytes); }
 };
 
-/// The visitor that lists a state: whatever is done with its values, one function finds them. What it is shown
-/// must last until the values are read or restored: members, and spans of what members hold.
+/// The visitor that lists a state: whatever is done with its values, one function finds them. They must
+/// last until they are read or restored: members, and spans of the numbers in members.
 struct StateSlots {
   std::vector<StateSlot> slots{};
 

@@ -32,7 +32,7 @@ struct TypeWords {
 
 /// A type as it is written, without namespaces, but with all template arguments, the same from all compilers:
 /// "MohrCoulomb<ForgetsOpening,ConstantFriction,ConstantStiffness>", "CartesianGrid<2,double>". Of templates
-/// with other arguments than types, and a number before or behind one, only the name.
+/// with other arguments than types, or one type and one number in any order, only the name.
 template <class T>
 std::string type_words() {
   return shared_detail::TypeWords<T>::text();

@@ -28,8 +28,8 @@ Vec<T, D> in_scene(const std::array<double, 3>& all) {
   return v;
 }
 
-/// Throws `error` unless all components of the parameter `name` are finite and those along axes that a scene
-/// of so many dimensions does not have are zero.
+/// Throws `error` unless all components of the parameter `name` are finite and those along axes beyond
+/// the scene's `dimensions` are zero.
 void check_vector_argument(std::string_view name, const std::array<double, 3>& given, int dimensions);
 
 /// The vector [D] that a user gave as the parameter `name`, once it is checked.

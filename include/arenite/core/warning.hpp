@@ -13,15 +13,15 @@
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
-/// Text of a warning: a string. (A type of its own gives `std::function` of it a name of its own in units for
+/// Text of a warning: a string. (With a distinct type `std::function` of it has a distinct name in units for
 /// other instruction sets.)
 struct WarningText : std::string {
   using std::string::string;
   WarningText(std::string text) : std::string(std::move(text)) {}
 };
 
-/// What is called with the text of each warning, one line without its end: any callable with a string. It may
-/// throw: whoever warned then fails with that exception.
+/// The hook: any callable with a string. It gets the text of each warning, one line without a newline. It may
+/// throw: the code that warned then fails with that exception.
 using WarningHook = std::function<void(const WarningText&)>;
 
 /// Replaces the hook and returns the old one. The first hook writes a line to standard error; an empty one

@@ -109,7 +109,7 @@ class PartSums {
   std::vector<double> boxes_;
 };
 
-/// Barycentric coordinates of samples of equal weight in a simplex, several for each of so many points.
+/// Barycentric coordinates of samples of equal weight in a simplex, several for each of `points` points.
 template <int D>
 Places<Vec<double, D + 1>> simplex_samples(std::size_t points) {
   const auto n = static_cast<double>(points);

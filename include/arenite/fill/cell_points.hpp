@@ -13,7 +13,7 @@
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
-/// Positions, with an allocator that gives functions of the list a name of their own in units for other instruction sets.
+/// Positions, with an allocator that gives functions of the list distinct names in units for other instruction sets.
 template <class Point>
 using Places = std::vector<Point, ArrayMemory<Point>>;
 
@@ -82,7 +82,7 @@ Places<Vec<double, D + 1>> simplex_points(int n) {
                                   : ": must be 1, 4, 10, 20, 35, 56 or 84"}));
 }
 
-/// How many of n points on a lattice lie along each axis; n must be a D-th power. Throws `error` otherwise.
+/// Points along each axis of a lattice of n points; n must be a D-th power. Throws `error` otherwise.
 template <int D>
 std::array<int, static_cast<std::size_t>(D)> lattice_counts(int n);
 /// Points along each axis of a grid cell with these edges, so that they are about as far apart along all axes:
@@ -90,7 +90,7 @@ std::array<int, static_cast<std::size_t>(D)> lattice_counts(int n);
 template <class T, int D>
 std::array<int, static_cast<std::size_t>(D)> even_counts(int n, const Vec<T, D>& edges);
 
-/// Positions in the unit cell [0, 1]^D of points on an even lattice with so many along each axis.
+/// Positions in the unit cell [0, 1]^D of points on an even lattice, with the numbers `along` each axis.
 template <std::size_t D>
 Places<Vec<double, static_cast<int>(D)>> lattice_points(const std::array<int, D>& along) {
   int n = 1;
@@ -122,7 +122,7 @@ CellBox<typename M::scalar, M::dimension> cell_box(const M& mesh, Index cell) {
   return {mesh.corner(cell), mesh.extent(cell)};
 }
 
-/// Positions of the n initial points of a cell, m; `even`: about n, as `even_counts` has them.
+/// Positions of the n initial points of a cell, m; `even`: about n, as given by `even_counts`.
 template <class T, int D>
 Places<Vec<T, D>> initial_points(const CellBox<T, D>& cell, int n, bool even);
 template <class M>

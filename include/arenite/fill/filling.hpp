@@ -1,4 +1,4 @@
-// Filling: makes the points of a fill as plain values, whatever mesh they lie in and whatever law they obey.
+// Filling: makes the points of a fill as plain values, independent of the mesh and the law.
 #pragma once
 // SPDX-License-Identifier: BSD-3-Clause
 
@@ -29,15 +29,15 @@ struct FillOptions {
   /// Initial values of the law's history; those not named begin as the law says. By name, as functions of the
   /// position (x, y, z = 0 in two dimensions), m.
   Map<std::string, std::function<double(const std::array<double, 3>&)>> history{};
-  /// Share of its sub-cell within which each point is moved at random, -, in [0, 1]. Points that it takes out
-  /// of the region are left out, those that it takes into it are put in (`jitter_points`).
+  /// Share of its sub-cell within which each point is moved at random, -, in [0, 1]. Points moved out of the
+  /// region are omitted, points moved into it are included (`jitter_points`).
   double jitter = 0;
   std::uint64_t seed = 0;  ///< of the jitter, -, >= 0
-  /// As far apart along all axes, in cells of unequal edges. About `per_cell` points a cell then lie evenly
+  /// Equal spacing along all axes, in cells of unequal edges. About `per_cell` points a cell then lie evenly
   /// where the matter flows into other cells.
   bool even = false;
-  /// Points stand for the part of their sub-cells in the region. They lie in the middle of that part, and the
-  /// mass is that of the region. Otherwise a point stands for all of its sub-cell, if the middle of the
+  /// Points represent the part of their sub-cells in the region. They lie in the middle of that part, and the
+  /// mass is that of the region. Otherwise a point represents its whole sub-cell, if the middle of the
   /// sub-cell lies in the region.
   bool exact_volume = false;
 
@@ -46,7 +46,7 @@ struct FillOptions {
   int points_in_cell() const {
     return per_cell.value_or(is_simplex_mesh<M> || M::dimension == 2 ? 4 : 8);
   }
-  /// Throws `error` for a value that no scene bears.
+  /// Throws `error` for an invalid value.
   void check() const;
 };
 
@@ -78,7 +78,7 @@ struct FillPlace {
   double volume;           // m3
   Index cell;
   double cell_volume;   // m^D
-  bool sliver = false;  // whether it stands for less than a tenth of a sub-cell
+  bool sliver = false;  // whether it represents less than a tenth of a sub-cell
 };
 
 }  // namespace detail
@@ -99,17 +99,17 @@ class Filling {
  public:
   using Point = Vec<T, D>;
 
-  /// `thickness`: of the kinematics. Keeps references to options and region. Throws `error` for options that
-  /// no scene bears.
+  /// `thickness`: of the kinematics. Keeps references to options and region. Throws `error` for invalid
+  /// options.
   Filling(const FillOptions& options, const AnyRegion& region, double density, const Ground& ground,
           bool simplices, T (*thickness)(const Point&));
 
   /// Adds those of the initial points of a cell that are to be filled.
   void add_cell(Index cell, T volume, const Places<Point>& initial, const std::vector<CellPart>& parts);
 
-  /// Lets slivers join the nearest place beside them that is none, in their own cell or a cell next to it: a
-  /// very light point in a cell of its own would lead nodes with hardly any mass. Volume and its centre are
-  /// kept. `walk`: finds the cell of a position, m, from a cell near it.
+  /// Merges slivers into the nearest place that is none, in their own cell or a cell next to it: a very light
+  /// point as the only one of a cell would move nodes with hardly any mass. Volume and its centre are
+  /// preserved. `walk`: finds the cell of a position, m, from a cell near it.
   void join_slivers(const std::function<Index(const SpacePosition&, Index)>& walk);
 
   /// The points of the cells since the last call.

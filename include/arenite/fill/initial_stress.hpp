@@ -30,7 +30,7 @@ struct Geostatic {
   void check() const;
 };
 
-/// What the geostatic stress of a body takes from its scene.
+/// The scene's data for the geostatic stress of a body.
 struct Ground {
   struct Layer {
     double density;                      ///< kg/m3
@@ -58,7 +58,7 @@ class InitialStress {
 
   const std::optional<Geostatic>& geostatic() const { return geostatic_; }
 
-  /// A `Geostatic` as the function of the position that it is in a ground, for matter of a density, kg/m3.
+  /// A `Geostatic` as a function of the position in a ground, for matter of a density, kg/m3.
   InitialStress in(const Ground& ground, double density) const;
   /// Stress at a position, m; of a `Geostatic`: once it is `in` a ground. Throws `error` that names the
   /// position unless it is finite and one of the scene's dimensions.

@@ -72,7 +72,7 @@ void jitter_in_simplex(const M& mesh, Index cell, std::uint64_t number, double s
 }  // namespace detail
 
 /// Moves the initial points of a cell at random, each as likely to any place in its sub-cell, times `share`
-/// from 0 to 1. On a grid that is its part of the lattice, of so many points along each axis (`even`: see
+/// from 0 to 1. On a grid the sub-cell is the point's part of the lattice (`per_cell`, `even`: see
 /// `initial_points`); in a simplex a copy of it about the point, as large as keeps all points in the cell.
 /// `number`: of the cell in the whole mesh. The points do not depend on the machine, nor on the order of the cells.
 template <class T, int D>

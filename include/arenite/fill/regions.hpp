@@ -14,13 +14,13 @@
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
-/// Regions that tell whether they contain a position: all but `Cells`.
+/// Regions with a test of whether they contain a position: all but `Cells`.
 template <class R>
 concept region_of_positions =
     !std::same_as<R, Cells> && !std::same_as<R, AnyRegion> && (region_type<R, 2> || region_type<R, 3>);
 
-/// Two regions: `Rule` of whether a, and whether b, contains a position. Of two signed distances it is one
-/// too, with the right sign everywhere; where it is not exact its magnitude is too small.
+/// Two regions, combined by `Rule`: whether a, and whether b, contains a position. Two signed distances give
+/// another, with the right sign everywhere; where it is not exact its magnitude is too small.
 template <class A, class B, class Rule>
 struct Combined {
   A a;

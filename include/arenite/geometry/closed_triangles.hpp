@@ -1,4 +1,4 @@
-// Whether triangles form a closed surface that knows its outside, and which of them meet at their edges.
+// Checks that triangles form a closed surface with a known outside, and finds neighbours across the edges.
 #pragma once
 // SPDX-License-Identifier: BSD-3-Clause
 
@@ -98,7 +98,7 @@ class ClosedTriangles {
     }
   }
 
-  /// What to say of a side that has no other.
+  /// Message for sides that have no other.
   static std::string open_surface(const std::vector<Side>& sides) {
     std::size_t alone = 0;
     const auto same = [&](std::size_t a, std::size_t b) {

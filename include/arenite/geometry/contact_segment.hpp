@@ -13,11 +13,11 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 /// All positions within `radius`, m, of the line from `a` to `b`, m, (x, y, z), z = 0 in the plane. A corner
 /// has a = b; a sharp one has no radius. A ball is one corner with its radius. The ends of
-/// an edge are corners of their own.
+/// an edge are listed as corners, too.
 ///
 /// A shape offers `contact_segments()` (`contact_segments<D>()` where it serves both dimensions): all of its
 /// convex corners, in space also its convex edges. Another shape touches it at one of these, or with one of
-/// its own. What has none, a signed distance of a user's own, is touched only by the segments of other shapes.
+/// its own. A shape with none, like a user's signed distance, is touched only by the segments of other shapes.
 struct ContactSegment {
   std::array<double, 3> a, b;
   double radius = 0;

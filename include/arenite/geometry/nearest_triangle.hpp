@@ -81,7 +81,7 @@ class TriangleTree {
     build(data, order.data(), order.data() + order.size());
   }
 
-  /// The nearest triangle; of several that are as near the one met first.
+  /// The nearest triangle; of several at the same distance the one found first.
   Nearest nearest(const Vec<double, 3>& x) const {
     struct Open {
       Index box;

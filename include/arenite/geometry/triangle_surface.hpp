@@ -20,7 +20,7 @@
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
-/// What lies inside of closed surfaces of triangles, which may hold cavities; they must not cut themselves or
+/// The inside of closed surfaces of triangles, which may have cavities; they must not intersect themselves or
 /// each other. The signed distance is exact: that to the nearest triangle, with the sign of the
 /// angle-weighted normal there (Baerentzen and Aanaes, IEEE Trans. Vis. Comput. Graph. 11, 243, 2005). Its
 /// cost grows with the logarithm of the number of triangles. Copies share the triangles.
@@ -39,8 +39,8 @@ class TriangleSurface {
   }
   template <int Other>
   double operator()(const Vec<double, Other>& x) const = delete;  // in the plane: `Polygon`
-  /// Where the distance is negative, but for round-off; by the triangles in front of a position, which costs
-  /// less. Surfaces that share triangles share no position and leave none out.
+  /// Whether the distance is negative, but for round-off; by the triangles that a ray from x crosses, which
+  /// is cheaper. Surfaces that share triangles neither overlap there nor leave a gap.
   bool contains(const Place& x) const { return is_->box.contains(x) && is_->tree.crosses_odd(is_->data, x); }
   template <int Other>
   bool contains(const Vec<double, Other>& x) const = delete;
@@ -101,8 +101,8 @@ class TriangleSurface {
 
     const Place& corner(Index t, std::size_t k) const { return data.vertices[data.triangles[t][k]]; }
 
-    /// Sum of the normals around a corner, each times its angle there. Surfaces that meet only in a vertex
-    /// are summed each for itself.
+    /// Sum of the normals around a corner, each times its angle there. Surfaces that share only a vertex
+    /// are summed separately.
     Place around(Index first, std::size_t k) const {
       Place sum = Place::Zero();
       Index t = first;

@@ -1,4 +1,4 @@
-// Hosted law: any law behind one interface, over arrays of states.
+// Hosted law: any law through one interface, over arrays of states.
 #pragma once
 // SPDX-License-Identifier: BSD-3-Clause
 
@@ -39,7 +39,7 @@ class HostedLaw {
   virtual double wave_modulus() const = 0;  ///< Pa
   /// Names of the history's members; empty where one has none.
   virtual std::vector<std::string> history_names() const = 0;
-  /// What points begin with.
+  /// Initial history of a point.
   virtual std::vector<double> history_start() const = 0;
   virtual void update(const HostedUpdate&) const = 0;
   /// J/m3 of the unit volume [n].

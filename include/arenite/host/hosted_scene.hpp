@@ -1,5 +1,5 @@
-// Hosted scene: any scene behind one interface, for a program that learns its type when it runs. Calls are
-// virtual around a step, never within one. Bodies go by their numbers.
+// Hosted scene: any scene through one interface, for a program that learns its type at run time. Calls are
+// virtual around a step, never within one. Bodies are identified by number.
 #pragma once
 // SPDX-License-Identifier: BSD-3-Clause
 
@@ -35,7 +35,7 @@ struct HostedEnergies {
   double kinetic, strain, stored, plastic, contact, external, inserted, transfer, walls, residual;
 };
 
-/// What points brought or took, as `PointTotals` has it.
+/// Totals of added or removed points, as in `PointTotals`.
 struct HostedTotals {
   std::size_t count = 0;
   double mass = 0;                 ///< kg
@@ -44,25 +44,25 @@ struct HostedTotals {
   double strain_energy = 0;        ///< J
 };
 
-/// What probes found, a row each; NaN where there is no matter.
+/// Results of probes, one row each; NaN where there is no matter.
 struct HostedProbes {
   std::vector<double> velocity{};  ///< [n x D], m/s
   std::vector<double> stress{};    ///< [n x 4 or 6], Pa
 };
 
-/// What a `Watch` saw of a quantity, as `Watched` has it.
+/// A quantity checked by a `Watch`, as in `Watched`.
 struct HostedWatched {
   std::string name;
   std::string meaning;
   double limit = 0;
-  double worst = 0;  ///< NaN: not looked at
+  double worst = 0;  ///< NaN: not checked
   double time = 0;   ///< of the worst value, s
   int body = -1;     ///< of the worst value; -1: the whole scene
   std::array<double, 3> place{};
   bool warned = false;
 };
 
-/// What a run is asked for.
+/// Settings of a run.
 struct HostedRun {
   double end;                      ///< s, on the scene's clock
   double courant = 0.5;            ///< share of the stable step, -
@@ -71,7 +71,7 @@ struct HostedRun {
   bool watch = true;               ///< whether the run is watched
   std::optional<Value> limits{};   ///< of the watch, `WatchLimits` by name; none: those of `run`
   std::vector<double> periods{};   ///< s; each has a callback
-  bool resumed = false;            ///< a restored run goes on: what is due at its start was called
+  bool resumed = false;            ///< continues a restored run: calls due at its start were made
   /// called with the number of a period that is due; returns whether the run stops there
   std::function<bool(std::size_t)> due{};
   bool each_step = false;              ///< whether `after_step` must be called after each one
@@ -93,11 +93,11 @@ class HostedScene {
   virtual void step(double dt) = 0;
   /// Whether it came to its end, or settled; false where a call stopped it before.
   virtual bool run(const HostedRun&) = 0;
-  /// The loop of `run` for a host that steps by itself, without callbacks; `end` may be infinite. What is
-  /// returned takes the next step, which the host says whether it wrote numbers of points before, and returns
-  /// its length, s; 0 at the end. It must not outlive the scene.
+  /// The loop of `run` for a host that steps by itself, without callbacks; `end` may be infinite. The
+  /// returned function computes the next step and returns its length, s; 0 at the end. Its argument: whether
+  /// the host wrote numbers of points before that step. It must not outlive the scene.
   virtual std::function<double(bool)> steps(const HostedRun&) = 0;
-  /// What the watch of the last run saw; empty if it had none.
+  /// Quantities checked by the watch of the last run; empty if it had none.
   virtual std::vector<HostedWatched> watched() const = 0;
 
   /// As `out_of_balance` has it; of a scene in which a part damps.

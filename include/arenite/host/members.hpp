@@ -16,7 +16,7 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 namespace detail {
 
-/// Stands for a value of any type where members are counted.
+/// Represents a value of any type where members are counted.
 struct AnyMember {
   template <class T>
   operator T() const;

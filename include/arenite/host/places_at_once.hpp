@@ -47,14 +47,14 @@ std::array<double, Count> call_row(const HostFunction& f, std::vector<double> ar
 
 }  // namespace detail
 
-/// What all functions of place have in common: a pass over the places notes them, the host computes the
-/// values, and later passes, in the same order, are handed them out.
+/// Base of functions of place: a first pass records positions, the host evaluates them in one call, and later
+/// passes, in the same order, replay the values.
 class PlacesNoted {
  public:
   using Place = std::array<double, 3>;
 
   virtual ~PlacesNoted() = default;
-  /// Computes the values at the places noted; from here on they are handed out.
+  /// Evaluates the recorded positions in one call; later passes replay the values.
   virtual void compute() = 0;
   /// The next pass begins.
   void rewind() { next_ = 0; }
@@ -65,7 +65,7 @@ class PlacesNoted {
   std::vector<Place> places_{};
 };
 
-/// A function of place with values of `Count` numbers. A place out of turn is computed on its own.
+/// A function of place with values of `Count` numbers. A position out of order is evaluated separately.
 template <std::size_t Count>
 class PlacesAtOnce : public PlacesNoted {
  public:
@@ -110,12 +110,12 @@ class PlacesAtOnce : public PlacesNoted {
   std::vector<Row> values_{};
 };
 
-/// What functions of place returned for all places of a scene, which tiles of it then take theirs from: a function sees all places at
-/// once, however the scene is cut. Functions go by where they are held: copies of values share them.
+/// Values of functions of place at all positions of a scene, from which its tiles read theirs: a function receives all positions at
+/// once, however the scene is cut. Functions are identified by address: copies of values share them.
 class PlaceMemory {
  public:
-  /// The function that a reader asks in the place of `f`. Until `close` the first call of it is kept, which is that for all places; from
-  /// then on those places are known, a single other one is asked for by itself, and others are refused.
+  /// The function that a reader calls instead of `f`. Until `close` it calls `f`, and stores the first call for several positions, which
+  /// has all; after `close` it returns the stored values, evaluates a single other position separately, and refuses others.
   HostFunction ask(const HostFunction& f, const std::string& name) {
     if (is_closed_) {
       const auto found = kept_.find(&f);
@@ -142,14 +142,14 @@ class PlaceMemory {
   }
 
  private:
-  /// Numbers of a row, of so many.
+  /// Row `k` of an array of `rows` rows.
   static std::span<const double> row(const HostArray& of, std::size_t k, std::size_t rows) {
     const std::size_t columns = of.numbers.size() / rows;
     return std::span(of.numbers).subspan(k * columns, columns);
   }
   struct Kept {
     HostArray at{}, out{};
-    std::vector<std::size_t> order{};  // [rows] ascending places; those of one place as they were asked for
+    std::vector<std::size_t> order{};  // [rows] ascending places; equal ones in the order of the call
 
     std::span<const double> place(std::size_t k) const { return row(at, k, at.rows()); }
   };
@@ -157,7 +157,7 @@ class PlaceMemory {
   static HostArray take(const Kept& kept, const HostFunction& f, const HostArray& at,
                         const std::string& name) {
     HostArray out{{}, {at.rows()}};
-    std::map<std::size_t, std::ptrdiff_t> taken;  // of places with several rows, by the first of these
+    std::map<std::size_t, std::ptrdiff_t> taken;  // rows used of repeated positions, by the first row
     for (std::size_t k = 0; k < at.rows(); ++k) {
       const auto wanted = row(at, k, at.rows());
       const auto is_there = [&](auto r) {

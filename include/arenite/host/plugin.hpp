@@ -68,6 +68,6 @@ struct Registration {
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET
 
-/// In one unit of the shared object: what its program looks for.
+/// In one unit of the shared object: the symbol that its program loads.
 #define ARENITE_PLUGIN \
   extern "C" const arenite::Plugin* arenite_plugin() { return &arenite::shared_detail::this_plugin(); }

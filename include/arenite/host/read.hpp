@@ -38,7 +38,7 @@ T read(const Value& value, const ReadContext& at) {
 
 namespace detail {
 
-/// What messages call a type: `MohrCoulombParameters` is MohrCoulomb.
+/// Name of a type in messages: `MohrCoulombParameters` is MohrCoulomb.
 template <class T>
 std::string spoken_name() {
   std::string word = type_words<T>();
@@ -59,7 +59,7 @@ inline bool is_numbers(const Value& value) {
 /// Refuses a name that is none of those known.
 void refuse_unknown(const Value::Dict& given, std::span<const std::string_view> known, const ReadContext& at);
 
-/// The names of a value; nothing stands for no names.
+/// The named members of a value; none is read as an empty dict.
 const Value::Dict& dict(const Value& value, const ReadContext& at);
 
 /// Member K of an aggregate: what was given, or as the aggregate has it.

@@ -1,4 +1,4 @@
-// Reading: where in a host's value a reader is, and what the scene to be made tells it.
+// Reading: where in a host's value a reader is, and what it needs of the scene to be made.
 #pragma once
 // SPDX-License-Identifier: BSD-3-Clause
 
@@ -22,7 +22,7 @@
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
-/// What readers are handed: the name of the place for messages, and what the scene knows.
+/// Context of a reader: the name of the place for messages, and data of the scene.
 struct ReadContext {
   std::string name{};
   int dimension = 3;                 ///< of the scene

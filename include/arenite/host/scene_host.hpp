@@ -47,7 +47,7 @@ std::array<std::vector<double>, 2> reaction_for_host(const Scene& scene, const s
     throw error("reaction: name Reactions{} among the scene's parts");
   }
 }
-/// Adds the nodes of a mesh, with the velocity field of a body, for which `owns(node)` holds.
+/// Adds the nodes of a mesh for which `owns(node)` is true, with the velocity field of a body.
 template <class Scene, class Owns>
 void add_nodes_for_host(HostedNodes& all, const Scene& scene, std::size_t body, Owns&& owns) {
   const auto& field = scene.fields[Scene::field_of(body)];
@@ -91,7 +91,7 @@ double out_of_balance_for_host(const Scene& scene) {
 inline WatchLimits watch_limits(const HostedRun& run) {
   return run.limits ? read<WatchLimits>(*run.limits, ReadContext{.name = "WatchLimits"}) : WatchLimits();
 }
-/// What a watch has seen.
+/// The quantities that a watch has checked.
 inline std::vector<HostedWatched> seen_by(const Watch& watch) {
   std::vector<HostedWatched> all;
   for (const Watched& w : watch.seen())
@@ -237,8 +237,8 @@ class SceneHost : public HostedScene {
     return run.watch && run.limits ? std::make_shared<Watch>(detail::watch_limits(run)) : nullptr;
   }
 
-  /// The watch of a host's own loop. Numbers that the host writes are energy that no part books: a look that
-  /// they would mislead begins a watch anew.
+  /// The watch of a host's own loop. No part accounts for the energy of numbers that the host writes: before
+  /// a check that they would falsify, the watch is restarted.
   class LoopWatch {
    public:
     LoopWatch(SceneHost& host, const HostedRun& run)
@@ -271,13 +271,13 @@ class SceneHost : public HostedScene {
 
     SceneHost& host_;
     HostedRun run_;
-    std::size_t every_;  // steps from look to look
+    std::size_t every_;  // steps between checks
     std::optional<OwnWatch> own_{};
     std::size_t begun_ = 0;
     bool written_ = false;
   };
 
-  /// Looks for moves of points when a call ends, however it ends.
+  /// Checks for moved points when a call begins and when it ends, however it ends.
   class Moved {
    public:
     explicit Moved(SceneHost& host) : host_{host} { host.look_for_moves(); }
@@ -320,7 +320,7 @@ class SceneReader<Scene<K, M, N, Given...>> {
   template <class Mesh, class... More>
   using Over = Scene<K, Mesh, N, Given..., More...>;
 
-  /// `memory`, and the cells that may hold points: of a scene that is cut into tiles.
+  /// `memory`, and the cells that may contain points: of a scene that is cut into tiles.
   template <class Mesh, class Owns = OwnsAllCells, class... More>
   static std::unique_ptr<Over<Mesh, More...>> over(const Mesh& mesh, const Value& values,
                                                    PlaceMemory* memory = nullptr, const Owns& owns = {},
@@ -332,7 +332,7 @@ class SceneReader<Scene<K, M, N, Given...>> {
                                     std::move(more)...);
     });
   }
-  /// Reads the parts alone: `memory` then has what functions of place return in this mesh.
+  /// Only reads the parts: `memory` then has the values of functions of place in this mesh.
   template <class Mesh>
   static void ask_places(const Mesh& mesh, const Value& values, PlaceMemory& memory) {
     with_parts<Over<Mesh>>(mesh, values, &memory, OwnsAllCells{}, [](auto&&...) {});

@@ -1,4 +1,4 @@
-// Scene points: points of a body of a scene, by its number, that a host adds, removes and looks at between
+// Scene points: points of a body of a scene, by its number, that a host adds, removes and probes between
 // two steps.
 #pragma once
 // SPDX-License-Identifier: BSD-3-Clause

@@ -74,8 +74,8 @@ class MakeTile {
   explicit MakeTile(const Value& values) : values_{std::make_shared<const Value>(values)} {}
   const Value& values() const { return *values_; }
 
-  /// Where one process has all tiles it makes the whole scene first, which gives the warnings and refusals of one and then goes; ranks
-  /// have no room for it, and ask its functions alone.
+  /// If one process has all tiles it makes the whole scene first, for its warnings and refusals, and discards it; ranks have no
+  /// memory for it, and only evaluate its functions of place.
   void ask_whole(const Ranks& ranks) {
     const auto mesh = whole_mesh();
     if (ranks.size() == 1) {
@@ -255,7 +255,7 @@ class TilesHost : public HostedScene {
   [[noreturn]] static void refuse(const char* what) {
     throw error(joined_text({what, ": is not there for a scene that is cut into tiles"}));
   }
-  /// After calls of the host, which may have asked for something on one rank alone, or set a signal.
+  /// After calls of the host, which may have asked for something on only one rank, or set a signal.
   bool agree(const char* asks, bool yes = false) {
     Question question{asks};
     for (const HostSignal& signal : signals_)
@@ -320,8 +320,8 @@ class TilesHost : public HostedScene {
     else
       return !(time() < run.end);
   }
-  /// What `f(scene)` gives for the first tile here. An `error` of it is thrown by all tiles of all ranks, after they have exchanged the same:
-  /// then all can be asked again. (One rank alone can after any failure.)
+  /// Result of `f(scene)` for the first tile here. An `error` of it is thrown by all tiles of all ranks, after all have made the same
+  /// exchanges: then all can be asked again. (A single rank can after any failure.)
   template <class F>
   auto alike(F&& f) const {
     if (tiled_.ranks().size() == 1) return tiled_.of_all(f);
@@ -342,7 +342,7 @@ class TilesHost : public HostedScene {
     if (refused) std::rethrow_exception(refused);
     return *std::move(found);
   }
-  /// Of all tiles what one brings or takes.
+  /// Sums over all tiles of the points added or removed.
   static HostedTotals sum_of(S& s, HostedTotals all) {
     auto count = static_cast<double>(all.count);
     all.momentum.resize(static_cast<std::size_t>(S::D));
@@ -389,7 +389,7 @@ std::unique_ptr<HostedScene> make_hosted_tiles(const Value& values, Ranks& ranks
     else
       return host(distribute(ranks, read<Mesh>(mesh, Reader::at() / "mesh"), cut, make));
   } else {
-    return nullptr;  // the sentence is said
+    return nullptr;  // already reported
   }
 }
 

@@ -67,7 +67,7 @@ class Value {
     return found == all->end() ? nullptr : &found->second;
   }
 
-  /// What it is, in a word for messages.
+  /// A short description of it, for messages.
   std::string text() const {
     if (is_none()) return "nothing";
     if (const bool* b = get<bool>()) return *b ? "true" : "false";

@@ -1,4 +1,4 @@
-// A table of numbers as comma-separated text (RFC 4180 with plain names), row by row while a run goes on.
+// A table of numbers as comma-separated text (RFC 4180 with plain names), row by row during a run.
 #pragma once
 // SPDX-License-Identifier: BSD-3-Clause
 
@@ -25,10 +25,10 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 /// ignored.
 class CsvWriter {
  public:
-  /// Makes the file anew, in the place of a file or link of its name, or keeps the first `kept` bytes of the
-  /// one that is there, for a run that goes on; that must be a regular file. Throws `error` if it cannot be
-  /// written, if it does not hold that much or begins with other columns, or if a column's name is empty,
-  /// given twice, or holds a comma, a quote or a line break.
+  /// Creates the file, replacing a file or link of its name, or keeps the first `kept` bytes of the existing
+  /// one, for a run that is resumed; that must be a regular file. Throws `error` if it cannot be written, if
+  /// it is shorter than that or begins with other columns, or if a column's name is empty, given twice, or
+  /// contains a comma, a quote or a line break.
   CsvWriter(std::filesystem::path path, std::vector<std::string> columns, std::uintmax_t kept = 0)
       : path_(std::move(path)), columns_(columns.size()) {
     require(columns_ > 0, "columns", columns_, "a table needs at least one");

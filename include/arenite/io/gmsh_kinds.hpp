@@ -1,4 +1,4 @@
-// The kinds of elements that a Gmsh file can hold, and how they are called in messages.
+// The kinds of elements that a Gmsh file can contain, and their names in messages.
 #pragma once
 // SPDX-License-Identifier: BSD-3-Clause
 

@@ -1,4 +1,4 @@
-// What the readers of all Gmsh formats have in common: node tags turned into indices,
+// Shared by the readers of all Gmsh formats: node tags turned into indices,
 // physical groups turned into regions and node sets, and the checks of the mesh as a whole.
 #pragma once
 // SPDX-License-Identifier: BSD-3-Clause
@@ -182,7 +182,7 @@ class GmshMesh {
     return shared_.try_emplace(std::move(groups), -1 - static_cast<int>(shared_.size())).first->second;
   }
 
-  /// Gmsh gives a group a negative tag on an entity that the group holds reversed: the group is the same.
+  /// Gmsh gives a group a negative tag on an entity that the group contains reversed: the group is the same.
   static int unsigned_tag(const MeshInput& in, int tag) {
     in.check(tag > -2147483647, "physical tag", tag, "must fit an int without its sign");
     return std::abs(tag);
@@ -221,8 +221,8 @@ class GmshMesh {
     return region == 0 ? std::vector<int>() : std::vector{region};
   }
 
-  /// A mesh must not hold a cell twice, but as format 2.2 repeats it for each of its physical groups: each
-  /// time in one that it was not in before, and without one that it was in.
+  /// A mesh must not contain a cell twice, but format 2.2 repeats it for each of its physical groups: of two
+  /// copies each must be in a group that the other is not in.
   void join_repeated_cells(const MeshInput& in) {
     const Lists by_lowest_node(tags_.size(), [&](auto&& add) {
       for (std::size_t c = 0; c < result_.cells.size(); ++c)

@@ -1,6 +1,6 @@
 // HDF5 files by the HDF Group's C library: handles that close themselves, groups and attributes, and errors
-// that name the file and the reason. Needs HDF5 1.10.7 or newer (CMake: arenite::hdf5). Files are of the
-// oldest format that holds them, and hold no times: equal contents are equal bytes.
+// that name the file and the reason. Needs HDF5 1.10.7 or newer (CMake: arenite::hdf5). Files have the
+// oldest format that can store them, and contain no times: equal contents are equal bytes.
 #pragma once
 // SPDX-License-Identifier: BSD-3-Clause
 
@@ -43,7 +43,7 @@ class Hdf5Handle {
   Close close_;
 };
 
-/// While it lives the library prints no errors of its own.
+/// Suppresses the library's own error messages during its lifetime.
 class Hdf5Quiet {
  public:
   Hdf5Quiet() {
@@ -62,7 +62,7 @@ class Hdf5Quiet {
 enum class Hdf5Access {
   read,
   change,
-  create,  ///< makes it anew, in the place of what is there
+  create,  ///< creates it, replacing an existing file
   image    ///< only in memory: `Hdf5File::image`
 };
 
@@ -155,7 +155,7 @@ class Hdf5File {
     return list;
   }
 
-  /// The file as bytes, as they are to stand behind the first `image_start` bytes, which are the writer's own
+  /// The file as bytes, to be written after the first `image_start` bytes, which are the writer's own
   /// ("user block").
   std::vector<char> image() const {
     check(H5Fflush(file_, H5F_SCOPE_GLOBAL), "", "cannot be written");

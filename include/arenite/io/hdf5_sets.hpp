@@ -122,8 +122,8 @@ inline std::size_t count_of_numbers(const Hdf5File& file, const std::string& nam
   return static_cast<std::size_t>(shape[0] * shape[1]);
 }
 
-/// Makes an empty data set of rows of `columns` numbers (1: one dimension) that grows, kept on the disk in
-/// pieces of so many rows.
+/// Makes an empty data set of rows of `columns` numbers (1: one dimension) that grows, stored on the disk in
+/// chunks of `rows_of_piece` rows.
 inline void make_rows(const Hdf5File& file, const std::string& name, Hdf5Type type, std::size_t columns,
                       std::size_t rows_of_piece) {
   file.make_group_of(name);
@@ -141,7 +141,7 @@ inline std::size_t count_rows(const Hdf5File& file, const std::string& name) {
   return static_cast<std::size_t>(
       shared_detail::hdf5_shape(file, shared_detail::hdf5_open_set(file, name), name)[0]);
 }
-/// Keeps the first rows, and writes `count` rows behind them.
+/// Keeps the first `kept` rows, and writes `count` rows after them.
 inline void put_rows(const Hdf5File& file, const std::string& name, Hdf5Type type, std::size_t kept,
                      std::size_t count, const void* numbers) {
   const Hdf5Handle set = shared_detail::hdf5_open_set(file, name);

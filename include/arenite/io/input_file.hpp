@@ -30,7 +30,7 @@ std::uintmax_t check_input(const std::filesystem::path& path, std::string_view w
 std::ifstream open_input(const std::filesystem::path& path, std::string_view what,
                          std::uintmax_t most = any_size, const std::string& name = "");
 
-/// All bytes of a file. Throws `error` as `check_input` does, and if the memory does not hold them.
+/// All bytes of a file. Throws `error` as `check_input` does, and if the memory does not suffice.
 std::string read_input(const std::filesystem::path& path, std::string_view what, std::uintmax_t most,
                        std::string name = "");
 

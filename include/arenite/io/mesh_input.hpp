@@ -24,7 +24,7 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET::shared_detail {
 
 class MeshInput {
  public:
-  /// Views `bytes`, which must outlive this; `name` stands for the file in messages.
+  /// Views `bytes`, which must outlive this; `name`: of the file, for messages.
   MeshInput(std::string_view bytes, std::string name) : bytes_(bytes), name_(std::move(name)) {}
 
   bool binary() const { return binary_; }
@@ -122,8 +122,8 @@ class MeshInput {
     return bytes_.substr(last_, at_ - last_);
   }
 
-  /// Refuses anything more on this line. (In a binary file lines hold the format, the names and the counts
-  /// of 2.2.)
+  /// Refuses anything more on this line. (In a binary file lines contain the format, the names and the
+  /// counts of 2.2.)
   void end_line(std::string_view name) {
     const std::string_view more = rest_of_line();
     check(more.empty(), name, quote(more), "is too much for this line (or the line before holds too little)");
@@ -164,7 +164,7 @@ class MeshInput {
   /// A double; NaN and infinity are numbers here.
   double real(std::string_view name) { return binary_ ? raw<double>(name) : text<double>(name); }
 
-  /// Refuses a count of items of at least `least_bytes` each that the rest of the file cannot hold.
+  /// Refuses a count of items of at least `least_bytes` each that do not fit in the rest of the file.
   void check_count(std::string_view name, std::uint64_t count, std::size_t least_bytes) const {
     check(count <= (bytes_.size() - at_) / least_bytes, name, count,
           "is more than the rest of the file can hold");
@@ -208,7 +208,7 @@ class MeshInput {
   bool binary_ = false;
 };
 
-/// All that is left in a stream; `name` stands for it in messages.
+/// All bytes left in a stream; `name`: of the stream, for messages.
 inline std::string read_all(std::istream& in, const std::string& name) {
   std::string bytes;
   std::size_t used = 0;

@@ -1,7 +1,7 @@
-// Files out, by one rule. A file is written under a temporary name, which is made anew, and takes its own
-// name when it is complete: a run that dies leaves nothing broken behind, and a symbolic link that stands at
-// a name is replaced, not followed. A file that goes on (a table, a lock) must be a regular one. A folder may
-// be reached by links. Also what all writers share: numbers as text, and the message of a failed write.
+// Output files, by one rule. A file is written under a temporary name, always as a new file, and renamed when
+// it is complete: a run that dies leaves no broken file, and a symbolic link at either name is replaced, not
+// followed. A file that is continued (a table, a lock) must be a regular one. A folder may be reached by
+// links. Also shared by all writers: numbers as text, and the message of a failed write.
 #pragma once
 // SPDX-License-Identifier: BSD-3-Clause
 
@@ -49,7 +49,7 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET::shared_detail {
 
 /// How far a new file must have come before it takes the place of the old one.
 enum class Sync {
-  none,  ///< handed to the operating system: safe when the process dies
+  none,  ///< passed to the operating system: safe when the process dies
   disk   ///< written to the disk: safe when the machine stops (POSIX; elsewhere as `none`)
 };
 
@@ -78,14 +78,14 @@ FileHandle open_to_change(const std::filesystem::path& path);
 int cut_file(std::FILE* file, const std::filesystem::path& path, std::uintmax_t bytes);
 
 /// Waits until a file is on the disk. Returns the operating system's number for the reason if it cannot be
-/// written, else 0; where the system does not tell, 0.
+/// written, else 0; where the system does not report it, 0.
 int sync_to_disk(std::FILE* file);
 
 /// Waits until the entries of a folder are on the disk, as far as the system does.
 void sync_folder(const std::filesystem::path& folder);
 
 /// Makes a file longer by bytes that the disk then has (POSIX). Returns the operating system's number for the
-/// reason if it has not, with the file as it was, else 0; where the system cannot tell, 0.
+/// reason if it has not, with the file unchanged, else 0; where the system cannot report it, 0.
 int reserve_on_disk(const std::filesystem::path& path, std::uintmax_t bytes);
 
 /// Calls `write(std::ostream&)` on "path.part" and renames it to `path`, so that `path` is at any time

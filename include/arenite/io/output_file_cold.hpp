@@ -120,7 +120,7 @@ ARENITE_COLD int reserve_on_disk([[maybe_unused]] const std::filesystem::path& p
 #endif
 }
 
-/// What a stream writes goes to an open file.
+/// Stream buffer that writes to an open file.
 class FileBuffer : public std::streambuf {
  public:
   explicit FileBuffer(std::FILE* file) : file_{file} {}

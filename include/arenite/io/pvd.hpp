@@ -16,7 +16,7 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 struct PvdEntry {
   double time = 0;             ///< s
   std::filesystem::path file;  ///< as one would open it; the list names it relative to its own folder
-  int part = 0;                ///< tells apart the files of one time: points, device, mesh
+  int part = 0;                ///< distinguishes the files of one time: points, device, mesh
 };
 
 /// Writes a series to `path`, whose folder must exist. Throws `error` if a time is not finite or the disk
@@ -29,9 +29,9 @@ std::vector<PvdEntry> pvd_entries(const std::filesystem::path& path);
 /// Times of a series in ascending order, s; none if there is no list.
 std::vector<double> pvd_times(const std::filesystem::path& path);
 
-/// What stays of a series `path`, with frames at the times `earlier`, s, under the name of a run that begins
-/// at `time`, s: the frames before that, if the run goes on with them (`resumed`). A run that begins anew
-/// replaces them, with a warning (`warns`: of one of those who ask); one that begins behind their first is hardly meant to: throws `error`.
+/// Times, s, of the frames of a series `path`, of those at the times `earlier`, s, that are kept by a run that
+/// begins at `time`, s: those before that, if the run continues them (`resumed`). A new run replaces all frames, with a warning
+/// (`warns`: set for one of the callers); if it begins after the first of them, that is hardly intended: throws `error`.
 std::vector<double> kept_times(const std::filesystem::path& path, const std::vector<double>& earlier,
                                double time, bool resumed, bool warns = true);
 
@@ -39,7 +39,7 @@ std::vector<double> kept_times(const std::filesystem::path& path, const std::vec
 std::vector<PvdEntry> kept_entries(const std::filesystem::path& path, double time, bool resumed,
                                    bool warns = true);
 
-/// Throws `error` if the list of a new series cannot be written. Ranks may ask at once: each tries a file of its own, and none
+/// Throws `error` if the list of a new series cannot be written. Ranks may call it at once: each tries its own file, and none
 /// writes the list.
 void check_pvd(const std::filesystem::path& path);
 

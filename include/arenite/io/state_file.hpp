@@ -1,4 +1,4 @@
-// State files: named numbers of a run that is to go on later. A head of text lines, which `head` shows; then
+// State files: named numbers of a run to be resumed later. A head of text lines, which `head` shows; then
 // the numbers as they lie in memory; then a hash of all that.
 //
 //   arenite state 1                     the format's number

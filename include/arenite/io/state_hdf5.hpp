@@ -1,4 +1,4 @@
-// State files as HDF5: what a state file (io/state_file.hpp) holds, for other programs to read. Its head is
+// State files as HDF5: the contents of a state file (io/state_file.hpp), for other programs. Its head is
 // the file's attributes, the numbers of each name are the data set of that path. HDF5 leaves the first bytes
 // of a file free for the program that writes it ("user block"): two lines with the hash of all that follows them, so that no
 // damaged file comes to the library.

@@ -20,7 +20,7 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 /// A line of the head: what must be the same in the run that reads the file.
 using StateTerm = std::pair<std::string, std::string>;
 
-/// What a state is restored from.
+/// The source from which a state is restored.
 class StateSource {
  public:
   virtual ~StateSource() = default;

@@ -42,7 +42,7 @@ inline bool is_stl_text(std::string_view bytes) {
 }
 
 /// 80 bytes, the number of triangles, then for each of them twelve floats (the normal, which the order of the
-/// corners tells too, and the corners) and two bytes; all numbers little-endian.
+/// corners gives too, and the corners) and two bytes; all numbers little-endian.
 inline StlCorners read_stl_binary(MeshInput& in, std::size_t size) {
   in.set_binary(4);
   const auto number = [&](std::string_view name) {
@@ -72,7 +72,7 @@ inline StlCorners read_stl_binary(MeshInput& in, std::size_t size) {
   return corners;
 }
 
-/// Solids one behind the other: `solid name`, facets, `endsolid name`. Keywords in small or capital letters.
+/// Solids one after the other: `solid name`, facets, `endsolid name`. Keywords in small or capital letters.
 inline StlCorners read_stl_text(MeshInput& in) {
   const auto next = [&] {
     std::string word(in.word());
@@ -92,7 +92,7 @@ inline StlCorners read_stl_text(MeshInput& in) {
     in.rest_of_line();  // the name
     for (word = next(); word == "facet"; word = next()) {
       expect("normal");
-      for (int d = 0; d < 3; ++d) in.word();  // the order of the corners tells it too
+      for (int d = 0; d < 3; ++d) in.word();  // the order of the corners gives it too
       expect("outer");
       expect("loop");
       for (int k = 0; k < 3; ++k) {
@@ -114,7 +114,7 @@ inline StlCorners read_stl_text(MeshInput& in) {
 }
 
 /// Triangles whose corners are one vertex where they are the same three numbers; vertices in the order in
-/// which they come first. A triangle two of whose corners are one is left out: its neighbours meet there.
+/// which they come first. A triangle two of whose corners are one is left out: its neighbours touch there.
 inline TriangleData merge_corners(const StlCorners& corners, double scale) {
   std::vector<Index> order(corners.size()), vertex(corners.size());
   std::iota(order.begin(), order.end(), Index{0});

@@ -73,7 +73,7 @@ class VtkhdfWriter {
 
  private:
   static constexpr Hdf5Type real{'f', 8}, integer{'i', 8};
-  /// What was written last of a data set: where it begins, and its hash.
+  /// The last write to a data set: its first row, and its hash.
   struct Last {
     std::int64_t begin = -1;
     std::uint64_t hash = 0;

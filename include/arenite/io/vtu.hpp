@@ -17,7 +17,7 @@
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
-/// Cells of one kind, told by the number of their points: 1 vertex, 2 line, 3 triangle, 4 tetrahedron.
+/// Cells of one kind, given by the number of their points: 1 vertex, 2 line, 3 triangle, 4 tetrahedron.
 struct VtuCells {
   std::size_t points = 1;  ///< of each cell
   std::size_t items = 0;

@@ -39,7 +39,7 @@ constexpr const char* vtu_type() {
 template <class V>
 using VtuNumber = std::conditional_t<std::same_as<V, long double>, double, V>;
 
-/// What a function of an item's number returns: a number, or an array of them.
+/// Return type of a function of an item's number: a number, or an array of them.
 template <class V>
 struct VtuItem {
   using type = VtuNumber<V>;

@@ -1,4 +1,4 @@
-// Kinematics: what the dimensions of a scene mean. A value of one of these types is the first of every scene.
+// Kinematics: what the dimensions of a scene mean. Each scene's first argument is a value of one of these.
 #pragma once
 // SPDX-License-Identifier: BSD-3-Clause
 
@@ -12,7 +12,7 @@ struct PlaneStrain {
   static constexpr int dimension = 2;
   static constexpr bool hoop = false;
   static constexpr const char* name = "plane strain";
-  /// Volume that a unit of area stands for, m.
+  /// Volume per unit area, m.
   template <class T>
   static constexpr T thickness(const Vec<T, 2>&) {
     return T(1);
@@ -55,7 +55,7 @@ struct ThreeDimensional {
 };
 
 /// - `dimension`: 2 or 3; `hoop`: whether there is a hoop strain u_r / r;
-/// - `thickness(x)`: volume that a unit of area (or volume) at x stands for, m (or -).
+/// - `thickness(x)`: volume per unit area (or volume) at x, m (or -).
 /// Kinematics may also play a role of a part (`scene/roles.hpp`).
 template <class K>
 concept kinematics_type = requires {

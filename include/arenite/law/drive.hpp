@@ -14,7 +14,7 @@
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
-/// What is prescribed of one component over a stage of a path; default: no strain.
+/// Prescribed strain or stress of one component over a stage of a path; default: no strain.
 struct DrivenComponent {
   bool stress = false;  ///< whether it is the stress
   double value = 0;     ///< change of the strain over the stage, -, or stress at its end, Pa
@@ -100,7 +100,7 @@ class DriveStep {
     return point;
   }
 
-  /// What is missing of the prescribed stresses, Pa.
+  /// Prescribed stresses minus those of the point, Pa; 0 where the strain is prescribed.
   Vector residual(const DrivenPoint<Law, D>& point) const {
     Vector missing = Vector::Zero();
     for (std::size_t i = 0; i < point.stress.size; ++i)
@@ -108,9 +108,9 @@ class DriveStep {
     return missing;
   }
 
-  /// Newton's steps from `unknown`, which they take to the solution, each halved until it is nearer. Of
-  /// solutions that do not differ in stress (flow at an edge) the one nearest to the start. Returns whether
-  /// the stresses are met.
+  /// Newton steps that move `unknown` to the solution, each halved until it is nearer. Of solutions that do
+  /// not differ in stress (flow at an edge) the one nearest to the start. Returns whether the prescribed
+  /// stresses are reached.
   bool solve(Vector& unknown, DrivenPoint<Law, D>& point) const {
     point = end(unknown);
     Vector missing = residual(point);
@@ -164,7 +164,7 @@ class DriveStep {
 
 /// Takes a point through one stage; calls `after_step(point)` after each step. Throws `error` if the numbers
 /// of the stage make no sense, and `run_error` where no strain gives the prescribed stress: matter that
-/// flows bears no more.
+/// flows carries no more.
 template <class Law, int D, class AfterStep>
 void drive(const Law& law, DrivenPoint<Law, D>& point, const DriveStage<D>& stage, AfterStep&& after_step) {
   stage.check();

@@ -13,7 +13,7 @@
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
-/// Where the cone meets the Mohr-Coulomb pyramid of the same friction and cohesion.
+/// Where the cone agrees with the Mohr-Coulomb pyramid of the same friction and cohesion.
 enum class Cone {
   compression,   ///< at the edges of triaxial compression: the circumscribed cone
   extension,     ///< at the edges of triaxial extension
@@ -77,9 +77,9 @@ class DruckerPragerSurface {
   const Flow& flow_slope() const { return flow_; }  ///< eta', -
   const N& strength() const { return strength_; }   ///< kappa, Pa
 
-  /// Takes a trial stress [Pa] back to the yield surface, in place; one within it stays bit for bit. Returns
-  /// what opened and what dilated, volumetric strains. The opening is the volumetric plastic strain of a return to the apex,
-  /// and that of the cut-off's flow.
+  /// Returns a trial stress [Pa] to the yield surface, in place; one within it stays bit for bit. The result
+  /// is opening and dilation, volumetric strains. The opening is the volumetric plastic strain of a return to
+  /// the apex, and that of the cut-off's flow.
   template <class T, int D>
   Inelastic<T> return_to_yield(Sym<T, D>& stress) const {
     return return_from(stress, mask_of<T>(true));
@@ -104,7 +104,7 @@ class DruckerPragerSurface {
     // round-off, and the apex, which may be infinite, stays out of it.
     const T q_cone = min(q, shear_strength) + excess * T(q_kept_);
     const T p_cone = p - excess * T(p_change_);
-    // Beyond the cut-off, or the tip: to the cut-off alone, or to the circle where it meets the cone.
+    // Beyond the cut-off, or the tip: only to the cut-off, or to its intersection with the cone.
     const auto beyond = q_cone < T(0) || p_cone > T(limit_);
     const M beyond_cut = any_of(cuts_) ? where(M(beyond), cuts_) : M(false);
     const T q_beyond = select(beyond_cut, T(min(q, T(q_at_limit_))), T(0));
@@ -144,7 +144,7 @@ class DruckerPragerSurface {
   N p_change_, q_kept_;     // of p to the cone, and what q keeps, per unit of yield function, -
   N limit_;                 // the lower of apex and cut-off, Pa
   mask_of<N> cuts_;         // whether the cut-off lies below the apex
-  N q_at_limit_;            // q where the cut-off meets the cone, Pa
+  N q_at_limit_;            // q where the cut-off intersects the cone, Pa
   Flow cut_dilation_;       // K eta' / G, -
 };
 
@@ -152,7 +152,7 @@ class DruckerPragerSurface {
 
 /// Drucker-Prager law. A trial stress returns to cone and cut-off at once (Koiter's rule).
 ///
-/// What opened: as in mohr_coulomb.hpp.
+/// Opening: as in mohr_coulomb.hpp.
 template <class Memory = ForgetsOpening, class Friction = ConstantFriction,
           class Stiffness = ConstantStiffness>
 class DruckerPrager

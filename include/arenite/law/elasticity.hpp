@@ -16,7 +16,7 @@ namespace detail {
 /// A constant that the user must give: NaN until given.
 inline constexpr double not_given = std::numeric_limits<double>::quiet_NaN();
 
-/// Throws `error("Law.name = value: rule")` unless `holds`, or says that the constant was forgotten.
+/// Throws `error("Law.name = value: rule")` if the rule is violated, or says that the constant was forgotten.
 [[noreturn]] void refuse_constant(std::string_view law, std::string_view name, double value,
                                   std::string_view rule);
 inline void check(bool holds, std::string_view law, std::string_view name, double value,

@@ -18,7 +18,7 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET::detail {
 ///
 /// First x = f(x), then secants; the middle of the bounds where a secant leaves them or |f(x) - x| did not
 /// halve. A lane ends at |f(x) - x| <= 128 units in the last place of 1 + x, or, where f jumps, at the least
-/// number found for which f(x) < x. It stays there while others go on, so that its answer does not
+/// number found for which f(x) < x. It stays there while others continue, so that its result does not
 /// depend on them. The last f was that of `at()` in all lanes.
 template <class T>
 class FixedPoint {
@@ -27,7 +27,7 @@ class FixedPoint {
 
   const T& at() const { return at_; }
 
-  /// Takes f(at()); whether another is asked for.
+  /// Receives f(at()); returns whether another value is needed.
   bool goes_on(const T& value) {
     using std::abs;
     const T f = value - at_;
@@ -50,7 +50,7 @@ class FixedPoint {
 
  private:
   static constexpr double tolerance = 128 * static_cast<double>(std::numeric_limits<scalar_of<T>>::epsilon());
-  static constexpr int most = 200;  // more than the halvings of bounds and values that a double bears
+  static constexpr int most = 200;  // more than the halvings of bounds and values that a double allows
 
   T at_, low_, high_, before_{}, f_before_{};
   decltype(T(0) < T(0)) done_ = false;

@@ -30,15 +30,15 @@ struct Strength {
   double friction, cohesion, dilatancy, tension, greatest_volume_ratio;
 };
 /// Throws `error` unless the constants of strength make sense. A memory of separation is one number: it can
-/// stand for matter that opened on all sides, not for a crack.
+/// represent matter that opened on all sides, not a crack.
 void check_strength(std::string_view law, const Strength& p, bool remembers);
 
-/// History B of a policy beside A, unless there is none or A holds it already.
+/// History B of a policy joined to A, unless B is empty or A already contains it.
 template <class T, class A, class B>
 using WithHistory =
     std::conditional_t<std::is_same_v<B, NoHistory<T>> || std::is_base_of_v<B, A>, A, JoinedHistory<A, B>>;
 
-/// Calls `call` with a policy, or with that which one chosen at run time holds.
+/// Calls `call` with a policy; of one chosen at run time, with the chosen policy itself.
 template <class Policy, class Call>
 void visit_policy(const Policy& policy, const Call& call) {
   if constexpr (requires { policy.visit(call); })
@@ -46,8 +46,8 @@ void visit_policy(const Policy& policy, const Call& call) {
   else
     call(policy);
 }
-/// Throws `error` unless the friction keeps what the stiffness reads: for policies chosen at run time, which
-/// the compiler cannot refuse.
+/// Throws `error` unless the friction keeps the history that the stiffness reads: for policies chosen at
+/// run time, which the compiler cannot refuse.
 template <class Stiffness, class Friction>
 void check_history(const Stiffness& stiffness, const Friction& friction) {
   visit_policy(stiffness, [&]<class S>(const S&) {
@@ -59,12 +59,12 @@ void check_history(const Stiffness& stiffness, const Friction& friction) {
   });
 }
 
-/// The answer to a comparison of Ts: `bool`, or a mask of a pack.
+/// The result of a comparison of Ts: `bool`, or a mask of a pack.
 template <class T>
 using mask_of = decltype(std::declval<T>() < std::declval<T>());
 
-/// `mask` in the lanes in which `condition` holds, too, or all of them where it is one of the whole law: a
-/// `bool` that has been found true.
+/// `mask` and `condition` by lane; `mask` itself where the condition is one of the whole law: a `bool` that
+/// has been found true.
 template <class M, class C>
 M where(const M& mask, [[maybe_unused]] const C& condition) {
   if constexpr (std::is_same_v<C, bool>)
@@ -73,8 +73,8 @@ M where(const M& mask, [[maybe_unused]] const C& condition) {
     return mask && condition;
 }
 
-/// Mean stress p, Pa, and J2, Pa2, of a stress: what tells most points that lie within the yield surface,
-/// without a root or a division.
+/// Mean stress p, Pa, and J2, Pa2, of a stress: they identify most points that lie within the yield
+/// surface without a root or a division.
 template <class T>
 struct Invariants {
   T p, j2;
@@ -201,8 +201,8 @@ class Frictional : public Memory, public detail::ElasticPart<Stiffness> {
   }
 
  private:
-  /// `compliance`: over that of the parameters' moduli, -. A point's answer never depends on the others of
-  /// its pack: what returns is chosen by lane, and a test of the pack alone spares what no lane would use.
+  /// `compliance`: over that of the parameters' moduli, -. A point's result never depends on the others of
+  /// its pack: returns are selected by lane, and a test of the whole pack only skips what no lane would use.
   template <class T, int D>
   Inelastic<T> return_to_yield(Sym<T, D>& stress, [[maybe_unused]] const StrainStep<T, D>& step,
                                [[maybe_unused]] History<T>& history,
@@ -252,7 +252,7 @@ class Frictional : public Memory, public detail::ElasticPart<Stiffness> {
     };
     detail::mask_of<T> within(false);  // the cones of all slopes
     if constexpr (bounded) {
-      // What lies within the cones of the least and of the greatest slope lies within all between them, as
+      // A stress within the cones of the least and of the greatest slope lies within all between them, as
       // sqrt(J2 (1 + 4/3 tan^2 phi)) + p tan(phi) is convex in tan(phi). Without cohesion the least is
       // enough; with it the flatter cone is the stronger one in tension, c / tan(phi).
       within = within_cone(T(least_slope_));
@@ -279,7 +279,7 @@ class Frictional : public Memory, public detail::ElasticPart<Stiffness> {
   template <class T, int D>
   T slope_of_point(const Sym<T, D>& stress, const StrainStep<T, D>& step, History<T>& history) const {
     using std::min;
-    // What is not asked once in each step changes nothing.
+    // Unless it is called once in each step, `slope` must not change the history.
     std::conditional_t<bounded || implicit, const History<T>, History<T>>& seen = history;
     const T greatest = T(greatest_slope_);
     if constexpr (requires { friction_.slope(given_, step, stress, seen); })

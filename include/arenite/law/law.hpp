@@ -58,12 +58,12 @@ struct Inelastic {
 /// and, where it needs them,
 ///
 /// - `wave_modulus(stress, history)`: the same in a given state; the stable step then follows the state.
-/// - `stable_step(h)`: a limit of its own on the step, s, double to double, in matter whose waves of speed c
-///   bear a step of h / c; h is the size of a cell times `Numerics::courant_limit`. A viscosity eta, Pa s,
+/// - `stable_step(h)`: the law's own limit on the step, s, double to double, in matter whose waves of speed c
+///   allow a step of h / c; h is the size of a cell times `Numerics::courant_limit`. A viscosity eta, Pa s,
 ///   has h^2 density / (2 eta).
 /// - `static void check_history(name, value)`: throws `error` for an initial value that no point can have.
-/// - `is_open(history)`: mask of matter that has separated and bears no stress; averages of strain and stress
-///   then leave it out.
+/// - `is_open(history)`: mask of matter that has separated and carries no stress; averages of strain and
+///   stress then leave it out.
 /// - `static constexpr bool linear = true`: beside the turn with the matter, what `update` adds to the stress
 ///   is linear in the strain, whatever history and time. Bodies of such laws take their stresses at the
 ///   middle of the step (`add_half_step`). A law derived from one that says so and is not itself says false.
@@ -71,14 +71,14 @@ struct Inelastic {
 ///   matter dilates no further.
 /// - `yield(stress)` or `yield(stress, history)`: how far a stress lies outside the yield surface (> 0) or
 ///   within (< 0), as a fraction of the stress, -, for `Watch`.
-/// - `static constexpr int max_pack_width`: most points that a loop may hand over at once; 1 for a law with
+/// - `static constexpr int max_pack_width`: most points that a loop may pass at once; 1 for a law with
 ///   `if`s on its scalars. Without it laws are called with a register's worth of points: write branches as
 ///   `select`, and the functions of <cmath> without `std::` (`simd/pack_functions.hpp`).
 /// - `static constexpr bool two_packs_at_once = true` for a long chain of dependent operations: the loop
 ///   calls it with two packs side by side.
 ///
-/// A scene asks for the name first and then for the signature: a member of such a name that cannot be called
-/// so is refused.
+/// A scene checks the name first and then the signature: a member with such a name and another signature is
+/// refused.
 ///
 /// Where there are fewer points than a pack has lanes, the unused lanes repeat one of them: a law is called
 /// only with states that a point has.
@@ -105,7 +105,7 @@ inline constexpr bool dilates =
                                                           std::declval<typename L::template History<T>&>())),
                  Inelastic<T>>;
 
-/// Whether a law tells which matter has separated (`is_open`).
+/// Whether a law reports which matter has separated (`is_open`).
 template <class L, class T = double>
 inline constexpr bool knows_opening = requires(const L law, const typename L::template History<T> history) {
   law.is_open(history);
@@ -118,7 +118,7 @@ inline constexpr bool stiffness_varies = requires(const L law, const Sym<T, D> s
   { law.wave_modulus(stress, history) } -> std::convertible_to<T>;
 };
 
-/// Whether a law has a limit of its own on the step (`stable_step`).
+/// Whether a law has its own limit on the step (`stable_step`).
 template <class L>
 inline constexpr bool limits_step = requires(const L law) {
   { law.stable_step(1.0) } -> std::convertible_to<double>;
@@ -166,7 +166,7 @@ Inelastic<T> inelastic(const Inelastic<T>& parts) {
   return parts;
 }
 
-/// Most points that a loop may hand to law L at once.
+/// Most points that a loop may pass to law L at once.
 template <class L>
 inline constexpr int max_pack_width = [] {
   if constexpr (requires { L::max_pack_width; }) return L::max_pack_width;

@@ -63,9 +63,9 @@ class MohrCoulombSurface {
     compression_ = Edge({N(1), slope_, slope_}, {Flow(1), flow, flow}, {N(0), -strength_, -strength_}, nu_);
   }
 
-  /// Takes a trial stress [Pa] back to the yield surface, in place; one within it stays bit for bit. Returns
-  /// what opened and what dilated, volumetric strains. The opening is the volumetric plastic strain of a return to the apex,
-  /// and that of the cut-off's flow.
+  /// Returns a trial stress [Pa] to the yield surface, in place; one within it stays bit for bit. The result
+  /// is opening and dilation, volumetric strains. The opening is the volumetric plastic strain of a return to
+  /// the apex, and that of the cut-off's flow.
   template <class T, int D>
   Inelastic<T> return_to_yield(Sym<T, D>& stress) const {
     const auto outside = outside_inscribed_cone(stress);
@@ -123,7 +123,7 @@ class MohrCoulombSurface {
   }
 
  private:
-  /// Return to an edge, base + t line with s1 = 0 at the base: the trial point s meets it where
+  /// Return to an edge, base + t line with s1 = 0 at the base: the trial point s reaches it at
   /// s1 = weight . s + offset. The normal of both flows is the compliance times the potential's edge.
   struct Edge {
     std::array<N, 3> weight{};
@@ -168,9 +168,9 @@ class MohrCoulombSurface {
     return !inside;
   }
 
-  /// Where a return y of the trial stresses s to the pyramid lies beyond the cut-off: takes s back to the
-  /// cut-off alone or, where that lies outside the pyramid, to both. Sets y, and the opening: the volumetric
-  /// strain of the cut-off's flow times 3 K, Pa.
+  /// Where a return y of the trial stresses s to the pyramid lies beyond the cut-off: returns s
+  /// only to the cut-off or, where that lies outside the pyramid, to both. Sets y, and the opening: the
+  /// volumetric strain of the cut-off's flow times 3 K, Pa.
   template <class T, class M>
   void cut_off(const std::array<T, 3>& s, const M& returns, std::array<T, 3>& y, T& opening) const {
     using std::max, std::min;
@@ -178,7 +178,7 @@ class MohrCoulombSurface {
     const auto beyond = returns && y[0] > limit;
     if (!any_of(beyond)) return;
 
-    // The cut-off alone: its face, edge or corner, whose normals are the axes of s1, s2, s3.
+    // Only the cut-off: its face, edge or corner, whose normals are the axes of s1, s2, s3.
     const T side = (s[0] - limit) * T(nu_ / (1 - nu_));
     const auto two = s[1] - side > limit;
     const T third = s[2] - (s[0] + s[1] - limit - limit) * T(nu_);
@@ -194,7 +194,7 @@ class MohrCoulombSurface {
     cut[1] = select(both, T(min(max(middle, corner), limit)), cut[1]);
     cut[2] = select(both, corner, cut[2]);
 
-    // Shear alone shortens the axes of s2 and s3, k' - 1 times less than it dilates.
+    // Only shear shortens the axes of s2 and s3; it dilates by k' - 1 times the shortening.
     const std::array<T, 3> plastic{s[0] - cut[0], s[1] - cut[1], s[2] - cut[2]};
     const T sum = plastic[0] + plastic[1] + plastic[2];
     const T lateral = sum * T(nu_ / (1 + nu_));
@@ -208,7 +208,7 @@ class MohrCoulombSurface {
   N slope_, strength_, apex_;     // k; sc, Pa; mean stress at the apex, Pa
   double tension_;                // Pa
   mask_of<N> cuts_;               // whether the cut-off lies below the apex
-  N corner_;                      // s3 where it meets the pyramid, Pa
+  N corner_;                      // s3 where the cut-off intersects the pyramid, Pa
   Flow dilation_;                 // (k' - 1) 3 K / (2 G)
   mask_of<Flow> dilates_;         // whether the angle of dilatancy is positive
   N sin_, cohesive_, inscribed_;  // sin(phi); c cos(phi), Pa; 1 + sin^2(phi)/3
@@ -220,13 +220,13 @@ class MohrCoulombSurface {
 
 }  // namespace detail
 
-/// Mohr-Coulomb law. Where planes, edges, apex and cut-off meet, a trial stress returns to all of them at
-/// once (Koiter's rule).
+/// Mohr-Coulomb law. Where planes, edges, apex and cut-off intersect, a trial stress returns to all of them
+/// at once (Koiter's rule).
 ///
-/// What opened: the volumetric plastic strain of a return to the apex, and that of the cut-off's flow. At the
-/// apex grains have lost contact and nothing tells dilatancy from separation; all of it counts as opening,
-/// though psi > 0 would ascribe a part to shear. Dilation on planes and edges is a property of the packing
-/// and swells the matter.
+/// Opening: the volumetric plastic strain of a return to the apex, and that of the cut-off's flow. At the
+/// apex grains have lost contact and nothing distinguishes dilatancy from separation; all of it counts as
+/// opening, though psi > 0 would ascribe a part to shear. Dilation on planes and edges is a property of the
+/// packing and swells the matter.
 template <class Memory = ForgetsOpening, class Friction = ConstantFriction,
           class Stiffness = ConstantStiffness>
 class MohrCoulomb

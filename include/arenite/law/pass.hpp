@@ -37,8 +37,8 @@ T small_exp(const T& x) {
 }
 
 /// Strains and spins of a run of points in one step, by column; kept small enough to stay in the nearest
-/// cache. `StoresBearing`: whether the volume that bears a point's stress may differ from its own, which the
-/// work of the stress then follows.
+/// cache. `StoresBearing`: whether the volume that carries a point's stress, and with which the stress does
+/// work, may differ from the point's own.
 template <class T, int D, bool StoresBearing = false>
 struct StrainBuffer {
   static constexpr std::size_t capacity = 256, slack = 128 / sizeof(T);
@@ -60,7 +60,7 @@ struct StrainBuffer {
     repeat<spin_size>([&](std::size_t k) { step.spin[k] = lanes(column_[strain_size + k].data() + at); });
   }
 
-  /// Volume that bears the stress of points `at`, .. over their own, -.
+  /// Volume that carries the stress of points `at`, .. over their own volume, -.
   void store_volume_factor(std::size_t at, std::size_t count, T volume_factor) {
     std::fill_n(volume_factor_.begin() + static_cast<std::ptrdiff_t>(at), count, volume_factor);
   }
@@ -74,15 +74,15 @@ struct StrainBuffer {
   std::array<T, StoresBearing ? capacity + slack : 0> volume_factor_{};
 };
 
-/// Stress, history and volume of points after a step that may be tried again: what the law pass writes, apart
-/// from the points that it reads. `Points`: their columns.
+/// Stress, history and volume of points after a step that may be tried again: the output of the law pass,
+/// apart from the points that it reads. `Points`: their columns.
 template <class Points>
 struct TrialStates {
   static constexpr bool has_dilation = Points::has_dilation;
 
   decltype(Points::stress) stress;      ///< Cauchy stress, Pa, tension positive
   decltype(Points::history) history;    ///< columns of the law's history
-  decltype(Points::volume) volume;      ///< volume that bears stress, m3
+  decltype(Points::volume) volume;      ///< volume that carries stress, m3
   decltype(Points::dilation) dilation;  ///< [n if has_dilation] plastic volumetric strain of the step
 
   /// Those of the points before a step.
@@ -90,8 +90,8 @@ struct TrialStates {
       : stress{points.stress}, history{points.history}, volume{points.volume}, dilation{points.dilation} {}
 };
 
-/// What a law is called with where `Width` points are computed at once: a pack of them, or what the law asks
-/// for: a narrower one, or two packs side by side.
+/// Scalar type with which a law is called where `Width` points are computed at once: a pack of them or, if
+/// the law requests it, a narrower one or two packs side by side.
 template <class L, class T, int Width>
 struct LawLanes {
   static constexpr int width = std::min(max_pack_width<L>, Width);
@@ -100,9 +100,9 @@ struct LawLanes {
 };
 
 /// Stress, history and volume of the points [begin, end) after a step of dt, s, with the strains in `buffer`,
-/// written to `after`: the points themselves, or their `TrialStates`. A volume follows the trace of the strain
-/// less what opened: V = V_0 exp(sum (tr de - opening)). Matter that dilates stops at its greatest V / V_0:
-/// what it would dilate beyond that counts as opened.
+/// written to `after`: the points themselves, or their `TrialStates`. A volume follows the trace of the
+/// strain minus the opening: V = V_0 exp(sum (tr de - opening)). Matter that dilates stops at its greatest
+/// V / V_0: dilation beyond that counts as opening.
 /// `TracksWork`: whether the work of the stresses is summed.
 template <bool TracksWork, int Width, class L, class Points, class After, class T, int D, bool StoresBearing>
 ARENITE_KERNEL void law_pass(const L& law, const Points& points, After& after, std::size_t begin,

@@ -1,4 +1,4 @@
-// Roles of a law: its optional members, looked for by name first and then by signature. Otherwise a
+// Roles of a law: its optional members, matched by name first and then by signature. Otherwise a
 // member with a role's name and another signature would be ignored without a message.
 #pragma once
 // SPDX-License-Identifier: BSD-3-Clause
@@ -9,7 +9,7 @@
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 namespace detail {
 
-/// By the type of its address: the use of a member that is not static would be an error of its own.
+/// By the type of its address: the use of a member that is not static would be another compile error.
 template <class L>
 constexpr bool max_pack_width_is_right() {
   if constexpr (!names_max_pack_width<L>)
@@ -26,7 +26,7 @@ concept two_packs_at_once_is_right = !names_two_packs_at_once<L> || requires {
 
 }  // namespace detail
 
-/// Whether what a law says of packs is of the kind that it must be.
+/// Whether the members of a law on packs are as required.
 template <class L>
 concept wishes_packs_rightly = detail::max_pack_width_is_right<L>() && detail::two_packs_at_once_is_right<L>;
 

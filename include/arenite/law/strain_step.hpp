@@ -1,4 +1,4 @@
-// What a law sees of one step: strain, spin and time.
+// Input of a law for one step: strain, spin and time.
 #pragma once
 // SPDX-License-Identifier: BSD-3-Clause
 

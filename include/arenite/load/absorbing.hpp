@@ -19,7 +19,7 @@
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
-/// What holds the matter at an absorbing boundary at rest.
+/// Static support of the matter at an absorbing boundary.
 enum class Support {
   none,           ///< nothing: under a load that does not pass, the boundary gives way at load / impedance
   first_reaction  ///< the forces that keep its nodes in balance in the first step, from then on
@@ -45,15 +45,15 @@ struct AbsorbingOptions {
 };
 
 /// Dashpots of rho c_p across and rho c_s along faces of the mesh (Lysmer and Kuhlemeyer 1969, Finite dynamic
-/// model for infinite media, J. Eng. Mech. Div. 95, 859-877). Waves that meet a face at a right angle leave.
-/// Of others that of the closed form comes back, by the angle to the normal: pressure waves 0.2 % of the
+/// model for infinite media, J. Eng. Mech. Div. 95, 859-877). Waves at normal incidence leave. Of
+/// others the closed form's share is reflected, by the angle to the normal: pressure waves 0.2 % of the
 /// energy at 40 deg, 4 % at 60, 12 % at 70; shear waves, at a Poisson ratio of 0.25, 4 % at 30 deg and 5 % at
 /// 50 (docs/validation.md).
 ///
-/// A dashpot has no stiffness. Where the boundary bears a static stress, as under gravity, begin with that
-/// state (`FillOptions::stress`, or a run that settled on walls) and say `.support =
-/// Support::first_reaction`; or name the stress as a `traction` on the same faces. Static loads that come
-/// later must be held by walls elsewhere.
+/// A dashpot has no stiffness. Where the boundary carries a static stress, as under gravity, begin with that
+/// state (`FillOptions::stress`, or a run that settled on walls) and set `.support =
+/// Support::first_reaction`; or apply the stress as a `traction` on the same faces. Static loads that are
+/// added later must be supported by walls elsewhere.
 struct AbsorbingFaces {
   MeshFaces where;
   AbsorbingOptions options;
@@ -72,8 +72,8 @@ Vec<T, D> dashpot_velocity(const Vec<T, D>& start, const Vec<T, D>& free, const 
   return left.inverse() * (free + z * (free - start) / 2);
 }
 
-/// An absorbing boundary in a mesh: a part that gives the impulses of the dashpots, and books their work as
-/// dissipated.
+/// An absorbing boundary in a mesh: a part that applies the impulses of the dashpots, and records their
+/// work as dissipated.
 template <class T, int D>
 class BoundAbsorbingFaces {
  public:
@@ -145,7 +145,7 @@ class BoundAbsorbingFaces {
     f("support", std::span(support_));
   }
 
-  /// What `reaction(scene, name)` knows it by, and what it gave to the matter in the last step, N s.
+  /// Its name for `reaction(scene, name)`, and its impulse on the matter in the last step, N s.
   const std::string& wall_name() const { return name_; }
   const V& given_impulse() const { return impulse_; }
 

@@ -14,7 +14,7 @@
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 /// Viscous damping: velocities decay as exp(-rate t), whatever the step. Critical for a mode of angular
-/// frequency w at rate = 2 w; with less the mode swings on. It opposes all motion, a free fall too.
+/// frequency w at rate = 2 w; below that the mode oscillates. It opposes all motion, free fall too.
 struct ViscousDamping {
   struct RateRule {
     static constexpr const char* name = "ViscousDamping.rate";
@@ -38,7 +38,7 @@ struct LocalDamping {
   Checked<FactorRule> factor = 0.7;  ///< share of the force out of balance, -, in [0, 1)
 };
 
-/// Base of dampings: they can be switched off, and book the work of their forces as dissipated.
+/// Base of dampings: they can be switched off, and record the work of their forces as dissipated.
 template <class T, int D>
 class Damping : public FieldForces<T, D> {
  public:

@@ -1,4 +1,4 @@
-// Impedance of faces: dashpots of the matter behind faces of the mesh, gathered at the nodes of the faces.
+// Impedance of faces: dashpots of the matter at faces of the mesh, summed at the nodes of the faces.
 #pragma once
 // SPDX-License-Identifier: BSD-3-Clause
 
@@ -18,10 +18,10 @@ struct WaveImpedance {
   double pressure = 0, shear = 0;
 };
 
-/// At a node the dashpots are C = integral N_i (z_p n n^T + z_s (I - n n^T)) dA, N s/m. On a grid it is taken
-/// where the points of the cell behind a face stand, moved onto it, each for a share of the area in
+/// At a node the dashpots are C = integral N_i (z_p n n^T + z_s (I - n n^T)) dA, N s/m. On a grid it is
+/// sampled at the points of the cell of a face, moved onto the face, each for a share of the area in
 /// proportion to its volume, as loads on faces are (`GridFaces`); on simplices with the exact integrals of
-/// N_i. Faces without matter behind them have none.
+/// N_i. Faces of cells without matter have none.
 template <class T, int D>
 class FaceImpedance {
  public:
@@ -77,7 +77,7 @@ class FaceImpedance {
                                      fields_ * D * D);
   }
 
-  /// Areas of all faces, and of those with matter behind them, m2.
+  /// Areas of all faces, and of those of cells with matter, m2.
   template <class Scene>
   std::pair<double, double> areas(const Scene& scene) const {
     std::pair<double, double> sum{};
@@ -117,7 +117,7 @@ class FaceImpedance {
     return s * Matrix::Identity() + (p - s) * (normal * normal.transpose());
   }
 
-  /// Adds what a face has of one body, whose share of the `matter` behind it acts.
+  /// Adds the dashpots of a face for one body, by its share of the `matter` in the cell.
   template <class Scene, class Body>
   void add(const Scene& scene, const Body& body, Index c, const Face& face, const WaveImpedance& z,
            std::size_t field, T matter) {

@@ -14,7 +14,7 @@
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 /// A traction, Pa, on faces of the mesh: `traction(top(), {0, -100_kPa})`. It acts on the matter in the cells
-/// behind the faces, and stays where the mesh is. Exact if matter fills those cells up to the faces, as it
+/// of the faces, and stays where the mesh is. Exact if matter fills those cells up to the faces, as it
 /// does where the mesh moves with it. Where it has moved by a share s of a cell of a resting grid, stresses
 /// are off by up to 3 s in the last cell and by s in the next; where no matter is left in a cell the load is
 /// lost, which the first step warns of. For a surface that lies or goes elsewhere: `traction(surface(..),

@@ -1,4 +1,4 @@
-// Loaded faces of a grid: the points behind a face share its area.
+// Loaded faces of a grid: the points of the cell of a face share its area.
 #pragma once
 // SPDX-License-Identifier: BSD-3-Clause
 
@@ -15,7 +15,7 @@
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
-/// The load on a face is integrated where the points of the cell behind it stand, moved onto the face, each
+/// The load on a face is integrated at the points of the cell of the face, moved onto the face, each
 /// for a share of the area in proportion to its volume. The sums of the shape functions along the face are
 /// then those by which the stresses of the same points act, and a uniform stress is in balance; with the
 /// exact integrals in their place the points in the corners of a body of 2 x 2 points a cell are off by 6 %.
@@ -37,7 +37,7 @@ class GridFaces {
   }
   std::size_t size() const { return faces_.size(); }
 
-  /// Forces of a load into those of each field. Faces without matter behind them take none.
+  /// Computes the forces of a load on each field. Faces of cells without matter receive none.
   template <class Scene>
   void collect(const Scene& scene, const SurfaceLoad& load, std::string_view name,
                std::vector<NodeForce<T, D>>& nodes) {
@@ -71,7 +71,7 @@ class GridFaces {
     failure.rethrow();
   }
 
-  /// Sums of the magnitudes of a load on all faces, and on those with matter behind them, N.
+  /// Sums of the magnitudes of a load on all faces, and on those of cells with matter, N.
   template <class Scene>
   std::pair<double, double> magnitudes(const Scene& scene, const SurfaceLoad& load,
                                        std::string_view name) const {

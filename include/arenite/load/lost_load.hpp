@@ -1,4 +1,4 @@
-// Lost load: warns once if a load acts on faces of the mesh that have no matter behind them.
+// Lost load: warns once if a load acts on faces of cells without matter.
 #pragma once
 // SPDX-License-Identifier: BSD-3-Clause
 
@@ -13,17 +13,17 @@
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
-/// Looks at what acts on faces once: in the first step in which it is not zero. Warns if matter takes less
-/// of it than a share `least`.
+/// Checks the load on faces once: in the first step in which it is not zero. Warns if the share of it that
+/// acts on matter is less than `least`.
 class LostLoad {
  public:
   explicit LostLoad(double least) : least_{least} {}
 
-  /// Whether it has yet to look.
+  /// Whether the check is still to be made.
   bool is_due() const { return is_due_; }
 
-  /// `given` = {all of it, what matter takes}, of any unit, in this scene; `what` names it, and `text` goes
-  /// on behind the percentage.
+  /// `given` = {all of it, its part on matter}, of any unit, in this scene; `what` names it, and `text`
+  /// follows the percentage.
   template <class Communicator>
   void look(std::pair<double, double> given, const std::string& what, const std::string& text,
             const Communicator& comm) {

@@ -40,8 +40,8 @@ inline MeshFaces on(std::string set) { return {-1, false, std::move(set), {}}; }
 /// Hull faces whose corners (x, y, z = 0 in two dimensions), m, all pass a test.
 inline MeshFaces where(std::function<bool(const Triple&)> test) { return {-1, false, {}, std::move(test)}; }
 
-/// A face on the hull: the cell behind it, and its corners. A grid's is a line or a square; its corners stand
-/// in the order of the axes.
+/// A face on the hull: its cell, and its corners. A grid's is a line or a square; its corners are in the
+/// order of the axes.
 template <class T, int D>
 struct HullFace {
   Index cell;

@@ -123,7 +123,7 @@ class FieldForces {
       sum += forces_[k].work(dt, NodeMotion<T, D>::of(scene, k));
     return sum;
   }
-  /// Work of forces that act as impulses behind the grid update, once `mean_velocity` is known, J.
+  /// Work of forces that act as impulses after the grid update, once `mean_velocity` is known, J.
   template <class Scene>
   double work_of_impulses(const Scene& scene, double dt) const {
     double sum = 0;

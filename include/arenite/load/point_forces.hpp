@@ -16,11 +16,11 @@
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 /// A part that adds the forces of some points of a body to the nodes, with the shape functions at the
-/// positions at the start of the step. `Load`: what is kept with each point, and the force that follows from it:
+/// positions at the start of the step. `Load`: the numbers stored with each point, and the force they give:
 /// - `columns`: numbers by point, not all zero where a point is loaded; `body`: a `BodyName`; `name()`;
 /// - `place(scene, body, set)`: calls `set(p, numbers)` for the loaded points of a new scene;
 /// - `force(x, numbers, time)`: N, at a position; may throw, and runs on several threads;
-/// - `follow(numbers, gradient, hoop, dt)`: the numbers behind a step with this velocity gradient, 1/s, and
+/// - `follow(numbers, gradient, hoop, dt)`: the numbers after a step with this velocity gradient, 1/s, and
 ///   hoop rate v_r / r, if `deforms`.
 template <class T, int D, class Load>
 class BoundPointForces : public BookedForces<T, D> {
@@ -134,7 +134,7 @@ class BoundPointForces : public BookedForces<T, D> {
   template <class Scene, class Body, class F>
   void each_in_cell(const Scene& scene, const Body& body, std::size_t begin, std::size_t end, F&& f) const {
     using Cell = typename Scene::Shape::template Cell<typename Scene::Mesh>;
-    std::optional<Cell> cell;  // made anew where the next point lies in another one
+    std::optional<Cell> cell;  // remade if the next point is in another one
     Index number = none;
     for (std::size_t k = begin; k < end; ++k) {
       if (const Index c = body.points.cell[loaded_[k]]; c != number) cell.emplace(scene.mesh, number = c);
@@ -142,7 +142,7 @@ class BoundPointForces : public BookedForces<T, D> {
     }
   }
 
-  /// Takes the numbers of a point through a step with the velocities of the nodes.
+  /// Updates the numbers of a point over a step with the velocities of the nodes.
   template <class K, class Cell, class Field, class Points>
   void deform(const Cell& cell, const Field& field, Points& points, Index p, T dt) {
     const Vec<T, D> x = points.position[p];

@@ -15,7 +15,7 @@
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
-/// What a surface is made of.
+/// Normal and layer thickness of a surface.
 struct SurfaceOptions {
   VectorFunction normal = Triple{};  ///< outward normal, of any length; may depend on the position
   double thickness = std::numeric_limits<double>::quiet_NaN();  ///< of the layer, m
@@ -26,7 +26,7 @@ struct SurfaceOptions {
   }
 };
 
-/// A layer of a body's points under its surface. Each point stands for the area V / thickness, so that the
+/// A layer of a body's points under its surface. Each point represents the area V / thickness, so that the
 /// areas sum to that of the surface if the region is filled evenly and `thickness` is its own: a row of
 /// points, or of cells. `Region`: any that `fill` takes.
 template <class Region = AnyRegion>

@@ -13,9 +13,9 @@
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 /// A force, N (of a metre of thickness, or of the full circle), on the point of a body that is nearest to a
-/// place, m, among those of the cell that holds it, when the scene is made; it goes with the point. What it
-/// does nearby follows the size of the cells, as that of a concentrated force on a mesh always does; total
-/// and moment are exact.
+/// place, m, among those of the cell that contains it, when the scene is made; it moves with the point. Its
+/// local effect depends on the cell size, as that of a concentrated force on a mesh always does; total and
+/// moment are exact.
 struct PointLoad {
   BodyName body;
   Triple place;

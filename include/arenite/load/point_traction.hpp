@@ -14,8 +14,8 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 /// A traction, Pa, on the surface of a body, wherever that goes. The points of a layer under the surface
 /// carry area vectors, which turn and stretch with the matter (Nanson's formula); the load on its present
-/// area acts on the points themselves, so that no node gets more force than its mass bears. The total force
-/// is exact. Stresses near the surface are not: the load acts within the layer, whose points bear from none
+/// area acts on the points themselves, so that no node gets more force than its mass allows. The total force
+/// is exact. Stresses near the surface are not: the load acts within the layer, whose points carry from none
 /// of it to all. With a layer of half a cell they are off by 57 % in the last cell, 15 % in the next and 2 %
 /// from the fourth on, wherever in a cell the surface lies. Matter that fills a mesh up to its faces takes
 /// `traction(top(), ..)`, which is exact there.

@@ -48,7 +48,7 @@ class SimplexFaces {
   std::size_t size() const { return faces_; }
 
   /// Forces of a load on the faces where the mesh is now, into those of each field; matter of several fields
-  /// at a node bears them in proportion to its mass. At a node without matter the load is lost.
+  /// at a node carries them in proportion to its mass. At a node without matter the load is lost.
   template <class Scene>
   void collect(const Scene& scene, const SurfaceLoad& load, std::string_view name,
                std::vector<NodeForce<T, D>>& nodes) {

@@ -1,4 +1,4 @@
-// Adjacency of a simplex mesh: which cells meet at a node, and which cell lies behind a face.
+// Adjacency of a simplex mesh: which cells share a node, and which cell lies across a face.
 #pragma once
 // SPDX-License-Identifier: BSD-3-Clause
 
@@ -22,7 +22,7 @@ Lists cells_at_nodes(Index node_count, const std::vector<std::array<Index, N>>& 
           }};
 }
 
-/// [cell][k] the cell behind the face opposite to local node k, or `none` on the hull.
+/// [cell][k] the cell across the face opposite to local node k, or `none` on the hull.
 /// Throws `error` if more than two cells share a face.
 template <int D>
 std::vector<std::array<Index, D + 1>> simplex_neighbours(const std::vector<std::array<Index, D + 1>>& cells) {

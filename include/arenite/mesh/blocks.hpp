@@ -50,7 +50,7 @@ class Blocks {
   Index begin(Index block) const { return block * size_; }
   Index end(Index block) const { return std::min(cells_, (block + 1) * size_); }
 
-  /// Calls `f(cell)` for all cells; cells whose blocks share a node never run at once, and those that meet at
+  /// Calls `f(cell)` for all cells; cells whose blocks share a node never run at once, and those that share
   /// a node run in the same order for any number of threads.
   template <class F>
   void for_each_colored(F&& f) const {

@@ -1,5 +1,5 @@
-// Cartesian grid: equal square or cubic cells in a box. Which nodes it has is the business of the shape
-// function.
+// Cartesian grid: equal square or cubic cells in a box. The shape function determines which nodes
+// it has.
 #pragma once
 // SPDX-License-Identifier: BSD-3-Clause
 
@@ -31,7 +31,7 @@ class CartesianGrid {
     double cell = std::numeric_limits<double>::quiet_NaN();  ///< edge of a cell, m; must divide each extent
   };
 
-  /// Throws `error` if the box is empty, if the cell does not divide it or has a size that T does not bear,
+  /// Throws `error` if the box is empty, if the cell does not divide it or has a size that T does not allow,
   /// or if there are more than 2^31 cells.
   explicit CartesianGrid(const Parameters& p);
 
@@ -102,7 +102,7 @@ class CartesianGrid {
     return h;
   }
 
-  /// The cell that holds x, or `none` outside of the box (or for NaN). The upper faces belong to the last
+  /// The cell that contains x, or `none` outside of the box (or for NaN). The upper faces belong to the last
   /// cells.
   Index walk(const Point& x, Index = none) const {
     Index cell = 0;

@@ -1,4 +1,4 @@
-// Sizes of cells that a scalar bears: outside of them volumes or gradients overflow or vanish.
+// Sizes of cells that a scalar allows: at others, volumes or gradients overflow or underflow.
 #pragma once
 // SPDX-License-Identifier: BSD-3-Clause
 

@@ -7,7 +7,7 @@
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
-/// Volume that a whole cell stands for, m3: exact for the linear thickness of axisymmetry.
+/// Volume of a whole cell in these kinematics, m3: exact for the linear thickness of axisymmetry.
 template <class K, class M>
 typename M::scalar full_volume(const M& mesh, Index cell) {
   using T = typename M::scalar;

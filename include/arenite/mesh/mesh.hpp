@@ -1,4 +1,4 @@
-// The concept of a mesh: cells that hold points.
+// The concept of a mesh: cells that contain points.
 #pragma once
 // SPDX-License-Identifier: BSD-3-Clause
 
@@ -12,7 +12,7 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 /// - `walk(x, hint)`: the cell of x, or `none`; `search(x)`: the same without a hint, slower, right
 /// everywhere.
-/// - `holder(cell).holds(x)`: whether one cell holds x [D], a `std::array` of scalars or of packs;
+/// - `holder(cell).holds(x)`: whether one cell contains x [D], a `std::array` of scalars or of packs;
 /// - `size(cell)`: length for the stable step, m; `volume(cell)`: area or volume, m^D;
 /// - `node_size(node)`: smallest size of the cells at a node, of any shape function, m.
 template <class M>

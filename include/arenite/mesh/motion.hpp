@@ -16,9 +16,9 @@
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
-/// A rigid body of the scene leads, by name or number. A leader has `travel(scene, axis, before, dt)`, or
-/// with the communicator behind them where its travel is a sum over scenes: its travel along the axis since the
-/// start, m, `before` being that of the step before.
+/// A rigid body of the scene leads, by name or number. A leader has `travel(scene, axis, before, dt)`: its
+/// travel along the axis since the start, m, where `before` is that of the previous step. A sum over points is
+/// taken over all scenes, by `scene.communicator()`.
 template <Name body = 0>
 struct LedByRigid {
   template <class Scene, class T>
@@ -51,15 +51,15 @@ struct LedByBody {
 template <class Leader = LedByRigid<>>
 struct MovingMesh {
   Leader leader{};
-  double fixed_below = std::numeric_limits<double>::quiet_NaN();  ///< what lies below rests, m; required, any
+  double fixed_below = std::numeric_limits<double>::quiet_NaN();  ///< no motion below it, m; required, any
   double moving_from = std::numeric_limits<
       double>::quiet_NaN();  ///< its top, and what is above, moves, m; required, > fixed_below
   double moving_to = std::numeric_limits<double>::infinity();    ///< up to here, m, >= moving_from
-  double fixed_above = std::numeric_limits<double>::infinity();  ///< what lies above rests, m, > moving_to
+  double fixed_above = std::numeric_limits<double>::infinity();  ///< no motion above it, m, > moving_to
   int axis = 1;                                                  ///< -, in [0, 2]
   double least = 0.05;  ///< share of its height that a zone keeps, -, in (0, 1); below it the run stops
 
-  /// Share of the leader's travel that a node at height y takes.
+  /// Share of the leader's travel by which a node at height y moves.
   double fraction(double y) const {
     if (y <= fixed_below || y >= fixed_above) return 0;
     if (y < moving_from) return (y - fixed_below) / (moving_from - fixed_below);
@@ -68,7 +68,7 @@ struct MovingMesh {
   }
 };
 
-/// Throws `error` unless the zones of a motion in D dimensions make sense; returns it.
+/// Throws `error` unless the zones of a motion in D dimensions are valid; returns it.
 template <int D, class Leader>
 const MovingMesh<Leader>& check_moving_mesh(const MovingMesh<Leader>& m) {
   require(m.axis >= 0 && m.axis < D, "MovingMesh.axis", m.axis, "must be an axis of the mesh");
@@ -102,7 +102,7 @@ class BoundMotion {
   static constexpr std::string_view state_name = "mesh_motion";
   static constexpr bool reads_start_state = false;
 
-  /// Throws `error` for an axis, heights or a share that cannot be.
+  /// Throws `error` for an invalid axis, height or share.
   BoundMotion(const MovingMesh<Leader>& motion, const M& mesh) : motion_{check_moving_mesh<D>(motion)} {
     if constexpr (is_simplex_mesh<M>)
       find_nodes(mesh);
@@ -199,7 +199,7 @@ class BoundMotion {
 };
 
 namespace detail {
-/// In the place of a motion that the compiler has refused.
+/// Replaces a motion that the compiler has refused.
 struct NoMotion {
   static constexpr bool separates_bodies = false;
 };
@@ -212,7 +212,7 @@ auto bind_part(const MovingMesh<Leader>& motion, const Traits& traits) {
   if constexpr (moves)
     return BoundMotion<typename Traits::Mesh, Leader>(motion, traits.mesh);
   else
-    return detail::NoMotion{};  // one sentence is enough
+    return detail::NoMotion{};  // already reported
 }
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

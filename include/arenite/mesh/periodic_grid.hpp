@@ -1,4 +1,4 @@
-// Periodic grid: a grid of which some axes are closed to a ring. What leaves on one side enters on the other.
+// Periodic grid: a grid with some axes closed to a ring. Matter that leaves on one side enters on the other.
 #pragma once
 // SPDX-License-Identifier: BSD-3-Clause
 
@@ -10,7 +10,7 @@
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 /// `Axes`: a bit for each periodic axis. Along it the functions of the last cells are those of the first
-/// ones, the same as in the middle of the grid, so that a scene goes on for ever; there is no face, and no
+/// ones, the same as in the middle of the grid, so that a scene has no end; there is no face, and no
 /// wall may be named there. Positions stay in the box: a point that leaves comes back by whole periods.
 template <class Grid, int Axes>
 class PeriodicGrid : public Grid {

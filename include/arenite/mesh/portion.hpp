@@ -1,4 +1,4 @@
-// Portion: a part of a mesh, with one layer of ghost cells, over which a scene of its own is made.
+// Portion: a part of a mesh, with one layer of ghost cells, over which one scene is made.
 #pragma once
 // SPDX-License-Identifier: BSD-3-Clause
 
@@ -15,18 +15,18 @@
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
-/// What a scene over a part of a mesh has to know of the whole (`split_mesh` makes it).
-/// Its own cells hold its points; ghost cells are those of others that share a node with them, so that all
-/// cells at an owned node are there. Bodies without points are legal then, and walls that catch no node.
+/// Data that a scene over a part of a mesh needs about the whole (`split_mesh` makes it).
+/// Its own cells contain its points; ghost cells are those of others that share a node with them, so that all
+/// cells at an owned node are present. Bodies without points, and walls without nodes, are then valid.
 template <int D>
 struct MeshPortion {
   int number = 0;                         ///< of this portion
-  std::vector<int> owner;                 ///< [cells] portion that holds a cell's points
+  std::vector<int> owner;                 ///< [cells] portion that owns a cell's points
   std::vector<std::uint64_t> whole_cell;  ///< [cells] number in the whole mesh, ascending
   std::vector<std::uint64_t> whole_node;  ///< [nodes] the same
   std::vector<int> node_owner;            ///< [nodes] portion that counts it in sums
   Vec<double, D> lower, upper;            ///< corners of the box around the whole mesh, m
-  std::set<std::array<Index, static_cast<std::size_t>(D)>> cuts;  ///< faces behind which the mesh goes on
+  std::set<std::array<Index, static_cast<std::size_t>(D)>> cuts;  ///< faces across which the mesh continues
 
   bool owns_cell(Index c) const { return owner[c] == number; }
   bool owns_node(Index i) const { return node_owner[i] == number; }
@@ -44,7 +44,7 @@ struct MeshPortion {
   }
 
   /// Whether a position outside of this part of the mesh lies beyond its ghost cells, not beyond the hull of
-  /// the whole mesh: which of the two is nearer. Looks at all cells: few points are lost.
+  /// the whole mesh: which of the two is nearer. Checks all cells: few points are lost.
   template <class M>
   bool is_beyond_ghosts(const M& mesh, const typename M::Point& x) const {
     if constexpr (is_window<M>)
@@ -107,7 +107,7 @@ OnPortion<MeshPortion<D>, Communicator> on_portion(MeshPortion<D> portion, Commu
   return {std::move(portion), std::move(communicator)};
 }
 
-/// `owns(cell)`: whether a portion holds the points of a cell; `number(cell)`: its number in the whole mesh.
+/// `owns(cell)`: whether a portion owns the points of a cell; `number(cell)`: its number in the whole mesh.
 template <int D>
 struct OwnedCells {
   static constexpr bool is_whole = false;
@@ -150,7 +150,7 @@ class PortionMaker {
       }
   }
 
-  /// Whether a cell is one of the portion's own, or a ghost: it shares a node with one of its own.
+  /// Whether a cell is owned by the portion, or a ghost, which shares a node with an owned cell.
   bool is_here(std::size_t cell) const {
     return std::ranges::any_of(whole_.cells[cell], [&](Index i) { return touched_[i]; });
   }
@@ -216,7 +216,7 @@ class PortionMaker {
   const MeshData<D>& whole_;
   const std::vector<int>& owner_;
   int number_;
-  std::vector<bool> touched_{};    // [nodes of the whole] by a cell of the portion's own
+  std::vector<bool> touched_{};    // [nodes of the whole] by an owned cell
   std::vector<int> node_owner_{};  // [nodes of the whole] `nobody` for a node that no cell has
   std::vector<Index> local_{};     // [nodes of the whole] number here, or none
   MeshData<D> mesh_{};
@@ -226,7 +226,7 @@ class PortionMaker {
 }  // namespace detail
 
 /// Part number `number` of a mesh whose cells belong to the parts `owner` [cells]: its own cells and the
-/// ghosts around them, in the order of the whole, and what else a scene has to know. A node belongs to the
+/// ghosts around them, in the order of the whole, and the data that its scene needs. A node belongs to the
 /// least of the parts at it.
 template <int D>
 std::pair<MeshData<D>, MeshPortion<D>> split_mesh(const MeshData<D>& whole, const std::vector<int>& owner,

@@ -19,15 +19,15 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 /// Places of grid lines, m, ascending: equal edges of `cell` from `from` to `to`, then on either side edges
 /// that grow by the factor `growth`, each, until `lower` and `upper`; the growing ones are scaled by the same
-/// factor, at most by half of a cell in all, so that the last line lies there. `growth` = 1: as equal as may
-/// be.
+/// factor, at most by half of a cell in all, so that the last line lies there. `growth` = 1: as equal as
+/// possible.
 struct GrowingLines {
   double lower = std::numeric_limits<double>::quiet_NaN(), upper = lower;  ///< ends, m
   double from = lower, to = upper;                                         ///< of the equal edges, m
   double cell = std::numeric_limits<double>::quiet_NaN();                  ///< m
   double growth = 1.2;                                                     ///< edge over the one before, -
 
-  /// Throws `error` for numbers that cannot be.
+  /// Throws `error` for invalid numbers.
   operator std::vector<double>() const {
     require(std::isfinite(lower), "GrowingLines.lower", lower, "must be given");
     require(from >= lower && std::isfinite(from), "GrowingLines.from", from, "must not lie below lower");
@@ -74,7 +74,7 @@ class RectilinearGrid {
   };
 
   /// `{{.x = {0, 0.1, 0.3}, .y = GrowingLines{..}}}`. Throws `error` unless lines ascend, and have distances
-  /// that T bears.
+  /// that T allows.
   explicit RectilinearGrid(const Parameters& p) {
     require(D == 3 || p.z.empty(), "RectilinearGrid.z", p.z.size(),
             "lines of a grid in the plane: must be none");
@@ -183,8 +183,8 @@ class RectilinearGrid {
     return h;
   }
 
-  /// The cell that holds x, or `none` outside of the box (or for NaN). The upper faces belong to the last
-  /// cells. Along each axis the hint and its neighbours are looked at first, then all by bisection.
+  /// The cell that contains x, or `none` outside of the box (or for NaN). The upper faces belong to the last
+  /// cells. Along each axis the hint and its neighbours are tried first, then all by bisection.
   Index walk(const Point& x, Index hint = none) const {
     std::array<Index, dim> at{};
     if (hint != none) at = place(hint);

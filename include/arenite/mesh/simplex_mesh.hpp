@@ -37,8 +37,8 @@ class SimplexMesh {
     T size;             ///< smallest altitude, m
   };
 
-  /// Throws `error` if a cell has a wrong node number, no volume or a size that T does not bear, or if a face
-  /// belongs to more than two cells.
+  /// Throws `error` if a cell has a wrong node number, no volume or a size that T does not allow, or if a
+  /// face belongs to more than two cells.
   explicit SimplexMesh(const MeshData<D>& data)
       : region_names_{data.region_names},
         shared_regions_{data.shared_regions},
@@ -146,7 +146,7 @@ class SimplexMesh {
   };
   Holder holder(Index cell) const { return {frames_[cell].inverse, origin(cell)}; }
 
-  /// The cell that holds x, found by walking from `hint`, or `none` where the walk ends: at the hull, or
+  /// The cell that contains x, found by walking from `hint`, or `none` where the walk ends: at the hull, or
   /// after `max_walk` cells. A point on a face stays in the first cell found. Costs one test for a point that
   /// stayed.
   Index walk(const Point& x, Index hint) const {
@@ -159,8 +159,8 @@ class SimplexMesh {
     return none;
   }
 
-  /// The cell that holds x, or `none` outside of the mesh, without a hint. Correct on non-convex meshes too,
-  /// where a walk may end at the hull. Not thread-safe: refreshes its bins after the mesh moved.
+  /// The cell that contains x, or `none` outside of the mesh, without a hint. Correct also on non-convex
+  /// meshes, where a walk may end at the hull. Not thread-safe: refreshes its bins after the mesh moved.
   Index search(const Point& x) {
     if (!x.allFinite()) return none;
     if (!bins_fresh_) {

@@ -11,7 +11,7 @@
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
-/// Cells and nodes of the window have numbers of their own, axis 0 fastest; places along the axes, the lower corner and the upper one are
+/// Cells and nodes of the window have their own numbers, axis 0 fastest; places along the axes, the lower corner and the upper one are
 /// those of the whole grid, from which all lengths are computed. So an inner side of the window is no face, and points, weights and
 /// nodes have the same bits as in the whole.
 template <class Grid>

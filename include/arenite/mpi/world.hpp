@@ -33,7 +33,7 @@
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET::mpi {
 
-/// The processes of a communicator of MPI. A rank that waits for others looks for the word of one that has failed, and throws then.
+/// The processes of an MPI communicator. A rank that waits for others checks for failure messages, and throws if one has arrived.
 class World final : public Ranks {
  public:
   /// The ranks of a host's communicator. MPI must be there, for one thread at a time (MPI_THREAD_SERIALIZED) at least.
@@ -59,7 +59,7 @@ class World final : public Ranks {
   ~World() override {
     int over = 0;
     MPI_Finalized(&over);
-    if (over != 0 || failed_ || !sent_.empty()) return;  // what others have not taken in yet would hold it
+    if (over != 0 || failed_ || !sent_.empty()) return;  // messages not received yet would block it
     MPI_Comm_free(&failures_);
     MPI_Comm_free(&work_);
   }
@@ -189,8 +189,8 @@ class World final : public Ranks {
     return all;
   }
 
-  /// Waits for requests; looks for failures of others from time to time. Gives way on a machine with more ranks than processors. Where all
-  /// ranks must ask for something, `asks` says what: others may never come.
+  /// Waits for requests; checks for failures of others from time to time. Yields, for machines with more ranks than processors. Where
+  /// all ranks must ask for something, `asks` names it: others may never come.
   void wait(std::span<MPI_Request> requests, std::string_view asks = {}) {
     const auto begin = Clock::now();
     bool warned = asks.empty();
@@ -205,7 +205,7 @@ class World final : public Ranks {
         look_for_failures();
         look_for_end(now);
       }
-      // What an ended rank sent before, others may hand on still.
+      // Others may still pass on messages that an ended rank sent earlier.
       if (ended_ >= 0 && now - std::max(begin, ended_at_) > grace) {
         failed_ = true;
         throw error(joined_text({"rank ", rank_, " asks for ", asks.empty() ? "more" : asks,
@@ -233,7 +233,7 @@ class World final : public Ranks {
     failed_ = true;
     throw run_error(what);
   }
-  /// What other ranks say of their failures.
+  /// Receives the failure messages of other ranks; returns the first one, or nothing.
   std::string take_failures() {
     std::string all;
     for (;;) {
@@ -261,8 +261,8 @@ class World final : public Ranks {
   std::vector<MPI_Request> sent_{};
 };
 
-/// The body of a program of MPI: initialises it, calls `body(world)` and returns 0. If a rank fails, all end, with 1, and the one that failed
-/// first writes its sentence to the standard error.
+/// The body of an MPI program: initialises MPI, calls `body(world)` and returns 0. If a rank fails, all end, with 1, and the one that failed
+/// first writes its message to the standard error.
 template <class Body>
 int program(int argc, char** argv, Body&& body) {
   int level = 0;

@@ -20,7 +20,7 @@
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
-/// A column of a table: its name and what stands in it, any callable with the scene that returns a number, an
+/// A column of a table: its name and its value, any callable with the scene that returns a number, an
 /// optional number (none: an empty field), or a vector, which makes a column for each component, name_x, ...
 template <class F>
 struct CsvColumn {
@@ -42,8 +42,8 @@ inline constexpr int csv_fields<Vec<T, D>> = D;
 }  // namespace detail
 
 /// Observer that appends a row at each call: the time, then the columns. Each row goes to the operating
-/// system as a whole, so that the table can be read while the run goes on. A run that goes on from a saved
-/// state goes on with its table. Of scenes over the portions of a mesh all work out a row, and one writes it.
+/// system as a whole, so that the table can be read during the run. A run that continues from a saved state
+/// continues its table. Of scenes over the portions of a mesh all compute a row, and one writes it.
 template <class... F>
 class CsvTable {
  public:
@@ -70,7 +70,7 @@ class CsvTable {
   }
   template <class Scene>
   void follow_state(const Scene&) {
-    writer_.reset();  // the next row goes behind those that the saved state knew
+    writer_.reset();  // the next row follows those that the saved state recorded
   }
 
  private:

@@ -15,16 +15,16 @@
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
-/// A part that keeps the energy balance of a scene: works of stresses and accelerations, and what transfer
-/// and walls take, are summed at each step. Without it they are not computed. Energies in J.
+/// A part that keeps the energy balance of a scene: the work of stresses and accelerations, and the energy
+/// that transfer and walls take, are summed at each step. Without it they are not computed. Energies in J.
 ///
-/// What the transfer takes is what the nodes gained and the points did not: over a step the nodes gain
+/// The transfer takes the energy that the nodes gained and the points did not. Over a step the nodes gain
 /// sum m (v - v_old) . (v_old + u) / 2, with the velocities v_old at its start, v at its end, and u that
-/// strains (MUSL: as the points hand it back, ahead of walls and contact; else v). With u of the points FLIP
-/// takes nothing, as it should. Where u is v the nodes begin the next step with another velocity than they
-/// were strained with: the work of its forces f over that half step, dt f . (v_old - v_before) / 2, is the
-/// transfer's too, but for nodes that matter has just reached. Walls take -J . (v_old + u) / 2 by their
-/// impulses J, and dt f . (u_held - u) where they hold the velocities that strain.
+/// gives the strain (MUSL: mapped back from the points, before walls and contact; else v). With u of the
+/// points FLIP takes nothing, as it should. If u is v, the nodes begin the next step with another velocity
+/// than the one that gave the strain: the work of its forces f over that half step,
+/// dt f . (v_old - v_before) / 2, belongs to the transfer too, except at nodes that matter has just reached.
+/// Walls take -J . (v_old + u) / 2 by their impulses J, and dt f . (u_c - u) if they constrain u to u_c.
 struct TrackEnergy {
   using OnlyOne = TrackEnergy;
   static constexpr std::string_view state_name = "energy";
@@ -37,8 +37,8 @@ struct TrackEnergy {
   double gravity_work = 0;     ///< of the accelerations on the bodies
   double grid_gain = 0;        ///< kinetic energy that the nodes gained, see above
   double walls = 0;            ///< that walls took
-  /// Velocities are those of the middle of a step where positions and stresses are those of its end: how much
-  /// of kinetic energy and works that half a step makes. It sways with the motion, and does not add up.
+  /// Velocities belong to the middle of a step, positions and stresses to its end: the effect of that half
+  /// step on kinetic energy and works. It oscillates with the motion, and does not accumulate.
   double lag = 0;
 
   template <class Scene>
@@ -55,7 +55,7 @@ struct TrackEnergy {
     if constexpr (keeps_before<Scene>)
       before_.assign(scene.fields.size() * scene.fields[0].size() * (dim<Scene> + 1), 0);
   }
-  /// Energy that there was, J.
+  /// Initial energy, J.
   double initial() const { return initial_kinetic + initial_strain + initial_stored; }
   void take_stress_work(double work, double ending_work) {
     stress_work += work;
@@ -88,7 +88,7 @@ struct TrackEnergy {
             work += static_cast<double>(force[d]) * (static_cast<double>(now[d]) - before[d]);
           return work;
         };
-        if constexpr (first) {  // what strained is here: the velocities at the start, held by walls
+        if constexpr (first) {  // u is known here: the velocities at the start, constrained by walls
           grid_gain +=
               half_step([&](std::size_t i) { return jump(i, field.sums[i].force(), field.velocity[i]); });
           walls -= half_step([&](std::size_t i) {
@@ -151,7 +151,7 @@ struct TrackEnergy {
         return dt * static_cast<double>(field.mass[i] * acceleration.dot(field.velocity[i]));
       });
     gravity_work += fallen;
-    // With USF the stresses are half a step ahead of the velocities.
+    // With USF the stresses lag the velocities by half a step.
     constexpr double ahead = Scene::NumericsType::strains_first ? -1 : 1;
     lag = (ahead * std::exchange(ending_, 0) - fallen) / 2;
   }
@@ -177,7 +177,7 @@ struct TrackEnergy {
     Index node;
     std::array<double, 3> impulse;  // N s
   };
-  /// Whether velocities that strain are not those that the nodes begin the next step with.
+  /// Whether the nodes begin the next step with other velocities than those that gave the strain.
   template <class Scene>
   static constexpr bool keeps_before = !Scene::NumericsType::maps_back;
   template <class Scene>
@@ -199,8 +199,8 @@ struct TrackEnergy {
   }
 
   std::vector<Given> given_;  // by walls in this step
-  /// A node whose mass has grown by more in a step has just been reached by matter: it had next to none, and a velocity that
-  /// is that of nothing, 1e9 m/s and more.
+  /// A node whose mass has grown by more than this factor in a step has just been reached by matter: before,
+  /// it had almost no mass, and a meaningless velocity, 1e9 m/s and more.
   static constexpr double new_above = 4;
 
   // [fields x nodes x (D + 1)] velocity, m/s, and mass, kg, of the last step's end
@@ -209,7 +209,7 @@ struct TrackEnergy {
   double ending_ = 0;  // work of this step with the stresses at its end, J
 };
 
-/// What the parts of a scene count. `shared`: those too whose numbers several scenes share.
+/// Energies that the parts of a scene count. `shared`: also of parts that several scenes share.
 template <class Scene>
 PartEnergy energy_of_parts(const Scene& scene, bool shared = true) {
   PartEnergy sum{.external = scene.driving_work};
@@ -234,11 +234,11 @@ struct Energies {
   double plastic = 0;   ///< work of the stresses that is not recoverable
   double contact = 0;   ///< dissipated by friction, by inelastic contact and by other parts
   double external = 0;  ///< work of gravity, loads and prescribed motions
-  double inserted = 0;  ///< of points inserted, less that of points removed or lost
-  double transfer = 0;  ///< taken by the transfer: positive where points have less than the nodes gave
+  double inserted = 0;  ///< of points inserted, minus that of points removed or lost
+  double transfer = 0;  ///< taken by the transfer: positive if points have less than the nodes gave
   double walls = 0;     ///< taken by walls that stop matter
   double residual = 0;
-  double lag = 0;  ///< of the residual: what half a step makes (`TrackEnergy::lag`)
+  double lag = 0;  ///< of the residual: the effect of half a step (`TrackEnergy::lag`)
 };
 
 /// Needs a scene with `TrackEnergy`. Of a scene over a portion of a mesh: of all portions, which must all ask.

@@ -1,4 +1,4 @@
-// Fill ratio: how full of matter the cells at some nodes are. Cells that run empty bear no load, which no
+// Fill ratio: how full of matter the cells at some nodes are. Cells that run empty carry no load, which no
 // other result shows.
 #pragma once
 // SPDX-License-Identifier: BSD-3-Clause

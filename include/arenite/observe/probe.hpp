@@ -16,7 +16,7 @@
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
-/// What a probe finds.
+/// Result of a probe.
 template <int D>
 struct Probed {
   Vec<double, D> velocity = zeros<Vec<double, D>>();  ///< m/s
@@ -25,7 +25,7 @@ struct Probed {
 
 namespace detail {
 
-/// The cell of a place, or `none`; const, unlike `search`, and looks at each cell where a walk finds none.
+/// The cell of a place, or `none`. Const, unlike `search`, and tries each cell if a walk finds none.
 template <class M>
 Index cell_of_place(const M& mesh, const typename M::Point& x) {
   const Index found = mesh.walk(x, 0);
@@ -65,8 +65,8 @@ std::vector<Index> cells_about(const M& mesh, Index cell) {
   return cells;
 }
 
-/// What the points of a body give to the nodes of a cell, [nodes x (2 + D + stresses)]: mass, kg, volume, m^D,
-/// momentum, and volume times stress.
+/// P2G sums of the points of a body at the nodes of a cell, [nodes x (2 + D + stresses)]: mass, kg, volume,
+/// m^D, momentum, and volume times stress.
 template <class Scene, class Body, class Cell>
 std::vector<double> sums_at_nodes(const Scene& scene, const Body& body, const Cell& here, Index cell,
                                   std::size_t size) {
@@ -101,8 +101,8 @@ std::vector<double> sums_at_nodes(const Scene& scene, const Body& body, const Ce
 
 }  // namespace detail
 
-/// Velocity and stress of a body at a place: those that its points give to the nodes there, by mass and by
-/// volume, interpolated from the nodes. Constant fields come out as they are. Nothing if the place lies
+/// Velocity and stress of a body at a place: mapped from its points to the nodes there, weighted by mass and
+/// by volume, and interpolated from the nodes. Constant fields are reproduced. Nothing if the place lies
 /// outside of the mesh, or if none of its nodes has matter. `probe<"sand">(scene, {0.1, 0.2, 0})`; of a body of
 /// a list `probe(scene, scene.body(k), {0.1, 0.2, 0})`. The scenes over all portions of a mesh are asked at
 /// once, and find the same.

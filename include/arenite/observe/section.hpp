@@ -1,4 +1,4 @@
-// Section forces: what one side of a cut through a body puts on the other.
+// Section forces: the force of one side of a cut through a body on the other.
 #pragma once
 // SPDX-License-Identifier: BSD-3-Clause
 
@@ -16,7 +16,7 @@
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
-/// A plane cut, as thick as points must be looked for to find the stress on it: two cells or more.
+/// A plane cut, thick enough to contain the points that give the stress on it: two cells or more.
 struct Section {
   std::array<double, 3> through{};                              ///< any place on it, m
   std::array<double, 3> normal{};                               ///< any length
@@ -31,8 +31,8 @@ struct Everywhere {
   }
 };
 
-/// Force [D] on the body behind a section from the part in front of it, into which the normal points, N: the
-/// integral of the traction, positive along the normal in tension. The stress of the points in the section is
+/// Force [D], N, by the side of a section into which the normal points on the other side: the integral of
+/// the traction, positive along the normal in tension. The stress of the points in the section is
 /// weighted with a hat across it; `region` bounds the cut. In axisymmetry a force along the axis is that on
 /// the full circle, the other component the sum of the radial tractions. `section_force<"pile">(scene,
 /// {.through = {0, 1, 0}, .normal = {0, 1, 0}, .thickness = 0.1})`. On coarse simplices see

@@ -25,8 +25,9 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 /// 594 MB and 22 ms (g++ 12, -O2). What a step leaves as it was, a mesh or the stress of a body in free
 /// flight, is not written again. Read back with VTK 9.7.2.
 ///
-/// Scenes over the portions of a mesh hand their parts to the first one, which writes them as those of one scene: its process needs
-/// memory for a body of the whole, or for its mesh, in which cells that two portions have are there twice.
+/// Scenes over the portions of a mesh pass their parts to the first one, which writes them as those of one
+/// scene: its process needs memory for a body of the whole, or for its mesh, in which cells that two portions
+/// have are there twice.
 class VtkhdfSeries {
  public:
   explicit VtkhdfSeries(FilePath prefix, VtuOptions options = {})
@@ -58,7 +59,7 @@ class VtkhdfSeries {
   void visit_state(F&& f) {
     f("steps", steps_);
   }
-  /// Goes on with the files of an earlier part of the run, which must be there.
+  /// Continues the files of an earlier part of the run, which must be there.
   template <class Scene>
   void follow_state(const Scene& scene) {
     if (!speaks_for_all(scene)) return;

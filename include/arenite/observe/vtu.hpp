@@ -22,7 +22,7 @@
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
-/// What of the points goes into a file, besides position, velocity, stress, pressure and V/V0.
+/// Data of the points in a file, besides position, velocity, stress, pressure and V/V0.
 struct VtuPoints {
   /// Named members of the law's history; none given: all. Bodies whose law lacks one go without.
   std::optional<std::vector<std::string>> history{};
@@ -32,12 +32,11 @@ struct VtuPoints {
 
 namespace detail {
 
-/// What a law and a scene add to the columns of points. `arrays`: of the law's own, behind those that all
-/// bodies have.
+/// Columns of points that a law and a scene add. `arrays`: of the law, after those that all bodies have.
 template <class T>
 struct MorePoints {
   std::vector<VtuArray> arrays{};
-  std::span<const std::string_view> names{};  // of the history's columns, where they have some
+  std::span<const std::string_view> names{};  // of the history's columns, if they have some
   std::vector<const T*> history{};
   const std::vector<std::uint64_t>* id = nullptr;  // null: points have no ids
 };
@@ -90,14 +89,14 @@ struct VtuOptions {
   bool mesh = false;
   std::string region{};
   VtuPoints points{};    ///< more and fewer numbers of the points
-  bool resumed = false;  ///< goes on with the series that is there, behind its frames before the scene's time
+  bool resumed = false;  ///< continues the series that is there, after its frames before the scene's time
 };
 
 namespace detail {
 
 using VtuNames = std::vector<std::string, ArrayMemory<std::string>>;
 
-/// Names of what a frame consists of: bodies, those behind `names` by their numbers, mesh, region.
+/// Names of the parts of a frame: bodies, those beyond `names` by their numbers, mesh, region.
 VtuNames frame_parts(const VtuOptions& options, std::size_t bodies, std::span<const std::string_view> names,
                      bool has_mesh);
 template <class Scene>
@@ -120,8 +119,9 @@ void for_each_frame_part(const Scene& scene, const VtuOptions& options, F&& f) {
 
 /// Observer that writes the points of each body as PREFIX_body0_0000.vtu, .., the listed parts of the mesh,
 /// and PREFIX.pvd, which ParaView opens as one series. Creates the folder. Use with `every(period,
-/// vtu(prefix))`. Of scenes over the portions of a mesh each writes its piece, PREFIX_body0_p2_0000.vtu, and one lists all. Restored with a state, or `resumed`, it goes on with the series; else one of an earlier run
-/// is replaced with a warning, and kept by an `error` if the scene is past its first frame.
+/// vtu(prefix))`. Of scenes over the portions of a mesh each writes its piece, PREFIX_body0_p2_0000.vtu, and
+/// one lists all. Restored with a state, or `resumed`, it continues the series; else one of an earlier run is
+/// replaced with a warning, and kept by an `error` if the scene is past its first frame.
 class VtuSeries {
  public:
   explicit VtuSeries(FilePath prefix, VtuOptions options = {});
@@ -179,7 +179,7 @@ class VtuSeries {
   detail::VtuNames names_;            // of the parts of a frame
   double time_ = 0;                   // of the frame that is being written, s
   std::size_t frame_ = 0, part_ = 0;  // its number; how many parts it has so far
-  bool again_ = false;                // whether it was written before: at the start of a run that goes on
+  bool again_ = false;                // whether it was written before: at the start of a resumed run
 };
 
 /// Observer that writes files `prefix`_..: see `VtuSeries`.

@@ -40,7 +40,7 @@ inline std::string packed(const VtuData& data) {
   return bytes;
 }
 
-/// The parts of all tiles, one behind the other.
+/// The parts of all tiles, one after the other.
 class VtuOfTiles {
  public:
   /// `of_tiles`: `packed`, by the tiles' numbers; `like`: the part of one of them, whose names and types all have.

@@ -1,6 +1,6 @@
 // Array memory: an allocator that places the long arrays of a scene. A step reads some twenty columns side by
 // side. If all begin at the same offset in a page, as with `std::allocator`, their entries of one point map
-// to one set of the first-level cache, which holds fewer lines than that; this cost a seventh of the time of
+// to one set of the first-level cache, which has fewer lines than that; this cost a seventh of the time of
 // B-splines in space. Very long arrays use pages of 2 MB where the system has them: with pages of 4 KB every
 // 512 numbers need another address translation (up to a sixth of the time of a million points).
 #pragma once

@@ -35,12 +35,12 @@ struct Serial {
 };
 inline constexpr Serial serial{};
 
-/// All nodes are counted: where a scene has its mesh to itself.
+/// All nodes are counted: for a scene on the whole mesh.
 struct OwnsAll {
   constexpr bool operator()(Index) const { return true; }
 };
 
-/// Whether this scene writes and tells what all have in common: one of them does.
+/// Whether this scene writes and reports what is common to all scenes: one of them does.
 template <class Scene>
 bool speaks_for_all([[maybe_unused]] const Scene& scene) {
   if constexpr (requires { requires Scene::is_portion; })

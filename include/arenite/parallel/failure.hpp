@@ -1,4 +1,4 @@
-// Failure: what a user's function threw in a parallel loop, where nothing may be thrown, to throw it behind.
+// Failure: an exception of a user's function in a parallel loop, which must not throw; rethrown after it.
 #pragma once
 // SPDX-License-Identifier: BSD-3-Clause
 
@@ -35,7 +35,7 @@ class Failure {
   }
 
  private:
-  std::atomic_flag taken_;  // held for a moment
+  std::atomic_flag taken_;  // a spin lock
   std::size_t item_ = std::numeric_limits<std::size_t>::max();
   std::exception_ptr thrown_;
 };

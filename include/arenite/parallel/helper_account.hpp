@@ -2,20 +2,20 @@
 // the system stops a helper inside an item, and all wait for it; or it runs the helper on the processor of
 // the caller. Then the caller is faster without them.
 //
-// What a loop brings is the time that the caller's part of it, scaled up to all items, would have taken
-// alone, less the time that the loop took. It is added to a balance, which begins with nothing. A loop that
-// takes the balance below zero is followed by a rest, in which the caller works alone, of `rest` times what
-// is missing; then the balance is zero again. So
-// - all that helpers have cost, but for the last loop, is at most what they brought before and 1/20 of the
+// The gain of a loop is the time that all its items would have taken the caller (the time of its part, scaled
+// up), minus the time that the loop took. It is added to a balance, at first zero. A loop that makes the
+// balance negative is followed by a rest of `rest` times the deficit, in which only the caller works; then
+// the balance is zero again. So
+// - the total cost of helpers, except in the last loop, is at most their earlier gains plus 1/20 of the
 //   rests;
 // - the helpers are tried again: soon after a small loss, late after a large one;
 // - after a good time, `most` is left to pay for a few stops: a machine that is idle now and then does not
 //   rest.
-// The processor's time of the caller counts as work, so that its own stops (in which helpers go on, then
-// wait) are no gain. To ask the system for it takes longer than to read a clock. So loops are watched that
+// The processor time of the caller counts as work, so that its own stops (in which helpers continue, then
+// wait) are no gain. A query of processor time takes longer than one of a clock. So loops are watched that
 // closely only while the balance is not full, and for a while after a loop so long that a thread may have
-// been stopped in it. In others the clock tells how long the caller waited for the helpers, and only a long
-// wait is booked. On an idle machine three readings of the clock a loop are all that this costs.
+// been stopped in it. In others the clock gives how long the caller waited for the helpers, and only a long
+// wait is recorded. On an idle machine this costs only three readings of the clock per loop.
 #pragma once
 // SPDX-License-Identifier: BSD-3-Clause
 
@@ -33,7 +33,7 @@ class HelperAccount {
  public:
   using Duration = typename Time::Duration;
 
-  /// Returns whether helpers should take part; if not, the caller works alone and nothing is booked.
+  /// Returns whether helpers should take part; if not, only the caller works and nothing is recorded.
   bool begin_loop() {
     begin_ = Time::now();
     if (begin_ < rests_until_) return false;

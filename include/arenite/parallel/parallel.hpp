@@ -21,8 +21,8 @@ inline void set_threads(int n) {
 /// Threads that loops may use now.
 inline int threads() { return shared_detail::pool_threads(); }
 
-/// Calls `f(i)` for i in [0, n), in any order; on one thread unless `worthwhile`. Each thread begins with a
-/// part of its own, the first item of part t of `parts` being `cut(t, parts)`. `f` must not throw.
+/// Calls `f(i)` for i in [0, n), in any order; on one thread unless `worthwhile`. Each thread begins with
+/// its own part; the first item of part t of `parts` is `cut(t, parts)`. `f` must not throw.
 template <class F, class Cut>
 void parallel_for(std::size_t n, bool worthwhile, const F& f, const Cut& cut) {
   if (n == 0) return;
@@ -56,8 +56,8 @@ void parallel_chunks(std::size_t n, F&& f) {
                [&](std::size_t k) { f(k * chunk_size, std::min(n, (k + 1) * chunk_size)); });
 }
 
-/// Parts of a reduction, in memory that stays from one to the next: a step allocates nothing. A reduction
-/// within one of the same type gets memory of its own.
+/// Parts of a reduction, in memory that is kept for the next one: a step allocates nothing. A reduction
+/// nested in one of the same type gets its own memory.
 template <class R>
 class ReductionParts {
  public:

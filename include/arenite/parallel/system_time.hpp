@@ -1,4 +1,4 @@
-// Time as the thread pool sees it: the clock, what a thread has run, and how it lets others ahead.
+// Time for the thread pool: the clock, the processor time of a thread, and yielding.
 #pragma once
 // SPDX-License-Identifier: BSD-3-Clause
 
@@ -10,7 +10,7 @@
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET::shared_detail {
 
-/// The system's clocks. Tests use clocks of their own, which they set.
+/// The system's clocks. Tests replace them by clocks that they set.
 struct SystemTime {
   using Duration = std::chrono::nanoseconds;
 

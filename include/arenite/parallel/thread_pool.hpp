@@ -1,11 +1,11 @@
-// Thread pool: threads that share a loop whose items may run in any order. Each has a part of its own, the
-// same in every loop of the same length, so that what it touched is still in its cache; an idle thread takes
-// from the others' ends. The caller starts at once, and a helper that wakes late finds less to do: on a busy
-// machine the loop goes on with the threads that run. (A team that starts and ends each loop at a barrier, as
-// OpenMP's does, waits for all of them each time: ten times as long as one thread takes, when another program
-// held a core.) What is left is a thread that the system stops inside an item, for whom all others wait. So
-// the pool keeps account of what its helpers bring and cost, and where they cost more, the caller works
-// alone: see `HelperAccount`.
+// Thread pool: threads that share a loop whose items may run in any order. Each has its own part, the
+// same in every loop of the same length, so that the data it touched is still in its cache; an idle thread
+// takes items from the ends of other parts. The caller starts at once, and a helper that wakes late finds
+// fewer items: on a busy machine the loop proceeds with the threads that run. (A team that starts and ends
+// each loop at a barrier, as OpenMP's does, waits for all of them each time: ten times as long as one thread
+// takes, when another program occupied a core.) There remains the case of a thread that the system stops
+// inside an item: all others wait for it. So the pool records what its helpers gain and cost, and where they
+// cost more, only the caller works: see `HelperAccount`.
 #pragma once
 // SPDX-License-Identifier: BSD-3-Clause
 
@@ -36,7 +36,7 @@ inline void relax() {
 #endif
 }
 
-inline constexpr int patience = 2000;  ///< looks before a thread gives way: some 50 microseconds
+inline constexpr int patience = 2000;  ///< polls before a thread yields: some 50 microseconds
 
 /// Polls `done()`, at first without and then with yielding the processor; returns false if it takes longer
 /// than a millisecond. A yield takes no time on an idle machine, and a time slice of each other program on a
@@ -55,15 +55,15 @@ bool wait_awake(Done&& done) {
 /// Why the memory orders do:
 /// - `state_` is the gate. The caller writes the loop (loop_, parts_) and then sets `open`. A
 ///   helper signs in with an acquiring addition, and touches the loop only if that saw `open`: so it sees
-///   all that was written. It signs out with a releasing subtraction, and the caller goes on once it has acquired 0:
+///   all that was written. It signs out with a releasing subtraction, and the caller resumes once it has acquired 0:
 ///   so it sees all that the helpers' items wrote, and no helper reads the next loop before it is complete. The
 ///   numbers in between come from read-modify-writes, which continue the release sequence of the one before.
 /// - `items` of a part only deals numbers out: each is taken by one exchange, nothing else hangs on it.
 ///   Relaxed.
-/// - Sleep: the helper announces itself (`asleep_`), then looks at `state_`; the caller opens, then looks at
+/// - Sleep: the helper announces itself (`asleep_`), then reads `state_`; the caller opens, then reads
 ///   `asleep_`. All four are sequentially consistent, so that one of them sees the other: a helper either
 ///   does not sleep, or is rung for. It read `bell_` before, so that a ring in between keeps it awake.
-/// - `taken_` hands the pool from one of the program's threads to another: acquired and released around all
+/// - `taken_` passes the pool from one of the program's threads to another: acquired and released around all
 ///   that only the caller touches (parts_, helpers_, account_).
 class ThreadPool {
  public:
@@ -118,7 +118,7 @@ class ThreadPool {
     const std::size_t own = take_items(0);
     account_.end_own_part();
     state_.fetch_and(~open, std::memory_order_acq_rel);
-    // A thread that is still at an item finishes it; then no thread looks at this loop again.
+    // A thread that is still at an item finishes it; then no thread reads this loop again.
     for (int k = 0; state_.load(std::memory_order_acquire) != 0; ++k)
       k < patience ? relax() : std::this_thread::yield();
     account_.end_loop(n, own, threads_);
@@ -186,15 +186,15 @@ class ThreadPool {
         wait();
         continue;
       }
-      // Sign in, and only then look whether the loop is still open: whoever closes it waits for the
-      // signed-in.
+      // Sign in, and only then check whether the loop is still open: whoever closes it waits for the
+      // helpers signed in.
       if (state_.fetch_add(1, std::memory_order_acq_rel) & open) take_items(own);
       state_.fetch_sub(1, std::memory_order_release);
       for (int k = 0; k < patience && (state_.load(std::memory_order_relaxed) & open); ++k) relax();
     }
   }
 
-  /// Looks for an open loop for a while, then sleeps until the bell: to wake up takes as long as a short
+  /// Polls for an open loop for a while, then sleeps until the bell: waking up takes as long as a short
   /// loop, and between two loops of a step may lie half a millisecond of serial work.
   void wait() {
     if (wait_awake([this] {

@@ -1,4 +1,4 @@
-// Body: points that share a law, and the list of which cell holds which of them.
+// Body: points that share a law, and the list of the points of each cell.
 #pragma once
 // SPDX-License-Identifier: BSD-3-Clause
 
@@ -22,8 +22,8 @@
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
-/// What `fill` returns: a region, a law and how to fill; the scene makes a `Body` of it, once it knows the
-/// mesh.
+/// The recipe that `fill` returns: a region, a law and how to fill; the scene makes a `Body` of it, once it
+/// knows the mesh.
 ///
 /// In the type of the scene only law and name remain: `Fill<MohrCoulomb<>>`.
 template <class L, Name name = "", class Region = AnyRegion>
@@ -47,7 +47,7 @@ struct Fill {
       if constexpr (fits)
         return {AnyRegion::of<M::dimension>(region), law, options};
       else
-        return {AnyRegion{}, law, options};  // one sentence is enough
+        return {AnyRegion{}, law, options};  // already reported
     }
   }
 };
@@ -121,7 +121,7 @@ void begin_history(Points<T, D, L, E>& points, const FillOptions& options) {
 
 }  // namespace detail
 
-/// Every cell may hold points: where a scene has its mesh to itself.
+/// Every cell may contain points: for a scene on the whole mesh.
 struct OwnsAllCells {
   static constexpr bool is_whole = true;
   constexpr bool operator()(Index) const { return true; }
@@ -129,7 +129,7 @@ struct OwnsAllCells {
 };
 
 /// Makes the body of a recipe, with points in the cells that `owns(cell)`; `ground`: of a geostatic stress.
-/// Throws `error` if the region holds no point of the mesh, unless it may.
+/// Throws `error` if the region contains no point of the mesh, unless that is allowed.
 template <class K, ExtraColumns Extra = ExtraColumns{}, class M, class L, Name name,
           class Owns = OwnsAllCells>
 auto make_body(const M& mesh, const Fill<L, name>& recipe, const Owns& owns = {}, const Ground& ground = {}) {

@@ -28,7 +28,7 @@ class CellList {
 
   /// Takes points that are sorted by cell. Throws `error` if they are not.
   void build(const std::vector<Index>& cell, Index cell_count);
-  /// Takes the memory that relocation of so many points needs, so that a step allocates nothing.
+  /// Reserves the memory that relocation of `points` points needs, so that a step allocates nothing.
   void reserve(std::size_t points) {
     unsorted_.reserve(points / 8 + 64);
     all_unsorted_.reserve(points / 8 + 64);
@@ -36,8 +36,8 @@ class CellList {
     order_.reserve(points);
   }
 
-  /// The order of points that puts those of each cell side by side, its unsorted points behind its own.
-  /// Points of cell `none` are left out. Call `take_order` once they stand so.
+  /// The order of points that puts those of each cell side by side, its unsorted points after its own.
+  /// Points of cell `none` are left out. Call `take_order` once the columns have this order.
   const std::vector<Index>& order(const Blocks& blocks) {
     next_.assign(start_.size(), 0);
     for (Index c = 0; c < owned_.size(); ++c)
@@ -80,7 +80,7 @@ class CellList {
     if (move.from_run) all_unsorted_.push_back(move.point);
   }
 
-  /// Makes a point that is new, behind all others, an unsorted point.
+  /// Makes a new point, placed after all others, an unsorted point.
   void admit_new(Index point) { all_unsorted_.push_back(point); }
 
   /// Lists the unsorted points by cell; those of cell `none` are left out.
@@ -91,7 +91,7 @@ class CellList {
     });
   }
 
-  /// Where the run of neighbours ends that point p of a cell belongs to: an unsorted point is alone.
+  /// End of the run of neighbours that point p of a cell belongs to; an unsorted point is a run of one.
   Index run_end(Index p, Index cell) const {
     return p - start_[cell] < owned_[cell] ? start_[cell] + owned_[cell] : p + 1;
   }
@@ -125,7 +125,7 @@ class CellList {
   }
 
   /// Calls `f(point, count)` for the points that lie in the memory of the runs of cells [begin, end), whatever their cells, at most
-  /// `Width` neighbours at a time. Those behind all runs, up to `points`, belong to the last cell's.
+  /// `Width` neighbours at a time. Those after all runs, up to `points`, belong to the last cell's.
   template <int Width, class F>
   void for_packs_in_memory(Index begin, Index end, std::size_t points, F&& f) const {
     const Index last = end == owned_.size() ? static_cast<Index>(points) : start_[end];

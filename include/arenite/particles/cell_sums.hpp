@@ -16,7 +16,7 @@ template <class T, int D>
 struct CellSums {
   static constexpr std::size_t edges = static_cast<std::size_t>(D * (D + 1) / 2);
   T volume = 0;                          ///< sum V, m3
-  T volume_factor = 1;                   ///< volume over which the cell bears its stress, over sum V, -
+  T volume_factor = 1;                   ///< volume over which the cell carries its stress, over sum V, -
   T dilation = 0;                        ///< mean of the points' dilation by volume, -
   bool open = false;                     ///< whether one of the points is open (`knows_opening`)
   std::array<T, edges> edge_mass{};      ///< sum m w_i w_j for i < j, as (0, 1), (0, 2), .., (1, 2), .., kg

@@ -54,8 +54,8 @@ class Columns {
   Column<T>& column(std::size_t k) { return column_[k]; }
   const Column<T>& column(std::size_t k) const { return column_[k]; }
 
-  /// Component by component, `count` neighbours from point p on as packs P (or as one scalar); lanes behind
-  /// them hold 0.
+  /// Component by component, `count` neighbours from point p on as packs P (or as one scalar); lanes after
+  /// them are 0.
   template <class P>
   std::array<P, N> load(std::size_t p, int count) const {
     std::array<P, N> value;

@@ -11,7 +11,7 @@
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
-/// What points of a law carry.
+/// Adds a point of a law to totals: count, mass, momentum, kinetic and strain energy.
 template <class L, class Points, class Point>
 void add_to(PointTotals<Points::dimension>& totals, const L& law, const Points&, const Point& point) {
   const auto mass = static_cast<double>(point.mass);
@@ -20,8 +20,8 @@ void add_to(PointTotals<Points::dimension>& totals, const L& law, const Points&,
              static_cast<double>(point.volume * elastic_energy_of(law, point.stress, point.history))};
 }
 
-/// Takes out of a body the points for which `leaves(p)` holds; `take(point)` gets each as a value. Returns
-/// what they carried.
+/// Removes the points for which `leaves(p)` is true from a body; `take(point)` gets each as a value. Returns
+/// their totals.
 template <class B, class Leaves, class Take>
 auto take_out(B& body, Index cell_count, Leaves&& leaves, Take&& take) {
   auto& points = body.points;
@@ -45,7 +45,7 @@ auto take_out(B& body, Index cell_count, Leaves&& leaves, Take&& take) {
   return totals;
 }
 
-/// Throws `error` for a point that no body can take, with its number among those to come.
+/// Throws `error` for a point that cannot be added; names its index.
 template <class B>
 void check_point(const B& body, const typename B::Point& point, std::size_t number) {
   const auto name = [&](const char* member) {
@@ -71,7 +71,7 @@ void check_point(const B& body, const typename B::Point& point, std::size_t numb
 }
 
 /// Adds points to a body, each in its cell; `id(point)` is the id it gets, where points have ids. Returns
-/// what they carry.
+/// their totals.
 template <class B, class Id>
 auto append_points(B& body, const std::vector<typename B::Point>& added, const std::vector<Index>& cell,
                    Id&& id) {
@@ -93,8 +93,8 @@ auto append_points(B& body, const std::vector<typename B::Point>& added, const s
   return totals;
 }
 
-/// Adds points to a body, each in the cell that holds it. Throws `error`, with nothing added, if one lies
-/// outside of the mesh or is not finite.
+/// Adds points to a body, each in the cell that contains it. Throws `error`, with nothing added, if one lies
+/// outside the mesh or is not finite. Returns their totals.
 template <class B, class M, class Id>
 auto add_points(B& body, M& mesh, const std::vector<typename B::Point>& added, Id&& id) {
   std::vector<Index> cell;

@@ -67,8 +67,8 @@ double kinetic_energy(const B& body) {
 
 /// Kinetic energy, J, of the velocity gradients C that points carry (APIC, TPIC): sum m/2 C : (C D), with the
 /// inertia of the shape functions at the points, D = sum w_i (x_i - x_p)(x_i - x_p)^T. 0 where they carry
-/// none. The kinetic energy of what points hand to the nodes is this much more than that of their own
-/// velocities.
+/// none. The kinetic energy of the velocity fields that P2G scatters exceeds that of the points' velocities
+/// by this much.
 template <class Shape, class M, class B>
 double gradient_kinetic_energy(const M& mesh, const Blocks& blocks, const B& body) {
   const auto& points = body.points;

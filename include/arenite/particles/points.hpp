@@ -27,7 +27,7 @@ struct ExtraColumns {
   int part_columns = 0;   ///< numbers that parts keep with each point
 };
 
-/// What the columns of a quantity are.
+/// The components of a quantity, a column each.
 enum class Components { scalar, vector, symmetric, matrix, named, numbered };
 
 /// Name of column k of a quantity of points in D dimensions: "mass", "position/x", "stress/xx", "history/NAME"
@@ -57,8 +57,8 @@ inline std::string column_name(int D, Components components, std::string_view qu
 }
 
 /// Columns of material points: law L gives the history, `Extra` what else the composition needs. Mass and
-/// volume are those of what the point stands for: a metre of thickness in plane strain, the full circle in
-/// axisymmetry. The order of the points changes as they move from cell to cell.
+/// volume are those of the matter that the point represents: a metre of thickness in plane strain, the full
+/// circle in axisymmetry. The order of the points changes as they move from cell to cell.
 template <real_scalar T, int D, class L, ExtraColumns Extra = ExtraColumns{}>
 class Points {
  public:
@@ -77,16 +77,16 @@ class Points {
   VectorColumns<T, D> position;  ///< m
   VectorColumns<T, D> velocity;  ///< m/s
   Column<T> mass;                ///< kg
-  Column<T> volume;              ///< volume that bears stress, m3: opened voids do not count
+  Column<T> volume;              ///< volume that carries stress, m3: opened voids do not count
   TensorColumns<T, D> stress;    ///< Cauchy stress, Pa, tension positive
   std::array<Column<T>, history_size>
       history;                            ///< columns of the law's history, in the order of its `members()`
   MatrixColumns<T, D> velocity_gradient;  ///< [n if affine] velocity gradient of APIC or TPIC, 1/s
   Column<T> dilation;  ///< [n if has_dilation] plastic volumetric strain of the last step, -
   std::array<Column<T>, part_column_count>
-      part_columns;               ///< what parts keep with each point (`point_columns`)
+      part_columns;               ///< numbers that parts keep with each point (`point_columns`)
   std::vector<std::uint64_t> id;  ///< [n if has_ids]
-  std::vector<Index> cell;        ///< cell that holds the point
+  std::vector<Index> cell;        ///< cell that contains the point
 
   std::size_t size() const { return mass.size(); }
 
@@ -134,7 +134,7 @@ class Points {
     return h;
   }
 
-  /// Histories of `count` neighbours from point p on, as packs; lanes behind them repeat point p.
+  /// Histories of `count` neighbours from point p on, as packs; lanes after them repeat point p.
   template <class P>
   typename L::template History<P> load_history(std::size_t p, int count) const {
     typename L::template History<P> h{};
@@ -167,7 +167,7 @@ class Points {
   }
 
   /// Calls `f(name, column)` for each stored column: "mass", "stress/xx", "history/shear_rate" or, if the
-  /// law's history gives it no name of its own, "history/0".
+  /// law's history does not name it, "history/0".
   template <class F>
   void visit_state(F&& f) {
     visit(*this, [&](Components components, const char* quantity, std::size_t k, auto& column) {

@@ -36,9 +36,9 @@ bool all_in_cells(const M& grid, const std::array<P, D>& x, const Index* cell) {
   return all_of(inside && Mask(__builtin_convertvector(number == here, typename Mask::vector)));
 }
 
-/// Lists the points of a block's cells that have left their cells, from `moves` on, those of a cell in the order of memory; returns how
-/// many. Those that left a periodic mesh come back into its box. Where cells are equal, points are met as they lie in memory, whatever
-/// their cells: unsorted points are those of the block whose memory they are in, and the last block has all behind the runs.
+/// Lists the points of a block's cells that have left their cells, from `moves` on, those of a cell in the order of memory; returns the
+/// number. Those that left a periodic mesh are wrapped into its box. Where cells are equal, points are visited in the order of memory,
+/// whatever their cells: an unsorted point belongs to the block whose memory it is in, and all points after the runs to the last.
 template <int Width, class B, class M>
 Index find_moves(B& body, const M& mesh, Index begin, Index end, CellList::Move* moves) {
   using T = typename M::scalar;
@@ -75,14 +75,14 @@ Index find_moves(B& body, const M& mesh, Index begin, Index end, CellList::Move*
   return count;
 }
 
-/// Takes the `count` points in `moves` out of their cells, the last one first; each entry then holds the
-/// place that its point has now.
+/// Removes the `count` points in `moves` from their cells, the last one first; each entry then has the new
+/// place of its point.
 template <class B>
 void leave_cells(B& body, CellList::Move* moves, Index count) {
   constexpr Index ahead = 4;
   auto& points = body.points;
   for (Index k = count; k-- > 0;) {
-    // What is exchanged lies far apart, a line of memory a column: asked for a few moves ahead.
+    // A swap touches one cache line per column, far apart in memory: prefetched a few moves earlier.
     if (k >= ahead) points.prefetch(moves[k - ahead].point);
     body.cells.leave(moves[k], points.cell, [&](Index p, Index q) { points.swap(p, q); });
   }

@@ -94,7 +94,7 @@ class ConeCylinder {
   }
 
  private:
-  /// Whether the line from the arc's centre to a place meets the arc.
+  /// Whether the line from the arc's centre to a place intersects the arc.
   bool is_beside_arc(double r, double z) const {
     const double dr = r - centre_[0], dz = z - centre_[1];
     return fillet_ > 0 && dz <= 0 && dz * flank_normal_[0] - dr * flank_normal_[1] >= 0;

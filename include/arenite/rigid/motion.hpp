@@ -30,9 +30,10 @@ inline constexpr bool rotates = [] {
 ///   contact;
 /// - `velocity_in_contact(body, free_velocity)`: velocity of the surface in contact; `body.impulse_at(node,
 ///   v)` for a node of `body.touched_nodes` is the impulse on the matter if the body moves with v;
-///   of scenes over portions of a mesh each then has the touches of all;
-/// - `after(contact_velocity, free_velocity, total, magnitudes)`: velocity at the end of the step; `contact_velocity`: the velocity in
-///   contact, `total`: impulse on the matter, `magnitudes`: sum of the magnitudes of the impulses;
+///   on several tiles each then has the touched nodes of all;
+/// - `after(contact_velocity, free_velocity, total, magnitudes)`: velocity at the end of the step;
+///   `contact_velocity`: the velocity in contact, `total`: impulse on the matter, `magnitudes`: sum of the
+///   magnitudes of the impulses;
 /// - `mean(before, after)`: velocity with which the impulses did work;
 /// - `work(before, free_velocity, mean, total)`: work of gravity, load or drive in the step, J;
 /// - `kinetic_energy(v)`: J;
@@ -50,13 +51,13 @@ concept rigid_motion = !rotates<M> && requires(const M motion, const V v, typena
 };
 
 /// A motion with rotation, `rotates`. Its velocities are twists, velocity of the centre and spin, and its
-/// impulses have their moment about the centre behind them (`Twist`). Beside the members above:
+/// impulses are followed by their moment about the centre (`Twist`). Beside the members above:
 ///
 /// - `centre()`: the point of the body whose velocity is given, at the start, m;
 /// - `free_velocity(body, before, acceleration, time, dt)`: with the body, whose `displacement` and
 ///   `orientation` are those of the start of the step;
-/// - `after(contact_velocity, free_velocity, total, magnitudes)`: `magnitudes` are the sums of the magnitudes of impulses
-///   and of their moments;
+/// - `after(contact_velocity, free_velocity, total, magnitudes)`: `magnitudes` are the sums of the magnitudes
+///   of impulses and of their moments;
 /// - `turn(orientation, velocity, dt)`: turns the orientation through the step and returns the twist there;
 /// - optional `stored_energy(body)`, J, and `damped`, J since the start: of springs and dashpots.
 template <class M, class T, int D>

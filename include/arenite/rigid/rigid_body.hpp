@@ -35,15 +35,16 @@
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
-/// The default: contact at nodes by the body's velocity, with the gap that matter has opened at each. What has parted from the body there
-/// may come back by as much, whatever the masses: (v - v_body) . n >= -gap / dt with gap' = max(0, gap + dt (v - v_body) . n). The body's
-/// new velocity and all impulses are found together, so that a light body is as stable as a heavy one. Costs a number a touched node.
+/// The default: contact at nodes by the body's velocity, with the gap that matter has opened at each. Matter
+/// that has parted from the body there may come back by as much, whatever the masses: (v - v_body) . n >=
+/// -gap / dt with gap' = max(0, gap + dt (v - v_body) . n). The body's new velocity and all impulses are
+/// found together, so that a light body is as stable as a heavy one. Costs a number a touched node.
 struct NodalGap {
   static constexpr bool through_centre_of_mass = false, keeps_gaps = true;
 };
 
-/// `NodalGap` without the gap: a touched node may not move into the body. It is a ratchet: what vibration opens does not close, and what
-/// rests or rubs on the body is lifted.
+/// `NodalGap` without the gap: a touched node may not move into the body. It is a ratchet: gaps that
+/// vibration opens do not close, and matter that rests or rubs on the body is lifted.
 struct RigidVelocity {
   static constexpr bool through_centre_of_mass = false;
 };
@@ -129,7 +130,7 @@ struct RigidBody {
   double driving_work = 0;        ///< work of gravity, load or the prescribed motion's drive, J
   double dissipated = 0;          ///< by contact, since the start, J
   std::size_t contact_nodes = 0;  ///< nodes that pushed on the body in the last step
-  /// Nodes inside the body that carried mass in the last step; `PointContact` does not look for them.
+  /// Nodes inside the body that carried mass in the last step; `PointContact` does not count them.
   std::size_t inside_nodes = 0;
   Spin<T, D> spin = angular_part<D>(Velocity(motion.start()));  ///< angular velocity, rad/s
   Orientation<D> orientation{};                                 ///< against the start
@@ -142,7 +143,7 @@ struct RigidBody {
     Index node;
     bool inside;
     T mass;        ///< of the field at the node, kg
-    T mass_ratio;  ///< what an impulse has to move, as a share of `mass`: 1, or m_rigid / (m_rigid + mass)
+    T mass_ratio;  ///< mass that an impulse moves, as a share of `mass`: 1, or m_rigid / (m_rigid + mass)
     V start;       ///< velocity of the field before contact, m/s
     V normal;      ///< out of the body
     bool sticks = false;    ///< to the body: no relative motion at all
@@ -152,7 +153,7 @@ struct RigidBody {
     T closing = 0;          ///< with `NodalGap`: with which it may close its gap, m/s
     T most_shear = std::numeric_limits<T>::infinity();  ///< greatest tangential impulse, N s
 
-    /// Velocity of the field before contact, m/s, less what closes the gap.
+    /// Velocity of the field before contact, m/s, minus the velocity that closes the gap.
     V before_contact() const {
       if constexpr (keeps_gaps)
         return start + closing * normal;
@@ -163,7 +164,7 @@ struct RigidBody {
   /// Of the last step; with `PointContact` those that took an impulse, without normals.
   std::vector<TouchedNode> touched_nodes{};
   [[no_unique_address]] std::conditional_t<keeps_gaps, NodeGaps<T>, Nothing> gaps{};
-  /// What touched, with `PointContact`.
+  /// The touched points and their impulses, with `PointContact`.
   [[no_unique_address]] std::conditional_t<touches_points, PointImpulses<T, D, Velocity::RowsAtCompileTime>,
                                            Nothing>
       at_points{};
@@ -207,7 +208,7 @@ struct RigidBody {
     return coulomb<T, D>(approach, t.normal, t.mass_ratio * t.mass, friction, t.most_shear);
   }
   V impulse_at(const TouchedNode& t, const Velocity& v) const { return contact_at(t, v).impulse; }
-  /// Books the impulses of a step on the fields.
+  /// Records the impulse of a step on the fields.
   void take_impulse(const Velocity& total, T dt) {
     const V linear = linear_part<D>(total);
     const Spin<T, D> angular = angular_part<D>(total);
@@ -244,7 +245,7 @@ struct RigidBody {
     static_assert(!(Scene::NumericsType::maps_back && touches_points), ARENITE_SAYS_POINT_CONTACT_MUSL);
     if constexpr (requires { surface.connect(scene); }) surface.connect(scene);
   }
-  /// Throws and warns of what is wrong in a new scene; over portions of a mesh all ask at once.
+  /// Throws and warns of errors in a new scene; over portions of a mesh all ask at once.
   template <class Scene>
   void look_at_new(const Scene& scene) const {
     if constexpr (requires { surface.distance(); }) {
@@ -256,7 +257,7 @@ struct RigidBody {
     if constexpr (requires { surface.region(); })
       detail::warn_points_in_region(scene, surface.region(), called_in(scene));
   }
-  /// What messages call the body: its name, or its number if it has none.
+  /// The body's name in messages; its number if it has none.
   template <class Scene>
   std::string called_in(const Scene& scene) const {
     std::size_t number = 0, own = 0;
@@ -362,7 +363,7 @@ auto bind_part(const Rigid<S, M, C, name>& recipe, const Traits& traits) {
     return RigidBody<typename Traits::T, Traits::D, decltype(surface), decltype(motion), C, name>{
         std::move(surface), std::move(motion), recipe.friction};
   else
-    return detail::NoRigidBody{};  // one sentence is enough
+    return detail::NoRigidBody{};  // already reported
 }
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -33,9 +33,10 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 struct RigidContact {
   Friction friction;
   std::vector<RigidPair> pairs{};  ///< exceptions
-  /// With it the walls hold bodies with a mass, too: those at a side of the box around the mesh that holds the matter all over, as planes
-  /// without an end that stay where they were at the start. They go by the names of the sides, `left`, `right`, `bottom`, .., in `pairs`,
-  /// too. A smooth one does not hold what crosses it at the start, as at a plane of symmetry.
+  /// If given, the walls stop bodies with a mass, too: those at a side of the box around the mesh that stops
+  /// the matter everywhere, as infinite planes that stay where they were at the start. In `pairs`, too, they
+  /// have the names of the sides, `left`, `right`, `bottom`, .. A smooth one does not stop a body that
+  /// crosses it at the start, as at a plane of symmetry.
   std::optional<Friction> walls{};
 };
 
@@ -76,7 +77,7 @@ auto mobility_in_matter(const R& body, const typename R::Velocity& contact_veloc
 
 namespace detail {
 
-/// What lies behind a side of a mesh.
+/// The half-space outside a side of a mesh, as a signed distance, m.
 template <int D>
 struct BehindSide {
   int axis;
@@ -90,9 +91,10 @@ struct BehindSide {
 
 /// The contact of rigid bodies in D dimensions over scalar T. Read `touches()` after any step.
 ///
-/// In a step, contact of each body with the matter is solved first. Impulses between the bodies are then found
-/// that keep the gap of each point from becoming negative by the end of the step; the matter's resistance to
-/// the bodies' velocities is linearised for this. The two are solved in turn until velocities no longer change.
+/// In a step, contact of each body with the matter is solved first. Impulses between the bodies are then
+/// found that keep the gap of each point from becoming negative by the end of the step; the matter's
+/// resistance to the bodies' velocities is linearised for this. The two are solved in turn until velocities
+/// no longer change.
 template <class T, int D>
 class BoundRigidContact {
  public:
@@ -103,7 +105,7 @@ class BoundRigidContact {
   using OnlyOne = RigidContact;
 
   double dissipated = 0;  ///< between rigid bodies, since the start, J
-  int rounds = 0;         ///< how often the bodies met the matter in the last step
+  int rounds = 0;         ///< solutions of the contact with the matter in the last step
 
   explicit BoundRigidContact(RigidContact recipe) : recipe_{std::move(recipe)} {}
 
@@ -282,7 +284,7 @@ class BoundRigidContact {
       b.twist = as_twist(s.contact_velocity);
     });
   }
-  /// Takes back what the bodies gave to the matter, the last body first.
+  /// Undoes the impulses of the bodies on the matter, the last body first.
   template <class Scene, class Steps>
   void take_back(Scene& scene, Steps& steps) {
     for (std::size_t n = touching_.bodies.size(); n-- > 0;)

@@ -29,17 +29,18 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 /// The surface of a region of a simplex mesh that moves with the body; found when the scene is made.
 struct MeshSurface {
   std::string region;
-  /// Greatest shear stress that the surface gives, whatever the pressure on it, Pa: the adhesion of clay, with `Friction::no_slip()`.
+  /// Greatest shear stress that the surface gives, whatever the pressure on it, Pa: the adhesion of clay,
+  /// with `Friction::no_slip()`.
   double shear_strength = std::numeric_limits<double>::infinity();
 };
 
 /// A signed distance, m, negative inside, in the body's own frame: callable with a position [D]
 /// (`signed_distance`). The distance is not part of the type of a scene. It is tried when the scene is made
-/// (`try_distance.hpp`): NaN is refused, then and wherever it is met; a gradient that is not 1, as that of a
+/// (`try_distance.hpp`): NaN is refused, then and wherever it occurs; a gradient that is not 1, as that of a
 /// distance in mm, matter inside of the body and a sign that puts most of it there are warned of.
 ///
 /// `reach`: a node counts as touched up to and at this many cell sizes (`mesh.node_size`) outside. Nodes
-/// carry mass ahead of the points, so that contact acts before the surfaces meet, by how much depends on
+/// carry mass beyond the points, so that contact acts before the surfaces touch; by how much depends on
 /// where nodes lie. With points in whole cells, 4 (8 in space) a cell of the grid and 6 (10) in triangles
 /// (tetrahedra), the first node pushes at a distance of
 ///
@@ -54,8 +55,8 @@ struct MeshSurface {
 /// size inside the body, 1/6 of a cell with nine points a cell, 1/4 with four
 /// (tests/rigid/point_contact.cpp).
 ///
-/// Walls hold at nodes if thickness / 2 + reach is what rows of nodes are apart, or more: one cell with a
-/// reach of 0.5 (docs/components_contact.md#thin-walls). A new scene warns of thinner ones.
+/// Walls stop matter at nodes if thickness / 2 + reach is at least the spacing of rows of nodes: one cell
+/// with a reach of 0.5 (docs/components_contact.md#thin-walls). A new scene warns of thinner ones.
 template <class Distance = AnyDistance>
 struct DistanceSurface {
   Distance distance;
@@ -198,7 +199,7 @@ class BoundDistanceSurface {
     std::exception_ptr failure{};
   };
 
-  /// Looks at what is near the surface, in chunks on several threads, and joins the results in order: calls
+  /// Searches items near the surface, in chunks on several threads, and joins the results in order: calls
   /// `f(found)`. `candidates(begin, end, take)` calls `take(number, position, size of the cell)` for items
   /// `begin` to `end`.
   template <class Place, class Candidates, class F>

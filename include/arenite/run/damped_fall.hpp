@@ -10,12 +10,12 @@
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
-/// Follows a scene from look to look while its local damping is on.
+/// Follows a scene from check to check while its local damping is on.
 class DampedFall {
  public:
-  /// What local damping took of the work of gravity, -, once matter has fallen by more than a cell in the
-  /// mean and still holds a twentieth of that work as kinetic energy: what comes to rest slowly, a column
-  /// that settles or a footing that is pressed down, does not. Else 0.
+  /// Share of the work of gravity that local damping dissipated, -, once matter has fallen by more than a
+  /// cell on average and a twentieth of that work or more is kinetic energy; else 0, as in slow settling (of
+  /// a column, or under a footing that is pressed down).
   template <class Scene>
   double look(const Scene& scene) {
     const auto& damping = scene.template part<LocalDamping>();
@@ -28,7 +28,7 @@ class DampedFall {
     });
     sum_over(scene.communicator(), damped, all, kinetic, along);
     const double power = along > 0 ? along : 0;       // of gravity, W
-    if (!damping.is_on() || !(scene.time > time_)) {  // at the first look too
+    if (!damping.is_on() || !(scene.time > time_)) {  // at the first check too
       damped_ = damped;
       work_ = 0;
       cell_ = mean_cell(scene);
@@ -51,10 +51,10 @@ class DampedFall {
   }
 
  private:
-  double time_ = std::numeric_limits<double>::infinity();  // of the last look, s
+  double time_ = std::numeric_limits<double>::infinity();  // of the last check, s
   double power_ = 0;                                       // then, W
   double cell_ = 0;                                        // edge of a mean cell, m
-  double work_ = 0, damped_ = 0;  // of gravity since damping is on, and what damping took before, J
+  double work_ = 0, damped_ = 0;  // of gravity since damping is on, and dissipated by it before, J
 };
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -1,4 +1,4 @@
-// Every: an observer that looks at a scene at regular times instead of at every step.
+// Every: an observer that samples a scene at regular times instead of at every step.
 #pragma once
 // SPDX-License-Identifier: BSD-3-Clause
 
@@ -15,8 +15,8 @@
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 /// Observer that calls `f(scene)` at the first step at or after each multiple of a period, s; the start
-/// counts as one. A step that passes several multiples is one call. The rest goes through: `f` may end the
-/// run (`RunFlow`), and its `finish(scene)`, if it has one, is called at the end. `F` is a reference where the
+/// counts as one. A step that passes several multiples is one call. The rest is passed on: `f` may end the
+/// run (`RunFlow`), and its `finish(scene)`, if it has one, is called at the end. `F` is a reference if the
 /// observer is the caller's.
 template <class F>
 class Every {
@@ -45,15 +45,15 @@ class Every {
   }
   { f_.finish(scene); }
 
-  /// What it calls.
+  /// The wrapped observer.
   F& called() { return f_; }
 
-  /// From when on the next step is one to call at, s.
+  /// Time of the next call, s.
   double due() const { return due_; }
-  /// As if it had been called at this time, s: for a run that goes on from there.
+  /// As if it had been called at this time, s: for a run that continues from there.
   void go_on_from(double time) { is_due(time); }
 
-  /// State of what it calls, too, if that has some.
+  /// Also the state of the wrapped observer, if it has one.
   template <class G>
   void visit_state(G&& g) {
     g("due", due_);
@@ -65,14 +65,14 @@ class Every {
   }
 
  private:
-  /// Whether it is time to call; then looks for the next one.
+  /// Whether a call is due; if so, finds the time of the next one.
   bool is_due(double time) {
     if (time < due_) return false;
     // A step may end a rounding error before the time it aims at.
     const double early = period_ * (1 - 1e-12);
     due_ = (std::floor(time / early) + 1) * early;
     if (!(due_ > time)) due_ += early;  // the quotient was rounded down
-    // Multiples closer than the clock's resolution: each step meets one.
+    // Multiples closer than the clock's resolution: each step reaches one.
     if (!(due_ > time) || !std::isfinite(time / early))
       due_ = std::nextafter(time, std::numeric_limits<double>::infinity());
     return true;

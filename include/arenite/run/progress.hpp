@@ -1,4 +1,4 @@
-// Progress: tells how far a run is and how long it will take. A line that is rewritten on a terminal;
+// Progress: reports how far a run is and how long it will take. A line that is rewritten on a terminal;
 // elsewhere silent, or a line each tenth of the run.
 #pragma once
 // SPDX-License-Identifier: BSD-3-Clause
@@ -18,7 +18,7 @@ struct ProgressOptions {
   bool tenths = false;         ///< where that is no terminal: a line each tenth of the run
 };
 
-/// Observer that tells of a run until `end`, s. On a terminal it rewrites one line about twice a second.
+/// Observer that reports on a run until `end`, s. On a terminal it rewrites one line about twice a second.
 class Progress {
  public:
   explicit Progress(double end, const ProgressOptions& options = {});
@@ -28,7 +28,7 @@ class Progress {
     if ((terminal_ || tenths_) && speaks_for_all(scene)) look(scene.time, scene.steps, scene.time_step);
   }
 
-  /// What was told and the time spent, for a run that goes on elsewhere.
+  /// The last report and the time spent, for a run that continues elsewhere.
   template <class F>
   void visit_state(F&& f) {
     f("tenth", tenth_);
@@ -44,7 +44,7 @@ class Progress {
   double last_, shown_;  // on the steady clock, s
   double spent_ = 0;     // until last_, s
   bool terminal_ = false;
-  int tenth_ = 0;  // the last one told
+  int tenth_ = 0;  // the last one reported
 };
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

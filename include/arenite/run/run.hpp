@@ -44,7 +44,7 @@ bool show_all(const Scene& scene, Observers&... observers) {
     stops = scene.communicator().least(stops ? 0.0 : 1.0) == 0.0;
   return stops;
 }
-/// Tells an observer that wants to know it that a run has reached its end.
+/// Calls `finish` of an observer that has it, at the end of a run.
 template <class Scene, class Observer>
 void tell_end(const Scene& scene, Observer& observer) {
   if constexpr (requires { observer.finish(scene); }) observer.finish(scene);
@@ -64,7 +64,7 @@ inline constexpr bool settles = requires {
   Observer::settles;
 };
 
-/// Whether all parts that do work say how much.
+/// Whether all parts that do work report how much.
 template <class Scene>
 bool counts_all_work(const Scene& scene) {
   bool all = true;
@@ -115,7 +115,7 @@ struct RunOptions {
   double courant = 0.5;                                       ///< share of the stable step, above 0 to 1, -
   double max_step = std::numeric_limits<double>::infinity();  ///< s
   bool watch =
-      true;  ///< looks for what cannot be right (`WatchLimits::of_runs`), unless an observer is a `Watch`
+      true;  ///< checks for implausible results (`WatchLimits::of_runs`), unless an observer is a `Watch`
 
   /// Length of a step where `stable` is the stable one, s.
   double step_length(double stable) const { return std::min(courant * stable, max_step); }
@@ -146,7 +146,7 @@ ExpectedSteps expected_steps(const Scene& scene, const RunOptions& options) {
   return {length > 0 ? std::ceil(left / length * (1 - 1e-9)) : 0, length};
 }
 
-/// The next step towards `options.end`, `span` s behind the start of the run. Returns its length, s.
+/// The next step towards `options.end`, `span` s after the start of the run. Returns its length, s.
 template <class Scene>
 double step_towards(Scene& scene, const RunOptions& options, double span) {
   const double stable = scene.communicator().least(stable_step(scene));
@@ -181,15 +181,14 @@ void run_steps(Scene& scene, const RunOptions& options, Observers&... observers)
 
 }  // namespace detail
 
-/// Steps `scene` until `options.end`, which the last two steps are shortened to hit exactly: a run that goes on
-/// from there has not the bits of one to a later end. To have them, save the scene by an observer (`every`
-/// shortens no step), or end the run by one. Each observer is called with the
-/// scene (const) at the start and after every step; of one that has it, `finish(scene)` is called at the end. An
-/// observer that returns `RunFlow::stop` ends the run there (with several scenes over one mesh: in all of
-/// them, which then need an observer that returns a `RunFlow` each). Warns of what cannot be right, and stops
-/// if energy doubles from nothing, unless `options.watch` is false or an observer is a `Watch`. Throws
-/// `error` for a bad option, `run_error` if the run fails; observers have then seen everything up to the step
-/// before.
+/// Steps `scene` until `options.end`. The last two steps are shortened to hit it exactly: a run that
+/// continues from there does not have the bits of one to a later end. To have them, save the scene by an
+/// observer (`every` shortens no step), or end the run by one. Each observer is called with the scene (const)
+/// at the start and after every step; its `finish(scene)`, if it has one, is called at the end. An observer
+/// that returns `RunFlow::stop` ends the run there (with several scenes over one mesh: in all of them, which
+/// then need an observer that returns a `RunFlow` each). Warns of implausible results, and stops if energy
+/// doubles from nothing, unless `options.watch` is false or an observer is a `Watch`. Throws `error` for a
+/// bad option, `run_error` if the run fails; observers have then seen everything up to the previous step.
 ///
 /// Scenes over the portions of one mesh (`on_portion`) are run together, each by its own call: all take the
 /// least of their steps, and if one fails all do.
@@ -216,7 +215,7 @@ void run(Scene& scene, const RunOptions& options, Observers&&... observers) {
   }
 }
 
-/// Of a scene that the compiler has refused: one sentence is enough.
+/// For a scene that the compiler has refused: the error is already reported.
 template <class... Parts, class... Observers>
 void run(RefusedScene<Parts...>&, const RunOptions&, Observers&&...) {}
 

@@ -24,10 +24,10 @@
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
-/// What a program says of the folders of its runs.
+/// Names in the folders of a program's runs, and in messages about them.
 struct RunFolderNames {
-  std::string name = "RunFolder";      ///< how messages call the folder: of an option, say
-  std::string run = "run";             ///< how messages call what writes there
+  std::string name = "RunFolder";      ///< name in messages of the folder: an option's, say
+  std::string run = "run";             ///< name in messages of the program's run
   std::string lock = ".arenite.lock";  ///< file of the lock
   /// Whether a file of this name is a result, which a new run removes; none: nothing is removed
   std::function<bool(std::string_view)> is_result{};
@@ -35,12 +35,12 @@ struct RunFolderNames {
       first{};  ///< results that are removed before the others, in this order: those that claim something of others
 };
 
-/// Makes a folder, or takes one that is there, and holds it until the end of its life. The lock is the
-/// kernel's, on a file, so that a run that is killed leaves no folder locked; the file stays. While the run
-/// goes on it also holds some disk space back, with which a last word can be written on a disk that is full.
+/// Makes a folder, or uses one that exists, and locks it for the lifetime of the object. The lock is the
+/// kernel's, on a file, so that a run that is killed leaves no folder locked; the file stays. During the run
+/// it also reserves some disk space, with which a final message can be written on a full disk.
 class RunFolder {
  public:
-  /// What becomes of the results of an earlier run.
+  /// Fate of the results of an earlier run.
   enum class Earlier { removed, kept };
 
   /// `shown`: the folder's name in messages, if it is not the path. Throws `error` that names the folder if it
@@ -64,7 +64,7 @@ class RunFolder {
       throw;
     }
     held_.push_back(place_);
-    // Without it the run works as well, until the disk is full.
+    // Without the reserve the run works as well, until the disk is full.
     [[maybe_unused]] const int held = ::posix_fallocate(lock_, 0, reserve_bytes);
   }
   RunFolder(const RunFolder&) = delete;
@@ -78,16 +78,16 @@ class RunFolder {
 
   const std::filesystem::path& path() const { return path_; }
 
-  /// Gives back the disk space that was held for the last word.
+  /// Frees the disk space that was reserved for the final message.
   void free_reserve() {
-    if (::ftruncate(lock_, 0) != 0) return;  // then it is not there for the last word either, which will tell
+    if (::ftruncate(lock_, 0) != 0) return;  // then the final message finds no space either, and reports it
   }
 
  private:
   using Place = std::pair<::dev_t, ::ino_t>;
   static constexpr ::off_t reserve_bytes = 1 << 16;
 
-  /// Opens the lock, or makes it. One that is there must be one that a run has made: a link is not followed,
+  /// Opens the lock, or makes it. An existing one must have been made by a run: a link is not followed,
   /// and no file of another user is emptied.
   void open_lock() {
     const std::string lock = (path_ / names_.lock).string();
@@ -109,7 +109,7 @@ class RunFolder {
       refuse_lock("belongs to another user");
     place_ = {lock_is.st_dev, lock_is.st_ino};
   }
-  /// A lock holds nothing but the space that was held back: zeros.
+  /// Refuses a lock with any content but the reserved space: zeros.
   void check_reserve() {
     std::array<char, 1 << 12> piece{};
     ::off_t at = 0;
@@ -145,7 +145,7 @@ class RunFolder {
                       std::generic_category().message(reason), "); nothing must write there meanwhile"}));
   }
 
-  /// What is left if this is cut short claims nothing, and names no file that is gone (`RunFolderNames::first`).
+  /// If interrupted, the files left claim nothing, and name no file that is gone (`RunFolderNames::first`).
   void remove_results() const {
     std::error_code code;
     for (const std::string& first : names_.first)

@@ -1,4 +1,4 @@
-// A long run in a folder of its own: locked, with its status in a file, stopped by SIGINT and SIGTERM between two
+// A long run in its own folder: locked, with its status in a file, stopped by SIGINT and SIGTERM between two
 // steps, saved from time to time, and resumed with the same bits. POSIX.
 #pragma once
 // SPDX-License-Identifier: BSD-3-Clause
@@ -36,7 +36,7 @@ enum class RunEnd {
   interrupted  ///< by SIGINT or SIGTERM
 };
 
-/// What a folder of `run_in_folder` holds. `name`: how messages call it.
+/// Names in a folder of `run_in_folder`. `name`: of the folder in messages.
 inline RunFolderNames names_of_record(std::string name = "RunRecord.folder") {
   const auto is_result = [](std::string_view file) {
     if (file.ends_with(".part")) file.remove_suffix(5);
@@ -95,12 +95,13 @@ class StatusWriter {
 
 }  // namespace detail
 
-/// `run` in a folder that no other run may use meanwhile. Saves the state of the scene and of the observers that have one
-/// (`save_state`) each `checkpoint_every`, at the end, and when SIGINT or SIGTERM ends the run after a step; with
-/// `resume` the same program goes on from there with the same bits; also to a later end, with other bits if the former
-/// one was reached (`run`). Without it results of an earlier run (state and status) are removed. `status.json` tells how the run stands (`RunStatus`), at most ten
-/// seconds late. Throws `error` that names the folder if it cannot be used, or the state if it is of another run,
-/// which leaves the folder as it was; else what `run` throws, once the status tells it.
+/// `run` in a folder that no other run may use meanwhile. Saves the state of the scene and of the observers
+/// that have one (`save_state`) each `checkpoint_every`, at the end, and when SIGINT or SIGTERM ends the run
+/// after a step. With `resume` the same program continues from there with the same bits; also to a later end,
+/// with other bits if the former end was reached (`run`). Without it results of an earlier run (state and
+/// status) are removed. `status.json` shows the status of the run (`RunStatus`), at most ten seconds late.
+/// Throws `error` that names the folder if it cannot be used, or the state if it is of another run, which
+/// leaves the folder as it was; else what `run` throws, once the status reports it.
 template <class Scene, class... Observers>
 RunEnd run_in_folder(Scene& scene, const RunOptions& options, const RunRecord& record,
                      Observers&&... observers) {

@@ -1,4 +1,4 @@
-// RunInParts: a run as an object, which stops between two steps and goes on later, in another program too.
+// RunInParts: a run as an object, which stops between two steps and continues later, in another program too.
 #pragma once
 // SPDX-License-Identifier: BSD-3-Clause
 
@@ -13,7 +13,8 @@
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
-/// What `run` of a scene holds: its observers, and its watch unless one of them is one. Saved as an observer is, beside the state of the scene.
+/// A run of a scene as data: its observers, and its watch unless one of them is one. Saved like an observer,
+/// beside the state of the scene.
 template <class S, class... Observers>
 class RunInParts {
  public:
@@ -27,7 +28,7 @@ class RunInParts {
 
   /// Shows the start to the observers.
   void begin(const S& scene) { look(scene); }
-  /// So many steps, or fewer at the end, or where one reaches a time, s.
+  /// Makes `steps` steps; fewer if the run ends or a step reaches the time `until`, s.
   void advance(S& scene, int steps, double until = std::numeric_limits<double>::infinity()) {
     for (int k = 0; k < steps && !has_ended_ && scene.time < until; ++k) {
       step_towards(scene, options_, span_);
@@ -38,7 +39,7 @@ class RunInParts {
     std::apply([&](auto&... observer) { (detail::tell_end(scene, observer), ...); }, observers_);
   }
 
-  /// That of this type.
+  /// The observer of this type.
   template <class Observer>
   const Observer& observer() const {
     return std::get<Observer>(observers_);

@@ -1,4 +1,4 @@
-// Run status: how a run stands, as a small JSON file that people, scripts and queues read while it goes on. POSIX.
+// Run status: a small JSON file on the state of a run that people, scripts and queues read during it. POSIX.
 #pragma once
 // SPDX-License-Identifier: BSD-3-Clause
 
@@ -28,7 +28,7 @@ inline std::string utc_now() {
   return text.data();
 }
 
-/// How a run stands.
+/// State of a run.
 struct RunStatus {
   std::string_view status =
       "running";                     ///< or "finished", "stopped" (by an observer), "interrupted", "failed"
@@ -62,7 +62,7 @@ inline std::string json_string(std::string_view text) {
 
 }  // namespace shared_detail
 
-/// Writes the status as JSON in place of the file of before. Throws `output_error` if it cannot.
+/// Writes the status as JSON in place of the previous file. Throws `output_error` if it cannot.
 inline void write_run_status(const std::filesystem::path& file, const RunStatus& run) {
   using shared_detail::json_string;
   const auto number = [](double x) {

@@ -1,5 +1,5 @@
-// The state of a scene in a file: a run that is stopped, by whatever, goes on from the last one that was
-// saved with the same bits.
+// The state of a scene in a file: a run that was stopped for any reason resumes from the last saved state
+// with the same bits.
 #pragma once
 // SPDX-License-Identifier: BSD-3-Clause
 
@@ -76,14 +76,14 @@ std::vector<StateTerm> state_terms(const Scene& scene, const std::string& recipe
                      mesh_words(scene), bodies, recipe);
 }
 
-/// Restores a run: first looks at all names, types and counts, then writes all values and calls `follow`. What
-/// shows only then (counts that do not fit each other, cells that hold other points, ..) is refused too: the
-/// values that were there are put back and `renew` is called.
+/// Restores a run: first checks all names, types and counts, then writes all values and calls `follow`.
+/// Errors that show only then (counts that do not fit each other, cells with other points, ..) are refused
+/// too: the previous values are restored and `renew` is called.
 void restore_run(StateSource& file, const std::vector<StateTerm>& terms,
                  const std::function<std::vector<StateSlot>()>& slots, const std::function<void()>& follow,
                  const std::function<void()>& renew);
 
-/// Restores from a file that is open, or what was put aside, with the head `terms`.
+/// Restores from an open file, or from a copy in memory, with the head `terms`.
 template <class Scene, class... Observers>
 void restore_from(StateSource&& file, Scene& scene, const std::vector<StateTerm>& terms,
                   Observers&... observers) {
@@ -116,17 +116,17 @@ void save_state(const Scene& scene, const SavedState& to, const Observers&... ob
 }
 
 /// Puts a saved state into a scene of the same recipe, and into the same observers in the same order (one with
-/// a `follow_state(scene)` then renews what follows from it); the run
-/// then goes on with the same bits, on any number of threads. Parameters (of laws, gravity, contact) are
-/// those of the scene, not of the file. Throws `error` that names file and reason, with the values of scene
-/// and observers as they were, if the file is foreign, truncated or damaged, of another composition, mesh,
-/// recipe or set of observers, or holds values that do not fit each other.
+/// a `follow_state(scene)` then renews what follows from it); the run then continues with the same bits, on
+/// any number of threads. Parameters (of laws, gravity, contact) are those of the scene, not of the file.
+/// Throws `error` that names file and reason, with the values of scene and observers as they were, if the
+/// file is foreign, truncated or damaged, of another composition, mesh, recipe or set of observers, or has
+/// values that do not fit each other.
 template <class Scene, class... Observers>
 void restore_state(Scene& scene, const SavedState& from, Observers&... observers) {
   detail::restore_from(StateFile(from.path), scene, detail::state_terms(scene, from.recipe), observers...);
 }
 
-/// The same of a state that was put aside in memory, of a scene of the same recipe: it has no head that could tell.
+/// The same from a copy in memory, which must be of a scene of the same recipe: it has no head to check that.
 template <class Scene, class... Observers>
 void restore_state(Scene& scene, StateCopy&& from, Observers&... observers) {
   detail::restore_from(std::move(from), scene, {}, observers...);

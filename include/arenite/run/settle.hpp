@@ -40,7 +40,7 @@ struct SettleOptions {
   double courant = 0.5;                                   ///< as in `RunOptions`
   bool watch = true;                                      ///< as in `RunOptions`
 
-  /// Those of its run. Throws `error` unless a scene at this time, s, can settle so.
+  /// Options of its run. Throws `error` unless a scene at this time, s, can settle so.
   RunOptions of_run(double time) const {
     require(ratio > 0, "SettleOptions.ratio", ratio, "must be positive");
     require(end > time && std::isfinite(end), "SettleOptions.end", end,
@@ -49,7 +49,8 @@ struct SettleOptions {
   }
 };
 
-/// Observer that ends a run of a scene in which a part damps once its forces have been in balance for ten steps: what `settle` looks with.
+/// Observer of `settle`: ends a run of a scene in which a part damps once its forces have been in balance for
+/// ten steps.
 struct Settled {
   static constexpr bool settles = true;
   SettleOptions options;
@@ -82,7 +83,7 @@ struct Settled {
 
 /// Steps a scene, in which a part damps (`LocalDamping`), until `out_of_balance` has been at most
 /// `options.ratio` for ten steps. Observers as in `run`. Returns whether the scene has settled: false if an
-/// observer ended the run before. Switch damping off afterwards and go on with `run`:
+/// observer ended the run first. Switch damping off afterwards and continue with `run`:
 /// `scene.part<LocalDamping>().switch_off()`. Throws `error` for a bad option, `run_error` if `options.end`
 /// comes first, with the ratio that was reached.
 template <class Scene, class... Observers>

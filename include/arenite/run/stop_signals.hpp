@@ -28,9 +28,9 @@ class Interruption : public std::exception {
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
-/// While one lives, the first SIGINT or SIGTERM is noted; a second one of its kind ends the program as ever. A
-/// signal that was ignored (nohup, a job in the background) stays ignored. As an observer it ends a run after
-/// the step in which a signal came; a program that wants an exception calls `check`. One at a time.
+/// While one exists, the first SIGINT or SIGTERM is noted; a second one of its kind ends the program as
+/// usual. A signal that was ignored (nohup, a job in the background) stays ignored. As an observer it ends a
+/// run after the step in which a signal came; a program that wants an exception calls `check`. One at a time.
 class StopSignals {
  public:
   StopSignals() {

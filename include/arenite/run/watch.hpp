@@ -1,5 +1,5 @@
-// Watch: an observer that looks at a run for what cannot be right, warns, and stops it at limits that the
-// user sets.
+// Watch: an observer that checks a run for implausible results, warns, and stops it at limits that the user
+// sets.
 #pragma once
 // SPDX-License-Identifier: BSD-3-Clause
 
@@ -28,7 +28,7 @@
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 namespace detail {
 
-/// The point that shows a quantity most. None does while the value is negative.
+/// The point with the greatest value of a quantity. No point while the value is negative.
 struct WatchedPoint {
   double value = -1, stretch = 1;  // of the quantity; V/V0
   std::array<double, 3> place = Watched::nowhere;
@@ -39,19 +39,19 @@ struct WatchedPoint {
   }
 };
 
-/// What a watch reads of the points of a body.
+/// Data that a watch reads from the points of a body.
 struct WatchedPoints {
-  double count = 0, lost = 0;      // points there are, and that left the mesh
-  double volume = 0, initial = 0;  // V and V0 of all, m3, where they are wanted
+  double count = 0, lost = 0;      // points, and points that left the mesh
+  double volume = 0, initial = 0;  // total V and V0, m3, if wanted
   WatchedPoint speed{};            // square of it, m2/s2
   WatchedPoint volume_change{};    // |V/V0 - 1|
-  WatchedPoint spacing{};          // of points that tension draws apart, beyond what bears, in cells
+  WatchedPoint spacing{};          // of points that tension draws apart beyond `bearing_spacing`, in cells
   WatchedPoint strength{};
 
   static constexpr std::size_t size = 4 + 4 * 5;
   using Numbers = std::array<double, size>;
 
-  /// With those in another tile.
+  /// Adds the points in another tile.
   void add(const WatchedPoints& other);
 };
 
@@ -60,7 +60,7 @@ struct WatchedBody {
   int number = 0, dimension = 0;
   std::string_view name{};     // empty: goes by its number
   double wave = 0;             // speed of waves, m/s
-  double bearing_spacing = 0;  // beyond it the shape functions do not hold points together, in cells
+  double bearing_spacing = 0;  // beyond it a body under tension may separate between points, in cells
   WatchedPoints points{};
 };
 
@@ -70,13 +70,13 @@ struct WatchedMesh {
   double (*cell_volume)(const void* mesh, Index cell) = nullptr;  // m3
 };
 
-/// A point that shows a quantity most, and what to say of it.
+/// The point with the greatest value of a quantity, and the text to report.
 struct WatchedSpot {
   std::array<double, 3> place = Watched::nowhere;
   std::string text{};
 };
 
-/// What a watch keeps, and its rules for what can be judged without the types of a scene.
+/// State of a watch, and the checks that do not need the types of a scene.
 class WatchBook {
  public:
   enum Quantity : std::size_t { energy_gain, transfer, residual, volume, speed, strength, lost };
@@ -87,15 +87,15 @@ class WatchBook {
   bool wants(Quantity q) const { return std::isfinite(seen[q].limit); }
   bool wants_energy() const { return wants(energy_gain) || wants(transfer) || wants(residual); }
 
-  /// Takes a value of a quantity; returns whether there is something to say: with `tell`.
+  /// Records a value of a quantity; returns whether it must be reported with `tell`.
   bool takes(Quantity q, double time, double value, int body);
-  /// Warns of the value that it took last, or throws `run_error`.
+  /// Warns of the value recorded last, or throws `run_error`.
   void tell(Quantity q, WatchedSpot spot);
 
   /// Warns.
   void tell(std::string text);
 
-  /// Finds the points of a body that show most, but for strength.
+  /// Finds the points of a body with the greatest values of all quantities but strength.
   template <class T>
   void read(const PointColumns<T>& points, const WatchedMesh& mesh, WatchedBody& body) const;
 
@@ -118,7 +118,7 @@ class WatchBook {
   void hint(bool& wanted, std::string text);
 };
 
-/// Joins what tiles have read of the points of each body: the communicator is asked once, by all.
+/// Joins the data of the points of each body over all tiles, by one collective call of the communicator.
 template <class Communicator, class Bodies>
 void join_watched([[maybe_unused]] const Communicator& comm, [[maybe_unused]] Bodies& bodies) {
   if constexpr (!Communicator::is_serial) {
@@ -139,11 +139,11 @@ void join_watched([[maybe_unused]] const Communicator& comm, [[maybe_unused]] Bo
 
 }  // namespace detail
 
-/// Observer that looks at a scene, at all tiles of one that is cut, at its first call, then at every `limits.every`th step, and at the end of
-/// `run`: a look costs a fifth to a half of a step. It wants to be called at every step. Past a limit it
-/// throws `run_error` with time, quantity, value, limit and place; past a tenth it warns once (`on_warning`).
-/// What it saw can be read from it afterwards. Observers behind it do not see the step at which it throws:
-/// name it last. For one scene; it may be given to several runs of it.
+/// Observer that checks a scene, or all tiles of one that is cut, at its first call, then at every
+/// `limits.every`th step, and at the end of `run`: a check costs a fifth to a half of a step. It should be
+/// called at every step. Past a limit it throws `run_error` with time, quantity, value, limit and place; past
+/// a tenth it warns once (`on_warning`). The values found can be read from it afterwards. Observers after it
+/// do not see the step at which it throws: name it last. It may be given to several runs of one scene.
 template <bool OfRun>
 class BasicWatch {
  public:
@@ -158,13 +158,13 @@ class BasicWatch {
       scene.steps + 1 == next_ ? energy_.remember(scene) : energy_.follow(scene);
     look_at_rigids(scene);
   }
-  /// Looks at the end of a run, which may lie between two looks; `run` calls it.
+  /// Checks the scene at the end of a run, which may lie between two checks; `run` calls it.
   template <class Scene>
   void finish(const Scene& scene) {
     if (scene.steps != last_) look(scene);
   }
 
-  /// Looks now.
+  /// Checks the scene now.
   template <class Scene>
   void look(const Scene& scene) {
     using Book = detail::WatchBook;
@@ -189,7 +189,7 @@ class BasicWatch {
         watched.points.initial = volumes[1];
       }
       book_.read(columns_of_points(body), mesh, watched);
-      // Initial stresses may lie outside: the first step takes them back.
+      // Initial stresses may lie outside the yield surface: the first step returns them to it.
       if constexpr (!OfRun)
         if (book_.wants(Book::strength) && scene.steps > 0)
           look_at_strength<Scene::NumericsType::template width<typename Scene::T>>(body, watched);
@@ -236,11 +236,11 @@ class BasicWatch {
   /// The warnings given, in order: at most one a quantity.
   const std::vector<WarningText>& warnings() const { return book_.warnings; }
 
-  /// Says nothing of local damping: the scene is brought to rest on purpose (`settle`).
+  /// Does not warn of local damping: the scene is brought to rest on purpose (`settle`).
   void accept_damping() { book_.hints_at_damping = false; }
 
  private:
-  /// At every step: what falls through a thin mesh is past it before the next look.
+  /// At every step: a body that falls through a thin mesh is past it before the next check.
   template <class Scene>
   void look_at_rigids(const Scene& scene) {
     rigids_.look(scene, scene.steps == last_, [&](std::string text) {
@@ -299,9 +299,9 @@ class BasicWatch {
   detail::WatchedRigids rigids_;
 };
 
-/// A watch to hand to `run`.
+/// A watch to give to `run`.
 using Watch = BasicWatch<false>;
-/// The one that `run` has of its own: it does not look at strength, which would be compiled for each law.
+/// The watch that `run` adds itself: it does not check strength, which would be compiled for each law.
 using WatchOfRun = BasicWatch<true>;
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -27,7 +27,7 @@ std::array<double, 3> place_of(const PointColumns<T>& points, std::size_t p) {
   return place;
 }
 
-/// What messages call a body.
+/// Name of a body in messages.
 ARENITE_COLD std::string body_text(const WatchedBody& body) {
   return body.name.empty() ? joined_text({"body ", body.number}) : joined_text({"body ", body.name});
 }
@@ -141,7 +141,7 @@ ARENITE_COLD void WatchBook::read(const PointColumns<T>& points, const WatchedMe
                  stretch = static_cast<double>(points.volume[p]) / before;
     found.speed.take(static_cast<double>(speed_square(points, p)), stretch, at);
     if (wants(volume)) found.volume_change.take(std::abs(stretch - 1), stretch, at);
-    // Tension may have drawn points so far apart that their body parts between them.
+    // Tension may have drawn points so far apart that their body separates between them.
     if (!hints_at_spacing || !(stretch > 1.2) ||
         !(points.stress[0][p] + points.stress[1][p] + points.stress[2][p] > 0))
       continue;

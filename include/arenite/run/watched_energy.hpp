@@ -1,4 +1,4 @@
-// The energy of a run that a `Watch` follows: what was gained that nothing put in, and what was lost.
+// The energy of a run that a `Watch` follows: energy gained from nothing, and energy lost.
 #pragma once
 // SPDX-License-Identifier: BSD-3-Clause
 
@@ -28,24 +28,24 @@ double mean_cell(const Scene& scene) {
   return std::pow(volume / cells, 1.0 / Scene::D);
 }
 
-/// Follows the energy of one scene from look to look.
+/// Follows the energy of one scene from check to check.
 class WatchedEnergy {
  public:
-  /// Fractions of the energy put in: what was gained since the lowest look (without `TrackEnergy`: since the
-  /// first); with `TrackEnergy` what the transfer took since the first, and the size of what is left of the
-  /// balance. Not known when the step before was not seen.
+  /// Fractions of the energy put in: the gain since the lowest check (without `TrackEnergy`: since the
+  /// first); with `TrackEnergy` the loss in the transfer since the first, and the magnitude of the residual
+  /// of the balance. Not known if the previous step was not seen.
   struct Found {
     bool known = false;
     double gain = 0, transfer = 0, residual = 0;
   };
 
-  /// After each step, without `TrackEnergy`: books the work of a scene's acceleration ahead of its change.
+  /// After each step, without `TrackEnergy`: adds up the work of a scene's acceleration before that changes.
   template <class Scene>
   void follow(const Scene& scene) {
     if (acceleration_ != acceleration_of(scene)) book_work(scene);
   }
 
-  /// Keeps that of this step and of the one before.
+  /// Stores the configurational energy of this step and of the previous one.
   template <class Scene>
   void remember(const Scene& scene) {
     if (held_step_ == scene.steps) return;
@@ -57,8 +57,8 @@ class WatchedEnergy {
     held_step_ = scene.steps;
   }
 
-  /// Looks at a scene after a step. Without `TrackEnergy` it needs to have seen the step before (`remember`)
-  /// or none.
+  /// Checks a scene after a step. Without `TrackEnergy` it must have seen the previous step (`remember`) or
+  /// no step.
   template <class Scene>
   Found look(const Scene& scene) {
     if constexpr (!tracks_energy<Scene>) {
@@ -115,7 +115,7 @@ class WatchedEnergy {
     return static_cast<std::size_t>(n);
   }
 
-  /// Of the scene, m/s2: in the step to come.
+  /// Acceleration of the scene in the next step, m/s2.
   template <class Scene>
   static std::array<double, 3> acceleration_of(const Scene& scene) {
     std::array<double, 3> all{};
@@ -124,8 +124,8 @@ class WatchedEnergy {
     return all;
   }
 
-  /// Work of the acceleration since it was booked last: that times the change of sum m x. What points that were
-  /// lost or brought make of it is left out by `judge`, which begins anew.
+  /// Adds the work of the acceleration since the last call: acceleration times the change of sum m x. `judge`
+  /// leaves out the contribution of points that were lost or inserted: it starts again.
   template <class Scene>
   void book_work(const Scene& scene) {
     const auto before = std::exchange(moment_, {});
@@ -139,8 +139,8 @@ class WatchedEnergy {
     acceleration_ = acceleration_of(scene);
   }
 
-  /// What positions hold of the energy, J. `ahead`: of the strain energy, where stresses are not those of the
-  /// middle of the step, as velocities are.
+  /// Configurational energy, J: strain and potential. `ahead`: the part of the strain energy whose stresses
+  /// are not those of the middle of the step, as velocities are.
   struct Held {
     double strain = 0, ahead = 0, potential = 0;
     double sum() const { return strain + potential; }
@@ -158,12 +158,12 @@ class WatchedEnergy {
     return h;
   }
 
-  /// Energies, J: kinetic and strain energy; work from outside, energy of points inserted, energy that nothing
-  /// put in, energy that the transfer took and what is left of the balance since some time.
+  /// Energies, J: kinetic and strain energy; external work, energy of inserted points, energy gained from
+  /// nothing, energy lost in the transfer and residual of the balance since some time.
   struct Balance {
     double stored = 0, external = 0, brought = 0, gained = 0, transfer = 0, residual = 0;
   };
-  /// `initial`: energy that there is when it begins, J.
+  /// `initial`: energy at the start, J.
   Found judge(const Balance& now, std::size_t changes, double initial, bool tracks);
   template <class Scene>
   Balance balance(const Scene& scene) const {
@@ -186,15 +186,15 @@ class WatchedEnergy {
       b.stored = kinetic + held_.strain;
       b.external = external - held_.potential;
       b.gained = kinetic + held_.sum() - external;
-      // Velocities are those of the middle of a step where positions are those of its end: energy sways by a
-      // share of (frequency x step) unless the positions' part of it is taken half a step earlier, or later
-      // with USF. Stresses that are centred are those of the middle already.
+      // Velocities belong to the middle of a step, positions to its end: the energy oscillates by a share of
+      // (frequency x step) unless its configurational part is taken half a step earlier, or later with USF.
+      // Centred stresses belong to the middle already.
       if (follows_) b.gained -= (held_.potential - held_before_.potential) / 2;
       if (follows_)
         b.gained -= (held_.ahead - held_before_.ahead) / (Scene::NumericsType::strains_first ? -2 : 2);
     }
-    // What the velocity gradients of points hold they give back to their velocities. With AFLIP those keep
-    // their share of what is also in the gradients.
+    // The kinetic energy in the velocity gradients of points returns to their velocities. With AFLIP the
+    // velocities keep their share of what is also in the gradients.
     double all_spread = 0;
     scene.for_each_body([&](const auto& body, const auto&) {
       b.brought += body.inserted.kinetic_energy + body.inserted.strain_energy;
@@ -209,8 +209,7 @@ class WatchedEnergy {
     return b;
   }
 
-  /// Work of gravity on all points in a fall by a hundredth of a cell, J: what is less than that is a scene
-  /// at rest.
+  /// Work of gravity on all points in a fall by a hundredth of a cell, J: below it a scene counts as at rest.
   template <class Scene>
   static double allowed_drift(const Scene& scene) {
     double all = 0;
@@ -220,20 +219,20 @@ class WatchedEnergy {
     return 0.01 * mean_cell(scene) * all * std::sqrt(g[0] * g[0] + g[1] * g[1] + g[2] * g[2]);
   }
 
-  Balance start_{};              // at the first look; without TrackEnergy: when points were last lost
-  double put_in_ = 0;            // kinetic and strain energy at the first look, and of points since, J
-  double moved_ = 0;             // the greatest work from outside since then, J
-  double floor_ = 0;             // what is less is a scene at rest, J
-  double gain_ = 0;              // at the last look, J
-  double lowest_ = 0;            // the least that it was at a look, J; without TrackEnergy: 0
-  double before_ = 0;            // until points were last lost, J
-  Held held_{}, held_before_{};  // after step held_step_ and the one before
+  Balance start_{};              // at the first check; without TrackEnergy: when points were last lost
+  double put_in_ = 0;            // kinetic and strain energy at the first check, and of points since, J
+  double moved_ = 0;             // greatest external work since then, J
+  double floor_ = 0;             // least energy of a scene that is not at rest, J
+  double gain_ = 0;              // at the last check, J
+  double lowest_ = 0;            // least gain at a check, J; without TrackEnergy: 0
+  double before_ = 0;            // gain until points were last lost, J
+  Held held_{}, held_before_{};  // after step held_step_ and the previous one
   std::size_t held_step_ = std::numeric_limits<std::size_t>::max() / 2;  // none
-  bool follows_ = false;                                                 // whether the one before is known
-  bool started_ = false;                                                 // whether it has looked
+  bool follows_ = false;                                                 // whether the previous one is known
+  bool started_ = false;                                                 // whether there was a check
   std::array<double, 3> acceleration_{}, moment_{};  // in the step after `book_work`, m/s2; then, kg m
   double work_ = 0;                                  // of the acceleration since the first call, J
-  std::size_t changes_ = 0, held_changes_ = 0;       // of the points: at the last look; at held_step_
+  std::size_t changes_ = 0, held_changes_ = 0;       // of the points: at the last check; at held_step_
 };
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

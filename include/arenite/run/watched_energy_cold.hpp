@@ -14,7 +14,7 @@ ARENITE_COLD WatchedEnergy::Found WatchedEnergy::judge(const Balance& now, std::
     put_in_ = initial;
     changes_ = changes;
   } else if (!tracks && changes_ != changes) {
-    // What the points took with them or brought is not known: start anew.
+    // The energy of the points lost or inserted is not known: start again.
     put_in_ += now.brought - start_.brought;
     start_ = now;
     before_ = gain_;

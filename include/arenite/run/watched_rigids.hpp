@@ -1,4 +1,4 @@
-// Rigid bodies as a watch sees them: whether one has passed a wall, which holds the matter alone, or left the mesh.
+// Rigid bodies as a watch sees them: whether one has passed a wall (they stop only matter) or left the mesh.
 #pragma once
 // SPDX-License-Identifier: BSD-3-Clause
 
@@ -21,7 +21,7 @@ struct MeshMotion;
 
 namespace detail {
 
-/// Whether a watch looks at a rigid body: it has a mass, and a surface that goes with it.
+/// Whether a watch checks a rigid body: it has a mass, and a surface that moves with it.
 template <class B>
 concept watched_rigid = requires(const B& body) {
   requires B::is_free;
@@ -31,7 +31,7 @@ concept watched_rigid = requires(const B& body) {
 
 class WatchedRigids {
  public:
-  /// After each step. `looks`: at a mesh that moves, too. Calls `tell(text)`.
+  /// After each step. `looks`: whether to inspect a moving mesh again. Calls `tell(text)`.
   template <class Scene, class Tell>
   void look([[maybe_unused]] const Scene& scene, [[maybe_unused]] bool looks, [[maybe_unused]] Tell&& tell) {
     constexpr int D = Scene::D;
@@ -49,7 +49,7 @@ class WatchedRigids {
     });
   }
 
-  /// The mesh as it was looked at: tiles look at it together, and one that comes to another rank knows it.
+  /// The mesh as last inspected: tiles do that together, and one that moves to another rank keeps the result.
   template <class F>
   void visit_state(F&& f) {
     f("mesh/cell", cell_);

@@ -1,4 +1,4 @@
-// Ground: what geostatic stresses take from a scene.
+// Ground: gravity and layers of a scene, for geostatic stresses.
 #pragma once
 // SPDX-License-Identifier: BSD-3-Clause
 
@@ -47,7 +47,7 @@ std::array<double, 3> gravity_of_ground(const Scene& scene, double time) {
   return in_space(uniform);
 }
 
-/// What a ground takes from the fill of a body.
+/// The data of a body's fill that its ground needs.
 struct GroundFill {
   const FillOptions* options;
   const AnyRegion* region;

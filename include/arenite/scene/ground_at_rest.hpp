@@ -1,4 +1,4 @@
-// Ground at rest: whether the first step leaves it there.
+// Ground at rest: bodies with geostatic initial stress, checked for equilibrium in the first step.
 #pragma once
 // SPDX-License-Identifier: BSD-3-Clause
 
@@ -13,14 +13,14 @@
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
-/// A body whose stress is that of a ground at rest, until the first step has shown whether it is.
+/// A body with geostatic initial stress, until the first step has checked its equilibrium.
 struct GroundAtRest {
   std::size_t body;
   int per_cell;
   bool even;
   double jitter;
   std::array<double, 3> gravity;  ///< m/s2
-  InitialStress stress;           ///< as the position has it
+  InitialStress stress;           ///< by position
 };
 
 namespace detail {
@@ -28,15 +28,15 @@ namespace detail {
 std::vector<GroundAtRest> grounds_at_rest(std::span<const GroundFill> fills,
                                           const std::vector<Ground>& grounds, int per_cell);
 
-/// The bodies of a new scene that are to be at rest.
+/// The bodies of a new scene to be checked for equilibrium.
 template <class M, class Recipe>
 std::vector<GroundAtRest> grounds_at_rest(const Recipe& recipe, const std::vector<Ground>& grounds) {
   return grounds_at_rest(ground_fills(recipe), grounds, FillOptions{}.template points_in_cell<M>());
 }
 
-/// Places of the Gauss points of what a point stands for from its middle, m: two along each axis of a grid,
-/// one more than dimensions in a simplex. `volume` of the matter, m^D: a part of a sub-cell is one of its
-/// height along the axis `vertical`.
+/// Offsets of the Gauss points of a point's sub-cell from its middle, m: two along each axis of a grid, D + 1
+/// in a simplex. `volume` of the matter, m^D: a partly filled sub-cell is reduced in height, along
+/// the axis `vertical`.
 template <class T, int D>
 Places<Vec<T, D>> gauss_offsets(const CellBox<T, D>& cell, const GroundAtRest& ground, T volume,
                                 int vertical);
@@ -98,11 +98,11 @@ class RestingScene {
   bool hoop = false;
 };
 
-/// Warns if ground that is to be at rest is not: if forces out of balance at its nodes, beyond what the
-/// points' sums leave of them, are above a thousandth of its weight. `before`: the forces without contact.
-/// Nodes do not count in cells where contact with walls and rigid bodies changes them, which may hold the
-/// ground or set out to move it, nor those that other bodies in motion reach. Scenes over the portions of one
-/// mesh ask at once.
+/// Warns if ground that is to be at rest is not: if unbalanced forces at its nodes, beyond the errors of the
+/// points' sums (`sum_errors`), exceed a thousandth of its weight. `before`: the forces without contact.
+/// Not counted are nodes of cells where contact with walls and rigid bodies changes forces, as these may
+/// support the ground or start to move it, and nodes that other moving bodies reach. Scenes over the portions
+/// of one mesh call it at once.
 template <class T, int D>
 void check_rest(const RestingScene<T, D>& scene);
 

@@ -58,9 +58,9 @@ ARENITE_COLD const GroundAtRest* ground_of_body(std::span<const GroundAtRest> at
   return nullptr;
 }
 
-/// What the points' sums over the nodes leave of forces that are in balance, N, [nodes]: those sums less the
+/// Errors of the points' sums over the nodes for forces in equilibrium, N, [nodes]: those sums minus the
 /// integrals over the points' sub-cells. A midpoint rule is not exact for splines cut off at the surface and
-/// at walls. `asked`: [nodes] for which it is to be known.
+/// at walls. `asked`: [nodes] whose error is needed.
 template <class T, int D>
 ARENITE_COLD std::vector<Vec<T, D>> sum_errors(const RestingScene<T, D>& scene,
                                                const std::vector<char>& asked) {

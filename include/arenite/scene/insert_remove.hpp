@@ -27,7 +27,7 @@ std::uint64_t id_for([[maybe_unused]] Scene& scene, const Point& point) {
 
 }  // namespace detail
 
-/// `insert_points` for a body of the scene that is at hand.
+/// `insert_points` for a given body of the scene.
 template <class Scene, class B>
 auto insert_into(Scene& scene, B& body, const std::vector<typename B::Point>& points) {
   const auto totals =
@@ -83,7 +83,7 @@ auto insert_fill(Scene& scene, B& body, const F& fill, const std::string& name) 
   return insert_into(scene, body, points);
 }
 
-/// `remove_points` for a body at hand, by number: point p leaves if `leaves(p)` holds.
+/// `remove_points` for a given body, by number: point p is removed if `leaves(p)` is true.
 template <class Scene, class B, class Leaves>
 auto remove_from(Scene& scene, B& body, const Leaves& leaves) {
   const auto totals = take_out(body, scene.mesh.cell_count(), leaves, [](const auto&) {});
@@ -98,7 +98,7 @@ auto remove_from(Scene& scene, B& body, const Leaves& leaves) {
 /// = 1e-4}})`. A point's mass is that of its volume unless given. Throws `error`, with the scene as it was,
 /// for a point outside of the mesh or one that is not finite. Energy balances count what the points bring as
 /// put in. Returns what they brought. The scenes over all portions of a mesh are given the same points, at once,
-/// and each tells what its own brought.
+/// and each returns what its own points brought.
 template <Name which = "", class Scene>
 auto insert_points(Scene& scene,
                    const std::vector<typename std::remove_cvref_t<
@@ -106,7 +106,7 @@ auto insert_points(Scene& scene,
   return insert_given(scene, scene.template body<which>(), points);
 }
 
-/// Removes the points of a body, by name or number, that lie in a region, or for which `leaves(point)` holds,
+/// Removes the points of a body, by name or number, that lie in a region, or where `leaves(point)` is true,
 /// with a `MaterialPoint`: `remove_points<"sand">(scene, Box{{0, 1}, {2, 1.5}})` or `.. [](const auto& point)
 /// { return point.stress[1] > 0; })`. Energy balances count what they take with them as taken out. Returns
 /// that.

@@ -47,7 +47,7 @@ auto take_foreign(Scene& scene) {
   return messages;
 }
 
-/// Puts the points of a message behind all others, in its order.
+/// Appends the points of a message to those of the bodies, in its order.
 template <class Scene>
 void take_in(Scene& scene, std::string_view message) {
   while (!message.empty()) {

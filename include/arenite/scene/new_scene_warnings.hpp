@@ -48,12 +48,12 @@ struct MeshBox {
   double least;                        // edge of a cell, m
 };
 
-/// What is to be warned of in a new scene: of one over a portion of a mesh its own numbers.
+/// Data for the warnings about a new scene; over a portion of a mesh those of the portion.
 struct NewScene {
   std::size_t dimension;
   MeshBox mesh;
   std::string gravity;                    // m/s2
-  bool falls;                             // it pulls, and nothing can hold
+  bool falls;                             // it acts, and nothing gives support
   std::string (*name)(std::size_t body);  // in messages
   std::vector<double> lower{}, upper{};   // [bodies x 3] of their regions, m
   std::vector<double> points{}, initial_volume{}, region_volume{}, density{};  // [bodies] -, m3, kg/m3
@@ -90,25 +90,25 @@ MeshBox box_around(const M& mesh) {
 /// - if a region with bounds (members `lower` and `upper`, m) reaches beyond the box around the mesh by more
 ///   than a hundredth of a cell: no points are made there. An infinite bound means all that there is. Other
 ///   regions have no bounds to compare;
-/// - of bodies that were filled into one place: one has points in the region of the other;
-/// - of points that stand for another volume than that of the region in the mesh;
+/// - of bodies that overlap: one has points in the region of the other;
+/// - of points whose total volume is not that of the region in the mesh;
 /// - of a body with fewer points than span a volume: it cannot strain as a body does.
-/// - if gravity pulls and nothing can hold: no constraint blocks a part of it, and no part holds but those that
-///   fall themselves.
+/// - if gravity acts and nothing gives support: no constraint blocks a component of it, and no part supports
+///   matter except those that fall themselves.
 void warn_of(const NewScene& scene);
 
 /// Counts what bodies have.
 template <class T, int D>
 void count_bodies(std::span<const BodySummary<T, D>> bodies, NewScene& to);
 
-/// Warns of points that stand for another volume than that of the region in the mesh.
+/// Warns of points whose total volume, `filled`, is not that of the region in the mesh.
 void warn_volume(const std::string& name, std::size_t points, double density, double filled, double region);
 
-/// Whether a constraint blocks a part of gravity.
+/// Whether a constraint blocks a component of gravity.
 template <class T, int D>
 bool holds_gravity(const std::vector<Constraint<T, D>>& constraints, const Vec<T, D>& gravity);
 
-/// Whether gravity pulls and nothing can hold.
+/// Whether gravity acts and nothing gives support.
 template <class Scene>
 bool all_falls(const Scene& scene) {
   const auto g = scene.acceleration();

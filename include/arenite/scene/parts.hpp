@@ -79,7 +79,7 @@ Bodies<Fills...> bodies(const Fills&... fills) {
 }
 /// Bodies of one law, as many as the list has, each with its own region, parameters and options:
 /// `bodies(std::vector{fill(..), fill(..)})`; `scene.body(k)` is number k. A list of regions of several types
-/// holds `Fill<Law>`, made by `fill(AnyRegion::of<D>(region), law)`. Throws `error` if it is empty.
+/// has elements `Fill<Law>`, made by `fill(AnyRegion::of<D>(region), law)`. Throws `error` if it is empty.
 template <class F>
 requires detail::is_fill<F> BodyList<F> bodies(std::vector<F> fills) {
   static_assert(F::word.empty(), "bodies: the fills of a list have no names; they are numbered");
@@ -114,7 +114,7 @@ PartGroup<R...> rigids(R... body) {
   return {{std::move(body)...}};
 }
 
-/// Where recipes are bound: the mesh, and what the types of a scene tell.
+/// Context in which recipes are bound: the mesh, and the types of the scene.
 template <class K, class M, class N, std::size_t Bodies>
 struct SceneTraits {
   using Kinematics = K;
@@ -209,12 +209,12 @@ template <class M, ExtraColumns Extra, class... F>
 struct bodies_of<M, Extra, Bodies<F...>> {
   using type = std::tuple<typename body_of<M, Extra, F>::type...>;
   static constexpr std::array<std::string_view, sizeof...(F)> names{body_of<M, Extra, F>::word...};
-  /// Whether all are laws: a body says of one that is none what it lacks.
+  /// Whether all are laws; `Body` reports what a type lacks that is none.
   template <class T>
   static constexpr bool are_laws = (constitutive_law<typename body_of<M, Extra, F>::Law, T, M::dimension> &&
                                     ...);
-  /// Whether a law takes as many points at once as a scene with numerics N hands over. What is wrong with its
-  /// own wish for them a body says.
+  /// Whether a law accepts packs of as many points as a scene with numerics N passes to it. Wrong constants
+  /// of the law for packs are reported by `Body`.
   template <class N, class Law>
   static constexpr bool takes_lanes_of() {
     if constexpr (wishes_packs_rightly<Law>) {
@@ -225,7 +225,7 @@ struct bodies_of<M, Extra, Bodies<F...>> {
   }
   template <class N>
   static constexpr bool take_lanes = (takes_lanes_of<N, typename body_of<M, Extra, F>::Law>() && ...);
-  /// Whether the stresses of the bodies in a node field are taken at the middle of the step: where the laws of
+  /// Whether the stresses of the bodies in a node field are those at mid-step: where the laws of
   /// all of them are linear. `Apart`: each body has a field.
   template <class N, bool Apart>
   static constexpr bool centres_stress(std::size_t field) {
@@ -245,7 +245,7 @@ struct bodies_of<M, Extra, BodyList<F>> : bodies_of<M, Extra, Bodies<F>> {
   }
 };
 
-/// What parts need together.
+/// Requirements of all parts together.
 template <class Parts>
 struct needs_of;
 template <class... P>

@@ -1,8 +1,8 @@
-// Roles of a part: what it does in a step it says by having a member that a stage looks for. A part is any
+// Roles of a part: members that the stages of a step detect and call. A part is any
 // value of a class that is not `final`; it plays at least one role. See examples/extend/spring_bed.cpp.
 //
 // A recipe is turned into the part once, when the scene is made, by `bind_part(recipe, traits)` (`SceneTraits`), found
-// by argument-dependent look-up; without one the recipe is the part. Parts are called in the order of the
+// by argument-dependent lookup; without one the recipe is the part. Parts are called in the order of the
 // scene, unless a role states another one.
 #pragma once
 // SPDX-License-Identifier: BSD-3-Clause
@@ -41,10 +41,10 @@ concept drives_nodes = requires(const P& part, const typename S::V& position) {
   { part.driven_velocity(position, 0.0) } -> std::convertible_to<typename S::V>;
 };
 
-/// After P2G: adds forces, N, by `field.sums[node].add_force(f)`; `scene.fields` hold mass (`sums`)
-/// and force of this step, and the velocities at the end of the one before. dt: s. In a scene over a portion
-/// of a mesh nodes hold the sums of all portions, and what is added must be the same in all: a part whose
-/// forces follow from its own points sums them with `scene.communicator()`.
+/// After P2G: adds forces, N, by `field.sums[node].add_force(f)`; `scene.fields` have mass (`sums`)
+/// and force of this step, and the velocities at the end of the previous one. dt: s. In a scene over a
+/// portion of a mesh nodes have the sums over all portions, and the added force must be the same in all: a
+/// part whose forces follow from its own points sums them with `scene.communicator()`.
 template <class P, class S>
 concept adds_force = requires(P& part, S& scene) {
   { part.add_force(scene, 0.0) } -> std::same_as<void>;
@@ -68,8 +68,8 @@ concept applies_impulses = requires(P& part, S& scene) {
   { part.apply_impulses(scene, 0.0) } -> std::same_as<ContactTally>;
 };
 
-/// MUSL: holds `field.mapped`, the velocities from which strains are taken, to what its impulses enforced.
-/// Returns the energy that this dissipates, J. The same order; walls act behind rank 0.
+/// MUSL: constrains `field.mapped`, the velocities from which strains follow, to what its impulses enforced.
+/// Returns the energy that this dissipates, J. In the same order; walls act after rank 0.
 template <class P, class S>
 concept constrains_mapped = requires(P& part, S& scene) {
   { part.constrain_mapped(scene, 0.0) } -> std::same_as<double>;
@@ -99,17 +99,17 @@ concept takes_wall_impulse = takes_wall_impulse_of_field<P, S> ||
   { part.take_wall_impulse(Index{}, impulse) } -> std::same_as<void>;
 };
 
-/// After P2G, ahead of `add_force`: reads what the nodes have collected of the points.
+/// After P2G, before `add_force`: reads the nodes' sums over the points.
 template <class P, class S>
 concept acts_after_p2g = requires(P& part, const S& scene) {
   { part.after_p2g(scene, 0.0) } -> std::same_as<void>;
 };
 
-/// Once the velocities of the nodes at the end of the step are known. With MUSL also those that the points
-/// handed back, ahead of contact and walls, which hold them: `take_mapped_momentum` then gets what walls take of
-/// them, as momentum, kg m/s, of each node that they changed and the scene owns. Returns nothing, or the
-/// energy that the part's impulses dissipated beyond what it has told of them, J: the mean velocities of the
-/// step are known here (`mean_velocity`).
+/// Once the velocities of the nodes at the end of the step are known. With MUSL: after mapping back, before
+/// contact and walls constrain the mapped velocities. `take_mapped_momentum` then gets the momentum, kg m/s,
+/// that walls add to them, for each node that they changed and the scene owns. Returns nothing, or the
+/// energy, J, that the part's impulses dissipated beyond the amount already reported: the mean velocities of
+/// the step are known here (`mean_velocity`).
 template <class P, class S>
 concept books_after_grid = requires(P& part, const S& scene) {
   { part.after_grid(scene, 0.0) } -> std::same_as<double>;
@@ -145,7 +145,7 @@ concept renews_points = requires(P& part, S& scene) {
   { part.renew_points(scene) } -> std::same_as<void>;
 };
 
-/// In `stable_step`: the largest step that the part bears, s.
+/// In `stable_step`: the largest step that the part allows, s.
 template <class P, class S>
 concept bounds_step = requires(const P& part, const S& scene) {
   { part.stable_step(scene) } -> std::same_as<double>;
@@ -157,8 +157,8 @@ concept counts_energy = requires(const P& part) {
   { part.count_energy() } -> std::same_as<PartEnergy>;
 };
 
-/// Whether the part keeps matter from falling along an acceleration [D], for the doubts about a new scene. A
-/// part that adds forces or exchanges impulses from outside is taken to hold unless it says so.
+/// Whether the part keeps matter from falling along an acceleration [D], for the warnings about a new scene.
+/// A part without this role is assumed to if it adds forces or exchanges impulses from outside.
 template <class P, class S>
 concept holds_against = requires(const P& part, const typename S::V& acceleration) {
   { part.holds_against(acceleration) } -> std::same_as<bool>;
@@ -187,7 +187,7 @@ concept follows_state = requires(P& part, S& scene) {
   { part.follow_state(scene) } -> std::same_as<void>;
 };
 
-/// What a part needs of the scene it says by static constants: `separates_bodies` (a velocity field for each
+/// Requirements of a part on the scene, as static constants: `separates_bodies` (a velocity field for each
 /// body instead of one for all), `needs_mass_gradient` (of each field), `needs_point_ids`, `point_columns`
 /// (how many numbers it keeps with each point, zero at first: `points.part_columns[k]`, k from
 /// `first_point_column(scene, *this)` on); a type `OnlyOne` names a kind of which a scene has one at most.

@@ -36,7 +36,7 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 /// the library (`walls(..)`, `gravity({..})`, `Coulomb`, `rigids(..)`, `MovingMesh`, `TrackEnergy{}`) and any
 /// of your own (`scene/roles.hpp`). Complete when constructed: filled, parts bound, surfaces found. Warns
 /// (`on_warning`) of a box that reaches beyond the mesh, of points with another mass than their region's, of
-/// bodies that lie in one place, and of gravity that nothing holds against; its first step of geostatic
+/// bodies that overlap, and of gravity on bodies without support; its first step warns of geostatic
 /// ground that is not at rest. Throws `error` where a recipe does not fit the mesh, naming value and rule.
 template <class K, class M, class N, class... Given>
 struct Scene {
@@ -53,7 +53,7 @@ struct Scene {
 
  private:
   using Fills = std::remove_cvref_t<decltype(detail::find_bodies(std::declval<const Given&>()...))>;
-  /// What was given but the bodies; the kinematics are a part, too.
+  /// All values given except the bodies; the kinematics, too, if they are a part.
   using Recipes = typename decltype(detail::with_recipes_of(detail::TypesOf{}, std::declval<const K&>(),
                                                             std::declval<const Given&>()...))::type;
 
@@ -91,10 +91,10 @@ struct Scene {
   /// Whether the bodies are those of a list: of one law, in a number that only a run knows.
   static constexpr bool lists_bodies = body_count == counted_at_run_time;
   static constexpr std::size_t rigid_count = detail::rigids_of<Parts>::count;
-  /// Whether nodes hold the velocity at the start of the step and the force, apart.
+  /// Whether nodes store the velocity at the start of the step and the force separately.
   static constexpr bool has_start_state = N::reads_start_state || Needs::start_state;
   using Field = NodeField<T, D, N::maps_back, Needs::mass_gradient, N::corrects_nodes, has_start_state>;
-  /// Whether the stresses of the bodies in a node field are taken at the middle of the step: where all their
+  /// Whether the stresses of the bodies in a node field are those at mid-step: where all their
   /// laws are linear (see `add_half_step`).
   static constexpr bool centres_stress(std::size_t field) {
     return BodiesOf::template centres_stress<N, Needs::own_fields>(field);
@@ -109,7 +109,7 @@ struct Scene {
   /// Node field of a body.
   static constexpr std::size_t field_of(std::size_t body) { return Needs::own_fields ? body : 0; }
 
-  /// The types given may hold more than the scene's type keeps (`type_erased_t`).
+  /// The types given may have arguments that the scene's type omits (`type_erased_t`).
   template <class... G>
   requires(std::same_as<std::tuple<type_erased_t<G>...>, std::tuple<Given...>>)
       Scene(K kinematics_value, M mesh_value, N numerics_value, const G&... given)
@@ -121,7 +121,7 @@ struct Scene {
   N numerics;
   Blocks blocks;  ///< colours of the mesh's cells
   [[no_unique_address]] Parts
-      parts;  ///< what the recipes mean in this mesh, in the order given; then the kinematics, if a part
+      parts;  ///< the recipes bound to this mesh, in the order given; then the kinematics, if a part
   ByBody<Field, field_count> fields;          ///< node fields: one, or one a body
   BodyTuple bodies;                           ///< deformable bodies: a tuple, or a vector
   std::vector<Constraint<T, D>> constraints;  ///< of all parts
@@ -134,9 +134,9 @@ struct Scene {
   double time_step = 0;  ///< of the last step, s
   std::size_t steps = 0;
   StepCheck step_check;               ///< of the lengths of steps
-  std::vector<GroundAtRest> at_rest;  ///< bodies that the first step looks at
+  std::vector<GroundAtRest> at_rest;  ///< bodies that the first step checks
   [[no_unique_address]] std::conditional_t<is_portion, std::optional<detail::NewScene>, Nothing>
-      unseen;                   ///< over a portion of a mesh: what all are yet to warn of
+      unseen;                   ///< over a portion of a mesh: data for warnings not given yet
   bool finite = true;           ///< no number of the points, nor their sums, have become NaN or infinite
   ContactTally contact_tally;   ///< of the last step
   std::size_t limited = 0;      ///< node velocities scaled down by the velocity limit since the start
@@ -238,7 +238,7 @@ struct Scene {
     require(k < number_of_bodies(), option, shown, "must be the number or the name of a body of the scene");
     return k;
   }
-  /// What messages call a body: its name, or its number if it has none.
+  /// A body in messages: its name, or its number if it has none.
   static std::string body_name(std::size_t body) {
     const std::string_view name = body < body_names.size() ? body_names[body] : std::string_view();
     return joined_text({name.empty() ? TextPart(body) : TextPart(name)});
@@ -253,14 +253,14 @@ struct Scene {
   const auto& portion() const {
     return static_cast<const Self&>(*this).template part<OnPortion>().portion;
   }
-  /// What sums over all scenes on the portions of the mesh; `Serial` where the mesh is whole.
+  /// Communicator of the scenes on all portions of the mesh, for sums; `Serial` where the mesh is whole.
   const auto& communicator() const {
     if constexpr (is_portion)
       return part<OnPortion>().communicator;
     else
       return serial;
   }
-  /// `owns(node)`, `owns(cell)`: whether this scene counts a node in sums, and holds the points of a cell.
+  /// `owns(node)`, `owns(cell)`: whether this scene counts a node in sums, and has the points of a cell.
   auto node_owner() const {
     if constexpr (is_portion)
       return [this](Index i) { return portion().owns_node(i); };
@@ -311,7 +311,7 @@ struct Scene {
   static auto& body_of(Self& self) {
     constexpr std::size_t place = body_place<which>();
     if constexpr (lists_bodies)
-      return self.bodies[place];  // one sentence is enough
+      return self.bodies[place];  // already reported
     else
       return std::get<place>(self.bodies);
   }
@@ -322,7 +322,7 @@ struct Scene {
     static_assert(k < body_count,
                   "Scene: no such body; say body<\"name\">() of fill<\"name\">(..), or "
                   "body<number>(); body() is the only one");
-    return k < body_count && !lists_bodies ? k : 0;  // one sentence is enough
+    return k < body_count && !lists_bodies ? k : 0;  // already reported
   }
   template <Name which>
   static constexpr std::size_t rigid_place() {
@@ -351,7 +351,7 @@ struct Scene {
   }
 
 #ifdef __clang__
-  /// Of -fno-honor-nans and -fno-honor-infinities no macro tells (compare core/requirements.hpp).
+  /// No macro reports -fno-honor-nans and -fno-honor-infinities (compare core/requirements.hpp).
   static void require_special_values() {
     const volatile double nan = std::numeric_limits<double>::quiet_NaN();
     const volatile double infinite = std::numeric_limits<double>::infinity();
@@ -449,11 +449,11 @@ struct Scene {
 template <class K, class M, class N, class... Given>
 Scene(K, M, N, Given...) -> Scene<detail::refused_unless<detail::is_complete_scene<K, M, N, Given...>(), K>,
                                   M, N, type_erased_t<Given>...>;
-/// Two values cannot be a scene: without this guide the compiler would say so in words of its own.
+/// Two values cannot be a scene: without this guide the compiler would say so in its own words.
 template <class K, class M>
 Scene(K, M) -> Scene<detail::refused_unless<detail::is_complete_scene<K, M, void>(), K>, M, void>;
 
-/// In the place of a scene that the compiler has refused: one sentence is enough.
+/// Replaces a scene that the compiler has refused: the mistake is already reported.
 template <class M, class N, class... Given>
 struct Scene<detail::Refused, M, N, Given...> {
   Scene(const auto&...) {}

@@ -1,4 +1,4 @@
-// Points that stand for too much of their cell split, so that matter which flows into finer cells does not
+// Splitting of points that are too large for their cell, so that matter which flows into finer cells does not
 // thin out there.
 #pragma once
 // SPDX-License-Identifier: BSD-3-Clause
@@ -17,7 +17,7 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 /// When points split.
 struct SplitOptions {
-  /// A point splits if it stands for more than 1 / per_cell of the cell that it lies in, >= 1.
+  /// A point splits if its volume exceeds 1 / per_cell of that of its cell, >= 1.
   double per_cell = 4;
 };
 
@@ -46,12 +46,12 @@ bool same_region(const M& mesh, Index a, Index b) {
 
 }  // namespace detail
 
-/// Splits each point of a body, by name or number, that stands for too much of its cell into four in the
+/// Splits each point of a body, by name or number, that is too large for its cell into four in the
 /// plane, eight in space: equal shares of its mass and volume on the corners of a square around it, with its
 /// velocity, stress and history. Mass, momentum, angular momentum and both energies are kept to round-off.
 /// (A point's velocity gradient stays that of its parts, which do not take the velocities that it has where
 /// they lie: those would add angular momentum.) A point stays whole where a part would lie outside of the
-/// mesh or in another of its regions. Parts are looked at again in the next call. With `PointIds` all parts
+/// mesh or in another of its regions. Parts are checked again in the next call. With `PointIds` all parts
 /// get new ids. Returns how many points split.
 template <Name which = "", class Scene>
 std::size_t split_points(Scene& scene, const SplitOptions& options = {}) {
@@ -100,7 +100,7 @@ std::size_t split_points(Scene& scene, const SplitOptions& options = {}) {
   return gone.count;
 }
 
-/// A part of a scene that calls `split_points` for a body every so many steps:
+/// A part of a scene that calls `split_points` for a body once in `every` steps:
 /// `SplitPoints<"sand">{{.per_cell = 9}}`.
 template <Name which = "">
 struct SplitPoints {

@@ -1,4 +1,4 @@
-// Stable step: the largest explicit step that a scene bears.
+// Stable step: the largest explicit time step at which a scene is stable.
 #pragma once
 // SPDX-License-Identifier: BSD-3-Clause
 
@@ -27,9 +27,9 @@ T stiffest(const Body<L, T, D, E>& body, Index c) {
 
 }  // namespace detail
 
-/// Largest step that the scene bears, s: the smallest size / (wave speed + point speed) of the cells that
-/// hold points (Courant, Friedrichs, Lewy 1928), times what the numerics bear of it
-/// (`Numerics::courant_limit`), or less where a law or a part has a `stable_step` of its own. Follows the
+/// Largest stable step of the scene, s: the smallest size / (wave speed + point speed) of the cells that
+/// contain points (Courant, Friedrichs, Lewy 1928), times the limit of the numerics
+/// (`Numerics::courant_limit`), or smaller where a law or a part has its own `stable_step`. Follows the
 /// mesh as it moves, and the state where a law's `wave_modulus` does; rigid bodies do not limit it. Multiply
 /// by a Courant number of at most 1. The wave speed is that of the law's density: volumes grown by dilatancy
 /// to r times raise the true one by the root of r.

@@ -41,8 +41,8 @@ void add_forces(Scene& scene, double dt) {
 
 namespace detail {
 
-/// Takes velocities of a field to what the parts allow, and drive to at the end of the step. Returns the
-/// impulse, N s, and the work of the drives, J; `take(node, impulse)` gets what each node got.
+/// Constrains velocities of a field to what the parts allow, and drive to at the end of the step. Returns the
+/// impulse, N s, and the work of the drives, J; `take(node, impulse)` gets the impulse on each node.
 template <class Scene, class Field, class Velocities, class Take = NoSink>
 std::pair<typename Scene::V, double> apply_constraints(Scene& scene, const Field& field, Velocities& velocity,
                                                        [[maybe_unused]] double dt, const Take& take = {}) {
@@ -63,7 +63,7 @@ std::pair<typename Scene::V, double> apply_constraints(Scene& scene, const Field
   }
 }
 
-/// What hands the impulse of constraints on a node of a field to the parts that ask for it
+/// A callable that passes the impulse of constraints on a node of a field to the parts that ask for it
 /// (`take_wall_impulse`). `OfResidual`: they act on the residual of `correct_nodes`.
 template <bool OfResidual = false, class Scene, class Field>
 auto wall_impulse_sink([[maybe_unused]] Scene& scene, [[maybe_unused]] const Field& field) {
@@ -83,7 +83,7 @@ auto wall_impulse_sink([[maybe_unused]] Scene& scene, [[maybe_unused]] const Fie
     return NoSink{};
 }
 
-/// What hands the momentum that constraints take of mapped velocities to the parts that ask for it.
+/// A callable that passes the momentum that constraints add to mapped velocities to parts that ask for it.
 template <class Scene, class Field>
 auto mapped_momentum_sink([[maybe_unused]] Scene& scene, [[maybe_unused]] const Field& field,
                           [[maybe_unused]] double dt) {
@@ -118,8 +118,8 @@ inline constexpr T least_mass = std::numeric_limits<T>::min() / std::numeric_lim
 
 namespace detail {
 
-/// Nodes without mass that points touch go the way of those around them (`list_massless`), in these velocities
-/// of the field, and obey the constraints with `hold()`.
+/// Nodes without mass that points touch follow the nodes around them (`list_massless`), in these velocities
+/// of the field, and are then constrained by `hold()`.
 template <class Scene, class Velocities, class Hold>
 void move_massless([[maybe_unused]] Scene& scene, [[maybe_unused]] typename Scene::Field& field,
                    [[maybe_unused]] Velocities& velocity, [[maybe_unused]] const Hold& hold) {
@@ -186,7 +186,7 @@ void average_strains([[maybe_unused]] Scene& scene, [[maybe_unused]] B& body,
   }
 }
 
-/// Books what a pass over the points of a body has summed. `was_finite`: whether it was before.
+/// Records the sums of a pass over the points of a body. `was_finite`: whether the body was finite before.
 template <class Scene, class B>
 void book_sums(Scene& scene, B& body, const G2pSums& sums, bool was_finite = true) {
   body.opened_volume += sums.opened_volume;
@@ -203,8 +203,8 @@ void book_sums(Scene& scene, B& body, const G2pSums& sums, bool was_finite = tru
 
 }  // namespace detail
 
-/// USF: stresses ahead of the forces, from the velocities that the points handed over; then P2G of the new
-/// ones. dt: s.
+/// USF: stresses before the forces, from the nodal velocities of P2G; then P2G again with the new stresses.
+/// dt: s.
 template <class Scene>
 void update_stress_first(Scene& scene, [[maybe_unused]] double dt) {
   if constexpr (Scene::NumericsType::strains_first) {
@@ -239,10 +239,10 @@ void update_grid(Scene& scene, double dt) {
   }
 }
 
-/// Takes velocities of a field to what the parts' constraints allow; books impulse and work. dt: s.
+/// Constrains velocities of a field as the parts demand; records impulse and work. dt: s.
 template <class Scene>
 void constrain(Scene& scene, typename Scene::Field& field, double dt) {
-  // What nodes have of a negligible mass, the points on them have, too.
+  // The negligible mass of massless nodes is mass of points, too: its change of momentum counts.
   const auto momentum_of_massless = [&] {
     typename Scene::V sum = zeros<typename Scene::V>();
     for (const Index i : field.massless)
@@ -263,8 +263,8 @@ void constrain(Scene& scene, double dt) {
   for (auto& field : scene.fields) constrain(scene, field, dt);
 }
 
-/// Impulses between fields and with rigid bodies (`apply_impulses`), by rank, then constraints again. In
-/// the first step a look at whether geostatic ground is at rest. dt: s.
+/// Impulses between fields and with rigid bodies (`apply_impulses`), by rank, then constraints again. The
+/// first step also checks whether geostatic ground is at rest. dt: s.
 template <class Scene>
 void contact_impulses(Scene& scene, double dt) {
   scene.contact_tally = {};
@@ -307,8 +307,8 @@ void smooth_light_nodes(Scene& scene, [[maybe_unused]] double dt) {
     detail::move_massless(scene, field, field.velocity, [&] { constrain(scene, field, dt); });
 }
 
-/// The correction of the nodes' velocities by a transfer that asks for it (XPIC, FMPM). What constraints take of
-/// it is an impulse of the walls. dt: s.
+/// The correction of the nodes' velocities by a transfer that asks for it (XPIC, FMPM). What constraints
+/// remove of it is an impulse of the walls. dt: s.
 template <class Scene>
 void correct_nodes(Scene& scene, [[maybe_unused]] double dt) {
   if constexpr (Scene::NumericsType::corrects_nodes) {
@@ -329,8 +329,8 @@ void correct_nodes(Scene& scene, [[maybe_unused]] double dt) {
   }
 }
 
-/// MUSL: velocities mapped back from the points, held to what contact and constraints enforced. Ahead of the
-/// hold run the parts that read the final nodal velocities (`after_grid`). dt: s.
+/// MUSL: velocities mapped back from the points, constrained to what contact and constraints enforced. Before
+/// they are constrained, the parts that read the final nodal velocities (`after_grid`) are called. dt: s.
 template <class Scene>
 void map_back(Scene& scene, [[maybe_unused]] double dt) {
   if constexpr (Scene::NumericsType::maps_back) {
@@ -374,7 +374,7 @@ void map_back(Scene& scene, [[maybe_unused]] double dt) {
   }
 }
 
-/// G2P and the law, body by body; hands the work of the stresses to the parts that ask for it. dt: s.
+/// G2P and the law, body by body; passes the work of the stresses to the parts that ask for it. dt: s.
 template <class Scene>
 void g2p(Scene& scene, double dt) {
   using N = typename Scene::NumericsType;
@@ -384,7 +384,7 @@ void g2p(Scene& scene, double dt) {
     if constexpr (!N::strains_first) detail::average_strains(scene, body, field, dt);
     G2pSums sums = g2p<typename Scene::Kinematics, Scene::Needs::stress_work>(
         numerics, scene.mesh, body, field, static_cast<typename Scene::T>(dt), scene.average);
-    if (field.centred) sums.ending_work = 0;  // the stresses are not ahead of the velocities
+    if (field.centred) sums.ending_work = 0;  // the stresses do not lead the velocities in time
     if constexpr (N::strains_first)
       detail::book_sums(scene, body, sums, body.finite);
     else

@@ -107,10 +107,10 @@ void visit_scene(Scene& scene, const F& f) {
 /// a number, or numbers side by side; of a scene that is const they are constants.
 ///
 /// To restore a state make the scene of the same recipe, `resize` each `resizable_state_array` and write all
-/// values, then call `follow_state`: the run goes on with the same bits, on any number of threads. What
+/// values, then call `follow_state`: the run continues with the same bits, on any number of threads. What
 /// follows from the state is not in it: the sums and velocities of nodes (but masses and velocities where a
 /// part adds forces or bounds the step, for it may read those of the step before), the moved mesh, which
-/// unsorted point is in which cell, colours. Observers that carry something have a `visit_state` of their own
+/// unsorted point is in which cell, colours. Observers that carry something have their own `visit_state`
 /// (`visit_state_of`). Without types: `state_slots`.
 template <class Scene, class F>
 void for_each_state(Scene& scene, F&& f) {

@@ -21,18 +21,18 @@ void step(Scene& scene, double dt) {
       speaks_for_all(scene));
   relocate(scene);                 // find the cell of each point
   p2g(scene, dt);                  // P2G: mass, momentum, internal force
-  update_stress_first(scene, dt);  // USF: strains and stresses ahead of the forces
+  update_stress_first(scene, dt);  // USF: strains and stresses before the forces
   add_forces(scene, dt);           // springs, tractions, ..
   centre_stress(scene, dt);        // elastic bodies, MUSL on simplices: forces of the middle of the step
   update_grid(scene, dt);          // nodal momentum balance
   constrain(scene, dt);            // fixities, rollers, symmetry planes
   contact_impulses(scene, dt);     // body against body, rigid body against bodies: impulses that cancel
   smooth_light_nodes(scene, dt);   // nodes at a body's edge that have force and hardly any mass
-  correct_nodes(scene, dt);        // XPIC, FMPM: what the lumped mass does to the nodes' velocities
-  map_back(scene, dt);  // MUSL: node velocities for the strains, as the points would hand them back
-  g2p(scene, dt);       // G2P: velocities, strains, positions; stresses by the law of each body
-  follow(scene, dt);    // what moves with the matter: the mesh, springs, ..
-  finish(scene, dt);    // time, and the check that nothing has become NaN
+  correct_nodes(scene, dt);        // XPIC, FMPM: nodal velocities, corrected for the lumped mass
+  map_back(scene, dt);             // MUSL: nodal velocities for the strains, mapped back from the points
+  g2p(scene, dt);                  // G2P: velocities, strains, positions; stresses by the law of each body
+  follow(scene, dt);               // what moves with the matter: the mesh, springs, ..
+  finish(scene, dt);               // time, and the check that nothing has become NaN
 }
 
 /// Of a scene that the compiler has refused.

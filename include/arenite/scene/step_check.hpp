@@ -1,5 +1,5 @@
-// Step check: whether the length of a step is one, and one that the scene bears. A host that chooses its own
-// steps hears of a mistake at its first one.
+// Step check: whether the length of a step is valid, and stable for the scene. A host that chooses its own
+// steps learns of a mistake at its first one.
 #pragma once
 // SPDX-License-Identifier: BSD-3-Clause
 
@@ -13,12 +13,12 @@
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
-/// Looks at the length of each step of a scene. The stable step costs a few percent of a step, so it is asked
+/// Checks the length of each step of a scene. The stable step costs a few percent of a step, so it is asked
 /// for at the first step, at every `interval`th, and for a step longer than the last answer; `run`, which
-/// knows it, tells it (`know`).
+/// knows it, passes it on (`know`).
 class StepCheck {
  public:
-  static constexpr std::size_t interval = 64;  ///< steps for which an answer is taken to hold
+  static constexpr std::size_t interval = 64;  ///< steps for which an answer is assumed valid
 
   /// dt: length of step number `step`, s; `stable()`: the stable step of the scene now, s; of scenes over the
   /// portions of one mesh the least, which all ask for at once. Throws `error` unless dt is positive and finite.
@@ -48,7 +48,7 @@ class StepCheck {
   }
   void judge(double dt, double time, std::size_t step, double bears, bool speaks);
 
-  double longest_ = 0;  // steps up to this one pass without a look, s
+  double longest_ = 0;  // steps up to this one pass unchecked, s
   std::size_t until_ = 0;
 };
 

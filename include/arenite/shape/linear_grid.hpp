@@ -9,8 +9,8 @@
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
-/// Functions along an axis: hats, a node at each end of a cell. A point that crosses into another cell meets
-/// another gradient, an error that does not fall with the cells' size (Steffen, Kirby, Berzins 2008,
+/// Functions along an axis: hats, a node at each end of a cell. The gradient jumps where a point crosses into
+/// another cell, an error that does not decrease with the cell size (Steffen, Kirby, Berzins 2008,
 /// doi:10.1002/nme.2360).
 template <class T>
 struct LinearGridLine {

@@ -32,7 +32,7 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 /// - `Line(cell, cells)`; `values(s)` [N] and `slopes(s, scale)` [N], the derivatives times a scale, for s a
 ///   scalar or a pack;
 /// - `inverse_inertia()`: 1 / sum w (x_i - x)^2 if that is the same everywhere in the cell, else 0;
-/// - `cells_at_face` (optional): on equal cells the functions are the same in all cells but so many at either face,
+/// - `cells_at_face` (optional): on equal cells the functions are the same in all cells but this many at each face,
 ///   and the middle one is nowhere small there; then `place` and the constructor are `constexpr`.
 ///
 /// In each cell the values add up to 1, and times the places of their nodes to s; the slopes add up to 0.
@@ -83,8 +83,8 @@ struct ProductShape {
     return x;
   }
 
-  /// Place of the node of number i along an axis of the whole grid, from its lower corner, m; on a periodic one as if it
-  /// went on: node n lies one period behind node 0.
+  /// Place of the node of number i along an axis of the whole grid, from its lower corner, m; on a periodic one
+  /// without wrapping: node n lies one period after node 0.
   template <class M>
   static auto place(const M& grid, int axis, Index i) {
     using T = typename M::scalar;
@@ -130,7 +130,7 @@ struct ProductShape {
     return i;
   }
 
-  /// Calls `f` with the functions of a cell, those of a cell away from the faces in a type of their own, whose
+  /// Calls `f` with the functions of a cell; those of a cell away from the faces have a separate type, whose
   /// functions the compiler knows.
   template <class M, class F>
   ARENITE_INLINE static auto visit_cell(const M& grid, Index c, F&& f) {

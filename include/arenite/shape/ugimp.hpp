@@ -11,9 +11,9 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 /// The functions of one cell along one axis, in cell edges, of `Points` along it at first, whose domains fill
 /// the cell (Bardenhagen and Kober 2004, The generalized interpolation material point method, CMES 5,
-/// 477-496): of the nodes one cell behind it, at its ends, and one cell ahead. A grid of n cells thus has a
+/// 477-496): of the nodes one cell before, at its ends, and one cell after. A grid of n cells thus has a
 /// node beyond each face. Where a domain would reach across a face of the grid it ends there on both sides of
-/// the point: then unity and linear fields hold up to the faces, and a wall is exactly the nodes on it.
+/// the point: so unity and linear fields are exact up to the faces, and a wall is exactly the nodes on it.
 template <int Points>
 struct UGimpOf {
   static_assert(Points >= 1, "UGimp: the number of points along each axis of a cell must be at least 1");
@@ -23,7 +23,7 @@ struct UGimpOf {
    public:
     static constexpr std::size_t nodes = 4;
     static constexpr double half = 0.5 / Points;  ///< of the domain's width
-    /// At the place `half` of a cell: of the node behind, and of hats.
+    /// At s = `half`: the terms of the node before the cell, and of hats.
     static constexpr double steepness = 1 / half + 1 / (half * (1 - half));
     /// Near a face they are hats: the node beside it is light below this share of the mass of the node on it.
     static constexpr double least_beside_face = 0.5;
@@ -51,7 +51,7 @@ struct UGimpOf {
     T inverse_inertia() const { return 0; }  // nowhere the same in a whole cell
 
    private:
-    // How far the domain reaches into the cells behind and ahead.
+    // How far the domain reaches into the cells before and after.
     template <class P>
     static P behind(const P& s) {
       using std::max;

@@ -11,8 +11,8 @@
 #else
 #define ARENITE_KERNEL [[gnu::flatten]]
 #ifdef __clang__
-// What kernels call stands between ARENITE_INLINE_BEGIN and ARENITE_INLINE_END, and lambdas of a kernel itself have ARENITE_INLINE behind
-// their parameters: `flatten` of clang++ inlines the calls that stand in the function itself, that of g++ all below them.
+// Functions that kernels call are between ARENITE_INLINE_BEGIN and ARENITE_INLINE_END; lambdas of a kernel itself have ARENITE_INLINE
+// after their parameters: `flatten` of clang++ inlines only the calls in the function itself, that of g++ also all calls below them.
 #define ARENITE_INLINE __attribute__((always_inline))
 #define ARENITE_INLINE_BEGIN \
   _Pragma("clang attribute push(__attribute__((always_inline)), apply_to = function)")

@@ -32,7 +32,7 @@ inline constexpr int lane_count<Pack<T, W>> = W;
 template <class Half>
 inline constexpr int lane_count<PackPair<Half>> = 2 * Half::width;
 
-/// `count` neighbours from memory; lanes behind them hold `fill`.
+/// `count` neighbours from memory; lanes after them are `fill`.
 template <class P, class T>
 P load_lanes(const T* from, int count, T fill = T(0)) {
   if constexpr (is_pack<P>)
@@ -143,7 +143,7 @@ T greatest(const Pack<T, W>& a) {
   }
 }
 
-/// Sums of `Count` packs, number `First` and then every `Stride`th (zeros behind the last): as often as there
+/// Sums of `Count` packs, number `First` and then every `Stride`th (zeros after the last): as often as there
 /// are lanes in a group of W / Count, each sum is all that is left of its pack.
 template <std::size_t First, std::size_t Stride, int Count, class T, int W, std::size_t N>
 Pack<T, W> folded(const std::array<Pack<T, W>, N>& packs) {
@@ -158,8 +158,7 @@ Pack<T, W> folded(const std::array<Pack<T, W>, N>& packs) {
   }
 }
 
-/// `lane_sums` of packs. A function of its own: g++ 12 copies an array that is returned out of a nested
-/// block.
+/// `lane_sums` of packs. A separate function: g++ 12 copies an array that is returned out of a nested block.
 template <class T, int W, std::size_t N>
 auto summed(const std::array<Pack<T, W>, N>& packs) {
   constexpr std::size_t width = static_cast<std::size_t>(W), registers = (N + width - 1) / width;

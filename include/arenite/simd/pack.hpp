@@ -333,14 +333,14 @@ class Pack {
     std::memcpy(&a.v_, from, sizeof(vector));
     return a;
   }
-  /// `count` <= W scalars from memory; the lanes after them hold `fill`. Reads nothing behind them.
+  /// `count` <= W scalars from memory; the lanes after them are `fill`. Reads nothing beyond them.
   static Pack load(const T* from, int count, T fill = T(0)) {
     Pack a(fill);
     detail::Parts<T, W>::load(from, count, reinterpret_cast<T*>(&a.v_));
     return a;
   }
   void store(T* to) const { std::memcpy(to, &v_, sizeof(vector)); }
-  /// Writes the first `count` <= W lanes and nothing behind them.
+  /// Writes the first `count` <= W lanes and nothing beyond them.
   void store(T* to, int count) const {
     detail::Parts<T, W>::store(to, count, reinterpret_cast<const T*>(&v_));
   }

@@ -1,4 +1,4 @@
-// Pack pairs: more scalars than a register holds, as two packs that are computed side by side. A law's chain
+// Pack pairs: more scalars than fit in a register, as two packs that are computed side by side. A law's chain
 // of dependent operations leaves most of a processor's units idle; a second, independent chain uses them.
 #pragma once
 // SPDX-License-Identifier: BSD-3-Clause

@@ -1,5 +1,5 @@
-// Grid convergence: what results at three or more sizes of the cells tell about the result that no size would
-// give, and how far from it the finest one may be. Of any scalar of any scene.
+// Grid convergence: from results at three or more cell sizes, the result extrapolated to size zero, and how
+// far from it the finest one may be. Of any scalar of any scene.
 #pragma once
 // SPDX-License-Identifier: BSD-3-Clause
 
@@ -37,7 +37,7 @@ enum class Trend {
   oscillating  ///< refinements move them both ways, or one does not move them
 };
 
-/// What `convergence` finds. `uncertainty` is that of the value at the finest size.
+/// Result of `convergence`. `uncertainty` is that of the value at the finest size.
 struct Convergence {
   std::vector<SizedResult> results;  ///< finest first
   Trend trend = Trend::constant;
@@ -89,7 +89,7 @@ inline double order_of_ratio(double ratio, double r21, double r32) {
 ///   U     = 3 (max - min) of all results, not converged                           otherwise
 ///
 /// With equal ratios p = ln((phi_3 - phi_2) / (phi_2 - phi_1)) / ln r. U / |phi_1| is the grid convergence
-/// index of the finest size. Results at more sizes than three tell whether all is monotone, and widen the
+/// index of the finest size. Results at more sizes than three show whether all is monotone, and widen the
 /// spread. Differences within round-off count as none; the limit of constant results is their value, U = max
 /// - min.
 ///

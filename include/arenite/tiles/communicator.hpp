@@ -28,7 +28,7 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 /// Bytes for tiles, or from them, by their numbers.
 using Messages = std::map<int, std::string>;
 
-/// What the tiles of one rank have in common: each is stepped by a thread of its own.
+/// The data that the tiles of one rank share; each tile is stepped by its own thread.
 class TilesOfRank {
  public:
   /// `rank_of`: [tiles of the whole] their ranks; `migrated`: bytes so far.
@@ -159,8 +159,8 @@ class TilesOfRank {
     const std::string told = joined_text({"tile ", number_[tile], " failed: ", what});
     if (meeting_.fail(told)) ranks_->fail(told);
   }
-  /// After a failure, once the threads of all tiles have ended: what was on its way is dropped. Other ranks may wait for ever for what this
-  /// one has not sent, so that among several all go on failing.
+  /// After a failure, once the threads of all tiles have ended: messages in transit are dropped. Other ranks may wait forever for those
+  /// that this one has not sent, so that with several ranks all remain failed.
   void begin_again() {
     if (ranks_->size() > 1) return;
     meeting_.begin_again();
@@ -267,7 +267,7 @@ class TilesOfRank {
   }
 };
 
-/// Where a tile is: what the copies of its communicator look at, so that it may change.
+/// The place of a tile: all copies of its communicator refer to it, so that it may change.
 struct TileSeat {
   TilesOfRank* all = nullptr;
   std::size_t tile = 0;  ///< among those of the rank

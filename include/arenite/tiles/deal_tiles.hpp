@@ -20,7 +20,7 @@ inline std::vector<int> deal_tiles(int tiles, int ranks) {
   return rank;
 }
 
-/// What the heaviest of some ranks has, over the mean. `rank_of`, `weight`: [tiles].
+/// The largest load of a rank over the mean load. `rank_of`, `weight`: [tiles].
 inline double imbalance(const std::vector<int>& rank_of, const std::vector<double>& weight, int ranks) {
   std::vector<double> load(static_cast<std::size_t>(ranks));
   for (std::size_t t = 0; t < weight.size(); ++t) load[static_cast<std::size_t>(rank_of[t])] += weight[t];

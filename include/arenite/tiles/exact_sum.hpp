@@ -57,7 +57,7 @@ class ExactSum {
     std::size_t first = top;
     while (first > 0 && digits[first] == 0) --first;
     if (digits[first] == 0) return 0;
-    // The 64 leading bits; the last one also tells whether any below it is set, so that rounding happens once.
+    // The 64 leading bits; the last one is also set if any below it is (a sticky bit): rounding happens once.
     const int unused = std::countl_zero(static_cast<std::uint64_t>(digits[first]));  // 32 or more, of 64
     std::uint64_t leading = static_cast<std::uint64_t>(digits[first]) << unused;
     int filled = 64 - unused;

@@ -1,4 +1,4 @@
-// Meeting: where the threads of the tiles of a rank wait for each other.
+// Meeting: a barrier for the threads of the tiles of a rank.
 #pragma once
 // SPDX-License-Identifier: BSD-3-Clause
 
@@ -13,13 +13,13 @@
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
-/// A number of threads that meet again and again. Once one has failed, all who wait, and all who come, throw
-/// `run_error`, until it begins again.
+/// A reusable barrier. After a failure every waiting and arriving thread throws `run_error`, until
+/// `begin_again`.
 class Meeting {
  public:
   explicit Meeting(std::size_t count) : count_{count} {}
 
-  /// Returns when all have come; the last one has then called its `f()`, while the others waited.
+  /// Returns when all have arrived; the last one has then called its `f()`, while the others waited.
   template <class F>
   void meet(F&& f) {
     throw_failure();
@@ -70,7 +70,7 @@ class Meeting {
   std::atomic<std::size_t> here_{0};
   std::atomic<std::uint32_t> round_{0};
   std::atomic<bool> failed_{false};
-  std::mutex mutex_{};     // of the sentence
+  std::mutex mutex_{};     // of `failure_`
   std::string failure_{};  // why all throw
 };
 

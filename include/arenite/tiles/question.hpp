@@ -1,4 +1,4 @@
-// Question: what all ranks ask at once, compared before it is done, so that ranks that were told different things say so.
+// Question: a request of all ranks, compared before it is carried out, so that ranks with different arguments report it.
 #pragma once
 // SPDX-License-Identifier: BSD-3-Clause
 
@@ -18,7 +18,7 @@
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
-/// What a rank asks for, and what it was given for it: names with values as text.
+/// The request of a rank, and its arguments: names with values as text.
 struct Question {
   std::string asks{};
   std::vector<std::pair<std::string, std::string>> given{};
@@ -46,7 +46,7 @@ struct Question {
     return with(std::move(name), joined_text({items.size(), " entries with hash ", hash.digits()}));
   }
 
-  /// As bytes, and back: each word behind its length.
+  /// As bytes, and back: each word after its length.
   std::string packed() const {
     std::string bytes;
     const auto add = [&](const std::string& word) {
@@ -81,8 +81,8 @@ struct Question {
   bool operator==(const Question&) const = default;
 };
 
-/// Throws `error`, which names the first rank whose question is not that of rank 0, and where they differ. `of_ranks`: `packed`, one behind
-/// the other.
+/// Throws `error`, which names the first rank whose question is not that of rank 0, and where they differ. `of_ranks`: `packed` of all,
+/// one after the other.
 [[noreturn]] inline void refuse_different(std::string_view of_ranks) {
   const Question first = Question::unpacked(of_ranks);
   Question other = Question::unpacked(of_ranks);

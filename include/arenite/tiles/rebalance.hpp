@@ -56,7 +56,7 @@ inline StateCopy unpacked(std::string& bytes) {
 
 }  // namespace detail
 
-/// What `rebalance` has done: tiles that moved, and the points of the fullest rank over the mean, before and after.
+/// The result of `rebalance`: tiles that moved, and the points of the fullest rank over the mean, before and after.
 struct Rebalanced {
   int moved = 0;
   double before = 1, after = 1;
@@ -131,7 +131,7 @@ Rebalanced rebalance(Tiled<S>& tiled, Make&& make, double most = 1.05) {
       [](S& scene, StateCopy&& state) { restore_state(scene, std::move(state)); });
 }
 
-/// What `rebalancing` makes.
+/// The result of `rebalancing`.
 template <class Make>
 struct Rebalancing {
   Make make;

@@ -21,8 +21,8 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 template <class S, class Make, class... Observers>
 class RunOfTiles {
  public:
-  /// `observers`: each tile has its own copies. They go with it to another rank: those with a `visit_state` keep what they had, as from a
-  /// saved state; others begin anew where it comes to.
+  /// `observers`: each tile has its own copies. They go with it to another rank: those with a `visit_state` keep their state, as from a
+  /// saved one; others start again on the new rank.
   RunOfTiles(Tiled<S>& tiled, const RunOptions& options, Rebalancing<Make> with, Observers... observers)
       : tiled_{tiled},
         options_{options},
@@ -44,7 +44,7 @@ class RunOfTiles {
   void begin() {
     tiled_.together([this](S& scene) { of(scene).begin(scene); });
   }
-  /// At most so many steps; fewer at the end, where one reaches a time, s, and where tiles move after it.
+  /// Makes at most `steps` steps; fewer at the end, at the time `until`, s, and where tiles move.
   void advance(int steps, double until = std::numeric_limits<double>::infinity()) {
     const auto since = static_cast<int>(tiled_.steps() - steps_);
     const int most = std::min(steps, with_.options.every - since);
@@ -59,7 +59,7 @@ class RunOfTiles {
     const SavedTiles saver(folder);
     tiled_.together([&](S& scene) { saver.save(scene, of(scene)); });
   }
-  /// Goes on with what was saved there, of the same tiles and observers on any number of ranks. Throws what `restore_state` does.
+  /// Resumes from what was saved there, of the same tiles and observers on any number of ranks. Throws what `restore_state` does.
   void restore(const SavedState& folder) {
     detail::restore_tiles(tiled_, folder, [this](S& scene) -> Run& { return of(scene); });
     steps_ = tiled_.steps();

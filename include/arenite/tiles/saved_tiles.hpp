@@ -1,4 +1,4 @@
-// Saved tiles: the state of a scene cut into tiles, a file each, from which a run goes on with the same bits on any number of ranks.
+// Saved tiles: the state of a scene cut into tiles, a file each, from which a run resumes with the same bits on any number of ranks.
 #pragma once
 // SPDX-License-Identifier: BSD-3-Clause
 
@@ -16,7 +16,7 @@
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
-/// What stands in FOLDER/tiles.txt: the last save that is complete.
+/// The contents of FOLDER/tiles.txt: the last complete save.
 struct TileList {
   int tiles = 0;         ///< of the whole, -
   std::size_t step = 0;  ///< of the scene when it was saved, -
@@ -129,7 +129,7 @@ void restore_tiles(Tiled<S>& tiled, const SavedState& folder, Carried&&... carri
   } catch (const error& e) {
     refused = e.what();
   }
-  if (tiled.ranks().least(refused.empty() ? 1 : 0) == 0)  // all refuse, and go on as they were
+  if (tiled.ranks().least(refused.empty() ? 1 : 0) == 0)  // all refuse, and remain as they were
     throw error(refused.empty() ? "saved tiles: another rank cannot read the list of them" : refused);
   tiled.together([&](S& scene) {
     AllRestored all;

@@ -30,7 +30,7 @@ struct CellRange {
       if (first[k] >= other.end[k] || other.first[k] >= end[k]) return false;
     return true;
   }
-  /// With so many layers more on all sides.
+  /// With `layers` more layers on all sides, within the grid.
   CellRange grown(Index layers, const std::array<Index, static_cast<std::size_t>(D)>& cells) const {
     CellRange all;
     for (std::size_t k = 0; k < first.size(); ++k) {

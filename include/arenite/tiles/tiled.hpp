@@ -58,7 +58,7 @@ inline Question question_of(const RunOptions& options) {
 }
 }  // namespace detail
 
-/// The tiles of a scene that this rank has (`distribute` makes them). They are stepped at once, each by a thread of its own.
+/// The tiles of a scene that this rank has (`distribute` makes them). They are stepped at once, each by its own thread.
 template <class S>
 class Tiled {
  public:
@@ -90,7 +90,7 @@ class Tiled {
   }
 
   /// Calls `f(scene)` for all tiles at once, for the first one on the caller's thread; what it asks of the communicator all tiles of all ranks must ask. If one throws, all
-  /// do, on all ranks; here the first exception goes on. Then one rank can be asked again, several cannot.
+  /// do, on all ranks; the first one here is rethrown. Then a single rank can be used again, several cannot.
   template <class F>
   void together(F&& f) {
     std::exception_ptr first;
@@ -147,7 +147,7 @@ class Tiled {
     return of_all([&](const S& scene) { return scene.communicator().least(static_cast<double>(of(scene))); });
   }
 
-  /// What `f(scene)` gives for the first tile here; all tiles of all ranks call it.
+  /// The result of `f(scene)` for the first tile here; all tiles of all ranks call it.
   template <class F>
   auto of_all(F&& f) {
     std::optional<std::invoke_result_t<F&, S&>> found;
@@ -177,7 +177,7 @@ class Tiled {
     return counts;
   }
 
-  /// Gives the points of all tiles ids of their own, tile by tile; those that are inserted later get others.
+  /// Gives the points of all tiles unique ids, tile by tile; those that are inserted later get others.
   void number_points() {
     const auto counts = count_points();
     const S& any = first();
@@ -244,7 +244,7 @@ class TileMaker {
   using All = Tiled<S>;
 
  public:
-  /// `part(t)`: mesh and portion of a tile; `copies`: see `make_halo`. Both are kept, and what they look at.
+  /// `part(t)`: mesh and portion of a tile; `copies`: see `make_halo`. Both are kept, with their data.
   template <class Part, class Copies, class Make>
   static All make_all(Ranks& ranks, int tiles, Part&& part, Copies&& copies, Make& make) {
     static_assert(S::is_portion,
@@ -265,7 +265,7 @@ class TileMaker {
   static void take(All& all, Ranks& ranks, std::vector<int> rank_of, Make& make) {
     std::vector<typename All::Tile> tiles;
     std::map<std::size_t, typename All::Part> parts;
-    // What tiles have seen together, and are to ask for together: that of one is that of all.
+    // Checks that all tiles have made together, and those still to be made: the same in all tiles.
     std::optional<std::pair<StepCheck, std::vector<GroundAtRest>>> known;
     if (all.all_) known.emplace(all.first().step_check, all.first().at_rest);
     for (int t = 0; t < static_cast<int>(rank_of.size()); ++t) {

@@ -6,9 +6,9 @@
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
-/// Affine particle-in-cell (Jiang et al. 2015, doi:10.1145/2766996): a point takes B = sum w v_i (x_i -
-/// x_p)^T, carries C = B D^-1, D = sum w (x_i - x_p)(x_i - x_p)^T, and hands back w (v_p + C (x_i - x_p)).
-/// Keeps angular momentum to round-off where D is the same everywhere: not in the outermost cells of a grid.
+/// Affine particle-in-cell (Jiang et al. 2015, doi:10.1145/2766996): a point computes B = sum w v_i (x_i -
+/// x_p)^T, carries C = B D^-1, D = sum w (x_i - x_p)(x_i - x_p)^T, and returns w (v_p + C (x_i - x_p)).
+/// Conserves angular momentum to round-off if D is the same everywhere: not in the outermost cells of a grid.
 struct Apic {
   static constexpr bool affine = true;
   static constexpr bool reads_start_state = false;

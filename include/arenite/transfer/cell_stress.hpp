@@ -18,7 +18,7 @@ struct StressSums {
   T volume;                               ///< V, m3
   T closed;                               ///< V of the points that are not open, m3
   T dilation;                             ///< V times dilation, m3; 0 if the points have none
-  T volume_factor = 1;                    ///< volume over which the cell bears its stress, over V, -
+  T volume_factor = 1;                    ///< volume over which the cell carries its stress, over V, -
 };
 
 /// Internal forces of a cell: -(sum V sigma) grad w_i. The columns of the sum as packs, of which a node's
@@ -75,8 +75,8 @@ StressSums<T, D> sum_stresses(const Body<L, T, D, Extra>& body, Index c) {
   return of_cell;
 }
 
-/// `ElementAverage`: gives the points of a filled cell their mean stress, which it bears over its whole
-/// volume; open points bear none. The sums follow.
+/// `ElementAverage`: gives the points of a filled cell their mean stress, which it carries over its whole
+/// volume; open points carry none. Updates the sums accordingly.
 template <class K, class N, class M, class B, class T, int D>
 void average_stress(const N& numerics, const M& mesh, B& body, Index c, StressSums<T, D>& sums) {
   if constexpr (N::AntiLocking::averages_stress) {

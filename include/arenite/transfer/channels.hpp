@@ -37,7 +37,7 @@ struct HoopMean {};
 inline constexpr Stress stress{};       ///< sum V sigma, N m
 inline constexpr Volume volume{};       ///< sum V, m3
 inline constexpr Open open{};           ///< sum V of the points that are open, m3
-inline constexpr Dilation dilation{};   ///< sum V times plastic volumetric strain of the step before, m3
+inline constexpr Dilation dilation{};   ///< sum V times plastic volumetric strain of the previous step, m3
 inline constexpr EdgeMass edge_mass{};  ///< sum m w_i w_j, kg
 inline constexpr HoopMean hoop_mean{};  ///< sum V w_i / r in axisymmetry, m2
 
@@ -75,9 +75,9 @@ struct ChannelList {
   }
 };
 
-/// Lanes of what nodes collect: `Values`, which points hand over times the value w_i of a node's function
-/// (and w_i (x_i - x_p), where they are linear around the point), in the first fours; then `Slopes`, which
-/// they hand over times grad w_i. The rest means nothing.
+/// Lanes of the sums at a node: `Values`, quantities of points times the value w_i of a node's function (and
+/// w_i (x_i - x_p), where they are linear around the point), in the first fours; then `Slopes`, quantities
+/// times grad w_i. The other lanes are padding.
 template <class Values, class Slopes>
 struct NodeLanes {
   static constexpr std::size_t slopes = (Values::size + 3) / 4 * 4,

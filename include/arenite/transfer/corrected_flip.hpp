@@ -1,4 +1,4 @@
-// What XPIC and FMPM share: FLIP with a correction of the nodes' velocities, made by iterations over the points.
+// Common part of XPIC and FMPM: FLIP with a correction of the nodes' velocities by iterations over the points.
 #pragma once
 // SPDX-License-Identifier: BSD-3-Clause
 
@@ -9,7 +9,7 @@
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
-/// With S the interpolation to the points and S+ the lumped mapping to the nodes a step takes
+/// With S the interpolation to the points and S+ the lumped mapping to the nodes a step computes
 ///   v_p = sum w_i (v_i^new + c_i),   c = sum_{l=1}^{order-1} (I - S+ S)^l u
 /// where u = `Start::of(nodes, i)` are velocities of the nodes. Each term but the first is an iteration over the
 /// points (on linear simplices over the cells). Order 1 is PIC.
@@ -17,7 +17,7 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 /// That is the formula of a step: smaller steps damp more. With a time constant the points keep the fraction
 /// k = exp(-dt / time) of what FLIP gives them, so that noise decays in time, whatever the step:
 ///   v_p = k (v_p + sum w_i (v_i^new - v_i^old)) + (1 - k) sum w_i (v_i^new + c_i)
-/// (The authors take a step with, and some without, instead: Nairn and Hammerquist 2021.)
+/// (The authors instead mix steps with and without the correction: Nairn and Hammerquist 2021.)
 template <class Start>
 struct CorrectedFlip {
   static constexpr bool affine = false;

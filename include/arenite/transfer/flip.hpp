@@ -14,8 +14,8 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 /// PIC and FLIP in any blend: v_p = fraction (v_p + sum w (v_i^new - v_i^old)) + (1 - fraction) sum w
 /// v_i^new. FLIP (fraction 1; Brackbill and Ruppel 1986, doi:10.1016/0021-9991(86)90211-1) keeps energy and
 /// noise, PIC (fraction 0; Harlow 1964) damps both, at a rate that grows with the number of steps. With a
-/// time constant the fraction of a step dt is fraction exp(-dt / time), so that what points keep to
-/// themselves decays in time, whatever the step.
+/// time constant the fraction of a step dt is fraction exp(-dt / time), so that what points keep of
+/// their own velocity decays in time, whatever the step.
 struct Flip {
   static constexpr bool affine = false;
   struct FractionRule {
@@ -40,7 +40,7 @@ struct Flip {
     return {.fraction = fraction * std::exp(-dt / time), .time = time};
   }
 
-  /// A point hands over its velocity: momentum_i += m w_i v_p.
+  /// P2G with the point's velocity: momentum_i += m w_i v_p.
   template <class Point>
   auto particle_field(const Point& p) const {
     return VelocityField{p.velocity()};

@@ -6,7 +6,7 @@
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
-/// What FMPM iterates: the new velocities of the nodes.
+/// The vectors that FMPM iterates: the new velocities of the nodes.
 struct FmpmStart {
   static constexpr const char *order_name = "Fmpm.order", *time_name = "Fmpm.time";
   template <class Nodes>
@@ -15,11 +15,11 @@ struct FmpmStart {
   }
 };
 
-/// FMPM of order k (Nairn and Hammerquist 2021, Comput. Methods Appl. Mech. Eng. 377, 113667): points take
-/// the velocities that the momentum of the nodes gives with the full mass matrix M_ij = sum m w_i w_j in
-/// place of the lumped one, of whose inverse the first k terms of the series (I - S+ S)^l are taken.
+/// FMPM of order k (Nairn and Hammerquist 2021, Comput. Methods Appl. Mech. Eng. 377, 113667): points
+/// interpolate the velocities that the momentum of the nodes gives with the full mass matrix M_ij = sum m w_i
+/// w_j in place of the lumped one, its inverse approximated by the first k terms of the series (I - S+ S)^l.
 /// Accelerations are corrected, too. Strains and positions follow the lumped velocities: with the corrected
-/// ones the stable step would fall as 1 / sqrt(k), for they multiply what is light among the nodes by k.
+/// ones the stable step would fall as 1 / sqrt(k), for they multiply the velocities of light nodes by k.
 using Fmpm = CorrectedFlip<FmpmStart>;
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

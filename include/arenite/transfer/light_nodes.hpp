@@ -49,12 +49,12 @@ typename M::scalar mass_around(const M& mesh, const Field& nodes, Index i) {
 
 /// Lists the nodes without mass that points or loads touch, of those that `owns(i)`, in `nodes.massless`.
 ///
-/// A point within round-off of a face leaves the node behind it without mass (`negligible_mass`), though not
-/// without the force of its stress, and its velocity gradient reads that node. Such a node is bound to the
-/// nodes around it: it has the mean of their velocities, weighted by their masses (`follow_neighbours`), and
-/// they take its impulse in the same shares (`hand_forces_on`). So momentum is kept, the work of its force is
-/// theirs, and matter that moves as one is not strained wherever its points are. It is the limit of a light
-/// node's exchange (`LightNodes`) for a mass that falls to nothing.
+/// A point within round-off of a face leaves the node opposite it without mass (`negligible_mass`), though
+/// not without the force of its stress, and its velocity gradient reads that node. Such a node is tied to
+/// the nodes around it: it has the mean of their velocities, weighted by their masses
+/// (`follow_neighbours`), and they get its impulse in the same shares (`hand_forces_on`). So momentum is
+/// conserved, the work of its force is theirs, and rigid translation causes no strain wherever the points
+/// are. It is the limit of a light node's exchange (`LightNodes`) for a mass that falls to nothing.
 template <class Field, class Owns>
 void list_massless(Field& nodes, const Owns& owns) {
   nodes.massless.clear();
@@ -99,16 +99,16 @@ void follow_neighbours(const M& mesh, const Field& nodes, const Velocities& velo
   }
 }
 
-/// A linear function falls to zero at a face with a slope that does not fall. The node behind the face thus
+/// A linear function falls to zero at a face with a slope that does not. The node opposite the face thus
 /// gets the full stress of points close to it, and an arbitrarily small part of their mass: its frequency has
 /// no bound, while the stable step follows the cells. (A quadratic spline's slope falls with it.)
 ///
 /// A node is light if its mass m is below m_e = `least_share` sum m_c (h_c |grad N|)^2, over its cells, with
 /// the mass m_c of their points and their smallest altitude h_c: as `p2g` leaves it in
-/// `NodeSums::reach`; equilateral cells filled evenly give m = 4 m_e (3 in space). A light node goes the
+/// `NodeSums::reach`; equilateral cells filled evenly give m = 4 m_e (3 in space). A light node moves the
 /// share 1 - m / m_e of the way to the mean velocity of its neighbours, weighted by their masses, so that its
 /// own force moves it as if it had the mass m_e. Each neighbour gives what the node gets: linear momentum is
-/// kept to round-off, and the kinetic energy of the relative motion falls. A rotation is damped at light
+/// conserved to round-off, and the kinetic energy of the relative motion falls. A rotation is damped at light
 /// nodes, in proportion to their mass. It is selective mass scaling (Olovsson, Simonsson, Unosson 2005,
 /// doi:10.1002/nme.1293) by an exchange in place of a mass matrix. One thread: few nodes are light.
 template <class T, int D>
@@ -116,8 +116,8 @@ class LightNodes {
  public:
   static constexpr double least_share = least_light_share;
 
-  /// Exchanges momentum at the light nodes of a field that `owns(i)`, all with the velocities of before,
-  /// which change through `to`. Returns how many nodes are light.
+  /// Exchanges momentum at the light nodes of a field that `owns(i)`, all with the velocities before the
+  /// exchange, which change through `to`. Returns how many nodes are light.
   template <class Shape, class M, class Field, class Owns, class To>
   std::size_t redistribute(const M& mesh, const Field& nodes, const Owns& owns, To to) {
     given_.clear();

@@ -8,11 +8,10 @@
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
-/// What the points of a body would hand back of their new velocities, added to `nodes.mapped`: call
-/// `finish_map_back` once all bodies of the field have been through. Linear simplices need no pass over the
-/// points: they take their velocities in `g2p`. Elsewhere the points take them here, and the momentum that they
-/// hand back is added. Positions stay: they move with the strains in `g2p`, so that all weights
-/// of a step are those at its start.
+/// Maps the new velocities of a body's points to the nodes, added to `nodes.mapped`: call `finish_map_back`
+/// after all bodies of the field. Linear simplices need no pass over the points, which get their velocities
+/// in `g2p`. Elsewhere the points get their velocities here, and their momentum is added. Positions stay:
+/// they are updated with the strains in `g2p`, so that all weights of a step are those at its start.
 template <class N, class M, class B, class Field>
 void map_back(const N& numerics, const M& mesh, const Blocks& blocks, B& body, Field& nodes) {
   static_assert(N::maps_back, "map_back: this order of the stress update maps nothing back");
@@ -25,8 +24,8 @@ void map_back(const N& numerics, const M& mesh, const Blocks& blocks, B& body, F
   });
 }
 
-/// Turns what was added into velocity; of a centred field into the mean of what the points hand to the nodes
-/// at the start and at the end of the step (see `add_half_step`).
+/// Turns the sums into velocities; in a centred field into the mean of the velocities that the points map to
+/// the nodes at the start and at the end of the step (see `add_half_step`).
 template <class N, class Field>
 void finish_map_back([[maybe_unused]] const N& numerics, Field& nodes) {
   parallel_chunks(nodes.size(), [&](std::size_t begin, std::size_t end) {

@@ -21,8 +21,8 @@ void start_correction(const N& numerics, Field& nodes) {
   });
 }
 
-/// What the points of a body hand back of the residual, added to `nodes.mapped_residual`: call `finish_residual` once all
-/// bodies of the field have been through.
+/// Maps the residual to the points of a body and back, added to `nodes.mapped_residual`: call
+/// `finish_residual` after all bodies of the field.
 template <class N, class M, class B, class Field>
 void map_residual(const N&, const M& mesh, const Blocks& blocks, const B& body, Field& nodes) {
   blocks.for_each_colored([&](Index c) {
@@ -50,7 +50,7 @@ void finish_residual(const N&, Field& nodes) {
   });
 }
 
-/// Adds the residual, of which constraints have taken their part, to the correction.
+/// Adds the residual, to which constraints have been applied, to the correction.
 template <class Field>
 void add_residual(Field& nodes) {
   parallel_chunks(nodes.size(), [&](std::size_t begin, std::size_t end) {

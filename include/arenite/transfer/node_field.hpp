@@ -24,7 +24,7 @@ NodePack<T, D> node_pack(std::size_t first, const L& lanes) {
   return NodePack<T, D>::load(all.data());
 }
 
-/// Vectors of a cell's nodes as rows of scalars, from which packs of points take them one by one.
+/// Vectors of a cell's nodes as rows of scalars, which packs of points read one by one.
 template <class T, int D, std::size_t Size>
 struct CellVectors {
   static constexpr std::size_t lanes = static_cast<std::size_t>(NodePack<T, D>::width);
@@ -52,7 +52,7 @@ const Rows& value_or(const Nothing&, const Rows& instead) {
   return instead;
 }
 
-/// Sums that points take of the nodes, and sums of other vectors beside.
+/// Sums over the nodes for points, and sums of second vectors.
 template <class Sums, class Value>
 struct TwoSums : Sums {
   Value second;
@@ -145,7 +145,7 @@ struct NodeField {
   NodeVectors<T, D> mass_gradient;  ///< [nodes if Gradient] sum of m grad N, kg/m: points out of the body
   NodeVectors<T, D> correction;     ///< [nodes if Corrected] sum of the residuals, m/s
   NodeVectors<T, D> residual;       ///< [nodes if Corrected] of the last iteration, m/s
-  NodeVectors<T, D> mapped_residual;  ///< [nodes if Corrected] what points hand back of it, kg m/s
+  NodeVectors<T, D> mapped_residual;  ///< [nodes if Corrected] the residual mapped back, kg m/s
   bool centred;  ///< whether what is mapped is the mean over the step (see `add_half_step`)
 
   explicit NodeField(Index nodes, bool is_centred = false)
@@ -174,13 +174,13 @@ struct NodeField {
     });
   }
 
-  /// Velocity from which strains are taken.
+  /// Velocity from which strains are computed.
   const NodeVectors<T, D>& strain_velocity() const {
     if constexpr (Mapped) return mapped;
     return velocity;
   }
-  /// Mean over the step of the velocity of node i, m/s: impulses times it are work. Of the velocity at the
-  /// begin and of that which strains, known once it is mapped back and until something holds it (`after_grid`).
+  /// Mean over the step of the velocity of node i, m/s: impulses times it are work. Of the start velocity
+  /// and the strain velocity, after that is mapped back and before it is constrained (`after_grid`).
   Vec<T, D> mean_velocity(std::size_t i) const {
     if constexpr (Mapped)
       if (centred) return mapped[i];

@@ -16,8 +16,7 @@
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 /// Bytes of the widest register that this translation unit is compiled for. A constant of internal linkage,
-/// used as a template argument: units compiled with other flags make other types and never meet in one
-/// function.
+/// used as a template argument: units compiled with other flags have other types and never share a function.
 constexpr std::size_t native_register_bytes =
 #if defined(__AVX512F__)
     64;
@@ -44,32 +43,32 @@ struct Numerics {
       transfer_type<Transfer_, Shape_>,
       "Numerics: the transfer lacks a member: affine, fits<Shape>, particle_field(point), gather(cell, "
       "nodes), of a class that is not final; see arenite/transfer/transfer.hpp");
-  /// Flip in the place of one that the compiler has refused: one sentence is enough.
+  /// Flip in the place of one that the compiler has refused, as already reported.
   using Transfer = std::conditional_t<transfer_type<Transfer_, Shape_>, Transfer_, Flip>;
   using StressUpdate = StressUpdate_;
   using AntiLocking = AntiLocking_;
   template <class T>
   using StrainAverage = typename detail::StrainAverageOf<AntiLocking, T>::type;
   static constexpr bool averages_strain = !std::same_as<StrainAverage<double>, Nothing>;
-  /// Whether strains are taken from velocities that were mapped back to the nodes.
+  /// Whether strains are computed from velocities that were mapped back to the nodes.
   static constexpr bool maps_back = StressUpdate::maps_back && !returns_unchanged<Transfer, Shape>;
-  /// Whether the points take their velocities where they are mapped back, in a pass before that of the
+  /// Whether the points get their velocities where they are mapped back, in a pass before that of the
   /// strains; linear simplices need no such pass (see `map_back`).
   static constexpr bool maps_back_by_points = maps_back && !Shape::constant_gradient;
   /// Whether points move with the velocities that were mapped back, which strain them, and not with those of the grid
   /// update. Affine transfers keep angular momentum only with the latter.
   static constexpr bool moves_mapped = maps_back_by_points && !Transfer::affine;
-  /// Whether points are strained ahead of the forces, with what they hand over at the start of the step.
+  /// Whether points are strained before the forces, with the node velocities at the start of the step.
   static constexpr bool strains_first = StressUpdate::strains_first;
   static constexpr bool strains_at_middle = requires { StressUpdate::strains_at_middle; };
-  /// How many halves of the square of a step's gradient its strain takes along: see `MidpointStrain`.
+  /// How many halves of the square of a step's gradient its strain includes: see `MidpointStrain`.
   static constexpr int squares = !strains_at_middle ? 0 : strains_first ? 1 : -1;
   /// Whether the velocities for the strains went through the points, which see of a light node as much as it
   /// weighs.
   static constexpr bool strains_by_points =
       maps_back || (strains_first && !returns_unchanged<Transfer, Shape>);
   /// Whether the light nodes at a body's edge exchange momentum with their neighbours (see `LightNodes`).
-  /// Those of MUSL and USF take their strains from what their neighbours move.
+  /// With MUSL and USF their strain velocities follow those of their neighbours.
   static constexpr bool smooths_light_nodes = has_light_nodes<Shape> && !strains_by_points;
   /// Whether the velocities of the nodes are corrected (see `start_correction`).
   static constexpr bool corrects_nodes = names_iterations<Transfer>;
@@ -79,7 +78,7 @@ struct Numerics {
                                             strains_first || corrects_nodes ||
                                             arenite::reads_start_state<Transfer>;
   static constexpr bool needs_edge_mass = (maps_back || corrects_nodes) && Shape::constant_gradient;
-  /// Whether the stresses of bodies with laws L are taken at the middle of the step (see `add_half_step`).
+  /// Whether the stresses of bodies with laws L are those at the middle of the step (see `add_half_step`).
   template <class... L>
   static constexpr bool centres_stress = maps_back&& Shape::constant_gradient && !averages_strain &&
                                          !AntiLocking::averages_stress && (is_linear<L> && ...);
@@ -98,8 +97,8 @@ struct Numerics {
                 ARENITE_SAYS_MUSL_WITHOUT_GRADIENT);
   static_assert(AntiLocking::template fits<Shape>, ARENITE_SAYS_AVERAGES_SHAPE);
 
-  /// Largest step that the composition bears in D dimensions, in cell sizes over the wave speed: where
-  /// `stable_step` is.
+  /// Largest stable step of the composition in D dimensions, in cell sizes over the wave speed: see
+  /// `stable_step`.
   ///
   /// Grid velocities v and displacements u of points that stay in their cells follow, with the lumped mass,
   /// the stiffness K / m and the map S / m of velocities to points and back (symmetric, 0 <= S <= m): USL

@@ -15,7 +15,7 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 /// For each node: sum of w m, w m v (with the affine part), and the internal force -sum V sigma grad N (with
 /// the hoop stress in axisymmetry), as in Sulsky, Chen, Schreyer 1994 (doi:10.1016/0045-7825(94)90112-0). The
 /// field must have been cleared. Of the body, the cell sums are renewed, where there are points, and where
-/// the numerics average stresses, the points of filled cells take the mean. A field without a start state
+/// the numerics average stresses, the points of filled cells get the mean. A field without a start state
 /// collects mass and momentum with the impulse of the force over the step dt, s.
 template <class K, class N, class M, class B, class Field>
 void p2g(const N& numerics, const M& mesh, const Blocks& blocks, B& body, Field& nodes,
@@ -43,7 +43,7 @@ void update_grid(Field& nodes, const Vec<T, D>& gravity, T dt, T mass_floor) {
   parallel_chunks(nodes.size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       const auto& sums = nodes.sums[i];
-      // Round-off may leave less than nothing, of which the velocity is known as well.
+      // Round-off may leave a negative mass, whose velocity is known as well.
       if ((Field::has_start_state ? std::abs(sums.mass()) : sums.mass()) <= mass_floor) {
         nodes.mass[i] = 0;
         if constexpr (Field::has_start_state) nodes.start.set(i, 0);
@@ -68,7 +68,7 @@ void update_grid(Field& nodes, const Vec<T, D>& gravity, T dt, T mass_floor) {
   });
 }
 
-/// The part of the grid update that needs only masses and the momentum that the points hand over.
+/// The part of the grid update that needs only masses and the momentum from P2G.
 template <class Field, class T>
 void start_velocities(Field& nodes, T mass_floor) {
   parallel_chunks(nodes.size(), [&](std::size_t begin, std::size_t end) {

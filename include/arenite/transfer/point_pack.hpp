@@ -9,7 +9,7 @@
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 /// `count` <= `Width` points of one cell, from number `first` on. `Points_`: const where they are only read.
-/// Lanes behind the last point hold 0; their positions repeat a point, so that they are valid.
+/// Lanes after the last point are 0; their positions repeat a point, so that they are valid.
 template <class Points_, int Width>
 struct PointPack {
   using Points = std::remove_const_t<Points_>;
@@ -30,12 +30,12 @@ struct PointPack {
   P stress(std::size_t k) const { return one(points.stress.column(k)); }  ///< one component, Pa
   /// Velocity gradient that the point carries (APIC, TPIC), [D x D] column by column, 1/s.
   auto velocity_gradient() const { return points.velocity_gradient.template load<P>(first, count); }
-  /// Plastic volumetric strain of the step before, -.
+  /// Plastic volumetric strain of the previous step, -.
   P dilation() const {
     if constexpr (Points::has_dilation) return one(points.dilation);
     return P(0);
   }
-  /// Mask of the points that are open and bear no stress.
+  /// Mask of the points that are open and carry no stress.
   template <class L>
   auto is_open(const L& law) const {
     if constexpr (knows_opening<L, T>)

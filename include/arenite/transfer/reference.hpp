@@ -1,5 +1,5 @@
 // The method's loops point by point and node by node, in scalars, without averages: the formulas that the
-// kernels compute in packs. Read them here first; tests hold the kernels to them.
+// kernels compute in packs. Read them here first; tests compare the kernels with them.
 #pragma once
 // SPDX-License-Identifier: BSD-3-Clause
 
@@ -11,7 +11,7 @@
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 namespace reference {
 
-/// What a node collects: mass, kg; momentum, kg m/s; internal force, N; gradient of mass, kg/m.
+/// Sums at a node: mass, kg; momentum, kg m/s; internal force, N; gradient of mass, kg/m.
 template <class T, int D>
 struct NodeSums {
   T mass = 0;
@@ -73,8 +73,8 @@ std::vector<Vec<T, D>> correction(const N& numerics, const M& mesh, const B& bod
   return sum;
 }
 
-/// Sums over the nodes of a cell that a transfer takes at x: of the vectors d_i, of others beside, and with
-/// the moments x_i - x.
+/// Sums over the nodes of a cell for a transfer at x: of the vectors d_i, of its second vectors, and with the
+/// moments x_i - x.
 template <class T, int D>
 struct TakenSums {
   std::array<T, D> value{}, second{};
@@ -82,8 +82,8 @@ struct TakenSums {
   const auto& moments() const { return moment_sums; }
 };
 
-/// Gives point p the velocity (and its gradient) that its transfer takes. Returns the field that it hands
-/// over from then on.
+/// Sets the velocity (and its gradient) of point p by its transfer. Returns the velocity field that the point
+/// passes to P2G from then on.
 template <class N, class Cell, class Points, class Field, class T = typename Cell::T, int D = Cell::D>
 auto gather(const N& numerics, const Cell& cell, Points& points, std::size_t p, const Field& nodes) {
   const CellVectors<T, D, Cell::size> v(cell, nodes.velocity);
@@ -105,7 +105,7 @@ auto gather(const N& numerics, const Cell& cell, Points& points, std::size_t p, 
   return transfer(cell, point, point.position(), sums);
 }
 
-/// MUSL: node velocities as the points would hand them back, sum m w_i v_p(x_i) / m_i with what they take.
+/// MUSL: node velocities mapped back from the points, sum m w_i v_p(x_i) / m_i with their new velocities.
 template <class N, class M, class B, class Field, class T = typename M::scalar, int D = M::dimension>
 std::vector<Vec<T, D>> map_back(const N& numerics, const M& mesh, const B& body, const Field& nodes) {
   std::vector<Vec<T, D>> mapped(nodes.size(), Vec<T, D>::Zero());
@@ -128,7 +128,7 @@ std::vector<Vec<T, D>> map_back(const N& numerics, const M& mesh, const B& body,
   return mapped;
 }
 
-/// G2P: velocities as the transfer takes them, and the strains of the step: those of dt sum u_i (grad w_i)^T with
+/// G2P: velocities by the transfer, and the strains of the step: those of dt sum u_i (grad w_i)^T with
 /// the velocities u_i for the strains. Positions x_p += dt sum w_i v_i, where the numerics move them so dt sum w_i u_i.
 template <class K, class N, class M, class B, class Field, class T = typename M::scalar, int D = M::dimension>
 std::vector<StrainStep<T, D>> g2p(const N& numerics, const M& mesh, B& body, const Field& nodes, T dt) {

@@ -7,7 +7,7 @@
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
-/// Taylor particle-in-cell: a point carries the velocity gradient L and hands back w (v_p + L (x_i - x_p))
+/// Taylor particle-in-cell: a point carries the velocity gradient L and returns w (v_p + L (x_i - x_p))
 /// (Wallstedt and Guilkey 2007, doi:10.1016/j.jcp.2007.08.023, their velocity projection). No inertia tensor
 /// to invert.
 struct Tpic {

@@ -26,8 +26,8 @@ Sym<P, D> with_trace(const Sym<P, D>& strain, const P& wanted) {
 /// the mean stress K A theta is conjugate to theta, for V A is symmetric and positive semidefinite: the
 /// scheme produces no energy. A dilation d is local. In K (A theta - d) it is not in the range of A; the
 /// pressure of a cell then drives an expansion that does not lower it, and the flow rule then adds more
-/// dilation. The dilation of the step before is therefore kept out: the strain is A(theta - d) + d. Matter
-/// that has separated is not averaged: a cell that holds an open point keeps its own strain and gives none to
+/// dilation. The dilation of the previous step is therefore kept out: the strain is A(theta - d) + d. Matter
+/// that has separated is not averaged: a cell with an open point keeps its own strain and gives none to
 /// its neighbours.
 template <class T>
 struct VolumetricAverage {

@@ -6,7 +6,7 @@
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
-/// What XPIC iterates: the velocities that the points handed over.
+/// The vectors that XPIC iterates: the node velocities at the start of the step, from P2G.
 struct XpicStart {
   static constexpr const char *order_name = "Xpic.order", *time_name = "Xpic.time";
   template <class Nodes>
@@ -16,8 +16,8 @@ struct XpicStart {
 };
 
 /// Extended particle-in-cell of order m (Hammerquist and Nairn 2017, Comput. Methods Appl. Mech. Eng. 318,
-/// 724-738): FLIP, of which the noise that the nodes do not see is damped, and the higher the order the less
-/// of anything else. Accelerations come as FLIP's.
+/// 724-738): FLIP with damping of the noise that the nodes do not see; the higher the order, the weaker the
+/// damping of anything else. Accelerations are those of FLIP.
 ///
 ///   v_p = v_p + sum w_i (v_i^new - v_i^old) - (I - S S+)^m v_p
 using Xpic = CorrectedFlip<XpicStart>;

@@ -1,4 +1,4 @@
-// Friction chosen at run time: one type for all of the library's policies, so that what is compiled with it
+// Friction chosen at run time: one type for all of the library's policies, so that code compiled with it
 // serves them all.
 #pragma once
 // SPDX-License-Identifier: BSD-3-Clause
@@ -9,12 +9,12 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 /// One of `Frictions` (policies.hpp), the same for all points: `AnyFriction{LinearRateFriction{..}}`.
 /// Stresses, rates, openings and dilations have the bits of a law with that policy itself where the scalar is
-/// double, but for products that the compiler fuses in one of them alone (FMA at -O3; seen in `yield` of
+/// double, except for products that the compiler fuses in only one of them (FMA at -O3; seen in `yield` of
 /// scalars). In float the constants of its dilatancy are computed in float, too, and differ by round-off.
 ///
 /// In Mohr-Coulomb a point-step takes 0.2 to 0.9 ns more where all is elastic and 0.6 to 1.6 ns where 60 %
-/// yield (packs of eight, AVX-512). A drop with `LinearRateFriction`, which is the cheapest, takes 1.06 to 1.08
-/// of the time (packs of two): much of it for the two numbers of the history.
+/// yield (packs of eight, AVX-512). A drop with `LinearRateFriction`, which is the cheapest, takes 1.06 to
+/// 1.08 of the time (packs of two): much of it for the two numbers of the history.
 ///
 /// The history is that of all of them: `shear_rate`, which stays 0 if the policy does not read it, and
 /// `plastic_strain`, which is kept up for all.

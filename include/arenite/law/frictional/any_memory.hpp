@@ -6,8 +6,8 @@
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
-/// One of `Memories` (policies.hpp), the same for all points: `AnyMemory{RemembersOpening{}}`; none: forgets. A
-/// law with it has the bits of one with that policy itself. The history has `opening`, which stays 0 if the
+/// One of `Memories` (policies.hpp), the same for all points: `AnyMemory{RemembersOpening{}}`; none: forgets.
+/// A law with it has the bits of one with that policy itself. The history has `opening`, which stays 0 if the
 /// policy forgets.
 class AnyMemory : public detail::AnyPolicy<Memories> {
  public:
@@ -27,7 +27,7 @@ class AnyMemory : public detail::AnyPolicy<Memories> {
   void open(const T& opening, History<T>& history) const {
     visit([&](const auto& p) { p.open(opening, own<T>(p, history)); });
   }
-  /// Whether matter is open, and so bears no stress.
+  /// Whether matter is open, and so carries no stress.
   template <class T>
   auto is_open(const History<T>& history) const {
     using mask_of = decltype(std::declval<T>() > std::declval<T>());

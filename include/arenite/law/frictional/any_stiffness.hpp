@@ -6,9 +6,9 @@
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
-/// One of `Stiffnesses` (policies.hpp), the same for all points: `AnyStiffness{PressureStiffness{}}`; none: the
-/// moduli of the law's parameters. A law with it has the bits of one with that policy itself. It shares the
-/// history of `AnyFriction` or `RateSofteningFriction`; the stable step follows the state of the points.
+/// One of `Stiffnesses` (policies.hpp), the same for all points: `AnyStiffness{PressureStiffness{}}`; none:
+/// the moduli of the law's parameters. A law with it has the bits of one with that policy itself. It shares
+/// the history of `AnyFriction` or `RateSofteningFriction`; the stable step follows the state of the points.
 class AnyStiffness : public detail::AnyPolicy<Stiffnesses> {
  public:
   static constexpr bool reads_friction_history = true;

@@ -20,8 +20,8 @@ struct GivenAngles {
   double slope, dilatancy_slope;  ///< their tangents
 };
 
-/// History of a policy that depends on the plastic strain, or a base of it: the law sums it, from the strains
-/// that `flow` is told.
+/// History of a policy that depends on the plastic strain, or a base of it: the law sums the strains that
+/// `flow` would receive.
 template <class T>
 struct PlasticStrainHistory {
   T plastic_strain{0};  ///< deviatoric, sum of sqrt(2/3 de:de), -
@@ -32,7 +32,7 @@ struct PlasticStrainHistory {
 
 /// The angle of the law's parameters, everywhere and always. Stores nothing.
 ///
-/// Another policy has a `History<T>` of its own (see law.hpp) and one of
+/// Another policy has its own `History<T>` (see law.hpp) and one of
 ///
 ///   template <class T, int D>
 ///   T slope(double given, const StrainStep<T, D>& step, History<T>& history) const;
@@ -40,30 +40,30 @@ struct PlasticStrainHistory {
 ///   T slope(const GivenAngles& given, const StrainStep<T, D>& step, const Sym<T, D>& trial,
 ///           History<T>& history) const;
 ///
-/// tan(phi) of a step, >= 0; `given` is that of the law's parameters, `step` what the matter feels of the
-/// step, `trial` the elastic trial stress, Pa. The law then computes its yield surface anew for each point,
-/// with slopes up to tan(1.55). What a policy says of a point may depend only on that point, not on the
-/// others of its pack: a `select` for a branch.
+/// tan(phi) of a step, >= 0; `given` is that of the law's parameters, `step` the part of the step that the
+/// matter feels, `trial` the elastic trial stress, Pa. The law then computes a yield surface for each point,
+/// with slopes up to tan(1.55). The result for a point may depend only on that point, not on the others of
+/// its pack: a `select` for a branch.
 ///
 /// Optional members of a policy:
 ///
 /// - `void follow(const StrainStep<T, D>& step, History<T>& history) const`: called once in each step, before
 ///   all else: what the history keeps of each step, such as a smoothed rate.
 /// - `double least_slope(const GivenAngles& given) const`: a lower bound of the slope. Where all points of a
-///   pack lie within its cone, and with cohesion within that of tan(1.55) too, `slope` is not asked for: it
-///   takes a `const History<T>&`, and what changes in each step belongs into `follow`. Worth it for slopes
-///   that cost more than a few operations. Not a number: no bound, and `slope` is asked for in each step.
+///   pack lie within its cone, and with cohesion within that of tan(1.55) too, `slope` is not called: it
+///   takes a `const History<T>&`, and changes in each step belong in `follow`. Worth it for slopes
+///   that cost more than a few operations. Not a number: no bound, and `slope` is called in each step.
 /// - `bool implicit() const`: whether the slope is that of the mean stress at the end of the step, which
 ///   dilatancy and a cut-off change in the return. It must not rise with the pressure, nor with tension. The
-///   law then asks `slope`, with a `const History<T>&`, for the stresses of returns too, until that of the
+///   law then calls `slope`, with a `const History<T>&`, for the stresses of returns too, until that of the
 ///   surface and that of the stress on it agree; `least_slope` bounds the search.
 /// - `T dilatancy_slope(const GivenAngles& given, const History<T>& history) const`: tan(psi) of the point,
-///   >= 0; asked after `slope`, and never more than its answer: plastic flow would else produce energy. A
+///   >= 0; called after `slope`, and never more than its result: plastic flow would else produce energy. A
 ///   policy without it has the dilatancy of the law's parameters, and must keep its slope above it.
-/// - `bool own_dilatancy() const`: whether `dilatancy_slope` is to be asked, where constants decide on it.
-/// - `void flow(const T& strain, History<T>& history) const`: is told the deviatoric plastic strain of each
-///   step, sqrt(2/3 e:e), -; 0 where nothing yields. What hardens or softens with it does so from the next
-///   step on. A history that is a `PlasticStrainHistory` needs none.
+/// - `bool own_dilatancy() const`: whether `dilatancy_slope` is to be called, where constants decide on it.
+/// - `void flow(const T& strain, History<T>& history) const`: receives the deviatoric plastic strain of each
+///   step, sqrt(2/3 e:e), -; 0 where nothing yields. Hardening or softening with it starts in the next step.
+///   A history that is a `PlasticStrainHistory` needs none.
 /// - `bool constant() const`: whether its constants make it the same as `ConstantFriction` (a rate term of
 ///   0). The law then returns to its one surface, with the same results to the bit; the history is kept up.
 /// - `void check(const GivenAngles& given) const`: throws `error` if its constants do not go with the law's.
@@ -84,7 +84,7 @@ namespace detail {
 /// float it is here 3e-5 of the trial stress.
 inline constexpr double greatest_friction = 1.55;
 
-/// `least_slope` of a policy whose constants give it none: no comparison with it holds.
+/// `least_slope` of a policy whose constants give it none: all comparisons with it are false.
 inline constexpr double no_least_slope = std::numeric_limits<double>::quiet_NaN();
 
 /// Whether a policy by point gives the law's own angle everywhere.

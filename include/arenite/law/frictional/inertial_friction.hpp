@@ -14,8 +14,8 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 /// parameters and rise = mu_2 - mu_s. Jop, Forterre & Pouliquen (2006), A constitutive law for dense granular
 /// flows, Nature 441, 727-730.
 ///
-/// p is the mean stress of the end of the step, pressure positive: that of the begin would lag behind, and
-/// would be 0 where matter is met for the first time. Without dilatancy plastic flow leaves the mean stress
+/// p is the mean stress of the end of the step, pressure positive: that of the start would lag, and
+/// would be 0 at the first contact of matter. Without dilatancy plastic flow leaves the mean stress
 /// of the elastic trial state. With it, and with a cut-off, the return raises the pressure and mu falls; the
 /// two are found together by secants between bounds (fixed_point.hpp), each point on its own, until mu of the
 /// surface and mu(I) of the pressure differ by at most 128 units in the last place of 1 + mu. With cohesion

@@ -11,7 +11,7 @@
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 /// phi = phi_r + (phi_p(rate) - phi_r) exp(-eta eps_p), phi_p(rate) = phi_p (1 + a log10(rate / reference)),
-/// and the dilatancy alike with a factor of its own; peak values phi_p and psi_p of the law's parameters.
+/// and the dilatancy alike with its own factor; peak values phi_p and psi_p of the law's parameters.
 /// Below the reference rate the factors are 1. Zambrano-Cruzatty & Yerro (2020), Soils and Foundations 60,
 /// 668-682, and their code for users of Anura3D and Abaqus. Softening: see `SofteningFriction`.
 class RateSofteningFriction {

@@ -13,7 +13,7 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 /// `PressureStiffness`; G_p of the law's parameters. Below the reference rate the factor is 1. Rate and
 /// plastic strain are those of the step before, which the friction policy keeps: `RateSofteningFriction`,
 /// perhaps with factors of 0. Poisson's ratio stays, so that the bulk modulus follows G; the code of
-/// Zambrano-Cruzatty & Yerro (2020) gives it a factor of its own (0.155).
+/// Zambrano-Cruzatty & Yerro (2020) gives it its own factor (0.155).
 ///
 /// Hypoelastic: sheared by tau while the factor is f_1 and back while it is f_2, the matter takes
 /// tau^2 / (2 G_p) (1/f_1 - 1/f_2): it gives energy where the way out was the faster one. The elastic energy

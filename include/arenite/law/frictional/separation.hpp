@@ -45,8 +45,8 @@ class RemembersOpening {
   };
 
   struct Parameters {
-    /// Greatest opening that is remembered, a volumetric strain, -, positive. Without a limit grains that flew apart
-    /// and meet again as a new heap would bear no stress until the whole opening is closed.
+    /// Greatest opening that is remembered, a volumetric strain, -, positive. Without a limit grains that
+    /// flew apart and touch again as a new heap would carry no stress until the whole opening is closed.
     double limit = 1.0;
   };
 
@@ -57,7 +57,7 @@ class RemembersOpening {
 
   double limit() const { return limit_; }
 
-  /// Whether matter is open, and so bears no stress.
+  /// Whether matter is open, and so carries no stress.
   template <class T>
   auto is_open(const History<T>& history) const {
     return history.opening > T(0);

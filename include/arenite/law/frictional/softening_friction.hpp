@@ -23,7 +23,7 @@ struct SofteningParameters {
 
 namespace detail {
 
-/// What policies with softening share: checked constants, and the share of the peak that is left.
+/// Common part of policies with softening: checked constants, and the share of the peak that is left.
 class Softening {
  public:
   Softening(std::string_view policy, const SofteningParameters& p) : policy_(policy), parameters_(p) {
@@ -86,10 +86,10 @@ class Softening {
 /// step has the angles of what was sheared before it. With psi_r = 0 the matter ends at its critical state,
 /// at constant volume; all it dilates is finite.
 ///
-/// Softening localises in bands of one cell's width, so that the energy that a band takes would fall with
-/// the cells. Regularised, eta = decay * cell_size / reference_size: a band of a cell's width h softens over
-/// a shear of 1/eta, a displacement h/eta that the cells' size then leaves alone (crack band; Bazant & Oh
-/// 1983, Materiaux et Constructions 16, 155-177). It holds where softening localises, and where cells are of
+/// Softening localises in bands of one cell's width, so that the energy that a band dissipates would fall
+/// with the cells. Regularised, eta = decay * cell_size / reference_size: a band of a cell's width h softens
+/// over a shear of 1/eta, a displacement h/eta that then does not depend on h (crack band; Bazant & Oh 1983,
+/// Materiaux et Constructions 16, 155-177). This is valid where softening localises, and where cells are of
 /// one size; it is not meant for cells that are far larger than what is sheared at once.
 class SofteningFriction {
  public:

@@ -135,7 +135,7 @@ class ElasticPart {
   }
 
  private:
-  /// What the stiffness keeps in the history of the law.
+  /// The stiffness's part of the law's history.
   template <class T, class History>
   static decltype(auto) kept([[maybe_unused]] const History& history) {
     using Kept = typename Stiffness::template History<T>;

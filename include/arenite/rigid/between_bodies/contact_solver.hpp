@@ -14,7 +14,7 @@
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
-/// One contact of two bodies for the solver, in axes of its own: the normal first, out of the second body,
+/// One contact of two bodies for the solver, in its own axes: the normal first, out of the second body,
 /// then the tangents. Its velocity is that of the first body against the second, w = W_1 u_1 - W_2 u_2.
 template <int D>
 struct ContactConstraint {
@@ -80,10 +80,11 @@ class ContactSolver {
  private:
   static constexpr std::size_t most_rows = 200;
 
-  /// An impulse far above what stops the heaviest body, N s. Contacts that hold each other, as a wedge with
-  /// friction does, have none of their own: any multiple would do, and with great ones only round-off is left.
+  /// Bound on impulses, far above what stops the heaviest body, N s. Impulses of contacts that lock each
+  /// other, as a wedge with friction does, are not unique: any multiple is a solution, and great ones leave
+  /// only round-off.
   static double greatest_impulse(const Rows& rows, double scale) {
-    double least = std::numeric_limits<double>::infinity();  // m/s per N s, of a body alone
+    double least = std::numeric_limits<double>::infinity();  // m/s per N s, of one body
     for (const auto& row : rows)
       for (int i = 0; i < 2; ++i) {
         const double of_body = row.to[i].row(0).dot(row.by[i].col(0));

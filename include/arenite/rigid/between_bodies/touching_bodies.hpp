@@ -18,7 +18,7 @@
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
-/// Two rigid bodies by name (or number, as a word) with a friction of their own; without one they do not
+/// Two rigid bodies by name (or number, as a word) with their own friction; without one they do not
 /// touch each other.
 struct RigidPair {
   std::string first, second;
@@ -36,8 +36,8 @@ class TouchingBodies {
   std::vector<RigidTouch<D>> touches{};                 ///< of the last step
   double deepest = 0;                                   ///< overlap since the start, m
 
-  /// Walls come last among the bodies. One holds bodies with a mass, but, if it is smooth, none that crosses it at the start: it is a plane
-  /// of symmetry then.
+  /// Walls come last among the bodies. A wall stops bodies with a mass, but a smooth one none that crosses it
+  /// at the start: it is a plane of symmetry then.
   void set_pairs(const Friction& of_all, const std::optional<Friction>& of_walls,
                  const std::vector<RigidPair>& exceptions) {
     using Kind = typename TouchingBody<D>::Kind;
@@ -109,7 +109,7 @@ class TouchingBodies {
     }
     return true;
   }
-  /// Finds the impulses, as far as the bodies answer to them with their mobilities.
+  /// Finds the impulses for the bodies' mobilities.
   void solve(double dt) {
     expected_.resize(bodies.size());
     for (std::size_t k = 0; k < bodies.size(); ++k) expected_[k] = bodies[k].twist;

@@ -17,7 +17,7 @@
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET::detail {
 
-/// What a scene is told of points of body `matter` inside of rigid body `rigid`.
+/// Warns of `inside` of the `all` points of body `matter`, which lie inside of rigid body `rigid`.
 inline void warn_matter_inside(const std::string& rigid, const std::string& matter, double inside, double all,
                                const char* cure) {
   warn(joined_text({"rigid body ", rigid, ": ", static_cast<std::size_t>(inside), " of the ",

@@ -1,4 +1,4 @@
-// A rigid body that passes a wall of the mesh, which holds the matter alone, or leaves the mesh: what `run` tells.
+// Messages for `run` on a rigid body that passes a wall, which stops only matter, or leaves the mesh.
 #pragma once
 // SPDX-License-Identifier: BSD-3-Clause
 
@@ -11,12 +11,12 @@
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET::detail {
 
-/// At the start: a side that the body crosses there is a plane of symmetry, or has it stand out on purpose, and a body outside of the
-/// mesh has not left it.
+/// State at the start: a side that the body crosses then is a plane of symmetry, or the body extends beyond
+/// it on purpose, and a body outside of the mesh has not left it.
 template <int D>
 WatchedRigid first_look(const AnyDistance& distance, const Pose<D>& pose, const MeshSides<D>& mesh);
 
-/// What there is to say of the body now; empty: nothing. Each is said once.
+/// Message on the body's present pose; empty if there is none. Each message is given once.
 template <int D>
 std::string look_at_walls(WatchedRigid& body, const AnyDistance& distance, const Pose<D>& pose,
                           const MeshSides<D>& mesh);

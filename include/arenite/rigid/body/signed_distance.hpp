@@ -1,5 +1,5 @@
-// Signed distance of any type, as one value: what a scene keeps of a `DistanceSurface`, so that its own type
-// does not depend on the body's shape.
+// Signed distance of any type, as one value: the part of a `DistanceSurface` that a scene stores, so that its
+// own type does not depend on the body's shape.
 #pragma once
 // SPDX-License-Identifier: BSD-3-Clause
 
@@ -77,7 +77,7 @@ class AnyDistance {
   Position lower_{-infinite, -infinite, -infinite}, upper_{infinite, infinite, infinite};
 };
 
-/// What is said of a distance that is no number.
+/// Message on a distance that is not a number, or not finite near the body.
 inline std::string refused_distance(const AnyDistance::Position& x, double distance) {
   return joined_text({"DistanceSurface.distance at (", x[0], ", ", x[1], ", ", x[2],
                       ") m of the body's frame = ", distance,

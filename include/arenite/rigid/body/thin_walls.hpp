@@ -1,5 +1,5 @@
-// Thin walls of a rigid body, found when a scene is made: where contact at nodes cannot tell one side of a
-// wall from the other, matter passes through.
+// Thin walls of a rigid body, found when a scene is made: where contact at nodes cannot distinguish the
+// sides of a wall, matter passes through.
 #pragma once
 // SPDX-License-Identifier: BSD-3-Clause
 
@@ -23,30 +23,30 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET::detail {
 
 /// A wall of a rigid body: two opposed faces.
 struct ThinWall {
-  double thickness, safe, cell;           ///< m; contact holds it from `safe` on; size of the cells there
+  double thickness, safe, cell;           ///< m; least thickness that stops matter; size of the cells there
   AnyDistance::Position face{}, other{};  ///< places on its faces, m
 };
 
-/// Where to look for walls, beside a body.
+/// Places beside a body from which walls are searched for.
 struct WallPlaces {
   MeshPlaces close;
   std::vector<AnyDistance::Position> apart{};  ///< how far nodes are apart there, along each axis, m
 };
 
-/// Walks to the surface of a body and on through it, against the normal. Behind each face a row of nodes must
-/// be touched that are nearer to it than to the other one, or nothing holds matter there: thickness / 2 +
-/// reach may not be less than what nodes are apart across the wall.
+/// Walks to the surface of a body and on through it, against the normal. Inside each face a row of nodes must
+/// be touched that are nearer to it than to the other one, or nothing stops matter there: thickness / 2 +
+/// reach may not be less than the spacing of nodes across the wall.
 class WallProbe {
  public:
   using Position = AnyDistance::Position;
 
-  /// In a scene of so many dimensions, of a body with this reach, in sizes of a cell.
+  /// For a scene of `dimension` dimensions and a body with this reach, in sizes of a cell.
   WallProbe(const AnyDistance& distance, int dimension, double reach)
       : distance_{&distance}, dimension_{static_cast<std::size_t>(dimension)}, reach_{reach} {}
 
-  /// The wall behind the face nearest to x, which lies at the distance d outside, in cells of this size, m.
+  /// The wall inside the face nearest to x, which lies at the distance d outside, in cells of this size, m.
   /// None where the body is thick, or where its faces are not opposed (within 18 deg): those of a wedge or a
-  /// cone meet in a tip, which is no wall.
+  /// cone join in a tip, which is no wall.
   std::optional<ThinWall> behind(const Position& x, double d, double cell, const Position& apart) const {
     const auto out = normal(x, cell);
     const Position face = moved(x, out, -d);
@@ -97,7 +97,7 @@ class WallProbe {
   double reach_;
 };
 
-/// The thinnest wall of those that contact does not hold, if two or more are seen from the places, on faces
+/// The thinnest of the walls that do not stop matter, if two or more are found from the places, on faces
 /// within the box of the mesh. Walks from at most 500 places.
 inline std::optional<ThinWall> thinnest_wall(const AnyDistance& distance, const WallPlaces& look,
                                              int dimension, double reach) {
@@ -119,8 +119,8 @@ inline std::optional<ThinWall> thinnest_wall(const AnyDistance& distance, const 
   return seen < 2 ? std::nullopt : thinnest;
 }
 
-/// Warns of walls of a rigid body, called `rigid`, that are thinner than contact at nodes holds with its
-/// reach (docs/components_contact.md#thin-walls). Looks from at most 4,000 places.
+/// Warns of walls of a rigid body, called `rigid`, that are too thin to stop matter by contact at nodes with
+/// its reach (docs/components_contact.md#thin-walls). Searches from at most 4,000 places.
 template <class Scene>
 void warn_thin_walls(const Scene& scene, const AnyDistance& distance, double reach,
                      const std::string& rigid) {

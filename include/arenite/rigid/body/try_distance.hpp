@@ -1,4 +1,4 @@
-// Trial of a signed distance when a scene is made: at a bounded number of places, for what a user gets wrong.
+// Trial of a signed distance when a scene is made: at a bounded number of places, to find users' errors.
 #pragma once
 // SPDX-License-Identifier: BSD-3-Clause
 
@@ -49,9 +49,9 @@ struct MeshPlaces {
   }
 };
 
-/// At most so many of them, spread over the nodes that `is_meant(position, size)`. Off the nodes: faces and
-/// planes of symmetry of a body, where the distance has a kink, go through them. Scenes over the portions of one
-/// mesh find the same, of the whole.
+/// At most `most` of them, spread over the nodes for which `is_meant(position, size)`. Off the nodes: faces
+/// and planes of symmetry of a body, where the distance has a kink, pass through nodes. Scenes over the
+/// portions of one mesh find the same places, those of the whole mesh.
 template <class Scene, class IsMeant>
 MeshPlaces mesh_places(const Scene& scene, std::size_t most, IsMeant&& is_meant) {
   constexpr std::array<double, 3> stride{0.7548776662466927, 0.5698402909980532, 0.8191725133961645};
@@ -90,8 +90,8 @@ MeshPlaces mesh_places(const Scene& scene, std::size_t most, IsMeant&& is_meant)
   return found;
 }
 
-/// Throws `error` where a distance is NaN at one of the places. Warns where its gradient is not 1, as that of a
-/// distance in another unit. `dim`: of the scene.
+/// Throws `error` where a distance is NaN at one of the places. Warns where its gradient is not 1, as that of
+/// a distance in another unit. `dim`: of the scene.
 void try_distance_at(const AnyDistance& distance, const MeshPlaces& close, const std::string& body,
                      std::size_t dim);
 

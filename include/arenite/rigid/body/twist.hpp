@@ -16,8 +16,8 @@ inline constexpr int rotations = D == 2 ? 1 : 3;
 template <class T, int D>
 using Spin = Vec<T, rotations<D>>;
 
-/// Velocity of a rigid body's centre, m/s, and its angular velocity, rad/s, one behind the other; or impulse,
-/// N s, and angular impulse about the centre, N m s. [3] in the plane, [6] in space.
+/// Velocity of a rigid body's centre, m/s, followed by its angular velocity, rad/s; or impulse, N s, followed
+/// by the angular impulse about the centre, N m s. [3] in the plane, [6] in space.
 template <class T, int D>
 using Twist = Vec<T, D + rotations<D>>;
 
@@ -44,7 +44,7 @@ Spin<T, D> angular_part([[maybe_unused]] const Vec<T, N>& u) {
   else
     return u.template tail<rotations<D>>();
 }
-/// The first components of u, or u and zeros behind them: [M] of [N].
+/// The first components of u, or u followed by zeros: [M] of [N].
 template <int M, class T, int N>
 Vec<T, M> resized(const Vec<T, N>& u) {
   constexpr int common = std::min(M, N);

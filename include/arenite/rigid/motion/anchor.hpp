@@ -11,7 +11,7 @@
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
-/// Springs and dashpots that hold a body to its place and orientation at the start, {x, y, z}. Rotational
+/// Springs and dashpots that tie a body to its place and orientation at the start, {x, y, z}. Rotational
 /// ones act on the rotation vector (axis times angle), in space below a turn of pi.
 struct Anchor {
   std::array<double, 3> stiffness{};  ///< along each axis, N/m, >= 0

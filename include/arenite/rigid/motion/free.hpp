@@ -165,7 +165,7 @@ class BoundFree {
     return orientation;
   }
 
-  /// Work of gravity, forces and moments, J; that of dashpots is booked as `damped`.
+  /// Work of gravity, forces and moments, J; that of dashpots is added to `damped`.
   double work(const Velocity&, const Velocity&, const Velocity& mean, const Velocity&) {
     const Vec<double, N> with = mean.template cast<double>();
     damped -= of_dashpots_.dot(with);

@@ -45,7 +45,7 @@ T balance_speed(const R& body, const V& axis, T trial, T mass) {
   if (f == 0) return trial;
   const T sign = f > 0 ? T(1) : T(-1);
   T close = trial;               // f has the sign of the start here, and the other one (or none) at `far`
-  T distant = trial - f / mass;  // where the body alone would take up the impulse at the trial speed
+  T distant = trial - f / mass;  // where only the body's mass would balance the impulse at the trial speed
   T before = std::numeric_limits<T>::infinity();
   for (int k = 0; k < 200; ++k) {
     const T h = -sign * std::sqrt(round_off) * std::max(std::abs(s - trial), std::abs(f) / (mass + soil));

@@ -14,7 +14,7 @@
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 /// A motion given in time: `velocity(t)` returns the velocity {x, y, z}, m/s, at time t, s. No impulse
-/// changes it; the work of the drive is booked. Each velocity is checked when it is asked for.
+/// changes it; the work of the drive is recorded. Each velocity is checked when it is requested.
 struct Prescribed {
   std::function<std::array<double, 3>(double)> velocity;
 

@@ -13,8 +13,8 @@
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 /// A motion given in time, with rotation: the velocity of one point of the body, and the spin about it. No
-/// impulse changes them; the work of the drive is booked. Values are those of the end of each step, in which
-/// the body turns by spin times dt about their axis.
+/// impulse changes them; the work of the drive is recorded. Values are those of the end of each step, in
+/// which the body turns by spin times dt about their axis.
 ///
 /// A wheel: `PrescribedPose{.centre = {0, 1}, .spin = {0, 0, 2}}`.
 struct PrescribedPose {

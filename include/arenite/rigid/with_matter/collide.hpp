@@ -17,7 +17,8 @@
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
-/// The nodes with matter that the body touches where it is now, with the fields' velocities before contact, for a step of dt, s.
+/// The nodes with matter that the body touches where it is now, with the fields' velocities before contact,
+/// for a step of dt, s.
 template <class Shape, class M, class R, class Fields, class Owns>
 void find_touched_nodes(const M& mesh, R& body, const Fields& fields, [[maybe_unused]] typename M::scalar dt,
                         const Owns& owns) {
@@ -90,7 +91,7 @@ std::vector<TouchedNode> touches_of_all(const std::vector<TouchedNode>& own, con
   return all;
 }
 
-/// The velocity with which impulses are found: of all scenes that share the body, which each finds from the touches of all.
+/// Contact velocity of the body. On several tiles each computes it from the touched nodes of all.
 template <class R, class Communicator>
 typename R::Velocity velocity_in_contact(R& body, const typename R::Velocity& free,
                                          [[maybe_unused]] const Communicator& comm) {
@@ -134,7 +135,8 @@ struct ContactImpulses {
   }
 };
 
-/// Gives the fields the impulses of a body that moves with `contact_velocity`. `more`: numbers that are summed over the scenes, too.
+/// Applies to the fields the impulses of a body that moves with `contact_velocity`. `more`: numbers that are
+/// summed over the scenes, too.
 template <class R, class Fields, class Communicator, class... More>
 ContactImpulses<R> apply_contact_impulses(R& body, Fields& fields,
                                           const typename R::Velocity& contact_velocity,
@@ -159,9 +161,9 @@ ContactImpulses<R> apply_contact_impulses(R& body, Fields& fields,
   return impulses;
 }
 
-/// Books the impulses on the fields and moves the body. `free`: its velocity without contact; `pushed`: with
-/// the impulse `push`, N s, of other rigid bodies, too. Returns what contact with the fields dissipated, J,
-/// and the body's mean velocity.
+/// Records the impulses on the fields and moves the body. `free`: its velocity without contact; `pushed`:
+/// with the impulse `push`, N s, of other rigid bodies, too. Returns the energy that contact with the fields
+/// dissipated, J, and the body's mean velocity.
 template <class R, class T>
 std::pair<double, typename R::Velocity> finish_step(R& body, const typename R::Velocity& free,
                                                     const typename R::Velocity& pushed,
@@ -186,8 +188,8 @@ std::pair<double, typename R::Velocity> finish_step(R& body, const typename R::V
 }
 
 /// Advances the body by dt to `time` and lets it exchange impulses with all fields: its own motion first,
-/// then the impulses with its new velocity. Returns what contact dissipated. Each scene that shares the body
-/// touches the nodes that it owns; sums are taken through `others`, and all know of the whole body.
+/// then the impulses with its new velocity. Returns the energy that contact dissipated, J. Each tile touches
+/// the nodes that it owns; `comm` sums over the tiles, so that all know the state of the whole body.
 template <class Shape, class M, class R, class Fields, class T, int D, class Owns = OwnsAll,
           class Communicator = Serial>
 ContactTally collide(const M& mesh, R& body, Fields& fields, const Vec<T, D>& acceleration, T time, T dt,

@@ -49,7 +49,7 @@ ContactImpulses<R> apply_point_impulses(R& body, Fields& fields) {
     auto& v = field.velocity[n.node];
     const typename R::V j = n.impulse.template cast<T>(), before = v;
     v += j / field.mass[n.node];
-    // What constraints take of it afterwards they take without work.
+    // Constraints that then remove a part of it do no work.
     const typename R::V after = n.velocity.template cast<T>();
     impulses.gained += j.dot(field.start[n.node] + after) / 2;
     body.touched_nodes.push_back(

@@ -28,7 +28,7 @@ struct ResistingNode {
   double mass;                      ///< that an impulse has to move, kg
   bool inside;
 
-  /// Relative velocity, the matter's less the body's, where the body's is u.
+  /// Relative velocity, the matter's minus the body's, where the body's is u.
   Vec<double, D> approach(const Vec<double, N>& u) const;
   /// `coulomb_slope` where the relative velocity is that; inside the body all motion is opposed.
   Mat<double, D> slope_at(const Vec<double, D>& relative, const Friction& friction, bool coupling) const;

@@ -1,4 +1,4 @@
-// Cold functions of contact_balance.hpp. Loops over plain numbers: each product of Eigen's would be a class to compile.
+// Cold functions of contact_balance.hpp. Loops over plain numbers: each Eigen product would compile a class.
 #pragma once
 // SPDX-License-Identifier: BSD-3-Clause
 
@@ -199,8 +199,9 @@ ARENITE_COLD double ContactBalance<D>::iterate(U& x) {
   return least;
 }
 
-/// Looks along a direction, first at all of it, until f points ahead by less than it did or nearly across.
-/// Returns the share of the direction; f is that there.
+/// Line search: the full step along a direction if the component of f along it is then at most 0.9 of that at
+/// the start, or f is solved; else until it is at most 0.1 of that. Returns the share of the direction; f is
+/// that there.
 template <int D>
 ARENITE_COLD double ContactBalance<D>::follow(const U& x, const U& direction, double begin) {
   const auto look_at = [&](double share) {

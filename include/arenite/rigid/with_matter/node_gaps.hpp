@@ -15,7 +15,8 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 template <class T>
 class NodeGaps {
  public:
-  /// Gives touched nodes, of so many fields and nodes, the velocity with which each may close its gap in a step of dt, s.
+  /// Gives each touched node the velocity with which it may close its gap in a step of dt, s. `fields`,
+  /// `nodes`: their numbers.
   template <class Touched>
   void give(std::vector<Touched>& touched, std::size_t fields, std::size_t nodes, T dt) {
     all_.resize(fields * nodes);
@@ -24,7 +25,8 @@ class NodeGaps {
       if (!t.inside) t.closing = all_[t.field * nodes + t.node] / dt;
     for (std::size_t k = 0; k < gap_.size(); ++k) all_[field_[k] * nodes + node_[k]] = 0;
   }
-  /// Follows the step: `parting(t)` is the velocity with which matter parts from the body at a touched node, m/s.
+  /// Updates the gaps: `parting(t)` is the velocity with which matter parts from the body at a touched node,
+  /// m/s.
   template <class Touched, class Parting>
   void follow(const std::vector<Touched>& touched, T dt, Parting&& parting) {
     field_.clear(), node_.clear(), gap_.clear();
@@ -42,7 +44,7 @@ class NodeGaps {
     f("node", node_);
     f("gap", gap_);
   }
-  /// Throws `error` for a restored state that is none of so many fields and nodes.
+  /// Throws `error` for a restored state that does not fit these numbers of fields and nodes.
   void check(std::size_t fields, std::size_t nodes) const {
     require(field_.size() == gap_.size() && node_.size() == gap_.size(), "state: gaps of a rigid body",
             gap_.size(), "must be as many as their fields and nodes");

@@ -21,12 +21,12 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 /// Contact at the material points: none may move into the body, whatever the masses, with Coulomb friction.
 /// It acts where the points are, whatever the grid, and so without the gap that contact at nodes leaves (see
-/// `DistanceSurface`); a point stands for matter around it, of which half its size is inside the body when it
+/// `DistanceSurface`); a point represents matter around it, of which half its size is inside the body when it
 /// touches. Needs a `DistanceSurface`, and points whose velocities are not mapped back (no MUSL). Impulses
 /// are found by sweeps of projected Gauss-Seidel, the body's velocity with them.
 struct PointContact {
   static constexpr bool through_centre_of_mass = false, at_points = true;
-  /// Points nearer than so many sizes of their cell may come to touch within a step.
+  /// Points nearer than this many sizes of their cell may come to touch within a step.
   static constexpr double margin = 0.3;
   /// Share of a point's depth in the body that is pushed out in a step.
   static constexpr double push = 0.2;
@@ -77,7 +77,7 @@ class PointImpulses {
   /// Of a point from the centre of a body that rotates, m.
   const V& arm(std::size_t point) const { return rows_[point].arm; }
 
-  /// Begins a step of fields with so many nodes each.
+  /// Begins a step with `fields` fields of `nodes` nodes each.
   void clear(std::size_t fields, std::size_t nodes) {
     points.clear();
     rows_.clear();
@@ -200,12 +200,12 @@ class PointImpulses {
         response += moved * constraints[n.constraint].projector.template cast<double>();
     }
     row.response = row.axes * response * row.axes.transpose();
-    // What no impulse along the normal can move.
+    // No impulse along the normal can move the point.
     if (!(row.response(0, 0) > 1e-9 * (unconstrained + mobility.trace()))) row.response(0, 0) = 0;
   }
 
-  /// Takes the impulse at a point to what the others leave; returns by how much this changed its velocity,
-  /// m/s.
+  /// Relaxes the impulse at a point for the present impulses at the others; returns by how much this changed
+  /// its velocity, m/s.
   double relax(Row& row, const Friction& friction, const std::vector<Constraint<T, D>>& constraints, U& u) {
     const double across = tangential_response(row.response, 1e-9);
     const V next = relaxed_impulse<D>(row.impulse, row.axes * velocity_of(row, u), row.least, row.response,

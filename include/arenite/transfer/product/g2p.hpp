@@ -12,11 +12,11 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 namespace product {
 ARENITE_INLINE_BEGIN
 
-/// Node vectors of a cell of which its points take sums for their transfer.
+/// Node vectors of a cell that are summed at its points for their transfer.
 template <class Cell, class Gather>
 struct TransferVectors {
   static constexpr bool has_second = requires(const Gather gather) { gather.second; };
-  Differences<Cell> vectors;  // d_i, the new velocities where the transfer has none of its own
+  Differences<Cell> vectors;  // d_i; the new velocities if the transfer has none
   [[no_unique_address]] std::conditional_t<has_second, Differences<Cell>, Nothing> second;
 
   template <class Nodes>
@@ -34,7 +34,7 @@ struct TransferVectors {
             return Nothing{};
         }()} {}
 
-  /// Sums with the functions of `line`: by `kind`, with moments if the transfer needs them, and of its second vectors beside.
+  /// Sums with the functions of `line`: by `kind`, with moments if the transfer needs them, and of its second vectors.
   template <class Line, class... Kinds>
   auto sums(const Line& line, const Kinds&... kind) const {
     keep_in_memory(*this);
@@ -60,16 +60,16 @@ auto differences_if(const Cell& cell, const Vectors& of_nodes) {
     return Nothing{};
 }
 
-/// Whether a transfer takes the moments of the new velocities themselves.
+/// Whether a transfer uses the moments of the new velocities themselves.
 template <class Gather>
 inline constexpr bool takes_moments_of_v =
     Gather::needs_moments&& std::same_as<decltype(Gather::velocity), Nothing>;
 
 /// G2P of a run of points of a cell, with weights w_i at x_p, the new node velocities v_i, and u_i, those for
 /// the strains (the same, unless MUSL maps others back):
-///   v_p, C_p: as the transfer takes them (with MUSL: in `map_back`)     x_p += dt sum w_i v_i (`moves_mapped`: u_i)
+///   v_p, C_p: as the transfer gives them (with MUSL: in `map_back`)     x_p += dt sum w_i v_i (`moves_mapped`: u_i)
 ///   de = sym(dt sum u_i (grad w_i)^T), in axisymmetry de_hoop = dt sum w_i u_r,i / r_p
-/// Strains go into `buffer`, that of point `origin` first (USF took them before). Returns a sum of the
+/// Strains go into `buffer`, that of point `origin` first (USF has applied them before). Returns a sum of the
 /// positions. `by_moments`: see `ProductShape::Cell::has_moments_for_slopes`.
 template <class K, bool by_moments, class N, class Cell, class Points, class Field, class T, class Average,
           class Buffer>
@@ -81,7 +81,7 @@ T g2p_of_cell(const N& numerics, const Cell& cell, Index c, Points& points, std:
   using Gather = decltype(numerics.transfer.gather(cell, nodes));
   using Taken = TransferVectors<Cell, Gather>;
   const Gather gather = numerics.transfer.gather(cell, nodes);
-  // What is taken of the new velocities themselves costs no sum of its own.
+  // A transfer that sums the new velocities themselves shares the sums of the strains.
   constexpr bool takes_of_v = !N::maps_back && std::same_as<decltype(gather.velocity), Nothing>;
   constexpr bool moves_apart = N::maps_back && !N::moves_mapped;  // with v, while strains are those of u
   const std::conditional_t<N::maps_back, Nothing, Taken> taken(cell, nodes, gather);

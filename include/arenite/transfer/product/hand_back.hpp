@@ -1,5 +1,4 @@
-// What points hand back to the nodes of their cell where its functions are products along the axes: only
-// momentum.
+// Momentum mapped from the points to the nodes of their cell where its functions are products along the axes.
 #pragma once
 // SPDX-License-Identifier: BSD-3-Clause
 

@@ -14,7 +14,7 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 namespace product {
 ARENITE_INLINE_BEGIN
 
-/// Points of one cell computed at once: more than it is likely to hold would be wasted.
+/// Points of one cell computed at once: more lanes than a cell is likely to have points would be wasted.
 template <int D, int Width>
 inline constexpr int cell_width = std::min(Width, D == 2 ? 4 : 8);
 
@@ -39,7 +39,7 @@ inline constexpr std::size_t middle_node = (N - 1) / 2;
 /// Vectors v_i of the nodes of a cell, for `Lines::sum`. Along an axis the functions w_j of a cell add up to 1, and
 /// their slopes, and moments, g_j to 0. So with the differences d_j = v_j - v_m from the middle node
 ///   sum_j w_j v_j = v_m + sum_{j != m} w_j d_j     sum_j g_j v_j = sum_{j != m} g_j d_j
-/// which is a product less for all points of the cell. Taken once a cell, along one axis after the other.
+/// which saves a product for all points of the cell. Computed once a cell, along one axis after the other.
 template <class Cell>
 class Differences {
   static constexpr std::size_t N = Cell::nodes_per_axis, size = Cell::size, middle = middle_node<N>;

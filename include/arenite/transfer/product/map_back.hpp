@@ -9,7 +9,7 @@
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 namespace product {
 
-/// Gives the points of a cell their new velocities, as their transfer takes them, and adds to `nodes.mapped`
+/// Gives the points of a cell their new velocities, as their transfer gives them, and adds to `nodes.mapped`
 ///   m_p w_i v_p(x_i)
 template <class N, class M, class B, class Field>
 ARENITE_KERNEL void map_back(const N& numerics, const M& mesh, B& body, Index c, Field& nodes) {

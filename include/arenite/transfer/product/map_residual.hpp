@@ -8,7 +8,7 @@
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 namespace product {
 
-/// Adds to `nodes.mapped_residual` what the points of a cell hand back of the vectors r_i in `nodes.residual`:
+/// Adds to `nodes.mapped_residual` the vectors r_i in `nodes.residual` mapped to a cell's points and back:
 ///   m_p w_i sum_j w_j r_j
 template <class N, class M, class B, class Field>
 ARENITE_KERNEL void map_residual(const M& mesh, const B& body, Index c, Field& nodes) {

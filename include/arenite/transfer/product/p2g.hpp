@@ -12,7 +12,7 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 namespace product {
 ARENITE_INLINE_BEGIN
 
-/// Calls `hand(p, x, line)` for the points of a cell, whose rows are then spread by `spread()`.
+/// Calls `hand(p, x, line)` for the points of a cell, and `spread()` to add their rows to the nodes.
 template <class Rows, class Cell, class B, class F, class Spread>
 void for_each_row(Rows& rows, const Cell& cell, B& body, Index c, F&& hand, Spread&& spread) {
   std::size_t left = body.cells[c].size();
@@ -21,7 +21,7 @@ void for_each_row(Rows& rows, const Cell& cell, B& body, Index c, F&& hand, Spre
     const Lines<typename Rows::P, Cell> line(cell, x);
     hand(p, x, line);
     rows.take(p.count, line);
-    // One call for full rows and for the last ones: it is the better part of the kernel, and compiled once.
+    // One call for full rows and for the last ones: it is most of the kernel, and compiled once.
     left -= static_cast<std::size_t>(p.count);
     if (!rows.full() && left > 0) return;
     spread();
@@ -65,8 +65,7 @@ auto traction_of(const P& factor, const Stress& stress) {
   };
 }
 
-/// P2G of the points p of a cell, with weights w_i at x_p and the velocity field v_p(x) that the transfer
-/// hands over:
+/// P2G of the points p of a cell, with weights w_i at x_p and the velocity field v_p(x) of the transfer:
 ///   mass_i += m_p w_i     momentum_i += m_p w_i v_p(x_i)     force_i -= V_p sigma_p grad w_i
 ///   in axisymmetry force_r,i -= V_p sigma_hoop w_i / r_p     mass_gradient_i += m_p grad w_i
 template <class K, class N, class Cell, class B, class Field>

@@ -1,4 +1,4 @@
-// Rows of points: what the points of a cell hand to its nodes where the functions are products along the
+// Rows of points: contributions of a cell's points to its nodes where the functions are products along the
 // axes. A point is a row of four lanes, so that sums over points need no sums across lanes.
 #pragma once
 // SPDX-License-Identifier: BSD-3-Clause
@@ -24,7 +24,7 @@ void store_quads(std::array<P, 4> column, T* to) {
       repeat<2>([&](std::size_t r) { half[r].store(to + 4 * r + 2 * k); });
     });
   } else {
-    transpose_lanes(column);  // row r holds points r, r + 4, ..
+    transpose_lanes(column);  // row r: points r, r + 4, ..
     repeat<4>([&](std::size_t r) {
       std::array<T, width> rows;
       column[r].store(rows.data());
@@ -34,18 +34,18 @@ void store_quads(std::array<P, 4> column, T* to) {
   }
 }
 
-/// What points hand over in four lanes: by value, times the function of a node, or by axis, times its moment or slope along each.
+/// Contributions of points in four lanes: by value, times a node's function, or by axis, times its moment or slope along each.
 enum class Handed { by_value, by_axis, both };
 
-/// Rows of up to `capacity` points of a cell, in which what they hand over lies in `Groups` of four lanes. A node at (i, j, k) of the cell
+/// Rows of up to `capacity` points of a cell, with their contributions in `Groups` of four lanes. A node at (i, j, k) of the cell
 /// collects, with the functions N along each axis, their moments M (N times the offset of the node, for an affine velocity) and their
 /// slopes G (for a force),
 ///   N_i N_j N_k own + sum over the axes of (M_i moment + G_i slope) N_j N_k
-/// What belongs to one axis is summed while points are columns: E_i = M_i moment + G_i slope along the first axes, and along the last
+/// The terms of one axis are summed while points are columns: E_i = M_i moment + G_i slope along the first axes, and along the last
 /// one E_k + N_k own.
 ///
 /// In an inner cell (`Cell::is_inner`) sums over points are those of the outer nodes and of the total of each axis, over which N adds
-/// up to 1 and M and G to 0: the total takes own alone, without a product. The middle node is the rest of the total, once a cell. At
+/// up to 1 and M and G to 0: the total is that of own, without a product. The middle node is the rest of the total, once a cell. At
 /// faces, where the middle function may be small, the difference would leave round-off, and nodes are summed one by one.
 template <class Cell, int Width, Handed... Groups>
 class Rows {
@@ -63,8 +63,8 @@ class Rows {
 
   bool full() const { return count_ + width > capacity; }
 
-  /// Takes what a pack of points hands over in a group, each up to D + 1 lanes or `Nothing`: `own` by value, `moment(a)` and `slope(a)`
-  /// along axis a. `take` follows once all groups have theirs.
+  /// Stores a pack's contributions to a group, each up to D + 1 lanes or `Nothing`: `own` by value, `moment(a)` and `slope(a)`
+  /// along axis a. Call `take` after all groups.
   template <std::size_t Group, class Own, class Moment, class Slope>
   void hand(const Lines<P, Cell>& line, const Own& own, const Moment& moment, const Slope& slope) {
     constexpr bool axes = handed[Group] != Handed::by_value, value = handed[Group] != Handed::by_axis;
@@ -86,7 +86,7 @@ class Rows {
       store_quads(lane, row_[Group][last][middle][count_].data());
     }
   }
-  /// The first `count` points of a pack, of which all groups were handed over.
+  /// Adds the first `count` points of a pack, once `hand` has stored all groups.
   void take(int count, const Lines<P, Cell>& line) {
     repeat<D>([&](std::size_t a) {
       repeat<N>([&](std::size_t i) {
@@ -96,7 +96,7 @@ class Rows {
     count_ += static_cast<std::size_t>(count);
   }
 
-  /// Calls `add(node, lane, pack)` with what each local node collects of a group in the lanes from number `lane` on.
+  /// Calls `add(node, lane, pack)` with the sum of a group at each local node in the lanes from number `lane` on.
   template <std::size_t Group, class Add>
   void spread(Add&& add) const {
     repeat<4 / at_once>([&](std::size_t part) {
@@ -125,7 +125,7 @@ class Rows {
   static constexpr std::size_t capacity = 32;
   using Layer = std::array<L, N * N>;
 
-  /// Whether the place of node i holds the total of its axis.
+  /// Whether the place of node i is that of the total of its axis.
   static constexpr bool is_total(std::size_t i) { return Cell::is_inner && i == middle; }
   static std::array<P, 4> no_lanes() { return {P(0), P(0), P(0), P(0)}; }
   template <std::size_t Lanes>
@@ -133,7 +133,7 @@ class Rows {
     repeat<Lanes>([&](std::size_t d) { to[d] += factor * of[d]; });
   }
 
-  /// Whether a group has rows at node i of an axis: the total of an axis takes own alone, along the last one.
+  /// Whether a group has rows at node i of an axis: the total has only own, along the last axis.
   template <std::size_t Group>
   static constexpr bool has_row(std::size_t axis, std::size_t i) {
     const bool value = axis == last && handed[Group] != Handed::by_axis;

@@ -12,10 +12,10 @@
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 /// Adds to the forces of a body's nodes what half a step does to its stresses, with the velocities in
-/// `nodes.velocity`: those that the points handed over with their present weights. The points themselves keep
-/// their stresses: `g2p` then strains them with the mean of what they hand over at the start and at the
-/// end of the step (`finish_map_back`). What follows is the same as two updates of the stress, one behind and
-/// one ahead of each motion of the points (USAVG; Nairn 2003, Material point method calculations with
+/// `nodes.velocity`: those from P2G with the present weights. The points themselves keep their stresses:
+/// `g2p` then strains them with the mean of the velocities that they map to the nodes at the start and at the
+/// end of the step (`finish_map_back`). The result is the same as with two updates of the stress, one after
+/// and one before each motion of the points (USAVG; Nairn 2003, Material point method calculations with
 /// explicit cracks), with one pass of the law.
 ///
 /// Points that keep their velocities but move give another velocity gradient to the grid. Their kinetic
@@ -23,7 +23,7 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 /// a step. MUSL strains only with the old weights: what the gradient changes by then leaves energy in the
 /// stresses, on average, and strains only with the new weights do so as well. With half of each none is left
 /// to this order. For laws that are linear: the force then needs only the cells' sums of stress, not the
-/// points. (Of the hoop strain it takes the mean of the cell.)
+/// points. (For the hoop strain it uses the mean of the cell.)
 template <class K, class Shape, class M, class B, class Field, class T>
 void add_half_step(const M& mesh, const Blocks& blocks, const B& body, Field& nodes, T half) {
   using Cell = typename Shape::template Cell<M>;

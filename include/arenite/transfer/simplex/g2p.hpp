@@ -10,7 +10,7 @@
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 namespace simplex {
 
-/// What a transfer takes.
+/// The sum for a transfer.
 template <class V>
 struct ValueSum {
   V value;
@@ -20,9 +20,9 @@ ValueSum(V) -> ValueSum<V>;
 
 /// G2P of a run of points of a cell, with weights w_i at x_p, the new node velocities v_i, and u_i, those for
 /// the strains (the same, unless MUSL maps others back):
-///   v_p, L_p: as the transfer takes them     x_p += dt sum w_i v_i
+///   v_p, L_p: as the transfer gives them     x_p += dt sum w_i v_i
 ///   de = sym(dt sum u_i (grad w_i)^T), in axisymmetry de_hoop = dt sum w_i u_r,i / r_p
-/// Strains go into `buffer`, that of point `origin` first (USF took them before). Returns a sum of the
+/// Strains go into `buffer`, that of point `origin` first (USF has applied them before). Returns a sum of the
 /// positions.
 template <class K, class N, class M, class Points, class Field, class T, class Average, class Buffer>
 ARENITE_KERNEL T g2p(const N& numerics, const M& mesh, Index c, Points& points, std::size_t begin,

@@ -18,8 +18,8 @@ struct CellNodes {
   const std::array<Index, static_cast<std::size_t>(size)>& nodes;
 };
 
-/// What a point takes is linear in what its transfer takes of the nodes, d_j (FLIP: d_j = v_j - s v_j^old):
-/// v_p = s v_p + sum_j w_j d_j. Handed back, node i gets sum_p m w_i v_p = s m_i v_i^old + sum_j M_ij d_j
+/// The new velocity of a point is linear in its transfer's node vectors d_j (FLIP: d_j = v_j - s v_j^old):
+/// v_p = s v_p + sum_j w_j d_j. Mapped back, node i gets sum_p m w_i v_p = s m_i v_i^old + sum_j M_ij d_j
 /// with the edge masses M_ij = sum_p m w_i w_j. Since sum_j M_ij = m_i, that is
 ///   m_i v_i + sum_j M_ij (d_j - d_i)
 /// of which the second term, an exchange along each edge, is added to `nodes.mapped`. (A transfer with

@@ -9,8 +9,8 @@
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 namespace simplex {
 
-/// What node i gets of the vectors r_j [nodes of the cell] along the edges of a cell, with the edge masses
-/// M_ij = sum_p m w_i w_j, added to `to`:
+/// Exchange of the vectors r_j [nodes of the cell] along the edges of a cell, with the edge masses
+/// M_ij = sum_p m w_i w_j. Adds to `to` at node i:
 ///   sum_j M_ij (r_j - r_i)
 template <std::size_t Size, class V, class EdgeMass, class Vectors>
 void diffuse_along_edges(const std::array<Index, Size>& nodes, const EdgeMass& edge_mass,
@@ -25,8 +25,8 @@ void diffuse_along_edges(const std::array<Index, Size>& nodes, const EdgeMass& e
   repeat<Size>([&](std::size_t i) { to.add(nodes[i], gain[i]); });
 }
 
-/// Adds to `nodes.mapped_residual` what the points of a cell hand back of the vectors r_i in `nodes.residual`, less
-/// m_i r_i: since sum_j M_ij = m_i, an exchange along the edges.
+/// Adds to `nodes.mapped_residual` the vectors r_i in `nodes.residual` mapped to a cell's points and back,
+/// minus m_i r_i: since sum_j M_ij = m_i, an exchange along the edges.
 template <class M, class B, class Field>
 ARENITE_KERNEL void map_residual(const M& mesh, const B& body, Index c, Field& nodes) {
   constexpr std::size_t size = static_cast<std::size_t>(M::dimension) + 1;

@@ -10,7 +10,7 @@
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 namespace simplex {
 
-/// What P2G sums over the points of a cell, beside the stress.
+/// Sums of P2G over the points of a cell, except for the stress.
 template <class K, class N, class Cell, class P, bool CentresStress>
 using P2gSums =
     PointSums<P, Cell::size,
@@ -20,9 +20,9 @@ using P2gSums =
                           Channel<node_channel::HoopMean,
                                   K::hoop && (N::averages_strain || CentresStress) ? Cell::size : 0>>>;
 
-/// What a pack of points p gives to the nodes i of its cell:
+/// Contributions of a pack of points p to the nodes i of its cell:
 ///   mass_i += m_p w_i     momentum_i += m_p w_i v_p(x_i)     hoop_force_i += V_p sigma_hoop w_i / r_p
-/// with the weights w_i at x_p and the velocity field v_p(x) that the transfer hands over; to its edges
+/// with the weights w_i at x_p and the velocity field v_p(x) of the transfer; to its edges
 /// edge_mass_ij += m_p w_i w_j.
 template <class Transfer, class Cell, class Points, int Width, class Sums>
 void add_points(const Transfer& transfer, const Cell& cell, const PointPack<Points, Width>& p, Sums& sums) {
@@ -46,7 +46,7 @@ void add_points(const Transfer& transfer, const Cell& cell, const PointPack<Poin
   });
 }
 
-/// What later stages need to know of the points of a cell.
+/// Stores the sums over the points of a cell that later stages need.
 template <class N, class B, class T, int D, class Total>
 void leave_sums(const B&, const StressSums<T, D>& stress, const Total& total, CellSums<T, D>& left) {
   left.volume = stress.volume;

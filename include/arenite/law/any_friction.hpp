@@ -1,5 +1,0 @@
-// Moved to arenite/law/frictional/any_friction.hpp; this name goes with the next minor version.
-#pragma once
-// SPDX-License-Identifier: BSD-3-Clause
-
-#include <arenite/law/frictional/any_friction.hpp>  // IWYU pragma: export

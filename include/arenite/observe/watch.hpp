@@ -1,5 +1,0 @@
-// Moved to run/watch.hpp. This name goes in version 0.2.
-#pragma once
-// SPDX-License-Identifier: BSD-3-Clause
-
-#include <arenite/run/watch.hpp>

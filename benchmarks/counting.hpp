@@ -1,4 +1,4 @@
-// A scalar that counts the operations done on it: a law called with it tells its floating point operations.
+// A scalar that counts the operations done on it: a law called with it gives its floating point operations.
 #pragma once
 
 #include <algorithm>

@@ -37,7 +37,7 @@ TriangleData ball(Index n) {
   return data;
 }
 
-/// Positions in a shell about the surface of the ball, of so many per cent of its radius.
+/// Positions in a shell about the surface of the ball, of `per_cent` per cent of its radius.
 std::vector<P> places(double per_cent) {
   std::mt19937 random(1);
   std::normal_distribution<double> normal;

@@ -92,7 +92,7 @@ LawStates<T, D> law_states(const Law& law, double yielding) {
   return states;
 }
 
-/// Takes all points through one step as a scene does whose packs hold W: one by one if W is 1, two packs side
+/// Takes all points through one step as a scene with packs of W does: one by one if W is 1, two packs side
 /// by side if the law asks for it.
 template <int W, class T, int D, class Law>
 [[gnu::flatten]] void update_all(const Law& law, LawStates<T, D>& states) {

@@ -13,7 +13,7 @@
 namespace arenite::bench {
 namespace {
 
-/// Mean number of floating point operations that a law does for a point alone.
+/// Mean number of floating point operations that a law does for a single point.
 template <class T, int D, class Law>
 double operations(const Law& law, const LawStates<T, D>& states) {
   using C = Counting<T>;

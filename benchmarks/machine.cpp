@@ -1,4 +1,4 @@
-// The limits of the machine, measured in the same run as everything that is held against them: the triad's
+// The limits of the machine, measured in the same run as everything that is compared with them: the triad's
 // bandwidth from the second cache, at the size of a scene of 100,000 points and at 512 MB (where a third
 // cache is greater still, nothing that a scene fills reaches memory itself), and multiply-adds a second.
 #include "machine.hpp"

@@ -1,4 +1,4 @@
-// The machine's own limits, to hold the others against: how fast it moves memory and how fast it multiplies
+// The machine's own limits, to compare others with: how fast it moves memory and how fast it multiplies
 // and adds.
 #pragma once
 

@@ -1,4 +1,4 @@
-// How whole steps are timed: each repetition makes the scene anew, takes it through the same first steps and
+// How whole steps are timed: each repetition makes the scene again, takes it through the same first steps and
 // times the same steps after them, the search for the stable step included, as `run` does it.
 #pragma once
 
@@ -11,7 +11,7 @@
 
 namespace arenite::bench {
 
-/// What one repetition does.
+/// The parameters of one repetition.
 struct Timing {
   int warm_up = 10;  ///< steps before the clock starts
   int steps = 30;    ///< steps on the clock
@@ -19,7 +19,7 @@ struct Timing {
   double courant = 0.4;
 };
 
-/// What a scene or a rival is asked for.
+/// Rivals have their points as a member, scenes do not.
 template <class Scene>
 concept is_rival = requires(Scene scene) {
   scene.points;

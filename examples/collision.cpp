@@ -1,4 +1,4 @@
-// Two elastic discs meet and part: initial velocities, contact of bodies, and the energy balance that shows
+// Two elastic discs collide and part: initial velocities, contact of bodies, and an energy balance that shows
 // where the energy goes. Their momentum together stays to round-off.
 //
 //   g++ -std=c++20 -O3 -march=native -Iinclude -I/usr/include/eigen3 examples/collision.cpp -o collision -pthread && ./collision

@@ -1,5 +1,5 @@
 // A hammer falls on a pile that stands on the ground: two rigid bodies that touch each other. The impact is
-// inelastic: both go on with the speed m v / (m + M), and the ground stops them together.
+// inelastic: both continue with the speed m v / (m + M), and the ground stops them together.
 //
 //   g++ -std=c++20 -O3 -march=native -Iinclude -I/usr/include/eigen3 examples/hammer_on_pile.cpp -o hammer_on_pile -pthread && ./hammer_on_pile
 //   prints: hammer -1.979 m/s (free fall -1.981), with the pile -1.583 m/s, exact -1.581 m/s

@@ -16,7 +16,7 @@ int main() {
                                .strength = strength,
                                .hardening = hardening}};
 
-  // A law works without a scene. Sheared to gamma, the metal bears the yield stress in shear and G H/(3 G +
+  // A law works without a scene. Sheared to gamma, the metal carries the yield stress in shear and G H/(3 G +
   // H) of the strain beyond it, in 10 steps as in 1000.
   const double gamma = 0.1, yield = strength / std::sqrt(3.0);
   const double tangent = shear * hardening / (3 * shear + hardening);

@@ -18,7 +18,7 @@ class HardeningMetal {
     static constexpr std::array names{"plastic"};
   };
 
-  // What Python gives by name, and C++ too.
+  // Given by name in Python, and in C++ too.
   struct Parameters {
     double density = 0, young = 0, poisson = 0;  // kg/m3, Pa, -
     double strength = 0;                         // yield stress in uniaxial tension, Pa

@@ -12,7 +12,7 @@
 #include <ostream>
 using namespace arenite;
 
-/// What a CAD program would write, in millimetres: a six-sided pile, radius 50, its tip 80 high, 250 long.
+/// A file as of a CAD program, in millimetres: a six-sided pile, radius 50, its tip 80 high, 250 long.
 void write_pile(std::ostream& file) {
   const auto corner = [](int k, double y) {
     return std::array{50 * std::cos(k * pi / 3), y, 50 * std::sin(k * pi / 3)};

@@ -1,5 +1,5 @@
-// benchmark.ranks TILES POINTS STEPS: a scene of tetrahedra on the ranks that there are, cut into so many tiles (0: one for each rank), of
-// so many points in all. Prints one line: what a step takes, what of it is exchange of nodes; what points cost that change tiles, beside
+// benchmark.ranks TILES POINTS STEPS: a scene of tetrahedra on the ranks that there are, cut into TILES tiles (0: one for each rank), of
+// POINTS points in all. Prints one line: what a step takes, what of it is exchange of nodes; what points cost that change tiles, beside
 // their relocation; and how long the ranks stand still while tiles move, because all points lie on one half of the cells.
 #include <arenite/mpi.hpp>
 
@@ -50,7 +50,7 @@ auto sand_in_tiles(mpi::World& world, int tiles, int k, double filled, double sp
   return std::pair{distribute(world, bench::tetrahedra(k, 1.0 / k), {.tiles = tiles}, make), make};
 }
 
-/// What changing tiles costs, s, medians of steps.
+/// Costs of changing tiles, s, medians of steps.
 struct Migration {
   double share = 0;                        ///< of the points that change tiles in a step
   double find = 0, move = 0, regroup = 0;  ///< cells of points, the exchange of points, lists of cells
@@ -123,7 +123,7 @@ void work(mpi::World& world, int tiles, double points, int steps) {
       if (tells) times.push_back(seconds(start));
     }
   });
-  // Exchanges alone: of as many numbers a node as P2G sums.
+  // Only exchanges: of as many numbers a node as P2G sums.
   constexpr std::size_t lanes = 8;
   double exchange = 0, reduction = 0;
   scene.together([&](auto& s) {

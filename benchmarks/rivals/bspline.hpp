@@ -28,7 +28,7 @@ class BSpline {
   Law law;
   Vec3<T> gravity{};
 
-  /// A grid of `cells`^3 cells of edge h; the cells `from` to `to` along each axis hold `along`^3 points
+  /// A grid of `cells`^3 cells of edge h; the cells `from` to `to` along each axis get `along`^3 points
   /// each.
   BSpline(int cells, double h, int from, int to, int along, const Law& its_law)
       : law(its_law), across_(static_cast<std::size_t>(cells + 2)), h_(static_cast<T>(h)) {

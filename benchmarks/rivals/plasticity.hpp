@@ -82,7 +82,7 @@ struct MohrCoulomb {
   }
 
  private:
-  /// Where a trial point meets the edge base + t l: t = n . s + n[3], with n normal to both flows.
+  /// Where a trial point returns to the edge base + t l: t = n . s + n[3], with n normal to both flows.
   void edge(const std::array<double, 3>& r1, const std::array<double, 3>& r2, const std::array<double, 3>& l,
             T (&n)[4]) const {
     const std::array<double, 3> cross{r1[1] * r2[2] - r1[2] * r2[1], r1[2] * r2[0] - r1[0] * r2[2],

@@ -1,4 +1,4 @@
-// What the rivals share: plain arrays as tensors, Hooke's law with the Jaumann rate, and a linear elastic
+// Shared by the rivals: plain arrays as tensors, Hooke's law with the Jaumann rate, and a linear elastic
 // law. The rivals are what a good engineer writes first: structs of points, scalar loops, branches; no packs,
 // no sorting, and nothing of the library but its meshes and the places of its points.
 #pragma once

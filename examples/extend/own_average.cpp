@@ -1,7 +1,7 @@
 // An average against locking of your own: F-bar on a grid. All points of a cell take the mean of its volumetric
-// strains (Nagtegaal, Parks and Rice 1974; de Souza Neto et al. 1996), so that matter that keeps its volume is
-// not held by cells that cannot. A strip footing on clay bears (2 + pi) c (Prandtl 1920). With cells of 0.125, 0.0625
-// and 0.03125 m that is 31, 18 and 11 % too much without the average, 9.4, 4.5 and 1.9 % with it.
+// strains (Nagtegaal, Parks and Rice 1974; de Souza Neto et al. 1996), so that matter that keeps its volume
+// does not lock in cells that cannot. A strip footing on clay carries (2 + pi) c (Prandtl 1920). With cells of
+// 0.125, 0.0625 and 0.03125 m: 31, 18 and 11 % too much without the average, 9.4, 4.5 and 1.9 % with it.
 //
 //   g++ -std=c++20 -O3 -march=native -Iinclude -I/usr/include/eigen3 examples/extend/own_average.cpp -o own_average -pthread && ./own_average
 //   prints: pressure 6.087 c without, 5.376 c with the average, exact 5.142 c

@@ -1,6 +1,6 @@
 // Friction of your own: an angle by point for Mohr-Coulomb or Drucker-Prager, as a policy of the law
 // (arenite/law/frictional/friction.hpp). Here sand that softens as it is sheared. Sheared at a constant mean stress p,
-// it bears p sin(phi), with tan(phi) falling from the peak to the residual value.
+// it carries p sin(phi), with tan(phi) falling from the peak to the residual value.
 //
 //   g++ -std=c++20 -O3 -march=native -Iinclude -I/usr/include/eigen3 examples/extend/own_friction.cpp -o own_friction -pthread && ./own_friction
 //   prints: sheared by 0.200: 5064.7 Pa, exact 5064.7 Pa

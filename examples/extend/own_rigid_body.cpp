@@ -1,5 +1,5 @@
 // A surface and a motion of your own for a rigid body: a plate with a damper, set onto an elastic layer. It
-// comes to rest where the layer bears its weight: force = m g, sigma_yy = -(m g / A + rho g (H - y)) below
+// comes to rest where the layer carries its weight: force = m g, sigma_yy = -(m g / A + rho g (H - y)) below
 // it.
 //
 //   g++ -std=c++20 -O3 -march=native -Iinclude -I/usr/include/eigen3 examples/extend/own_rigid_body.cpp -o own_rigid_body -pthread && ./own_rigid_body
@@ -23,7 +23,7 @@ struct Plate {
   }
 };
 
-/// A guided mass, kg, that a damper holds back, N s/m: m dv/dt = m a - c v (arenite/rigid/motion.hpp).
+/// A guided mass, kg, slowed by a damper, N s/m: m dv/dt = m a - c v (arenite/rigid/motion.hpp).
 struct Damped {
   double mass, damping;
 };
@@ -55,7 +55,7 @@ int main() {
               rigid(Plate{0.2}, Damped{.mass = 200, .damping = 4e4}, Friction::frictionless())};
   run(scene, {.end = 0.3});
   const double force = scene.rigid().force[1];
-  double stress = 0, volume = 0;  // of the lower half, whose middle bears 3/4 of the layer
+  double stress = 0, volume = 0;  // of the lower half, whose middle carries 3/4 of the layer
   const auto& points = scene.body().points;
   for (std::size_t p = 0; p < points.size(); ++p) {
     if (points.position[p][1] > 0.1) continue;

@@ -19,7 +19,7 @@ struct DampedFlip {
   template <class Shape>
   static constexpr bool fits = !Shape::constant_gradient;
 
-  // P2G: the velocity field that a point hands over; p is a pack of points.
+  // P2G: the velocity field that a point contributes; p is a pack of points.
   template <class Point>
   auto particle_field(const Point& p) const {
     return VelocityField{p.velocity()};

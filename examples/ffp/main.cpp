@@ -69,7 +69,7 @@ void run_command(const PushOptions& o) { o.error_bar ? push_with_error_bar(o) : 
 
 /// A drop, and what practitioners read off it.
 void run_command(const DropOptions& o) {
-  require_built({unit_of(o)});  // those of its error bar differ in numbers alone
+  require_built({unit_of(o)});  // those of its error bar differ only in numbers
   o.error_bar ? drop_with_error_bar(o) : drop(o);
   try {
     reduce_drop(o.out);
@@ -87,7 +87,7 @@ void run_command(const PaperOptions& o) {
   paper(o);
 }
 
-/// What the words say, or the values that they announce; nothing if that was a question, which is answered.
+/// The command of the words, or of the values that they announce; none for a question, which is answered.
 std::optional<Command> read_command(const std::vector<std::string>& words) {
   if (words == std::vector<std::string>{"values"}) return read_values(std::cin, std::cout);
 #ifdef ARENITE_FFP_COMMAND_LINE
@@ -102,7 +102,7 @@ std::optional<Command> read_command(const std::vector<std::string>& words) {
 }  // namespace arenite::ffp
 
 int main(int argc, char** argv) {
-  // A write that fails says so; the run goes on without whom it was talking to.
+  // A write that fails reports it; the run continues without its reader.
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);
   using arenite::ffp::say, arenite::ffp::shown;

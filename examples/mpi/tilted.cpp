@@ -1,4 +1,4 @@
-// How does a penetrometer that comes down tilted go on in sand that one machine cannot hold? examples/tilted.cpp, cut into tiles.
+// How does a tilted penetrometer move in sand that is too large for one machine? examples/tilted.cpp, cut into tiles.
 //
 //   mpicxx -std=c++20 -O3 -march=native -Iinclude -I/usr/include/eigen3 examples/mpi/tilted.cpp -o tilted -pthread && mpirun -n 2 ./tilted
 //   prints: it went -36.4 mm and turns at 2.90 rad/s

@@ -2,7 +2,7 @@
 #pragma once
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include <arenite/tiles/deal_tiles.hpp>
+#include <arenite/tiles/assign_tiles.hpp>
 #include <arenite/tiles/exact_sum.hpp>
 #include <arenite/tiles/ranks.hpp>
 #include <arenite/tiles/rebalance.hpp>

@@ -40,8 +40,7 @@ class MeshSurface(Recipe):
 
     parameter       unit  range   default  meaning
     region          -     a name  needed   of a region of the mesh
-    shear_strength  Pa    >= 0    inf      greatest shear stress that it gives, whatever the pressure: the adhesion of clay, with
-                                           friction infinity"""
+    shear_strength  Pa    >= 0    inf      greatest shear stress that it gives: the adhesion of clay, with friction infinity"""
 
     region: str
     shear_strength: float = math.inf

@@ -1,5 +1,5 @@
-// Checks: see checks.hpp. Values are read as a scene reads them and handed to the same constructors; what
-// goes together is asked of the same constants as the library's static_asserts ask.
+// Checks: see checks.hpp. Values are read as a scene reads them and passed to the same constructors; what
+// goes together is decided by the same constants as in the library's static_asserts.
 #include "checks.hpp"
 
 #include <arenite/core/refusals.hpp>
@@ -21,12 +21,12 @@ using Checks = std::map<std::string, Check>;
 
 template <class T>
 void reads(const Value& values) {
-  read<T>(values, ReadContext{.name = detail::spoken_name<T>()});
+  read<T>(values, ReadContext{.name = detail::display_name<T>()});
 }
-/// Read, and bound as in a scene in space, which bears whatever one in the plane does.
+/// Read, and bound as in a scene in space, which allows whatever one in the plane does.
 template <class Bound, class T>
 void binds(const Value& values) {
-  Bound(read<T>(values, ReadContext{.name = detail::spoken_name<T>()}));
+  Bound(read<T>(values, ReadContext{.name = detail::display_name<T>()}));
 }
 
 /// In the plane the inertia is one number, in axisymmetry none.
@@ -96,7 +96,7 @@ void check_simplex_mesh(const Value& values) {
     reads<SimplexMesh<2, double>>(values);
 }
 
-/// A law with all memories, and any friction; its stiffness is a recipe of its own.
+/// A law with all memories, and any friction; its stiffness is a separate recipe.
 template <class Law>
 void check_law(const Value& values) {
   Value::Dict of_law = *values.get<Value::Dict>();
@@ -106,7 +106,7 @@ void check_law(const Value& values) {
 template <template <class, class, class> class Law>
 void add_laws(Checks& checks, const char* name) {
   Memories::each([&]<class Memory>(std::type_identity<Memory>) {
-    checks.emplace(joined_text({name, "<", detail::spoken_name<Memory>(), ", AnyFriction>"}),
+    checks.emplace(joined_text({name, "<", detail::display_name<Memory>(), ", AnyFriction>"}),
                    &check_law<Law<Memory, AnyFriction, ConstantStiffness>>);
   });
 }
@@ -139,7 +139,7 @@ void check_ugimp(const Value& values) {
 
 template <class... T>
 void add_read(Checks& checks) {
-  (checks.emplace(detail::spoken_name<T>(), &reads<T>), ...);
+  (checks.emplace(detail::display_name<T>(), &reads<T>), ...);
 }
 
 /// Those of a family that have parameters.
@@ -317,7 +317,7 @@ Refusals refusals() {
   return refused;
 }
 
-/// A value in which tests of places stand for nothing: they are called with the mesh alone.
+/// A value without tests of places, which are called only with the mesh.
 Value without_tests(const Value& values) {
   const auto* given = values.get<Value::Dict>();
   if (given == nullptr) return values;
@@ -341,7 +341,7 @@ std::vector<std::pair<std::string, std::vector<std::string>>> frictions() {
   std::vector<std::pair<std::string, std::vector<std::string>>> all;
   const auto add = [&]<class P>(std::type_identity<P>) {
     const auto& names = history_names<typename P::template History<double>>;
-    all.emplace_back(detail::spoken_name<P>(), std::vector<std::string>(names.begin(), names.end()));
+    all.emplace_back(detail::display_name<P>(), std::vector<std::string>(names.begin(), names.end()));
   };
   Frictions::each(add);
   add(std::type_identity<AnyFriction>{});

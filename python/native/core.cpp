@@ -59,7 +59,7 @@ Function* function_of(const std::string& path, const char* name, const char* wit
 }
 
 /// The ranks that have the tiles of scenes: those of MPI, which a shared object of the machine's MPI makes of the address of a
-/// communicator, or this process alone.
+/// communicator, or only this process.
 class RanksHandle {
  public:
   RanksHandle() : ranks_{new OneRank, [](Ranks* r) { delete r; }} {}
@@ -173,7 +173,7 @@ class SceneHandle {
             .limits = py::isinstance<py::dict>(watch) ? std::optional(value_of(watch)) : std::nullopt};
   }
 
-  /// The scene at work; the flag is read and written with the interpreter's lock alone.
+  /// The scene at work; the flag is read and written only with the interpreter's lock.
   class Use {
    public:
     explicit Use(bool& in_use) : in_use_{in_use} {

@@ -1,5 +1,5 @@
 // Checks of a scene before its composition is compiled: see checks.hpp. Mesh and recipes are read as the
-// scene will read them; bodies are filled with a law that stands for any, walls are held against the mesh.
+// scene will read them; bodies are filled with a law that represents any, walls are checked with the mesh.
 // Functions of Python are left to the scene: each is called once.
 #include <algorithm>
 #include <arenite/host/read_fill.hpp>
@@ -15,7 +15,7 @@
 namespace arenite::python {
 namespace {
 
-/// Whether a value is, or holds, a function or what is none before the scene runs.
+/// Whether a value is, or contains, a function or a signal, whose value is known only as the scene runs.
 bool holds_function(const Value& value) {
   if (value.function() || value.get<HostSignal>()) return true;
   if (const auto* all = value.get<Value::Dict>())

@@ -1,4 +1,4 @@
-// What the program looks for in the shared object of the prebuilt compositions.
+// The symbols that the program needs in the shared object of the prebuilt compositions.
 #define ARENITE_COLD_LIBRARY
 #define ARENITE_HOST_ELSEWHERE
 #include <arenite/host/plugin.hpp>

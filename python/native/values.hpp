@@ -21,7 +21,7 @@ struct Signal {
   HostSignal value = std::make_shared<std::array<double, 3>>();
 };
 
-/// What Python functions raised on threads that cannot throw: loops of the library. The first is kept.
+/// Exceptions of Python functions on threads that cannot throw: loops of the library. The first is kept.
 class Raised {
  public:
   static Raised& instance() {
@@ -65,13 +65,13 @@ class CallFromPython {
   bool outer_;
 };
 
-/// What messages call an object: its text in Python, cut.
+/// The name of an object in messages: its text in Python, cut.
 inline std::string text_of(py::handle object) {
   constexpr std::size_t most = 80;
   const auto text = py::repr(object).cast<std::string>();
   return text.size() > most ? text.substr(0, most) + " .." : text;
 }
-/// What messages call a function: "speed (drop.py:12)".
+/// The name of a function in messages: "speed (drop.py:12)".
 inline std::string name_of(py::object f) {
   while (py::hasattr(f, "__wrapped__")) f = f.attr("__wrapped__");
   if (!py::hasattr(f, "__qualname__")) return text_of(f);

@@ -1,4 +1,4 @@
-// Absorbing faces: what they send back of a plane wave, how they bear a weight, and what they refuse.
+// Absorbing faces: the reflection of plane waves, the support of a weight, and refused options.
 #include <arenite/arenite.hpp>
 #include <arenite/mesh/box_mesh.hpp>
 
@@ -59,7 +59,7 @@ void send(Scene& scene, double length, bool shear) {
 }
 double energy(const auto& scene) { return kinetic_energy(scene.body()) + strain_energy(scene.body()); }
 
-/// Energy that comes back of a wave over that which a free end sends back.
+/// Reflected energy of a wave over that which a free end reflects.
 template <class Make>
 double reflected(Make&& make, double length, bool shear) {
   const Condition sides = shear ? free_along(0) : roller;
@@ -71,8 +71,8 @@ double reflected(Make&& make, double length, bool shear) {
     sent = energy(*scene);
     run(*scene, {.end = 0.9 / (shear ? speed_s : speed_p), .courant = 0.5});
   }
-  CHECK(energy(free) > 0.5 * sent);  // what the transfer leaves
-  // What the dashpots took is what the free end would have sent back, but for what the transfer took.
+  CHECK(energy(free) > 0.5 * sent);  // the rest is the loss of the transfer
+  // The dashpots absorb the energy that the free end would reflect, except for the loss of the transfer.
   CHECK(energies(absorbs).contact > 0.7 * sent);
   // Within the half of a step that lies between velocities and stresses.
   CHECK(energies(absorbs).contact + energy(absorbs) <= 1.02 * sent);

@@ -31,7 +31,7 @@ struct PlaneWave {
             -(lame * volume + 2 * shear * direction[1] * along[1]) / c,
             -shear * (direction[0] * along[1] + direction[1] * along[0]) / c};
   }
-  /// What the dashpots leave: stress less density times speed times velocity, across and along the face.
+  /// Unbalanced traction: stress minus that of the dashpots (rho c v), along and across the face.
   Pair unbalanced() const {
     const auto s = stress();
     return {s[2] - rock.density() * speed_s * along[0], s[1] - rock.density() * speed_p * along[1]};
@@ -81,7 +81,7 @@ struct Packet {
   double width() const { return angle == 0 ? 4 * h : std::round(length / std::sin(angle) / h) * h; }
   double along() const { return angle == 0 ? 0 : 2 * pi / width(); }
   double height() const { return std::round(9 * 2 * pi / across / h) * h; }
-  /// From when on all of it has met the face.
+  /// Time at which all of the packet has reached the face.
   double time() const {
     const double slowest = across * 0.75;
     return 7.5 * 2 * pi / across / (c() * slowest / std::hypot(slowest, along()));
@@ -133,7 +133,7 @@ double energy(const auto& scene) {
   return sum;
 }
 
-/// Energy after all waves have met the face over that of the first step.
+/// Energy after all waves have reached the face over that of the first step.
 double share_left(const Packet& packet, const AbsorbingOptions& options = {}) {
   auto scene = strip(packet, options);
   step(scene, 0.5 * stable_step(scene));

@@ -77,7 +77,7 @@ TEST_CASE("A block slides down an incline with g (sin a - mu cos a), and stays b
       }
       CHECK(std::abs(floor[1] / (weight * std::cos(slope) * end) - 1) <= 0.01);
       CHECK(std::abs(e.residual) <= 0.02 * e.external + 1e-6 * weight * height);
-      // What walls give is what the matter does not get from gravity, to round-off.
+      // The impulse of the walls is the momentum minus the impulse of gravity, to round-off.
       const Vec<double, 2> given = weight * scene.time * Vec<double, 2>(std::sin(slope), -std::cos(slope));
       CHECK((momentum(scene.body()) - given - floor - reaction(scene, "left").impulse).norm() <=
             1e-11 * given.norm());

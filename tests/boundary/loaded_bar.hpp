@@ -12,7 +12,7 @@ inline double smooth_step(double s) {
   return s * s * s * (10 - 15 * s + 6 * s * s);
 }
 
-// --- the bar: x in (0, 1) m, loaded at x = 1 m; rollers on its sides leave the axial strain alone
+// --- the bar: x in (0, 1) m, loaded at x = 1 m; rollers on its sides leave only the axial strain
 
 constexpr double load = 10;  // Pa
 const LinearElastic steel{{.density = 1000, .young = 1e7, .poisson = 0.25}};

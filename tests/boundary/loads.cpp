@@ -73,7 +73,7 @@ TEST_CASE("Bar: a smooth load runs through it as d'Alembert has it, for both way
     const Energies e = energies(scene);
     CAPTURE(e.residual, e.external);
     CHECK(std::abs(e.residual) <= 2e-3 * e.external);
-    // What a wave carries: half kinetic, half strain.
+    // Energy of a wave: half kinetic, half strain.
     CHECK(std::abs(e.kinetic / e.strain - 1) <= 0.02);
     // The impulse is on the bar: the load's, summed from the start of each step.
     const double impulse = load * h * (end - rise / 2) / speed;
@@ -89,7 +89,7 @@ TEST_CASE("Bar: a smooth load runs through it as d'Alembert has it, for both way
   };
   check(run_to_end(bar_on_grid(face), 2 * h), 0.01);
   check(run_to_end(bar_on_triangles(face), 2 * h), 0.01);
-  // The points of the layer itself bear from none of the load to all of it.
+  // The points of the layer itself carry from none of the load to all of it.
   check(run_to_end(bar_on_grid(on_points(h / 2, smoothly)), 2 * h), 0.7);
   check(run_to_end(bar_on_triangles(on_points(h, smoothly)), 2 * h), 0.7);
 }
@@ -177,7 +177,7 @@ TEST_CASE("Oedometer by traction: 100 kPa on E = 10 MPa, nu = 0.2 give (25, 100,
   run(triangles, {.end = 9 * period});
   test::Validation validation("oedometer");
   check_layer(triangles, 2e-3, "triangles that move with the layer; load on the face", validation);
-  // The floor bears it, the walls the lateral stress; work is in the strain.
+  // The floor carries it, the walls the lateral stress; the work is in the strain.
   const double width = 0.1;
   const Vec<double, 2> floor = reaction(triangles, "bottom").force, wall = reaction(triangles, "left").force;
   CAPTURE(floor, wall);
@@ -220,7 +220,7 @@ TEST_CASE("A ramp of gravity loads a column to rho g (h - y), and its work is th
     worst =
         std::max(worst, std::abs(-points.stress[p][1] / bottom_stress - (1 - points.position[p][1] / high)));
   CHECK(worst <= 0.05 + 0.002);  // the stress of a cell is that of its middle, half a cell off: 1 / 20
-  // The floor bears the weight. Its impulse is the time integral of that, to round-off, less the momentum.
+  // The floor carries the weight. Its impulse is the time integral of that minus the momentum, to round-off.
   const auto floor = reaction(scene, "bottom");
   const double weight = mass(scene.body()) * g;
   CHECK(std::abs(floor.force[1] / weight - 1) <= 2e-3);

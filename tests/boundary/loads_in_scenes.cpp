@@ -174,7 +174,7 @@ TEST_CASE("Bad loads name value and rule, when the scene is made or at run time"
 
 namespace {
 
-/// What a scene, or all portions together, come to.
+/// Sums over a scene, or over all portions together.
 struct Sums {
   Vec<double, 2> momentum = {0, 0}, wall = {0, 0};
   double external = 0, residual = 0;

@@ -1,5 +1,5 @@
-// Loads on faces of the mesh that find no matter: told once, in the first step with a load, with what share
-// acts.
+// Loads on faces of the mesh without matter: reported once, in the first step with a load, with the share
+// that acts.
 #include <arenite/arenite.hpp>
 
 #include "catch.hpp"
@@ -56,13 +56,13 @@ TEST_CASE("A load that matter takes, and one that is zero, are not told of") {
   CHECK(told(on_grid(1, low, pressure(top(), 1e4))).empty());
   CHECK(told(on_triangles(1, low, pressure(top(), 1e4))).empty());
   CHECK(told(on_grid(1.1, low, pressure(top(), 0))).empty());
-  // The strip that is loaded has matter behind it.
+  // There is matter below the loaded strip.
   const ScalarFunction strip([](const Triple& x, double) { return x[0] < 0.2 ? 1e4 : 0; });
   CHECK(told(on_grid(1, Box<2>{{0., 0.}, {0.2, 1.}}, pressure(top(), strip))).empty());
-  // It need not have a value where no matter is.
+  // The load need not have a value where there is no matter.
   const ScalarFunction there([](const Triple& x, double) { return x[0] < 0.2 ? 1e4 : std::nan(""); });
   CHECK(told(on_grid(1, Box<2>{{0., 0.}, {0.2, 1.}}, pressure(top(), there))).empty());
-  // Within the cells behind the faces.
+  // The matter ends within the cells at the faces.
   CHECK(told(on_grid(1, Box<2>{{0., 0.}, {0.4, 0.95}}, pressure(top(), 1e4))).empty());
 }
 

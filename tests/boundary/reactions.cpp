@@ -75,5 +75,5 @@ TEST_CASE("A piston presses a bar: reaction E A strain at both ends, work E A st
   CHECK(std::abs(reaction(scene, "left").force[0] / force - 1) <= 0.01);
   CHECK(std::abs(energies(scene).external / (force * strain * length / 2) - 1) <= 0.01);
   CHECK(std::abs(energies(scene).residual) <= 0.01 * energies(scene).external);
-  CHECK(reaction(scene, "right").force[1] == 0);  // normal alone
+  CHECK(reaction(scene, "right").force[1] == 0);  // normal only
 }

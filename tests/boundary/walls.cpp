@@ -130,6 +130,9 @@ TEST_CASE("walls that mean nothing are refused") {
   const auto anywhere = [](const std::array<double, 3>&) { return true; };
   REQUIRE(refuses(front(fixed), "Wall.axis = 2: must be an axis of the scene"));
   REQUIRE(refuses(where(anywhere, roller), "Wall.condition = roller: needs a face"));
+  for (const int kind : {-1, 4, 9})
+    REQUIRE(refuses(left({static_cast<Condition::Kind>(kind)}),
+                    "Condition.kind = " + std::to_string(kind) + ": must be 0 to 3"));
   REQUIRE(refuses(on("base", fixed), "Wall.set = base: a Cartesian grid has no node sets"));
   REQUIRE(refuses(on("", fixed), "Wall.set = : must name a node set"));
   REQUIRE(refuses(where([](const auto&) { return false; }, fixed),
@@ -192,14 +195,14 @@ TEST_CASE("constrained velocities lose what is blocked, and the wall gives the i
   REQUIRE(velocity[1].norm() == 0);
   REQUIRE((velocity[6] - Vec<double, 2>(0, -5)).norm() < 1e-15);
   REQUIRE((velocity[7] - Vec<double, 2>(3, -5)).norm() == 0);
-  REQUIRE(velocity[0].norm() == 0);  // held too; without a mass the wall gives it nothing
+  REQUIRE(velocity[0].norm() == 0);  // constrained too; without a mass it gets no impulse
   // Five nodes of the bottom stop, four of the left side lose their x.
   REQUIRE((impulse - Vec<double, 2>(-2 * 3 * 9, 2 * 5 * 5)).norm() < 1e-13);
 }
 
 TEST_CASE("nodes that no cell uses are no part of a face") {
   auto data = sample_data(SampleMesh<2>{.cells = {2, 2}});
-  data.nodes.push_back({-3, -3});  // as a mesher leaves the centre of an arc behind
+  data.nodes.push_back({-3, -3});  // as a mesher leaves the centre of an arc
   const SimplexMesh<2> mesh(data);
   REQUIRE(resolve<LinearSimplex>(mesh, walls(left(fixed)), Axisymmetric{}).size() == 3);
 }

@@ -1,6 +1,6 @@
 // must print: Scene: the bodies of a list are numbered at run time: say body(number)
 // errors: 1
-// A body of a list, asked for as one that has a type of its own.
+// A body of a list, accessed as one that has its own type.
 #include <arenite/arenite.hpp>
 
 using namespace arenite;

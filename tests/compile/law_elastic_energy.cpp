@@ -1,5 +1,5 @@
 // must print: elastic_energy(stress) or elastic_energy(stress, history)
-// A law whose energy takes its history alone.
+// A law whose energy takes only its history.
 #include <arenite/arenite.hpp>
 
 using namespace arenite;

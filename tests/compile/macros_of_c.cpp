@@ -9,7 +9,7 @@
 #if __has_include(<X11/Xlib.h>)
 #include <X11/Xlib.h>
 #include <X11/Xutil.h>
-#undef Success  // Eigen refuses it, in a sentence of its own
+#undef Success  // Eigen refuses it, with its own message
 #endif
 #include <complex>
 #include <filesystem>

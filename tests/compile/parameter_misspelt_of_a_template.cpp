@@ -1,5 +1,5 @@
 // must point here, with: MohrCoulombParameters
-// g++ alone names the parameters of a law that is a template; its two errors are one.
+// Only g++ names the parameters of a law that is a template; its two errors are one.
 #include <arenite/arenite.hpp>
 
 using namespace arenite;

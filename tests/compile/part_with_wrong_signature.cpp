@@ -1,6 +1,6 @@
 // must print: part: add_force must be void add_force(Scene& scene, double dt)
 // compile with: -DNDEBUG
-// Looked for by signature alone, this part would be left out in silence; the sentence is the first error.
+// Searched only by signature, this part would be left out silently; the message is the first error.
 #include <arenite/arenite.hpp>
 
 using namespace arenite;

@@ -23,7 +23,7 @@ int main() {
              Coulomb(Friction(0.1), SurfaceOf{"block"}),
              rigids(rigid(MeshSurface{"device"}, Guided{.mass = 1}, Friction(0.1), CentreOfMass{})),
              MovingMesh<>{.fixed_below = 0, .moving_from = 0.5}};
-  // The type of a scene can be written down: it tells neither regions nor distances nor functions.
+  // The type of a scene can be written down: it names neither regions nor distances nor functions.
   static_assert(std::same_as<decltype(grid), Scene<PlaneStrain, CartesianGrid<2>, Numerics<QuadraticBSpline>,
                                                    Bodies<Fill<LinearElastic>>, Walls, Gravity,
                                                    PartGroup<Rigid<DistanceSurface<>, Guided>>>>);

@@ -1,5 +1,5 @@
 // must print: Scene: gravity, contact of bodies, motion of the mesh and TrackEnergy may be given once each
-// Bodies meet in one way.
+// Only one contact algorithm acts between bodies.
 #include <arenite/arenite.hpp>
 
 using namespace arenite;

@@ -1,6 +1,6 @@
 // must print: vtu: include <arenite/observe/vtu.hpp>
 // errors: 1
-// What writes files has a header of its own.
+// Observers that write files have their own headers.
 #include <arenite/arenite.hpp>
 
 using namespace arenite;

@@ -101,7 +101,7 @@ void measure(const std::string& name, test::Validation& table) {
     const double surface = (6 + part) * h;
     for (std::size_t which = 0; which < 3; ++which) {
       const double reach = which == 0 ? 0.5 : 0;
-      // What is not measured is out of the way; bodies fill whole cells.
+      // The surface that is not measured is out of the way; bodies fill whole cells.
       const bool is_rigid = which < 2;
       auto scene = two_blocks<Shape, D>(is_rigid ? 2 * h : 6 * h, is_rigid ? surface : -9 * h, reach);
       const double inset = extent(scene.template body<0>())[0] - 11 * h;

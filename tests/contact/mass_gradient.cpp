@@ -12,7 +12,7 @@ using namespace arenite::test;
 
 namespace {
 
-/// Two blocks of unlike density that meet in a plane through the middle with normal (cos a, sin a): mean
+/// Two blocks of different density that touch in a plane through the middle with normal (cos a, sin a): mean
 /// (weighted by the impulse) and worst angle, rad, between the impulses of a frictionless contact and the
 /// normal, at nodes away from the hull.
 template <class N, class M>

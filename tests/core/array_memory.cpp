@@ -1,5 +1,5 @@
-// Memory of long arrays: it holds what is written, and arrays of like length begin at unlike places of a
-// page.
+// Memory of long arrays: it keeps the values written, and arrays of similar length start at different
+// offsets in a page.
 #include "catch.hpp"
 
 #include <arenite/parallel/array_memory.hpp>

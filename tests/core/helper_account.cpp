@@ -33,8 +33,8 @@ using Account = arenite::shared_detail::HelperAccount<TestTime>;
 constexpr std::size_t items = 100;
 constexpr Duration work = 100us;  // of a loop
 
-/// One loop, by the caller alone if the account says so; of two threads the caller does `own` items, and then
-/// waits. Returns whether two took part.
+/// One loop, without the helper if the account says so; with two threads the caller does `own` items, and
+/// then waits. Returns whether two took part.
 bool loop(Account& account, std::size_t own, Duration wait, Duration stopped_itself = 0ns) {
   if (!account.begin_loop()) {
     TestTime::work(work);

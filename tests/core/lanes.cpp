@@ -1,4 +1,4 @@
-// What kernels do with packs beside arithmetic: parts of columns in and out, sums over the lanes, twin packs.
+// Operations on packs besides arithmetic: parts of columns in and out, sums over the lanes, twin packs.
 #include "catch.hpp"
 
 #include <arenite/simd/lanes.hpp>

@@ -81,7 +81,7 @@ void check_memory() {
   REQUIRE(to[0] == T(0));
   REQUIRE(to[W + 1] == T(0));
   for (int count = 0; count <= W; ++count) {
-    const std::vector<T> exact(from.begin(), from.begin() + count);  // a read behind its end is seen by ASan
+    const std::vector<T> exact(from.begin(), from.begin() + count);  // a read past its end is seen by ASan
     const P a = P::load(exact.data(), count, T(-4));
     for (int i = 0; i < W; ++i) REQUIRE(a[i] == (i < count ? T(i + 1) : T(-4)));
     std::vector<T> part(W, T(9));

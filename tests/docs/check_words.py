@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""check_words.py ROOT: phrases that do not belong into the comments of the library's headers, each with what to say instead."""
+"""check_words.py ROOT: phrases that do not belong into comments of C++, each with what to say instead."""
 
 import re
 import sys
@@ -14,13 +14,14 @@ INSTEAD = {
     r"\bhand(?:s|ed|ing)? (?:over|back|on|out)\b|\bhanded\b": "give, pass, return, scatter",
     r"\b(?:told|tells?|telling)\b": "report, say, give",
     r"\b(?:meets?|met|meeting)\b": "touch, overlap, intersect",
-    r"\b(?:bear|bears|borne|bore)\b": "carry (stress), allow, tolerate",
+    r"\b(?:bear|bears|borne)\b": "carry (stress), allow, tolerate",
     r"\bgo(?:es)? on\b|\bwent on\b|\banew\b|\bof before\b|\bas ever\b": "continue, resume; again; previous; as usual",
     r"\bless\b(?! than\b)|\bso many\b|\balone\b": "minus; n; only",
     r"\bstand(?:s|ing)? for\b": "represent, replace",
     r"\bbook(?:s|ed|ing)?\b": "record, account for",
     r"\bsentence is enough\b": "already reported",
 }
+READ_BY_TESTS = ("// must print", "// errors", "// compile with")
 
 
 def comments(path):
@@ -35,8 +36,9 @@ def comments(path):
 
 def main(root):
     wrong = [f"{path.relative_to(root)}:{number}: {text.strip()}\n  say: {instead}"
-             for path in sorted((Path(root) / "include").rglob("*.hpp"))
-             for number, text in comments(path)
+             for folder in ("include", "src", "tests", "examples", "benchmarks", "python")
+             for path in sorted((Path(root) / folder).rglob("*.[ch]pp"))
+             for number, text in comments(path) if not text.startswith(READ_BY_TESTS)
              for phrase, instead in INSTEAD.items() if re.search(phrase, text)]
     if wrong:
         sys.exit("\n".join(wrong))

@@ -1,4 +1,4 @@
-// Random scenes of bodies that meet, and of rigid bodies: see runner.hpp.
+// Random scenes of bodies in contact, and of rigid bodies: see runner.hpp.
 #include "runner.hpp"
 
 using namespace arenite;

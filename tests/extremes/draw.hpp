@@ -1,4 +1,4 @@
-// What a random scene is made of: constants, layout and motion, all drawn from one seed. The same seed gives
+// Contents of a random scene: constants, layout and motion, all drawn from one seed. The same seed gives
 // the same scene with every compiler: neither the generator nor the distributions are those of the standard
 // library.
 #pragma once

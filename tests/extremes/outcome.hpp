@@ -69,7 +69,7 @@ struct Outcome {
   }
 };
 
-/// Observer that keeps the books of a scene, and ends the run after `steps`.
+/// Observer that records the balances of a scene, and ends the run after `steps`.
 template <class Scene>
 class Books {
  public:
@@ -81,7 +81,7 @@ class Books {
     check_momentum(scene);
     const Energies e = energies(scene);
     external_ = std::max(external_, std::abs(e.external));
-    // What a fall by a hundredth of a cell gives is nothing: the scene is at rest.
+    // The energy of a fall by a hundredth of a cell is negligible: the scene is at rest.
     double creep = 0;
     scene.for_each_body([&](const auto& body, const auto&) { creep += 0.01 * cell_ * mass(body); });
     creep *= static_cast<double>(scene.acceleration().norm());
@@ -93,7 +93,7 @@ class Books {
     const auto& balance = scene.template part<TrackEnergy>();
     const double given = std::max(balance.initial() + external_ + brought, creep);
     kinetic_ = std::max(kinetic_, e.kinetic);
-    // What the sums of energies are known to.
+    // Round-off of the sums of energies.
     const double floor = static_cast<double>(scene.steps) * epsilon * (kinetic_ + e.strain + given);
     // The law cannot give back more than it had stored.
     const double gain = e.residual - e.transfer - e.walls - e.lag +
@@ -113,7 +113,7 @@ class Books {
   using V = Vec<double, Scene::D>;
   static constexpr double epsilon = std::numeric_limits<typename Scene::T>::epsilon();
 
-  /// Impulse on the matter in the last step, N s, of a part that tells it: a load, an absorbing or frictional
+  /// Impulse on the matter in the last step, N s, of a part that gives it: a load, an absorbing or frictional
   /// face.
   template <class Part>
   static V impulse_of(const Part& part, double dt) {
@@ -125,12 +125,12 @@ class Books {
       return V::Zero();
   }
 
-  /// Momentum that points and free rigid bodies have must be what they had, and what gravity, loads, walls,
-  /// other rigid bodies and inserted and removed points gave. The books begin anew where points have left.
-  /// Radial momentum is nobody's in axisymmetry.
+  /// The momentum of points and free rigid bodies must be the previous one plus that from gravity, loads,
+  /// walls, other rigid bodies and inserted and removed points. The balance restarts after points have left.
+  /// Radial momentum is not conserved in axisymmetry.
   void check_momentum(const Scene& scene) {
     V now = V::Zero(), joined = V::Zero();
-    // Of the last step: points were inserted and removed behind it.
+    // Of the last step: points were inserted and removed after it.
     V given = mass_ * scene.time_step * acceleration_;
     acceleration_ = scene.acceleration().template cast<double>();  // of the step to come
     double carried = 0, limited = 0, pushed = 0;
@@ -146,7 +146,7 @@ class Books {
         const auto& s = body.points.stress[p];
         const double size = static_cast<double>(scene.mesh.size(body.points.cell[p]));
         carried += static_cast<double>(body.points.mass[p] * body.points.velocity[p].norm());
-        // The affine part hands each node its share, which sum to nothing but round-off.
+        // The affine part gives each node a share; the shares sum to zero up to round-off.
         if constexpr (Scene::NumericsType::Transfer::affine)
           carried +=
               static_cast<double>(body.points.mass[p] * body.points.velocity_gradient[p].norm()) * cell_;
@@ -209,7 +209,7 @@ std::string type_of_scene() {
   return __PRETTY_FUNCTION__;
 }
 
-/// What a scene begins with.
+/// Records the initial state of a scene: type, smallest cell, speed, points per cell, mass of rigid bodies.
 template <class Scene>
 void see_start(const Scene& scene, double cell, Outcome& o) {
   o.scene = type_of_scene<Scene>();
@@ -229,7 +229,7 @@ void see_start(const Scene& scene, double cell, Outcome& o) {
   });
 }
 
-/// What is left of it; whether all of its numbers are finite.
+/// Records the final volumes of a scene; returns whether all of its numbers are finite.
 template <class Scene>
 bool see_end(const Scene& scene, Outcome& o) {
   bool finite = true;

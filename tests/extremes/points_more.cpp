@@ -6,7 +6,7 @@ using namespace arenite::extremes;
 
 namespace {
 
-/// A part that takes the points out of a box and fills it with new ones, every so many steps.
+/// A part that removes the points in a box and fills it with new ones, once in `every` steps.
 struct Renewal {
   static constexpr bool reads_start_state = false;
   Box<2> box;

@@ -1,4 +1,4 @@
-// Random scenes in tiles beside the same scenes alone: the same ending, points, momentum and energy.
+// Random scenes in tiles against the same scenes as a whole: the same ending, points, momentum and energy.
 #include <arenite/tiles.hpp>
 
 #include "runner.hpp"
@@ -8,7 +8,7 @@ using namespace arenite::extremes;
 
 namespace {
 
-/// What a scene has come to, tile by tile.
+/// Sums over a scene, added tile by tile.
 struct Sums {
   std::size_t points = 0;
   double mass = 0, carried = 0, kinetic = 0, strain = 0;  // kg, kg m/s, J, J
@@ -92,17 +92,17 @@ Outcome compared(Draw& d, const Mesh& whole_mesh, const Data& data) {
     of_whole.add(whole);
     cut.for_each_tile([&](const auto& scene) { of_cut.add(scene); });
     o.steps = whole.steps;
-    // Where one ends a run by itself the other may go on for a while; a point that crosses more cells in a step
-    // than a tile sees beyond its own ends the run of tiles.
+    // If one run stops by itself, the other may continue for a while; a point that crosses more cells in a
+    // step than the ghost cells of a tile ends the run of tiles.
     const bool too_far = other.find("beyond its ghost cells") != other.npos;
     if ((!one.empty() && !other.empty()) || too_far) return end_with(Ending::stopped, other);
     if (one.empty() != other.empty())
       return end_with(Ending::untyped, joined_text({"alone: ", one, " ", whole.steps, " steps; in tiles: ",
                                                     other, " ", cut.steps(), " steps"}));
     if (!of_whole.finite || !of_cut.finite) return end_with(Ending::nan);
-    // What is at rest moves by round-off of its stresses.
+    // Matter at rest moves by round-off of its stresses.
     const double still = 1e-6 * of_whole.mass * d.wave();
-    // In points and steps, of which none may differ; in momentum and in energy, over what is let be.
+    // Differences: of points and steps, which must agree; of momentum and energy, over the tolerance.
     const auto apart = [&](const Sums& from, std::size_t its_steps) {
       return std::max<double>(
           {2 * std::abs(static_cast<double>(from.points) - static_cast<double>(of_whole.points)),
@@ -113,7 +113,7 @@ Outcome compared(Draw& d, const Mesh& whole_mesh, const Data& data) {
     };
     o.momentum = apart(of_cut, cut.steps());
     if (o.momentum <= 1) return end_with(Ending::sound);
-    // Or what round-off comes to in such a scene: alone, stiffer by 1e-12.
+    // Otherwise over the effect of round-off in such a scene: as a whole, stiffer by 1e-12.
     stiffer = 1 + 1e-12;
     auto shaken = make(whole_mesh);
     run_of(shaken, options);

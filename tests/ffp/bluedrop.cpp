@@ -13,8 +13,7 @@ namespace {
 
 constexpr double g = standard_gravity;
 
-/// A BlueDrop's record of a drop: every accelerometer sees it, and holds its value where that leaves its
-/// range.
+/// A BlueDrop's record of a drop: every accelerometer measures it, clipped to its range.
 std::string bluedrop_record(double peak_g, double at_rest = 0) {
   const double fall = 0.5, braking = 0.03;
   std::string bytes;
@@ -104,7 +103,7 @@ TEST_CASE("a BlueDrop's record that lost an integer is refused with its place; r
   bytes.erase(39000 * 30, 300);
   for (std::size_t i = 0; i < 10; ++i) bytes += bytes.substr(bytes.size() - 30);
   for (std::size_t row = bluedrop_rows - 10; row < bluedrop_rows; ++row)
-    for (std::size_t k = 0; k < 3; ++k)  // which the count goes on in
+    for (std::size_t k = 0; k < 3; ++k)  // in which the count continues
       bytes[row * 30 + k] = static_cast<char>(((row + 10) >> (8 * (2 - k))) & 0xff);
   const Measurement m = read_measurement(options(written("gap.bin", bytes)));
   REQUIRE(

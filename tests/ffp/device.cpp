@@ -1,4 +1,4 @@
-// Penetrometers of any size: what is told, what follows it, what is refused.
+// Penetrometers of any size: given values, values that follow from them, and refusals.
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <string>

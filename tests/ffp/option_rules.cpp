@@ -1,4 +1,4 @@
-// What each kind of drop takes: defaults of its own, and what goes without what.
+// Options of each kind of drop: its defaults, and options that exclude each other.
 #include <fstream>
 
 #include "read_words.hpp"

@@ -1,4 +1,4 @@
-// The paper's cases, and the table that holds their results against the paper's numbers.
+// The paper's cases, and the table that compares their results with the paper's numbers.
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -129,7 +129,7 @@ TEST_CASE("results of a case are read from its folder, as far as it came") {
   REQUIRE(
       (r.time == std::vector<double>{0, 0.1} && r.depth == std::vector<double>{0, 0.5} && r.step[1] == 0.1));
   REQUIRE(!r.depth_at(0.15));
-  std::ofstream{"case/history.csv"}  // as a spreadsheet saves it anew
+  std::ofstream{"case/history.csv"}  // as a spreadsheet saves it again
       << "\xef\xbb\xbftime_s;penetration_m;time_step_s\r\n0;0;0\r\n0,1;0,5;0,1\r\n";
   REQUIRE(result_of_case("case").depth == r.depth);
   std::ofstream{"case/history.csv"} << "time_s,penetration_m,time_step_s\n0,0,0\n0.1,deep,0.1\n";

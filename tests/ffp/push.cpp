@@ -27,7 +27,7 @@ std::string refusal_of_push(std::vector<std::string> words) {
   return refusal_of(std::move(words));
 }
 
-/// Limit pressure of a spherical cavity by numerical integration: the fields of an expansion from nothing depend on xi = r / c alone, c
+/// Limit pressure of a spherical cavity by numerical integration: the fields of an expansion from nothing depend only on xi = r / c, c
 /// the radius of the plastic zone. Equilibrium and yield give the stresses; the flow rule, beta e_r + 2 e_t (plastic) = 0, the
 /// velocity V(xi) over that of c, from 3 delta at xi = 1 inward to the wall of the cavity, where V = xi.
 double integrated_limit(const CavitySoil& s, double p0) {

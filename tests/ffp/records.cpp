@@ -438,7 +438,7 @@ TEST_CASE("records that show little") {
   REQUIRE(holds(refusal(file, {"--impact-velocity", "4.905", "--zero-at-rest"}), "shows no quiet rest"));
   const auto proper = file_of(shown_by({cut.begin() + 800, cut.end() - 20}, -1, true, 0));
   REQUIRE(holds(refusal(proper, {"--impact-velocity", "4.905"}), "give --reads proper and --invert"));
-  // The braking alone.
+  // Only the braking.
   const auto braking =
       reduced(file_of({cut.end() - 92, cut.end()}), {"--impact-time", "0", "--impact-velocity", "4.905"});
   REQUIRE((!braking.levels.before && !braking.levels.fall));

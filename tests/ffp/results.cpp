@@ -150,7 +150,7 @@ TEST_CASE("figures and summary of a braking that is known: v = 5.6 cos(w t), so 
   REQUIRE(running["process_id"] == 7);
   REQUIRE(running["inputs"] == j["inputs"]);
   REQUIRE(!running.contains("final_penetration_m"));
-  // The hash tells inputs apart, and the content of a mesh.
+  // The hash distinguishes inputs, and the content of a mesh.
   REQUIRE(running["inputs_hash"] == j["inputs_hash"]);
   REQUIRE(j["inputs_hash"].get<std::string>().size() == 16);
   std::set<std::string> hashes{hash_of_inputs({}), hash_of_inputs(options)};

@@ -1,4 +1,4 @@
-// What the library relies on of arithmetic, for `arithmetic.cmake` to compile with flags that change it: tells what is wrong, or exits
+// Arithmetic that the library relies on, for `arithmetic.cmake` to compile with flags that change it: prints what is wrong, or exits
 // with 0.
 #include <algorithm>
 #ifdef WITH_A_SCENE

@@ -73,7 +73,7 @@ Result UNIT(const char* name, int wanted) {
   };
   set_threads(wanted);
   if (wanted > 0)
-    on_warning([](const std::string& text) { heard += text.starts_with("of "); });  // not of files of before
+    on_warning([](const std::string& text) { heard += text.starts_with("of "); });  // not of previous files
   warn(joined_text({"of ", name}));
   CsvWriter(file(".csv"), {"a", "b"}).row({1, 2});
   try {

@@ -1,4 +1,4 @@
-// What the units of this test tell each other.
+// Declarations shared by the units of this test.
 #pragma once
 
 #include <array>

@@ -1,4 +1,4 @@
-// What must hold in a fuzz target, in every build.
+// Check of a condition in a fuzz target, in every build.
 #pragma once
 
 #include <cstddef>

@@ -1,5 +1,5 @@
 // Fuzz target: any bytes as an STL file. The reader throws `error` or returns triangles of its vertices, no
-// two of which are the same; a `TriangleSurface` of them may be refused, and tells distances otherwise.
+// two of which are the same; a `TriangleSurface` of them may be refused, and gives distances otherwise.
 #include <arenite/geometry/triangle_surface.hpp>
 #include <arenite/io/stl.hpp>
 #include <cmath>

@@ -10,7 +10,7 @@ using namespace arenite;
 
 namespace {
 
-/// Takes numbers off the front of the bytes; zeros behind their end.
+/// Reads numbers from the front of the bytes; zeros after their end.
 class Bytes {
  public:
   Bytes(const std::uint8_t* at, std::size_t left) : at_{at}, left_{left} {}

@@ -18,9 +18,9 @@ Vec<double, D> any_place(std::mt19937& random, double size) {
   return x;
 }
 
-/// What makes a signed distance exact: its slope is 1, and the foot x - d grad d lies on the surface. (Where
-/// it has no slope, on edges and the medial axis, nothing is asked.) Its sign is that of `contains`, and
-/// outside of its bounds it is not smaller than the distance to them. Returns how many places were looked at.
+/// Checks an exact signed distance: its slope is 1, and the foot x - d grad d lies on the surface. (Where
+/// it has no slope, on edges and the medial axis, nothing is required.) Its sign is that of `contains`, and
+/// outside of its bounds it is not smaller than the distance to them. Returns the number of places checked.
 template <int D, class Shape>
 int check_exact(const Shape& shape, double size, bool outside = true, bool inside = true) {
   std::mt19937 random(3);
@@ -80,7 +80,7 @@ TEST_CASE("Shapes: cone with a flat tip and a rounded edge") {
   CHECK(blunt(Vec<double, 2>(0.05, -0.8)) == Approx(0).margin(1e-15));
   CHECK(blunt(Vec<double, 2>(0.1, -0.9)) == Approx(0.1));
   CHECK(blunt(Vec<double, 2>(0, -0.75)) == Approx(-0.05));
-  // Where flank and shaft would meet: outside of the arc by what a circle leaves of a corner.
+  // Where flank and shaft would intersect: outside of the arc by the gap between circle and corner.
   const double corner = -0.8 + 0.4 / std::tan(30_deg);
   CHECK(blunt(Vec<double, 2>(0.5, corner)) == Approx(0.4 * (1 / std::cos(15_deg) - 1)));
   const ConeCylinder sharp({.radius = 0.5, .apex = 60_deg, .length = 1.5, .tip = -0.8, .tip_radius = 0.1});

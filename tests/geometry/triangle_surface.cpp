@@ -83,7 +83,7 @@ TEST_CASE("Triangle surface: the distance is exact, the sign that of the winding
   CHECK(worst(tetrahedron_surface(), 1, 3000) < 1e-14);
   CHECK(worst(torus_surface(24, 9, 0.4), 1.5, 1000) < 1e-14);
   CHECK(worst(star(3, 0.3), 1.5, 1000) < 1e-14);
-  // A cavity, and two surfaces that meet in one vertex.
+  // A cavity, and two surfaces that touch in one vertex.
   TriangleData cavity = box_surface({-0.2, -0.2, -0.2}, {0.2, 0.3, 0.2});
   for (auto& t : cavity.triangles) std::swap(t[1], t[2]);
   CHECK(worst(joined(ball_surface(2), cavity), 1, 1000) < 1e-14);

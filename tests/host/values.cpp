@@ -69,7 +69,7 @@ TEST_CASE("what does not fit is told by place, value and rule", "[host]") {
 
 TEST_CASE("a function of place is asked once for all places", "[host]") {
   int calls = 0;
-  PlacesAtOnce<1> f(
+  BatchedFunction<1> f(
       [&](const HostArray& x) {
         ++calls;
         HostArray out{{}, {x.rows()}};
@@ -155,7 +155,7 @@ TEST_CASE("a hosted scene has the bits of the scene itself", "[host]") {
   CHECK(message([&] { hosted->step(-1); }) == "step: dt = -1: must be positive and finite (s)");
   CHECK(message([&] { hosted->energies(); }) == "energies: name TrackEnergy{} among the scene's parts");
 
-  // Points of both, added, removed and looked at in the same way.
+  // Points of both, added, removed and read in the same way.
   const Box gone{{0.05, 0.05}, {0.1, 0.2}}, more{{0.12, 0}, {0.16, 0.04}};
   const auto region = [](const Box<2>& b) {
     return Value(Dict{{"shape", std::string("Box")},

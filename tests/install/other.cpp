@@ -1,4 +1,4 @@
-// The second translation unit: includes what the first includes, and runs a scene of its own.
+// The second translation unit: includes what the first includes, and runs its own scene.
 #include "other.hpp"
 
 double fall_elsewhere() {

@@ -1,4 +1,4 @@
-// What both translation units share: the scene of a falling block, and a run of it elsewhere.
+// Shared by both translation units: the scene of a falling block, and a run of it elsewhere.
 #pragma once
 
 #include <arenite/arenite.hpp>

@@ -1,4 +1,4 @@
-// Tables out: exact numbers, whole rows at any time, and a full disk that is told.
+// Output of tables: exact numbers, whole rows at any time, and the error for a full disk.
 #include <arenite/io/csv.hpp>
 #include <arenite/io/input_file.hpp>
 
@@ -117,7 +117,7 @@ TEST_CASE("files out: a link at a name is replaced, not followed, and what is no
   REQUIRE(fs::is_regular_file(fs::symlink_status("links/table.csv")));
   REQUIRE_FALSE(fs::exists(fs::symlink_status("links/whole.part")));
 
-  // A table that goes on is written to where it lies, so that a link is refused.
+  // A table that is continued is written in place, so that a link is refused.
   std::ofstream("links/precious") << "a\n1\n2\n";
   fs::create_symlink("precious", "links/linked.csv");
   REQUIRE_THROWS_AS(CsvWriter("links/linked.csv", {"a"}, 4), output_error);

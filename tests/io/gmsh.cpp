@@ -1,5 +1,5 @@
-// Gmsh files written by hand: what meshio cannot write, each mistake that a file can hold, and files cut or
-// damaged at every byte.
+// Gmsh files written by hand: cases that meshio cannot write, each mistake that a file can have, and files
+// truncated or damaged at every byte.
 #include <arenite/io/gmsh.hpp>
 #include <arenite/mesh/simplex_mesh.hpp>
 
@@ -20,7 +20,7 @@ MeshData<D> read(const std::string& text) {
   return read_gmsh<D>(in, "box.msh");
 }
 
-/// What the reader says of the text; empty if it takes it.
+/// Message of the reader for the text; empty if it accepts it.
 template <int D>
 std::string complaint(const std::string& text) {
   try {
@@ -307,7 +307,7 @@ TEST_CASE("a file cut or damaged at any byte is refused or read, never worse") {
 }
 
 TEST_CASE("a cell in several groups belongs to the region of each") {
-  // Format 2.2 has an element for each group: the first triangle is sand and all, the second all alone.
+  // Format 2.2 has an element for each group: the first triangle is in sand and all, the second only in all.
   std::string text = replaced(square_2, "3\n1 9", "4\n2 6 \"all\"\n1 9");
   text = replaced(text, "$Elements\n7", "$Elements\n8");
   text = replaced(text, "9 2 3 0 1 0 7 30 20", "9 2 3 6 1 0 7 30 20\n10 2 2 6 1 10 30 7");

@@ -64,7 +64,7 @@ TEST_CASE("STL: triangles come back, each vertex once") {
     check_same(data, box);
     CHECK(read(file, 1e-3).vertices[0] == Vec<double, 3>(1e-3 * data.vertices[0]));
   }
-  const TriangleData ball = ball_surface(3);  // text holds all digits
+  const TriangleData ball = ball_surface(3);  // text keeps all digits
   CHECK(read(as_text(ball)).vertices.size() == ball.vertices.size());
   check_same(read(as_text(ball)), ball);
   std::ofstream("ball.stl", std::ios::binary) << as_text(ball);

@@ -1,5 +1,5 @@
-// What a law says of its inelastic volumetric strain: opening and dilation account for all of it, dilation
-// follows the angle of dilatancy, and open matter bears no stress, whatever an average gave it.
+// Inelastic volumetric strain that a law reports: opening and dilation account for all of it, dilation
+// follows the angle of dilatancy, and open matter carries no stress, whatever an average gave it.
 #include <arenite/core/units.hpp>
 #include <arenite/law/drucker_prager.hpp>
 #include <arenite/law/mohr_coulomb.hpp>
@@ -131,7 +131,7 @@ TEST_CASE("matter dilates up to its greatest volume ratio; what it would dilate 
   buffer.store(0, step);
   G2pSums sums;
   const int steps = 2000;
-  for (int k = 0; k < steps; ++k) law_pass<false, 1>(law, points, points, 0, 1, buffer, 0, sums);
+  for (int k = 0; k < steps; ++k) law_pass<false, 1>(law, points, 0, 1, buffer, 0, sums);
   CHECK(std::abs(points.volume[0] - 1.1 * 2e-3) <= 1e-15);
   CHECK(std::abs(sums.opened_volume / (1.1 * 2e-3 * (steps * up - std::log(1.1))) - 1) <= 1e-3);
 }
@@ -152,7 +152,7 @@ TEST_CASE("matter that does not dilate has no greatest volume ratio, whatever it
       buffer.store(1, StrainStep<double, 2>{.strain = {{0, 0, 0, 1e-2}}});
     }
     G2pSums sums;
-    law_pass<false, Width>(law, points, points, 0, beside ? 2 : 1, buffer, 0, sums);
+    law_pass<false, Width>(law, points, 0, beside ? 2 : 1, buffer, 0, sums);
     return std::array{points.volume[0], beside ? points.volume[1] : 0};
   };
   const double alone = volumes(std::integral_constant<int, 1>{}, false)[0];

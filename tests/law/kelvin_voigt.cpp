@@ -26,7 +26,7 @@ TEST_CASE("a constant rate: stress = M (strain + tau x rate), whatever the numbe
     for (int k = 0; k < steps; ++k) law.update(stress, step, history);
     CHECK(stress[1] == Approx(modulus * strain * (1 + tau / time)).epsilon(1e-12));
     CHECK(law.elastic_energy(stress, history) == Approx(modulus * strain * strain / 2).epsilon(1e-12));
-    law.update(stress, {.strain = {}, .spin = {}, .dt = 1e-6}, history);  // held: the dashpot lets go
+    law.update(stress, {.strain = {}, .spin = {}, .dt = 1e-6}, history);  // no strain: the dashpot relaxes
     CHECK(stress[1] == Approx(modulus * strain).epsilon(1e-12));
   }
 }
@@ -51,7 +51,7 @@ TEST_CASE("creep under a constant stress: strain = stress / M (1 - exp(-t / tau)
     step.dt = time / steps;
     for (int k = 0; k < steps; ++k) {
       const double elastic = stress[1] - history.viscous[1];
-      step.strain[1] = (load - elastic) / (modulus * (1 + tau / step.dt));  // so that the load is borne
+      step.strain[1] = (load - elastic) / (modulus * (1 + tau / step.dt));  // so that the load is carried
       strain += step.strain[1];
       law.update(stress, step, history);
       CHECK(stress[1] == Approx(load).epsilon(1e-12));

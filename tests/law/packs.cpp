@@ -1,5 +1,5 @@
-// A law's answer for a point is its own: the same bits alone, beside any other points and in packs of any
-// width, for every law; and none of them lies outside its yield surface.
+// A law's result for a point is independent of other points: the same bits in packs of any width, beside any
+// other points, for every law; and no result lies outside its yield surface.
 #include <algorithm>
 #include <arenite/arenite.hpp>
 #include <bit>
@@ -26,7 +26,7 @@ struct Before {
   std::array<double, 16> history{};  // by member
 };
 
-/// In tension and compression, on edges and near the apex; strained by up to three times what it bears;
+/// In tension and compression, on edges and near the apex; strained by up to three times what it can carry;
 /// sheared, open and fast, or fresh.
 template <int D>
 std::vector<Before<D>> random_points(std::size_t count, double apex) {
@@ -165,7 +165,7 @@ struct Strength {
 };
 const std::array strengths{Strength{45_deg, 1_kPa, 0}, Strength{40_deg, 0, 10_deg},
                            Strength{35_deg, 5_kPa, 15_deg}, Strength{30_deg, 2_kPa, 5_deg, 300},
-                           Strength{45_deg, 1_kPa, 10_deg, 1500}};  // a cut-off for softened points alone
+                           Strength{45_deg, 1_kPa, 10_deg, 1500}};  // a cut-off only for softened points
 
 template <template <class, class, class> class Law, class Parameters, int D, class Memory = ForgetsOpening,
           class Friction = ConstantFriction, class Stiffness = ConstantStiffness>

@@ -166,7 +166,7 @@ TEST_CASE("the dilatancy of a step is that of its rate and of the plastic strain
 
 namespace {
 
-/// Constant friction that sums twice what it is told.
+/// Constant friction that sums twice the strain it is given.
 struct Told {
   template <class T>
   using History = PlasticStrainHistory<T>;

@@ -162,7 +162,7 @@ TEMPLATE_TEST_CASE("cells whose volume or size is not a number in the scalar are
   for (const double scale : {1e-300, 1e-150, 1e150, 1e300})
     REQUIRE(throws([&] { SimplexMesh<D> m(scaled(scale)); }, rule));
   REQUIRE(throws([&] { SimplexMesh<D, float> m(scaled(1e300)); }, "finite in the scalar of the mesh"));
-  // What is taken has volumes, sizes and gradients.
+  // Accepted meshes have volumes, sizes and gradients.
   const auto check = [](const auto& mesh) {
     for (Index c = 0; c < mesh.cell_count(); ++c) {
       REQUIRE(std::isnormal(mesh.volume(c)));

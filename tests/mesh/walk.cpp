@@ -7,7 +7,7 @@ using namespace arenite::test;
 
 namespace {
 
-/// How deep a cell holds x: its least barycentric coordinate, largest over the cells.
+/// The cell in which x lies deepest, and how deep: the least barycentric coordinate, largest of all cells.
 template <int D, class T>
 std::pair<Index, T> by_brute_force(const SimplexMesh<D, T>& mesh, const Vec<T, D>& x) {
   Index best = none;
@@ -22,7 +22,7 @@ std::pair<Index, T> by_brute_force(const SimplexMesh<D, T>& mesh, const Vec<T, D
   return {best, depth};
 }
 
-/// Counts answers of `find` that are no cell that holds the point (to round-off).
+/// Counts answers of `find` that are not a cell containing the point (to round-off).
 template <int D, class T, class Find>
 int wrong_answers(const SimplexMesh<D, T>& mesh, int points, double margin, Find&& find) {
   std::mt19937 random(3);

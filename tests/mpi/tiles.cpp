@@ -1,4 +1,4 @@
-// tests.mpi.tiles [grid] TILES STEPS [balance | save FOLDER STEP | restore FOLDER | fail | outside | mesh | cut | run | alone | killed FOLDER]: sand with a body that
+// `tests.mpi.tiles [grid] TILES STEPS [balance | save FOLDER STEP | restore FOLDER | fail | outside | mesh | cut | run | alone | killed FOLDER]`: sand with a body that
 // is pushed into it, cut into tiles on the ranks that there are; prints a hash of all points, and what moved between ranks.
 #include <arenite/arenite.hpp>
 #include <arenite/mpi.hpp>
@@ -127,7 +127,7 @@ void work(mpi::World& world, const std::vector<std::string>& given, const Mesh& 
     auto& points = s.body().points;
     for (std::size_t p = 0; p < points.size(); ++p) {
       ++count;
-      points.id[p] = 0;  // the rest of a point tells which it is
+      points.id[p] = 0;  // the rest of a point identifies it
       points.cell[p] = static_cast<Index>(s.portion().whole_cell[points.cell[p]]);
       bits += static_cast<std::int64_t>(bits_of(points, p));
     }

@@ -1,4 +1,4 @@
-// The energy balance: what transfer and walls take is booked, so that the residual tells errors alone.
+// The energy balance: the losses of transfer and walls are recorded, so that the residual is only errors.
 #include <arenite/arenite.hpp>
 
 #include "catch.hpp"
@@ -30,7 +30,7 @@ Ran ran(Scene scene, double end, double courant = 0.5) {
   return r;
 }
 
-/// A column of sand that collapses on a floor that holds it.
+/// A column of sand that collapses on a fixed floor.
 template <class N>
 Ran column(N numerics) {
   const MohrCoulomb sand{{.density = 1540, .young = 1e6, .poisson = 0.3, .friction = 35_deg}};

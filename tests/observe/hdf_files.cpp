@@ -1,4 +1,4 @@
-// HDF5 files: states that go on with the same bits and are refused as the others are. check_hdf_files.py
+// HDF5 files: restored states continue with the same bits, and are refused as others are. check_hdf_files.py
 // reads the files that this test leaves with h5py, and compares them with the binary state file.
 #include <algorithm>
 #include <arenite/arenite.hpp>
@@ -181,7 +181,7 @@ TEST_CASE("VTKHDF: a run in one file, with points that get lost; resumed it goes
   VtkhdfWriter shorter("series/run_sand.vtkhdf", true);
   CHECK_THROWS_WITH(shorter.keep(9), Contains("has 4 steps, and must have 9"));
   CHECK_THROWS_AS(VtkhdfWriter("no/such/folder/a.vtkhdf"), output_error);
-  std::ofstream("series/precious") << "precious";  // a link is replaced, and not followed to go on
+  std::ofstream("series/precious") << "precious";  // a link is replaced, not followed
   std::filesystem::create_symlink("precious", "series/link.vtkhdf");
   const std::vector<double> origin(3);
   VtuData one_point;
@@ -251,7 +251,7 @@ TEST_CASE("VTKHDF: tiles write one file, with the points and cells of all; resto
   corners.resize(static_cast<std::size_t>(of_parts.front()));  // written again by the second run
   const auto nodes = numbers(mesh, "VTKHDF/Points", {'f', 8}, double{});
   REQUIRE(corners.size() >= 3 * 400);
-  double area = 0;  // each triangle, by the nodes of its own tile
+  double area = 0;  // each triangle, by the nodes of its tile
   for (std::size_t c = 0; c < corners.size(); c += 3) {
     const auto at = [&](std::size_t k, std::size_t axis) {
       return nodes[static_cast<std::size_t>(corners[c + k]) * 3 + axis];

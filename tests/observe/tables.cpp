@@ -1,4 +1,4 @@
-// What a run is asked for: tables of named columns, probes, section forces.
+// Requested output of a run: tables of named columns, probes, section forces.
 #include <arenite/arenite.hpp>
 #include <arenite/mesh/box_mesh.hpp>
 #include <arenite/observe/csv.hpp>

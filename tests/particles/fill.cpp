@@ -49,7 +49,7 @@ TEST_CASE("a cell of several names belongs to the region of each") {
   o.upper = {1, 1};
   o.region = [](const auto& x) { return x[1] > 0.5 ? 5 : x[0] < 0.25 ? -1 : 3; };
   auto data = sample_data(o);
-  data.region_names = {{"low", 3}, {"high", 5}, {"wet", 7}};  // no cell is wet alone
+  data.region_names = {{"low", 3}, {"high", 5}, {"wet", 7}};  // no cell is only wet
   data.shared_regions = {{"low", {-1}}, {"wet", {-1}}};
   const SimplexMesh<2> mesh(data);
   CHECK(volume(body_of<PlaneStrain>(mesh, Cells("low"))) == Approx(0.5));

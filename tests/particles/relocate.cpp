@@ -236,8 +236,7 @@ TEST_CASE("cell list by hand") {
   list.admit(move);
   list.list_unsorted(cell);
   REQUIRE((list.empty(1) && points(4) == std::vector<Index>{4, 3}));
-  // Another leaves for nowhere: the new order does without it, and has unsorted points behind the cell's own
-  // points.
+  // Another leaves for no cell: the new order omits it, and has unsorted points after the cell's own points.
   move = {1, none};
   list.leave(move, cell, [&](Index a, Index b) { swaps.emplace_back(a, b); });
   list.admit(move);

@@ -58,18 +58,18 @@ TEST_CASE("A shaft that is pulled through the ground bears adhesion times its ar
     if (strength == 0) smooth = e.residual;
     CHECK(std::abs(e.residual - smooth) <= 1e-3 * strength * area * speed * scene.time);
   }
-  // A limit that is never met changes nothing.
+  // A limit that is never reached changes nothing.
   auto strong = shaft(down(speed), 1e12);
   auto unlimited = shaft(down(speed), std::numeric_limits<double>::infinity());
   CHECK(mean_force(strong, 0.02) == mean_force(unlimited, 0.02));
-  // Friction is met by the lesser of the two.
+  // The smaller of the two limits friction.
   auto frictional = shaft(down(speed), adhesion, Friction(0.01));
   run(frictional, {.end = 0.05});
   CHECK(mean_force(frictional, 0.1) < 0.01 * 1.1 * pushed * area);
 }
 
 TEST_CASE("A shaft sinks by its weight less adhesion times area, or does not") {
-  const double mass = 2 * adhesion * area / 10;  // twice what adhesion bears
+  const double mass = 2 * adhesion * area / 10;  // twice what adhesion carries
   auto sinking = shaft(Guided{.mass = mass}, adhesion);
   run(sinking, {.end = 0.05});
   const double before = sinking.rigid().velocity[1], from = sinking.time;

@@ -1,4 +1,4 @@
-// What a new scene says of its rigid bodies: matter inside of them, and walls too thin to hold it back.
+// Warnings of a new scene about its rigid bodies: matter inside of them, and walls too thin to retain it.
 #include <arenite/arenite.hpp>
 #include <arenite/geometry/triangle_surface.hpp>
 
@@ -64,7 +64,7 @@ TEST_CASE("Matter that a rigid body touches, or that ends within half a point's 
   CHECK(told(sand, Box<2>{{0.3, 0.6 - 0.0249 / 2}, {0.7, 0.9}}).empty());  // points of 0.025 m
   CHECK(told(sand, Box<2>{{0.3, 0.5875}, {0.7, 0.9}}).empty());            // points on its face
   CHECK(told(Box<2>{{0.3, 0.3}, {0.7, 0.7}}, Box<2>{{0., 0.}, {1., 1.}} - Box<2>{{0.2, 0.2}, {0.8, 0.8}})
-            .empty());  // a drum that holds it
+            .empty());  // a drum that contains it
   CHECK(told(sand, [](const Vec<double, 2>& x) { return 0.7 - x[1]; }).empty());
 }
 
@@ -197,7 +197,7 @@ TEST_CASE("Tips, edges and bodies that are thick across are no walls") {
     CHECK(told(low, Box<2>{{at - 0.03, 0.3}, {at + 0.03, 0.9}}).empty());
     CHECK(told(low, Box<2>{{-1., 0.25}, {2., 0.3 + at / 2}}).empty());
   }
-  // A floor of which the mesh has the upper face alone, and a half-plane.
+  // A floor of which the mesh has only the upper face, and a half-plane.
   CHECK(told(Box<2>{{0., 0.1}, {1., 0.2}}, Box<2>{{-1., -0.02}, {2., 0.01}}).empty());
   CHECK(told(Box<2>{{0., 0.3}, {1., 0.4}}, [](const Vec<double, 2>& x) { return x[1] - 0.2; }).empty());
   const Box<3> bed{{0., 0., 0.}, {1., 1., 0.2}};

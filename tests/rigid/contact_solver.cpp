@@ -40,7 +40,7 @@ TEST_CASE("However matter resists a body, no impulse on it gains energy") {
     coupled += least(exact) > 0 && mobility == exact;
     gaining += least(exact) < -1e-6 * exact.norm();
   }
-  // Both kinds are met.
+  // Both kinds occur.
   CHECK(coupled >= 200);
   CHECK(gaining >= 200);
 }

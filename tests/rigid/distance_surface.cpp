@@ -62,7 +62,7 @@ TEST_CASE("normals are those of the cone's flank, its shaft and its tip") {
   int on_flank = 0, on_shaft = 0;
   for (const auto& t : touched<QuadraticBSpline>(grid, DistanceSurface{cone, 0.8}, {0, 0.05})) {
     const P x = QuadraticBSpline::node_position(grid, t.node) - P(0, 0.05);
-    const double foot = (x[0] + x[1]) / 2;  // radius where the normal through the node meets the flank
+    const double foot = (x[0] + x[1]) / 2;  // radius where the normal through the node hits the flank
     if (x[0] > x[1] && foot > 0.01 && foot < 0.29) {
       REQUIRE((t.normal - flank).norm() < 1e-6);
       ++on_flank;
@@ -87,7 +87,7 @@ TEST_CASE("on a mesh of triangles too") {
 
 namespace {
 
-/// A ball that tells a box around it.
+/// A ball with a bounding box.
 template <int D>
 struct DistanceToBall {
   Vec<double, D> centre;

@@ -240,7 +240,7 @@ TEST_CASE("Gravity, a force and a moment in time: momentum is their integral, th
 
 namespace {
 
-/// Twenty nodes within a metre with normals more or less downwards, one inside, on random matter.
+/// Twenty nodes within a metre with normals roughly downwards, one inside, on random matter.
 template <int D>
 struct Meeting {
   SpotMesh<D> mesh{};

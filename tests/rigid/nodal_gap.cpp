@@ -73,7 +73,7 @@ TEST_CASE("A block that sticks to a slope is not lifted, wherever the slope lies
     CHECK(flip.rise < 0.2e-3);
     CHECK(flip.travel < 3e-3);
   }
-  // What it cures.
+  // The error that it cures.
   const Slid ratchet = slide<SplinesApic>(slope, rough, 0.5, RigidVelocity{});
   CHECK(ratchet.rise > 3e-3);
   CHECK(ratchet.travel > 15e-3);
@@ -86,7 +86,7 @@ TEST_CASE("A block that slides goes as far as a rigid one, and is not lifted") {
     const Slid slid = slide<SplinesApic>(slope, Friction(friction), place, NodalGap{});
     CAPTURE(place, slid.travel, exact);
     CHECK(slid.rise < 0.5e-3);
-    CHECK(slid.travel == Approx(exact).epsilon(0.1));  // the block vibrates, and bears less while it does
+    CHECK(slid.travel == Approx(exact).epsilon(0.1));  // the block vibrates, with a smaller load meanwhile
     CHECK(slid.residual < 0.01);
   }
 }

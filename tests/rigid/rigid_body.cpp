@@ -46,7 +46,7 @@ ContactTally meet(R& body, Fields& fields, P gravity = {0, 0}, double dt = 0.01,
   return collide<QuadraticBSpline>(grid, body, fields, gravity, time, dt);
 }
 
-/// Twenty touched nodes with normals that point downwards more or less, and one inside.
+/// Twenty touched nodes with normals that point roughly downwards, and one inside.
 ListedSurface many_nodes(std::mt19937& random) {
   std::uniform_real_distribution<double> uniform(-1, 1);
   ListedSurface s;

@@ -94,7 +94,7 @@ auto momentum_of(const Scene& scene) {
   add(scene.template rigid<"c">());
   return sum;
 }
-/// Energy that is there, and that was dissipated, less what was put in.
+/// Kinetic and stored energy, plus dissipated energy, minus external work.
 template <class Scene>
 double energy_of(const Scene& scene) {
   double sum = scene.template part<RigidContact>().dissipated;

@@ -85,7 +85,7 @@ TEST_CASE("One half of a body, free in its plane of symmetry, goes the way of th
     CAPTURE(k);
     CHECK(std::abs(a[k] - b[k]) < 1e-9);
   }
-  // What may not move does not, at all.
+  // Constrained components are exactly zero.
   const auto& body = half.rigid<0>();
   for (int k = 0; k < 3; ++k) {
     if (k == axis) CHECK((body.displacement[k] == 0 && body.velocity[k] == 0));

@@ -1,5 +1,5 @@
-// Rigid bodies at the walls of the mesh: a run tells of one that passes a wall or leaves the mesh; with
-// `RigidContact.walls` walls hold them, with friction, as closed forms say.
+// Rigid bodies at the walls of the mesh: a run reports one that passes a wall or leaves the mesh; with
+// `RigidContact.walls` walls stop them, with friction, as closed forms say.
 #include <arenite/arenite.hpp>
 #include <arenite/tiles.hpp>
 #include <cstdlib>

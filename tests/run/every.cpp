@@ -115,7 +115,7 @@ TEST_CASE("every: what it calls may end the run") {
   CHECK(ends(Clock{0}) == RunFlow::go_on);
   CHECK(ends(Clock{1.5}) == RunFlow::go_on);
   CHECK(ends(Clock{2}) == RunFlow::stop);
-  CHECK(ends(Clock{2.5}) == RunFlow::go_on);  // no look
+  CHECK(ends(Clock{2.5}) == RunFlow::go_on);  // not called
   CHECK(ends(Clock{3}) == RunFlow::stop);
 }
 

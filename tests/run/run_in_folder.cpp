@@ -1,4 +1,4 @@
-// Runs in a folder: the lock, the status, and a run that is interrupted, or killed, and goes on with the same bits.
+// Runs in a folder: the lock, the status, and a run that is interrupted, or killed, and resumes with the same bits.
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -147,7 +147,7 @@ TEST_CASE("what cannot be is refused, and the folder is as it was") {
   REQUIRE((again.steps == 0 && text_of("refused/checkpoint.state") == state &&
            text_of("refused/status.json") == status));
   std::ofstream{"refused/pictures.pvd"} << "kept\n";
-  REQUIRE(run_in_folder(again, {.end = 0.001}, {.folder = "refused"}) == RunEnd::finished);  // anew
+  REQUIRE(run_in_folder(again, {.end = 0.001}, {.folder = "refused"}) == RunEnd::finished);  // from the start
   REQUIRE(text_of("refused/pictures.pvd") == "kept\n");
   std::ofstream{"refused/.arenite.lock"} << "mine\n";
   REQUIRE_THROWS_WITH(run_in_folder(again, {.end = 0.1}, {.folder = "refused"}),

@@ -1,4 +1,4 @@
-// What a run says: its error and its warnings.
+// Messages of a run: its error and its warnings.
 #pragma once
 
 #include <arenite/run/run.hpp>
@@ -9,7 +9,7 @@
 
 namespace arenite::test {
 
-/// What `f()` throws and the warnings it gives.
+/// The error that `f()` throws and the warnings it gives.
 struct Said {
   std::string error;
   std::vector<std::string> warnings;

@@ -35,7 +35,7 @@ inline void write(const std::string& path, const std::string& content) {
 /// Whole files, with a hash that fits, of states that do not: `save(entries)` writes one, `restore(scene)`
 /// must refuse it and leave the scene as it was. Each value in turn is shorter, longer, of another type,
 /// missing and doubled; then come numbers that no point or list may have. `takes_doubles`: whether the
-/// container holds a name twice.
+/// container can have a name twice.
 template <class Make, class Save, class Restore>
 void check_crafted(Make&& make, bool takes_doubles, Save&& save, Restore&& restore) {
   auto source = make(), scene = make(), untouched = make();

@@ -1,4 +1,4 @@
-// States in files: what was saved goes on with the same bits; what is foreign, truncated or damaged is
+// States in files: a saved state continues with the same bits; a foreign, truncated or damaged one is
 // refused with the reason; a process that is killed while it writes leaves the last whole file.
 #include <sys/wait.h>
 #include <unistd.h>
@@ -101,7 +101,7 @@ TEST_CASE("Saved: a series of files goes on, is replaced with a warning, or is k
   REQUIRE(times == std::vector<double>{0, times[1], scene.time});
   save_state(scene, "series/state", first);
   steps(scene, 1, first);
-  first(scene);  // again at the same time, as at the start of a run that goes on
+  first(scene);  // again at the same time, as at the start of a resumed run
   CHECK(frames().size() == 4);
 
   auto restored = make();

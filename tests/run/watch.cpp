@@ -102,7 +102,7 @@ TEST_CASE("A watch that looks at regular times looks at the end, too") {
   run(scene, {.end = 0.011}, every(0.01, watch));
   CHECK(of(watch, "lost").worst == 0);
   scene.body().lost = scene.body().points.size() / 5;
-  const Said s = said([&] { run(scene, {.end = 0.014}, every(0.01, watch)); });  // no regular look
+  const Said s = said([&] { run(scene, {.end = 0.014}, every(0.01, watch)); });  // no regular check
   CHECK(has(s.error, "lost"));
 }
 
@@ -212,7 +212,7 @@ TEST_CASE("Energy put in behind the scene's back, or taken away") {
     CHECK(has(s.error, joined_text({"t = 0.002 s: ", w.name, " = ", w.worst})));
     CHECK(std::abs(w.worst - std::abs(factor * factor - 1)) <= 0.05);
   }
-  // What was lost before hides no gain.
+  // A previous loss hides no gain.
   auto damped = swinging(0, TrackEnergy{});
   Watch both;
   const double given = scene_kinetic(damped);
@@ -305,9 +305,9 @@ TEST_CASE("Gravity that changes between two looks does its work at its own stren
   Watch watch{{.every = 60}};
   const Said s = said([&] { run(scene, {.end = 0.2}, watch); });
   CHECK(s.error == "");
-  REQUIRE(scene.steps >= 60);  // one look behind the first
+  REQUIRE(scene.steps >= 60);  // one check after the first
   REQUIRE(scene.steps < 120);
-  // v: 2, 1 and 0.9 m/s, to one step. At the strength of before, gravity takes 0.43 of the throw's energy more.
+  // v: 2, 1 and 0.9 m/s, to one step. At the old strength, gravity takes 0.43 of the throw's energy more.
   CHECK(std::abs(scene.body().points.velocity[0][1] - 0.9) <= 10 * 0.005);
   CHECK(of(watch, "energy_gain").worst <= 0.01);
 }
@@ -358,7 +358,7 @@ TEST_CASE("Volume, stress and lost points: a tenth warns once, the limit stops, 
   REQUIRE(s.warnings.size() == 1);
   CHECK(has(s.warnings[0], "strength = 0.05"));
   CHECK(of(watch, "strength").place[0] == points.position[11][0]);
-  shear(points.size() - 1, 0.15);  // the last lanes of a pack are looked at too
+  shear(points.size() - 1, 0.15);  // the last lanes of a pack are checked too
   CHECK(has(said([&] { watch.look(scene); }).error, "strength = 0.15"));
   CHECK(of(watch, "strength").place[0] == points.position[points.size() - 1][0]);
   // A stress that is round-off of larger ones does not count, wherever it points.
@@ -406,7 +406,7 @@ TEST_CASE("It looks at its first call, at each so-many-th step and at the end; N
   CHECK(seen_at_step(1, 20) == 3);
   CHECK(seen_at_step(8, 20) == 8);
   CHECK(seen_at_step(64, 20) == 0);
-  // `run` gives it a look at the end.
+  // `run` makes it check at the end.
   WatchLimits rarely = no_energy;
   rarely.every = 1000000;
   for (auto& v : volume) v *= 2;

@@ -1,4 +1,4 @@
-// A beam bears what its points bear: the second moment of n of them across it is 1 - 1 / n^2 of the section's.
+// A beam is as stiff as its points: the second moment of n of them across it is 1 - 1 / n^2 of the section's.
 #include <arenite/arenite.hpp>
 
 #include "catch.hpp"

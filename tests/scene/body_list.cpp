@@ -18,7 +18,7 @@ MohrCoulomb<> sand(double friction) {
   return MohrCoulomb<>{{.density = 1500, .young = 1e6, .poisson = 0.3, .friction = friction}};
 }
 
-/// Three fills as a list and one by one: scenes of both, made by `make(bodies)`, hold the same state after a
+/// Three fills as a list and one by one: scenes of both, made by `make(bodies)`, have the same state after a
 /// number of steps.
 template <class F, class Make>
 void check(const std::array<F, 3>& fills, int steps, Make&& make) {

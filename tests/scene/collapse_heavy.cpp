@@ -45,7 +45,7 @@ Deposit collapse(double friction) {
 
 TEST_CASE("Column collapse: the run-out is that of experiments, and falls with the friction") {
   // Coarse, ten cells a column, with a front of one cell; and a perfectly plastic law without dilatancy
-  // stands for grains whose own coefficient scatters. 30 % is what such a comparison bears.
+  // represents grains whose own coefficient scatters. Such a comparison allows an error of 30 %.
   const Deposit middling = collapse(31_deg), smooth = collapse(20_deg), rough = collapse(45_deg);
   CAPTURE(middling.run_out, middling.top, middling.speed, smooth.run_out, rough.run_out);
   CHECK(std::abs(middling.run_out / 1.2 - 1) <= 0.3);

@@ -122,7 +122,7 @@ TEST_CASE("Collision: oblique, with friction, in free flight: linear momentum to
   run(scene, {.end = 0.3, .courant = test::courant(scene, 0.5)});
   const Energies e = energies(scene);
   CAPTURE(e.kinetic, e.strain, e.contact, e.residual, scene.template part<TrackEnergy>().initial_kinetic);
-  // What the velocity limit takes from nodes of next to no mass is counted.
+  // The momentum that the velocity limit takes from nodes of nearly zero mass is counted.
   CAPTURE(scene.limited, scene.limited_momentum);
   CHECK((total_momentum(scene) - start).norm() <= 1e-12 * start.norm() + scene.limited_momentum);
   CHECK(scene.limited_momentum <= 1e-6 * start.norm());
@@ -211,7 +211,7 @@ TEST_CASE("Collision: the same against a rigid surface") {
 }
 
 TEST_CASE("Collision: contact pushes no body off its wall") {
-  // Two wedges on a smooth ground: the faces that meet are steep, and push one down and one up.
+  // Two wedges on a smooth ground: the faces in contact are steep, and push one down and one up.
   const auto along = [](const auto& x) { return x[0] + x[1] / 2; };
   Scene scene{PlaneStrain{},
               CartesianGrid<2>{{.lower = {0, 0}, .upper = {0.8, 0.3}, .cell = 0.05}},

@@ -1,5 +1,5 @@
-// What a free body keeps: momentum to round-off, angular momentum with APIC, energy up to an error that falls
-// with the step; and what rests stays at rest.
+// A free body conserves momentum to round-off, angular momentum with APIC, energy up to an error that falls
+// with the time step; and matter at rest stays at rest.
 #include <arenite/arenite.hpp>
 
 #include "catch.hpp"

@@ -251,7 +251,7 @@ constexpr MohrCoulombParameters sand{
 
 TEST_CASE("Sand thrown apart and caught again does not blow up: stress comes back, swollen volume does not",
           "[limit]") {
-  // Without memory it bears stress as soon as it is compressed: it rests stretched. With memory it closes
+  // Without memory it carries stress as soon as it is compressed: it rests stretched. With memory it closes
   // first.
   const double forgets = throw_and_catch(MohrCoulomb{sand}),
                remembers = throw_and_catch(MohrCoulomb<RemembersOpening>{sand});

@@ -1,5 +1,5 @@
 // Ground at rest: geostatic stresses are those of the scene's gravity, of layers and of what lies on them,
-// and a first step that finds the ground out of balance tells it.
+// and a first step that finds the ground out of balance reports it.
 #include <arenite/arenite.hpp>
 #include <arenite/mesh/box_mesh.hpp>
 
@@ -29,7 +29,7 @@ auto ground(FillOptions options, double top = 1, Walls around = held) {
                        gravity({0, -1.62}));
 }
 
-/// Two bodies that meet at a vertical face, the second with a `k0` of its own.
+/// Two bodies that touch at a vertical face, the second with its own `k0`.
 auto side_by_side(double k0, auto contact) {
   return on_grid(
       bodies(fill<"left">(Box{{0., 0.}, {0.5, 1.}}, soil(2000), at_rest({.surface = 1, .k0 = 0.5})),
@@ -37,7 +37,7 @@ auto side_by_side(double k0, auto contact) {
       contact, held, gravity({0, -10}));
 }
 
-/// What the first step of a scene says.
+/// Warnings of the first step of a scene.
 template <class Scene>
 std::vector<std::string> said(Scene scene) {
   return test::warnings_of([&] {
@@ -89,7 +89,7 @@ TEST_CASE("Geostatic stress is that of the scene's gravity, whatever gives it") 
   const auto spun = [](const Triple& at, double) { return Triple{0, -at[1], 0}; };
   CHECK_THROWS_WITH(filled(body_force(spun)), Catch::Contains("must be the same everywhere"));
 
-  // Upwards and sideways: what lies farther along gravity bears more.
+  // Upwards and sideways: matter farther along gravity carries more.
   CHECK(stress_at(
             on_grid(bodies(fill(Box{{0., 0.2}, {1., 1.2}}, soil(1600), at_rest({.surface = 0.2, .k0 = 0.5}))),
                     walls(top(roller)), gravity({0, 2}))
@@ -117,7 +117,7 @@ TEST_CASE("Layers: the stress below is the weight of all that lies above") {
   const auto scene = layers(one);
   CHECK(stress_at(scene.body<"high">(), {0.2125, 0.6125}) == Approx(-1000 * 10 * 0.3875));
   CHECK(stress_at(scene.body<"low">(), {0.2125, 0.0125}) == Approx(-10 * (475 + 2000 * 0.5125)));
-  // The mean stress of a layer of points bears the points above, and half of the layer.
+  // The mean stress of a layer of points carries the points above, and half of the layer.
   double above = 0, stress = 0, area = 0;
   scene.for_each_body([&](const auto& body, const auto&) {
     for (std::size_t p = 0; p < body.points.size(); ++p) {
@@ -182,7 +182,7 @@ TEST_CASE("Ground that is at rest says nothing, whatever its points and function
                  walls(left(roller), right(roller), bottom(roller), top(roller), back(roller), front(roller)),
                  gravity({0, 0, -1.62})})
           .empty());
-  // Friction holds the bottom, contact a second body, and one flies above.
+  // A frictional wall supports the bottom, contact a second body, and one flies above.
   CHECK(said(on_grid(bodies(fill<"low">(Box{{0., 0.}, {1., 0.5}}, soil(2000),
                                         at_rest({.surface = 0.8, .k0 = 0.5})),
                             fill<"high">(Box{{0., 0.5}, {1., 0.8}}, soil(1000),
@@ -192,7 +192,7 @@ TEST_CASE("Ground that is at rest says nothing, whatever its points and function
                      Coulomb(Friction(0.5)), walls(left(roller), right(roller)),
                      frictional(bottom(), Friction(0.5)), gravity({0, -10})))
             .empty());
-  // Two bodies side by side, each with a field of its own.
+  // Two bodies side by side, each with its own field.
   for (const double friction : {0., 0.5}) CHECK(said(side_by_side(0.5, Coulomb(Friction(friction)))).empty());
   // A rigid body that strikes, and loads that lie on it.
   const auto with = [&](const Geostatic& g, auto... more) {

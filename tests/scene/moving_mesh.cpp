@@ -75,7 +75,7 @@ TEST_CASE("Moving mesh: an elastic column swings as on a fixed mesh") {
       apart(history(scene(numerics, law, -1.5, 6, motion), 0.1), history(scene(numerics, law, -1.5, 6), 0.1));
   CHECK(many <= 0.01);
   CHECK(few <= 0.01);
-  // A mesh that is told to stay is a fixed one, bit for bit.
+  // A mesh that does not move is a fixed one, bit for bit.
   CHECK(apart(history(scene(numerics, law, 0, 6, motion), 0.02), history(scene(numerics, law, 0, 6), 0.02)) ==
         0);
 }
@@ -88,9 +88,9 @@ TEST_CASE("Moving mesh: a column of sand settles as on a fixed mesh") {
   CHECK(apart(history(scene(numerics, law, -1.5, 28, motion), 0.05), fixed_mesh) <= 0.01);
 }
 
-// Points that rest change cells: a cell bears its stress over the volume of the points that happen to be in it, unless it is averaged and
-// borne over the whole of it (`ElementAverage`). Then what is left is that points of a cell have one stress, at any distance from its
-// middle, on a mesh that rests too, and what the scatter of their number does to weight and mean place.
+// Points at rest change cells: the stress of a cell acts on the volume of the points that happen to be in it, unless it is averaged and
+// acts on the whole cell (`ElementAverage`). The remaining errors: points of a cell have one stress, at any distance from its middle
+// (also on a mesh at rest), and the scatter of their number changes their weight and mean position.
 TEST_CASE("Moving mesh: ground at rest stays at rest to the scatter of the points in the cells") {
   const double density = 1500, poisson = 0.3, floor = density * 9.81 * height;
   const LinearElastic law{{.density = density, .young = 1e7, .poisson = poisson}};

@@ -144,7 +144,7 @@ TEST_CASE("A rigid body's distance is tried: NaN is refused, another unit and a 
   const auto told = [&](auto distance) { return on_grid(block, gravity({0, -9.81}), tool(distance)); };
   const Ball ball({0.35, 0.7}, 0.2);
   CHECK(told(ball).empty());
-  CHECK(told(Box{{0.3, 0.52}, {0.4, 0.54}}).size() == 1);  // thinner than a cell, which is told
+  CHECK(told(Box{{0.3, 0.52}, {0.4, 0.54}}).size() == 1);  // thinner than a cell: reported
   CHECK(told([=](const P& x) { return std::max(ball(x), x[0] - 0.4); }).empty());
   for (const double unit : {1000.0, 0.001, 2.0}) {
     const auto texts = told([=](const P& x) { return unit * ball(x); });
@@ -156,7 +156,7 @@ TEST_CASE("A rigid body's distance is tried: NaN is refused, another unit and a 
     REQUIRE(texts.size() == 1);
     CHECK(has(texts[0], "rigid body 0: 100 % of the matter lies inside of it"));
   }
-  // A cavity that holds the matter is no mistake.
+  // A cavity that contains the matter is no mistake.
   CHECK(told([](const P& x) { return 0.5 - (x - P(0.35, 0.35)).norm(); }).empty());
 
   const CartesianGrid<2> fine{{.lower = {0, 0}, .upper = {1, 1}, .cell = 0.01}};

@@ -20,7 +20,7 @@ struct Shaker {
   Vec<double, 2> acceleration(double time) const { return {amplitude * std::cos(rate * time), 0}; }
 };
 
-/// Moves all nodes right of x with a speed across, and holds their skew direction to it.
+/// Drives all nodes right of x: constrains their velocity along `normal`, which may be skew, to `speed`.
 struct Piston {
   double x, speed;
   Vec<double, 2> normal{1, 0};

@@ -29,7 +29,7 @@ TEST_CASE("Stable step: cell size over wave speed, times what the numerics bear"
              bodies(fill(lower, rubber()))};
   CHECK(stable_step(musl) == Approx(0.05 / c / std::sqrt(3)));
   CHECK(Splines::courant_limit<3>() == Approx(1.0 / 3));
-  // The altitude of right-angled triangles with legs of 0.1 m, and of flat ones where only those hold points.
+  // The altitude of right-angled triangles with legs of 0.1 m, and of flat ones where only those have points.
   const auto mesh = test::triangles({0, 0}, {1, 1}, 10, 10);
   Scene triangles{PlaneStrain{}, SimplexMesh<2>(mesh), Triangles{}, bodies(fill(lower, rubber()))};
   CHECK(stable_step(triangles) == Approx(0.35 * 0.1 / std::sqrt(2) / c));
@@ -203,7 +203,7 @@ double worst_on_splines() {
 
 }  // namespace
 
-// What the sum of two energies half a step apart swings by stays below a tenth.
+// The sum of two energies half a step apart oscillates by at most a tenth.
 TEST_CASE("Courant number 1: no elastic block on splines gains energy", "[limit]") {
   CHECK(worst_on_splines<Numerics<QuadraticBSpline, Apic, Usl>>() <= 1.1);
   CHECK(worst_on_splines<Numerics<QuadraticBSpline, Flip, Usl>>() <= 1.1);
@@ -333,12 +333,12 @@ void check_spin(double turns, double courant, double turn) {
 TEST_CASE("A free elastic body that spins on simplices gains no energy and loses no point") {
   check_spin<Numerics<LinearSimplex, Tpic, Usl>, 2>(2, 1, 0.05);
   check_spin<Numerics<LinearSimplex, Tpic, Usl>, 2>(1, 0.2, 0.05);
-  check_spin<Numerics<LinearSimplex, Flip, Usl>, 2>(2, 1, 0.2);  // FLIP keeps no angular momentum of its own
+  check_spin<Numerics<LinearSimplex, Flip, Usl>, 2>(2, 1, 0.2);  // FLIP does not conserve angular momentum
   check_spin<Numerics<LinearSimplex, Tpic, Usl>, 3>(0.5, 1, 0.05);
   check_spin<Numerics<LinearSimplex, Flip, Usl>, 3>(0.5, 1, 0.2);
 }
 
-// FLIP loses angular momentum; the energy of the rotation it keeps, as disorder.
+// FLIP loses angular momentum, but keeps the energy of the rotation, as disordered motion.
 TEST_CASE("A free elastic disc that spins ten times on triangles in FLIP with MUSL holds its energy") {
   const Spun r = spin<Numerics<LinearSimplex, Flip, Musl>, 2>(10, 0.5, 6);
   CAPTURE(r.most, r.turn, r.momentum);

@@ -1,4 +1,4 @@
-// A state that was saved and restored in a new scene goes on with the same bits, for each family of
+// A state that was saved and restored in a new scene continues with the same bits, for each family of
 // compositions.
 #include <arenite/arenite.hpp>
 #include <arenite/run/progress.hpp>

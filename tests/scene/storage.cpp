@@ -1,4 +1,4 @@
-// What a scene does not use it neither stores nor computes.
+// A scene neither stores nor computes what it does not use.
 #include <arenite/arenite.hpp>
 
 #include "catch.hpp"

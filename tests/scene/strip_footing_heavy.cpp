@@ -13,7 +13,7 @@ namespace {
 constexpr double half_width = 0.5, strength = 20e3, width = 3, depth = 2;
 
 /// Pushes the footing 4 mm into the soil, a fifteenth of the smallest cell; returns the mean pressure below
-/// it over c. `carries`: width that bears, m.
+/// it over c. `carries`: width that carries the load, m.
 template <class Numerics, class Mesh>
 double bearing_pressure(const Mesh& mesh, bool is_rough, double carries) {
   const MohrCoulomb clay{

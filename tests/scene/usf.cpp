@@ -144,9 +144,9 @@ TEST_CASE("USF: a bar swings at its frequency, and FLIP keeps its energy") {
 
 TEST_CASE("A disc that spins with APIC keeps its angular momentum; it swells with USL, and shrinks with USF",
           "[heavy]") {
-  // Points move along the tangent, by w dt of the radius a step: it grows by (1 + (w dt)^2)^(1/2), of which a
-  // strain of the velocities at the start of the step sees nothing (USL), one with the weights behind the
-  // motion twice as much (USF). What is left is half of w dt times the angle turned.
+  // In a step points move along the tangent by w dt times the radius, which grows by (1 + (w dt)^2)^(1/2).
+  // The strain of the velocities at the start of the step contains none of that (USL), the strain with the
+  // weights after the motion twice as much (USF). The rest is half of w dt times the angle turned.
   const auto radius_after = [](const auto& numerics, double turns) {
     const double spin = 5.5;
     Scene scene{

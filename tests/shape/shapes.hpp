@@ -1,4 +1,4 @@
-// What every shape function must do, checked in all cells of a mesh: the largest violation of each rule.
+// Requirements of every shape function, checked in all cells of a mesh: the largest violation of each.
 #pragma once
 
 #include <arenite/shape/shape.hpp>

@@ -61,7 +61,7 @@ TEST_CASE("Convergence: an order outside the limits is no convergence") {
     CHECK(!c.converged);
     CHECK(std::abs(c.uncertainty - 0.3 * (std::pow(2, p) - 1)) < 1e-12);
   }
-  // A second-order method may be asked for less.
+  // The limit may be relaxed for a second-order method.
   CHECK(convergence(power_law(1, 0.1, 2.05, sizes), {.largest_order = 2.1}).converged);
 }
 

@@ -26,7 +26,7 @@ inline MeshData<3> wedge(double r0, double r1, double h, double angle, const std
   return data;
 }
 
-/// Gives the cells whose centre passes `test` a region of their own.
+/// Puts the cells whose centre passes `test` into a new region `name`.
 template <int D, class Test>
 void name_region(MeshData<D>& data, const std::string& name, Test&& test) {
   const int number = static_cast<int>(data.region_names.size());

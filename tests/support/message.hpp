@@ -1,4 +1,4 @@
-// What an exception says.
+// Message of an exception.
 #pragma once
 
 #include <arenite/core/error.hpp>
@@ -6,7 +6,7 @@
 
 namespace arenite::test {
 
-/// What `f` throws, if it is an `Exception`; others pass through.
+/// Message of the `Exception` that `f` throws; others pass through.
 template <class Exception = error, class F>
 std::string message(F&& f) {
   try {

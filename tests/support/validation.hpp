@@ -1,4 +1,4 @@
-// What a test computed beside exact or measured values, for docs/validation.py: tables and curves of a case,
+// A test's computed values with exact or measured ones, for docs/validation.py: tables and curves of a case,
 // in the working folder of the test.
 #pragma once
 
@@ -10,10 +10,10 @@
 namespace arenite::test {
 
 /// Writes validation_<case>.csv, a row for each value, and validation_<case>_curves.csv, a row for each point
-/// of each curve. Text must not hold commas.
+/// of each curve. Text must not contain commas.
 class Validation {
  public:
-  /// `reference`: what the computed values are held against, the word in tables and pictures.
+  /// `reference`: name of the values compared with, in tables and pictures.
   explicit Validation(const std::string& of_case, std::string reference = "exact")
       : name_{"validation_" + of_case}, reference_{std::move(reference)} {}
 

@@ -1,4 +1,4 @@
-// What a scene warns of.
+// Warnings of a scene.
 #pragma once
 
 #include <arenite/core/warning.hpp>
@@ -7,7 +7,7 @@
 
 namespace arenite::test {
 
-/// The warnings that `f()` gives. What it throws passes through, and the hook of before is back.
+/// The warnings that `f()` gives. Exceptions pass through, and the previous hook is restored.
 template <class F>
 std::vector<std::string> warnings_of(F&& f) {
   std::vector<std::string> texts;

@@ -76,7 +76,7 @@ void number(S& scene, std::map<std::vector<double>, std::uint64_t>& ids) {
   });
 }
 
-/// Tiles after so many steps beside the whole: within `near` of each number's scale.
+/// Checks that tiles agree with the whole after `steps`: within `near` of each number's scale.
 template <class Grid, class Make>
 void check(const Grid& grid, int tiles, int steps, Make&& make, double near = 1e-11) {
   CAPTURE(tiles);

@@ -1,4 +1,4 @@
-// What is asked of a scene cut into tiles: what the whole says, on cuts and beside them.
+// Queries of a scene cut into tiles: the same results as of the whole, on cuts and beside them.
 #include <arenite/arenite.hpp>
 #include <arenite/tiles.hpp>
 
@@ -107,7 +107,7 @@ TEST_CASE("Forces through sections and between bodies that lie across the cuts")
   auto whole = make(grid);
   run(whole, {.end = 0.01, .max_step = 1e-4});
   const auto expected = forces(whole);
-  CHECK(expected[7] > 100);  // N: the bed holds the block
+  CHECK(expected[7] > 100);  // N: the bed supports the block
   CHECK(expected[1] < -100);
   for (const int tiles : {1, 3, 5}) {
     auto tiled = distribute(here, grid, {.tiles = tiles}, make);

@@ -77,20 +77,20 @@ TEST_CASE("What cannot be cut is refused") {
   CHECK(said([&] { split_cells(mesh, 2, {1, 2}); }) == "split_cells.weights = 2: must have one entry a cell");
   CHECK(said([&] { split_cells(mesh, 2, std::vector<double>(8, -1.0)); }) ==
         "split_cells.weights = -1: must not be negative");
-  CHECK(said([&] { deal_tiles(2, 3); }) == "tiles = 2: must not be less than the number of ranks, 3");
-  CHECK(deal_tiles(5, 2) == std::vector<int>{0, 0, 0, 1, 1});
+  CHECK(said([&] { assign_tiles(2, 3); }) == "tiles = 2: must not be less than the number of ranks, 3");
+  CHECK(assign_tiles(5, 2) == std::vector<int>{0, 0, 0, 1, 1});
 }
 
 TEST_CASE(
     "Tiles are dealt out again by weight: few move, none of the ranks is left without one, tile 0 stays") {
-  CHECK(deal_again({0, 0, 1, 1}, {1, 1, 1, 1}, 2, 1.05) == std::vector<int>{0, 0, 1, 1});
-  CHECK(deal_again({0, 0, 1, 1}, {3, 3, 1, 1}, 2, 1.05) == std::vector<int>{0, 1, 0, 1});
-  CHECK(deal_again({0, 1, 2}, {9, 1, 1}, 3, 1) == std::vector<int>{0, 1, 2});
-  CHECK(deal_again({0, 0, 1, 1}, {0, 0, 0, 0}, 2, 1) == std::vector<int>{0, 0, 1, 1});
+  CHECK(reassign_tiles({0, 0, 1, 1}, {1, 1, 1, 1}, 2, 1.05) == std::vector<int>{0, 0, 1, 1});
+  CHECK(reassign_tiles({0, 0, 1, 1}, {3, 3, 1, 1}, 2, 1.05) == std::vector<int>{0, 1, 0, 1});
+  CHECK(reassign_tiles({0, 1, 2}, {9, 1, 1}, 3, 1) == std::vector<int>{0, 1, 2});
+  CHECK(reassign_tiles({0, 0, 1, 1}, {0, 0, 0, 0}, 2, 1) == std::vector<int>{0, 0, 1, 1});
   // Sand that has gathered on one side: 64 tiles of 8 ranks.
   std::vector<double> weight;
   for (int t = 0; t < 64; ++t) weight.push_back(1000 * std::exp(-t / 20.0));
-  const auto before = deal_tiles(64, 8), after = deal_again(before, weight, 8, 1.05);
+  const auto before = assign_tiles(64, 8), after = reassign_tiles(before, weight, 8, 1.05);
   CHECK(imbalance(before, weight, 8) > 2);
   CHECK(imbalance(after, weight, 8) <= 1.08);
   CHECK(after[0] == 0);

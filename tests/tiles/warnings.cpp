@@ -53,7 +53,7 @@ auto ground(double surface, const Shape& shape) {
   };
 }
 
-/// What an ordinary scene and the same in tiles warn of while `f(scene)` runs, the refusal that ends it, too.
+/// Warnings of a scene while `f(scene)` runs, and the refusal that ends it; checks that tiles give the same.
 template <class Make, class F>
 std::vector<std::string> told_of_all(const Make& make, F&& f) {
   const auto told = [&](auto&& scene_of) {

@@ -138,7 +138,7 @@ TEMPLATE_TEST_CASE("APIC: a point that comes close to a face hands on no more en
     s.update_grid();
     if constexpr (has_light_nodes<TestType>) {
       list_massless(s.nodes, OwnsAll{});
-      follow_neighbours<TestType>(s.mesh, s.nodes, s.nodes.velocity, InPlace{s.nodes.velocity});
+      average_neighbours<TestType>(s.mesh, s.nodes, s.nodes.velocity, InPlace{s.nodes.velocity});
     }
     double has = 0;
     Vec<double, 2> handed = s.node_momentum();

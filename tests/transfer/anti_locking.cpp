@@ -90,7 +90,7 @@ TEST_CASE("element average: a filled cell bears the mean stress over its whole v
   const auto mean = mean_stress(s.body.points, 0), partly = mean_stress(s.body.points, 1);
   const auto before = s.body.points.stress;
   s.p2g();
-  // Gradients: node 1 belongs to cell 0 alone, (1, -1); node 3 to cell 1 alone, (-1, 1).
+  // Gradients: node 1 belongs only to cell 0, (1, -1); node 3 only to cell 1, (-1, 1).
   const Vec<double, 2> at_1(-0.5 * (mean[0] - mean[3]), -0.5 * (mean[3] - mean[1]));
   const Vec<double, 2> at_3(-0.24 * (-partly[0] + partly[3]), -0.24 * (-partly[3] + partly[1]));
   REQUIRE((s.nodes.sums[1].force() - at_1).norm() < 1e-15);

@@ -1,4 +1,4 @@
-// What the kernels of products along the axes must do with any shape function on a grid.
+// Requirements of the kernels of products along the axes, with any shape function on a grid.
 #pragma once
 
 #include "check_conservation.hpp"

@@ -149,7 +149,7 @@ TEST_CASE("gradients of mass are the sum of m grad N") {
   check_mass_gradient(Setup<ThreeDimensional, Simplex, SimplexMesh<3>>(sample_mesh<3>(3)));
   check_mass_gradient(Setup<PlaneStrain, BSpline, CartesianGrid<2>>(flat_grid()));
   check_mass_gradient(Setup<ThreeDimensional, BSpline, CartesianGrid<3>>(solid_grid()));
-  // More points in a cell than the rows hold at once.
+  // More points in a cell than the rows have space for.
   check_mass_gradient(Setup<PlaneStrain, BSpline, CartesianGrid<2>>(flat_grid(), 75));
 }
 
@@ -180,6 +180,6 @@ TEST_CASE("Points on a face: the node behind it has a force and no mass, and mom
     if (!(s.nodes.mass[i] > 0)) pushed += dt * s.nodes.sums[i].force().norm();
   REQUIRE(pushed > 0.1);
   list_massless(s.nodes, OwnsAll{});
-  hand_forces_on<LinearSimplex>(s.mesh, s.nodes, dt, InPlace{s.nodes.velocity});
+  redistribute_forces<LinearSimplex>(s.mesh, s.nodes, dt, InPlace{s.nodes.velocity});
   REQUIRE((s.node_momentum() - s.point_momentum()).norm() <= 1e-13);
 }

@@ -46,10 +46,10 @@ void check_deform(S s) {
     if constexpr (S::N::maps_back) s.nodes.mapped[i] = s.nodes.velocity[i];
   }
   const auto before = s.body.points;
-  TrialStates trial(s.body.points);
-  const G2pSums tried = s.update_stress(trial, dt);
-  REQUIRE(s.body.points.stress == before.stress);
-  REQUIRE(s.body.points.volume == before.volume);
+  const G2pSums tried = s.update_stress(dt);
+  const auto trial = s.body.points;
+  REQUIRE(trial.position == before.position);
+  s.body.points = before;
   const auto inc = exact<D>(A, dt, S::K::hoop);
   const G2pSums sums = s.g2p(dt);
   double stress_off = 0, volume_off = 0, position_off = 0, work = 0;

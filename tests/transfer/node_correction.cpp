@@ -110,7 +110,7 @@ TEST_CASE("XPIC is v_p + S (v^new - v^old) - (I - S S+)^m v_p, point by point") 
 }
 
 TEST_CASE("FMPM of a high order takes the velocities that the full mass matrix gives") {
-  // sum_j M_ij v_j = p_i with M_ij = sum m w_i w_j: what the points would hand back of them is the momentum.
+  // sum_j M_ij v_j = p_i with M_ij = sum m w_i w_j: P2G of these velocities gives the momentum again.
   auto s = cloud<PlaneStrain, Spline<Fmpm, Usl>>(flat_grid(), {.order = 20000});
   s.p2g();
   s.update_grid(0.01, {0, -9.81});
@@ -186,7 +186,7 @@ TEST_CASE("FMPM: two bodies that meet keep their momentum to round-off, and gain
     REQUIRE(kinetic() <= energy * (1 + 1e-12));
   }
   CHECK((momentum_of(scene) - start).norm() <= 1e-12 * first);
-  CHECK(momentum(scene.body<0>())[0] < 0.5 * first);  // they met
+  CHECK(momentum(scene.body<0>())[0] < 0.5 * first);  // they collided
 }
 
 TEST_CASE("Orders and time constants are checked") {

@@ -1,4 +1,4 @@
-// P2G where nodes collect mass and the momentum of the end of the step alone: the momentum of the reference
+// P2G where nodes collect only mass and the momentum of the end of the step: the momentum of the reference
 // and the impulse of its forces.
 #include <arenite/transfer/reference.hpp>
 

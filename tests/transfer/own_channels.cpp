@@ -9,14 +9,14 @@ using namespace arenite::test;
 
 namespace {
 
-using product::Handed;
+using product::Contribution;
 
 /// Sums of one cell by rows against sums point by point, of random points. Groups: momentum (by value and with moments) and mass; heat
 /// and moisture (by value); a force and a flow of heat (by slope).
 template <int Width, class Cell, class Grid>
 double off(const Grid& grid, Index c, const Cell& cell, std::mt19937& random) {
   constexpr std::size_t D = Cell::D, lanes = D + 1, groups = 3;
-  using Rows = product::Rows<Cell, Width, Handed::both, Handed::by_value, Handed::by_axis>;
+  using Rows = product::Rows<Cell, Width, Contribution::both, Contribution::by_value, Contribution::by_axis>;
   using P = typename Rows::P;
   constexpr int width = Rows::width;
   std::uniform_real_distribution<double> number(-1, 1);

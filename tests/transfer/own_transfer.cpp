@@ -31,7 +31,7 @@ struct Pic {
   }
 };
 
-/// APIC whose points hand over a fraction of their affine motion.
+/// APIC whose points keep a fraction of their affine motion.
 struct DampedApic : Apic {
   double fraction = 1;
 

@@ -59,8 +59,8 @@ std::vector<Vec<double, D>> places() {
   return all;
 }
 
-/// Moves points as one, from all places, alone and by threes. Largest stress after three steps over E v dt /
-/// h.
+/// Moves points rigidly, from all places, singly and in threes. Largest stress after three steps over
+/// E v dt / h.
 template <class... B, class Scene>
 double stress_in_motion(Scene scene, bool across) {
   constexpr int D = Scene::D;

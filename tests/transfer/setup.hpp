@@ -142,9 +142,8 @@ struct Setup : RandomBody<typename N_::Shape, M_, N_::extra_columns, N_::maps_ba
     return average;
   }
   G2pSums g2p(T dt) { return arenite::g2p<K, true>(numerics, mesh, body, nodes, dt, average(dt)); }
-  template <class After>
-  G2pSums update_stress(After& after, T dt) {
-    return arenite::update_stress<K, true>(numerics, mesh, body, after, nodes, dt, average(dt));
+  G2pSums update_stress(T dt) {
+    return arenite::update_stress<K, true>(numerics, mesh, body, nodes, dt, average(dt));
   }
   /// New velocities of the points, and nothing else: a step without length neither moves nor strains.
   void gather() {

@@ -40,7 +40,7 @@ class KelvinVoigt {
     return T(0);
   }
 
-  // What the spring holds: the dashpot's stress stores nothing.
+  // The energy of the spring: the dashpot's stress stores nothing.
   template <class T>
   T elastic_energy(const arenite::Sym<T, D>& stress, const History<T>& history) const {
     return elasticity_.energy(stress - history.viscous);

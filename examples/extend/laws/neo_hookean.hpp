@@ -4,7 +4,7 @@
 
 class NeoHookean {
  public:
-  static constexpr int max_pack_width = 1;  // Eigen's matrices below hold scalars, not packs
+  static constexpr int max_pack_width = 1;  // Eigen's matrices below take scalars, not packs
   template <class T>
   using Matrix = Eigen::Matrix<T, 3, 3>;
   template <class T>

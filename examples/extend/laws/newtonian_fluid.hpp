@@ -27,7 +27,7 @@ class NewtonianFluid {
     return h * h / (nu + std::hypot(nu, c * h));
   }
 
-  // The mean stress carries the pressure from step to step; the deviator is that of the rate alone.
+  // The mean stress carries the pressure from step to step; the deviator depends only on the rate.
   template <class T, int D>
   T update(arenite::Sym<T, D>& stress, const arenite::StrainStep<T, D>& step, History<T>&) const {
     const T mean = trace(stress) * T(1.0 / 3) + T(bulk_) * trace(step.strain);

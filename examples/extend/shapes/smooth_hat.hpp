@@ -1,14 +1,14 @@
 // A shape function of your own on a grid, written out: uniform GIMP, which the library has as `UGimp`
 // (Bardenhagen and Kober 2004, The generalized interpolation material point method, CMES 5, 477-496), hats
 // averaged over a point's domain, here half a cell wide. Where a domain would reach across a face of the grid
-// it ends there on both sides of the point: then unity and linear fields hold up to the faces, and a wall is
+// it ends there on both sides of the point: then unity and linear fields are exact up to faces, and a wall is
 // exactly the nodes on it.
 #pragma once
 
 #include <arenite/arenite.hpp>
 
 /// The functions of one cell along one axis, in cell edges (arenite/shape/product_shape.hpp): of the nodes
-/// one cell behind it, at its ends, and one cell ahead. A grid of n cells thus has a node beyond each face.
+/// one cell before it, at its ends, and one cell after. A grid of n cells thus has a node beyond each face.
 template <class T>
 class SmoothHatLine {
  public:
@@ -38,7 +38,7 @@ class SmoothHatLine {
   T inverse_inertia() const { return 0; }  // nowhere the same in a whole cell
 
  private:
-  // How far the domain, half a cell wide, reaches into the cells behind and ahead; with it (2 l)^2 = 4 l.
+  // How far the domain, half a cell wide, reaches into the cells before and after; with it (2 l)^2 = 4 l.
   template <class P>
   static P behind(const P& s) {
     using std::max;

@@ -1,4 +1,4 @@
-// What the program is told to do, however it is told.
+// The commands of the program, however they are given.
 #pragma once
 
 #include <string>

@@ -46,7 +46,7 @@ struct KeyList {
   void flag(const char* name, bool, const char*) { of_key[key_of(name)] = {name, true}; }
 };
 
-/// What a summary holds beside options, or writes of an option that was not given: no word of its own. Throws
+/// Whether an entry of a summary is no option, or one that was not given: it becomes no word. Throws
 /// `error` if the model cannot have this value.
 bool is_no_option(const std::string& key, const Json& value, const Json& all) {
   if (value.is_null()) return true;

@@ -1,5 +1,5 @@
 // Inputs of a drop from a JSON file: by hand, or the summary.json of a run. They become words of the command
-// line, so that limits and messages are those of the options; words that the user types come behind and win.
+// line, so that limits and messages are those of the options; words that the user types come later and win.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// What the commands share in reading typed words with CLI11, and one sentence for whatever is wrong.
+// How all commands read typed words with CLI11, with one sentence for whatever is wrong.
 #pragma once
 
 #include <CLI/CLI.hpp>

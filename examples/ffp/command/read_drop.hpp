@@ -15,7 +15,7 @@ namespace arenite::ffp {
 
 namespace detail {
 
-/// Takes `--input FILE` out of the words and puts the words that the file stands for before them. Throws
+/// Takes `--input FILE` out of the words and puts the words of the file before them. Throws
 /// `error` if it is given twice, without its file, or with one that cannot be used.
 inline void take_input(std::vector<std::string>& words) {
   const auto is_input = [](const std::string& w) { return w == "--input" || w.starts_with("--input="); };

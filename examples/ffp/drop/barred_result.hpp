@@ -26,7 +26,7 @@ Json json_of(const BarredResult& r);
 /// "0.195 +- 0.012 m", or what is known of it.
 std::string words_of(const BarredResult& r, const std::string& unit);
 
-/// What the sizes of cells say, also to those who do not know what an order is. `runs`: "drops", "pushes".
+/// Convergence with the cells in words, also for readers new to orders. `runs`: "drops", "pushes".
 std::string words_of_cells(const BarredResult& r, const std::string& runs);
 
 }  // namespace arenite::ffp

@@ -1,4 +1,4 @@
-// The error bar of a drop, in numbers: the drops around it, and the parts of the uncertainty that they tell.
+// The error bar of a drop, in numbers: the drops around it, and the parts of the uncertainty that they give.
 // Nothing here runs anything.
 #pragma once
 
@@ -22,7 +22,7 @@ struct Companion {
 /// Sizes of the coarser cells, over the drop's.
 inline constexpr double coarsest_ratio = 2, coarse_ratio = 1.41;
 
-/// Half of the distance between the two surfaces that the sand meets for the part of the contact, over the
+/// Half of the distance between the two contact surfaces that give the part of the contact, over the
 /// cell at the cone. Contact acts at nodes of the surface as soon as a point is in a cell beside it: up to
 /// half a cell too early. The two surfaces lie that far apart.
 inline constexpr double offset_share = 0.25;
@@ -42,7 +42,7 @@ std::span<const int> point_counts(const DropOptions& o);
 /// ends.
 std::vector<int> other_counts(std::span<const int> counts, int n);
 
-/// The drops that tell the uncertainty of one, in the order in which they run: the cheapest first.
+/// The drops that give the uncertainty of one, in the order in which they run: the cheapest first.
 std::vector<Companion> companions_of(const DropOptions& drop);
 
 /// The error bar of one result. `value`: of the drop; `of(name)`: of a companion, nothing if it has none. A

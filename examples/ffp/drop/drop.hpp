@@ -1,5 +1,5 @@
 // One drop, end to end: what `arenite-ffp drop` does once its options are read. Each
-// kinematics is compiled in a file of its own.
+// kinematics is compiled in its own file.
 #pragma once
 
 #include <array>

@@ -1,4 +1,4 @@
-// Drops on fitted meshes: the choices that are made at run time meet the types that are made at compile time.
+// Drops on fitted meshes: choices made at run time select types made at compile time.
 #pragma once
 
 #include <string_view>
@@ -48,7 +48,7 @@ struct DropUnits {
  private:
   static constexpr std::string_view asked = ARENITE_FFP_UNITS;
 
-  /// How many of the units that are asked for hold.
+  /// How many of the units that are asked for satisfy `holds`.
   static constexpr int count(auto holds) {
     int found = 0;
     for (auto rest = asked; !rest.empty();) {

@@ -21,7 +21,7 @@ std::string first_difference(const Json& there, const Json& here) {
   return "the file of the mesh has changed";
 }
 
-/// A state says by its kind which program saved it; the other one cannot go on from it.
+/// A state says by its kind which program saved it; the other one cannot resume from it.
 void refuse_other_program(const std::filesystem::path& folder, bool on_ranks) {
   if (has_state(folder, on_ranks) || !has_state(folder, !on_ranks)) return;
   const std::string there = on_ranks ? "arenite-ffp" : "arenite-ffp-mpi",

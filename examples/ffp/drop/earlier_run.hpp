@@ -11,7 +11,7 @@ namespace arenite::ffp {
 /// How an earlier run of the same inputs stands.
 struct EarlierRun {
   bool finished = false;
-  bool has_state = false;  ///< one was saved to go on from
+  bool has_state = false;  ///< one was saved to resume from
   std::string started{};   ///< UTC
   double wall_s = 0;       ///< that its steps took
   std::vector<std::string> warnings{};

@@ -35,7 +35,7 @@ class FieldFiles {
   std::optional<std::size_t> last_{};  ///< step with files
 };
 
-/// fields_*.vtu and fields.pvd in a folder, every `period` seconds. `resumed`: goes on with the files that
+/// fields_*.vtu and fields.pvd in a folder, every `period` seconds. `resumed`: continues the files that
 /// are there.
 inline Every<FieldFiles> field_files(const std::filesystem::path& folder, double period, bool resumed) {
   return {

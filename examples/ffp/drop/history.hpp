@@ -1,4 +1,4 @@
-// history.csv: one row a step, written while the run goes on.
+// history.csv: one row a step, written during the run.
 #pragma once
 
 #include <array>

@@ -16,7 +16,7 @@
 
 namespace arenite::ffp {
 
-/// What the history needs of the device at one step, as the scene has it (a slice's share).
+/// The device at one step as the history needs it and as the scene has it (a slice's share).
 struct DeviceState {
   double penetration, velocity;  ///< of the tip and of the centre of mass, positive down, m, m/s
   double reaction;               ///< contact force up, N
@@ -96,7 +96,7 @@ HistoryRow history_row(const Scene& scene, const HistoryRow* before, const Devic
   row.energy_residual_J = whole * e.residual;
   row.lost_points = static_cast<double>(scene.lost_points());
   row.contact_nodes = static_cast<double>(device.contact_nodes);
-  if constexpr (Scene::is_portion) {  // of the whole: what a portion can tell
+  if constexpr (Scene::is_portion) {  // of the whole: only what sums over portions
     sum_over(scene.communicator(), row.lost_points);
     row.contact_nodes = row.fill_ratio = row.mean_volume_ratio = std::numeric_limits<double>::quiet_NaN();
     return row;

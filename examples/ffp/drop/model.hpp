@@ -65,7 +65,7 @@ std::pair<double, double> height_of(const Mesh& mesh, const std::string& region)
   return y;
 }
 
-/// Throws `error` unless the device of a mesh that was read is the one that the options tell: areas, mass and pictures are theirs.
+/// Throws `error` unless the device of a mesh that was read is the one of the options: areas, mass and pictures are theirs.
 template <class Model, class Mesh>
 void check_device_in(const Mesh& mesh, const DropOptions& o) {
   const int number = mesh.region_number("device");
@@ -164,7 +164,7 @@ inline SplitPoints<"soil"> splitting_of(const DropOptions& o) {
           .every = o.split_share() > 0 ? std::size_t{10} : 0};
 }
 
-/// A rigid penetrometer in its mesh, which moves by `motion`; `Coupling` tells how the sand meets it, `more` are parts before the last.
+/// A rigid penetrometer in its mesh, which moves by `motion`; `Coupling`: its contact with the sand; `more`: parts before the last.
 template <class Model, class AntiLocking, class Coupling, class Law, class Mesh, class... More>
 auto rigid_scene_in(Mesh mesh, const MovingMesh<LedByRigid<"device">>& motion, const DropOptions& o,
                     const Law& law, const More&... more) {

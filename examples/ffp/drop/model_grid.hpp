@@ -27,8 +27,8 @@ inline MovingMesh<LedByRigid<"device">> motion_of_grid(const DropOptions& o) {
   return {.leader = {}, .fixed_below = -o.chamber().soil_depth, .moving_from = -o.moving_zone()};
 }
 
-/// A rigid penetrometer on quadratic B-splines; `Coupling` tells how the sand meets it. USL: with pure FLIP
-/// and velocities that are mapped back, grid and points part company.
+/// A rigid penetrometer on quadratic B-splines; `Coupling`: its contact with the sand. USL: with pure FLIP
+/// and velocities that are mapped back, grid and points drift apart.
 template <class Coupling>
 auto grid_scene(const DropOptions& o) {
   const Chamber chamber = o.chamber();

@@ -8,7 +8,7 @@
 
 namespace arenite::ffp {
 
-/// Integral of a history that is constant over each step: `value[i]` holds from `time[i - 1]` to `time[i]`,
+/// Integral of a history that is constant over each step: `value[i]` applies from `time[i - 1]` to `time[i]`,
 /// as the acceleration of an explicit scheme does; `value[0]` is not used. Steps may differ in length.
 class StepIntegral {
  public:

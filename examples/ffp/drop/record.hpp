@@ -34,7 +34,7 @@
 
 namespace arenite::ffp {
 
-/// What a watch saw of each of its limits.
+/// The worst that a watch saw, one for each of its limits.
 inline std::vector<WatchedLimit> seen_by(const Watch& watch) {
   std::vector<WatchedLimit> all;
   for (const Watched& w : watch.seen()) {
@@ -83,7 +83,7 @@ class Run {
     if (!o_.quiet) say(joined_text({"resumed at t = ", scene_.time, " s, step ", scene_.steps}));
   }
 
-  /// What it carries from step to step: the rows so far, and what its observers carry.
+  /// Its state between steps: the rows so far, and the state of its observers.
   template <class F>
   void visit_state(F&& f) {
     f("history", rows_);
@@ -110,7 +110,7 @@ class Run {
       remove_state_file(folder_.path());
     } catch (const Interruption& e) {
       end("interrupted", at_time(e.what()), e.exit_code());
-    } catch (const run_error& e) {  // tells the time itself
+    } catch (const run_error& e) {  // gives the time itself
       end("failed", e.what() + (is_at_the_bottom() ? cure_of_depth() : ""), 1);
     } catch (const output_error& e) {
       end(e.disk_full() ? "disk-full" : "failed", at_time(e.what()), 1);

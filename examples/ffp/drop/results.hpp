@@ -1,5 +1,5 @@
-// What a drop comes to: its peaks and depths, drawn from the history, and summary.json, which holds them
-// beside all that the drop was told.
+// The results of a drop: its peaks and depths, taken from the history, and summary.json, which contains them
+// and all inputs of the drop.
 #pragma once
 
 #include <filesystem>
@@ -15,7 +15,7 @@
 
 namespace arenite::ffp {
 
-/// What a watch saw of one of its limits.
+/// The worst that a watch saw, for one of its limits.
 struct WatchedLimit {
   std::string name{};
   double worst = 0, time_s = 0, limit = 0;
@@ -28,9 +28,9 @@ struct RunNumbers {
   std::string failure{};               ///< when, where and why it ended early; empty: it did not
   std::string started{};               ///< UTC, ISO 8601
   long process = 0;                    ///< id
-  std::vector<double> resumed_at_s{};  ///< times at which the run went on from a saved state
+  std::vector<double> resumed_at_s{};  ///< times at which the run resumed from a saved state
   long points = 0;                     ///< material points of sand and device
-  long expected_steps = 0;             ///< as told before the first
+  long expected_steps = 0;             ///< as estimated before the first
   long steps = 0;
   double wall_s = 0;       ///< of the stepping loop, without output
   double point_steps = 0;  ///< sum over steps of the points moved
@@ -63,7 +63,7 @@ struct DropFigures {
   // At the end, over all energy put in: kinetic at the start and external work.
   double energy_transfer = 0;  ///< taken by the transfer
   double energy_walls = 0;     ///< taken by walls
-  double energy_residual = 0;  ///< booked nowhere: errors
+  double energy_residual = 0;  ///< not accounted for: errors
 };
 
 inline constexpr double peak_window_s = 2e-3;
@@ -71,7 +71,7 @@ inline constexpr double peak_window_s = 2e-3;
 /// Needs every step of the run, for the peaks; throws `error` without a row.
 DropFigures figures_of(const std::vector<HistoryRow>& history, double window = peak_window_s);
 
-/// What a drop came to, in one line.
+/// The results of a drop in one line.
 std::string sentence_of(const DropFigures& f, const DropOptions& o);
 
 /// All inputs of a drop, the derived ones too, by the names of their options.
@@ -84,8 +84,8 @@ std::vector<std::pair<std::string, std::string>> told_of(const DropOptions& o);
 /// input.
 std::string hash_of_inputs(const DropOptions& o);
 
-/// summary.json as a value. Without figures (the run has no row yet) it holds how the run stands and its
-/// inputs. What there is none of (a second peak) is null.
+/// summary.json as a value. Without figures (the run has no row yet) it contains the status of the run and
+/// its inputs. Absent values (a second peak) are null.
 Json summary_of(const DropOptions& options, const std::optional<DropFigures>& figures, const RunNumbers& run);
 
 /// The same, into summary.json of a folder. Throws `output_error` if it cannot be written.

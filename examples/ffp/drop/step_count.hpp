@@ -1,4 +1,4 @@
-// Whether a drop takes too many steps, and which option makes them so many.
+// Whether a drop takes too many steps, and which option is the reason.
 #pragma once
 
 #include <algorithm>

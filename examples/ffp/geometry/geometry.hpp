@@ -18,13 +18,13 @@ struct Chamber {
   double soil_depth = 0.4;  ///< m
   double headroom = 0.7;    ///< m, above the surface of the sand: the model is 1.1 m high
   double embedded = 0;      ///< depth of the device's tip in the ground at the start, m
-  double lid = 0;           ///< height of the uppermost ground, a region of its own, m; 0: none
+  double lid = 0;           ///< height of the uppermost ground, a separate region, m; 0: none
 };
 
 /// The chamber in proportion to a penetrometer: as many diameters wide and deep as the experiment's, and its headroom above it.
 Chamber chamber_for(double diameter, double length);
 
-/// The surface that the sand meets, whose section is one of those in sections.hpp.
+/// The contact surface of the penetrometer, whose section is one of those in sections.hpp.
 class Device {
  public:
   /// Throws `error` if the parts do not fit together.
@@ -48,7 +48,7 @@ class Device {
   /// Share of a piece of the section that rises at the height y, dy / ds.
   double rise(double y) const;
 
-  /// Heights at which a mesh must have corners, m, ascending: where pieces of the section meet. A rounded edge has facets of equal
+  /// Heights at which a mesh must have corners, m, ascending: where pieces of the section join. A rounded edge has facets of equal
   /// angle, none shorter than `shortest`, m, or, too short for one facet, one corner at the middle of the rounding.
   std::vector<double> marks(double shortest) const;
 
@@ -80,7 +80,7 @@ class Device {
   }
 
   DeviceShape s_;
-  Section section_, own_;  ///< of the surface that the sand meets, and of the penetrometer itself
+  Section section_, own_;  ///< of the contact surface, and of the penetrometer itself
 };
 
 /// Share of the device's motion that a node of the mesh makes. The mesh moves as a whole from `moving_depth`

@@ -271,7 +271,7 @@ class AxisymmetricMesher {
 /// Triangles of the half-section r >= 0, counter-clockwise, fitted to the device with its tip at the origin.
 /// Regions: "soil", of it "lid" where the chamber has one, "device", "air" (the rest). Node sets: "axis", "wall", "bottom", "top", "device"
 /// (all nodes of device cells), "device_surface" (tip and cylinder; the flat top's inner nodes, which soil
-/// never meets, are left out). Throws `error` if the sizes do not fit the chamber.
+/// never touches, are left out). Throws `error` if the sizes do not fit the chamber.
 inline AxisymmetricMesh mesh_axisymmetric(const Device& body, const Chamber& chamber = {},
                                           const MeshSizes& sizes = {}) {
   return detail::AxisymmetricMesher{body, chamber, sizes}();

@@ -40,7 +40,7 @@ class ParallelParabola {
   double slope(double p) const { return 2 * p / k_; }
   double length(double p) const { return std::hypot(1, slope(p)); }
 
-  /// Halves [low, high], which grow along the curve, until they meet.
+  /// Bisects [low, high], which grow along the curve, until they coincide.
   template <class Before>
   static double found(double low, double high, Before&& before) {
     for (int i = 0; i < 80; ++i) {

@@ -77,7 +77,7 @@ struct Curve {
   double radius = 0;    ///< 0: a line
 };
 
-/// Where two curves meet, nearest to a place; nothing if they do not.
+/// The intersection of two curves nearest to a place; nothing if they do not intersect.
 std::optional<Point2> meeting(const Curve& a, const Curve& b, const Point2& near) {
   if (a.radius > 0 && b.radius == 0) return meeting(b, a, near);
   Point2 middle, along;  // candidates lie on a line: middle +- share * along

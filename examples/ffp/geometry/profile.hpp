@@ -1,4 +1,4 @@
-// An outline of lines and arcs, as a drawing gives it, and the lines that stand for it.
+// An outline of lines and arcs, as a drawing gives it, and the lines that represent it.
 #pragma once
 
 #include <utility>
@@ -26,9 +26,9 @@ struct ProfilePiece {
 /// The half-section from the tip at (0, 0) to the top, upward. The top is flat, unless the last corner lies on the axis.
 class ProfileLine {
  public:
-  /// From (0, 0) on. An arc, of at most a half circle, becomes lines of equal length that turn by 2 deg or less each, with a corner
+  /// From (0, 0) on. An arc, of at most a half circle, becomes lines of equal length that turn by at most 2 deg each, with a corner
   /// where it is widest. Throws `error` if a point lies lower than the one before, left of the axis, or is the one before again, if
-  /// the line meets the axis before its end, or an arc is too small for its ends.
+  /// the line touches the axis before its end, or an arc is too small for its ends.
   explicit ProfileLine(const std::vector<ProfilePiece>& pieces);
 
   const std::vector<ProfilePiece>& pieces() const { return pieces_; }
@@ -37,7 +37,7 @@ class ProfileLine {
   double widest() const;
   double length() const { return corners_.back().at[1]; }
 
-  /// The outline at the distance `offset` outside of it, m (negative: inside), its faces extended or cut until they meet, from its own
+  /// The outline at the distance `offset` outside of it, m (negative: inside), its faces extended or cut until they join, from its own
   /// tip at (0, 0), and the height of this outline's tip above that. Throws `error` if a piece vanishes.
   std::pair<ProfileLine, double> parallel(double offset) const;
 

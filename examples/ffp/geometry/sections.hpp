@@ -1,6 +1,6 @@
-// Half-sections of penetrometers: each kind tells the same of itself. All are those of the surface that the sand meets, the
-// penetrometer's own or parallel to it at an offset, from its own tip at (0, 0) upward: edges that are sharp stay sharp (faces are
-// extended until they meet), rounded ones take the offset up in their radius.
+// Half-sections of penetrometers, each kind with the same members. All are those of the contact surface, the
+// penetrometer's own or parallel to it at an offset, from its own tip at (0, 0) upward. Sharp edges stay sharp (faces are
+// extended until they intersect), rounded ones take the offset up in their radius.
 #pragma once
 
 #include <cmath>
@@ -22,7 +22,7 @@ struct DeviceShape {
   double flat = 0;      ///< radius of the flat end that cuts the cone, m; 0: sharp; the device's: no cone
   double parabola = 0;  ///< m: the tip is r^2 = parabola x height, in the place of a cone; 0: a cone
   double fillet = 0;    ///< radius of the rounded edge between cone and cylinder, m; 0: sharp
-  /// Distance from the penetrometer's surface outward to the one that the sand meets, m; negative: inward.
+  /// Distance from the penetrometer's surface outward to the contact surface, m; negative: inward.
   double offset = 0;
   std::optional<ProfileLine>
       profile{};  ///< in the place of a tip on a cylinder; the sizes above then say nothing
@@ -35,7 +35,7 @@ class CylinderSection {
   double length() const { return s_.length + tip_above_ + s_.offset; }
   double tip_above() const { return tip_above_; }
   double flat_radius() const { return flat_; }
-  /// Height at which cone (or parabola) and cylinder meet, or would without a fillet, m; 0: no cone.
+  /// Height at which cone (or parabola) and cylinder join, or would without a fillet, m; 0: no cone.
   double cone_height() const { return cone_height_; }
 
  protected:

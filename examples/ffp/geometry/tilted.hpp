@@ -41,7 +41,7 @@ class TurnedSection {
   Polygon section_;
 };
 
-/// The penetrometer as it meets the sand, the lowest point of the surface that the sand meets at y = 0. It is
+/// The penetrometer as it touches the sand, the lowest point of its contact surface at y = 0. It is
 /// tilted about z: its tip points to +x.
 struct DeviceStart {
   double tilt = 0;                              ///< of the axis to the vertical, rad

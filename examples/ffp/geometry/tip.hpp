@@ -22,7 +22,7 @@ inline constexpr std::array<std::pair<std::string_view, Tip>, 4> tip_words{
 /// radii are kept here.
 inline constexpr double truncated_radius = 0.0022;
 
-/// The published parabola, r^2 = 2.4184 d in cm, in m. It meets the cylinder at 7.915 cm with its own slope,
+/// The published parabola, r^2 = 2.4184 d in cm, in m. It joins the cylinder at 7.915 cm with its own slope,
 /// 15.5 deg from the cylinder's.
 inline constexpr double parabola_constant = 0.024184;
 

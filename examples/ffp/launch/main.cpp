@@ -10,7 +10,7 @@
 
 namespace {
 
-/// Whether this processor computes in registers of so many bytes.
+/// Whether this processor computes in registers of `width` bytes.
 bool processor_has(int width) {
 #if defined(__x86_64__)
   __builtin_cpu_init();
@@ -35,7 +35,7 @@ int main(int, char** argv) {
   const auto start = [&](const std::string& width) {
     return ::execv((self.parent_path() / ("arenite-ffp-" + width)).c_str(), argv);
   };
-  // What the environment asks for (to compare), else the widest that is there and that the machine has.
+  // The width that the environment asks for (to compare), else the widest that is built and supported.
   if (const char* wanted = std::getenv("ARENITE_REGISTER_BYTES")) {
     start(wanted);
     std::cerr << "arenite-ffp: ARENITE_REGISTER_BYTES = " << wanted

@@ -1,4 +1,4 @@
-// What is written of a penetrometer into results, and read back.
+// The penetrometer in results: written, and read back.
 #pragma once
 
 #include <string>

@@ -46,7 +46,7 @@ void read_device(DeviceOptions& o) {
 
 namespace {
 
-/// Throws `error` if the penetrometer is told by an outline and also by sizes of a cone.
+/// Throws `error` if the penetrometer is given by an outline and also by sizes of a cone.
 void check_outline(const DeviceOptions& o) {
   const std::string with =
       o.profile ? "--device-file" : "--penetrometer " + word_of(penetrometer_words, o.penetrometer);

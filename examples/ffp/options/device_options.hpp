@@ -1,4 +1,4 @@
-// The penetrometer as a drop and a reduction are told it: one that is known by name, and what differs from it.
+// The penetrometer as an option of drops and reductions: one that is known by name, and what differs from it.
 #pragma once
 
 #include <array>
@@ -32,7 +32,7 @@ struct DeviceOptions {
   Penetrometer of_itself = Penetrometer::bluedrop;  ///< the named one of a command, without --penetrometer
   Penetrometer penetrometer = of_itself;
   std::string device_file;               ///< in the place of a named one, or its content; empty: none
-  std::optional<DeviceProfile> profile;  ///< what is in it: see `read_device`
+  std::optional<DeviceProfile> profile;  ///< its content: see `read_device`
   Tip tip = Tip::cone;
   std::optional<double> diameter;    ///< of the cylinder, m
   std::optional<double> length;      ///< tip to top, m

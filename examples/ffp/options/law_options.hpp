@@ -1,4 +1,4 @@
-// What friction of the sand a drop can be told: the law, and its constants with their sources.
+// Options for the friction of the sand in a drop: the law, and its constants with their sources.
 #pragma once
 
 #include <array>

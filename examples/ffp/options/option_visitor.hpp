@@ -1,5 +1,5 @@
-// What a table of options says to its readers, whatever they read: each option's name, what stands for its
-// value, its help, and what puts a text where the value belongs, or throws one sentence.
+// The interface of a table of options to its readers, whatever they read: each option's name, a placeholder
+// for its value, its help, and a function that sets the value from a text, or throws one sentence.
 #pragma once
 
 #include <charconv>
@@ -31,7 +31,7 @@ Number parse_number(const std::string& option, const std::string& text) {
   return value;
 }
 
-/// What puts the number that a word stands for where it belongs.
+/// A function that parses a word as a number and stores it in `to`.
 template <class Number, class Place>
 auto parse_into(const std::string& name, Place& to) {
   return [name, &to](const std::string& word) { to = parse_number<Number>(name, word); };

@@ -1,4 +1,4 @@
-// What a drop can be told, and its defaults (the paper's case). Names, limits and help: option_table.hpp;
+// The options of a drop, and their defaults (the paper's case). Names, limits and help: option_table.hpp;
 // parsing: command_line.hpp.
 #pragma once
 
@@ -54,7 +54,7 @@ struct DropOptions : DeviceOptions {
   std::optional<double> gyration;  ///< radius about a line across the axis, m; default: `gyration_radius`
   double device_young = 20e6;      ///< of the elastic device, Pa
   double device_poisson = 0.33;    ///< of the elastic device (ours: the sand's)
-  /// From the surface of the device outward to the one that the sand meets, m: for error bars.
+  /// From the surface of the device outward to the contact surface, m: for error bars.
   double contact_offset = 0;
   double friction = 40;                  ///< of the sand, deg
   double young = 5e6;                    ///< of the sand, Pa
@@ -68,7 +68,7 @@ struct DropOptions : DeviceOptions {
   Accuracy accuracy = Accuracy::normal;  ///< decides cells and time step that are not given
   std::optional<double> cell;            ///< edge of the cells around the cone, m; default: `cell_size`
   std::optional<double> cell_at_cone;    ///< edge of the cells at the cone itself, m; without: `cell_size`
-  std::optional<double> split;  ///< points that stand for more than 1 / split of their cell split; 0: none
+  std::optional<double> split;  ///< points that represent more than 1 / split of their cell split; 0: none
   std::optional<double>
       moving_depth;  ///< the mesh moves as one from here below the tip upward, m; default: `moving_zone` (ours)
   std::optional<double> chamber_radius, soil_depth;  ///< m; default: the experiment's, in diameters
@@ -76,7 +76,7 @@ struct DropOptions : DeviceOptions {
   std::optional<int> points_per_element;  ///< in the sand; default: see `points_in_element`
   double jitter = 0;    ///< share of their sub-cells within which initial points are moved at random
   int jitter_seed = 0;  ///< of the random numbers
-  /// Of a rigid device; an elastic one meets the sand through the centre of mass. Default: `contact_kind`.
+  /// Of a rigid device; an elastic one touches the sand by the centre of mass. Default: `contact_kind`.
   std::optional<ContactKind> contact;
   /// Strains averaged over nodes, stresses over filled elements; default: `averages`.
   std::optional<bool> anti_locking;
@@ -88,15 +88,15 @@ struct DropOptions : DeviceOptions {
   int threads = 0;                ///< 0: the environment's ARENITE_THREADS, else one for each processor
   double fields_every = 0.02;     ///< s; 0: no fields
   double checkpoint_every = 0;    ///< s; 0: a state is saved only when the run is interrupted
-  bool resume = false;            ///< goes on from the state saved last in `out`
+  bool resume = false;            ///< resumes from the state saved last in `out`
   std::string out = "out/ffp";    ///< folder of the results
   bool quiet = false;             ///< nothing on the terminal but errors and warnings
   double watch_energy = 0.1;      ///< a run stops past it: energy that nothing put in, over all put in
   double watch_volume = 0.5;      ///< the same: |V/V0 - 1| of the sand or of an elastic device, mean
   double watch_lost = 0.1;        ///< the same: share of the points that left the mesh
   bool no_watch = false;          ///< nothing stops a run that cannot be right
-  bool error_bar = false;         ///< runs the drops around it, too, that tell how far it can be trusted
-  bool is_companion = false;      ///< of an error bar: its warnings stand in its summary alone
+  bool error_bar = false;         ///< also runs the drops around it, which show how far it can be trusted
+  bool is_companion = false;      ///< of an error bar: its warnings are only in its summary
   bool force = false;             ///< runs however many steps it takes
 
   /// The paper's 10 in tetrahedra; 28 in triangles, from where on more change depth by 0.4 % and peak by 1 %:
@@ -135,7 +135,7 @@ struct DropOptions : DeviceOptions {
     if (gyration) return *gyration;
     return profile && profile->gyration ? *profile->gyration : mass_in(Device{shape()}).gyration;
   }
-  /// The surface that the sand meets, and with `instrument()` the penetrometer.
+  /// The contact surface, and with `instrument()` the penetrometer.
   Device body() const {
     DeviceShape with_offset = shape();
     with_offset.offset = contact_offset;

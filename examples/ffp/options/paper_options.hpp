@@ -1,4 +1,4 @@
-// What the rebuilding of the paper can be told.
+// The options of the reproduction of the paper.
 #pragma once
 
 #include <string>
@@ -14,7 +14,7 @@ LawOptions other_law();
 
 struct PaperOptions {
   std::string out = "out/paper";
-  bool quick = false;            ///< the half-section alone
+  bool quick = false;            ///< only the half-section
   LawOptions law = other_law();  ///< beside Mohr-Coulomb
   double cell = 0.01;            ///< m
   int threads = 0;

@@ -1,4 +1,4 @@
-// What a push can be told, and its defaults (a standard cone in clay). Names, limits and help: `visit_push_options`.
+// The options of a push, and their defaults (a standard cone in clay). Names, limits and help: `visit_push_options`.
 #pragma once
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// What the reduction of a measured or simulated deceleration can be told: values, limits, help and checks.
+// The options of the reduction of a measured or simulated deceleration: values, limits, help and checks.
 #pragma once
 
 #include <array>
@@ -34,7 +34,7 @@ inline constexpr std::array<std::pair<std::string_view, Reading>, 2> reading_wor
     {{"net", Reading::net}, {"proper", Reading::proper}}};
 
 /// Everything that decides a reduction beside the record itself. What is not given comes from a drop's
-/// folder, or is the default that `visit_reduce_options` tells.
+/// folder, or is the default that `visit_reduce_options` gives.
 struct ReduceOptions : DeviceOptions {
   std::string file;                      ///< table, .bin, or folder of a drop
   std::string column, time_column;       ///< of a table: names, or numbers from 1; empty: by the header
@@ -60,7 +60,7 @@ struct ReduceOptions : DeviceOptions {
   std::optional<double> drag;             ///< drag coefficient on the base
   std::optional<double> unit_weight, k0;  ///< of the soil, N/m^3 (in water: submerged)
   std::string out;                        ///< empty: beside the file, or the drop's folder
-  bool force = false;                     ///< what no drop does is reduced, too
+  bool force = false;                     ///< also reduces what no drop does
   bool no_picture = false, quiet = false;
 
   /// m^3: the BlueDrop's published one, or that of the outline.

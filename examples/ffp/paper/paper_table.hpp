@@ -47,7 +47,7 @@ struct CaseResult {
   }
 };
 
-/// Reads what a case's folder holds; without a summary the result is empty. Throws `error` that names the
+/// Reads the files of a case's folder; without a summary the result is empty. Throws `error` that names the
 /// history if a row of it is none.
 CaseResult result_of_case(const std::filesystem::path& folder);
 

@@ -14,7 +14,7 @@ double teh_houlsby(double rigidity_index, double face, double shaft, double anis
 
 namespace {
 
-/// Sum over n of the power series of Yu and Houlsby, which tells the radius of the plastic zone. It ends where terms no longer count.
+/// Sum over n of the power series of Yu and Houlsby, which gives the radius of the plastic zone. It ends where terms no longer count.
 double series(double ratio, double xi, double gamma) {
   double sum = 0, power = 1;  // xi^n / n!
   for (int n = 0; n < 1000; ++n) {

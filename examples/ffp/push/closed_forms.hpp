@@ -1,4 +1,4 @@
-// What theory says of a resistance: beside the numbers of a push.
+// Resistances by theory, to compare with the numbers of a push.
 #pragma once
 
 #include <optional>
@@ -33,7 +33,7 @@ struct ClosedForm {
   bool is_lower_guide;  ///< the resistance must be more
 };
 
-/// Those that hold for a push at a depth of the tip, m; none: no theory here fits it.
+/// Those that apply to a push at a depth of the tip, m; none: no theory here fits it.
 std::vector<ClosedForm> closed_forms(const PushOptions& o, double depth);
 
 }  // namespace arenite::ffp

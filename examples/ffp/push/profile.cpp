@@ -7,7 +7,7 @@ namespace arenite::ffp {
 
 namespace {
 
-/// Mean of a column over the rows whose way lies in (from, to]; NaN where there is none, or one is NaN.
+/// Mean of a column over the rows whose distance lies in (from, to]; NaN if there are none, or one is NaN.
 template <class Value>
 double mean(std::span<const PushRow> rows, double from, double to, Value value) {
   double sum = 0, count = 0;

@@ -52,7 +52,7 @@ inline constexpr std::array<std::pair<const char*, double PushRow::*>, 17> push_
     {"mean_volume_ratio", &PushRow::mean_volume_ratio},
 }};
 
-/// What a push comes to.
+/// The results of a push.
 struct Resistance {
   double depth_m;                          ///< of the tip, at the end
   double q_c_kPa, net_kPa;                 ///< means over the last diameter

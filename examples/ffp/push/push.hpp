@@ -14,7 +14,7 @@ struct PushUnit {
   explicit PushUnit(void (*run)(const PushOptions&));
 };
 
-/// The push and those around it that tell how far its resistance can be trusted, into `error-bar/` of its folder.
+/// The push and those around it that show how far its resistance can be trusted, into `error-bar/` of its folder.
 void push_with_error_bar(const PushOptions& options);
 
 }  // namespace arenite::ffp

@@ -51,7 +51,7 @@ std::string net_text(const PushOptions& o, double pascal) {
   return o.in_clay() ? rounded(pascal / o.strength) + " strengths" : rounded(pascal / 1e3) + " kPa";
 }
 
-/// What theory compares: net of the vertical stress in clay, q_c in sand. Pa.
+/// The resistance that theory gives: net of the vertical stress in clay, q_c in sand. Pa.
 double compared(const PushOptions& o, const Resistance& r) {
   return 1e3 * (o.in_clay() ? r.net_kPa : r.q_c_kPa);
 }

@@ -28,12 +28,12 @@ struct PushNumbers {
 /// Inputs by the keywords of their options, of itself values too.
 Json inputs_of(const PushOptions& o);
 
-/// Share of the resistance that inertia may bear: density x speed^2 / q_c.
+/// Upper bound of inertia's share of the resistance: density x speed^2 / q_c.
 double inertia_share(const PushOptions& o, const Resistance& r);
 
 Json summary_of(const PushOptions& o, std::span<const PushRow> rows, const PushNumbers& run);
 
-/// What a push came to, in one line.
+/// The results of a push in one line.
 std::string sentence_of(const PushOptions& o, std::span<const PushRow> rows);
 
 }  // namespace arenite::ffp

@@ -62,7 +62,7 @@ struct HistoryOnRank {
   std::optional<HistoryFile> file{};
 };
 
-/// Takes the rows of the history down; those of the first tile go on.
+/// Records the rows of the history; only the first tile keeps and writes them.
 class RowsOnRanks {
  public:
   RowsOnRanks(HistoryOnRank& shown, double whole, const DropOptions& o)
@@ -123,7 +123,7 @@ struct When {
 template <class F>
 When(bool, F) -> When<F>;
 
-/// What earlier runs left in the folder: all ranks read it before one of them changes it.
+/// The state of earlier runs in the folder: all ranks read it before one of them changes it.
 EarlierRun earlier_on_ranks(mpi::World& world, const DropOptions& o) {
   EarlierRun earlier;
   if (o.resume) earlier = earlier_run(o, true);
@@ -208,8 +208,8 @@ void drop_on(mpi::World& world, const DropOptions& o, const EarlierRun& earlier,
     struct Now {
       double time;
     };
-    saves.go_on_from(scene.time());
-    constexpr int most = 50;  // steps until all look for signals
+    saves.resume_at(scene.time());
+    constexpr int most = 50;  // steps until all check for signals
     while (!run.has_ended()) {
       run.advance(most, saves.due());
       if (run.has_ended()) break;
@@ -230,7 +230,7 @@ void drop_on(mpi::World& world, const DropOptions& o, const EarlierRun& earlier,
   if (tells) std::cout << sentence_of(figures_of(history.rows->all), o) << std::endl;
 }
 
-constexpr double without_points = 0.01;  ///< what a cell outside of the sand costs, over one within
+constexpr double without_points = 0.01;  ///< cost of a cell outside of the sand, over one within
 
 template <class Model>
 void drop_in_mesh(mpi::World& world, const DropOptions& o, const EarlierRun& earlier, int tiles) {

@@ -33,7 +33,7 @@ struct RateBand {
 /// All bands for an impact velocity, m/s.
 std::vector<RateBand> rate_bands(double impact_velocity, Medium medium, Soil soil);
 
-/// Force of the ground on the penetrometer, N: m (a + g) less what the water takes.
+/// Force of the ground on the penetrometer, N: m (a + g) minus the forces of the water.
 struct GroundForce {
   double mass = 0, gravity = 0;           ///< kg, m/s^2
   double buoyancy = 0;                    ///< N

@@ -42,8 +42,8 @@ void each_assignment(const std::string& option, const std::string& text, const T
   }
 }
 
-/// Places of the rows in time: the first column counts them. Missing ones are told in `notes`. Throws `error`
-/// that names the row from which on the integers are not where they belong.
+/// Places of the rows in time: the first column counts them. Missing ones are listed in `notes`. Throws
+/// `error` that names the row from which on the integers are not where they belong.
 template <class Raw>
 std::vector<std::size_t> places_of_rows(const Raw& raw, const std::string& file,
                                         std::vector<std::string>& notes) {

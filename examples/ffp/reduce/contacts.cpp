@@ -109,7 +109,7 @@ Contact RecordSearch::contact(std::size_t before, std::size_t end) const {
   std::size_t peak = before + 1;
   for (std::size_t k = peak; k < end; ++k)
     if (clean_filtered_[k] > clean_filtered_[peak]) peak = k;
-  // The filter smears the rise over its window: the samples tell where in it.
+  // The filter smears the rise over its window: the samples show where in it.
   std::size_t i = before;
   while (i + 1 < peak && m_.time[i + 1] <= m_.time[before] + s_.window) ++i;
   while (i > 0 && clean_.deceleration[i] > level && m_.time[i - 1] >= m_.time[before] - s_.window) --i;
@@ -195,7 +195,7 @@ std::vector<Descent> RecordSearch::falls() const {
     const double then = before.velocity.value_or(0) - (clean_integral_(from) - clean_integral_(before.time));
     const std::size_t still = still_[at(before.peak_time)];
     const bool rested = !s_.in_water && still < n && m_.time[still] < from;
-    // It goes on: upward after a bounce, downward in a void or in water.
+    // It moves on: upward after a bounce, downward in a void or in water.
     const bool goes_on = !rested && own && before.velocity && std::abs(then) > 0.1 * *c.velocity;
     if (before.velocity && (!own || goes_on)) c.velocity = then + (own ? *c.velocity : 0);
     if (before.end < from && !goes_on)
@@ -212,7 +212,7 @@ std::vector<Descent> RecordSearch::falls() const {
 
 std::vector<std::size_t> RecordSearch::drops(const std::vector<Descent>& falls) const {
   constexpr double share = 0.25, least = 0.5;  // of the fastest; m/s
-  // What nothing is known of before is a drop that the record begins with, or a knock.
+  // A contact without a release is a drop that the record begins with, or a knock.
   const bool released =
       std::ranges::any_of(falls, [](const Descent& f) { return f.at_impact().release.has_value(); });
   double fastest = 0;

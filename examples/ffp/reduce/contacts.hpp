@@ -1,4 +1,4 @@
-// What happens in a record: the drops, and what else hits the penetrometer before, between and after them.
+// The events in a record: the drops, and what else hits the penetrometer before, between and after them.
 #pragma once
 
 #include <cmath>
@@ -14,7 +14,7 @@
 
 namespace arenite::ffp {
 
-/// What finding the impact needs to know.
+/// Settings for finding the impact.
 struct ImpactSettings {
   double gravity = 9.81;                    ///< m/s^2
   double threshold = -0.8;                  ///< g
@@ -37,7 +37,7 @@ struct Glitch {
   double beside = 0;  ///< m/s^2, mean of the two
 };
 
-/// None in records of less than 500 Hz, whose samples are too far apart to tell. `gravity`: m/s^2 of 1 g.
+/// None in records of less than 500 Hz, whose samples are too far apart. `gravity`: m/s^2 of 1 g.
 std::vector<Glitch> glitches_of(const Measurement& m, double gravity);
 Measurement without(const std::vector<Glitch>& glitches, Measurement m);
 

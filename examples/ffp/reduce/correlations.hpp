@@ -1,4 +1,4 @@
-// What is read off a drop by correlation: firmness, density and strength, each with its source and its range.
+// Properties of soil by correlation: firmness, density and strength, each with its source and its range.
 #pragma once
 
 #include <optional>

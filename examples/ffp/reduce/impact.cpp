@@ -65,7 +65,7 @@ ChosenFall chosen_fall(const RecordSearch& search, const ImpactSettings& s) {
   return chosen;
 }
 
-/// Time of the first rest after the impact, interpolated. `left`: velocity that stands for rest, m/s.
+/// Time of the first rest after the impact, interpolated. `left`: velocity that counts as rest, m/s.
 std::optional<double> first_rest(const Motion& m, double left) {
   const double still = left + 1e-9 * m.impact_velocity;
   for (std::size_t i = 1; i < m.time.size(); ++i)

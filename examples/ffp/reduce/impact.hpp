@@ -28,7 +28,7 @@ struct Motion {
 /// Share of the impact's velocity that the integral cannot leave at rest.
 inline constexpr double unbelievable_left = 0.5;
 
-/// Finds impact and velocity, of the drop that the settings tell or the first, and integrates by the trapezoid
+/// Finds impact and velocity, of the drop that the settings name or the first, and integrates by the trapezoid
 /// rule to 0.1 s after the first rest, or to the record's end. Throws `error` that names the option to give if impact or velocity cannot be found.
 Motion motion_of(Measurement record, const ImpactSettings& s);
 

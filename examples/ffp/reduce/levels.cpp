@@ -13,7 +13,7 @@ namespace arenite::ffp {
 namespace {
 
 /// The levels around the largest deviation from the median within the windows' samples; `taken`: times
-/// around which it is not looked for, to which its own is added.
+/// around which it is not sought, to which its own is added.
 Levels levels_at_largest(const Measurement& m, double gravity, bool in_water, const PeakWindow& window,
                          std::vector<double>& taken) {
   constexpr double least = 0.02, longest = 1, quiet = 0.1;  // s, s, g
@@ -114,7 +114,7 @@ bool fits(const Levels& levels, bool in_water, double sign = 1, double shift = 0
   return is(levels.offset(), 0) && (in_water || is(levels.fall, -1)) && sign * levels.peak_sign >= 0;
 }
 
-/// Whether they tell at all; in water the fall need not be free.
+/// Whether they show anything; in water the fall need not be free.
 bool tells(const Levels& levels, bool in_water) { return levels.offset() || (!in_water && levels.fall); }
 
 }  // namespace
@@ -142,7 +142,7 @@ std::optional<ReadingProblem> reading_problem(const Measurement& m, const Levels
     const Levels in_unit = unit == 1 ? levels : levels_of(m, gravity * unit, water, window);
     if (unit != 1 &&
         (!in_unit.fall || !in_unit.offset() || std::abs(*in_unit.offset() - *in_unit.fall) < 0.7))
-      continue;  // no step of 1 g tells of the unit
+      continue;  // no step of 1 g shows the unit
     for (const bool invert : {o.invert, !o.invert})
       for (const Reading reads : {o.reads, o.reads == Reading::net ? Reading::proper : Reading::net}) {
         const double turned = invert == o.invert ? 1 : -1;

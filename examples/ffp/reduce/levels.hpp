@@ -1,5 +1,5 @@
 // The levels at which a record is quiet: at rest before the release, in the fall, at rest after the end. They
-// tell how the accelerometer reads (net or proper, which way is positive), and by how much it is off.
+// show how the accelerometer reads (net or proper, which way is positive), and by how much it is off.
 #pragma once
 
 #include <limits>
@@ -15,14 +15,14 @@ namespace arenite::ffp {
 /// it.
 struct Levels {
   std::optional<double> before, fall, after;
-  double peak_sign = 0;  ///< of the largest deviation; 0: too small to tell
+  double peak_sign = 0;  ///< of the largest deviation; 0: too small to decide
 
   /// Offset of the accelerometer: that of the rest before the release, as in the fall; without one, that
   /// after the end, where the penetrometer may lean.
   std::optional<double> offset() const { return before ? before : after; }
 };
 
-/// Times between which the peak is looked for, s.
+/// Times between which the peak is sought, s.
 struct PeakWindow {
   double from = -std::numeric_limits<double>::infinity(), to = std::numeric_limits<double>::infinity();
 };
@@ -36,7 +36,7 @@ Levels levels_of(const Measurement& m, double gravity, bool in_water,
 /// "0.05 g before the release, -0.95 g in the fall, 0.05 g after the end", of the levels that there are.
 std::string text_of(const Levels& levels, double sign = 1, double shift = 0);
 
-/// What is wrong with the way in which the options read a record.
+/// A fault in the way in which the options read a record.
 struct ReadingProblem {
   std::string text;       ///< the levels, and the options that fit
   bool has_cure = false;  ///< there are such

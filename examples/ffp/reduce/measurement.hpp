@@ -13,13 +13,13 @@
 
 namespace arenite::ffp {
 
-/// What a drop's folder knows beside its deceleration.
+/// The data of a drop's folder beside its deceleration.
 struct DropFacts {
   double impact_velocity = 0;  ///< m/s, at t = 0
   double mass = 0, gravity = 0;
   double unit_weight = 0, k0 = 0;  ///< of the sand, N/m^3
   DeviceOptions device;            ///< the penetrometer
-  double contact_offset = 0;       ///< m: from the penetrometer's surface to the one that the sand meets
+  double contact_offset = 0;       ///< m: from the penetrometer's surface to the contact surface
 
   Device body() const {
     DeviceShape shape = device.shape();

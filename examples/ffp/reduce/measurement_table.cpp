@@ -36,8 +36,7 @@ std::vector<std::string> words_of_name(std::string name) {
   return words;
 }
 
-/// What a column's name says: whether it is the quantity, and how many seconds or m/s^2 its unit has; NaN: no
-/// unit.
+/// The meaning of a column's name: whether it is the quantity, and its unit in s or m/s^2; NaN: no unit.
 struct NamedColumn {
   bool is_quantity = false;
   double unit = std::numeric_limits<double>::quiet_NaN();
@@ -121,7 +120,7 @@ std::optional<std::size_t> column_number(const std::string& text) {
   return n;
 }
 
-/// What an option names: one column, if there is one of this name, else those between its commas.
+/// The columns that an option names: one, if there is one of this name, else those between its commas.
 std::vector<std::string> columns_given(const std::string& text, const std::vector<std::string>& header) {
   if (std::ranges::find(header, text) != header.end()) return {text};
   return detail::fields_of(text, ',').value_or(std::vector{text});

@@ -31,7 +31,7 @@ std::vector<double> history_column(const std::filesystem::path& path, const std:
   return values;
 }
 
-/// Throws `error` of an option that tells of another kind of FILE.
+/// Throws `error` of an option that needs another kind of FILE.
 void check_kind(const ReduceOptions& o, bool is_folder, bool is_bluedrop) {
   const std::string is = is_folder ? "the folder of a drop" : is_bluedrop ? "a BlueDrop's record" : "a table";
   const auto check = [&](const char* needs, bool holds,

@@ -91,7 +91,7 @@ std::size_t peak_place(const Motion& m, bool of_drop) {
       std::max_element(m.filtered.begin(), m.filtered.begin() + (n - m.time.begin())) - m.filtered.begin());
 }
 
-/// Depth at which it stands, m: beyond the rest a record leaves errors of its integral alone.
+/// Depth at which it stands, m: after the rest a record adds only errors of its integral.
 double depth_of(const Motion& m, bool of_drop) {
   const auto n = of_drop || !m.stop ? m.time.end() : std::upper_bound(m.time.begin(), m.time.end(), *m.stop);
   return *std::max_element(m.depth.begin(), m.depth.begin() + (n - m.time.begin()));
@@ -225,7 +225,7 @@ void choose_drop(Reduction& r, const ReduceOptions& o, ImpactSettings& impact, c
                                    list}));
 }
 
-/// Difference between the last and the first third of a free fall, g; none if it is too short to tell.
+/// Difference between the last and the first third of a free fall, g; none if it is too short for that.
 std::optional<double> drift_of_fall(const Measurement& record, const Motion& m, double gravity) {
   constexpr double margin = 0.02, shortest = 0.1;  // s
   if (!m.release || !m.impact_uncertain) return std::nullopt;
@@ -236,8 +236,8 @@ std::optional<double> drift_of_fall(const Measurement& record, const Motion& m, 
   return (integral(to) - integral(to - third) - integral(from + third) + integral(from)) / third / gravity;
 }
 
-/// What a measured record and the options do not agree in, and what its samples cannot show. Throws `error` of
-/// a motion that no drop can have.
+/// Warns where a measured record and the options disagree, and of what its samples cannot show. Throws
+/// `error` of a motion that no drop can have.
 void add_warnings(Reduction& r, const ReduceOptions& o, const Measurement& record, ImpactSettings impact,
                   const std::optional<ReadingProblem>& problem, const std::vector<Glitch>& glitches) {
   const Levels& levels = r.levels;
@@ -304,7 +304,7 @@ void add_warnings(Reduction& r, const ReduceOptions& o, const Measurement& recor
 
   // Single samples that stand out, where they reach into the integral.
   const double from = m.release.value_or(m.impact_time),
-               to = m.impact_time + m.stop.value_or(m.time.back()) + 0.3;  // the rest is looked at there
+               to = m.impact_time + m.stop.value_or(m.time.back()) + 0.3;  // the rest is checked there
   std::string places;
   for (const Glitch& glitch : glitches)
     if (const double t = record.time[glitch.sample]; t >= from && t <= to)

@@ -29,7 +29,7 @@ Json json_of(const ColumnPeak& p) {
           {"at_peak_kPa", or_null(p.at_peak)}};
 }
 
-/// As text with blanks behind; columns count as bytes.
+/// As text with blanks after it; columns count as bytes.
 std::string padded(std::string text, std::size_t width) {
   text.resize(std::max(text.size() + 1, width), ' ');
   return text;

@@ -1,4 +1,4 @@
-// What the samples of a record cannot show: gaps, a flat top where the accelerometer is at the end of its
+// Limits of the samples of a record: gaps, a flat top where the accelerometer is at the end of its
 // range, too few of them.
 #pragma once
 

@@ -23,7 +23,7 @@ inline constexpr std::uintmax_t most_json_bytes = std::uintmax_t{16} << 20;
 
 Json or_null(const std::optional<double>& value);
 
-/// As text, whatever bytes the names of files hold.
+/// As text, whatever bytes the names of files contain.
 std::string json_text(const Json& value, int indent = -1);
 
 /// The value of a text. Throws `error` "what: rule" if it is no JSON, nested too deeply, or gives a name

@@ -1,4 +1,4 @@
-// What the driver says while it works: lines on standard error.
+// Messages of the driver while it works: lines on standard error.
 #pragma once
 
 #include <unistd.h>

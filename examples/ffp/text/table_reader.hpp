@@ -1,11 +1,11 @@
 // A table of text, row by row: the one description of what the driver takes as a table.
 //
 //   UTF-8, with or without a byte order mark; lines end with LF or CR LF; empty lines and lines with # are
-//   left out. One separator a file, that of its header: a tab, a semicolon, a comma or blanks. What stands in
-//   quotes is one field. Every row has as many fields as the header; empty ones behind them do not count. One
+//   left out. One separator a file, that of its header: a tab, a semicolon, a comma or blanks. Text in
+//   quotes is one field. Every row has as many fields as the header; empty ones after them do not count. One
 //   decimal mark a file, a point or a comma, and no mark between thousands.
 //
-// What is none of this is refused with its line; nothing is guessed.
+// Anything else is refused with its line; nothing is guessed.
 #pragma once
 
 #include <algorithm>
@@ -231,7 +231,7 @@ class TableReader {
     while (!names.empty() && names.back().empty()) names.pop_back();
     return names;
   }
-  /// Those that split this line; if there are blanks alone between its words it may also be one name.
+  /// Those that split this line; with only blanks between its words it may also be one name.
   std::string separators_of_header() const {
     std::string found;
     for (const char s : separators) {
@@ -304,7 +304,7 @@ class TableReader {
   char separator_ = ',';
   std::vector<std::string> header_, fields_;
   std::size_t comma_line_ = 0, point_line_ = 0;  ///< the first with such a mark; 0: none
-  bool decimal_comma_ = false;  ///< a number tells that the comma is no mark between thousands
+  bool decimal_comma_ = false;  ///< a number shows that the comma is no mark between thousands
   std::string ambiguous_;       ///< the first number that does not
 };
 

@@ -16,7 +16,7 @@ namespace arenite::ffp {
 /// While it lives, the library's warnings come here.
 class WarningLog {
  public:
-  /// `said`: they are also told as they come.
+  /// `said`: they are also printed as they come.
   explicit WarningLog(bool said)
       : before_{on_warning([this, said](const std::string& text) {
           if (said) say("warning: " + shown(text, 1000));

@@ -223,11 +223,11 @@ std::pair<Vec<T, D>, double> constrain(const std::vector<Constraint<T, D>>& cons
                                        const std::vector<Drive<T, D>>& drives, const std::vector<T>& mass,
                                        Velocities& velocity, const Owns& owns = {}, const Take& take = {}) {
   double work = 0;  // impulses of a node times its target: what is allowed is normal to both
-  const auto book = [&](T sign) {
+  const auto record = [&](T sign) {
     for (const auto& d : drives)
       if (owns(d.node)) work += static_cast<double>(sign * mass[d.node] * d.target.dot(velocity[d.node]));
   };
-  book(-1);
+  record(-1);
   Vec<T, D> impulse = constrain(constraints, mass, velocity, owns, take);
   for (const auto& d : drives) {
     velocity[d.node] += d.target;
@@ -236,7 +236,7 @@ std::pair<Vec<T, D>, double> constrain(const std::vector<Constraint<T, D>>& cons
     impulse += given;
     take(d.node, given);
   }
-  book(1);
+  record(1);
   return {impulse, work};
 }
 

@@ -13,6 +13,8 @@ template <int D>
 ARENITE_COLD Vec<double, D> Walls::check(const Wall& wall) {
   using Kind = Condition::Kind;
   const Condition& c = wall.condition;
+  const int kind = static_cast<int>(c.kind);
+  require(kind >= 0 && kind <= static_cast<int>(Kind::all_but), "Condition.kind", kind, "must be 0 to 3");
   require(wall.axis < D, "Wall.axis", wall.axis, "must be an axis of the scene");
   require(wall.axis >= 0 || c.kind != Kind::face_normal, "Wall.condition", "roller",
           "needs a face (left, right, ..); elsewhere name the plane: symmetry(normal)");

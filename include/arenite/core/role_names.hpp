@@ -12,7 +12,7 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 // clang-format off
 /// All roles: of laws (law/roles.hpp), transfers (transfer/transfer.hpp), both laws and parts, parts
-/// (scene/roles.hpp); in the last lines names of 0.1, which are refused with the new ones.
+/// (scene/roles.hpp).
 #define ARENITE_ROLES(role)                                                                           \
   role(is_open) role(yield) role(greatest_volume_ratio) role(max_pack_width) role(two_packs_at_once)  \
   role(linear) role(names)                                                                            \
@@ -22,8 +22,7 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
   role(apply_impulses) role(constrain_mapped) role(take_stress_work) role(take_wall_impulse)          \
   role(after_p2g) role(after_grid) role(take_mapped_momentum) role(given_impulse) role(follow_motion) \
   role(renew_points) role(count_energy) role(holds_against) role(visit_state) role(follow_state)      \
-  role(hand) role(take) role(exchange_impulses) role(exchange_rank) role(hold_mapped)                 \
-  role(read_start) role(read_end) role(take_wall_hold) role(sweeps)
+  role(hand) role(take) role(sweeps)
 // clang-format on
 
 namespace detail {

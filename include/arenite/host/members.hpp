@@ -83,11 +83,11 @@ constexpr auto pointers_to_members(const T& object) {
 
 /// An object that is never made: only the names of its members are asked for.
 template <class T>
-struct NeverMade {
+struct Unevaluated {
   T object;
 };
 template <class T>
-extern const NeverMade<T> never_made;
+extern const Unevaluated<T> unevaluated;
 
 template <class P>
 struct MemberPointer {
@@ -113,7 +113,7 @@ constexpr std::string_view member_in(std::string_view text) {
 template <class T, std::size_t... At>
 constexpr auto names_of_members(std::index_sequence<At...>) {
   return std::array<std::string_view, sizeof...(At)>{member_in(
-      text_of_pointer<MemberPointer{std::get<At>(pointers_to_members(never_made<T>.object))}>())...};
+      text_of_pointer<MemberPointer{std::get<At>(pointers_to_members(unevaluated<T>.object))}>())...};
 }
 #ifdef __clang__
 #pragma clang diagnostic pop

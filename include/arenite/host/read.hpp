@@ -40,7 +40,7 @@ namespace detail {
 
 /// Name of a type in messages: `MohrCoulombParameters` is MohrCoulomb.
 template <class T>
-std::string spoken_name() {
+std::string display_name() {
   std::string word = type_words<T>();
   word = word.substr(0, word.find('<'));
   constexpr std::string_view end = "Parameters";
@@ -86,7 +86,7 @@ template <class T>
 struct ValueReader {
   static T read(const Value& value, const ReadContext& at) {
     if constexpr (detail::has_parameters<T>) {
-      return T(arenite::read<typename T::Parameters>(value, at.renamed(detail::spoken_name<T>())));
+      return T(arenite::read<typename T::Parameters>(value, at.renamed(detail::display_name<T>())));
     } else {
       static_assert(std::is_aggregate_v<T>,
                     "host: a law or part made of values by name must be an aggregate, or hold a struct "

@@ -56,8 +56,8 @@ namespace detail {
 
 /// A function of place of the host, asked for all places of a body at once.
 template <std::size_t Count>
-std::shared_ptr<PlacesAtOnce<Count>> at_once(const Value& value, const ReadContext& at) {
-  auto f = std::make_shared<PlacesAtOnce<Count>>(at.of_places(*value.function()), at.dimension, at.name);
+std::shared_ptr<BatchedFunction<Count>> at_once(const Value& value, const ReadContext& at) {
+  auto f = std::make_shared<BatchedFunction<Count>>(at.of_places(*value.function()), at.dimension, at.name);
   if (at.places)
     at.places->what.push_back(f);
   else
@@ -135,7 +135,7 @@ ARENITE_READER std::function<bool(const Triple&)> ValueReader<std::function<bool
     const Value& value, const ReadContext& at) {
   if (value.is_none()) return {};
   if (!value.function()) at.refuse(value, "must be a function of the position");
-  auto f = std::make_shared<PlacesAtOnce<1>>(at.of_places(*value.function()), at.dimension, at.name);
+  auto f = std::make_shared<BatchedFunction<1>>(at.of_places(*value.function()), at.dimension, at.name);
   f->note(at.nodes ? *at.nodes : std::vector<Triple>{});
   f->compute();
   return [f](const Triple& x) { return (*f)(x)[0] != 0; };

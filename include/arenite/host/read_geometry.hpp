@@ -173,7 +173,7 @@ ARENITE_READER AnyRegion ValueReader<AnyRegion>::read(const Value& value, const 
     return region;
   }
   if (const Value* where = value.find("where"); where && where->function()) {
-    auto test = std::make_shared<PlacesAtOnce<1>>(at.of_places(*where->function()), at.dimension, at.name);
+    auto test = std::make_shared<BatchedFunction<1>>(at.of_places(*where->function()), at.dimension, at.name);
     if (at.places)
       at.places->where.push_back(test);
     else

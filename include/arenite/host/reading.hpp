@@ -9,7 +9,7 @@
 #include <vector>
 
 #include <arenite/core/error.hpp>
-#include <arenite/host/places_at_once.hpp>
+#include <arenite/host/batched_function.hpp>
 #include <arenite/host/value.hpp>
 
 // How a scene's recipes are read is compiled once for many scenes, if a program wants it: its units define

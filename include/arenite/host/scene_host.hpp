@@ -131,7 +131,7 @@ class SceneHost : public HostedScene {
         return run.due(k) ? RunFlow::stop : RunFlow::go_on;
       });
     if (run.resumed)
-      for (auto& timer : timers) timer.go_on_from(scene_->time);
+      for (auto& timer : timers) timer.resume_at(scene_->time);
     bool first = true;
     watch_ = given_watch(run);
     const auto observe = [&](const Scene& scene) {
@@ -272,7 +272,7 @@ class SceneHost : public HostedScene {
     SceneHost& host_;
     HostedRun run_;
     std::size_t every_;  // steps between checks
-    std::optional<OwnWatch> own_{};
+    std::optional<DefaultWatch> own_{};
     std::size_t begun_ = 0;
     bool written_ = false;
   };

@@ -293,7 +293,7 @@ class TilesHost : public HostedScene {
       for (const auto& timer : timers) due = std::min(due, timer.due());
     };
     if (run.resumed)
-      for (auto& timer : timers) timer.go_on_from(time());
+      for (auto& timer : timers) timer.resume_at(time());
     failing_all([&] { call(); });
     stops = agree("the next steps of its run", stops);
     run_of_tiles.begin();

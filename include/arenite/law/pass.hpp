@@ -1,5 +1,5 @@
 // Law pass: updates the stresses of neighbouring points by their law, a pack at a time, from the strains of a
-// step in a buffer; in place, or into trial states beside the points.
+// step in a buffer.
 #pragma once
 // SPDX-License-Identifier: BSD-3-Clause
 
@@ -74,22 +74,6 @@ struct StrainBuffer {
   std::array<T, StoresBearing ? capacity + slack : 0> volume_factor_{};
 };
 
-/// Stress, history and volume of points after a step that may be tried again: the output of the law pass,
-/// apart from the points that it reads. `Points`: their columns.
-template <class Points>
-struct TrialStates {
-  static constexpr bool has_dilation = Points::has_dilation;
-
-  decltype(Points::stress) stress;      ///< Cauchy stress, Pa, tension positive
-  decltype(Points::history) history;    ///< columns of the law's history
-  decltype(Points::volume) volume;      ///< volume that carries stress, m3
-  decltype(Points::dilation) dilation;  ///< [n if has_dilation] plastic volumetric strain of the step
-
-  /// Those of the points before a step.
-  explicit TrialStates(const Points& points)
-      : stress{points.stress}, history{points.history}, volume{points.volume}, dilation{points.dilation} {}
-};
-
 /// Scalar type with which a law is called where `Width` points are computed at once: a pack of them or, if
 /// the law requests it, a narrower one or two packs side by side.
 template <class L, class T, int Width>
@@ -99,15 +83,13 @@ struct LawLanes {
       std::conditional_t<two_packs_at_once<L> && (width > 1), PackPair<Pack<T, width>>, lanes_of<T, width>>;
 };
 
-/// Stress, history and volume of the points [begin, end) after a step of dt, s, with the strains in `buffer`,
-/// written to `after`: the points themselves, or their `TrialStates`. A volume follows the trace of the
-/// strain minus the opening: V = V_0 exp(sum (tr de - opening)). Matter that dilates stops at its greatest
-/// V / V_0: dilation beyond that counts as opening.
+/// Stress, history and volume of the points [begin, end) after a step of dt, s, with the strains in
+/// `buffer`. A volume follows the trace of the strain minus the opening: V = V_0 exp(sum (tr de - opening)).
+/// Matter that dilates stops at its greatest V / V_0: dilation beyond that counts as opening.
 /// `TracksWork`: whether the work of the stresses is summed.
-template <bool TracksWork, int Width, class L, class Points, class After, class T, int D, bool StoresBearing>
-ARENITE_KERNEL void law_pass(const L& law, const Points& points, After& after, std::size_t begin,
-                             std::size_t end, const StrainBuffer<T, D, StoresBearing>& buffer, double dt,
-                             G2pSums& sums) {
+template <bool TracksWork, int Width, class L, class Points, class T, int D, bool StoresBearing>
+ARENITE_KERNEL void law_pass(const L& law, Points& points, std::size_t begin, std::size_t end,
+                             const StrainBuffer<T, D, StoresBearing>& buffer, double dt, G2pSums& sums) {
   using P = typename LawLanes<L, T, Width>::type;
   constexpr int width = lane_count<P>;
   using History = typename L::template History<P>;
@@ -156,13 +138,13 @@ ARENITE_KERNEL void law_pass(const L& law, const Points& points, After& after, s
         volume -= beyond;
         opened += beyond;
       }
-      if constexpr (After::has_dilation) store_lanes(after.dilation.data() + p, count, dilation);
+      if constexpr (Points::has_dilation) store_lanes(points.dilation.data() + p, count, dilation);
     }
 
-    each_history(history, after.history,
+    each_history(history, points.history,
                  [&](const P& value, auto& column) { store_lanes(column.data() + p, count, value); });
-    after.stress.template store<P>(p, count, stress.c);
-    store_lanes(after.volume.data() + p, count, volume);
+    points.stress.template store<P>(p, count, stress.c);
+    store_lanes(points.volume.data() + p, count, volume);
     if constexpr (TracksWork) {
       P done = (before + volume) * contract(old + stress, step.strain) * P(0.25);
       P ending = volume * contract(stress, step.strain);

@@ -57,7 +57,7 @@ class CsvTable {
     if constexpr (fits) {
       row_.assign(1, scene.time);
       std::apply([&](auto&... column) { (put(column.value(scene)), ...); }, columns_);
-      if (!speaks_for_all(scene)) return;
+      if (!is_reporter(scene)) return;
       if (!writer_) open<Scene>();
       writer_->row(row_);
       bytes_ = writer_->bytes();

@@ -246,7 +246,7 @@ template <class Scene>
 Energies energies(const Scene& scene) {
   static_assert(tracks_energy<Scene>, "energies: name TrackEnergy{} among the scene's parts");
   const auto& balance = scene.template part<TrackEnergy>();
-  const bool shared = speaks_for_all(scene);
+  const bool shared = is_reporter(scene);
   const PartEnergy parts = energy_of_parts(scene, shared);
   Energies e;
   double inserted_strain = 0;

@@ -114,7 +114,7 @@ std::optional<Probed<Scene::D>> probe(const Scene& scene, const B& body, const s
   constexpr std::size_t stresses = Sym<double, D>::size, size = 2 + D + stresses;
   const auto x = vector_argument<T, D>("probe: place", place);
   Index cell = detail::cell_of_place(scene.mesh, x);
-  if (!agree_on_cell(scene, cell)) return std::nullopt;
+  if (!find_owner_cell(scene, cell)) return std::nullopt;
   const Cell here(scene.mesh, cell == none ? 0 : cell);
   std::vector<double> nodes(here.nodes.size() * size);
   if (cell != none) nodes = detail::sums_at_nodes(scene, body, here, cell, size);

@@ -37,7 +37,7 @@ class VtkhdfSeries {
 
   template <class Scene>
   void operator()(const Scene& scene) {
-    if (speaks_for_all(scene) && files_.empty()) {
+    if (is_reporter(scene) && files_.empty()) {
       const std::filesystem::path first = file_of(detail::frame_parts(scene, options_).front());
       steps_ = kept_times(first, vtkhdf_times(first), scene.time, options_.resumed).size();
       follow_state(scene);
@@ -46,7 +46,7 @@ class VtkhdfSeries {
     detail::for_each_frame_part(scene, options_, [&](const VtuData& data) {
       if constexpr (Scene::is_portion) {
         const auto of_tiles = scene.communicator().to_first(detail::packed(data));
-        if (speaks_for_all(scene)) (file++)->add(scene.time, detail::VtuOfTiles(data, of_tiles).data());
+        if (is_reporter(scene)) (file++)->add(scene.time, detail::VtuOfTiles(data, of_tiles).data());
       } else {
         (file++)->add(scene.time, data);
       }
@@ -62,7 +62,7 @@ class VtkhdfSeries {
   /// Continues the files of an earlier part of the run, which must be there.
   template <class Scene>
   void follow_state(const Scene& scene) {
-    if (!speaks_for_all(scene)) return;
+    if (!is_reporter(scene)) return;
     open(scene, steps_ > 0);
     if (steps_ > 0)
       for (auto& file : files_) file.keep(steps_);

@@ -42,7 +42,7 @@ struct OwnsAll {
 
 /// Whether this scene writes and reports what is common to all scenes: one of them does.
 template <class Scene>
-bool speaks_for_all([[maybe_unused]] const Scene& scene) {
+bool is_reporter([[maybe_unused]] const Scene& scene) {
   if constexpr (requires { requires Scene::is_portion; })
     return scene.communicator().first();
   else

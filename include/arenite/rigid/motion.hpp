@@ -74,11 +74,4 @@ concept rotating_motion = rotates<M> &&
   { motion.holds(v) } -> std::convertible_to<bool>;
 };
 
-/// Whether a motion still has `work` by its former name.
-template <class M, class T, int D>
-inline constexpr bool names_drive = requires(M motion, const Vec<T, D> v) {
-  motion.drive(v, v, v, v);
-}
-|| requires(M motion, const Twist<T, D> u) { motion.drive(u, u, u, u); };
-
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -280,7 +280,7 @@ struct RigidBody {
   }
   template <class Scene>
   double constrain_mapped(Scene& scene, double dt) {
-    return book(hold_touched(touched_nodes, scene.fields, static_cast<T>(dt)), scene.communicator());
+    return record(hold_touched(touched_nodes, scene.fields, static_cast<T>(dt)), scene.communicator());
   }
   template <class Scene>
   double after_grid(const Scene& scene, [[maybe_unused]] double dt) {
@@ -289,7 +289,7 @@ struct RigidBody {
         const V& v = scene.fields[t.field].velocity[t.node];
         return dot<T, D>(V(v - velocity_at<T, D>(whole_velocity(), t.arm)), t.normal);
       });
-    return book(rest_of_dissipation(touched_nodes, scene.fields), scene.communicator());
+    return record(rest_of_dissipation(touched_nodes, scene.fields), scene.communicator());
   }
   PartEnergy count_energy() const {
     PartEnergy e{.kinetic = kinetic_energy(), .dissipated = dissipated, .external = driving_work};
@@ -333,7 +333,7 @@ struct RigidBody {
 
  private:
   template <class Communicator>
-  double book(double dissipation, const Communicator& comm) {
+  double record(double dissipation, const Communicator& comm) {
     sum_over(comm, dissipation);
     dissipated += dissipation;
     return dissipation;
@@ -355,9 +355,7 @@ auto bind_part(const Rigid<S, M, C, name>& recipe, const Traits& traits) {
   constexpr bool has_motion =
       rigid_motion<decltype(motion), V> || rotating_motion<decltype(motion), typename Traits::T, Traits::D>;
   static_assert(has_surface, "Rigid: the surface lacks a member; see arenite/rigid/surface.hpp");
-  constexpr bool names_old = names_drive<decltype(motion), typename Traits::T, Traits::D>;
-  static_assert(!names_old, "Rigid: drive(..) of a motion is now called work(..)");
-  static_assert(has_motion || names_old, "Rigid: the motion lacks a member; see arenite/rigid/motion.hpp");
+  static_assert(has_motion, "Rigid: the motion lacks a member; see arenite/rigid/motion.hpp");
   static_assert(!has_surface || !has_motion || fits, ARENITE_SAYS_RESTING_SURFACE);
   if constexpr (has_motion && fits)
     return RigidBody<typename Traits::T, Traits::D, decltype(surface), decltype(motion), C, name>{

@@ -152,15 +152,15 @@ class BoundRigidContact {
       s.free = free_velocity(body, acceleration, static_cast<T>(scene.time + dt), static_cast<T>(dt));
     });
     for (auto& b : touching_.bodies) b.impulse.setZero();
-    meet_matter(scene, steps, comm);
-    set_ends(scene, dt);
+    solve_with_material(scene, steps, comm);
+    predict_poses(scene, dt);
     touching_.find(dt);
     rounds = 1;
     while (rounds < most_rounds && !touching_.is_solved(dt, precision)) {
       touching_.solve(dt);
-      take_back(scene, steps);
-      meet_matter(scene, steps, comm);
-      set_ends(scene, dt);
+      undo_material(scene, steps);
+      solve_with_material(scene, steps, comm);
+      predict_poses(scene, dt);
       ++rounds;
     }
     return finish(scene, steps, dt);
@@ -266,7 +266,7 @@ class BoundRigidContact {
 
   /// Each body in turn: its velocity in contact with the matter, and the impulses that it gives.
   template <class Scene, class Steps, class Communicator>
-  void meet_matter(Scene& scene, Steps& steps, const Communicator& comm) {
+  void solve_with_material(Scene& scene, Steps& steps, const Communicator& comm) {
     each(scene, steps, [&](auto& body, auto& s, std::size_t k) {
       using R = std::remove_cvref_t<decltype(body)>;
       constexpr int size = R::Velocity::RowsAtCompileTime;
@@ -286,7 +286,7 @@ class BoundRigidContact {
   }
   /// Undoes the impulses of the bodies on the matter, the last body first.
   template <class Scene, class Steps>
-  void take_back(Scene& scene, Steps& steps) {
+  void undo_material(Scene& scene, Steps& steps) {
     for (std::size_t n = touching_.bodies.size(); n-- > 0;)
       each(scene, steps, [&](auto& body, auto&, std::size_t k) {
         if (k != n) return;
@@ -298,7 +298,7 @@ class BoundRigidContact {
       });
   }
   template <class Scene>
-  void set_ends(Scene& scene, double dt) {
+  void predict_poses(Scene& scene, double dt) {
     std::size_t k = 0;
     scene.for_each_rigid([&](auto& body) {
       using R = std::remove_cvref_t<decltype(body)>;
@@ -329,7 +329,7 @@ class BoundRigidContact {
       dissipated += between;
       tally += {.dissipation = lost + between, .nodes = body.contact_nodes};
     });
-    if (speaks_for_all(scene))
+    if (is_reporter(scene))
       for (const auto& b : touching_.bodies)
         if (b.is_wall()) scene.wall_impulse -= linear_part<D>(b.impulse).template cast<T>();
     return tally;

@@ -51,7 +51,7 @@ class Every {
   /// Time of the next call, s.
   double due() const { return due_; }
   /// As if it had been called at this time, s: for a run that continues from there.
-  void go_on_from(double time) { is_due(time); }
+  void resume_at(double time) { is_due(time); }
 
   /// Also the state of the wrapped observer, if it has one.
   template <class G>

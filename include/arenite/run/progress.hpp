@@ -25,7 +25,7 @@ class Progress {
 
   template <class Scene>
   void operator()(const Scene& scene) {
-    if ((terminal_ || tenths_) && speaks_for_all(scene)) look(scene.time, scene.steps, scene.time_step);
+    if ((terminal_ || tenths_) && is_reporter(scene)) look(scene.time, scene.steps, scene.time_step);
   }
 
   /// The last report and the time spent, for a run that continues elsewhere.

@@ -78,10 +78,10 @@ bool counts_all_work(const Scene& scene) {
 }  // namespace detail
 
 /// The watch of a run that was given none.
-class OwnWatch {
+class DefaultWatch {
  public:
   template <class Scene>
-  OwnWatch(const Scene& scene, bool on, bool settles)
+  DefaultWatch(const Scene& scene, bool on, bool settles)
       : on_{on}, watch_{limits(detail::counts_all_work(scene))} {
     if (settles) watch_.accept_damping();
   }
@@ -199,7 +199,7 @@ void run(Scene& scene, const RunOptions& options, Observers&&... observers) {
     if constexpr ((detail::is_watch<std::remove_cvref_t<Observers>> || ...)) {
       detail::run_steps(scene, options, observers...);
     } else {
-      OwnWatch watch(scene, options.watch, (detail::settles<std::remove_cvref_t<Observers>> || ...));
+      DefaultWatch watch(scene, options.watch, (detail::settles<std::remove_cvref_t<Observers>> || ...));
       detail::run_steps(scene, options, observers..., watch);
     }
   };

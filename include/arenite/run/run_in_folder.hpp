@@ -127,7 +127,7 @@ RunEnd run_in_folder(Scene& scene, const RunOptions& options, const RunRecord& r
     save_all(s);
     status.write(s, "running");
   });
-  save.go_on_from(scene.time);
+  save.resume_at(scene.time);
   const auto recorder = [&](const Scene& s) {
     save(s);
     status.refresh(s);

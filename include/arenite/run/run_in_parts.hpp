@@ -21,8 +21,8 @@ class RunInParts {
   RunInParts(const S& scene, const RunOptions& options, const Observers&... observers)
       : options_{options},
         span_{options.end - scene.time},
-        observers_(observers..., OwnWatch(scene, options.watch && !(detail::is_watch<Observers> || ...),
-                                          (detail::settles<Observers> || ...))) {}
+        observers_(observers..., DefaultWatch(scene, options.watch && !(detail::is_watch<Observers> || ...),
+                                              (detail::settles<Observers> || ...))) {}
 
   bool has_ended() const { return has_ended_; }
 
@@ -72,7 +72,7 @@ class RunInParts {
   RunOptions options_;
   double span_;
   bool has_ended_ = false;
-  std::tuple<Observers..., OwnWatch> observers_;
+  std::tuple<Observers..., DefaultWatch> observers_;
 };
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

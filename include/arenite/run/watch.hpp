@@ -77,32 +77,32 @@ struct WatchedSpot {
 };
 
 /// State of a watch, and the checks that do not need the types of a scene.
-class WatchBook {
+class WatchRecord {
  public:
   enum Quantity : std::size_t { energy_gain, transfer, residual, volume, speed, strength, lost };
 
   /// Throws `error` unless all limits are positive.
-  WatchBook(const WatchLimits& limits, bool of_run);
+  WatchRecord(const WatchLimits& limits, bool of_run);
 
   bool wants(Quantity q) const { return std::isfinite(seen[q].limit); }
   bool wants_energy() const { return wants(energy_gain) || wants(transfer) || wants(residual); }
 
-  /// Records a value of a quantity; returns whether it must be reported with `tell`.
-  bool takes(Quantity q, double time, double value, int body);
+  /// Records a value of a quantity; returns whether it must be reported with `report`.
+  bool update(Quantity q, double time, double value, int body);
   /// Warns of the value recorded last, or throws `run_error`.
-  void tell(Quantity q, WatchedSpot spot);
+  void report(Quantity q, WatchedSpot spot);
 
   /// Warns.
-  void tell(std::string text);
+  void report(std::string text);
 
   /// Finds the points of a body with the greatest values of all quantities but strength.
   template <class T>
   void read(const PointColumns<T>& points, const WatchedMesh& mesh, WatchedBody& body) const;
 
-  void look_at_damping(double time, double share);
-  void look_at_energy(double time, const WatchedEnergy::Found& found, bool tracked, const WatchedBody* bodies,
-                      std::size_t count);
-  void look_at_body(double time, const WatchedBody& body);
+  void check_damping(double time, double share);
+  void check_energy(double time, const WatchedEnergy::Found& found, bool tracked, const WatchedBody* bodies,
+                    std::size_t count);
+  void check_body(double time, const WatchedBody& body);
 
   std::array<Watched, 7> seen;
   std::vector<WarningText> warnings{};
@@ -115,7 +115,7 @@ class WatchBook {
   bool stops(Quantity q, double value) const {
     return !(value <= seen[q].limit) && (!of_run || q == energy_gain || q == residual);
   }
-  void hint(bool& wanted, std::string text);
+  void warn_once(bool& wanted, std::string text);
 };
 
 /// Joins the data of the points of each body over all tiles, by one collective call of the communicator.
@@ -148,13 +148,13 @@ template <bool OfRun>
 class BasicWatch {
  public:
   /// Throws `error` unless all limits are positive.
-  explicit BasicWatch(const WatchLimits& limits = {}) : book_(limits, OfRun) {}
+  explicit BasicWatch(const WatchLimits& limits = {}) : record_(limits, OfRun) {}
 
   template <class Scene>
   void operator()(const Scene& scene) {
     if (scene.steps >= next_)
       look(scene);
-    else if (!tracks_energy<Scene> && book_.wants_energy())
+    else if (!tracks_energy<Scene> && record_.wants_energy())
       scene.steps + 1 == next_ ? energy_.remember(scene) : energy_.follow(scene);
     look_at_rigids(scene);
   }
@@ -167,7 +167,7 @@ class BasicWatch {
   /// Checks the scene now.
   template <class Scene>
   void look(const Scene& scene) {
-    using Book = detail::WatchBook;
+    using Record = detail::WatchRecord;
     auto bodies = by_body<detail::WatchedBody, Scene::body_count>(scene.number_of_bodies());
     const detail::WatchedMesh mesh{&scene.mesh, [](const void* of, Index cell) {
                                      return static_cast<double>(full_volume<typename Scene::Kinematics>(
@@ -183,38 +183,38 @@ class BasicWatch {
                  .bearing_spacing = bearing_spacing<typename Scene::Shape>};
       watched.points.count = static_cast<double>(body.points.size());
       watched.points.lost = static_cast<double>(body.lost);
-      if (book_.wants(Book::volume)) {
+      if (record_.wants(Record::volume)) {
         const auto volumes = volume_and_initial(body);
         watched.points.volume = volumes[0];
         watched.points.initial = volumes[1];
       }
-      book_.read(columns_of_points(body), mesh, watched);
+      record_.read(columns_of_points(body), mesh, watched);
       // Initial stresses may lie outside the yield surface: the first step returns them to it.
       if constexpr (!OfRun)
-        if (book_.wants(Book::strength) && scene.steps > 0)
+        if (record_.wants(Record::strength) && scene.steps > 0)
           look_at_strength<Scene::NumericsType::template width<typename Scene::T>>(body, watched);
       ++n;
     });
     detail::join_watched(scene.communicator(), bodies);
-    const bool speaks = speaks_for_all(scene);
-    if (book_.wants(Book::energy_gain) ||
-        (tracks_energy<Scene> && (book_.wants(Book::transfer) || book_.wants(Book::residual))))
+    const bool speaks = is_reporter(scene);
+    if (record_.wants(Record::energy_gain) ||
+        (tracks_energy<Scene> && (record_.wants(Record::transfer) || record_.wants(Record::residual))))
       if (const auto found = energy_.look(scene); found.known && speaks)
-        book_.look_at_energy(scene.time, found, tracks_energy<Scene>, bodies.data(), bodies.size());
+        record_.check_energy(scene.time, found, tracks_energy<Scene>, bodies.data(), bodies.size());
     if constexpr (Scene::template has_part<LocalDamping>) {
       const double share = fall_.look(scene);
-      if (book_.hints_at_damping && speaks) book_.look_at_damping(scene.time, share);
+      if (record_.hints_at_damping && speaks) record_.check_damping(scene.time, share);
     }
     if (speaks)
-      for (const auto& body : bodies) book_.look_at_body(scene.time, body);
+      for (const auto& body : bodies) record_.check_body(scene.time, body);
     last_ = scene.steps;
-    next_ = scene.steps + book_.every;
+    next_ = scene.steps + record_.every;
   }
 
   /// State to save, without the texts of warnings already given.
   template <class F>
   void visit_state(F&& f) {
-    for (Watched& w : book_.seen) {
+    for (Watched& w : record_.seen) {
       const StateUnder quantity(f, std::string(w.name));
       quantity("worst", w.worst);
       quantity("time", w.time);
@@ -224,27 +224,27 @@ class BasicWatch {
     }
     f("next", next_);
     f("last", last_);
-    f("hints/damping", book_.hints_at_damping);
-    f("hints/spacing", book_.hints_at_spacing);
+    f("hints/damping", record_.hints_at_damping);
+    f("hints/spacing", record_.hints_at_spacing);
     fall_.visit_state(StateUnder(f, "fall"));
     energy_.visit_state(f);
     rigids_.visit_state(StateUnder(f, "rigids"));
   }
 
   /// Each quantity with its greatest value so far, in the order of `WatchLimits`.
-  const std::array<Watched, 7>& seen() const { return book_.seen; }
+  const std::array<Watched, 7>& seen() const { return record_.seen; }
   /// The warnings given, in order: at most one a quantity.
-  const std::vector<WarningText>& warnings() const { return book_.warnings; }
+  const std::vector<WarningText>& warnings() const { return record_.warnings; }
 
   /// Does not warn of local damping: the scene is brought to rest on purpose (`settle`).
-  void accept_damping() { book_.hints_at_damping = false; }
+  void accept_damping() { record_.hints_at_damping = false; }
 
  private:
   /// At every step: a body that falls through a thin mesh is past it before the next check.
   template <class Scene>
   void look_at_rigids(const Scene& scene) {
     rigids_.look(scene, scene.steps == last_, [&](std::string text) {
-      if (speaks_for_all(scene)) book_.tell(std::move(text));
+      if (is_reporter(scene)) record_.report(std::move(text));
     });
   }
   template <int Width, class L, class T, int D, ExtraColumns E>
@@ -292,7 +292,7 @@ class BasicWatch {
 
   static constexpr std::size_t never = std::numeric_limits<std::size_t>::max() / 2;
 
-  detail::WatchBook book_;
+  detail::WatchRecord record_;
   DampedFall fall_;
   std::size_t next_ = 0, last_ = never;
   WatchedEnergy energy_;

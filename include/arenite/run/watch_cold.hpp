@@ -50,7 +50,7 @@ ARENITE_COLD void WatchedPoints::add(const WatchedPoints& other) {
     if ((other.*point).value > (this->*point).value) this->*point = other.*point;
 }
 
-ARENITE_COLD WatchBook::WatchBook(const WatchLimits& limits, bool is_of_run)
+ARENITE_COLD WatchRecord::WatchRecord(const WatchLimits& limits, bool is_of_run)
     : seen{{{"energy_gain", "energy that nothing put in, over the energy put in", limits.energy_gain},
             {"transfer", "energy that the transfer took, over the energy put in", limits.transfer},
             {"residual", "energy booked nowhere, over the energy put in", limits.residual},
@@ -65,7 +65,7 @@ ARENITE_COLD WatchBook::WatchBook(const WatchLimits& limits, bool is_of_run)
   require(every > 0, "WatchLimits.every", every, "must be positive");
 }
 
-ARENITE_COLD bool WatchBook::takes(Quantity q, double time, double value, int body) {
+ARENITE_COLD bool WatchRecord::update(Quantity q, double time, double value, int body) {
   Watched& w = seen[q];
   if (!stops(q, value) && value <= w.worst) return false;
   w.worst = value;
@@ -75,7 +75,7 @@ ARENITE_COLD bool WatchBook::takes(Quantity q, double time, double value, int bo
   return !(value <= w.limit / 10);
 }
 
-ARENITE_COLD void WatchBook::tell(Quantity q, WatchedSpot spot) {
+ARENITE_COLD void WatchRecord::report(Quantity q, WatchedSpot spot) {
   Watched& w = seen[q];
   const bool ends = stops(q, w.worst);
   w.place = spot.place;
@@ -85,25 +85,26 @@ ARENITE_COLD void WatchBook::tell(Quantity q, WatchedSpot spot) {
                                         of_run && !ends ? w.limit / 10 : w.limit, "; ", spot.text});
   if (ends) throw run_error(text);
   w.warned = true;
-  tell(text);
+  report(text);
 }
 
-ARENITE_COLD void WatchBook::tell(std::string text) {
+ARENITE_COLD void WatchRecord::report(std::string text) {
   warnings.emplace_back(text);
   warn(text);
 }
-ARENITE_COLD void WatchBook::hint(bool& wanted, std::string text) {
+ARENITE_COLD void WatchRecord::warn_once(bool& wanted, std::string text) {
   wanted = false;
-  tell(std::move(text));
+  report(std::move(text));
 }
 
-ARENITE_COLD void WatchBook::look_at_damping(double time, double share) {
+ARENITE_COLD void WatchRecord::check_damping(double time, double share) {
   if (share > 0.1)
-    hint(hints_at_damping,
-         joined_text(
-             {"t = ", time, " s: local damping took ", std::round(100 * share),
-              " % of the work of gravity while matter fell freely: it is made for static states; "
-              "switch it off (switch_off(), in Python switch_off_damping()) once the scene is at rest"}));
+    warn_once(
+        hints_at_damping,
+        joined_text(
+            {"t = ", time, " s: local damping took ", std::round(100 * share),
+             " % of the work of gravity while matter fell freely: it is made for static states; "
+             "switch it off (switch_off(), in Python switch_off_damping()) once the scene is at rest"}));
 }
 
 /// The fastest point of all bodies.
@@ -120,10 +121,10 @@ ARENITE_COLD WatchedSpot fastest_spot(const WatchedBody* bodies, std::size_t cou
   return spot;
 }
 
-ARENITE_COLD void WatchBook::look_at_energy(double time, const WatchedEnergy::Found& found, bool tracked,
+ARENITE_COLD void WatchRecord::check_energy(double time, const WatchedEnergy::Found& found, bool tracked,
                                             const WatchedBody* bodies, std::size_t count) {
   const auto judge = [&](Quantity q, double value) {
-    if (wants(q) && takes(q, time, value, -1)) tell(q, fastest_spot(bodies, count));
+    if (wants(q) && update(q, time, value, -1)) report(q, fastest_spot(bodies, count));
   };
   judge(energy_gain, found.gain);
   if (!tracked) return;
@@ -132,8 +133,8 @@ ARENITE_COLD void WatchBook::look_at_energy(double time, const WatchedEnergy::Fo
 }
 
 template <class T>
-ARENITE_COLD void WatchBook::read(const PointColumns<T>& points, const WatchedMesh& mesh,
-                                  WatchedBody& body) const {
+ARENITE_COLD void WatchRecord::read(const PointColumns<T>& points, const WatchedMesh& mesh,
+                                    WatchedBody& body) const {
   WatchedPoints& found = body.points;
   for (std::size_t p = 0; p < points.count; ++p) {
     const auto at = [&] { return place_of(points, p); };
@@ -151,41 +152,43 @@ ARENITE_COLD void WatchBook::read(const PointColumns<T>& points, const WatchedMe
   }
 }
 
-ARENITE_COLD void WatchBook::look_at_body(double time, const WatchedBody& body) {
+ARENITE_COLD void WatchRecord::check_body(double time, const WatchedBody& body) {
   const WatchedPoints& points = body.points;
   if (const WatchedPoint& point = points.spacing; hints_at_spacing && point.value > 0)
-    hint(
+    warn_once(
         hints_at_spacing,
         joined_text({"t = ", time, " s: ", spot_text(body, point), ": tension has drawn points ", point.value,
                      " of a cell apart (V/V0 = ", point.stretch, "): beyond ", body.bearing_spacing,
                      " a body may part between them, or from a wall; begin with more points a cell, or let "
                      "them split (SplitPoints)"}));
   const double ratio = points.initial > 0 ? points.volume / points.initial : 1.0;  // mean V/V0
-  if (wants(volume) && points.count > 0 && takes(volume, time, std::abs(ratio - 1), body.number)) {
+  if (wants(volume) && points.count > 0 && update(volume, time, std::abs(ratio - 1), body.number)) {
     const WatchedPoint& point = points.volume_change;
     WatchedSpot spot{point.place, joined_text({body_text(body), ": mean V/V0 = ", ratio})};
     if (point.value >= 0) spot.text += joined_text({", ", point.stretch, " at ", place_text(body, point)});
-    tell(volume, std::move(spot));
+    report(volume, std::move(spot));
   }
   if (const double all = points.lost + points.count; wants(lost) && all > 0)
-    if (takes(lost, time, points.lost / all, body.number))
-      tell(lost, {Watched::nowhere, joined_text({body_text(body), ": ", static_cast<std::size_t>(points.lost),
-                                                 " of ", static_cast<std::size_t>(all), " points"})});
+    if (update(lost, time, points.lost / all, body.number))
+      report(lost,
+             {Watched::nowhere, joined_text({body_text(body), ": ", static_cast<std::size_t>(points.lost),
+                                             " of ", static_cast<std::size_t>(all), " points"})});
   if (const WatchedPoint& point = points.speed; wants(speed) && point.value >= 0) {
     const double fastest = std::sqrt(point.value);
-    if (takes(speed, time, fastest / body.wave, body.number))
-      tell(speed, {point.place,
-                   joined_text({spot_text(body, point), ": ", fastest, " m/s; waves run at ", body.wave,
-                                " m/s: is young, density, a velocity or gravity in other units than Pa, kg, "
-                                "m, s?"})});
+    if (update(speed, time, fastest / body.wave, body.number))
+      report(speed,
+             {point.place,
+              joined_text({spot_text(body, point), ": ", fastest, " m/s; waves run at ", body.wave,
+                           " m/s: is young, density, a velocity or gravity in other units than Pa, kg, "
+                           "m, s?"})});
   }
   if (const WatchedPoint& point = points.strength; point.value >= 0)
-    if (takes(strength, time, point.value, body.number))
-      tell(strength, {point.place, spot_text(body, point)});
+    if (update(strength, time, point.value, body.number))
+      report(strength, {point.place, spot_text(body, point)});
 }
 
 #define ARENITE_INSTANCES(T) \
-  template void WatchBook::read(const PointColumns<T>&, const WatchedMesh&, WatchedBody&) const;
+  template void WatchRecord::read(const PointColumns<T>&, const WatchedMesh&, WatchedBody&) const;
 ARENITE_FOR_NUMBERS(ARENITE_INSTANCES)
 #undef ARENITE_INSTANCES
 

@@ -42,14 +42,14 @@ class WatchedEnergy {
   /// After each step, without `TrackEnergy`: adds up the work of a scene's acceleration before that changes.
   template <class Scene>
   void follow(const Scene& scene) {
-    if (acceleration_ != acceleration_of(scene)) book_work(scene);
+    if (acceleration_ != acceleration_of(scene)) record_work(scene);
   }
 
   /// Stores the configurational energy of this step and of the previous one.
   template <class Scene>
   void remember(const Scene& scene) {
     if (held_step_ == scene.steps) return;
-    book_work(scene);
+    record_work(scene);
     const std::size_t now = changes(scene);
     follows_ = held_step_ + 1 == scene.steps && held_changes_ == now;
     held_changes_ = now;
@@ -127,7 +127,7 @@ class WatchedEnergy {
   /// Adds the work of the acceleration since the last call: acceleration times the change of sum m x. `judge`
   /// leaves out the contribution of points that were lost or inserted: it starts again.
   template <class Scene>
-  void book_work(const Scene& scene) {
+  void record_work(const Scene& scene) {
     const auto before = std::exchange(moment_, {});
     scene.for_each_body([&](const auto& body, const auto&) {
       const auto& p = body.points;
@@ -178,7 +178,7 @@ class WatchedEnergy {
       b.gained =
           e.residual - e.transfer - e.walls - e.lag - std::min(e.plastic, 0.0) - std::min(e.contact, 0.0);
     } else {
-      const PartEnergy parts = energy_of_parts(scene, speaks_for_all(scene));
+      const PartEnergy parts = energy_of_parts(scene, is_reporter(scene));
       double kinetic = 0, external = parts.external;
       scene.for_each_body([&](const auto& body, const auto&) { kinetic += kinetic_energy(body); });
       kinetic += parts.kinetic + parts.stored;
@@ -230,7 +230,7 @@ class WatchedEnergy {
   std::size_t held_step_ = std::numeric_limits<std::size_t>::max() / 2;  // none
   bool follows_ = false;                                                 // whether the previous one is known
   bool started_ = false;                                                 // whether there was a check
-  std::array<double, 3> acceleration_{}, moment_{};  // in the step after `book_work`, m/s2; then, kg m
+  std::array<double, 3> acceleration_{}, moment_{};  // in the step after `record_work`, m/s2; then, kg m
   double work_ = 0;                                  // of the acceleration since the first call, J
   std::size_t changes_ = 0, held_changes_ = 0;       // of the points: at the last check; at held_step_
 };

@@ -13,7 +13,7 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 /// mesh one of several; `none` in portions that do not have it. Returns whether there is one; asked of all
 /// portions.
 template <class Scene>
-bool agree_on_cell([[maybe_unused]] const Scene& scene, Index& cell) {
+bool find_owner_cell([[maybe_unused]] const Scene& scene, Index& cell) {
   if constexpr (Scene::is_portion) {
     constexpr double nowhere = std::numeric_limits<double>::infinity();
     const auto& portion = scene.portion();

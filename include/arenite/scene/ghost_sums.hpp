@@ -31,7 +31,7 @@ void sum_nodes([[maybe_unused]] const Scene& scene, [[maybe_unused]] Nodes& node
 
 /// Sets all copies of a sum but the owner's to zero, so that more can be added to the copies and summed.
 template <class Scene, class Nodes>
-void keep_owned([[maybe_unused]] const Scene& scene, [[maybe_unused]] Nodes& nodes) {
+void zero_ghosts([[maybe_unused]] const Scene& scene, [[maybe_unused]] Nodes& nodes) {
   if constexpr (Scene::is_portion)
     for (Index i = 0; i < nodes.size(); ++i)
       if (!scene.portion().owns_node(i)) nodes[i] = {};
@@ -64,7 +64,7 @@ void change_velocities([[maybe_unused]] const Scene& scene, Velocities& velocity
 
 /// The tally of a part whose numbers are those of all scenes (`is_shared`) counts in one of them.
 template <class P, class Scene>
-ContactTally counted_once([[maybe_unused]] const Scene& scene, const ContactTally& tally) {
+ContactTally count_on_owner([[maybe_unused]] const Scene& scene, const ContactTally& tally) {
   if constexpr (Scene::is_portion && requires { P::is_shared; })
     return scene.communicator().first() ? tally : ContactTally{};
   return tally;

@@ -143,7 +143,7 @@ class RestingSceneOf final : public RestingScene<typename Scene::T, Scene::D> {
     if constexpr (Scene::is_portion) return scene_.communicator().gather(numbers);
     return numbers;
   }
-  bool speaks() const override { return speaks_for_all(scene_); }
+  bool speaks() const override { return is_reporter(scene_); }
 
  private:
   const Scene& scene_;

@@ -56,7 +56,7 @@ auto insert_given(Scene& scene, B& body, const std::vector<typename B::Point>& p
     std::vector<typename B::Point> here;
     for (std::size_t k = 0; k < points.size(); ++k) {
       if (takers[k] != 1)  // on a cut, or outside
-        require(agree_on_cell(scene, cell[k]), {"point ", k, " to be added: position"},
+        require(find_owner_cell(scene, cell[k]), {"point ", k, " to be added: position"},
                 vector_text(points[k].position), "must lie in the mesh");
       if (cell[k] != none && scene.portion().owns_cell(cell[k])) here.push_back(points[k]);
     }
@@ -75,7 +75,7 @@ auto insert_fill(Scene& scene, B& body, const F& fill, const std::string& name) 
   auto count = static_cast<double>(made.points.size());
   double filled = made.initial_volume, region = made.region_volume;
   sum_over(scene.communicator(), count, filled, region);
-  if (speaks_for_all(scene))
+  if (is_reporter(scene))
     detail::warn_volume(name, static_cast<std::size_t>(count), made.law.density(), filled, region);
   std::vector<typename B::Point> points;
   points.reserve(made.points.size());

@@ -25,7 +25,7 @@ void for_each_numbered_body(Scene& scene, F&& f) {
 /// Takes the points out of a scene that are in ghost cells, into a message to the owner of the cell: number of
 /// the body, number of the cell in the whole mesh, and the columns.
 template <class Scene>
-auto take_foreign(Scene& scene) {
+auto pack_leavers(Scene& scene) {
   const auto& portion = scene.portion();
   typename std::remove_cvref_t<decltype(scene.communicator())>::Messages messages;
   for_each_numbered_body(scene, [&](auto& body, std::uint64_t number) {
@@ -49,7 +49,7 @@ auto take_foreign(Scene& scene) {
 
 /// Appends the points of a message to those of the bodies, in its order.
 template <class Scene>
-void take_in(Scene& scene, std::string_view message) {
+void unpack_points(Scene& scene, std::string_view message) {
   while (!message.empty()) {
     const auto to = read_bytes<std::uint64_t>(message);
     for_each_numbered_body(scene, [&](auto& body, std::uint64_t number) {
@@ -73,8 +73,8 @@ void take_in(Scene& scene, std::string_view message) {
 template <class Scene>
 void migrate([[maybe_unused]] Scene& scene) {
   if constexpr (Scene::is_portion) {
-    for (const auto& [from, message] : scene.communicator().exchange(detail::take_foreign(scene)))
-      detail::take_in(scene, message);
+    for (const auto& [from, message] : scene.communicator().exchange(detail::pack_leavers(scene)))
+      detail::unpack_points(scene, message);
     scene.for_each_body([](auto& body, auto&) {
       body.points.reserve_spare();
       body.cells.reserve(body.points.size());

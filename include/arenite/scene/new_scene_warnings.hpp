@@ -162,7 +162,7 @@ void warn_about_new_scene(const Scene& scene, NewScene found) {
     found.mesh.least = comm.least(found.mesh.least);
     found.falls = comm.least(found.falls ? 1 : 0) == 1;
   }
-  if (speaks_for_all(scene)) warn_of(found);
+  if (is_reporter(scene)) warn_of(found);
 }
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET::detail

@@ -37,7 +37,7 @@ void relocate(Scene& scene) {
     throw run_error(joined_text({"t = ", scene.time, " s: all ", static_cast<std::size_t>(lost),
                                  " points of the scene have left the mesh"}));
   for (std::size_t b = 0; b < has.size(); ++b)
-    if (had[b] > 0 && has[b] == 0 && speaks_for_all(scene))
+    if (had[b] > 0 && has[b] == 0 && is_reporter(scene))
       warn(joined_text({"t = ", scene.time, " s: all points of body ", Scene::body_name(b),
                         " have left the mesh; the run goes on without it"}));
 }

@@ -69,7 +69,7 @@ concept applies_impulses = requires(P& part, S& scene) {
 };
 
 /// MUSL: constrains `field.mapped`, the velocities from which strains follow, to what its impulses enforced.
-/// Returns the energy that this dissipates, J. In the same order; walls act after rank 0.
+/// Returns the energy that this dissipates, J. In the same order; walls act after order 0.
 template <class P, class S>
 concept constrains_mapped = requires(P& part, S& scene) {
   { part.constrain_mapped(scene, 0.0) } -> std::same_as<double>;
@@ -111,11 +111,11 @@ concept acts_after_p2g = requires(P& part, const S& scene) {
 /// energy, J, that the part's impulses dissipated beyond the amount already reported: the mean velocities of
 /// the step are known here (`mean_velocity`).
 template <class P, class S>
-concept books_after_grid = requires(P& part, const S& scene) {
+concept records_after_grid = requires(P& part, const S& scene) {
   { part.after_grid(scene, 0.0) } -> std::same_as<double>;
 };
 template <class P, class S>
-concept acts_after_grid = books_after_grid<P, S> || requires(P& part, const S& scene) {
+concept acts_after_grid = records_after_grid<P, S> || requires(P& part, const S& scene) {
   { part.after_grid(scene, 0.0) } -> std::same_as<void>;
 };
 template <class P, class S>
@@ -263,12 +263,6 @@ inline constexpr bool plays_a_role =
 /// Stops the compiler with the cure for a part that a scene would else leave out in silence.
 template <class P, class S>
 constexpr bool check_part() {
-  static_assert(!names_exchange_impulses<P>, "part: exchange_impulses is now called apply_impulses");
-  static_assert(!names_exchange_rank<P>, "part: exchange_rank is now called contact_order");
-  static_assert(!names_hold_mapped<P>, "part: hold_mapped is now called constrain_mapped");
-  static_assert(!names_read_start<P>, "part: read_start is now called after_p2g");
-  static_assert(!names_read_end<P>, "part: read_end is now called after_grid");
-  static_assert(!names_take_wall_hold<P>, "part: take_wall_hold is now called take_mapped_momentum");
   static_assert(
       plays_a_role<P>,
       "Scene: a part plays no role; a part is bodies(..), or a class that is not final with one of "

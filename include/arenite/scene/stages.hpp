@@ -99,14 +99,14 @@ auto mapped_momentum_sink([[maybe_unused]] Scene& scene, [[maybe_unused]] const 
     return NoSink{};
 }
 
-/// Calls `f(part)` for the parts that exchange impulses, of the ranks from `first` to `last`.
+/// Calls `f(part)` for the parts that exchange impulses, of the contact orders from `first` to `last`.
 template <class Scene, class F>
 void for_each_contact(Scene& scene, int first, int last, F&& f) {
-  for (int rank = first; rank <= last; ++rank)
+  for (int order = first; order <= last; ++order)
     scene.for_each_part([&](auto& part) {
       using P = std::remove_reference_t<decltype(part)>;
       if constexpr (applies_impulses<P, Scene> || constrains_mapped<P, Scene>)
-        if (contact_order<P> == rank) f(part);
+        if (contact_order<P> == order) f(part);
     });
 }
 
@@ -126,7 +126,7 @@ void move_massless([[maybe_unused]] Scene& scene, [[maybe_unused]] typename Scen
   if constexpr (has_light_nodes<typename Scene::Shape>) {
     if (!Scene::is_portion && field.massless.empty()) return;
     change_velocities(scene, velocity, [&](auto to) {
-      follow_neighbours<typename Scene::Shape>(scene.mesh, field, velocity, to);
+      average_neighbours<typename Scene::Shape>(scene.mesh, field, velocity, to);
     });
     hold();
   }
@@ -157,7 +157,7 @@ void centre_stress(Scene& scene, [[maybe_unused]] double dt) {
     for (auto& field : scene.fields) {
       if (!field.centred) continue;
       detail::find_start_velocities(scene, field);
-      detail::keep_owned(scene, field.sums);
+      detail::zero_ghosts(scene, field.sums);
     }
     scene.for_each_body([&](const auto& body, auto& field) {
       if constexpr (Scene::NumericsType::template centres_stress<std::remove_cvref_t<decltype(body.law)>>)
@@ -188,7 +188,7 @@ void average_strains([[maybe_unused]] Scene& scene, [[maybe_unused]] B& body,
 
 /// Records the sums of a pass over the points of a body. `was_finite`: whether the body was finite before.
 template <class Scene, class B>
-void book_sums(Scene& scene, B& body, const G2pSums& sums, bool was_finite = true) {
+void record_sums(Scene& scene, B& body, const G2pSums& sums, bool was_finite = true) {
   body.opened_volume += sums.opened_volume;
   body.finite = was_finite && std::isfinite(sums.check);
   scene.finite = scene.finite && body.finite;
@@ -213,10 +213,9 @@ void update_stress_first(Scene& scene, [[maybe_unused]] double dt) {
     scene.finite = true;
     scene.for_each_body([&](auto& body, const auto& field) {
       detail::average_strains(scene, body, field, dt);
-      detail::book_sums(
-          scene, body,
-          update_stress<typename Scene::Kinematics, Scene::Needs::stress_work>(
-              scene.numerics, scene.mesh, body, body.points, field, static_cast<T>(dt), scene.average));
+      detail::record_sums(scene, body,
+                          update_stress<typename Scene::Kinematics, Scene::Needs::stress_work>(
+                              scene.numerics, scene.mesh, body, field, static_cast<T>(dt), scene.average));
     });
     p2g(scene, dt);
   }
@@ -233,7 +232,7 @@ void update_grid(Scene& scene, double dt) {
       list_massless(field, scene.node_owner());
       if (Scene::is_portion || !field.massless.empty())
         detail::change_velocities(scene, field.velocity, [&](auto to) {
-          hand_forces_on<typename Scene::Shape>(scene.mesh, field, static_cast<T>(dt), to);
+          redistribute_forces<typename Scene::Shape>(scene.mesh, field, static_cast<T>(dt), to);
         });
     }
   }
@@ -263,7 +262,7 @@ void constrain(Scene& scene, double dt) {
   for (auto& field : scene.fields) constrain(scene, field, dt);
 }
 
-/// Impulses between fields and with rigid bodies (`apply_impulses`), by rank, then constraints again. The
+/// Impulses between fields and with rigid bodies (`apply_impulses`), by contact order, then constraints again. The
 /// first step also checks whether geostatic ground is at rest. dt: s.
 template <class Scene>
 void contact_impulses(Scene& scene, double dt) {
@@ -273,7 +272,7 @@ void contact_impulses(Scene& scene, double dt) {
     detail::for_each_contact(scene, 0, 2, [&](auto& part) {
       using P = std::remove_reference_t<decltype(part)>;
       if constexpr (applies_impulses<P, Scene>) {
-        scene.contact_tally += detail::counted_once<P>(scene, part.apply_impulses(scene, dt));
+        scene.contact_tally += detail::count_on_owner<P>(scene, part.apply_impulses(scene, dt));
         detail::share_nodes(
             scene, [](auto& field) -> auto& { return field.velocity; });
       }
@@ -346,9 +345,9 @@ void map_back(Scene& scene, [[maybe_unused]] double dt) {
   }
   scene.for_each_part([&](auto& part) {
     using P = std::remove_reference_t<decltype(part)>;
-    if constexpr (books_after_grid<P, Scene>) {
+    if constexpr (records_after_grid<P, Scene>) {
       const double dissipation = part.after_grid(scene, dt);
-      scene.contact_tally += detail::counted_once<P>(scene, ContactTally{.dissipation = dissipation});
+      scene.contact_tally += detail::count_on_owner<P>(scene, ContactTally{.dissipation = dissipation});
     } else if constexpr (acts_after_grid<P, Scene>) {
       part.after_grid(scene, dt);
     }
@@ -358,7 +357,7 @@ void map_back(Scene& scene, [[maybe_unused]] double dt) {
       using P = std::remove_reference_t<decltype(part)>;
       if constexpr (constrains_mapped<P, Scene>) {
         const double dissipation = part.constrain_mapped(scene, dt);
-        scene.contact_tally += detail::counted_once<P>(scene, ContactTally{.dissipation = dissipation});
+        scene.contact_tally += detail::count_on_owner<P>(scene, ContactTally{.dissipation = dissipation});
         detail::share_nodes(
             scene, [](auto& field) -> auto& { return field.mapped; });
       }
@@ -386,9 +385,9 @@ void g2p(Scene& scene, double dt) {
         numerics, scene.mesh, body, field, static_cast<typename Scene::T>(dt), scene.average);
     if (field.centred) sums.ending_work = 0;  // the stresses do not lead the velocities in time
     if constexpr (N::strains_first)
-      detail::book_sums(scene, body, sums, body.finite);
+      detail::record_sums(scene, body, sums, body.finite);
     else
-      detail::book_sums(scene, body, sums);
+      detail::record_sums(scene, body, sums);
   });
 }
 

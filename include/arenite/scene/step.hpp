@@ -18,7 +18,7 @@ template <class Scene>
 void step(Scene& scene, double dt) {
   scene.step_check(
       dt, scene.time, scene.steps, [&] { return scene.communicator().least(stable_step(scene)); },
-      speaks_for_all(scene));
+      is_reporter(scene));
   relocate(scene);                 // find the cell of each point
   p2g(scene, dt);                  // P2G: mass, momentum, internal force
   update_stress_first(scene, dt);  // USF: strains and stresses before the forces

@@ -65,7 +65,7 @@ auto lanes_from(int count) {
 /// scalars of a table is then faster: otherwise compilers load all of them into registers before the loop and
 /// spill them.
 template <class V>
-void keep_in_memory(const V& value) {
+void reload_from_memory(const V& value) {
   asm volatile("" : : "g"(&value) : "memory");
 }
 

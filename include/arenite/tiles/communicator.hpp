@@ -18,9 +18,9 @@
 #include <arenite/core/bytes.hpp>
 #include <arenite/core/error.hpp>
 #include <arenite/parallel/communicator.hpp>
+#include <arenite/tiles/barrier.hpp>
 #include <arenite/tiles/exact_sum.hpp>
 #include <arenite/tiles/halo.hpp>
-#include <arenite/tiles/meeting.hpp>
 #include <arenite/tiles/ranks.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
@@ -29,16 +29,16 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 using Messages = std::map<int, std::string>;
 
 /// The data that the tiles of one rank share; each tile is stepped by its own thread.
-class TilesOfRank {
+class LocalTiles {
  public:
   /// `rank_of`: [tiles of the whole] their ranks; `migrated`: bytes so far.
-  TilesOfRank(Ranks& ranks, Halo halo, std::vector<int> rank_of, std::size_t migrated = 0)
+  LocalTiles(Ranks& ranks, Halo halo, std::vector<int> rank_of, std::size_t migrated = 0)
       : ranks_{&ranks}, halo_{std::move(halo)}, rank_of_{std::move(rank_of)}, migrated_{migrated} {
     for (int t = 0; t < size(); ++t)
       if (rank_of_[static_cast<std::size_t>(t)] == ranks.rank()) number_.push_back(t);
   }
-  TilesOfRank(const TilesOfRank&) = delete;
-  TilesOfRank& operator=(const TilesOfRank&) = delete;
+  LocalTiles(const LocalTiles&) = delete;
+  LocalTiles& operator=(const LocalTiles&) = delete;
 
   Ranks& ranks() const { return *ranks_; }
   std::size_t tiles() const { return halo_.tiles.size(); }
@@ -76,7 +76,7 @@ class TilesOfRank {
   /// Sums that do not depend on the order of the tiles.
   void sum(std::size_t tile, std::span<double> values) {
     numbers_[tile] = values;
-    meeting_.meet([&] {
+    barrier_.wait([&] {
       std::vector<ExactSum> sums(values.size());
       for (const auto& of_tile : numbers_) {
         require(of_tile.size() == values.size(), "communicator: numbers to sum", of_tile.size(),
@@ -101,7 +101,7 @@ class TilesOfRank {
   /// In the order of the tiles.
   std::vector<double> gather(std::size_t tile, const std::vector<double>& numbers) {
     gathered_from_[tile] = &numbers;
-    meeting_.meet([&] {
+    barrier_.wait([&] {
       std::vector<double> here;  // of each tile its number, how many follow, and these
       for (std::size_t t = 0; t < tiles(); ++t) {
         const auto& of_tile = *gathered_from_[t];
@@ -124,13 +124,13 @@ class TilesOfRank {
   /// NaN counts as less than all numbers.
   double least(std::size_t tile, double value) {
     least_[tile] = std::isnan(value) ? -std::numeric_limits<double>::infinity() : value;
-    meeting_.meet([&] { least_of_all_ = ranks_->least(*std::ranges::min_element(least_)); });
+    barrier_.wait([&] { least_of_all_ = ranks_->least(*std::ranges::min_element(least_)); });
     return least_of_all_;  // the next round needs this tile, too
   }
 
   Messages exchange(std::size_t tile, Messages to) {
     to_[tile] = std::move(to);
-    meeting_.meet([&] {
+    barrier_.wait([&] {
       for (const Messages& of_tile : to_)
         for (const auto& [other, message] : of_tile) migrated_ += message.size();
       std::vector<int> neighbours;
@@ -143,7 +143,7 @@ class TilesOfRank {
   /// Bytes of all tiles, where tile 0 is.
   Messages to_first(std::size_t tile, std::string bytes) {
     to_[tile][0] = std::move(bytes);
-    meeting_.meet([&] {
+    barrier_.wait([&] {
       std::vector<int> with{rank_of_[0]};
       if (ranks_->rank() == with.front()) {
         with.clear();
@@ -157,13 +157,13 @@ class TilesOfRank {
 
   void fail(std::size_t tile, const std::string& what) {
     const std::string told = joined_text({"tile ", number_[tile], " failed: ", what});
-    if (meeting_.fail(told)) ranks_->fail(told);
+    if (barrier_.fail(told)) ranks_->fail(told);
   }
   /// After a failure, once the threads of all tiles have ended: messages in transit are dropped. Other ranks may wait forever for those
   /// that this one has not sent, so that with several ranks all remain failed.
   void begin_again() {
     if (ranks_->size() > 1) return;
-    meeting_.begin_again();
+    barrier_.begin_again();
     std::ranges::fill(round_, 0);
     std::ranges::fill(to_, Messages());
     std::ranges::fill(from_, Messages());
@@ -183,7 +183,7 @@ class TilesOfRank {
     own.resize(shared.size() * count);
     for (std::size_t n = 0; n < shared.size(); ++n)
       std::copy_n(&values[shared[n] * count], count, &own[n * count]);
-    meeting_.meet([&] { swap(buffers, count); });
+    barrier_.wait([&] { swap(buffers, count); });
     return buffers;
   }
 
@@ -247,7 +247,7 @@ class TilesOfRank {
   Halo halo_;
   std::vector<int> rank_of_;
   std::vector<int> number_{};
-  Meeting meeting_{tiles()};
+  Barrier barrier_{tiles()};
   std::vector<std::size_t> round_ = std::vector<std::size_t>(tiles());  // [tiles] exchanges of nodes so far
   std::tuple<Buffers<double>, Buffers<float>, Buffers<long double>> buffers_ = made_buffers();
   std::vector<std::span<double>> numbers_ = std::vector<std::span<double>>(tiles());
@@ -268,8 +268,8 @@ class TilesOfRank {
 };
 
 /// The place of a tile: all copies of its communicator refer to it, so that it may change.
-struct TileSeat {
-  TilesOfRank* all = nullptr;
+struct TileSlot {
+  LocalTiles* all = nullptr;
   std::size_t tile = 0;  ///< among those of the rank
 };
 
@@ -278,32 +278,32 @@ class TileCommunicator {
  public:
   static constexpr bool is_serial = false;
   using Messages = arenite::Messages;
-  explicit TileCommunicator(const TileSeat& seat) : seat_{&seat} {}
+  explicit TileCommunicator(const TileSlot& slot) : slot_{&slot} {}
 
   template <class T>
   void sum_nodes(std::span<T> values, std::size_t count) const {
-    all().sum_nodes(seat_->tile, values, count);
+    all().sum_nodes(slot_->tile, values, count);
   }
   template <class T>
   void share_nodes(std::span<T> values, std::size_t count) const {
-    all().share_nodes(seat_->tile, values, count);
+    all().share_nodes(slot_->tile, values, count);
   }
-  void sum(std::span<double> values) const { all().sum(seat_->tile, values); }
+  void sum(std::span<double> values) const { all().sum(slot_->tile, values); }
   std::vector<double> gather(const std::vector<double>& numbers) const {
-    return all().gather(seat_->tile, numbers);
+    return all().gather(slot_->tile, numbers);
   }
-  double least(double value) const { return all().least(seat_->tile, value); }
+  double least(double value) const { return all().least(slot_->tile, value); }
   /// Whether it is tile 0, which writes what is of the whole.
-  bool first() const { return all().number()[seat_->tile] == 0; }
+  bool first() const { return all().number()[slot_->tile] == 0; }
   int size() const { return all().size(); }
-  Messages exchange(Messages to) const { return all().exchange(seat_->tile, std::move(to)); }
-  Messages to_first(std::string bytes) const { return all().to_first(seat_->tile, std::move(bytes)); }
-  void fail(const std::string& what) const { all().fail(seat_->tile, what); }
+  Messages exchange(Messages to) const { return all().exchange(slot_->tile, std::move(to)); }
+  Messages to_first(std::string bytes) const { return all().to_first(slot_->tile, std::move(bytes)); }
+  void fail(const std::string& what) const { all().fail(slot_->tile, what); }
 
  private:
-  TilesOfRank& all() const { return *seat_->all; }
+  LocalTiles& all() const { return *slot_->all; }
 
-  const TileSeat* seat_;
+  const TileSlot* slot_;
 };
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

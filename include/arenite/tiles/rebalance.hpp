@@ -15,7 +15,7 @@
 
 #include <arenite/core/bytes.hpp>
 #include <arenite/run/saved_state.hpp>
-#include <arenite/tiles/deal_tiles.hpp>
+#include <arenite/tiles/assign_tiles.hpp>
 #include <arenite/tiles/options.hpp>
 #include <arenite/tiles/tiled.hpp>
 
@@ -73,7 +73,7 @@ Rebalanced move_tiles(Tiled<S>& tiled, Make& make, double most, Slots&& slots, P
     const auto counts = TileMaker<S>::count_points(tiled);
     const std::vector<double> weight(counts.begin(), counts.end());
     const auto before = tiled.shared().rank_of();
-    const auto after = deal_again(before, weight, ranks.size(), most);
+    const auto after = reassign_tiles(before, weight, ranks.size(), most);
     Rebalanced done{0, imbalance(before, weight, ranks.size()), imbalance(after, weight, ranks.size())};
     std::map<int, std::string> to;  // by rank
     for (std::size_t t = 0; t < before.size(); ++t) {

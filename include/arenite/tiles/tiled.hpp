@@ -24,8 +24,8 @@
 #include <arenite/mesh/rectilinear_grid.hpp>
 #include <arenite/particles/point_ids.hpp>
 #include <arenite/run/run.hpp>
+#include <arenite/tiles/assign_tiles.hpp>
 #include <arenite/tiles/communicator.hpp>
-#include <arenite/tiles/deal_tiles.hpp>
 #include <arenite/tiles/options.hpp>
 #include <arenite/tiles/split_cells.hpp>
 
@@ -72,7 +72,7 @@ class Tiled {
   int tiles() const { return all_->size(); }
   std::size_t tiles_here() const { return here_.size(); }
   Ranks& ranks() const { return all_->ranks(); }
-  const TilesOfRank& shared() const { return *all_; }
+  const LocalTiles& shared() const { return *all_; }
   /// s, and number of steps; the same of all tiles.
   double time() const { return first().time; }
   std::size_t steps() const { return first().steps; }
@@ -196,14 +196,14 @@ class Tiled {
   }
 
   struct Tile {
-    std::unique_ptr<TileSeat> seat = std::make_unique<TileSeat>();
+    std::unique_ptr<TileSlot> slot = std::make_unique<TileSlot>();
     std::unique_ptr<S> scene{};
   };
   using Part = std::pair<typename S::Mesh, MeshPortion<D>>;
 
   std::function<Part(int)> part_{};  // mesh and portion of a tile of the whole
   std::function<const std::vector<int>&(int, std::uint64_t)> copies_{};  // see `make_halo`
-  std::unique_ptr<TilesOfRank> all_{};
+  std::unique_ptr<LocalTiles> all_{};
   std::vector<Tile> here_{};  // by their numbers
 };
 
@@ -253,7 +253,7 @@ class TileMaker {
     all.part_ = std::forward<Part>(part);
     all.copies_ = std::forward<Copies>(copies);
     WarningsOfTiles warnings;
-    take(all, ranks, deal_tiles(tiles, ranks.size()), make);
+    take(all, ranks, assign_tiles(tiles, ranks.size()), make);
     warnings.say(ranks);
     all.together([](S& scene) { scene.warn_when_new(); });
     if constexpr (S::template has_part<PointIds>) all.number_points();
@@ -277,20 +277,20 @@ class TileMaker {
         parts.emplace(tiles.size() - 1, all.part_(t));
       else
         std::swap(tile, *there);
-      tile.seat->tile = tiles.size() - 1;
+      tile.slot->tile = tiles.size() - 1;
     }
     std::vector<const MeshPortion<S::D>*> portions;
     for (std::size_t t = 0; t < tiles.size(); ++t)
       portions.push_back(tiles[t].scene ? &tiles[t].scene->portion() : &parts.at(t).second);
     auto halo = make_halo(all.copies_, rank_of, ranks.rank(), portions);
-    auto of_rank = std::make_unique<TilesOfRank>(ranks, std::move(halo), std::move(rank_of),
-                                                 all.all_ ? all.all_->migrated_bytes() : 0);
-    for (auto& tile : tiles) tile.seat->all = of_rank.get();
+    auto of_rank = std::make_unique<LocalTiles>(ranks, std::move(halo), std::move(rank_of),
+                                                all.all_ ? all.all_->migrated_bytes() : 0);
+    for (auto& tile : tiles) tile.slot->all = of_rank.get();
     std::optional<WithoutWarnings> silent;  // a tile that comes from another rank has given its own
     if (all.all_) silent.emplace();
     for (auto& [t, part] : parts) {
       tiles[t].scene = std::make_unique<S>(
-          make(std::move(part.first), on_portion(std::move(part.second), TileCommunicator(*tiles[t].seat))));
+          make(std::move(part.first), on_portion(std::move(part.second), TileCommunicator(*tiles[t].slot))));
       if (known) std::tie(tiles[t].scene->step_check, tiles[t].scene->at_rest) = *known;
     }
     all.here_ = std::move(tiles);

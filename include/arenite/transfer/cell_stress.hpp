@@ -31,7 +31,7 @@ class CellForce {
   explicit CellForce(const Stress& stress) {
     repeat<D>([&](std::size_t a) {
       const auto of = [&](std::size_t d) { return d < D ? -stress[Sym<T, D>::index(d, a)] : T(0); };
-      column_[a] = quad(of(0), of(1), of(2), T(0));
+      column_[a] = pack4(of(0), of(1), of(2), T(0));
     });
   }
   template <class Gradient>

@@ -45,7 +45,7 @@ inline constexpr HoopMean hoop_mean{};  ///< sum V w_i / r in axisymmetry, m2
 
 /// Four scalars as a pack. (`Pack::set` would take it through memory.)
 template <class T>
-Pack<T, 4> quad(T a, T b, T c, T d) {
+Pack<T, 4> pack4(T a, T b, T c, T d) {
   return Pack<T, 4>::from(typename Pack<T, 4>::vector{a, b, c, d});
 }
 

@@ -42,14 +42,13 @@ ARENITE_KERNEL void strain(const M& mesh, Index c, const Points& points, std::si
 
 /// Calls `run(cell, first, last, buffer, origin)` for the runs of points of one cell as they lie in memory,
 /// which returns a part of the check; where `UpdatesStress`, the law takes the strains that it left in the
-/// buffer, and writes the states `after` the step.
-template <bool TracksWork, bool UpdatesStress, class N, class M, class B, class After, class Run>
-G2pSums pass_over_points(const N&, const M&, const B& body, [[maybe_unused]] After& after,
-                         typename M::scalar dt, Run&& run) {
+/// buffer, and updates the points.
+template <bool TracksWork, bool UpdatesStress, class N, class M, class B, class Run>
+G2pSums pass_over_points(const N&, const M&, B& body, typename M::scalar dt, Run&& run) {
   using T = typename M::scalar;
   constexpr bool stores_bearing = TracksWork && N::AntiLocking::averages_stress;
   using Buffer = StrainBuffer<T, M::dimension, stores_bearing>;
-  const auto& points = body.points;
+  auto& points = body.points;
   return parallel_reduce(
       points.size(), G2pSums{},
       [&](std::size_t chunk_begin, std::size_t chunk_end) {
@@ -67,7 +66,7 @@ G2pSums pass_over_points(const N&, const M&, const B& body, [[maybe_unused]] Aft
             p = next;
           }
           if constexpr (UpdatesStress)
-            law_pass<TracksWork, N::template width<T>>(law, points, after, begin, end, buffer, dt, chunk);
+            law_pass<TracksWork, N::template width<T>>(law, points, begin, end, buffer, dt, chunk);
         }
         return chunk;
       },
@@ -84,7 +83,7 @@ G2pSums g2p(const N& numerics, const M& mesh, B& body, const Field& nodes, typen
             const Average& average) {
   auto& points = body.points;
   return detail::pass_over_points<TracksWork, !N::strains_first>(
-      numerics, mesh, body, points, dt,
+      numerics, mesh, body, dt,
       [&](Index c, std::size_t first, std::size_t last, auto& buffer, std::size_t origin) {
         if constexpr (N::Shape::constant_gradient)
           return simplex::g2p<K>(numerics, mesh, c, points, first, last, nodes, dt, average, buffer, origin);
@@ -93,13 +92,12 @@ G2pSums g2p(const N& numerics, const M& mesh, B& body, const Field& nodes, typen
       });
 }
 
-/// Stress, history and volume of the points after a step by the law of their body, and nothing else, written
-/// to `after`: the points of the body, or their `TrialStates`.
-template <class K, bool TracksWork, class N, class M, class B, class After, class Field, class Average>
-G2pSums update_stress(const N& numerics, const M& mesh, const B& body, After& after, const Field& nodes,
-                      typename M::scalar dt, const Average& average) {
+/// Stress, history and volume of the points after a step by the law of their body, and nothing else.
+template <class K, bool TracksWork, class N, class M, class B, class Field, class Average>
+G2pSums update_stress(const N& numerics, const M& mesh, B& body, const Field& nodes, typename M::scalar dt,
+                      const Average& average) {
   return detail::pass_over_points<TracksWork, true>(
-      numerics, mesh, body, after, dt,
+      numerics, mesh, body, dt,
       [&](Index c, std::size_t first, std::size_t last, auto& buffer, std::size_t origin) {
         detail::strain<K, N>(mesh, c, body.points, first, last, nodes, dt, average, buffer, origin);
         return 0;

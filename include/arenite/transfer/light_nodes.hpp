@@ -52,7 +52,7 @@ typename M::scalar mass_around(const M& mesh, const Field& nodes, Index i) {
 /// A point within round-off of a face leaves the node opposite it without mass (`negligible_mass`), though
 /// not without the force of its stress, and its velocity gradient reads that node. Such a node is tied to
 /// the nodes around it: it has the mean of their velocities, weighted by their masses
-/// (`follow_neighbours`), and they get its impulse in the same shares (`hand_forces_on`). So momentum is
+/// (`average_neighbours`), and they get its impulse in the same shares (`redistribute_forces`). So momentum is
 /// conserved, the work of its force is theirs, and rigid translation causes no strain wherever the points
 /// are. It is the limit of a light node's exchange (`LightNodes`) for a mass that falls to nothing.
 template <class Field, class Owns>
@@ -69,7 +69,7 @@ void list_massless(Field& nodes, const Owns& owns) {
 /// The impulses of listed nodes' forces over a step dt, s, for the nodes around them, whose velocities change
 /// through `to`.
 template <class Shape, class M, class Field, class T, class To>
-void hand_forces_on(const M& mesh, const Field& nodes, T dt, To to) {
+void redistribute_forces(const M& mesh, const Field& nodes, T dt, To to) {
   for (const Index i : nodes.massless) {
     const auto force = nodes.sums[i].force();
     if ((force.array() == 0).all()) continue;
@@ -84,7 +84,7 @@ void hand_forces_on(const M& mesh, const Field& nodes, T dt, To to) {
 /// Gives listed nodes the mean velocity of the nodes around them; what momentum they have of a negligible
 /// mass goes there. Velocities [nodes] change through `to`.
 template <class Shape, class M, class Field, class Velocities, class To>
-void follow_neighbours(const M& mesh, const Field& nodes, const Velocities& velocity, To to) {
+void average_neighbours(const M& mesh, const Field& nodes, const Velocities& velocity, To to) {
   using T = typename M::scalar;
   for (const Index i : nodes.massless) {
     const T around = mass_around<Shape>(mesh, nodes, i);

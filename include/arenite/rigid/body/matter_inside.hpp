@@ -58,7 +58,7 @@ void warn_points_inside(const Scene& scene, const AnyDistance& distance, const s
     inside_all += of_body[0];
     all += of_body[1];
   }
-  if (!speaks_for_all(scene)) return;
+  if (!is_reporter(scene)) return;
   if (2 * inside_all > all)
     warn(joined_text({"rigid body ", rigid, ": ", std::floor(100 * inside_all / all),
                       " % of the matter lies inside of it: its distance must be negative inside and positive "
@@ -79,7 +79,7 @@ void warn_points_in_region(const Scene& scene, const std::string& region, const 
         std::ranges::count_if(body.points.cell, [&](Index c) { return scene.mesh.is_in(c, own); }));
     auto all = static_cast<double>(body.points.size());
     sum_over(scene.communicator(), inside, all);
-    if (inside > 0 && speaks_for_all(scene))
+    if (inside > 0 && is_reporter(scene))
       warn_matter_inside(rigid, Scene::body_name(number), inside, all,
                          "fill(Cells(..), ..) of the mesh's other regions");
     ++number;

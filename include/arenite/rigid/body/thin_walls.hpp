@@ -127,7 +127,7 @@ void warn_thin_walls(const Scene& scene, const AnyDistance& distance, double rea
   WallPlaces look{mesh_places(scene, 4000, [&](const AnyDistance::Position& x, double size) {
     return !distance.is_beyond(x, 2 * size);
   })};
-  if (!speaks_for_all(scene)) return;
+  if (!is_reporter(scene)) return;
   [[maybe_unused]] const auto& whole = [&]() -> const auto& {
     if constexpr (is_window<typename Scene::Mesh>)
       return scene.mesh.whole();

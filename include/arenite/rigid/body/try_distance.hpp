@@ -100,7 +100,7 @@ void try_distance_at(const AnyDistance& distance, const MeshPlaces& close, const
 template <class Scene>
 void try_distance(const Scene& scene, const AnyDistance& distance, const std::string& body) {
   const auto places = mesh_places(scene, 1024, [](const auto&, double) { return true; });
-  if (speaks_for_all(scene)) try_distance_at(distance, places, body, Scene::D);
+  if (is_reporter(scene)) try_distance_at(distance, places, body, Scene::D);
 }
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET::detail

@@ -95,22 +95,23 @@ class BoundFree {
     V v = old + dt * acceleration.template cast<double>() +
           (dt * value_at<double, D>(force_, place, begin, "Free.force") + spring) / mass;
     v = v.cwiseQuotient(V::Ones() + dt / mass * anchor_.damping);
-    S twisted = S::Zero(), slowed = S::Zero();
+    S spring_moment = S::Zero(), damping_moment = S::Zero();
     S added = dt * spin_value_at<D>(moment_, place, begin, "Free.moment");
-    if (!anchor_.rotational_stiffness.isZero(0)) twisted = dt * anchor_.moment_of_springs(body.orientation);
-    added += twisted;
+    if (!anchor_.rotational_stiffness.isZero(0))
+      spring_moment = dt * anchor_.moment_of_springs(body.orientation);
+    added += spring_moment;
     if (!anchor_.rotational_damping.isZero(0)) {
       Mat<double, rotations<D>> slow = in_space_;
       slow.diagonal() += dt * anchor_.rotational_damping;
       const S left = slow.inverse() * (momentum_ + added);
-      slowed = -dt * anchor_.rotational_damping.cwiseProduct(left);
-      added += slowed;
+      damping_moment = -dt * anchor_.rotational_damping.cwiseProduct(left);
+      added += damping_moment;
     }
     v = v.cwiseProduct(linear_part<D>(moves_));
     added = added.cwiseProduct(angular_part<D>(moves_));
     free_momentum_ = momentum_ + added;
-    of_springs_ = twist<double, D>(spring, twisted);
-    of_dashpots_ = twist<double, D>(-dt * anchor_.damping.cwiseProduct(v), slowed);
+    of_springs_ = twist<double, D>(spring, spring_moment);
+    of_dashpots_ = twist<double, D>(-dt * anchor_.damping.cwiseProduct(v), damping_moment);
     gained_ = twist<double, D>(mass * (v - old), added);
     return twist<double, D>(v, in_space_.inverse() * free_momentum_).template cast<T>();
   }

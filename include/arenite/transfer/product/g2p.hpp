@@ -37,7 +37,7 @@ struct TransferVectors {
   /// Sums with the functions of `line`: by `kind`, with moments if the transfer needs them, and of its second vectors.
   template <class Line, class... Kinds>
   auto sums(const Line& line, const Kinds&... kind) const {
-    keep_in_memory(*this);
+    reload_from_memory(*this);
     const auto sums = [&] {
       if constexpr (Gather::needs_moments)
         return line.sum(vectors, kind..., line.moment);
@@ -91,7 +91,7 @@ T g2p_of_cell(const N& numerics, const Cell& cell, Index c, Points& points, std:
   for_each_pack<width>(points, begin, end, [&](const auto& p) {
     const auto x = p.position();
     const Lines<P, Cell> line(cell, x);
-    keep_in_memory(u), keep_in_memory(v);
+    reload_from_memory(u), reload_from_memory(v);
     const auto sums = [&] {
       if constexpr (by_moments)
         return taken.sums(line);

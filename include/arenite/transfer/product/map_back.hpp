@@ -4,7 +4,7 @@
 
 #include <arenite/simd/kernel.hpp>
 #include <arenite/transfer/product/g2p.hpp>
-#include <arenite/transfer/product/hand_back.hpp>
+#include <arenite/transfer/product/scatter_momentum.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 namespace product {
@@ -17,9 +17,9 @@ ARENITE_KERNEL void map_back(const N& numerics, const M& mesh, B& body, Index c,
     using Gather = decltype(numerics.transfer.gather(cell, nodes));
     const Gather gather = numerics.transfer.gather(cell, nodes);
     const TransferVectors<Cell, Gather> taken(cell, nodes, gather);
-    hand_back<N>(cell, body, c, nodes.mapped,
-                 [&](const auto& p, const auto& x, const auto& line)
-                     ARENITE_INLINE { return gather(cell, p, x, taken.sums(line)); });
+    scatter_momentum<N>(cell, body, c, nodes.mapped,
+                        [&](const auto& p, const auto& x, const auto& line)
+                            ARENITE_INLINE { return gather(cell, p, x, taken.sums(line)); });
   });
 }
 

@@ -3,7 +3,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include <arenite/simd/kernel.hpp>
-#include <arenite/transfer/product/hand_back.hpp>
+#include <arenite/transfer/product/scatter_momentum.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 namespace product {
@@ -14,10 +14,11 @@ template <class N, class M, class B, class Field>
 ARENITE_KERNEL void map_residual(const M& mesh, const B& body, Index c, Field& nodes) {
   N::Shape::visit_cell(mesh, c, [&]<class Cell>(const Cell& cell) ARENITE_INLINE {
     const Differences<Cell> residual(cell, nodes.residual);
-    hand_back<N>(cell, body, c, nodes.mapped_residual, [&](const auto&, const auto&, const auto& line) {
-      keep_in_memory(residual);
-      return VelocityField{line.sum(residual).value};
-    });
+    scatter_momentum<N>(cell, body, c, nodes.mapped_residual,
+                        [&](const auto&, const auto&, const auto& line) {
+                          reload_from_memory(residual);
+                          return VelocityField{line.sum(residual).value};
+                        });
   });
 }
 

@@ -72,10 +72,10 @@ template <class K, class N, class Cell, class B, class Field>
 void p2g_of_cell(const N& numerics, const Cell& cell, const B& body, Index c, Field& nodes) {
   using T = typename Cell::T;
   constexpr std::size_t D = Cell::D;
-  constexpr Handed momentum = N::Transfer::affine ? Handed::both : Handed::by_value,
-                   force = K::hoop ? Handed::both : Handed::by_axis;
+  constexpr Contribution momentum = N::Transfer::affine ? Contribution::both : Contribution::by_value,
+                         force = K::hoop ? Contribution::both : Contribution::by_axis;
   using Sums = std::conditional_t<Field::has_mass_gradient,
-                                  Rows<Cell, N::template width<T>, momentum, force, Handed::by_axis>,
+                                  Rows<Cell, N::template width<T>, momentum, force, Contribution::by_axis>,
                                   Rows<Cell, N::template width<T>, momentum, force>>;
   using P = typename Sums::P;
   Sums rows;
@@ -131,7 +131,7 @@ template <class K, class N, class M, class B, class Field, class T>
 ARENITE_KERNEL void p2g_with_impulse(const N& numerics, const M& mesh, const B& body, Index c, Field& nodes,
                                      T dt) {
   N::Shape::visit_cell(mesh, c, [&]<class Cell>(const Cell& cell) ARENITE_INLINE {
-    using Sums = Rows<Cell, N::template width<T>, Handed::both>;
+    using Sums = Rows<Cell, N::template width<T>, Contribution::both>;
     using P = typename Sums::P;
     Sums rows;
     const auto hand = [&](const auto& p, const auto& x, const auto& line) ARENITE_INLINE {

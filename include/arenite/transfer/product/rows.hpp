@@ -35,7 +35,7 @@ void store_quads(std::array<P, 4> column, T* to) {
 }
 
 /// Contributions of points in four lanes: by value, times a node's function, or by axis, times its moment or slope along each.
-enum class Handed { by_value, by_axis, both };
+enum class Contribution { by_value, by_axis, both };
 
 /// Rows of up to `capacity` points of a cell, with their contributions in `Groups` of four lanes. A node at (i, j, k) of the cell
 /// collects, with the functions N along each axis, their moments M (N times the offset of the node, for an affine velocity) and their
@@ -47,13 +47,13 @@ enum class Handed { by_value, by_axis, both };
 /// In an inner cell (`Cell::is_inner`) sums over points are those of the outer nodes and of the total of each axis, over which N adds
 /// up to 1 and M and G to 0: the total is that of own, without a product. The middle node is the rest of the total, once a cell. At
 /// faces, where the middle function may be small, the difference would leave round-off, and nodes are summed one by one.
-template <class Cell, int Width, Handed... Groups>
+template <class Cell, int Width, Contribution... Groups>
 class Rows {
   using T = typename Cell::T;
   static constexpr std::size_t D = Cell::D, N = Cell::nodes_per_axis, last = D - 1, middle = middle_node<N>;
   static constexpr std::size_t at_once = static_cast<std::size_t>(std::min(Width, 4));
   using L = lanes_of<T, static_cast<int>(at_once)>;
-  static constexpr std::array<Handed, sizeof...(Groups)> handed{Groups...};
+  static constexpr std::array<Contribution, sizeof...(Groups)> contributions{Groups...};
 
  public:
   static constexpr int width = cell_width<Cell::D, Width>;  ///< points that come at once
@@ -67,7 +67,8 @@ class Rows {
   /// along axis a. Call `take` after all groups.
   template <std::size_t Group, class Own, class Moment, class Slope>
   void hand(const Lines<P, Cell>& line, const Own& own, const Moment& moment, const Slope& slope) {
-    constexpr bool axes = handed[Group] != Handed::by_value, value = handed[Group] != Handed::by_axis;
+    constexpr bool axes = contributions[Group] != Contribution::by_value,
+                   value = contributions[Group] != Contribution::by_axis;
     repeat<D>([&](std::size_t a) {
       if (!axes && a != last) return;
       repeat<N>([&](std::size_t i) {
@@ -136,8 +137,8 @@ class Rows {
   /// Whether a group has rows at node i of an axis: the total has only own, along the last axis.
   template <std::size_t Group>
   static constexpr bool has_row(std::size_t axis, std::size_t i) {
-    const bool value = axis == last && handed[Group] != Handed::by_axis;
-    return value || (!is_total(i) && handed[Group] != Handed::by_value);
+    const bool value = axis == last && contributions[Group] != Contribution::by_axis;
+    return value || (!is_total(i) && contributions[Group] != Contribution::by_value);
   }
 
   /// Sums of layer k of the nodes (all of them, in the plane), in the lanes from number `lane` on. `OfTotal`: that of the total.

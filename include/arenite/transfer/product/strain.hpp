@@ -30,7 +30,7 @@ struct CellStrain {
   auto operator()(const PointPack<Points, width>& p) const {
     const auto x = p.position();
     const Lines<lanes_of<T, width>, Cell> line(cell, x);
-    keep_in_memory(u);
+    reload_from_memory(u);
     const auto sums = line.sum(u, line.slope);
     return strain_step_of<K, N::squares>(sums.by_axis[0], sums.value, x, dt);
   }

@@ -49,7 +49,7 @@ void add_half_step(const M& mesh, const Blocks& blocks, const B& body, Field& no
     const simplex::CellForce<T, D> gained(gain);
     repeat<size>([&](std::size_t i) {
       auto force = gained.at(cell.gradient.col(static_cast<int>(i)));
-      if constexpr (K::hoop) force += quad(-gain[2] / sums.volume * sums.hoop[i], T(0), T(0), T(0));
+      if constexpr (K::hoop) force += pack4(-gain[2] / sums.volume * sums.hoop[i], T(0), T(0), T(0));
       nodes.sums[cell.nodes[i]].add_slopes(force);
     });
   });

@@ -81,16 +81,16 @@ ARENITE_KERNEL void p2g(const N& numerics, const M& mesh, B& body, Index c, Fiel
   T mass = 0;
   repeat<Cell::size>([&](std::size_t i) { mass += total.node(i, node_channel::mass); });
   [[maybe_unused]] const T reach = mass * square(mesh.size(c));
-  [[maybe_unused]] const Quad touched = quad(T(0), T(0), T(0), mass);
+  [[maybe_unused]] const Quad touched = pack4(T(0), T(0), T(0), mass);
   const CellForce<T, M::dimension> internal(stress.stress);
-  [[maybe_unused]] const Quad hoop = quad(-stress.volume_factor, T(0), T(0), T(0));
+  [[maybe_unused]] const Quad hoop = pack4(-stress.volume_factor, T(0), T(0), T(0));
   repeat<Cell::size>([&](std::size_t i) {
     auto& node = nodes.sums[cell.nodes[i]];
     const auto gradient = cell.gradient.col(static_cast<int>(i));
     Quad force = internal.at(gradient);
     repeat<K::hoop>([&](std::size_t) { force += hoop * Quad(total.node(i, node_channel::hoop_force)); });
     repeat<N::smooths_light_nodes>(
-        [&](std::size_t) { force += quad(T(0), T(0), T(0), reach * gradient.squaredNorm()); });
+        [&](std::size_t) { force += pack4(T(0), T(0), T(0), reach * gradient.squaredNorm()); });
     repeat<!N::smooths_light_nodes>([&](std::size_t) { force += touched; });
     node.add_values(total.node(i));
     node.add_slopes(force);

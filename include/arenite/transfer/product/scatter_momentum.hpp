@@ -16,9 +16,10 @@ ARENITE_INLINE_BEGIN
 ///   m_p w_i v_p(x_i)
 /// with the velocity field v_p = `field(p, x, line)`, at x, with the functions of `line`.
 template <class N, class Cell, class B, class Vectors, class F>
-void hand_back(const Cell& cell, B& body, Index c, Vectors& to, F&& field) {
+void scatter_momentum(const Cell& cell, B& body, Index c, Vectors& to, F&& field) {
   using T = typename Cell::T;
-  using Sums = Rows<Cell, N::template width<T>, N::Transfer::affine ? Handed::both : Handed::by_value>;
+  using Sums =
+      Rows<Cell, N::template width<T>, N::Transfer::affine ? Contribution::both : Contribution::by_value>;
   using P = typename Sums::P;
   Sums rows;
   const auto hand = [&](const auto& p, const auto& x, const auto& line) {

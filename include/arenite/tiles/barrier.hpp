@@ -1,4 +1,4 @@
-// Meeting: a barrier for the threads of the tiles of a rank.
+// Barrier: a barrier for the threads of the tiles of a rank.
 #pragma once
 // SPDX-License-Identifier: BSD-3-Clause
 
@@ -15,13 +15,13 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 /// A reusable barrier. After a failure every waiting and arriving thread throws `run_error`, until
 /// `begin_again`.
-class Meeting {
+class Barrier {
  public:
-  explicit Meeting(std::size_t count) : count_{count} {}
+  explicit Barrier(std::size_t count) : count_{count} {}
 
   /// Returns when all have arrived; the last one has then called its `f()`, while the others waited.
   template <class F>
-  void meet(F&& f) {
+  void wait(F&& f) {
     throw_failure();
     const std::uint32_t round = round_.load(std::memory_order_acquire);
     if (here_.fetch_add(1, std::memory_order_acq_rel) + 1 == count_) {

@@ -13,7 +13,7 @@
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 /// [tiles] the rank of each tile: as many in a row for each, or one more. Throws `error` for fewer tiles than ranks.
-inline std::vector<int> deal_tiles(int tiles, int ranks) {
+inline std::vector<int> assign_tiles(int tiles, int ranks) {
   require(tiles >= ranks, "tiles", tiles, {"must not be less than the number of ranks, ", ranks});
   std::vector<int> rank;
   for (int t = 0; t < tiles; ++t) rank.push_back(static_cast<int>(static_cast<long long>(t) * ranks / tiles));
@@ -31,8 +31,8 @@ inline double imbalance(const std::vector<int>& rank_of, const std::vector<doubl
 /// [tiles] the ranks of tiles that weigh something else now: while the heaviest has more than `most` times the mean, it gives the lightest
 /// one a tile, or swaps one with it, so that the heavier of the two has the least. Tile 0 stays where it is, for it writes what is of the
 /// whole, and each rank keeps a tile.
-inline std::vector<int> deal_again(std::vector<int> rank_of, const std::vector<double>& weight, int ranks,
-                                   double most) {
+inline std::vector<int> reassign_tiles(std::vector<int> rank_of, const std::vector<double>& weight, int ranks,
+                                       double most) {
   std::vector<double> load(static_cast<std::size_t>(ranks));
   std::vector<int> count(load.size());
   for (std::size_t t = 0; t < weight.size(); ++t) {

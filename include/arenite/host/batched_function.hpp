@@ -49,11 +49,11 @@ std::array<double, Count> call_row(const HostFunction& f, std::vector<double> ar
 
 /// Base of functions of place: a first pass records positions, the host evaluates them in one call, and later
 /// passes, in the same order, replay the values.
-class PlacesNoted {
+class AnyBatchedFunction {
  public:
   using Place = std::array<double, 3>;
 
-  virtual ~PlacesNoted() = default;
+  virtual ~AnyBatchedFunction() = default;
   /// Evaluates the recorded positions in one call; later passes replay the values.
   virtual void compute() = 0;
   /// The next pass begins.
@@ -67,11 +67,11 @@ class PlacesNoted {
 
 /// A function of place with values of `Count` numbers. A position out of order is evaluated separately.
 template <std::size_t Count>
-class PlacesAtOnce : public PlacesNoted {
+class BatchedFunction : public AnyBatchedFunction {
  public:
   using Row = std::array<double, Count>;
 
-  PlacesAtOnce(HostFunction f, int dimension, std::string name)
+  BatchedFunction(HostFunction f, int dimension, std::string name)
       : f_{std::move(f)}, dimension_{static_cast<std::size_t>(dimension)}, name_{std::move(name)} {}
 
   Row operator()(const Place& x) {
@@ -187,7 +187,7 @@ class PlaceMemory {
 
 /// The functions of place of one body: those that say where it is, and those that say what is there.
 struct PlaceFunctions {
-  std::vector<std::shared_ptr<PlacesNoted>> where{}, what{};
+  std::vector<std::shared_ptr<AnyBatchedFunction>> where{}, what{};
 };
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

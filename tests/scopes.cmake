@@ -25,14 +25,14 @@ if(CMAKE_BUILD_TYPE STREQUAL "Debug")  # under the sanitizers
   set(scope_of_files change)
   set(scope_of_others nightly)
   set(files_first
-      core/.* particles/.* io/.* geometry/.* mesh/.* study/.* host/.* law/histories law/with_deviatoric_strain
+      core/.* particles/.* io/.* geometry/.* mesh/.* error_bar/.* host/.* law/histories law/with_deviatoric_strain
       boundary/walls contact/exchange run/saved_state run/every rigid/free_body
       scene/insert_remove scene/own_parts shape/ugimp transfer/g2p transfer/own_channels)
 else()
   set(scope_of_files quick)
   set(scope_of_others change)
   set(files_first
-      core/.* shape/.* mesh/.* particles/.* geometry/.* io/.* study/.* host/.* ffp/.* contact/coulomb contact/mass_gradient
+      core/.* shape/.* mesh/.* particles/.* geometry/.* io/.* error_bar/.* host/.* ffp/.* contact/coulomb contact/mass_gradient
       law/elastic law/mohr_coulomb law/drucker_prager law/friction law/neo_hookean law/newtonian_fluid law/sand law/histories
       boundary/walls boundary/loads observe/energy run/saved_state rigid/rigid_body rigid/point_contact
       scene/bar scene/column scene/conservation scene/oedometer scene/state transfer/affine transfer/conservation_.* transfer/g2p

@@ -19,8 +19,8 @@ HEADERS = ROOT / "include" / "arenite"
 PAGES = ROOT / "docs" / "api"
 
 # In the order of the includes (docs/design.md): nothing of a room includes a later one.
-ROOMS = ("core simd parallel geometry kinematics mesh shape law fill particles boundary transfer load contact rigid scene observe run tiles mpi study host "
-         "io").split()
+ROOMS = ("core simd parallel geometry functions mesh shape law fill particles boundary part warnings transfer load contact rigid scene observe watch run "
+         "tiles error_bar io").split()
 
 
 def run_doxygen(xml: Path) -> None:

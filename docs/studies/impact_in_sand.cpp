@@ -10,7 +10,7 @@
 // Some five minutes on two cores.
 #include <Eigen/Dense>
 #include <arenite/arenite.hpp>
-#include <arenite/study/convergence.hpp>
+#include <arenite/error_bar/convergence.hpp>
 #include <cmath>
 #include <cstdio>
 #include <map>

@@ -8,7 +8,7 @@
 #include <cstdio>
 using namespace arenite;
 
-/// All above a height, m: the nodes there are touched (arenite/rigid/surface.hpp). Needs nothing of the mesh,
+/// All above a height, m: the nodes there are touched (arenite/rigid/body/surface.hpp). Needs nothing of the mesh,
 /// so that it is its own bound surface.
 struct Plate {
   static constexpr bool has_volume_fractions = false;
@@ -23,7 +23,7 @@ struct Plate {
   }
 };
 
-/// A guided mass, kg, slowed by a damper, N s/m: m dv/dt = m a - c v (arenite/rigid/motion.hpp).
+/// A guided mass, kg, slowed by a damper, N s/m: m dv/dt = m a - c v (arenite/rigid/motion/motion.hpp).
 struct Damped {
   double mass, damping;
 };

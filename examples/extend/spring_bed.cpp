@@ -1,5 +1,5 @@
 // A part of your own: a bed of springs that carries a block. A class with members that the stages of a step
-// call (arenite/scene/roles.hpp); the library does not change. The block swings about its sag,
+// call (arenite/part/roles.hpp); the library does not change. The block swings about its sag,
 // y(t) = -(g / w^2) (1 - cos w t) with w^2 = k / m.
 //
 //   g++ -std=c++20 -O3 -march=native -Iinclude -I/usr/include/eigen3 examples/extend/spring_bed.cpp -o spring_bed -pthread && ./spring_bed

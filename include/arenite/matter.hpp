@@ -17,15 +17,15 @@
 #include <arenite/mesh/motion.hpp>
 #include <arenite/mesh/periodic_grid.hpp>
 #include <arenite/mesh/rectilinear_grid.hpp>
+#include <arenite/not_included.hpp>
 #include <arenite/observe/energy.hpp>
-#include <arenite/observe/not_included.hpp>
 #include <arenite/observe/probe.hpp>
 #include <arenite/observe/section.hpp>
 #include <arenite/particles/point_ids.hpp>
 #include <arenite/run/every.hpp>
 #include <arenite/run/run.hpp>
 #include <arenite/run/settle.hpp>
-#include <arenite/run/watch.hpp>
 #include <arenite/scene/insert_remove.hpp>
 #include <arenite/scene/split_points.hpp>
 #include <arenite/version.hpp>
+#include <arenite/watch/watch.hpp>

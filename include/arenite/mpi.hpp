@@ -2,5 +2,5 @@
 #pragma once
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include <arenite/mpi/world.hpp>
 #include <arenite/tiles.hpp>
+#include <arenite/tiles/mpi_world.hpp>

@@ -2,7 +2,7 @@
 #pragma once
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include <arenite/geometry/cone_cylinder.hpp>
 #include <arenite/matter.hpp>
-#include <arenite/rigid/cone_cylinder.hpp>
-#include <arenite/rigid/rigid_body.hpp>
+#include <arenite/rigid/body/rigid_body.hpp>
 #include <arenite/rigid/rigid_contact.hpp>

@@ -30,9 +30,9 @@ PACKAGE = Path(__file__).parent
 
 
 def include_folders() -> List[Path]:
-    """Headers of the library and Eigen: those of the package, or of ARENITE_INCLUDE (several, with colons)."""
-    given = os.environ.get("ARENITE_INCLUDE")
-    return [Path(p) for p in given.split(":")] if given else [PACKAGE / "include", PACKAGE / "include" / "eigen3"]
+    """Where headers are looked up: the folders of ARENITE_INCLUDE (several, with colons), then those of the package."""
+    given = os.environ.get("ARENITE_INCLUDE", "")
+    return [*(Path(p) for p in given.split(":") if given), PACKAGE / "include", PACKAGE / "include" / "eigen3"]
 
 
 def compiler(what: str = "This composition") -> List[str]:
@@ -60,7 +60,7 @@ def _compiler_version(words: Tuple[str, ...], path: str) -> str:
 
 
 #: C++ of the object that scenes and laws are linked with: python/native/host.cpp and src/cold/cold.cpp.
-HOST = "#define ARENITE_COLD_LIBRARY\n#define ARENITE_HOST_HERE\n#include <arenite/cold.hpp>\n#include <arenite/host/readers.hpp>\n"
+HOST = "#define ARENITE_COLD_LIBRARY\n#define ARENITE_HOST_HERE\n#include <arenite/cold.hpp>\n#include <arenite_host/readers.hpp>\n"
 ELSEWHERE = "#define ARENITE_COLD_LIBRARY\n#define ARENITE_HOST_ELSEWHERE\n"
 #: How a unit of a scene is told that its step is a unit of its own: which of the two it is.
 STEP, HERE = "ARENITE_EXTERN_STEP", "ARENITE_STEP_HERE"
@@ -73,7 +73,7 @@ def source(what: str, type_name: str, headers: Sequence[str]) -> str:
             "tiles": ("tiles_host", "TilesMaker", "make_hosted_tiles")}
     file, maker, make = host[what]
     own = "".join(f'#include "{Path(h).resolve()}"\n' for h in headers)
-    begin = (f"{ELSEWHERE}#include <arenite/host/plugin.hpp>\n#include <arenite/host/{file}.hpp>\n{own}"
+    begin = (f"{ELSEWHERE}#include <arenite_host/plugin.hpp>\n#include <arenite_host/{file}.hpp>\n{own}"
              "namespace arenite::compiled_on_first_use {\n"
              f"using Type = {type_name};\n"
              "}\n")
@@ -244,7 +244,7 @@ def program(text: str, told: str, flags: Sequence[str], host: Callable[[], Path]
 
 
 #: C++ of the object that makes ranks of a communicator, by its address.
-RANKS = """#include <arenite/mpi/world.hpp>
+RANKS = """#include <arenite/tiles/mpi_world.hpp>
 #include <cstdint>
 extern "C" arenite::Ranks* arenite_ranks(std::uintptr_t communicator) {
   return new arenite::mpi::World(*reinterpret_cast<MPI_Comm*>(communicator));

@@ -3,9 +3,9 @@
 #include "checks.hpp"
 
 #include <arenite/core/refusals.hpp>
-#include <arenite/host/read_any_friction.hpp>
-#include <arenite/host/read_recipes.hpp>
-#include <arenite/run/watch.hpp>
+#include <arenite/watch/watch.hpp>
+#include <arenite_host/read_any_friction.hpp>
+#include <arenite_host/read_recipes.hpp>
 #include <cmath>
 #include <map>
 #include <type_traits>

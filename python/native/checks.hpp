@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include <arenite/host/value.hpp>
+#include <arenite_host/value.hpp>
 
 namespace arenite::python {
 

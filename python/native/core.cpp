@@ -7,10 +7,10 @@
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
-#include <arenite/host/plugin.hpp>
 #include <arenite/io/pvd.hpp>
 #include <arenite/io/vtu.hpp>
 #include <arenite/run/run_in_folder.hpp>
+#include <arenite_host/plugin.hpp>
 #include <chrono>
 #include <cstdint>
 #include <filesystem>

@@ -2,4 +2,4 @@
 // are compiled on first use.
 #define ARENITE_COLD_LIBRARY
 #define ARENITE_HOST_HERE
-#include <arenite/host/readers.hpp>
+#include <arenite_host/readers.hpp>

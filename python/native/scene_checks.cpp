@@ -2,8 +2,8 @@
 // scene will read them; bodies are filled with a law that represents any, walls are checked with the mesh.
 // Functions of Python are left to the scene: each is called once.
 #include <algorithm>
-#include <arenite/host/read_fill.hpp>
-#include <arenite/host/read_recipes.hpp>
+#include <arenite_host/read_fill.hpp>
+#include <arenite_host/read_recipes.hpp>
 #include <map>
 #include <string>
 #include <string_view>

@@ -4,7 +4,7 @@
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
 
-#include <arenite/host/value.hpp>
+#include <arenite_host/value.hpp>
 #include <exception>
 #include <limits>
 #include <mutex>

@@ -46,7 +46,7 @@ def test_names_are_those_of_the_headers(tmp_path):
     """docs/names.md: each name stands in the header that it is said to be of; with Doxygen, the page is what the headers say."""
     page = (SOURCE / "docs" / "names.md").read_text()
     rows = re.findall(r"^\| `([^`]+)` \| \[([^]]+)\]\((.*?)\) \|", page, re.MULTILINE)
-    assert len(rows) > 500 and {("Ball", "geometry/solids.hpp"), ("Scene", "scene/scene.hpp"), ("Rigid", "rigid/rigid_body.hpp")} <= {row[:2] for row in rows}
+    assert len(rows) > 500 and {("Ball", "geometry/solids.hpp"), ("Scene", "scene/scene.hpp"), ("Rigid", "rigid/body/rigid_body.hpp")} <= {row[:2] for row in rows}
     for name, header, link in rows:
         assert link == f"../include/arenite/{header}"
         assert re.search(rf"\b{re.escape(name.split('::')[-1])}", (SOURCE / "include" / "arenite" / header).read_text()), name

@@ -3,7 +3,7 @@
 
 #include <arenite/boundary/gravity.hpp>
 #include <arenite/boundary/walls.hpp>
-#include <arenite/kinematics/kinematics.hpp>
+#include <arenite/mesh/kinematics.hpp>
 
 #include "../mesh/sample_meshes.hpp"
 

@@ -1,4 +1,4 @@
-// must print: Rigid: the motion lacks a member; see arenite/rigid/motion.hpp
+// must print: Rigid: the motion lacks a member; see arenite/rigid/motion/motion.hpp
 // A motion of a user's own that says nothing but where it begins.
 #include <arenite/arenite.hpp>
 

@@ -1,4 +1,4 @@
-// must print: Rigid: the surface lacks a member; see arenite/rigid/surface.hpp
+// must print: Rigid: the surface lacks a member; see arenite/rigid/body/surface.hpp
 // errors: 1
 // A surface of a user's own that visits no nodes.
 #include <arenite/arenite.hpp>

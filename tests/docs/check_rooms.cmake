@@ -1,5 +1,6 @@
 # cmake -D root=FOLDER -P check_rooms.cmake: no include runs back against the order of the rooms (the line `core < ..` of
-# docs/design.md; `io` takes core, geometry and mesh, `observe`, `run` and `tiles` take io), and no room uses what another one has in `detail`. Each header names the licence.
+# docs/design.md; `io` takes core, geometry and mesh, `observe`, `run` and `tiles` take io), and no room uses what another one has in `detail` (what rooms share stands in
+# `shared_detail`). Each header names the licence.
 file(STRINGS ${root}/docs/design.md order REGEX "^core < ")
 string(REPLACE " < " ";" order "${order}")
 set(rooms ${order} io)
@@ -12,8 +13,8 @@ foreach(room IN LISTS rooms)
     if(NOT text MATCHES "// SPDX-License-Identifier: BSD-3-Clause\n")
       list(APPEND wrong "${header} does not name the licence (SPDX) behind its #pragma once")
     endif()
-    string(REGEX MATCHALL "\n#include <arenite/[a-z]+/" includes "${text}")
-    list(TRANSFORM includes REPLACE ".*/([a-z]+)/$" "\\1")
+    string(REGEX MATCHALL "\n#include <arenite/[a-z_]+/" includes "${text}")
+    list(TRANSFORM includes REPLACE ".*/([a-z_]+)/$" "\\1")
     foreach(other IN LISTS includes)
       list(FIND order ${other} other_place)
       if((room STREQUAL io AND NOT other MATCHES "^(io|core|geometry|mesh)$") OR (other STREQUAL io AND NOT room MATCHES "^(io|observe|run|tiles)$")
@@ -27,7 +28,7 @@ foreach(room IN LISTS rooms)
     string(REPLACE "\n" ";" lines "${text}")
     set(inside FALSE)
     foreach(line IN LISTS lines)
-      if(line MATCHES "^namespace .*detail {")
+      if(line MATCHES "^namespace (.*::)?detail {")
         set(inside TRUE)
       elseif(line MATCHES "^}  ")  # the end of a namespace, less its comment
         set(inside FALSE)
@@ -48,7 +49,7 @@ foreach(room IN LISTS rooms)
     list(REMOVE_ITEM names "" ${declared_${room}})
     foreach(name IN LISTS names)
       # By its full name, or as a function that this room does not declare, out of its own `detail`.
-      if(text_${room} MATCHES "detail::${name}[^A-Za-z_]" OR (detail_${room} MATCHES "[^A-Za-z_:.>]${name}(<[^\n]*>)?\\("
+      if(text_${room} MATCHES "[^A-Za-z_]detail::${name}[^A-Za-z_]" OR (detail_${room} MATCHES "[^A-Za-z_:.>]${name}(<[^\n]*>)?\\("
          AND NOT detail_${room} MATCHES "[A-Za-z>&*] ${name}\\("))
         list(APPEND wrong "${room} uses detail::${name} of ${other}")
       endif()

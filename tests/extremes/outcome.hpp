@@ -2,7 +2,7 @@
 #pragma once
 
 #include <arenite/observe/energy.hpp>
-#include <arenite/run/watch.hpp>
+#include <arenite/watch/watch.hpp>
 
 #include "draw.hpp"
 

@@ -1,7 +1,7 @@
 // The shapes of the drop, against the formulas of solids, and the line grading.
 #include "../../examples/ffp/geometry/geometry.hpp"
 
-#include <arenite/rigid/cone_cylinder.hpp>
+#include <arenite/geometry/cone_cylinder.hpp>
 
 #include "../../examples/ffp/geometry/grading.hpp"
 #include "../../examples/ffp/geometry/mass.hpp"

@@ -1,7 +1,7 @@
 // Shapes as signed distances: against samples of their surfaces, the eikonal equation, and hand values.
 #include <arenite/core/units.hpp>
 #include <arenite/fill/regions.hpp>
-#include <arenite/rigid/cone_cylinder.hpp>
+#include <arenite/geometry/cone_cylinder.hpp>
 #include <random>
 
 #include "catch.hpp"

@@ -1,7 +1,7 @@
 // Values of a host become recipes: by the names of members, with the sentences of the library where they do
 // not fit.
-#include <arenite/host/members.hpp>
-#include <arenite/host/scene_host.hpp>
+#include <arenite_host/members.hpp>
+#include <arenite_host/scene_host.hpp>
 
 #include "catch.hpp"
 #include "message.hpp"

@@ -2,7 +2,7 @@
 #include "catch.hpp"
 
 #include <arenite/core/units.hpp>
-#include <arenite/rigid/cone_cylinder.hpp>
+#include <arenite/geometry/cone_cylinder.hpp>
 
 #include "../mesh/sample_meshes.hpp"
 

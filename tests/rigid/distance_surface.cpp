@@ -2,9 +2,9 @@
 #include "catch.hpp"
 
 #include <arenite/core/units.hpp>
+#include <arenite/geometry/cone_cylinder.hpp>
 #include <arenite/geometry/solids.hpp>
-#include <arenite/rigid/cone_cylinder.hpp>
-#include <arenite/rigid/surface.hpp>
+#include <arenite/rigid/body/surface.hpp>
 #include <random>
 #include <stdexcept>
 

@@ -3,7 +3,7 @@
 #include "catch.hpp"
 
 #include <arenite/core/units.hpp>
-#include <arenite/rigid/rigid_body.hpp>
+#include <arenite/rigid/body/rigid_body.hpp>
 #include <arenite/transfer/node_field.hpp>
 #include <random>
 

@@ -5,8 +5,8 @@
 #include <optional>
 #include <string>
 
-#include <arenite/study/convergence.hpp>
-#include <arenite/study/uncertainty.hpp>
+#include <arenite/error_bar/convergence.hpp>
+#include <arenite/error_bar/uncertainty.hpp>
 
 #include "../text/json_file.hpp"
 

@@ -19,7 +19,7 @@
 #include <arenite/run/run_status.hpp>
 #include <arenite/run/saved_state.hpp>
 #include <arenite/run/stop_signals.hpp>
-#include <arenite/run/watch.hpp>
+#include <arenite/watch/watch.hpp>
 
 #include "../text/say.hpp"
 #include "../text/warnings.hpp"

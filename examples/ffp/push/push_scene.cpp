@@ -7,7 +7,7 @@
 #include <arenite/run/run_folder.hpp>
 #include <arenite/run/run_status.hpp>
 #include <arenite/run/stop_signals.hpp>
-#include <arenite/run/watch.hpp>
+#include <arenite/watch/watch.hpp>
 
 #include <chrono>
 #include <cmath>

@@ -21,7 +21,7 @@
 #include <arenite/run/progress.hpp>
 #include <arenite/run/run_status.hpp>
 #include <arenite/run/stop_signals.hpp>
-#include <arenite/run/watch.hpp>
+#include <arenite/watch/watch.hpp>
 
 #include "../command/read_drop.hpp"
 #include "../drop/drop_folder.hpp"

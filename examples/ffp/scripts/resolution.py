@@ -34,7 +34,7 @@ def depth_at(place, time):
 def convergence(values, ratio=2):
     """Order, limit and bar of the last of some values at sizes that fall by `ratio`: p = ln(d1 / d2) / ln(ratio) of the last two
     changes; limit = last + d2 / (ratio^p - 1), bar = 1.25 |d2| / (ratio^p - 1) where the changes have one sign and p lies in
-    [0.5, 2], else no limit and 3 times the spread of the three. Repeats the library's study/convergence.hpp for equal ratios;
+    [0.5, 2], else no limit and 3 times the spread of the three. Repeats the library's error_bar/convergence.hpp for equal ratios;
     one set of numbers tests both."""
     a, b, c = values[-3:]
     first, second = b - a, c - b

@@ -5,8 +5,8 @@
 #include <string>
 #include <utility>
 
-#include <arenite/boundary/place_function.hpp>
 #include <arenite/boundary/walls.hpp>
+#include <arenite/functions/place_function.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 

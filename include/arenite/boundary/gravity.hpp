@@ -5,10 +5,10 @@
 #include <array>
 #include <utility>
 
-#include <arenite/boundary/place_function.hpp>
 #include <arenite/core/error.hpp>
 #include <arenite/core/tensor.hpp>
 #include <arenite/core/vector_argument.hpp>
+#include <arenite/functions/place_function.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 

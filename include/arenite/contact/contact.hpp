@@ -15,8 +15,8 @@
 #include <arenite/contact/hold.hpp>
 #include <arenite/contact/normals.hpp>
 #include <arenite/core/by_body.hpp>
-#include <arenite/core/contact_tally.hpp>
-#include <arenite/core/part_energy.hpp>
+#include <arenite/part/contact_tally.hpp>
+#include <arenite/part/part_energy.hpp>
 #include <arenite/transfer/node_field.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {

@@ -11,9 +11,9 @@
 #include <arenite/boundary/constraints.hpp>
 #include <arenite/contact/coulomb.hpp>
 #include <arenite/contact/hold.hpp>
-#include <arenite/core/contact_tally.hpp>
-#include <arenite/core/part_energy.hpp>
 #include <arenite/load/mesh_faces.hpp>
+#include <arenite/part/contact_tally.hpp>
+#include <arenite/part/part_energy.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 

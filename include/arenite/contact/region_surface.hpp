@@ -9,7 +9,7 @@
 #include <vector>
 
 #include <arenite/boundary/constraints.hpp>
-#include <arenite/kinematics/kinematics.hpp>
+#include <arenite/mesh/kinematics.hpp>
 #include <arenite/mesh/simplex_mesh.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {

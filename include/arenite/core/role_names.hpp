@@ -12,7 +12,7 @@ namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 // clang-format off
 /// All roles: of laws (law/roles.hpp), transfers (transfer/transfer.hpp), both laws and parts, parts
-/// (scene/roles.hpp).
+/// (part/roles.hpp).
 #define ARENITE_ROLES(role)                                                                           \
   role(is_open) role(yield) role(greatest_volume_ratio) role(max_pack_width) role(two_packs_at_once)  \
   role(linear) role(names)                                                                            \

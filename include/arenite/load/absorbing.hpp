@@ -11,11 +11,11 @@
 #include <utility>
 #include <vector>
 
-#include <arenite/core/contact_tally.hpp>
-#include <arenite/core/part_energy.hpp>
 #include <arenite/load/face_impedance.hpp>
-#include <arenite/load/lost_load.hpp>
 #include <arenite/parallel/communicator.hpp>
+#include <arenite/part/contact_tally.hpp>
+#include <arenite/part/part_energy.hpp>
+#include <arenite/warnings/lost_load.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 

@@ -4,7 +4,7 @@
 
 #include <utility>
 
-#include <arenite/boundary/place_function.hpp>
+#include <arenite/functions/place_function.hpp>
 #include <arenite/load/node_force.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {

@@ -6,10 +6,10 @@
 #include <limits>
 
 #include <arenite/core/checked.hpp>
-#include <arenite/core/contact_tally.hpp>
-#include <arenite/core/part_energy.hpp>
 #include <arenite/load/node_force.hpp>
 #include <arenite/parallel/parallel.hpp>
+#include <arenite/part/contact_tally.hpp>
+#include <arenite/part/part_energy.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 

@@ -8,8 +8,8 @@
 #include <utility>
 
 #include <arenite/load/grid_faces.hpp>
-#include <arenite/load/lost_load.hpp>
 #include <arenite/load/simplex_faces.hpp>
+#include <arenite/warnings/lost_load.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 

@@ -11,8 +11,8 @@
 #include <vector>
 
 #include <arenite/boundary/constraints.hpp>
-#include <arenite/boundary/place_function.hpp>
 #include <arenite/boundary/walls.hpp>
+#include <arenite/functions/place_function.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include <arenite/core/cold.hpp>
-#include <arenite/core/part_energy.hpp>
 #include <arenite/parallel/communicator.hpp>
+#include <arenite/part/part_energy.hpp>
 #include <arenite/transfer/node_field.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {

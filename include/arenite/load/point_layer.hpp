@@ -8,9 +8,9 @@
 #include <string>
 #include <utility>
 
-#include <arenite/boundary/place_function.hpp>
 #include <arenite/core/bind.hpp>
 #include <arenite/core/name.hpp>
+#include <arenite/functions/place_function.hpp>
 #include <arenite/particles/body.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {

@@ -6,8 +6,8 @@
 #include <string>
 #include <utility>
 
-#include <arenite/boundary/place_function.hpp>
 #include <arenite/core/name.hpp>
+#include <arenite/functions/place_function.hpp>
 #include <arenite/load/point_forces.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <utility>
 
-#include <arenite/boundary/place_function.hpp>
+#include <arenite/functions/place_function.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 

@@ -2,7 +2,7 @@
 #pragma once
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include <arenite/kinematics/kinematics.hpp>
+#include <arenite/mesh/kinematics.hpp>
 #include <arenite/mesh/mesh.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {

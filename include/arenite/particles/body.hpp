@@ -13,8 +13,8 @@
 #include <arenite/fill/filling.hpp>
 #include <arenite/fill/jitter.hpp>
 #include <arenite/fill/region.hpp>
-#include <arenite/kinematics/kinematics.hpp>
 #include <arenite/law/roles.hpp>
+#include <arenite/mesh/kinematics.hpp>
 #include <arenite/mesh/mesh.hpp>
 #include <arenite/particles/cell_list.hpp>
 #include <arenite/particles/cell_sums.hpp>

@@ -17,12 +17,12 @@
 #include <arenite/boundary/wall_sides.hpp>
 #include <arenite/boundary/walls.hpp>
 #include <arenite/contact/coulomb.hpp>
-#include <arenite/core/contact_tally.hpp>
 #include <arenite/core/error.hpp>
 #include <arenite/core/linear_solve.hpp>
-#include <arenite/core/part_energy.hpp>
 #include <arenite/core/refusals.hpp>
 #include <arenite/parallel/communicator.hpp>
+#include <arenite/part/contact_tally.hpp>
+#include <arenite/part/part_energy.hpp>
 #include <arenite/rigid/between_bodies/touching_bodies.hpp>
 #include <arenite/rigid/with_matter/collide.hpp>
 #include <arenite/rigid/with_matter/contact_balance.hpp>

@@ -10,9 +10,9 @@
 #include <utility>
 
 #include <arenite/run/run_flow.hpp>
-#include <arenite/run/watch.hpp>
 #include <arenite/scene/stable_step.hpp>
 #include <arenite/scene/step.hpp>
+#include <arenite/watch/watch.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 

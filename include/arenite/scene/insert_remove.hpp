@@ -69,14 +69,14 @@ template <class Scene, class B, class F>
 auto insert_fill(Scene& scene, B& body, const F& fill, const std::string& name) {
   Ground ground{.time = scene.time};
   if (fill.options.stress && fill.options.stress->geostatic())
-    ground.gravity = detail::gravity_of_ground(scene, scene.time);
+    ground.gravity = shared_detail::gravity_of_ground(scene, scene.time);
   const auto made = make_body<typename Scene::Kinematics, Scene::extra_columns>(scene.mesh, fill,
                                                                                 scene.cell_owner(), ground);
   auto count = static_cast<double>(made.points.size());
   double filled = made.initial_volume, region = made.region_volume;
   sum_over(scene.communicator(), count, filled, region);
   if (is_reporter(scene))
-    detail::warn_volume(name, static_cast<std::size_t>(count), made.law.density(), filled, region);
+    shared_detail::warn_volume(name, static_cast<std::size_t>(count), made.law.density(), filled, region);
   std::vector<typename B::Point> points;
   points.reserve(made.points.size());
   for (std::size_t p = 0; p < made.points.size(); ++p) points.push_back(made.points[p]);

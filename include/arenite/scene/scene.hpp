@@ -10,18 +10,15 @@
 #include <type_traits>
 
 #include <arenite/boundary/constraints.hpp>
-#include <arenite/core/contact_tally.hpp>
 #include <arenite/core/warning.hpp>
 #include <arenite/mesh/portion.hpp>
 #include <arenite/parallel/communicator.hpp>
+#include <arenite/part/complete.hpp>
+#include <arenite/part/contact_tally.hpp>
+#include <arenite/part/parts.hpp>
+#include <arenite/part/roles.hpp>
 #include <arenite/particles/measures.hpp>
 #include <arenite/particles/relocate.hpp>
-#include <arenite/scene/complete.hpp>
-#include <arenite/scene/ground_at_rest.hpp>
-#include <arenite/scene/new_scene_warnings.hpp>
-#include <arenite/scene/parts.hpp>
-#include <arenite/scene/roles.hpp>
-#include <arenite/scene/step_check.hpp>
 #include <arenite/transfer/g2p.hpp>
 #include <arenite/transfer/light_nodes.hpp>
 #include <arenite/transfer/map_back.hpp>
@@ -29,18 +26,21 @@
 #include <arenite/transfer/numerics.hpp>
 #include <arenite/transfer/p2g.hpp>
 #include <arenite/transfer/simplex/centred_stress.hpp>
+#include <arenite/warnings/ground_at_rest.hpp>
+#include <arenite/warnings/new_scene.hpp>
+#include <arenite/warnings/step_check.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
 /// A scene of kinematics K, mesh M, numerics N and, in any order, `bodies(..)` (required) and parts: those of
 /// the library (`walls(..)`, `gravity({..})`, `Coulomb`, `rigids(..)`, `MovingMesh`, `TrackEnergy{}`) and any
-/// of your own (`scene/roles.hpp`). Complete when constructed: filled, parts bound, surfaces found. Warns
+/// of your own (`part/roles.hpp`). Complete when constructed: filled, parts bound, surfaces found. Warns
 /// (`on_warning`) of a box that reaches beyond the mesh, of points with another mass than their region's, of
 /// bodies that overlap, and of gravity on bodies without support; its first step warns of geostatic
 /// ground that is not at rest. Throws `error` where a recipe does not fit the mesh, naming value and rule.
 template <class K, class M, class N, class... Given>
 struct Scene {
-  static_assert(detail::is_complete_scene<K, M, N, Given...>());
+  static_assert(shared_detail::is_complete_scene<K, M, N, Given...>());
 
   using Kinematics = K;
   using Mesh = M;
@@ -52,28 +52,29 @@ struct Scene {
   using Nodes = NodeConstraints<Shape, M>;
 
  private:
-  using Fills = std::remove_cvref_t<decltype(detail::find_bodies(std::declval<const Given&>()...))>;
+  using Fills = std::remove_cvref_t<decltype(shared_detail::find_bodies(std::declval<const Given&>()...))>;
   /// All values given except the bodies; the kinematics, too, if they are a part.
-  using Recipes = typename decltype(detail::with_recipes_of(detail::TypesOf{}, std::declval<const K&>(),
-                                                            std::declval<const Given&>()...))::type;
+  using Recipes = typename decltype(shared_detail::with_recipes_of(
+      shared_detail::TypesOf{}, std::declval<const K&>(), std::declval<const Given&>()...))::type;
 
  public:
   static constexpr std::size_t body_count = Fills::count;  ///< perhaps `counted_at_run_time`
   static_assert(body_count >= 1, "Scene: bodies(..) needs at least one fill(..)");
   using TraitsType = SceneTraits<K, M, N, body_count>;
-  using Parts = decltype(detail::with_recipes_of(std::declval<const detail::Binder<TraitsType>&>(),
-                                                 std::declval<const K&>(), std::declval<const Given&>()...));
+  using Parts =
+      decltype(shared_detail::with_recipes_of(std::declval<const shared_detail::Binder<TraitsType>&>(),
+                                              std::declval<const K&>(), std::declval<const Given&>()...));
   static constexpr std::size_t part_count = std::tuple_size_v<Parts>;
   static_assert(
-      detail::singles<Parts>,
+      shared_detail::singles<Parts>,
       "Scene: gravity, contact of bodies, motion of the mesh and TrackEnergy may be given once each");
 
-  using Needs = detail::needs_of<Parts>;
+  using Needs = shared_detail::needs_of<Parts>;
   static constexpr ExtraColumns extra_columns{N::extra_columns.affine, N::extra_columns.dilation,
                                               Needs::point_ids, Needs::point_columns};
 
  private:
-  using BodiesOf = detail::bodies_of<M, extra_columns, Fills>;
+  using BodiesOf = shared_detail::bodies_of<M, extra_columns, Fills>;
 
  public:
   using BodyTuple = typename BodiesOf::type;
@@ -82,15 +83,16 @@ struct Scene {
                 "update(Sym<T, D>& stress, const StrainStep<T, D>& step, History<T>& history) const; or say "
                 "static constexpr int max_pack_width = 1 in the law");
   static constexpr auto body_names = BodiesOf::names;  ///< empty where a body has none
-  static_assert(detail::differ(body_names), "Scene: two bodies have one name: fill<\"name\">(..)");
-  static_assert(detail::differ(detail::rigids_of<Parts>::found.second),
+  static_assert(shared_detail::differ(body_names), "Scene: two bodies have one name: fill<\"name\">(..)");
+  static_assert(shared_detail::differ(shared_detail::rigids_of<Parts>::found.second),
                 "Scene: two rigid bodies have one name: rigid<\"name\">(..)");
   /// Whether the mesh is a part of a larger one, which other scenes share (`on_portion`).
-  static constexpr bool is_portion = detail::place_of<OnPortion>(std::type_identity<Recipes>{}) < part_count;
+  static constexpr bool is_portion =
+      shared_detail::place_of<OnPortion>(std::type_identity<Recipes>{}) < part_count;
   static constexpr std::size_t field_count = Needs::own_fields ? body_count : 1;
   /// Whether the bodies are those of a list: of one law, in a number that only a run knows.
   static constexpr bool lists_bodies = body_count == counted_at_run_time;
-  static constexpr std::size_t rigid_count = detail::rigids_of<Parts>::count;
+  static constexpr std::size_t rigid_count = shared_detail::rigids_of<Parts>::count;
   /// Whether nodes store the velocity at the start of the step and the force separately.
   static constexpr bool has_start_state = N::reads_start_state || Needs::start_state;
   using Field = NodeField<T, D, N::maps_back, Needs::mass_gradient, N::corrects_nodes, has_start_state>;
@@ -135,7 +137,7 @@ struct Scene {
   std::size_t steps = 0;
   StepCheck step_check;               ///< of the lengths of steps
   std::vector<GroundAtRest> at_rest;  ///< bodies that the first step checks
-  [[no_unique_address]] std::conditional_t<is_portion, std::optional<detail::NewScene>, Nothing>
+  [[no_unique_address]] std::conditional_t<is_portion, std::optional<shared_detail::NewScene>, Nothing>
       unseen;                   ///< over a portion of a mesh: data for warnings not given yet
   bool finite = true;           ///< no number of the points, nor their sums, have become NaN or infinite
   ContactTally contact_tally;   ///< of the last step
@@ -166,13 +168,13 @@ struct Scene {
   template <class F>
   void for_each_rigid(F&& f) {
     for_each_part([&](auto& part) {
-      if constexpr (detail::is_rigid<std::remove_cvref_t<decltype(part)>>) f(part);
+      if constexpr (shared_detail::is_rigid<std::remove_cvref_t<decltype(part)>>) f(part);
     });
   }
   template <class F>
   void for_each_rigid(F&& f) const {
     for_each_part([&](const auto& part) {
-      if constexpr (detail::is_rigid<std::remove_cvref_t<decltype(part)>>) f(part);
+      if constexpr (shared_detail::is_rigid<std::remove_cvref_t<decltype(part)>>) f(part);
     });
   }
 
@@ -206,26 +208,27 @@ struct Scene {
   /// The first part that a recipe made: `part<TrackEnergy>()`, `part<Coulomb>()`.
   template <class Recipe>
   auto& part() {
-    return std::get<part_place<detail::place_of<Recipe>(std::type_identity<Recipes>{})>()>(parts);
+    return std::get<part_place<shared_detail::place_of<Recipe>(std::type_identity<Recipes>{})>()>(parts);
   }
   template <class Recipe>
   const auto& part() const {
-    return std::get<part_place<detail::place_of<Recipe>(std::type_identity<Recipes>{})>()>(parts);
+    return std::get<part_place<shared_detail::place_of<Recipe>(std::type_identity<Recipes>{})>()>(parts);
   }
   template <template <class...> class Recipe>
   auto& part() {
-    return std::get<part_place<detail::place_of<Recipe>(std::type_identity<Recipes>{})>()>(parts);
+    return std::get<part_place<shared_detail::place_of<Recipe>(std::type_identity<Recipes>{})>()>(parts);
   }
   template <template <class...> class Recipe>
   const auto& part() const {
-    return std::get<part_place<detail::place_of<Recipe>(std::type_identity<Recipes>{})>()>(parts);
+    return std::get<part_place<shared_detail::place_of<Recipe>(std::type_identity<Recipes>{})>()>(parts);
   }
   template <class Recipe>
-  static constexpr bool has_part = detail::place_of<Recipe>(std::type_identity<Recipes>{}) < part_count;
+  static constexpr bool has_part =
+      shared_detail::place_of<Recipe>(std::type_identity<Recipes>{}) < part_count;
 
   template <Name which>
-  static constexpr bool has_rigid = detail::number_among(detail::rigids_of<Parts>::found.second, which.word(),
-                                                         which.number) < rigid_count;
+  static constexpr bool has_rigid = shared_detail::number_among(shared_detail::rigids_of<Parts>::found.second,
+                                                                which.word(), which.number) < rigid_count;
   template <Name which>
   static constexpr std::size_t body_number() {
     return body_place<which>();
@@ -233,7 +236,7 @@ struct Scene {
 
   /// Number of a body; throws `error` that names the `option` if the scene has no such body.
   std::size_t number_of(const BodyName& name, std::string_view option) const {
-    const std::size_t k = detail::number_among(BodiesOf::names, name.word, name.number);
+    const std::size_t k = shared_detail::number_among(BodiesOf::names, name.word, name.number);
     const std::string shown = name.word.empty() ? std::to_string(name.number) : name.word;
     require(k < number_of_bodies(), option, shown, "must be the number or the name of a body of the scene");
     return k;
@@ -246,7 +249,7 @@ struct Scene {
 
   /// Over a portion of a mesh: gives the warnings about a new scene, once; all scenes over the mesh ask at once.
   void warn_when_new() requires is_portion {
-    if (communicator().least(unseen ? 1 : 0) == 1) detail::warn_about_new_scene(*this, *unseen);
+    if (communicator().least(unseen ? 1 : 0) == 1) shared_detail::warn_about_new_scene(*this, *unseen);
     unseen.reset();
   }
   template <class Self = Scene>  // only asked for where there is one
@@ -318,7 +321,7 @@ struct Scene {
   template <Name which>
   static constexpr std::size_t body_place() {
     static_assert(!lists_bodies, "Scene: the bodies of a list are numbered at run time: say body(number)");
-    constexpr std::size_t k = detail::number_among(BodiesOf::names, which.word(), which.number);
+    constexpr std::size_t k = shared_detail::number_among(BodiesOf::names, which.word(), which.number);
     static_assert(k < body_count,
                   "Scene: no such body; say body<\"name\">() of fill<\"name\">(..), or "
                   "body<number>(); body() is the only one");
@@ -326,8 +329,8 @@ struct Scene {
   }
   template <Name which>
   static constexpr std::size_t rigid_place() {
-    constexpr auto found = detail::rigids_of<Parts>::found;
-    constexpr std::size_t k = detail::number_among(found.second, which.word(), which.number);
+    constexpr auto found = shared_detail::rigids_of<Parts>::found;
+    constexpr std::size_t k = shared_detail::number_among(found.second, which.word(), which.number);
     static_assert(k < rigid_count,
                   "Scene: no such rigid body; say rigid<\"name\">() of rigid<\"name\">(..), "
                   "or rigid<number>(); rigid() is the only one");
@@ -345,9 +348,9 @@ struct Scene {
   Scene(Nothing, K kinematics_value, M&& mesh_value, N numerics_value, const Given&... given);
 
   static Parts bind(const M& mesh, const K& kinematics, const Given&... given) {
-    static_assert(detail::check_all_roles<Scene>(std::type_identity<Parts>{}));
+    static_assert(shared_detail::check_all_roles<Scene>(std::type_identity<Parts>{}));
     const TraitsType traits{mesh};
-    return detail::with_recipes_of(detail::Binder<TraitsType>{traits}, kinematics, given...);
+    return shared_detail::with_recipes_of(shared_detail::Binder<TraitsType>{traits}, kinematics, given...);
   }
 
 #ifdef __clang__
@@ -447,19 +450,21 @@ struct Scene {
 };
 
 template <class K, class M, class N, class... Given>
-Scene(K, M, N, Given...) -> Scene<detail::refused_unless<detail::is_complete_scene<K, M, N, Given...>(), K>,
-                                  M, N, type_erased_t<Given>...>;
+Scene(K, M, N, Given...)
+    -> Scene<shared_detail::refused_unless<shared_detail::is_complete_scene<K, M, N, Given...>(), K>, M, N,
+             type_erased_t<Given>...>;
 /// Two values cannot be a scene: without this guide the compiler would say so in its own words.
 template <class K, class M>
-Scene(K, M) -> Scene<detail::refused_unless<detail::is_complete_scene<K, M, void>(), K>, M, void>;
+Scene(K, M)
+    -> Scene<shared_detail::refused_unless<shared_detail::is_complete_scene<K, M, void>(), K>, M, void>;
 
 /// Replaces a scene that the compiler has refused: the mistake is already reported.
 template <class M, class N, class... Given>
-struct Scene<detail::Refused, M, N, Given...> {
+struct Scene<shared_detail::Refused, M, N, Given...> {
   Scene(const auto&...) {}
 };
 template <class... Given>
-using RefusedScene = Scene<detail::Refused, Given...>;
+using RefusedScene = Scene<shared_detail::Refused, Given...>;
 
 // Not within the class: there it would be inline, and compiled again in each unit in spite of an `extern
 // template`.
@@ -471,9 +476,9 @@ Scene<K, M, N, Given...>::Scene(Nothing, K kinematics_value, M&& mesh_value, N n
       numerics{numerics_value},
       blocks{make_blocks(mesh)},
       parts{bind(mesh, kinematics, given...)},
-      fields{make_fields(detail::find_bodies(given...).size())},
-      bodies{make_bodies(detail::find_bodies(given...),
-                         detail::grounds_of(*this, detail::find_bodies(given...)))} {
+      fields{make_fields(shared_detail::find_bodies(given...).size())},
+      bodies{make_bodies(shared_detail::find_bodies(given...),
+                         shared_detail::grounds_of(*this, shared_detail::find_bodies(given...)))} {
 #ifdef __clang__
   require_special_values();
 #endif
@@ -483,12 +488,12 @@ Scene<K, M, N, Given...>::Scene(Nothing, K kinematics_value, M&& mesh_value, N n
   for_each_part([&](auto& part) {
     if constexpr (connects<std::remove_reference_t<decltype(part)>, Scene>) part.connect(*this);
   });
-  const auto& recipe = detail::find_bodies(given...);
-  at_rest = detail::grounds_at_rest<M>(recipe, detail::grounds_of(*this, recipe));
+  const auto& recipe = shared_detail::find_bodies(given...);
+  at_rest = shared_detail::grounds_at_rest<M>(recipe, shared_detail::grounds_of(*this, recipe));
   if constexpr (!is_portion)
-    detail::warn_about_new_scene(*this, detail::new_scene(*this, recipe));
+    shared_detail::warn_about_new_scene(*this, shared_detail::new_scene(*this, recipe));
   else if (!drops_warnings())
-    unseen = detail::new_scene(*this, recipe);
+    unseen = shared_detail::new_scene(*this, recipe);
 }
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

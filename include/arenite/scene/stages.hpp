@@ -267,7 +267,7 @@ void constrain(Scene& scene, double dt) {
 template <class Scene>
 void contact_impulses(Scene& scene, double dt) {
   scene.contact_tally = {};
-  const auto without_contact = detail::forces_from_rest(scene, dt);
+  const auto without_contact = shared_detail::forces_from_rest(scene, dt);
   if constexpr (Scene::Needs::contact) {
     detail::for_each_contact(scene, 0, 2, [&](auto& part) {
       using P = std::remove_reference_t<decltype(part)>;
@@ -281,7 +281,7 @@ void contact_impulses(Scene& scene, double dt) {
     scene.limited += scene.contact_tally.limited;
     scene.limited_momentum += scene.contact_tally.limited_momentum;
   }
-  detail::check_rest(scene, dt, without_contact);
+  shared_detail::check_rest(scene, dt, without_contact);
 }
 
 /// Exchange of momentum at light nodes (`LightNodes`), or beside the faces of a grid (`redistribute_at_faces`);

@@ -32,7 +32,7 @@ std::array<std::string, sizeof...(P)> part_paths(std::type_identity<std::tuple<P
   std::size_t number = 0, rigid = 0;
   const auto path = [&]<class Q>(std::type_identity<Q>) {
     const std::size_t place = number++;
-    if constexpr (is_rigid<Q>) {
+    if constexpr (shared_detail::is_rigid<Q>) {
       const std::size_t among = rigid++;
       return Q::name.word().empty() ? joined_text({"rigids/", among})
                                     : joined_text({"rigids/", Q::name.word()});

@@ -161,7 +161,7 @@ class Study(DriverTest):
         self.assertIn("codec can't decode", read("a,b\n", encoding="utf-16"))
 
     def test_convergence(self):
-        """What resolution.py repeats of the library's study/convergence.hpp: the numbers of tests/study/convergence.cpp."""
+        """What resolution.py repeats of the library's error_bar/convergence.hpp: the numbers of tests/error_bar/convergence.cpp."""
         with unittest.mock.patch.object(sys, "path", [shared.SCRIPTS, *sys.path]):
             import resolution
         for values, expected in (

@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
+#include <arenite/geometry/signed_distance.hpp>
 #include <arenite/rigid/body/pose.hpp>
-#include <arenite/rigid/body/signed_distance.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 

@@ -6,8 +6,8 @@
 
 #include <arenite/boundary/wall_sides.hpp>
 #include <arenite/core/cold.hpp>
+#include <arenite/geometry/signed_distance.hpp>
 #include <arenite/rigid/body/pose.hpp>
-#include <arenite/rigid/body/signed_distance.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET::detail {
 

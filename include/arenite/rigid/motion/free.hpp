@@ -7,9 +7,9 @@
 #include <limits>
 #include <utility>
 
-#include <arenite/boundary/place_function.hpp>
 #include <arenite/core/linear_solve.hpp>
 #include <arenite/core/vector_argument.hpp>
+#include <arenite/functions/place_function.hpp>
 #include <arenite/rigid/body/inertia.hpp>
 #include <arenite/rigid/body/pose.hpp>
 #include <arenite/rigid/motion/anchor.hpp>

@@ -5,8 +5,8 @@
 #include <array>
 #include <utility>
 
-#include <arenite/boundary/place_function.hpp>
 #include <arenite/core/vector_argument.hpp>
+#include <arenite/functions/place_function.hpp>
 #include <arenite/rigid/body/pose.hpp>
 #include <arenite/rigid/motion/spin_function.hpp>
 

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <string_view>
 
-#include <arenite/boundary/place_function.hpp>
 #include <arenite/core/error.hpp>
+#include <arenite/functions/place_function.hpp>
 #include <arenite/rigid/body/pose.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {

@@ -10,9 +10,9 @@
 #include <vector>
 
 #include <arenite/contact/hold.hpp>
-#include <arenite/core/contact_tally.hpp>
 #include <arenite/core/tensor.hpp>
 #include <arenite/parallel/communicator.hpp>
+#include <arenite/part/contact_tally.hpp>
 #include <arenite/rigid/body/pose.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {

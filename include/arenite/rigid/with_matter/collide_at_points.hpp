@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <optional>
 
-#include <arenite/core/contact_tally.hpp>
+#include <arenite/part/contact_tally.hpp>
 #include <arenite/rigid/with_matter/collide.hpp>
 #include <arenite/rigid/with_matter/point_contact.hpp>
 

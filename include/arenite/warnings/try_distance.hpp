@@ -1,0 +1,110 @@
+// Trial of a signed distance when a scene is made: at a bounded number of places, to find users' errors.
+#pragma once
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include <arenite/core/error.hpp>
+#include <arenite/core/warning.hpp>
+#include <arenite/geometry/signed_distance.hpp>
+#include <arenite/parallel/communicator.hpp>
+
+namespace arenite::inline ARENITE_INSTRUCTION_SET::shared_detail {
+
+/// Number k of a sequence that fills [0, 1) evenly (Weyl's).
+inline double spread(std::size_t k, double step = 0.6180339887498949) {
+  const double x = static_cast<double>(k) * step;
+  return x - std::floor(x);
+}
+
+/// Numbers below `size`, spread over them: all, or `most`.
+std::vector<Index> spread_numbers(std::size_t size, std::size_t most);
+
+/// The distances at some places, m. Throws `error` that names one where it is NaN.
+std::vector<double> tried_distances(const AnyDistance& distance,
+                                    const std::vector<AnyDistance::Position>& places);
+
+/// The median of the magnitudes of the gradient at the places that are nearest to the surface, -, by central
+/// differences; 1 if none of them is finite. The nearest are those of the least distance, in
+/// whatever unit that is. Differences are over 1e-4 of `sizes`, m, one a place.
+double median_gradient(const AnyDistance& distance, const std::vector<AnyDistance::Position>& places,
+                       const std::vector<double>& sizes, const std::vector<double>& at_places,
+                       std::size_t dim);
+
+/// Places near nodes of a mesh.
+struct MeshPlaces {
+  using Position = AnyDistance::Position;
+  std::vector<Position> places{};  ///< off the nodes by up to half a cell, within the box around the mesh, m
+  std::vector<double> sizes{};     ///< of the cells there, m
+  Position lower{}, upper{};       ///< of the box, m
+
+  bool covers(const Position& x) const {
+    for (std::size_t k = 0; k < x.size(); ++k)
+      if (x[k] < lower[k] || x[k] > upper[k]) return false;
+    return true;
+  }
+};
+
+/// At most `most` of them, spread over the nodes for which `is_meant(position, size)`. Off the nodes: faces
+/// and planes of symmetry of a body, where the distance has a kink, pass through nodes. Scenes over the
+/// portions of one mesh find the same places, those of the whole mesh.
+template <class Scene, class IsMeant>
+MeshPlaces mesh_places(const Scene& scene, std::size_t most, IsMeant&& is_meant) {
+  constexpr std::array<double, 3> stride{0.7548776662466927, 0.5698402909980532, 0.8191725133961645};
+  typename Scene::Nodes nodes(scene.mesh);
+  if constexpr (Scene::is_portion) nodes.set_whole(scene.portion().lower, scene.portion().upper);
+  MeshPlaces found{.lower = in_space(nodes.lower()), .upper = in_space(nodes.upper())};
+  const auto owns = scene.node_owner();
+  std::vector<Index> meant;
+  for (Index i = 0; i < nodes.size(); ++i)
+    if (owns(i) && nodes.is_used(i) &&
+        is_meant(in_space(nodes.position(i)), static_cast<double>(scene.mesh.node_size(i))))
+      meant.push_back(i);
+  constexpr std::size_t row = 5;
+  std::vector<double> close;  // of each node its number, position and size
+  for (const Index n : spread_numbers(meant.size(), most)) {
+    const Index i = meant[n];
+    const auto x = in_space(nodes.position(i));
+    double number = i;
+    if constexpr (Scene::is_portion) number = static_cast<double>(scene.portion().whole_node[i]);
+    close.insert(close.end(), {number, x[0], x[1], x[2], static_cast<double>(scene.mesh.node_size(i))});
+  }
+  if constexpr (Scene::is_portion) close = scene.communicator().gather(close);
+  std::vector<std::size_t> order(close.size() / row);
+  for (std::size_t k = 0; k < order.size(); ++k) order[k] = row * k;
+  if constexpr (Scene::is_portion) std::ranges::sort(order, {}, [&](std::size_t k) { return close[k]; });
+  for (const Index n : spread_numbers(order.size(), most)) {
+    const double* const node = &close[order[n]];
+    MeshPlaces::Position x{node[1], node[2], node[3]};
+    const double size = node[4];
+    for (std::size_t k = 0; k < x.size(); ++k)
+      x[k] = std::clamp(x[k] + (spread(found.places.size() + 1, stride[k]) - 0.5) * size, found.lower[k],
+                        found.upper[k]);
+    found.places.push_back(x);
+    found.sizes.push_back(size);
+  }
+  return found;
+}
+
+/// Throws `error` where a distance is NaN at one of the places. Warns where its gradient is not 1, as that of
+/// a distance in another unit. `dim`: of the scene.
+void try_distance_at(const AnyDistance& distance, const MeshPlaces& close, const std::string& body,
+                     std::size_t dim);
+
+/// Tries the distance of a rigid body, called `body`, near the nodes of the mesh: less than 2,000 places.
+/// Throws and warns as `try_distance_at`.
+template <class Scene>
+void try_distance(const Scene& scene, const AnyDistance& distance, const std::string& body) {
+  const auto places = mesh_places(scene, 1024, [](const auto&, double) { return true; });
+  if (is_reporter(scene)) try_distance_at(distance, places, body, Scene::D);
+}
+
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET::shared_detail
+
+#ifndef ARENITE_COLD_LIBRARY
+#include <arenite/warnings/try_distance_cold.hpp>
+#endif

@@ -10,7 +10,7 @@ install(TARGETS arenite EXPORT arenite-targets)
 install(EXPORT arenite-targets NAMESPACE arenite:: DESTINATION ${package_dir} COMPONENT library)
 
 configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/arenite-config.cmake.in ${PROJECT_BINARY_DIR}/arenite-config.cmake
-                              INSTALL_DESTINATION ${package_dir} PATH_VARS src_dir)
+                              INSTALL_DESTINATION ${package_dir} PATH_VARS src_dir CMAKE_INSTALL_INCLUDEDIR)
 set(compatibility SameMajorVersion)
 if(PROJECT_VERSION_MAJOR EQUAL 0)
   set(compatibility SameMinorVersion)  # before 1.0 a minor version may break what came before it

@@ -6,41 +6,36 @@
 
 #include <arenite/arenite.hpp>
 
-// The types, as macros: the language allows no alias in an explicit instantiation.
-#define ARENITE_PLANE_SAND                                                                                   \
-  Scene<PlaneStrain, CartesianGrid<2>, Numerics<QuadraticBSpline, Apic>, Bodies<Fill<MohrCoulomb<>>>, Walls, \
-        Gravity>
-#define ARENITE_PUSHED_INTO_SAND                                                                        \
-  Scene<Axisymmetric, CartesianGrid<2>, Numerics<QuadraticBSpline>, Bodies<Fill<MohrCoulomb<>>>, Walls, \
-        Gravity, Rigid<DistanceSurface<>, Prescribed>>
-#define ARENITE_SAND                                                                                       \
-  Scene<ThreeDimensional, CartesianGrid<3>, Numerics<QuadraticBSpline, Apic>, Bodies<Fill<MohrCoulomb<>>>, \
-        Walls, Gravity>
-#define ARENITE_DROPPED_INTO_SAND                                                                          \
-  Scene<ThreeDimensional, CartesianGrid<3>, Numerics<QuadraticBSpline, Apic>, Bodies<Fill<MohrCoulomb<>>>, \
-        Walls, Gravity, Rigid<DistanceSurface<>, Guided>>
-
-/// The compiled parts of a composition: declared here with `extern`, defined in src/compositions without it.
-#define ARENITE_COMPOSITION(EXTERN, name, ...) \
-  EXTERN template struct __VA_ARGS__;          \
-  ARENITE_STEP(EXTERN, compositions::name)
+/// One composition: its alias in `compositions`, and its compiled parts, declared with `extern`, but in the
+/// unit that defines ARENITE_COMPILE_<name> as `~,`: CMake writes it, one for each line below that begins with
+/// this name (cmake/compiled.cmake). The type is spelled out: an explicit instantiation takes no alias.
+#define ARENITE_COMPOSITION(name, ...)                                          \
+  namespace compositions {                                                      \
+  using name = __VA_ARGS__;                                                     \
+  }                                                                             \
+  ARENITE_SECOND(ARENITE_COMPILE_##name, extern, ) template struct __VA_ARGS__; \
+  ARENITE_STEP(ARENITE_SECOND(ARENITE_COMPILE_##name, extern, ), compositions::name)
+#define ARENITE_SECOND(...) ARENITE_SECOND_OF(__VA_ARGS__)
+#define ARENITE_SECOND_OF(first, second, ...) second
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
-namespace compositions {
 /// Sand between walls, in the plane.
-using PlaneSand = ARENITE_PLANE_SAND;
-/// Sand into which a rigid body of any shape is pushed, axisymmetric.
-using PushedIntoSand = ARENITE_PUSHED_INTO_SAND;
-/// Sand between walls, in space.
-using Sand = ARENITE_SAND;
-/// Sand into which a rigid body of any shape falls along a guide, in space.
-using DroppedIntoSand = ARENITE_DROPPED_INTO_SAND;
-}  // namespace compositions
+ARENITE_COMPOSITION(PlaneSand, Scene<PlaneStrain, CartesianGrid<2>, Numerics<QuadraticBSpline, Apic>,
+                                     Bodies<Fill<MohrCoulomb<>>>, Walls, Gravity>);
 
-ARENITE_COMPOSITION(extern, PlaneSand, ARENITE_PLANE_SAND);
-ARENITE_COMPOSITION(extern, PushedIntoSand, ARENITE_PUSHED_INTO_SAND);
-ARENITE_COMPOSITION(extern, Sand, ARENITE_SAND);
-ARENITE_COMPOSITION(extern, DroppedIntoSand, ARENITE_DROPPED_INTO_SAND);
+/// Sand into which a rigid body of any shape is pushed, axisymmetric.
+ARENITE_COMPOSITION(PushedIntoSand,
+                    Scene<Axisymmetric, CartesianGrid<2>, Numerics<QuadraticBSpline>,
+                          Bodies<Fill<MohrCoulomb<>>>, Walls, Gravity, Rigid<DistanceSurface<>, Prescribed>>);
+
+/// Sand between walls, in space.
+ARENITE_COMPOSITION(Sand, Scene<ThreeDimensional, CartesianGrid<3>, Numerics<QuadraticBSpline, Apic>,
+                                Bodies<Fill<MohrCoulomb<>>>, Walls, Gravity>);
+
+/// Sand into which a rigid body of any shape falls along a guide, in space.
+ARENITE_COMPOSITION(DroppedIntoSand,
+                    Scene<ThreeDimensional, CartesianGrid<3>, Numerics<QuadraticBSpline, Apic>,
+                          Bodies<Fill<MohrCoulomb<>>>, Walls, Gravity, Rigid<DistanceSurface<>, Guided>>);
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -142,11 +142,26 @@ void add_read(Checks& checks) {
   (checks.emplace(detail::display_name<T>(), &reads<T>), ...);
 }
 
+/// What a recipe is called: its type's name without arguments; both of `CorrectedFlip` by their own.
+template <class T>
+std::string word() {
+  const std::string all = type_words<T>();
+  return all.substr(0, all.find('<'));
+}
+template <>
+std::string word<Fmpm>() {
+  return "Fmpm";
+}
+template <>
+std::string word<Xpic>() {
+  return "Xpic";
+}
+
 /// Those of a family that have parameters.
 template <class Family>
-void add_policies(Checks& checks) {
+void add_family(Checks& checks) {
   Family::each([&]<class P>(std::type_identity<P>) {
-    if constexpr (requires { typename P::Parameters; }) add_read<P>(checks);
+    if constexpr (!std::is_empty_v<P>) checks.emplace(word<P>(), &reads<P>);
   });
 }
 
@@ -155,14 +170,13 @@ Checks made() {
   add_laws<MohrCoulomb>(checks, "MohrCoulomb");
   add_laws<DruckerPrager>(checks, "DruckerPrager");
   add_read<LinearElastic>(checks);
-  add_policies<Memories>(checks);
-  add_policies<Frictions>(checks);
-  add_policies<Stiffnesses>(checks);
-  add_read<Flip, Aflip, ElementAverage, NodalAndElementAverage>(checks);
+  add_family<Memories>(checks);
+  add_family<Frictions>(checks);
+  add_family<Stiffnesses>(checks);
+  add_family<Transfers>(checks);
+  add_read<ElementAverage, NodalAndElementAverage>(checks);
   add_read<ViscousDamping, LocalDamping, Coulomb<>, FrictionalWall, FaceTraction, BodyForce, PointLoad,
            Prescribed>(checks);
-  checks.emplace("Fmpm", &reads<Fmpm>);  // the one and the other of `CorrectedFlip`
-  checks.emplace("Xpic", &reads<Xpic>);
   checks.emplace("Watch", [](const Value& values) {
     Watch(read<WatchLimits>(values, ReadContext{.name = "WatchLimits"}));
   });
@@ -202,19 +216,6 @@ const Checks& checks() {
 
 using Refusals = std::map<std::vector<std::string>, const char*>;
 
-template <class T>
-std::string word() {
-  const std::string all = type_words<T>();
-  return all.substr(0, all.find('<'));
-}
-template <>
-std::string word<Fmpm>() {
-  return "Fmpm";
-}
-template <>
-std::string word<Xpic>() {
-  return "Xpic";
-}
 template <class Shape, class Transfer, class Order>
 void refuse_order(Refusals& refused) {
   constexpr bool maps_back = Order::maps_back && !returns_unchanged<Transfer, Shape>;
@@ -224,15 +225,14 @@ void refuse_order(Refusals& refused) {
   if (maps_back && Shape::constant_gradient && Transfer::affine)
     refused[{word<Shape>(), word<Transfer>(), word<Order>()}] = ARENITE_SAYS_MUSL_WITHOUT_GRADIENT;
 }
-template <class Shape, class... Transfer>
+template <class Shape>
 void refuse_transfers(Refusals& refused) {
-  const auto look = [&]<class T>(std::type_identity<T>) {
+  Transfers::each([&]<class T>(std::type_identity<T>) {
     if (!T::template fits<Shape>)
       refused[{word<Shape>(), word<T>()}] = ARENITE_SAYS_TRANSFER_SHAPE;
     else
       refuse_order<Shape, T, Musl>(refused);
-  };
-  (look(std::type_identity<Transfer>{}), ...);
+  });
 }
 template <class Shape, class... AntiLocking>
 void refuse_anti_locking(Refusals& refused) {
@@ -294,7 +294,7 @@ Refusals refusals() {
   refused[{"RigidContact", "CentreOfMass"}] = ARENITE_SAYS_RIGID_CONTACT_CENTRE;
   refused[{"RigidContact", "PointContact"}] = ARENITE_SAYS_RIGID_CONTACT_POINTS;
   const auto of_shape = [&]<class Shape>(std::type_identity<Shape>) {
-    refuse_transfers<Shape, Flip, Apic, Tpic, Aflip, Fmpm, Xpic>(refused);
+    refuse_transfers<Shape>(refused);
     refuse_anti_locking<Shape, NoAntiLocking, NodalAveraging, ElementAverage, NodalAndElementAverage>(
         refused);
     refuse_meshes<Shape, CartesianGrid<2, double>, RectilinearGrid<2, double>,

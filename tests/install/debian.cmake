@@ -27,7 +27,7 @@ endfunction()
 string(REPLACE "." "\\." dotted "${version}")
 check(library libarenite-dev_${version}_all.deb
       "Package: libarenite-dev;Version: ${dotted};Architecture: all;Depends: libeigen3-dev \\(>= 3\\.4\\)"
-      "include/arenite/arenite\\.hpp;share/cmake/arenite/arenite-config\\.cmake;share/pkgconfig/arenite\\.pc;share/arenite/src/compositions/sand\\.cpp;share/arenite/src/cold/cold\\.cpp")
+      "include/arenite/arenite\\.hpp;share/cmake/arenite/arenite-config\\.cmake;share/pkgconfig/arenite\\.pc;share/arenite/src/cold/cold\\.cpp")
 if("driver" IN_LIST CPACK_COMPONENTS_ALL AND EXISTS ${build}/examples/ffp/arenite-ffp)
   check(driver arenite-ffp_${version}_*.deb "Package: arenite-ffp;Version: ${dotted};Depends: [^\n]*libstdc[^\n]*"
         "bin/arenite-ffp;share/arenite/ffp/plot\\.py")

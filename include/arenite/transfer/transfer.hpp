@@ -6,6 +6,7 @@
 #include <concepts>
 
 #include <arenite/core/role_names.hpp>
+#include <arenite/core/type_family.hpp>
 #include <arenite/transfer/aflip.hpp>
 #include <arenite/transfer/apic.hpp>
 #include <arenite/transfer/flip.hpp>
@@ -55,6 +56,9 @@ inline constexpr bool returns_unchanged = [] {
   else
     return false;
 }();
+
+/// The library's transfers: the one list, from which comes what Python reads, checks and refuses.
+using Transfers = TypeFamily<Flip, Apic, Tpic, Aflip, Fmpm, Xpic>;
 
 // The order of the stress update: `maps_back`, whether strains are computed from velocities that the points
 // return at the end of the step; `strains_first`, whether they are computed before the forces.

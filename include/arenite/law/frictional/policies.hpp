@@ -4,8 +4,7 @@
 #pragma once
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include <type_traits>
-
+#include <arenite/core/type_family.hpp>
 #include <arenite/law/frictional/inertial_friction.hpp>
 #include <arenite/law/frictional/linear_rate_friction.hpp>
 #include <arenite/law/frictional/logarithmic_friction.hpp>
@@ -17,22 +16,9 @@
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
-/// Types of a family, the default first.
-template <class... Policy>
-struct PolicyFamily {
-  template <template <class...> class Template>
-  using in = Template<Policy...>;
-
-  /// Calls `call(std::type_identity<Policy>{})` for each.
-  template <class Call>
-  static constexpr void each(const Call& call) {
-    (call(std::type_identity<Policy>{}), ...);
-  }
-};
-
-using Memories = PolicyFamily<ForgetsOpening, RemembersOpening>;
-using Frictions = PolicyFamily<ConstantFriction, LinearRateFriction, InertialFriction, LogarithmicFriction,
-                               SofteningFriction, RateSofteningFriction>;
-using Stiffnesses = PolicyFamily<ConstantStiffness, PressureStiffness, RateStiffness>;
+using Memories = TypeFamily<ForgetsOpening, RemembersOpening>;
+using Frictions = TypeFamily<ConstantFriction, LinearRateFriction, InertialFriction, LogarithmicFriction,
+                             SofteningFriction, RateSofteningFriction>;
+using Stiffnesses = TypeFamily<ConstantStiffness, PressureStiffness, RateStiffness>;
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET

@@ -142,7 +142,7 @@ void add_read(Checks& checks) {
   (checks.emplace(detail::display_name<T>(), &reads<T>), ...);
 }
 
-/// What a recipe is called: its type's name without arguments; both of `CorrectedFlip` by their own.
+/// Name of a recipe: that of its type without arguments; both of `CorrectedFlip` by their own.
 template <class T>
 std::string word() {
   const std::string all = type_words<T>();

@@ -124,7 +124,7 @@ def names(xml: Path) -> str:
         for e in (e for elements in found.values() for e in elements):
             name = (e.findtext("name") or e.findtext("compoundname")).removeprefix("arenite::")
             where = e.find("location")
-            header = re.sub(r"^arenite/|_cold(?=\.hpp)", "", where.get("declfile") or where.get("file"))
+            header = re.sub(r"^arenite/", "", where.get("declfile") or where.get("file"))
             words = " ".join(filter(None, (_plain_words(e.find(kind)) for kind in ("briefdescription", "detaileddescription"))))
             said = re.split(r"(?:[.;]|: .*) (?=[A-Z`-])|: |; |[.]$", re.sub(r" \((?:[^()]|\([^()]*\))*\b\d{4}\b(?:[^()]|\([^()]*\))*\)", "", words))[0]
             rows[name, header] = max(rows.get((name, header), ""), said, key=len)  # of the overloads

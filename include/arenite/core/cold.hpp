@@ -1,9 +1,15 @@
 // Cold functions: what runs rarely and is no template over a scene, such as messages, checks and files. They are declared in their header
-// and defined in one beside it, `x_cold.hpp` for `x.hpp`. A program that only includes the headers compiles them, as inline functions;
-// one that links the target arenite::cold (which sets ARENITE_COLD_LIBRARY) takes them from there, compiled once. ARENITE_ONCE is for
-// those that are no templates either, but run often: the pool of threads.
+// and defined at its end, `#if ARENITE_HAS_COLD`, with the includes that only they need. A program that only includes the headers
+// compiles them, as inline functions; in one that links the target arenite::cold (which sets ARENITE_COLD_LIBRARY) they are compiled once,
+// in the unit that includes cold.hpp. ARENITE_ONCE is for those that are no templates either, but run often: the pool of threads.
 #pragma once
 // SPDX-License-Identifier: BSD-3-Clause
+
+#if defined(ARENITE_COLD_LIBRARY) && !defined(ARENITE_COLD_HERE)
+#define ARENITE_HAS_COLD 0
+#else
+#define ARENITE_HAS_COLD 1
+#endif
 
 #ifdef ARENITE_COLD_LIBRARY
 #define ARENITE_ONCE

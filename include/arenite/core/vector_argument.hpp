@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <string_view>
 
+#include <arenite/core/cold.hpp>
 #include <arenite/core/error.hpp>
 #include <arenite/core/tensor.hpp>
 
@@ -54,6 +55,22 @@ Vec<T, D> direction_argument(std::string_view name, const std::array<double, 3>&
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET
 
-#ifndef ARENITE_COLD_LIBRARY
-#include <arenite/core/vector_argument_cold.hpp>
-#endif
+#if ARENITE_HAS_COLD
+
+#include <cmath>
+
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
+
+ARENITE_COLD void check_vector_argument(std::string_view name, const std::array<double, 3>& given,
+                                        int dimensions) {
+  for (int k = 0; k < 3; ++k) {
+    const double component = given[static_cast<std::size_t>(k)];
+    require(std::isfinite(component), name, component, "must be finite");
+    require(k < dimensions || component == 0, name, component,
+            "must be zero along an axis that the scene does not have");
+  }
+}
+
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET
+
+#endif  // ARENITE_HAS_COLD

@@ -11,7 +11,8 @@
 #include <vector>
 
 #include <arenite/parallel/communicator.hpp>
-#include <arenite/scene/scene.hpp>
+#include <arenite/part/part_energy.hpp>
+#include <arenite/part/roles.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 

@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include <arenite/core/cold.hpp>
 #include <arenite/core/error.hpp>
 #include <arenite/core/lists.hpp>
 #include <arenite/core/scalar.hpp>
@@ -226,6 +227,21 @@ class CellList {
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET
 
-#ifndef ARENITE_COLD_LIBRARY
-#include <arenite/particles/cell_list_cold.hpp>
-#endif
+#if ARENITE_HAS_COLD
+
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
+
+ARENITE_COLD void CellList::build(const std::vector<Index>& cell, Index cell_count) {
+  require(std::is_sorted(cell.begin(), cell.end()), "CellList: points", cell.size(),
+          "must be sorted by cell");
+  begin_rows(start_, cell_count, [&](auto&& count) {
+    for (const Index c : cell) count(c);
+  });
+  owned_.resize(cell_count);
+  own_all();
+  reserve(cell.size());
+}
+
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET
+
+#endif  // ARENITE_HAS_COLD

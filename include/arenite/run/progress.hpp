@@ -49,6 +49,59 @@ class Progress {
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET
 
-#ifndef ARENITE_COLD_LIBRARY
-#include <arenite/run/progress_cold.hpp>
+#if ARENITE_HAS_COLD
+
+#include <chrono>
+#include <cmath>
+
+#if defined(__unix__) || defined(__APPLE__)
+#include <unistd.h>
 #endif
+
+#include <arenite/run/progress.hpp>
+
+namespace arenite::inline ARENITE_INSTRUCTION_SET {
+namespace detail {
+
+/// Time on the steady clock, s.
+ARENITE_COLD double steady_seconds() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+}  // namespace detail
+
+ARENITE_COLD Progress::Progress(double end, const ProgressOptions& options)
+    : end_{end},
+      stream_{options.stream},
+      tenths_{options.tenths},
+      last_{detail::steady_seconds()},
+      shown_{last_} {
+#if defined(__unix__) || defined(__APPLE__)
+  terminal_ = isatty(fileno(stream_)) != 0;
+#endif
+}
+
+ARENITE_COLD void Progress::look(double time, std::size_t steps, double time_step) {
+  const double now = detail::steady_seconds();
+  spent_ += now - last_;
+  last_ = now;
+  const double fraction = end_ > 0 ? time / end_ : 1;
+  const bool done = time >= end_;
+  if (terminal_) {
+    if (!done && now - shown_ < 0.5) return;
+  } else {
+    const int tenth = done ? 10 : static_cast<int>(10 * fraction);
+    if (tenth <= tenth_) return;
+    tenth_ = tenth;
+  }
+  shown_ = now;
+  const double left = fraction > 0 ? spent_ * (1 - fraction) / fraction : 0;
+  std::fprintf(stream_, "%s%5.1f %%  t = %.5f s  step %zu  dt = %.2e s  %.0f s left%s%s",
+               terminal_ ? "\r" : "", 100 * fraction, time, steps, time_step, std::ceil(left),
+               terminal_ ? "   " : "", done || !terminal_ ? "\n" : "");
+  std::fflush(stream_);
+}
+
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET
+
+#endif  // ARENITE_HAS_COLD

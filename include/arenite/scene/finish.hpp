@@ -8,7 +8,9 @@
 #include <type_traits>
 
 #include <arenite/core/cold.hpp>
-#include <arenite/scene/scene.hpp>
+#include <arenite/core/error.hpp>
+#include <arenite/core/tensor.hpp>
+#include <arenite/part/roles.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
@@ -76,6 +78,26 @@ void finish(Scene& scene, double dt) {
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET
 
-#ifndef ARENITE_COLD_LIBRARY
-#include <arenite/scene/finish_cold.hpp>
-#endif
+#if ARENITE_HAS_COLD
+
+#include <span>
+
+namespace arenite::inline ARENITE_INSTRUCTION_SET::detail {
+
+ARENITE_COLD void refuse_point(double time, std::size_t step, const BadPoint& point, std::size_t dimensions) {
+  const auto text = [&](const auto& vector) { return vector_text(std::span(vector).first(dimensions)); };
+  throw run_error(
+      joined_text({"t = ", time, " s, step ", step, ": point ", point.number, " of body ", point.body, " at ",
+                   text(point.place), " m has velocity ", text(point.velocity), " m/s, pressure ",
+                   point.pressure, " Pa, volume ", point.volume, " m3: no longer finite"}));
+}
+
+ARENITE_COLD void refuse_sums(double time, std::size_t step, const std::string& bodies) {
+  throw run_error(joined_text({"t = ", time, " s, step ", step,
+                               ": the sums of stress and volume over the points of body ", bodies,
+                               " are not finite, though every number of every point is: they overflow"}));
+}
+
+}  // namespace arenite::inline ARENITE_INSTRUCTION_SET::detail
+
+#endif  // ARENITE_HAS_COLD

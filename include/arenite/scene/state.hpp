@@ -13,7 +13,8 @@
 #include <vector>
 
 #include <arenite/core/state_value.hpp>
-#include <arenite/scene/scene.hpp>
+#include <arenite/part/parts.hpp>
+#include <arenite/part/roles.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 

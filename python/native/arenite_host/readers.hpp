@@ -1,5 +1,5 @@
 // Readers of what many scenes have: compiled once for all scenes of a program that defines
-// ARENITE_HOST_ELSEWHERE (host/reading.hpp), else where they are needed.
+// ARENITE_HOST_ELSEWHERE (arenite_host/reading.hpp), else where they are needed.
 #pragma once
 // SPDX-License-Identifier: BSD-3-Clause
 

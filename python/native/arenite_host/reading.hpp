@@ -13,7 +13,7 @@
 #include <arenite_host/value.hpp>
 
 // How a scene's recipes are read is compiled once for many scenes, if a program wants it: its units define
-// ARENITE_HOST_ELSEWHERE, and see only declarations; one of them, of host/readers.hpp, defines ARENITE_HOST_HERE.
+// ARENITE_HOST_ELSEWHERE, and see only declarations; one of them, of readers.hpp, defines ARENITE_HOST_HERE.
 #ifdef ARENITE_HOST_HERE
 #define ARENITE_READER
 #else

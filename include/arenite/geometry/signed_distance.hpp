@@ -40,6 +40,22 @@ class AnyDistance {
 
   /// Distances at some positions: one call for a block of them.
   void at(std::span<const Position> x, double* out) const { at_(x, out); }
+  /// Differences of the distance over the step h, m, to both sides of x along each axis, in one call: the
+  /// gradient times 2 h. Along z of two dimensions 0, with D = 3, too.
+  template <int D>
+  Vec<double, D> differences(const Position& x, double h) const {
+    std::array<Position, 2 * D> place;
+    std::array<double, 2 * D> distance;
+    place.fill(x);
+    for (std::size_t k = 0; k < D; ++k) {
+      place[2 * k][k] += h;
+      place[2 * k + 1][k] -= h;
+    }
+    at(place, distance.data());
+    Vec<double, D> g;
+    for (std::size_t k = 0; k < D; ++k) g[static_cast<int>(k)] = distance[2 * k] - distance[2 * k + 1];
+    return g;
+  }
   /// Box around the body, m; infinite where nothing is known.
   template <int D>
   Box<std::size_t{D}> bounds() const {

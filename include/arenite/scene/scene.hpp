@@ -125,6 +125,7 @@ struct Scene {
   [[no_unique_address]] Parts
       parts;  ///< the recipes bound to this mesh, in the order given; then the kinematics, if a part
   ByBody<Field, field_count> fields;          ///< node fields: one, or one a body
+  std::vector<GroundAtRest> at_rest;          ///< bodies that the first step checks
   BodyTuple bodies;                           ///< deformable bodies: a tuple, or a vector
   std::vector<Constraint<T, D>> constraints;  ///< of all parts
   [[no_unique_address]] std::conditional_t<Needs::drives, std::vector<Drive<T, D>>, Nothing>
@@ -135,8 +136,7 @@ struct Scene {
   double time = 0;       ///< s
   double time_step = 0;  ///< of the last step, s
   std::size_t steps = 0;
-  StepCheck step_check;               ///< of the lengths of steps
-  std::vector<GroundAtRest> at_rest;  ///< bodies that the first step checks
+  StepCheck step_check;  ///< of the lengths of steps
   [[no_unique_address]] std::conditional_t<is_portion, std::optional<shared_detail::NewScene>, Nothing>
       unseen;                   ///< over a portion of a mesh: data for warnings not given yet
   bool finite = true;           ///< no number of the points, nor their sums, have become NaN or infinite
@@ -417,7 +417,9 @@ struct Scene {
   }
 
   template <class Recipe>
-  BodyTuple make_bodies(const Recipe& recipe, const std::vector<Ground>& grounds) const {
+  BodyTuple make_bodies(const Recipe& recipe) {
+    const auto grounds = shared_detail::grounds_of(*this, recipe);
+    at_rest = shared_detail::grounds_at_rest<M>(recipe, grounds);
     const auto made = [&](const auto& fill, std::size_t number) {
       return make_body<K, extra_columns>(mesh, fill, cell_owner(), grounds[number]);
     };
@@ -477,8 +479,7 @@ Scene<K, M, N, Given...>::Scene(Nothing, K kinematics_value, M&& mesh_value, N n
       blocks{make_blocks(mesh)},
       parts{bind(mesh, kinematics, given...)},
       fields{make_fields(shared_detail::find_bodies(given...).size())},
-      bodies{make_bodies(shared_detail::find_bodies(given...),
-                         shared_detail::grounds_of(*this, shared_detail::find_bodies(given...)))} {
+      bodies{make_bodies(shared_detail::find_bodies(given...))} {
 #ifdef __clang__
   require_special_values();
 #endif
@@ -489,7 +490,6 @@ Scene<K, M, N, Given...>::Scene(Nothing, K kinematics_value, M&& mesh_value, N n
     if constexpr (connects<std::remove_reference_t<decltype(part)>, Scene>) part.connect(*this);
   });
   const auto& recipe = shared_detail::find_bodies(given...);
-  at_rest = shared_detail::grounds_at_rest<M>(recipe, shared_detail::grounds_of(*this, recipe));
   if constexpr (!is_portion)
     shared_detail::warn_about_new_scene(*this, shared_detail::new_scene(*this, recipe));
   else if (!drops_warnings())

@@ -40,9 +40,8 @@ class WallProbe {
  public:
   using Position = AnyDistance::Position;
 
-  /// For a scene of `dimension` dimensions and a body with this reach, in sizes of a cell.
-  WallProbe(const AnyDistance& distance, int dimension, double reach)
-      : distance_{&distance}, dimension_{static_cast<std::size_t>(dimension)}, reach_{reach} {}
+  /// For a body with this reach, in sizes of a cell.
+  WallProbe(const AnyDistance& distance, double reach) : distance_{&distance}, reach_{reach} {}
 
   /// The wall inside the face nearest to x, which lies at the distance d outside, in cells of this size, m.
   /// None where the body is thick, or where its faces are not opposed (within 18 deg): those of a wedge or a
@@ -52,7 +51,7 @@ class WallProbe {
     const Position face = moved(x, out, -d);
     if (!(std::abs(at(face)) < 0.01 * cell)) return {};  // a distance that is not exact here
     double rows = 0;
-    for (std::size_t k = 0; k < dimension_; ++k) rows = std::max(rows, std::abs(out[k]) * apart[k]);
+    for (std::size_t k = 0; k < out.size(); ++k) rows = std::max(rows, std::abs(out[k]) * apart[k]);
     const double safe = 2 * (rows - reach_ * cell);
     double inside = 0, through = 0;
     for (int k = 1; k <= 4 && through == 0; ++k) {
@@ -66,7 +65,7 @@ class WallProbe {
     }
     const auto other = normal(moved(face, out, -through - 1e-3 * cell), cell);
     double cosine = 0;
-    for (std::size_t k = 0; k < dimension_; ++k) cosine += out[k] * other[k];
+    for (std::size_t k = 0; k < out.size(); ++k) cosine += out[k] * other[k];
     if (!(cosine < -0.95)) return {};
     return ThinWall{through, safe, cell, face, moved(face, out, -through)};
   }
@@ -79,34 +78,24 @@ class WallProbe {
   }
   /// Unit vector by central differences; not finite where there is no slope.
   Position normal(const Position& x, double cell) const {
-    Position n{};
-    double square = 0;
-    for (std::size_t k = 0; k < dimension_; ++k) {
-      Position ahead = x, behind = x;
-      ahead[k] += 1e-4 * cell;
-      behind[k] -= 1e-4 * cell;
-      n[k] = at(ahead) - at(behind);
-      square += n[k] * n[k];
-    }
-    for (double& component : n) component /= std::sqrt(square);
-    return n;
+    const auto g = tried_differences(*distance_, x, 1e-4 * cell);
+    return in_space<double, 3>(g / g.norm());
   }
 
   const AnyDistance* distance_;
-  std::size_t dimension_;
   double reach_;
 };
 
 /// The thinnest of the walls that do not stop matter, if two or more are found from the places, on faces
 /// within the box of the mesh. Walks from at most 500 places.
 inline std::optional<ThinWall> thinnest_wall(const AnyDistance& distance, const WallPlaces& look,
-                                             int dimension, double reach) {
+                                             double reach) {
   const MeshPlaces& close = look.close;
   const auto d = tried_distances(distance, close.places);
   std::vector<std::size_t> beside;
   for (std::size_t k = 0; k < d.size(); ++k)
     if (d[k] > 0 && d[k] < 2 * close.sizes[k]) beside.push_back(k);
-  const WallProbe probe(distance, dimension, reach);
+  const WallProbe probe(distance, reach);
   std::optional<ThinWall> thinnest;
   int seen = 0;
   for (const Index n : spread_numbers(beside.size(), 500)) {
@@ -146,7 +135,7 @@ void warn_thin_walls(const Scene& scene, const AnyDistance& distance, double rea
       apart = in_space(whole.extent(c));
     look.apart.push_back(apart);
   }
-  const auto wall = thinnest_wall(distance, look, Scene::D, reach);
+  const auto wall = thinnest_wall(distance, look, reach);
   if (!wall) return;
   const auto hundredths = [](double x) { return std::round(100 * x) / 100; };
   const double cells = wall->thickness / wall->cell, safe = wall->safe / wall->cell;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -29,12 +30,14 @@ std::vector<Index> spread_numbers(std::size_t size, std::size_t most);
 std::vector<double> tried_distances(const AnyDistance& distance,
                                     const std::vector<AnyDistance::Position>& places);
 
+/// `AnyDistance::differences` in space. Throws `error` that names x where one is NaN.
+Vec<double, 3> tried_differences(const AnyDistance& distance, const AnyDistance::Position& x, double h);
+
 /// The median of the magnitudes of the gradient at the places that are nearest to the surface, -, by central
 /// differences; 1 if none of them is finite. The nearest are those of the least distance, in
 /// whatever unit that is. Differences are over 1e-4 of `sizes`, m, one a place.
 double median_gradient(const AnyDistance& distance, const std::vector<AnyDistance::Position>& places,
-                       const std::vector<double>& sizes, const std::vector<double>& at_places,
-                       std::size_t dim);
+                       const std::vector<double>& sizes, const std::vector<double>& at_places);
 
 /// Places near nodes of a mesh.
 struct MeshPlaces {
@@ -92,16 +95,15 @@ MeshPlaces mesh_places(const Scene& scene, std::size_t most, IsMeant&& is_meant)
 }
 
 /// Throws `error` where a distance is NaN at one of the places. Warns where its gradient is not 1, as that of
-/// a distance in another unit. `dim`: of the scene.
-void try_distance_at(const AnyDistance& distance, const MeshPlaces& close, const std::string& body,
-                     std::size_t dim);
+/// a distance in another unit.
+void try_distance_at(const AnyDistance& distance, const MeshPlaces& close, const std::string& body);
 
 /// Tries the distance of a rigid body, called `body`, near the nodes of the mesh: less than 2,000 places.
 /// Throws and warns as `try_distance_at`.
 template <class Scene>
 void try_distance(const Scene& scene, const AnyDistance& distance, const std::string& body) {
   const auto places = mesh_places(scene, 1024, [](const auto&, double) { return true; });
-  if (is_reporter(scene)) try_distance_at(distance, places, body, Scene::D);
+  if (is_reporter(scene)) try_distance_at(distance, places, body);
 }
 
 }  // namespace arenite::inline ARENITE_INSTRUCTION_SET::shared_detail
@@ -126,10 +128,16 @@ ARENITE_COLD std::vector<double> tried_distances(const AnyDistance& distance,
   return d;
 }
 
+ARENITE_COLD Vec<double, 3> tried_differences(const AnyDistance& distance, const AnyDistance::Position& x,
+                                              double h) {
+  const auto g = distance.differences<3>(x, h);
+  if (g.hasNaN()) throw error(refused_distance(x, std::numeric_limits<double>::quiet_NaN()));
+  return g;
+}
+
 ARENITE_COLD double median_gradient(const AnyDistance& distance,
                                     const std::vector<AnyDistance::Position>& places,
-                                    const std::vector<double>& sizes, const std::vector<double>& at_places,
-                                    std::size_t dim) {
+                                    const std::vector<double>& sizes, const std::vector<double>& at_places) {
   constexpr std::size_t most = 64;
   std::vector<std::size_t> nearest;
   for (std::size_t k = 0; k < places.size(); ++k)
@@ -137,22 +145,10 @@ ARENITE_COLD double median_gradient(const AnyDistance& distance,
   std::sort(nearest.begin(), nearest.end(),
             [&](std::size_t a, std::size_t b) { return std::abs(at_places[a]) < std::abs(at_places[b]); });
   nearest.resize(std::min(nearest.size(), most));
-  std::vector<AnyDistance::Position> beside;
-  for (const std::size_t k : nearest)
-    for (std::size_t i = 0; i < dim; ++i)
-      for (const double sign : {1.0, -1.0}) {
-        beside.push_back(places[k]);
-        beside.back()[i] += sign * 1e-4 * sizes[k];
-      }
-  const auto d = tried_distances(distance, beside);
   std::vector<double> gradients;
-  for (std::size_t n = 0; n < nearest.size(); ++n) {
-    double sum = 0;
-    for (std::size_t i = 0; i < dim; ++i) {
-      const double difference = d[2 * (dim * n + i)] - d[2 * (dim * n + i) + 1];
-      sum += difference * difference;
-    }
-    const double gradient = std::sqrt(sum) / (2e-4 * sizes[nearest[n]]);
+  for (const std::size_t k : nearest) {
+    const double gradient =
+        tried_differences(distance, places[k], 1e-4 * sizes[k]).norm() / (2e-4 * sizes[k]);
     if (std::isfinite(gradient)) gradients.push_back(gradient);
   }
   if (gradients.empty()) return 1;
@@ -163,9 +159,9 @@ ARENITE_COLD double median_gradient(const AnyDistance& distance,
 }
 
 ARENITE_COLD void try_distance_at(const AnyDistance& distance, const MeshPlaces& close,
-                                  const std::string& body, std::size_t dim) {
+                                  const std::string& body) {
   const auto d = tried_distances(distance, close.places);
-  const double gradient = median_gradient(distance, close.places, close.sizes, d, dim);
+  const double gradient = median_gradient(distance, close.places, close.sizes, d);
   if (!(gradient > 0.8 && gradient < 1.25))
     warn(joined_text(
         {"rigid body ", body, ": the gradient of its distance is ", gradient,

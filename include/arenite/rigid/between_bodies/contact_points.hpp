@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -118,9 +119,9 @@ class ContactPoints {
   }
   /// Central differences, not normalised.
   static V slope(const AnyDistance& distance, const V& x, double h) {
-    V g;
-    for (int k = 0; k < D; ++k)
-      g[k] = (at(distance, x + h * V::Unit(k)) - at(distance, x - h * V::Unit(k))) / (2 * h);
+    const auto place = in_space<double, D>(x);
+    const V g = distance.differences<D>(place, h) / (2 * h);
+    if (g.hasNaN()) throw run_error(refused_distance(place, std::numeric_limits<double>::quiet_NaN()));
     return g;
   }
   static bool is_beyond(const AnyDistance& distance, const V& from, const V& to, double distant) {

@@ -257,7 +257,8 @@ class BoundDistanceSurface {
       surface_.distance.at({at.data(), count}, distance.data());
       for (std::size_t k = 0; k < count; ++k) {
         if (distance[k] > (reach + tie) * cell[k]) continue;
-        const Vec<double, D> normal = to_scene(place, slope(at[k], 1e-4 * cell[k]));
+        const Vec<double, D> normal =
+            to_scene(place, surface_.distance.template differences<D>(at[k], 1e-4 * cell[k]).normalized());
         bool finite = std::isfinite(distance[k]);
         for (int i = 0; i < D; ++i) finite = finite && std::isfinite(normal[i]);
         if (!finite) throw run_error(refused_distance(at[k], distance[k]));
@@ -280,21 +281,6 @@ class BoundDistanceSurface {
   /// Whether a position is farther from the box around the body than reach, whatever the round-off.
   bool is_beyond(const Position& x, double reach, double cell) const {
     return surface_.distance.is_beyond(x, (reach + 1e-3) * cell);
-  }
-
-  /// Unit normal from central differences; zero where there is no slope.
-  Vec<double, D> slope(const Position& x, double h) const {
-    std::array<Position, 2 * D> place;
-    std::array<double, 2 * D> distance;
-    place.fill(x);
-    for (std::size_t k = 0; k < D; ++k) {
-      place[2 * k][k] += h;
-      place[2 * k + 1][k] -= h;
-    }
-    surface_.distance.at(place, distance.data());
-    Vec<double, D> g;
-    for (std::size_t k = 0; k < D; ++k) g[static_cast<int>(k)] = distance[2 * k] - distance[2 * k + 1];
-    return g.normalized();
   }
 
   DistanceSurface<> surface_;

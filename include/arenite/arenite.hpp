@@ -11,3 +11,4 @@
 #include <arenite/law/drive.hpp>
 #include <arenite/loads.hpp>
 #include <arenite/rigid.hpp>
+#include <arenite/rigid/between_bodies/rigid_contact.hpp>

@@ -1,5 +1,5 @@
 # Turns test files into executables and ctest tests: each file by itself, or, with ARENITE_TEST_TOGETHER, several files of a
-# folder as one unit. What the files share (headers, kernels, scenes' functions) is then compiled once: the nine files of
+# folder or of small folders as one unit. What the files share (headers, kernels, scenes' functions) is then compiled once: the nine files of
 # tests/boundary take 67 s of clang++'s time instead of 140. Each file keeps its own ctest test, a process with its cases alone, and its
 # own namespace in the unit.
 
@@ -73,9 +73,15 @@ function(arenite_test source selection)
   set_tests_properties(${test} ${tests} PROPERTIES TIMEOUT 900 ENVIRONMENT "ARENITE_THREADS=${ARENITE_TEST_THREADS}")
 endfunction()
 
+# Folders of few files make units together; in a unit no two files have one name.
+set(ground core simd parallel geometry error_bar io host)
+set(places fill particles)
+set(outside boundary load contact)
+set(time observe run)
+
 # arenite_tests(FILES): executables and ctest tests of test files.
 function(arenite_tests)
-  # Groups of files: of one folder, the same flags and the same scope, so that a larger scope adds units and compiles none anew.
+  # Groups of files: of one folder or several small ones, the same flags and the same scope, so that a larger scope adds units and compiles none anew.
   set(groups)
   foreach(source IN LISTS ARGN)
     string(REGEX REPLACE "\\.cpp$" "" path ${source})
@@ -96,6 +102,11 @@ function(arenite_tests)
       arenite_test_program(test.${test} ${which} ${source} ${source})
       arenite_test(${source} "" test.${test})
     else()
+      foreach(family ground places outside time)
+        if(folder IN_LIST ${family})
+          set(folder ${family})
+        endif()
+      endforeach()
       list(APPEND groups ${folder}.${scope}.${which})
       list(APPEND files_${folder}.${scope}.${which} ${source})
     endif()

@@ -25,17 +25,17 @@ if(CMAKE_BUILD_TYPE STREQUAL "Debug")  # under the sanitizers
   set(scope_of_files change)
   set(scope_of_others nightly)
   set(files_first
-      core/.* particles/.* io/.* geometry/.* mesh/.* error_bar/.* host/.* law/histories law/with_deviatoric_strain
+      core/.* simd/.* parallel/.* fill/.* particles/.* io/.* geometry/.* mesh/.* error_bar/.* host/.* law/histories law/with_deviatoric_strain
       boundary/walls contact/exchange run/saved_state run/every rigid/free_body
       scene/insert_remove scene/own_parts shape/ugimp transfer/g2p transfer/own_channels)
 else()
   set(scope_of_files quick)
   set(scope_of_others change)
   set(files_first
-      core/.* shape/.* mesh/.* particles/.* geometry/.* io/.* error_bar/.* host/.* ffp/.* contact/coulomb contact/mass_gradient
+      core/.* simd/.* parallel/.* fill/.* shape/.* mesh/.* particles/.* geometry/.* io/.* error_bar/.* host/.* ffp/.* contact/coulomb contact/mass_gradient
       law/elastic law/mohr_coulomb law/drucker_prager law/friction law/neo_hookean law/newtonian_fluid law/sand law/histories
-      boundary/walls boundary/loads observe/energy run/saved_state rigid/rigid_body rigid/point_contact
-      scene/bar scene/column scene/conservation scene/oedometer scene/state transfer/affine transfer/conservation_.* transfer/g2p
+      boundary/walls load/loads observe/energy run/saved_state rigid/rigid_body rigid/point_contact
+      physics/bar physics/column physics/conservation physics/oedometer scene/state transfer/affine transfer/conservation_.* transfer/g2p
       transfer/velocity)
 endif()
 list(JOIN files_first "|" files_first)

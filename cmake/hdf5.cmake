@@ -1,4 +1,4 @@
-# arenite::hdf5: Arenite with the HDF Group's C library, for the headers that need it (run/saved_hdf5.hpp, ..), where it is
+# arenite::hdf5: Arenite with the HDF Group's C library, for the headers that need it (observe/vtkhdf.hpp), where it is
 # found. Included by Arenite's build, and by its package for find_package(arenite COMPONENTS hdf5). CMake finds HDF5 by compiling C.
 include(CheckLanguage)
 check_language(C)

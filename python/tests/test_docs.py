@@ -17,8 +17,6 @@ SOURCE = Path(__file__).resolve().parents[2]
 PAGES = [SOURCE / "README.md", *sorted((SOURCE / "docs").glob("*.md"))]
 
 LEFT_OUT = {
-    ("restart.md", "python", 'state = h5py.File("column.h5")'): "the file is C++'s; tests/observe/check_hdf_files.py reads such a one",
-    ("restart.md", "cpp", "#include <arenite/run/saved_hdf5.hpp>"): "needs HDF5; tests/observe/hdf_files.cpp makes the same calls",
     ("compile_time.md", "cpp", "// slope.hpp"): "the header of slope.cpp, a sketch; arenite/compositions.hpp has such declarations, and tests/install/named.cpp uses them",
     ("python.md", "python", "sweep = ar.sweep(toe"): "its function must be one of a module; test_scene.py makes the same calls",
     ("many_machines.md", "python", "import arenite as ar\n\n\ndef toe"): "a script of its own; test_scene.py makes the same calls",

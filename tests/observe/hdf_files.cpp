@@ -1,145 +1,45 @@
-// HDF5 files: restored states continue with the same bits, and are refused as others are. check_hdf_files.py
-// reads the files that this test leaves with h5py, and compares them with the binary state file.
+// VTKHDF files: one run in one file, resumed and of tiles. check_hdf_files.py reads the files that this test leaves
+// with h5py, and compares them with VTU files.
 #include <algorithm>
 #include <arenite/arenite.hpp>
 #include <arenite/mesh/box_mesh.hpp>
 #include <arenite/observe/vtkhdf.hpp>
-#include <arenite/run/saved_hdf5.hpp>
+#include <arenite/run/saved_state.hpp>
 #include <arenite/tiles.hpp>
 #include <array>
-#include <chrono>
 #include <filesystem>
 #include <fstream>
-#include <random>
 #include <set>
-#include <thread>
 
 #include "../run/saved_files.hpp"
 #include "catch.hpp"
-#include "message.hpp"
-#include "state_buffer.hpp"
 
 using namespace arenite;
 using Catch::Matchers::Contains;
-using test::StateBuffer;
-using test::steps, test::content_of, test::write;
+using test::steps;
 
 namespace {
 
 /// A heap that falls and spreads, on a mesh or a portion of it.
 template <class... Portion>
-auto make_on(SimplexMesh<2> mesh, double friction, const Portion&... portion) {
-  return Scene{
-      PlaneStrain{},
-      std::move(mesh),
-      Numerics<LinearSimplex>{},
-      bodies(fill<"sand">(Box{{0., 0.}, {0.3, 0.4}},
-                          MohrCoulomb<RemembersOpening>{
-                              {.density = 1500, .young = 1e6, .poisson = 0.3, .friction = friction}})),
-      walls(bottom(fixed), left(roller)),
-      gravity({0, -9.81}),
-      PointIds{},
-      LocalDamping{},
-      portion...,
-      TrackEnergy{}};
+auto make_on(SimplexMesh<2> mesh, const Portion&... portion) {
+  return Scene{PlaneStrain{},
+               std::move(mesh),
+               Numerics<LinearSimplex>{},
+               bodies(fill<"sand">(Box{{0., 0.}, {0.3, 0.4}},
+                                   MohrCoulomb<RemembersOpening>{
+                                       {.density = 1500, .young = 1e6, .poisson = 0.3, .friction = 35_deg}})),
+               walls(bottom(fixed), left(roller)),
+               gravity({0, -9.81}),
+               PointIds{},
+               LocalDamping{},
+               portion...,
+               TrackEnergy{}};
 }
-MeshData<2> box(Index cells = 20) { return box_mesh<2>({{0, 0}, {1, 0.5}, {cells, cells / 2}}); }
-auto make(double friction = 35_deg, Index cells = 20) {
-  return make_on(SimplexMesh<2>(box(cells)), friction);
-}
+MeshData<2> box() { return box_mesh<2>({{0, 0}, {1, 0.5}, {20, 10}}); }
+auto make() { return make_on(SimplexMesh<2>(box())); }
 
 }  // namespace
-
-TEST_CASE("Saved as HDF5: a run goes on with the same bits; equal states are equal bytes") {
-  auto whole = make();
-  Watch seen({.lost = 1, .every = 7});
-  steps(whole, 40, seen);
-  save_state(whole, Hdf5State{"a.h5", "a recipe"}, seen);
-  save_state(whole, {"a.state", "a recipe"}, seen);  // for check_hdf_files.py
-  const StateBuffer saved(whole, seen);
-  steps(whole, 40, seen);
-  auto scene = make();
-  Watch again({.lost = 1, .every = 7});
-  restore_state(scene, Hdf5State{"a.h5", "a recipe"}, again);
-  CHECK(StateBuffer::first_difference(StateBuffer(scene, again), saved) == "");
-  std::this_thread::sleep_for(std::chrono::milliseconds(1100));  // a time in the file would have changed
-  save_state(scene, Hdf5State{"b.h5", "a recipe"}, again);
-  CHECK(content_of("b.h5") == content_of("a.h5"));
-  steps(scene, 40, again);
-  CHECK(StateBuffer::first_difference(StateBuffer(scene, again), StateBuffer(whole, seen)) == "");
-}
-
-TEST_CASE("Saved as HDF5: what is foreign or of another run is refused, and the scene stays as it was") {
-  auto scene = make();
-  steps(scene, 3);
-  Watch watch;
-  save_state(scene, Hdf5State{"mine.h5", "inputs 1"}, watch);
-  auto other = make();
-  const StateBuffer before(other);
-  const auto refusal = [&](auto& into, const Hdf5State& from, auto&... observers) {
-    return test::message([&] { restore_state(into, from, observers...); });
-  };
-  CHECK_THAT(refusal(other, Hdf5State{"mine.h5", "inputs 2"}, watch),
-             Contains("recipe: inputs 1; this one has recipe: inputs 2"));
-  CHECK_THAT(refusal(other, Hdf5State{"mine.h5", "inputs 1"}), Contains("values; this run has"));
-  auto due = every(1, [](const auto&) {});
-  CHECK_THAT(refusal(other, Hdf5State{"mine.h5", "inputs 1"}, due), Contains("has no observers/0/due"));
-  CHECK_THAT(refusal(other, Hdf5State{"none.h5"}), Contains("none.h5: no such file"));
-  auto finer = make(35_deg, 40);
-  CHECK_THAT(refusal(finer, Hdf5State{"mine.h5", "inputs 1"}, watch),
-             Contains("mesh: SimplexMesh<2,double>"));
-  save_state(scene, {"mine.state", "inputs 1"}, watch);
-  CHECK_THAT(refusal(other, Hdf5State{"mine.state", "inputs 1"}, watch),
-             Contains("has the format 1; this program reads here 1 in HDF5"));
-  CHECK_THAT(test::message([&] {
-               restore_state(other, {"mine.h5", "inputs 1"}, watch);
-             }),
-             Contains("has the format 1 in HDF5; this program reads 1"));
-  Hdf5File(std::filesystem::path("foreign.h5"), Hdf5Access::create).close();
-  CHECK_THAT(refusal(other, Hdf5State{"foreign.h5"}), Contains("is no state file of Arenite"));
-  CHECK(StateBuffer::first_difference(StateBuffer(other), before) == "");
-  CHECK_THROWS_AS(save_state(scene, Hdf5State{"no/such/folder/a.h5"}), output_error);
-  CHECK_THROWS_WITH(save_state(scene, Hdf5State{"mine.h5", "two\nlines"}), Contains("line break"));
-  CHECK_NOTHROW(restore_state(other, Hdf5State{"mine.h5", "inputs 1"}, watch));  // the old file is whole
-}
-
-TEST_CASE("Saved as HDF5: whole files of states that do not fit are refused") {
-  test::check_crafted([] { return make(); }, false,
-                      [terms = detail::state_terms(make(), "")](const auto& entries) {
-                        write_state_hdf5("crafted.h5", terms, entries);
-                      },
-                      [](auto& scene) { restore_state(scene, Hdf5State{"crafted.h5"}); });
-}
-
-TEST_CASE("Saved as HDF5: truncated and damaged files are refused") {
-  auto scene = make();
-  steps(scene, 5);
-  save_state(scene, Hdf5State{"whole.h5"});
-  const std::string whole = content_of("whole.h5");
-  auto other = make();
-  const StateBuffer before(other);
-  std::mt19937 random(7);
-  const auto refused = [&](const std::string& content, const std::string& reason) {
-    write("bad.h5", content);
-    REQUIRE_THROWS_WITH(restore_state(other, Hdf5State{"bad.h5"}),
-                        Contains("state file = bad.h5: ") && Contains(reason));
-  };
-  refused("", "is no state file of Arenite");
-  refused("arenite state 2" + whole.substr(15),
-          "has the format 2 in HDF5; this program reads here 1 in HDF5");
-  for (const std::size_t bytes :
-       {std::size_t{20}, std::size_t{511}, std::size_t{512}, whole.size() / 2, whole.size() - 1})
-    refused(whole.substr(0, bytes), "is truncated or damaged");
-  refused(whole + "x", "is truncated or damaged");
-  for (int k = 0; k < 200; ++k) {  // one bit somewhere
-    std::string damaged = whole;
-    const std::size_t place = random() % (k % 2 == 0 ? 600 : whole.size());
-    damaged[place] = static_cast<char>(damaged[place] ^ (1 << (random() % 8)));
-    CAPTURE(place);
-    refused(damaged, "");
-  }
-  CHECK(StateBuffer::first_difference(StateBuffer(other), before) == "");
-}
 
 TEST_CASE("VTKHDF: a run in one file, with points that get lost; resumed it goes on with the same steps") {
   std::filesystem::remove_all("series");
@@ -156,10 +56,10 @@ TEST_CASE("VTKHDF: a run in one file, with points that get lost; resumed it goes
   frame(5);
   remove_points<"sand">(scene, Box{{0., 0.3}, {0.3, 0.4}});
   frame(5);
-  save_state(scene, Hdf5State{"series.h5"}, series);
+  save_state(scene, {"series.state"}, series);
   frame(5);
   VtkhdfSeries resumed("series/run", options);  // without the last step, which is written again
-  restore_state(scene, Hdf5State{"series.h5"}, resumed);
+  restore_state(scene, {"series.state"}, resumed);
   steps(scene, 5);
   resumed(std::as_const(scene));
   const auto rows = [](const std::string& file, const std::string& name) {
@@ -198,7 +98,7 @@ TEST_CASE("VTKHDF: tiles write one file, with the points and cells of all; resto
   std::filesystem::remove_all("tiles");
   std::filesystem::remove_all("tiles_saved");
   const VtuOptions options{.mesh = true, .points = {.mass = true, .id = true}};
-  const auto portion = [](SimplexMesh<2> mesh, auto on) { return make_on(std::move(mesh), 35_deg, on); };
+  const auto portion = [](SimplexMesh<2> mesh, auto on) { return make_on(std::move(mesh), on); };
   auto whole = make();
   VtkhdfSeries alone("tiles/alone", options);
   OneRank here;

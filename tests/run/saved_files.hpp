@@ -34,10 +34,9 @@ inline void write(const std::string& path, const std::string& content) {
 
 /// Whole files, with a hash that fits, of states that do not: `save(entries)` writes one, `restore(scene)`
 /// must refuse it and leave the scene as it was. Each value in turn is shorter, longer, of another type,
-/// missing and doubled; then come numbers that no point or list may have. `takes_doubles`: whether the
-/// container can have a name twice.
+/// missing and doubled; then come numbers that no point or list may have.
 template <class Make, class Save, class Restore>
-void check_crafted(Make&& make, bool takes_doubles, Save&& save, Restore&& restore) {
+void check_crafted(Make&& make, Save&& save, Restore&& restore) {
   auto source = make(), scene = make(), untouched = make();
   steps(source, 3);
   const StateBuffer before(scene);
@@ -71,9 +70,9 @@ void check_crafted(Make&& make, bool takes_doubles, Save&& save, Restore&& resto
     entries.erase(entries.begin() + static_cast<std::ptrdiff_t>(k));
     refused(entries, "has no " + good[k].name);
     entries.push_back(good[k == 0 ? 1 : 0]);
-    if (takes_doubles) refused(entries, "has no " + good[k].name);
+    refused(entries, "has no " + good[k].name);
     entries.push_back(good[k]);
-    if (takes_doubles) refused(entries, "values; this run has");
+    refused(entries, "values; this run has");
   }
   std::vector<std::vector<char>> kept;
   const auto with = [&]<class Number>(const std::string& end, std::size_t at, Number value) {

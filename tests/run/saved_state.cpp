@@ -209,7 +209,7 @@ TEST_CASE("Saved: truncated and damaged files are refused") {
 }
 
 TEST_CASE("Saved: whole files of states that do not fit are refused, and the scene stays as it was") {
-  test::check_crafted([] { return make(); }, true,
+  test::check_crafted([] { return make(); },
                       [terms = detail::state_terms(make(), "")](const auto& entries) {
                         write_state_file("crafted.state", terms, entries);
                       },

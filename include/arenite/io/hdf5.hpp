@@ -62,8 +62,7 @@ class Hdf5Quiet {
 enum class Hdf5Access {
   read,
   change,
-  create,  ///< creates it, replacing an existing file
-  image    ///< only in memory: `Hdf5File::image`
+  create  ///< creates it, replacing an existing file
 };
 
 /// An HDF5 file, for a short time. Names are paths ("bodies/sand/points/mass"); "/" is the file itself. Each
@@ -74,8 +73,6 @@ class Hdf5File {
   /// `what` the file is, for messages.
   Hdf5File(std::filesystem::path path, Hdf5Access access, std::string what = "HDF5 file")
       : path_{std::move(path)}, what_{std::move(what)}, access_{access}, file_{open()} {}
-
-  static constexpr std::size_t image_start = 512;
 
   operator hid_t() const { return file_; }
 
@@ -125,29 +122,6 @@ class Hdf5File {
     put_attribute(where, name, H5T_NATIVE_INT64,
                   scalar ? std::vector<hsize_t>{} : std::vector<hsize_t>{values.size()}, values.data());
   }
-  /// Attributes of the file that are texts, in the order in which they were made.
-  std::vector<std::pair<std::string, std::string>> texts() const {
-    std::vector<std::string> names;
-    const auto keep = [](hid_t, const char* name, const H5A_info_t*, void* list) -> herr_t {
-      static_cast<std::vector<std::string>*>(list)->emplace_back(name);
-      return 0;
-    };
-    check(H5Aiterate2(file_, H5_INDEX_CRT_ORDER, H5_ITER_INC, nullptr, keep, &names), "",
-          "has attributes that cannot be read");
-    std::vector<std::pair<std::string, std::string>> all;
-    for (const std::string& name : names) {
-      const Hdf5Handle there =
-          handle(H5Aopen(file_, name.c_str(), H5P_DEFAULT), H5Aclose, name, "cannot be read");
-      const Hdf5Handle type = handle(H5Aget_type(there), H5Tclose, name, "has no type");
-      if (H5Tget_class(type) != H5T_STRING || H5Tis_variable_str(type) != 0) continue;
-      std::string value(H5Tget_size(type), '\0');
-      check(H5Aread(there, type, value.data()), name, "cannot be read");
-      value.resize(value.find_last_not_of('\0') + 1);
-      all.emplace_back(name, std::move(value));
-    }
-    return all;
-  }
-
   /// How an object is made: without times.
   Hdf5Handle creation(hid_t kind) const {
     Hdf5Handle list = handle(H5Pcreate(kind), H5Pclose, "", "has no list of properties");
@@ -155,15 +129,6 @@ class Hdf5File {
     return list;
   }
 
-  /// The file as bytes, to be written after the first `image_start` bytes, which are the writer's own
-  /// ("user block").
-  std::vector<char> image() const {
-    check(H5Fflush(file_, H5F_SCOPE_GLOBAL), "", "cannot be written");
-    const auto size = check(H5Fget_file_image(file_, nullptr, 0), "", "has no image");
-    std::vector<char> bytes(static_cast<std::size_t>(size));
-    check(H5Fget_file_image(file_, bytes.data(), bytes.size()), "", "has no image");
-    return bytes;
-  }
   /// Closes the file; what is left to be written is written now. Throws if it cannot be.
   void close() { check(file_.close(), "", "cannot be written; is the disk full?"); }
 
@@ -181,19 +146,14 @@ class Hdf5File {
   Hdf5Handle open() const {
     const Hdf5Handle by = handle(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "", "has no list of properties"),
                      made_by = creation(H5P_FILE_CREATE);
-    check(H5Pset_attr_creation_order(made_by, H5P_CRT_ORDER_TRACKED | H5P_CRT_ORDER_INDEXED), "",
-          "takes no properties");
-    if (access_ == Hdf5Access::image) {
-      check(H5Pset_fapl_core(by, std::size_t{1} << 24, false), "", "takes no properties");
-      check(H5Pset_userblock(made_by, image_start), "", "takes no properties");
-    }
     if (access_ == Hdf5Access::change)  // a reader may have it open meanwhile
       check(H5Pset_file_locking(by, false, true), "", "takes no properties");
     const std::string name = path_.string();
-    if (access_ == Hdf5Access::create) shared_detail::make_file(path_, path_);  // in the place of a link
-    if (access_ == Hdf5Access::create || access_ == Hdf5Access::image)
+    if (access_ == Hdf5Access::create) {
+      shared_detail::make_file(path_, path_);  // in the place of a link
       return handle(H5Fcreate(name.c_str(), H5F_ACC_TRUNC, made_by, by), H5Fclose, "",
                     "cannot be opened for writing; does the folder exist, and may you write there?");
+    }
     shared_detail::check_input(path_, what_);
     if (access_ == Hdf5Access::change) shared_detail::open_to_change(path_);  // refuses a link
     return handle(H5Fopen(name.c_str(), access_ == Hdf5Access::read ? H5F_ACC_RDONLY : H5F_ACC_RDWR, by),

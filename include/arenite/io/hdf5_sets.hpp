@@ -1,19 +1,16 @@
-// Data sets of numbers in HDF5 files: of one length, and such that grow.
+// Data sets of numbers in HDF5 files that grow row by row.
 #pragma once
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include <algorithm>
 #include <array>
 #include <string>
-#include <type_traits>
-#include <vector>
 
 #include <arenite/core/instruction_set.hpp>
 #include <arenite/io/hdf5.hpp>
 
 namespace arenite::inline ARENITE_INSTRUCTION_SET {
 
-/// Numbers as a file has them: 'f' floating, 'i' signed, 'u' unsigned, 'b' bool, and the bytes of each.
+/// Numbers as a file has them: 'f' floating, 'i' signed, 'u' unsigned, and the bytes of each.
 struct Hdf5Type {
   char kind = 'f';
   std::size_t bytes = 8;
@@ -23,7 +20,7 @@ struct Hdf5Type {
 
 namespace shared_detail {
 
-/// The type in memory. A bool is the enumeration that h5py takes for one.
+/// The type in memory.
 inline Hdf5Handle hdf5_native(const Hdf5File& file, Hdf5Type type, const std::string& name) {
   const auto by_size = [&](hid_t one, hid_t two, hid_t four, hid_t eight) {
     return type.bytes == 1   ? one
@@ -32,14 +29,6 @@ inline Hdf5Handle hdf5_native(const Hdf5File& file, Hdf5Type type, const std::st
            : type.bytes == 8 ? eight
                              : -1;
   };
-  if (type.kind == 'b') {
-    Hdf5Handle truth = file.handle(H5Tenum_create(H5T_NATIVE_INT8), H5Tclose, name, "has no type");
-    signed char value = 0;
-    file.check(H5Tenum_insert(truth, "FALSE", &value), name, "has no type");
-    value = 1;
-    file.check(H5Tenum_insert(truth, "TRUE", &value), name, "has no type");
-    return truth;
-  }
   const hid_t found =
       type.kind == 'f'   ? by_size(-1, -1, H5T_NATIVE_FLOAT, H5T_NATIVE_DOUBLE)
       : type.kind == 'i' ? by_size(H5T_NATIVE_INT8, H5T_NATIVE_INT16, H5T_NATIVE_INT32, H5T_NATIVE_INT64)
@@ -67,59 +56,11 @@ inline std::array<hsize_t, 2> hdf5_shape(const Hdf5File& file, hid_t set, const 
 
 }  // namespace shared_detail
 
-/// Writes numbers [count] as a new data set.
-inline void put_numbers(const Hdf5File& file, const std::string& name, Hdf5Type type, std::size_t count,
-                        const void* numbers) {
-  file.make_group_of(name);
-  const hsize_t size = count;
-  const Hdf5Handle space = file.handle(H5Screate_simple(1, &size, nullptr), H5Sclose, name, "has no shape"),
-                   number = shared_detail::hdf5_native(file, type, name),
-                   made_by = file.creation(H5P_DATASET_CREATE),
-                   set = file.handle(
-                       H5Dcreate2(file, name.c_str(), number, space, H5P_DEFAULT, made_by, H5P_DEFAULT),
-                       H5Dclose, name, "cannot be made");
-  if (count > 0)
-    file.check(H5Dwrite(set, number, H5S_ALL, H5S_ALL, H5P_DEFAULT, numbers), name, "cannot be written");
-}
-
 /// Reads all numbers of a data set.
 inline void get_numbers(const Hdf5File& file, const std::string& name, Hdf5Type type, void* numbers) {
   const Hdf5Handle set = shared_detail::hdf5_open_set(file, name),
                    number = shared_detail::hdf5_native(file, type, name);
   file.check(H5Dread(set, number, H5S_ALL, H5S_ALL, H5P_DEFAULT, numbers), name, "cannot be read");
-}
-
-/// Names of all data sets, sorted.
-inline std::vector<std::string> names_of_sets(const Hdf5File& file) {
-  std::vector<std::string> names;
-  const auto keep = [](hid_t, const char* name, const H5L_info_t*, void* list) -> herr_t {
-    static_cast<std::vector<std::string>*>(list)->emplace_back(name);
-    return 0;
-  };
-  file.check(H5Lvisit(file, H5_INDEX_NAME, H5_ITER_INC, keep, &names), "", "has groups that cannot be read");
-  std::erase_if(names, [&](const std::string& name) {
-    const Hdf5Handle there =
-        file.handle(H5Oopen(file, name.c_str(), H5P_DEFAULT), H5Oclose, name, "cannot be opened");
-    return H5Iget_type(there) != H5I_DATASET;
-  });
-  std::ranges::sort(names);
-  return names;
-}
-
-inline Hdf5Type type_of_numbers(const Hdf5File& file, const std::string& name) {
-  const Hdf5Handle set = shared_detail::hdf5_open_set(file, name),
-                   there = file.handle(H5Dget_type(set), H5Tclose, name, "has no type");
-  const H5T_class_t kind = H5Tget_class(there);
-  if (kind != H5T_FLOAT && kind != H5T_INTEGER && kind != H5T_ENUM) file.refuse(name + " holds no numbers");
-  const char letter = kind == H5T_FLOAT                    ? 'f'
-                      : kind == H5T_ENUM                   ? 'b'
-                      : H5Tget_sign(there) == H5T_SGN_NONE ? 'u'
-                                                           : 'i';
-  return {letter, H5Tget_size(there)};
-}
-inline std::size_t count_of_numbers(const Hdf5File& file, const std::string& name) {
-  const auto shape = shared_detail::hdf5_shape(file, shared_detail::hdf5_open_set(file, name), name);
-  return static_cast<std::size_t>(shape[0] * shape[1]);
 }
 
 /// Makes an empty data set of rows of `columns` numbers (1: one dimension) that grows, stored on the disk in

@@ -1,5 +1,4 @@
-// State source: named numbers of a run's state, wherever they are kept: in a file of either kind, or aside in
-// memory.
+// State source: named numbers of a run's state, wherever they are kept: in a file or in memory.
 #pragma once
 // SPDX-License-Identifier: BSD-3-Clause
 

@@ -88,7 +88,7 @@ TEST_CASE("A block slides down an incline with g (sin a - mu cos a), and stays b
   check("triangles; FLIP; MUSL", [](double slope) { return on_triangles(slope); });
 }
 
-TEST_CASE("Matter parts from a frictional wall unless that holds it, and meets two walls at a corner") {
+TEST_CASE("Material leaves a frictional wall unless it adheres, and touches two walls at a corner") {
   const auto check = [](auto&& make) {
     auto parts = make(0.0, std::array<double, 3>{0, 1, 0}, FrictionalWallOptions{}),
          held = make(0.0, std::array<double, 3>{0, 1, 0}, FrictionalWallOptions{.separates = false});

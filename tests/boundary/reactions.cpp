@@ -24,7 +24,7 @@ auto pulled(const Walls& held, std::array<double, 2> g, const Box<2>& box = {{0,
 
 }  // namespace
 
-TEST_CASE("A block at rest: the floor bears its weight, the walls nothing") {
+TEST_CASE("A block at rest: the floor carries its weight, the walls nothing") {
   const double g = 9.81;
   auto scene = block({{0, 0}, {1, 0.6}}, {.per_cell = 4, .stress = Geostatic{.surface = 0.6, .k0 = 0}},
                      walls(left(roller), right(roller), bottom(roller)), gravity({0, -g}));

@@ -65,7 +65,7 @@ TEST_CASE("faces in three dimensions") {
   for (const auto& c : front_back) REQUIRE(c.projector == Mat<float, 3>(Vec<float, 3>(1, 1, 0).asDiagonal()));
 }
 
-TEST_CASE("a symmetry plane that lies askew blocks its normal alone") {
+TEST_CASE("an inclined symmetry plane blocks only its normal") {
   const auto all = on_grid(walls(Wall{0, false, {}, {}, symmetry({3, 4, 0})}));
   REQUIRE(all.size() == 5);
   const Vec<double, 2> normal(0.6, 0.8), along(0.8, -0.6);

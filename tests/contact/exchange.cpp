@@ -179,7 +179,7 @@ TEST_CASE("the velocity limit scales down what would turn a cell inside out, and
                  "Coulomb.velocity_limit = -1: must not be negative"));
 }
 
-TEST_CASE("the velocity limit holds at each node that contact touches, the last one too") {
+TEST_CASE("the velocity limit applies at each node that contact touches, the last one too") {
   const double dt = 0.01, most = 0.5 * 0.1 / dt;
   auto fields = random_fields<2>(3);
   for (auto& f : fields)

@@ -131,7 +131,7 @@ TEST_CASE("three dimensions: a cube in a cube, and symmetry planes keep normals 
   REQUIRE((edge[0] > 0.3 && edge[1] < -0.3));
 }
 
-TEST_CASE("a region that meets no other has no surface") {
+TEST_CASE("a region that touches no other has no surface") {
   auto data = sample_data(SampleMesh<2>{.cells = {2, 2}});
   data.region_names = {{"all", 0}, {"nothing", 9}};
   const SimplexMesh<2> mesh(data);
@@ -143,7 +143,8 @@ TEST_CASE("a region that meets no other has no surface") {
                  "region = tip: must be one of: all, nothing"));
 }
 
-TEST_CASE("a surface of which walls hold all nodes is told from one that meets no other") {
+TEST_CASE(
+    "a surface whose nodes are all constrained by walls is distinguished from one that touches no other") {
   // Along a line at 30 degrees, where a wall leaves a rounding error of the normals.
   const double a = pi / 6;
   SampleMesh<2> o{.cells = {2, 2}, .jitter = 0};

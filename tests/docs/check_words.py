@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""check_words.py ROOT: phrases that do not belong into comments of C++, each with what to say instead."""
+"""check_words.py ROOT: phrases that do not belong into comments of C++ and titles of tests, each with what to say instead."""
 
 import re
 import sys
@@ -34,11 +34,18 @@ def comments(path):
             yield number, re.sub("`[^`]*`", "``", line[at:])
 
 
+def titles(path):
+    """Number and text of the title of each test."""
+    text = path.read_text()
+    for found in re.finditer(r'(?:TEST_CASE|SECTION)\(\s*((?:"[^"]*"\s*)+)', text):
+        yield text.count("\n", 0, found.start()) + 1, re.sub(r'"\s*"', "", found[1]).strip()[1:-1]
+
+
 def main(root):
     wrong = [f"{path.relative_to(root)}:{number}: {text.strip()}\n  say: {instead}"
              for folder in ("include", "src", "tests", "examples", "benchmarks", "python")
              for path in sorted((Path(root) / folder).rglob("*.[ch]pp"))
-             for number, text in comments(path) if not text.startswith(READ_BY_TESTS)
+             for number, text in (*comments(path), *titles(path)) if not text.startswith(READ_BY_TESTS)
              for phrase, instead in INSTEAD.items() if re.search(phrase, text)]
     if wrong:
         sys.exit("\n".join(wrong))

@@ -40,7 +40,7 @@ double quarter(int cells) {
 
 }  // namespace
 
-TEST_CASE("Convergence of a scene: the error bar holds the bar's period") {
+TEST_CASE("Convergence of a scene: the error bar contains the bar's period") {
   std::vector<SizedResult> results;
   for (const int cells : {12, 17, 24}) results.push_back({length / cells, quarter(cells)});
   const Convergence c = convergence(results);

@@ -142,7 +142,7 @@ Outcome on_simplices(Draw& d) {
 
 }  // namespace
 
-TEST_CASE("Random scenes in tiles end as they do alone") {
+TEST_CASE("Random scenes in tiles end as a whole scene does") {
   run_scenes("tiles_more",
              {{"tiles plane FLIP MUSL Mohr-Coulomb grid",
                on_grid<PlaneStrain, 2, MohrCoulomb<>, Numerics<QuadraticBSpline>>},

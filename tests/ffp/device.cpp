@@ -163,7 +163,8 @@ TEST_CASE("an outline of lines is the cone that it draws; a ball and a sphere ar
   CHECK(std::abs(Device{wider}.length() - 0.256) < 1e-5);
 }
 
-TEST_CASE("an outline parallel to that of a ball on a rod: its own ball, a neck where both meet, a rod") {
+TEST_CASE(
+    "an outline parallel to that of a ball on a rod: its own ball, a neck where both intersect, a rod") {
   const double r = 0.1128 / 2, rod = 0.0357 / 2;
   for (const double offset : {-0.005, -0.001, 0.003, 0.01}) {
     CAPTURE(offset);

@@ -17,7 +17,7 @@ set(long FineCells)
 if(NOT ARENITE_TEST_HEAVY OR NOT nightly)
   list(APPEND left_out ${long})
 endif()
-set(quick Drops SameBits Mistakes Words Ends)  # the other classes run at a change
+set(quick Drops SameBits Mistakes Options InterruptedRuns)  # the other classes run at a change
 
 set(tests)  # CLASS FILE ..
 file(GLOB files CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/ffp/driver/*.py)

@@ -107,7 +107,7 @@ TEST_CASE(
       }
 }
 
-TEST_CASE("the surface that the sand meets is parallel to the penetrometer's") {
+TEST_CASE("the surface that the sand touches is parallel to the penetrometer's") {
   // Any of its points, in the penetrometer's own place, lies at the offset from the penetrometer's line.
   for (const double offset : {-0.015, -0.003, -0.0005, 0.0005, 0.003, 0.015})
     for (DeviceShape shape : {DeviceShape{}, DeviceShape{.fillet = 0.02}, DeviceShape{.flat = 0.0022},

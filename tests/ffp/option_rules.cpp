@@ -47,7 +47,7 @@ TEST_CASE("each tip has its shape and its mass") {
   REQUIRE(read({"--fillet", "0.0008"}).fillet == 0.0008);
 }
 
-TEST_CASE("the surface that the sand meets may lie off the penetrometer's") {
+TEST_CASE("the surface that the sand touches may lie off the penetrometer's") {
   const auto o = read({"--contact-offset", "-0.002"});
   REQUIRE(std::abs(o.body().radius() - 0.04175) < 1e-15);
   REQUIRE(o.body().instrument().radius() == 0.04375);
@@ -105,7 +105,7 @@ TEST_CASE("jitter of the points") {
   REQUIRE(read({}).jitter == 0);
 }
 
-TEST_CASE("the grid: defaults of its own, and what it goes without") {
+TEST_CASE("the grid: its own defaults, and options that it has not") {
   const auto o = read({"--mesh-kind", "grid"});
   REQUIRE((o.on_grid() && o.contact_kind() == ContactKind::points && !o.averages()));
   REQUIRE((o.points_in_element() == 9 && o.flip_time_constant() == 0.1 && o.split_share() == 0));

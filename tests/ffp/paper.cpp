@@ -47,7 +47,7 @@ const Comparison& line(const std::vector<Comparison>& all, const std::string& mo
 
 }  // namespace
 
-TEST_CASE("cases of the paper: names, folders and what they are told") {
+TEST_CASE("cases of the paper: names, folders and what they are given") {
   std::set<std::string> names;
   for (const PaperCase& c : paper_cases(options({"--out", "a"}))) {
     REQUIRE(names.insert(c.name).second);

@@ -15,7 +15,7 @@
 using namespace arenite;
 using namespace arenite::ffp;
 
-TEST_CASE("ranges hold what their text says") {
+TEST_CASE("ranges are those of their text") {
   const Range closed{0, 60, "deg"};
   REQUIRE((closed.contains(0) && closed.contains(60) && !closed.contains(-1e-9) && !closed.contains(60.1)));
   REQUIRE(closed.text() == "[0, 60] deg");
@@ -97,7 +97,7 @@ TEST_CASE("JSON: what is none, is nested too deeply or gives a name twice is ref
   }
 }
 
-TEST_CASE("a folder is made, cleaned of results alone, and can be taken again") {
+TEST_CASE("a folder is made, cleaned only of results, and can be used again") {
   namespace fs = std::filesystem;
   fs::remove_all("folder");
   const auto write = [](const char* name) { std::ofstream{name} << "old\n"; };

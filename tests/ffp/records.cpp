@@ -362,7 +362,7 @@ bool warns(const Reduction& r, const std::string& part) {
 
 }  // namespace
 
-TEST_CASE("sign, 1 g at rest and an offset are recognised, and told or taken out") {
+TEST_CASE("sign, 1 g at rest and an offset are recognised, and reported or taken out") {
   const Fall whole;
   for (const Fall& motion :
        {whole, Fall{.before = 0}, Fall{.after = 0.1}, Fall{.before = 0.12, .after = 0.12},
@@ -409,7 +409,7 @@ TEST_CASE("sign, 1 g at rest and an offset are recognised, and told or taken out
   REQUIRE(off.warnings.size() == 1);
 }
 
-TEST_CASE("options that turn a good record are told to be left out") {
+TEST_CASE("options that turn a good record are named, to be left out") {
   const auto file = file_of(Fall{}.record());
   REQUIRE(holds(refusal(file, {"--invert"}),
                 "0 g before the release, -1 g in the fall, 0 g after the end; leave out --invert"));
@@ -560,7 +560,7 @@ TEST_CASE("a slow logger finds the impact, and says how far off it may be") {
     }
 }
 
-TEST_CASE("several drops in a record are listed, and one is taken by its number or time alone") {
+TEST_CASE("several drops in a record are listed, and one is chosen by its number or its time") {
   const Fall first, second{.before = 2, .fall = 0.3, .braking = 0.02, .peak = 0.3 * pi / 2 / 0.02};
   const auto file = file_of(both(first.record(), second.record()));
   const std::string list =
@@ -590,7 +590,7 @@ TEST_CASE("several drops in a record are listed, and one is taken by its number 
   REQUIRE(holds(refusal(file, {"--drop", "1", "--impact-time", "1"}), "--drop = 1: goes without"));
 }
 
-TEST_CASE("knocks and glitches beside a drop change nothing, and are told by time") {
+TEST_CASE("knocks and glitches beside a drop change nothing, and are reported by time") {
   const Fall motion{.after = 2};
   const auto net = motion.record();
   const double depth = reduced(file_of(net)).greatest_depth;
@@ -652,7 +652,7 @@ TEST_CASE("the impact is the first contact after the fall, be it a crust over a 
   REQUIRE(warns(reduced(file, {"--force"}), "no drop moves so: "));
 }
 
-TEST_CASE("an accelerometer that holds no level is refused") {
+TEST_CASE("an accelerometer without a constant level is refused") {
   const auto net = Fall{}.record();
   for (const double tau : {0.5, 2.0}) {
     std::vector<double> coupled{net[0]};

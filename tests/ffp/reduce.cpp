@@ -165,7 +165,7 @@ TEST_CASE("bearing resistance: force over area, and its reduction by the rate") 
     }
 }
 
-TEST_CASE("tips have masses and areas of their own") {
+TEST_CASE("tips have their own masses and areas") {
   const double a = 10 * g, step = 1e-4;
   written("tips.csv", table_of(drop_of(0.5, 0.05, step, [&](double) { return a; }), step));
   const auto blunt = reduced("tips.csv", {"--tip", "blunt", "--window", "0"}),

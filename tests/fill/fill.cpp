@@ -81,7 +81,7 @@ TEST_CASE("volumes add up to that of the region") {
   REQUIRE(std::abs(volume(body_of<Axisymmetric>(grid, Box{{0., 0.}, {0.5, 1.}})) - pi * 0.25) < 1e-14);
 }
 
-TEST_CASE("exact_volume: points stand for the part of their sub-cells that lies in the region") {
+TEST_CASE("exact_volume: points represent the part of their sub-cells that lies in the region") {
   // Total mass and first moment of layers, whatever part of a sub-cell they end in.
   for (const double top : {0.05, 0.1, 0.13, 0.26, 0.4, 0.63})
     for (const bool exact : {false, true}) {
@@ -206,7 +206,7 @@ TEST_CASE("initial stress is any function of the position") {
         "FillOptions.stress, zx at (0.125, 0.125) m = 5: must be zero in two dimensions");
 }
 
-TEST_CASE("a box holds its lower faces and not its upper ones: neighbours share no point") {
+TEST_CASE("a box contains its lower faces and not its upper ones: neighbours share no point") {
   const CartesianGrid<2> odd({.lower = {0, 0}, .upper = {2, 1}, .cell = 1});
   const auto low = body_of<PlaneStrain>(odd, Box{{0., 0.}, {1.5, 1.}}, {.per_cell = 1});
   const auto high = body_of<PlaneStrain>(odd, Box{{1.5, 0.}, {2., 1.}}, {.per_cell = 1});
@@ -214,7 +214,7 @@ TEST_CASE("a box holds its lower faces and not its upper ones: neighbours share 
   REQUIRE(high.points.size() == 1);
 }
 
-TEST_CASE("jitter moves points within their sub-cells, by numbers of its own") {
+TEST_CASE("jitter moves points within their sub-cells, by its own numbers") {
   const FillOptions even{.per_cell = 4}, moved{.per_cell = 4, .jitter = 1, .seed = 3};
   const Box<2> all{{0, 0}, {2, 1}};
   const auto lattice = body_of<PlaneStrain>(grid, all, even), body = body_of<PlaneStrain>(grid, all, moved);

@@ -47,7 +47,7 @@ TEST_CASE("an aggregate takes what is given, and its own for the rest", "[host]"
         std::array<double, 3>{0, -1, 0});
 }
 
-TEST_CASE("what does not fit is told by place, value and rule", "[host]") {
+TEST_CASE("what does not fit is reported by place, value and rule", "[host]") {
   CHECK(message([] { given<Flip>(Dict{{"fraction", 2.0}}); }) == "Flip.fraction = 2: must lie in [0, 1]");
   CHECK(message([] {
           given<Flip>(Dict{{"share", 1.0}});
@@ -90,7 +90,7 @@ TEST_CASE("a function of place is asked once for all places", "[host]") {
   CHECK(calls == 2);
 }
 
-TEST_CASE("a tile is handed what a function of place returned for the whole", "[host]") {
+TEST_CASE("a tile gets what a function of place returned for the whole", "[host]") {
   int calls = 0;
   const Value value(std::make_shared<
                     const HostFunction>([&](const HostArray&

@@ -85,7 +85,7 @@ TEST_CASE("what there is none of is an empty field") {
   REQUIRE(text_of("gaps.csv") == "a,b,c\n1.5,,0\n,,\n");
 }
 
-TEST_CASE("mistakes are told") {
+TEST_CASE("mistakes are reported") {
   REQUIRE_THROWS_AS(CsvWriter("no/such/folder.csv", {"a"}), output_error);
   REQUIRE_THROWS_AS(CsvWriter(".", {"a"}), error);
   REQUIRE_THROWS_AS(CsvWriter("x.csv", {}), error);
@@ -159,7 +159,7 @@ TEST_CASE("pipes and devices are neither written nor waited for") {
   std::filesystem::remove("eleven");
 }
 
-TEST_CASE("a disk that is full is told, and the rows before stay") {
+TEST_CASE("a disk that is full is reported, and the rows before stay") {
   rlimit before{};
   getrlimit(RLIMIT_FSIZE, &before);
   rlimit small = before;

@@ -230,7 +230,7 @@ TEST_CASE("lines may end as on Windows, numbers may carry a plus sign") {
   REQUIRE(read<2>(replaced(square_2, "30 1 1", "30 +1e0 1")).nodes[3][0] == 1);
 }
 
-TEST_CASE("a mistake is told with file, place, value and rule") {
+TEST_CASE("a mistake is reported with file, place, value and rule") {
   const auto on_2 = [](const std::string& what, const std::string& by) {
     return complaint<2>(replaced(square_2, what, by));
   };

@@ -84,7 +84,7 @@ TEST_CASE("STL: what programs write") {
   CHECK(line.triangles.size() == 1);
 }
 
-TEST_CASE("STL: text is told from binary by its bytes and its length") {
+TEST_CASE("STL: text is distinguished from binary by its bytes and its length") {
   using Catch::Matchers::Contains;
   const TriangleData box = box_surface({-1, 0, 0.5}, {1, 2, 3.25});
   const std::string text = as_text(box), binary = as_binary(box);

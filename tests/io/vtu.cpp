@@ -324,7 +324,7 @@ TEST_CASE("ranks that begin one series at once try its folder each for itself") 
   CHECK_FALSE(fs::exists(list));
 }
 
-TEST_CASE("a folder that is not there or is a file is told") {
+TEST_CASE("a folder that is not there or is a file is reported") {
   const std::vector<double> position{0, 0, 0, 1, 2, 3};
   std::ofstream(folder() / "plain") << "file";
   for (const char* bad : {"absent/x.vtu", "plain/x.vtu"}) {

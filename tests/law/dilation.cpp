@@ -86,7 +86,8 @@ TEST_CASE("plane strain: dilation over plastic shear strain is the sine of the a
   }
 }
 
-TEST_CASE("open matter bears no stress, even if an average gave it some: an opening cycle gives no energy") {
+TEST_CASE(
+    "open matter carries no stress, even if an average gave it some: an opening cycle gives no energy") {
   const auto check = [](const auto& law) {
     const double bulk = law.elasticity().bulk();
     Sym<double, 3> stress{};
@@ -116,7 +117,7 @@ TEST_CASE("open matter bears no stress, even if an average gave it some: an open
   check(DruckerPrager{loose_cone, RemembersOpening{}});
 }
 
-TEST_CASE("matter dilates up to its greatest volume ratio; what it would dilate beyond counts as opened") {
+TEST_CASE("material dilates up to its greatest volume ratio; what it would dilate beyond counts as opened") {
   auto p = pyramid;
   p.cohesion = 0;
   p.greatest_volume_ratio = 1.1;
@@ -136,7 +137,7 @@ TEST_CASE("matter dilates up to its greatest volume ratio; what it would dilate 
   CHECK(std::abs(sums.opened_volume / (1.1 * 2e-3 * (steps * up - std::log(1.1))) - 1) <= 1e-3);
 }
 
-TEST_CASE("matter that does not dilate has no greatest volume ratio, whatever its neighbours do") {
+TEST_CASE("material that does not dilate has no greatest volume ratio, whatever its neighbours do") {
   auto p = pyramid;
   p.cohesion = 0;
   p.greatest_volume_ratio = 1.1;

@@ -126,7 +126,7 @@ TEST_CASE("associated flow goes to the closest point in the energy norm, with a 
   }
 }
 
-TEST_CASE("where both the cone and the cut-off act, their flows add up, and the cut-off's alone opens") {
+TEST_CASE("where both the cone and the cut-off act, their flows add up, and only the cut-off's opens") {
   const DruckerPrager law{{.density = 1,
                            .young = 5e6,
                            .poisson = 0.3,
@@ -163,7 +163,7 @@ TEST_CASE("triaxial compression: the compression cone has Mohr-Coulomb's strengt
   }
 }
 
-TEST_CASE("the extension cone meets Mohr-Coulomb where two stresses are the greatest compression") {
+TEST_CASE("the extension cone touches Mohr-Coulomb where two stresses are the greatest compression") {
   const double k = std::tan(pi / 4 + 35_deg / 2), a = 5e3, s1 = -10e3;
   const DruckerPrager law{{.density = 1,
                            .young = 5e6,
@@ -199,7 +199,7 @@ TEST_CASE("simple shear in plane strain: the plane-strain cone flows like Mohr-C
   REQUIRE(std::abs(end.shear_stress - (law.surface().strength() + law.surface().slope() * 10e3)) <= 1e-2);
 }
 
-TEST_CASE("the plane-strain cone with psi = phi is the one of the books") {
+TEST_CASE("the plane-strain cone with psi = phi is the one of the records") {
   const double phi = 28_deg, t = std::tan(phi), root = std::sqrt(9 + 12 * t * t);
   const DruckerPrager law{{.density = 1,
                            .young = 1,

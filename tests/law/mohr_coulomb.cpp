@@ -67,7 +67,7 @@ TEST_CASE("simple shear in plane strain: tau/sigma = sin(phi) cos(psi)/(1 - sin(
   }
 }
 
-TEST_CASE("oedometer: at rest until K0 meets the active limit") {
+TEST_CASE("oedometer: at rest until K0 reaches the active limit") {
   const auto ratio = [](double poisson, double friction) {
     const MohrCoulomb law{{.density = 1, .young = 5e6, .poisson = poisson, .friction = friction}};
     Sym<double, 2> stress;

@@ -112,7 +112,7 @@ TEST_CASE("work is energy: along a path of stretches, and along its derivative t
   CHECK(law.wave_modulus(unstressed.stress, unstressed.history) == Approx(law.wave_modulus()));
 }
 
-TEST_CASE("the stable step follows the stiffness of stretched matter") {
+TEST_CASE("the stable step follows the stiffness of stretched material") {
   Scene scene{PlaneStrain{}, CartesianGrid<2>{{.lower = {0, 0}, .upper = {1, 1}, .cell = 0.1}},
               Numerics<QuadraticBSpline, Apic, Usl>{}, bodies(fill(Box{{0., 0.}, {1., 0.5}}, law))};
   const double before = stable_step(scene);

@@ -237,7 +237,7 @@ void check_inertial(const Law& law, double friction, double cohesion) {
 
 }  // namespace
 
-TEST_CASE("mu(I) is that of the pressure at which the return ends, whatever the matter dilated") {
+TEST_CASE("mu(I) is that of the pressure at which the return ends, whatever the material dilated") {
   for (const double cohesion : {0.0, 1e3, 5e3})
     for (const double dilatancy : {0_deg, 10_deg, 25_deg})
       for (const double tension : {std::numeric_limits<double>::infinity(), 300.0}) {
@@ -260,7 +260,7 @@ TEST_CASE("mu(I) is that of the pressure at which the return ends, whatever the 
       }
 }
 
-TEST_CASE("cohesive matter that softens bears in tension what its own apex says, beside any neighbour") {
+TEST_CASE("cohesive material that softens carries in tension what its own apex says, beside any neighbour") {
   // Stretched alike on all sides from a part of its strength by a half of it: c / tan(phi).
   const MohrCoulombParameters p{
       .density = 1540, .young = 20_MPa, .poisson = 0.3, .friction = 45_deg, .cohesion = 1_kPa};

@@ -99,7 +99,7 @@ TEST_CASE("softening: the stress in simple shear, without rate and with it") {
     check_softening(both, rate, 35_deg * (1 + 0.03 * std::max(std::log10(rate / 2.1e-5), 0.0)));
 }
 
-TEST_CASE("softening: what the matter dilates, to the critical state") {
+TEST_CASE("softening: what the material dilates, to the critical state") {
   // Flow of Drucker-Prager: the volume grows by sqrt(3) eta' per plastic strain, eta' of the dilatancy then.
   auto c = cone;
   c.dilatancy = 12_deg;
@@ -218,7 +218,7 @@ TEST_CASE("the displacement over which a band of one cell softens does not depen
     CHECK(slope_after(cell, 1e-3) == Approx(slope_after(5e-3, 1e-3)).epsilon(1e-12));
 }
 
-TEST_CASE("softening and rate together contain softening alone and rate alone") {
+TEST_CASE("softening and rate together contain each of the two") {
   auto p = pyramid;
   p.dilatancy = 12_deg;
   const RateSofteningFriction no_rate{

@@ -192,7 +192,7 @@ TEST_CASE("constants that make no sense are refused") {
 }
 
 TEST_CASE(
-    "a scene of sand with rate, softening, stiffness and memory: restored it goes on with the same bits") {
+    "a scene of sand with rate, softening, stiffness and memory: restored it continues with the same bits") {
   const auto make = [] {
     using Sand = MohrCoulomb<RemembersOpening, RateSofteningFriction, PressureStiffness>;
     auto p = pyramid;

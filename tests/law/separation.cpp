@@ -111,7 +111,7 @@ TEST_CASE("a law without memory stores nothing, one with memory one number") {
   static_assert(std::is_same_v<decltype(MohrCoulomb{MohrCoulombParameters{}}), MohrCoulomb<ForgetsOpening>>);
 }
 
-TEST_CASE("a memory refuses what it cannot stand for") {
+TEST_CASE("a memory refuses what it cannot represent") {
   const auto message = [](const auto& make) -> std::string {
     try {
       make();

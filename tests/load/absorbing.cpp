@@ -125,7 +125,7 @@ TEST_CASE("Of plane waves at a right angle a thousandth of the energy comes back
         {0.2});
 }
 
-TEST_CASE("Under gravity a supported boundary holds and absorbs; without support it sinks at g H / c",
+TEST_CASE("Under gravity a supported boundary stays and absorbs; without support it sinks at g H / c",
           "[heavy]") {
   const double g = 10;
   auto sinks = on_grid(roller, {}, g);

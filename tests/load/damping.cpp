@@ -124,7 +124,7 @@ TEST_CASE("A damped column comes to rest at its elastic settlement") {
   check_rest("triangles; local damping", column<Triangles>(mesh, LocalDamping{}), 0.5, validation);
 }
 
-TEST_CASE("Local damping leaves alone what a wall holds: a slow press feels the stiffness") {
+TEST_CASE("Local damping does not act on forces that a wall balances: a slow press feels the stiffness") {
   Scene scene{PlaneStrain{},
               CartesianGrid<2>{{.lower = {0, 0}, .upper = {0.1, height}, .cell = 0.05}},
               Numerics<QuadraticBSpline, Flip, Musl>{},
@@ -139,7 +139,7 @@ TEST_CASE("Local damping leaves alone what a wall holds: a slow press feels the 
   CHECK(reaction(scene, "bottom").force[1] == Approx(exact).epsilon(0.03));
 }
 
-TEST_CASE("Settled: forces in balance; without damping the column would go on for ever") {
+TEST_CASE("Settled: forces in balance; without damping the column would continue for ever") {
   const CartesianGrid<2> grid{{.lower = {0, 0}, .upper = {0.1, 1.2}, .cell = 0.05}};
   auto scene = column<Numerics<QuadraticBSpline, Flip, Musl>>(grid, LocalDamping{});
   int shown = 3;

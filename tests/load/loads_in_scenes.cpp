@@ -97,7 +97,7 @@ TEST_CASE("Work of loads is what the nodes gain in kinetic energy, to round-off"
   check(bar_on_triangles(traction(right(), {-test::load, 0}), force));
 }
 
-TEST_CASE("Areas of loaded points turn and stretch with the matter") {
+TEST_CASE("Areas of loaded points turn and stretch with the material") {
   // A disc of points turns by an angle and is stretched: Nanson's a = J F^-T A, integrated step by step.
   const LoadedArea<double, 2> of{
       .body = "", .region = {}, .options = {}, .load = SurfaceLoad(ScalarFunction(0)), .text = ""};
@@ -111,7 +111,8 @@ TEST_CASE("Areas of loaded points turn and stretch with the matter") {
   CHECK((area - exact).norm() <= 1e-4);
 }
 
-TEST_CASE("Same bits with every kind of load on 1, 2 and 3 threads; a state restored goes on with the same") {
+TEST_CASE(
+    "Same bits with every kind of load on 1, 2 and 3 threads; a state restored continues with the same") {
   check_threads(on_grid);
   auto a = on_grid(), b = on_grid();
   for (int k = 0; k < 10; ++k) step(a, 2e-4);
@@ -193,7 +194,7 @@ Sums sums(const Scene& scene) {
 
 }  // namespace
 
-TEST_CASE("Portions of a mesh bear every kind of load as the whole does") {
+TEST_CASE("Portions of a mesh carry every kind of load as the whole does") {
   const auto data = triangles();
   const Numerics<LinearSimplex, Flip, Musl> numerics{};
   auto whole = loaded(SimplexMesh<2>(data), numerics);

@@ -35,7 +35,8 @@ auto on_triangles(double top_of_mesh, const Box<2>& region, Parts... parts) {
 
 }  // namespace
 
-TEST_CASE("A load on faces without matter behind them is told once, with the share that acts and the cure") {
+TEST_CASE(
+    "A load on faces without material at them is reported once, with the share that acts and the cure") {
   for (const auto& texts :
        {told(on_grid(1.1, low, pressure(top(), 1e4))), told(on_triangles(1.1, low, pressure(top(), 1e4)))}) {
     REQUIRE(texts.size() == 1);
@@ -52,7 +53,7 @@ TEST_CASE("A load on faces without matter behind them is told once, with the sha
   CHECK(told(on_triangles(1, half, traction(top(), {1e3, 0}))).size() == 1);
 }
 
-TEST_CASE("A load that matter takes, and one that is zero, are not told of") {
+TEST_CASE("A load that material takes, and one that is zero, are not reported") {
   CHECK(told(on_grid(1, low, pressure(top(), 1e4))).empty());
   CHECK(told(on_triangles(1, low, pressure(top(), 1e4))).empty());
   CHECK(told(on_grid(1.1, low, pressure(top(), 0))).empty());
@@ -66,7 +67,7 @@ TEST_CASE("A load that matter takes, and one that is zero, are not told of") {
   CHECK(told(on_grid(1, Box<2>{{0., 0.}, {0.4, 0.95}}, pressure(top(), 1e4))).empty());
 }
 
-TEST_CASE("A load that grows from zero is looked at when it acts, when matter may have come") {
+TEST_CASE("A load that grows from zero is checked when it acts, when material may have come") {
   const Ramp later{.to = 1e4, .over = 1, .start = 2.5e-5};
   auto scene = on_grid(1.1, low, pressure(top(), later));
   CHECK(told(scene, 3).empty());
@@ -76,7 +77,7 @@ TEST_CASE("A load that grows from zero is looked at when it acts, when matter ma
   CHECK(told(filled, 10).empty());
 }
 
-TEST_CASE("Absorbing faces without any matter behind them are told of") {
+TEST_CASE("Absorbing faces without any material at them are reported") {
   const Box<2> raised{{0., 0.1}, {0.4, 1.}}, half{{0., 0.}, {0.2, 1.}};
   for (const auto& texts :
        {told(on_grid(1, raised, absorbing(bottom()))), told(on_triangles(1, raised, absorbing(bottom())))}) {

@@ -70,7 +70,7 @@ TEST_CASE("two layers of a grid's cells need two colours") {
   REQUIRE(blocks_of<CubicBSpline>(grid, 16).colors() == 3);  // blocks lower than the halo
 }
 
-TEST_CASE("cells that meet at a node run in the same order for any number of threads") {
+TEST_CASE("cells that share a node run in the same order for any number of threads") {
   const auto mesh = sample_mesh<2>(12);
   const Blocks blocks = blocks_of<LinearSimplex>(mesh, 4);
   const auto orders = [&](int count) {

@@ -5,7 +5,7 @@
 using namespace arenite;
 using namespace arenite::test;
 
-TEST_CASE("the bin of a position names every cell that holds it") {
+TEST_CASE("the bin of a position names every cell that contains it") {
   // Graded by a power: cells of very different sizes.
   SampleMesh<2> o{};
   o.cells = {12, 12};

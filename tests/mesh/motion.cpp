@@ -102,7 +102,7 @@ TEST_CASE("bad zones are refused") {
       refuses({.fixed_below = 0, .moving_from = 1, .least = 0}, "MovingMesh.least = 0: must lie in (0, 1)"));
 }
 
-TEST_CASE("the mesh moves along the axis that it is told") {
+TEST_CASE("the mesh moves along the axis that is given") {
   SampleMesh<3> o{};
   o.cells = {4, 2, 2};
   SimplexMesh<3, float> mesh(sample_data(o));

@@ -88,7 +88,9 @@ void check_search(const Grid& grid) {
 
 }  // namespace
 
-TEST_CASE("Functions between lines at any distances: unity, linear fields, gradients, no less stable") {
+TEST_CASE(
+    "Functions between lines at any distances: unity, linear fields, gradients, as stable as on equal "
+    "cells") {
   const auto x = uneven(-1, {0.5, 0.2, 0.3, 1, 2, 1.5}), y = uneven(0, {1, 3, 0.7}),
              z = uneven(2, {0.4, 0.2});
   check_functions<LinearGrid>(RectilinearGrid<2>({x, y}));

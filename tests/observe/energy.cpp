@@ -77,7 +77,8 @@ TEST_CASE(
 }
 
 TEST_CASE(
-    "Walls, friction, dashpots, damping and contact at the same nodes: each books its impulses to the step's "
+    "Walls, friction, dashpots, damping and contact at the same nodes: each records its impulses to the "
+    "step's "
     "order") {
   // Thrown into a corner. What half a step makes is left out; what remains falls as the square of the step.
   const auto remains = [](auto scene) {
@@ -123,7 +124,7 @@ TEST_CASE("A body that turns: FLIP takes nothing, PIC almost all, and both balan
 }
 
 TEST_CASE(
-    "Bodies in contact: what FLIP takes at their nodes with USL is booked; lost points take theirs along") {
+    "Bodies in contact: what FLIP takes at their nodes with USL is recorded; lost points take theirs along") {
   const auto block = [](double x, double speed) {
     return std::pair{Box{{x, 0.3}, {x + 0.2, 0.7}}, FillOptions{.per_cell = 4, .velocity = {speed, 0, 0}}};
   };
@@ -151,7 +152,7 @@ TEST_CASE(
   CHECK(std::abs(e.residual) <= 1e-3 * body.lost_kinetic);
 }
 
-TEST_CASE("Nodes that matter has just reached, of next to no mass and great velocity, book no energy") {
+TEST_CASE("Nodes that material has just reached, of next to no mass and great velocity, record no energy") {
   const double cell = 0.05;
   const auto stress = [](const auto&) { return std::array<double, 6>{-1e4, -1e4, -1e4, 0, 0, 0}; };
   for (const double beyond : {1e-12, 1e-10, 1e-8, 1e-6, 1e-4}) {

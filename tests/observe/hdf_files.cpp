@@ -41,7 +41,7 @@ auto make() { return make_on(SimplexMesh<2>(box())); }
 
 }  // namespace
 
-TEST_CASE("VTKHDF: a run in one file, with points that get lost; resumed it goes on with the same steps") {
+TEST_CASE("VTKHDF: a run in one file, with points that get lost; resumed it continues with the same steps") {
   std::filesystem::remove_all("series");
   const VtuOptions options{.mesh = true, .points = {.mass = true, .id = true}};
   auto scene = make();
@@ -92,7 +92,7 @@ TEST_CASE("VTKHDF: a run in one file, with points that get lost; resumed it goes
   CHECK_THROWS_AS(VtkhdfWriter("series/other.vtkhdf", true).keep(1), output_error);
 }
 
-TEST_CASE("VTKHDF: tiles write one file, with the points and cells of all; restored they go on with it") {
+TEST_CASE("VTKHDF: tiles write one file, with the points and cells of all; restored they continue with it") {
   const int tiles = GENERATE(1, 4);
   CAPTURE(tiles);
   std::filesystem::remove_all("tiles");

@@ -106,7 +106,7 @@ TEST_CASE(
                     Catch::Matchers::Contains("Section.thickness = nan"));
 }
 
-TEST_CASE("Table: named columns at intervals, numbers that read back, a run that goes on") {
+TEST_CASE("Table: named columns at intervals, numbers that read back, a run that continues") {
   const auto table = [](const std::string& path) {
     return csv(path, CsvColumn{"steps", [](const auto& scene) { return scene.steps; }},
                CsvColumn{"momentum", [](const auto& scene) { return momentum(scene.body()); }},

@@ -71,7 +71,7 @@ TEST_CASE("helpers that always cost time cost a twentieth") {
   }
 }
 
-TEST_CASE("rare stops are booked, too") {
+TEST_CASE("rare stops are recorded, too") {
   // The helper brings a twentieth in most loops, and is stopped in one after so much time.
   for (const Duration stop : {4ms, 10ms, 30ms, 100ms})
     for (const Duration quiet : {20ms, 90ms, 110ms, 150ms, 300ms}) {

@@ -114,7 +114,7 @@ TEST_CASE(
   check(on_tetrahedra(Numerics<LinearSimplex, Tpic, Usl, NodalAveraging>{}, yields), 1.0 / 3, 1e-5);
 }
 
-TEST_CASE("Oedometer on B-splines: a platen given as a signed distance feels what the layer bears") {
+TEST_CASE("Oedometer on B-splines: a platen given as a signed distance feels what the layer carries") {
   const double h = 0.02;
   Scene scene{PlaneStrain{},
               CartesianGrid<2>{{.lower = {0, 0}, .upper = {0.1, height + 0.1}, .cell = h}},

@@ -89,7 +89,7 @@ TEST_CASE(
 }
 
 TEST_CASE(
-    "A body that rotates goes on with the same bits once its state is restored, on any number of threads") {
+    "A body that rotates continues with the same bits once its state is restored, on any number of threads") {
   const int before = threads();
   test::StateBuffer first;
   for (const int n : {1, 3}) {

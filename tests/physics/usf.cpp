@@ -84,7 +84,7 @@ void check_step(Scene scene) {
 
 }  // namespace
 
-TEST_CASE("USF: strains come of what the points hand over, forces of the new stresses") {
+TEST_CASE("USF: strains come of what the points pass to the nodes, forces of the new stresses") {
   check_step(block<PlaneStrain>(grid(), Spline<>{}));
   check_step(block<Axisymmetric>(mesh(), Simplex<>{}));
 }

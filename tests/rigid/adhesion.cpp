@@ -47,7 +47,8 @@ Prescribed down(double speed) {
 
 }  // namespace
 
-TEST_CASE("A shaft that is pulled through the ground bears adhesion times its area, whatever the pressure") {
+TEST_CASE(
+    "A shaft that is pulled through the ground carries adhesion times its area, whatever the pressure") {
   const double speed = 0.5;
   double smooth = 0;  // residual of energy without adhesion, J
   for (const double strength : {0.0, adhesion / 100, adhesion}) {
@@ -68,7 +69,7 @@ TEST_CASE("A shaft that is pulled through the ground bears adhesion times its ar
   CHECK(mean_force(frictional, 0.1) < 0.01 * 1.1 * pushed * area);
 }
 
-TEST_CASE("A shaft sinks by its weight less adhesion times area, or does not") {
+TEST_CASE("A shaft sinks by its weight minus adhesion times area, or does not") {
   const double mass = 2 * adhesion * area / 10;  // twice what adhesion carries
   auto sinking = shaft(Guided{.mass = mass}, adhesion);
   run(sinking, {.end = 0.05});

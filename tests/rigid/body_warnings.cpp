@@ -46,7 +46,7 @@ TriangleData cube(const std::array<double, 3>& lower, double edge) {
 
 }  // namespace
 
-TEST_CASE("Matter inside of a rigid body is told, with the cure, from the first point") {
+TEST_CASE("Material inside of a rigid body is reported, with the cure, from the first point") {
   auto texts = told(sand, Box<2>{{0.3, 0.3}, {0.7, 0.9}});
   REQUIRE(texts.size() == 1);
   CHECK_THAT(texts[0], Catch::StartsWith(
@@ -59,7 +59,7 @@ TEST_CASE("Matter inside of a rigid body is told, with the cure, from the first 
   CHECK_THAT(texts[0], Catch::Contains("1 of the 960 points"));
 }
 
-TEST_CASE("Matter that a rigid body touches, or that ends within half a point's size inside, is no fault") {
+TEST_CASE("Material that a rigid body touches, or that ends within half a point's size inside, is no fault") {
   CHECK(told(sand, Box<2>{{0.3, 0.6}, {0.7, 0.9}}).empty());               // rests on it
   CHECK(told(sand, Box<2>{{0.3, 0.6 - 0.0249 / 2}, {0.7, 0.9}}).empty());  // points of 0.025 m
   CHECK(told(sand, Box<2>{{0.3, 0.5875}, {0.7, 0.9}}).empty());            // points on its face
@@ -94,7 +94,7 @@ TEST_CASE("region - shape leaves out what any surface of a rigid body takes") {
   in_space(TriangleSurface(cube({0.3, 0.3, 0.3}, 0.4)));
 }
 
-TEST_CASE("Matter in the region of a rigid body's surface in the mesh is told") {
+TEST_CASE("Material in the region of a rigid body's surface in the mesh is reported") {
   const auto told_on = [](auto region) {
     return test::warnings_of([&] {
       auto data = test::triangles({0, 0}, {1, 1}, 10, 10);
@@ -114,7 +114,7 @@ TEST_CASE("Matter in the region of a rigid body's surface in the mesh is told") 
                  Catch::Contains("Cells(..)"));
 }
 
-TEST_CASE("A wall that is thinner than a cell is told, with its thickness") {
+TEST_CASE("A wall that is thinner than a cell is reported, with its thickness") {
   const Box<2> fill_here{{0.4, 0.4}, {0.6, 0.6}};
   const auto cup = [](double thick, double at, double turned = 0.) {
     const double t = thick * 0.05;
@@ -209,7 +209,7 @@ TEST_CASE("Tips, edges and bodies that are thick across are no walls") {
   CHECK(told_in_space(bed, TriangleSurface(cube({0.3, 0.3, 0.3}, 0.4))).empty());
 }
 
-TEST_CASE("Contact at points holds at any thickness: nothing is said") {
+TEST_CASE("Contact at points works at any thickness: no warning") {
   const auto texts = test::warnings_of([&] {
     return Scene{
         PlaneStrain{}, CartesianGrid<2>{{.lower = {0, 0}, .upper = {1, 1}, .cell = 0.05}},

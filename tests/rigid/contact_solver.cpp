@@ -8,7 +8,7 @@
 using namespace arenite;
 using V2 = Vec<double, 2>;
 
-TEST_CASE("However matter resists a body, no impulse on it gains energy") {
+TEST_CASE("However material resists a body, no impulse on it gains energy") {
   const Friction smooth(0.0);
   const LinearElastic rubber{{.density = 1000, .young = 1e5, .poisson = 0.2}};
   Scene scene{PlaneStrain{}, CartesianGrid<2>{{.lower = {-20, -20}, .upper = {-19, -19}, .cell = 0.5}},

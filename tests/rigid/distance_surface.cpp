@@ -169,7 +169,7 @@ std::vector<bool> random_matter(std::size_t nodes, std::mt19937& random) {
 
 }  // namespace
 
-TEST_CASE("no node is lost to a body's box, to matter or to threads: random bodies beside the plain loop") {
+TEST_CASE("no node is lost to a body's box, to material or to threads: random bodies beside the plain loop") {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> uniform(0, 1);
   const CartesianGrid<2> fine({.lower = {-1, -1}, .upper = {1, 1}, .cell = 0.025});  // 6,724 nodes
@@ -203,7 +203,7 @@ TEST_CASE("no node is lost to a body's box, to matter or to threads: random bodi
   set_threads(2);
 }
 
-TEST_CASE("a distance is asked only near the body, and where there is matter") {
+TEST_CASE("a distance is asked only near the body, and where there is material") {
   struct Counting : DistanceToBall<2> {
     std::size_t* calls;
     double operator()(const P& x) const {

@@ -336,7 +336,7 @@ void meet_at_random() {
 
 }  // namespace
 
-TEST_CASE("A free body gains what matter loses, also of angular momentum, light or heavy; no node moves in",
+TEST_CASE("A free body gains what material loses, also of angular momentum, light or heavy; no node moves in",
           "[heavy]") {
   meet_at_random<2>();
   meet_at_random<3>();
@@ -379,7 +379,7 @@ TEST_CASE(
   CHECK(std::abs(ball.spin.dot(ball.velocity)) <= 1e-6);  // about the axis across its way
 }
 
-TEST_CASE("A body whose rotation is prescribed takes the matter inside along; its drive's work is booked") {
+TEST_CASE("A body whose rotation is prescribed takes the material inside along; its drive's work is recorded") {
   const auto turn = [](auto dimension) {
     constexpr int D = dimension;
     using V = Vec<double, D>;

@@ -91,7 +91,7 @@ TEST_CASE("A block that slides goes as far as a rigid one, and is not lifted") {
   }
 }
 
-TEST_CASE("A gap grows as matter parts, closes by as much, and is forgotten where nothing is touched") {
+TEST_CASE("A gap grows as material parts, closes by as much, and is forgotten where nothing is touched") {
   NodeGaps<double> gaps;
   const std::size_t nodes = 10;
   const double dt = 0.1;

@@ -152,7 +152,7 @@ TEST_CASE("Contact at points: the same bits on any number of threads") {
   set_threads(before);
 }
 
-TEST_CASE("A ball that turns, among tetrahedra: what it gains the matter loses, angular momentum too") {
+TEST_CASE("A ball that turns, among tetrahedra: what it gains the material loses, angular momentum too") {
   using V = Vec<double, 3>;
   const double radius = 0.15, mass_of_ball = 20, inertia = 0.4 * mass_of_ball * square(radius);
   const V centre(0.3, 0.52, 0.28);

@@ -169,7 +169,7 @@ TEST_CASE("a load in time: a guided mass under F sin(w t) gains 2 F / (m w) in h
   REQUIRE(ramped.velocity[1] == 0.125 * (0 + 1 + 2 + 3 + 4 + 5 + 6 + 7) / mass);
 }
 
-TEST_CASE("a prescribed body has its velocity, whatever it meets") {
+TEST_CASE("a prescribed body has its velocity, whatever it touches") {
   std::mt19937 random(7);
   auto fields = soil(random);
   const P before = momentum(fields);

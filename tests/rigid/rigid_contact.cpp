@@ -415,7 +415,8 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("What cannot touch is refused; pairs may have a friction of their own or pass through each other") {
+TEST_CASE(
+    "Bodies that cannot touch are refused; pairs may have their own friction or pass through each other") {
   const auto scene_of = [](std::vector<RigidPair> pairs, double x, auto shape) {
     const Friction smooth(0.0);
     return Scene{

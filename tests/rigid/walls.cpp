@@ -54,7 +54,8 @@ std::vector<std::string> warned(S& scene, double end) {
 
 }  // namespace
 
-TEST_CASE("A body that falls through a wall is told, then that it has left the mesh, once each and in time") {
+TEST_CASE(
+    "A body that falls through a wall is reported, then that it has left the mesh, once each and in time") {
   auto scene = world({});
   const double longest = 0.5 * stable_step(scene);
   const auto texts = warned(scene, 1);
@@ -68,7 +69,7 @@ TEST_CASE("A body that falls through a wall is told, then that it has left the m
 }
 
 TEST_CASE(
-    "Each kind of wall is told by its name; an open side and one that is crossed at the start are not") {
+    "Each kind of wall is reported by its name; an open side and one that is crossed at the start are not") {
   const auto first = [](const Thrown& t, double end) {
     auto scene = world(t);
     const auto texts = warned(scene, end);
@@ -85,7 +86,7 @@ TEST_CASE(
   CHECK(first({.at = {4, 1, 0}}, 0.5).empty());
 }
 
-TEST_CASE("Walls that hold rigid bodies: a disc lands and stays, at each side, and on a plane of symmetry") {
+TEST_CASE("Walls that stop rigid bodies: a disc lands and stays, at each side, and on a plane of symmetry") {
   const auto rests = [](const Thrown& t, double x, double y) {
     auto scene = world(t);
     CHECK(warned(scene, 1).empty());
@@ -121,12 +122,12 @@ TEST_CASE("On a slope a disc slides on a smooth wall with g sin and rolls on a r
   }
 }
 
-TEST_CASE("A body that reaches into a fixed wall at the start is refused where walls hold") {
+TEST_CASE("A body that reaches into a fixed wall at the start is refused where walls stop bodies") {
   CHECK_THROWS_WITH(world({.at = {1, 0.1, 0}, .walls = Friction(0)}),
                     "RigidContact = disc, bottom: must not overlap at the start");
 }
 
-TEST_CASE("Tiles say and hold what the whole does") {
+TEST_CASE("Tiles stop bodies and report as the whole does") {
   OneRank here;
   for (const std::optional<Friction>& walls : {std::optional<Friction>{}, std::optional(Friction(0))}) {
     const Thrown t{.at = {1, 0.5, 0}, .walls = walls};

@@ -65,7 +65,7 @@ TEST_CASE("every: the start, then the first step at or after each multiple") {
   CHECK(calls(std::numeric_limits<double>::infinity(), {0, 1, 1e9}) == V{0});
 }
 
-TEST_CASE("every: sums of steps that miss a multiple by round-off still meet it, once") {
+TEST_CASE("every: sums of steps that miss a multiple by round-off still reach it, once") {
   for (const double period : {0.1, 0.3, 1e-3, 7e-5, 1 / 3.0})
     for (const int each : {1, 2, 7}) {
       CAPTURE(period, each);
@@ -84,7 +84,7 @@ TEST_CASE("every: a period below the clock's resolution calls at each step and d
   CHECK_THROWS_AS(every(std::nan(""), [](const Clock&) {}), error);
 }
 
-TEST_CASE("every: looks through the caller's observer, and takes in one that cannot be copied") {
+TEST_CASE("every: checks the caller's observer, and takes in one that cannot be copied") {
   struct Counter {
     int calls = 0, ends = 0;
     std::unique_ptr<int> alone{};  // cannot be copied

@@ -57,7 +57,7 @@ struct Count {
 
 }  // namespace
 
-TEST_CASE("a run that is interrupted, and goes on, ends with the bits of one that was not") {
+TEST_CASE("a run that is interrupted, and continues, ends with the bits of one that was not") {
   fs::remove_all("whole");
   fs::remove_all("parts");
   auto whole = column();
@@ -91,7 +91,7 @@ TEST_CASE("a run that is interrupted, and goes on, ends with the bits of one tha
           RunEnd::finished);
 }
 
-TEST_CASE("a run that is killed goes on from its last checkpoint") {
+TEST_CASE("a run that is killed continues from its last checkpoint") {
   fs::remove_all("killed");
   const ::pid_t child = ::fork();
   if (child == 0) {

@@ -49,7 +49,7 @@ auto make(double cell = 0.05) {
 
 }  // namespace
 
-TEST_CASE("Saved: a run goes on with the same bits, on other threads too") {
+TEST_CASE("Saved: a run continues with the same bits, on other threads too") {
   const int threads_before = threads();
   const auto watch = [] { return Watch({.lost = 1, .every = 7}); };
   set_threads(1);
@@ -85,7 +85,7 @@ TEST_CASE("Saved: an observer of a run saves at regular times; the run is resume
   CHECK(StateBuffer::first_difference(StateBuffer(resumed), StateBuffer(whole)) == "");
 }
 
-TEST_CASE("Saved: a series of files goes on, is replaced with a warning, or is kept by an error") {
+TEST_CASE("Saved: a series of files continues, is replaced with a warning, or is kept by an error") {
   std::filesystem::remove_all("series");
   const auto frames = [] { return pvd_times("series/run.pvd"); };
   std::vector<std::string> warnings;

@@ -96,7 +96,7 @@ TEST_CASE("A sound run: nothing is said, and what was seen is small") {
   CHECK(of(watch, "lost").worst == 0);
 }
 
-TEST_CASE("A watch that looks at regular times looks at the end, too") {
+TEST_CASE("A watch that checks at regular times checks at the end, too") {
   auto scene = swinging(0);
   Watch watch({.energy_gain = inf, .transfer = inf, .residual = inf, .lost = 0.1});
   run(scene, {.end = 0.011}, every(0.01, watch));
@@ -199,7 +199,7 @@ TEST_CASE("At the limit of stability energy sways by more than a tenth, and none
   CHECK(of(watch, "energy_gain").worst <= 1e-5);
 }
 
-TEST_CASE("Energy put in behind the scene's back, or taken away") {
+TEST_CASE("Energy put in from outside of the scene, or taken away") {
   for (const double factor : {1.2, 0.5}) {
     auto scene = swinging(0, TrackEnergy{});
     Watch watch{{.transfer = 0.3}};
@@ -296,7 +296,7 @@ TEST_CASE("Work of gravity and of a driven body is no gain, with and without an 
   CHECK(check(shaken) <= 0.01);
 }
 
-TEST_CASE("Gravity that changes between two looks does its work at its own strength") {
+TEST_CASE("Gravity that changes between two checks does its work at its own strength") {
   Scene scene{
       PlaneStrain{}, grid(), Numerics<QuadraticBSpline>{},
       bodies(fill(Box{{0.3, 0.2}, {0.7, 0.6}}, LinearElastic{{.density = 1000, .young = 1e5, .poisson = 0.3}},
@@ -383,7 +383,7 @@ TEST_CASE("Volume, stress and lost points: a tenth warns once, the limit stops, 
   CHECK(watch.warnings().size() == 3);
 }
 
-TEST_CASE("It looks at its first call, at each so-many-th step and at the end; NaN is past every limit") {
+TEST_CASE("It checks at its first call, at each nth step and at the end; NaN is past every limit") {
   auto scene = sand_block();
   auto& volume = scene.body().points.volume;
   const auto seen_at_step = [&](std::size_t every, std::size_t steps) {

@@ -36,7 +36,7 @@ std::size_t told(Scene& scene, const RunOptions& options, const std::string& wha
 
 }  // namespace
 
-TEST_CASE("What a newcomer gets wrong is told by run itself: load, stiffness, speed, a point in all") {
+TEST_CASE("Typical mistakes are reported by run itself: load, stiffness, speed, a point in all") {
   const auto told = [](auto scene, RunOptions options, const std::string& what, const std::string& with) {
     const Said s = said([&] { run(scene, options); });
     CAPTURE(s.error, s.warnings);
@@ -70,7 +70,7 @@ TEST_CASE("A Watch of the user's takes the place of that of run") {
       has(said([&] { run(scene, {.end = 0.0055}, every(0.001, watch)); }).error, "the limit is 0.4; body 0"));
 }
 
-TEST_CASE("A run warns of matter that falls with local damping on, and not of what settles") {
+TEST_CASE("A run warns of material that falls with local damping on, and not of what settles") {
   const LinearElastic rubber{{.density = 1000, .young = 1e6, .poisson = 0.3}};
   const auto block = [&](double lower, auto... parts) {
     return Scene{PlaneStrain{},

@@ -79,7 +79,7 @@ TEST_CASE("a list of bodies on triangles, stresses at the middle of the step, ea
   });
 }
 
-TEST_CASE("layers of a list, geostatic, with parameters of their own: the same bits") {
+TEST_CASE("layers of a list, geostatic, with their own parameters: the same bits") {
   const auto layer = [](double lower, double friction) {
     return fill(Box{{0., lower}, {1., lower + 0.2}}, sand(friction),
                 {.stress = Geostatic{.surface = 0.6, .k0 = 0.5}});

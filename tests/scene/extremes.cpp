@@ -63,7 +63,7 @@ TEST_CASE("Points that leave the mesh are counted with their mass; without any p
               bodies(fill(Box{{0.4, 0.4}, {0.7, 0.6}}, rubber(), {.per_cell = 3, .velocity = {10, 0, 0}}))});
 }
 
-TEST_CASE("Of two bodies one may leave the mesh: one warning, and the other goes on") {
+TEST_CASE("Of two bodies one may leave the mesh: one warning, and the other continues") {
   Scene scene{
       PlaneStrain{}, grid(), Numerics<QuadraticBSpline, Apic>{},
       bodies(fill<"stays">(Box{{0., 0.}, {0.3, 0.3}}, rubber()),

@@ -204,7 +204,7 @@ TEST_CASE("Ground that is at rest says nothing, whatever its points and function
       said(with(one, rigids(rigid(DistanceSurface{Ball({0.5, 1.05}, 0.1)}, falls, Friction(0.3))))).empty());
 }
 
-TEST_CASE("Ground that is not at rest is told once, with its share and its place") {
+TEST_CASE("Ground that is not at rest is reported once, with its share and its place") {
   const Geostatic one{.surface = 1, .k0 = 0.5};
   is_told(ground(at_rest({.surface = 1.05, .k0 = 0.5})), ", 1.025) m. Stress is Geostatic");
   is_told(ground(at_rest({.surface = 0.9, .k0 = 0.5})), " % of its weight is out of balance");

@@ -73,7 +73,7 @@ TEST_CASE("A body that begins empty and gets the points of a filled one goes the
   CHECK(energies(empty).plastic == Approx(0).margin(1e-11));
 }
 
-TEST_CASE("What points bring and take leaves the energy balance where it was, momentum and mass exact") {
+TEST_CASE("Inserted and removed points leave the energy balance as it was, momentum and mass exact") {
   Scene scene{PlaneStrain{},
               triangles(),
               Numerics<LinearSimplex, Flip, Musl>{},
@@ -191,7 +191,7 @@ TEST_CASE("Ids stay with their points as these change places, and are stored onl
   CHECK(without.body<0>().points.bytes_per_point() + 8 == scene.body<0>().points.bytes_per_point());
 }
 
-TEST_CASE("A state with points inserted and removed is restored in a scene made anew") {
+TEST_CASE("A state with points inserted and removed is restored in a scene made again") {
   const auto make = [] {
     return Scene{
         PlaneStrain{},

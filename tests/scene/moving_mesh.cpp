@@ -116,7 +116,7 @@ TEST_CASE("Moving mesh: ground at rest stays at rest to the scatter of the point
   CHECK(rms(1.5, 28) <= 1.3 * at_rest);
 }
 
-TEST_CASE("Moving mesh: the zones move as they are told, and a used-up zone stops the run with its name") {
+TEST_CASE("Moving mesh: the zones move as given, and a used-up zone stops the run with its name") {
   const LinearElastic law{{.density = 1500, .young = 1e6, .poisson = 0.3}};
   auto s = scene(Numerics<LinearSimplex, Flip>{}, law, -2, 6,
                  MovingMesh<>{.fixed_below = 0.6, .moving_from = 1.0});

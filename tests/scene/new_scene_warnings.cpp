@@ -44,7 +44,8 @@ bool has(const std::string& text, const std::string& part) { return text.find(pa
 
 }  // namespace
 
-TEST_CASE("A box that reaches beyond the mesh is told with its share outside; one that ends with it is not") {
+TEST_CASE(
+    "A box that reaches beyond the mesh is reported with its share outside; one that ends with it is not") {
   const auto box = [&](std::array<double, 2> lower, std::array<double, 2> upper) {
     return bodies(fill(Box<2>{lower, upper}, rubber, {.per_cell = 9}));
   };
@@ -62,7 +63,7 @@ TEST_CASE("A box that reaches beyond the mesh is told with its share outside; on
   CHECK(on_triangles(bodies(fill(Cells("all"), rubber, {.per_cell = 3}))).empty());
 }
 
-TEST_CASE("Bodies in one place are told once a pair; bodies that touch are not") {
+TEST_CASE("Bodies in one place are reported once a pair; bodies that touch are not") {
   auto texts =
       on_grid(bodies(fill<"sand">(Box{{0., 0.}, {0.5, 0.5}}, rubber),
                      fill(Box{{0.4, 0.}, {0.8, 0.5}}, rubber), fill(Box{{0.8, 0.}, {1., 0.5}}, rubber)));
@@ -83,7 +84,7 @@ TEST_CASE("Bodies in one place are told once a pair; bodies that touch are not")
   REQUIRE(texts.size() == 1);
 }
 
-TEST_CASE("Points with another mass than their region's are told with both") {
+TEST_CASE("Points with another mass than their region's are reported with both") {
   const auto layer = [](double top, FillOptions o = {}) {
     return on_grid(bodies(fill<"base">(Box{{0., 0.}, {1., top}}, rubber, o)));
   };
@@ -112,7 +113,7 @@ TEST_CASE("Points with another mass than their region's are told with both") {
         }).size() == 1);
 }
 
-TEST_CASE("Gravity with nothing that holds along it is told") {
+TEST_CASE("Gravity without a support along it is reported") {
   const auto block = bodies(fill(Box{{0.2, 0.2}, {0.5, 0.5}}, rubber));
   const Gravity down = gravity({0, -9.81});
   auto texts = on_grid(block, down);
@@ -134,7 +135,7 @@ TEST_CASE("Gravity with nothing that holds along it is told") {
             .empty());
 }
 
-TEST_CASE("A rigid body's distance is tried: NaN is refused, another unit and a wrong sign are told") {
+TEST_CASE("A rigid body's distance is tried: NaN is refused, another unit and a wrong sign are reported") {
   using P = Vec<double, 2>;
   const auto still = Prescribed{[](double) { return std::array{0.0, 0.0, 0.0}; }};
   const auto block = bodies(fill(Box{{0.2, 0.2}, {0.5, 0.5}}, rubber));

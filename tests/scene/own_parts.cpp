@@ -108,7 +108,7 @@ TEST_CASE("A piston draws a bar: uniform strain, and its work is what the bar st
   CHECK(std::abs(e.residual) <= 0.03 * e.external);
 }
 
-TEST_CASE("What parts block at a node is one projector: their order does not matter, driven nodes neither") {
+TEST_CASE("Parts that block at a node make one projector: their order does not matter, nor do driven nodes") {
   const auto velocities = [](auto... part) {
     Scene scene{PlaneStrain{}, grid(), Apic2{}, bodies(fill(Box{{0., 0.}, {1., 1.}}, rubber)), part...};
     step(scene, 1e-4);

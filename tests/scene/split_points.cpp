@@ -120,7 +120,7 @@ double unevenness(const Scene& scene) {
 
 }  // namespace
 
-TEST_CASE("Matter that flows into finer cells stays whole where its points split") {
+TEST_CASE("Material that flows into finer cells stays whole where its points split") {
   auto whole = block_into_finer_cells(SplitPoints<"block">{{.per_cell = 4}});
   auto thin = block_into_finer_cells();
   const double end = 0.095;  // s: inside the fine cells
@@ -144,7 +144,7 @@ TEST_CASE("Matter that flows into finer cells stays whole where its points split
   CHECK(mass(whole.body()) == Approx(mass(thin.body())).epsilon(1e-13));
 }
 
-TEST_CASE("Splits are the same bits on any number of threads, and where a run goes on") {
+TEST_CASE("Splits are the same bits on any number of threads, and where a run continues") {
   const auto at_end = [](int threads) {
     set_threads(threads);
     auto scene = block_into_finer_cells(SplitPoints<"block">{{.per_cell = 4}});

@@ -20,7 +20,7 @@ CartesianGrid<2> grid(double cell = 0.1) { return CartesianGrid<2>{{{0, 0}, {1, 
 
 }  // namespace
 
-TEST_CASE("Stable step: cell size over wave speed, times what the numerics bear") {
+TEST_CASE("Stable step: cell size over wave speed, times what the numerics carry") {
   const Box lower{{0., 0.}, {1., 0.5}};
   const double c = wave(rubber());
   Scene splines{PlaneStrain{}, grid(), Splines{}, bodies(fill(lower, rubber()))};
@@ -92,7 +92,7 @@ struct Asked {
 
 }  // namespace
 
-TEST_CASE("step: a length that is none is refused, one above the stable step is told once a scene") {
+TEST_CASE("step: a length that is none is refused, one above the stable step is reported once a scene") {
   const Scene fresh{PlaneStrain{}, grid(), Splines{}, bodies(fill(Box{{0., 0.}, {1., 0.5}}, rubber()))};
   const double bears = stable_step(fresh);
   Scene scene = fresh;
@@ -339,7 +339,7 @@ TEST_CASE("A free elastic body that spins on simplices gains no energy and loses
 }
 
 // FLIP loses angular momentum, but keeps the energy of the rotation, as disordered motion.
-TEST_CASE("A free elastic disc that spins ten times on triangles in FLIP with MUSL holds its energy") {
+TEST_CASE("A free elastic disc that spins ten times on triangles in FLIP with MUSL keeps its energy") {
   const Spun r = spin<Numerics<LinearSimplex, Flip, Musl>, 2>(10, 0.5, 6);
   CAPTURE(r.most, r.turn, r.momentum);
   CHECK(r.lost == 0);

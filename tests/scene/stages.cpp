@@ -147,7 +147,7 @@ TEST_CASE("Initial velocity as a function: a rigid rotation, with its gradient w
                         Catch::Matchers::Contains("= inf: must be finite"));
 }
 
-TEST_CASE("An observer ends a run; the others are told its end") {
+TEST_CASE("An observer ends a run; the others are called at its end") {
   int shown = 0, finished = 0;
   auto scene = empty_column();
   run(scene, {.end = 1}, Counts{shown, finished},

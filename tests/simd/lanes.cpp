@@ -33,8 +33,8 @@ auto lane(const P& p, int k) {
 
 }  // namespace
 
-TEMPLATE_TEST_CASE("part of a column: the lanes behind it hold the fill, and nothing behind it is written",
-                   "", (Width<double, 1>), (Width<double, 2>), (Width<double, 4>), (Width<double, 8>),
+TEMPLATE_TEST_CASE("part of a column: the lanes after it have the fill, and nothing after it is written", "",
+                   (Width<double, 1>), (Width<double, 2>), (Width<double, 4>), (Width<double, 8>),
                    (Twins<double, 16>), (Width<float, 4>), (Width<float, 8>), (Width<float, 16>),
                    (Twins<float, 32>)) {
   using T = typename TestType::scalar;

@@ -227,7 +227,7 @@ TEST_CASE("Tiles of a grid in space: an elastic block slides, a ball lands on it
       1e-9);
 }
 
-TEST_CASE("What of a grid cannot be cut is refused") {
+TEST_CASE("Grids that cannot be cut are refused") {
   OneRank here;
   const CartesianGrid<2> grid({.lower = {0, 0}, .upper = {1, 1}, .cell = 0.5});
   CHECK(test::message<error>([&] { split_cells(grid, 5); }) ==

@@ -5,7 +5,7 @@
 
 using namespace arenite;
 
-TEST_CASE("a question: its bytes are the same for the same numbers alone, and it is read back") {
+TEST_CASE("a question: its bytes are equal only for equal numbers, and it is read back") {
   const Question asked =
       Question{"a run"}.with("end", 0.1).with("watch", true).with("mesh", std::vector<int>{1, 2});
   const std::string bytes = asked.packed();

@@ -67,7 +67,7 @@ TEST_CASE("A grid gives as many tiles as it has cells, wherever they weigh somet
     }
 }
 
-TEST_CASE("What cannot be cut is refused") {
+TEST_CASE("Meshes that cannot be cut are refused") {
   const auto mesh = test::triangles({0, 0}, {1, 1}, 2, 2);
   const auto said = [](auto&& f) { return test::message<error>(f); };
   CHECK(said([&] { split_cells(mesh, 9); }) ==

@@ -78,7 +78,7 @@ std::vector<std::array<double, 2>> places_of(const Tiled<S>& tiled) {
 
 }  // namespace
 
-TEST_CASE("Tiles are filled with the points of the whole, jittered ones too, with ids of their own") {
+TEST_CASE("Tiles are filled with the points of the whole, jittered ones too, with their own ids") {
   OneRank here;
   const auto whole = column()(SimplexMesh<2>(mesh()));
   std::vector<std::array<double, 2>> expected;
@@ -96,7 +96,7 @@ TEST_CASE("Tiles are filled with the points of the whole, jittered ones too, wit
   }
 }
 
-TEST_CASE("One tile goes the way of the scene alone, bit for bit") {
+TEST_CASE("One tile has the same bits as the whole scene") {
   OneRank here;
   auto whole = column()(SimplexMesh<2>(mesh()));
   auto tiled = distribute(here, mesh(), {.tiles = 1}, column());
@@ -143,7 +143,7 @@ TEST_CASE("Tables and sums of tiles are those of the whole; VTU pieces are in on
                     Contains("RebalanceOptions.most = 0.5: must be at least 1"));
 }
 
-TEST_CASE("Saved tiles go on with the same bits; a folder of other tiles, or none, is refused") {
+TEST_CASE("Saved tiles continue with the same bits; a folder of other tiles, or none, is refused") {
   const auto folder = new_folder("saved_tiles");
   OneRank here;
   auto first = distribute(here, mesh(), {.tiles = 3}, column());

@@ -113,7 +113,7 @@ TEST_CASE("A body that leaves the mesh, and then the last one") {
   CHECK(any_has(all, "points of the scene have left the mesh"));
 }
 
-TEST_CASE("What a watch sees in tiles is of the whole") {
+TEST_CASE("A watch sees the whole of all tiles") {
   for (const double limit : {10., 1.}) {
     const auto told = told_of_all(Case{.velocity = {20, 3, 0}}, [&](auto& scene) {
       run(scene, {.end = 0.02, .max_step = 1e-3},
@@ -123,7 +123,7 @@ TEST_CASE("What a watch sees in tiles is of the whole") {
   }
 }
 
-TEST_CASE("A new scene in tiles is told of as a whole") {
+TEST_CASE("A new scene in tiles is reported as a whole") {
   const auto told = told_of_all(Case{.high = {{0.21, 0.1}, {1.3, 0.42}}, .gravity = -1}, [](auto&) {});
   for (const auto* word : {"of its region lies outside of the mesh",
                            "body low and body high lie in one place", "its points have", "everything falls"})
@@ -136,7 +136,7 @@ TEST_CASE("A new scene in tiles is told of as a whole") {
   CHECK(any_has(filled, "body low: its points have"));
 }
 
-TEST_CASE("Rigid bodies of a new scene in tiles are told of as of a whole") {
+TEST_CASE("Rigid bodies of a new scene in tiles are reported as of a whole") {
   const auto told = [](const auto& shape) { return told_of_all(ground(0.3, shape), [](auto&) {}); };
   CHECK(any_has(told(Box<2>{{0.2, 0.1}, {0.7, 0.4}}), " of the 480 points of body soil lie inside of it"));
   CHECK(any_has(told(Box<2>{{0.2, 0.32}, {0.8, 0.33}}), "a wall is"));
@@ -144,7 +144,7 @@ TEST_CASE("Rigid bodies of a new scene in tiles are told of as of a whole") {
   CHECK(any_has(told([](const Vec<double, 2>& x) { return 1000 * (0.05 - x[1]); }), "the gradient of its"));
 }
 
-TEST_CASE("Ground in tiles is at rest, or is told not to be, as in one") {
+TEST_CASE("Ground in tiles is at rest, or is reported not to be, as in one") {
   const auto told = [](double surface, double bottom) {
     return told_of_all(ground(surface, Box<2>{{0.4, bottom}, {0.6, 0.49}}),
                        [](auto& scene) { take_step(scene, 1e-5); });

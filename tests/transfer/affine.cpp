@@ -107,7 +107,7 @@ TEMPLATE_TEST_CASE("APIC keeps angular momentum to round-off, orbital and affine
   check_angular_momentum(ApicFlat(CartesianGrid<2>({.lower = {-3, 5}, .upper = {-2, 6}, .cell = 1}), 8));
 }
 
-TEMPLATE_TEST_CASE("APIC: points on a face and at a corner hand on what they have, finite and conserved", "",
+TEMPLATE_TEST_CASE("APIC: points on a face and at a corner pass on what they have, finite and conserved", "",
                    LinearGrid, QuadraticBSpline, CubicBSpline) {
   using ApicFlat = Flat<TestType>;
   ApicFlat s(flat_grid());
@@ -121,7 +121,7 @@ TEMPLATE_TEST_CASE("APIC: points on a face and at a corner hand on what they hav
   check_angular_momentum(s);
 }
 
-TEMPLATE_TEST_CASE("APIC: a point that comes close to a face hands on no more energy than it has", "",
+TEMPLATE_TEST_CASE("APIC: a point that comes close to a face passes on no more energy than it has", "",
                    LinearGrid, QuadraticBSpline, CubicBSpline) {
   using ApicFlat = Flat<TestType>;
   ApicFlat s(CartesianGrid<2>({.lower = {0, 0}, .upper = {3, 3}, .cell = 1}), 0);

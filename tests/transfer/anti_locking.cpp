@@ -85,7 +85,7 @@ TEST_CASE("nodal averaging: the dilation of the last step stays in its cell, by 
   CHECK(std::abs(average.cell_strain[1] - ((2 * shared + e1) / 3 + mean[1])) <= 1e-16);
 }
 
-TEST_CASE("element average: a filled cell bears the mean stress over its whole volume") {
+TEST_CASE("element average: a filled cell carries the mean stress over its whole volume") {
   auto s = two_cells<ElementAverage>(0.26, 0.24);  // 52 % and 48 % of half a square metre
   const auto mean = mean_stress(s.body.points, 0), partly = mean_stress(s.body.points, 1);
   const auto before = s.body.points.stress;
@@ -102,7 +102,7 @@ TEST_CASE("element average: a filled cell bears the mean stress over its whole v
               1e-15);
 }
 
-TEST_CASE("element average: the work of the stress is that of the force, over the volume that bears it") {
+TEST_CASE("element average: the work of the stress is that of the force, over the volume that carries it") {
   auto s = two_cells<ElementAverage>(0.26, 0.24);
   s.p2g();
   const double dt = 1e-9;  // the stress hardly changes

@@ -127,7 +127,7 @@ TEST_CASE("A point exactly on a free face keeps its impulse, and is strained as 
     CHECK(std::abs(on[k] - by[k]) <= 1.01 * 2e-5 * rubber.wave_modulus());
 }
 
-TEMPLATE_TEST_CASE("The force of points exactly on a face is handed on, not lost", "", QuadraticBSpline,
+TEMPLATE_TEST_CASE("The force of points exactly on a face is passed on, not lost", "", QuadraticBSpline,
                    CubicBSpline) {
   const LinearElastic rubber{{.density = 1000, .young = 1e6, .poisson = 0.3}};
   for (const bool upper : {false, true}) {

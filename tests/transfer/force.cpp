@@ -165,7 +165,7 @@ TEST_CASE("gradients of mass point out of the body and sum to zero") {
     if (s.node(i)[1] > 0.5 && s.nodes.sums[i].mass() > 0.1) REQUIRE(s.nodes.mass_gradient[i][1] > 0);
 }
 
-TEST_CASE("Points on a face: the node behind it has a force and no mass, and momentum is kept") {
+TEST_CASE("Points on a face: the node outside of it has a force and no mass, and momentum is kept") {
   Setup<PlaneStrain, Numerics<LinearSimplex, Flip, Usl>, SimplexMesh<2>> s(sample_mesh<2>(3), 0);
   for (Index c = 0; c < s.mesh.cell_count(); c += 5) {
     const auto& nodes = s.mesh.nodes(c);

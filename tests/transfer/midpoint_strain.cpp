@@ -77,7 +77,7 @@ TEST_CASE("The strain at the middle is that of the gradient and half of its squa
   check_random_gradients<3, 1>();
 }
 
-TEST_CASE("What a straight motion of each point adds in a rotation is strained") {
+TEST_CASE("The stretch that straight paths of points add in a rotation is strained") {
   const double angle = 0.01;
   const auto step = strain_step_of<double, 2, -1>([&](std::size_t b) {
     return b == 0 ? std::array{0.0, angle} : std::array{-angle, 0.0};

@@ -167,7 +167,7 @@ TEST_CASE(
   check(mesh(), Simplex<Fmpm, Musl>{.transfer = {.order = 4}});
 }
 
-TEST_CASE("FMPM: two bodies that meet keep their momentum to round-off, and gain no energy") {
+TEST_CASE("FMPM: two bodies that collide keep their momentum to round-off, and gain no energy") {
   const auto ball = [](double x, double speed) {
     return fill(Ball{{x, 0.5}, 0.2}, rubber(), {.per_cell = 4, .velocity = {speed, 0, 0}});
   };

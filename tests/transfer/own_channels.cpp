@@ -100,7 +100,7 @@ void check(const Grid& grid, int inner_cells) {
 
 }  // namespace
 
-TEST_CASE("channels of a user's own: rows of several groups hold what nodes collect") {
+TEST_CASE("channels of a user's own: rows of several groups have the sums of the nodes") {
   const CartesianGrid<2> flat{{.lower = {0, 0}, .upper = {1.25, 1.25}, .cell = 0.25}};
   const CartesianGrid<3> solid{{.lower = {0, 0, 0}, .upper = {1.25, 1.25, 1.25}, .cell = 0.25}};
   check<QuadraticBSpline>(flat, 9);

@@ -123,7 +123,7 @@ using Solid = Composition<ThreeDimensional, M, Numerics<Shape, Transfer, Order>>
 
 }  // namespace
 
-TEMPLATE_TEST_CASE("Linear functions: matter that moves as one is not strained, wherever its points lie", "",
+TEMPLATE_TEST_CASE("Linear functions: material that moves as one is not strained, wherever its points lie", "",
                    (Flat<LinearSimplex, Flip, Usl, Triangles>), (Flat<LinearSimplex, Flip, Musl, Triangles>),
                    (Flat<LinearSimplex, Flip, Usf, Triangles>), (Flat<LinearSimplex, Tpic, Musl, Triangles>),
                    (Flat<LinearSimplex, Xpic, Musl, Triangles>), (Round<LinearSimplex, Fmpm, Usl, Triangles>),
@@ -136,7 +136,7 @@ TEMPLATE_TEST_CASE("Linear functions: matter that moves as one is not strained, 
   CHECK(TestType::largest_stress() <= 1e-12);
 }
 
-TEMPLATE_TEST_CASE("Smooth functions: matter that moves as one is not strained, wherever its points lie", "",
+TEMPLATE_TEST_CASE("Smooth functions: material that moves as one is not strained, wherever its points lie", "",
                    (Flat<QuadraticBSpline, Apic, Usl>), (Flat<QuadraticBSpline, Flip, Musl>),
                    (Flat<QuadraticBSpline, Flip, Usf, RectilinearGrid<2>>),
                    (Round<CubicBSpline, Flip, Usl, PeriodicGrid<Grid, 1>>), (Flat<CubicBSpline, Apic, Musl>),

@@ -1,4 +1,4 @@
-"""What the driver says: its options, its inputs, its mistakes."""
+"""Options of the driver, its inputs, and its messages about mistakes."""
 
 import json
 import os
@@ -11,7 +11,7 @@ import shared
 from shared import COARSE, GRID, SHORT, drop, summary, content, Mesh, DriverTest
 
 
-class Words(DriverTest):
+class Options(DriverTest):
     """What the driver says when all is well."""
 
     def test_help(self):

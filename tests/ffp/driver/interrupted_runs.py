@@ -1,4 +1,4 @@
-"""Runs that fail, are stopped or killed, and go on."""
+"""Runs that fail, are interrupted or killed, and resume."""
 
 import os
 import resource
@@ -66,7 +66,7 @@ class Failures(DriverTest):
         self.assertIn("fields_soil_0000.vtu: cannot be written", found["failure"])
 
 
-class Ends(DriverTest):
+class InterruptedRuns(DriverTest):
     """One folder, one run, and its summary says how it stands."""
 
     LONG = [*COARSE, "--end", "10", "--fields-every", "1", "--quiet"]

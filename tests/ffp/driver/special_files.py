@@ -1,4 +1,4 @@
-"""Files that are none."""
+"""Special files: pipes, devices, links and folders in the place of files."""
 
 import json
 import os
@@ -10,7 +10,7 @@ import shared
 from shared import COARSE, SHORT, summary, content, DriverTest
 
 
-class Doors(DriverTest):
+class SpecialFiles(DriverTest):
     """Files that are links, pipes, devices, endless or nested without end: nothing is emptied, waited for or read to its end."""
 
     def setUp(self):

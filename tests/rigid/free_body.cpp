@@ -379,7 +379,8 @@ TEST_CASE(
   CHECK(std::abs(ball.spin.dot(ball.velocity)) <= 1e-6);  // about the axis across its way
 }
 
-TEST_CASE("A body whose rotation is prescribed takes the material inside along; its drive's work is recorded") {
+TEST_CASE(
+    "A body whose rotation is prescribed takes the material inside along; its drive's work is recorded") {
   const auto turn = [](auto dimension) {
     constexpr int D = dimension;
     using V = Vec<double, D>;

@@ -22,7 +22,7 @@ class Table {
   /// Throws `error` unless there is a row, all numbers are finite, and times do not fall.
   Table(std::initializer_list<Row> rows) : Table(std::vector<Row>(rows)) {}
   explicit Table(std::vector<Row> rows) : rows_{std::move(rows)} {
-    require(!rows_.empty(), "Table.rows", rows_.size(), "must be at least one");
+    require(rows_.size() > 0, "Table.rows", rows_.size(), "must be at least one");
     for (std::size_t k = 0; k < rows_.size(); ++k) {
       const auto [time, value] = rows_[k];
       require(std::isfinite(time), {"Table.time[", k, "]"}, time, "must be finite");
@@ -34,13 +34,14 @@ class Table {
   }
 
   double operator()(double time) const {
-    const auto after = std::upper_bound(rows_.begin(), rows_.end(), time,
+    const auto place = std::upper_bound(rows_.begin(), rows_.end(), time,
                                         [](double t, const Row& row) { return t < row.first; });
-    if (after == rows_.begin()) return after->second;
-    const auto before = after - 1;
-    if (after == rows_.end()) return before->second;
-    const double share = (time - before->first) / (after->first - before->first);
-    return before->second + share * (after->second - before->second);
+    const auto after = static_cast<std::size_t>(place - rows_.begin());
+    if (after == 0) return rows_.front().second;
+    if (after == rows_.size()) return rows_.back().second;
+    const auto& [start, at_start] = rows_[after - 1];
+    const auto& [end, at_end] = rows_[after];
+    return at_start + (time - start) / (end - start) * (at_end - at_start);
   }
 
  private:

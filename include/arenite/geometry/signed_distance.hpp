@@ -43,7 +43,7 @@ class AnyDistance {
   /// Differences of the distance over the step h, m, to both sides of x along each axis, in one call: the
   /// gradient times 2 h. Along z of two dimensions 0, with D = 3, too.
   template <int D>
-  Vec<double, D> differences(const Position& x, double h) const {
+  Position differences(const Position& x, double h) const {
     std::array<Position, 2 * D> place;
     std::array<double, 2 * D> distance;
     place.fill(x);
@@ -52,8 +52,8 @@ class AnyDistance {
       place[2 * k + 1][k] -= h;
     }
     at(place, distance.data());
-    Vec<double, D> g;
-    for (std::size_t k = 0; k < D; ++k) g[static_cast<int>(k)] = distance[2 * k] - distance[2 * k + 1];
+    Position g{};
+    for (std::size_t k = 0; k < D; ++k) g[k] = distance[2 * k] - distance[2 * k + 1];
     return g;
   }
   /// Box around the body, m; infinite where nothing is known.

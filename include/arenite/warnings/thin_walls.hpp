@@ -78,8 +78,10 @@ class WallProbe {
   }
   /// Unit vector by central differences; not finite where there is no slope.
   Position normal(const Position& x, double cell) const {
-    const auto g = tried_differences(*distance_, x, 1e-4 * cell);
-    return in_space<double, 3>(g / g.norm());
+    Position n = tried_differences(*distance_, x, 1e-4 * cell);
+    const double size = std::hypot(n[0], n[1], n[2]);
+    for (double& component : n) component /= size;
+    return n;
   }
 
   const AnyDistance* distance_;

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <string>
 #include <vector>
 
@@ -31,7 +30,8 @@ std::vector<double> tried_distances(const AnyDistance& distance,
                                     const std::vector<AnyDistance::Position>& places);
 
 /// `AnyDistance::differences` in space. Throws `error` that names x where one is NaN.
-Vec<double, 3> tried_differences(const AnyDistance& distance, const AnyDistance::Position& x, double h);
+AnyDistance::Position tried_differences(const AnyDistance& distance, const AnyDistance::Position& x,
+                                        double h);
 
 /// The median of the magnitudes of the gradient at the places that are nearest to the surface, -, by central
 /// differences; 1 if none of them is finite. The nearest are those of the least distance, in
@@ -128,10 +128,11 @@ ARENITE_COLD std::vector<double> tried_distances(const AnyDistance& distance,
   return d;
 }
 
-ARENITE_COLD Vec<double, 3> tried_differences(const AnyDistance& distance, const AnyDistance::Position& x,
-                                              double h) {
+ARENITE_COLD AnyDistance::Position tried_differences(const AnyDistance& distance,
+                                                     const AnyDistance::Position& x, double h) {
   const auto g = distance.differences<3>(x, h);
-  if (g.hasNaN()) throw error(refused_distance(x, std::numeric_limits<double>::quiet_NaN()));
+  for (const double component : g)
+    if (std::isnan(component)) throw error(refused_distance(x, component));
   return g;
 }
 
@@ -147,8 +148,8 @@ ARENITE_COLD double median_gradient(const AnyDistance& distance,
   nearest.resize(std::min(nearest.size(), most));
   std::vector<double> gradients;
   for (const std::size_t k : nearest) {
-    const double gradient =
-        tried_differences(distance, places[k], 1e-4 * sizes[k]).norm() / (2e-4 * sizes[k]);
+    const auto g = tried_differences(distance, places[k], 1e-4 * sizes[k]);
+    const double gradient = std::hypot(g[0], g[1], g[2]) / (2e-4 * sizes[k]);
     if (std::isfinite(gradient)) gradients.push_back(gradient);
   }
   if (gradients.empty()) return 1;

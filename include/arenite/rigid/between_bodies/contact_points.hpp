@@ -120,7 +120,7 @@ class ContactPoints {
   /// Central differences, not normalised.
   static V slope(const AnyDistance& distance, const V& x, double h) {
     const auto place = in_space<double, D>(x);
-    const V g = distance.differences<D>(place, h) / (2 * h);
+    const V g = in_plane(distance.differences<D>(place, h)) / (2 * h);
     if (g.hasNaN()) throw run_error(refused_distance(place, std::numeric_limits<double>::quiet_NaN()));
     return g;
   }

@@ -257,8 +257,9 @@ class BoundDistanceSurface {
       surface_.distance.at({at.data(), count}, distance.data());
       for (std::size_t k = 0; k < count; ++k) {
         if (distance[k] > (reach + tie) * cell[k]) continue;
-        const Vec<double, D> normal =
-            to_scene(place, surface_.distance.template differences<D>(at[k], 1e-4 * cell[k]).normalized());
+        const Vec<double, D> normal = to_scene(
+            place,
+            in_scene<D>(surface_.distance.template differences<D>(at[k], 1e-4 * cell[k])).normalized());
         bool finite = std::isfinite(distance[k]);
         for (int i = 0; i < D; ++i) finite = finite && std::isfinite(normal[i]);
         if (!finite) throw run_error(refused_distance(at[k], distance[k]));

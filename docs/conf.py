@@ -2,14 +2,14 @@
 
 The pages are Markdown that reads as well without Sphinx: links are those of files. What there is beside Sphinx's settings, in site/: the
 reference of C++ is made from the headers (cpp_reference.py), links to sources lead to pages of source (source_pages.py), and formulas
-need no script (mathml.py)."""
+need no script (mathml.py). The tables of the trade are made from their rows (benchmarks/trade/page.py)."""
 
 import re
 import sys
 from pathlib import Path
 
 DOCS = Path(__file__).parent
-sys.path[:0] = [str(DOCS / "site"), str(DOCS.parent / "python")]
+sys.path[:0] = [str(DOCS / "site"), str(DOCS.parent / "python"), str(DOCS.parent / "benchmarks" / "trade")]
 
 project = "Arenite"
 author = "the Arenite authors"
@@ -59,6 +59,14 @@ def _write_cpp_reference(app):
     app.config.breathe_projects["arenite"] = str(xml / "xml")
 
 
+def _write_trade_tables(app):
+    import page
+
+    path, text = DOCS / "trade_tables.md", page.tables(page.HERE)
+    if not path.exists() or path.read_text() != text:
+        path.write_text(text)
+
+
 def _inline(text):
     """`code` in single backquotes as reStructuredText has it; its other marks are plain characters."""
     text = re.sub(r"`[^`]*`|[*|]", lambda m: f"`{m[0]}`" if len(m[0]) > 1 else f"\\{m[0]}", text)
@@ -94,3 +102,4 @@ def _plain_docstring(app, what, name, obj, options, lines):
 def setup(app):
     app.connect("autodoc-process-docstring", _plain_docstring)
     app.connect("builder-inited", _write_cpp_reference, priority=1)
+    app.connect("builder-inited", _write_trade_tables, priority=1)

@@ -1,10 +1,15 @@
-"""Writes docs/trade.md and its pictures from the rows: each number and each advice of the page is taken from them."""
+"""Writes docs/trade.md, its pictures and the tables by problem, docs/trade_tables.md, from the rows: each number and each advice is taken from
+them. The tables need the standard library alone, since the site of the documentation writes them where the package is not built."""
 
+import ast
+import contextlib
+import functools
 import statistics
+import types
 from pathlib import Path
 
 from compositions import BASE, FLOAT, MORE, THREADS, Composition, every
-from trade import HERE, SHARED, problem, problems, read
+from trade import HERE, SHARED, problems, read
 
 TARGETS = [0.1, 0.03, 0.01, 0.003]  # errors that advice is given for
 FAMILIES = ["FLIP", "APIC", "AFLIP", "TPIC", "XPIC", "FMPM", "PIC"]
@@ -12,11 +17,38 @@ COLOURS = ["#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#6
 DASHES = {"linear": ":", "uGIMP": (0, (5, 1, 1, 1)), "quadratic": "-", "cubic": "--", "MLS": (0, (3, 1, 1, 1, 1, 1)), "triangles": "-."}
 MARKS = {"MUSL": "s", "USL": "o", "USF": "^"}
 MACHINE = "one core of a virtual Intel Xeon with AVX-512, of two, the other one busy, g++ 12 -O3"  # of rows.csv
+STATE = "the code of 1 December 2026, before version 0.1.0"  # of rows.csv
 CLEARLY = 1.2  # times of the processor agree to some 20 %
 
 
+@functools.lru_cache(maxsize=None)
+def constants(module):
+    """Literals that a module of this folder gives names to, or takes from another one, and its docstring: read, since to import a problem takes
+    numpy, the package and a compiler."""
+    def path(name):
+        return HERE / f"{name.replace('.', '/')}.py"
+
+    tree = ast.parse(path(module).read_text())
+    found = {"__doc__": ast.get_docstring(tree), "DIMENSION": 2}
+    for node in tree.body:
+        if isinstance(node, ast.ImportFrom) and path(node.module).exists():
+            there = constants(node.module)
+            found.update({a.name: there[a.name] for a in node.names if a.name in there})
+        elif isinstance(node, ast.Assign):
+            pair = node.targets[0], node.value
+            for target, value in zip(*(side.elts for side in pair)) if all(isinstance(side, ast.Tuple) for side in pair) else [pair]:
+                with contextlib.suppress(ValueError):  # computed
+                    found[target.id] = ast.literal_eval(value)
+    return found
+
+
+def problem(name):
+    """What a problem is called, its cells, and what a page says of it."""
+    return types.SimpleNamespace(**constants(f"problems.{name}"))
+
+
 def dimension(name):
-    return getattr(problem(name), "DIMENSION", 2)
+    return problem(name).DIMENSION
 
 
 class Row:
@@ -92,20 +124,29 @@ def time_of(x):
     return f"{x:.2g} s"
 
 
+def shown(name):
+    return name.replace("_", " ")
+
+
+def ratio(x):
+    return f"{x:.2g}" if x < 99.5 else f"{x:.0f}"
+
+
 def count(n, word):
     return f"{n} {word}" + ("" if n == 1 else "s")
 
 
-def told(r):
-    return f"`{r.composition}` on {r.cells} cells, {count(r.per_cell, 'point')} a cell, Courant number {r.courant:g}"
+def numbers(r):
+    """The cells of a row, its points a cell and, where it is not the usual one, its Courant number."""
+    return f"{r.cells} cells, {count(r.per_cell, 'point')}" + ("" if r.courant == 0.5 else f", Courant number {r.courant:g}")
 
 
 def advice(rows, target):
-    """A sentence on the cheapest row for an error."""
+    """A line on the cheapest row for an error."""
     r = cheapest(rows, target)
     if r is None:
-        return f"- For {percent(target)}: none of these."
-    return f"- For {percent(target)} the cheapest is {told(r)}: {percent(r.error)} in {time_of(r.seconds)}."
+        return f"- {percent(target)}: none."
+    return f"- {percent(target)}: `{r.composition}`, {numbers(r)}: {percent(r.error)} in {time_of(r.seconds)}."
 
 
 def advices(rows):
@@ -124,9 +165,11 @@ CHANGES = [("per_cell", 4, 9, "9 points a cell for 4"), ("per_cell", 4, 1, "1 po
            ("per_cell", 4, 10, "10 points a tetrahedron for 4"), ("courant", 0.5, 0.9, "a Courant number of 0.9 for 0.5"),
            ("courant", 0.5, 0.25, "a Courant number of 0.25 for 0.5"), ("order", "MUSL", "USL", "USL for MUSL"), ("order", "MUSL", "USF", "USF for MUSL"),
            ("shape", "quadratic", "linear", "linear functions for quadratic"), ("shape", "quadratic", "uGIMP", "uGIMP for quadratic B-splines"),
-           ("shape", "quadratic", "cubic", "cubic B-splines for quadratic"), ("shape", "quadratic", "MLS", "MLS gradients for those of quadratic B-splines"), ("transfer", "FLIP", "FLIP, time", "FLIP with a time for FLIP"),
-           ("transfer", "FLIP", "PIC", "PIC for FLIP"), ("transfer", "FLIP", "APIC", "APIC for FLIP"), ("transfer", "FLIP", "XPIC(2)", "XPIC(2) for FLIP"), ("transfer", "FLIP", "FMPM(4)", "FMPM(4) for FLIP"),
-           ("transfer", "APIC", "AFLIP", "AFLIP for APIC"), ("average", "none", "nodal", "the nodal average for none"),
+           ("shape", "quadratic", "cubic", "cubic B-splines for quadratic"),
+           ("shape", "quadratic", "MLS", "MLS gradients for those of quadratic B-splines"), ("transfer", "FLIP", "FLIP, time", "FLIP with a time for FLIP"),
+           ("transfer", "FLIP", "PIC", "PIC for FLIP"), ("transfer", "FLIP", "APIC", "APIC for FLIP"), ("transfer", "FLIP", "XPIC(2)", "XPIC(2) for FLIP"),
+           ("transfer", "FLIP", "FMPM(4)", "FMPM(4) for FLIP"), ("transfer", "APIC", "AFLIP", "AFLIP for APIC"),
+           ("average", "none", "nodal", "the nodal average for none"),
            ("average", "nodal", "nodal and element", "the nodal and element average for the nodal one"), ("number", "double", "float", "float for double"),
            ("threads", 1, 2, "two threads for one, on the finest cells")]
 
@@ -145,39 +188,41 @@ def pairs(rows, differs, a, b):
 
 
 def changes(rows):
-    """Sentences on points and steps."""
+    """Lines on points and steps."""
     lines = []
     for differs, a, b, words in CHANGES:
         found = pairs(rows, differs, a, b)
         if found and differs in ("per_cell", "courant"):
-            lines.append(f"- {words[0].upper() + words[1:]} costs {found[0]:.2f} times the time and has {found[1]:.2f} times the error (medians).")
+            lines.append(f"- {words[0].upper() + words[1:]}: {found[0]:.2f} times the time, {found[1]:.2f} times the error (medians).")
     return lines
 
 
 def what_changes(rows, of):
     """A table: what each choice changes in time, and in error by problem."""
-    lines = ["| choice | time | " + " | ".join(f"{n.replace('_', ' ')}" for n in of) + " |", "|" + "---|" * (2 + len(of))]
+    lines = ["| choice | time | " + " | ".join(map(shown, of)) + " |", "|" + "---|" * (2 + len(of))]
     for differs, a, b, words in CHANGES:
         found = pairs(rows, differs, a, b)
         if found:
             each = [pairs(of[n], differs, a, b) for n in of]
-            lines.append(f"| {words} | {found[0]:.2f} | " + " | ".join("" if e is None else f"{e[1]:.2g}" for e in each) + " |")
+            lines.append(f"| {words} | {found[0]:.2f} | " + " | ".join("" if e is None else ratio(e[1]) for e in each) + " |")
     return lines
 
 
 def in_words(rows, of):
-    """What each choice costs, and where it halves or doubles the error at least."""
-    lines = []
+    """What each choice costs, and on which problems it halves or doubles the error at least."""
+    lines, others = [], []
     for differs, a, b, words in CHANGES:
         found = pairs(rows, differs, a, b)
         if not found:
             continue
-        each = {n.replace("_", " "): pairs(of[n], differs, a, b) for n in of}
-        halves, doubles = ([f"{n} ({e[1]:.2g})" for n, e in each.items() if e and test(e[1])] for test in (lambda q: q <= 0.5, lambda q: q >= 2))
-        told = [f"{word} the error of {', '.join(names)}" for word, names in (("halves", halves), ("doubles", doubles)) if names]
-        lines.append(f"- **{words}**: {found[0]:.2f} times the time; "
-                     + (" and ".join("at least " + t for t in told) if told else "neither halves nor doubles an error") + ".")
-    return lines
+        each = {shown(n): pairs(of[n], differs, a, b) for n in of}
+        halved, doubled = ([f"{n} ({ratio(e[1])})" for n, e in each.items() if e and test(e[1])] for test in (lambda q: q <= 0.5, lambda q: q >= 2))
+        said = [f"{word}: {', '.join(names)}" for word, names in (("less error", halved), ("more error", doubled)) if names]
+        if said:
+            lines.append(f"- **{words}**: time {found[0]:.2f}; {'; '.join(said)}.")
+        else:
+            others.append(f"{words} ({found[0]:.2f})")
+    return [*lines, "", f"No error is halved or doubled by these (time): {', '.join(others)}."]
 
 
 def orders(rows, sizes, theory):
@@ -209,6 +254,19 @@ def failures(rows):
             where = f"{r.cells} cells, {count(r.per_cell, 'point')} a cell, Courant number {r.courant:g}: {r.failure}"
             found.setdefault(where, []).append(f"`{r.composition}`")
     return [f"- {where}: {', '.join(names)}" for where, names in found.items()]
+
+
+def best_table(rows, of, names):
+    """What compositions cost, and the problems on whose fronts they are."""
+    lines = ["| composition | ns | ns, space | bytes | on the front of |", "|---|---|---|---|---|"]
+    fronts = {n: {r.composition for r in front(of[n])} for n in of}
+    for name in names:
+        mine = [r for r in rows if r.composition == name]
+        rates = [[1e9 / r.rate for r in mine if dimension(r.problem) == d and r.usual and not r.failure] for d in (2, 3)]
+        costs = " | ".join(f"{statistics.median(q):.0f}" if q else "" for q in rates)
+        bytes_of = max(r.bytes for r in mine if r.problem == "bar")
+        lines.append(f"| {name} | {costs} | {bytes_of} | {', '.join(shown(n) for n in of if name in fronts[n])} |")
+    return lines
 
 
 def draw(rows, path, title):
@@ -258,61 +316,82 @@ def refused():
     return sorted(counts.items(), key=lambda item: -item[1]), len(all_of)
 
 
+def by_problem(rows):
+    """Rows of each problem that has some, in the order of the pages."""
+    found = {n: [r for r in rows if r.problem == n] for n in problems()}
+    return {n: mine for n, mine in found.items() if mine}
+
+
 def text(out):
-    """The page."""
+    """The page of advice."""
     all_rows = rows_of(out)
     rows = on_one(all_rows)
-    there = [n for n in problems() if any(r.problem == n for r in rows)]
-    of = {n: [r for r in rows if r.problem == n] for n in there}
-    all_of_problem = {n: [r for r in all_rows if r.problem == n] for n in there}
+    of = by_problem(rows)
+    names = list(dict.fromkeys(r.composition for r in rows))
+    on_front = [n for n in names if any(r.composition == n for mine in of.values() for r in front(mine))]
     lines = [
         "# What a result costs", "",
-        "How wrong compositions are on problems with a known answer, and what that costs. A row of the table is one run: a shape function, a transfer, an",
-        "order of the stress update, an average, double or float, threads, points a cell, cells, a Courant number. `benchmarks/trade/trade.py` runs them from Python and",
-        f"writes this page from its table, `benchmarks/trade/rows.csv` ({len(all_rows)} rows, {len({r.composition for r in all_rows})} compositions): all numbers are from there. Seconds are those of the processor",
-        f"for the steps alone, {MACHINE}; they agree to some 20 %. {len(BASE)} compositions ran in full; on {len(SHARED)} problems {len(MORE)} more on two sizes of cells, {len(FLOAT)} in",
-        f"float (`dtype=\"float32\"` of the mesh), and {len(THREADS)} on two threads on the finest cells (their seconds are those of the clock, and stand in *two threads for one* only).",
-        "`FLIP, time` takes the period of the problem, or its whole time, as its time.",
-        "",
-        "```sh", "benchmarks/trade/trade.py                          # runs what the table lacks, and appends row by row",
-        "benchmarks/trade/trade.py --page docs/trade.md     # writes this page from it", "```", "",
+        "How wrong compositions are on problems with a known answer, and what that costs. All numbers are from `benchmarks/trade/rows.csv`",
+        f"({len(all_rows)} runs, {len({r.composition for r in all_rows})} compositions). A run has a shape function, a transfer, an order of the stress",
+        "update, an average, double or float, threads, points a cell, cells and a Courant number, 0.5 where none is given. Seconds are processor time",
+        f"of the steps alone, on {MACHINE},",
+        f"with {STATE}; they repeat to some 20 %. {len(BASE)} compositions ran in full; on {len(SHARED)} problems",
+        f"{len(MORE)} more with two sizes of cells, {len(FLOAT)} in float (`dtype=\"float32\"` of the mesh) and {len(THREADS)} on two threads, in time of the",
+        "clock. `FLIP, time` takes the period of the problem, or its whole time, as its time.", "",
+        "All compositions by problem are on the page \"Tables of the trade\" of the documentation site. `benchmarks/trade/trade.py` writes this page",
+        "with `--page docs/trade.md`, those tables with `--tables docs/trade_tables.md`.", "",
         "## The cheapest for an error", "",
         "| problem | kind | " + " | ".join(percent(t) for t in TARGETS) + " |", "|" + "---|" * (2 + len(TARGETS))]
-    for n in there:
-        cells = []
-        for t in TARGETS:
-            r = cheapest(of[n], t)
-            cells.append("none" if r is None else f"{r.composition}; {r.cells} cells; {count(r.per_cell, 'point')}; {r.courant:g}: {time_of(r.seconds)}")
-        lines.append(f"| [{problem(n).TITLE}](#{anchor(problem(n).TITLE)}) | {problem(n).KIND} | {' | '.join(cells)} |")
-    lines += ["", "A row counts where its composition keeps to the error on finer cells, too. \"None\": no row does. Cells are counted as each problem says,",
-              "the last number is the Courant number. `arenite.recommend` asks the same table.", "",
+    for n, mine in of.items():
+        p, best = problem(n), [cheapest(mine, t) for t in TARGETS]
+        cells = ["none" if r is None else f"`{r.composition}`, {numbers(r)}: {time_of(r.seconds)}" for r in best]
+        lines.append(f"| [{p.TITLE}](#{anchor(p.TITLE)}) | {p.KIND} | {' | '.join(cells)} |")
+    lines += ["", "A row counts if its composition keeps to the error on finer cells, too; \"none\": no row does. Points are those of a cell; each problem",
+              "below says how its cells are counted, and repeats the two smallest errors that are reached. `arenite.recommend` reads the same",
+              "table.", "",
               "## Where each composition is best", "",
-              "A problem is named where a row of the composition, of an error of at most 10 %, is on its front: none is both cheaper and more exact. ns: a point and step, median over",
-              "all rows with the usual points and steps, in the plane and in space. Bytes: of a point of the vibrating bar, its number included.", "",
-              "| composition | ns | ns, space | bytes | on the front of |", "|---|---|---|---|---|"]
-    fronts = {n: {r.composition for r in front(of[n])} for n in there}
-    for name in dict.fromkeys(r.composition for r in rows):
-        rates = [[1e9 / r.rate for r in rows if r.composition == name and dimension(r.problem) == d and r.usual and not r.failure] for d in (2, 3)]
-        bytes_of = max(r.bytes for r in of[there[0]] if r.composition == name)
-        lines.append(f"| {name} | {' | '.join(f'{statistics.median(q):.0f}' if q else '' for q in rates)} | {bytes_of} | {', '.join(n.replace('_', ' ') for n in there if name in fronts[n])} |")
-    beaten = dominated(of)
-    lines += ["", "Dominated everywhere, of those that ran on all problems (on each another composition is as exact as each of its rows of at most 10 %, in less time by a sixth or more): "
-              + (", ".join(f"`{n}`" for n in beaten) or "none") + ".", "", "## What each choice changes", "",
-              "Times over all problems, errors by problem, of rows that differ in this choice alone: medians of the ratios.", "", *what_changes(all_rows, all_of_problem), "",
-              "The points of a cell are computed side by side, in packs of up to eight numbers ([performance](performance.md)): up to there more of them cost little.", "", *in_words(all_rows, all_of_problem)]
-    for n in there:
+              "On the front of a problem are rows with an error of at most 10 % than which none is both cheaper and more exact. ns: time of a point and",
+              "step, median of all rows with the usual points and steps, in the plane and in space. Bytes: of a point of the vibrating bar, its number",
+              "included.", "",
+              *best_table(rows, of, on_front), "",
+              f"The other {len(names) - len(on_front)} compositions are on no front. Dominated, of those that ran on all problems (for each of their rows of",
+              f"at most 10 % another one is as exact, in less time by a sixth or more): {', '.join(f'`{n}`' for n in dominated(of)) or 'none'}.", "",
+              "## What each choice changes", "",
+              "Of rows that differ in one choice alone, medians of the ratios: of the time over all problems, and of the error where it is at least",
+              "halved or doubled.", "", *in_words(all_rows, by_problem(all_rows)), "",
+              "The points of a cell are computed side by side, in packs of up to eight numbers ([performance](performance.md)): up to there, more of them",
+              "cost little."]
+    for n, mine in of.items():
         p = problem(n)
-        lines += ["", f"## {p.TITLE}", "", *p.SOURCE.splitlines(), "", f"Error: {p.ERROR}. Cells: {p.CELLS_ARE}.", "",
-                  f"![Error over time of one core](images/trade/{n}.svg)", "", *advices(of[n]), *changes(of[n]), "",
-                  *orders(of[n], p.CELLS, p.ORDER)]
-        failed = failures(of[n])
-        if failed:
-            lines += ["", "Failed:", "", *failed]
+        lines += ["", f"## {p.TITLE}", "", f"{p.__doc__} Error: {' '.join(p.ERROR.split('. ')[0].split())}. Cells: {p.CELLS_ARE}.", "",
+                  f"![Error over time](images/trade/{n}.svg)", "", *[advice(mine, t) for t in TARGETS if cheapest(mine, t)][-2:]]
     found, all_of = refused()
     lines += ["", "## What does not go together", "",
-              f"Of {all_of} products of the names of `compositions.py` the library refuses {sum(k for _, k in found)}, with these sentences:", "",
-              "| sentence | products |", "|---|---|", *(f"| {sentence} | {count} |" for sentence, count in found), ""]
+              f"Of {all_of} products of the names in `compositions.py` the library refuses {sum(k for _, k in found)}:", "",
+              *(f"- {k}: {sentence}" for sentence, k in found), ""]
     return "\n".join(lines)
+
+
+def tables(out):
+    """The page of all compositions by problem."""
+    all_rows = rows_of(out)
+    rows = on_one(all_rows)
+    of = by_problem(rows)
+    lines = ["# Tables of the trade", "",
+             "All compositions of `benchmarks/trade/rows.csv` on each problem; advice, and what the words mean, are in [what a result costs](trade.md).",
+             f"Seconds: {MACHINE}, with {STATE}; two threads: seconds of the clock.", "",
+             "## Where each composition is best", "", *best_table(rows, of, dict.fromkeys(r.composition for r in rows)), "",
+             "## What each choice changes", "",
+             "Times over all problems, errors by problem, of rows that differ in this choice alone: medians of the ratios.", "",
+             *what_changes(all_rows, by_problem(all_rows))]
+    for n, mine in of.items():
+        p = problem(n)
+        lines += ["", f"## {p.TITLE}", "", *p.SOURCE.splitlines(), "", f"Error: {p.ERROR}. Cells: {p.CELLS_ARE}.", "",
+                  f"![Error over time](images/trade/{n}.svg)", "", *advices(mine), *changes(mine), "", *orders(mine, p.CELLS, p.ORDER)]
+        failed = failures(mine)
+        if failed:
+            lines += ["", "Failed:", "", *failed]
+    return "\n".join(lines) + "\n"
 
 
 def anchor(title):
@@ -338,8 +417,8 @@ def recommended(out):
             shape, transfer, order, average = numerics.kinds()
             values = " ".join(f"{f.name}={getattr(numerics.transfer, f.name):g}" for f in dataclasses.fields(numerics.transfer)
                               if getattr(numerics.transfer, f.name) != f.default)
-            writer.writerow([p.KIND, p.TITLE, p.__doc__.split("\n\n")[0].replace("\n", " "), shape, transfer, values, order, average, r.of.dtype, r.cells, p.CELLS_ARE, r.per_cell, f"{r.courant:g}",
-                             f"{kept_error(r, mine):.4g}", f"{r.seconds:.4g}"])
+            writer.writerow([p.KIND, p.TITLE, p.__doc__.split("\n\n")[0].replace("\n", " "), shape, transfer, values, order, average, r.of.dtype, r.cells,
+                             p.CELLS_ARE, r.per_cell, f"{r.courant:g}", f"{kept_error(r, mine):.4g}", f"{r.seconds:.4g}"])
     return text.getvalue()
 
 

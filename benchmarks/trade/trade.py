@@ -3,6 +3,7 @@
 
     trade.py [--quick] [--all] [--only bar,spin] [--out FOLDER]     runs what is not in FOLDER/rows.csv yet, and appends row by row
     trade.py --page PAGE [--out FOLDER]                             writes docs/trade.md and its pictures from the rows
+    trade.py --tables PAGE [--out FOLDER]                           writes the tables by problem, with the standard library alone
     trade.py --compare [--only bar,spin] --out FOLDER               ends with 1 where errors of FOLDER are not those of the table here
 
 With a Python that has the package arenite, numpy and, for the page, matplotlib. A composition that the package does not have is compiled when it
@@ -183,6 +184,7 @@ def main():
     parser.add_argument("--only", default="", help="names of problems, with commas")
     parser.add_argument("--out", type=Path, default=HERE, help="folder of rows.csv [benchmarks/trade]")
     parser.add_argument("--page", type=Path, help="writes the page instead")
+    parser.add_argument("--tables", type=Path, help="writes the tables by problem instead")
     parser.add_argument("--compare", action="store_true", help="compares --out with the table here instead")
     parser.add_argument("--longest", type=float, default=60, help="seconds of the processor that one run may take [60]")
     given = parser.parse_args()
@@ -193,6 +195,10 @@ def main():
         import page
 
         page.write(given.page, given.out)
+    elif given.tables:
+        import page
+
+        given.tables.write_text(page.tables(given.out))
     elif given.compare:
         found, told = compare(names, given.out)
         print(*told, f"{len(found)} rows compared, {len(told)} differ", sep="\n")

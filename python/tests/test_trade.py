@@ -1,7 +1,10 @@
 """benchmarks/trade and docs/trade.md: the page is what the table says, and its advice the cheapest row."""
 
+import contextlib
 import csv
 import re
+import subprocess
+import sys
 from pathlib import Path
 
 import pytest
@@ -32,10 +35,49 @@ def test_page_is_what_the_table_says(trade):
     assert page.recommended(FOLDER) == page.RECOMMENDED.read_text()
 
 
+def test_constants_of_problems_are_those_of_their_modules(trade):
+    """A page reads them, without an import."""
+    import page
+
+    for name in trade.problems():
+        told, module = page.problem(name), trade.problem(name)
+        for word in ("TITLE", "KIND", "SOURCE", "ERROR", "CELLS", "CELLS_ARE", "ORDER", "__doc__"):
+            assert getattr(told, word) == getattr(module, word), (name, word)
+        assert told.DIMENSION == getattr(module, "DIMENSION", 2)
+
+
+def test_tables_need_the_standard_library_alone(trade):
+    """The site of the documentation writes them where nothing is built."""
+    import page
+
+    script = f"import sys; sys.path.insert(0, {str(FOLDER)!r}); import page; sys.stdout.write(page.tables(page.HERE))"
+    found = subprocess.run([sys.executable, "-I", "-S", "-c", script], check=True, capture_output=True, text=True).stdout
+    assert found == page.tables(FOLDER)
+
+
+def test_tables_have_all_compositions_on_each_problem(trade, table):
+    """Each error at the usual points and steps stands in its row, below the heading that the page of advice has, too."""
+    import page
+
+    parts = sections(page.tables(FOLDER))
+    assert not set(sections(PAGE.read_text())) - set(parts) - {"The cheapest for an error", "What does not go together"}
+    for name, rows in page.by_problem(page.on_one(page.rows_of(FOLDER))).items():
+        lines = {line.split(" | ")[0]: line.split(" | ") for line in parts[page.problem(name).TITLE].splitlines() if line.startswith("| ")}
+        for r in rows:
+            cells = lines[f"| {r.composition}"]
+            if r.usual:
+                assert cells[1 + page.problem(name).CELLS.index(r.cells)] == ("failed" if r.failure else f"{r.error:.3g}")
+
+
 def test_pictures_are_there():
     named = re.findall(r"\]\((images/trade/.*?)\)", PAGE.read_text())
     assert named and {p.name for p in (PAGE.parent / "images" / "trade").glob("*")} == {Path(n).name for n in named}
     assert all((PAGE.parent / n).stat().st_size > 0 for n in named)
+
+
+def sections(text):
+    """Those of a page, by heading."""
+    return dict(part.split("\n", 1) for part in re.split(r"^## ", text, flags=re.MULTILINE)[1:])
 
 
 def exact_enough(table, name, target):
@@ -57,25 +99,46 @@ def exact_enough(table, name, target):
     return [r for r in rows if not off(r) and not any(off(o) for o in rows if counts(o, r))]
 
 
+ADVICE = r"`(.*?)`, (\d+) cells, (\d+) points?(?:, Courant number (\S+))?: "
+
+
+def is_cheapest(table, name, target, told, cells, points, courant):
+    """No row of the problem that is as exact as is asked takes less time, and the row is there."""
+    best = min(exact_enough(table, name, float(target) / 100), key=lambda r: float(r["seconds"]), default=None)
+    if best is None:
+        return False
+    average = [] if best["average"] == "none" else [best["average"] + " average"]
+    number = [] if best["number"] == "double" else [best["number"]]
+    return (told == "; ".join([best["shape"], best["transfer"], best["order"], *average, *number])
+            and (cells, points, float(courant or 0.5)) == (best["cells"], best["per_cell"], float(best["courant"])))
+
+
 def test_advice_is_the_cheapest_row(trade, table):
-    """Of each sentence: no row of the problem that is as exact as is asked takes less time, and the row is there."""
-    parts = re.split(r"^## ", PAGE.read_text(), flags=re.MULTILINE)[1:]
-    seen = 0
-    for name in dict.fromkeys(r["problem"] for r in table):
-        part = next(p for p in parts if p.startswith(trade.problem(name).TITLE + "\n"))
-        for target, told, cells, points, courant in re.findall(
-                r"- For (\S+) % the cheapest is `(.*?)` on (\d+) cells, (\d+) points? a cell, Courant number (\S+):", part):
-            enough = exact_enough(table, name, float(target) / 100)
-            best = min(enough, key=lambda r: float(r["seconds"]))
-            average = [] if best["average"] == "none" else [best["average"] + " average"]
-            number = [] if best["number"] == "double" else [best["number"]]
-            assert told == "; ".join([best["shape"], best["transfer"], best["order"], *average, *number])
-            assert (cells, points, float(courant)) == (best["cells"], best["per_cell"], float(best["courant"]))
-            seen += 1
-        for target in re.findall(r"- For (\S+) %: none of these", part):
-            assert not exact_enough(table, name, float(target) / 100)
-            seen += 1
-    assert seen >= 2 * len({r["problem"] for r in table})
+    """Each line of both pages."""
+    import page
+
+    names = list(dict.fromkeys(r["problem"] for r in table))
+    for text, least in ((PAGE.read_text(), 1), (page.tables(FOLDER), 2)):
+        parts = sections(text)
+        for name in names:
+            part = parts[trade.problem(name).TITLE]
+            reached, missed = re.findall(rf"^- (\S+) %: {ADVICE}", part, re.MULTILINE), re.findall(r"^- (\S+) %: none", part, re.MULTILINE)
+            assert all(is_cheapest(table, name, *line) for line in reached) and not any(exact_enough(table, name, float(t) / 100) for t in missed)
+            assert len(reached) + len(missed) >= least
+
+
+def test_table_of_advice_has_the_cheapest_rows(trade, table):
+    lines = sections(PAGE.read_text())["The cheapest for an error"].strip().splitlines()
+    targets = [cell.removesuffix(" %") for cell in lines[0].strip("| ").split(" | ")[2:]]
+    rows = {re.match(r"\| \[(.*?)\]", line)[1]: line.strip("| ").split(" | ")[2:] for line in lines if line.startswith("| [")}
+    names = list(dict.fromkeys(r["problem"] for r in table))
+    assert set(rows) == {trade.problem(name).TITLE for name in names} and len(targets) == 4
+    for name in names:
+        for target, cell in zip(targets, rows[trade.problem(name).TITLE]):
+            if cell == "none":
+                assert not exact_enough(table, name, float(target) / 100)
+            else:
+                assert is_cheapest(table, name, target, *re.match(ADVICE, cell).groups())
 
 
 def test_table_holds_each_composition_once(trade, table):
@@ -107,8 +170,12 @@ def test_rows_that_are_there_are_not_run_again(trade, tmp_path, monkeypatch):
 
 
 def test_what_the_library_refuses_is_not_run(trade, ar):
-    from compositions import Composition, every
+    from arenite._recipe import check_together
+    from compositions import SHAPES, Composition, every
 
+    for shape, recipe in SHAPES.items():
+        with contextlib.nullcontext() if Composition(shape, "FLIP", "MUSL").on_grid() else pytest.raises(ar.Error):
+            check_together(recipe, "CartesianGrid")
     admitted = set(trade.admitted())
     assert Composition("quadratic", "APIC", "USL") in admitted and Composition("triangles", "APIC", "USL") not in admitted
     assert 0 < len(admitted) < len(every())

@@ -10,7 +10,7 @@ KIND = "penetration"
 SOURCE = """A steel ball of 25.4 mm falls by 0.2 m into loose glass beads. Measured depth: 0.14 / mu (rho_ball / rho_beads)^(1/2) D^(2/3) H^(1/3), H from
 where it comes to rest (Uehara, Ambroso, Ojha and Durian 2003, Phys. Rev. Lett. 90, 194301). Axisymmetric, a cylinder of beads of 0.1 m, angle of repose 24 deg for
 both angles of friction, E = 1 MPa."""
-ERROR = "the depth over the measured one, less 1, without its sign. It holds the error of the law, which does not fall with the cells"
+ERROR = "relative difference of the depth from the measured one. It contains the error of the law, which does not fall with the cells"
 CELLS, ORDER = (5, 10, 20), "none, the exact solution of the model is not known"
 CELLS_ARE = "over the diameter"
 DIAMETER, HEIGHT, G, REPOSE = 0.0254, 0.2, 9.81, np.radians(24)

@@ -9,7 +9,7 @@ TITLE = "Vibrating bar, small motion"
 KIND = "vibration"
 SOURCE = """Closed form: v = v0 sin(pi X / 2 L) cos(w t), w = pi / (2 L) sqrt(M / rho), of uniaxial strain (M: the modulus of pressure waves). Five
 periods at strains of 1e-4: no point changes its cell."""
-ERROR = "root mean square over the points of the distance from the exact state in the phase plane (displacement; velocity over w), over that of the mode"
+ERROR = "RMS over the points of the distance from the exact state in the phase plane (displacement; velocity over frequency w), over that of the mode"
 CELLS, ORDER = (16, 32, 64), 2
 CELLS_ARE = "along the bar"
 PERIODS, STRAIN, LENGTH = 5, 1e-4, 1.0

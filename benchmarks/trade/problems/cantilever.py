@@ -9,7 +9,7 @@ TITLE = "Cantilever that hangs far"
 KIND = "bending"
 SOURCE = """The elastica (Bisshopp and Drucker 1945, Q. Appl. Math. 3, 272-275, for a load at the tip; here for a weight of q L^3 / EI = 2
 along it, integrated by Runge-Kutta and checked on their tip loads), with the shear of a section of L / 6. Kinetic damping, two periods."""
-ERROR = "root mean square over the points of the distance from where the beam's sections take them, over the fall of the tip"
+ERROR = "RMS distance of the points from where the beam's sections take them, over the fall of the tip"
 CELLS, ORDER = (2, 4, 8), 2
 CELLS_ARE = "over the thickness"
 LENGTH, THICK, G, WEIGHT = 1.0, 1 / 6, 10.0, 2.0

@@ -12,8 +12,8 @@ KIND = "flow"
 SOURCE = """Run-outs of plane columns over their width, 1.2 a for ratios of height and width a < 1.8 and 1.9 a^(2/3) from 2.8 on (Lube, Huppert, Sparks
 and Freundt 2005, Phys. Rev. E 72, 041301; between the two the second stands here). a = 0.5, 1 and 2 at a width of 0.1 m; angle of friction 31 deg,
 E = 1 MPa, until 5 sqrt(H / g). The front is where the deposit is a fortieth of the width deep."""
-ERROR = """the mean over the three columns of the run-out over the measured one, less 1, without its sign. It holds the error of the law, which
-does not fall with the cells, and signs that cancel"""
+ERROR = """the mean over the three columns of the relative difference of the run-out from the measured one. It contains the error of the law, which
+does not fall with the cells; the two may cancel"""
 CELLS, ORDER = (5, 10, 20), "none, the exact solution of the model is not known"
 CELLS_ARE = "over the width"
 WIDTH, G, RATIOS = 0.1, 9.81, (0.5, 1.0, 2.0)

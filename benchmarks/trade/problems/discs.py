@@ -10,7 +10,7 @@ KIND = "collision"
 SOURCE = """Two elastic discs fly at each other along the diagonal of a square and rebound, by the grid alone (Sulsky, Chen and Schreyer 1994,
 doi:10.1016/0045-7825(94)90112-0): radii of 0.2 m, centres at (0.3, 0.3) and (0.7, 0.7) m, E = 1 MPa, nu = 0.3, 1,000 kg/m3, each at 0.02 of the wave speed in
 both directions, until 2.5 times the time in which they would meet. Nothing dissipates: the kinetic and elastic energy of the start is there at the end."""
-ERROR = "the energy at the end over that of the start, less 1, without its sign"
+ERROR = "relative difference of the energy at the end from that at the start"
 CELLS, ORDER = (8, 16, 32), "none, contact by the grid begins a cell before the discs touch"
 CELLS_ARE = "along a radius"
 LAW = ar.LinearElastic(density=1000, young=1e6, poisson=0.3)

@@ -10,7 +10,7 @@ KIND = "bearing"
 SOURCE = """Failure at a mean pressure of (2 + pi) c (Prandtl 1920; Hill 1949), after 4 mm, a smooth footing of 1 m, half of which is computed:
 3 m x 2 m without weight, c = 20 kPa, E = 10,000 c, nu = 0.3. The pressure is that of the last tenth of the time. Where functions are as wide as one cell (linear
 ones, uGIMP, triangles), the last driven node bears half a cell beyond the footing, which counts as its width."""
-ERROR = "the pressure over (2 + pi) c, less 1, without its sign. It may change its sign with the cells, so that an order is no measure here"
+ERROR = "relative difference of the pressure from (2 + pi) c. It may change its sign with the cells, so that an order is no measure here"
 CELLS, ORDER = (2, 4, 8), "none, the pressure jumps at the edge"
 CELLS_ARE = "below the half footing"
 HALF, STRENGTH, WIDTH, DEPTH, SPEED, END = 0.5, 20e3, 3.0, 2.0, 0.01, 0.45

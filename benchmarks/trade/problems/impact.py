@@ -11,7 +11,7 @@ KIND = "impact"
 SOURCE = """A bar between smooth walls flies at v0 = 0.001 of the wave speed c against a rigid wall. A step of the stress, rho c v0, runs to its free end and
 back, and at 2 L / c, when it would leave the wall, all of it flies back at v0 without stress (d'Alembert). The momentum
 that is not back yet, and what oscillates behind the step, are missing."""
-ERROR = "the momentum of the rebound at 2 L / c over that of the exact one, less 1, without its sign"
+ERROR = "relative difference of the momentum of the rebound at 2 L / c (L: length, c: wave speed) from the exact one"
 CELLS, ORDER = (32, 64, 128), "2/3, that of the width of a jump that a scheme of the second order disperses"
 CELLS_ARE = "along the bar"
 SPEED = 1e-3 * WAVE

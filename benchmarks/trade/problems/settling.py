@@ -9,7 +9,7 @@ TITLE = "Column that settles"
 KIND = "rest"
 SOURCE = """Equilibrium: sigma_yy = -rho g (H - Y) of the height Y at the start, whatever the law: between smooth walls the matter above a point
 stays above it. The top sinks by some 0.1 H, 1.6, 3 and 6 cells; local and kinetic damping, four periods."""
-ERROR = "root mean square over the points of sigma_yy less the exact one, over rho g H"
+ERROR = "RMS over the points of the difference of sigma_yy from the exact one, over rho g H"
 CELLS, ORDER = (16, 32, 64), 2
 CELLS_ARE = "over the height"
 HEIGHT, G = 1.0, 10.0

@@ -9,7 +9,7 @@ TITLE = "Block that spins"
 KIND = "rotation"
 SOURCE = """A rigid rotation: one turn; the middle of a side goes at 0.03 of the wave speed, so that the block swells by some 0.0005 of its
 size, which is where errors end."""
-ERROR = "root mean square over the points of the distance from where the rotation takes them, over that from the middle"
+ERROR = "RMS distance of the points from where the rotation takes them, over that from the middle"
 CELLS, ORDER = (8, 16, 32), 2
 CELLS_ARE = "along a side"
 LAW = ar.LinearElastic(density=1000, young=1e5, poisson=0.3)

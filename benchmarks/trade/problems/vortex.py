@@ -12,7 +12,7 @@ SOURCE = """A ring of a neo-Hookean solid (E = 1 kPa, nu = 0.3, 1,000 kg/m3) bet
 A (1 - 16 (R - 1)^2)^2 sin(pi t), A = 0.2: shear up to 1.24 at constant volume, under the body force that this takes (Brannon, Kamojjala and Sadeghirad 2011;
 Kamojjala, Brannon, Sadeghirad and Guilkey 2015, doi:10.1007/s00366-013-0342-x). One second, there and back. The law is computed number by number, which
 levels costs."""
-ERROR = "the greatest root mean square over the run of the points' distances from where they should be, over the greatest displacement"
+ERROR = "the greatest RMS distance during the run of the points from their exact positions, over the greatest displacement"
 CELLS, ORDER = (8, 16, 32), "2, less by the boundary of the ring, which is none of the cells"
 CELLS_ARE = "across the ring"
 INNER, OUTER, ANGLE, TIME = 0.75, 1.25, 0.2, 1.0

@@ -195,6 +195,7 @@ Checks made() {
   checks.emplace("Free", &check_free);
   checks.emplace("Anchor", &check_anchor);
   checks.emplace("Rigid", &check_rigid);
+  checks.emplace("MeshSurface", &binds<BoundMeshSurface<double, 3>, MeshSurface>);
   checks.emplace("MovingMesh", [](const Value& values) {
     check_moving_mesh<3>(read<MovingMesh<>>(values, ReadContext{.name = "MovingMesh"}));
   });

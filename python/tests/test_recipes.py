@@ -110,7 +110,7 @@ def sound(ar):
         "Capsule": {"a": (0, 0), "b": (1, 0), "radius": 1.0}, "Cylinder": {"a": (0, 0, 0), "b": (1, 0, 0), "radius": 1.0},
         "RoundedBox": {"lower": (0, 0), "upper": (1, 1), "radius": 0.1}, "ConeCylinder": {"radius": 0.02, "apex": 1.0, "length": 1e5},
         "MovingMesh": {"fixed_below": 0.0, "moving_from": 1.0, "moving_to": 2.0, "fixed_above": 3.0},
-        "Rigid": {"surface": ball, "motion": ar.Guided(mass=1), "friction": 0.5},
+        "MeshSurface": {"region": "cone"}, "Rigid": {"surface": ball, "motion": ar.Guided(mass=1), "friction": 0.5},
         "Fill": {"name": "sand", "region": ball, "law": ar.LinearElastic(**ELASTIC)}, "Absorbing": {"where": bottom},
         "Surface": {"body": "sand", "region": ball, "normal": (0, 1), "thickness": 0.1}, "RigidContact": {"friction": 0.5}, "RigidPair": {"first": 0, "second": 1},
     }

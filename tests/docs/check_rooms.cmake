@@ -1,6 +1,6 @@
 # cmake -D root=FOLDER -P check_rooms.cmake: no include runs back against the order of the rooms (the line `core < ..` of
-# docs/design.md; `io` takes core, geometry and mesh, `observe`, `run` and `tiles` take io), and no room uses what another one has in `detail` (what rooms share stands in
-# `shared_detail`). Each header names the licence.
+# docs/design.md; `io` takes core, geometry and mesh, `observe`, `run` and `tiles` take io), and no room uses what another one has in
+# `detail`; what rooms share stands in `shared_detail`. Each header names the licence.
 file(STRINGS ${root}/docs/design.md order REGEX "^core < ")
 string(REPLACE " < " ";" order "${order}")
 set(rooms ${order} io)
